@@ -1,0 +1,1 @@
+//! Pixels, pictures and the window that shows them.

@@ -1,0 +1,1 @@
+//! Vectors, points, normals and 3x3 matrices.

@@ -1,0 +1,1 @@
+//! Rays, cameras, sampling and the striped sky.

@@ -1,0 +1,1 @@
+//! Planes, boxes, triangles and spheres, and the world that holds them.

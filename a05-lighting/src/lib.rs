@@ -1,0 +1,1 @@
+//! Lights and materials: Lambert and Phong.

@@ -1,0 +1,1 @@
+//! Transformed geometry, the scene graph and the disc.

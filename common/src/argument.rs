@@ -1,0 +1,123 @@
+//! Checks of what a constructor is given, and the one error they share.
+//!
+//! Lengths and coordinates stay within [`SMALLEST_LENGTH`] and
+//! [`LARGEST_LENGTH`], so that a product of three of them neither overflows
+//! nor vanishes and no formula of the workbook can turn into infinity or NaN.
+
+use std::fmt;
+
+use crate::Color;
+
+/// Shortest length that a constructor accepts.
+pub const SMALLEST_LENGTH: f64 = 1e-100;
+
+/// Greatest length, and greatest magnitude of a coordinate, that a constructor
+/// accepts.
+pub const LARGEST_LENGTH: f64 = 1e100;
+
+/// An argument outside of what its constructor accepts.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{name} is {value}, but must be {allowed}")]
+pub struct ArgumentError {
+    /// The argument, by its name in the constructor.
+    pub name: &'static str,
+    /// What was given.
+    pub value: String,
+    /// What would be accepted.
+    pub allowed: &'static str,
+}
+
+impl ArgumentError {
+    /// An error that names the argument, what was given and what is allowed.
+    pub fn new(name: &'static str, value: impl fmt::Display, allowed: &'static str) -> Self {
+        Self {
+            name,
+            value: format!("{value}"),
+            allowed,
+        }
+    }
+}
+
+/// Passes `value` on if `valid`, or says what is allowed.
+pub fn check(
+    name: &'static str,
+    value: f64,
+    valid: bool,
+    allowed: &'static str,
+) -> Result<f64, ArgumentError> {
+    if valid {
+        Ok(value)
+    } else {
+        Err(ArgumentError::new(name, value, allowed))
+    }
+}
+
+/// A finite number.
+pub fn finite(name: &'static str, value: f64) -> Result<f64, ArgumentError> {
+    check(name, value, value.is_finite(), "a finite number")
+}
+
+/// A finite number that is not negative.
+pub fn not_negative(name: &'static str, value: f64) -> Result<f64, ArgumentError> {
+    let valid = value.is_finite() && value >= 0.0;
+    check(name, value, valid, "a finite number of at least 0")
+}
+
+/// A positive length within the range that the formulas stand.
+pub fn length(name: &'static str, value: f64) -> Result<f64, ArgumentError> {
+    let valid = (SMALLEST_LENGTH..=LARGEST_LENGTH).contains(&value);
+    check(name, value, valid, "a length from 1e-100 to 1e100")
+}
+
+/// A coordinate within the range that the formulas stand.
+pub fn coordinate(name: &'static str, value: f64) -> Result<f64, ArgumentError> {
+    let valid = value.abs() <= LARGEST_LENGTH;
+    check(name, value, valid, "a coordinate from -1e100 to 1e100")
+}
+
+/// A colour of finite channels, none of them negative.
+pub fn color(name: &'static str, value: Color) -> Result<Color, ArgumentError> {
+    if value.channels().iter().all(|c| c.is_finite() && *c >= 0.0) {
+        Ok(value)
+    } else {
+        let given = format!("({}, {}, {})", value.r, value.g, value.b);
+        let allowed = "a colour of finite channels of at least 0";
+        Err(ArgumentError::new(name, given, allowed))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_says_what_was_given_and_what_would_be_right() {
+        let error = length("radius", 0.0).unwrap_err();
+        let text = "radius is 0, but must be a length from 1e-100 to 1e100";
+        assert_eq!(error.to_string(), text);
+    }
+
+    #[test]
+    fn no_check_lets_nan_or_infinity_pass() {
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(finite("x", value).is_err());
+            assert!(not_negative("x", value).is_err());
+            assert!(length("x", value).is_err());
+            assert!(coordinate("x", value).is_err());
+            assert!(color("x", Color::new(0.0, value, 0.0)).is_err());
+        }
+    }
+
+    #[test]
+    fn ranges_include_their_ends_and_nothing_beyond() {
+        assert!(length("x", 1e-100).is_ok() && length("x", 1e100).is_ok());
+        assert!(length("x", 0.999e-100).is_err() && length("x", 1.001e100).is_err());
+        assert!(length("x", -1.0).is_err());
+        assert!(coordinate("x", -1e100).is_ok() && coordinate("x", 1e100).is_ok());
+        assert!(coordinate("x", -1.001e100).is_err() && coordinate("x", 1.001e100).is_err());
+        assert!(not_negative("x", 0.0).is_ok() && not_negative("x", -1e-300).is_err());
+        assert!(finite("x", -7.0).is_ok());
+        assert!(color("x", Color::WHITE).is_ok());
+        assert!(color("x", Color::new(0.0, -0.1, 0.0)).is_err());
+    }
+}

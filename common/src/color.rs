@@ -1,0 +1,177 @@
+//! `Color`: linear red, green and blue.
+//!
+//! Channels are not limited to 0..=1 while light is added up and filtered;
+//! they are clamped once, when a picture becomes bytes.
+
+use std::ops::{Add, AddAssign, Mul, Sub};
+
+/// A colour of linear red, green and blue, nominally from 0 to 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Color {
+    /// Red.
+    pub r: f64,
+    /// Green.
+    pub g: f64,
+    /// Blue.
+    pub b: f64,
+}
+
+impl Color {
+    /// No light at all.
+    pub const BLACK: Self = Self::gray(0.0);
+    /// All three channels full.
+    pub const WHITE: Self = Self::gray(1.0);
+    /// Full red.
+    pub const RED: Self = Self::new(1.0, 0.0, 0.0);
+    /// Full green.
+    pub const GREEN: Self = Self::new(0.0, 1.0, 0.0);
+    /// Full blue.
+    pub const BLUE: Self = Self::new(0.0, 0.0, 1.0);
+    /// Red and green.
+    pub const YELLOW: Self = Self::new(1.0, 1.0, 0.0);
+    /// Red and blue.
+    pub const MAGENTA: Self = Self::new(1.0, 0.0, 1.0);
+
+    /// The colour of these three channels.
+    #[must_use]
+    pub const fn new(r: f64, g: f64, b: f64) -> Self {
+        Self { r, g, b }
+    }
+
+    /// The grey whose three channels are `value`.
+    #[must_use]
+    pub const fn gray(value: f64) -> Self {
+        Self::new(value, value, value)
+    }
+
+    /// The colour of three bytes, 255 becoming 1.
+    #[must_use]
+    pub fn from_bytes([r, g, b]: [u8; 3]) -> Self {
+        Self::new(r.into(), g.into(), b.into()).map(|byte| byte / 255.0)
+    }
+
+    /// The colour of a packed 0xRRGGBB number; higher bits are ignored.
+    #[must_use]
+    pub fn from_packed(rgb: u32) -> Self {
+        let [_, r, g, b] = rgb.to_be_bytes();
+        Self::from_bytes([r, g, b])
+    }
+
+    /// Three bytes: clamped to 0..=1, scaled to 255 and rounded to the nearest.
+    /// NaN becomes 0.
+    #[must_use]
+    pub fn to_bytes(self) -> [u8; 3] {
+        // The cast saturates: it is the clamp.
+        self.channels().map(|channel| (channel * 255.0 + 0.5) as u8)
+    }
+
+    /// Red, green and blue, in this order.
+    #[must_use]
+    pub const fn channels(self) -> [f64; 3] {
+        [self.r, self.g, self.b]
+    }
+
+    /// The colour whose channels are `f` of these.
+    #[must_use]
+    pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        Self::new(f(self.r), f(self.g), f(self.b))
+    }
+
+    /// Whether no channel is NaN or infinite.
+    #[must_use]
+    pub fn is_finite(self) -> bool {
+        self.channels().iter().all(|channel| channel.is_finite())
+    }
+}
+
+impl Add for Color {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self::new(self.r + other.r, self.g + other.g, self.b + other.b)
+    }
+}
+
+impl AddAssign for Color {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl Sub for Color {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.r - other.r, self.g - other.g, self.b - other.b)
+    }
+}
+
+/// Light of one colour, filtered by the other.
+impl Mul for Color {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self::new(self.r * other.r, self.g * other.g, self.b * other.b)
+    }
+}
+
+impl Mul<f64> for Color {
+    type Output = Self;
+
+    fn mul(self, factor: f64) -> Self {
+        self.map(|channel| channel * factor)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_byte_survives_the_way_to_a_number_and_back() {
+        for byte in 0..=255 {
+            let bytes = [byte, 255 - byte, byte / 2];
+            assert_eq!(Color::from_bytes(bytes).to_bytes(), bytes);
+        }
+    }
+
+    #[test]
+    fn bytes_are_clamped_and_rounded() {
+        let byte = |channel: f64| Color::gray(channel).to_bytes()[0];
+        assert_eq!(byte(1.5), 255);
+        assert_eq!(byte(-0.5), 0);
+        assert_eq!(byte(f64::INFINITY), 255);
+        assert_eq!(byte(f64::NAN), 0);
+        assert_eq!(byte(0.5), 128, "127.5 is rounded up");
+        assert_eq!(byte(0.999_999), 255);
+        assert_eq!(byte(0.5 / 255.0), 1, "half a grey level");
+    }
+
+    #[test]
+    fn packed_numbers_hold_red_first() {
+        assert_eq!(Color::from_packed(0x00FF_0000), Color::RED);
+        assert_eq!(
+            Color::from_packed(0xAB12_3456).to_bytes(),
+            [0x12, 0x34, 0x56]
+        );
+    }
+
+    #[test]
+    fn arithmetic_goes_channel_by_channel() {
+        let (a, b) = (Color::new(1.0, 2.0, 4.0), Color::new(3.0, 5.0, 7.0));
+        assert_eq!(a + b, Color::new(4.0, 7.0, 11.0));
+        assert_eq!(b - a, Color::new(2.0, 3.0, 3.0));
+        assert_eq!(a * b, Color::new(3.0, 10.0, 28.0));
+        assert_eq!(a * 0.5, Color::new(0.5, 1.0, 2.0));
+        let mut sum = a;
+        sum += b;
+        assert_eq!(sum, a + b);
+    }
+
+    #[test]
+    fn one_bad_channel_is_enough_not_to_be_finite() {
+        assert!(Color::WHITE.is_finite());
+        assert!(!Color::new(0.0, f64::NAN, 0.0).is_finite());
+        assert!(!Color::new(0.0, 0.0, f64::INFINITY).is_finite());
+    }
+}

@@ -1,0 +1,56 @@
+//! `Error`: what can go wrong in a stage's program, each said in one sentence.
+
+use std::path::PathBuf;
+
+use crate::{ArgumentError, Size};
+
+/// Why a picture could not be made, opened or written.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The command line asks for what cannot be done.
+    #[error("{0}")]
+    Usage(String),
+    /// A constructor refused an argument.
+    #[error(transparent)]
+    Argument(#[from] ArgumentError),
+    /// A picture file could not be opened.
+    #[error("cannot open {}: {reason}", path.display())]
+    Open {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it, and what would be right.
+        reason: String,
+    },
+    /// A picture file could not be written.
+    #[error("cannot write {}: {reason}", path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// What stands in the way.
+        reason: String,
+    },
+    /// There is not enough memory for a picture.
+    #[error("not enough memory for a picture of {size} pixels; a smaller --size would fit")]
+    Memory {
+        /// The picture's size.
+        size: Size,
+    },
+    /// The threads for the rendering could not be started.
+    #[error("cannot start the threads: {0}; fewer --threads may do")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    /// The rendering was stopped before its end.
+    #[error("the rendering was stopped")]
+    Stopped,
+}
+
+impl Error {
+    /// The exit code of a program that ends with this error: 2 where the
+    /// command line is wrong, else 1.
+    #[must_use]
+    pub const fn exit_code(&self) -> u8 {
+        match self {
+            Self::Usage(_) => 2,
+            _ => 1,
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! What the programs of all stages share and no lesson teaches: colours and
+//! pictures, files, settings, progress, and the command line.
+//!
+//! Nothing here knows a ray or a window. A stage hands its [`Scene`]s to
+//! [`program::run`], together with a [`Viewer`] if the build has one.
+
+pub mod argument;
+mod color;
+mod error;
+mod image;
+mod overrides;
+pub mod picture_file;
+#[cfg(feature = "lock")]
+pub mod picture_lock;
+pub mod program;
+mod progress;
+mod scene;
+mod settings;
+mod size;
+mod transfer;
+mod viewer;
+
+pub use argument::ArgumentError;
+pub use color::Color;
+pub use error::Error;
+pub use image::Image;
+pub use progress::{Progress, TerminalProgress};
+pub use scene::{Scene, Stage};
+pub use settings::{Sampling, Settings};
+pub use size::Size;
+pub use transfer::Transfer;
+pub use viewer::{NoWindow, Viewer};

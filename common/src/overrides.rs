@@ -1,0 +1,169 @@
+//! The flags that change how a scene is rendered.
+
+use std::path::PathBuf;
+
+use crate::scene::Heeds;
+use crate::{Error, Sampling, Scene, Settings, Size, Transfer};
+
+/// What of a scene's defaults the command line replaces.
+#[derive(Clone, Debug, Default, clap::Args)]
+pub struct Overrides {
+    /// Width and height in pixels [default: the scene's]
+    #[arg(long, value_name = "WxH")]
+    size: Option<Size>,
+
+    /// Samples per pixel [default: the scene's]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    samples: Option<u32>,
+
+    /// Where samples lie [default: center for one sample, else stratified]
+    #[arg(long, value_enum, value_name = "HOW")]
+    sampling: Option<Sampling>,
+
+    /// Selects the random numbers [default: 0]
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
+
+    /// How many surfaces a ray may meet, 1 showing no reflection [default: the scene's]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    depth: Option<u32>,
+
+    /// Threads to render with [default: one a core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+
+    /// Curve between light and the values in the file
+    #[arg(long, value_enum, value_name = "CURVE", default_value_t)]
+    pub transfer: Transfer,
+
+    /// Shoot also the rays that cannot change the picture
+    #[arg(long)]
+    no_omit: bool,
+
+    /// The picture that show-image opens (PNG, JPEG or BMP)
+    #[arg(long, value_name = "FILE")]
+    open: Option<PathBuf>,
+}
+
+impl Overrides {
+    /// How many threads to start; 0 lets there be one a core.
+    pub fn threads(&self) -> usize {
+        self.threads.unwrap_or(0).into()
+    }
+
+    /// The settings for `scene`: what was asked for, else its defaults.
+    pub fn settings(&self, scene: &Scene) -> Result<Settings, Error> {
+        let defaults = &scene.defaults;
+        let (samples, sampling) = match (self.samples, self.sampling) {
+            (None, None) => (defaults.samples, defaults.sampling),
+            (None, Some(Sampling::Center)) | (Some(1), None) => (1, Sampling::Center),
+            (None, Some(sampling)) => (defaults.samples, sampling),
+            (Some(samples), None) => (samples, Sampling::Stratified),
+            (Some(samples), Some(sampling)) => (samples, sampling),
+        };
+        if sampling == Sampling::Center && samples > 1 {
+            return Err(Error::Usage(format!(
+                "a pixel has one center, not {samples}; \
+                 --sampling regular, random or stratified takes more samples"
+            )));
+        }
+        let root = samples.isqrt();
+        if sampling.is_grid() && root * root != samples {
+            let (below, above) = (root * root, (root + 1) * (root + 1));
+            return Err(Error::Usage(format!(
+                "--samples {samples} makes no square grid, which regular and stratified \
+                 sampling need; {below} and {above} do, and random sampling takes any number"
+            )));
+        }
+        Ok(Settings {
+            size: self.size.unwrap_or(defaults.size),
+            samples,
+            sampling,
+            seed: self.seed.unwrap_or(defaults.seed),
+            depth: self.depth.unwrap_or(defaults.depth),
+            omit: defaults.omit && !self.no_omit,
+            file: self.open.clone().or_else(|| defaults.file.clone()),
+        })
+    }
+
+    /// The flags that were given although they do not change this scene.
+    pub fn unheeded(&self, heeds: Heeds) -> Vec<&'static str> {
+        let sampling = !heeds.sampling;
+        [
+            ("--size", self.size.is_some() && !heeds.size),
+            ("--samples", self.samples.is_some() && sampling),
+            ("--sampling", self.sampling.is_some() && sampling),
+            ("--seed", self.seed.is_some() && sampling),
+            ("--depth", self.depth.is_some() && !heeds.depth),
+            ("--open", self.open.is_some() && !heeds.file),
+        ]
+        .into_iter()
+        .filter_map(|(flag, unheeded)| unheeded.then_some(flag))
+        .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Image;
+
+    fn scene() -> Scene {
+        Scene::traced("test", "", |settings, _| Image::black(settings.size))
+    }
+
+    #[test]
+    fn without_flags_the_scene_decides() {
+        let defaults = Settings {
+            samples: 9,
+            sampling: Sampling::Regular,
+            seed: 7,
+            ..Settings::default()
+        };
+        let scene = scene().with_defaults(defaults.clone());
+        assert_eq!(Overrides::default().settings(&scene).unwrap(), defaults);
+    }
+
+    #[test]
+    fn the_number_of_samples_chooses_a_sampling_that_can_hold_it() {
+        let samples = |samples| Overrides {
+            samples: Some(samples),
+            ..Overrides::default()
+        };
+        let sampling = |n| samples(n).settings(&scene()).unwrap().sampling;
+        assert_eq!(sampling(1), Sampling::Center);
+        assert_eq!(sampling(16), Sampling::Stratified);
+
+        let mut center = samples(4);
+        center.sampling = Some(Sampling::Center);
+        let error = center.settings(&scene()).unwrap_err().to_string();
+        assert!(error.contains("one center"), "{error}");
+        let error = samples(5).settings(&scene()).unwrap_err().to_string();
+        assert!(error.contains("4 and 9"), "{error}");
+    }
+
+    #[test]
+    fn center_sampling_means_one_sample() {
+        let scene = scene().with_defaults(Settings {
+            samples: 100,
+            sampling: Sampling::Stratified,
+            ..Settings::default()
+        });
+        let center = Overrides {
+            sampling: Some(Sampling::Center),
+            ..Overrides::default()
+        };
+        assert_eq!(center.settings(&scene).unwrap().samples, 1);
+    }
+
+    #[test]
+    fn flags_that_change_nothing_are_named() {
+        let flags = Overrides {
+            depth: Some(2),
+            samples: Some(4),
+            ..Overrides::default()
+        };
+        assert_eq!(flags.unheeded(scene().heeds), ["--depth"]);
+        assert!(flags.unheeded(scene().reflecting().heeds).is_empty());
+    }
+}

@@ -1,0 +1,262 @@
+//! Opening picture files, and writing PNG so that a file is whole or absent.
+
+use std::fs::File;
+use std::io::{self, BufReader, Cursor, Seek, Write};
+use std::path::Path;
+
+use image::codecs::png::PngEncoder;
+use image::{
+    DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageError, ImageReader, Limits,
+};
+
+use crate::{Color, Error, Image, Size};
+
+/// Opens a PNG, JPEG or BMP file, whatever its name ends in. Colours are taken
+/// as they are stored, 8 bits a channel; what is transparent shows black.
+///
+/// The size is checked before memory is taken for the pixels.
+pub fn open(path: &Path) -> Result<Image, Error> {
+    let failed = |reason| Error::Open {
+        path: path.to_owned(),
+        reason,
+    };
+    let file = File::open(path).map_err(|error| failed(error.to_string()))?;
+    let (size, rgba) = decode(BufReader::new(file)).map_err(failed)?;
+    let mut image = Image::black(size)?;
+    for (pixel, rgba) in image.pixels_mut().iter_mut().zip(rgba.chunks_exact(4)) {
+        let opacity = f64::from(rgba[3]) / 255.0;
+        *pixel = Color::from_bytes([rgba[0], rgba[1], rgba[2]]) * opacity;
+    }
+    Ok(image)
+}
+
+fn decode(file: impl io::BufRead + Seek) -> Result<(Size, Vec<u8>), String> {
+    let explain = |error: ImageError| explain(&error);
+    let mut reader = ImageReader::new(file)
+        .with_guessed_format()
+        .map_err(|error| error.to_string())?;
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(1 << 30);
+    reader.limits(limits);
+    let mut decoder = reader.into_decoder().map_err(explain)?;
+    let (width, height) = decoder.dimensions();
+    Size::new(width, height).map_err(|error| error.to_string())?;
+    let orientation = decoder.orientation().map_err(explain)?;
+    let mut picture = DynamicImage::from_decoder(decoder).map_err(explain)?;
+    picture.apply_orientation(orientation);
+    let size = Size::new(picture.width(), picture.height()).map_err(|error| error.to_string())?;
+    Ok((size, picture.into_rgba8().into_raw()))
+}
+
+fn explain(error: &ImageError) -> String {
+    match error {
+        ImageError::Unsupported(_) => "it is no PNG, JPEG or BMP picture".into(),
+        ImageError::IoError(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
+            "the file ends too early; it may be only half copied".into()
+        }
+        ImageError::IoError(error) => error.to_string(),
+        ImageError::Limits(_) => "the picture needs more than 1 GiB of memory".into(),
+        error => format!("the file is damaged ({error})"),
+    }
+}
+
+/// Writes a PNG file of red, green and blue bytes, row after row from the top.
+///
+/// The file is written under another name in the same folder and then renamed:
+/// whoever looks finds the old file or the new one, never half of it.
+///
+/// # Panics
+///
+/// If `rgb` does not hold three bytes for every pixel of `size`.
+pub fn save_png(path: &Path, size: Size, rgb: &[u8]) -> Result<(), Error> {
+    assert_eq!(rgb.len(), 3 * size.pixels(), "three bytes a pixel");
+    let mut png = Cursor::new(Vec::new());
+    let encoded = PngEncoder::new(&mut png).write_image(
+        rgb,
+        size.width(),
+        size.height(),
+        ExtendedColorType::Rgb8,
+    );
+    let written = encoded
+        .map_err(|error| error.to_string())
+        .and_then(|()| write_whole(path, png.get_ref()).map_err(|error| error.to_string()));
+    written.map_err(|reason| Error::Write {
+        path: path.to_owned(),
+        reason,
+    })
+}
+
+fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let folder = match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    if !folder.is_dir() {
+        let reason = format!("there is no folder {}; create it first", folder.display());
+        return Err(io::Error::new(io::ErrorKind::NotFound, reason));
+    }
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".saving-");
+    // Temporary files are private by default, a picture need not be.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let mut file = builder.tempfile_in(folder)?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    file.persist(path)?;
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Transfer;
+
+    fn sample() -> Image {
+        Image::from_fn(Size::new(20, 10).unwrap(), |x, y| {
+            Color::from_bytes([x as u8 * 10, y as u8 * 20, 200])
+        })
+        .unwrap()
+    }
+
+    fn saved(folder: &Path) -> std::path::PathBuf {
+        let path = folder.join("sample.png");
+        let image = sample();
+        save_png(&path, image.size(), &image.to_rgb8(Transfer::Linear)).unwrap();
+        path
+    }
+
+    fn reason(path: &Path) -> String {
+        open(path).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn what_is_saved_comes_back_and_nothing_else_is_left() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = saved(folder.path());
+        saved(folder.path());
+        assert_eq!(open(&path).unwrap(), sample());
+        assert_eq!(folder.path().read_dir().unwrap().count(), 1);
+    }
+
+    #[test]
+    fn jpeg_and_bmp_open_under_any_name() {
+        let folder = tempfile::tempdir().unwrap();
+        let image = sample();
+        let rgb = image.to_rgb8(Transfer::Linear);
+        let buffer = image::RgbImage::from_raw(20, 10, rgb).unwrap();
+        for (format, largest_difference) in [
+            (image::ImageFormat::Bmp, 0.0),
+            // Lossy, and the colours change fast: a sixth of the range.
+            (image::ImageFormat::Jpeg, 1.0 / 6.0),
+        ] {
+            let path = folder.path().join("named.png");
+            buffer.save_with_format(&path, format).unwrap();
+            let opened = open(&path).unwrap();
+            assert_eq!(opened.size(), image.size());
+            for (a, b) in opened.pixels().iter().zip(image.pixels()) {
+                for channel in (*a - *b).channels() {
+                    assert!(channel.abs() <= largest_difference, "{format:?}: {channel}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_transparent_shows_black() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("clear.png");
+        let clear = image::RgbaImage::from_pixel(1, 1, image::Rgba([255, 255, 255, 0]));
+        clear.save(&path).unwrap();
+        assert_eq!(open(&path).unwrap().pixels(), [Color::BLACK]);
+    }
+
+    #[test]
+    fn files_that_are_no_pictures_are_refused_with_the_reason() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("bad.png");
+        assert!(reason(&path).contains("bad.png"), "{}", reason(&path));
+
+        std::fs::write(&path, "").unwrap();
+        assert!(
+            reason(&path).contains("no PNG, JPEG or BMP"),
+            "{}",
+            reason(&path)
+        );
+        std::fs::write(&path, "this is text, not a picture").unwrap();
+        assert!(
+            reason(&path).contains("no PNG, JPEG or BMP"),
+            "{}",
+            reason(&path)
+        );
+        std::fs::write(&path, b"GIF89a\x01\0\x01\0\0\0\0;").unwrap();
+        assert!(
+            reason(&path).contains("no PNG, JPEG or BMP"),
+            "{}",
+            reason(&path)
+        );
+        assert!(open(folder.path()).is_err(), "a folder");
+    }
+
+    #[test]
+    fn a_file_cut_anywhere_is_refused_and_does_not_panic() {
+        let folder = tempfile::tempdir().unwrap();
+        let whole = std::fs::read(saved(folder.path())).unwrap();
+        let path = folder.path().join("cut.png");
+        // The last twelve bytes only say that the picture is over.
+        for length in 0..whole.len() - 12 {
+            std::fs::write(&path, &whole[..length]).unwrap();
+            assert!(open(&path).is_err(), "{length} bytes of {}", whole.len());
+        }
+    }
+
+    #[test]
+    fn a_flipped_bit_in_the_pixels_is_noticed() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = saved(folder.path());
+        let mut bytes = std::fs::read(&path).unwrap();
+        let data = bytes.windows(4).position(|name| name == b"IDAT").unwrap();
+        bytes[data + 12] ^= 1;
+        std::fs::write(&path, bytes).unwrap();
+        assert!(reason(&path).contains("damaged"), "{}", reason(&path));
+    }
+
+    #[test]
+    fn a_header_that_promises_too_much_is_refused_before_memory_is_taken() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("huge.bmp");
+        let mut bmp = Vec::new();
+        image::RgbImage::new(1, 1)
+            .write_to(&mut Cursor::new(&mut bmp), image::ImageFormat::Bmp)
+            .unwrap();
+        // Width and height in the header of a BMP file.
+        bmp[18..22].copy_from_slice(&60_000_u32.to_le_bytes());
+        bmp[22..26].copy_from_slice(&60_000_u32.to_le_bytes());
+        std::fs::write(&path, bmp).unwrap();
+        assert!(
+            reason(&path).contains("at most 8192x8192"),
+            "{}",
+            reason(&path)
+        );
+    }
+
+    #[test]
+    fn a_folder_that_is_missing_is_named_and_not_made() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("missing").join("a.png");
+        let size = Size::new(1, 1).unwrap();
+        let error = save_png(&path, size, &[0; 3]).unwrap_err().to_string();
+        assert!(error.contains("there is no folder"), "{error}");
+        assert!(!folder.path().join("missing").exists());
+    }
+
+    #[test]
+    fn a_picture_that_cannot_take_its_name_leaves_nothing_behind() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.png");
+        std::fs::create_dir(&path).unwrap();
+        let size = Size::new(1, 1).unwrap();
+        assert!(save_png(&path, size, &[0; 3]).is_err());
+        assert_eq!(folder.path().read_dir().unwrap().count(), 1);
+    }
+}

@@ -1,0 +1,57 @@
+//! `Progress`: what a rendering tells while it goes on.
+
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::{Color, Size};
+
+/// Follows a rendering from row to row. Called from all of its threads.
+pub trait Progress: Sync {
+    /// Row `y`, counted from the top, is finished.
+    fn row(&self, y: u32, pixels: &[Color]);
+
+    /// True once the picture is not wanted any more: no further row is begun.
+    fn stopped(&self) -> bool {
+        false
+    }
+}
+
+/// Nobody follows.
+impl Progress for () {
+    fn row(&self, _: u32, _: &[Color]) {}
+}
+
+/// A bar with elapsed and remaining time on stderr; silent when that is no
+/// terminal.
+pub struct TerminalProgress(ProgressBar);
+
+impl TerminalProgress {
+    /// A bar for a picture of this size, under the name of its scene.
+    #[must_use]
+    pub fn new(scene: &'static str, size: Size) -> Self {
+        // indicatif hides a bar whose target is no terminal.
+        let target = ProgressDrawTarget::stderr_with_hz(10);
+        let bar = ProgressBar::with_draw_target(Some(size.height().into()), target);
+        let template =
+            "{msg} [{bar:30}] {percent}%  {elapsed_precise} elapsed, {eta_precise} to go";
+        if let Ok(style) = ProgressStyle::with_template(template) {
+            bar.set_style(style.progress_chars("=> "));
+        }
+        bar.set_message(scene);
+        bar.enable_steady_tick(Duration::from_millis(200));
+        Self(bar)
+    }
+}
+
+impl Progress for TerminalProgress {
+    fn row(&self, _: u32, _: &[Color]) {
+        self.0.inc(1);
+    }
+}
+
+impl Drop for TerminalProgress {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}

@@ -1,0 +1,120 @@
+//! `Stage` and `Scene`: what a stage hands to its program.
+
+use crate::{Error, Image, Progress, Settings};
+
+type Paint = dyn Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync;
+
+/// One stage of the tower: its name and its scenes.
+pub struct Stage {
+    /// The crate's name, which begins the names of its pictures.
+    pub name: &'static str,
+    /// What the stage is about, in one line.
+    pub about: &'static str,
+    /// The scenes in the order of the course; the first is shown by default.
+    pub scenes: Vec<Scene>,
+}
+
+impl Stage {
+    /// The scene of this name, or an error that lists those there are.
+    pub fn scene(&self, name: &str) -> Result<&Scene, Error> {
+        let known = self.scenes.iter().find(|scene| scene.name == name);
+        known.ok_or_else(|| {
+            let names: Vec<_> = self.scenes.iter().map(|scene| scene.name).collect();
+            let (stage, names) = (self.name, names.join(", "));
+            Error::Usage(format!("{stage} has no scene \"{name}\"; it has {names}"))
+        })
+    }
+}
+
+/// What of the [`Settings`] a scene heeds. What it does not heed does not
+/// change its picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "four independent properties")]
+pub struct Heeds {
+    /// The size of the picture.
+    pub size: bool,
+    /// Number, place and seed of the samples.
+    pub sampling: bool,
+    /// The number of surfaces that a ray may meet.
+    pub depth: bool,
+    /// The file to open.
+    pub file: bool,
+}
+
+/// A picture of a stage, under the name that the course gives it.
+pub struct Scene {
+    /// The name on the command line, in kebab case.
+    pub name: &'static str,
+    /// What is to be seen, in one line.
+    pub about: &'static str,
+    /// The settings it is rendered with where nothing else is asked for.
+    pub defaults: Settings,
+    /// What of the settings changes its picture.
+    pub heeds: Heeds,
+    paint: Box<Paint>,
+}
+
+impl Scene {
+    /// A scene that is painted at any size, without rays.
+    pub fn painted(
+        name: &'static str,
+        about: &'static str,
+        paint: impl Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync + 'static,
+    ) -> Self {
+        let heeds = Heeds {
+            size: true,
+            sampling: false,
+            depth: false,
+            file: false,
+        };
+        Self {
+            name,
+            about,
+            defaults: Settings::default(),
+            heeds,
+            paint: Box::new(paint),
+        }
+    }
+
+    /// A scene that shows a picture file of whatever size that has.
+    pub fn opened(
+        name: &'static str,
+        about: &'static str,
+        open: impl Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync + 'static,
+    ) -> Self {
+        let mut scene = Self::painted(name, about, open);
+        scene.heeds.size = false;
+        scene.heeds.file = true;
+        scene
+    }
+
+    /// A scene whose pixels are sampled by rays.
+    pub fn traced(
+        name: &'static str,
+        about: &'static str,
+        trace: impl Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync + 'static,
+    ) -> Self {
+        let mut scene = Self::painted(name, about, trace);
+        scene.heeds.sampling = true;
+        scene
+    }
+
+    /// The same scene, its rays being reflected by what they meet.
+    #[must_use]
+    pub fn reflecting(mut self) -> Self {
+        self.heeds.depth = true;
+        self
+    }
+
+    /// The same scene with other defaults.
+    #[must_use]
+    pub fn with_defaults(mut self, defaults: Settings) -> Self {
+        self.defaults = defaults;
+        self
+    }
+
+    /// Makes the picture.
+    pub fn render(&self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
+        (self.paint)(settings, progress)
+    }
+}

@@ -1,0 +1,60 @@
+//! `Settings`: what a reader can turn about a picture without changing its scene.
+
+use std::path::PathBuf;
+
+use crate::Size;
+
+/// Where the samples of a pixel lie.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Sampling {
+    /// One sample in the middle.
+    #[default]
+    Center,
+    /// A square grid, each sample in the middle of its cell.
+    Regular,
+    /// Anywhere in the pixel.
+    Random,
+    /// A square grid, each sample anywhere in its cell.
+    Stratified,
+}
+
+impl Sampling {
+    /// Whether samples lie on a square grid, so that their number is a square.
+    #[must_use]
+    pub const fn is_grid(self) -> bool {
+        matches!(self, Self::Regular | Self::Stratified)
+    }
+}
+
+/// What a scene is rendered with.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Settings {
+    /// Width and height of the picture.
+    pub size: Size,
+    /// Samples per pixel.
+    pub samples: u32,
+    /// Where they lie.
+    pub sampling: Sampling,
+    /// Selects the random numbers; the same seed gives the same picture.
+    pub seed: u64,
+    /// How many surfaces a ray may meet: 1 shows no reflection.
+    pub depth: u32,
+    /// Whether rays that cannot change the picture are left out.
+    pub omit: bool,
+    /// The picture file to open, for the scene that opens one.
+    pub file: Option<PathBuf>,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            size: Size::COURSE,
+            samples: 1,
+            sampling: Sampling::Center,
+            seed: 0,
+            depth: 6,
+            omit: true,
+            file: None,
+        }
+    }
+}

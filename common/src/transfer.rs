@@ -1,0 +1,54 @@
+//! `Transfer`: how linear light is spread over the 256 levels of a byte.
+
+/// The curve between linear light and the values that a file holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Transfer {
+    /// None: the value is written as it is, as in the course's pictures.
+    #[default]
+    Linear,
+    /// A plain power with exponent 1/2.2.
+    Gamma,
+    /// The curve of sRGB (IEC 61966-2-1), which screens expect.
+    Srgb,
+}
+
+impl Transfer {
+    /// The value to write for `linear` light; negative light counts as none.
+    #[must_use]
+    pub fn encode(self, linear: f64) -> f64 {
+        match self {
+            Self::Linear => linear,
+            Self::Gamma => libm::pow(linear.max(0.0), 1.0 / 2.2),
+            Self::Srgb if linear <= 0.003_130_8 => 12.92 * linear,
+            Self::Srgb => 1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn black_stays_black_and_white_stays_white() {
+        for transfer in [Transfer::Linear, Transfer::Gamma, Transfer::Srgb] {
+            assert_eq!(transfer.encode(0.0), 0.0);
+            assert!((transfer.encode(1.0) - 1.0).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn middle_grey_follows_the_standards() {
+        // 2^(-1/2.2), and the sRGB value of linear 1/2.
+        assert!((Transfer::Gamma.encode(0.5) - 0.729_740_052_840_723_1).abs() < 1e-12);
+        assert!((Transfer::Srgb.encode(0.5) - 0.735_356_983_052_449_5).abs() < 1e-12);
+        assert_eq!(Transfer::Linear.encode(0.5), 0.5);
+    }
+
+    #[test]
+    fn the_two_parts_of_srgb_meet() {
+        let below = Transfer::Srgb.encode(0.003_130_8);
+        let above = Transfer::Srgb.encode(0.003_130_800_1);
+        assert!((above - below).abs() < 1e-6);
+    }
+}
