@@ -1,1 +1,31 @@
 //! Pixels, pictures and the window that shows them.
+//!
+//! Everything the later stages compute ends as an [`Image`](common::Image).
+//! Here images are made by hand, pixel by pixel, so that the way from a colour
+//! to the screen is known before the first ray is shot.
+
+mod canvas;
+mod paint_diagonal;
+mod painter;
+mod scenes;
+mod show_image;
+#[cfg(feature = "window")]
+mod window;
+
+pub use canvas::Canvas;
+pub use paint_diagonal::PaintDiagonal;
+pub use painter::Painter;
+pub use scenes::stage;
+pub use show_image::ShowImage;
+#[cfg(feature = "window")]
+pub use window::Window;
+
+/// The window that the programs of all stages show their pictures in; none in
+/// a build without the feature `window`.
+#[must_use]
+pub fn viewer() -> Option<&'static dyn common::Viewer> {
+    #[cfg(feature = "window")]
+    return Some(&Window);
+    #[cfg(not(feature = "window"))]
+    return None;
+}

@@ -1,13 +1,14 @@
 //! Opening picture files, and writing PNG so that a file is whole or absent.
 
 use std::fs::File;
-use std::io::{self, BufReader, Cursor, Seek, Write};
+use std::io::{self, BufRead, BufReader, Cursor, Seek, Write};
 use std::path::Path;
 
 use image::codecs::png::PngEncoder;
 use image::{
     DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageError, ImageReader, Limits,
 };
+use tempfile::NamedTempFile;
 
 use crate::{Color, Error, Image, Size};
 
@@ -16,12 +17,33 @@ use crate::{Color, Error, Image, Size};
 ///
 /// The size is checked before memory is taken for the pixels.
 pub fn open(path: &Path) -> Result<Image, Error> {
-    let failed = |reason| Error::Open {
+    if path.is_dir() {
+        return Err(cannot_open(path, "it is a folder, not a picture"));
+    }
+    match File::open(path) {
+        Ok(file) => read(path, BufReader::new(file)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            Err(cannot_open(path, "there is no such file"))
+        }
+        Err(error) => Err(cannot_open(path, error.to_string())),
+    }
+}
+
+/// Opens a picture file that is in memory, such as one that the program brings
+/// along; errors call it `name`. Otherwise like [`open`].
+pub fn open_bytes(name: &Path, bytes: &[u8]) -> Result<Image, Error> {
+    read(name, Cursor::new(bytes))
+}
+
+fn cannot_open(path: &Path, reason: impl Into<String>) -> Error {
+    Error::Open {
         path: path.to_owned(),
-        reason,
-    };
-    let file = File::open(path).map_err(|error| failed(error.to_string()))?;
-    let (size, rgba) = decode(BufReader::new(file)).map_err(failed)?;
+        reason: reason.into(),
+    }
+}
+
+fn read(path: &Path, file: impl BufRead + Seek) -> Result<Image, Error> {
+    let (size, rgba) = decode(file).map_err(|reason| cannot_open(path, reason))?;
     let mut image = Image::black(size)?;
     for (pixel, rgba) in image.pixels_mut().iter_mut().zip(rgba.chunks_exact(4)) {
         let opacity = f64::from(rgba[3]) / 255.0;
@@ -30,7 +52,7 @@ pub fn open(path: &Path) -> Result<Image, Error> {
     Ok(image)
 }
 
-fn decode(file: impl io::BufRead + Seek) -> Result<(Size, Vec<u8>), String> {
+fn decode(file: impl BufRead + Seek) -> Result<(Size, Vec<u8>), String> {
     let explain = |error: ImageError| explain(&error);
     let mut reader = ImageReader::new(file)
         .with_guessed_format()
@@ -80,31 +102,61 @@ pub fn save_png(path: &Path, size: Size, rgb: &[u8]) -> Result<(), Error> {
     let written = encoded
         .map_err(|error| error.to_string())
         .and_then(|()| write_whole(path, png.get_ref()).map_err(|error| error.to_string()));
-    written.map_err(|reason| Error::Write {
+    written.map_err(|reason| cannot_write(path, reason))
+}
+
+/// Says what would keep a file from being written, before there is a picture
+/// to write. Leaves nothing behind.
+pub fn check_writable(path: &Path) -> Result<(), Error> {
+    let unnamed = unnamed_file_beside(path);
+    unnamed.map_err(|error| cannot_write(path, error.to_string()))?;
+    Ok(())
+}
+
+fn cannot_write(path: &Path, reason: String) -> Error {
+    Error::Write {
         path: path.to_owned(),
         reason,
-    })
+    }
 }
 
 fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = unnamed_file_beside(path)?;
+    // Errors of the file itself do not tell its passing name.
+    file.as_file_mut().write_all(bytes)?;
+    file.as_file().sync_all()?;
+    file.persist(path)?;
+    Ok(())
+}
+
+/// A file that vanishes unless it is given the name `path`.
+fn unnamed_file_beside(path: &Path) -> io::Result<NamedTempFile> {
     let folder = match path.parent() {
         Some(folder) if folder != Path::new("") => folder,
         _ => Path::new("."),
     };
-    if !folder.is_dir() {
+    let refuse = |kind, reason| Err(io::Error::new(kind, reason));
+    if path.is_dir() {
+        let reason = "a folder has this name";
+        return refuse(io::ErrorKind::IsADirectory, reason.to_owned());
+    }
+    if !folder.exists() {
         let reason = format!("there is no folder {}; create it first", folder.display());
-        return Err(io::Error::new(io::ErrorKind::NotFound, reason));
+        return refuse(io::ErrorKind::NotFound, reason);
+    }
+    if !folder.is_dir() {
+        let reason = format!("{} is a file, not a folder", folder.display());
+        return refuse(io::ErrorKind::NotADirectory, reason);
     }
     let mut builder = tempfile::Builder::new();
     builder.prefix(".saving-");
     // Temporary files are private by default, a picture need not be.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(bytes)?;
-    file.as_file().sync_all()?;
-    file.persist(path)?;
-    Ok(())
+    builder.tempfile_in(folder).map_err(|error| {
+        let (folder, kind) = (folder.display(), error.kind());
+        io::Error::new(kind, format!("no file can be made in {folder} ({kind})"))
+    })
 }
 
 #[cfg(test)]
@@ -238,6 +290,52 @@ mod tests {
             "{}",
             reason(&path)
         );
+    }
+
+    #[test]
+    fn a_picture_in_memory_opens_like_the_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let bytes = std::fs::read(saved(folder.path())).unwrap();
+        let name = Path::new("card.png");
+        assert_eq!(open_bytes(name, &bytes).unwrap(), sample());
+        let error = open_bytes(name, &bytes[..40]).unwrap_err().to_string();
+        assert!(error.starts_with("cannot open card.png: "), "{error}");
+    }
+
+    #[test]
+    fn what_is_no_file_is_called_what_it_is() {
+        let folder = tempfile::tempdir().unwrap();
+        assert!(reason(folder.path()).ends_with("it is a folder, not a picture"));
+        assert!(reason(&folder.path().join("a.png")).ends_with("there is no such file"));
+    }
+
+    #[test]
+    fn what_keeps_a_file_from_being_written_is_known_before() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("file");
+        std::fs::write(&file, "").unwrap();
+        for (path, reason) in [
+            (folder.path().to_owned(), "a folder has this name"),
+            (folder.path().join("missing/a.png"), "create it first"),
+            (file.join("a.png"), "is a file, not a folder"),
+        ] {
+            let error = check_writable(&path).unwrap_err().to_string();
+            assert!(error.ends_with(reason), "{error}");
+            let same = save_png(&path, Size::new(1, 1).unwrap(), &[0; 3]);
+            assert_eq!(same.unwrap_err().to_string(), error);
+        }
+        check_writable(&folder.path().join("a.png")).unwrap();
+        check_writable(&file).unwrap();
+        assert_eq!(folder.path().read_dir().unwrap().count(), 1);
+    }
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn a_folder_that_takes_no_files_is_named() {
+        // Not even the superuser can make a file in /proc.
+        let error = check_writable(Path::new("/proc/a.png")).unwrap_err();
+        let expected = "cannot write /proc/a.png: no file can be made in /proc (";
+        assert!(error.to_string().starts_with(expected), "{error}");
     }
 
     #[test]

@@ -9,7 +9,7 @@ use std::time::Instant;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::overrides::Overrides;
-use crate::{Error, Image, Scene, Size, Stage, TerminalProgress, Viewer, picture_file};
+use crate::{Error, Image, Scene, Stage, TerminalProgress, Viewer, picture_file};
 
 /// The folder that pictures land in, below the current one.
 const DEFAULT_FOLDER: &str = "out";
@@ -83,7 +83,7 @@ fn run_with(
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error}");
+            complain(&format!("error: {error}"));
             ExitCode::from(error.exit_code())
         }
     }
@@ -105,14 +105,18 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
             output,
             overrides,
         }) => {
-            // All names are looked up before the first picture is begun.
             let scenes: Vec<&Scene> = if all {
                 stage.scenes.iter().collect()
             } else {
                 let known = scenes.iter().map(|name| stage.scene(name));
                 known.collect::<Result<_, _>>()?
             };
+            // Whatever can be refused is, before the first picture is begun.
             let target = Target::new(output, scenes.len())?;
+            for scene in &scenes {
+                overrides.settings(scene)?;
+                target.check(stage, scene)?;
+            }
             for scene in scenes {
                 let start = Instant::now();
                 let image = render(scene, &overrides)?;
@@ -138,10 +142,15 @@ fn say(line: &str) {
     let _ = writeln!(io::stdout(), "{line}");
 }
 
+/// Prints a line on stderr, where nobody may listen either.
+fn complain(line: &str) {
+    let _ = writeln!(io::stderr(), "{line}");
+}
+
 fn render(scene: &Scene, overrides: &Overrides) -> Result<Image, Error> {
     let settings = overrides.settings(scene)?;
     for flag in overrides.unheeded(scene.heeds) {
-        eprintln!("note: {flag} changes nothing in {}", scene.name);
+        complain(&format!("note: {flag} changes nothing in {}", scene.name));
     }
     let threads = rayon::ThreadPoolBuilder::new()
         .num_threads(overrides.threads())
@@ -156,6 +165,9 @@ fn show(
     viewer: Option<&dyn Viewer>,
     overrides: &Overrides,
 ) -> Result<(), Error> {
+    if viewer.is_none() {
+        Target::Default.check(stage, scene)?;
+    }
     let image = render(scene, overrides)?;
     let title = format!("{}: {}", stage.name, scene.name);
     let shown = match viewer {
@@ -165,8 +177,8 @@ fn show(
         None => Err("this build has none; the feature `window` brings it".to_owned()),
     };
     if let Err(reason) = shown {
+        complain(&format!("no window: {reason}"));
         let path = Target::Default.write(stage, scene, &image, overrides)?;
-        eprintln!("no window: {reason}");
         say(&format!("{}  {}", path.display(), image.size()));
     }
     Ok(())
@@ -197,7 +209,7 @@ impl Target {
             Ok(Self::Folder(path))
         } else if !path.extension().is_some_and(is_png) {
             Err(Error::Usage(format!(
-                "-o {} is neither a folder that exists nor the name of a PNG file",
+                "-o {} must be a folder that exists or the name of a PNG file, ending in .png",
                 path.display()
             )))
         } else if pictures > 1 {
@@ -210,6 +222,25 @@ impl Target {
         }
     }
 
+    fn path(&self, stage: &Stage, scene: &Scene) -> PathBuf {
+        let name = picture_name(stage, scene);
+        match self {
+            Self::Default => Path::new(DEFAULT_FOLDER).join(name),
+            Self::Folder(folder) => folder.join(name),
+            Self::File(path) => path.clone(),
+        }
+    }
+
+    /// Says what would keep the picture of `scene` from being written.
+    fn check(&self, stage: &Stage, scene: &Scene) -> Result<(), Error> {
+        let folder = Path::new(DEFAULT_FOLDER);
+        match self {
+            // The folder can be made where a file can.
+            Self::Default if !folder.exists() => picture_file::check_writable(folder),
+            _ => picture_file::check_writable(&self.path(stage, scene)),
+        }
+    }
+
     fn write(
         &self,
         stage: &Stage,
@@ -217,21 +248,13 @@ impl Target {
         image: &Image,
         overrides: &Overrides,
     ) -> Result<PathBuf, Error> {
-        let name = picture_name(stage, scene);
-        let path = match self {
-            Self::Default => {
-                let folder = Path::new(DEFAULT_FOLDER);
-                std::fs::create_dir_all(folder).map_err(|error| Error::Write {
-                    path: folder.to_owned(),
-                    reason: error.to_string(),
-                })?;
-                folder.join(name)
-            }
-            Self::Folder(folder) => folder.join(name),
-            Self::File(path) => path.clone(),
-        };
-        let size: Size = image.size();
-        picture_file::save_png(&path, size, &image.to_rgb8(overrides.transfer))?;
+        self.check(stage, scene)?;
+        let path = self.path(stage, scene);
+        if matches!(self, Self::Default) {
+            // What already exists is no error, and `check` has seen the rest.
+            let _ = std::fs::create_dir(DEFAULT_FOLDER);
+        }
+        picture_file::save_png(&path, image.size(), &image.to_rgb8(overrides.transfer))?;
         Ok(path)
     }
 }

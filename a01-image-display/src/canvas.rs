@@ -1,0 +1,423 @@
+//! `Canvas`: lines, arrows and labels, for diagrams.
+//!
+//! A pixel takes as much of a shape's colour as the shape covers of it, which
+//! is told by the distance from the pixel's middle to the shape's edge. Only
+//! `+ - * /` and square roots are used, so that the bytes are the same on
+//! every platform.
+
+use std::ops::Range;
+
+use common::{Color, Error, Image, Size};
+use font8x8::legacy::{BASIC_LEGACY, GREEK_LEGACY, LATIN_LEGACY, MISC_LEGACY};
+
+/// Width and height of a character in pixels, at scale 1.
+const GLYPH: u32 = 8;
+
+/// Length of an arrow's head, in widths of its line.
+const HEAD_LENGTH: f64 = 6.0;
+
+/// Half of the width of an arrow's head, in widths of its line.
+const HEAD_HALF_WIDTH: f64 = 2.5;
+
+/// Coordinates of at most this magnitude are drawn. From there the formulas
+/// still find a pixel's distance to less than a hundredth.
+const FARTHEST: f64 = 1e9;
+
+/// A picture to draw on.
+///
+/// Points are (x, y) in pixels: x to the right, y down, (0, 0) being the top
+/// left corner of the top left pixel and (0.5, 0.5) its middle. What lies
+/// outside of the picture is cut off. A shape with a coordinate or a width that
+/// is NaN or beyond 1e9 is not drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Canvas {
+    image: Image,
+}
+
+impl Canvas {
+    /// An empty picture.
+    pub fn new(size: Size, background: Color) -> Result<Self, Error> {
+        let mut image = Image::black(size)?;
+        image.pixels_mut().fill(background);
+        Ok(Self { image })
+    }
+
+    /// Draws a line of `width` pixels with round ends; where both ends are the
+    /// same, a dot. Without a width above 0 there is none.
+    pub fn line(&mut self, from: (f64, f64), to: (f64, f64), width: f64, color: Color) {
+        let half = width / 2.0;
+        if !(drawable(&[from, to, (half, half)]) && half > 0.0) {
+            return;
+        }
+        // No pixel is covered by more than the line is wide.
+        let most = width.min(1.0);
+        self.blend(&[from, to], half + 0.5, color, |at| {
+            (half + 0.5 - distance(at, from, to)).clamp(0.0, most)
+        });
+    }
+
+    /// Draws a line of `width` pixels that ends in a filled head with its tip
+    /// at `to`. The head is no longer than the arrow; where both ends are the
+    /// same there is no direction to point in, and no head.
+    pub fn arrow(&mut self, from: (f64, f64), to: (f64, f64), width: f64, color: Color) {
+        let (x, y) = (to.0 - from.0, to.1 - from.1);
+        let length = (x * x + y * y).sqrt();
+        if length == 0.0 {
+            self.line(from, to, width, color);
+        }
+        if !(drawable(&[from, to, (width, width)]) && length > 0.0 && width > 0.0) {
+            return;
+        }
+        let (x, y) = (x / length, y / length);
+        let head = (HEAD_LENGTH * width).min(length);
+        let base = (to.0 - head * x, to.1 - head * y);
+        if head < length {
+            self.line(from, base, width, color);
+        }
+        let side = head * HEAD_HALF_WIDTH / HEAD_LENGTH;
+        let left = (base.0 + side * y, base.1 - side * x);
+        let right = (base.0 - side * y, base.1 + side * x);
+        self.triangle([to, right, left], color);
+    }
+
+    /// Fills a triangle whose corners follow one another clockwise.
+    fn triangle(&mut self, [a, b, c]: [(f64, f64); 3], color: Color) {
+        if !drawable(&[a, b, c]) {
+            return;
+        }
+        // Beyond a sharp corner the edges' distances are still small.
+        self.blend(&[a, b, c], 1.5, color, |at| {
+            let outside = [(a, b), (b, c), (c, a)].map(|(from, to)| left_of(at, from, to));
+            let farthest = outside.into_iter().fold(f64::NEG_INFINITY, f64::max);
+            (0.5 - farthest).clamp(0.0, 1.0)
+        });
+    }
+
+    /// Writes `text` in one row, `at` being its top left corner, moved to the
+    /// nearest pixel; every dot of a letter is `scale` pixels wide and high.
+    ///
+    /// There are the characters of ASCII, Latin-1 and Greek, and a few signs
+    /// such as ≤ and ≥. Any other shows as a question mark.
+    pub fn text(&mut self, at: (f64, f64), scale: u32, color: Color, text: &str) {
+        if !drawable(&[at]) {
+            return;
+        }
+        let scale = f64::from(scale);
+        let (mut left, top) = (at.0.round(), at.1.round());
+        for character in text.chars() {
+            for (row, bits) in (0_u8..).zip(glyph(character)) {
+                for column in (0_u8..8).filter(|column| bits >> column & 1 == 1) {
+                    let x = left + scale * f64::from(column);
+                    let y = top + scale * f64::from(row);
+                    let corners = [(x, y), (x + scale, y + scale)];
+                    self.blend(&corners, 0.0, color, |_| 1.0);
+                }
+            }
+            left += scale * f64::from(GLYPH);
+        }
+    }
+
+    /// Width and height of a text in pixels.
+    #[must_use]
+    pub fn text_size(scale: u32, text: &str) -> (f64, f64) {
+        let side = f64::from(scale) * f64::from(GLYPH);
+        (side * text.chars().count() as f64, side)
+    }
+
+    /// The finished picture.
+    #[must_use]
+    pub fn into_image(self) -> Image {
+        self.image
+    }
+
+    /// Lays `color` over the pixels in the box around `points`, enlarged by
+    /// `margin`: as much of it as `coverage` says, from 0 to 1, for the
+    /// pixel's middle.
+    fn blend(
+        &mut self,
+        points: &[(f64, f64)],
+        margin: f64,
+        color: Color,
+        coverage: impl Fn((f64, f64)) -> f64,
+    ) {
+        let size = self.image.size();
+        let columns = covered(points.iter().map(|point| point.0), margin, size.width());
+        let rows = covered(points.iter().map(|point| point.1), margin, size.height());
+        for y in rows {
+            for x in columns.clone() {
+                let share = coverage((f64::from(x) + 0.5, f64::from(y) + 0.5));
+                if share > 0.0
+                    && let Some(below) = self.image.get(x, y)
+                {
+                    self.image.set(x, y, below * (1.0 - share) + color * share);
+                }
+            }
+        }
+    }
+}
+
+/// The pixels of a side of the picture that lie between the coordinates.
+fn covered(coordinates: impl Iterator<Item = f64> + Clone, margin: f64, side: u32) -> Range<u32> {
+    let least = coordinates.clone().fold(f64::INFINITY, f64::min) - margin;
+    let most = coordinates.fold(f64::NEG_INFINITY, f64::max) + margin;
+    // The casts saturate: what is left of the picture begins at 0.
+    let [first, end] = [least.floor(), most.ceil()].map(|at| (at as u32).min(side));
+    first..end
+}
+
+fn drawable(points: &[(f64, f64)]) -> bool {
+    let near = |coordinate: f64| coordinate.abs() <= FARTHEST;
+    points.iter().all(|(x, y)| near(*x) && near(*y))
+}
+
+/// The distance of a point from the line between two others.
+fn distance(at: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
+    let (line_x, line_y) = (to.0 - from.0, to.1 - from.1);
+    let (x, y) = (at.0 - from.0, at.1 - from.1);
+    let square = line_x * line_x + line_y * line_y;
+    // How far along the line the nearest point lies, from 0 to 1.
+    let along = if square > 0.0 {
+        ((x * line_x + y * line_y) / square).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    let (x, y) = (x - along * line_x, y - along * line_y);
+    (x * x + y * y).sqrt()
+}
+
+/// How far a point lies to the left of a line without ends, as seen on the
+/// screen by who walks along it; negative to the right.
+fn left_of(at: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
+    let (line_x, line_y) = (to.0 - from.0, to.1 - from.1);
+    let (x, y) = (at.0 - from.0, at.1 - from.1);
+    (line_y * x - line_x * y) / (line_x * line_x + line_y * line_y).sqrt()
+}
+
+/// Eight rows from the top, the lowest bit being the leftmost dot.
+fn glyph(character: char) -> [u8; 8] {
+    let code = character as usize;
+    match character {
+        ' '..='~' => BASIC_LEGACY[code],
+        '\u{a0}'..='\u{ff}' => LATIN_LEGACY[code - 0xa0],
+        // Between rho and sigma one code point is not assigned.
+        '\u{390}'..='\u{3a1}' | '\u{3a3}'..='\u{3c9}' => GREEK_LEGACY[code - 0x390],
+        '≤' => MISC_LEGACY[5],
+        '≥' => MISC_LEGACY[6],
+        // Minus and the dot operator look like their cousins in Latin-1.
+        '−' => glyph('-'),
+        '⋅' => glyph('·'),
+        _ => glyph('?'),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    fn canvas(width: u32, height: u32) -> Canvas {
+        Canvas::new(Size::new(width, height).unwrap(), Color::BLACK).unwrap()
+    }
+
+    /// The area that is painted, pixels counting as much as they are covered.
+    fn area(canvas: &Canvas) -> f64 {
+        canvas.image.pixels().iter().map(|color| color.r).sum()
+    }
+
+    fn red_at(canvas: &Canvas, x: u32, y: u32) -> f64 {
+        canvas.image.get(x, y).unwrap().r
+    }
+
+    /// The integral of 2 pi r c(r) dr with c(r) the coverage at a distance r
+    /// from the middle of a disc: clamp(h + 1/2 - r, 0, min(2h, 1)), h = w/2.
+    fn soft_disc(width: f64) -> f64 {
+        let (outer, inner) = (width / 2.0 + 0.5, (width / 2.0 - 0.5).abs());
+        PI * (outer * outer * outer - inner * inner * inner) / 3.0
+    }
+
+    #[test]
+    fn an_upright_line_covers_pixels_by_their_parts() {
+        let mut canvas = canvas(20, 9);
+        // From row 2.75 to row 5.25.
+        canvas.line((-9.0, 4.0), (29.0, 4.0), 2.5, Color::RED);
+        for x in 0..20 {
+            let column: Vec<_> = (0..9).map(|y| red_at(&canvas, x, y)).collect();
+            assert_eq!(column, [0.0, 0.0, 0.25, 1.0, 1.0, 0.25, 0.0, 0.0, 0.0]);
+        }
+    }
+
+    #[test]
+    fn a_line_is_as_bright_as_it_is_long_and_wide() {
+        for to in [(180.0, 50.0), (170.3, 93.1), (91.7, 190.2), (50.0, 187.0)] {
+            for width in [0.2, 1.0, 1.7, 3.0, 8.0] {
+                let from = (50.0, 50.0);
+                let mut canvas = canvas(240, 240);
+                canvas.line(from, to, width, Color::WHITE);
+                let (x, y) = (to.0 - from.0, to.1 - from.1);
+                let length = (x * x + y * y).sqrt();
+                let exact = length * width + soft_disc(width);
+                // A sum over pixels stands for the integral.
+                let error = (area(&canvas) / exact - 1.0).abs();
+                assert!(error < 0.005, "to {to:?}, width {width}: {error}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_line_without_length_is_a_dot() {
+        for (width, tolerance) in [(2.0, 0.05), (5.0, 0.02), (31.0, 0.002)] {
+            let mut canvas = canvas(40, 40);
+            canvas.line((20.2, 19.9), (20.2, 19.9), width, Color::RED);
+            let error = (area(&canvas) / soft_disc(width) - 1.0).abs();
+            assert!(error < tolerance, "width {width}: {error}");
+        }
+    }
+
+    #[test]
+    fn an_arrow_is_a_line_and_a_triangle() {
+        let mut canvas = canvas(200, 100);
+        canvas.arrow((20.0, 50.0), (180.0, 50.0), 4.0, Color::WHITE);
+        // The head is 24 long and 20 wide, the line's beginning half a disc.
+        let exact = (160.0 - 24.0) * 4.0 + 24.0 * 20.0 / 2.0 + soft_disc(4.0) / 2.0;
+        let error = (area(&canvas) / exact - 1.0).abs();
+        assert!(error < 0.01, "{error}");
+        assert_eq!(red_at(&canvas, 178, 52), 0.0, "beside the tip");
+        assert_eq!(red_at(&canvas, 158, 57), 1.0, "in the head");
+        assert_eq!(red_at(&canvas, 150, 57), 0.0, "before the head");
+    }
+
+    #[test]
+    fn arrows_look_the_same_in_all_directions() {
+        let arrow = |to| {
+            let mut canvas = canvas(80, 80);
+            canvas.arrow((40.0, 40.0), to, 2.0, Color::WHITE);
+            canvas.image
+        };
+        let [east, south] = [arrow((70.0, 40.0)), arrow((40.0, 70.0))];
+        let [west, north] = [arrow((10.0, 40.0)), arrow((40.0, 10.0))];
+        for y in 0..80 {
+            for x in 0..80 {
+                assert_eq!(east.get(x, y), south.get(y, x));
+                assert_eq!(east.get(x, y), west.get(79 - x, y));
+                assert_eq!(south.get(x, y), north.get(x, 79 - y));
+            }
+        }
+    }
+
+    #[test]
+    fn a_short_arrow_is_all_head_and_one_without_length_a_dot() {
+        let mut short = canvas(40, 40);
+        short.arrow((10.0, 20.0), (16.0, 20.0), 4.0, Color::WHITE);
+        // 6 long and 5 wide.
+        assert!((area(&short) - 15.0).abs() < 1.5, "{}", area(&short));
+
+        let (mut dot, mut arrow) = (canvas(40, 40), canvas(40, 40));
+        dot.line((20.0, 20.0), (20.0, 20.0), 4.0, Color::RED);
+        arrow.arrow((20.0, 20.0), (20.0, 20.0), 4.0, Color::RED);
+        assert_eq!(arrow, dot);
+        assert!(area(&dot) > 10.0);
+    }
+
+    #[test]
+    fn what_lies_outside_is_cut_off_and_changes_nothing_inside() {
+        let draw = |canvas: &mut Canvas, shift: f64| {
+            let at = |x: f64, y: f64| (x + shift, y + shift);
+            canvas.line(at(-30.0, 5.0), at(50.0, 35.0), 3.0, Color::RED);
+            canvas.arrow(at(10.0, 60.0), at(12.0, -20.0), 2.0, Color::GREEN);
+            canvas.text(at(-5.0, 14.0), 2, Color::BLUE, "outside?");
+        };
+        let (mut cut, mut whole) = (canvas(40, 30), canvas(240, 230));
+        draw(&mut cut, 0.0);
+        draw(&mut whole, 100.0);
+        for y in 0..30 {
+            for x in 0..40 {
+                let (cut, whole) = (cut.image.get(x, y), whole.image.get(x + 100, y + 100));
+                let apart = cut.unwrap() - whole.unwrap();
+                assert!(apart.channels().iter().all(|c| c.abs() < 1e-12));
+            }
+        }
+        assert!(area(&cut) > 50.0);
+    }
+
+    #[test]
+    fn coordinates_that_are_no_numbers_draw_nothing_and_far_ones_do_no_harm() {
+        let empty = canvas(20, 20);
+        let good = (10.0, 10.0);
+        for bad in [f64::NAN, f64::INFINITY, -f64::INFINITY, 1e300, -2e9] {
+            let mut canvas = empty.clone();
+            for at in [(bad, 5.0), (5.0, bad), (bad, bad)] {
+                canvas.line(at, good, 3.0, Color::RED);
+                canvas.line(good, at, 3.0, Color::RED);
+                canvas.arrow(at, good, 3.0, Color::RED);
+                canvas.arrow(good, at, 3.0, Color::RED);
+                canvas.text(at, 1, Color::RED, "A");
+            }
+            canvas.line(good, (15.0, 15.0), bad, Color::RED);
+            canvas.arrow(good, (15.0, 15.0), bad, Color::RED);
+            canvas.arrow(good, good, bad, Color::RED);
+            assert_eq!(canvas, empty, "{bad}");
+        }
+        for width in [0.0, -1.0] {
+            let mut canvas = empty.clone();
+            canvas.line(good, (15.0, 15.0), width, Color::RED);
+            canvas.arrow(good, (15.0, 15.0), width, Color::RED);
+            assert_eq!(canvas, empty, "width {width}");
+        }
+        let mut far = empty.clone();
+        far.line((-1e9, 10.0), (1e9, 10.0), 2.0, Color::RED);
+        far.arrow((1e9, 1e9), (-1e9, 1e9), 1e9, Color::RED);
+        for x in 0..20 {
+            assert!((red_at(&far, x, 9) - 1.0).abs() < 0.01);
+            assert!(red_at(&far, x, 7).abs() < 0.01);
+        }
+        far.text((0.0, 0.0), u32::MAX, Color::RED, "wide");
+        far.text((-1e9, 0.0), 1, Color::RED, "far");
+    }
+
+    #[test]
+    fn text_is_crisp_and_as_large_as_it_says() {
+        for scale in [1, 3] {
+            let mut canvas = canvas(60, 30);
+            canvas.text((2.3, 1.6), scale, Color::WHITE, "|?");
+            let colors = canvas.image.pixels().iter();
+            assert!(
+                colors
+                    .clone()
+                    .all(|c| *c == Color::BLACK || *c == Color::WHITE)
+            );
+            let (width, height) = Canvas::text_size(scale, "|?");
+            assert_eq!(
+                (width, height),
+                (f64::from(16 * scale), f64::from(8 * scale))
+            );
+            for y in 0..30 {
+                for x in 0..60 {
+                    let inside = (2.0..2.0 + width).contains(&f64::from(x))
+                        && (2.0..2.0 + height).contains(&f64::from(y));
+                    assert!(inside || red_at(&canvas, x, y) == 0.0);
+                }
+            }
+            // The bar of 1 column and 7 rows, 2 dots wide, less one in the middle.
+            let bar = |x: &u32| red_at(&canvas, 2 + x * scale, 2) == 1.0;
+            assert_eq!((0..8).filter(bar).collect::<Vec<_>>(), [3, 4]);
+        }
+        let mut none = canvas(20, 20);
+        none.text((0.0, 0.0), 0, Color::WHITE, "none");
+        none.text((0.0, 0.0), 1, Color::WHITE, "");
+        assert_eq!(area(&none), 0.0);
+    }
+
+    #[test]
+    fn letters_figures_and_signs_are_there_and_the_rest_is_a_question_mark() {
+        let unknown = glyph('?');
+        let there = "AZaz09+-*/=<>()[]{}|^~äöüßÄÖÜéñ±×·÷°²³µ½ΑΩαβγδθλμπρστφω≤≥−⋅";
+        for character in there.chars() {
+            let rows = glyph(character);
+            assert!(rows != unknown && rows != [0; 8], "{character}");
+        }
+        for character in "\u{7}\n\u{85}\u{3a2}→中𝛼".chars() {
+            assert_eq!(glyph(character), unknown, "{character:?}");
+        }
+        assert_eq!(glyph(' '), [0; 8]);
+    }
+}

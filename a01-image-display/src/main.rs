@@ -1,0 +1,7 @@
+//! The program of this stage: shows its scenes or writes them as PNG.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    common::program::run(&a01_image_display::stage(), a01_image_display::viewer())
+}

@@ -1,0 +1,133 @@
+//! The pictures of this stage, under the names of the course.
+
+use common::{Scene, Size, Stage};
+
+use crate::{PaintDiagonal, Painter, ShowImage};
+
+/// The stage and its scenes.
+#[must_use]
+pub fn stage() -> Stage {
+    Stage {
+        name: "a01-image-display",
+        about: "Pixels, pictures and the window that shows them",
+        scenes: vec![
+            Scene::painted("diagonal", "a red diagonal on black", |settings, _| {
+                PaintDiagonal::new(settings.size).image()
+            }),
+            Scene::painted(
+                "painter",
+                "a red disc before a gradient, from an array of packed pixels",
+                |settings, _| Painter::new(settings.size, disc_on_gradient(settings.size))?.image(),
+            ),
+            Scene::opened(
+                "show-image",
+                "a picture file; the bundled test card where --open names none",
+                |settings, _| {
+                    let shown = match &settings.file {
+                        Some(path) => ShowImage::open(path),
+                        None => ShowImage::test_card(),
+                    };
+                    shown.map(ShowImage::into_image)
+                },
+            ),
+        ],
+    }
+}
+
+/// Packed pixels: green grows to the right and blue to the top, and in the
+/// middle lies a red disc whose radius is a quarter of the smaller side.
+fn disc_on_gradient(size: Size) -> Vec<u32> {
+    let (width, height) = (size.width(), size.height());
+    // From 0 at the first pixel to 255 at the last, rounded to the nearest.
+    let ramp = |at: u32, last: u32| (255 * at + last / 2) / last.max(1);
+    let pixel = |x, y| {
+        if in_disc(size, x, y) {
+            0xFF_0000
+        } else {
+            ramp(x, width - 1) << 8 | ramp(height - 1 - y, height - 1)
+        }
+    };
+    (0..height)
+        .flat_map(|y| (0..width).map(move |x| pixel(x, y)))
+        .collect()
+}
+
+/// Whether the middle of the pixel lies in the disc. All lengths are doubled,
+/// which makes whole numbers of them: dx and dy are twice the distances from
+/// the picture's middle, and dx^2 + dy^2 <= (2r)^2 with 2r half the side.
+fn in_disc(size: Size, x: u32, y: u32) -> bool {
+    let twice = |at: u32, side: u32| i64::from(2 * at + 1) - i64::from(side);
+    let (dx, dy) = (twice(x, size.width()), twice(y, size.height()));
+    let side = i64::from(size.width().min(size.height()));
+    4 * (dx * dx + dy * dy) <= side * side
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn size(width: u32, height: u32) -> Size {
+        Size::new(width, height).unwrap()
+    }
+
+    fn in_rows(size: Size) -> Vec<Vec<bool>> {
+        (0..size.height())
+            .map(|y| (0..size.width()).map(|x| in_disc(size, x, y)).collect())
+            .collect()
+    }
+
+    #[test]
+    fn the_disc_has_the_area_of_a_circle() {
+        for (width, height) in [(640, 480), (480, 270), (96, 72), (33, 100), (9, 9)] {
+            let radius = f64::from(width.min(height)) / 4.0;
+            let rows = in_rows(size(width, height));
+            let area = rows.iter().flatten().filter(|inside| **inside).count() as f64;
+            // No point of a pixel is farther than sqrt(1/2) from its middle, so
+            // the pixels cover a circle smaller by that much, and lie within
+            // one larger by that much: the areas differ by pi (sqrt(2) r + 1/2)
+            // at most.
+            let exact = std::f64::consts::PI * radius * radius;
+            let bound = std::f64::consts::PI * (std::f64::consts::SQRT_2 * radius + 0.5);
+            assert!((area - exact).abs() <= bound, "{area} for {exact}");
+        }
+    }
+
+    #[test]
+    fn the_disc_is_as_wide_as_high_and_as_long_left_as_right() {
+        for (width, height) in [(640, 480), (41, 30), (30, 41), (7, 7)] {
+            let rows = in_rows(size(width, height));
+            let flipped: Vec<_> = rows.iter().rev().cloned().collect();
+            assert_eq!(rows, flipped, "{width}x{height} upside down");
+            for row in &rows {
+                assert!(row.iter().eq(row.iter().rev()), "{width}x{height}");
+            }
+        }
+        let square = in_rows(size(64, 64));
+        for (y, row) in square.iter().enumerate() {
+            for (x, inside) in row.iter().enumerate() {
+                assert_eq!(*inside, square[x][y], "column {x}, row {y}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_disc_ends_where_its_radius_does() {
+        // Radius 120 around (320, 240): the pixel 120 to the right begins there.
+        let course = size(640, 480);
+        assert!(in_disc(course, 320 + 119, 240));
+        assert!(!in_disc(course, 320 + 120, 240));
+        assert!(in_disc(course, 320, 240 - 120));
+        assert!(!in_disc(course, 320, 240 - 121));
+    }
+
+    #[test]
+    fn the_corners_hold_the_ends_of_the_gradient() {
+        let pixels = disc_on_gradient(Size::COURSE);
+        let at = |x: usize, y: usize| pixels[y * 640 + x];
+        assert_eq!(at(0, 0), 0x00_00FF);
+        assert_eq!(at(639, 0), 0x00_FFFF);
+        assert_eq!(at(0, 479), 0x00_0000);
+        assert_eq!(at(639, 479), 0x00_FF00);
+        assert_eq!(at(320, 240), 0xFF_0000);
+    }
+}
