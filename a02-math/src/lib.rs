@@ -1,1 +1,20 @@
-//! Vectors, points, normals and 3x3 matrices.
+//! Assignment 2: the mathematics of rays, kept apart by meaning.
+//!
+//! [`Point3`] is a place, [`Vector3`] a way from one place to another,
+//! [`Normal3`] the direction that a surface faces. Each wraps three numbers of
+//! glam; what makes no sense, such as the sum of two places, does not compile.
+
+mod direction;
+mod mat3x3;
+mod normal3;
+mod point3;
+mod scenes;
+mod triple;
+mod vector3;
+
+pub use direction::Direction;
+pub use mat3x3::Mat3x3;
+pub use normal3::Normal3;
+pub use point3::Point3;
+pub use scenes::stage;
+pub use vector3::Vector3;

@@ -1,1 +1,28 @@
-//! Rays, cameras, sampling and the striped sky.
+//! Assignment 3: rays, the cameras that send them, and the sky they meet.
+//!
+//! A [`Camera`] turns a place in the picture into a [`Ray`]; [`render`] asks it
+//! for the rays of every pixel, and someone else for the light along each.
+
+mod bounded_ray;
+mod camera;
+mod orthographic_camera;
+mod perspective_camera;
+mod pinhole_camera;
+mod random;
+mod ray;
+mod render;
+mod sampler;
+mod scenes;
+mod striped_sky;
+
+pub use bounded_ray::BoundedRay;
+pub use camera::{Basis, Camera};
+pub use orthographic_camera::OrthographicCamera;
+pub use perspective_camera::PerspectiveCamera;
+pub use pinhole_camera::PinholeCamera;
+pub use random::PixelRandom;
+pub use ray::Ray;
+pub use render::render;
+pub use sampler::Sampler;
+pub use scenes::stage;
+pub use striped_sky::{StripeRule, StripedSky};

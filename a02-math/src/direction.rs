@@ -1,0 +1,29 @@
+//! `Direction`: what a dot product accepts.
+
+use glam::DVec3;
+
+use crate::{Normal3, Vector3};
+
+/// A vector or a normal; points have no direction.
+pub trait Direction: Copy {
+    /// The three numbers of glam.
+    fn components(self) -> DVec3;
+
+    /// The dot product: |a| |b| cos of the angle between them.
+    #[must_use]
+    fn dot(self, other: impl Direction) -> f64 {
+        self.components().dot(other.components())
+    }
+}
+
+impl Direction for Vector3 {
+    fn components(self) -> DVec3 {
+        self.to_glam()
+    }
+}
+
+impl Direction for Normal3 {
+    fn components(self) -> DVec3 {
+        self.to_glam()
+    }
+}

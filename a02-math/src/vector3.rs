@@ -1,0 +1,153 @@
+//! `Vector3`: a way from one place to another.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use common::ArgumentError;
+use glam::DVec3;
+
+use crate::triple::triple;
+use crate::{Direction, Normal3};
+
+/// A vector of three coordinates.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Vector3(DVec3);
+
+triple!(Vector3);
+
+impl Vector3 {
+    /// The length, `√(v · v)`. Exact powers of two aside it is right to the
+    /// last bit or two for lengths from 1e-150 to 1e150.
+    #[must_use]
+    pub fn magnitude(self) -> f64 {
+        self.0.length()
+    }
+
+    /// The vector of length 1 in the same direction, whatever its length; none
+    /// for the zero vector and for coordinates that are not finite.
+    #[must_use]
+    pub fn normalized(self) -> Option<Self> {
+        let squared = self.0.length_squared();
+        if (1e-280..=1e280).contains(&squared) {
+            return Some(Self(self.0 / squared.sqrt()));
+        }
+        // Outside, the square of the length has lost digits or is infinite.
+        // A power of two brings the vector back inside and rounds nothing.
+        let largest = self.0.abs().max_element();
+        if self.0.is_finite() && largest > 0.0 {
+            let exponent = libm::ilogb(largest);
+            let scaled = self.0.map(|x| libm::scalbn(x, -exponent));
+            Some(Self(scaled / scaled.length()))
+        } else {
+            None
+        }
+    }
+
+    /// The vector of length 1 in the same direction, or an error that names
+    /// the argument `name`.
+    pub fn unit(self, name: &'static str) -> Result<Self, ArgumentError> {
+        self.normalized().ok_or_else(|| {
+            ArgumentError::new(
+                name,
+                self.0,
+                "a direction: three finite numbers, not all of them 0",
+            )
+        })
+    }
+
+    /// The cross product: perpendicular to both, in the order of the right hand.
+    #[must_use]
+    pub fn cross(self, other: Self) -> Self {
+        Self(self.0.cross(other.0))
+    }
+
+    /// The same three numbers as a normal.
+    #[must_use]
+    pub const fn as_normal(self) -> Normal3 {
+        Normal3::from_glam(self.0)
+    }
+
+    /// This vector, which points away from a surface, reflected on its normal:
+    /// `r = 2 (n · v) n - v`. As long as `v` if `n` has length 1.
+    #[must_use]
+    pub fn reflected_on(self, n: Normal3) -> Self {
+        Self(n.to_glam() * (2.0 * n.dot(self)) - self.0)
+    }
+
+    /// The angle to the other vector in radians, from 0 to π.
+    ///
+    /// The arc tangent of sine and cosine, both still scaled by the lengths:
+    /// unlike the arc cosine it sees the smallest angles and never meets a
+    /// cosine above 1. The angle to the zero vector is 0.
+    #[must_use]
+    pub fn angle(self, other: Self) -> f64 {
+        libm::atan2(self.cross(other).magnitude(), self.dot(other))
+    }
+
+    /// The area of the parallelogram that both vectors span, `|a × b|`.
+    #[must_use]
+    pub fn parallelogram_area(self, other: Self) -> f64 {
+        self.cross(other).magnitude()
+    }
+
+    /// The part of this vector along the other one, `(a · b / b · b) b`; none
+    /// if that is the zero vector.
+    #[must_use]
+    pub fn projected_on(self, other: Self) -> Option<Self> {
+        let share = self.dot(other) / other.dot(other);
+        share.is_finite().then(|| other * share)
+    }
+}
+
+impl Add for Vector3 {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+}
+
+impl Add<Normal3> for Vector3 {
+    type Output = Self;
+
+    fn add(self, normal: Normal3) -> Self {
+        Self(self.0 + normal.to_glam())
+    }
+}
+
+impl Sub for Vector3 {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self(self.0 - other.0)
+    }
+}
+
+impl Sub<Normal3> for Vector3 {
+    type Output = Self;
+
+    fn sub(self, normal: Normal3) -> Self {
+        Self(self.0 - normal.to_glam())
+    }
+}
+
+impl Mul<f64> for Vector3 {
+    type Output = Self;
+
+    fn mul(self, factor: f64) -> Self {
+        Self(self.0 * factor)
+    }
+}
+
+impl Neg for Vector3 {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl From<Normal3> for Vector3 {
+    fn from(normal: Normal3) -> Self {
+        Self(normal.to_glam())
+    }
+}

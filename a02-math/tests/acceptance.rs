@@ -1,0 +1,168 @@
+//! The course's fourteen acceptance checks, and those of the second course.
+//!
+//! Where the inputs are small whole numbers the results are exact and compared
+//! without a tolerance.
+
+use a02_math::{Direction, Mat3x3, Normal3, Point3, Vector3};
+use approx::assert_abs_diff_eq;
+
+const fn v(x: f64, y: f64, z: f64) -> Vector3 {
+    Vector3::new(x, y, z)
+}
+
+const fn p(x: f64, y: f64, z: f64) -> Point3 {
+    Point3::new(x, y, z)
+}
+
+const fn n(x: f64, y: f64, z: f64) -> Normal3 {
+    Normal3::new(x, y, z)
+}
+
+fn one_to_nine() -> Mat3x3 {
+    Mat3x3::from_rows([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]])
+}
+
+#[test]
+fn check_01_a_normal_times_a_number() {
+    assert_eq!(n(1.0, 2.0, 3.0) * 0.5, n(0.5, 1.0, 1.5));
+}
+
+#[test]
+fn check_02_a_normal_plus_a_normal() {
+    assert_eq!(n(1.0, 2.0, 3.0) + n(3.0, 2.0, 1.0), n(4.0, 4.0, 4.0));
+}
+
+#[test]
+fn check_03_dot_products_of_normals_and_vectors() {
+    let (along, across) = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0));
+    for ((x, y, z), expected) in [(along, 1.0), (across, 0.0)] {
+        assert_eq!(n(1.0, 0.0, 0.0).dot(v(x, y, z)), expected);
+        assert_eq!(v(1.0, 0.0, 0.0).dot(n(x, y, z)), expected);
+        assert_eq!(v(1.0, 0.0, 0.0).dot(v(x, y, z)), expected);
+    }
+}
+
+#[test]
+fn check_04_a_point_minus_a_point_is_a_vector() {
+    assert_eq!(p(1.0, 1.0, 1.0) - p(2.0, 2.0, 0.0), v(-1.0, -1.0, 1.0));
+}
+
+#[test]
+fn check_05_a_point_minus_a_vector_is_a_point() {
+    assert_eq!(p(1.0, 1.0, 1.0) - v(4.0, 3.0, 2.0), p(-3.0, -2.0, -1.0));
+}
+
+#[test]
+fn check_06_a_point_plus_a_vector_is_a_point() {
+    assert_eq!(p(1.0, 1.0, 1.0) + v(4.0, 3.0, 2.0), p(5.0, 4.0, 3.0));
+}
+
+#[test]
+fn check_07_the_magnitude() {
+    assert_eq!(v(1.0, 1.0, 1.0).magnitude(), 3.0_f64.sqrt());
+}
+
+#[test]
+fn check_08_a_vector_plus_and_minus_a_normal() {
+    assert_eq!(v(1.0, 1.0, 1.0) + n(4.0, 3.0, 2.0), v(5.0, 4.0, 3.0));
+    assert_eq!(v(1.0, 1.0, 1.0) - n(4.0, 3.0, 2.0), v(-3.0, -2.0, -1.0));
+}
+
+#[test]
+fn check_09_reflection_on_the_y_axis() {
+    let reflected = v(-0.707, 0.707, 0.0).reflected_on(n(0.0, 1.0, 0.0));
+    assert_eq!(reflected, v(0.707, 0.707, 0.0));
+}
+
+#[test]
+fn check_10_reflection_on_the_x_axis() {
+    let reflected = v(0.707, 0.707, 0.0).reflected_on(n(1.0, 0.0, 0.0));
+    assert_eq!(reflected, v(0.707, -0.707, 0.0));
+}
+
+#[test]
+fn check_11_the_identity_changes_nothing() {
+    assert_eq!(Mat3x3::IDENTITY * p(3.0, 2.0, 1.0), p(3.0, 2.0, 1.0));
+    assert_eq!(Mat3x3::IDENTITY * v(3.0, 2.0, 1.0), v(3.0, 2.0, 1.0));
+}
+
+#[test]
+fn check_12_a_matrix_times_the_identity() {
+    assert_eq!(one_to_nine() * Mat3x3::IDENTITY, one_to_nine());
+}
+
+#[test]
+fn check_13_a_matrix_times_a_matrix() {
+    let mirror = Mat3x3::from_rows([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]);
+    let mirrored = Mat3x3::from_rows([[3.0, 2.0, 1.0], [6.0, 5.0, 4.0], [9.0, 8.0, 7.0]]);
+    assert_eq!(one_to_nine() * mirror, mirrored);
+}
+
+#[test]
+fn check_14_a_column_replaced() {
+    let eight = v(8.0, 8.0, 8.0);
+    let first = Mat3x3::from_rows([[8.0, 2.0, 3.0], [8.0, 5.0, 6.0], [8.0, 8.0, 9.0]]);
+    let second = Mat3x3::from_rows([[1.0, 8.0, 3.0], [4.0, 8.0, 6.0], [7.0, 8.0, 9.0]]);
+    let third = Mat3x3::from_rows([[1.0, 2.0, 8.0], [4.0, 5.0, 8.0], [7.0, 8.0, 8.0]]);
+    assert_eq!(one_to_nine().change_col_1(eight), first);
+    assert_eq!(one_to_nine().change_col_2(eight), second);
+    assert_eq!(one_to_nine().change_col_3(eight), third);
+}
+
+/// Cramer's rule, with the example that the protocol's authors worked from.
+#[test]
+fn cramers_example_has_the_solution_1_1_minus_14() {
+    let a = Mat3x3::from_rows([[82.0, 45.0, 9.0], [27.0, 16.0, 3.0], [9.0, 5.0, 1.0]]);
+    let b = v(1.0, 1.0, 0.0);
+    assert_eq!(a.determinant(), 1.0);
+    let solution = v(
+        a.change_col_1(b).determinant(),
+        a.change_col_2(b).determinant(),
+        a.change_col_3(b).determinant(),
+    );
+    assert_eq!(solution, v(1.0, 1.0, -14.0));
+    assert_eq!(a * solution, b);
+}
+
+/// The vector of the second course's checks, 10.5 long.
+const V: Vector3 = v(2.0, 2.5, 10.0);
+
+#[test]
+fn second_course_sum_difference_and_multiple() {
+    assert_eq!(V.magnitude(), 10.5);
+    assert_eq!(V + v(2.0, 3.5, 2.0), v(4.0, 6.0, 12.0));
+    assert_eq!(V - v(2.0, 3.5, 2.0), v(0.0, -1.0, 8.0));
+    assert_eq!(V * 3.0, v(6.0, 7.5, 30.0));
+}
+
+#[test]
+fn second_course_products() {
+    assert_eq!(V.dot(v(1.0, 9.0, 3.0)), 54.5);
+    assert_eq!(V.cross(v(8.0, 9.0, -7.0)), v(-107.5, 94.0, -2.0));
+    let squared: f64 = 107.5 * 107.5 + 94.0 * 94.0 + 2.0 * 2.0;
+    assert_eq!(V.parallelogram_area(v(8.0, 9.0, -7.0)), squared.sqrt());
+}
+
+/// Tolerance: a few units in the last place of an angle of about 0.7 rad.
+#[test]
+fn second_course_angle() {
+    let angle = V.angle(v(0.5, 6.0, 4.0));
+    let cosine = 56.0 / (10.5 * 52.25_f64.sqrt());
+    assert_abs_diff_eq!(angle, libm::acos(cosine), epsilon = 4.0 * f64::EPSILON);
+    assert_abs_diff_eq!(angle.to_degrees(), 42.4532, epsilon = 5e-5);
+}
+
+/// Tolerance: rounding of a quotient of about 0.1 and three products.
+#[test]
+fn second_course_projection() {
+    let onto = v(-2.0, -7.0, 3.0);
+    let projection = V.projected_on(onto).unwrap();
+    assert_abs_diff_eq!(projection, onto * (8.5 / 62.0), epsilon = f64::EPSILON);
+}
+
+#[test]
+fn second_course_normalized_and_equal() {
+    assert_eq!(V.normalized(), Some(v(2.0 / 10.5, 2.5 / 10.5, 10.0 / 10.5)));
+    assert_eq!(V, v(2.0, 2.5, 10.0));
+    assert_ne!(V, v(2.0, 2.5, 10.0 + 2e-15));
+}

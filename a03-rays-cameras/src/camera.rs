@@ -1,0 +1,94 @@
+//! `Camera`: what turns a place in the picture into a ray, and the axes that
+//! two of the cameras stand on.
+
+use a02_math::{Point3, Vector3};
+use common::{ArgumentError, Size, argument};
+
+use crate::Ray;
+
+/// Sends a ray through every place of a picture.
+pub trait Camera: Sync {
+    /// The ray through the place (`x`, `y`) of a picture of this size, both
+    /// finite. As in the course, whole numbers are the middles of pixels and
+    /// `y` counts upwards: (0, 0) is the middle of the lower left pixel.
+    fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray;
+}
+
+impl<C: Camera + ?Sized> Camera for Box<C> {
+    fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
+        (**self).ray_for(size, x, y)
+    }
+}
+
+/// Where a camera stands and how it is held: an eye and three axes of length
+/// 1, perpendicular to each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Basis {
+    /// The place of the camera.
+    pub e: Point3,
+    /// To the right of the picture.
+    pub u: Vector3,
+    /// Up in the picture.
+    pub v: Vector3,
+    /// Against the direction of the gaze.
+    pub w: Vector3,
+}
+
+impl Basis {
+    /// The basis of a camera at `e` that looks along the gaze direction `g`,
+    /// with the up vector `t` upwards in its picture:
+    /// `w = -g / |g|`, `u = (t × w) / |t × w|`, `v = w × u`.
+    ///
+    /// An error if `g` or `t` is no direction, or if they are parallel up to
+    /// rounding, for then nothing says how the camera is held.
+    pub fn new(e: Point3, g: Vector3, t: Vector3) -> Result<Self, ArgumentError> {
+        let e = e.checked("eye point")?;
+        let w = -g.unit("gaze direction")?;
+        let t = t.unit("up vector")?;
+        let right = t.cross(w);
+        if right.magnitude() < 1e-12 {
+            let allowed = "a direction that is not parallel to the gaze";
+            return Err(ArgumentError::new("up vector", t.to_glam(), allowed));
+        }
+        let u = right.unit("up vector")?;
+        Ok(Self {
+            e,
+            u,
+            v: w.cross(u),
+            w,
+        })
+    }
+
+    /// The direction `x u + y v - z w` of length 1, `z` being positive.
+    pub(crate) fn direction(&self, x: f64, y: f64, z: f64) -> Vector3 {
+        let direction = self.u * x + self.v * y - self.w * z;
+        // With finite x and y there is always a direction to normalise.
+        direction.normalized().unwrap_or(-self.w)
+    }
+}
+
+/// How a camera sees its picture: the tangent of half the vertical opening
+/// angle, which is half the height of a picture at distance 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Opening {
+    half_tangent: f64,
+}
+
+impl Opening {
+    /// From the full vertical opening angle in radians: above 0 and below π.
+    pub fn new(angle: f64) -> Result<Self, ArgumentError> {
+        // Below 1e-100 the picture would be farther away than lengths may be.
+        let valid = (1e-100..std::f64::consts::PI).contains(&angle);
+        let allowed = "the full opening angle in radians: from 1e-100 to less than pi";
+        argument::check("angle", angle, valid, allowed)?;
+        Ok(Self {
+            half_tangent: libm::tan(angle / 2.0),
+        })
+    }
+
+    /// The distance from the eye, in pixels, at which a picture of this height
+    /// fills the opening: `(h / 2) / tan(angle / 2)`.
+    pub fn distance(self, height: f64) -> f64 {
+        (height / 2.0) / self.half_tangent
+    }
+}

@@ -1,0 +1,62 @@
+//! `Sampler`: where in a pixel its samples lie.
+
+use common::{Sampling, Settings};
+
+use crate::PixelRandom;
+
+/// Places the samples of every pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct Sampler {
+    sampling: Sampling,
+    /// Cells in each direction of the grid, for the samplings that have one.
+    cells: u32,
+    samples: u32,
+    seed: u64,
+}
+
+impl Sampler {
+    /// Samples as the settings ask for them, at least one. The samplings on a
+    /// grid take the greatest square number that is not above the one asked for.
+    #[must_use]
+    pub fn new(settings: &Settings) -> Self {
+        let asked = settings.samples.max(1);
+        let cells = asked.isqrt();
+        Self {
+            sampling: settings.sampling,
+            cells,
+            samples: match settings.sampling {
+                Sampling::Center => 1,
+                Sampling::Random => asked,
+                Sampling::Regular | Sampling::Stratified => cells * cells,
+            },
+            seed: settings.seed,
+        }
+    }
+
+    /// The places of the samples of the pixel in column `x` and row `y`: from
+    /// its upper left corner, rightwards and downwards, each at least 0 and
+    /// less than 1.
+    pub fn places(&self, x: u32, y: u32) -> impl Iterator<Item = (f64, f64)> + use<> {
+        let Self {
+            sampling,
+            cells,
+            samples,
+            seed,
+        } = *self;
+        let random = PixelRandom::new(seed, x, y);
+        (0..samples).map(move |i| {
+            let jitter = |n: u64| random.uniform(2 * u64::from(i) + n);
+            let cell = |(dx, dy): (f64, f64)| {
+                let (column, row) = (f64::from(i % cells), f64::from(i / cells));
+                let cells = f64::from(cells);
+                ((column + dx) / cells, (row + dy) / cells)
+            };
+            match sampling {
+                Sampling::Center => (0.5, 0.5),
+                Sampling::Regular => cell((0.5, 0.5)),
+                Sampling::Random => (jitter(0), jitter(1)),
+                Sampling::Stratified => cell((jitter(0), jitter(1))),
+            }
+        })
+    }
+}

@@ -1,0 +1,78 @@
+//! `StripedSky`: a background of horizontal stripes in two colours.
+
+use common::{ArgumentError, Color, Size};
+
+use crate::{PinholeCamera, Ray};
+use a02_math::Vector3;
+
+/// What makes two rays meet the same stripe.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StripeRule {
+    /// The height of the direction of length 1, as the text has it. Rays of one
+    /// height form a cone, which the picture cuts in a hyperbola: the stripes
+    /// bend towards the horizon.
+    Direction,
+    /// The height at which the ray pierces a wall across the gaze. The stripes
+    /// are straight.
+    Wall,
+}
+
+impl StripeRule {
+    fn height(self, d: Vector3) -> f64 {
+        match self {
+            Self::Direction => d.y(),
+            Self::Wall => d.y() / d.z().abs(),
+        }
+    }
+}
+
+/// A sky of stripes of equal height that fill the picture of a camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StripedSky {
+    rule: StripeRule,
+    stripes: u32,
+    top: f64,
+}
+
+/// The colour of stripe 0 and of all even ones, counted from below.
+const EVEN: [u8; 3] = [25, 25, 112];
+/// The colour of the odd stripes.
+const ODD: [u8; 3] = [50, 205, 50];
+
+impl StripedSky {
+    /// This many stripes, at least one, between the lower and the upper edge of
+    /// the camera's picture, measured in its middle column.
+    pub fn new(
+        camera: &PinholeCamera,
+        size: Size,
+        stripes: u32,
+        rule: StripeRule,
+    ) -> Result<Self, ArgumentError> {
+        if stripes == 0 {
+            return Err(ArgumentError::new("stripes", stripes, "at least 1"));
+        }
+        let upper_edge = camera.generate_ray(size, f64::from(size.width()) / 2.0, 0.0);
+        Ok(Self {
+            rule,
+            stripes,
+            top: rule.height(upper_edge.direction()),
+        })
+    }
+
+    /// The stripe that the ray meets, counted from 0 at the lower edge. Rays
+    /// beyond an edge meet the stripe there.
+    #[must_use]
+    pub fn stripe(&self, ray: &Ray) -> u32 {
+        let stripe_height = 2.0 * self.top / f64::from(self.stripes);
+        let from_below = self.rule.height(ray.direction()) + self.top;
+        // The cast saturates: below the lower edge is 0.
+        ((from_below / stripe_height) as u32).min(self.stripes - 1)
+    }
+
+    /// The colour of the stripe that the ray meets.
+    #[must_use]
+    pub fn color_for(&self, ray: &Ray) -> Color {
+        let is_even = self.stripe(ray).is_multiple_of(2);
+        Color::from_bytes(if is_even { EVEN } else { ODD })
+    }
+}

@@ -1,0 +1,77 @@
+//! Rays, against the second course's numbers and by their definition.
+
+use a02_math::{Direction, Point3, Vector3};
+use a03_rays_cameras::Ray;
+use approx::assert_abs_diff_eq;
+
+fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
+    let [x, y, z] = direction;
+    let direction = Vector3::new(x, y, z);
+    let [x, y, z] = origin;
+    Ray::new(Point3::new(x, y, z), direction).unwrap()
+}
+
+/// Tolerance: half of the last digit that the course gives.
+#[test]
+fn second_course_points_on_a_bounded_ray() {
+    let bounded = ray([0.0; 3], [3.0, 5.0, 3.0]).bounded(30.0).unwrap();
+    let at_1 = Point3::new(0.457_496, 0.762_493, 0.457_496);
+    let at_2_5 = Point3::new(1.143_739, 1.906_232, 1.143_739);
+    assert_abs_diff_eq!(bounded.at(1.0).unwrap(), at_1, epsilon = 5e-7);
+    assert_abs_diff_eq!(bounded.at(2.5).unwrap(), at_2_5, epsilon = 5e-7);
+}
+
+#[test]
+fn a_bounded_ray_has_both_its_ends_and_nothing_beyond() {
+    let bounded = ray([0.0; 3], [0.0, 0.0, -2.0]).bounded(30.0).unwrap();
+    assert_eq!(bounded.at(0.0), Some(Point3::ORIGIN));
+    assert_eq!(bounded.at(30.0), Some(Point3::new(0.0, 0.0, -30.0)));
+    for outside in [-10.0, -5e-324, 30.000_000_000_000_004, 50.0, f64::NAN] {
+        assert_eq!(bounded.at(outside), None);
+    }
+    assert!(ray([0.0; 3], [1.0; 3]).bounded(f64::INFINITY).is_ok());
+    for bad in [-1.0, f64::NAN] {
+        let error = ray([0.0; 3], [1.0; 3]).bounded(bad).unwrap_err();
+        assert!(error.to_string().starts_with("upper bound is"), "{error}");
+    }
+}
+
+/// Tolerance: a few roundings, relative to coordinates of about 10.
+#[test]
+fn t_is_the_distance_and_t_of_finds_it_again() {
+    let ray = ray([1.0, -2.0, 3.0], [4.0, 4.0, 7.0]);
+    assert_eq!(
+        ray.direction(),
+        Vector3::new(4.0 / 9.0, 4.0 / 9.0, 7.0 / 9.0)
+    );
+    for t in [0.0, 0.5, 9.0, -3.0] {
+        assert_abs_diff_eq!(ray.t_of(ray.at(t)), t, epsilon = 1e-14);
+    }
+    assert_abs_diff_eq!(ray.at(9.0), Point3::new(5.0, 2.0, 10.0), epsilon = 1e-14);
+    // A point beside the ray: the foot of the perpendicular.
+    let beside = ray.at(2.0) + Vector3::new(1.0, -1.0, 0.0);
+    assert_abs_diff_eq!(ray.t_of(beside), 2.0, epsilon = 1e-14);
+}
+
+#[test]
+fn t_of_counts_in_lengths_of_the_direction() {
+    let stretched = Ray::derived(Point3::ORIGIN, Vector3::new(0.0, 4.0, 0.0));
+    assert_eq!(stretched.t_of(Point3::new(0.0, 8.0, 0.0)), 2.0);
+}
+
+#[test]
+fn a_ray_is_never_degenerate() {
+    for length in [1e-300, 1.0, 1e300] {
+        let d = ray([0.0; 3], [length, length, -length]).direction();
+        assert_abs_diff_eq!(d.dot(d), 1.0, epsilon = 4.0 * f64::EPSILON);
+    }
+    let x = Vector3::new(1.0, 0.0, 0.0);
+    for bad in [0.0, f64::NAN, f64::INFINITY] {
+        let error = Ray::new(Point3::ORIGIN, x * bad).unwrap_err();
+        assert!(error.to_string().starts_with("direction is"), "{error}");
+    }
+    for bad in [1e101, f64::NAN, f64::NEG_INFINITY] {
+        let error = Ray::new(Point3::new(0.0, bad, 0.0), x).unwrap_err();
+        assert!(error.to_string().starts_with("origin is"), "{error}");
+    }
+}
