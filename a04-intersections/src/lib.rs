@@ -1,1 +1,25 @@
-//! Planes, boxes, triangles and spheres, and the world that holds them.
+//! Assignment 4: where rays meet planes, boxes, triangles and spheres.
+//!
+//! A [`Geometry`] says where a [`Ray`](a03_rays_cameras::Ray) meets it first
+//! within an [`Interval`], and knows nothing of colour. The [`World`] pairs each
+//! with a surface and finds the nearest.
+
+mod axis_aligned_box;
+mod geometry;
+mod hit;
+mod interval;
+mod plane;
+mod scenes;
+mod sphere;
+mod triangle;
+mod world;
+
+pub use axis_aligned_box::AxisAlignedBox;
+pub use geometry::Geometry;
+pub use hit::Hit;
+pub use interval::Interval;
+pub use plane::Plane;
+pub use scenes::stage;
+pub use sphere::Sphere;
+pub use triangle::Triangle;
+pub use world::World;

@@ -1,0 +1,17 @@
+//! `Geometry`: a shape that rays can meet.
+
+use std::fmt::Debug;
+
+use a03_rays_cameras::Ray;
+
+use crate::{Hit, Interval};
+
+/// A shape that rays can meet.
+pub trait Geometry: Debug + Send + Sync {
+    /// The nearest meeting whose `t` lies within the interval, with the normal
+    /// that points out of the shape. The direction of the ray may have any
+    /// length, and `t` counts in that length.
+    ///
+    /// What touches the shape meets it: borders, edges and corners belong to it.
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit>;
+}

@@ -1,0 +1,7 @@
+//! Shows the pictures of assignment 4.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    common::program::run(&a04_intersections::stage(), a01_image_display::viewer())
+}

@@ -1,0 +1,37 @@
+//! `Plane`: flat and endless.
+
+use a02_math::{Direction, Normal3, Point3};
+use a03_rays_cameras::Ray;
+use common::ArgumentError;
+
+use crate::{Geometry, Hit, Interval};
+
+/// The plane through a point, perpendicular to a normal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    a: Point3,
+    n: Normal3,
+}
+
+impl Plane {
+    /// The plane through `a` with a normal `n` of any length but 0.
+    ///
+    /// Of all its points, one near the rest of the scene is best: digits are
+    /// lost in proportion to the distance between `a` and the rays.
+    pub fn new(a: Point3, n: Normal3) -> Result<Self, ArgumentError> {
+        Ok(Self {
+            a: a.checked("point a")?,
+            n: n.unit("normal n")?,
+        })
+    }
+}
+
+/// `t = ((a - o) · n) / (d · n)`: the dot product with `n` leaves of the way to
+/// the plane, and of a step along the ray, what leads straight towards it.
+impl Geometry for Plane {
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        let t = (self.a - ray.origin()).dot(self.n) / ray.direction().dot(self.n);
+        // A parallel ray gives infinity or NaN, which no interval contains.
+        within.contains(t).then(|| Hit::new(t, self.n))
+    }
+}

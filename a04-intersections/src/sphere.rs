@@ -1,0 +1,53 @@
+//! `Sphere`: all points at one distance from a centre.
+
+use a02_math::{Direction, Point3};
+use a03_rays_cameras::Ray;
+use common::{ArgumentError, argument};
+
+use crate::{Geometry, Hit, Interval};
+
+/// A sphere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    c: Point3,
+    r: f64,
+}
+
+impl Sphere {
+    /// The sphere around `c` with a radius `r` from 1e-100 to 1e100.
+    pub fn new(c: Point3, r: f64) -> Result<Self, ArgumentError> {
+        Ok(Self {
+            c: c.checked("centre c")?,
+            r: argument::length("radius r", r)?,
+        })
+    }
+}
+
+/// The roots of `a t² - 2 b t + (f · f - r²) = 0` with `f = o - c`, `a = d · d`
+/// and `b = -f · d`, after Haines, Günther and Akenine-Möller, "Precision
+/// Improvements for Ray/Sphere Intersection", Ray Tracing Gems (2019), chapter 7.
+impl Geometry for Sphere {
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        let (f, d) = (ray.origin() - self.c, ray.direction());
+        let a = d.dot(d);
+        let b = -f.dot(d);
+
+        // The discriminant b² - a (f · f - r²) subtracts two numbers as large
+        // as the squared distance. The same divided by a is r² less the square
+        // of the shortest way l from the centre to the ray.
+        let l = f + d * (b / a);
+        let discriminant = self.r * self.r - l.dot(l);
+        if discriminant < 0.0 {
+            return None;
+        }
+
+        // Of b ± root, the sum of equal signs keeps its digits; the other root
+        // follows from their product (f · f - r²) / a.
+        let q = b + (a * discriminant).sqrt().copysign(b);
+        let (t0, t1) = ((f.dot(f) - self.r * self.r) / q, q / a);
+        let (near, far) = if t0 < t1 { (t0, t1) } else { (t1, t0) };
+        let t = [near, far].into_iter().find(|t| within.contains(*t))?;
+        let normal = (f + d * t).normalized()?.as_normal();
+        Some(Hit::new(t, normal))
+    }
+}

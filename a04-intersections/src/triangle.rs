@@ -1,0 +1,121 @@
+//! `Triangle`: three corners, each with a normal of its own.
+
+use a02_math::{Direction, Normal3, Point3, Vector3};
+use a03_rays_cameras::Ray;
+use common::ArgumentError;
+
+use crate::{Geometry, Hit, Interval};
+
+/// A triangle. It has no thickness, and is seen from both sides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Triangle {
+    corners: [Point3; 3],
+    normals: [Normal3; 3],
+    face: Normal3,
+}
+
+impl Triangle {
+    /// The triangle of three corners that do not lie on a line, lit as flat as
+    /// it is. Its normal points to where the corners run counterclockwise.
+    pub fn new(a: Point3, b: Point3, c: Point3) -> Result<Self, ArgumentError> {
+        let corners = [
+            a.checked("corner a")?,
+            b.checked("corner b")?,
+            c.checked("corner c")?,
+        ];
+        let face = face_normal(corners)?;
+        Ok(Self {
+            corners,
+            normals: [face; 3],
+            face,
+        })
+    }
+
+    /// The same triangle, lit as if it were curved: with the normals of `a`,
+    /// `b` and `c`, each of any length but 0, and between the corners with
+    /// their mean, weighted by how near each corner is.
+    pub fn with_normals(mut self, normals: [Normal3; 3]) -> Result<Self, ArgumentError> {
+        let [a, b, c] = normals;
+        self.normals = [
+            a.unit("normal of a")?,
+            b.unit("normal of b")?,
+            c.unit("normal of c")?,
+        ];
+        // The face points to the side that its normals point to.
+        let [a, b, c] = self.normals;
+        if (a + b + c).dot(self.face) < 0.0 {
+            self.face = -self.face;
+        }
+        Ok(self)
+    }
+
+    /// The normal at barycentric coordinates: `(1 - β - γ) nA + β nB + γ nC`,
+    /// brought to length 1. That of the face where the three cancel out.
+    fn interpolated_normal(&self, beta: f64, gamma: f64) -> Normal3 {
+        let [a, b, c] = self.normals;
+        if a == b && b == c {
+            return a;
+        }
+        let mean = a * (1.0 - beta - gamma) + b * beta + c * gamma;
+        mean.normalized().unwrap_or(self.face)
+    }
+}
+
+/// The normal of a face: perpendicular to two of its edges.
+fn face_normal([a, b, c]: [Point3; 3]) -> Result<Normal3, ArgumentError> {
+    let on_a_line = || {
+        let corners = format!("{}, {}, {}", a.to_glam(), b.to_glam(), c.to_glam());
+        ArgumentError::new("triangle", corners, "three corners that are not on a line")
+    };
+    // Unit lengths, so that neither tiny nor huge triangles lose their normal.
+    let [ab, ac] = [b - a, c - a].map(Vector3::normalized);
+    let across = ab.ok_or_else(on_a_line)?.cross(ac.ok_or_else(on_a_line)?);
+    // Corners on a line make a normal of pure rounding.
+    if across.magnitude() <= 4.0 * f64::EPSILON {
+        return Err(on_a_line());
+    }
+    across.as_normal().unit("triangle")
+}
+
+/// The test of Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection",
+/// JCGT 2(1), 2013: no ray slips through between two triangles that share an
+/// edge, because both compute the same number for it, with opposite signs.
+impl Geometry for Triangle {
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        // The axis along which the ray goes farthest becomes z.
+        let d = ray.direction().to_glam();
+        let z = d.abs().max_position();
+        let (x, y) = ((z + 1) % 3, (z + 2) % 3);
+
+        // Shear space so that the ray is the z axis, and measure z in t.
+        let (shear_x, shear_y, scale_z) = (d[x] / d[z], d[y] / d[z], 1.0 / d[z]);
+        let [a, b, c] = self.corners.map(|corner| {
+            let from_origin = (corner - ray.origin()).to_glam();
+            let depth = from_origin[z];
+            [
+                from_origin[x] - shear_x * depth,
+                from_origin[y] - shear_y * depth,
+                scale_z * depth,
+            ]
+        });
+
+        // On which side of each edge does the axis pass? On an edge counts.
+        let u = c[0] * b[1] - c[1] * b[0];
+        let v = a[0] * c[1] - a[1] * c[0];
+        let w = b[0] * a[1] - b[1] * a[0];
+        if (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0) {
+            return None;
+        }
+        let determinant = u + v + w;
+        if determinant == 0.0 {
+            return None;
+        }
+
+        let t = (u * a[2] + v * b[2] + w * c[2]) / determinant;
+        within.contains(t).then(|| Hit {
+            t,
+            normal: self.interpolated_normal(v / determinant, w / determinant),
+            face: self.face,
+        })
+    }
+}

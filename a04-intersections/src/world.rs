@@ -1,0 +1,87 @@
+//! `World`: everything that is to be seen.
+
+use a02_math::{Direction, Vector3};
+use a03_rays_cameras::Ray;
+use common::{ArgumentError, Color, argument};
+
+use crate::{Geometry, Hit, Interval};
+
+/// A background, and a plain list of geometries, each with its surface.
+///
+/// The surface is whatever the reader wants to know of a geometry that is hit:
+/// here a [`Color`], later a material.
+#[derive(Debug)]
+pub struct World<S> {
+    background: Color,
+    objects: Vec<(Box<dyn Geometry>, S)>,
+}
+
+impl<S> World<S> {
+    /// An empty world. The channels of its background are finite.
+    pub fn new(background: Color) -> Result<Self, ArgumentError> {
+        Ok(Self {
+            background: argument::color("background", background)?,
+            objects: Vec::new(),
+        })
+    }
+
+    /// This world and one more object.
+    #[must_use]
+    pub fn with(mut self, geometry: impl Geometry + 'static, surface: S) -> Self {
+        self.objects.push((Box::new(geometry), surface));
+        self
+    }
+
+    /// The colour that a ray brings back if it meets nothing.
+    #[must_use]
+    pub const fn background(&self) -> Color {
+        self.background
+    }
+
+    /// The nearest meeting within the interval and the surface met there; of
+    /// several at the same place, that of the object listed first.
+    ///
+    /// Its normals are turned towards the side that the ray comes from, so that
+    /// a shape looks right from inside, too.
+    #[must_use]
+    pub fn hit(&self, ray: &Ray, mut within: Interval) -> Option<(Hit, &S)> {
+        let mut nearest = None;
+        for (geometry, surface) in &self.objects {
+            if let Some(hit) = geometry.hit(ray, within) {
+                within.max = hit.t;
+                nearest = Some((hit, surface));
+            }
+        }
+        nearest.map(|(hit, surface)| (facing(hit, ray.direction()), surface))
+    }
+
+    /// Whether anything at all is met within the interval.
+    #[must_use]
+    pub fn is_hit(&self, ray: &Ray, within: Interval) -> bool {
+        let mut objects = self.objects.iter();
+        objects.any(|(geometry, _)| geometry.hit(ray, within).is_some())
+    }
+}
+
+/// The hit with its normals turned against the direction `d`.
+fn facing(hit: Hit, d: Vector3) -> Hit {
+    if hit.face.dot(d) > 0.0 {
+        Hit {
+            normal: -hit.normal,
+            face: -hit.face,
+            ..hit
+        }
+    } else {
+        hit
+    }
+}
+
+impl World<Color> {
+    /// The colour that a ray brings back: that of the nearest object, or the
+    /// background.
+    #[must_use]
+    pub fn color_for(&self, ray: &Ray) -> Color {
+        let nearest = self.hit(ray, Interval::AHEAD);
+        nearest.map_or(self.background, |(_, color)| *color)
+    }
+}
