@@ -1,1 +1,29 @@
-//! Lights and materials: Lambert and Phong.
+//! Assignment 5: lights, and materials that answer them.
+//!
+//! A [`Light`] says from where, how far and in which colour it illuminates a
+//! point. A [`Material`] adds up what of this reaches it; what does is asked
+//! through [`Lighting`], because a later stage knows of shadows.
+
+mod directional_light;
+mod lambert;
+mod light;
+mod lighting;
+mod lit_world;
+mod material;
+mod phong;
+mod point_light;
+mod scenes;
+mod single_color;
+mod spot_light;
+
+pub use directional_light::DirectionalLight;
+pub use lambert::Lambert;
+pub use light::{Illumination, Light};
+pub use lighting::Lighting;
+pub use lit_world::LitWorld;
+pub use material::Material;
+pub use phong::Phong;
+pub use point_light::PointLight;
+pub use scenes::stage;
+pub use single_color::SingleColor;
+pub use spot_light::SpotLight;

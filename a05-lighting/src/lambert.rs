@@ -1,0 +1,42 @@
+//! `Lambert`: a matt surface, equally bright from wherever it is seen.
+
+use a02_math::Direction;
+use a03_rays_cameras::Ray;
+use a04_intersections::Hit;
+use common::{ArgumentError, Color, argument};
+
+use crate::{Illumination, Lighting, Material};
+
+/// A matt material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lambert {
+    diffuse: Color,
+}
+
+impl Lambert {
+    /// The material that scatters this share of each channel.
+    pub fn new(diffuse: Color) -> Result<Self, ArgumentError> {
+        let diffuse = argument::color("diffuse", diffuse)?;
+        Ok(Self { diffuse })
+    }
+
+    /// The share of one light: `cd cl max(0, n · l)`. The same light on a slant
+    /// is spread over more surface.
+    pub(crate) fn share(&self, hit: &Hit, light: &Illumination) -> Color {
+        self.diffuse * light.color * hit.normal.dot(light.direction).max(0.0)
+    }
+
+    /// The share of the ambient light, `cd ca`.
+    pub(crate) fn ambient(&self, lighting: &dyn Lighting) -> Color {
+        self.diffuse * lighting.ambient()
+    }
+}
+
+/// `c = cd ca + Σ cd cl max(0, n · l)`, the sum going over all lights.
+impl Material for Lambert {
+    fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
+        let mut color = self.ambient(lighting);
+        lighting.for_each_light(ray, hit, &mut |light| color += self.share(hit, light));
+        color
+    }
+}

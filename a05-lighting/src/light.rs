@@ -1,0 +1,34 @@
+//! `Light`: what a light is to a point.
+
+use std::fmt::Debug;
+
+use a02_math::{Point3, Vector3};
+use common::Color;
+
+/// The light that a source sends to a point, nothing being in between.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Illumination {
+    /// Its colour.
+    pub color: Color,
+    /// From the point to the source; its length is 1.
+    pub direction: Vector3,
+    /// From the point to the source; infinite if the source is nowhere.
+    pub distance: f64,
+}
+
+/// A source of light.
+pub trait Light: Debug + Send + Sync {
+    /// What the light sends to `point`, or none if that lies outside of its
+    /// beam or in the source itself.
+    fn illumination(&self, point: Point3) -> Option<Illumination>;
+
+    /// Whether the light shines on `point`, nothing being in between.
+    fn illuminates(&self, point: Point3) -> bool {
+        self.illumination(point).is_some()
+    }
+
+    /// The direction of length 1 from `point` to the light, if it shines there.
+    fn direction_from(&self, point: Point3) -> Option<Vector3> {
+        self.illumination(point).map(|light| light.direction)
+    }
+}

@@ -1,0 +1,85 @@
+//! `LitWorld`: a world and the lights in it.
+
+use a03_rays_cameras::Ray;
+use a04_intersections::{Geometry, Hit, Interval, World};
+use common::{ArgumentError, Color, argument};
+
+use crate::{Illumination, Light, Lighting, Material};
+
+/// A world of surfaces `S`, its lights `L` and the ambient light.
+#[derive(Debug)]
+pub struct LitWorld<S = Box<dyn Material>, L = Box<dyn Light>> {
+    world: World<S>,
+    lights: Vec<L>,
+    ambient: Color,
+}
+
+impl<S, L> LitWorld<S, L> {
+    /// A world without objects and lights.
+    pub fn new(background: Color, ambient: Color) -> Result<Self, ArgumentError> {
+        Ok(Self {
+            world: World::new(background)?,
+            lights: Vec::new(),
+            ambient: argument::color("ambient light", ambient)?,
+        })
+    }
+
+    /// This world and one more object.
+    #[must_use]
+    pub fn with(mut self, geometry: impl Geometry + 'static, surface: S) -> Self {
+        self.world = self.world.with(geometry, surface);
+        self
+    }
+
+    /// This world and one more light.
+    #[must_use]
+    pub fn lit_by(mut self, light: L) -> Self {
+        self.lights.push(light);
+        self
+    }
+
+    /// The objects.
+    #[must_use]
+    pub const fn world(&self) -> &World<S> {
+        &self.world
+    }
+
+    /// The lights.
+    #[must_use]
+    pub fn lights(&self) -> &[L] {
+        &self.lights
+    }
+
+    /// The light that comes from everywhere.
+    #[must_use]
+    pub const fn ambient(&self) -> Color {
+        self.ambient
+    }
+}
+
+impl LitWorld {
+    /// The colour that a ray brings back: what the material of the nearest
+    /// object makes of the light, or the background.
+    #[must_use]
+    pub fn color_for(&self, ray: &Ray) -> Color {
+        let nearest = self.world.hit(ray, Interval::AHEAD);
+        nearest.map_or(self.world.background(), |(hit, material)| {
+            material.color_for(ray, &hit, self)
+        })
+    }
+}
+
+/// All light arrives: nothing casts a shadow.
+impl Lighting for LitWorld {
+    fn ambient(&self) -> Color {
+        self.ambient
+    }
+
+    fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
+        let point = ray.at(hit.t);
+        let lights = self.lights.iter();
+        lights
+            .filter_map(|light| light.illumination(point))
+            .for_each(|light| shade(&light));
+    }
+}

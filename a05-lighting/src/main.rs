@@ -1,0 +1,7 @@
+//! Shows the pictures of assignment 5.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    common::program::run(&a05_lighting::stage(), a01_image_display::viewer())
+}

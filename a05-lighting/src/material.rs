@@ -1,0 +1,15 @@
+//! `Material`: how a surface answers light.
+
+use std::fmt::Debug;
+
+use a03_rays_cameras::Ray;
+use a04_intersections::Hit;
+use common::Color;
+
+use crate::Lighting;
+
+/// A material of a surface.
+pub trait Material: Debug + Send + Sync {
+    /// The light that goes from the hit back along the ray.
+    fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color;
+}

@@ -1,0 +1,59 @@
+//! `Phong`: a matt surface with highlights where it mirrors a light.
+
+use a02_math::Direction;
+use a03_rays_cameras::Ray;
+use a04_intersections::Hit;
+use common::{ArgumentError, Color, argument};
+
+use crate::{Illumination, Lambert, Lighting, Material};
+
+/// A shiny material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Phong {
+    matt: Lambert,
+    specular: Color,
+    exponent: f64,
+}
+
+impl Phong {
+    /// The material that scatters `diffuse` of each channel and mirrors
+    /// `specular` of each light. The higher the exponent, which is at least 0,
+    /// the smaller and sharper the highlight.
+    pub fn new(diffuse: Color, specular: Color, exponent: f64) -> Result<Self, ArgumentError> {
+        Ok(Self {
+            matt: Lambert::new(diffuse)?,
+            specular: argument::color("specular", specular)?,
+            exponent: argument::not_negative("exponent", exponent)?,
+        })
+    }
+
+    /// The highlight of one light, `cs cl max(0, e · r)^p`, with `e` to the eye
+    /// and `r` the direction in which the surface mirrors the light.
+    fn highlight(&self, ray: &Ray, hit: &Hit, light: &Illumination) -> Color {
+        let l = light.direction;
+        // Light from behind mirrors nowhere, and black is black at any power.
+        if self.specular == Color::BLACK || hit.normal.dot(l) <= 0.0 {
+            return Color::BLACK;
+        }
+        let e = -ray.direction();
+        let cosine = e.dot(l.reflected_on(hit.normal));
+        // 0 to the power of 0 is 1: where nothing is mirrored there must be no
+        // power. And a cosine of 1 + 2^-52 grows to millions.
+        if cosine <= 0.0 {
+            return Color::BLACK;
+        }
+        self.specular * light.color * libm::pow(cosine.min(1.0), self.exponent)
+    }
+}
+
+/// `c = cd ca + Σ (cd cl max(0, n · l) + cs cl max(0, e · r)^p)`, the sum going
+/// over all lights. (Phong, Illumination for Computer Generated Pictures, 1975)
+impl Material for Phong {
+    fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
+        let mut color = self.matt.ambient(lighting);
+        lighting.for_each_light(ray, hit, &mut |light| {
+            color += self.matt.share(hit, light) + self.highlight(ray, hit, light);
+        });
+        color
+    }
+}

@@ -1,0 +1,50 @@
+//! `SpotLight`: shines from one point into a cone.
+
+use std::f64::consts::PI;
+
+use a02_math::{Direction, Point3, Vector3};
+use common::{ArgumentError, Color, argument};
+
+use crate::{Illumination, Light, PointLight};
+
+/// A light at a point that shines in the directions around one of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpotLight {
+    source: PointLight,
+    direction: Vector3,
+    cos_half_angle: f64,
+}
+
+impl SpotLight {
+    /// A light that shines into the cone of directions that are not farther
+    /// than `half_angle` from `direction`, which has any length but 0.
+    ///
+    /// The half angle, in radians, is from 1e-7 to π; the cosine of a smaller
+    /// one cannot be told from 1.
+    pub fn new(
+        color: Color,
+        position: Point3,
+        direction: Vector3,
+        half_angle: f64,
+    ) -> Result<Self, ArgumentError> {
+        let valid = (1e-7..=PI).contains(&half_angle);
+        let allowed = "an angle in radians from 1e-7 to pi";
+        argument::check("half angle", half_angle, valid, allowed)?;
+        Ok(Self {
+            source: PointLight::new(color, position)?,
+            direction: direction.unit("light direction")?,
+            cos_half_angle: libm::cos(half_angle),
+        })
+    }
+}
+
+/// Compares cosines, not angles: the arc cosine of a product that rounding has
+/// moved beyond 1 is NaN, and it cannot tell small angles apart.
+impl Light for SpotLight {
+    fn illumination(&self, point: Point3) -> Option<Illumination> {
+        let light = self.source.illumination(point)?;
+        // Two opposite unit vectors may multiply to a little less than -1.
+        let cosine = (-light.direction).dot(self.direction).max(-1.0);
+        (cosine >= self.cos_half_angle).then_some(light)
+    }
+}
