@@ -1,1 +1,18 @@
-//! Shadows and mirrors.
+//! Assignment 6: shadows, and surfaces that mirror.
+//!
+//! The [`RecursiveTracer`] answers what light reaches a hit with shadow rays,
+//! and follows reflected rays from surface to surface.
+
+mod light_source;
+mod recursive_tracer;
+mod reflective;
+mod scenes;
+mod secondary_ray;
+mod surface;
+
+pub use light_source::LightSource;
+pub use recursive_tracer::{RecursiveTracer, ShadowedWorld};
+pub use reflective::Reflective;
+pub use scenes::stage;
+pub use secondary_ray::secondary_ray;
+pub use surface::Surface;

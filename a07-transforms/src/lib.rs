@@ -1,1 +1,16 @@
-//! Transformed geometry, the scene graph and the disc.
+//! Assignment 7: objects moved, stretched and turned, and gathered in a tree.
+//!
+//! A [`Transform`] moves the ray instead of the object; a [`Node`] is a geometry
+//! that does so for its children.
+
+mod disc;
+mod mat4x4;
+mod node;
+mod scenes;
+mod transform;
+
+pub use disc::Disc;
+pub use mat4x4::Mat4x4;
+pub use node::Node;
+pub use scenes::stage;
+pub use transform::Transform;

@@ -1,0 +1,33 @@
+//! `LightSource`: a light that may cast shadows.
+
+use a02_math::Point3;
+use a05_lighting::{Illumination, Light};
+
+/// A light, and whether objects cast shadows in it.
+#[derive(Debug)]
+pub struct LightSource {
+    light: Box<dyn Light>,
+    casts_shadows: bool,
+}
+
+impl LightSource {
+    /// A light that what is in its way keeps away, or that nothing does.
+    pub fn new(light: impl Light + 'static, casts_shadows: bool) -> Self {
+        Self {
+            light: Box::new(light),
+            casts_shadows,
+        }
+    }
+
+    /// Whether objects cast shadows in this light.
+    #[must_use]
+    pub const fn casts_shadows(&self) -> bool {
+        self.casts_shadows
+    }
+}
+
+impl Light for LightSource {
+    fn illumination(&self, point: Point3) -> Option<Illumination> {
+        self.light.illumination(point)
+    }
+}

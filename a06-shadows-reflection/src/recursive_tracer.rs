@@ -1,0 +1,90 @@
+//! `RecursiveTracer`: follows a ray from mirror to mirror.
+
+use a02_math::Direction;
+use a03_rays_cameras::Ray;
+use a04_intersections::{Hit, Interval};
+use a05_lighting::{Illumination, Light, Lighting, LitWorld};
+use common::Color;
+
+use crate::{LightSource, Surface, secondary_ray};
+
+/// A world of surfaces that may mirror and lights that may cast shadows.
+pub type ShadowedWorld = LitWorld<Box<dyn Surface>, LightSource>;
+
+/// Where an object in the light itself would begin to be in its way: at its
+/// distance, less the rounding of that.
+const BEFORE_THE_LIGHT: f64 = 1.0 - 8.0 * f64::EPSILON;
+
+/// Finds the colours that rays bring back from a world.
+#[derive(Clone, Copy, Debug)]
+pub struct RecursiveTracer<'a> {
+    world: &'a ShadowedWorld,
+    omit: bool,
+}
+
+impl<'a> RecursiveTracer<'a> {
+    /// A tracer of this world. If `omit`, it leaves out rays that cannot change
+    /// a colour: to lights behind a surface, and from surfaces that do not mirror.
+    #[must_use]
+    pub const fn new(world: &'a ShadowedWorld, omit: bool) -> Self {
+        Self { world, omit }
+    }
+
+    /// The colour that a ray brings back which may meet `depth` surfaces; what
+    /// the last of them mirrors stays black.
+    ///
+    /// By its definition this is a recursion: the colour of a surface is
+    /// `c + cr f`, with its own colour `c`, the share `cr` that it mirrors, and
+    /// the colour `f` that the reflected ray brings back. As each surface
+    /// reflects one ray only, a loop can carry the product of all `cr` so far
+    /// instead, and no depth overflows the stack.
+    #[must_use]
+    pub fn trace(&self, ray: &Ray, depth: u32) -> Color {
+        let mut ray = *ray;
+        let mut color = Color::BLACK;
+        let mut mirrored = Color::WHITE;
+        for _ in 0..depth {
+            let Some((hit, surface)) = self.world.world().hit(&ray, Interval::AHEAD) else {
+                return color + mirrored * self.world.world().background();
+            };
+            color += mirrored * surface.color_for(&ray, &hit, self);
+            mirrored = mirrored * surface.reflection();
+            if self.omit && mirrored == Color::BLACK {
+                break;
+            }
+            let direction = (-ray.direction()).reflected_on(hit.normal);
+            ray = secondary_ray(&ray, &hit, direction);
+        }
+        color
+    }
+
+    /// Whether something stands between the hit and a light.
+    fn is_shadowed(&self, ray: &Ray, hit: &Hit, light: &Illumination) -> bool {
+        let to_light = secondary_ray(ray, hit, light.direction);
+        let between = Interval::before(light.distance * BEFORE_THE_LIGHT);
+        self.world.world().is_hit(&to_light, between)
+    }
+}
+
+/// The lights that shine on the hit and that nothing keeps away from it.
+impl Lighting for RecursiveTracer<'_> {
+    fn ambient(&self) -> Color {
+        self.world.ambient()
+    }
+
+    fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
+        let point = ray.at(hit.t);
+        for source in self.world.lights() {
+            let Some(light) = source.illumination(point) else {
+                continue;
+            };
+            if self.omit && hit.normal.dot(light.direction) <= 0.0 {
+                continue;
+            }
+            if source.casts_shadows() && self.is_shadowed(ray, hit, &light) {
+                continue;
+            }
+            shade(&light);
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! `Reflective`: a shiny material that also mirrors.
+
+use a03_rays_cameras::Ray;
+use a04_intersections::Hit;
+use a05_lighting::{Lighting, Material, Phong};
+use common::{ArgumentError, Color, argument};
+
+use crate::Surface;
+
+/// A Phong material and the share of its surroundings that it mirrors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reflective {
+    shiny: Phong,
+    reflection: Color,
+}
+
+impl Reflective {
+    /// A [`Phong`] material that also mirrors `reflection` of each channel.
+    pub fn new(
+        diffuse: Color,
+        specular: Color,
+        exponent: f64,
+        reflection: Color,
+    ) -> Result<Self, ArgumentError> {
+        Ok(Self {
+            shiny: Phong::new(diffuse, specular, exponent)?,
+            reflection: argument::color("reflection", reflection)?,
+        })
+    }
+}
+
+/// What the surface makes of the lights. What it mirrors comes once and after
+/// the sum over the lights, from the tracer.
+impl Material for Reflective {
+    fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
+        self.shiny.color_for(ray, hit, lighting)
+    }
+}
+
+impl Surface for Reflective {
+    fn reflection(&self) -> Color {
+        self.reflection
+    }
+}

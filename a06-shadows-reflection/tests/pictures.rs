@@ -1,0 +1,3 @@
+//! The locked pictures of this stage.
+
+common::lock_pictures! { a06_shadows_reflection::stage(); sphere aab }

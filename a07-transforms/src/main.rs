@@ -1,0 +1,7 @@
+//! Shows the pictures of assignment 7.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    common::program::run(&a07_transforms::stage(), a01_image_display::viewer())
+}

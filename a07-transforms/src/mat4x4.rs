@@ -1,0 +1,73 @@
+//! `Mat4x4`: sixteen numbers that turn, stretch and move.
+
+use std::ops::Mul;
+
+use a02_math::{Point3, Vector3};
+use glam::DMat4;
+
+/// A matrix of four rows and four columns whose last row is (0, 0, 0, 1).
+///
+/// The fourth coordinate of a point is 1 and of a vector 0: the last column
+/// moves points, and leaves vectors where they are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mat4x4(DMat4);
+
+impl Mat4x4 {
+    /// The matrix that changes nothing.
+    pub const IDENTITY: Self = Self(DMat4::IDENTITY);
+
+    /// A matrix, row by row as it is written on paper.
+    #[must_use]
+    pub fn from_rows(rows: [[f64; 4]; 4]) -> Self {
+        // glam counts by columns.
+        Self(DMat4::from_cols_array_2d(&rows).transpose())
+    }
+
+    /// Rows and columns exchanged.
+    #[must_use]
+    pub fn transposed(self) -> Self {
+        Self(self.0.transpose())
+    }
+
+    /// Whether no entry is NaN or infinite.
+    #[must_use]
+    pub fn is_finite(self) -> bool {
+        self.0.is_finite()
+    }
+}
+
+impl Mul for Mat4x4 {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self(self.0 * other.0)
+    }
+}
+
+impl Mul<Vector3> for Mat4x4 {
+    type Output = Vector3;
+
+    fn mul(self, vector: Vector3) -> Vector3 {
+        Vector3::from_glam(self.0.transform_vector3(vector.to_glam()))
+    }
+}
+
+impl Mul<Point3> for Mat4x4 {
+    type Output = Point3;
+
+    fn mul(self, point: Point3) -> Point3 {
+        Point3::from_glam(self.0.transform_point3(point.to_glam()))
+    }
+}
+
+impl approx::AbsDiffEq for Mat4x4 {
+    type Epsilon = f64;
+
+    fn default_epsilon() -> f64 {
+        f64::EPSILON
+    }
+
+    fn abs_diff_eq(&self, other: &Self, epsilon: f64) -> bool {
+        self.0.abs_diff_eq(other.0, epsilon)
+    }
+}

@@ -1,0 +1,54 @@
+//! `Node`: geometries under one transform, themselves a geometry.
+
+use a03_rays_cameras::Ray;
+use a04_intersections::{Geometry, Hit, Interval};
+
+use crate::Transform;
+
+/// A node of the scene graph: children that are moved together. As it is a
+/// geometry, it can be a child of another node.
+///
+/// The world gives a node one surface, which all its children share. Objects of
+/// several surfaces take a node each, with the same transform.
+#[derive(Debug)]
+pub struct Node {
+    transform: Transform,
+    children: Vec<Box<dyn Geometry>>,
+}
+
+impl Node {
+    /// A node without children.
+    #[must_use]
+    pub const fn new(transform: Transform) -> Self {
+        Self {
+            transform,
+            children: Vec::new(),
+        }
+    }
+
+    /// This node and one more child.
+    #[must_use]
+    pub fn with(mut self, child: impl Geometry + 'static) -> Self {
+        self.children.push(Box::new(child));
+        self
+    }
+}
+
+impl Geometry for Node {
+    fn hit(&self, ray: &Ray, mut within: Interval) -> Option<Hit> {
+        let object_ray = self.transform.ray_to_object(ray);
+        let mut nearest = None;
+        for child in &self.children {
+            if let Some(hit) = child.hit(&object_ray, within) {
+                within.max = hit.t;
+                nearest = Some(hit);
+            }
+        }
+        let Hit { t, normal, face } = nearest?;
+        Some(Hit {
+            t,
+            normal: self.transform.normal_from_object(normal)?,
+            face: self.transform.normal_from_object(face)?,
+        })
+    }
+}

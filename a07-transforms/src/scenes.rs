@@ -1,0 +1,101 @@
+//! The protocol's test scenes of this stage.
+
+use std::f64::consts::FRAC_PI_4;
+
+use a02_math::{Normal3, Point3, Vector3};
+use a03_rays_cameras::{PerspectiveCamera, render};
+use a04_intersections::{AxisAlignedBox, Plane, Sphere};
+use a05_lighting::{Lambert, Phong, PointLight};
+use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld};
+use common::{ArgumentError, Color, Scene, Stage};
+
+use crate::{Disc, Node, Transform};
+
+/// The stage for its program.
+#[must_use]
+pub fn stage() -> Stage {
+    Stage {
+        name: "a07-transforms",
+        about: "Transformed geometry, the scene graph and the disc",
+        scenes: vec![
+            scene(
+                "sphere-transformation",
+                "a sphere, stretched to an ellipsoid",
+                20.0,
+                sphere_transformation,
+            ),
+            scene(
+                "box-transformations",
+                "a box, stretched and turned three times",
+                10.0,
+                box_transformations,
+            ),
+            scene("disc", "a disc on a mirroring plane", 8.0, disc).reflecting(),
+        ],
+    }
+}
+
+/// A scene whose camera looks from (`eye`, `eye`, `eye`) at the origin.
+fn scene(
+    name: &'static str,
+    about: &'static str,
+    eye: f64,
+    world: fn() -> Result<ShadowedWorld, ArgumentError>,
+) -> Scene {
+    Scene::traced(name, about, move |settings, progress| {
+        let e = Point3::new(eye, eye, eye);
+        let (g, t) = (Vector3::new(-1.0, -1.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
+        let camera = PerspectiveCamera::new(e, g, t, FRAC_PI_4)?;
+        let world = world()?;
+        let tracer = RecursiveTracer::new(&world, settings.omit);
+        let radiance = |ray: &_| tracer.trace(ray, settings.depth);
+        render(&camera, radiance, settings, progress)
+    })
+}
+
+const UPWARDS: Normal3 = Normal3::new(0.0, 1.0, 0.0);
+
+/// A black world with a little light from everywhere and a lamp.
+fn lit_from(
+    light: Point3,
+    casts_shadows: bool,
+    ambient: f64,
+) -> Result<ShadowedWorld, ArgumentError> {
+    let light = PointLight::new(Color::WHITE, light)?;
+    Ok(ShadowedWorld::new(Color::BLACK, Color::gray(ambient))?
+        .lit_by(LightSource::new(light, casts_shadows)))
+}
+
+fn sphere_transformation() -> Result<ShadowedWorld, ArgumentError> {
+    let transform = Transform::IDENTITY.scale(6.0, 1.2, 4.0)?;
+    let ellipsoid = Node::new(transform).with(Sphere::new(Point3::ORIGIN, 1.0)?);
+    let material = Phong::new(Color::new(0.6, 0.0, 0.0), Color::WHITE, 64.0)?;
+    let world = lit_from(Point3::new(1.0, 20.0, 20.0), false, 0.25)?;
+    Ok(world.with(ellipsoid, Box::new(material)))
+}
+
+fn box_transformations() -> Result<ShadowedWorld, ArgumentError> {
+    let transform = Transform::IDENTITY
+        .scale(4.0, 1.0, 8.0)?
+        .rotate_z(-20_f64.to_radians())?
+        .rotate_y(-5_f64.to_radians())?
+        .rotate_x(-30_f64.to_radians())?;
+    let (lbf, run) = (Point3::new(-0.5, -0.5, -0.5), Point3::new(0.5, 0.5, 0.5));
+    let node = Node::new(transform).with(AxisAlignedBox::new(lbf, run)?);
+    let world = lit_from(Point3::new(1.0, 20.0, 20.0), false, 0.25)?;
+    Ok(world.with(node, Box::new(Lambert::new(Color::YELLOW)?)))
+}
+
+/// The protocol puts the disc into the plane, where both are hit at the same
+/// `t` and their order in the list decides which is seen. So the disc lies on
+/// the plane here, a thousandth above it.
+fn disc() -> Result<ShadowedWorld, ArgumentError> {
+    let half = Color::gray(0.5);
+    let plane = Plane::new(Point3::ORIGIN, UPWARDS)?;
+    let red = Reflective::new(Color::RED, Color::BLACK, 64.0, half)?;
+    let disc = Disc::new(Point3::new(0.0, 0.001, 0.0), UPWARDS, 5.0)?;
+    let green = Reflective::new(Color::GREEN, Color::WHITE, 2000.0, half)?;
+    Ok(lit_from(Point3::new(8.0, 8.0, 8.0), true, 0.1)?
+        .with(plane, Box::new(red))
+        .with(disc, Box::new(green)))
+}

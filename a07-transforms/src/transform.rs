@@ -1,0 +1,157 @@
+//! `Transform`: a matrix and its inverse, built side by side.
+//!
+//! Every elementary step has an inverse that is known exactly. Multiplying
+//! those keeps the digits that inverting the finished matrix would lose.
+
+use a02_math::{Normal3, Point3, Vector3};
+use a03_rays_cameras::Ray;
+use common::{ArgumentError, argument};
+
+use crate::Mat4x4;
+
+/// A chain of movements, stretchings and turns.
+///
+/// A chained call applies to the object before those written to its left:
+/// `Transform::IDENTITY.translate(..)?.rotate_x(..)?` first turns the object and
+/// then moves it. The calls read from the outside inwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transform {
+    m: Mat4x4,
+    i: Mat4x4,
+}
+
+impl Transform {
+    /// The transform that changes nothing.
+    pub const IDENTITY: Self = Self {
+        m: Mat4x4::IDENTITY,
+        i: Mat4x4::IDENTITY,
+    };
+
+    /// From the space of the object to that around it.
+    #[must_use]
+    pub const fn matrix(&self) -> Mat4x4 {
+        self.m
+    }
+
+    /// From the space around the object to its own.
+    #[must_use]
+    pub const fn inverse(&self) -> Mat4x4 {
+        self.i
+    }
+
+    /// Moves by the coordinates of a point.
+    pub fn translate(self, to: Point3) -> Result<Self, ArgumentError> {
+        let to = to.checked("translation")?;
+        let (x, y, z) = (to.x(), to.y(), to.z());
+        let by = |x, y, z| {
+            Mat4x4::from_rows([
+                [1.0, 0.0, 0.0, x],
+                [0.0, 1.0, 0.0, y],
+                [0.0, 0.0, 1.0, z],
+                [0.0, 0.0, 0.0, 1.0],
+            ])
+        };
+        self.chain(by(x, y, z), by(-x, -y, -z))
+    }
+
+    /// Stretches along the axes. A negative factor mirrors; the magnitude of
+    /// each is from 1e-100 to 1e100, because nothing can be flat and come back.
+    pub fn scale(self, x: f64, y: f64, z: f64) -> Result<Self, ArgumentError> {
+        for (name, factor) in [("scale x", x), ("scale y", y), ("scale z", z)] {
+            let valid = argument::length(name, factor.abs()).is_ok();
+            let allowed = "a factor whose magnitude is from 1e-100 to 1e100";
+            argument::check(name, factor, valid, allowed)?;
+        }
+        let by = |x, y, z| {
+            Mat4x4::from_rows([
+                [x, 0.0, 0.0, 0.0],
+                [0.0, y, 0.0, 0.0],
+                [0.0, 0.0, z, 0.0],
+                [0.0, 0.0, 0.0, 1.0],
+            ])
+        };
+        self.chain(by(x, y, z), by(1.0 / x, 1.0 / y, 1.0 / z))
+    }
+
+    /// Turns about the x axis by an angle in radians, from y towards z.
+    pub fn rotate_x(self, angle: f64) -> Result<Self, ArgumentError> {
+        self.rotate(angle, |sin, cos| {
+            [
+                [1.0, 0.0, 0.0, 0.0],
+                [0.0, cos, -sin, 0.0],
+                [0.0, sin, cos, 0.0],
+                [0.0, 0.0, 0.0, 1.0],
+            ]
+        })
+    }
+
+    /// Turns about the y axis by an angle in radians, from z towards x.
+    pub fn rotate_y(self, angle: f64) -> Result<Self, ArgumentError> {
+        self.rotate(angle, |sin, cos| {
+            [
+                [cos, 0.0, sin, 0.0],
+                [0.0, 1.0, 0.0, 0.0],
+                [-sin, 0.0, cos, 0.0],
+                [0.0, 0.0, 0.0, 1.0],
+            ]
+        })
+    }
+
+    /// Turns about the z axis by an angle in radians, from x towards y.
+    pub fn rotate_z(self, angle: f64) -> Result<Self, ArgumentError> {
+        self.rotate(angle, |sin, cos| {
+            [
+                [cos, -sin, 0.0, 0.0],
+                [sin, cos, 0.0, 0.0],
+                [0.0, 0.0, 1.0, 0.0],
+                [0.0, 0.0, 0.0, 1.0],
+            ]
+        })
+    }
+
+    /// A rotation is undone by its transpose.
+    fn rotate(
+        self,
+        angle: f64,
+        rows: impl Fn(f64, f64) -> [[f64; 4]; 4],
+    ) -> Result<Self, ArgumentError> {
+        let angle = argument::finite("angle", angle)?;
+        let rotation = Mat4x4::from_rows(rows(libm::sin(angle), libm::cos(angle)));
+        self.chain(rotation, rotation.transposed())
+    }
+
+    /// `m' = m T` and, the other way round, `i' = T⁻¹ i`: what is done last is
+    /// undone first.
+    fn chain(self, t: Mat4x4, t_inverse: Mat4x4) -> Result<Self, ArgumentError> {
+        let chained = Self {
+            m: self.m * t,
+            i: t_inverse * self.i,
+        };
+        if chained.m.is_finite() && chained.i.is_finite() {
+            Ok(chained)
+        } else {
+            let allowed = "a chain whose matrix and inverse stay finite";
+            Err(ArgumentError::new("transform", "too large", allowed))
+        }
+    }
+
+    /// The ray as the object sees it: `o' = i o`, `d' = i d`.
+    ///
+    /// Its direction is not brought back to length 1: so `t` means the same
+    /// outside of the object and within, and hits can be compared.
+    #[must_use]
+    pub fn ray_to_object(&self, ray: &Ray) -> Ray {
+        Ray::derived(self.i * ray.origin(), self.i * ray.direction())
+    }
+
+    /// A normal of the object as the space around it sees it:
+    /// `n' = transpose(i) n`, brought to length 1.
+    ///
+    /// Moved like a vector it would not stay perpendicular where the object is
+    /// stretched. None if rounding leaves nothing of it.
+    #[must_use]
+    pub fn normal_from_object(&self, n: Normal3) -> Option<Normal3> {
+        let n = self.i.transposed() * Vector3::from(n);
+        n.normalized().map(Vector3::as_normal)
+    }
+}
