@@ -194,7 +194,7 @@ fn left_of(at: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
 }
 
 /// Eight rows from the top, the lowest bit being the leftmost dot.
-fn glyph(character: char) -> [u8; 8] {
+pub(crate) fn glyph(character: char) -> [u8; 8] {
     let code = character as usize;
     match character {
         ' '..='~' => BASIC_LEGACY[code],

@@ -25,11 +25,11 @@ pub fn render(
     let mut image = Image::black(size)?;
 
     let paint_row = |(row, pixels): (usize, &mut [Color])| {
-        if progress.stopped() {
-            return;
-        }
         let row = row as u32;
         for (column, pixel) in (0..).zip(&mut *pixels) {
+            if progress.stopped() {
+                return;
+            }
             let (mut sum, mut samples) = (Color::BLACK, 0.0);
             for (dx, dy) in sampler.places(column, row) {
                 // The camera counts rows from below, and from pixel middles.

@@ -83,7 +83,7 @@ impl Image {
     /// become bytes.
     #[must_use]
     pub fn to_rgb8(&self, transfer: Transfer) -> Vec<u8> {
-        let bytes = |color: &Color| color.map(|c| transfer.encode(c)).to_bytes();
+        let bytes = |color: &Color| transfer.bytes(*color);
         self.pixels.iter().flat_map(bytes).collect()
     }
 

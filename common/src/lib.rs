@@ -7,7 +7,9 @@
 pub mod argument;
 mod color;
 mod error;
+mod gallery;
 mod image;
+mod live_picture;
 mod overrides;
 pub mod picture_file;
 #[cfg(feature = "lock")]
@@ -23,10 +25,12 @@ mod viewer;
 pub use argument::ArgumentError;
 pub use color::Color;
 pub use error::Error;
+pub use gallery::{Gallery, Rendering};
 pub use image::Image;
+pub use live_picture::LivePicture;
 pub use progress::{Progress, TerminalProgress};
 pub use scene::{Scene, Stage};
 pub use settings::{Sampling, Settings};
 pub use size::Size;
 pub use transfer::Transfer;
-pub use viewer::{NoWindow, Viewer};
+pub use viewer::{NotShown, Viewer};

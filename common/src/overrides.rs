@@ -42,13 +42,16 @@ pub struct Overrides {
 
     /// The picture that show-image opens (PNG, JPEG or BMP)
     #[arg(long, value_name = "FILE")]
-    open: Option<PathBuf>,
+    pub open: Option<PathBuf>,
 }
 
 impl Overrides {
-    /// How many threads to start; 0 lets there be one a core.
-    pub fn threads(&self) -> usize {
-        self.threads.unwrap_or(0).into()
+    /// The threads to render with.
+    pub fn thread_pool(&self) -> Result<rayon::ThreadPool, Error> {
+        // 0 lets there be one a core.
+        let threads = self.threads.unwrap_or(0).into();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        Ok(pool.build()?)
     }
 
     /// The settings for `scene`: what was asked for, else its defaults.

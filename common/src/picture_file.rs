@@ -91,18 +91,41 @@ fn explain(error: &ImageError) -> String {
 ///
 /// If `rgb` does not hold three bytes for every pixel of `size`.
 pub fn save_png(path: &Path, size: Size, rgb: &[u8]) -> Result<(), Error> {
+    let file = unnamed_png(path, size, rgb)?;
+    let named = file.persist(path);
+    named.map_err(|error| cannot_write(path, error.error.to_string()))?;
+    Ok(())
+}
+
+/// Like [`save_png`], but false and without effect if there already is a file
+/// of this name.
+///
+/// # Panics
+///
+/// As [`save_png`].
+pub fn save_new_png(path: &Path, size: Size, rgb: &[u8]) -> Result<bool, Error> {
+    match unnamed_png(path, size, rgb)?.persist_noclobber(path) {
+        Ok(_) => Ok(true),
+        Err(error) if error.error.kind() == io::ErrorKind::AlreadyExists => Ok(false),
+        Err(error) => Err(cannot_write(path, error.error.to_string())),
+    }
+}
+
+/// A finished PNG file that vanishes unless it is given the name `path`.
+fn unnamed_png(path: &Path, size: Size, rgb: &[u8]) -> Result<NamedTempFile, Error> {
     assert_eq!(rgb.len(), 3 * size.pixels(), "three bytes a pixel");
     let mut png = Cursor::new(Vec::new());
-    let encoded = PngEncoder::new(&mut png).write_image(
-        rgb,
-        size.width(),
-        size.height(),
-        ExtendedColorType::Rgb8,
-    );
-    let written = encoded
-        .map_err(|error| error.to_string())
-        .and_then(|()| write_whole(path, png.get_ref()).map_err(|error| error.to_string()));
-    written.map_err(|reason| cannot_write(path, reason))
+    PngEncoder::new(&mut png)
+        .write_image(rgb, size.width(), size.height(), ExtendedColorType::Rgb8)
+        .map_err(|error| cannot_write(path, error.to_string()))?;
+    let write = || {
+        let mut file = unnamed_file_beside(path)?;
+        // Errors of the file itself do not tell its passing name.
+        file.as_file_mut().write_all(png.get_ref())?;
+        file.as_file().sync_all()?;
+        Ok(file)
+    };
+    write().map_err(|error: io::Error| cannot_write(path, error.to_string()))
 }
 
 /// Says what would keep a file from being written, before there is a picture
@@ -118,15 +141,6 @@ fn cannot_write(path: &Path, reason: String) -> Error {
         path: path.to_owned(),
         reason,
     }
-}
-
-fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut file = unnamed_file_beside(path)?;
-    // Errors of the file itself do not tell its passing name.
-    file.as_file_mut().write_all(bytes)?;
-    file.as_file().sync_all()?;
-    file.persist(path)?;
-    Ok(())
 }
 
 /// A file that vanishes unless it is given the name `path`.

@@ -6,10 +6,12 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
-use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::overrides::Overrides;
-use crate::{Error, Image, Scene, Stage, TerminalProgress, Viewer, picture_file};
+use crate::{
+    Error, Gallery, Image, NotShown, Scene, Stage, TerminalProgress, Viewer, picture_file,
+};
 
 /// The folder that pictures land in, below the current one.
 const DEFAULT_FOLDER: &str = "out";
@@ -19,6 +21,17 @@ const DEFAULT_FOLDER: &str = "out";
 struct CommandLine {
     #[command(subcommand)]
     command: Option<Command>,
+
+    #[command(flatten)]
+    options: Showing,
+}
+
+/// How a scene is shown.
+#[derive(Args)]
+struct Showing {
+    /// Open no window; write the PNG as if there were no display
+    #[arg(long)]
+    no_window: bool,
 
     #[command(flatten)]
     overrides: Overrides,
@@ -33,7 +46,7 @@ enum Command {
         /// The scene, as `list` names it
         scene: String,
         #[command(flatten)]
-        overrides: Overrides,
+        options: Showing,
     },
     /// Write scenes as PNG
     Render {
@@ -91,9 +104,9 @@ fn run_with(
 
 fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Result<(), Error> {
     match line.command {
-        None => show(stage, &stage.scenes[0], viewer, &line.overrides),
-        Some(Command::Show { scene, overrides }) => {
-            show(stage, stage.scene(&scene)?, viewer, &overrides)
+        None => show(stage, &stage.scenes[0], viewer, line.options),
+        Some(Command::Show { scene, options }) => {
+            show(stage, stage.scene(&scene)?, viewer, options)
         }
         Some(Command::List) => {
             list(stage);
@@ -118,6 +131,7 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
                 target.check(stage, scene)?;
             }
             for scene in scenes {
+                note_unheeded(scene, &overrides);
                 let start = Instant::now();
                 let image = render(scene, &overrides)?;
                 let path = target.write(stage, scene, &image, &overrides)?;
@@ -149,45 +163,51 @@ fn complain(line: &str) {
 
 fn render(scene: &Scene, overrides: &Overrides) -> Result<Image, Error> {
     let settings = overrides.settings(scene)?;
+    let progress = TerminalProgress::new(scene.name, settings.size);
+    let threads = overrides.thread_pool()?;
+    threads.install(|| scene.render(&settings, &progress))
+}
+
+fn note_unheeded(scene: &Scene, overrides: &Overrides) {
     for flag in overrides.unheeded(scene.heeds) {
         complain(&format!("note: {flag} changes nothing in {}", scene.name));
     }
-    let threads = rayon::ThreadPoolBuilder::new()
-        .num_threads(overrides.threads())
-        .build()?;
-    let progress = TerminalProgress::new(scene.name, settings.size);
-    threads.install(|| scene.render(&settings, &progress))
 }
 
 fn show(
     stage: &Stage,
     scene: &Scene,
     viewer: Option<&dyn Viewer>,
-    overrides: &Overrides,
+    options: Showing,
 ) -> Result<(), Error> {
-    if viewer.is_none() {
-        Target::Default.check(stage, scene)?;
-    }
-    let image = render(scene, overrides)?;
-    let title = format!("{}: {}", stage.name, scene.name);
+    let Showing {
+        no_window,
+        overrides,
+    } = options;
+    overrides.settings(scene)?;
+    note_unheeded(scene, &overrides);
+    let mut gallery = Gallery::new(stage, scene, overrides.clone());
     let shown = match viewer {
-        Some(viewer) => viewer
-            .show(&title, image.size(), &packed(&image, overrides))
-            .map_err(|no_window| no_window.to_string()),
-        None => Err("this build has none; the feature `window` brings it".to_owned()),
+        _ if no_window => Ok(()),
+        Some(viewer) => viewer.show(&mut gallery),
+        None => Err(NotShown::NoWindow(
+            "this build has none; the feature `window` brings it".to_owned(),
+        )),
     };
-    if let Err(reason) = shown {
-        complain(&format!("no window: {reason}"));
-        let path = Target::Default.write(stage, scene, &image, overrides)?;
-        say(&format!("{}  {}", path.display(), image.size()));
+    match shown {
+        Ok(()) if !no_window => return Ok(()),
+        Ok(()) => {}
+        Err(NotShown::Failed(error)) => return Err(error),
+        Err(NotShown::NoWindow(reason)) => complain(&format!("no window: {reason}")),
     }
+    if scene.heeds.file && overrides.open.is_none() {
+        complain("note: this is the picture of the program; --open FILE shows one of yours");
+    }
+    Target::Default.check(stage, scene)?;
+    let image = render(scene, &overrides)?;
+    let path = Target::Default.write(stage, scene, &image, &overrides)?;
+    say(&format!("{}  {}", path.display(), image.size()));
     Ok(())
-}
-
-fn packed(image: &Image, overrides: &Overrides) -> Vec<u32> {
-    let rgb = image.to_rgb8(overrides.transfer);
-    let pack = |rgb: &[u8]| u32::from_be_bytes([0, rgb[0], rgb[1], rgb[2]]);
-    rgb.chunks_exact(3).map(pack).collect()
 }
 
 /// Where pictures go.
@@ -251,12 +271,21 @@ impl Target {
         self.check(stage, scene)?;
         let path = self.path(stage, scene);
         if matches!(self, Self::Default) {
-            // What already exists is no error, and `check` has seen the rest.
-            let _ = std::fs::create_dir(DEFAULT_FOLDER);
+            make_default_folder()?;
         }
         picture_file::save_png(&path, image.size(), &image.to_rgb8(overrides.transfer))?;
         Ok(path)
     }
+}
+
+/// Makes `out/` where it is missing.
+pub(crate) fn make_default_folder() -> Result<&'static Path, Error> {
+    let folder = Path::new(DEFAULT_FOLDER);
+    std::fs::create_dir_all(folder).map_err(|error| Error::Write {
+        path: folder.to_owned(),
+        reason: error.to_string(),
+    })?;
+    Ok(folder)
 }
 
 /// The file name of a scene's picture, `STAGE-SCENE.png`.

@@ -1,5 +1,7 @@
 //! `Transfer`: how linear light is spread over the 256 levels of a byte.
 
+use crate::Color;
+
 /// The curve between linear light and the values that a file holds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Transfer {
@@ -13,6 +15,19 @@ pub enum Transfer {
 }
 
 impl Transfer {
+    /// The three bytes to write for a colour of linear light.
+    #[must_use]
+    pub fn bytes(self, color: Color) -> [u8; 3] {
+        color.map(|channel| self.encode(channel)).to_bytes()
+    }
+
+    /// The packed 0xRRGGBB pixel to show for a colour of linear light.
+    #[must_use]
+    pub fn pack(self, color: Color) -> u32 {
+        let [r, g, b] = self.bytes(color);
+        u32::from_be_bytes([0, r, g, b])
+    }
+
     /// The value to write for `linear` light; negative light counts as none.
     #[must_use]
     pub fn encode(self, linear: f64) -> f64 {

@@ -1,16 +1,22 @@
 //! `Viewer`: the window as the programs see it, so that a build without one
 //! has none compiled in.
 
-use crate::Size;
+use crate::{Error, Gallery};
 
 /// Shows pictures to a person.
 pub trait Viewer {
-    /// Shows a picture of packed 0xRRGGBB pixels, row after row from the top,
-    /// and returns when the person closes it.
-    fn show(&self, title: &str, size: Size, pixels: &[u32]) -> Result<(), NoWindow>;
+    /// Shows the scenes of a gallery while they are rendered, and returns when
+    /// the person closes the window.
+    fn show(&self, gallery: &mut Gallery) -> Result<(), NotShown>;
 }
 
-/// Why there is no window: no display, or a refused connection to one.
+/// Why nothing was shown.
 #[derive(Debug, thiserror::Error)]
-#[error("{0}")]
-pub struct NoWindow(pub String);
+pub enum NotShown {
+    /// There is no display, or it refuses a connection.
+    #[error("{0}")]
+    NoWindow(String),
+    /// There would be a window, but no picture for it.
+    #[error(transparent)]
+    Failed(#[from] Error),
+}

@@ -1,0 +1,57 @@
+//! `Command`: what a person can tell the window, by key or by menu.
+
+use minifb::Key;
+
+/// What a person can tell the window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Command {
+    Save,
+    Open,
+    Close,
+    Previous,
+    Next,
+    Inspect,
+    ZoomIn,
+    ZoomOut,
+    ZoomReset,
+    Help,
+    /// Opens or closes the menu.
+    Menu,
+    /// In the open menu.
+    Up,
+    Down,
+    Choose,
+}
+
+/// The keys, as the help line tells them.
+pub const HELP: &str = "S save  Esc close  <- -> scenes  I inspect  + - 0 zoom  F10 menu  H help";
+
+impl Command {
+    /// What a key means, with or without Ctrl.
+    pub const fn of_key(key: Key, ctrl: bool) -> Option<Self> {
+        Some(match (key, ctrl) {
+            (Key::S, _) => Self::Save,
+            (Key::O, true) => Self::Open,
+            (Key::W, true) | (Key::Escape, _) => Self::Close,
+            (Key::Left, false) => Self::Previous,
+            (Key::Right, false) => Self::Next,
+            (Key::I, false) => Self::Inspect,
+            (Key::H | Key::F1, false) => Self::Help,
+            (Key::F10, false) => Self::Menu,
+            (Key::Up, false) => Self::Up,
+            (Key::Down, false) => Self::Down,
+            (Key::Enter | Key::NumPadEnter, false) => Self::Choose,
+            _ => return None,
+        })
+    }
+
+    /// What a character means. Where `+` and `-` lie depends on the keyboard.
+    pub const fn of_character(character: char) -> Option<Self> {
+        Some(match character {
+            '+' | '=' => Self::ZoomIn,
+            '-' => Self::ZoomOut,
+            '0' => Self::ZoomReset,
+            _ => return None,
+        })
+    }
+}

@@ -1,0 +1,214 @@
+//! `MenuBar`: the menu, drawn in the window.
+//!
+//! X11 and Wayland leave menus to the programs. Where the platform has a menu
+//! of its own, that is used and this one is not shown.
+
+use super::command::Command;
+use super::frame::{Area, Frame, LETTER};
+
+/// Whether the platform draws menus.
+pub const PLATFORM_HAS_MENU: bool = cfg!(any(windows, target_os = "macos"));
+
+/// Height of the bar and of every line of the menu.
+pub const LINE: i32 = 18;
+
+const BAR: u32 = 0x2B_2B2B;
+const SELECTED: u32 = 0x3D_5A80;
+const TEXT: u32 = 0xE0_E0E0;
+const WIDTH: i32 = 200;
+
+/// An item of the menu.
+#[derive(Clone, Copy, Debug)]
+pub struct Item {
+    /// What it says.
+    pub label: &'static str,
+    /// The key that does the same.
+    key: &'static str,
+    /// What it does.
+    pub command: Command,
+}
+
+/// The items of the file menu.
+pub const ITEMS: [Item; 3] = [
+    Item {
+        label: "Save as PNG",
+        key: "S",
+        command: Command::Save,
+    },
+    Item {
+        label: "Open ...",
+        key: "Ctrl+O",
+        command: Command::Open,
+    },
+    Item {
+        label: "Close",
+        key: "Esc",
+        command: Command::Close,
+    },
+];
+
+/// The file menu.
+#[derive(Debug, Default)]
+pub struct MenuBar {
+    /// The selected item, while the menu is open.
+    selected: Option<usize>,
+    can_open: bool,
+}
+
+impl MenuBar {
+    /// Whether the scene shows a file that can be chosen.
+    pub const fn set_can_open(&mut self, can_open: bool) {
+        self.can_open = can_open;
+    }
+
+    /// Whether the menu is open.
+    pub const fn is_open(&self) -> bool {
+        self.selected.is_some()
+    }
+
+    /// The items that there are for this scene.
+    fn items(&self) -> Vec<Item> {
+        let can_open = |item: &Item| self.can_open || item.command != Command::Open;
+        ITEMS.into_iter().filter(can_open).collect()
+    }
+
+    const fn title() -> Area {
+        Area {
+            x: 0,
+            y: 0,
+            width: 6 * LETTER,
+            height: LINE,
+        }
+    }
+
+    const fn item(index: usize) -> Area {
+        Area {
+            x: 0,
+            y: LINE * (1 + index as i32),
+            width: WIDTH,
+            height: LINE,
+        }
+    }
+
+    /// Handles a command that concerns the menu. What is left is for the window.
+    pub fn handle(&mut self, command: Command) -> Option<Command> {
+        let items = self.items();
+        let count = items.len();
+        match (command, self.selected) {
+            (Command::Menu, None) => self.selected = Some(0),
+            (Command::Menu | Command::Close, Some(_)) => self.selected = None,
+            (Command::Down, Some(item)) => self.selected = Some((item + 1) % count),
+            (Command::Up, Some(item)) => self.selected = Some((item + count - 1) % count),
+            (Command::Choose, Some(item)) => {
+                self.selected = None;
+                return items.get(item).map(|item| item.command);
+            }
+            (Command::Up | Command::Down | Command::Choose, None) => {}
+            (command, _) => {
+                self.selected = None;
+                return Some(command);
+            }
+        }
+        None
+    }
+
+    /// The item under the cursor.
+    fn item_at(&self, x: i32, y: i32) -> Option<usize> {
+        (0..self.items().len()).find(|index| Self::item(*index).contains(x, y))
+    }
+
+    /// Selects the item under the cursor.
+    pub fn hover(&mut self, x: i32, y: i32) {
+        if self.is_open() {
+            self.selected = self.item_at(x, y).or(self.selected);
+        }
+    }
+
+    /// Handles a click.
+    pub fn click(&mut self, x: i32, y: i32) -> Option<Command> {
+        if Self::title().contains(x, y) {
+            return self.handle(Command::Menu);
+        }
+        self.selected.take()?;
+        let item = self.item_at(x, y)?;
+        Some(self.items()[item].command)
+    }
+
+    /// Draws the bar, and the menu if it is open.
+    pub fn draw(&self, frame: &mut Frame, width: i32, title: &str) {
+        let bar = Area {
+            width,
+            ..Self::title()
+        };
+        frame.fill(bar, BAR);
+        if self.is_open() {
+            frame.fill(Self::title(), SELECTED);
+        }
+        frame.text(LETTER, 5, TEXT, "File");
+        frame.text(Self::title().width + LETTER, 5, 0x90_9090, title);
+        let Some(selected) = self.selected else {
+            return;
+        };
+        for (index, item) in self.items().into_iter().enumerate() {
+            let line = Self::item(index);
+            frame.fill(line, if index == selected { SELECTED } else { BAR });
+            frame.text(line.x + LETTER, line.y + 5, TEXT, item.label);
+            let key_x = line.x + WIDTH - LETTER * (1 + item.key.len() as i32);
+            frame.text(key_x, line.y + 5, TEXT, item.key);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_menu_works_by_keyboard() {
+        let mut menu = MenuBar::default();
+        assert_eq!(menu.handle(Command::Menu), None);
+        assert!(menu.is_open());
+        assert_eq!(menu.handle(Command::Down), None);
+        assert_eq!(menu.handle(Command::Choose), Some(Command::Close));
+        assert!(!menu.is_open());
+
+        menu.handle(Command::Menu);
+        menu.handle(Command::Up);
+        menu.handle(Command::Up);
+        assert_eq!(menu.handle(Command::Choose), Some(Command::Save));
+    }
+
+    #[test]
+    fn the_menu_works_by_mouse() {
+        let mut menu = MenuBar::default();
+        assert_eq!(menu.click(10, 30), None, "closed, there is no item");
+        assert_eq!(menu.click(10, 5), None);
+        assert!(menu.is_open());
+        assert_eq!(menu.click(10, LINE + 5), Some(Command::Save));
+        assert!(!menu.is_open());
+        menu.click(10, 5);
+        assert_eq!(menu.click(500, 300), None, "beside the menu");
+        assert!(!menu.is_open());
+    }
+
+    #[test]
+    fn escape_closes_the_menu_before_the_window() {
+        let mut menu = MenuBar::default();
+        menu.handle(Command::Menu);
+        assert_eq!(menu.handle(Command::Close), None);
+        assert_eq!(menu.handle(Command::Close), Some(Command::Close));
+    }
+
+    #[test]
+    fn only_a_scene_that_shows_a_file_can_open_one() {
+        let mut menu = MenuBar::default();
+        let has_open = |menu: &MenuBar| {
+            menu.items()
+                .iter()
+                .any(|item| item.command == Command::Open)
+        };
+        assert!(!has_open(&menu));
+        menu.set_can_open(true);
+        assert!(has_open(&menu));
+    }
+}

@@ -1,0 +1,199 @@
+//! `Placement`: where in the window the picture lies, and how large.
+
+use common::Size;
+
+use super::frame::Area;
+
+/// How large the picture is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Zoom {
+    /// As large as fits: enlarged by a whole factor, or shrunk.
+    #[default]
+    Fit,
+    /// Enlarged by a whole factor, this place of the picture in the middle.
+    Factor(u32, (f64, f64)),
+}
+
+/// A picture in its part of the window.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placement {
+    /// Window pixels a picture pixel.
+    scale: f64,
+    /// Where the picture's upper left corner lies.
+    corner: (f64, f64),
+    picture: Size,
+    area: Area,
+}
+
+/// How far a picture can be enlarged.
+const GREATEST_FACTOR: u32 = 64;
+
+impl Placement {
+    /// The place of a picture in this part of the window.
+    pub fn new(picture: Size, area: Area, zoom: Zoom) -> Self {
+        let [width, height] = [picture.width(), picture.height()].map(f64::from);
+        let (scale, middle) = match zoom {
+            Zoom::Fit => {
+                let fit = (f64::from(area.width) / width).min(f64::from(area.height) / height);
+                // Whole factors keep pixels crisp.
+                let scale = if fit >= 1.0 { fit.floor() } else { fit };
+                (scale, (width / 2.0, height / 2.0))
+            }
+            Zoom::Factor(factor, middle) => (factor.into(), middle),
+        };
+        // Whole corners, so that at scale 1 a pixel is a pixel.
+        let corner = |start: i32, side: i32, middle: f64| {
+            (f64::from(start) + f64::from(side) / 2.0 - middle * scale).floor()
+        };
+        Self {
+            scale,
+            corner: (
+                corner(area.x, area.width, middle.0),
+                corner(area.y, area.height, middle.1),
+            ),
+            picture,
+            area,
+        }
+    }
+
+    /// The part of the window that the picture may take.
+    pub const fn area(&self) -> Area {
+        self.area
+    }
+
+    /// The place in the picture that is shown at a place of the window.
+    fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
+        let (left, top) = self.corner;
+        ((x - left) / self.scale, (y - top) / self.scale)
+    }
+
+    /// Column and row of the picture's pixel that is shown at a pixel of the
+    /// window, if there is one.
+    pub fn pixel(&self, x: i32, y: i32) -> Option<(u32, u32)> {
+        let (column, row) = self.place(middle_of(x, y));
+        let inside = self.area.contains(x, y)
+            && (0.0..self.picture.width().into()).contains(&column)
+            && (0.0..self.picture.height().into()).contains(&row);
+        inside.then_some((column as u32, row as u32))
+    }
+
+    /// Enlarged by the next whole factor, keeping in place what lies under the
+    /// cursor, if that is over the picture.
+    pub fn zoomed_in(&self, cursor: Option<(i32, i32)>) -> Zoom {
+        let factor = (self.scale.floor() as u32 + 1).min(GREATEST_FACTOR);
+        self.zoomed(factor, cursor)
+    }
+
+    /// Shrunk to the next smaller whole factor; as large as fits once that
+    /// shows more.
+    pub fn zoomed_out(&self, cursor: Option<(i32, i32)>) -> Zoom {
+        let factor = (self.scale.ceil() as u32).saturating_sub(1);
+        let fit = Self::new(self.picture, self.area, Zoom::Fit);
+        if f64::from(factor) > fit.scale {
+            self.zoomed(factor, cursor)
+        } else {
+            Zoom::Fit
+        }
+    }
+
+    fn zoomed(&self, factor: u32, cursor: Option<(i32, i32)>) -> Zoom {
+        let (x, y) = self.place((
+            f64::from(self.area.x) + f64::from(self.area.width) / 2.0,
+            f64::from(self.area.y) + f64::from(self.area.height) / 2.0,
+        ));
+        let over = cursor.filter(|(x, y)| self.pixel(*x, *y).is_some());
+        let (to_x, to_y) = over.map_or((x, y), |(x, y)| self.place(middle_of(x, y)));
+        // What lies under the cursor stays there if the middle moves towards it.
+        let share = self.scale / f64::from(factor);
+        let middle = (to_x + (x - to_x) * share, to_y + (y - to_y) * share);
+        Zoom::Factor(factor, middle)
+    }
+}
+
+/// The middle of a pixel of the window.
+fn middle_of(x: i32, y: i32) -> (f64, f64) {
+    (f64::from(x) + 0.5, f64::from(y) + 0.5)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WINDOW: Area = Area {
+        x: 0,
+        y: 18,
+        width: 640,
+        height: 480,
+    };
+
+    fn placed(width: u32, height: u32, zoom: Zoom) -> Placement {
+        Placement::new(Size::new(width, height).unwrap(), WINDOW, zoom)
+    }
+
+    #[test]
+    fn a_picture_that_fits_exactly_is_shown_pixel_for_pixel() {
+        let placement = placed(640, 480, Zoom::Fit);
+        for (x, y) in [(0, 0), (639, 479), (123, 45)] {
+            assert_eq!(placement.pixel(x, y + 18), Some((x as u32, y as u32)));
+        }
+        for (x, y) in [(0, 17), (-1, 18), (640, 18), (0, 498)] {
+            assert_eq!(placement.pixel(x, y), None);
+        }
+    }
+
+    #[test]
+    fn a_small_picture_is_enlarged_by_a_whole_factor_and_lies_in_the_middle() {
+        // 640 / 100 = 6.4 and 480 / 100 = 4.8: four times, with borders.
+        let placement = placed(100, 100, Zoom::Fit);
+        assert_eq!(placement.pixel(120, 18 + 40), Some((0, 0)));
+        assert_eq!(placement.pixel(119, 18 + 40), None);
+        assert_eq!(placement.pixel(123, 18 + 43), Some((0, 0)));
+        assert_eq!(placement.pixel(124, 18 + 44), Some((1, 1)));
+        assert_eq!(placement.pixel(519, 18 + 439), Some((99, 99)));
+        assert_eq!(placement.pixel(520, 18 + 439), None);
+    }
+
+    #[test]
+    fn a_large_picture_is_shrunk_and_keeps_its_proportions() {
+        let placement = placed(1280, 480, Zoom::Fit);
+        assert_eq!(placement.pixel(0, 18 + 119), None);
+        assert_eq!(placement.pixel(0, 18 + 120), Some((1, 1)));
+        assert_eq!(placement.pixel(639, 18 + 359), Some((1279, 479)));
+        assert_eq!(placement.pixel(639, 18 + 360), None);
+    }
+
+    #[test]
+    fn zooming_keeps_what_lies_under_the_cursor() {
+        let cursor = (500, 100);
+        let mut placement = placed(640, 480, Zoom::Fit);
+        let under = placement.pixel(cursor.0, cursor.1);
+        for _ in 0..5 {
+            let zoom = placement.zoomed_in(Some(cursor));
+            placement = placed(640, 480, zoom);
+            assert_eq!(placement.pixel(cursor.0, cursor.1), under);
+        }
+        assert!(matches!(placement.zoomed_in(None), Zoom::Factor(7, _)));
+    }
+
+    #[test]
+    fn zooming_out_ends_where_the_picture_fits() {
+        let mut zoom = placed(100, 100, Zoom::Fit).zoomed_in(None);
+        assert!(matches!(zoom, Zoom::Factor(5, _)), "{zoom:?}");
+        zoom = placed(100, 100, zoom).zoomed_out(None);
+        assert_eq!(zoom, Zoom::Fit);
+        assert_eq!(placed(100, 100, zoom).zoomed_out(None), Zoom::Fit);
+        // A shrunk picture: first its own size, then enlarged.
+        let zoom = placed(1280, 960, Zoom::Fit).zoomed_in(None);
+        assert!(matches!(zoom, Zoom::Factor(1, _)), "{zoom:?}");
+        assert_eq!(placed(1280, 960, zoom).zoomed_out(None), Zoom::Fit);
+    }
+
+    #[test]
+    fn there_is_an_end_to_zooming_in() {
+        let mut zoom = Zoom::Fit;
+        for _ in 0..100 {
+            zoom = placed(640, 480, zoom).zoomed_in(None);
+        }
+        assert!(matches!(zoom, Zoom::Factor(GREATEST_FACTOR, _)), "{zoom:?}");
+    }
+}

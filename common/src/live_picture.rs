@@ -1,0 +1,131 @@
+//! `LivePicture`: a picture while it is rendered, for whoever watches it grow.
+
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::time::{Duration, Instant};
+
+use crate::{Color, Progress, Size, Transfer};
+
+/// The packed 0xRRGGBB pixels of a picture in the making. Rows that are not
+/// finished are black.
+///
+/// Written by all threads of the rendering and read by the window's, without a
+/// lock: a pixel is one number, and the window shows it again soon.
+#[derive(Debug)]
+pub struct LivePicture {
+    size: Size,
+    transfer: Transfer,
+    pixels: Vec<AtomicU32>,
+    rows: AtomicU32,
+    stopped: AtomicBool,
+    started: Instant,
+}
+
+impl LivePicture {
+    /// A picture of which nothing is rendered yet.
+    #[must_use]
+    pub fn new(size: Size, transfer: Transfer) -> Self {
+        Self {
+            size,
+            transfer,
+            pixels: (0..size.pixels()).map(|_| AtomicU32::new(0)).collect(),
+            rows: AtomicU32::new(0),
+            stopped: AtomicBool::new(false),
+            started: Instant::now(),
+        }
+    }
+
+    /// Width and height.
+    #[must_use]
+    pub const fn size(&self) -> Size {
+        self.size
+    }
+
+    /// All pixels as they are now, row after row from the top.
+    #[must_use]
+    pub fn pixels(&self) -> Vec<u32> {
+        let pixels = self.pixels.iter();
+        pixels.map(|p| p.load(Ordering::Relaxed)).collect()
+    }
+
+    /// How many rows are finished.
+    #[must_use]
+    pub fn rows(&self) -> u32 {
+        self.rows.load(Ordering::Relaxed)
+    }
+
+    /// For how long the rendering has been going on.
+    #[must_use]
+    pub fn elapsed(&self) -> Duration {
+        self.started.elapsed()
+    }
+
+    /// How long the remaining rows will take if they are like the finished
+    /// ones; none before there is one.
+    #[must_use]
+    pub fn remaining(&self) -> Option<Duration> {
+        let (rows, all) = (self.rows(), self.size.height());
+        let share = f64::from(all - rows.min(all)) / f64::from(rows);
+        Duration::try_from_secs_f64(self.elapsed().as_secs_f64() * share).ok()
+    }
+
+    /// Ends the rendering after the rows that are being worked on.
+    pub fn stop(&self) {
+        self.stopped.store(true, Ordering::Relaxed);
+    }
+}
+
+impl Progress for LivePicture {
+    fn row(&self, y: u32, pixels: &[Color]) {
+        let width = self.size.width() as usize;
+        let start = y as usize * width;
+        for (live, color) in self.pixels[start..start + width].iter().zip(pixels) {
+            live.store(self.transfer.pack(*color), Ordering::Relaxed);
+        }
+        self.rows.fetch_add(1, Ordering::Relaxed);
+    }
+
+    fn stopped(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn picture() -> LivePicture {
+        LivePicture::new(Size::new(3, 4).unwrap(), Transfer::Linear)
+    }
+
+    #[test]
+    fn rows_appear_where_they_belong() {
+        let picture = picture();
+        picture.row(2, &[Color::RED, Color::GREEN, Color::WHITE]);
+        let mut expected = [0; 12];
+        expected[6..9].copy_from_slice(&[0xFF_0000, 0x00_FF00, 0xFF_FFFF]);
+        assert_eq!(picture.pixels(), expected);
+        assert_eq!(picture.rows(), 1);
+    }
+
+    #[test]
+    fn the_remaining_time_is_known_from_the_first_row_on() {
+        let picture = picture();
+        assert_eq!(picture.remaining(), None);
+        picture.row(0, &[Color::BLACK; 3]);
+        let (elapsed, remaining) = (picture.elapsed(), picture.remaining().unwrap());
+        // Three rows to go for one that is done, measured a moment later.
+        assert!(remaining >= elapsed * 3);
+        for y in 1..4 {
+            picture.row(y, &[Color::BLACK; 3]);
+        }
+        assert_eq!(picture.remaining(), Some(Duration::ZERO));
+    }
+
+    #[test]
+    fn it_can_be_stopped() {
+        let picture = picture();
+        assert!(!picture.stopped());
+        picture.stop();
+        assert!(picture.stopped());
+    }
+}
