@@ -19,6 +19,9 @@ const HEAD_LENGTH: f64 = 6.0;
 /// Half of the width of an arrow's head, in widths of its line.
 const HEAD_HALF_WIDTH: f64 = 2.5;
 
+/// Length in pixels of the shortest head whose corners can be told apart.
+const SHORTEST_HEAD: f64 = 0.01;
+
 /// Coordinates of at most this magnitude are drawn. From there the formulas
 /// still find a pixel's distance to less than a hundredth.
 const FARTHEST: f64 = 1e9;
@@ -46,7 +49,7 @@ impl Canvas {
     /// same, a dot. Without a width above 0 there is none.
     pub fn line(&mut self, from: (f64, f64), to: (f64, f64), width: f64, color: Color) {
         let half = width / 2.0;
-        if !(drawable(&[from, to, (half, half)]) && half > 0.0) {
+        if !(drawable(&[from, to, (width, width)]) && half > 0.0) {
             return;
         }
         // No pixel is covered by more than the line is wide.
@@ -58,18 +61,16 @@ impl Canvas {
 
     /// Draws a line of `width` pixels that ends in a filled head with its tip
     /// at `to`. The head is no longer than the arrow; where both ends are the
-    /// same there is no direction to point in, and no head.
+    /// same there is no direction to point in, and a dot instead.
     pub fn arrow(&mut self, from: (f64, f64), to: (f64, f64), width: f64, color: Color) {
         let (x, y) = (to.0 - from.0, to.1 - from.1);
         let length = (x * x + y * y).sqrt();
-        if length == 0.0 {
+        let head = (HEAD_LENGTH * width).min(length);
+        if !(drawable(&[from, to, (width, width)]) && head >= SHORTEST_HEAD) {
             self.line(from, to, width, color);
-        }
-        if !(drawable(&[from, to, (width, width)]) && length > 0.0 && width > 0.0) {
             return;
         }
         let (x, y) = (x / length, y / length);
-        let head = (HEAD_LENGTH * width).min(length);
         let base = (to.0 - head * x, to.1 - head * y);
         if head < length {
             self.line(from, base, width, color);
@@ -80,11 +81,9 @@ impl Canvas {
         self.triangle([to, right, left], color);
     }
 
-    /// Fills a triangle whose corners follow one another clockwise.
+    /// Fills a triangle of three different corners that follow one another
+    /// clockwise.
     fn triangle(&mut self, [a, b, c]: [(f64, f64); 3], color: Color) {
-        if !drawable(&[a, b, c]) {
-            return;
-        }
         // Beyond a sharp corner the edges' distances are still small.
         self.blend(&[a, b, c], 1.5, color, |at| {
             let outside = [(a, b), (b, c), (c, a)].map(|(from, to)| left_of(at, from, to));
@@ -287,6 +286,18 @@ mod tests {
     }
 
     #[test]
+    fn the_tip_is_where_the_arrow_ends() {
+        let mut canvas = canvas(20, 20);
+        canvas.arrow((2.0, 9.5), (15.0, 9.5), 2.0, Color::RED);
+        // The head's edges rise 2.5 over 6, so half a pixel behind or before
+        // the tip is 0.5 * 2.5 / 6.5 from them.
+        let part = 0.5 * 2.5 / 6.5;
+        assert!((red_at(&canvas, 14, 9) - (0.5 + part)).abs() < 1e-12);
+        assert!((red_at(&canvas, 15, 9) - (0.5 - part)).abs() < 1e-12);
+        assert_eq!(red_at(&canvas, 17, 9), 0.0);
+    }
+
+    #[test]
     fn arrows_look_the_same_in_all_directions() {
         let arrow = |to| {
             let mut canvas = canvas(80, 80);
@@ -311,11 +322,14 @@ mod tests {
         // 6 long and 5 wide.
         assert!((area(&short) - 15.0).abs() < 1.5, "{}", area(&short));
 
-        let (mut dot, mut arrow) = (canvas(40, 40), canvas(40, 40));
-        dot.line((20.0, 20.0), (20.0, 20.0), 4.0, Color::RED);
-        arrow.arrow((20.0, 20.0), (20.0, 20.0), 4.0, Color::RED);
-        assert_eq!(arrow, dot);
-        assert!(area(&dot) > 10.0);
+        for (length, width) in [(0.0, 4.0), (1e-300, 4.0), (1e-9, 4.0), (10.0, 1e-9)] {
+            let to = (20.0 + length, 20.0);
+            let (mut arrow, mut line) = (canvas(40, 40), canvas(40, 40));
+            arrow.arrow((20.0, 20.0), to, width, Color::RED);
+            line.line((20.0, 20.0), to, width, Color::RED);
+            assert_eq!(arrow, line, "{length} {width}");
+            assert!(area(&line) > 0.0);
+        }
     }
 
     #[test]

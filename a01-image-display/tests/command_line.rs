@@ -160,6 +160,14 @@ fn a_folder_that_takes_no_files_is_named() {
     let folder = folder();
     let line = "render show-image --open nowhere.png -o /proc";
     assert_refused(&folder, line, 1, "no file can be made in /proc");
+    for line in ["render diagonal", "show diagonal"] {
+        let output = program(&folder, line).current_dir("/proc").output();
+        let output = output.expect("the program runs");
+        let complaint = String::from_utf8_lossy(&output.stderr);
+        let sentence = "cannot write out: no file can be made in . (";
+        assert!(complaint.contains(sentence), "{complaint}");
+        assert_eq!(output.status.code(), Some(1));
+    }
 }
 
 #[test]
