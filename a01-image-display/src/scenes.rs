@@ -31,6 +31,8 @@ pub fn stage() -> Stage {
                 },
             ),
         ],
+        experiments: Vec::new,
+        extremes: |_| Vec::new(),
     }
 }
 

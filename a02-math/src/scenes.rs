@@ -16,6 +16,8 @@ pub fn stage() -> Stage {
             "sum, cross product, projection and reflection of vectors",
             |settings, _| vectors(settings.size),
         )],
+        experiments: Vec::new,
+        extremes: |_| Vec::new(),
     }
 }
 

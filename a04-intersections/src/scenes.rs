@@ -22,6 +22,8 @@ pub fn stage() -> Stage {
             scene("scene-5", "two red spheres, one farther away", scene_5),
             scene("scene-6", "the same without perspective", scene_6),
         ],
+        experiments: Vec::new,
+        extremes: |_| Vec::new(),
     }
 }
 

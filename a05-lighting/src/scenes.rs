@@ -30,6 +30,8 @@ pub fn stage() -> Stage {
                 phong_spot_ambient,
             ),
         ],
+        experiments: Vec::new,
+        extremes: |_| Vec::new(),
     }
 }
 

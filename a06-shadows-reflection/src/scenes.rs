@@ -20,6 +20,8 @@ pub fn stage() -> Stage {
             scene("sphere", "three mirroring spheres on a mirror", sphere).reflecting(),
             scene("aab", "a box and its shadow", aab),
         ],
+        experiments: Vec::new,
+        extremes: |_| Vec::new(),
     }
 }
 

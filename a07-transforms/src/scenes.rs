@@ -32,6 +32,8 @@ pub fn stage() -> Stage {
             ),
             scene("disc", "a disc on a mirroring plane", 8.0, disc).reflecting(),
         ],
+        experiments: Vec::new,
+        extremes: |_| Vec::new(),
     }
 }
 

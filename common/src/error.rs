@@ -29,6 +29,17 @@ pub enum Error {
         /// What stands in the way.
         reason: String,
     },
+    /// A plot could not be drawn.
+    #[error("cannot plot {name}: {reason}")]
+    Plot {
+        /// The experiment.
+        name: String,
+        /// What stands in the way.
+        reason: String,
+    },
+    /// An extreme case is out of its bound.
+    #[error("{0} of the extreme cases fail; they are marked FAILED")]
+    Extremes(usize),
     /// There is not enough memory for a picture.
     #[error("not enough memory for a picture of {size} pixels; a smaller --size would fit")]
     Memory {

@@ -6,7 +6,10 @@
 
 pub mod argument;
 mod color;
+mod effort;
 mod error;
+pub mod experiment;
+pub mod extremes;
 mod gallery;
 mod image;
 mod live_picture;
@@ -14,9 +17,12 @@ mod overrides;
 pub mod picture_file;
 #[cfg(feature = "lock")]
 pub mod picture_lock;
+mod plot;
 pub mod program;
 mod progress;
+mod report;
 mod scene;
+mod scene_report;
 mod settings;
 mod size;
 mod transfer;
@@ -24,6 +30,7 @@ mod viewer;
 
 pub use argument::ArgumentError;
 pub use color::Color;
+pub use effort::Effort;
 pub use error::Error;
 pub use gallery::{Gallery, Rendering};
 pub use image::Image;

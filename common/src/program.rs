@@ -8,9 +8,12 @@ use std::time::Instant;
 
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 
+use crate::experiment::Experiment;
 use crate::overrides::Overrides;
+use crate::report::Measured;
 use crate::{
-    Error, Gallery, Image, NotShown, Scene, Stage, TerminalProgress, Viewer, picture_file,
+    Effort, Error, Gallery, Image, NotShown, Scene, Stage, TerminalProgress, Viewer, extremes,
+    picture_file, scene_report,
 };
 
 /// The folder that pictures land in, below the current one.
@@ -65,6 +68,24 @@ enum Command {
         #[command(flatten)]
         overrides: Overrides,
     },
+    /// Report error against run time: a table, CSV and plots
+    Report {
+        /// Experiments; or `scene` and scenes, to see what their samples are worth [default: all experiments]
+        names: Vec<String>,
+
+        /// Measure less, in seconds
+        #[arg(long)]
+        quick: bool,
+
+        /// The folder for CSV and plots [default: out/report/]
+        #[arg(short, long, value_name = "DIR")]
+        output: Option<PathBuf>,
+    },
+    /// Show the stiff and extreme cases; exit code 1 if one fails
+    Extremes {
+        /// Beginnings of ids, such as A or A01 [default: all]
+        names: Vec<String>,
+    },
 }
 
 /// Runs the program of `stage` with the arguments of this process.
@@ -112,6 +133,12 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
             list(stage);
             Ok(())
         }
+        Some(Command::Report {
+            names,
+            quick,
+            output,
+        }) => report(stage, &names, quick, output),
+        Some(Command::Extremes { names }) => extremes(stage, &names),
         Some(Command::Render {
             scenes,
             all,
@@ -207,6 +234,93 @@ fn show(
     let image = render(scene, &overrides)?;
     let path = Target::Default.write(stage, scene, &image, &overrides)?;
     say(&format!("{}  {}", path.display(), image.size()));
+    Ok(())
+}
+
+fn report(
+    stage: &Stage,
+    names: &[String],
+    quick: bool,
+    output: Option<PathBuf>,
+) -> Result<(), Error> {
+    let effort = if quick { Effort::Quick } else { Effort::Full };
+    match names.split_first() {
+        Some((first, scenes)) if first == "scene" => {
+            if scenes.is_empty() {
+                let all: Vec<_> = stage.scenes.iter().map(|scene| scene.name).collect();
+                let all = all.join(", ");
+                return Err(Error::Usage(format!("report scene takes a scene: {all}")));
+            }
+            let scenes = scenes.iter().map(|name| stage.scene(name));
+            let experiments = scenes.map(|scene| scene_report::experiment(scene?));
+            measure(
+                stage,
+                &experiments.collect::<Result<Vec<_>, _>>()?,
+                effort,
+                output,
+            )
+        }
+        _ => measure(
+            stage,
+            &chosen((stage.experiments)(), names)?,
+            effort,
+            output,
+        ),
+    }
+}
+
+fn measure(
+    stage: &Stage,
+    experiments: &[Experiment],
+    effort: Effort,
+    output: Option<PathBuf>,
+) -> Result<(), Error> {
+    let folder = match output {
+        Some(folder) => folder,
+        None => make_default_folder()?.join("report"),
+    };
+    std::fs::create_dir_all(&folder).map_err(|error| Error::Write {
+        path: folder.clone(),
+        reason: error.to_string(),
+    })?;
+    for experiment in experiments {
+        let measured = Measured::new(experiment, effort);
+        say(&measured.table());
+        for path in measured.write(&folder, stage.name)? {
+            say(&format!("  {}", path.display()));
+        }
+    }
+    Ok(())
+}
+
+/// The experiments of these names; all without a name.
+fn chosen(
+    experiments: Vec<Experiment<'static>>,
+    names: &[String],
+) -> Result<Vec<Experiment<'static>>, Error> {
+    let known: Vec<_> = experiments.iter().map(|e| e.name).collect();
+    for name in names {
+        if !known.contains(&name.as_str()) {
+            let known = known.join(", ");
+            return Err(Error::Usage(format!(
+                "there is no experiment \"{name}\"; there are {known}, and scene NAME"
+            )));
+        }
+    }
+    let is_wanted = |e: &Experiment| names.is_empty() || names.iter().any(|name| name == e.name);
+    Ok(experiments.into_iter().filter(is_wanted).collect())
+}
+
+fn extremes(stage: &Stage, names: &[String]) -> Result<(), Error> {
+    let cases = extremes::select((stage.extremes)(Effort::of_build()), names)?;
+    for case in &cases {
+        say(&case.to_string());
+    }
+    let failed = cases.iter().filter(|case| !case.holds()).count();
+    say(&format!("{} cases, {failed} of them failed", cases.len()));
+    if failed > 0 {
+        return Err(Error::Extremes(failed));
+    }
     Ok(())
 }
 

@@ -1,6 +1,8 @@
 //! `Stage` and `Scene`: what a stage hands to its program.
 
-use crate::{Error, Image, Progress, Settings};
+use crate::experiment::Experiment;
+use crate::extremes::Case;
+use crate::{Effort, Error, Image, Progress, Settings};
 
 type Paint = dyn Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync;
 
@@ -12,6 +14,10 @@ pub struct Stage {
     pub about: &'static str,
     /// The scenes in the order of the course; the first is shown by default.
     pub scenes: Vec<Scene>,
+    /// What is to be learned about error against run time.
+    pub experiments: fn() -> Vec<Experiment<'static>>,
+    /// The stiff and extreme cases.
+    pub extremes: fn(Effort) -> Vec<Case>,
 }
 
 impl Stage {

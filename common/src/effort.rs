@@ -1,0 +1,31 @@
+//! `Effort`: how much is computed where more is only more certain.
+
+/// How many rays, samples and rounds to spend.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effort {
+    /// Seconds.
+    Quick,
+    /// The full counts.
+    Full,
+}
+
+impl Effort {
+    /// All in a release build; in a debug build, which is slower, little.
+    #[must_use]
+    pub const fn of_build() -> Self {
+        if cfg!(debug_assertions) {
+            Self::Quick
+        } else {
+            Self::Full
+        }
+    }
+
+    /// One of two numbers.
+    #[must_use]
+    pub const fn choose(self, quick: usize, full: usize) -> usize {
+        match self {
+            Self::Quick => quick,
+            Self::Full => full,
+        }
+    }
+}

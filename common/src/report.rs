@@ -1,0 +1,249 @@
+//! The report of a stage's experiments: table, CSV and plots.
+
+use std::fmt::Write;
+use std::hint::black_box;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, pareto_front};
+use crate::{Effort, Error, plot};
+
+/// An experiment with its times: the least of several rounds, in seconds, by
+/// curve and point.
+pub(crate) struct Measured<'e, 'a> {
+    pub experiment: &'e Experiment<'a>,
+    pub curves: Vec<Curve<'a>>,
+    pub seconds: Vec<Vec<f64>>,
+}
+
+impl<'e, 'a> Measured<'e, 'a> {
+    /// Measures errors, then times. All methods take turns in every round, so
+    /// that what else the machine does hits them alike; the least time is that
+    /// which was disturbed least.
+    pub fn new(experiment: &'e Experiment<'a>, effort: Effort) -> Self {
+        let mut curves = (experiment.curves)(effort);
+        let rounds = effort.choose(3, 15);
+        let points = |curves: &[Curve]| curves.iter().map(|c| c.points.len()).sum::<usize>();
+        let bar = progress_bar(experiment.name, rounds * points(&curves));
+        let unknown = |curve: &Curve| vec![f64::INFINITY; curve.points.len()];
+        let mut seconds: Vec<Vec<f64>> = curves.iter().map(unknown).collect();
+        for _ in 0..rounds {
+            for (curve, seconds) in curves.iter_mut().zip(&mut seconds) {
+                for (point, least) in curve.points.iter_mut().zip(seconds) {
+                    let start = Instant::now();
+                    black_box((point.run)());
+                    *least = least.min(start.elapsed().as_secs_f64());
+                    bar.inc(1);
+                }
+            }
+        }
+        bar.finish_and_clear();
+        Self {
+            experiment,
+            curves,
+            seconds,
+        }
+    }
+
+    /// The table for the terminal.
+    pub fn table(&self) -> String {
+        let Experiment {
+            name,
+            about,
+            knob,
+            work,
+            error,
+            against,
+            ..
+        } = self.experiment;
+        let front = pareto_front(&self.curves);
+        let mut text = format!("{name}: {about}\n  error: {error}\n");
+        let _ = writeln!(
+            text,
+            "  {:24} {knob:>12.12} {work:>14.14} {:>9} {:>9} {:>10} {:>7}",
+            "method", "rms error", "max", "time", "ratio"
+        );
+        for (c, curve) in self.curves.iter().enumerate() {
+            for (p, point) in curve.points.iter().enumerate() {
+                let baseline = self.seconds[0].get(p);
+                let seconds = self.seconds[c][p];
+                let ratio = baseline.map_or(f64::NAN, |baseline| seconds / baseline);
+                let best = if *against == Axis::Work && front[c][p] {
+                    "*"
+                } else {
+                    " "
+                };
+                let _ = writeln!(
+                    text,
+                    "{best} {:24} {:>12} {:>14} {:>9.1e} {:>9.1e} {:>10} {ratio:>7.2}",
+                    curve.method,
+                    point.knob,
+                    point.work,
+                    point.rms,
+                    point.max,
+                    duration(seconds),
+                );
+            }
+        }
+        for curve in &self.curves {
+            let _ = writeln!(text, "  {}: {}", curve.method, self.summary(curve));
+        }
+        text
+    }
+
+    /// Slope, work to half a grey level, remark.
+    fn summary(&self, curve: &Curve) -> String {
+        let axis = self.experiment.against;
+        let everywhere = (0.0, f64::INFINITY);
+        let between = curve.slope.map_or(everywhere, |slope| slope.between);
+        let mut parts = Vec::new();
+        if let Some(fitted) = curve.fitted_slope(axis, between) {
+            let theory = curve.slope.map_or(String::new(), |slope| {
+                format!(" (theory {})", slope.expected)
+            });
+            parts.push(format!("slope {fitted:.2}{theory}"));
+        }
+        if axis == Axis::Work
+            && let Some((work, beyond)) = curve.work_to_reach(HALF_GREY_LEVEL)
+        {
+            let beyond = if beyond { ", extrapolated" } else { "" };
+            parts.push(format!("1/510 takes {work:.0}{beyond}"));
+        }
+        if !curve.remark.is_empty() {
+            parts.push(curve.remark.to_owned());
+        }
+        parts.join("; ")
+    }
+
+    /// Everything as comma-separated values.
+    pub fn csv(&self) -> String {
+        let Experiment {
+            name, knob, work, ..
+        } = self.experiment;
+        let front = pareto_front(&self.curves);
+        let mut text =
+            format!("experiment,method,{knob},{work},rms error,max error,seconds,pareto\n");
+        for (c, curve) in self.curves.iter().enumerate() {
+            for (p, point) in curve.points.iter().enumerate() {
+                let _ = writeln!(
+                    text,
+                    "{name},{},{},{},{:e},{:e},{:e},{}",
+                    curve.method,
+                    point.knob,
+                    point.work,
+                    point.rms,
+                    point.max,
+                    self.seconds[c][p],
+                    front[c][p],
+                );
+            }
+        }
+        text
+    }
+
+    /// Writes CSV and plots into a folder that exists, and says which files.
+    pub fn write(&self, folder: &Path, stage: &str) -> Result<Vec<PathBuf>, Error> {
+        let mut files = vec![(".csv".to_owned(), self.csv())];
+        files.extend(plot::plots(self)?);
+        let mut paths = Vec::new();
+        for (ending, text) in files {
+            let path = folder.join(format!("{stage}-{}{ending}", self.experiment.name));
+            std::fs::write(&path, text).map_err(|error| Error::Write {
+                path: path.clone(),
+                reason: error.to_string(),
+            })?;
+            paths.push(path);
+        }
+        Ok(paths)
+    }
+}
+
+/// A time in the unit that leaves few digits.
+fn duration(seconds: f64) -> String {
+    match seconds {
+        ..1e-6 => format!("{:.0} ns", seconds * 1e9),
+        ..1e-3 => format!("{:.1} us", seconds * 1e6),
+        ..1.0 => format!("{:.1} ms", seconds * 1e3),
+        _ => format!("{seconds:.2} s"),
+    }
+}
+
+fn progress_bar(name: &str, steps: usize) -> ProgressBar {
+    let target = ProgressDrawTarget::stderr_with_hz(10);
+    let bar = ProgressBar::with_draw_target(Some(steps as u64), target);
+    let template = "{msg} [{bar:30}] {percent}%  {elapsed_precise} elapsed, {eta_precise} to go";
+    if let Ok(style) = ProgressStyle::with_template(template) {
+        bar.set_style(style.progress_chars("=> "));
+    }
+    bar.set_message(name.to_owned());
+    bar
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::experiment::{Point, Slope};
+
+    fn experiment() -> Experiment<'static> {
+        Experiment {
+            name: "square-root",
+            about: "is the error one over the square root?",
+            knob: "n",
+            work: "steps",
+            error: "of nothing",
+            against: Axis::Work,
+            curves: Box::new(|_| {
+                let point = |n: f64| Point::new(n, n, [1.0 / n.sqrt()], move || n);
+                vec![Curve {
+                    method: "plain",
+                    remark: "remarkable",
+                    slope: Some(Slope {
+                        expected: -0.5,
+                        tolerance: 0.01,
+                        between: (1.0, 1e9),
+                    }),
+                    points: [1.0, 16.0, 256.0].map(point).into(),
+                }]
+            }),
+        }
+    }
+
+    #[test]
+    fn the_table_tells_slope_price_and_remark() {
+        let experiment = experiment();
+        let table = Measured::new(&experiment, Effort::Quick).table();
+        assert!(table.contains("slope -0.50 (theory -0.5)"), "{table}");
+        // (1/510)^-2
+        assert!(
+            table.contains("1/510 takes 260100, extrapolated"),
+            "{table}"
+        );
+        assert!(table.contains("remarkable"), "{table}");
+        assert_eq!(table.matches("* plain").count(), 3, "{table}");
+    }
+
+    #[test]
+    fn csv_and_plots_are_written() {
+        let experiment = experiment();
+        let folder = tempfile::tempdir().unwrap();
+        let measured = Measured::new(&experiment, Effort::Quick);
+        let paths = measured.write(folder.path(), "a00").unwrap();
+        let csv = std::fs::read_to_string(&paths[0]).unwrap();
+        assert_eq!(csv.lines().count(), 4);
+        assert!(csv.starts_with("experiment,method,n,steps,"), "{csv}");
+        assert!(paths.len() > 1);
+        for svg in &paths[1..] {
+            assert!(std::fs::read_to_string(svg).unwrap().contains("<svg"));
+        }
+    }
+
+    #[test]
+    fn times_are_printed_in_a_fitting_unit() {
+        assert_eq!(duration(12e-9), "12 ns");
+        assert_eq!(duration(3.44e-5), "34.4 us");
+        assert_eq!(duration(0.25), "250.0 ms");
+        assert_eq!(duration(2.0), "2.00 s");
+    }
+}
