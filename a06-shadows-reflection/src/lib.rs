@@ -8,6 +8,7 @@ mod recursive_tracer;
 mod reflective;
 mod scenes;
 mod secondary_ray;
+mod shadow;
 mod surface;
 
 pub use light_source::LightSource;
@@ -15,4 +16,5 @@ pub use recursive_tracer::{RecursiveTracer, ShadowedWorld};
 pub use reflective::Reflective;
 pub use scenes::stage;
 pub use secondary_ray::secondary_ray;
+pub use shadow::is_shadowed;
 pub use surface::Surface;

@@ -6,14 +6,10 @@ use a04_intersections::{Hit, Interval};
 use a05_lighting::{Illumination, Light, Lighting, LitWorld};
 use common::Color;
 
-use crate::{LightSource, Surface, secondary_ray};
+use crate::{LightSource, Surface, is_shadowed, secondary_ray};
 
 /// A world of surfaces that may mirror and lights that may cast shadows.
 pub type ShadowedWorld = LitWorld<Box<dyn Surface>, LightSource>;
-
-/// Where an object in the light itself would begin to be in its way: at its
-/// distance, less the rounding of that.
-const BEFORE_THE_LIGHT: f64 = 1.0 - 8.0 * f64::EPSILON;
 
 /// Finds the colours that rays bring back from a world.
 #[derive(Clone, Copy, Debug)]
@@ -57,13 +53,6 @@ impl<'a> RecursiveTracer<'a> {
         }
         color
     }
-
-    /// Whether something stands between the hit and a light.
-    fn is_shadowed(&self, ray: &Ray, hit: &Hit, light: &Illumination) -> bool {
-        let to_light = secondary_ray(ray, hit, light.direction);
-        let between = Interval::before(light.distance * BEFORE_THE_LIGHT);
-        self.world.world().is_hit(&to_light, between)
-    }
 }
 
 /// The lights that shine on the hit and that nothing keeps away from it.
@@ -81,7 +70,7 @@ impl Lighting for RecursiveTracer<'_> {
             if self.omit && hit.normal.dot(light.direction) <= 0.0 {
                 continue;
             }
-            if source.casts_shadows() && self.is_shadowed(ray, hit, &light) {
+            if source.casts_shadows() && is_shadowed(self.world.world(), ray, hit, &light) {
                 continue;
             }
             shade(&light);
