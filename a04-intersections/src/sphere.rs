@@ -30,21 +30,21 @@ impl Geometry for Sphere {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let (f, d) = (ray.origin() - self.c, ray.direction());
         let a = d.dot(d);
-        let b = -f.dot(d);
+        let middle = -f.dot(d) / a;
 
         // The discriminant b² - a (f · f - r²) subtracts two numbers as large
         // as the squared distance. The same divided by a is r² less the square
         // of the shortest way l from the centre to the ray.
-        let l = f + d * (b / a);
+        let l = f + d * middle;
         let discriminant = self.r * self.r - l.dot(l);
         if discriminant < 0.0 {
             return None;
         }
 
-        // Of b ± root, the sum of equal signs keeps its digits; the other root
-        // follows from their product (f · f - r²) / a.
-        let q = b + (a * discriminant).sqrt().copysign(b);
-        let (t0, t1) = ((f.dot(f) - self.r * self.r) / q, q / a);
+        // Of b / a ± root, the sum of equal signs keeps its digits; the other
+        // root follows from their product (f · f - r²) / a.
+        let t1 = middle + (discriminant / a).sqrt().copysign(middle);
+        let t0 = (f.dot(f) - self.r * self.r) / (a * t1);
         let (near, far) = if t0 < t1 { (t0, t1) } else { (t1, t0) };
         let t = [near, far].into_iter().find(|t| within.contains(*t))?;
         let normal = (f + d * t).normalized()?.as_normal();
