@@ -6,9 +6,12 @@ use a05_lighting::Illumination;
 
 use crate::secondary_ray;
 
-/// Where on the way to a light its shadow ray ends, as a share: an object that
-/// holds the light is not in its way, whichever way its distance is rounded.
-const BEFORE_THE_LIGHT: f64 = 1.0 - 8.0 * f64::EPSILON;
+/// The part of the way to a light on which objects cast a shadow. A lamp may
+/// be fixed to an object, say the ceiling, which must not keep its light away.
+/// As the ray to it starts above the surface, and parallel to the exact way, it
+/// meets the ceiling a little before the distance of the light: by a few times
+/// the lift, which 2^-24 of the way exceeds by far.
+const BEFORE_THE_LIGHT: f64 = 1.0 - 1.0 / 16_777_216.0;
 
 /// Whether anything in the world stands between the hit of `ray` and a light.
 /// It need not be the nearest thing, so the search ends at the first it finds.
