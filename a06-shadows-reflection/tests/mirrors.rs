@@ -2,7 +2,7 @@
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
-use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere};
+use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle};
 use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight, SingleColor};
 use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface};
 use approx::assert_relative_eq;
@@ -166,6 +166,22 @@ fn a_plane_mirror_shows_the_mirrored_scene() {
     assert_eq!(seen.len(), 5, "all balls and the background");
 }
 
+/// The normal leans by 30 degrees, so that what comes straight from above is
+/// sent away at 60 degrees, where a small ball hangs. By the face it would go
+/// back up.
+#[test]
+fn a_mirror_of_curved_triangles_reflects_on_its_interpolated_normal() {
+    let leaning = Vector3::new(0.5, 0.75_f64.sqrt(), 0.0).as_normal();
+    let [a, b, c] = [(-1.0, 1.0), (1.0, 1.0), (0.0, -2.0)].map(|(x, z)| Point3::new(x, 0.0, z));
+    let triangle = Triangle::new(a, b, c).unwrap().with_normals([leaning; 3]);
+    let ball = Sphere::new(Point3::new(5.0 * 0.75_f64.sqrt(), 2.5, 0.0), 0.01).unwrap();
+    let world = world(Color::BLACK, Color::BLACK)
+        .with(triangle.unwrap(), mirror(Color::BLACK, Color::WHITE))
+        .with(ball, Box::new(SingleColor::new(Color::GREEN).unwrap()));
+    let down = Ray::new(Point3::new(0.0, 3.0, 0.0), -UP).unwrap();
+    assert_eq!(trace(&world, &down, 2), Color::GREEN);
+}
+
 /// A convex mirror alone in a white world reflects white everywhere. Where a
 /// reflected ray met its own surface again the picture would be black.
 #[test]
@@ -207,7 +223,7 @@ fn count_white(shape: impl Geometry + 'static, eye: Point3, middle: Point3, s: f
 /// Mirrors, shadows and both kinds of lights.
 fn everything() -> ShadowedWorld {
     let shiny = Phong::new(Color::gray(0.5), Color::WHITE, 20.0).unwrap();
-    let tinted = Reflective::new(Color::RED, Color::WHITE, 64.0, Color::new(0.5, 0.0, 0.9));
+    let tinted = Reflective::new(Color::RED, Color::WHITE, 64.0, Color::new(0.0, 0.5, 0.9));
     let (lbf, run) = (Point3::new(-4.0, 0.0, -3.0), Point3::new(-3.0, 2.0, 3.0));
     let sun = DirectionalLight::new(Color::gray(0.5), Vector3::new(1.0, -2.0, 0.5)).unwrap();
     let lamp = PointLight::new(Color::WHITE, Point3::new(3.0, 6.0, 4.0)).unwrap();
