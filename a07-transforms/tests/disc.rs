@@ -20,7 +20,7 @@ fn hit(disc: &Disc, x: f64, z: f64) -> Option<Hit> {
 }
 
 /// 3² + 4² = 5²; and 1² + 1² = 2, which is less than the square of the rounded
-/// root of 2, but not if the root is taken first.
+/// root of 2. Beyond, 1² + 1.6e-8² is more than 1, but its rounded root is 1.
 #[test]
 fn the_rim_belongs_to_the_disc_and_nothing_beyond() {
     for (r, x, z) in [
@@ -35,12 +35,13 @@ fn the_rim_belongs_to_the_disc_and_nothing_beyond() {
         assert_eq!(hit(&disc(r), x, z), Some(Hit::new(2.0, UPWARDS)));
         assert_eq!(hit(&disc(r * 0.999), x, z), None);
     }
-    for (x, z) in [
-        (5_f64.next_up(), 0.0),
-        (0.0, -5_f64.next_up()),
-        (4.0, 3.001),
+    for (r, x, z) in [
+        (5.0, 5_f64.next_up(), 0.0),
+        (5.0, 0.0, -5_f64.next_up()),
+        (5.0, 4.0, 3.001),
+        (1.0, 1.0, 1.6e-8),
     ] {
-        assert_eq!(hit(&disc(5.0), x, z), None);
+        assert_eq!(hit(&disc(r), x, z), None);
     }
 }
 
