@@ -15,3 +15,9 @@ pub trait Geometry: Debug + Send + Sync {
     /// What touches the shape meets it: borders, edges and corners belong to it.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit>;
 }
+
+impl<G: Geometry + ?Sized> Geometry for Box<G> {
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        (**self).hit(ray, within)
+    }
+}

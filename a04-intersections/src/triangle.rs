@@ -67,14 +67,21 @@ fn face_normal([a, b, c]: [Point3; 3]) -> Result<Normal3, ArgumentError> {
         let corners = format!("{}, {}, {}", a.to_glam(), b.to_glam(), c.to_glam());
         ArgumentError::new("triangle", corners, "three corners that are not on a line")
     };
-    // Unit lengths, so that neither tiny nor huge triangles lose their normal.
-    let [ab, ac] = [b - a, c - a].map(Vector3::normalized);
-    let across = ab.ok_or_else(on_a_line)?.cross(ac.ok_or_else(on_a_line)?);
-    // Corners on a line make a normal of pure rounding.
-    if across.magnitude() <= 4.0 * f64::EPSILON {
-        return Err(on_a_line());
+    // Measured in the longest edge, so that neither tiny nor huge triangles
+    // lose their normal, and that it does not matter which corner comes first.
+    let edges = [b - a, c - a, c - b];
+    let longest = edges
+        .map(Vector3::magnitude)
+        .into_iter()
+        .fold(0.0, f64::max);
+    let [ab, ac] = [edges[0], edges[1]].map(|edge| edge * (1.0 / longest));
+    let across = ab.cross(ac);
+    // Corners on a line make a normal of pure rounding; a single point of NaN.
+    if across.magnitude() > 4.0 * f64::EPSILON {
+        across.as_normal().unit("triangle")
+    } else {
+        Err(on_a_line())
     }
-    across.as_normal().unit("triangle")
 }
 
 /// The test of Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection",

@@ -14,9 +14,16 @@ pub struct LitWorld<S = Box<dyn Material>, L = Box<dyn Light>> {
     ambient: Color,
 }
 
-impl<S, L> LitWorld<S, L> {
+impl LitWorld {
     /// A world without objects and lights.
     pub fn new(background: Color, ambient: Color) -> Result<Self, ArgumentError> {
+        Self::empty(background, ambient)
+    }
+}
+
+impl<S, L> LitWorld<S, L> {
+    /// A world without objects and lights, of whatever surfaces and lights.
+    pub fn empty(background: Color, ambient: Color) -> Result<Self, ArgumentError> {
         Ok(Self {
             world: World::new(background)?,
             lights: Vec::new(),
@@ -40,7 +47,7 @@ impl<S, L> LitWorld<S, L> {
 
     /// The objects.
     #[must_use]
-    pub const fn world(&self) -> &World<S> {
+    pub const fn objects(&self) -> &World<S> {
         &self.world
     }
 

@@ -272,7 +272,7 @@ fn a_lit_world_shades_the_nearest_object_with_all_its_lights() {
     let up = Ray::new(Point3::new(0.0, 2.0, 0.0), UP).unwrap();
     assert_eq!(world.color_for(&up), Color::BLUE);
     assert_eq!(world.ambient(), Color::gray(0.25));
-    assert_eq!(world.world().background(), Color::BLUE);
+    assert_eq!(world.objects().background(), Color::BLUE);
     assert_eq!(world.lights().len(), 2);
 }
 
@@ -295,7 +295,7 @@ fn lights_that_cannot_shine_on_a_surface_leave_the_ambient_light() {
 #[test]
 fn a_sphere_is_lit_from_inside() {
     let c = Point3::new(1.0, -2.0, 3.0);
-    let world = <LitWorld>::new(Color::BLACK, Color::BLACK)
+    let world = LitWorld::new(Color::BLACK, Color::BLACK)
         .unwrap()
         .with(
             Sphere::new(c, 2.0).unwrap(),
@@ -324,8 +324,8 @@ fn bad_colors_are_refused_by_name() {
             (refusal(Lambert::new(color)), "diffuse is"),
             (refusal(Phong::new(color, white, 1.0)), "diffuse is"),
             (refusal(Phong::new(white, color, 1.0)), "specular is"),
-            (refusal(<LitWorld>::new(color, white)), "background is"),
-            (refusal(<LitWorld>::new(white, color)), "ambient light is"),
+            (refusal(LitWorld::new(color, white)), "background is"),
+            (refusal(LitWorld::new(white, color)), "ambient light is"),
         ] {
             assert!(said.starts_with(name), "{said}");
             assert!(said.contains("finite channels of at least 0"), "{said}");

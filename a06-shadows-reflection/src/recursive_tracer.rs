@@ -40,8 +40,8 @@ impl<'a> RecursiveTracer<'a> {
         let mut color = Color::BLACK;
         let mut mirrored = Color::WHITE;
         for _ in 0..depth {
-            let Some((hit, surface)) = self.world.world().hit(&ray, Interval::AHEAD) else {
-                return color + mirrored * self.world.world().background();
+            let Some((hit, surface)) = self.world.objects().hit(&ray, Interval::AHEAD) else {
+                return color + mirrored * self.world.objects().background();
             };
             color += mirrored * surface.color_for(&ray, &hit, self);
             mirrored = mirrored * surface.reflection();
@@ -70,7 +70,7 @@ impl Lighting for RecursiveTracer<'_> {
             if self.omit && hit.normal.dot(light.direction) <= 0.0 {
                 continue;
             }
-            if source.casts_shadows() && is_shadowed(self.world.world(), ray, hit, &light) {
+            if source.casts_shadows() && is_shadowed(self.world.objects(), ray, hit, &light) {
                 continue;
             }
             shade(&light);

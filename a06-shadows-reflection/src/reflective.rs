@@ -15,7 +15,8 @@ pub struct Reflective {
 }
 
 impl Reflective {
-    /// A [`Phong`] material that also mirrors `reflection` of each channel.
+    /// A [`Phong`] material that also mirrors `reflection` of each channel: a
+    /// share from 0 to 1, or facing mirrors would make ever more light.
     pub fn new(
         diffuse: Color,
         specular: Color,
@@ -24,7 +25,7 @@ impl Reflective {
     ) -> Result<Self, ArgumentError> {
         Ok(Self {
             shiny: Phong::new(diffuse, specular, exponent)?,
-            reflection: argument::color("reflection", reflection)?,
+            reflection: argument::share("reflection", reflection)?,
         })
     }
 }

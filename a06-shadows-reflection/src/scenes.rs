@@ -49,7 +49,7 @@ fn sphere() -> Result<ShadowedWorld, ArgumentError> {
     let half = Color::gray(0.5);
     let mirror = Reflective::new(Color::gray(0.1), Color::BLACK, 64.0, half)?;
     let light = PointLight::new(Color::WHITE, Point3::new(8.0, 8.0, 8.0))?;
-    let mut world = ShadowedWorld::new(Color::BLACK, Color::gray(0.25))?
+    let mut world = ShadowedWorld::empty(Color::BLACK, Color::gray(0.25))?
         .with(floor()?, Box::new(mirror))
         .lit_by(LightSource::new(light, true));
     for (x, color) in [(-3.0, Color::RED), (0.0, Color::GREEN), (3.0, Color::BLUE)] {
@@ -63,7 +63,7 @@ fn sphere() -> Result<ShadowedWorld, ArgumentError> {
 fn aab() -> Result<ShadowedWorld, ArgumentError> {
     let (lbf, run) = (Point3::new(-0.5, 0.0, -0.5), Point3::new(0.5, 1.0, 0.5));
     let light = PointLight::new(Color::WHITE, Point3::new(8.0, 8.0, 0.0))?;
-    Ok(ShadowedWorld::new(Color::BLACK, Color::gray(0.25))?
+    Ok(ShadowedWorld::empty(Color::BLACK, Color::gray(0.25))?
         .with(floor()?, Box::new(Lambert::new(Color::gray(0.8))?))
         .with(
             AxisAlignedBox::new(lbf, run)?,

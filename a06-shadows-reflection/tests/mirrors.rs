@@ -6,7 +6,7 @@ use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle};
 use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight, SingleColor};
 use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface};
 use approx::assert_relative_eq;
-use common::Color;
+use common::{ArgumentError, Color};
 
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 const X: Vector3 = Vector3::new(1.0, 0.0, 0.0);
@@ -17,7 +17,7 @@ fn mirror(diffuse: Color, reflection: Color) -> Box<dyn Surface> {
 }
 
 fn world(background: Color, ambient: Color) -> ShadowedWorld {
-    ShadowedWorld::new(background, ambient).unwrap()
+    ShadowedWorld::empty(background, ambient).unwrap()
 }
 
 fn plane(through: Point3, n: Vector3) -> Plane {
@@ -97,7 +97,7 @@ fn depth_counts_the_surfaces_that_a_ray_may_meet() {
 /// Each mirror takes its share of each channel.
 #[test]
 fn the_background_is_seen_through_mirrors() {
-    let (first, second) = (Color::new(0.5, 1.0, 0.25), Color::new(0.5, 0.0, 2.0));
+    let (first, second) = (Color::new(0.5, 1.0, 0.25), Color::new(0.5, 0.0, 0.75));
     // Down to the floor, reflected to the wall, and from there to the sky.
     let corner = world(Color::new(1.0, 1.0, 0.5), Color::BLACK)
         .with(plane(Point3::ORIGIN, UP), mirror(Color::WHITE, first))
@@ -106,7 +106,7 @@ fn the_background_is_seen_through_mirrors() {
             mirror(Color::WHITE, second),
         );
     let ray = Ray::new(Point3::new(0.0, 2.0, 0.0), Vector3::new(1.0, -1.0, 0.0)).unwrap();
-    let expected = Color::new(0.25, 0.0, 0.25);
+    let expected = Color::new(0.25, 0.0, 0.09375);
     assert_eq!(trace(&corner, &ray, 3), expected);
     assert_eq!(trace(&corner, &ray, 2), Color::BLACK, "cut off");
 }
@@ -318,19 +318,23 @@ fn only_reflective_surfaces_reflect() {
 #[test]
 fn bad_arguments_are_refused_by_name() {
     let white = Color::WHITE;
+    let assert_refused = |result: Result<Reflective, ArgumentError>, name: &str, allowed: &str| {
+        let said = result.unwrap_err().to_string();
+        assert!(said.starts_with(name) && said.contains(allowed), "{said}");
+    };
     for number in [f64::NAN, f64::INFINITY, -0.5] {
         let bad = Color::new(1.0, 1.0, number);
         for (result, name) in [
             (Reflective::new(bad, white, 1.0, white), "diffuse is"),
             (Reflective::new(white, bad, 1.0, white), "specular is"),
             (Reflective::new(white, white, number, white), "exponent is"),
-            (Reflective::new(white, white, 1.0, bad), "reflection is"),
         ] {
-            let said = result.unwrap_err().to_string();
-            assert!(
-                said.starts_with(name) && said.contains("at least 0"),
-                "{said}"
-            );
+            assert_refused(result, name, "at least 0");
         }
+    }
+    for number in [f64::NAN, f64::INFINITY, -0.5, 1.0_f64.next_up()] {
+        let bad = Color::new(1.0, 1.0, number);
+        let result = Reflective::new(white, white, 1.0, bad);
+        assert_refused(result, "reflection is", "from 0 to 1");
     }
 }

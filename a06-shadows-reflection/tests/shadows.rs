@@ -32,7 +32,7 @@ fn point_light(x: f64, y: f64, z: f64) -> PointLight {
 
 /// The white floor y = 0 in a little ambient light.
 fn floor() -> ShadowedWorld {
-    ShadowedWorld::new(Color::BLACK, AMBIENT)
+    ShadowedWorld::empty(Color::BLACK, AMBIENT)
         .unwrap()
         .with(plane(0.0), white())
 }
@@ -249,11 +249,11 @@ impl Scene {
         let mut counts = [0; 3];
         for ray in self.rays() {
             let world = || {
-                let black = ShadowedWorld::new(Color::BLACK, Color::BLACK).unwrap();
+                let black = ShadowedWorld::empty(Color::BLACK, Color::BLACK).unwrap();
                 let light = PointLight::new(Color::WHITE, self.light).unwrap();
                 black.with(shape, white()).lit_by(lamp(light))
             };
-            let Some((hit, _)) = world().world().hit(&ray, Interval::AHEAD) else {
+            let Some((hit, _)) = world().objects().hit(&ray, Interval::AHEAD) else {
                 continue;
             };
             let p = ray.at(hit.t);
@@ -302,7 +302,7 @@ fn a_closed_room_does_not_shade_its_walls() {
         let scene = Scene::new(s);
         let light = PointLight::new(Color::WHITE, scene.at(0.3, 0.2, -0.4)).unwrap();
         let room = AxisAlignedBox::new(scene.at(-1.0, -1.0, -1.0), scene.at(1.0, 1.0, 1.0));
-        let black = || ShadowedWorld::new(Color::BLACK, Color::BLACK).unwrap();
+        let black = || ShadowedWorld::empty(Color::BLACK, Color::BLACK).unwrap();
         for world in [
             black().with(Sphere::new(scene.middle, s).unwrap(), white()),
             black().with(room.unwrap(), white()),

@@ -5,10 +5,11 @@ use std::ops::Mul;
 use a02_math::{Point3, Vector3};
 use glam::DMat4;
 
-/// A matrix of four rows and four columns whose last row is (0, 0, 0, 1).
+/// A matrix of four rows and four columns.
 ///
 /// The fourth coordinate of a point is 1 and of a vector 0: the last column
-/// moves points, and leaves vectors where they are.
+/// moves points, and leaves vectors where they are. The last row, which is
+/// (0, 0, 0, 1) in every movement, stretching and turn, is not applied.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mat4x4(DMat4);
 
@@ -29,10 +30,13 @@ impl Mat4x4 {
         Self(self.0.transpose())
     }
 
-    /// Whether no entry is NaN or infinite.
+    /// Whether the magnitude of every entry is at most `limit`; NaN is not.
     #[must_use]
-    pub fn is_finite(self) -> bool {
-        self.0.is_finite()
+    pub fn is_within(self, limit: f64) -> bool {
+        self.0
+            .to_cols_array()
+            .iter()
+            .all(|entry| entry.abs() <= limit)
     }
 }
 

@@ -8,6 +8,10 @@ use crate::Transform;
 /// A node of the scene graph: children that are moved together. As it is a
 /// geometry, it can be a child of another node.
 ///
+/// Nodes that move a long way and back again lose the digits in between, and a
+/// surface may then shade itself: what a node adds to the coordinates should
+/// not be much larger than the scene.
+///
 /// The world gives a node one surface, which all its children share. Objects of
 /// several surfaces take a node each, with the same transform.
 #[derive(Debug)]

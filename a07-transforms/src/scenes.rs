@@ -64,7 +64,7 @@ fn lit_from(
     ambient: f64,
 ) -> Result<ShadowedWorld, ArgumentError> {
     let light = PointLight::new(Color::WHITE, light)?;
-    Ok(ShadowedWorld::new(Color::BLACK, Color::gray(ambient))?
+    Ok(ShadowedWorld::empty(Color::BLACK, Color::gray(ambient))?
         .lit_by(LightSource::new(light, casts_shadows)))
 }
 

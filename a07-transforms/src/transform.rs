@@ -9,6 +9,10 @@ use common::{ArgumentError, argument};
 
 use crate::Mat4x4;
 
+/// Up to here the square of a direction that the matrix has stretched is a
+/// number.
+const LARGEST_ENTRY: f64 = 1e150;
+
 /// A chain of movements, stretchings and turns.
 ///
 /// A chained call applies to the object before those written to its left:
@@ -127,10 +131,13 @@ impl Transform {
             m: self.m * t,
             i: t_inverse * self.i,
         };
-        if chained.m.is_finite() && chained.i.is_finite() {
+        if [chained.m, chained.i]
+            .iter()
+            .all(|m| m.is_within(LARGEST_ENTRY))
+        {
             Ok(chained)
         } else {
-            let allowed = "a chain whose matrix and inverse stay finite";
+            let allowed = "a chain whose matrix and inverse hold no number above 1e150";
             Err(ArgumentError::new("transform", "too large", allowed))
         }
     }

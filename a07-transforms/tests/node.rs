@@ -322,7 +322,7 @@ fn transformed_shapes_do_not_shade_themselves() {
         ] {
             let white = Lambert::new(Color::WHITE).unwrap();
             let lamp = PointLight::new(Color::WHITE, light).unwrap();
-            let world = ShadowedWorld::new(Color::BLACK, Color::BLACK)
+            let world = ShadowedWorld::empty(Color::BLACK, Color::BLACK)
                 .unwrap()
                 .with(node, Box::new(white))
                 .lit_by(LightSource::new(lamp, true));
@@ -334,7 +334,7 @@ fn transformed_shapes_do_not_shade_themselves() {
                 let eye = middle + Vector3::new(-6.0, 5.0, -4.0) * s;
                 let aim = middle + Vector3::from_glam(aim.into());
                 let ray = Ray::new(eye, aim - eye).unwrap();
-                let Some((found, _)) = world.world().hit(&ray, Interval::AHEAD) else {
+                let Some((found, _)) = world.objects().hit(&ray, Interval::AHEAD) else {
                     continue;
                 };
                 let l = (light - ray.at(found.t)).normalized().unwrap();

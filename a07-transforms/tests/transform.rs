@@ -295,9 +295,8 @@ fn scales_of_nothing_and_beyond_the_allowed_range_are_refused_by_name() {
 fn chains_too_large_for_numbers_are_refused() {
     for factor in [1e100, 1e-100] {
         let scale = |transform: Transform| transform.scale(factor, factor, factor);
-        let three = scale(Transform::IDENTITY).and_then(scale).and_then(scale);
-        let said = refusal(three.and_then(scale));
+        let said = refusal(scale(Transform::IDENTITY).and_then(scale));
         assert!(said.starts_with("transform is too large"), "{said}");
-        assert!(said.contains("stay finite"), "{said}");
+        assert!(said.contains("no number above 1e150"), "{said}");
     }
 }

@@ -77,11 +77,31 @@ pub fn coordinate(name: &'static str, value: f64) -> Result<f64, ArgumentError> 
 
 /// A colour of finite channels, none of them negative.
 pub fn color(name: &'static str, value: Color) -> Result<Color, ArgumentError> {
-    if value.channels().iter().all(|c| c.is_finite() && *c >= 0.0) {
+    let valid = |channel: &f64| channel.is_finite() && *channel >= 0.0;
+    check_channels(
+        name,
+        value,
+        valid,
+        "a colour of finite channels of at least 0",
+    )
+}
+
+/// A share of each channel, from 0 to 1.
+pub fn share(name: &'static str, value: Color) -> Result<Color, ArgumentError> {
+    let valid = |channel: &f64| (0.0..=1.0).contains(channel);
+    check_channels(name, value, valid, "a share from 0 to 1 of each channel")
+}
+
+fn check_channels(
+    name: &'static str,
+    value: Color,
+    valid: impl Fn(&f64) -> bool,
+    allowed: &'static str,
+) -> Result<Color, ArgumentError> {
+    if value.channels().iter().all(valid) {
         Ok(value)
     } else {
         let given = format!("({}, {}, {})", value.r, value.g, value.b);
-        let allowed = "a colour of finite channels of at least 0";
         Err(ArgumentError::new(name, given, allowed))
     }
 }
@@ -119,5 +139,8 @@ mod tests {
         assert!(finite("x", -7.0).is_ok());
         assert!(color("x", Color::WHITE).is_ok());
         assert!(color("x", Color::new(0.0, -0.1, 0.0)).is_err());
+        assert!(share("x", Color::WHITE).is_ok() && share("x", Color::BLACK).is_ok());
+        assert!(share("x", Color::new(0.0, 1.001, 0.0)).is_err());
+        assert!(share("x", Color::gray(-1e-9)).is_err());
     }
 }
