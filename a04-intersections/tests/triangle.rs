@@ -227,6 +227,18 @@ fn thin_triangles_are_none_the_less_triangles() {
     }
 }
 
+/// Thinner than rounding: refused in every order of the corners.
+#[test]
+fn it_does_not_matter_which_corner_comes_first() {
+    for (height, is_accepted) in [(1e-17, false), (1e-14, true)] {
+        let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, height, 0.0]].map(point);
+        for first in 0..3 {
+            let [a, b, c] = [0, 1, 2].map(|i| corners[(first + i) % 3]);
+            assert_eq!(Triangle::new(a, b, c).is_ok(), is_accepted, "{first}");
+        }
+    }
+}
+
 #[test]
 fn a_ray_of_no_numbers_meets_nothing() {
     let (middle, down) = (point([1.0, 1.0, 4.0]), Vector3::new(0.0, 0.0, -1.0));
