@@ -1,0 +1,92 @@
+//! `Target`: where pictures go.
+
+use std::path::{Path, PathBuf};
+
+use crate::{Error, Image, Scene, Stage, Transfer, picture_file};
+
+/// The folder that pictures land in, below the current one.
+const DEFAULT_FOLDER: &str = "out";
+
+/// Where pictures go.
+pub enum Target {
+    /// `out/`, made where it is missing.
+    Default,
+    Folder(PathBuf),
+    File(PathBuf),
+}
+
+impl Target {
+    /// Reads the argument of `-o`, for this many pictures.
+    pub fn new(output: Option<PathBuf>, pictures: usize) -> Result<Self, Error> {
+        let Some(path) = output else {
+            return Ok(Self::Default);
+        };
+        let is_png = |end: &std::ffi::OsStr| end.eq_ignore_ascii_case("png");
+        if path.is_dir() {
+            Ok(Self::Folder(path))
+        } else if !path.extension().is_some_and(is_png) {
+            Err(Error::Usage(format!(
+                "-o {} must be a folder that exists or the name of a PNG file, ending in .png",
+                path.display()
+            )))
+        } else if pictures > 1 {
+            Err(Error::Usage(format!(
+                "-o {} has room for one picture, not {pictures}; give a folder",
+                path.display()
+            )))
+        } else {
+            Ok(Self::File(path))
+        }
+    }
+
+    fn path(&self, stage: &Stage, scene: &Scene) -> PathBuf {
+        let name = picture_name(stage, scene);
+        match self {
+            Self::Default => Path::new(DEFAULT_FOLDER).join(name),
+            Self::Folder(folder) => folder.join(name),
+            Self::File(path) => path.clone(),
+        }
+    }
+
+    /// Says what would keep the picture of `scene` from being written.
+    pub fn check(&self, stage: &Stage, scene: &Scene) -> Result<(), Error> {
+        let folder = Path::new(DEFAULT_FOLDER);
+        match self {
+            // The folder can be made where a file can.
+            Self::Default if !folder.exists() => picture_file::check_writable(folder),
+            _ => picture_file::check_writable(&self.path(stage, scene)),
+        }
+    }
+
+    pub fn write(
+        &self,
+        stage: &Stage,
+        scene: &Scene,
+        image: &Image,
+        transfer: Transfer,
+    ) -> Result<PathBuf, Error> {
+        self.check(stage, scene)?;
+        let path = self.path(stage, scene);
+        if matches!(self, Self::Default) {
+            make_default_folder()?;
+        }
+        picture_file::save_png(&path, image.size(), &image.to_rgb8(transfer))?;
+        Ok(path)
+    }
+}
+
+/// Makes `out/` where it is missing.
+pub fn make_default_folder() -> Result<&'static Path, Error> {
+    let folder = Path::new(DEFAULT_FOLDER);
+    std::fs::create_dir_all(folder).map_err(|error| Error::Write {
+        path: folder.to_owned(),
+        reason: error.to_string(),
+    })?;
+    Ok(folder)
+}
+
+/// The file name of a scene's picture, `STAGE-SCENE.png`.
+#[must_use]
+pub fn picture_name(stage: &Stage, scene: &Scene) -> String {
+    format!("{}-{}.png", stage.name, scene.name)
+}
