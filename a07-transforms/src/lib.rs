@@ -4,8 +4,11 @@
 //! that does so for its children.
 
 mod disc;
+mod experiments;
+mod extremes;
 mod mat4x4;
 mod node;
+mod protocol;
 mod scenes;
 mod transform;
 

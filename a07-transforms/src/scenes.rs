@@ -9,7 +9,7 @@ use a05_lighting::{Lambert, Phong, PointLight};
 use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld};
 use common::{ArgumentError, Color, Scene, Stage};
 
-use crate::{Disc, Node, Transform};
+use crate::{Disc, Node, Transform, experiments, extremes};
 
 /// The stage for its program.
 #[must_use]
@@ -32,8 +32,8 @@ pub fn stage() -> Stage {
             ),
             scene("disc", "a disc on a mirroring plane", 8.0, disc).reflecting(),
         ],
-        experiments: Vec::new,
-        extremes: |_| Vec::new(),
+        experiments: experiments::experiments,
+        extremes: extremes::cases,
     }
 }
 

@@ -1,0 +1,100 @@
+//! The formulas of the protocol as it prints them, mistakes included. Nothing
+//! here is rendered with: the tables hold it against what is.
+
+use a02_math::{Direction, Normal3, Point3, Vector3};
+use a03_rays_cameras::Ray;
+use a04_intersections::{Geometry, Interval};
+
+use crate::{Mat4x4, Transform};
+
+/// A matrix and what the protocol takes for its inverse.
+#[derive(Clone, Copy)]
+pub struct Chained {
+    pub m: Mat4x4,
+    pub i: Mat4x4,
+}
+
+impl Chained {
+    pub const IDENTITY: Self = Self {
+        m: Mat4x4::IDENTITY,
+        i: Mat4x4::IDENTITY,
+    };
+
+    /// Wrong: the inverse of a product has the inverses in the opposite order,
+    /// but both are multiplied from the right, `i' = i T⁻¹`.
+    pub fn then(self, step: &Transform) -> Self {
+        Self {
+            m: self.m * step.matrix(),
+            i: self.i * step.inverse(),
+        }
+    }
+}
+
+/// Wrong: by its word a normal is "transposed", which the rotation back does.
+pub fn transposed_normal(m: Mat4x4, n: Normal3) -> Option<Normal3> {
+    let n = m.transposed() * Vector3::from(n);
+    n.normalized().map(Vector3::as_normal)
+}
+
+/// Wrong: moved like a vector, a normal is no longer perpendicular where the
+/// object is stretched.
+pub fn normal_as_vector(m: Mat4x4, n: Normal3) -> Option<Normal3> {
+    (m * Vector3::from(n)).normalized().map(Vector3::as_normal)
+}
+
+/// Wrong: as long as the transform makes it, a normal dims or brightens.
+pub fn unnormalized_normal(i: Mat4x4, n: Normal3) -> Vector3 {
+    i.transposed() * Vector3::from(n)
+}
+
+/// A factor of 0 is not refused: its inverse is infinite.
+pub fn scaled_direction(factors: [f64; 3], d: Vector3) -> Vector3 {
+    let [x, y, z] = factors.map(|factor| 1.0 / factor);
+    Vector3::new(x * d.x(), y * d.y(), z * d.z())
+}
+
+/// Wrong: the program writes the translation into the last row, where the
+/// product with a point does not find it.
+pub fn translation_in_last_row(by: Point3) -> Mat4x4 {
+    Mat4x4::from_rows([
+        [1.0, 0.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0, 0.0],
+        [0.0, 0.0, 1.0, 0.0],
+        [by.x(), by.y(), by.z(), 1.0],
+    ])
+}
+
+/// Wrong: the product of the program takes columns for rows, so that its
+/// factors change places.
+pub fn product(a: Mat4x4, b: Mat4x4) -> Mat4x4 {
+    (a.transposed() * b.transposed()).transposed()
+}
+
+/// Wrong: without an `else`, the second condition overwrites the nearest hit,
+/// so that the last in the list wins.
+pub fn last_hit(children: &[Box<dyn Geometry>], ray: &Ray) -> Option<f64> {
+    let mut cached: Option<f64> = None;
+    for child in children {
+        let current = child.hit(ray, Interval::AHEAD).map(|hit| hit.t);
+        if let (Some(current), Some(nearest)) = (current, cached)
+            && current < nearest
+        {
+            cached = Some(current);
+            continue;
+        }
+        cached = current.or(cached);
+    }
+    cached
+}
+
+/// Wrong: the root moves the rim, to which `<` does not belong; no radius is
+/// refused; and all `t` above 0 count, those of rays that leave the disc, too.
+pub fn disc(a: Point3, n: Normal3, radius: f64, ray: &Ray) -> Option<f64> {
+    if ray.direction().dot(n) == 0.0 {
+        return None;
+    }
+    let t = (a - ray.origin()).dot(n) / ray.direction().dot(n);
+    let from_centre = (a - ray.at(t)).magnitude();
+    let inside = libm::pow(from_centre, 2.0) < libm::pow(radius, 2.0);
+    (inside && t > 0.0).then_some(t)
+}

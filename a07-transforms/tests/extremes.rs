@@ -1,0 +1,8 @@
+//! The stiff and extreme cases: every row holds.
+
+use common::{Effort, extremes};
+
+#[test]
+fn every_row_holds() {
+    extremes::check(&(a07_transforms::stage().extremes)(Effort::of_build()));
+}
