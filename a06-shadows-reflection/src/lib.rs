@@ -3,7 +3,10 @@
 //! The [`RecursiveTracer`] answers what light reaches a hit with shadow rays,
 //! and follows reflected rays from surface to surface.
 
+mod experiments;
+mod extremes;
 mod light_source;
+mod protocol;
 mod recursive_tracer;
 mod reflective;
 mod scenes;

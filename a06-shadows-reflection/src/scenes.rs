@@ -8,7 +8,7 @@ use a04_intersections::{AxisAlignedBox, Plane, Sphere};
 use a05_lighting::{Lambert, PointLight};
 use common::{ArgumentError, Color, Scene, Stage};
 
-use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld};
+use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, experiments, extremes};
 
 /// The stage for its program.
 #[must_use]
@@ -20,8 +20,8 @@ pub fn stage() -> Stage {
             scene("sphere", "three mirroring spheres on a mirror", sphere).reflecting(),
             scene("aab", "a box and its shadow", aab),
         ],
-        experiments: Vec::new,
-        extremes: |_| Vec::new(),
+        experiments: experiments::experiments,
+        extremes: extremes::cases,
     }
 }
 

@@ -18,7 +18,7 @@ pub fn cases() -> Vec<Case> {
     let to = Point3::new(1.0, 2.0, 3.0);
     let down = Vector3::new(0.0, 0.0, -1.0);
     let zero = [0.0, 1.0, 1.0];
-    let huge = (0..4).try_fold(step, |t, _| t.scale(1e100, 1e100, 1e100));
+    let huge = (0..2).try_fold(step, |t, _| t.scale(1e100, 1e100, 1e100));
     vec![
         identity("G01", "100 turns", 400.0 * EPS, turns(100)),
         identity("G02", "1e6 turns", 4e6 * EPS, turns(1_000_000)),
@@ -55,7 +55,7 @@ pub fn cases() -> Vec<Case> {
             "scale by infinity",
             step.scale(1.0, 1.0, f64::INFINITY),
         ),
-        refused("G24", "four scales by 1e100, beyond all numbers", huge),
+        refused("G24", "two scales by 1e100: the square is beyond all numbers", huge),
         refused("G25", "rotate_x by infinity", step.rotate_x(f64::INFINITY)),
         origin(
             "G26",

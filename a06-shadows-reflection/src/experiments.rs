@@ -1,0 +1,11 @@
+//! Error against run time for mirrors and shadows.
+
+mod recursion_depth;
+mod shadow_epsilon;
+
+use common::experiment::Experiment;
+
+/// All experiments of the stage.
+pub fn experiments() -> Vec<Experiment<'static>> {
+    vec![recursion_depth::experiment(), shadow_epsilon::experiment()]
+}

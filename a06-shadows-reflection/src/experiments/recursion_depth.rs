@@ -1,0 +1,122 @@
+//! How deep the recursion must go.
+//!
+//! Between two mirrors that each shine with 1 and mirror a share k, what D
+//! surfaces leave out of the sum 1 / (1 - k) is `k^D / (1 - k)`. That falls by
+//! the same factor with each surface, which no straight line of a log-log plot
+//! shows; so the knob is the error that is asked for, and the depth follows.
+
+use std::rc::Rc;
+
+use a02_math::{Normal3, Point3, Vector3};
+use a03_rays_cameras::{PixelRandom, Ray};
+use a04_intersections::Plane;
+use common::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Slope};
+use common::{ArgumentError, Color};
+
+use crate::{RecursiveTracer, Reflective, ShadowedWorld};
+
+const CURVES: [(f64, &str); 5] = [
+    (0.5, "k = 0.5"),
+    (0.8, "k = 0.8"),
+    (0.9, "k = 0.9"),
+    (0.95, "k = 0.95"),
+    (0.99, "k = 0.99"),
+];
+
+pub fn experiment() -> Experiment<'static> {
+    Experiment {
+        name: "recursion-depth",
+        about: "how deep must the recursion go between two mirrors?",
+        knob: "error asked for",
+        work: "rays",
+        error: "of a colour, against the sum 1 / (1 - k) of all reflections",
+        against: Axis::Knob,
+        curves: Box::new(|effort| {
+            let rays = rays(effort.choose(16, 256));
+            let asked = [1e-1, 1e-2, HALF_GREY_LEVEL, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10];
+            let point = |k: f64, world: &Rc<ShadowedWorld>, asked: f64| {
+                let depth = depth(k, asked);
+                let (world, rays) = (Rc::clone(world), Rc::clone(&rays));
+                let trace = move |ray: &Ray| RecursiveTracer::new(&world, true).trace(ray, depth).r;
+                let errors: Vec<_> = rays
+                    .iter()
+                    .map(|ray| trace(ray) - 1.0 / (1.0 - k))
+                    .collect();
+                let work = f64::from(depth) * rays.len() as f64;
+                Point::new(asked, work, errors, move || rays.iter().map(&trace).sum())
+            };
+            let curve = |(k, method)| {
+                let points = world(k).map(|world| {
+                    let world = Rc::new(world);
+                    asked.map(|asked| point(k, &world, asked)).into()
+                });
+                Curve {
+                    method,
+                    remark: "",
+                    slope: Some(Slope {
+                        expected: 1.0,
+                        tolerance: 0.05,
+                        between: (1e-10, 1e-1),
+                    }),
+                    points: points.unwrap_or_default(),
+                }
+            };
+            CURVES.map(curve).into()
+        }),
+    }
+}
+
+/// The least depth D with `k^D / (1 - k)` not above the error asked for.
+fn depth(k: f64, asked: f64) -> u32 {
+    (libm::log(asked * (1.0 - k)) / libm::log(k)).ceil() as u32
+}
+
+/// Rays that go up from between the mirrors, at any slope.
+fn rays(count: usize) -> Rc<[Ray]> {
+    let ray = |n: usize| {
+        let random = PixelRandom::new(4, n as u32, 0);
+        let aside = |i| 2.0 * random.uniform(i) - 1.0;
+        Ray::new(
+            Point3::new(0.0, 0.5, 0.0),
+            Vector3::new(aside(0), 1.0, aside(1)),
+        )
+        .ok()
+    };
+    (0..count).filter_map(ray).collect()
+}
+
+fn world(k: f64) -> Result<ShadowedWorld, ArgumentError> {
+    let mirror = || Reflective::new(Color::WHITE, Color::BLACK, 1.0, Color::gray(k));
+    let plane = |y| Plane::new(Point3::new(0.0, y, 0.0), Normal3::new(0.0, 1.0, 0.0));
+    Ok(ShadowedWorld::empty(Color::BLACK, Color::WHITE)?
+        .with(plane(0.0)?, Box::new(mirror()?))
+        .with(plane(1.0)?, Box::new(mirror()?)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_depth_is_the_least_that_reaches_half_a_grey_level() {
+        let depths = CURVES.map(|(k, _)| depth(k, HALF_GREY_LEVEL));
+        assert_eq!(depths, [10, 36, 82, 180, 1079]);
+    }
+
+    #[test]
+    fn each_level_leaves_the_share_k_of_the_error() {
+        for (k, _) in CURVES {
+            let world = world(k).unwrap();
+            let ray = rays(1)[0];
+            let error =
+                |depth| 1.0 / (1.0 - k) - RecursiveTracer::new(&world, true).trace(&ray, depth).r;
+            for depth in 1..20 {
+                let per_level = libm::log10(error(depth + 1) / error(depth));
+                assert!(
+                    (per_level - libm::log10(k)).abs() < 1e-8,
+                    "{k} {depth} {per_level}"
+                );
+            }
+        }
+    }
+}

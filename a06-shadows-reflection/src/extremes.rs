@@ -1,0 +1,16 @@
+//! The stiff and extreme cases of this stage.
+
+mod mirrors;
+pub mod self_hits;
+mod shadows;
+
+use common::Effort;
+use common::extremes::Case;
+
+/// All rows of the table.
+pub fn cases(effort: Effort) -> Vec<Case> {
+    let mut cases = shadows::cases(effort);
+    cases.extend(mirrors::cases());
+    cases.extend(self_hits::cases(effort));
+    cases
+}

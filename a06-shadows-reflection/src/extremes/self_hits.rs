@@ -1,0 +1,175 @@
+//! Rays that leave what they have hit, in scenes of every size: none may meet
+//! it again, and none may pass what stands right before it.
+
+use std::rc::Rc;
+
+use a02_math::{Direction, Normal3, Point3, Vector3};
+use a03_rays_cameras::{PixelRandom, Ray};
+use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
+use common::extremes::Protocol::{Fails, Holds};
+use common::extremes::{Bound, Case};
+use common::{ArgumentError, Color, Effort};
+
+use crate::secondary_ray;
+
+type Made<T> = Result<T, ArgumentError>;
+type Shape = fn(f64) -> Made<World<()>>;
+
+pub const SHAPES: [(&str, Shape); 4] = [
+    ("a sphere", sphere),
+    ("a plane", plane),
+    ("a box", cube),
+    ("a triangle", triangle),
+];
+
+const IDS: [[&str; 5]; 4] = [
+    ["S13", "S33", "S34", "S35", "S36"],
+    ["S37", "S38", "S39", "S40", "S41"],
+    ["S42", "S43", "S44", "S45", "S46"],
+    ["S47", "S48", "S49", "S50", "S51"],
+];
+
+/// How far from the surface something stands before the light, in sizes of the
+/// scene.
+const NEAR: f64 = 1e-4;
+
+pub fn cases(effort: Effort) -> Vec<Case> {
+    let count = effort.choose(2_000, 20_000);
+    let mut cases = Vec::new();
+    for ((name, shape), ids) in SHAPES.into_iter().zip(IDS) {
+        for (id, size) in ids.into_iter().zip([1e-6, 1e-3, 1.0, 1e4, 1e9]) {
+            let wrong = |policy: Policy| {
+                let trials = trials(shape, size, count);
+                let is_wrong = |trial: &&Trial| trial.is_wrong(policy, NEAR);
+                trials.map(|trials| trials.iter().filter(is_wrong).count())
+            };
+            let what = format!(
+                "{name} of size {size:e}, {count} lit points: dark, or lit through an object"
+            );
+            let case = Case::new(id, what, 0.0, Bound::Equal, wrong(LIFTED));
+            cases.push(match size {
+                ..=1.0 => case.protocol(Fails, wrong(THOUSANDTH)),
+                ..=1e4 => case.protocol(Holds, wrong(THOUSANDTH)),
+                // Here it depends on the rounding of single points.
+                _ => case,
+            });
+        }
+    }
+    cases
+}
+
+/// How a ray leaves a hit: itself, and the least `t` that counts.
+pub type Policy = fn(&Ray, &Hit, Vector3) -> (Ray, f64);
+
+/// Ours.
+pub const LIFTED: Policy = |ray, hit, light| (secondary_ray(ray, hit, light), 0.0);
+
+/// The protocol's: from the computed point, and only what is farther than a
+/// thousandth.
+pub const THOUSANDTH: Policy = |ray, hit, light| (from_point(ray, hit, light), 0.001);
+
+/// The ray from the computed point.
+pub fn from_point(ray: &Ray, hit: &Hit, light: Vector3) -> Ray {
+    Ray::derived(ray.at(hit.t), light)
+}
+
+/// A point that a light shines on.
+pub struct Trial {
+    world: Rc<World<()>>,
+    ray: Ray,
+    hit: Hit,
+    light: Vector3,
+    size: f64,
+}
+
+impl Trial {
+    /// Whether the shape, which is convex, stands in its own light.
+    pub fn shades_itself(&self, policy: Policy) -> bool {
+        let (to_light, min) = policy(&self.ray, &self.hit, self.light);
+        self.world.is_hit(&to_light, beyond(min))
+    }
+
+    /// Whether a policy is wrong: the shape shades itself, or what stands so
+    /// near before the light is not found.
+    pub fn is_wrong(&self, policy: Policy, near: f64) -> bool {
+        let (to_light, min) = policy(&self.ray, &self.hit, self.light);
+        let before = self.ray.at(self.hit.t) + self.light * (near * self.size);
+        let occluder = Plane::new(before, self.light.as_normal());
+        let is_found = occluder.is_ok_and(|plane| plane.hit(&to_light, beyond(min)).is_some());
+        self.shades_itself(policy) || !is_found
+    }
+}
+
+fn beyond(min: f64) -> Interval {
+    Interval {
+        min,
+        max: f64::INFINITY,
+    }
+}
+
+/// Lit points of a shape, seen from 5 sizes away.
+pub fn trials(shape: Shape, size: f64, count: usize) -> Made<Vec<Trial>> {
+    let world = Rc::new(shape(size)?);
+    let mut trials = Vec::with_capacity(count);
+    let mut n = 0;
+    while trials.len() < count {
+        let random = PixelRandom::new(13, n, 0);
+        n += 1;
+        let within = |from: u64| {
+            let number = |i| 2.0 * random.uniform(from + i) - 1.0;
+            Vector3::new(number(0), number(1), number(2))
+        };
+        let middle = Point3::new(0.1 * size, 0.2 * size, 0.3 * size);
+        let eye = middle + within(0).unit("eye")? * (5.0 * size);
+        let target = middle + within(3) * (0.7 * size);
+        let ray = Ray::new(eye, target - eye)?;
+        let Some((hit, ())) = world.hit(&ray, Interval::AHEAD) else {
+            continue;
+        };
+        let light = within(6).unit("light")?;
+        let cosine = light.dot(hit.face);
+        // Where light only grazes, either is right.
+        if cosine.abs() < 1e-3 {
+            continue;
+        }
+        let light = light * 1.0_f64.copysign(cosine);
+        let world = Rc::clone(&world);
+        trials.push(Trial {
+            world,
+            ray,
+            hit,
+            light,
+            size,
+        });
+    }
+    Ok(trials)
+}
+
+fn world(geometry: impl Geometry + 'static) -> Made<World<()>> {
+    Ok(World::new(Color::BLACK)?.with(geometry, ()))
+}
+
+fn at(size: f64, x: f64, y: f64, z: f64) -> Point3 {
+    Point3::new(x * size, y * size, z * size)
+}
+
+fn sphere(size: f64) -> Made<World<()>> {
+    world(Sphere::new(at(size, 0.1, 0.2, 0.3), 0.7 * size)?)
+}
+
+fn plane(size: f64) -> Made<World<()>> {
+    world(Plane::new(
+        at(size, 0.1, 0.2, 0.3),
+        Normal3::new(0.3, 1.0, 0.2),
+    )?)
+}
+
+fn cube(size: f64) -> Made<World<()>> {
+    let (lbf, run) = (at(size, -0.3, -0.5, -0.1), at(size, 0.6, 0.7, 0.8));
+    world(AxisAlignedBox::new(lbf, run)?)
+}
+
+fn triangle(size: f64) -> Made<World<()>> {
+    let (a, b) = (at(size, -0.9, -0.3, -0.5), at(size, 1.2, 0.1, -0.6));
+    world(Triangle::new(a, b, at(size, 0.3, 0.4, 1.3))?)
+}

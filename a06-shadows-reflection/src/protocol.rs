@@ -1,0 +1,82 @@
+//! The formulas of the protocol as it prints them, mistakes included. Nothing
+//! here is rendered with: the tables hold it against what is.
+
+use a02_math::{Direction, Normal3, Point3, Vector3};
+use a03_rays_cameras::Ray;
+use a04_intersections::{Interval, World};
+use common::Color;
+
+use crate::{RecursiveTracer, ShadowedWorld};
+
+/// Wrong: nearer than a thousandth is asked only of the nearest hit, so that
+/// the surface itself hides what casts the shadow. And `t`, which counts in
+/// lengths of the direction, is compared with a distance, so that things behind
+/// the light cast shadows.
+pub fn point_light_illuminates<S>(position: Point3, point: Point3, world: &World<S>) -> bool {
+    let to_light = position - point;
+    let hit = world.hit(&Ray::derived(point, to_light), Interval::AHEAD);
+    !hit.is_some_and(|(hit, _)| hit.t < to_light.magnitude() && hit.t > 0.001)
+}
+
+/// Wrong: the ray goes from the point away from the light. (The cone aside.)
+pub fn spot_light_illuminates<S>(position: Point3, point: Point3, world: &World<S>) -> bool {
+    let from_light = point - position;
+    let hit = world.hit(&Ray::derived(point, from_light), Interval::AHEAD);
+    !hit.is_some_and(|(hit, _)| hit.t < from_light.magnitude())
+}
+
+/// Wrong: any hit counts, that of the surface itself, too.
+pub fn directional_light_illuminates<S>(
+    direction: Vector3,
+    point: Point3,
+    world: &World<S>,
+) -> bool {
+    let ray = Ray::derived(point, -direction);
+    world.hit(&ray, Interval::AHEAD).is_none()
+}
+
+/// Wrong for a light at the point itself: 0 / 0 is NaN, which the `max` of
+/// Java, unlike that of Rust, does not hide.
+pub fn lambert(n: Normal3, position: Point3, point: Point3) -> f64 {
+    let way = position - point;
+    let cosine = n.dot(way * (1.0 / way.magnitude()));
+    if cosine.is_nan() {
+        cosine
+    } else {
+        cosine.max(0.0)
+    }
+}
+
+/// Wrong: the reflection stands inside of the sum over the lights. It counts
+/// once for each, and not at all without any.
+pub fn reflection_inside_sum(own: &[f64], k: f64, reflected: f64) -> f64 {
+    own.iter().fold(0.0, |sum, own| sum + own + k * reflected)
+}
+
+/// The tracer of the protocol.
+///
+/// Wrong: its one counter is never restored, so it counts rays and not depth;
+/// at the limit it returns the background; and the reflected ray begins a
+/// thousandth before the hit, however small the scene is.
+pub struct OneCounter<'a> {
+    pub world: &'a ShadowedWorld,
+    pub recursion: u32,
+}
+
+impl OneCounter<'_> {
+    pub fn trace(&mut self, ray: &Ray) -> Color {
+        let background = self.world.objects().background();
+        if self.recursion < 1 {
+            return background;
+        }
+        let Some((hit, surface)) = self.world.objects().hit(ray, Interval::AHEAD) else {
+            return background;
+        };
+        self.recursion -= 1;
+        let lighting = RecursiveTracer::new(self.world, false);
+        let color = surface.color_for(ray, &hit, &lighting);
+        let direction = (-ray.direction()).reflected_on(hit.normal);
+        let reflected = Ray::derived(ray.at(hit.t - 0.001), direction);
+        color + surface.reflection() * self.trace(&reflected)
+    }
+}
