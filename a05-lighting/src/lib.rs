@@ -5,6 +5,8 @@
 //! through [`Lighting`], because a later stage knows of shadows.
 
 mod directional_light;
+mod experiments;
+mod extremes;
 mod lambert;
 mod light;
 mod lighting;
@@ -12,6 +14,7 @@ mod lit_world;
 mod material;
 mod phong;
 mod point_light;
+mod protocol;
 mod scenes;
 mod single_color;
 mod spot_light;

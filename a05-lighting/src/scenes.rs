@@ -9,7 +9,8 @@ use a04_intersections::{AxisAlignedBox, Plane, Sphere, Triangle};
 use common::{ArgumentError, Color, Scene, Stage};
 
 use crate::{
-    DirectionalLight, Lambert, Light, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
+    DirectionalLight, Lambert, Light, LitWorld, Material, Phong, PointLight, SingleColor,
+    SpotLight, experiments, extremes,
 };
 
 /// The stage for its program.
@@ -30,8 +31,8 @@ pub fn stage() -> Stage {
                 phong_spot_ambient,
             ),
         ],
-        experiments: Vec::new,
-        extremes: |_| Vec::new(),
+        experiments: experiments::experiments,
+        extremes: extremes::cases,
     }
 }
 

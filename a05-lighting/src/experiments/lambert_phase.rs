@@ -1,0 +1,93 @@
+//! The whole renderer against a closed form: how bright a matt ball is, like
+//! the moon, depends on the angle between the light and the eye only. At the
+//! phase angle a its mean brightness is `(2/3) (sin a + (π - a) cos a) / π`.
+//! (Lambert, Photometria, 1760)
+//!
+//! The pixels that the edge cuts count as a whole or not at all: an error of
+//! `n^(-3/2)` for n pixels across. At full moon the edge is dark, and what is
+//! counted wrongly is next to nothing: `n^-2`.
+
+use std::f64::consts::PI;
+
+use a02_math::{Point3, Vector3};
+use a03_rays_cameras::{OrthographicCamera, PixelRandom, render};
+use a04_intersections::Sphere;
+use common::experiment::{Axis, Curve, Experiment, Point, Slope};
+use common::{Color, Error, Settings, Size};
+
+use crate::{DirectionalLight, Lambert, LitWorld};
+
+/// What the picture shows, in radii of the ball.
+const VIEW: f64 = 2.4;
+
+const PHASES: [(f64, &str, f64); 4] = [
+    (0.0, "full", -1.0),
+    (0.5, "phase 0.5", -0.75),
+    (1.0, "phase 1", -0.75),
+    (2.0, "phase 2", -0.75),
+];
+
+pub fn experiment() -> Experiment<'static> {
+    Experiment {
+        name: "lambert-phase",
+        about: "how many pixels does the mean brightness of a matt ball need?",
+        knob: "pixels across",
+        work: "rays",
+        error: "of the mean brightness of balls at random places, against the closed form",
+        against: Axis::Work,
+        curves: Box::new(|effort| {
+            let balls = effort.choose(48, 96) as u32;
+            let sizes = &[16, 32, 64, 128, 256][..effort.choose(4, 5)];
+            let point = |phase: f64, pixels: u32| {
+                let mean = move |ball| mean(phase, pixels, ball).unwrap_or(f64::NAN);
+                let sin = libm::sin(phase);
+                let exact = 2.0 / 3.0 * (sin + (PI - phase) * libm::cos(phase)) / PI;
+                let errors: Vec<_> = (0..balls).map(|ball| mean(ball) - exact).collect();
+                let pixels = f64::from(pixels);
+                let rays = f64::from(balls) * pixels * pixels;
+                Point::new(pixels, rays, errors, move || (0..balls).map(mean).sum())
+            };
+            let curve = |(phase, method, expected)| Curve {
+                method,
+                remark: "",
+                slope: Some(Slope {
+                    expected,
+                    tolerance: 0.05,
+                    between: (0.0, f64::INFINITY),
+                }),
+                points: sizes.iter().map(|pixels| point(phase, *pixels)).collect(),
+            };
+            PHASES.map(curve).into()
+        }),
+    }
+}
+
+/// The mean brightness of a ball whose centre is somewhere in a pixel.
+fn mean(phase: f64, pixels: u32, ball: u32) -> Result<f64, Error> {
+    let across = f64::from(pixels);
+    let pixel = VIEW / across;
+    let random = PixelRandom::new(1760, ball, 0);
+    let centre = Point3::new(random.uniform(0) * pixel, random.uniform(1) * pixel, 0.0);
+    let light = Vector3::new(-libm::sin(phase), 0.0, -libm::cos(phase));
+    let world = LitWorld::new(Color::BLACK, Color::BLACK)?
+        .with(
+            Sphere::new(centre, 1.0)?,
+            Box::new(Lambert::new(Color::WHITE)?),
+        )
+        .lit_by(Box::new(DirectionalLight::new(Color::WHITE, light)?));
+
+    // The camera's `s` is the way from the first row of pixels to the last.
+    let (e, g, t) = (
+        Point3::new(0.0, 0.0, 9.0),
+        Vector3::new(0.0, 0.0, -1.0),
+        Vector3::new(0.0, 1.0, 0.0),
+    );
+    let camera = OrthographicCamera::new(e, g, t, pixel * (across - 1.0))?;
+    let settings = Settings {
+        size: Size::new(pixels, pixels)?,
+        ..Settings::default()
+    };
+    let image = render(&camera, |ray| world.color_for(ray), &settings, &())?;
+    let sum: f64 = image.pixels().iter().map(|color| color.r).sum();
+    Ok(sum * pixel * pixel / PI)
+}

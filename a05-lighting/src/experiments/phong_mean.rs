@@ -1,0 +1,85 @@
+//! The highlight of a ball that is lit from the eye has the mean
+//! `1 / (2 (P + 1))` for every exponent P. A grid of n by n points finds it as
+//! soon as it sees the highlight, so that what remains is the rounding of the
+//! sum.
+
+use std::f64::consts::PI;
+
+use common::Effort;
+use common::experiment::{Axis, Curve, Experiment, Point};
+
+/// The exponents.
+const EXPONENTS: [f64; 8] = [8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0];
+
+pub fn experiment() -> Experiment<'static> {
+    Experiment {
+        name: "phong-mean",
+        about: "what does adding up many pixels cost in digits?",
+        knob: "pixels across",
+        work: "pixels",
+        error: "of the mean highlight of a ball, against 1 / (2 (P + 1)), P = 8 to 15",
+        against: Axis::Knob,
+        curves: Box::new(|effort: Effort| {
+            let sizes = &[64, 128, 256, 512, 1024, 2048, 4096][..effort.choose(4, 7)];
+            let curve = |method, remark, sum: fn(&mut dyn Iterator<Item = f64>) -> f64| Curve {
+                method,
+                remark,
+                slope: None,
+                points: sizes
+                    .iter()
+                    .map(|across| {
+                        let mean = move |p| mean(*across, p, sum);
+                        let errors = EXPONENTS.map(|p| mean(p) - 1.0 / (2.0 * (p + 1.0)));
+                        let across = f64::from(*across);
+                        Point::new(across, across * across, errors, move || mean(10.0))
+                    })
+                    .collect(),
+            };
+            vec![
+                curve("plain sum", "", |terms| terms.sum()),
+                curve(
+                    "Neumaier's sum",
+                    "not in the renderer: a pixel adds up few samples, and the rounding of \
+                     thousands is far below what can be seen",
+                    neumaier,
+                ),
+            ]
+        }),
+    }
+}
+
+/// The mean over the disc of a ball in a picture of `across` by `across`
+/// pixels. To the eye, the mirrored light has the cosine `1 - 2 ρ²` at the
+/// distance ρ from the middle.
+fn mean(across: u32, exponent: f64, sum: fn(&mut dyn Iterator<Item = f64>) -> f64) -> f64 {
+    let pixel = 2.0 / f64::from(across);
+    let place = move |i: u32| (f64::from(i) + 0.5) * pixel - 1.0;
+    let highlight = move |(x, y): (f64, f64)| {
+        let cosine = 1.0 - 2.0 * (x * x + y * y);
+        if cosine > 0.0 {
+            libm::pow(cosine, exponent)
+        } else {
+            0.0
+        }
+    };
+    let places =
+        (0..across).flat_map(|row| (0..across).map(move |column| (place(column), place(row))));
+    sum(&mut places.map(highlight)) * pixel * pixel / PI
+}
+
+/// The sum of the terms, and beside it that of what each addition has lost.
+/// (Neumaier, Rundungsfehleranalyse einiger Verfahren zur Summation endlicher
+/// Summen, 1974)
+fn neumaier(terms: &mut dyn Iterator<Item = f64>) -> f64 {
+    let (mut sum, mut lost) = (0.0_f64, 0.0);
+    for term in terms {
+        let next = sum + term;
+        lost += if sum.abs() >= term.abs() {
+            (sum - next) + term
+        } else {
+            (term - next) + sum
+        };
+        sum = next;
+    }
+    sum + lost
+}

@@ -1,0 +1,107 @@
+//! Points near the rim of a narrow cone: inside or outside?
+//!
+//! The half angle is 1e-3. One half of the points lies inside and one outside,
+//! all at the same distance from the rim; every eighth lies straight behind.
+
+use std::rc::Rc;
+
+use a02_math::{Direction, Point3, Vector3};
+use a03_rays_cameras::PixelRandom;
+use common::experiment::{Axis, Curve, Experiment, Point};
+use common::{ArgumentError, Color, Effort};
+
+use crate::{Light, SpotLight, protocol};
+
+const HALF_ANGLE: f64 = 1e-3;
+const COS_HALF_ANGLE: f64 = 0.999_999_500_000_041_7;
+const DIRECTION: Vector3 = Vector3::new(1.0, 2.0, 3.0);
+
+type Illuminates = fn(&SpotLight, Point3) -> bool;
+
+pub fn experiment() -> Experiment<'static> {
+    Experiment {
+        name: "spot-rim",
+        about: "how near to the rim of a spot light is inside told from outside?",
+        knob: "from rim",
+        work: "points",
+        error: "share of points judged wrongly, the knob being their distance from the rim \
+                in half angles",
+        against: Axis::Knob,
+        curves: Box::new(|effort: Effort| {
+            let count = effort.choose(4_096, 65_536) as u32;
+            let knobs = [1e-2, 1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-11];
+            let point = |illuminates: Illuminates, knob: f64| {
+                let (light, points) = scene(knob, count).ok()?;
+                let wrong = |(point, lit): &&(Point3, bool)| illuminates(&light, *point) != *lit;
+                let share = points.iter().filter(wrong).count() as f64 / points.len() as f64;
+                Some(Point::new(knob, points.len() as f64, [share], move || {
+                    let lit = points
+                        .iter()
+                        .filter(|(point, _)| illuminates(&light, *point));
+                    lit.count() as f64
+                }))
+            };
+            let curve = |method, remark, illuminates: Illuminates| Curve {
+                method,
+                remark,
+                slope: None,
+                points: knobs
+                    .iter()
+                    .filter_map(|knob| point(illuminates, *knob))
+                    .collect(),
+            };
+            vec![
+                curve(
+                    "arc cosine (protocol)",
+                    "lights one in four points straight behind",
+                    |_, p| {
+                        protocol::spot_light_illuminates(Point3::ORIGIN, DIRECTION, HALF_ANGLE, p)
+                    },
+                ),
+                curve("cosines", "", by_cosines),
+                curve(
+                    "cosines, as rendered",
+                    "with the direction and the distance, which the material needs",
+                    Light::illuminates,
+                ),
+                curve(
+                    "arc tangent",
+                    "not in the renderer: no eye tells a billionth of the half angle",
+                    |_, p| DIRECTION.angle(p - Point3::ORIGIN) <= HALF_ANGLE,
+                ),
+            ]
+        }),
+    }
+}
+
+/// What the light of the renderer decides, without a direction of length 1.
+fn by_cosines(_: &SpotLight, point: Point3) -> bool {
+    let to_point = point - Point3::ORIGIN;
+    let lengths = (to_point.dot(to_point) * DIRECTION.dot(DIRECTION)).sqrt();
+    to_point.dot(DIRECTION) >= COS_HALF_ANGLE * lengths
+}
+
+/// Points with whether the light shines on them.
+type Points = Rc<[(Point3, bool)]>;
+
+/// A light at the origin and points near the rim of its cone.
+fn scene(knob: f64, count: u32) -> Result<(SpotLight, Points), ArgumentError> {
+    let light = SpotLight::new(Color::WHITE, Point3::ORIGIN, DIRECTION, HALF_ANGLE)?;
+    let w = DIRECTION.unit("direction")?;
+    let u = w.cross(Vector3::new(0.0, 1.0, 0.0)).unit("u")?;
+    let v = w.cross(u);
+    let points = (0..count).map(|i| {
+        let random = PixelRandom::new(12, i, 0);
+        let distance = 1.0 + 9.0 * random.uniform(0);
+        if i % 8 == 0 {
+            return (Point3::ORIGIN - DIRECTION * distance, false);
+        }
+        let inside = random.uniform(1) < 0.5;
+        let angle = HALF_ANGLE * if inside { 1.0 - knob } else { 1.0 + knob };
+        let around = 6.3 * random.uniform(2);
+        let aside = u * libm::cos(around) + v * libm::sin(around);
+        let way = w * libm::cos(angle) + aside * libm::sin(angle);
+        (Point3::ORIGIN + way * distance, inside)
+    });
+    Ok((light, points.collect()))
+}

@@ -1,0 +1,18 @@
+//! The stiff and extreme cases of this stage.
+
+mod highlights;
+mod lights;
+mod materials;
+mod spots;
+
+use common::Effort;
+use common::extremes::Case;
+
+/// All rows of the table.
+pub fn cases(effort: Effort) -> Vec<Case> {
+    let mut cases = spots::cases(effort);
+    cases.extend(highlights::cases());
+    cases.extend(lights::cases());
+    cases.extend(materials::cases());
+    cases
+}

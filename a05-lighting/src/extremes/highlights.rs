@@ -1,0 +1,97 @@
+//! Powers of cosines, from none to beyond all numbers.
+
+use a02_math::{Point3, Vector3};
+use a03_rays_cameras::Ray;
+use a04_intersections::Hit;
+use common::extremes::Protocol::{Fails, Holds};
+use common::extremes::{Bound, Case, Outcome, Protocol};
+use common::{ArgumentError, Color};
+
+use crate::{DirectionalLight, LitWorld, Material, Phong, protocol};
+
+pub fn cases() -> Vec<Case> {
+    let nan = Vector3::new(f64::NAN, 0.0, 1.0);
+    let ulps = Bound::Ulps(4.0);
+    let above = 1.0_f64.next_up();
+    vec![
+        power("F14", -0.3, 0.0, 0.0, Bound::Equal, Fails),
+        power("F15", 0.5, 0.0, 1.0, Bound::Equal, Holds),
+        power("F16", 1.0 - 1e-7, 1e6, 0.904_837_413_559_398_8, ulps, Holds),
+        power("F17", above, 1e17, 1.0, Bound::Equal, Fails),
+        power(
+            "F18",
+            above,
+            f64::INFINITY,
+            Outcome::Refused,
+            Bound::Equal,
+            Fails,
+        ),
+        power("F19", 0.0, -1.0, Outcome::Refused, Bound::Equal, Fails),
+        Case::new(
+            "F20",
+            "a ray of direction NaN, whose highlight has exponent 0",
+            Outcome::Refused,
+            Bound::Equal,
+            Ray::new(Point3::ORIGIN, nan).map(|_| true),
+        )
+        .protocol(Fails, protocol::highlight(f64::NAN, 0.0)),
+        // The exact powers are those of 1 - d for the given d; rounding the
+        // cosine costs up to eps P / 4 of them.
+        power(
+            "F21",
+            1.0 - 1e-7,
+            1e6,
+            0.904_837_413_511_772_2,
+            Bound::Absolute(1e-10),
+            Holds,
+        ),
+        power(
+            "F22",
+            1.0 - 1e-12,
+            1e12,
+            0.367_879_441_171_258_4,
+            Bound::Absolute(5e-5),
+            Holds,
+        ),
+        power("F34", 0.0, 0.0, 0.0, Bound::Equal, Fails),
+        power("F35", 0.5, f64::NAN, Outcome::Refused, Bound::Equal, Fails),
+        turned_away("F36"),
+    ]
+}
+
+/// What a light, straight above a white highlight, brings to an eye to which
+/// the mirrored light has this cosine.
+fn power(
+    id: &'static str,
+    cosine: f64,
+    exponent: f64,
+    exact: impl Into<Outcome>,
+    bound: Bound,
+    says: Protocol,
+) -> Case {
+    let up = Vector3::new(0.0, 0.0, 1.0);
+    let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
+    let ours = highlight(up, Vector3::new(sine, 0.0, cosine), exponent);
+    let what = format!("highlight, cosine {cosine}, exponent {exponent:e}");
+    Case::new(id, what, exact, bound, ours).protocol(says, protocol::highlight(cosine, exponent))
+}
+
+/// Light from a little below the surface, which would mirror it to the eye.
+fn turned_away(id: &'static str) -> Case {
+    let light = Vector3::new(0.8, 0.0, -0.6);
+    let eye = Vector3::new(-0.8, 0.0, 0.6);
+    let what = "highlight of a light from behind the surface, exponent 2";
+    // r = 2 (n · l) n - l = (-0.8, 0, -0.6), and r · e = 0.28.
+    Case::new(id, what, 0.0, Bound::Equal, highlight(light, eye, 2.0))
+        .protocol(Fails, protocol::highlight(0.28, 2.0))
+}
+
+/// The red of a surface (0, 0, 1) without a colour of its own.
+fn highlight(light: Vector3, eye: Vector3, exponent: f64) -> Result<f64, ArgumentError> {
+    let material = Phong::new(Color::BLACK, Color::WHITE, exponent)?;
+    let sun = DirectionalLight::new(Color::WHITE, -light)?;
+    let world = LitWorld::new(Color::BLACK, Color::BLACK)?.lit_by(Box::new(sun));
+    let ray = Ray::derived(Point3::ORIGIN, -eye);
+    let hit = Hit::new(1.0, Vector3::new(0.0, 0.0, 1.0).as_normal());
+    Ok(material.color_for(&ray, &hit, &world).r)
+}

@@ -1,0 +1,8 @@
+//! The stiff and extreme cases: every row holds.
+
+use common::{Effort, extremes};
+
+#[test]
+fn every_row_holds() {
+    extremes::check(&(a05_lighting::stage().extremes)(Effort::of_build()));
+}
