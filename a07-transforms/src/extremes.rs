@@ -13,7 +13,7 @@ use common::extremes::Case;
 
 /// All rows of the table.
 pub fn cases(effort: Effort) -> Vec<Case> {
-    let mut cases = discs::cases();
+    let mut cases = discs::cases(effort);
     cases.extend(matrices::cases());
     cases.extend(normals::cases());
     cases.extend(nodes::cases(effort));

@@ -17,7 +17,7 @@ use common::{Color, Error, Settings, Size};
 
 use crate::{DirectionalLight, Lambert, LitWorld};
 
-/// What the picture shows, in radii of the ball.
+/// The side of what the picture shows: no ball is larger than 2.2 across.
 const VIEW: f64 = 2.4;
 
 const PHASES: [(f64, &str, f64); 4] = [
@@ -33,11 +33,11 @@ pub fn experiment() -> Experiment<'static> {
         about: "how many pixels does the mean brightness of a matt ball need?",
         knob: "pixels across",
         work: "rays",
-        error: "of the mean brightness of balls at random places, against the closed form",
+        error: "of the mean brightness of random balls, against the closed form",
         against: Axis::Work,
         curves: Box::new(|effort| {
             let balls = effort.choose(48, 96) as u32;
-            let sizes = &[16, 32, 64, 128, 256][..effort.choose(4, 5)];
+            let sizes = &[32, 48, 64, 96, 128, 192, 256][..effort.choose(5, 7)];
             let point = |phase: f64, pixels: u32| {
                 let mean = move |ball| mean(phase, pixels, ball).unwrap_or(f64::NAN);
                 let sin = libm::sin(phase);
@@ -62,16 +62,18 @@ pub fn experiment() -> Experiment<'static> {
     }
 }
 
-/// The mean brightness of a ball whose centre is somewhere in a pixel.
+/// The mean brightness of a ball whose centre is somewhere in a pixel, and whose
+/// radius is none that suits the grid.
 fn mean(phase: f64, pixels: u32, ball: u32) -> Result<f64, Error> {
     let across = f64::from(pixels);
     let pixel = VIEW / across;
     let random = PixelRandom::new(1760, ball, 0);
     let centre = Point3::new(random.uniform(0) * pixel, random.uniform(1) * pixel, 0.0);
+    let radius = 0.8 + 0.3 * random.uniform(2);
     let light = Vector3::new(-libm::sin(phase), 0.0, -libm::cos(phase));
     let world = LitWorld::new(Color::BLACK, Color::BLACK)?
         .with(
-            Sphere::new(centre, 1.0)?,
+            Sphere::new(centre, radius)?,
             Box::new(Lambert::new(Color::WHITE)?),
         )
         .lit_by(Box::new(DirectionalLight::new(Color::WHITE, light)?));
@@ -89,5 +91,5 @@ fn mean(phase: f64, pixels: u32, ball: u32) -> Result<f64, Error> {
     };
     let image = render(&camera, |ray| world.color_for(ray), &settings, &())?;
     let sum: f64 = image.pixels().iter().map(|color| color.r).sum();
-    Ok(sum * pixel * pixel / PI)
+    Ok(sum * pixel * pixel / (PI * radius * radius))
 }

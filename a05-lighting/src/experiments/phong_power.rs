@@ -125,8 +125,8 @@ pub fn experiment() -> Experiment<'static> {
                 ),
                 curve(
                     "exp(P ln1p(-d))",
-                    "not in the renderer: it needs |e - r|² / 2 in place of e · r, and gains \
-                     what can be seen above P = 1e10 only",
+                    "not in the renderer, though cheaper: the course's formula has e · r and not \
+                     d = |e - r|² / 2, and below P = 1e9 nobody sees the difference",
                     None,
                     |d, p| libm::exp(p * libm::log1p(-d)),
                 ),

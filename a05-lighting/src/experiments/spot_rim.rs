@@ -66,7 +66,7 @@ pub fn experiment() -> Experiment<'static> {
                 ),
                 curve(
                     "arc tangent",
-                    "not in the renderer: no eye tells a billionth of the half angle",
+                    "not in the renderer: dearer than the cosines, and no eye sees a billionth of an angle",
                     |_, p| DIRECTION.angle(p - Point3::ORIGIN) <= HALF_ANGLE,
                 ),
             ]

@@ -40,7 +40,7 @@ const POLICIES: [(&str, Policy, &str); 5] = [
     (
         "lifted along the normal",
         LIFTED,
-        "not free, but the only one that is right at every size",
+        "ours; never wrong, which a logarithm cannot show",
     ),
 ];
 

@@ -1,16 +1,19 @@
 //! Rims, radii and grazing rays.
 
-use a02_math::{Normal3, Point3};
-use a04_intersections::{Geometry, Interval};
+use a02_math::{Normal3, Point3, Vector3};
+use a03_rays_cameras::{PixelRandom, Ray};
+use a04_intersections::{Geometry, Hit, Interval};
+use a06_shadows_reflection::secondary_ray;
 use common::extremes::Protocol::{Fails, Holds};
 use common::extremes::{Bound, Case, Outcome, Protocol};
+use common::{ArgumentError, Effort};
 
 use super::ray;
 use crate::{Disc, protocol};
 
 const UP: Normal3 = Normal3::new(0.0, 1.0, 0.0);
 
-pub fn cases() -> Vec<Case> {
+pub fn cases(effort: Effort) -> Vec<Case> {
     let above_diagonal = std::f64::consts::SQRT_2;
     let down = [0.0, -1.0, 0.0];
     let from = |x, z| ([x, 1.0, z], down);
@@ -95,6 +98,7 @@ pub fn cases() -> Vec<Case> {
             Outcome::Refused,
             Fails,
         ),
+        leaving("B34", effort.choose(2_000, 20_000)),
     ]
 }
 
@@ -120,4 +124,35 @@ fn hit(
     };
     Case::new(id, format!("disc, {what}"), exact, bound, ours)
         .protocol(says, protocol::disc(Point3::ORIGIN, UP, r, &ray))
+}
+
+/// Rays that leave a disc on the side from which it was hit must not meet it
+/// again.
+fn leaving(id: &'static str, count: usize) -> Case {
+    let (c, n, r) = (Point3::new(0.1, 0.2, 0.3), Normal3::new(0.3, 1.0, 0.2), 1.0);
+    let met_again = |is_met: fn(&Disc, Normal3, &Ray, &Hit) -> bool| {
+        let (n, disc) = (n.unit("normal n")?, Disc::new(c, n, r)?);
+        let is_wrong = |i: &usize| {
+            let random = PixelRandom::new(18, *i as u32, 0);
+            let number = |n| random.uniform(n) - 0.5;
+            let eye = Point3::new(4.0, 5.0, 3.0);
+            let target = c + Vector3::new(number(0), number(1) / 9.0, number(2));
+            let ray = Ray::new(eye, target - eye);
+            ray.is_ok_and(|ray| {
+                let hit = disc.hit(&ray, Interval::AHEAD);
+                hit.is_some_and(|hit| is_met(&disc, n, &ray, &hit))
+            })
+        };
+        Ok::<_, ArgumentError>((0..count).filter(is_wrong).count())
+    };
+    let ours = met_again(|disc, n, ray, hit| {
+        let away = secondary_ray(ray, hit, Vector3::from(n));
+        disc.hit(&away, Interval::AHEAD).is_some()
+    });
+    let theirs = met_again(|_, n, ray, hit| {
+        let away = Ray::derived(ray.at(hit.t), Vector3::from(n));
+        protocol::disc(Point3::new(0.1, 0.2, 0.3), n, 1.0, &away).is_some()
+    });
+    let what = format!("disc, {count} rays that leave it: met again");
+    Case::new(id, what, 0.0, Bound::Equal, ours).protocol(Fails, theirs)
 }

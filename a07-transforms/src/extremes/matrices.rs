@@ -55,7 +55,11 @@ pub fn cases() -> Vec<Case> {
             "scale by infinity",
             step.scale(1.0, 1.0, f64::INFINITY),
         ),
-        refused("G24", "two scales by 1e100: the square is beyond all numbers", huge),
+        refused(
+            "G24",
+            "two scales by 1e100: the square is beyond all numbers",
+            huge,
+        ),
         refused("G25", "rotate_x by infinity", step.rotate_x(f64::INFINITY)),
         origin(
             "G26",
