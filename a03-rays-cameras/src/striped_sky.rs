@@ -63,10 +63,11 @@ impl StripedSky {
     /// beyond an edge meet the stripe there.
     #[must_use]
     pub fn stripe(&self, ray: &Ray) -> u32 {
-        let stripe_height = 2.0 * self.top / f64::from(self.stripes);
-        let from_below = self.rule.height(ray.direction()) + self.top;
+        // From 0 at the lower edge to 1 at the upper one, and exactly half of
+        // it at the horizon.
+        let from_below = 0.5 + 0.5 * self.rule.height(ray.direction()) / self.top;
         // The cast saturates: below the lower edge is 0.
-        ((from_below / stripe_height) as u32).min(self.stripes - 1)
+        ((from_below * f64::from(self.stripes)) as u32).min(self.stripes - 1)
     }
 
     /// The colour of the stripe that the ray meets.

@@ -234,6 +234,21 @@ fn the_stripes_of_the_text_bend_along_a_hyperbola() {
 }
 
 #[test]
+fn a_level_ray_meets_the_stripe_that_begins_at_the_horizon() {
+    let size = Size::SECOND_COURSE;
+    for alpha in [std::f64::consts::FRAC_PI_3, std::f64::consts::FRAC_PI_2] {
+        let camera = PinholeCamera::new(Point3::ORIGIN, alpha).unwrap();
+        let level = camera.generate_ray(size, 240.0, 135.0);
+        for rule in [StripeRule::Direction, StripeRule::Wall] {
+            for stripes in 1..=1000 {
+                let sky = StripedSky::new(&camera, size, stripes, rule).unwrap();
+                assert_eq!(sky.stripe(&level), stripes / 2, "of {stripes}");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_sky_of_no_stripes_is_refused() {
     let camera = PinholeCamera::new(Point3::ORIGIN, 1.0).unwrap();
     let sky = StripedSky::new(&camera, Size::COURSE, 0, StripeRule::Wall);
