@@ -5,9 +5,12 @@
 
 mod bounded_ray;
 mod camera;
+mod experiments;
+mod extremes;
 mod orthographic_camera;
 mod perspective_camera;
 mod pinhole_camera;
+mod protocol;
 mod random;
 mod ray;
 mod render;

@@ -1,0 +1,149 @@
+//! Error against work: where in a pixel should its samples lie, and how should
+//! they be summed?
+//!
+//! The same samplers meet three kinds of pixel, for a place that is good for
+//! one kind may be poor for another. Every pixel's mean is known in closed
+//! form, so that nothing is compared with more of the same samples.
+
+mod coverage;
+mod places;
+mod summation;
+
+use common::experiment::{Axis, Curve, Experiment, Point, Slope};
+use common::{Effort, Sampling};
+
+pub use coverage::{DISC, disc_coverage};
+use coverage::{irradiance, lit, stripes};
+use places::{Places, n_rooks, r2, with_sampler};
+pub use summation::Neumaier;
+
+/// All experiments of the stage.
+pub fn experiments() -> Vec<Experiment<'static>> {
+    vec![
+        samples(
+            "samples-curved-edge",
+            "where should samples lie in a pixel that a disc's edge crosses?",
+            curved_edge,
+            // Mitchell, Consequences of Stratified Sampling in Graphics, 1996.
+            [Some(-0.5), Some(-0.75), Some(-0.75), Some(-0.5), None],
+        ),
+        samples(
+            "samples-level-edge",
+            "where should samples lie in a pixel that a level edge crosses?",
+            level_edge,
+            // A regular grid of n has only sqrt(n) heights, n rooks have n.
+            [Some(-0.5), Some(-0.5), Some(-0.75), Some(-1.0), None],
+        ),
+        samples(
+            "samples-smooth-shading",
+            "where should samples lie in a pixel of smooth shading?",
+            smooth_shading,
+            [Some(-0.5), Some(-1.0), Some(-1.0), None, None],
+        ),
+        summation::experiment(),
+    ]
+}
+
+/// A picture of which each pixel's mean is known.
+struct Task {
+    /// The light at a place of the picture, in pixels.
+    radiance: fn(f64, f64) -> f64,
+    /// Pixels that are not trivial, with their means.
+    pixels: Vec<(u32, u32, f64)>,
+}
+
+/// Pixels of which some part is light and some is dark.
+fn is_edge((_, _, mean): &(u32, u32, f64)) -> bool {
+    (1e-9..1.0 - 1e-9).contains(mean)
+}
+
+fn pixels(width: u32, height: u32, mean: fn(f64, f64) -> f64) -> Vec<(u32, u32, f64)> {
+    let row = |y: u32| (0..width).map(move |x| (x, y, mean(x.into(), y.into())));
+    (0..height).flat_map(row).collect()
+}
+
+fn curved_edge() -> Task {
+    let mut pixels = pixels(64, 64, disc_coverage);
+    pixels.retain(is_edge);
+    Task {
+        radiance: |x, y| if DISC.contains(x, y) { 1.0 } else { 0.0 },
+        pixels,
+    }
+}
+
+fn level_edge() -> Task {
+    let mut pixels = pixels(1, 1000, |_, y| stripes(y));
+    pixels.retain(is_edge);
+    Task {
+        radiance: |_, y| if coverage::in_stripe(y) { 1.0 } else { 0.0 },
+        pixels,
+    }
+}
+
+fn smooth_shading() -> Task {
+    Task {
+        radiance: lit,
+        pixels: pixels(16, 16, irradiance),
+    }
+}
+
+/// An experiment with all samplers; the slopes are theirs, in this order.
+fn samples(
+    name: &'static str,
+    about: &'static str,
+    task: fn() -> Task,
+    slopes: [Option<f64>; 5],
+) -> Experiment<'static> {
+    let curves = move |effort: Effort| {
+        let methods: [(&str, &str, Places); 5] = [
+            ("random", "", with_sampler(Sampling::Random)),
+            ("regular", "", with_sampler(Sampling::Regular)),
+            ("stratified", "", with_sampler(Sampling::Stratified)),
+            ("n rooks", N_ROOKS, n_rooks),
+            ("R2", R2, r2),
+        ];
+        let curve = |((method, remark, places), slope): ((_, _, Places), Option<f64>)| Curve {
+            method,
+            remark,
+            slope: slope.map(|expected| Slope {
+                expected,
+                tolerance: 0.05,
+                between: (16.0, 4096.0),
+            }),
+            points: points(task, places, effort),
+        };
+        methods.into_iter().zip(slopes).map(curve).collect()
+    };
+    Experiment {
+        name,
+        about,
+        knob: "samples",
+        work: "rays a pixel",
+        error: "of a pixel from 0 to 1, against its mean in closed form",
+        against: Axis::Work,
+        curves: Box::new(curves),
+    }
+}
+
+const N_ROOKS: &str =
+    "not in the renderer: best at level edges only, and every pixel needs a shuffled list";
+const R2: &str = "not in the renderer: about as good as stratified, and slower";
+
+fn points(task: fn() -> Task, places: Places, effort: Effort) -> Vec<Point<'static>> {
+    let numbers = &[1_u32, 4, 16, 64, 256, 1024, 4096][..effort.choose(6, 7)];
+    let point = |&n: &u32| {
+        let Task { radiance, pixels } = task();
+        let mean = move |(x, y): (u32, u32)| {
+            let at = |(dx, dy): (f64, f64)| radiance(f64::from(x) + dx, f64::from(y) + dy);
+            let places = places(x, y, n);
+            places.map(at).sum::<f64>() / f64::from(n)
+        };
+        let errors: Vec<_> = pixels
+            .iter()
+            .map(|(x, y, exact)| mean((*x, *y)) - exact)
+            .collect();
+        let run = move || pixels.iter().map(|(x, y, _)| mean((*x, *y))).sum();
+        Point::new(n.into(), n.into(), errors, run)
+    };
+    numbers.iter().map(point).collect()
+}

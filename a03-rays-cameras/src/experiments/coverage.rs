@@ -1,0 +1,96 @@
+//! Pictures of which the mean over a pixel is known in closed form. Lengths
+//! are in pixels; a pixel is named by its corner (`x`, `y`).
+
+use std::f64::consts::FRAC_PI_4;
+
+/// A disc in the picture.
+pub struct Disc {
+    x: f64,
+    y: f64,
+    pub radius: f64,
+}
+
+/// The disc whose edge is sampled.
+pub const DISC: Disc = Disc {
+    x: 31.7,
+    y: 32.3,
+    radius: 20.3,
+};
+
+impl Disc {
+    pub fn contains(&self, x: f64, y: f64) -> bool {
+        let (x, y, r) = (x - self.x, y - self.y, self.radius);
+        x * x + y * y <= r * r
+    }
+}
+
+/// How much of a pixel [`DISC`] covers.
+pub fn disc_coverage(x: f64, y: f64) -> f64 {
+    over_corners(corner_of_disc, x - DISC.x, y - DISC.y, 1.0)
+}
+
+/// The integral over the square at (`x`, `y`) of a function whose integral
+/// over all that is left of and below a corner is `corner`.
+fn over_corners(corner: fn(f64, f64) -> f64, x: f64, y: f64, side: f64) -> f64 {
+    corner(x + side, y + side) - corner(x, y + side) - corner(x + side, y) + corner(x, y)
+}
+
+/// The area of the disc around 0 that is left of `x` and below `y`.
+fn corner_of_disc(x: f64, y: f64) -> f64 {
+    let r = DISC.radius;
+    let (x, y) = (x.clamp(-r, r), y.clamp(-r, r));
+    // The half disc above the axis, from the left up to t.
+    let half =
+        |t: f64| 0.5 * t * (r * r - t * t).sqrt() + r * r * (0.5 * libm::asin(t / r) + FRAC_PI_4);
+    // Left of x and farther than |y| from the axis, on one side of it.
+    let width = ((r - y) * (r + y)).sqrt();
+    let end = x.min(width);
+    let cut = if end > -width {
+        half(end) - half(-width) - y.abs() * (end + width)
+    } else {
+        0.0
+    };
+    if y >= 0.0 { 2.0 * half(x) - cut } else { cut }
+}
+
+/// The height of a stripe and the one below, no multiple of a pixel.
+const PERIOD: f64 = 5.236_067_977_499_79;
+
+/// Whether a height lies in a light stripe.
+pub fn in_stripe(y: f64) -> bool {
+    2.0 * (y / PERIOD).fract() < 1.0
+}
+
+/// How much of a pixel light stripes cover.
+pub fn stripes(y: f64) -> f64 {
+    let below = |y: f64| {
+        let half = PERIOD / 2.0;
+        let whole = (y / PERIOD).floor();
+        whole * half + (y - whole * PERIOD).min(half)
+    };
+    below(y + 1.0) - below(y)
+}
+
+/// The light's height over the plane, and the pixels in a unit of length.
+const HEIGHT: f64 = 2.0;
+const PIXELS: f64 = 4.0;
+
+/// The cosine at the plane's normal of the way to a light that hangs over
+/// (0, 0).
+pub fn lit(x: f64, y: f64) -> f64 {
+    let (x, y) = (x / PIXELS, y / PIXELS);
+    HEIGHT / (x * x + y * y + HEIGHT * HEIGHT).sqrt()
+}
+
+/// The mean of [`lit`] over a pixel.
+pub fn irradiance(x: f64, y: f64) -> f64 {
+    let side = 1.0 / PIXELS;
+    over_corners(corner_of_light, x * side, y * side, side) / (side * side)
+}
+
+fn corner_of_light(x: f64, y: f64) -> f64 {
+    let h = HEIGHT;
+    let distance = (x * x + y * y + h * h).sqrt();
+    h * (x * libm::asinh(y / (x * x + h * h).sqrt()) + y * libm::asinh(x / (y * y + h * h).sqrt())
+        - h * libm::atan(x * y / (h * distance)))
+}
