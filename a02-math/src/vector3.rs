@@ -31,15 +31,19 @@ impl Vector3 {
             return Some(Self(self.0 / squared.sqrt()));
         }
         // Outside, the square of the length has lost digits or is infinite.
-        // A power of two brings the vector back inside and rounds nothing.
+        let scaled = self.scaled()?;
+        Some(Self(scaled.0 / scaled.magnitude()))
+    }
+
+    /// The vector in the same direction whose largest coordinate is at least 1
+    /// and below 2; none where there is no direction. The factor is a power of
+    /// two, so that nothing is rounded.
+    fn scaled(self) -> Option<Self> {
         let largest = self.0.abs().max_element();
-        if self.0.is_finite() && largest > 0.0 {
+        (self.0.is_finite() && largest > 0.0).then(|| {
             let exponent = libm::ilogb(largest);
-            let scaled = self.0.map(|x| libm::scalbn(x, -exponent));
-            Some(Self(scaled / scaled.length()))
-        } else {
-            None
-        }
+            Self(self.0.map(|x| libm::scalbn(x, -exponent)))
+        })
     }
 
     /// The vector of length 1 in the same direction, or an error that names
@@ -77,10 +81,16 @@ impl Vector3 {
     ///
     /// The arc tangent of sine and cosine, both still scaled by the lengths:
     /// unlike the arc cosine it sees the smallest angles and never meets a
-    /// cosine above 1. The angle to the zero vector is 0.
+    /// cosine above 1. The angle to the zero vector is 0, and so is that to
+    /// coordinates that are not finite.
     #[must_use]
     pub fn angle(self, other: Self) -> f64 {
-        libm::atan2(self.cross(other).magnitude(), self.dot(other))
+        // The square of the cross product holds four lengths: too many for
+        // long or short vectors, on whose lengths the angle does not depend.
+        let (Some(a), Some(b)) = (self.scaled(), other.scaled()) else {
+            return 0.0;
+        };
+        libm::atan2(a.cross(b).magnitude(), a.dot(b))
     }
 
     /// The area of the parallelogram that both vectors span, `|a × b|`.

@@ -1,6 +1,6 @@
 //! What holds for all vectors, the extremely long and short among them.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use a02_math::{Direction, Mat3x3, Normal3, Point3, Vector3};
 use approx::assert_abs_diff_eq;
@@ -97,6 +97,10 @@ fn the_angle_sees_what_the_arc_cosine_cannot() {
     assert_eq!(long.angle(long), 0.0, "and no NaN");
     assert_eq!(long.angle(-long), PI);
     assert_eq!(x.angle(Vector3::new(0.0, -2.0, 0.0)), FRAC_PI_2);
+    for length in [1e-300, 1e-100, 1e100, 1e300] {
+        let slanted = Vector3::new(length, length, 0.0);
+        assert_eq!((x * length).angle(slanted), FRAC_PI_4, "length {length}");
+    }
 }
 
 #[test]
