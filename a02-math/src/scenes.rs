@@ -16,8 +16,8 @@ pub fn stage() -> Stage {
             "sum, cross product, projection and reflection of vectors",
             |settings, _| vectors(settings.size),
         )],
-        experiments: Vec::new,
-        extremes: |_| Vec::new(),
+        experiments: crate::experiments::experiments,
+        extremes: crate::extremes::cases,
     }
 }
 

@@ -1,0 +1,22 @@
+//! Error against the task's difficulty: angles, linear systems, and lengths.
+//!
+//! The inputs are made of numbers with few binary digits, so that what is
+//! asked for is known exactly and only the method rounds.
+
+mod angles;
+mod exact;
+mod lengths;
+mod systems;
+
+use common::experiment::Experiment;
+
+pub use systems::refined;
+
+/// All experiments of the stage.
+pub fn experiments() -> Vec<Experiment<'static>> {
+    vec![
+        angles::experiment(),
+        systems::experiment(),
+        lengths::experiment(),
+    ]
+}

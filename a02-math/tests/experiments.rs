@@ -1,0 +1,19 @@
+//! The experiments of this stage show what theory says, and the same numbers
+//! on every machine.
+
+use common::Effort;
+use common::experiment::{check_slopes, counted};
+
+#[test]
+fn slopes_are_those_of_theory() {
+    for experiment in (a02_math::stage().experiments)() {
+        check_slopes(&experiment, Effort::Quick);
+    }
+}
+
+#[test]
+fn errors_and_work_are_the_same_everywhere() {
+    for experiment in (a02_math::stage().experiments)() {
+        insta::assert_snapshot!(experiment.name, counted(&experiment, Effort::Quick));
+    }
+}
