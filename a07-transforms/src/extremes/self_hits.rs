@@ -15,11 +15,11 @@ type Made<T> = Result<T, ArgumentError>;
 type Shape = fn(Node) -> Made<Node>;
 
 const SHAPES: [(&str, Shape, [&str; 4]); 5] = [
-    ("a sphere", sphere, ["S51", "S52", "S53", "S54"]),
-    ("a plane", plane, ["S55", "S56", "S57", "S58"]),
-    ("a box", cube, ["S59", "S60", "S61", "S62"]),
-    ("a triangle", triangle, ["S63", "S64", "S65", "S66"]),
-    ("a disc", disc, ["S67", "S68", "S69", "S70"]),
+    ("a sphere", sphere, ["S61", "S62", "S63", "S64"]),
+    ("a plane", plane, ["S65", "S66", "S67", "S68"]),
+    ("a box", cube, ["S69", "S70", "S71", "S72"]),
+    ("a triangle", triangle, ["S73", "S74", "S75", "S76"]),
+    ("a disc", disc, ["S77", "S78", "S79", "S80"]),
 ];
 
 pub fn cases(effort: Effort) -> Vec<Case> {
