@@ -31,7 +31,7 @@ pub fn stage() -> Stage {
                 },
             ),
         ],
-        experiments: Vec::new,
+        experiments: crate::experiments::experiments,
         extremes: |_| Vec::new(),
     }
 }

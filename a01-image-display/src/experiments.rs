@@ -1,0 +1,110 @@
+//! Error against bytes: what does a saved picture lose as JPEG?
+//!
+//! PNG keeps every byte of a picture. JPEG keeps what the eye sees of a
+//! photograph in fewer bytes, and pictures of a ray tracer are none.
+
+use std::rc::Rc;
+
+use common::experiment::{Axis, Curve, Experiment, Point};
+use common::{Image, Size, Transfer};
+use image::codecs::jpeg::JpegEncoder;
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder, ImageResult};
+
+use crate::scenes::stage;
+
+/// All experiments of the stage.
+pub fn experiments() -> Vec<Experiment<'static>> {
+    vec![
+        saving("save-diagonal", "diagonal"),
+        saving("save-painter", "painter"),
+        saving("save-show-image", "show-image"),
+    ]
+}
+
+/// The picture of a scene, saved at all qualities.
+fn saving(name: &'static str, scene: &'static str) -> Experiment<'static> {
+    let curves = move |_| {
+        let Some(saved) = Picture::of(scene).map(Rc::new) else {
+            return Vec::new();
+        };
+        let curve = |method, remark, files: Vec<File>| Curve {
+            method,
+            remark,
+            slope: None,
+            points: files
+                .into_iter()
+                .filter_map(|file| saved.point(file))
+                .collect(),
+        };
+        let qualities = [10, 25, 50, 75, 90, 95, 98, 99, 100].map(File::Jpeg);
+        vec![
+            curve("JPEG", LOSES, qualities.into()),
+            curve("PNG", "what the renderer writes", vec![File::Png]),
+        ]
+    };
+    Experiment {
+        name,
+        about: "what does the picture lose as JPEG, and how many bytes does that save?",
+        knob: "quality",
+        work: "bytes",
+        error: "of a channel from 0 to 1, against the picture that was saved",
+        against: Axis::Work,
+        curves: Box::new(curves),
+    }
+}
+
+const LOSES: &str =
+    "not in the renderer: even its best quality changes bytes, most of all beside edges";
+
+#[derive(Clone, Copy)]
+enum File {
+    /// With a quality from 1 to 100.
+    Jpeg(u8),
+    Png,
+}
+
+/// Red, green and blue bytes of a picture.
+struct Picture {
+    size: Size,
+    rgb: Vec<u8>,
+}
+
+impl Picture {
+    fn of(scene: &str) -> Option<Self> {
+        let stage = stage();
+        let scene = stage.scene(scene).ok()?;
+        let image: Image = scene.render(&scene.defaults, &()).ok()?;
+        Some(Self {
+            size: image.size(),
+            rgb: image.to_rgb8(Transfer::Linear),
+        })
+    }
+
+    fn encoded(&self, file: File) -> ImageResult<Vec<u8>> {
+        let mut bytes = Vec::new();
+        let (width, height) = (self.size.width(), self.size.height());
+        let rgb = ExtendedColorType::Rgb8;
+        match file {
+            File::Jpeg(quality) => JpegEncoder::new_with_quality(&mut bytes, quality)
+                .write_image(&self.rgb, width, height, rgb)?,
+            File::Png => PngEncoder::new(&mut bytes).write_image(&self.rgb, width, height, rgb)?,
+        }
+        Ok(bytes)
+    }
+
+    /// The measurement of a file, which is opened again for it.
+    fn point(self: &Rc<Self>, file: File) -> Option<Point<'static>> {
+        let bytes = self.encoded(file).ok()?;
+        let opened = image::load_from_memory(&bytes).ok()?.into_rgb8();
+        let pairs = self.rgb.iter().zip(opened.as_raw());
+        let errors = pairs.map(|(a, b)| (f64::from(*a) - f64::from(*b)) / 255.0);
+        let quality = match file {
+            File::Jpeg(quality) => quality.into(),
+            File::Png => 100.0,
+        };
+        let saved = Rc::clone(self);
+        let run = move || saved.encoded(file).map_or(0.0, |bytes| bytes.len() as f64);
+        Some(Point::new(quality, bytes.len() as f64, errors, run))
+    }
+}
