@@ -93,7 +93,10 @@ fn points(curve: &Curve, seconds: &[f64], kind: &str, axis: Axis) -> Vec<(f64, f
         .collect()
 }
 
-/// The decades that hold all numbers.
+/// How many decades an axis shows; below, curves leave the plot.
+const MOST_DECADES: f64 = 40.0;
+
+/// The decades that hold all numbers, from the greatest down.
 fn decades(numbers: impl Iterator<Item = f64> + Clone) -> std::ops::Range<f64> {
     let least = numbers.clone().fold(f64::INFINITY, f64::min);
     let most = numbers.fold(0.0, f64::max);
@@ -102,7 +105,9 @@ fn decades(numbers: impl Iterator<Item = f64> + Clone) -> std::ops::Range<f64> {
     }
     let decade = |x: f64| libm::pow(10.0, x);
     let (from, to) = (libm::log10(least).floor(), libm::log10(most).ceil());
-    decade(from)..decade(to.max(from + 1.0))
+    let to = to.max(from + 1.0);
+    // More decades than numbers have digits twice over tell nothing.
+    decade(from.max(to - MOST_DECADES))..decade(to)
 }
 
 fn draw(
@@ -145,7 +150,9 @@ fn draw(
     }
     for (index, (curve, points)) in measured.curves.iter().zip(series).enumerate() {
         let color = page.curves[index % page.curves.len()];
-        let line = LineSeries::new(points.iter().copied(), color.stroke_width(2)).point_size(3);
+        let shown = points.iter().copied();
+        let shown = shown.filter(|point| point.0 >= x.start && point.1 >= y.start);
+        let line = LineSeries::new(shown, color.stroke_width(2)).point_size(3);
         let drawn = chart.draw_series(line).map_err(|e| explain(&e))?;
         drawn
             .label(curve.method)

@@ -79,8 +79,8 @@ impl<'e, 'a> Measured<'e, 'a> {
                     text,
                     "{best} {:24} {:>12} {:>14} {:>9.1e} {:>9.1e} {:>10} {ratio:>7.2}",
                     curve.method,
-                    point.knob,
-                    point.work,
+                    compact(point.knob),
+                    compact(point.work),
                     point.rms,
                     point.max,
                     duration(seconds),
@@ -88,7 +88,10 @@ impl<'e, 'a> Measured<'e, 'a> {
             }
         }
         for curve in &self.curves {
-            let _ = writeln!(text, "  {}: {}", curve.method, self.summary(curve));
+            let summary = self.summary(curve);
+            if !summary.is_empty() {
+                let _ = writeln!(text, "  {}: {summary}", curve.method);
+            }
         }
         text
     }
@@ -157,6 +160,15 @@ impl<'e, 'a> Measured<'e, 'a> {
             paths.push(path);
         }
         Ok(paths)
+    }
+}
+
+/// A number in few characters.
+fn compact(number: f64) -> String {
+    if number == 0.0 || (1e-3..1e10).contains(&number.abs()) {
+        format!("{}", libm::round(number * 1e4) / 1e4)
+    } else {
+        format!("{number:.2e}")
     }
 }
 
