@@ -2,7 +2,7 @@
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use common::ArgumentError;
+use common::{ArgumentError, argument};
 
 use crate::{Geometry, Hit, Interval};
 
@@ -15,8 +15,9 @@ pub struct Triangle {
 }
 
 impl Triangle {
-    /// The triangle of three corners that do not lie on a line, lit as flat as
-    /// it is. Its normal points to where the corners run counterclockwise.
+    /// The triangle of three corners that do not lie on a line, the farthest two
+    /// of them at least 1e-100 apart, lit as flat as it is. Its normal points to
+    /// where the corners run counterclockwise.
     pub fn new(a: Point3, b: Point3, c: Point3) -> Result<Self, ArgumentError> {
         let corners = [
             a.checked("corner a")?,
@@ -78,6 +79,9 @@ fn face_normal([a, b, c]: [Point3; 3]) -> Result<Normal3, ArgumentError> {
     let across = ab.cross(ac);
     // Corners on a line make a normal of pure rounding; a single point of NaN.
     if across.magnitude() > 4.0 * f64::EPSILON {
+        // In shorter ones the areas that the test compares lose digits.
+        let stands = longest >= argument::SMALLEST_LENGTH;
+        argument::check("longest edge", longest, stands, "at least 1e-100 long")?;
         across.as_normal().unit("triangle")
     } else {
         Err(on_a_line())

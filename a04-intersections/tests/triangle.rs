@@ -131,11 +131,22 @@ fn t_counts_in_lengths_of_the_direction() {
 fn tiny_and_huge_triangles_are_met_where_they_are() {
     for size in [1e-100, 1.0, 1e100] {
         let at = |x: f64, y: f64, z: f64| Point3::new(x * size, y * size, z * size);
-        let sized = Triangle::new(at(0.0, 0.0, 0.0), at(0.5, 0.0, 0.0), at(0.0, 0.5, 0.0));
+        let sized = Triangle::new(at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.0), at(0.0, 1.0, 0.0));
         let ray = Ray::derived(at(0.125, 0.25, 1.0), Vector3::new(0.0, 0.0, -1.0));
         let found = hit(&sized.unwrap(), &ray).unwrap();
         assert_abs_diff_eq!(found.t / size, 1.0, epsilon = 2.0 * f64::EPSILON);
         assert_eq!(found.face, Z);
+    }
+}
+
+/// There the products of three lengths would lose digits, and with them t.
+#[test]
+fn triangles_too_small_for_the_formula_are_refused() {
+    for size in [1e-101, 1e-107, 1e-110] {
+        let [a, b, c] = [[0.0; 3], [0.5, 0.0, 0.0], [0.0, 0.5, 0.0]]
+            .map(|corner| point(corner.map(|x: f64| x * size)));
+        let said = Triangle::new(a, b, c).unwrap_err().to_string();
+        assert!(said.starts_with("longest edge is"), "{said}");
     }
 }
 
