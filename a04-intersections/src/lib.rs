@@ -5,10 +5,15 @@
 //! with a surface and finds the nearest.
 
 mod axis_aligned_box;
+mod exact;
+mod experiments;
+mod extremes;
 mod geometry;
 mod hit;
 mod interval;
 mod plane;
+mod protocol;
+mod real;
 mod scenes;
 mod sphere;
 mod triangle;

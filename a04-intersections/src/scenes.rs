@@ -6,6 +6,8 @@ use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{Camera, OrthographicCamera, PerspectiveCamera, render};
 use common::{ArgumentError, Color, Scene, Stage};
 
+use crate::experiments::experiments;
+use crate::extremes::cases;
 use crate::{AxisAlignedBox, Plane, Sphere, Triangle, World};
 
 /// The stage for its program.
@@ -22,8 +24,8 @@ pub fn stage() -> Stage {
             scene("scene-5", "two red spheres, one farther away", scene_5),
             scene("scene-6", "the same without perspective", scene_6),
         ],
-        experiments: Vec::new,
-        extremes: |_| Vec::new(),
+        experiments,
+        extremes: cases,
     }
 }
 

@@ -1,0 +1,32 @@
+//! Error against run time of the formulas that rays meet shapes by.
+
+pub mod aimed_box;
+pub mod icosphere;
+pub mod needle;
+mod scattered;
+pub mod sphere_distance;
+mod sphere_mesh;
+
+pub use scattered::{Numbers, pair};
+
+use common::experiment::{Experiment, Slope};
+
+/// All experiments of this stage.
+pub fn experiments() -> Vec<Experiment<'static>> {
+    vec![
+        sphere_distance::far(),
+        sphere_distance::near(),
+        sphere_mesh::experiment(),
+        needle::experiment(),
+        aimed_box::experiment(),
+    ]
+}
+
+/// A slope that must be met to a twentieth.
+const fn slope(expected: f64, between: (f64, f64)) -> Slope {
+    Slope {
+        expected,
+        tolerance: 0.05,
+        between,
+    }
+}

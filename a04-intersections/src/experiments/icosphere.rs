@@ -1,0 +1,81 @@
+//! The sphere of triangles: an icosahedron whose faces are divided in four.
+
+use std::collections::HashMap;
+
+use a02_math::Vector3;
+
+/// Corners, and faces by the numbers of their corners.
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    /// Where the corners are.
+    pub corners: Vec<Vector3>,
+    /// Three corners each, counterclockwise from outside.
+    pub faces: Vec<[usize; 3]>,
+}
+
+impl Mesh {
+    /// 20 · 4^`divisions` triangles with corners on the unit sphere.
+    pub fn icosphere(divisions: u32) -> Self {
+        let golden = f64::midpoint(1.0, 5_f64.sqrt());
+        let mut mesh = Self {
+            corners: Vec::new(),
+            faces: Vec::new(),
+        };
+        for (one, more) in [
+            (1.0, golden),
+            (-1.0, golden),
+            (1.0, -golden),
+            (-1.0, -golden),
+        ] {
+            for corner in [[0.0, one, more], [one, more, 0.0], [more, 0.0, one]] {
+                mesh.corners
+                    .push(on_unit_sphere(Vector3::from_glam(corner.into())));
+            }
+        }
+        // Neighbours on the unit sphere are 1.05 apart, all others more.
+        let corners = &mesh.corners;
+        let is_edge = |i: usize, j: usize| (corners[i] - corners[j]).magnitude() < 1.1;
+        for i in 0..12 {
+            for j in (i + 1..12).filter(|j| is_edge(i, *j)) {
+                for k in (j + 1..12).filter(|k| is_edge(i, *k) && is_edge(j, *k)) {
+                    mesh.faces.push(outwards(corners, [i, j, k]));
+                }
+            }
+        }
+        for _ in 0..divisions {
+            mesh.divide();
+        }
+        mesh
+    }
+
+    /// Divides every face in four.
+    fn divide(&mut self) {
+        let mut middles = HashMap::new();
+        let corners = &mut self.corners;
+        let mut middle = |i: usize, j: usize| {
+            *middles.entry((i.min(j), i.max(j))).or_insert_with(|| {
+                corners.push(on_unit_sphere(corners[i] + corners[j]));
+                corners.len() - 1
+            })
+        };
+        let quarters = |&[a, b, c]: &[usize; 3]| {
+            let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+            [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]
+        };
+        self.faces = self.faces.iter().flat_map(quarters).collect();
+    }
+}
+
+fn on_unit_sphere(v: Vector3) -> Vector3 {
+    v * (1.0 / v.magnitude())
+}
+
+fn outwards(corners: &[Vector3], [i, j, k]: [usize; 3]) -> [usize; 3] {
+    use a02_math::Direction;
+    let [a, b, c] = [corners[i], corners[j], corners[k]];
+    if (b - a).cross(c - a).dot(a) > 0.0 {
+        [i, j, k]
+    } else {
+        [i, k, j]
+    }
+}

@@ -1,0 +1,191 @@
+//! The sphere as many triangles: what a mesh costs where a formula would do.
+
+use std::f64::consts::PI;
+use std::rc::Rc;
+
+use a02_math::{Direction, Point3, Vector3};
+use a03_rays_cameras::Ray;
+use common::experiment::{Axis, Curve, Experiment, Point, Slope};
+use common::{ArgumentError, Color, Effort};
+
+use super::icosphere::Mesh;
+use super::slope;
+use crate::{Hit, Interval, Sphere, Triangle, World};
+
+/// The view: towards -w, u to the right and v upwards. Slanted, so that nothing
+/// of the icosahedron is parallel to it.
+const U: Vector3 = Vector3::new(3.0 / 7.0, -6.0 / 7.0, 2.0 / 7.0);
+const V: Vector3 = Vector3::new(6.0 / 7.0, 2.0 / 7.0, -3.0 / 7.0);
+const W: Vector3 = Vector3::new(2.0 / 7.0, 3.0 / 7.0, 6.0 / 7.0);
+
+/// Where the parallel rays start.
+const BEFORE: f64 = 2.0;
+
+/// Parallel rays by the square of their distance from the axis, which is spread
+/// evenly over an interval; each is turned on by the golden angle (Vogel, "A
+/// Better Way to Construct the Sunflower Head", 1979).
+fn rays(count: usize, least: f64, most: f64) -> Vec<(f64, Ray)> {
+    let golden_angle = PI * (3.0 - 5_f64.sqrt());
+    let ray = |n: usize| {
+        let square = least + (most - least) * (n as f64 + 0.5) / count as f64;
+        let (sin, cos) = libm::sincos(golden_angle * n as f64);
+        let aside = U * (square.sqrt() * cos) + V * (square.sqrt() * sin);
+        (
+            square,
+            Ray::derived(Point3::ORIGIN + aside + W * BEFORE, -W),
+        )
+    };
+    (0..count).map(ray).collect()
+}
+
+/// A unit sphere in a world of its own.
+struct Ball {
+    world: World<()>,
+    /// Of how many objects.
+    objects: f64,
+    /// The square of the radius of the greatest ball that fits into it.
+    inner: f64,
+}
+
+fn round() -> Result<Ball, ArgumentError> {
+    Ok(Ball {
+        world: World::new(Color::BLACK)?.with(Sphere::new(Point3::ORIGIN, 1.0)?, ()),
+        objects: 1.0,
+        inner: 1.0,
+    })
+}
+
+/// Of triangles, with the normals of the sphere at their corners.
+fn angular(divisions: u32) -> Result<Ball, ArgumentError> {
+    let mesh = Mesh::icosphere(divisions);
+    let mut world = World::new(Color::BLACK)?;
+    let mut inner = f64::INFINITY;
+    for face in &mesh.faces {
+        let ways = face.map(|corner| mesh.corners[corner]);
+        let [a, b, c] = ways.map(|way| Point3::ORIGIN + way);
+        let triangle = Triangle::new(a, b, c)?.with_normals(ways.map(Vector3::as_normal))?;
+        let normal = (b - a).cross(c - a);
+        let distance = normal.dot(ways[0]) / normal.magnitude();
+        inner = inner.min(distance * distance);
+        world = world.with(triangle, ());
+    }
+    Ok(Ball {
+        world,
+        objects: mesh.faces.len() as f64,
+        inner,
+    })
+}
+
+/// The depth and the normals for rays that keep away from the rim, where both
+/// change too fast to be compared: to nine tenths of the radius.
+fn shading_rays(effort: Effort) -> Vec<(f64, Ray)> {
+    rays(effort.choose(2048, 4096), 0.0, 0.81)
+}
+
+/// A curve over all meshes. `quantity` has an exact value, given the height of
+/// the sphere over the plane through its centre.
+fn shading(
+    method: &'static str,
+    balls: &[Rc<Ball>],
+    slope: Option<Slope>,
+    effort: Effort,
+    quantity: fn(Hit) -> f64,
+) -> Curve<'static> {
+    let point = |ball: &Rc<Ball>| {
+        let (ball, rays) = (Rc::clone(ball), shading_rays(effort));
+        let error = |(square, ray): &(f64, Ray)| {
+            let hit = ball.world.hit(ray, Interval::AHEAD);
+            hit.map_or(1.0, |(hit, ())| quantity(hit) - (1.0 - square).sqrt())
+        };
+        let errors: Vec<_> = rays.iter().map(error).collect();
+        let work = ball.objects * rays.len() as f64;
+        let (objects, shot) = (ball.objects, Rc::clone(&ball));
+        let run = move || {
+            let hits = rays
+                .iter()
+                .filter_map(|(_, ray)| shot.world.hit(ray, Interval::AHEAD));
+            hits.map(|(hit, ())| quantity(hit)).sum()
+        };
+        Point::new(objects, work, errors, run)
+    };
+    Curve {
+        method,
+        remark: "",
+        slope,
+        points: balls.iter().map(point).collect(),
+    }
+}
+
+/// How much of the disc that the sphere covers the mesh does not. All of it
+/// lies outside of the greatest ball within the mesh, and there are the rays.
+fn silhouette(balls: &[Rc<Ball>], slope: Slope, effort: Effort) -> Curve<'static> {
+    let point = |ball: &Rc<Ball>| {
+        let ball = Rc::clone(ball);
+        let rays = rays(effort.choose(2048, 4096), ball.inner, 1.0);
+        let (objects, work) = (ball.objects, ball.objects * rays.len() as f64);
+        let missing = move || {
+            let passes = |(_, ray): &&(f64, Ray)| !ball.world.is_hit(ray, Interval::AHEAD);
+            let share = rays.iter().filter(passes).count() as f64 / rays.len() as f64;
+            (1.0 - ball.inner) * share
+        };
+        Point::new(objects, work, [missing()], missing)
+    };
+    Curve {
+        method: "silhouette",
+        remark: "",
+        slope: Some(slope),
+        points: balls.iter().map(point).collect(),
+    }
+}
+
+fn depth(hit: Hit) -> f64 {
+    BEFORE - hit.t
+}
+
+fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
+    let divisions = 1..=effort.choose(3, 4) as u32;
+    let balls = divisions.map(|divisions| angular(divisions).map(Rc::new));
+    let balls = balls.collect::<Result<Vec<_>, _>>()?;
+    let sphere = [Rc::new(round()?)];
+    let all = (0.0, f64::INFINITY);
+    Ok(vec![
+        silhouette(&balls, slope(-1.0, all), effort),
+        shading("depth", &balls, Some(slope(-1.0, all)), effort, depth),
+        Curve {
+            remark: "normals interpolated between the corners double the slope for next to nothing",
+            ..shading(
+                "smooth Lambert",
+                &balls,
+                Some(slope(-1.0, all)),
+                effort,
+                |hit| hit.normal.dot(W),
+            )
+        },
+        shading(
+            "flat Lambert",
+            &balls,
+            Some(slope(-0.5, all)),
+            effort,
+            |hit| hit.face.dot(W),
+        ),
+        Curve {
+            remark: "one object instead of thousands, and exact: spheres are no meshes here",
+            ..shading("depth of the sphere", &sphere, None, effort, depth)
+        },
+    ])
+}
+
+/// The sphere of more and more triangles, all of them tested by every ray.
+pub fn experiment() -> Experiment<'static> {
+    Experiment {
+        name: "sphere-mesh",
+        about: "how many triangles make a sphere?",
+        knob: "objects",
+        work: "tests",
+        error: "in radii, of cos for Lambert lit from the eye, as a share of the area for the \
+                silhouette; against the sphere's closed forms",
+        against: Axis::Work,
+        // The arguments are constants that the constructors accept.
+        curves: Box::new(|effort| curves(effort).unwrap_or_default()),
+    }
+}

@@ -1,0 +1,82 @@
+//! Stiff and extreme cases of rays and shapes. Exact values were computed with
+//! mpmath at 1200 bits from the doubles given, or follow from closed forms.
+//!
+//! Tables are laid out by hand, so that a row is read as a row.
+
+mod axis_aligned_box;
+mod color;
+mod leaks;
+mod place;
+mod plane;
+mod precision;
+mod sphere;
+mod triangle;
+
+use a02_math::{Point3, Vector3};
+use a03_rays_cameras::Ray;
+use common::extremes::{Case, Outcome};
+use common::{ArgumentError, Effort};
+
+use crate::{Geometry, Interval};
+
+/// All cases of this stage.
+pub fn cases(effort: Effort) -> Vec<Case> {
+    let mut cases = sphere::cases();
+    cases.extend(plane::cases(effort));
+    cases.extend(axis_aligned_box::cases());
+    cases.extend(triangle::cases());
+    cases.extend(color::cases());
+    cases.extend(place::cases(effort));
+    cases.extend(leaks::cases(effort));
+    cases.extend(precision::cases(effort));
+    cases.sort_by_key(|case| case.id);
+    cases
+}
+
+const MISS: Outcome = Outcome::Nothing;
+const REFUSED: Outcome = Outcome::Refused;
+const EPSILON: f64 = f64::EPSILON;
+
+/// Three coordinates.
+type Triple = [f64; 3];
+/// An origin and a direction.
+type Line = (Triple, Triple);
+
+const fn point([x, y, z]: Triple) -> Point3 {
+    Point3::new(x, y, z)
+}
+
+const fn vector([x, y, z]: Triple) -> Vector3 {
+    Vector3::new(x, y, z)
+}
+
+/// The ray as a scene makes it.
+fn unit_ray((o, d): Line) -> Result<Ray, ArgumentError> {
+    Ray::new(point(o), vector(d))
+}
+
+/// The ray as the protocol makes it: unchecked.
+const fn raw_ray((o, d): Line) -> Ray {
+    Ray::derived(point(o), vector(d))
+}
+
+/// The ray of a scene; unchecked where a scene would refuse it.
+fn any_ray(line: Line) -> Ray {
+    unit_ray(line).unwrap_or(raw_ray(line))
+}
+
+/// Where a ray meets a shape first.
+fn first(shape: &impl Geometry, ray: &Ray) -> Option<f64> {
+    shape.hit(ray, Interval::AHEAD).map(|hit| hit.t)
+}
+
+/// The same as an outcome, whatever could not be built.
+fn meeting<G: Geometry>(shape: Result<G, ArgumentError>, line: Line) -> Outcome {
+    let met = || Ok::<_, ArgumentError>(first(&shape?, &unit_ray(line)?));
+    met().into()
+}
+
+/// A power of two, exactly.
+const fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((1023 + exponent) as u64) << 52)
+}

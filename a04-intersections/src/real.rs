@@ -1,0 +1,71 @@
+//! `Real`: what a formula needs of a number, so that it can be tried in single
+//! and in double precision.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// `f32` or `f64`.
+pub trait Real:
+    Copy
+    + PartialOrd
+    + From<f32>
+    + Into<f64>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The distance between 1 and the next greater number.
+    const EPSILON: f64;
+
+    /// The square root; NaN of a negative number.
+    fn sqrt(self) -> Self;
+
+    /// This magnitude with the sign of another number.
+    fn copysign(self, sign: Self) -> Self;
+
+    /// The number nearest to a double.
+    fn rounded(number: f64) -> Self;
+}
+
+impl Real for f32 {
+    const EPSILON: f64 = Self::EPSILON as f64;
+
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+
+    fn copysign(self, sign: Self) -> Self {
+        self.copysign(sign)
+    }
+
+    fn rounded(number: f64) -> Self {
+        number as Self
+    }
+}
+
+impl Real for f64 {
+    const EPSILON: f64 = Self::EPSILON;
+
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+
+    fn copysign(self, sign: Self) -> Self {
+        self.copysign(sign)
+    }
+
+    fn rounded(number: f64) -> Self {
+        number
+    }
+}
+
+/// The difference of two triples.
+pub fn difference<F: Real>(a: &[F; 3], b: &[F; 3]) -> [F; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// The dot product of two triples.
+pub fn dot<F: Real>(a: &[F; 3], b: &[F; 3]) -> F {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}

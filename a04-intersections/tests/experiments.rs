@@ -1,0 +1,18 @@
+//! The experiments show what theory says, and their work is what it was.
+
+use common::Effort;
+use common::experiment::{check_slopes, counted};
+
+#[test]
+fn slopes_are_those_of_theory() {
+    for experiment in (a04_intersections::stage().experiments)() {
+        check_slopes(&experiment, Effort::Quick);
+    }
+}
+
+#[test]
+fn work_and_errors_are_locked() {
+    for experiment in (a04_intersections::stage().experiments)() {
+        insta::assert_snapshot!(experiment.name, counted(&experiment, Effort::Quick));
+    }
+}

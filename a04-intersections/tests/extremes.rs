@@ -1,0 +1,9 @@
+//! Every row of the table of extreme cases holds.
+
+use common::Effort;
+
+#[test]
+fn every_case_holds() {
+    let cases = (a04_intersections::stage().extremes)(Effort::of_build());
+    common::extremes::check(&cases);
+}
