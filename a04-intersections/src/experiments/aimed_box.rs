@@ -114,8 +114,8 @@ fn curves(effort: Effort) -> Vec<Curve<'static>> {
     let ours = AxisAlignedBox::new(LBF, RUN).ok();
     let ours = move |ray: &Ray| ours?.hit(ray, Interval::AHEAD).map(|hit| hit.t);
     vec![
-        curve("protocol, three", &aims, three),
-        curve("protocol, two", &aims, two),
+        curve("protocol (three)", &aims, three),
+        curve("protocol (two)", &aims, two),
         curve("naive slabs", &aims, |ray| slabs(LBF, RUN, ray)),
         Curve {
             remark: "also says which face was met, for the normal",

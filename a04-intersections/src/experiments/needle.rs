@@ -201,7 +201,7 @@ fn curves(effort: Effort) -> Vec<Curve<'static>> {
             remark: "not in the renderer: only needles need it, and a build for any processor \
                      computes fused multiply-add by a function call",
             ..curve(
-                "Woop, compensated",
+                "Woop (compensated)",
                 &views,
                 Some(slope(0.0, thin)),
                 compensated,

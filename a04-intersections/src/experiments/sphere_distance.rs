@@ -186,12 +186,17 @@ pub fn far() -> Experiment<'static> {
                     ..curve("compensated", &doubles, slope(1.0, everywhere), compensated)
                 },
                 curve(
-                    "protocol, single",
+                    "protocol (single)",
                     &singles,
                     slope(2.0, (8.0, 512.0)),
                     protocol::sphere,
                 ),
-                curve("stable, single", &singles, slope(1.0, (8.0, 512.0)), stable),
+                curve(
+                    "stable (single)",
+                    &singles,
+                    slope(1.0, (8.0, 512.0)),
+                    stable,
+                ),
             ]
         }),
     }
@@ -218,12 +223,12 @@ pub fn near() -> Experiment<'static> {
                     ..curve("compensated", &doubles, slope(0.0, double), compensated)
                 },
                 curve(
-                    "protocol, single",
+                    "protocol (single)",
                     &singles,
                     slope(1.0, single),
                     protocol::sphere,
                 ),
-                curve("stable, single", &singles, slope(1.0, single), stable),
+                curve("stable (single)", &singles, slope(1.0, single), stable),
             ]
         }),
     }
