@@ -57,7 +57,8 @@ pub fn reflection_inside_sum(own: &[f64], k: f64, reflected: f64) -> f64 {
 ///
 /// Wrong: its one counter is never restored, so it counts rays and not depth;
 /// at the limit it returns the background; and the reflected ray begins a
-/// thousandth before the hit, however small the scene is.
+/// thousandth before the hit, however small the scene is. And every hit is
+/// searched for three times.
 pub struct OneCounter<'a> {
     pub world: &'a ShadowedWorld,
     pub recursion: u32,
@@ -69,7 +70,12 @@ impl OneCounter<'_> {
         if self.recursion < 1 {
             return background;
         }
-        let Some((hit, surface)) = self.world.objects().hit(ray, Interval::AHEAD) else {
+        let search = || self.world.objects().hit(ray, Interval::AHEAD);
+        if search().is_none() {
+            return background;
+        }
+        // Searched again for the material, and once more for its argument.
+        let (Some((_, surface)), Some((hit, _))) = (search(), search()) else {
             return background;
         };
         self.recursion -= 1;

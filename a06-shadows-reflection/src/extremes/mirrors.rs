@@ -59,7 +59,8 @@ pub fn cases() -> Vec<Case> {
             .protocol(Fails, thin.theirs(1_000)),
         series.row("M07", 1_100, 2.0),
         all.row("M08", 1_000_000, 1e6),
-        Mirrors { k: 0.0, ..series }.rays("M09"),
+        Mirrors { k: 0.0, ..series }.searches("M09", "two mirrors, k = 0, depth 10", 10),
+        series.searches("M19", "two mirrors, k = 1/2, depth 1", 1),
         Mirrors { k: 0.0, ..series }.row("M18", 10, 1.0),
         behind_lights("M10", 3),
         behind_lights("I10", 0),
@@ -158,23 +159,24 @@ impl Mirrors {
         .protocol(Fails, both().map(|both| second(both.1)))
     }
 
-    /// What does not mirror needs no reflected ray.
-    fn rays(self, id: &'static str) -> Case {
-        let count = |trace: fn(&ShadowedWorld, &Ray) -> Color| {
+    /// One search finds the hit, and what does not mirror, or is met last, needs
+    /// no reflected ray.
+    fn searches(self, id: &'static str, what: &str, depth: u32) -> Case {
+        let count = |trace: &dyn Fn(&ShadowedWorld, &Ray) -> Color| {
             let (below, rays) = Counting::new(plane(0.0)?);
             let world = self.world(below)?;
             trace(&world, &self.ray());
             Ok::<_, ArgumentError>(rays.load(Ordering::Relaxed))
         };
-        let ours = count(|world, ray| RecursiveTracer::new(world, true).trace(ray, 10));
-        let theirs = count(|world, ray| {
+        let ours = count(&|world, ray| RecursiveTracer::new(world, true).trace(ray, depth));
+        let theirs = count(&|world, ray| {
             OneCounter {
                 world,
-                recursion: 10,
+                recursion: depth,
             }
             .trace(ray)
         });
-        let what = "two mirrors, k = 0, depth 10: rays";
+        let what = format!("{what}: searches of the world");
         Case::new(id, what, 1.0, Bound::Equal, ours).protocol(Fails, theirs)
     }
 }

@@ -37,7 +37,16 @@ pub fn render(scene: &Scene, overrides: &Overrides) -> Result<Image, Error> {
     let settings = overrides.settings(scene)?;
     let progress = TerminalProgress::new(scene.name, settings.size);
     let threads = overrides.thread_pool()?;
-    threads.install(|| scene.render(&settings, &progress))
+    let image = threads.install(|| scene.render(&settings, &progress))?;
+    drop(progress);
+    let bad = image.count_non_finite();
+    if bad > 0 {
+        let name = scene.name;
+        complain(&format!(
+            "warning: {bad} pixels of {name} are no finite numbers"
+        ));
+    }
+    Ok(image)
 }
 
 /// Tells of the flags that do not change this scene.
