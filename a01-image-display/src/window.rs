@@ -5,11 +5,12 @@ mod frame;
 mod keyboard;
 mod menu_bar;
 mod placement;
+mod text;
 
 use std::thread::Scope;
 use std::time::{Duration, Instant};
 
-use common::{Color, Gallery, Image, LivePicture, NotShown, Rendering, Size, Viewer};
+use common::{Error, Gallery, Image, LivePicture, NotShown, Rendering, Size, Viewer};
 use minifb::{Menu, MouseButton, MouseMode, ScaleMode, WindowOptions};
 
 use command::Command;
@@ -18,15 +19,18 @@ use keyboard::Keyboard;
 use menu_bar::{ITEMS, LINE, MenuBar, PLATFORM_HAS_MENU};
 use placement::{Placement, Zoom};
 
-/// Width and height that fit on most screens, their bars included.
-const LARGEST: (f64, f64) = (1600.0, 950.0);
+/// Width and height that fit on nearly every screen: none is told to us.
+const LARGEST: (f64, f64) = (1280.0, 720.0);
 /// Width and height that leave room for the menu and something to grasp.
 const SMALLEST: (f64, f64) = (240.0, 120.0);
 
-/// Updates a second: of what is typed and of the picture.
-const UPDATES: usize = 60;
-/// After this time the window is drawn although nothing has changed: another
-/// window may have covered it.
+/// Looks a second at keys and mouse. A click that begins and ends between two
+/// of them is lost.
+const UPDATES: usize = 250;
+/// The window is not drawn again before this time is over.
+const FRAME: Duration = Duration::from_millis(16);
+/// After this time the window is sent to the screen although nothing has
+/// changed: another window may have covered it.
 const REFRESH: Duration = Duration::from_millis(250);
 /// How long a notice stays.
 const NOTICE: Duration = Duration::from_secs(6);
@@ -44,34 +48,31 @@ pub struct Window;
 
 impl Viewer for Window {
     fn show(&self, gallery: &mut Gallery) -> Result<(), NotShown> {
-        let mut has_chosen = true;
-        if gallery.opens_files() && !gallery.has_file() {
-            match choose_file() {
-                Some(file) => gallery.open(file),
-                None => has_chosen = false,
-            }
+        let asks = gallery.opens_files() && !gallery.has_file();
+        let chosen = asks.then(choose_file).flatten();
+        let has_chosen = chosen.is_some();
+        if let Some(file) = chosen {
+            gallery.open(file);
         }
         std::thread::scope(|scope| {
             let rendering = gallery.render(scope)?;
-            // The size of a file is not known before it has been read.
-            let (rendering, image) = if gallery.opens_files() {
-                (None, Some(rendering.join()?))
-            } else {
-                (Some(rendering), None)
-            };
-            let size = match (&rendering, &image) {
-                (Some(rendering), _) => rendering.picture().size(),
-                (_, Some(image)) => image.size(),
-                _ => Size::COURSE,
-            };
-            let mut screen = Screen::open(gallery, size)?;
-            if let Some(image) = image {
-                screen.hang(gallery, image);
+            if !gallery.opens_files() {
+                let mut screen = Screen::open(gallery, rendering.picture().size())?;
+                return screen.run(scope, gallery, Some(rendering));
             }
-            if !has_chosen {
+            // The size of a file is not known before it has been read.
+            let outcome = match rendering.join() {
+                // Who named the file on the command line looks at the terminal.
+                Err(error) if !has_chosen => return Err(error.into()),
+                outcome => outcome,
+            };
+            let size = outcome.as_ref().map_or(Size::COURSE, Image::size);
+            let mut screen = Screen::open(gallery, size)?;
+            screen.finish(gallery, outcome);
+            if asks && !has_chosen {
                 screen.notify(NO_FILE.to_owned());
             }
-            screen.run(scope, gallery, rendering)
+            screen.run(scope, gallery, None)
         })
     }
 }
@@ -87,18 +88,28 @@ fn choose_file() -> Option<std::path::PathBuf> {
 struct Screen {
     window: minifb::Window,
     keyboard: Keyboard,
+    is_active: bool,
+    mouse: Mouse,
     menu: MenuBar,
     frame: Frame,
     title: String,
-    /// The picture as it is shown, and when it is finished also as it is saved.
     size: Size,
+    /// The finished picture as it is shown.
     pixels: Vec<u32>,
-    image: Option<Image>,
+    /// The finished picture as it is saved, or why there is none; nothing yet
+    /// while it is rendered.
+    outcome: Option<Result<Image, String>>,
     zoom: Zoom,
     inspects: bool,
     helps: bool,
     notice: Option<(String, Instant)>,
-    mouse_was_down: bool,
+}
+
+/// The mouse at the last look.
+#[derive(Default)]
+struct Mouse {
+    is_down: bool,
+    cursor: Option<(i32, i32)>,
 }
 
 /// What decides whether the window must be drawn again.
@@ -135,14 +146,15 @@ impl Screen {
             menu,
             frame: Frame::default(),
             title,
+            is_active: false,
+            mouse: Mouse::default(),
             size,
-            pixels: vec![0; size.pixels()],
-            image: None,
+            pixels: Vec::new(),
+            outcome: None,
             zoom: Zoom::Fit,
             inspects: false,
             helps: false,
             notice: None,
-            mouse_was_down: false,
         })
     }
 
@@ -156,10 +168,8 @@ impl Screen {
         let (mut drawn, mut drawn_at) = (None, Instant::now());
         while self.window.is_open() {
             if rendering.as_ref().is_some_and(Rendering::is_over) {
-                match rendering.take().map(Rendering::join) {
-                    Some(Ok(image)) => self.hang(gallery, image),
-                    Some(Err(error)) => self.notify(format!("error: {error}")),
-                    None => {}
+                if let Some(outcome) = rendering.take().map(Rendering::join) {
+                    self.finish(gallery, outcome);
                 }
                 drawn = None;
             }
@@ -168,37 +178,46 @@ impl Screen {
                 match self.obey(command, gallery) {
                     After::Nothing => {}
                     After::Close => return Ok(()),
-                    After::Render => match gallery.render(scope) {
-                        // The old rendering, if there is one, stops when it is dropped.
-                        Ok(new) => rendering = Some(new),
-                        Err(error) => self.notify(format!("error: {error}")),
-                    },
+                    After::Render => {
+                        // The old rendering, if there is one, stops.
+                        rendering = None;
+                        match gallery.render(scope) {
+                            Ok(new) => rendering = Some(new),
+                            Err(error) => self.finish(gallery, Err(error)),
+                        }
+                    }
                 }
             }
             let live = rendering.as_ref().map(Rendering::picture);
             let look = self.look(live);
-            if drawn.as_ref() != Some(&look) || drawn_at.elapsed() > REFRESH {
-                self.draw(live, look.cursor);
-                let (width, height) = look.window;
-                let frame = self.frame.pixels();
-                self.window
-                    .update_with_buffer(frame, width, height)
-                    .map_err(explain)?;
-                (drawn, drawn_at) = (Some(look), Instant::now());
-            } else {
+            let is_drawn = drawn.as_ref() == Some(&look);
+            if drawn_at.elapsed() < if is_drawn { REFRESH } else { FRAME } {
                 self.window.update();
+                continue;
             }
+            let (width, height) = look.window;
+            if !is_drawn {
+                self.draw(live, look.cursor);
+                drawn = Some(look);
+            }
+            self.window
+                .update_with_buffer(self.frame.pixels(), width, height)
+                .map_err(explain)?;
+            drawn_at = Instant::now();
         }
         Ok(())
     }
 
-    /// Shows a finished picture.
-    fn hang(&mut self, gallery: &Gallery, image: Image) {
-        let transfer = gallery.transfer();
-        let pack = |color: &Color| transfer.pack(*color);
-        self.size = image.size();
-        self.pixels = image.pixels().iter().map(pack).collect();
-        self.image = Some(image);
+    /// Shows a finished picture, or why there is none.
+    fn finish(&mut self, gallery: &Gallery, outcome: Result<Image, Error>) {
+        self.pixels.clear();
+        if let Ok(image) = &outcome {
+            let transfer = gallery.transfer();
+            self.size = image.size();
+            self.pixels
+                .extend(image.pixels().iter().map(|color| transfer.pack(*color)));
+        }
+        self.outcome = Some(outcome.map_err(|error| format!("error: {error}")));
     }
 
     fn notify(&mut self, notice: String) {
@@ -229,6 +248,11 @@ impl Screen {
 
     /// What has been typed, chosen and clicked.
     fn commands(&mut self) -> Vec<Command> {
+        // What is released while another window has the keyboard is not told.
+        if self.window.is_active() != self.is_active {
+            self.is_active = !self.is_active;
+            self.keyboard.release_all();
+        }
         let mut commands = Vec::new();
         for typed in self.keyboard.take() {
             commands.extend(self.menu.handle(typed));
@@ -236,14 +260,20 @@ impl Screen {
         let chosen = self.window.is_menu_pressed().and_then(|id| ITEMS.get(id));
         commands.extend(chosen.map(|item| item.command));
 
-        let down = self.window.get_mouse_down(MouseButton::Left);
-        if let Some((x, y)) = self.cursor().filter(|_| !PLATFORM_HAS_MENU) {
-            self.menu.hover(x, y);
-            if down && !self.mouse_was_down {
+        let mouse = Mouse {
+            is_down: self.window.get_mouse_down(MouseButton::Left),
+            cursor: self.cursor(),
+        };
+        if let Some((x, y)) = mouse.cursor.filter(|_| !PLATFORM_HAS_MENU) {
+            // A mouse that rests leaves the menu to the keys.
+            if mouse.cursor != self.mouse.cursor {
+                self.menu.hover(x, y);
+            }
+            if mouse.is_down && !self.mouse.is_down {
                 commands.extend(self.menu.click(x, y));
             }
         }
-        self.mouse_was_down = down;
+        self.mouse = mouse;
         commands
     }
 
@@ -283,14 +313,15 @@ impl Screen {
         self.menu.set_can_open(gallery.opens_files());
         self.zoom = Zoom::Fit;
         self.notice = None;
-        self.image = None;
+        self.outcome = None;
         After::Render
     }
 
     fn save(&mut self, gallery: &Gallery) {
-        let notice = match &self.image {
+        let notice = match &self.outcome {
             None => "the picture is not finished yet".to_owned(),
-            Some(image) => match gallery.save(image) {
+            Some(Err(_)) => "there is no picture to save".to_owned(),
+            Some(Ok(image)) => match gallery.save(image) {
                 Ok(path) => format!("saved {}", path.display()),
                 Err(error) => format!("error: {error}"),
             },
@@ -314,48 +345,48 @@ impl Screen {
     fn draw(&mut self, live: Option<&LivePicture>, cursor: Option<(i32, i32)>) {
         if let Some(live) = live {
             self.size = live.size();
-            self.pixels = live.pixels();
         }
-        self.frame.clear(self.window.get_size(), BACKGROUND);
-
         let placement = self.placement();
-        let (pixels, width) = (&self.pixels, self.size.width());
+        let (pixels, row_length) = (&self.pixels, self.size.width());
+        let color = |(column, row): (u32, u32)| {
+            let index = (row * row_length + column) as usize;
+            live.map_or_else(|| pixels.get(index).copied(), |live| live.pixel(index))
+        };
+        self.frame.clear(self.window.get_size(), BACKGROUND);
         self.frame.paint(placement.area(), |x, y| {
-            let (column, row) = placement.pixel(x, y)?;
-            pixels.get((row * width + column) as usize).copied()
+            placement.pixel(x, y).and_then(color)
         });
 
-        let mut lines = Vec::new();
+        let mut texts = Vec::new();
         if self.helps {
-            lines.push(command::HELP.to_owned());
+            texts.push(command::HELP.to_owned());
         }
         if self.inspects {
-            lines.push(self.inspect(placement, cursor));
+            let at = cursor.and_then(|(x, y)| placement.pixel(x, y));
+            texts.push(inspect(at, at.and_then(color)));
         }
-        lines.extend(self.notice().map(str::to_owned));
-        let Area { y, height, .. } = placement.area();
+        if let Some(Err(error)) = &self.outcome {
+            texts.push(error.clone());
+        }
+        texts.extend(self.notice().map(str::to_owned));
+        let Area {
+            y, width, height, ..
+        } = placement.area();
         let mut bottom = y + height;
         if let Some(live) = live {
             bottom -= LINE;
             self.draw_progress(live, bottom);
         }
-        for line in lines {
-            bottom -= LINE;
-            self.draw_line(&line, bottom);
+        let columns = (width / LETTER - 2).max(1) as usize;
+        for text in texts {
+            for line in text::wrap(&text, columns).into_iter().rev() {
+                bottom -= LINE;
+                self.draw_line(line, bottom);
+            }
         }
         if !PLATFORM_HAS_MENU {
-            let width = placement.area().width;
             self.menu.draw(&mut self.frame, width, &self.title);
         }
-    }
-
-    fn inspect(&self, placement: Placement, cursor: Option<(i32, i32)>) -> String {
-        let Some((x, y)) = cursor.and_then(|(x, y)| placement.pixel(x, y)) else {
-            return "point at the picture".to_owned();
-        };
-        let packed = self.pixels[(y * self.size.width() + x) as usize];
-        let [_, r, g, b] = packed.to_be_bytes();
-        format!("column {x}, row {y}: #{packed:06x} ({r}, {g}, {b})")
     }
 
     fn draw_line(&mut self, text: &str, y: i32) {
@@ -389,6 +420,14 @@ impl Screen {
         self.frame.fill(done, DONE);
         self.frame.text(LETTER, y + 5, TEXT, &text);
     }
+}
+
+fn inspect(at: Option<(u32, u32)>, color: Option<u32>) -> String {
+    let (Some((column, row)), Some(packed)) = (at, color) else {
+        return "point at the picture".to_owned();
+    };
+    let [_, r, g, b] = packed.to_be_bytes();
+    format!("column {column}, row {row}: #{packed:06x} ({r}, {g}, {b})")
 }
 
 /// What a command leaves to be done.

@@ -40,11 +40,11 @@ impl LivePicture {
         self.size
     }
 
-    /// All pixels as they are now, row after row from the top.
+    /// A pixel as it is now, counted row after row from the top.
     #[must_use]
-    pub fn pixels(&self) -> Vec<u32> {
-        let pixels = self.pixels.iter();
-        pixels.map(|p| p.load(Ordering::Relaxed)).collect()
+    pub fn pixel(&self, index: usize) -> Option<u32> {
+        let pixel = self.pixels.get(index)?;
+        Some(pixel.load(Ordering::Relaxed))
     }
 
     /// How many rows are finished.
@@ -103,7 +103,10 @@ mod tests {
         picture.row(2, &[Color::RED, Color::GREEN, Color::WHITE]);
         let mut expected = [0; 12];
         expected[6..9].copy_from_slice(&[0xFF_0000, 0x00_FF00, 0xFF_FFFF]);
-        assert_eq!(picture.pixels(), expected);
+        for (index, pixel) in expected.into_iter().enumerate() {
+            assert_eq!(picture.pixel(index), Some(pixel), "{index}");
+        }
+        assert_eq!(picture.pixel(12), None);
         assert_eq!(picture.rows(), 1);
     }
 

@@ -16,7 +16,7 @@ pub struct Keyboard(Rc<RefCell<Typed>>);
 
 #[derive(Default)]
 struct Typed {
-    ctrl: bool,
+    down: Vec<Key>,
     commands: Vec<Command>,
 }
 
@@ -24,6 +24,11 @@ impl Keyboard {
     /// The commands typed since the last call.
     pub fn take(&self) -> Vec<Command> {
         std::mem::take(&mut self.0.borrow_mut().commands)
+    }
+
+    /// Forgets which keys are down.
+    pub fn release_all(&self) {
+        self.0.borrow_mut().down.clear();
     }
 }
 
@@ -35,11 +40,58 @@ impl InputCallback for Keyboard {
 
     fn set_key_state(&mut self, key: Key, down: bool) {
         let mut typed = self.0.borrow_mut();
-        if matches!(key, Key::LeftCtrl | Key::RightCtrl) {
-            typed.ctrl = down;
-        } else if down {
-            let command = Command::of_key(key, typed.ctrl);
-            typed.commands.extend(command);
+        let was_down = typed.down.contains(&key);
+        typed.down.retain(|other| *other != key);
+        if !down {
+            return;
         }
+        typed.down.push(key);
+        let ctrl = typed.down.contains(&Key::LeftCtrl) || typed.down.contains(&Key::RightCtrl);
+        // A key that is held repeats itself; its command is obeyed once.
+        let command = Command::of_key(key, ctrl).filter(|_| !was_down);
+        typed.commands.extend(command);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_key_that_is_held_counts_once() {
+        let mut keyboard = Keyboard::default();
+        for (down, expected) in [(true, vec![Command::Save]), (true, vec![]), (false, vec![])] {
+            keyboard.set_key_state(Key::S, down);
+            assert_eq!(keyboard.take(), expected);
+        }
+        keyboard.set_key_state(Key::S, true);
+        assert_eq!(keyboard.take(), [Command::Save]);
+    }
+
+    #[test]
+    fn either_ctrl_key_counts_while_it_is_down() {
+        let mut keyboard = Keyboard::default();
+        let mut press = |down, keys: &[Key]| {
+            for key in keys {
+                keyboard.set_key_state(*key, down);
+            }
+            keyboard.take()
+        };
+        assert_eq!(press(true, &[Key::W]), []);
+        press(false, &[Key::W]);
+        press(true, &[Key::LeftCtrl, Key::RightCtrl]);
+        press(false, &[Key::LeftCtrl]);
+        assert_eq!(press(true, &[Key::W]), [Command::Close]);
+        press(false, &[Key::W, Key::RightCtrl]);
+        assert_eq!(press(true, &[Key::W]), []);
+    }
+
+    #[test]
+    fn a_key_whose_release_is_not_told_does_not_stay_down() {
+        let mut keyboard = Keyboard::default();
+        keyboard.set_key_state(Key::LeftCtrl, true);
+        keyboard.release_all();
+        keyboard.set_key_state(Key::I, true);
+        assert_eq!(keyboard.take(), [Command::Inspect]);
     }
 }

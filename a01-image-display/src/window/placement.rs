@@ -25,7 +25,7 @@ pub struct Placement {
     area: Area,
 }
 
-/// How far a picture can be enlarged.
+/// How far a picture can be enlarged beyond what fits.
 const GREATEST_FACTOR: u32 = 64;
 
 impl Placement {
@@ -80,7 +80,9 @@ impl Placement {
     /// Enlarged by the next whole factor, keeping in place what lies under the
     /// cursor, if that is over the picture.
     pub fn zoomed_in(&self, cursor: Option<(i32, i32)>) -> Zoom {
-        let factor = (self.scale.floor() as u32 + 1).min(GREATEST_FACTOR);
+        let factor = self.scale.floor() as u32;
+        // A picture of few pixels may fit enlarged by more than that.
+        let factor = (factor + 1).min(GREATEST_FACTOR.max(factor));
         self.zoomed(factor, cursor)
     }
 
@@ -186,6 +188,12 @@ mod tests {
         let zoom = placed(1280, 960, Zoom::Fit).zoomed_in(None);
         assert!(matches!(zoom, Zoom::Factor(1, _)), "{zoom:?}");
         assert_eq!(placed(1280, 960, zoom).zoomed_out(None), Zoom::Fit);
+    }
+
+    #[test]
+    fn zooming_in_never_shrinks() {
+        let zoom = placed(1, 1, Zoom::Fit).zoomed_in(None);
+        assert!(matches!(zoom, Zoom::Factor(480, _)), "{zoom:?}");
     }
 
     #[test]

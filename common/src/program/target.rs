@@ -78,10 +78,14 @@ impl Target {
 /// Makes `out/` where it is missing.
 pub fn make_default_folder() -> Result<&'static Path, Error> {
     let folder = Path::new(DEFAULT_FOLDER);
-    std::fs::create_dir_all(folder).map_err(|error| Error::Write {
-        path: folder.to_owned(),
-        reason: error.to_string(),
-    })?;
+    // What is there and no folder is named by whoever writes into it.
+    if !folder.exists() {
+        picture_file::check_writable(folder)?;
+        std::fs::create_dir_all(folder).map_err(|error| Error::Write {
+            path: folder.to_owned(),
+            reason: error.to_string(),
+        })?;
+    }
     Ok(folder)
 }
 
