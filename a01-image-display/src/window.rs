@@ -118,6 +118,7 @@ struct Look {
     rows: Option<u32>,
     elapsed: Option<u64>,
     has_notice: bool,
+    menu: Option<usize>,
     window: (usize, usize),
     cursor: Option<(i32, i32)>,
 }
@@ -234,10 +235,9 @@ impl Screen {
             rows: live.map(LivePicture::rows),
             elapsed: live.map(|live| live.elapsed().as_secs()),
             has_notice: self.notice().is_some(),
+            menu: self.menu.selected(),
             window: self.window.get_size(),
-            cursor: self
-                .cursor()
-                .filter(|_| self.inspects || self.menu.is_open()),
+            cursor: self.cursor().filter(|_| self.inspects),
         }
     }
 

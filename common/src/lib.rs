@@ -6,6 +6,8 @@
 
 pub mod argument;
 mod color;
+#[cfg(all(feature = "display", target_os = "linux"))]
+pub mod display;
 mod effort;
 mod error;
 pub mod experiment;

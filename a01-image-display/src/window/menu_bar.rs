@@ -61,9 +61,9 @@ impl MenuBar {
         self.can_open = can_open;
     }
 
-    /// Whether the menu is open.
-    pub const fn is_open(&self) -> bool {
-        self.selected.is_some()
+    /// The selected item, while the menu is open.
+    pub const fn selected(&self) -> Option<usize> {
+        self.selected
     }
 
     /// The items that there are for this scene.
@@ -119,7 +119,7 @@ impl MenuBar {
 
     /// Selects the item under the cursor.
     pub fn hover(&mut self, x: i32, y: i32) {
-        if self.is_open() {
+        if self.selected.is_some() {
             self.selected = self.item_at(x, y).or(self.selected);
         }
     }
@@ -141,7 +141,7 @@ impl MenuBar {
             ..Self::title()
         };
         frame.fill(bar, BAR);
-        if self.is_open() {
+        if self.selected.is_some() {
             frame.fill(Self::title(), SELECTED);
         }
         frame.text(LETTER, 5, TEXT, "File");
@@ -167,10 +167,10 @@ mod tests {
     fn the_menu_works_by_keyboard() {
         let mut menu = MenuBar::default();
         assert_eq!(menu.handle(Command::Menu), None);
-        assert!(menu.is_open());
+        assert!(menu.selected().is_some());
         assert_eq!(menu.handle(Command::Down), None);
         assert_eq!(menu.handle(Command::Choose), Some(Command::Close));
-        assert!(!menu.is_open());
+        assert_eq!(menu.selected(), None);
 
         menu.handle(Command::Menu);
         menu.handle(Command::Up);
@@ -183,12 +183,12 @@ mod tests {
         let mut menu = MenuBar::default();
         assert_eq!(menu.click(10, 30), None, "closed, there is no item");
         assert_eq!(menu.click(10, 5), None);
-        assert!(menu.is_open());
+        assert!(menu.selected().is_some());
         assert_eq!(menu.click(10, LINE + 5), Some(Command::Save));
-        assert!(!menu.is_open());
+        assert_eq!(menu.selected(), None);
         menu.click(10, 5);
         assert_eq!(menu.click(500, 300), None, "beside the menu");
-        assert!(!menu.is_open());
+        assert_eq!(menu.selected(), None);
     }
 
     #[test]
