@@ -15,6 +15,8 @@ pub enum Command {
     ZoomOut,
     ZoomReset,
     Help,
+    /// Closes the menu if that is open, else the window.
+    Escape,
     /// Opens or closes the menu.
     Menu,
     /// In the open menu.
@@ -32,7 +34,8 @@ impl Command {
         Some(match (key, ctrl) {
             (Key::S, _) => Self::Save,
             (Key::O, true) => Self::Open,
-            (Key::W, true) | (Key::Escape, _) => Self::Close,
+            (Key::W, true) => Self::Close,
+            (Key::Escape, _) => Self::Escape,
             (Key::Left, false) => Self::Previous,
             (Key::Right, false) => Self::Next,
             (Key::I, false) => Self::Inspect,

@@ -96,7 +96,8 @@ impl MenuBar {
         let count = items.len();
         match (command, self.selected) {
             (Command::Menu, None) => self.selected = Some(0),
-            (Command::Menu | Command::Close, Some(_)) => self.selected = None,
+            (Command::Menu | Command::Escape, Some(_)) => self.selected = None,
+            (Command::Escape, None) => return Some(Command::Close),
             (Command::Down, Some(item)) => self.selected = Some((item + 1) % count),
             (Command::Up, Some(item)) => self.selected = Some((item + count - 1) % count),
             (Command::Choose, Some(item)) => {
@@ -195,8 +196,10 @@ mod tests {
     fn escape_closes_the_menu_before_the_window() {
         let mut menu = MenuBar::default();
         menu.handle(Command::Menu);
-        assert_eq!(menu.handle(Command::Close), None);
-        assert_eq!(menu.handle(Command::Close), Some(Command::Close));
+        assert_eq!(menu.handle(Command::Escape), None);
+        assert_eq!(menu.handle(Command::Escape), Some(Command::Close));
+        menu.handle(Command::Menu);
+        assert_eq!(menu.handle(Command::Close), Some(Command::Close), "Ctrl+W");
     }
 
     #[test]

@@ -34,7 +34,7 @@ fn escape_and_ctrl_w_close() {
         return;
     };
     let folder = folder();
-    for key in ["Escape", "ctrl+w"] {
+    for key in ["Escape", "ctrl+w", "F10 ctrl+w"] {
         let window = display.start(&mut program(folder.path(), ""));
         // Without Ctrl, W is nobody's key.
         window.press("w");
