@@ -1,0 +1,313 @@
+//! `Screen`: the open window, what it shows, and how it obeys.
+
+use std::thread::Scope;
+use std::time::{Duration, Instant};
+
+use common::{Error, Gallery, Image, LivePicture, NotShown, Rendering, Size};
+use minifb::{Menu, MouseButton, MouseMode, ScaleMode, WindowOptions};
+
+use super::command::Command;
+use super::frame::Frame;
+use super::keyboard::Keyboard;
+use super::menu_bar::{ITEMS, LINE, MenuBar, PLATFORM_HAS_MENU};
+use super::placement::Zoom;
+use super::{NO_FILE, choose_file};
+
+/// Width and height that fit on nearly every screen: none is told to us.
+const LARGEST: (f64, f64) = (1280.0, 720.0);
+/// Width and height that leave room for the menu and something to grasp.
+const SMALLEST: (f64, f64) = (240.0, 120.0);
+
+/// Looks a second at keys and mouse. A click that begins and ends between two
+/// of them is lost.
+const UPDATES: usize = 250;
+/// The window is not drawn again before this time is over.
+const FRAME: Duration = Duration::from_millis(16);
+/// After this time the window is sent to the screen although nothing has
+/// changed: another window may have covered it.
+const REFRESH: Duration = Duration::from_millis(250);
+/// How long a notice stays.
+const NOTICE: Duration = Duration::from_secs(6);
+
+/// The open window and what it shows.
+pub struct Screen {
+    pub(super) window: minifb::Window,
+    keyboard: Keyboard,
+    is_active: bool,
+    mouse: Mouse,
+    pub(super) menu: MenuBar,
+    pub(super) frame: Frame,
+    pub(super) title: String,
+    pub(super) size: Size,
+    /// The finished picture as it is shown.
+    pub(super) pixels: Vec<u32>,
+    /// The finished picture as it is saved, or why there is none; nothing yet
+    /// while it is rendered.
+    pub(super) outcome: Option<Result<Image, String>>,
+    pub(super) zoom: Zoom,
+    pub(super) inspects: bool,
+    pub(super) helps: bool,
+    notice: Option<(String, Instant)>,
+}
+
+/// The mouse at the last look.
+#[derive(Default)]
+struct Mouse {
+    is_down: bool,
+    cursor: Option<(i32, i32)>,
+}
+
+/// What decides whether the window must be drawn again.
+#[derive(PartialEq)]
+struct Look {
+    rows: Option<u32>,
+    elapsed: Option<u64>,
+    has_notice: bool,
+    menu: Option<usize>,
+    window: (usize, usize),
+    cursor: Option<(i32, i32)>,
+}
+
+impl Screen {
+    pub fn open(gallery: &Gallery, size: Size) -> Result<Self, NotShown> {
+        let options = WindowOptions {
+            resize: true,
+            scale_mode: ScaleMode::UpperLeft,
+            ..WindowOptions::default()
+        };
+        let title = gallery.title();
+        let (width, height) = window_size(size);
+        let mut window = minifb::Window::new(&title, width, height, options).map_err(explain)?;
+        window.set_target_fps(UPDATES);
+        let keyboard = Keyboard::default();
+        window.set_input_callback(Box::new(keyboard.clone()));
+        let mut menu = MenuBar::default();
+        menu.set_can_open(gallery.opens_files());
+        if PLATFORM_HAS_MENU {
+            add_platform_menu(&mut window);
+        }
+        Ok(Self {
+            window,
+            keyboard,
+            menu,
+            frame: Frame::default(),
+            title,
+            is_active: false,
+            mouse: Mouse::default(),
+            size,
+            pixels: Vec::new(),
+            outcome: None,
+            zoom: Zoom::Fit,
+            inspects: false,
+            helps: false,
+            notice: None,
+        })
+    }
+
+    /// Shows, and obeys, until the window is closed.
+    pub fn run<'scope, 'a: 'scope>(
+        &mut self,
+        scope: &'scope Scope<'scope, '_>,
+        gallery: &mut Gallery<'a>,
+        mut rendering: Option<Rendering<'scope>>,
+    ) -> Result<(), NotShown> {
+        let (mut drawn, mut drawn_at) = (None, Instant::now());
+        while self.window.is_open() {
+            if rendering.as_ref().is_some_and(Rendering::is_over) {
+                if let Some(outcome) = rendering.take().map(Rendering::join) {
+                    self.finish(gallery, outcome);
+                }
+                drawn = None;
+            }
+            for command in self.commands() {
+                drawn = None;
+                match self.obey(command, gallery) {
+                    After::Nothing => {}
+                    After::Close => return Ok(()),
+                    After::Render => {
+                        // The old rendering, if there is one, stops.
+                        rendering = None;
+                        match gallery.render(scope) {
+                            Ok(new) => rendering = Some(new),
+                            Err(error) => self.finish(gallery, Err(error)),
+                        }
+                    }
+                }
+            }
+            let live = rendering.as_ref().map(Rendering::picture);
+            let look = self.look(live);
+            let is_drawn = drawn.as_ref() == Some(&look);
+            if drawn_at.elapsed() < if is_drawn { REFRESH } else { FRAME } {
+                self.window.update();
+                continue;
+            }
+            let (width, height) = look.window;
+            if !is_drawn {
+                self.draw(live, look.cursor);
+                drawn = Some(look);
+            }
+            self.window
+                .update_with_buffer(self.frame.pixels(), width, height)
+                .map_err(explain)?;
+            drawn_at = Instant::now();
+        }
+        Ok(())
+    }
+
+    /// Shows a finished picture, or why there is none.
+    pub fn finish(&mut self, gallery: &Gallery, outcome: Result<Image, Error>) {
+        self.pixels.clear();
+        if let Ok(image) = &outcome {
+            let transfer = gallery.transfer();
+            let bad = image.count_non_finite();
+            if bad > 0 {
+                self.notify(format!("warning: {bad} pixels are no finite numbers"));
+            }
+            self.size = image.size();
+            self.pixels
+                .extend(image.pixels().iter().map(|color| transfer.pack(*color)));
+        }
+        self.outcome = Some(outcome.map_err(|error| format!("error: {error}")));
+    }
+
+    pub fn notify(&mut self, notice: String) {
+        self.notice = Some((notice, Instant::now()));
+    }
+
+    pub fn notice(&self) -> Option<&str> {
+        let (notice, since) = self.notice.as_ref()?;
+        (since.elapsed() <= NOTICE).then_some(notice)
+    }
+
+    fn look(&self, live: Option<&LivePicture>) -> Look {
+        Look {
+            rows: live.map(LivePicture::rows),
+            elapsed: live.map(|live| live.elapsed().as_secs()),
+            has_notice: self.notice().is_some(),
+            menu: self.menu.selected(),
+            window: self.window.get_size(),
+            cursor: self.cursor().filter(|_| self.inspects),
+        }
+    }
+
+    fn cursor(&self) -> Option<(i32, i32)> {
+        let cursor = self.window.get_mouse_pos(MouseMode::Discard);
+        cursor.map(|(x, y)| (x as i32, y as i32))
+    }
+
+    /// What has been typed, chosen and clicked.
+    fn commands(&mut self) -> Vec<Command> {
+        // What is released while another window has the keyboard is not told.
+        if self.window.is_active() != self.is_active {
+            self.is_active = !self.is_active;
+            self.keyboard.release_all();
+        }
+        let mut commands = Vec::new();
+        for typed in self.keyboard.take() {
+            commands.extend(self.menu.handle(typed));
+        }
+        let chosen = self.window.is_menu_pressed().and_then(|id| ITEMS.get(id));
+        commands.extend(chosen.map(|item| item.command));
+
+        let mouse = Mouse {
+            is_down: self.window.get_mouse_down(MouseButton::Left),
+            cursor: self.cursor(),
+        };
+        if let Some((x, y)) = mouse.cursor.filter(|_| !PLATFORM_HAS_MENU) {
+            // A mouse that rests leaves the menu to the keys.
+            if mouse.cursor != self.mouse.cursor {
+                self.menu.hover(x, y);
+            }
+            if mouse.is_down && !self.mouse.is_down {
+                commands.extend(self.menu.click(x, y));
+            }
+        }
+        self.mouse = mouse;
+        commands
+    }
+
+    fn obey(&mut self, command: Command, gallery: &mut Gallery) -> After {
+        match command {
+            Command::Close => return After::Close,
+            Command::Save => self.save(gallery),
+            Command::Open if gallery.opens_files() => match choose_file() {
+                Some(file) => {
+                    gallery.open(file);
+                    return self.change_to(gallery);
+                }
+                None => self.notify(NO_FILE.to_owned()),
+            },
+            Command::Next => {
+                gallery.go_to_next();
+                return self.change_to(gallery);
+            }
+            Command::Previous => {
+                gallery.go_to_previous();
+                return self.change_to(gallery);
+            }
+            Command::Inspect => self.inspects = !self.inspects,
+            Command::Help => self.helps = !self.helps,
+            Command::ZoomIn => self.zoom = self.placement().zoomed_in(self.cursor()),
+            Command::ZoomOut => self.zoom = self.placement().zoomed_out(self.cursor()),
+            Command::ZoomReset => self.zoom = Zoom::Fit,
+            // The menu has handled the rest.
+            _ => {}
+        }
+        After::Nothing
+    }
+
+    fn change_to(&mut self, gallery: &Gallery) -> After {
+        self.title = gallery.title();
+        self.window.set_title(&self.title);
+        self.menu.set_can_open(gallery.opens_files());
+        self.zoom = Zoom::Fit;
+        self.notice = None;
+        self.outcome = None;
+        After::Render
+    }
+
+    fn save(&mut self, gallery: &Gallery) {
+        let notice = match &self.outcome {
+            None => "the picture is not finished yet".to_owned(),
+            Some(Err(_)) => "there is no picture to save".to_owned(),
+            Some(Ok(image)) => match gallery.save(image) {
+                Ok(path) => format!("saved {}", path.display()),
+                Err(error) => format!("error: {error}"),
+            },
+        };
+        self.notify(notice);
+    }
+}
+
+/// What a command leaves to be done.
+enum After {
+    Nothing,
+    Render,
+    Close,
+}
+
+fn add_platform_menu(window: &mut minifb::Window) {
+    if let Ok(mut file) = Menu::new("File") {
+        for (id, item) in ITEMS.into_iter().enumerate() {
+            file.add_item(item.label, id).build();
+        }
+        window.add_menu(&file);
+    }
+}
+
+/// The picture's width and height and the menu bar, shrunk where a side is too
+/// long for the screen; never smaller than what a person can handle.
+fn window_size(picture: Size) -> (usize, usize) {
+    let (width, height) = (f64::from(picture.width()), f64::from(picture.height()));
+    let fit = (LARGEST.0 / width).min(LARGEST.1 / height).min(1.0);
+    let side = |side: f64, smallest: f64| (side * fit).round().max(smallest) as usize;
+    let bar = if PLATFORM_HAS_MENU { 0 } else { LINE as usize };
+    (side(width, SMALLEST.0), side(height, SMALLEST.1) + bar)
+}
+
+fn explain(error: minifb::Error) -> NotShown {
+    NotShown::NoWindow(match error {
+        minifb::Error::WindowCreate(reason) => format!("no display to open it on ({reason})"),
+        error => format!("the display refused the picture ({error})"),
+    })
+}
