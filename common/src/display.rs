@@ -96,9 +96,12 @@ impl Display {
     /// If no window comes.
     pub fn start(&self, program: &mut Command) -> Shown<'_> {
         let child = program
-            .env_clear()
+            .env_remove("WAYLAND_DISPLAY")
+            .env_remove("WAYLAND_SOCKET")
+            .env_remove("XDG_RUNTIME_DIR")
             .env("DISPLAY", &self.name)
             .env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/dev/null")
+            .env("PATH", "")
             .env("TMPDIR", self.folder.path())
             // A group of its own shows what it leaves behind.
             .process_group(0)
