@@ -13,7 +13,8 @@ use super::menu_bar::{ITEMS, LINE, MenuBar, PLATFORM_HAS_MENU};
 use super::placement::Zoom;
 use super::{NO_FILE, choose_file};
 
-/// Width and height that fit on nearly every screen: none is told to us.
+/// Width and height that fit on nearly every screen; how large this one is, is
+/// not told.
 const LARGEST: (f64, f64) = (1280.0, 720.0);
 /// Width and height that leave room for the menu and something to grasp.
 const SMALLEST: (f64, f64) = (240.0, 120.0);

@@ -105,6 +105,7 @@ fn plus_minus_and_0_zoom() {
     wait_for_picture(&window, "painter");
     // Outside of the window, so that its middle is what stays.
     window.point_at(700, 550);
+    window.settle();
     let around_the_middle = |factor: u32| {
         let at = |side: u32, at: u32| side / 2 * (factor - 1) + at;
         Picture::from_fn(640, 480, |x, y| {
@@ -188,6 +189,7 @@ fn ctrl_does_not_stay_down_when_it_is_released_elsewhere() {
     wait_for_picture(&window, "painter");
     window.act("keydown ctrl");
     window.hide();
+    window.settle();
     window.act("keyup ctrl");
     window.unhide();
     window.press("h");

@@ -22,7 +22,8 @@ fn wait_for_menu(window: &Shown, selected: u32) {
 /// which is slower than a display that nobody sees.
 fn click(window: &Shown, x: u32, y: u32, what: &str, effect: impl Fn(&Picture) -> bool) {
     window.point_at(x, y);
-    window.act("sleep 0.05 mousedown 1");
+    window.settle();
+    window.act("mousedown 1");
     window.wait_to_show(what, effect);
     window.act("mouseup 1");
 }
@@ -100,7 +101,8 @@ fn the_mouse_saves_and_closes() {
 
     click(&window, 20, 9, "the menu", is_open);
     window.point_at(60, line(2));
-    window.act("sleep 0.05 mousedown 1");
+    window.settle();
+    window.act("mousedown 1");
     assert_eq!(window.wait_for_end(), (Some(0), String::new()));
 }
 
@@ -113,6 +115,7 @@ fn the_mouse_selects_when_it_moves_and_leaves_the_keys_alone_when_it_rests() {
     let window = display.start(&mut program(folder.path(), "show painter"));
     let line = |line: u32| line * Picture::LINE + Picture::LINE / 2;
     window.point_at(60, line(2));
+    window.settle();
     window.press("F10");
     wait_for_menu(&window, 0);
     window.press("Down Down");

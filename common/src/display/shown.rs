@@ -115,6 +115,19 @@ impl<'a> Shown<'a> {
         self.display.xdotool(&format!("mousemove {x} {y}"));
     }
 
+    /// Waits until the program must have noticed what does not show: where
+    /// the mouse is, and who has the keyboard.
+    ///
+    /// Its first thread sleeps at least once in each turn of its loop, and at
+    /// most a dozen times, while a picture goes to the display.
+    pub fn settle(&self) {
+        let sleeps = || self.status("voluntary_ctxt_switches:");
+        let start = sleeps();
+        wait_for("the program's attention", || {
+            (sleeps() > start + 40).then_some(())
+        });
+    }
+
     /// Gives the window another size, at the screen's upper left corner.
     pub fn resize(&mut self, width: u32, height: u32) {
         let window = self.window.clone();
@@ -139,8 +152,13 @@ impl<'a> Shown<'a> {
     /// If the program has ended.
     #[must_use]
     pub fn memory(&self) -> u64 {
+        self.status("VmRSS:")
+    }
+
+    /// A figure of the program's status, or of its first thread's.
+    fn status(&self, name: &str) -> u64 {
         let status = self.told("status");
-        let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"));
+        let line = status.lines().find_map(|line| line.strip_prefix(name));
         let figure = line.and_then(|line| line.split_whitespace().next());
         figure.and_then(|f| f.parse().ok()).expect("a figure")
     }
