@@ -199,10 +199,11 @@ impl Screen {
     /// What has been typed, chosen and clicked.
     fn commands(&mut self) -> Vec<Command> {
         // What is released while another window has the keyboard is not told.
-        if self.window.is_active() != self.is_active {
-            self.is_active = !self.is_active;
+        let is_active = self.window.is_active();
+        if self.is_active && !is_active {
             self.keyboard.release_all();
         }
+        self.is_active = is_active;
         let mut commands = Vec::new();
         for typed in self.keyboard.take() {
             commands.extend(self.menu.handle(typed));

@@ -169,6 +169,7 @@ fn a_key_that_is_held_does_once_what_it_does() {
     };
     let folder = folder();
     let window = display.start(&mut program(folder.path(), "show painter"));
+    wait_for_picture(&window, "painter");
     window.act("keydown h");
     wait_for_notice(&window, HELP);
     // Keys begin to repeat after half a second or so.

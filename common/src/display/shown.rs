@@ -32,6 +32,7 @@ impl<'a> Shown<'a> {
         });
         shown.measure();
         shown.focus();
+        shown.settle();
         shown
     }
 
