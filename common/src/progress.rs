@@ -30,18 +30,24 @@ impl TerminalProgress {
     /// A bar for a picture of this size, under the name of its scene.
     #[must_use]
     pub fn new(scene: &'static str, size: Size) -> Self {
-        // indicatif hides a bar whose target is no terminal.
-        let target = ProgressDrawTarget::stderr_with_hz(10);
-        let bar = ProgressBar::with_draw_target(Some(size.height().into()), target);
-        let template =
-            "{msg} [{bar:30}] {percent}%  {elapsed_precise} elapsed, {eta_precise} to go";
-        if let Ok(style) = ProgressStyle::with_template(template) {
-            bar.set_style(style.progress_chars("=> "));
-        }
-        bar.set_message(scene);
+        let bar = terminal_bar(scene, size.height().into());
         bar.enable_steady_tick(Duration::from_millis(200));
         Self(bar)
     }
+}
+
+/// A bar on stderr that moves when it is told to, so that nothing else runs
+/// while times are measured.
+pub(crate) fn terminal_bar(name: &str, steps: u64) -> ProgressBar {
+    // indicatif hides a bar whose target is no terminal.
+    let target = ProgressDrawTarget::stderr_with_hz(10);
+    let bar = ProgressBar::with_draw_target(Some(steps), target);
+    let template = "{msg} [{bar:30}] {percent}%  {elapsed_precise} elapsed, {eta_precise} to go";
+    if let Ok(style) = ProgressStyle::with_template(template) {
+        bar.set_style(style.progress_chars("=> "));
+    }
+    bar.set_message(name.to_owned());
+    bar
 }
 
 impl Progress for TerminalProgress {

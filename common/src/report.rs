@@ -5,9 +5,8 @@ use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-
 use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, pareto_front};
+use crate::progress::terminal_bar;
 use crate::{Effort, Error, plot};
 
 /// An experiment with its times: the least of several rounds, in seconds, by
@@ -26,7 +25,7 @@ impl<'e, 'a> Measured<'e, 'a> {
         let mut curves = (experiment.curves)(effort);
         let rounds = effort.choose(3, 15);
         let points = |curves: &[Curve]| curves.iter().map(|c| c.points.len()).sum::<usize>();
-        let bar = progress_bar(experiment.name, rounds * points(&curves));
+        let bar = terminal_bar(experiment.name, (rounds * points(&curves)) as u64);
         let unknown = |curve: &Curve| vec![f64::INFINITY; curve.points.len()];
         let mut seconds: Vec<Vec<f64>> = curves.iter().map(unknown).collect();
         for _ in 0..rounds {
@@ -180,17 +179,6 @@ fn duration(seconds: f64) -> String {
         ..1.0 => format!("{:.1} ms", seconds * 1e3),
         _ => format!("{seconds:.2} s"),
     }
-}
-
-fn progress_bar(name: &str, steps: usize) -> ProgressBar {
-    let target = ProgressDrawTarget::stderr_with_hz(10);
-    let bar = ProgressBar::with_draw_target(Some(steps as u64), target);
-    let template = "{msg} [{bar:30}] {percent}%  {elapsed_precise} elapsed, {eta_precise} to go";
-    if let Ok(style) = ProgressStyle::with_template(template) {
-        bar.set_style(style.progress_chars("=> "));
-    }
-    bar.set_message(name.to_owned());
-    bar
 }
 
 #[cfg(test)]
