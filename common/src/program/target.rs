@@ -65,7 +65,6 @@ impl Target {
         image: &Image,
         transfer: Transfer,
     ) -> Result<PathBuf, Error> {
-        self.check(stage, scene)?;
         let path = self.path(stage, scene);
         if matches!(self, Self::Default) {
             make_default_folder()?;
