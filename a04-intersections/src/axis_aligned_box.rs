@@ -4,7 +4,7 @@ use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
 use common::ArgumentError;
 
-use crate::{Geometry, Hit, Interval};
+use crate::{Bounds, Geometry, Hit, Interval};
 
 /// A box between two opposite corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,6 +70,13 @@ impl Geometry for AxisAlignedBox {
             Some(Hit::new(far, axis_normal(far_axis, d[far_axis])))
         } else {
             None
+        }
+    }
+
+    fn bounds(&self) -> Bounds {
+        Bounds {
+            min: self.lbf,
+            max: self.run,
         }
     }
 }

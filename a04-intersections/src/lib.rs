@@ -5,6 +5,7 @@
 //! with a surface and finds the nearest.
 
 mod axis_aligned_box;
+mod bounds;
 mod exact;
 mod experiments;
 mod extremes;
@@ -15,11 +16,13 @@ mod plane;
 mod protocol;
 mod real;
 mod scenes;
+mod search;
 mod sphere;
 mod triangle;
 mod world;
 
 pub use axis_aligned_box::AxisAlignedBox;
+pub use bounds::Bounds;
 pub use geometry::Geometry;
 pub use hit::Hit;
 pub use interval::Interval;

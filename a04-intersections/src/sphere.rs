@@ -4,13 +4,13 @@ use a02_math::{Direction, Point3};
 use a03_rays_cameras::Ray;
 use common::{ArgumentError, argument};
 
-use crate::{Geometry, Hit, Interval};
+use crate::{Bounds, Geometry, Hit, Interval};
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    c: Point3,
-    r: f64,
+    pub(crate) c: Point3,
+    pub(crate) r: f64,
 }
 
 impl Sphere {
@@ -49,5 +49,9 @@ impl Geometry for Sphere {
         let t = [near, far].into_iter().find(|t| within.contains(*t))?;
         let normal = (f + d * t).normalized()?.as_normal();
         Some(Hit::new(t, normal))
+    }
+
+    fn bounds(&self) -> Bounds {
+        Bounds::around([self.c]).wider(self.r)
     }
 }

@@ -4,7 +4,7 @@ use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use common::{ArgumentError, argument};
 
-use crate::{Geometry, Hit, Interval};
+use crate::{Bounds, Geometry, Hit, Interval};
 
 /// A triangle. It has no thickness, and is seen from both sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,6 +48,10 @@ impl Triangle {
             self.face = -self.face;
         }
         Ok(self)
+    }
+
+    pub(crate) const fn corners(&self) -> &[Point3; 3] {
+        &self.corners
     }
 
     /// The normal at barycentric coordinates: `(1 - β - γ) nA + β nB + γ nC`,
@@ -129,4 +133,21 @@ impl Geometry for Triangle {
             face: self.face,
         })
     }
+
+    /// By rounding, a needle is also hit beyond its tip, as far as the tip is
+    /// sharp: nothing says where it ends.
+    fn bounds(&self) -> Bounds {
+        let [a, b, c] = self.corners;
+        let edges = [b - a, c - a, c - b].map(Vector3::magnitude);
+        let longest = edges.into_iter().fold(0.0, f64::max);
+        let doubled_area = (b - a).parallelogram_area(c - a);
+        if doubled_area > NEEDLE * longest * longest {
+            Bounds::around(self.corners)
+        } else {
+            Bounds::EVERYWHERE
+        }
+    }
 }
+
+/// Triangles that are narrower, in lengths of their longest edge, are needles.
+const NEEDLE: f64 = 1e-6;

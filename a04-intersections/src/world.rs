@@ -1,9 +1,12 @@
 //! `World`: everything that is to be seen.
 
+use std::sync::Arc;
+
 use a02_math::{Direction, Vector3};
 use a03_rays_cameras::Ray;
 use common::{ArgumentError, Color, argument};
 
+use crate::search::Search;
 use crate::{Geometry, Hit, Interval};
 
 /// A background, and a plain list of geometries, each with its surface.
@@ -13,7 +16,8 @@ use crate::{Geometry, Hit, Interval};
 #[derive(Debug)]
 pub struct World<S> {
     background: Color,
-    objects: Vec<(Box<dyn Geometry>, S)>,
+    objects: Vec<(Arc<dyn Geometry>, S)>,
+    search: Option<Search>,
 }
 
 impl<S> World<S> {
@@ -22,13 +26,25 @@ impl<S> World<S> {
         Ok(Self {
             background: argument::color("background", background)?,
             objects: Vec::new(),
+            search: None,
         })
     }
 
     /// This world and one more object.
     #[must_use]
     pub fn with(mut self, geometry: impl Geometry + 'static, surface: S) -> Self {
-        self.objects.push((Box::new(geometry), surface));
+        self.objects.push((Arc::new(geometry), surface));
+        self.search = None;
+        self
+    }
+
+    /// The same world, prepared for many rays: each asks only the objects that
+    /// it may meet. What it meets is the same, to the last bit.
+    #[must_use]
+    pub fn prepared(mut self) -> Self {
+        self.search = Some(Search::new(
+            self.objects.iter().map(|(geometry, _)| geometry),
+        ));
         self
     }
 
@@ -45,6 +61,10 @@ impl<S> World<S> {
     /// a shape looks right from inside, too.
     #[must_use]
     pub fn hit(&self, ray: &Ray, mut within: Interval) -> Option<(Hit, &S)> {
+        if let Some(search) = &self.search {
+            let (hit, object) = search.hit(ray, within)?;
+            return Some((facing(hit, ray.direction()), &self.objects[object].1));
+        }
         let mut nearest = None;
         for (geometry, surface) in &self.objects {
             if let Some(hit) = geometry.hit(ray, within) {
@@ -58,6 +78,9 @@ impl<S> World<S> {
     /// Whether anything at all is met within the interval.
     #[must_use]
     pub fn is_hit(&self, ray: &Ray, within: Interval) -> bool {
+        if let Some(search) = &self.search {
+            return search.is_hit(ray, within);
+        }
         let mut objects = self.objects.iter();
         objects.any(|(geometry, _)| geometry.hit(ray, within).is_some())
     }

@@ -45,6 +45,13 @@ impl<S, L> LitWorld<S, L> {
         self
     }
 
+    /// The same world, its objects prepared for many rays.
+    #[must_use]
+    pub fn prepared(mut self) -> Self {
+        self.world = self.world.prepared();
+        self
+    }
+
     /// The objects.
     #[must_use]
     pub const fn objects(&self) -> &World<S> {

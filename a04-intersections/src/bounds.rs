@@ -1,0 +1,87 @@
+//! `Bounds`: between which coordinates a shape lies.
+
+use a02_math::Point3;
+
+/// The smallest box along the axes that holds a shape, or all of space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// The least coordinates.
+    pub min: [f64; 3],
+    /// The greatest coordinates.
+    pub max: [f64; 3],
+}
+
+impl Bounds {
+    /// All of space: for shapes without end, and for whatever cannot say.
+    pub const EVERYWHERE: Self = Self {
+        min: [f64::NEG_INFINITY; 3],
+        max: [f64::INFINITY; 3],
+    };
+
+    /// Nothing: what the union with other bounds begins with.
+    pub(crate) const NOWHERE: Self = Self {
+        min: [f64::INFINITY; 3],
+        max: [f64::NEG_INFINITY; 3],
+    };
+
+    /// The bounds of a few points.
+    #[must_use]
+    pub fn around(points: impl IntoIterator<Item = Point3>) -> Self {
+        let points = points.into_iter().map(|p| p.to_glam().to_array());
+        points.fold(Self::NOWHERE, |bounds, p| {
+            bounds.union(Self { min: p, max: p })
+        })
+    }
+
+    /// The same bounds, moved outwards by `width` on all sides.
+    #[must_use]
+    pub fn wider(self, width: f64) -> Self {
+        Self {
+            min: self.min.map(|x| x - width),
+            max: self.max.map(|x| x + width),
+        }
+    }
+
+    /// The bounds of both.
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        Self {
+            min: std::array::from_fn(|axis| self.min[axis].min(other.min[axis])),
+            max: std::array::from_fn(|axis| self.max[axis].max(other.max[axis])),
+        }
+    }
+
+    /// Whether all bounds are numbers.
+    #[must_use]
+    pub fn are_finite(self) -> bool {
+        self.min.iter().chain(&self.max).all(|x| x.is_finite())
+    }
+
+    /// The eight corners.
+    #[must_use]
+    pub fn corners(self) -> [Point3; 8] {
+        std::array::from_fn(|corner| {
+            let pick = |axis: usize| {
+                let side = if corner >> axis & 1 == 0 {
+                    self.min
+                } else {
+                    self.max
+                };
+                side[axis]
+            };
+            Point3::new(pick(0), pick(1), pick(2))
+        })
+    }
+
+    /// The middle along each axis.
+    pub(crate) fn middle(self) -> [f64; 3] {
+        std::array::from_fn(|axis| self.min[axis].midpoint(self.max[axis]))
+    }
+
+    /// Half of what a box of these bounds has in surface: in proportion to how
+    /// many rays meet it. 0 of nothing.
+    pub(crate) fn half_area(self) -> f64 {
+        let [x, y, z] = std::array::from_fn(|axis| (self.max[axis] - self.min[axis]).max(0.0));
+        x * y + y * z + z * x
+    }
+}

@@ -1,0 +1,221 @@
+//! `Tree`: a bounding volume hierarchy, which finds the few shapes near a ray
+//! among very many.
+//!
+//! It only chooses whom to ask, so its bounds may be coarse, but must never be
+//! too small: they are single precision numbers, rounded outwards.
+
+use std::ops::ControlFlow;
+
+use a03_rays_cameras::Ray;
+use arrayvec::ArrayVec;
+use glam::DVec3;
+use wide::f32x4;
+
+use super::build;
+use crate::{Bounds, Interval};
+
+/// Children of a node, and shapes of a block.
+pub const WIDTH: usize = 4;
+/// Levels of a tree at most; see `build`.
+pub const LEVELS: usize = 32;
+
+/// A tree over blocks `B` of up to four shapes.
+#[derive(Debug)]
+pub struct Tree<B> {
+    /// The tree measures from its centre in units of half its extent, so that
+    /// every scene, tiny or huge, near or far, fills the range from -1 to 1.
+    centre: DVec3,
+    per_length: f64,
+    pub(super) nodes: Vec<Node>,
+    pub(super) blocks: Vec<B>,
+}
+
+/// The bounds of four children, axis by axis: the lower and the upper ones.
+#[derive(Debug)]
+pub struct Node {
+    planes: [[f32x4; 2]; 3],
+    children: [Child; WIDTH],
+}
+
+/// The index of a node, or with the highest bit set that of a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Child(u32);
+
+impl Child {
+    const BLOCK: u32 = 1 << 31;
+
+    pub const fn node(index: usize) -> Self {
+        Self(index as u32)
+    }
+
+    pub const fn block(index: usize) -> Self {
+        Self(index as u32 | Self::BLOCK)
+    }
+}
+
+/// So much wider, in the units of the tree and relative to the largest number
+/// in it, bounds hold every hit that a shape computes: the single precision
+/// of the slab test and of its ray moves a hit by less than a quarter of it, the
+/// double precision of the shapes by far less.
+const SLACK: f64 = 1.0 / 1_048_576.0;
+
+impl<B> Tree<B> {
+    /// The tree of shapes with finite bounds, each with a number by which
+    /// `block` gathers up to four of them.
+    pub fn new(shapes: Vec<(Bounds, u32)>, block: impl FnMut(&[u32]) -> B) -> Self {
+        let all = shapes
+            .iter()
+            .fold(Bounds::NOWHERE, |all, (b, _)| all.union(*b));
+        let extent = (0..3).map(|axis| all.max[axis] / 2.0 - all.min[axis] / 2.0);
+        let mut tree = Self {
+            centre: all.middle().into(),
+            per_length: 1.0 / extent.fold(f64::MIN_POSITIVE, f64::max),
+            nodes: Vec::new(),
+            blocks: Vec::new(),
+        };
+        build::grow(&mut tree, shapes, block);
+        tree
+    }
+
+    pub(super) fn node(&self, children: &[(Bounds, Child)]) -> Node {
+        let mut planes = [[[f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]]; 3];
+        for (lane, (bounds, _)) in children.iter().enumerate() {
+            for axis in 0..3 {
+                let own = |x: f64| ((x - self.centre[axis]) * self.per_length) as f32;
+                planes[axis][0][lane] = own(bounds.min[axis]).next_down();
+                planes[axis][1][lane] = own(bounds.max[axis]).next_up();
+            }
+        }
+        let child = |lane| {
+            children
+                .get(lane)
+                .map_or(Child::node(0), |(_, child)| *child)
+        };
+        Node {
+            planes: planes.map(|sides| sides.map(f32x4::new)),
+            children: std::array::from_fn(child),
+        }
+    }
+
+    /// Visits the blocks that the ray may meet within the interval, near ones
+    /// first, and all blocks if it can't tell. `visit` is told the `t` beyond
+    /// which nothing is wanted, and returns it anew or breaks off.
+    #[inline(always)]
+    pub fn search(
+        &self,
+        ray: &Ray,
+        within: Interval,
+        mut visit: impl FnMut(&B, f64) -> ControlFlow<(), f64>,
+    ) -> ControlFlow<(), f64> {
+        let mut max = within.max;
+        let Some(slabs) = self.slabs(ray, within) else {
+            return self
+                .blocks
+                .iter()
+                .try_fold(max, |max, block| visit(block, max));
+        };
+        let mut beyond = self.beyond(within.max);
+        let mut open = ArrayVec::<(f32, Child), { (WIDTH - 1) * LEVELS + 1 }>::new();
+        open.push((f32::NEG_INFINITY, Child::node(0)));
+        while let Some((near, child)) = open.pop() {
+            if near > beyond {
+                continue;
+            }
+            if child.0 & Child::BLOCK != 0 {
+                let block = &self.blocks[(child.0 & !Child::BLOCK) as usize];
+                max = visit(block, max)?;
+                beyond = self.beyond(max);
+                continue;
+            }
+            let node = &self.nodes[child.0 as usize];
+            let (near, mut met) = slabs.enter(&node.planes, beyond);
+            let first = open.len();
+            while met != 0 {
+                let lane = met.trailing_zeros() as usize;
+                met &= met - 1;
+                // The farther wait longer.
+                let entry = (near[lane], node.children[lane]);
+                let waiting = &open[first..];
+                let place = waiting.iter().position(|(far, _)| *far < entry.0);
+                open.insert(first + place.unwrap_or(waiting.len()), entry);
+            }
+        }
+        ControlFlow::Continue(max)
+    }
+
+    /// A `t` in the units of the tree, rounded up.
+    fn beyond(&self, t: f64) -> f32 {
+        (t * self.per_length * (1.0 + SLACK)) as f32
+    }
+
+    /// The ray in the units of the tree. None if those can't hold it: if it
+    /// starts too far away, or if its direction is far from length 1.
+    #[inline]
+    fn slabs(&self, ray: &Ray, within: Interval) -> Option<Slabs> {
+        let (o, d) = (ray.origin().to_glam(), ray.direction().to_glam());
+        let o = (o - self.centre) * self.per_length;
+        let largest = o.abs().max_element().max(1.0);
+        if largest > 1e30 || !(0.5..2.0).contains(&d.length_squared()) || within.min < 0.0 {
+            return None;
+        }
+        let slack = 2.0 * largest * SLACK;
+        Some(Slabs {
+            x: Slab::new(o.x, d.x, slack),
+            y: Slab::new(o.y, d.y, slack),
+            z: Slab::new(o.z, d.z, slack),
+            from: f32x4::splat((within.min * self.per_length * (1.0 - SLACK)) as f32),
+        })
+    }
+}
+
+/// A ray as the slab test wants it.
+struct Slabs {
+    x: Slab,
+    y: Slab,
+    z: Slab,
+    from: f32x4,
+}
+
+/// What the slab test needs of a ray along one axis.
+struct Slab {
+    /// Which of the two planes of a slab the ray meets first.
+    side: usize,
+    near: f32x4,
+    far: f32x4,
+    inverse: f32x4,
+}
+
+impl Slab {
+    #[inline]
+    fn new(o: f64, d: f64, slack: f64) -> Self {
+        let slack = slack.copysign(d);
+        // Where the ray does not move along an axis, it stays almost for ever
+        // in what it is in, and comes almost never to what it is not in.
+        let inverse = (1.0 / d).clamp(-1e30, 1e30);
+        Self {
+            side: usize::from(d < 0.0),
+            near: f32x4::splat((o + slack) as f32),
+            far: f32x4::splat((o - slack) as f32),
+            inverse: f32x4::splat(inverse as f32),
+        }
+    }
+
+    /// Where the ray enters four slabs, and where it leaves them.
+    #[inline]
+    fn enter(&self, planes: &[f32x4; 2]) -> (f32x4, f32x4) {
+        let near = (planes[self.side] - self.near) * self.inverse;
+        let far = (planes[self.side ^ 1] - self.far) * self.inverse;
+        (near, far)
+    }
+}
+
+impl Slabs {
+    /// Where the ray enters the four children, and a bit for each it meets.
+    #[inline]
+    fn enter(&self, [x, y, z]: &[[f32x4; 2]; 3], beyond: f32) -> ([f32; WIDTH], u32) {
+        let ((nx, fx), (ny, fy), (nz, fz)) = (self.x.enter(x), self.y.enter(y), self.z.enter(z));
+        let near = nx.fast_max(ny).fast_max(nz.fast_max(self.from));
+        let far = fx.fast_min(fy).fast_min(fz.fast_min(f32x4::splat(beyond)));
+        (near.to_array(), near.simd_le(far).to_bitmask())
+    }
+}
