@@ -1,0 +1,163 @@
+//! Our tracer beside the ray tracers that a student could install.
+//!
+//! ```console
+//! $ apt-get install povray tachyon
+//! $ cargo bench -p a07-transforms --bench peers                   all scenes
+//! $ cargo bench -p a07-transforms --bench peers -- s1 s3 --quick  two of them, one round
+//! ```
+//!
+//! Where a program is missing, its columns stay empty. `--help` lists what can
+//! be changed. Scenes, pictures and logs stay in `target/tmp/peers/`.
+//!
+//! | scene | what is in it |
+//! |---|---|
+//! | s1 | nine spheres on a plane, all mirroring half, eight deep |
+//! | s2 | the course's four objects, matt, under a far light |
+//! | s3 | 1,000 shiny spheres |
+//! | s4 | a torus of 20,000 smooth triangles |
+//! | s5 | 100,000 small shiny spheres |
+//!
+//! All three programs take one sample in the middle of each pixel, and cast a
+//! shadow ray wherever the one light may shine: Tachyon has no light without
+//! shadows. What one of them cannot express occurs in no scene: backgrounds
+//! other than black, coloured highlights and coloured mirrors.
+//!
+//! The programs take turns, and of all rounds the shortest time counts. Times
+//! are the ones that each program prints about itself: tracing without reading
+//! the scene and writing the file, and building what makes tracing fast.
+//! (POV-Ray builds that of a mesh while it reads, so there it counts nowhere.)
+//! Memory is the peak of the whole process, seen from outside. Ratios say how
+//! many times as long, or as much, the other program takes: above 1 ours is
+//! better. The last columns say which share of pixels differs from ours by more
+//! than 8 of 255, and the mean difference, so that nobody compares different
+//! work.
+
+#[path = "peers/child.rs"]
+mod child;
+#[path = "peers/description.rs"]
+mod description;
+#[path = "peers/difference.rs"]
+mod difference;
+#[path = "peers/measurement.rs"]
+mod measurement;
+#[path = "peers/ours.rs"]
+mod ours;
+#[path = "peers/povray.rs"]
+mod povray;
+#[path = "peers/scenes.rs"]
+mod scenes;
+#[path = "peers/tachyon.rs"]
+mod tachyon;
+#[path = "peers/tracer.rs"]
+mod tracer;
+
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use clap::Parser;
+use common::Size;
+
+use crate::description::Description;
+use crate::measurement::{HEADER, measure, row};
+use crate::ours::Ours;
+use crate::povray::PovRay;
+use crate::tachyon::Tachyon;
+use crate::tracer::{Job, Tracer};
+
+/// Compares our tracer with POV-Ray and Tachyon.
+#[derive(Parser)]
+struct Options {
+    /// The scenes to render; all if none is named.
+    scenes: Vec<String>,
+    /// How often each program renders each scene; the shortest time counts.
+    #[arg(long, default_value_t = 3)]
+    rounds: u32,
+    /// One round only.
+    #[arg(long)]
+    quick: bool,
+    /// Numbers of threads, each for itself.
+    #[arg(long, value_delimiter = ',', default_value = "1,2")]
+    threads: Vec<usize>,
+    /// Width and height of the pictures.
+    #[arg(long, default_value = "1280x960")]
+    size: Size,
+    /// Seconds after which a rendering is given up.
+    #[arg(long, default_value_t = 120)]
+    limit: u64,
+    /// Render one scene with our tracer: what the benchmark asks of itself.
+    #[arg(long, hide = true, requires = "output")]
+    render: Option<String>,
+    /// The picture file of `--render`.
+    #[arg(short, hide = true)]
+    output: Option<PathBuf>,
+    /// Given by `cargo bench`, but not by `cargo test`, which is to render nothing.
+    #[arg(long, hide = true)]
+    bench: bool,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let options = Options::parse();
+    if let (Some(scene), Some(path)) = (&options.render, &options.output) {
+        let threads = options.threads.first().copied().unwrap_or(1);
+        let description = &named(std::slice::from_ref(scene))?[0];
+        return ours::render_to(description, options.size, threads, path);
+    }
+    if options.bench {
+        compare(&options)?;
+    }
+    Ok(())
+}
+
+/// The descriptions of these names; all if there are none.
+fn named(names: &[String]) -> Result<Vec<Description>, Box<dyn Error>> {
+    let mut all = scenes::all();
+    if let Some(unknown) = names
+        .iter()
+        .find(|name| all.iter().all(|s| s.name != **name))
+    {
+        let known: Vec<_> = all.iter().map(|scene| scene.name).collect();
+        return Err(format!(
+            "there is no scene \"{unknown}\"; there are {}",
+            known.join(", ")
+        )
+        .into());
+    }
+    all.retain(|scene| names.is_empty() || names.iter().any(|name| name == scene.name));
+    Ok(all)
+}
+
+/// Prints a row for each scene and number of threads.
+fn compare(options: &Options) -> Result<(), Box<dyn Error>> {
+    let tracers: [&dyn Tracer; 3] = [&Ours, &PovRay, &Tachyon];
+    for missing in tracers.iter().filter(|tracer| !tracer.installed()) {
+        eprintln!(
+            "{} is not installed: its columns stay empty",
+            missing.name()
+        );
+    }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("peers");
+    fs::create_dir_all(&folder)?;
+    let rounds = if options.quick {
+        1
+    } else {
+        options.rounds.max(1)
+    };
+    let limit = Duration::from_secs(options.limit);
+
+    println!("{HEADER}");
+    for description in &named(&options.scenes)? {
+        for &threads in &options.threads {
+            let job = Job {
+                description,
+                folder: &folder,
+                size: options.size,
+                threads,
+            };
+            let measured = measure(tracers, &job, rounds, limit)?;
+            println!("{}", row(tracers, &job, &measured));
+        }
+    }
+    Ok(())
+}

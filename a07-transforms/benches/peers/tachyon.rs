@@ -1,0 +1,152 @@
+//! Tachyon 0.99: the scene in its language, and its command line.
+
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::process::Command;
+
+use crate::description::{Camera, Light, Material, Object, Shape, Triple};
+use crate::tracer::{Job, Times, Tracer, is_installed, seconds};
+
+pub struct Tachyon;
+
+impl Tracer for Tachyon {
+    fn name(&self) -> &'static str {
+        "Tachyon"
+    }
+
+    fn installed(&self) -> bool {
+        is_installed("tachyon")
+    }
+
+    fn write_scene(&self, job: &Job) -> io::Result<()> {
+        let scene = job.description;
+        let [width, height] = [job.size.width(), job.size.height()];
+        let mut out = BufWriter::new(File::create(job.file(self, "dat"))?);
+        writeln!(out, "BEGIN_SCENE\nRESOLUTION {width} {height}")?;
+        camera(
+            &mut out,
+            &scene.camera,
+            [width, height].map(f64::from),
+            scene.depth,
+        )?;
+        writeln!(out, "BACKGROUND 0 0 0")?;
+        light(&mut out, &scene.light)?;
+        for (i, material) in scene.materials.iter().enumerate() {
+            texture(&mut out, i, material, scene.ambient)?;
+        }
+        for object in (scene.objects)() {
+            shape(&mut out, &object)?;
+        }
+        writeln!(out, "END_SCENE")?;
+        out.flush()
+    }
+
+    fn command(&self, job: &Job) -> Command {
+        let mut command = Command::new("tachyon");
+        command
+            .arg(job.file(self, "dat"))
+            .arg("-o")
+            .arg(job.file(self, "png"));
+        // Of its three highlights this one is Phong's own.
+        command.args(["-format", "PNG", "-fullshade", "-shade_phong", "+V"]);
+        command.args(["-numthreads", &job.threads.to_string()]);
+        command
+    }
+
+    fn times(&self, log: &str) -> Option<Times> {
+        Some(Times {
+            build: seconds(log, "Preprocessing Time:")?,
+            trace: seconds(log, "Ray Tracing Time:")?,
+        })
+    }
+}
+
+fn vector([x, y, z]: Triple) -> String {
+    format!("{x} {y} {z}")
+}
+
+/// Tachyon's right hand is our left: its frustum goes from right to left.
+fn camera(
+    out: &mut impl Write,
+    camera: &Camera,
+    [width, height]: [f64; 2],
+    depth: u32,
+) -> io::Result<()> {
+    let top = libm::tan(camera.angle / 2.0);
+    let left = top * width / height;
+    writeln!(
+        out,
+        "CAMERA PROJECTION PERSPECTIVE ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH {depth} \
+         CENTER {} VIEWDIR {} UPDIR {} FRUSTUM {left} {} {} {top} END_CAMERA",
+        vector(camera.eye),
+        vector(camera.gaze),
+        vector(camera.up),
+        -left,
+        -top
+    )
+}
+
+fn light(out: &mut impl Write, light: &Light) -> io::Result<()> {
+    match light {
+        Light::Point(place) => {
+            writeln!(out, "LIGHT CENTER {} RAD 0.001 COLOR 1 1 1", vector(*place))
+        }
+        Light::Directional(direction) => {
+            let direction = vector(*direction);
+            writeln!(out, "DIRECTIONAL_LIGHT DIRECTION {direction} COLOR 1 1 1")
+        }
+    }
+}
+
+/// What Tachyon calls specular is the share that mirrors.
+fn texture(out: &mut impl Write, i: usize, material: &Material, ambient: f64) -> io::Result<()> {
+    let Material {
+        color,
+        specular,
+        exponent,
+        reflection,
+    } = material;
+    writeln!(
+        out,
+        "TEXDEF M{i} AMBIENT {ambient} DIFFUSE 1 SPECULAR {reflection} OPACITY 1 \
+         PHONG PLASTIC {specular} PHONG_SIZE {exponent} COLOR {} TEXFUNC 0",
+        vector(*color)
+    )
+}
+
+fn shape(out: &mut impl Write, object: &Object) -> io::Result<()> {
+    let texture = format!("M{}", object.material);
+    match &object.shape {
+        Shape::Plane(point, normal) => {
+            let (point, normal) = (vector(*point), vector(*normal));
+            writeln!(out, "PLANE CENTER {point} NORMAL {normal} {texture}")
+        }
+        Shape::Sphere(centre, radius) => {
+            writeln!(
+                out,
+                "SPHERE CENTER {} RAD {radius} {texture}",
+                vector(*centre)
+            )
+        }
+        Shape::Box(low, high) => {
+            writeln!(
+                out,
+                "BOX MIN {} MAX {} {texture}",
+                vector(*low),
+                vector(*high)
+            )
+        }
+        Shape::Triangle(corners) => {
+            let [a, b, c] = corners.map(vector);
+            writeln!(out, "TRI V0 {a} V1 {b} V2 {c} {texture}")
+        }
+        Shape::Mesh(mesh) => mesh.triangles.iter().try_for_each(|triangle| {
+            let [a, b, c] = triangle.map(|i| vector(mesh.corners[i]));
+            let [na, nb, nc] = triangle.map(|i| vector(mesh.normals[i]));
+            writeln!(
+                out,
+                "STRI V0 {a} V1 {b} V2 {c} N0 {na} N1 {nb} N2 {nc} {texture}"
+            )
+        }),
+    }
+}
