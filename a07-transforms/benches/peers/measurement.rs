@@ -87,8 +87,11 @@ pub fn row(tracers: [&dyn Tracer; 3], job: &Job, measured: &[Option<Measurement>
         let [ours, theirs] = [tracers[0], tracers[i]].map(|tracer| job.file(tracer, "png"));
         Difference::between(&ours, &theirs).ok()
     };
-    let number = |number: Option<f64>, digits| {
-        number.map_or("-".to_owned(), |number| format!("{number:.digits$}"))
+    let number = |number: Option<f64>| match number {
+        None => "-".to_owned(),
+        Some(number) if number < 0.1 => format!("{number:.4}"),
+        Some(number) if number < 100.0 => format!("{number:.2}"),
+        Some(number) => format!("{number:.0}"),
     };
     let text = |difference: Option<Difference>| {
         difference.map_or("-".to_owned(), |difference| difference.to_string())
@@ -100,15 +103,15 @@ pub fn row(tracers: [&dyn Tracer; 3], job: &Job, measured: &[Option<Measurement>
         "| {:>5} | {:>7} | {:>7} | {:>7} | {:>7} | {:>5} | {:>7} | {:>7} | {:>5} | {:>7} | {:>7} | {:>15} | {:>15} |",
         job.description.name,
         job.threads,
-        number(figure(0, trace), 1),
-        number(ratio(1, trace), 2),
-        number(ratio(2, trace), 2),
-        number(figure(0, peak), 1),
-        number(ratio(1, peak), 2),
-        number(ratio(2, peak), 2),
-        number(figure(0, build), 1),
-        number(figure(1, build), 1),
-        number(figure(2, build), 1),
+        number(figure(0, trace)),
+        number(ratio(1, trace)),
+        number(ratio(2, trace)),
+        number(figure(0, peak)),
+        number(ratio(1, peak)),
+        number(ratio(2, peak)),
+        number(figure(0, build)),
+        number(figure(1, build)),
+        number(figure(2, build)),
         text(difference(1)),
         text(difference(2)),
     )

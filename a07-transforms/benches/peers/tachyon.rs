@@ -65,7 +65,9 @@ fn vector([x, y, z]: Triple) -> String {
     format!("{x} {y} {z}")
 }
 
-/// Tachyon's right hand is our left: its frustum goes from right to left.
+/// Tachyon's right hand is our left: its frustum goes from right to left. Its
+/// rays pass through the corners of pixels: the frustum lies half a pixel lower
+/// and farther to the left than ours.
 fn camera(
     out: &mut impl Write,
     camera: &Camera,
@@ -74,15 +76,18 @@ fn camera(
 ) -> io::Result<()> {
     let top = libm::tan(camera.angle / 2.0);
     let left = top * width / height;
+    let half_a_pixel = top / height;
     writeln!(
         out,
         "CAMERA PROJECTION PERSPECTIVE ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH {depth} \
-         CENTER {} VIEWDIR {} UPDIR {} FRUSTUM {left} {} {} {top} END_CAMERA",
+         CENTER {} VIEWDIR {} UPDIR {} FRUSTUM {} {} {} {} END_CAMERA",
         vector(camera.eye),
         vector(camera.gaze),
         vector(camera.up),
-        -left,
-        -top
+        left + half_a_pixel,
+        half_a_pixel - left,
+        -top - half_a_pixel,
+        top - half_a_pixel,
     )
 }
 

@@ -52,12 +52,13 @@ pub trait Tracer {
 
 /// Whether a program of this name can be started.
 pub fn is_installed(program: &str) -> bool {
-    let mut command = Command::new(program);
-    command
+    Command::new(program)
+        .arg("--version")
         .stdin(Stdio::null())
         .stdout(Stdio::null())
-        .stderr(Stdio::null());
-    command.status().is_ok()
+        .stderr(Stdio::null())
+        .status()
+        .is_ok()
 }
 
 /// The number before the last "seconds" in the line with this label.
