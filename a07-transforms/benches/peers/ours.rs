@@ -112,7 +112,7 @@ fn world(description: &Description) -> Result<ShadowedWorld, ArgumentError> {
             })?,
         };
     }
-    Ok(world)
+    Ok(world.prepared())
 }
 
 fn surface(material: &Material) -> Result<Box<dyn Surface>, ArgumentError> {
