@@ -22,7 +22,8 @@
 //! shadows. What one of them cannot express occurs in no scene: backgrounds
 //! other than black, coloured highlights and coloured mirrors.
 //!
-//! The programs take turns, and of all rounds the shortest time counts. Times
+//! The programs run as they do by default, apart from what makes their pictures
+//! equal. They take turns, and of all rounds the shortest time counts. Times
 //! are the ones that each program prints about itself: tracing without reading
 //! the scene and writing the file, and building what makes tracing fast.
 //! (POV-Ray builds that of a mesh while it reads, so there it counts nowhere.)
