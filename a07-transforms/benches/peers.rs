@@ -55,6 +55,7 @@ mod tracer;
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 use std::time::Duration;
 
 use clap::Parser;
@@ -80,7 +81,8 @@ struct Options {
     quick: bool,
     /// Numbers of threads, each for itself.
     #[arg(long, value_delimiter = ',', default_value = "1,2")]
-    threads: Vec<usize>,
+    #[arg(value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Vec<u16>,
     /// Width and height of the pictures.
     #[arg(long, default_value = "1280x960")]
     size: Size,
@@ -98,17 +100,26 @@ struct Options {
     bench: bool,
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let options = Options::parse();
+fn main() -> ExitCode {
+    match run(&Options::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     if let (Some(scene), Some(path)) = (&options.render, &options.output) {
         let threads = options.threads.first().copied().unwrap_or(1);
         let description = &named(std::slice::from_ref(scene))?[0];
-        return ours::render_to(description, options.size, threads, path);
+        ours::render_to(description, options.size, threads, path)
+    } else if options.bench {
+        compare(options)
+    } else {
+        Ok(())
     }
-    if options.bench {
-        compare(&options)?;
-    }
-    Ok(())
 }
 
 /// The descriptions of these names; all if there are none.
@@ -131,6 +142,7 @@ fn named(names: &[String]) -> Result<Vec<Description>, Box<dyn Error>> {
 
 /// Prints a row for each scene and number of threads.
 fn compare(options: &Options) -> Result<(), Box<dyn Error>> {
+    let descriptions = named(&options.scenes)?;
     let tracers: [&dyn Tracer; 3] = [&Ours, &PovRay, &Tachyon];
     for missing in tracers.iter().filter(|tracer| !tracer.installed()) {
         eprintln!(
@@ -148,7 +160,7 @@ fn compare(options: &Options) -> Result<(), Box<dyn Error>> {
     let limit = Duration::from_secs(options.limit);
 
     println!("{HEADER}");
-    for description in &named(&options.scenes)? {
+    for description in &descriptions {
         for &threads in &options.threads {
             let job = Job {
                 description,

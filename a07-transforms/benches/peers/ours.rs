@@ -54,11 +54,11 @@ impl Tracer for Ours {
 pub fn render_to(
     description: &Description,
     size: Size,
-    threads: usize,
+    threads: u16,
     path: &Path,
 ) -> Result<(), Box<dyn Error>> {
     let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
+        .num_threads(threads.into())
         .build()?;
     let settings = Settings {
         size,
