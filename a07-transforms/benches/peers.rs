@@ -32,7 +32,12 @@
 //! better. The last columns say which share of pixels differs from ours by more
 //! than 8 of 255, and the mean difference, so that nobody compares different
 //! work.
+//!
+//! `aa`, with the names of scenes or without, compares ways to smooth edges
+//! instead: the trace time and the error against 256 samples a pixel.
 
+#[path = "peers/antialiasing.rs"]
+mod antialiasing;
 #[path = "peers/child.rs"]
 mod child;
 #[path = "peers/description.rs"]
@@ -59,7 +64,7 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use clap::Parser;
-use common::Size;
+use common::{Sampling, Settings, Size};
 
 use crate::description::Description;
 use crate::measurement::{HEADER, measure, row};
@@ -71,7 +76,7 @@ use crate::tracer::{Job, Tracer};
 /// Compares our tracer with POV-Ray and Tachyon.
 #[derive(Parser)]
 struct Options {
-    /// The scenes to render; all if none is named.
+    /// The scenes to render; all if none is named. "aa" smooths their edges.
     scenes: Vec<String>,
     /// How often each program renders each scene; the shortest time counts.
     #[arg(long, default_value_t = 3)]
@@ -92,6 +97,12 @@ struct Options {
     /// Render one scene with our tracer: what the benchmark asks of itself.
     #[arg(long, hide = true, requires = "output")]
     render: Option<String>,
+    /// Samples per pixel of `--render`.
+    #[arg(long, hide = true, default_value_t = 1)]
+    samples: u32,
+    /// Where the samples of `--render` lie.
+    #[arg(long, hide = true, default_value = "center")]
+    sampling: Sampling,
     /// The picture file of `--render`.
     #[arg(short, hide = true)]
     output: Option<PathBuf>,
@@ -114,7 +125,13 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     if let (Some(scene), Some(path)) = (&options.render, &options.output) {
         let threads = options.threads.first().copied().unwrap_or(1);
         let description = &named(std::slice::from_ref(scene))?[0];
-        ours::render_to(description, options.size, threads, path)
+        let settings = Settings {
+            size: options.size,
+            samples: options.samples,
+            sampling: options.sampling,
+            ..Settings::default()
+        };
+        ours::render_to(description, &settings, threads, path)
     } else if options.bench {
         compare(options)
     } else {
@@ -142,30 +159,38 @@ fn named(names: &[String]) -> Result<Vec<Description>, Box<dyn Error>> {
 
 /// Prints a row for each scene and number of threads.
 fn compare(options: &Options) -> Result<(), Box<dyn Error>> {
-    let descriptions = named(&options.scenes)?;
+    let (smooth, names): (Vec<_>, Vec<_>) = options
+        .scenes
+        .iter()
+        .cloned()
+        .partition(|name| name == "aa");
+    let descriptions = named(&names)?;
     let tracers: [&dyn Tracer; 3] = [&Ours, &PovRay, &Tachyon];
     for missing in tracers.iter().filter(|tracer| !tracer.installed()) {
         eprintln!(
-            "{} is not installed: its columns stay empty",
+            "{} is not installed: its figures are left out",
             missing.name()
         );
     }
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("peers");
-    fs::create_dir_all(&folder)?;
+    let folder = &Path::new(env!("CARGO_TARGET_TMPDIR")).join("peers");
+    fs::create_dir_all(folder)?;
+    let (size, limit) = (options.size, Duration::from_secs(options.limit));
     let rounds = if options.quick {
         1
     } else {
         options.rounds.max(1)
     };
-    let limit = Duration::from_secs(options.limit);
+    if !smooth.is_empty() {
+        return antialiasing::compare(&descriptions, folder, size, rounds, limit);
+    }
 
     println!("{HEADER}");
     for description in &descriptions {
         for &threads in &options.threads {
             let job = Job {
                 description,
-                folder: &folder,
-                size: options.size,
+                folder,
+                size,
                 threads,
             };
             let measured = measure(tracers, &job, rounds, limit)?;

@@ -89,6 +89,7 @@ pub fn row(tracers: [&dyn Tracer; 3], job: &Job, measured: &[Option<Measurement>
     };
     // About three digits, whether small or large.
     let number = |number: Option<f64>| match number {
+        Some(number) if !number.is_finite() => "-".to_owned(),
         None => "-".to_owned(),
         Some(number) if number >= 100.0 => format!("{number:.0}"),
         Some(number) if number >= 0.1 || number == 0.0 => format!("{number:.2}"),

@@ -12,7 +12,7 @@ use a03_rays_cameras::{PerspectiveCamera, render};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere, Triangle};
 use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight};
 use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface};
-use common::{ArgumentError, Color, Sampling, Settings, Size, Transfer, picture_file};
+use common::{ArgumentError, Color, Settings, Transfer, picture_file};
 
 use crate::description::{Camera, Description, Light, Material, Object, Shape, Triple};
 use crate::tracer::{Job, Times, Tracer, seconds};
@@ -53,19 +53,13 @@ impl Tracer for Ours {
 /// What the child does: renders, prints its times, and writes the picture.
 pub fn render_to(
     description: &Description,
-    size: Size,
+    settings: &Settings,
     threads: u16,
     path: &Path,
 ) -> Result<(), Box<dyn Error>> {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads.into())
         .build()?;
-    let settings = Settings {
-        size,
-        samples: 1,
-        sampling: Sampling::Center,
-        ..Settings::default()
-    };
 
     let started = Instant::now();
     let camera = camera(&description.camera)?;
@@ -75,10 +69,10 @@ pub fn render_to(
     let started = Instant::now();
     let tracer = RecursiveTracer::new(&world, settings.omit);
     let radiance = |ray: &_| tracer.trace(ray, description.depth);
-    let image = pool.install(|| render(&camera, radiance, &settings, &()))?;
+    let image = pool.install(|| render(&camera, radiance, settings, &()))?;
     println!("trace: {} seconds", started.elapsed().as_secs_f64());
 
-    picture_file::save_png(path, size, &image.to_rgb8(Transfer::Linear))?;
+    picture_file::save_png(path, settings.size, &image.to_rgb8(Transfer::Linear))?;
     Ok(())
 }
 
