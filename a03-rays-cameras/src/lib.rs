@@ -29,3 +29,8 @@ pub use render::render;
 pub use sampler::Sampler;
 pub use scenes::stage;
 pub use striped_sky::{StripeRule, StripedSky};
+
+/// The code in this stage's chapter is tested with it.
+#[cfg(doctest)]
+#[doc = include_str!("../../book/src/a03-rays-cameras.md")]
+mod book {}

@@ -31,3 +31,8 @@ pub use scenes::stage;
 pub use sphere::Sphere;
 pub use triangle::Triangle;
 pub use world::World;
+
+/// The code in this stage's chapter is tested with it.
+#[cfg(doctest)]
+#[doc = include_str!("../../book/src/a04-intersections.md")]
+mod book {}

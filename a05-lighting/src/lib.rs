@@ -30,3 +30,8 @@ pub use point_light::PointLight;
 pub use scenes::stage;
 pub use single_color::SingleColor;
 pub use spot_light::SpotLight;
+
+/// The code in this stage's chapter is tested with it.
+#[cfg(doctest)]
+#[doc = include_str!("../../book/src/a05-lighting.md")]
+mod book {}

@@ -17,3 +17,8 @@ pub use mat4x4::Mat4x4;
 pub use node::Node;
 pub use scenes::stage;
 pub use transform::Transform;
+
+/// The code in this stage's chapter is tested with it.
+#[cfg(doctest)]
+#[doc = include_str!("../../book/src/a07-transforms.md")]
+mod book {}
