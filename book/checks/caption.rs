@@ -1,11 +1,12 @@
 //! Every picture and every listing has a caption: the paragraph behind it, all
 //! of it emphasised. The book's style sheet counts on that.
 
-use pulldown_cmark::{CodeBlockKind, Event, Tag, TagEnd};
+use pulldown_cmark::{Event, Tag, TagEnd};
 
 use crate::Files;
 use crate::files::resolve;
 use crate::include::directives;
+use crate::page::Page;
 
 /// The pictures and listings without a caption, and the listings whose caption
 /// does not name their file.
@@ -15,33 +16,20 @@ pub fn complaints(files: &Files) -> Vec<String> {
     for page in files.pages() {
         let mut has_picture = false;
         for (event, range) in page.events() {
-            let (what, block) = match event {
+            let caption = caption(&page.text[range.end..]);
+            let wrong = match event {
                 Event::Start(Tag::Image { .. }) => {
                     has_picture = true;
-                    continue;
+                    None
                 }
                 Event::End(TagEnd::Paragraph) if std::mem::take(&mut has_picture) => {
-                    ("picture", "")
+                    let missing = "this picture has no *caption* behind it";
+                    caption.is_none().then(|| missing.into())
                 }
-                Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(_)))
-                    if directives(&page.text[range.clone()]).next().is_some() =>
-                {
-                    ("listing", &page.text[range.clone()])
+                Event::Start(Tag::CodeBlock(_)) => {
+                    unnamed(page, &page.text[range.clone()], caption.unwrap_or_default())
                 }
-                _ => continue,
-            };
-            let behind = page.text[range.end..].trim_start().split("\n\n").next();
-            let caption = behind.and_then(emphasised);
-            let from = directives(block).filter_map(|(_, path)| {
-                let path = path.split(':').next()?;
-                resolve(page.path, path)
-            });
-            let wrong = match caption {
-                None => Some(format!("this {what} has no *caption* behind it")),
-                Some(caption) => from
-                    .into_iter()
-                    .find(|path| !caption.contains(path))
-                    .map(|path| format!("the caption of this listing does not name *{path}*")),
+                _ => None,
             };
             complaints.extend(wrong.map(|wrong| page.complain(range.start, &wrong)));
         }
@@ -49,10 +37,20 @@ pub fn complaints(files: &Files) -> Vec<String> {
     complaints
 }
 
-/// A paragraph between two stars.
-fn emphasised(paragraph: &str) -> Option<&str> {
-    let inner = paragraph.trim_end().strip_prefix('*')?.strip_suffix('*')?;
-    (!inner.starts_with('*') && !inner.is_empty()).then_some(inner)
+/// The paragraph that a text begins with, if all of it stands between stars.
+fn caption(behind: &str) -> Option<&str> {
+    let paragraph = behind.trim_start().split("\n\n").next()?.trim_end();
+    let inner = paragraph.strip_prefix('*')?.strip_suffix('*')?;
+    (!inner.is_empty() && !inner.contains('*')).then_some(inner)
+}
+
+/// The file of a listing that its caption does not name.
+fn unnamed(page: Page, listing: &str, caption: &str) -> Option<String> {
+    let targets = directives(listing).map(|(_, target)| target);
+    let paths = targets.filter_map(|target| resolve(page.path, target.split(':').next()?));
+    let mut unnamed = paths.filter(|path| !caption.contains(path));
+    let path = unnamed.next()?;
+    Some(format!("this listing has no caption *{path}* behind it"))
 }
 
 #[cfg(test)]
@@ -75,7 +73,7 @@ mod tests {
     #[test]
     fn a_picture_without_a_caption_is_found() {
         let expected = ["book/src/a.md:3: this picture has no *caption* behind it"];
-        for behind in ["text", "*emphasis* and text", "**bold**"] {
+        for behind in ["text", "*emphasis* and text", "*one* and *two*", "**bold**"] {
             let text = format!("# A\n\n![a](a.png)\n\n{behind}\n\n*more*\n");
             assert_eq!(complaints_about(&text), expected);
         }
@@ -85,11 +83,11 @@ mod tests {
     fn a_listing_without_its_file_is_found() {
         assert_eq!(
             complaints_about(&format!("{LISTING}\ntext\n")),
-            ["book/src/a.md:1: this listing has no *caption* behind it"]
+            ["book/src/a.md:1: this listing has no caption *a/src/b.rs* behind it"]
         );
         assert_eq!(
             complaints_about(&format!("{LISTING}\n*a/src/c.rs*\n")),
-            ["book/src/a.md:1: the caption of this listing does not name *a/src/b.rs*"]
+            ["book/src/a.md:1: this listing has no caption *a/src/b.rs* behind it"]
         );
     }
 }
