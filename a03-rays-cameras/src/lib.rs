@@ -7,6 +7,7 @@ mod bounded_ray;
 mod camera;
 mod experiments;
 mod extremes;
+mod focus;
 mod orthographic_camera;
 mod perspective_camera;
 mod pinhole_camera;
@@ -20,6 +21,7 @@ mod striped_sky;
 
 pub use bounded_ray::BoundedRay;
 pub use camera::{Basis, Camera};
+pub use focus::Focus;
 pub use orthographic_camera::OrthographicCamera;
 pub use perspective_camera::PerspectiveCamera;
 pub use pinhole_camera::PinholeCamera;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use a02_math::{Direction, Vector3};
-use a03_rays_cameras::Ray;
+use a03_rays_cameras::{Focus, Ray};
 use common::{ArgumentError, Color, argument};
 
 use crate::search::Search;
@@ -38,13 +38,13 @@ impl<S> World<S> {
         self
     }
 
-    /// The same world, prepared for many rays: each asks only the objects that
-    /// it may meet. What it meets is the same, to the last bit.
+    /// The same world, prepared for many rays, most of them from or to some
+    /// foci: each asks only the objects that it may meet. What it meets is the
+    /// same, to the last bit.
     #[must_use]
-    pub fn prepared(mut self) -> Self {
-        self.search = Some(Search::new(
-            self.objects.iter().map(|(geometry, _)| geometry),
-        ));
+    pub fn prepared(mut self, foci: impl IntoIterator<Item = Focus>) -> Self {
+        let geometries = self.objects.iter().map(|(geometry, _)| geometry);
+        self.search = Some(Search::new(geometries, foci));
         self
     }
 

@@ -1,6 +1,6 @@
 //! `LitWorld`: a world and the lights in it.
 
-use a03_rays_cameras::Ray;
+use a03_rays_cameras::{Focus, Ray};
 use a04_intersections::{Geometry, Hit, Interval, World};
 use common::{ArgumentError, Color, argument};
 
@@ -45,10 +45,10 @@ impl<S, L> LitWorld<S, L> {
         self
     }
 
-    /// The same world, its objects prepared for many rays.
+    /// The same world, its objects [prepared](World::prepared) for many rays.
     #[must_use]
-    pub fn prepared(mut self) -> Self {
-        self.world = self.world.prepared();
+    pub fn prepared(mut self, foci: impl IntoIterator<Item = Focus>) -> Self {
+        self.world = self.world.prepared(foci);
         self
     }
 

@@ -8,7 +8,7 @@ use std::process::Command;
 use std::time::Instant;
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, render};
+use a03_rays_cameras::{Camera as _, PerspectiveCamera, render};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere, Triangle};
 use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight};
 use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface};
@@ -64,6 +64,12 @@ pub fn render_to(
     let started = Instant::now();
     let camera = camera(&description.camera)?;
     let world = world(description)?;
+    let foci: Vec<_> = camera
+        .focus()
+        .into_iter()
+        .chain(world.lights().iter().filter_map(a05_lighting::Light::focus))
+        .collect();
+    let world = world.prepared(foci);
     println!("build: {} seconds", started.elapsed().as_secs_f64());
 
     let started = Instant::now();
@@ -106,7 +112,7 @@ fn world(description: &Description) -> Result<ShadowedWorld, ArgumentError> {
             })?,
         };
     }
-    Ok(world.prepared())
+    Ok(world)
 }
 
 fn surface(material: &Material) -> Result<Box<dyn Surface>, ArgumentError> {
