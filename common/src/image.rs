@@ -75,6 +75,25 @@ impl Image {
         }
     }
 
+    /// Paints another picture into this one, its upper left pixel at column
+    /// `left` and row `top`; what lies outside is cut off.
+    pub fn paste(&mut self, left: u32, top: u32, other: &Self) {
+        for (y, row) in (top..).zip(other.rows()) {
+            for (x, color) in (left..).zip(row) {
+                self.set(x, y, *color);
+            }
+        }
+    }
+
+    /// The picture whose pixels are `f` of these.
+    #[must_use]
+    pub fn map(mut self, f: impl Fn(Color) -> Color) -> Self {
+        for pixel in &mut self.pixels {
+            *pixel = f(*pixel);
+        }
+        self
+    }
+
     const fn index(&self, x: u32, y: u32) -> usize {
         y as usize * self.size.width() as usize + x as usize
     }
@@ -124,6 +143,15 @@ mod tests {
         assert_eq!(image, before);
         image.set(2, 1, Color::WHITE);
         assert_eq!(image.get(2, 1), Some(Color::WHITE));
+    }
+
+    #[test]
+    fn a_pasted_picture_is_cut_off_at_the_border() {
+        let mut image = numbered();
+        image.paste(2, 1, &numbered().map(|_| Color::WHITE));
+        assert_eq!(image.get(2, 1), Some(Color::WHITE));
+        image.set(2, 1, Color::new(2.0, 1.0, 0.0));
+        assert_eq!(image, numbered());
     }
 
     #[test]
