@@ -11,7 +11,8 @@ mod focus;
 mod orthographic_camera;
 mod perspective_camera;
 mod pinhole_camera;
-mod protocol;
+#[doc(hidden)]
+pub mod protocol;
 mod random;
 mod ray;
 mod render;

@@ -13,7 +13,8 @@ mod geometry;
 mod hit;
 mod interval;
 mod plane;
-mod protocol;
+#[doc(hidden)]
+pub mod protocol;
 mod real;
 mod scenes;
 mod search;

@@ -14,7 +14,8 @@ mod lit_world;
 mod material;
 mod phong;
 mod point_light;
-mod protocol;
+#[doc(hidden)]
+pub mod protocol;
 mod scenes;
 mod single_color;
 mod spot_light;

@@ -6,7 +6,8 @@
 mod experiments;
 mod extremes;
 mod light_source;
-mod protocol;
+#[doc(hidden)]
+pub mod protocol;
 mod recursive_tracer;
 mod reflective;
 mod scenes;

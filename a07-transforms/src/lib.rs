@@ -8,7 +8,8 @@ mod experiments;
 mod extremes;
 mod mat4x4;
 mod node;
-mod protocol;
+#[doc(hidden)]
+pub mod protocol;
 mod scenes;
 mod transform;
 
