@@ -33,7 +33,7 @@ macro_rules! lock {
 
 lock! {
     every_mistake_is_locked: errata::stage();
-    tangent stripes box_faces far_sphere highlight point_light point_light_slope spot_light
+    tangent half_pixel stripes box_faces far_sphere highlight point_light point_light_slope spot_light
     directional_light mirror transform normal node
 }
 

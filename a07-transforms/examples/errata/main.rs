@@ -24,6 +24,7 @@ pub fn stage() -> Stage {
         about: "The protocol's mistakes: the wrong picture beside the right one",
         scenes: vec![
             cameras::tangent(),
+            cameras::half_pixel(),
             cameras::stripes(),
             shapes::box_faces(),
             shapes::far_sphere(),
