@@ -14,7 +14,7 @@ impl<F> fmt::Debug for Formula<F> {
     }
 }
 
-impl<F: Fn(&Ray, Interval) -> Option<Hit> + Send + Sync> Geometry for Formula<F> {
+impl<F: Fn(&Ray, Interval) -> Option<Hit> + Send + Sync + 'static> Geometry for Formula<F> {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         (self.0)(ray, within)
     }
