@@ -36,6 +36,7 @@ pub fn offset() -> Scene {
             view(|ray| tracer.trace(ray, settings.depth), settings, progress)
         },
     )
+    .reflecting()
 }
 
 fn view(
