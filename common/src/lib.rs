@@ -10,6 +10,8 @@ mod color;
 pub mod display;
 mod effort;
 mod error;
+#[cfg(feature = "exercise")]
+pub mod exercise;
 pub mod experiment;
 pub mod extremes;
 mod gallery;
@@ -34,6 +36,8 @@ pub use argument::ArgumentError;
 pub use color::Color;
 pub use effort::Effort;
 pub use error::Error;
+#[cfg(feature = "exercise")]
+pub use exercise::missing;
 pub use gallery::{Gallery, Rendering};
 pub use image::Image;
 pub use live_picture::LivePicture;
