@@ -6,7 +6,7 @@ use a04_intersections::{Geometry, Interval};
 use common::ArgumentError;
 use common::exercise::Check;
 
-use crate::solid::{TURNS, expect_hit, show};
+use crate::shape::{TURNS, expect_hit, show, turned};
 
 /// Some roundings of coordinates up to 10, a little more along the rim.
 const BOUND: f64 = 1e-13;
@@ -23,30 +23,17 @@ pub fn check<G: Geometry + 'static>(
         // One step of this ray leads to the wall.
         let ray = Ray::derived(from, way);
         let exact = Some((1.0, Normal3::new(at.x(), 0.0, at.z())));
-        let what = format!("of {place}, from {} to {}", from.to_glam(), at.to_glam());
+        let what = format!("{place}, from {} to {}", from.to_glam(), at.to_glam());
         expect_hit(check, &what, exact, BOUND, hit(&ray));
     };
-    for (sin, cos) in TURNS {
-        // Turned around the y axis.
-        let turned = |x: f64, y: f64, z: f64| Point3::new(cos * x + sin * z, y, cos * z - sin * x);
+    for turn in TURNS {
+        let at = |x, y, z| Point3::ORIGIN + turned(turn, x, y, z);
         for y in [0.5, 1.0, 1.5] {
-            aimed(turned(4.0, 1.0, 0.5), turned(1.0, y, 0.0), "the near wall");
-            aimed(
-                turned(0.2, 1.0, 0.1),
-                turned(1.0, y, 0.0),
-                "the wall from inside",
-            );
+            aimed(at(4.0, 1.0, 0.5), at(1.0, y, 0.0), "of the near wall");
+            aimed(at(0.2, 1.0, 0.1), at(1.0, y, 0.0), "from inside");
             // Half way, above x = 1, the ray is at least at height 3.
-            aimed(
-                turned(3.0, 6.0, 0.0),
-                turned(-1.0, y, 0.0),
-                "the far wall, over the rim",
-            );
-            aimed(
-                turned(3.0, -4.0, 0.0),
-                turned(-1.0, y, 0.0),
-                "the far wall, from below",
-            );
+            aimed(at(3.0, 6.0, 0.0), at(-1.0, y, 0.0), "over the rim");
+            aimed(at(3.0, -4.0, 0.0), at(-1.0, y, 0.0), "from below");
         }
     }
 

@@ -3,11 +3,11 @@
 use std::f64::consts::FRAC_PI_4;
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, render};
+use a03_rays_cameras::{PerspectiveCamera, Ray, render};
 use a04_intersections::{Geometry, Hit, Interval, World};
-use common::Color;
 use common::exercise::Check;
 use common::extremes::Bound;
+use common::{ArgumentError, Color};
 
 /// Sine and cosine of angles at which both are fractions.
 pub const TURNS: [(f64, f64); 8] = [
@@ -38,18 +38,36 @@ pub fn expect_hit(
     }
 }
 
-/// Shows a shape from `eye`, which looks at `at`. The colour is the normal: red
-/// faces right or left, green up or down, blue near or far.
+/// What is turned around the y axis by an angle of this sine and cosine.
+pub fn turned((sin, cos): (f64, f64), x: f64, y: f64, z: f64) -> Vector3 {
+    Vector3::new(cos * x + sin * z, y, cos * z - sin * x)
+}
+
+/// Shows a shape to an eye that looks at the point `at`, coloured by its normal:
+/// red faces right or left, green up or down, blue near or far.
 pub fn show(check: &mut Check, shape: impl Geometry + 'static, eye: Point3, at: Point3) {
+    let world = World::new(Color::gray(0.1)).map(|world| world.with(shape, ()));
+    show_world(check, world, eye, at, |_, normal| {
+        let [r, g, b] = normal.to_glam().abs().to_array();
+        Color::new(r, g, b)
+    });
+}
+
+/// Shows a world to an eye that looks at the point `at`, coloured by place and
+/// normal.
+pub fn show_world(
+    check: &mut Check,
+    world: Result<World<()>, ArgumentError>,
+    eye: Point3,
+    at: Point3,
+    color: impl Fn(Point3, Normal3) -> Color + Sync,
+) {
     check.picture(|settings| {
+        let world = world?;
         let up = Vector3::new(0.0, 1.0, 0.0);
         let camera = PerspectiveCamera::new(eye, at - eye, up, FRAC_PI_4)?;
-        let world = World::new(Color::gray(0.1))?.with(shape, ());
-        let paint = |ray: &_| match world.hit(ray, Interval::AHEAD) {
-            Some((hit, ())) => {
-                let [r, g, b] = hit.normal.to_glam().abs().to_array();
-                Color::new(r, g, b)
-            }
+        let paint = |ray: &Ray| match world.hit(ray, Interval::AHEAD) {
+            Some((hit, ())) => color(ray.at(hit.t), hit.normal),
             None => world.background(),
         };
         render(&camera, paint, settings, &())
