@@ -1,4 +1,4 @@
-//! `SixPlanes`: a box put together as the protocol does it.
+//! `SixPlanes`: a box put together of planes, as the protocol does it.
 
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;

@@ -6,7 +6,7 @@
 //! 1. Write the solution, `exercises/solutions/NAME.rs`: what the student is to
 //!    write stands between `// exercise` and `// instead`; the lines from there
 //!    to `// end` are comments and become code in the starter. They call
-//!    [`missing`](crate::missing).
+//!    [`missing`].
 //!
 //!    ```ignore
 //!    pub fn square(x: f64) -> f64 {
@@ -28,7 +28,9 @@
 //!    ```
 //! 4. Name all three in `tests/exercises/main.rs`: a `mod` each for check, starter
 //!    and solution, and a line in [`exercises!`](crate::exercises).
-//! 5. Give it a section in the book's page, `aNN-exercises.md`, with a hint.
+//! 5. Give it a section in the book's page, `aNN-exercises.md`, with a hint. If
+//!    its check makes a picture, `-- --solutions NAME` leaves that of the solution
+//!    in `out/exercises/`; the book shows it as `pictures/STAGE-exercise-NAME.png`.
 //! 6. Make the starter from the solution, and prove it both ways:
 //!
 //!    ```console
@@ -39,17 +41,13 @@
 //!
 //! Expected values come from closed forms, never from the solution.
 
+mod check;
 mod page;
 mod runner;
 mod starter;
+mod task;
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
-
-use crate::extremes::{Bound, Case, Outcome};
-use crate::{Error, Image, Settings, Size, Transfer, picture_file};
-
+pub use check::{Check, missing};
 pub use runner::run;
 
 /// The stage that sets the exercises; [`exercises!`](crate::exercises) fills it in.
@@ -109,105 +107,4 @@ macro_rules! exercises {
             $crate::exercise::run(&stage, &exercises)
         }
     };
-}
-
-/// What the running check has found missing.
-static MISSING: Mutex<Vec<String>> = Mutex::new(Vec::new());
-
-/// Stands in a starter for what the student is to write, and is `for_now`. The
-/// check, which meets it, says once that `what` is missing.
-pub fn missing<T>(what: &str, for_now: T) -> T {
-    let mut missing = MISSING.lock().unwrap_or_else(PoisonError::into_inner);
-    if !missing.iter().any(|known| known == what) {
-        missing.push(what.to_owned());
-    }
-    for_now
-}
-
-/// Compares what the student's code computes with what is right.
-#[derive(Default)]
-pub struct Check {
-    compared: Vec<Case>,
-    /// Where the picture goes, if one is wanted.
-    picture: Option<PathBuf>,
-}
-
-impl Check {
-    /// Compares an outcome with the exact one: what is computed, its exact value,
-    /// how far off is right, and what the student's code makes of it.
-    pub fn expect(
-        &mut self,
-        what: impl Into<String>,
-        exact: impl Into<Outcome>,
-        bound: Bound,
-        got: impl Into<Outcome>,
-    ) {
-        self.compared.push(Case::new("", what, exact, bound, got));
-    }
-
-    /// Leaves a small picture made with the student's code, if this exercise was
-    /// asked for by name.
-    pub fn picture(&mut self, paint: impl FnOnce(&Settings) -> Result<Image, Error>) {
-        let Some(path) = self.picture.take() else {
-            return;
-        };
-        match paint_to(&path, paint) {
-            Ok(()) => println!("picture: {}", path.display()),
-            Err(error) => println!("no picture: {error}"),
-        }
-    }
-}
-
-fn paint_to(
-    path: &Path,
-    paint: impl FnOnce(&Settings) -> Result<Image, Error>,
-) -> Result<(), Error> {
-    let settings = Settings {
-        size: Size::new(320, 240)?,
-        ..Settings::default()
-    };
-    let image = paint(&settings)?;
-    let rgb = image.to_rgb8(Transfer::Linear);
-    picture_file::save_png(path, image.size(), &rgb)
-}
-
-/// What a check finds.
-struct Findings {
-    /// What the code still lacks.
-    missing: Vec<String>,
-    /// What differs, and how far off it is.
-    wrong: Vec<String>,
-}
-
-/// How many differences are told in full.
-const TOLD: usize = 3;
-
-impl Findings {
-    /// Runs a check; a picture, if it makes one, goes to `picture`.
-    fn of(run: fn(&mut Check), picture: Option<PathBuf>) -> Self {
-        let take_missing =
-            || std::mem::take(&mut *MISSING.lock().unwrap_or_else(PoisonError::into_inner));
-        take_missing();
-        let mut check = Check {
-            picture,
-            ..Check::default()
-        };
-        let panicked = catch_unwind(AssertUnwindSafe(|| run(&mut check))).is_err();
-
-        let mut wrong = Vec::new();
-        if panicked {
-            wrong.push("it panics, with the message above".to_owned());
-        }
-        let compared = check.compared.len();
-        let differ: Vec<_> = check.compared.iter().filter(|case| !case.holds()).collect();
-        if !differ.is_empty() {
-            wrong.push(format!("{} of {compared} comparisons differ", differ.len()));
-        }
-        let told = differ.iter().take(TOLD);
-        wrong.extend(told.map(|case| format!("{}: {}", case.what, case.comparison())));
-        Self {
-            missing: take_missing(),
-            wrong,
-        }
-    }
 }

@@ -31,10 +31,10 @@ pub fn expect_hit(
 ) {
     let bound = Bound::Absolute(bound);
     let (exact_t, got_t) = (exact.map(|(t, _)| t), got.map(|hit| hit.t));
-    check.expect(format!("t {what}"), exact_t, bound, got_t);
+    check.expect(format!("t, {what}"), exact_t, bound, got_t);
     if let (Some((_, exact)), Some(got)) = (exact, got) {
         let [exact, got] = [exact, got.normal].map(|normal| normal.to_glam().to_array());
-        check.expect(format!("the normal {what}"), exact, bound, got);
+        check.expect(format!("the normal, {what}"), exact, bound, got);
     }
 }
 

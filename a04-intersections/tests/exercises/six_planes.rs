@@ -50,9 +50,9 @@ pub fn check<G: Geometry + 'static>(
 
     let ahead = Vector3::new(0.0, 0.0, -1.0);
     for (from, place) in [
-        ([0.41, 0.5, 3.0], "of nothing, right of the box"),
-        ([0.0, 0.09, 3.0], "of nothing, below the box"),
-        ([0.0, 0.5, -0.8], "of nothing, away from the box"),
+        ([0.41, 0.5, 3.0], "right of the box"),
+        ([0.0, 0.09, 3.0], "below the box"),
+        ([0.0, 0.5, -0.8], "away from the box"),
     ] {
         let ray = Ray::derived(point(from), ahead);
         expect_hit(check, place, None, BOUND, hit(&ray));

@@ -4,22 +4,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use super::{Exercise, Findings, Stage, page, starter::starter};
-
-/// What is done with the exercises.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Task {
-    /// Tells students how far they are.
-    Check,
-    /// Proves that starters are untouched and fail.
-    Starters,
-    /// Proves that solutions pass.
-    Solutions,
-    /// Makes the starters from the solutions.
-    WriteStarters,
-    /// Names the exercises.
-    List,
-}
+use super::check::{Findings, Pictures};
+use super::starter::starter;
+use super::task::{Task, asked_for};
+use super::{Exercise, Stage, page};
 
 /// How an exercise fares.
 enum Verdict {
@@ -34,7 +22,7 @@ enum Verdict {
 /// hands to all of them. It fails if an exercise has been begun and is wrong.
 #[must_use]
 pub fn run(stage: &Stage, exercises: &[Exercise]) -> ExitCode {
-    let (task, names) = task(std::env::args().skip(1));
+    let (task, names) = asked_for(std::env::args().skip(1));
     let wanted: Vec<_> = exercises
         .iter()
         .filter(|e| names.is_empty() || names.iter().any(|name| e.name.contains(name)))
@@ -75,27 +63,6 @@ pub fn run(stage: &Stage, exercises: &[Exercise]) -> ExitCode {
     sum_up(&verdicts)
 }
 
-/// The task and the names in the arguments. Flags of Rust's own test harness
-/// are no names, nor are their values.
-fn task(mut arguments: impl Iterator<Item = String>) -> (Task, Vec<String>) {
-    let (mut task, mut names) = (Task::Check, Vec::new());
-    while let Some(argument) = arguments.next() {
-        match argument.as_str() {
-            "--starters" => task = Task::Starters,
-            "--solutions" => task = Task::Solutions,
-            "--write-starters" => task = Task::WriteStarters,
-            "--list" => task = Task::List,
-            "--test-threads" | "--skip" | "--format" | "--color" | "--logfile"
-            | "--shuffle-seed" | "-Z" => {
-                arguments.next();
-            }
-            flag if flag.starts_with('-') => {}
-            _ => names.push(argument),
-        }
-    }
-    (task, names)
-}
-
 /// Where the files of an exercise are.
 struct Place<'a> {
     stage: &'a Stage,
@@ -115,16 +82,29 @@ impl Place<'_> {
     }
 
     /// Where a picture goes, if it can go there.
-    fn picture(&self, ending: &str) -> Option<PathBuf> {
+    fn left(&self, ending: &str) -> Option<PathBuf> {
         let folder = Path::new(self.stage.folder).parent()?.join("out/exercises");
         fs::create_dir_all(&folder).ok()?;
-        let (stage, exercise) = (self.stage.name, self.exercise.name);
-        Some(folder.join(format!("{stage}-{exercise}{ending}.png")))
+        let name = self.exercise.name.replace('_', "-");
+        Some(folder.join(format!("{}-{name}{ending}.png", self.stage.name)))
+    }
+
+    /// The picture of the solution, if the book has it.
+    fn shown(&self) -> Option<PathBuf> {
+        let name = self.exercise.name.replace('_', "-");
+        let file = format!("{}-exercise-{name}.png", self.stage.name);
+        let path = Path::new(self.stage.folder)
+            .join("../book/src/pictures")
+            .join(file);
+        path.exists().then_some(path)
     }
 
     fn check(&self, paint: bool) -> Verdict {
-        let picture = paint.then(|| self.picture("")).flatten();
-        let Findings { missing, wrong } = Findings::of(self.exercise.starter, picture);
+        let pictures = Pictures {
+            left: paint.then(|| self.left("")).flatten(),
+            shown: None,
+        };
+        let Findings { missing, wrong } = Findings::of(self.exercise.starter, pictures);
         if !missing.is_empty() {
             Verdict::ToDo(missing)
         } else if wrong.is_empty() {
@@ -141,7 +121,8 @@ impl Place<'_> {
                 "it is not what its solution makes it; --write-starters does".to_owned()
             }
             _ => {
-                let Findings { missing, wrong } = Findings::of(self.exercise.starter, None);
+                let Findings { missing, wrong } =
+                    Findings::of(self.exercise.starter, Pictures::default());
                 if missing.is_empty() {
                     "it does not say what is missing".to_owned()
                 } else if wrong.is_empty() {
@@ -155,8 +136,11 @@ impl Place<'_> {
     }
 
     fn prove_solution(&self, paint: bool) -> Verdict {
-        let picture = paint.then(|| self.picture("-solution")).flatten();
-        let Findings { missing, wrong } = Findings::of(self.exercise.solution, picture);
+        let pictures = Pictures {
+            left: paint.then(|| self.left("-solution")).flatten(),
+            shown: self.shown(),
+        };
+        let Findings { missing, wrong } = Findings::of(self.exercise.solution, pictures);
         if missing.is_empty() && wrong.is_empty() {
             Verdict::Passed("ok")
         } else {
