@@ -11,8 +11,6 @@ pub enum Task {
     Solutions,
     /// Makes the starters from the solutions.
     WriteStarters,
-    /// Names the exercises.
-    List,
 }
 
 /// The task and the names in the arguments. Flags of Rust's own test harness
@@ -24,7 +22,6 @@ pub fn asked_for(mut arguments: impl Iterator<Item = String>) -> (Task, Vec<Stri
             "--starters" => task = Task::Starters,
             "--solutions" => task = Task::Solutions,
             "--write-starters" => task = Task::WriteStarters,
-            "--list" => task = Task::List,
             "--test-threads" | "--skip" | "--format" | "--color" | "--logfile"
             | "--shuffle-seed" | "-Z" => {
                 arguments.next();
