@@ -21,11 +21,14 @@ mod overrides;
 pub mod picture_file;
 #[cfg(feature = "lock")]
 pub mod picture_lock;
+#[cfg(feature = "report")]
 mod plot;
 pub mod program;
 mod progress;
+#[cfg(feature = "report")]
 mod report;
 mod scene;
+#[cfg(feature = "report")]
 mod scene_report;
 mod settings;
 mod size;
