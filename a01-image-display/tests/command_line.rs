@@ -194,7 +194,8 @@ fn values_out_of_range_are_answered_with_the_range() {
     let folder = folder();
     for (line, sentence) in [
         ("--size 0x0", "from 1 to 32768 pixels a side"),
-        ("--size 99999x99999", "at most 8192x8192 in all"),
+        ("--size 99999x99999", "from 1 to 32768 pixels a side"),
+        ("--size 16384x16384", "at most 8192x8192 in all"),
         ("--size abc", "WIDTHxHEIGHT, such as 640x480"),
         ("--depth 0", "1.."),
         ("--samples 0", "1..=1000000"),

@@ -1,12 +1,12 @@
 //! `render`: the one loop over the pixels of a traced picture.
 
-use common::{Color, Error, Image, Progress, Settings};
+use common::{Color, Error, Image, Progress, Settings, Size};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
 use crate::{Camera, Ray, Sampler};
 
-/// Renders a picture: each pixel is the mean of `radiance`, the light that
+/// Renders a picture, or the rows of it that are wanted: each pixel is the mean of `radiance`, the light that
 /// comes back along a ray, over the rays that `camera` sends through it.
 ///
 /// Rows are shared out to the threads of the current rayon pool. A pixel does
@@ -22,10 +22,11 @@ pub fn render(
 ) -> Result<Image, Error> {
     let size = settings.size;
     let sampler = Sampler::new(settings);
-    let mut image = Image::black(size)?;
+    let rows = settings.rows();
+    let mut image = Image::black(Size::new(size.width(), rows.len() as u32)?)?;
 
     let paint_row = |(row, pixels): (usize, &mut [Color])| {
-        let row = row as u32;
+        let row = rows.start + row as u32;
         for (column, pixel) in (0..).zip(&mut *pixels) {
             if progress.stopped() {
                 return;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::scene::Heeds;
-use crate::{Error, Sampling, Scene, Settings, Size, Transfer};
+use crate::{Error, Image, Sampling, Scene, Settings, Size, Transfer};
 
 /// What of a scene's defaults the command line replaces.
 #[derive(Clone, Debug, Default, clap::Args)]
@@ -78,8 +78,13 @@ impl Overrides {
                  sampling need; {below} and {above} do, and random sampling takes any number"
             )));
         }
+        let size = self.size.unwrap_or(defaults.size);
+        if scene.heeds.size && !scene.heeds.sampling {
+            Image::check_size(size)?;
+        }
         Ok(Settings {
-            size: self.size.unwrap_or(defaults.size),
+            size,
+            rows: None,
             samples,
             sampling,
             seed: self.seed.unwrap_or(defaults.seed),
@@ -109,7 +114,6 @@ impl Overrides {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Image;
 
     fn scene() -> Scene {
         Scene::traced("test", "", |settings, _| Image::black(settings.size))
@@ -157,6 +161,19 @@ mod tests {
             ..Overrides::default()
         };
         assert_eq!(center.settings(&scene).unwrap().samples, 1);
+    }
+
+    #[test]
+    fn only_what_is_traced_may_be_larger_than_memory() {
+        let large = Overrides {
+            size: Some(Size::new(16_384, 16_384).unwrap()),
+            ..Overrides::default()
+        };
+        let paint = |settings: &Settings, _: &dyn crate::Progress| Image::black(settings.size);
+        assert!(large.settings(&scene()).is_ok());
+        assert!(large.settings(&Scene::opened("test", "", paint)).is_ok());
+        let refused = large.settings(&Scene::painted("test", "", paint));
+        assert!(matches!(refused, Err(Error::TooLarge { .. })));
     }
 
     #[test]

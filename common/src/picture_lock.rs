@@ -15,7 +15,7 @@ use description::describe;
 use difference::{compare, leave_pictures};
 
 use crate::program::picture_name;
-use crate::{Image, Scene, Settings, Size, Stage, Transfer, picture_file};
+use crate::{Image, Sampling, Scene, Settings, Size, Stage, Transfer, picture_file};
 
 /// Where the test crate and its files lie; [`lock_pictures!`](crate::lock_pictures)
 /// fills it in.
@@ -66,6 +66,11 @@ macro_rules! lock_pictures {
         #[test]
         fn one_thread_and_two_give_the_same_bytes() {
             $crate::picture_lock::check_threads(&$stage);
+        }
+
+        #[test]
+        fn rows_rendered_alone_are_those_of_the_picture() {
+            $crate::picture_lock::check_rows(&$stage);
         }
 
         #[test]
@@ -166,6 +171,29 @@ pub fn check_threads(stage: &Stage) {
                 .install(|| render(scene, &small(scene)))
         });
         assert_eq!(one, two, "{}", scene.name);
+    }
+}
+
+/// Checks that bands of rows are what they are in the whole picture.
+///
+/// # Panics
+///
+/// If one is not.
+pub fn check_rows(stage: &Stage) {
+    for scene in stage.scenes.iter().filter(|scene| scene.heeds.sampling) {
+        let mut settings = Settings {
+            samples: 4,
+            sampling: Sampling::Stratified,
+            ..small(scene)
+        };
+        let whole = render(scene, &settings);
+        // 72 rows make ten bands and two rows more.
+        let bands = whole.pixels().chunks(7 * 96);
+        for (start, expected) in (0..).step_by(7).zip(bands) {
+            settings.rows = Some(start..start + 7);
+            let band = render(scene, &settings);
+            assert_eq!(band.pixels(), expected, "{}, row {start}", scene.name);
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! `Settings`: what a reader can turn about a picture without changing its scene.
 
+use std::ops::Range;
 use std::path::PathBuf;
 
 use crate::Size;
@@ -31,6 +32,9 @@ impl Sampling {
 pub struct Settings {
     /// Width and height of the picture.
     pub size: Size,
+    /// The rows that are wanted of it, counted from the top; none stands for
+    /// all. Only scenes that are traced heed them.
+    pub rows: Option<Range<u32>>,
     /// Samples per pixel.
     pub samples: u32,
     /// Where they lie.
@@ -45,10 +49,21 @@ pub struct Settings {
     pub file: Option<PathBuf>,
 }
 
+impl Settings {
+    /// The rows of the picture that are wanted, and no others.
+    #[must_use]
+    pub fn rows(&self) -> Range<u32> {
+        let height = self.size.height();
+        let rows = self.rows.clone().unwrap_or(0..height);
+        rows.start..rows.end.min(height)
+    }
+}
+
 impl Default for Settings {
     fn default() -> Self {
         Self {
             size: Size::COURSE,
+            rows: None,
             samples: 1,
             sampling: Sampling::Center,
             seed: 0,
