@@ -3,11 +3,13 @@
 //! A [`Camera`] turns a place in the picture into a [`Ray`]; [`render`] asks it
 //! for the rays of every pixel, and someone else for the light along each.
 
+mod adaptive;
 mod bounded_ray;
 mod camera;
 mod experiments;
 mod extremes;
 mod focus;
+mod nested_samples;
 mod orthographic_camera;
 mod perspective_camera;
 mod pinhole_camera;
@@ -23,6 +25,7 @@ mod striped_sky;
 pub use bounded_ray::BoundedRay;
 pub use camera::{Basis, Camera};
 pub use focus::Focus;
+pub use nested_samples::NestedSamples;
 pub use orthographic_camera::OrthographicCamera;
 pub use perspective_camera::PerspectiveCamera;
 pub use pinhole_camera::PinholeCamera;

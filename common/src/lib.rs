@@ -27,6 +27,7 @@ pub mod program;
 mod progress;
 #[cfg(feature = "report")]
 mod report;
+mod sampled;
 mod scene;
 #[cfg(feature = "report")]
 mod scene_report;
@@ -45,6 +46,7 @@ pub use gallery::{Gallery, Rendering};
 pub use image::Image;
 pub use live_picture::LivePicture;
 pub use progress::{Progress, TerminalProgress};
+pub use sampled::Sampled;
 pub use scene::{Scene, Stage};
 pub use settings::{Sampling, Settings};
 pub use size::Size;

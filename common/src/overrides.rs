@@ -20,6 +20,12 @@ pub struct Overrides {
     #[arg(long, value_enum, value_name = "HOW")]
     sampling: Option<Sampling>,
 
+    /// Take samples where they are needed, until the picture's root mean square
+    /// error is estimated to be at most this, such as 1/510; of a pixel at most
+    /// the --samples [default: 1024]
+    #[arg(long, value_name = "E", value_parser = error_bound, conflicts_with = "sampling")]
+    max_error: Option<f64>,
+
     /// Selects the random numbers [default: 0]
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
@@ -45,6 +51,19 @@ pub struct Overrides {
     pub open: Option<PathBuf>,
 }
 
+/// More samples of a pixel are not taken without being asked for.
+const ENOUGH: u32 = 1024;
+
+/// Reads a number or a fraction, above 0 and at most 1.
+fn error_bound(text: &str) -> Result<f64, String> {
+    let (numerator, denominator) = text.split_once('/').unwrap_or((text, "1"));
+    let [numerator, denominator] = [numerator, denominator].map(|n| n.trim().parse::<f64>());
+    match (numerator, denominator) {
+        (Ok(n), Ok(d)) if n / d > 0.0 && n / d <= 1.0 => Ok(n / d),
+        _ => Err("a number above 0 and at most 1 is needed, such as 1/510 or 0.002".to_owned()),
+    }
+}
+
 impl Overrides {
     /// The threads to render with.
     pub fn thread_pool(&self) -> Result<rayon::ThreadPool, Error> {
@@ -64,14 +83,18 @@ impl Overrides {
             (Some(samples), None) => (samples, Sampling::Stratified),
             (Some(samples), Some(sampling)) => (samples, sampling),
         };
-        if sampling == Sampling::Center && samples > 1 {
+        let samples = match self.max_error {
+            Some(_) => self.samples.unwrap_or(ENOUGH),
+            None => samples,
+        };
+        if self.max_error.is_none() && sampling == Sampling::Center && samples > 1 {
             return Err(Error::Usage(format!(
                 "a pixel has one center, not {samples}; \
                  --sampling regular, random or stratified takes more samples"
             )));
         }
         let root = samples.isqrt();
-        if sampling.is_grid() && root * root != samples {
+        if self.max_error.is_none() && sampling.is_grid() && root * root != samples {
             let (below, above) = (root * root, (root + 1) * (root + 1));
             return Err(Error::Usage(format!(
                 "--samples {samples} makes no square grid, which regular and stratified \
@@ -87,6 +110,7 @@ impl Overrides {
             rows: None,
             samples,
             sampling,
+            max_error: self.max_error.or(defaults.max_error),
             seed: self.seed.unwrap_or(defaults.seed),
             depth: self.depth.unwrap_or(defaults.depth),
             omit: defaults.omit && !self.no_omit,
@@ -101,6 +125,7 @@ impl Overrides {
             ("--size", self.size.is_some() && !heeds.size),
             ("--samples", self.samples.is_some() && sampling),
             ("--sampling", self.sampling.is_some() && sampling),
+            ("--max-error", self.max_error.is_some() && sampling),
             ("--seed", self.seed.is_some() && sampling),
             ("--depth", self.depth.is_some() && !heeds.depth),
             ("--open", self.open.is_some() && !heeds.file),

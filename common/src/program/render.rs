@@ -86,6 +86,11 @@ fn render_in_bands(
         let (size, rgb) = render(None)?;
         (target.write(stage, scene, size, [Ok(rgb)])?, size)
     };
+    let samples = progress.samples();
+    drop(progress);
+    if let Some(samples) = samples {
+        complain(&format!("note: {}: {samples}", scene.name));
+    }
     Ok((path, size, bad))
 }
 
