@@ -87,7 +87,7 @@ pub fn render(
             let grows = pixel.wanted > pixel.samples;
             if grows {
                 let random = PixelRandom::new(settings.seed, column, row);
-                add_samples(color, pixel, &random, |place| light(column, row, place));
+                add_samples(color, pixel, random, |place| light(column, row, place));
             }
             grows
         })?;
@@ -110,10 +110,10 @@ pub fn render(
 fn add_samples(
     color: &mut Color,
     pixel: &mut Pixel,
-    random: &PixelRandom,
+    random: PixelRandom,
     light: impl Fn((f64, f64)) -> Color,
 ) {
-    let sets = [0, 1].map(|set| NestedSamples::new(random, set));
+    let sets = [0, 1].map(|set| NestedSamples::new(&random, set));
     // The one in the middle has no half to be in.
     let known = if pixel.samples < FEW {
         0
@@ -157,8 +157,11 @@ fn estimate(image: &Image, pixels: &mut [Pixel]) -> f64 {
 
 fn squared_error(around: [&[Color]; 3], x: usize, pixel: &Pixel, factors: &Factors) -> f64 {
     let n = f64::from(pixel.samples);
-    let bend = squared_bend(around, x);
-    if bend == Color::BLACK && pixel.squares == Color::BLACK {
+    let (bend, shown_bend) = (
+        squared_bend(around, x, |c| c),
+        squared_bend(around, x, shown),
+    );
+    if shown_bend == Color::BLACK && pixel.squares == Color::BLACK {
         return 0.0;
     }
     let factor = factors[pixel.samples.ilog2() as usize] / (n * n);
@@ -172,9 +175,11 @@ fn squared_error(around: [&[Color]; 3], x: usize, pixel: &Pixel, factors: &Facto
         deviation * deviation
     };
     let own: f64 = mean.into_iter().zip(variance.channels()).map(seen).sum();
-    let lucky: f64 = bend.channels().iter().sum();
+    // Light five times as bright as white shows five times its share, up to white.
+    let lucky = bend.channels().into_iter().zip(shown_bend.channels());
+    let lucky: f64 = lucky.map(|(b, shown)| (0.5 * factor * b).min(shown)).sum();
     // With what is no number the passes would never end.
-    (own + 0.5 * factor * lucky).max(0.0)
+    (own + lucky).max(0.0)
 }
 
 /// As a screen shows it.
@@ -185,9 +190,13 @@ fn shown(channel: f64) -> f64 {
 /// How far the pixel is from lying evenly between its neighbours, squared: in
 /// the one of the four directions that shows most. An even slope has no bend,
 /// for it takes no more than one sample.
-fn squared_bend([above, here, below]: [&[Color]; 3], x: usize) -> Color {
+fn squared_bend(
+    [above, here, below]: [&[Color]; 3],
+    x: usize,
+    scale: impl Fn(f64) -> f64 + Copy,
+) -> Color {
     let (left, right) = (x.saturating_sub(1), (x + 1).min(here.len() - 1));
-    let twice = here[x].map(shown) * 2.0;
+    let twice = here[x].map(scale) * 2.0;
     let pairs = [
         (here[left], here[right]),
         (above[x], below[x]),
@@ -196,7 +205,7 @@ fn squared_bend([above, here, below]: [&[Color]; 3], x: usize) -> Color {
     ];
     let mut greatest = Color::BLACK;
     for (a, b) in pairs {
-        let bend = a.map(shown) + b.map(shown) - twice;
+        let bend = a.map(scale) + b.map(scale) - twice;
         let square = bend * bend;
         greatest = Color::new(
             greatest.r.max(square.r),
@@ -238,8 +247,9 @@ fn plan(pixels: &mut [Pixel], width: usize, allowed: f64, most: u32) -> u32 {
         let mut changes = false;
         for pixel in row {
             let (mut wanted, mut error) = (pixel.samples, pixel.error);
-            // Not far ahead of what is known.
-            while error / f64::from(wanted) > level && wanted < 4 * pixel.samples {
+            // Not far ahead of what is known: a few samples show little.
+            let next = (2 * pixel.samples).max(4 * FEW.min(pixel.samples));
+            while error / f64::from(wanted) > level && wanted < next {
                 (wanted, error) = grown(wanted, error);
             }
             pixel.wanted = if wanted > most { pixel.samples } else { wanted };

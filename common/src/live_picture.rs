@@ -139,6 +139,18 @@ mod tests {
     }
 
     #[test]
+    fn rows_that_are_painted_again_are_work_too() {
+        let picture = picture();
+        (0..4).for_each(|y| picture.row(y, &[Color::BLACK; 3]));
+        assert_eq!(picture.share(), 1.0);
+        picture.more_rows(1);
+        assert_eq!(picture.share(), 0.8);
+        picture.row(2, &[Color::WHITE; 3]);
+        assert_eq!(picture.share(), 1.0);
+        assert_eq!(picture.pixel(6), Some(0xFF_FFFF));
+    }
+
+    #[test]
     fn it_can_be_stopped() {
         let picture = picture();
         assert!(!picture.stopped());

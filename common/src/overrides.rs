@@ -64,6 +64,25 @@ fn error_bound(text: &str) -> Result<f64, String> {
     }
 }
 
+/// Checks that this sampling has room for that many samples.
+fn check_places(samples: u32, sampling: Sampling) -> Result<(), Error> {
+    if sampling == Sampling::Center && samples > 1 {
+        return Err(Error::Usage(format!(
+            "a pixel has one center, not {samples}; \
+             --sampling regular, random or stratified takes more samples"
+        )));
+    }
+    let root = samples.isqrt();
+    if sampling.is_grid() && root * root != samples {
+        let (below, above) = (root * root, (root + 1) * (root + 1));
+        return Err(Error::Usage(format!(
+            "--samples {samples} makes no square grid, which regular and stratified \
+             sampling need; {below} and {above} do, and random sampling takes any number"
+        )));
+    }
+    Ok(())
+}
+
 impl Overrides {
     /// The threads to render with.
     pub fn thread_pool(&self) -> Result<rayon::ThreadPool, Error> {
@@ -83,23 +102,9 @@ impl Overrides {
             (Some(samples), None) => (samples, Sampling::Stratified),
             (Some(samples), Some(sampling)) => (samples, sampling),
         };
-        let samples = match self.max_error {
-            Some(_) => self.samples.unwrap_or(ENOUGH),
-            None => samples,
-        };
-        if self.max_error.is_none() && sampling == Sampling::Center && samples > 1 {
-            return Err(Error::Usage(format!(
-                "a pixel has one center, not {samples}; \
-                 --sampling regular, random or stratified takes more samples"
-            )));
-        }
-        let root = samples.isqrt();
-        if self.max_error.is_none() && sampling.is_grid() && root * root != samples {
-            let (below, above) = (root * root, (root + 1) * (root + 1));
-            return Err(Error::Usage(format!(
-                "--samples {samples} makes no square grid, which regular and stratified \
-                 sampling need; {below} and {above} do, and random sampling takes any number"
-            )));
+        let max_error = self.max_error.or(defaults.max_error);
+        if max_error.is_none() {
+            check_places(samples, sampling)?;
         }
         let size = self.size.unwrap_or(defaults.size);
         if scene.heeds.size && !scene.heeds.sampling {
@@ -108,9 +113,12 @@ impl Overrides {
         Ok(Settings {
             size,
             rows: None,
-            samples,
+            samples: match self.max_error {
+                Some(_) => self.samples.unwrap_or(ENOUGH),
+                None => samples,
+            },
             sampling,
-            max_error: self.max_error.or(defaults.max_error),
+            max_error,
             seed: self.seed.unwrap_or(defaults.seed),
             depth: self.depth.unwrap_or(defaults.depth),
             omit: defaults.omit && !self.no_omit,
@@ -199,6 +207,31 @@ mod tests {
         assert!(large.settings(&Scene::opened("test", "", paint)).is_ok());
         let refused = large.settings(&Scene::painted("test", "", paint));
         assert!(matches!(refused, Err(Error::TooLarge { .. })));
+    }
+
+    #[test]
+    fn a_bound_for_the_error_makes_the_samples_the_most_of_a_pixel() {
+        let mut bounded = Overrides {
+            max_error: Some(0.002),
+            ..Overrides::default()
+        };
+        let settings = bounded.settings(&scene()).unwrap();
+        assert_eq!((settings.max_error, settings.samples), (Some(0.002), 1024));
+        // No grid is asked for.
+        bounded.samples = Some(5);
+        assert_eq!(bounded.settings(&scene()).unwrap().samples, 5);
+    }
+
+    #[test]
+    fn an_error_is_read_as_a_number_or_a_fraction() {
+        assert_eq!(error_bound("0.25"), Ok(0.25));
+        assert_eq!(error_bound("1/510"), Ok(1.0 / 510.0));
+        assert_eq!(error_bound("1"), Ok(1.0));
+        for text in [
+            "", "0", "-1", "2", "1/0", "1/-2", "nan", "inf", "1/inf", "0/0", "1/2/3", "x",
+        ] {
+            assert!(error_bound(text).unwrap_err().contains("1/510"), "{text}");
+        }
     }
 
     #[test]

@@ -29,11 +29,20 @@ impl Progress for () {
     fn row(&self, _: u32, _: &[Color]) {}
 }
 
+/// Adds up the samples of the parts of a picture.
+impl Progress for Mutex<Sampled> {
+    fn row(&self, _: u32, _: &[Color]) {}
+
+    fn sampled(&self, part: &Sampled) {
+        *self.lock().unwrap_or_else(PoisonError::into_inner) += *part;
+    }
+}
+
 /// A bar with elapsed and remaining time on stderr; silent when that is no
 /// terminal.
 pub struct TerminalProgress {
     bar: ProgressBar,
-    sampled: Mutex<Option<Sampled>>,
+    sampled: Mutex<Sampled>,
 }
 
 impl TerminalProgress {
@@ -44,14 +53,15 @@ impl TerminalProgress {
         bar.enable_steady_tick(Duration::from_millis(200));
         Self {
             bar,
-            sampled: Mutex::new(None),
+            sampled: Mutex::default(),
         }
     }
 
     /// What adaptive sampling took so far, if any was done.
     #[must_use]
     pub fn samples(&self) -> Option<Sampled> {
-        *self.sampled.lock().unwrap_or_else(PoisonError::into_inner)
+        let sampled = *self.sampled.lock().unwrap_or_else(PoisonError::into_inner);
+        (sampled.pixels > 0).then_some(sampled)
     }
 }
 
@@ -79,8 +89,7 @@ impl Progress for TerminalProgress {
     }
 
     fn sampled(&self, part: &Sampled) {
-        let mut sampled = self.sampled.lock().unwrap_or_else(PoisonError::into_inner);
-        *sampled.get_or_insert_default() += *part;
+        self.sampled.sampled(part);
     }
 }
 
