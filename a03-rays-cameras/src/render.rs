@@ -11,7 +11,9 @@ use crate::{Camera, Ray, Sampler, adaptive};
 /// `camera` sends through it.
 ///
 /// Rows are shared out to the threads of the current rayon pool. A pixel does
-/// not depend on any other, so their number does not change the picture.
+/// not depend on any other, so their number does not change the picture. Where
+/// the settings bound the error, samples are taken in passes over the picture,
+/// and what one pass finds decides on the next.
 ///
 /// [`Error::Stopped`] if `progress` stops the rendering, [`Error::Memory`] if
 /// the picture does not fit into memory.
