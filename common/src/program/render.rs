@@ -90,6 +90,12 @@ fn render_in_bands(
     drop(progress);
     if let Some(samples) = samples {
         complain(&format!("note: {}: {samples}", scene.name));
+        if settings
+            .max_error
+            .is_some_and(|asked| samples.error() > asked)
+        {
+            complain("note: that is more than was asked for; more --samples may do");
+        }
     }
     Ok((path, size, bad))
 }
