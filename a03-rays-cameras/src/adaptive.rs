@@ -38,8 +38,9 @@ struct Pixel {
 /// The least number of samples of a pixel for which one is too few.
 const FEW: u32 = 4;
 
-/// Renders into a black picture; `light` comes from a place of the pixel in
-/// some column and row.
+/// Renders the rows that are wanted into a black picture of them; `light` comes
+/// from a place of the pixel in some column and row. Each part of a picture comes
+/// to the bound alone, and so the whole does.
 pub fn render(
     image: &mut Image,
     max_error: f64,
@@ -47,18 +48,24 @@ pub fn render(
     light: impl Fn(u32, u32, (f64, f64)) -> Color + Sync,
     progress: &dyn Progress,
 ) -> Result<(), Error> {
-    let size = image.size();
+    let (size, first_row) = (image.size(), settings.rows().start);
     let width = size.width() as usize;
     let mut pixels = Vec::new();
     let memory = pixels.try_reserve_exact(size.pixels());
     memory.map_err(|_| Error::Memory { size })?;
     pixels.resize(size.pixels(), Pixel::default());
 
-    for_each_pixel(image, &mut pixels, progress, |column, row, color, pixel| {
-        *color = light(column, row, (0.5, 0.5));
-        pixel.samples = 1;
-        true
-    })?;
+    for_each_pixel(
+        image,
+        first_row,
+        &mut pixels,
+        progress,
+        |column, row, color, pixel| {
+            *color = light(column, row, (0.5, 0.5));
+            pixel.samples = 1;
+            true
+        },
+    )?;
     // Summed over pixels and channels.
     let allowed = max_error * max_error * 3.0 * size.pixels() as f64;
     let error = loop {
@@ -71,14 +78,20 @@ pub fn render(
             break error;
         }
         progress.more_rows(rows);
-        for_each_pixel(image, &mut pixels, progress, |column, row, color, pixel| {
-            let grows = pixel.wanted > pixel.samples;
-            if grows {
-                let random = PixelRandom::new(settings.seed, column, row);
-                add_samples(color, pixel, random, |place| light(column, row, place));
-            }
-            grows
-        })?;
+        for_each_pixel(
+            image,
+            first_row,
+            &mut pixels,
+            progress,
+            |column, row, color, pixel| {
+                let grows = pixel.wanted > pixel.samples;
+                if grows {
+                    let random = PixelRandom::new(settings.seed, column, row);
+                    add_samples(color, pixel, random, |place| light(column, row, place));
+                }
+                grows
+            },
+        )?;
     };
 
     // The sample in the middle was taken of every pixel.
