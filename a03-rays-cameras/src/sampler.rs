@@ -46,6 +46,7 @@ impl Sampler {
         let random = PixelRandom::new(seed, x, y);
         (0..samples).map(move |i| {
             let jitter = |n: u64| random.uniform(2 * u64::from(i) + n);
+            // ANCHOR: cells
             let cell = |(dx, dy): (f64, f64)| {
                 let (column, row) = (f64::from(i % cells), f64::from(i / cells));
                 let cells = f64::from(cells);
@@ -57,6 +58,7 @@ impl Sampler {
                 Sampling::Random => (jitter(0), jitter(1)),
                 Sampling::Stratified => cell((jitter(0), jitter(1))),
             }
+            // ANCHOR_END: cells
         })
     }
 }
