@@ -37,7 +37,6 @@ impl PinholeCamera {
     }
 }
 
-// ANCHOR: ray
 /// The middle of the lower left pixel, (0, 0) here, is (0.5, h - 0.5) there.
 impl Camera for PinholeCamera {
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
@@ -48,4 +47,3 @@ impl Camera for PinholeCamera {
         Some(Focus::Point(self.origin))
     }
 }
-// ANCHOR_END: ray
