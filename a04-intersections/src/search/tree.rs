@@ -191,12 +191,13 @@ impl Slab {
         let slack = slack.copysign(d);
         // Where the ray does not move along an axis, it stays almost for ever
         // in what it is in, and comes almost never to what it is not in.
-        let inverse = (1.0 / d).clamp(-1e30, 1e30);
+        let inverse = (1.0 / d as f32).clamp(-1e30, 1e30);
         Self {
-            side: usize::from(d < 0.0),
+            // The direction -0 goes down like all whose inverse is negative.
+            side: usize::from(d.is_sign_negative()),
             near: f32x4::splat((o + slack) as f32),
             far: f32x4::splat((o - slack) as f32),
-            inverse: f32x4::splat(inverse as f32),
+            inverse: f32x4::splat(inverse),
         }
     }
 
