@@ -1,5 +1,8 @@
 //! `Sampler`: where in a pixel its samples lie.
 
+use std::hint::black_box;
+
+use common::tally::{self, Work};
 use common::{Sampling, Settings};
 
 use crate::PixelRandom;
@@ -12,6 +15,7 @@ pub struct Sampler {
     cells: u32,
     samples: u32,
     seed: u64,
+    omit: bool,
 }
 
 impl Sampler {
@@ -30,6 +34,7 @@ impl Sampler {
                 Sampling::Regular | Sampling::Stratified => cells * cells,
             },
             seed: settings.seed,
+            omit: settings.omit,
         }
     }
 
@@ -42,10 +47,18 @@ impl Sampler {
             cells,
             samples,
             seed,
+            omit,
         } = *self;
         let random = PixelRandom::new(seed, x, y);
         (0..samples).map(move |i| {
-            let jitter = |n: u64| random.uniform(2 * u64::from(i) + n);
+            let jitter = |n: u64| {
+                tally::count(Work::RandomNumber);
+                random.uniform(2 * u64::from(i) + n)
+            };
+            if !omit && !sampling.is_random() {
+                // Drawn although nobody wants them; the compiler must not notice.
+                black_box((jitter(0), jitter(1)));
+            }
             let cell = |(dx, dy): (f64, f64)| {
                 let (column, row) = (f64::from(i % cells), f64::from(i / cells));
                 let cells = f64::from(cells);

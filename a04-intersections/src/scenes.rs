@@ -38,7 +38,10 @@ fn scene(
     view: fn() -> Result<View, ArgumentError>,
 ) -> Scene {
     Scene::traced(name, about, move |settings, progress| {
-        let (camera, world) = view()?;
+        let (camera, mut world) = view()?;
+        if settings.omit {
+            world = world.prepared();
+        }
         render(&camera, |ray| world.color_for(ray), settings, progress)
     })
 }

@@ -36,7 +36,13 @@ impl Lambert {
 impl Material for Lambert {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         let mut color = self.ambient(lighting);
-        lighting.for_each_light(ray, hit, &mut |light| color += self.share(hit, light));
+        if self.answers_light() || !lighting.omits() {
+            lighting.for_each_light(ray, hit, &mut |light| color += self.share(hit, light));
+        }
         color
+    }
+
+    fn answers_light(&self) -> bool {
+        self.diffuse != Color::BLACK
     }
 }

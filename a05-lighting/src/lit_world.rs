@@ -12,6 +12,7 @@ pub struct LitWorld<S = Box<dyn Material>, L = Box<dyn Light>> {
     world: World<S>,
     lights: Vec<L>,
     ambient: Color,
+    omit: bool,
 }
 
 impl LitWorld {
@@ -28,6 +29,7 @@ impl<S, L> LitWorld<S, L> {
             world: World::new(background)?,
             lights: Vec::new(),
             ambient: argument::color("ambient light", ambient)?,
+            omit: true,
         })
     }
 
@@ -50,6 +52,14 @@ impl<S, L> LitWorld<S, L> {
     pub fn prepared(mut self) -> Self {
         self.world = self.world.prepared();
         self
+    }
+
+    /// The same world, prepared if work that changes no colour is to be left
+    /// out, else doing all of it.
+    #[must_use]
+    pub fn omitting(mut self, omit: bool) -> Self {
+        self.omit = omit;
+        if omit { self.prepared() } else { self }
     }
 
     /// The objects.
@@ -95,5 +105,9 @@ impl Lighting for LitWorld {
         lights
             .filter_map(|light| light.illumination(point))
             .for_each(|light| shade(&light));
+    }
+
+    fn omits(&self) -> bool {
+        self.omit
     }
 }

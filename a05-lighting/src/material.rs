@@ -12,4 +12,9 @@ use crate::Lighting;
 pub trait Material: Debug + Send + Sync {
     /// The light that goes from the hit back along the ray.
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color;
+
+    /// Whether the light of any source can change its colour.
+    fn answers_light(&self) -> bool {
+        true
+    }
 }

@@ -43,7 +43,7 @@ fn scene(
 ) -> Scene {
     Scene::traced(name, about, move |settings, progress| {
         let camera = PerspectiveCamera::new(CORNER, INWARDS, UP, FRAC_PI_4)?;
-        let world = world()?;
+        let world = world()?.omitting(settings.omit);
         render(&camera, |ray| world.color_for(ray), settings, progress)
     })
 }

@@ -5,7 +5,9 @@ use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, Interval};
 use a05_lighting::{Illumination, Light, Lighting, LitWorld};
 use common::Color;
+use common::tally::{self, Work};
 
+use crate::shadow::has_occluder;
 use crate::{LightSource, Surface, is_shadowed, secondary_ray};
 
 /// A world of surfaces that may mirror and lights that may cast shadows.
@@ -19,8 +21,10 @@ pub struct RecursiveTracer<'a> {
 }
 
 impl<'a> RecursiveTracer<'a> {
-    /// A tracer of this world. If `omit`, it leaves out rays that cannot change
-    /// a colour: to lights behind a surface, and from surfaces that do not mirror.
+    /// A tracer of this world. If `omit`, it leaves out work that cannot change
+    /// a colour: rays to lights behind a surface or that cast no shadows, whatever
+    /// is behind the first thing in a light's way, and rays from surfaces that do
+    /// not mirror.
     #[must_use]
     pub const fn new(world: &'a ShadowedWorld, omit: bool) -> Self {
         Self { world, omit }
@@ -39,7 +43,10 @@ impl<'a> RecursiveTracer<'a> {
         let mut ray = *ray;
         let mut color = Color::BLACK;
         let mut mirrored = Color::WHITE;
-        for _ in 0..depth {
+        for met in 0..depth {
+            if met > 0 {
+                tally::count(Work::ReflectedRay);
+            }
             let Some((hit, surface)) = self.world.objects().hit(&ray, Interval::AHEAD) else {
                 return color + mirrored * self.world.objects().background();
             };
@@ -70,10 +77,19 @@ impl Lighting for RecursiveTracer<'_> {
             if self.omit && hit.normal.dot(light.direction) <= 0.0 {
                 continue;
             }
-            if source.casts_shadows() && is_shadowed(self.world.objects(), ray, hit, &light) {
-                continue;
+            let objects = self.world.objects();
+            let is_shadowed = if self.omit {
+                source.casts_shadows() && is_shadowed(objects, ray, hit, &light)
+            } else {
+                has_occluder(objects, ray, hit, &light) && source.casts_shadows()
+            };
+            if !is_shadowed {
+                shade(&light);
             }
-            shade(&light);
         }
+    }
+
+    fn omits(&self) -> bool {
+        self.omit
     }
 }

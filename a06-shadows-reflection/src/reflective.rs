@@ -36,6 +36,10 @@ impl Material for Reflective {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         self.shiny.color_for(ray, hit, lighting)
     }
+
+    fn answers_light(&self) -> bool {
+        self.shiny.answers_light()
+    }
 }
 
 impl Surface for Reflective {

@@ -2,6 +2,7 @@
 
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval};
+use common::tally::{self, Work};
 
 use crate::Transform;
 
@@ -40,6 +41,8 @@ impl Node {
 
 impl Geometry for Node {
     fn hit(&self, ray: &Ray, mut within: Interval) -> Option<Hit> {
+        tally::count(Work::MovedRay);
+        tally::count_all(Work::IntersectionTest, self.children.len() as u64);
         let object_ray = self.transform.ray_to_object(ray);
         let mut nearest = None;
         for child in &self.children {

@@ -48,7 +48,7 @@ fn scene(
         let e = Point3::new(eye, eye, eye);
         let (g, t) = (Vector3::new(-1.0, -1.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
         let camera = PerspectiveCamera::new(e, g, t, FRAC_PI_4)?;
-        let world = world()?;
+        let world = world()?.omitting(settings.omit);
         let tracer = RecursiveTracer::new(&world, settings.omit);
         let radiance = |ray: &_| tracer.trace(ray, settings.depth);
         render(&camera, radiance, settings, progress)

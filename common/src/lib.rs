@@ -27,6 +27,7 @@ mod scene;
 mod scene_report;
 mod settings;
 mod size;
+pub mod tally;
 mod transfer;
 mod viewer;
 
