@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use common::tally::{self, Work};
-use common::{Sampling, Settings};
+use common::{Plan, Sampling, Settings};
 
 use crate::PixelRandom;
 
@@ -35,6 +35,20 @@ impl Sampler {
             },
             seed: settings.seed,
             omit: settings.omit,
+        }
+    }
+
+    /// What these settings ask for, and what of it needs not be done.
+    #[must_use]
+    pub fn plan(settings: &Settings) -> Plan {
+        let samples = Self::new(settings).samples;
+        let pixels = settings.size.pixels();
+        let rays = pixels as u64 * u64::from(samples);
+        let plan = Plan::default().needing(format!("{rays} rays, {samples} a pixel"));
+        if settings.sampling.is_random() {
+            plan
+        } else {
+            plan.without("random numbers", "every sample has its fixed place")
         }
     }
 

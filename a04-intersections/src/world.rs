@@ -5,7 +5,7 @@ use std::sync::Arc;
 use a02_math::{Direction, Vector3};
 use a03_rays_cameras::Ray;
 use common::tally::{self, Work};
-use common::{ArgumentError, Color, argument};
+use common::{ArgumentError, Color, Plan, argument};
 
 use crate::search::Search;
 use crate::{Geometry, Hit, Interval};
@@ -65,10 +65,19 @@ impl<S> World<S> {
         self.objects.is_empty()
     }
 
-    /// Whether rays ask only the objects that they may meet.
+    /// Adds to a plan what there is to be met.
     #[must_use]
-    pub const fn is_searched(&self) -> bool {
-        self.search.is_some()
+    pub fn plan(&self, plan: Plan) -> Plan {
+        let objects = self.objects.len();
+        let plan = plan.needing(format!("{objects} objects"));
+        if self.search.is_some() {
+            plan.without(
+                "questions to objects far from a ray",
+                "a tree of their bounds finds those that it may meet",
+            )
+        } else {
+            plan.without("a search tree", "so few objects are asked one by one")
+        }
     }
 
     /// The objects in the order of the list: geometries and surfaces.

@@ -1,8 +1,10 @@
 //! `LitWorld`: a world and the lights in it.
 
+use std::ops::Deref;
+
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval, World};
-use common::{ArgumentError, Color, argument};
+use common::{ArgumentError, Color, Plan, argument};
 
 use crate::{Illumination, Light, Lighting, Material};
 
@@ -78,6 +80,40 @@ impl<S, L> LitWorld<S, L> {
     #[must_use]
     pub const fn ambient(&self) -> Color {
         self.ambient
+    }
+}
+
+impl<S: Deref<Target: Material>, L> LitWorld<S, L> {
+    /// Adds to a plan what there is to be met and to be lit.
+    #[must_use]
+    pub fn plan(&self, plan: Plan) -> Plan {
+        let (objects, lights) = (self.world.len(), self.lights.len());
+        let plan = self.world.plan(plan).needing(format!("{lights} lights"));
+        if lights == 0 {
+            return plan.without("all shading by lights", "there is none");
+        }
+        let count = |what: fn(&S::Target) -> bool| {
+            let surfaces = self.world.objects().map(|(_, surface)| surface);
+            surfaces.filter(|surface| !what(surface)).count()
+        };
+        let plan = match count(S::Target::answers_light) {
+            0 => plan,
+            dull => plan.without(
+                format!("light on {dull} of {objects} objects"),
+                "their colour does not depend on it",
+            ),
+        };
+        match count(S::Target::has_highlight) {
+            0 => plan,
+            dull => plan.without(
+                format!("powers on {dull} of {objects} objects"),
+                "they have no highlight",
+            ),
+        }
+        .without(
+            "powers on what faces away from a light or mirrors it elsewhere",
+            "there is no highlight",
+        )
     }
 }
 

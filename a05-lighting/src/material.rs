@@ -13,6 +13,12 @@ pub trait Material: Debug + Send + Sync {
     /// The light that goes from the hit back along the ray.
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color;
 
+    /// Whether the place from which it is seen changes its colour: a power for
+    /// each light.
+    fn has_highlight(&self) -> bool {
+        false
+    }
+
     /// Whether the light of any source can change its colour.
     fn answers_light(&self) -> bool {
         true

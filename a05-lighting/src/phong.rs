@@ -52,10 +52,6 @@ impl Phong {
             Color::BLACK
         }
     }
-
-    fn has_highlight(&self) -> bool {
-        self.specular != Color::BLACK
-    }
 }
 
 /// `c = cd ca + Σ (cd cl max(0, n · l) + cs cl max(0, e · r)^p)`, the sum going
@@ -74,5 +70,9 @@ impl Material for Phong {
 
     fn answers_light(&self) -> bool {
         self.matt.answers_light() || self.has_highlight()
+    }
+
+    fn has_highlight(&self) -> bool {
+        self.specular != Color::BLACK
     }
 }

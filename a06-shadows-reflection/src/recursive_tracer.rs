@@ -4,8 +4,8 @@ use a02_math::Direction;
 use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, Interval};
 use a05_lighting::{Illumination, Light, Lighting, LitWorld};
-use common::Color;
 use common::tally::{self, Work};
+use common::{Color, Plan};
 
 use crate::shadow::has_occluder;
 use crate::{LightSource, Surface, is_shadowed, secondary_ray};
@@ -59,6 +59,47 @@ impl<'a> RecursiveTracer<'a> {
             ray = secondary_ray(&ray, &hit, direction);
         }
         color
+    }
+}
+
+impl RecursiveTracer<'_> {
+    /// Adds to a plan what there is to be met, to be lit and to be mirrored.
+    #[must_use]
+    pub fn plan(&self, plan: Plan) -> Plan {
+        let (objects, lights) = (self.world.objects().len(), self.world.lights().len());
+        let sources = self.world.lights().iter();
+        let casting = sources.filter(|source| source.casts_shadows()).count();
+        let surfaces = self.world.objects().objects();
+        let mirrors = surfaces.filter(|(_, surface)| surface.reflection() != Color::BLACK);
+        let mirrors = mirrors.count();
+        let mut plan = self.world.plan(plan);
+        if casting < lights {
+            plan = plan.without(
+                format!("shadow rays to {} of {lights} lights", lights - casting),
+                "no object keeps their light away",
+            );
+        }
+        if casting > 0 {
+            plan = plan
+                .without(
+                    "shadow rays from what faces away from a light",
+                    "it is dark",
+                )
+                .without(
+                    "the search behind the first object in a light's way",
+                    "one keeps it away as well as two",
+                );
+        }
+        if mirrors < objects {
+            plan = plan.without(
+                format!(
+                    "reflected rays from {} of {objects} objects",
+                    objects - mirrors
+                ),
+                "they do not mirror",
+            );
+        }
+        plan
     }
 }
 

@@ -40,6 +40,10 @@ impl Material for Reflective {
     fn answers_light(&self) -> bool {
         self.shiny.answers_light()
     }
+
+    fn has_highlight(&self) -> bool {
+        self.shiny.has_highlight()
+    }
 }
 
 impl Surface for Reflective {

@@ -6,6 +6,7 @@
 
 pub mod argument;
 mod color;
+pub mod comparison;
 #[cfg(all(feature = "display", target_os = "linux"))]
 pub mod display;
 mod effort;
@@ -19,6 +20,7 @@ mod overrides;
 pub mod picture_file;
 #[cfg(feature = "lock")]
 pub mod picture_lock;
+mod plan;
 mod plot;
 pub mod program;
 mod progress;
@@ -38,6 +40,7 @@ pub use error::Error;
 pub use gallery::{Gallery, Rendering};
 pub use image::Image;
 pub use live_picture::LivePicture;
+pub use plan::{Bound, Omission, Plan};
 pub use progress::{Progress, TerminalProgress};
 pub use scene::{Scene, Stage};
 pub use settings::{Sampling, Settings};

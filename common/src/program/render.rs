@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
+use super::explain::explain;
 use super::target::Target;
 use super::{complain, say};
 use crate::overrides::Overrides;
@@ -14,6 +15,7 @@ pub fn render_to_files(
     stage: &Stage,
     scenes: &[&Scene],
     output: Option<PathBuf>,
+    explained: bool,
     overrides: &Overrides,
 ) -> Result<(), Error> {
     let target = Target::new(output, scenes.len())?;
@@ -24,7 +26,11 @@ pub fn render_to_files(
     for scene in scenes {
         note_unheeded(scene, overrides);
         let start = Instant::now();
-        let image = render(scene, overrides)?;
+        let image = if explained {
+            explain(scene, overrides)?
+        } else {
+            render(scene, overrides)?
+        };
         let path = target.write(stage, scene, &image, overrides.transfer)?;
         let (size, time) = (image.size(), start.elapsed().as_secs_f64());
         say(&format!("{}  {size}  {time:.2} s", path.display()));
