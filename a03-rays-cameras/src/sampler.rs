@@ -44,7 +44,8 @@ impl Sampler {
         let samples = Self::new(settings).samples;
         let pixels = settings.size.pixels();
         let rays = pixels as u64 * u64::from(samples);
-        let plan = Plan::default().needing(format!("{rays} rays, {samples} a pixel"));
+        let plan =
+            Plan::default().needing(format!("primary rays: {rays}, of which {samples} a pixel"));
         if settings.sampling.is_random() {
             plan
         } else {

@@ -69,7 +69,7 @@ impl<S> World<S> {
     #[must_use]
     pub fn plan(&self, plan: Plan) -> Plan {
         let objects = self.objects.len();
-        let plan = plan.needing(format!("{objects} objects"));
+        let plan = plan.needing(format!("objects: {objects}"));
         if self.search.is_some() {
             plan.without(
                 "questions to objects far from a ray",

@@ -88,7 +88,7 @@ impl<S: Deref<Target: Material>, L> LitWorld<S, L> {
     #[must_use]
     pub fn plan(&self, plan: Plan) -> Plan {
         let (objects, lights) = (self.world.len(), self.lights.len());
-        let plan = self.world.plan(plan).needing(format!("{lights} lights"));
+        let plan = self.world.plan(plan).needing(format!("lights: {lights}"));
         if lights == 0 {
             return plan.without("all shading by lights", "there is none");
         }
@@ -103,17 +103,21 @@ impl<S: Deref<Target: Material>, L> LitWorld<S, L> {
                 "their colour does not depend on it",
             ),
         };
-        match count(S::Target::has_highlight) {
-            0 => plan,
-            dull => plan.without(
+        let dull = count(S::Target::has_highlight);
+        let mut plan = plan;
+        if dull > 0 {
+            plan = plan.without(
                 format!("powers on {dull} of {objects} objects"),
                 "they have no highlight",
-            ),
+            );
         }
-        .without(
-            "powers on what faces away from a light or mirrors it elsewhere",
-            "there is no highlight",
-        )
+        if dull < objects {
+            plan = plan.without(
+                "powers where a light is behind, or mirrored away from the eye",
+                "no highlight is seen there",
+            );
+        }
+        plan
     }
 }
 

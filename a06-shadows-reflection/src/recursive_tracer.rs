@@ -86,7 +86,7 @@ impl RecursiveTracer<'_> {
                     "it is dark",
                 )
                 .without(
-                    "the search behind the first object in a light's way",
+                    "the search behind the first object in the way of a light",
                     "one keeps it away as well as two",
                 );
         }

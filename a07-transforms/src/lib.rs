@@ -7,6 +7,7 @@ mod disc;
 mod experiments;
 mod extremes;
 mod mat4x4;
+mod moved_bounds;
 mod node;
 mod protocol;
 mod scenes;

@@ -1,10 +1,13 @@
 //! `Node`: geometries under one transform, themselves a geometry.
 
+use std::sync::Arc;
+
 use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval};
+use a04_intersections::{Bounds, Geometry, Hit, Interval};
 use common::tally::{self, Work};
 
 use crate::Transform;
+use crate::moved_bounds::moved;
 
 /// A node of the scene graph: children that are moved together. As it is a
 /// geometry, it can be a child of another node.
@@ -18,7 +21,7 @@ use crate::Transform;
 #[derive(Debug)]
 pub struct Node {
     transform: Transform,
-    children: Vec<Box<dyn Geometry>>,
+    children: Vec<Arc<dyn Geometry>>,
 }
 
 impl Node {
@@ -34,8 +37,19 @@ impl Node {
     /// This node and one more child.
     #[must_use]
     pub fn with(mut self, child: impl Geometry + 'static) -> Self {
-        self.children.push(Box::new(child));
+        self.children.push(Arc::new(child));
         self
+    }
+}
+
+impl Node {
+    /// The hit as the space around the node sees it.
+    fn as_seen_around(&self, hit: Hit) -> Option<Hit> {
+        Some(Hit {
+            t: hit.t,
+            normal: self.transform.normal_from_object(hit.normal)?,
+            face: self.transform.normal_from_object(hit.face)?,
+        })
     }
 }
 
@@ -46,16 +60,35 @@ impl Geometry for Node {
         let object_ray = self.transform.ray_to_object(ray);
         let mut nearest = None;
         for child in &self.children {
-            if let Some(hit) = child.hit(&object_ray, within) {
+            let hit = child.hit(&object_ray, within);
+            if let Some(hit) = hit.and_then(|hit| self.as_seen_around(hit)) {
                 within.max = hit.t;
                 nearest = Some(hit);
             }
         }
-        let Hit { t, normal, face } = nearest?;
-        Some(Hit {
-            t,
-            normal: self.transform.normal_from_object(normal)?,
-            face: self.transform.normal_from_object(face)?,
-        })
+        nearest
+    }
+
+    fn bounds(&self) -> Bounds {
+        let children = self.children.iter().map(|child| child.bounds());
+        let all = children.reduce(Bounds::union);
+        all.map_or(Bounds::EVERYWHERE, |all| moved(all, &self.transform))
+    }
+
+    /// A node for each part of each child, with the same transform: it moves a
+    /// ray to the same bits as this node does, so that its hits are the same.
+    fn parts(&self) -> Option<Vec<Arc<dyn Geometry>>> {
+        let part = |child: Arc<dyn Geometry>| -> Arc<dyn Geometry> {
+            Arc::new(Self {
+                transform: self.transform,
+                children: vec![child],
+            })
+        };
+        let parts = |child: &Arc<dyn Geometry>| {
+            let own = || vec![Arc::clone(child)];
+            child.parts().unwrap_or_else(own)
+        };
+        let parts: Vec<_> = self.children.iter().flat_map(parts).map(part).collect();
+        (parts.len() > 1).then_some(parts)
     }
 }

@@ -14,7 +14,10 @@ const ROUNDS: usize = 3;
 /// Says what the scene's plan leaves out and what that saves, and returns the
 /// picture.
 pub fn explain(scene: &Scene, overrides: &Overrides) -> Result<Image, Error> {
-    let settings = overrides.settings(scene)?;
+    let settings = Settings {
+        omit: true,
+        ..overrides.settings(scene)?
+    };
     say(&format!("{}  {}", scene.name, settings.size));
     say(&scene.plan(&settings)?.to_string());
     let threads = overrides.thread_pool()?;
