@@ -30,3 +30,8 @@ pub fn viewer() -> Option<&'static dyn common::Viewer> {
     #[cfg(not(feature = "window"))]
     return None;
 }
+
+/// The code in this stage's chapter is tested with it.
+#[cfg(doctest)]
+#[doc = include_str!("../../book/src/a01-image-display.md")]
+mod book {}

@@ -194,12 +194,16 @@ fn values_out_of_range_are_answered_with_the_range() {
     let folder = folder();
     for (line, sentence) in [
         ("--size 0x0", "from 1 to 32768 pixels a side"),
-        ("--size 99999x99999", "at most 8192x8192 in all"),
+        ("--size 99999x99999", "from 1 to 32768 pixels a side"),
+        ("--size 16384x16384", "at most 8192x8192 in all"),
         ("--size abc", "WIDTHxHEIGHT, such as 640x480"),
         ("--depth 0", "1.."),
         ("--samples 0", "1..=1000000"),
         ("--threads 0", "1..=1024"),
         ("--samples 5", "4 and 9 do"),
+        ("--max-error 0", "above 0 and at most 1"),
+        ("--max-error 3/2", "above 0 and at most 1"),
+        ("--max-error 1/510 --sampling random", "cannot be used with"),
         ("--transfer loud", "linear, gamma, srgb"),
     ] {
         for command in ["render painter", "show painter", ""] {
@@ -299,6 +303,8 @@ fn flags_that_change_nothing_are_noted() {
     let note = |flag| format!("note: {flag} changes nothing in diagonal\n");
     let notes = ["--samples", "--sampling", "--seed", "--depth", "--open"].map(note);
     assert_eq!(complaint, notes.concat());
+    let (_, _, complaint) = run(&folder, "render diagonal --max-error 1/510 -o c.png");
+    assert_eq!(complaint, note("--max-error"));
     let (_, _, complaint) = run(
         &folder,
         "render diagonal -o b.png --threads 1 --transfer srgb",

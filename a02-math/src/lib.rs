@@ -21,3 +21,8 @@ pub use normal3::Normal3;
 pub use point3::Point3;
 pub use scenes::stage;
 pub use vector3::Vector3;
+
+/// The code in this stage's chapter is tested with it.
+#[cfg(doctest)]
+#[doc = include_str!("../../book/src/a02-math.md")]
+mod book {}

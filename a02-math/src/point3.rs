@@ -45,6 +45,7 @@ impl Point3 {
     }
 }
 
+// ANCHOR: difference
 impl Sub for Point3 {
     type Output = Vector3;
 
@@ -52,6 +53,7 @@ impl Sub for Point3 {
         Vector3::from_glam(self.0 - other.0)
     }
 }
+// ANCHOR_END: difference
 
 impl Add<Vector3> for Point3 {
     type Output = Self;

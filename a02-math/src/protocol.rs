@@ -32,6 +32,7 @@ pub fn reflected_on(d: Vector3, n: Normal3) -> Vector3 {
     d - n * (2.0 * n.dot(d))
 }
 
+// ANCHOR: cramer
 /// Cramer's rule: NaN or infinity where the determinant is 0, and few digits
 /// where it is small beside the columns.
 pub fn cramer(m: Mat3x3, b: Vector3) -> Vector3 {
@@ -42,3 +43,4 @@ pub fn cramer(m: Mat3x3, b: Vector3) -> Vector3 {
         m.change_col_3(b).determinant() / determinant,
     )
 }
+// ANCHOR_END: cramer

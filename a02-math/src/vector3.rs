@@ -22,6 +22,7 @@ impl Vector3 {
         self.0.length()
     }
 
+    // ANCHOR: normalized
     /// The vector of length 1 in the same direction, whatever its length; none
     /// for the zero vector and for coordinates that are not finite.
     #[must_use]
@@ -34,6 +35,7 @@ impl Vector3 {
         let scaled = self.scaled()?;
         Some(Self(scaled.0 / scaled.magnitude()))
     }
+    // ANCHOR_END: normalized
 
     /// The vector in the same direction whose largest coordinate is at least 1
     /// and below 2; none where there is no direction. The factor is a power of
@@ -70,13 +72,16 @@ impl Vector3 {
         Normal3::from_glam(self.0)
     }
 
+    // ANCHOR: reflection
     /// This vector, which points away from a surface, reflected on its normal:
     /// `r = 2 (n · v) n - v`. As long as `v` if `n` has length 1.
     #[must_use]
     pub fn reflected_on(self, n: Normal3) -> Self {
         Self(n.to_glam() * (2.0 * n.dot(self)) - self.0)
     }
+    // ANCHOR_END: reflection
 
+    // ANCHOR: angle
     /// The angle to the other vector in radians, from 0 to π.
     ///
     /// The arc tangent of sine and cosine, both still scaled by the lengths:
@@ -92,6 +97,7 @@ impl Vector3 {
         };
         libm::atan2(a.cross(b).magnitude(), a.dot(b))
     }
+    // ANCHOR_END: angle
 
     /// The area of the parallelogram that both vectors span, `|a × b|`.
     #[must_use]
@@ -99,6 +105,7 @@ impl Vector3 {
         self.cross(other).magnitude()
     }
 
+    // ANCHOR: projection
     /// The part of this vector along the other one, `(a · b / b · b) b`; none
     /// if that is the zero vector.
     #[must_use]
@@ -106,6 +113,7 @@ impl Vector3 {
         let share = self.dot(other) / other.dot(other);
         share.is_finite().then(|| other * share)
     }
+    // ANCHOR_END: projection
 }
 
 impl Add for Vector3 {

@@ -4,7 +4,7 @@
 use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Size, argument};
 
-use crate::Ray;
+use crate::{Focus, Ray};
 
 /// Sends a ray through every place of a picture.
 pub trait Camera: Sync {
@@ -12,11 +12,20 @@ pub trait Camera: Sync {
     /// finite. As in the course, whole numbers are the middles of pixels and
     /// `y` counts upwards: (0, 0) is the middle of the lower left pixel.
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray;
+
+    /// What all its rays have in common, if anything.
+    fn focus(&self) -> Option<Focus> {
+        None
+    }
 }
 
 impl<C: Camera + ?Sized> Camera for Box<C> {
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
         (**self).ray_for(size, x, y)
+    }
+
+    fn focus(&self) -> Option<Focus> {
+        (**self).focus()
     }
 }
 

@@ -3,14 +3,18 @@
 //! A [`Camera`] turns a place in the picture into a [`Ray`]; [`render`] asks it
 //! for the rays of every pixel, and someone else for the light along each.
 
+mod adaptive;
 mod bounded_ray;
 mod camera;
 mod experiments;
 mod extremes;
+mod focus;
+mod nested_samples;
 mod orthographic_camera;
 mod perspective_camera;
 mod pinhole_camera;
-mod protocol;
+#[doc(hidden)]
+pub mod protocol;
 mod random;
 mod ray;
 mod render;
@@ -20,6 +24,8 @@ mod striped_sky;
 
 pub use bounded_ray::BoundedRay;
 pub use camera::{Basis, Camera};
+pub use focus::Focus;
+pub use nested_samples::NestedSamples;
 pub use orthographic_camera::OrthographicCamera;
 pub use perspective_camera::PerspectiveCamera;
 pub use pinhole_camera::PinholeCamera;
@@ -29,3 +35,8 @@ pub use render::render;
 pub use sampler::Sampler;
 pub use scenes::stage;
 pub use striped_sky::{StripeRule, StripedSky};
+
+/// The code in this stage's chapter is tested with it.
+#[cfg(doctest)]
+#[doc = include_str!("../../book/src/a03-rays-cameras.md")]
+mod book {}

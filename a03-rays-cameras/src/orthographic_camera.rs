@@ -3,7 +3,7 @@
 use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Size, argument};
 
-use crate::{Basis, Camera, Ray};
+use crate::{Basis, Camera, Focus, Ray};
 
 /// A camera whose rays are parallel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +39,10 @@ impl Camera for OrthographicCamera {
         let right = a * self.s * from_middle(x, width);
         let up = self.s * from_middle(y, height);
         Ray::derived(e + u * right + v * up, -w)
+    }
+
+    fn focus(&self) -> Option<Focus> {
+        Some(Focus::Direction(-self.basis.w))
     }
 }
 

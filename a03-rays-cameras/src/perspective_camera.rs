@@ -4,7 +4,7 @@ use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Size};
 
 use crate::camera::Opening;
-use crate::{Basis, Camera, Ray};
+use crate::{Basis, Camera, Focus, Ray};
 
 /// A camera whose rays start in one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,5 +42,9 @@ impl Camera for PerspectiveCamera {
             self.opening.distance(height),
         );
         Ray::derived(self.basis.e, direction)
+    }
+
+    fn focus(&self) -> Option<Focus> {
+        Some(Focus::Point(self.basis.e))
     }
 }

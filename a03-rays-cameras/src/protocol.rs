@@ -1,5 +1,10 @@
 //! The formulas of this stage as the two texts print them, mistakes included:
-//! only to be measured against, never to render.
+//! only to be measured against, and to render pictures of the mistakes.
+
+#![expect(
+    clippy::must_use_candidate,
+    reason = "for tables and pictures of mistakes"
+)]
 
 use a02_math::{Direction, Point3, Vector3};
 

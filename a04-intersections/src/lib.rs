@@ -13,7 +13,8 @@ mod geometry;
 mod hit;
 mod interval;
 mod plane;
-mod protocol;
+#[doc(hidden)]
+pub mod protocol;
 mod real;
 mod scenes;
 mod search;
@@ -31,3 +32,8 @@ pub use scenes::stage;
 pub use sphere::Sphere;
 pub use triangle::Triangle;
 pub use world::World;
+
+/// The code in this stage's chapter is tested with it.
+#[cfg(doctest)]
+#[doc = include_str!("../../book/src/a04-intersections.md")]
+mod book {}

@@ -1,5 +1,10 @@
 //! The formulas as the protocol prints them, mistakes included. They are
-//! measured and compared; nothing renders with them.
+//! measured and compared; only pictures of the mistakes are rendered with them.
+
+#![expect(
+    clippy::must_use_candidate,
+    reason = "for tables and pictures of mistakes"
+)]
 
 use a02_math::{Direction, Mat3x3, Normal3, Point3};
 use a03_rays_cameras::Ray;
@@ -53,6 +58,12 @@ pub fn axis_aligned_box(lbf: Point3, run: Point3, ray: &Ray, compared: Compared)
         }
     }
     nearest
+}
+
+/// What a triangle demands of β and γ by the word of the text: a sum of exactly
+/// 1, which only the edge between b and c has.
+pub fn is_inside_by_the_text(beta: f64, gamma: f64) -> bool {
+    beta > 0.0 && gamma > 0.0 && beta + gamma == 1.0
 }
 
 /// The triangle by Cramer's rule. The determinant is compared with 0, not with

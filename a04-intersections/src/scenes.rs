@@ -40,12 +40,12 @@ fn scene(
     Scene::traced(name, about, move |settings, progress| {
         let (camera, mut world) = view()?;
         if settings.omit {
-            world = world.prepared();
+            world = world.prepared(camera.focus());
         }
         render(&camera, |ray| world.color_for(ray), settings, progress)
     })
     .planned(move |settings| {
-        let plan = view()?.1.prepared().plan(Sampler::plan(settings));
+        let plan = view()?.1.prepared([]).plan(Sampler::plan(settings));
         Ok(plan.without("lights and mirrors", "objects have a colour, no material"))
     })
 }

@@ -9,7 +9,7 @@ use crate::{Bounds, Geometry, Hit, Interval};
 /// A triangle. It has no thickness, and is seen from both sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Triangle {
-    corners: [Point3; 3],
+    pub(crate) corners: [Point3; 3],
     normals: [Normal3; 3],
     face: Normal3,
 }
@@ -50,10 +50,6 @@ impl Triangle {
         Ok(self)
     }
 
-    pub(crate) const fn corners(&self) -> &[Point3; 3] {
-        &self.corners
-    }
-
     /// The normal at barycentric coordinates: `(1 - β - γ) nA + β nB + γ nC`,
     /// brought to length 1. That of the face where the three cancel out.
     fn interpolated_normal(&self, beta: f64, gamma: f64) -> Normal3 {
@@ -92,27 +88,55 @@ fn face_normal([a, b, c]: [Point3; 3]) -> Result<Normal3, ArgumentError> {
     }
 }
 
-/// The test of Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection",
-/// JCGT 2(1), 2013: no ray slips through between two triangles that share an
-/// edge, because both compute the same number for it, with opposite signs.
-impl Geometry for Triangle {
-    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        // The axis along which the ray goes farthest becomes z.
+/// A ray that is about to be tested against triangles: sheared so that it is the
+/// z axis, and z measured in `t`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ShearedRay {
+    /// The axes x, y and z of the sheared space; z is the one along which the
+    /// ray goes farthest.
+    pub axes: [usize; 3],
+    /// The origin along these axes.
+    pub o: [f64; 3],
+    pub shear: [f64; 2],
+    scale_z: f64,
+}
+
+impl ShearedRay {
+    #[inline]
+    pub fn new(ray: &Ray) -> Self {
         let d = ray.direction().to_glam();
         let z = d.abs().max_position();
         let (x, y) = ((z + 1) % 3, (z + 2) % 3);
+        let (o, d) = (ray.origin().to_glam().to_array(), d.to_array());
+        Self {
+            axes: [x, y, z],
+            o: [o[x], o[y], o[z]],
+            shear: [d[x] / d[z], d[y] / d[z]],
+            scale_z: 1.0 / d[z],
+        }
+    }
 
-        // Shear space so that the ray is the z axis, and measure z in t.
-        let (shear_x, shear_y, scale_z) = (d[x] / d[z], d[y] / d[z], 1.0 / d[z]);
-        let [a, b, c] = self.corners.map(|corner| {
-            let from_origin = (corner - ray.origin()).to_glam();
-            let depth = from_origin[z];
-            [
-                from_origin[x] - shear_x * depth,
-                from_origin[y] - shear_y * depth,
-                scale_z * depth,
-            ]
-        });
+    /// A point in sheared space.
+    #[inline]
+    fn sheared(&self, point: Point3) -> [f64; 3] {
+        let ([x, y, z], point) = (self.axes, point.to_glam().to_array());
+        let depth = point[z] - self.o[2];
+        [
+            (point[x] - self.o[0]) - self.shear[0] * depth,
+            (point[y] - self.o[1]) - self.shear[1] * depth,
+            self.scale_z * depth,
+        ]
+    }
+}
+
+/// The test of Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection",
+/// JCGT 2(1), 2013: no ray slips through between two triangles that share an
+/// edge, because both compute the same number for it, with opposite signs.
+impl Triangle {
+    #[inline]
+    pub(crate) fn hit_by(&self, ray: &ShearedRay, within: Interval) -> Option<Hit> {
+        let [a, b, c] = self.corners;
+        let (a, b, c) = (ray.sheared(a), ray.sheared(b), ray.sheared(c));
 
         // On which side of each edge does the axis pass? On an edge counts.
         let u = c[0] * b[1] - c[1] * b[0];
@@ -132,6 +156,12 @@ impl Geometry for Triangle {
             normal: self.interpolated_normal(v / determinant, w / determinant),
             face: self.face,
         })
+    }
+}
+
+impl Geometry for Triangle {
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        self.hit_by(&ShearedRay::new(ray), within)
     }
 
     /// By rounding, a needle is also hit beyond its tip, as far as the tip is

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use a02_math::{Direction, Vector3};
-use a03_rays_cameras::Ray;
+use a03_rays_cameras::{Focus, Ray};
 use common::tally::{self, Work};
 use common::{ArgumentError, Color, Plan, argument};
 
@@ -42,14 +42,15 @@ impl<S> World<S> {
         self
     }
 
-    /// The same world, prepared for many rays: each asks only the objects that
-    /// it may meet. What it meets is the same, to the last bit. Of few objects
-    /// all are asked as before: a search would be more work.
+    /// The same world, prepared for many rays, most of them from or to some
+    /// foci: each asks only the objects that it may meet. What it meets is the
+    /// same, to the last bit. Of few objects all are asked as before: a search
+    /// would be more work.
     #[must_use]
-    pub fn prepared(mut self) -> Self {
+    pub fn prepared(mut self, foci: impl IntoIterator<Item = Focus>) -> Self {
         let geometries = self.objects.iter().map(|(geometry, _)| geometry);
         let are_few = self.objects.len() <= FEW && geometries.clone().all(|g| g.parts().is_none());
-        self.search = (!are_few).then(|| Search::new(geometries));
+        self.search = (!are_few).then(|| Search::new(geometries, foci));
         self
     }
 

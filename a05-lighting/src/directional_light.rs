@@ -1,6 +1,7 @@
 //! `DirectionalLight`: shines from infinitely far away, like the sun.
 
 use a02_math::{Point3, Vector3};
+use a03_rays_cameras::Focus;
 use common::{ArgumentError, Color, argument};
 
 use crate::{Illumination, Light};
@@ -29,5 +30,9 @@ impl Light for DirectionalLight {
             direction: -self.direction,
             distance: f64::INFINITY,
         })
+    }
+
+    fn focus(&self) -> Option<Focus> {
+        Some(Focus::Direction(self.direction))
     }
 }

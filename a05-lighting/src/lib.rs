@@ -14,7 +14,8 @@ mod lit_world;
 mod material;
 mod phong;
 mod point_light;
-mod protocol;
+#[doc(hidden)]
+pub mod protocol;
 mod scenes;
 mod single_color;
 mod spot_light;
@@ -30,3 +31,8 @@ pub use point_light::PointLight;
 pub use scenes::stage;
 pub use single_color::SingleColor;
 pub use spot_light::SpotLight;
+
+/// The code in this stage's chapter is tested with it.
+#[cfg(doctest)]
+#[doc = include_str!("../../book/src/a05-lighting.md")]
+mod book {}

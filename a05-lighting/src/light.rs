@@ -3,6 +3,7 @@
 use std::fmt::Debug;
 
 use a02_math::{Point3, Vector3};
+use a03_rays_cameras::Focus;
 use common::Color;
 
 /// The light that a source sends to a point, nothing being in between.
@@ -21,6 +22,12 @@ pub trait Light: Debug + Send + Sync {
     /// What the light sends to `point`, or none if that lies outside of its
     /// beam or in the source itself.
     fn illumination(&self, point: Point3) -> Option<Illumination>;
+
+    /// What its rays have in common. None if nothing, and where nothing can be
+    /// gained from knowing.
+    fn focus(&self) -> Option<Focus> {
+        None
+    }
 
     /// Whether the light shines on `point`, nothing being in between.
     fn illuminates(&self, point: Point3) -> bool {

@@ -2,7 +2,7 @@
 
 use std::ops::Deref;
 
-use a03_rays_cameras::Ray;
+use a03_rays_cameras::{Focus, Ray};
 use a04_intersections::{Geometry, Hit, Interval, World};
 use common::{ArgumentError, Color, Plan, argument};
 
@@ -49,19 +49,19 @@ impl<S, L> LitWorld<S, L> {
         self
     }
 
-    /// The same world, its objects prepared for many rays.
+    /// The same world, its objects [prepared](World::prepared) for many rays.
     #[must_use]
-    pub fn prepared(mut self) -> Self {
-        self.world = self.world.prepared();
+    pub fn prepared(mut self, foci: impl IntoIterator<Item = Focus>) -> Self {
+        self.world = self.world.prepared(foci);
         self
     }
 
     /// The same world, prepared if work that changes no colour is to be left
     /// out, else doing all of it.
     #[must_use]
-    pub fn omitting(mut self, omit: bool) -> Self {
+    pub fn omitting(mut self, omit: bool, foci: impl IntoIterator<Item = Focus>) -> Self {
         self.omit = omit;
-        if omit { self.prepared() } else { self }
+        if omit { self.prepared(foci) } else { self }
     }
 
     /// The objects.

@@ -1,6 +1,7 @@
 //! `PointLight`: shines from one point in all directions.
 
 use a02_math::Point3;
+use a03_rays_cameras::Focus;
 use common::{ArgumentError, Color, argument};
 
 use crate::{Illumination, Light};
@@ -30,5 +31,9 @@ impl Light for PointLight {
             direction: way.normalized()?,
             distance: way.magnitude(),
         })
+    }
+
+    fn focus(&self) -> Option<Focus> {
+        Some(Focus::Point(self.position))
     }
 }

@@ -1,5 +1,11 @@
-//! The formulas of the protocol as it prints them, mistakes included. Nothing
-//! here is rendered with: the tables hold it against what is.
+//! The formulas of the protocol as it prints them, mistakes included. The
+//! tables hold them against what is right, and only pictures of the mistakes
+//! are rendered with them.
+
+#![expect(
+    clippy::must_use_candidate,
+    reason = "for tables and pictures of mistakes"
+)]
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 

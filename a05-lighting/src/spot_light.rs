@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use a02_math::{Direction, Point3, Vector3};
+use a03_rays_cameras::Focus;
 use common::{ArgumentError, Color, argument};
 
 use crate::{Illumination, Light, PointLight};
@@ -46,5 +47,9 @@ impl Light for SpotLight {
         // Two opposite unit vectors may multiply to a little less than -1.
         let cosine = (-light.direction).dot(self.direction).max(-1.0);
         (cosine >= self.cos_half_angle).then_some(light)
+    }
+
+    fn focus(&self) -> Option<Focus> {
+        self.source.focus()
     }
 }

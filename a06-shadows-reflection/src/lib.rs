@@ -6,7 +6,8 @@
 mod experiments;
 mod extremes;
 mod light_source;
-mod protocol;
+#[doc(hidden)]
+pub mod protocol;
 mod recursive_tracer;
 mod reflective;
 mod scenes;
@@ -21,3 +22,8 @@ pub use scenes::stage;
 pub use secondary_ray::secondary_ray;
 pub use shadow::is_shadowed;
 pub use surface::Surface;
+
+/// The code in this stage's chapter is tested with it.
+#[cfg(doctest)]
+#[doc = include_str!("../../book/src/a06-shadows-reflection.md")]
+mod book {}

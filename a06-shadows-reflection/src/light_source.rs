@@ -1,6 +1,7 @@
 //! `LightSource`: a light that may cast shadows.
 
 use a02_math::Point3;
+use a03_rays_cameras::Focus;
 use a05_lighting::{Illumination, Light};
 
 /// A light, and whether objects cast shadows in it.
@@ -29,5 +30,9 @@ impl LightSource {
 impl Light for LightSource {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
         self.light.illumination(point)
+    }
+
+    fn focus(&self) -> Option<Focus> {
+        self.light.focus()
     }
 }

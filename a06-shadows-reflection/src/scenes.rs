@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_4;
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, Sampler, render};
+use a03_rays_cameras::{Camera, PerspectiveCamera, Sampler, render};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere};
 use a05_lighting::{Lambert, PointLight};
 use common::{ArgumentError, Color, Scene, Stage};
@@ -34,13 +34,13 @@ fn scene(
         let e = Point3::new(8.0, 8.0, 8.0);
         let (g, t) = (Vector3::new(-1.0, -1.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
         let camera = PerspectiveCamera::new(e, g, t, FRAC_PI_4)?;
-        let world = world()?.omitting(settings.omit);
+        let world = world()?.omitting(settings.omit, camera.focus());
         let tracer = RecursiveTracer::new(&world, settings.omit);
         let radiance = |ray: &_| tracer.trace(ray, settings.depth);
         render(&camera, radiance, settings, progress)
     })
     .planned(move |settings| {
-        let world = world()?.prepared();
+        let world = world()?.prepared([]);
         Ok(RecursiveTracer::new(&world, true).plan(Sampler::plan(settings)))
     })
 }

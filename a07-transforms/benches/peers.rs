@@ -22,7 +22,8 @@
 //! shadows. What one of them cannot express occurs in no scene: backgrounds
 //! other than black, coloured highlights and coloured mirrors.
 //!
-//! The programs take turns, and of all rounds the shortest time counts. Times
+//! The programs run as they do by default, apart from what makes their pictures
+//! equal. They take turns, and of all rounds the shortest time counts. Times
 //! are the ones that each program prints about itself: tracing without reading
 //! the scene and writing the file, and building what makes tracing fast.
 //! (POV-Ray builds that of a mesh while it reads, so there it counts nowhere.)
@@ -31,7 +32,12 @@
 //! better. The last columns say which share of pixels differs from ours by more
 //! than 8 of 255, and the mean difference, so that nobody compares different
 //! work.
+//!
+//! `aa`, with the names of scenes or without, compares ways to smooth edges
+//! instead: the trace time and the error against 256 samples a pixel.
 
+#[path = "peers/antialiasing.rs"]
+mod antialiasing;
 #[path = "peers/child.rs"]
 mod child;
 #[path = "peers/description.rs"]
@@ -54,10 +60,11 @@ mod tracer;
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 use std::time::Duration;
 
 use clap::Parser;
-use common::Size;
+use common::{Sampling, Settings, Size};
 
 use crate::description::Description;
 use crate::measurement::{HEADER, measure, row};
@@ -69,7 +76,7 @@ use crate::tracer::{Job, Tracer};
 /// Compares our tracer with POV-Ray and Tachyon.
 #[derive(Parser)]
 struct Options {
-    /// The scenes to render; all if none is named.
+    /// The scenes to render; all if none is named. "aa" smooths their edges.
     scenes: Vec<String>,
     /// How often each program renders each scene; the shortest time counts.
     #[arg(long, default_value_t = 3)]
@@ -79,7 +86,8 @@ struct Options {
     quick: bool,
     /// Numbers of threads, each for itself.
     #[arg(long, value_delimiter = ',', default_value = "1,2")]
-    threads: Vec<usize>,
+    #[arg(value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Vec<u16>,
     /// Width and height of the pictures.
     #[arg(long, default_value = "1280x960")]
     size: Size,
@@ -89,6 +97,12 @@ struct Options {
     /// Render one scene with our tracer: what the benchmark asks of itself.
     #[arg(long, hide = true, requires = "output")]
     render: Option<String>,
+    /// Samples per pixel of `--render`.
+    #[arg(long, hide = true, default_value_t = 1)]
+    samples: u32,
+    /// Where the samples of `--render` lie.
+    #[arg(long, hide = true, default_value = "center")]
+    sampling: Sampling,
     /// The picture file of `--render`.
     #[arg(short, hide = true)]
     output: Option<PathBuf>,
@@ -97,17 +111,32 @@ struct Options {
     bench: bool,
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let options = Options::parse();
+fn main() -> ExitCode {
+    match run(&Options::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     if let (Some(scene), Some(path)) = (&options.render, &options.output) {
         let threads = options.threads.first().copied().unwrap_or(1);
         let description = &named(std::slice::from_ref(scene))?[0];
-        return ours::render_to(description, options.size, threads, path);
+        let settings = Settings {
+            size: options.size,
+            samples: options.samples,
+            sampling: options.sampling,
+            ..Settings::default()
+        };
+        ours::render_to(description, &settings, threads, path)
+    } else if options.bench {
+        compare(options)
+    } else {
+        Ok(())
     }
-    if options.bench {
-        compare(&options)?;
-    }
-    Ok(())
 }
 
 /// The descriptions of these names; all if there are none.
@@ -130,29 +159,38 @@ fn named(names: &[String]) -> Result<Vec<Description>, Box<dyn Error>> {
 
 /// Prints a row for each scene and number of threads.
 fn compare(options: &Options) -> Result<(), Box<dyn Error>> {
+    let (smooth, names): (Vec<_>, Vec<_>) = options
+        .scenes
+        .iter()
+        .cloned()
+        .partition(|name| name == "aa");
+    let descriptions = named(&names)?;
     let tracers: [&dyn Tracer; 3] = [&Ours, &PovRay, &Tachyon];
     for missing in tracers.iter().filter(|tracer| !tracer.installed()) {
         eprintln!(
-            "{} is not installed: its columns stay empty",
+            "{} is not installed: its figures are left out",
             missing.name()
         );
     }
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("peers");
-    fs::create_dir_all(&folder)?;
+    let folder = &Path::new(env!("CARGO_TARGET_TMPDIR")).join("peers");
+    fs::create_dir_all(folder)?;
+    let (size, limit) = (options.size, Duration::from_secs(options.limit));
     let rounds = if options.quick {
         1
     } else {
         options.rounds.max(1)
     };
-    let limit = Duration::from_secs(options.limit);
+    if !smooth.is_empty() {
+        return antialiasing::compare(&descriptions, folder, size, rounds, limit);
+    }
 
     println!("{HEADER}");
-    for description in &named(&options.scenes)? {
+    for description in &descriptions {
         for &threads in &options.threads {
             let job = Job {
                 description,
-                folder: &folder,
-                size: options.size,
+                folder,
+                size,
                 threads,
             };
             let measured = measure(tracers, &job, rounds, limit)?;

@@ -9,7 +9,8 @@ mod extremes;
 mod mat4x4;
 mod moved_bounds;
 mod node;
-mod protocol;
+#[doc(hidden)]
+pub mod protocol;
 mod scenes;
 mod transform;
 
@@ -18,3 +19,8 @@ pub use mat4x4::Mat4x4;
 pub use node::Node;
 pub use scenes::stage;
 pub use transform::Transform;
+
+/// The code in this stage's chapter is tested with it.
+#[cfg(doctest)]
+#[doc = include_str!("../../book/src/a07-transforms.md")]
+mod book {}

@@ -1,14 +1,20 @@
-//! The formulas of the protocol as it prints them, mistakes included. Nothing
-//! here is rendered with: the tables hold it against what is.
+//! The formulas of the protocol as it prints them, mistakes included. The
+//! tables hold them against what is right, and only pictures of the mistakes
+//! are rendered with them.
+
+#![expect(
+    clippy::must_use_candidate,
+    reason = "for tables and pictures of mistakes"
+)]
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Interval};
+use a04_intersections::{Geometry, Hit, Interval};
 
 use crate::{Mat4x4, Transform};
 
 /// A matrix and what the protocol takes for its inverse.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Chained {
     pub m: Mat4x4,
     pub i: Mat4x4,
@@ -22,6 +28,7 @@ impl Chained {
 
     /// Wrong: the inverse of a product has the inverses in the opposite order,
     /// but both are multiplied from the right, `i' = i T⁻¹`.
+    #[must_use]
     pub fn then(self, step: &Transform) -> Self {
         Self {
             m: self.m * step.matrix(),
@@ -40,6 +47,14 @@ pub fn transposed_normal(m: Mat4x4, n: Normal3) -> Option<Normal3> {
 /// object is stretched.
 pub fn normal_as_vector(m: Mat4x4, n: Normal3) -> Option<Normal3> {
     (m * Vector3::from(n)).normalized().map(Vector3::as_normal)
+}
+
+/// Wrong: with a fourth coordinate of 1 instead of 0, a normal is also moved.
+pub fn normal_as_point(m: Mat4x4, n: Normal3) -> Option<Normal3> {
+    let moved = m * Point3::from_glam(n.to_glam());
+    (moved - Point3::ORIGIN)
+        .normalized()
+        .map(Vector3::as_normal)
 }
 
 /// Wrong: as long as the transform makes it, a normal dims or brightens.
@@ -70,14 +85,26 @@ pub fn product(a: Mat4x4, b: Mat4x4) -> Mat4x4 {
     (a.transposed() * b.transposed()).transposed()
 }
 
+/// Wrong: the rule of Sarrus, four diagonals down minus four up, is one for
+/// three rows and three columns; of four it leaves out 16 of 24 products.
+pub fn determinant_by_sarrus(rows: [[f64; 4]; 4]) -> f64 {
+    let product =
+        |column: &dyn Fn(usize) -> usize| (0..4).map(|i| rows[i][column(i) % 4]).product();
+    let diagonal = |k: usize| -> f64 {
+        let [down, up]: [f64; 2] = [product(&|i| k + i), product(&|i| k + 4 - i)];
+        down - up
+    };
+    (0..4).map(diagonal).sum()
+}
+
 /// Wrong: without an `else`, the second condition overwrites the nearest hit,
 /// so that the last in the list wins.
-pub fn last_hit(children: &[Box<dyn Geometry>], ray: &Ray) -> Option<f64> {
-    let mut cached: Option<f64> = None;
+pub fn last_hit(children: &[Box<dyn Geometry>], ray: &Ray) -> Option<Hit> {
+    let mut cached: Option<Hit> = None;
     for child in children {
-        let current = child.hit(ray, Interval::AHEAD).map(|hit| hit.t);
+        let current = child.hit(ray, Interval::AHEAD);
         if let (Some(current), Some(nearest)) = (current, cached)
-            && current < nearest
+            && current.t < nearest.t
         {
             cached = Some(current);
             continue;

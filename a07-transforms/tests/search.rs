@@ -116,7 +116,7 @@ fn rays(targets: &[Point3], s: f64) -> impl Iterator<Item = Ray> {
 
 fn check(s: f64, far: f64) {
     let (plain, targets) = world(s, far);
-    let prepared = world(s, far).0.prepared();
+    let prepared = world(s, far).0.prepared([]);
     let mut met = [0; 6];
     for ray in rays(&targets, s) {
         let [a, b] = [&plain, &prepared].map(|world| world.hit(&ray, Interval::AHEAD));

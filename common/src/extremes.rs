@@ -126,10 +126,13 @@ pub enum Bound {
 impl Bound {
     fn admits(self, exact: Outcome, outcome: Outcome) -> bool {
         let distance = exact.distance(outcome);
+        let equal = exact == outcome;
         match self {
-            Self::Equal => exact == outcome,
-            Self::Ulps(ulps) => distance.is_some_and(|d| d <= ulps * ulp(exact.magnitude())),
-            Self::Absolute(bound) => distance.is_some_and(|d| d <= bound),
+            Self::Equal => equal,
+            Self::Ulps(ulps) => {
+                equal || distance.is_some_and(|d| d <= ulps * ulp(exact.magnitude()))
+            }
+            Self::Absolute(bound) => equal || distance.is_some_and(|d| d <= bound),
             Self::Finite => match outcome {
                 Outcome::Number(number) => number.is_finite(),
                 Outcome::Triple(numbers) => numbers.iter().all(|number| number.is_finite()),
@@ -228,6 +231,21 @@ impl Case {
         });
         as_said && self.bound.admits(self.exact, self.ours)
     }
+
+    /// What is expected of ours, what it is, and how far off, in one line.
+    #[must_use]
+    pub fn comparison(&self) -> String {
+        let Self {
+            exact, ours, bound, ..
+        } = self;
+        match exact.distance(*ours) {
+            Some(_) => {
+                let error = error(*exact, *ours);
+                format!("expected {exact}, got {ours}, off by {error} (bound: {bound})")
+            }
+            None => format!("expected {exact}, got {ours}"),
+        }
+    }
 }
 
 impl fmt::Display for Case {
@@ -311,6 +329,8 @@ mod tests {
         assert!(!case(Bound::Absolute(0.5), 1.6).holds());
         assert!(case(Bound::Finite, 1e300).holds());
         assert!(case(Bound::Finite, Outcome::Nothing).holds());
+        let nothing = |bound| Case::new("", "", Outcome::Nothing, bound, Outcome::Nothing);
+        assert!(nothing(Bound::Ulps(1.0)).holds() && nothing(Bound::Absolute(1.0)).holds());
     }
 
     #[test]
@@ -357,6 +377,10 @@ mod tests {
              exact     1   (bound: 2 ulp)\n     \
              protocol  1.5   error 5.0e-1, out of bound\n     \
              ours      1.0000000000000002   error 1 ulp"
+        );
+        assert_eq!(
+            case.comparison(),
+            "expected 1, got 1.0000000000000002, off by 1 ulp (bound: 2 ulp)"
         );
     }
 

@@ -10,8 +10,22 @@ pub struct Image {
 }
 
 impl Image {
-    /// A black picture, or an error where memory does not suffice.
+    /// Pixels of the largest picture, which take 1.5 GiB.
+    const MOST_PIXELS: usize = 8192 * 8192;
+
+    /// An error if a picture of this size is too large to be held in memory.
+    pub const fn check_size(size: Size) -> Result<(), Error> {
+        if size.pixels() <= Self::MOST_PIXELS {
+            Ok(())
+        } else {
+            Err(Error::TooLarge { size })
+        }
+    }
+
+    /// A black picture, or an error where it is too large or memory does not
+    /// suffice.
     pub fn black(size: Size) -> Result<Self, Error> {
+        Self::check_size(size)?;
         let mut pixels = Vec::new();
         pixels
             .try_reserve_exact(size.pixels())
@@ -75,6 +89,25 @@ impl Image {
         }
     }
 
+    /// Paints another picture into this one, its upper left pixel at column
+    /// `left` and row `top`; what lies outside is cut off.
+    pub fn paste(&mut self, left: u32, top: u32, other: &Self) {
+        for (y, row) in (top..).zip(other.rows()) {
+            for (x, color) in (left..).zip(row) {
+                self.set(x, y, *color);
+            }
+        }
+    }
+
+    /// The picture whose pixels are `f` of these.
+    #[must_use]
+    pub fn map(mut self, f: impl Fn(Color) -> Color) -> Self {
+        for pixel in &mut self.pixels {
+            *pixel = f(*pixel);
+        }
+        self
+    }
+
     const fn index(&self, x: u32, y: u32) -> usize {
         y as usize * self.size.width() as usize + x as usize
     }
@@ -124,6 +157,28 @@ mod tests {
         assert_eq!(image, before);
         image.set(2, 1, Color::WHITE);
         assert_eq!(image.get(2, 1), Some(Color::WHITE));
+    }
+
+    #[test]
+    fn a_pasted_picture_is_cut_off_at_the_border() {
+        let mut image = numbered();
+        image.paste(2, 1, &numbered().map(|_| Color::WHITE));
+        assert_eq!(image.get(2, 1), Some(Color::WHITE));
+        image.set(2, 1, Color::new(2.0, 1.0, 0.0));
+        assert_eq!(image, numbered());
+    }
+
+    #[test]
+    fn a_picture_holds_8192_times_8192_pixels_and_not_one_more_row() {
+        let size = |width, height| Size::new(width, height).unwrap();
+        for largest in [size(8192, 8192), size(32_768, 2048)] {
+            assert!(Image::check_size(largest).is_ok());
+        }
+        for larger in [size(8192, 8193), size(32_768, 32_768)] {
+            let error = Image::black(larger).unwrap_err();
+            assert!(error.to_string().contains("at most 8192x8192"), "{error}");
+            assert_eq!(error.exit_code(), 2);
+        }
     }
 
     #[test]

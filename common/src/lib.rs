@@ -11,6 +11,8 @@ pub mod comparison;
 pub mod display;
 mod effort;
 mod error;
+#[cfg(feature = "exercise")]
+pub mod exercise;
 pub mod experiment;
 pub mod extremes;
 mod gallery;
@@ -21,11 +23,15 @@ pub mod picture_file;
 #[cfg(feature = "lock")]
 pub mod picture_lock;
 mod plan;
+#[cfg(feature = "report")]
 mod plot;
 pub mod program;
 mod progress;
+#[cfg(feature = "report")]
 mod report;
+mod sampled;
 mod scene;
+#[cfg(feature = "report")]
 mod scene_report;
 mod settings;
 mod size;
@@ -37,11 +43,14 @@ pub use argument::ArgumentError;
 pub use color::Color;
 pub use effort::Effort;
 pub use error::Error;
+#[cfg(feature = "exercise")]
+pub use exercise::missing;
 pub use gallery::{Gallery, Rendering};
 pub use image::Image;
 pub use live_picture::LivePicture;
 pub use plan::{Bound, Omission, Plan};
 pub use progress::{Progress, TerminalProgress};
+pub use sampled::Sampled;
 pub use scene::{Scene, Stage};
 pub use settings::{Sampling, Settings};
 pub use size::Size;

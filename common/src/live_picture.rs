@@ -16,6 +16,8 @@ pub struct LivePicture {
     transfer: Transfer,
     pixels: Vec<AtomicU32>,
     rows: AtomicU32,
+    /// How many rows there are to paint, those counted that are painted again.
+    rows_to_paint: AtomicU32,
     stopped: AtomicBool,
     started: Instant,
 }
@@ -29,6 +31,7 @@ impl LivePicture {
             transfer,
             pixels: (0..size.pixels()).map(|_| AtomicU32::new(0)).collect(),
             rows: AtomicU32::new(0),
+            rows_to_paint: AtomicU32::new(size.height()),
             stopped: AtomicBool::new(false),
             started: Instant::now(),
         }
@@ -47,10 +50,17 @@ impl LivePicture {
         Some(pixel.load(Ordering::Relaxed))
     }
 
-    /// How many rows are finished.
+    /// How many rows are finished; a row that is painted again counts again.
     #[must_use]
     pub fn rows(&self) -> u32 {
         self.rows.load(Ordering::Relaxed)
+    }
+
+    /// How much of the work that is known of is done, from 0 to 1.
+    #[must_use]
+    pub fn share(&self) -> f64 {
+        let all = self.rows_to_paint.load(Ordering::Relaxed);
+        f64::from(self.rows()) / f64::from(all)
     }
 
     /// For how long the rendering has been going on.
@@ -63,9 +73,9 @@ impl LivePicture {
     /// ones; none before there is one.
     #[must_use]
     pub fn remaining(&self) -> Option<Duration> {
-        let (rows, all) = (self.rows(), self.size.height());
-        let share = f64::from(all - rows.min(all)) / f64::from(rows);
-        Duration::try_from_secs_f64(self.elapsed().as_secs_f64() * share).ok()
+        let share = self.share().min(1.0);
+        let to_go = (1.0 - share) / share;
+        Duration::try_from_secs_f64(self.elapsed().as_secs_f64() * to_go).ok()
     }
 
     /// Ends the rendering after the rows that are being worked on.
@@ -82,6 +92,10 @@ impl Progress for LivePicture {
             live.store(self.transfer.pack(*color), Ordering::Relaxed);
         }
         self.rows.fetch_add(1, Ordering::Relaxed);
+    }
+
+    fn more_rows(&self, rows: u32) {
+        self.rows_to_paint.fetch_add(rows, Ordering::Relaxed);
     }
 
     fn stopped(&self) -> bool {
@@ -122,6 +136,18 @@ mod tests {
             picture.row(y, &[Color::BLACK; 3]);
         }
         assert_eq!(picture.remaining(), Some(Duration::ZERO));
+    }
+
+    #[test]
+    fn rows_that_are_painted_again_are_work_too() {
+        let picture = picture();
+        (0..4).for_each(|y| picture.row(y, &[Color::BLACK; 3]));
+        assert_eq!(picture.share(), 1.0);
+        picture.more_rows(1);
+        assert_eq!(picture.share(), 0.8);
+        picture.row(2, &[Color::WHITE; 3]);
+        assert_eq!(picture.share(), 1.0);
+        assert_eq!(picture.pixel(6), Some(0xFF_FFFF));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::scene::Heeds;
-use crate::{Error, Sampling, Scene, Settings, Size, Transfer};
+use crate::{Error, Image, Sampling, Scene, Settings, Size, Transfer};
 
 /// What of a scene's defaults the command line replaces.
 #[derive(Clone, Debug, Default, clap::Args)]
@@ -19,6 +19,12 @@ pub struct Overrides {
     /// Where samples lie [default: center for one sample, else stratified]
     #[arg(long, value_enum, value_name = "HOW")]
     sampling: Option<Sampling>,
+
+    /// Take samples where they are needed, until the picture's root mean square
+    /// error is estimated to be at most this, such as 1/510; of a pixel at most
+    /// the --samples [default: 1024]
+    #[arg(long, value_name = "E", value_parser = error_bound, conflicts_with = "sampling")]
+    max_error: Option<f64>,
 
     /// Selects the random numbers [default: 0]
     #[arg(long, value_name = "N")]
@@ -45,6 +51,38 @@ pub struct Overrides {
     pub open: Option<PathBuf>,
 }
 
+/// More samples of a pixel are not taken without being asked for.
+const ENOUGH: u32 = 1024;
+
+/// Reads a number or a fraction, above 0 and at most 1.
+fn error_bound(text: &str) -> Result<f64, String> {
+    let (numerator, denominator) = text.split_once('/').unwrap_or((text, "1"));
+    let [numerator, denominator] = [numerator, denominator].map(|n| n.trim().parse::<f64>());
+    match (numerator, denominator) {
+        (Ok(n), Ok(d)) if n / d > 0.0 && n / d <= 1.0 => Ok(n / d),
+        _ => Err("a number above 0 and at most 1 is needed, such as 1/510 or 0.002".to_owned()),
+    }
+}
+
+/// Checks that this sampling has room for that many samples.
+fn check_places(samples: u32, sampling: Sampling) -> Result<(), Error> {
+    if sampling == Sampling::Center && samples > 1 {
+        return Err(Error::Usage(format!(
+            "a pixel has one center, not {samples}; \
+             --sampling regular, random or stratified takes more samples"
+        )));
+    }
+    let root = samples.isqrt();
+    if sampling.is_grid() && root * root != samples {
+        let (below, above) = (root * root, (root + 1) * (root + 1));
+        return Err(Error::Usage(format!(
+            "--samples {samples} makes no square grid, which regular and stratified \
+             sampling need; {below} and {above} do, and random sampling takes any number"
+        )));
+    }
+    Ok(())
+}
+
 impl Overrides {
     /// The threads to render with.
     pub fn thread_pool(&self) -> Result<rayon::ThreadPool, Error> {
@@ -64,24 +102,23 @@ impl Overrides {
             (Some(samples), None) => (samples, Sampling::Stratified),
             (Some(samples), Some(sampling)) => (samples, sampling),
         };
-        if sampling == Sampling::Center && samples > 1 {
-            return Err(Error::Usage(format!(
-                "a pixel has one center, not {samples}; \
-                 --sampling regular, random or stratified takes more samples"
-            )));
+        let max_error = self.max_error.or(defaults.max_error);
+        if max_error.is_none() {
+            check_places(samples, sampling)?;
         }
-        let root = samples.isqrt();
-        if sampling.is_grid() && root * root != samples {
-            let (below, above) = (root * root, (root + 1) * (root + 1));
-            return Err(Error::Usage(format!(
-                "--samples {samples} makes no square grid, which regular and stratified \
-                 sampling need; {below} and {above} do, and random sampling takes any number"
-            )));
+        let size = self.size.unwrap_or(defaults.size);
+        if scene.heeds.size && !scene.heeds.sampling {
+            Image::check_size(size)?;
         }
         Ok(Settings {
-            size: self.size.unwrap_or(defaults.size),
-            samples,
+            size,
+            rows: None,
+            samples: match self.max_error {
+                Some(_) => self.samples.unwrap_or(ENOUGH),
+                None => samples,
+            },
             sampling,
+            max_error,
             seed: self.seed.unwrap_or(defaults.seed),
             depth: self.depth.unwrap_or(defaults.depth),
             omit: defaults.omit && !self.no_omit,
@@ -96,6 +133,7 @@ impl Overrides {
             ("--size", self.size.is_some() && !heeds.size),
             ("--samples", self.samples.is_some() && sampling),
             ("--sampling", self.sampling.is_some() && sampling),
+            ("--max-error", self.max_error.is_some() && sampling),
             ("--seed", self.seed.is_some() && sampling),
             ("--depth", self.depth.is_some() && !heeds.depth),
             ("--open", self.open.is_some() && !heeds.file),
@@ -109,7 +147,6 @@ impl Overrides {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Image;
 
     fn scene() -> Scene {
         Scene::traced("test", "", |settings, _| Image::black(settings.size))
@@ -157,6 +194,44 @@ mod tests {
             ..Overrides::default()
         };
         assert_eq!(center.settings(&scene).unwrap().samples, 1);
+    }
+
+    #[test]
+    fn only_what_is_traced_may_be_larger_than_memory() {
+        let large = Overrides {
+            size: Some(Size::new(16_384, 16_384).unwrap()),
+            ..Overrides::default()
+        };
+        let paint = |settings: &Settings, _: &dyn crate::Progress| Image::black(settings.size);
+        assert!(large.settings(&scene()).is_ok());
+        assert!(large.settings(&Scene::opened("test", "", paint)).is_ok());
+        let refused = large.settings(&Scene::painted("test", "", paint));
+        assert!(matches!(refused, Err(Error::TooLarge { .. })));
+    }
+
+    #[test]
+    fn a_bound_for_the_error_makes_the_samples_the_most_of_a_pixel() {
+        let mut bounded = Overrides {
+            max_error: Some(0.002),
+            ..Overrides::default()
+        };
+        let settings = bounded.settings(&scene()).unwrap();
+        assert_eq!((settings.max_error, settings.samples), (Some(0.002), 1024));
+        // No grid is asked for.
+        bounded.samples = Some(5);
+        assert_eq!(bounded.settings(&scene()).unwrap().samples, 5);
+    }
+
+    #[test]
+    fn an_error_is_read_as_a_number_or_a_fraction() {
+        assert_eq!(error_bound("0.25"), Ok(0.25));
+        assert_eq!(error_bound("1/510"), Ok(1.0 / 510.0));
+        assert_eq!(error_bound("1"), Ok(1.0));
+        for text in [
+            "", "0", "-1", "2", "1/0", "1/-2", "nan", "inf", "1/inf", "0/0", "1/2/3", "x",
+        ] {
+            assert!(error_bound(text).unwrap_err().contains("1/510"), "{text}");
+        }
     }
 
     #[test]

@@ -1,14 +1,13 @@
 //! Opening picture files, and writing PNG so that a file is whole or absent.
 
+mod encoding;
+
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Cursor, Seek, Write};
+use std::io::{self, BufRead, BufReader, Cursor, Seek};
 use std::path::Path;
 
-use image::codecs::png::PngEncoder;
-use image::{
-    DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageError, ImageReader, Limits,
-};
-use tempfile::NamedTempFile;
+use image::{DynamicImage, ImageDecoder, ImageError, ImageReader, Limits};
+use tempfile::{NamedTempFile, spooled_tempfile_in};
 
 use crate::{Color, Error, Image, Size};
 
@@ -62,7 +61,8 @@ fn decode(file: impl BufRead + Seek) -> Result<(Size, Vec<u8>), String> {
     reader.limits(limits);
     let mut decoder = reader.into_decoder().map_err(explain)?;
     let (width, height) = decoder.dimensions();
-    Size::new(width, height).map_err(|error| error.to_string())?;
+    let size = Size::new(width, height).map_err(|error| error.to_string())?;
+    Image::check_size(size).map_err(|error| error.to_string())?;
     let orientation = decoder.orientation().map_err(explain)?;
     let mut picture = DynamicImage::from_decoder(decoder).map_err(explain)?;
     picture.apply_orientation(orientation);
@@ -91,7 +91,22 @@ fn explain(error: &ImageError) -> String {
 ///
 /// If `rgb` does not hold three bytes for every pixel of `size`.
 pub fn save_png(path: &Path, size: Size, rgb: &[u8]) -> Result<(), Error> {
-    let file = unnamed_png(path, size, rgb)?;
+    save_png_in_bands(path, size, [Ok(rgb)])
+}
+
+/// Like [`save_png`], of rows that come band by band from the top, so that no
+/// more than one band need be in memory. The first band that is an error ends
+/// it, and there is no file.
+///
+/// # Panics
+///
+/// If the bands together do not hold three bytes for every pixel of `size`.
+pub fn save_png_in_bands<B: AsRef<[u8]>>(
+    path: &Path,
+    size: Size,
+    bands: impl IntoIterator<Item = Result<B, Error>>,
+) -> Result<(), Error> {
+    let file = unnamed_png(path, size, bands)?;
     let named = file.persist(path);
     named.map_err(|error| cannot_write(path, error.error.to_string()))?;
     Ok(())
@@ -104,24 +119,32 @@ pub fn save_png(path: &Path, size: Size, rgb: &[u8]) -> Result<(), Error> {
 ///
 /// As [`save_png`].
 pub fn save_new_png(path: &Path, size: Size, rgb: &[u8]) -> Result<bool, Error> {
-    match unnamed_png(path, size, rgb)?.persist_noclobber(path) {
+    match unnamed_png(path, size, [Ok(rgb)])?.persist_noclobber(path) {
         Ok(_) => Ok(true),
         Err(error) if error.error.kind() == io::ErrorKind::AlreadyExists => Ok(false),
         Err(error) => Err(cannot_write(path, error.error.to_string())),
     }
 }
 
+/// How many bytes of a file are kept in memory until it is whole.
+const MOST_BYTES_IN_MEMORY: usize = 1 << 24;
+
 /// A finished PNG file that vanishes unless it is given the name `path`.
-fn unnamed_png(path: &Path, size: Size, rgb: &[u8]) -> Result<NamedTempFile, Error> {
-    assert_eq!(rgb.len(), 3 * size.pixels(), "three bytes a pixel");
-    let mut png = Cursor::new(Vec::new());
-    PngEncoder::new(&mut png)
-        .write_image(rgb, size.width(), size.height(), ExtendedColorType::Rgb8)
-        .map_err(|error| cannot_write(path, error.to_string()))?;
-    let write = || {
+fn unnamed_png<B: AsRef<[u8]>>(
+    path: &Path,
+    size: Size,
+    bands: impl IntoIterator<Item = Result<B, Error>>,
+) -> Result<NamedTempFile, Error> {
+    // What has no name at all vanishes even if the program is killed.
+    let mut png = spooled_tempfile_in(MOST_BYTES_IN_MEMORY, folder_of(path));
+    encoding::encode(&mut png, size, bands, |error| {
+        cannot_write(path, error.to_string())
+    })?;
+    let mut write = || {
         let mut file = unnamed_file_beside(path)?;
+        png.rewind()?;
         // Errors of the file itself do not tell its passing name.
-        file.as_file_mut().write_all(png.get_ref())?;
+        io::copy(&mut png, file.as_file_mut())?;
         file.as_file().sync_all()?;
         Ok(file)
     };
@@ -143,12 +166,16 @@ fn cannot_write(path: &Path, reason: String) -> Error {
     }
 }
 
-/// A file that vanishes unless it is given the name `path`.
-fn unnamed_file_beside(path: &Path) -> io::Result<NamedTempFile> {
-    let folder = match path.parent() {
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
         Some(folder) if folder != Path::new("") => folder,
         _ => Path::new("."),
-    };
+    }
+}
+
+/// A file that vanishes unless it is given the name `path`.
+fn unnamed_file_beside(path: &Path) -> io::Result<NamedTempFile> {
+    let folder = folder_of(path);
     let refuse = |kind, reason| Err(io::Error::new(kind, reason));
     if path.is_dir() {
         let reason = "a folder has this name";
@@ -296,8 +323,8 @@ mod tests {
             .write_to(&mut Cursor::new(&mut bmp), image::ImageFormat::Bmp)
             .unwrap();
         // Width and height in the header of a BMP file.
-        bmp[18..22].copy_from_slice(&60_000_u32.to_le_bytes());
-        bmp[22..26].copy_from_slice(&60_000_u32.to_le_bytes());
+        bmp[18..22].copy_from_slice(&30_000_u32.to_le_bytes());
+        bmp[22..26].copy_from_slice(&30_000_u32.to_le_bytes());
         std::fs::write(&path, bmp).unwrap();
         assert!(
             reason(&path).contains("at most 8192x8192"),

@@ -70,6 +70,11 @@ macro_rules! lock_pictures {
         }
 
         #[test]
+        fn rows_rendered_alone_are_those_of_the_picture() {
+            $crate::picture_lock::check_rows(&$stage);
+        }
+
+        #[test]
         fn what_is_left_out_changes_no_byte() {
             $crate::picture_lock::check_omissions(&$stage);
         }
@@ -172,6 +177,29 @@ pub fn check_threads(stage: &Stage) {
                 .install(|| render(scene, &small(scene)))
         });
         assert_eq!(one, two, "{}", scene.name);
+    }
+}
+
+/// Checks that bands of rows are what they are in the whole picture.
+///
+/// # Panics
+///
+/// If one is not.
+pub fn check_rows(stage: &Stage) {
+    for scene in stage.scenes.iter().filter(|scene| scene.heeds.sampling) {
+        let mut settings = Settings {
+            samples: 4,
+            sampling: Sampling::Stratified,
+            ..small(scene)
+        };
+        let whole = render(scene, &settings);
+        // 72 rows make ten bands and two rows more.
+        let bands = whole.pixels().chunks(7 * 96);
+        for (start, expected) in (0..).step_by(7).zip(bands) {
+            settings.rows = Some(start..start + 7);
+            let band = render(scene, &settings);
+            assert_eq!(band.pixels(), expected, "{}, row {start}", scene.name);
+        }
     }
 }
 

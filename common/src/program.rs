@@ -4,6 +4,7 @@ mod explain;
 mod extremes;
 mod grammar;
 mod render;
+#[cfg(feature = "report")]
 mod report;
 mod show;
 mod target;
@@ -14,7 +15,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches};
 
-use crate::{Effort, Error, Scene, Stage, Viewer};
+use crate::{Error, Scene, Stage, Viewer};
 use grammar::{Command, CommandLine};
 
 pub(crate) use target::make_default_folder;
@@ -80,14 +81,16 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
             };
             render::render_to_files(stage, &scenes, output, explain, &overrides)
         }
+        #[cfg(feature = "report")]
         Some(Command::Report {
             names,
             quick,
             output,
-        }) => {
-            let effort = if quick { Effort::Quick } else { Effort::Full };
-            report::report(stage, &names, effort, output)
-        }
+        }) => report::report(stage, &names, quick, output),
+        #[cfg(not(feature = "report"))]
+        Some(Command::Report { .. }) => Err(Error::Usage(
+            "this build has no reports; the feature `report` brings them".to_owned(),
+        )),
         Some(Command::Extremes { names }) => extremes::show_extremes(stage, &names),
     }
 }

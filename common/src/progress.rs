@@ -1,15 +1,22 @@
 //! `Progress`: what a rendering tells while it goes on.
 
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use crate::{Color, Size};
+use crate::{Color, Sampled, Size};
 
 /// Follows a rendering from row to row. Called from all of its threads.
 pub trait Progress: Sync {
     /// Row `y`, counted from the top, is finished.
     fn row(&self, y: u32, pixels: &[Color]);
+
+    /// This many rows will be painted once more.
+    fn more_rows(&self, _: u32) {}
+
+    /// The picture, or this part of it, is sampled as exactly as was asked for.
+    fn sampled(&self, _: &Sampled) {}
 
     /// True once the picture is not wanted any more: no further row is begun.
     fn stopped(&self) -> bool {
@@ -22,9 +29,21 @@ impl Progress for () {
     fn row(&self, _: u32, _: &[Color]) {}
 }
 
+/// Adds up the samples of the parts of a picture.
+impl Progress for Mutex<Sampled> {
+    fn row(&self, _: u32, _: &[Color]) {}
+
+    fn sampled(&self, part: &Sampled) {
+        *self.lock().unwrap_or_else(PoisonError::into_inner) += *part;
+    }
+}
+
 /// A bar with elapsed and remaining time on stderr; silent when that is no
 /// terminal.
-pub struct TerminalProgress(ProgressBar);
+pub struct TerminalProgress {
+    bar: ProgressBar,
+    sampled: Mutex<Sampled>,
+}
 
 impl TerminalProgress {
     /// A bar for a picture of this size, under the name of its scene.
@@ -32,7 +51,17 @@ impl TerminalProgress {
     pub fn new(scene: &'static str, size: Size) -> Self {
         let bar = terminal_bar(scene, size.height().into());
         bar.enable_steady_tick(Duration::from_millis(200));
-        Self(bar)
+        Self {
+            bar,
+            sampled: Mutex::default(),
+        }
+    }
+
+    /// What adaptive sampling took so far, if any was done.
+    #[must_use]
+    pub fn samples(&self) -> Option<Sampled> {
+        let sampled = *self.sampled.lock().unwrap_or_else(PoisonError::into_inner);
+        (sampled.pixels > 0).then_some(sampled)
     }
 }
 
@@ -52,12 +81,20 @@ pub(crate) fn terminal_bar(name: &str, steps: u64) -> ProgressBar {
 
 impl Progress for TerminalProgress {
     fn row(&self, _: u32, _: &[Color]) {
-        self.0.inc(1);
+        self.bar.inc(1);
+    }
+
+    fn more_rows(&self, rows: u32) {
+        self.bar.inc_length(rows.into());
+    }
+
+    fn sampled(&self, part: &Sampled) {
+        self.sampled.sampled(part);
     }
 }
 
 impl Drop for TerminalProgress {
     fn drop(&mut self) {
-        self.0.finish_and_clear();
+        self.bar.finish_and_clear();
     }
 }

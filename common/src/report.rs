@@ -66,9 +66,14 @@ impl<'e, 'a> Measured<'e, 'a> {
         );
         for (c, curve) in self.curves.iter().enumerate() {
             for (p, point) in curve.points.iter().enumerate() {
-                let baseline = self.seconds[0].get(p);
                 let seconds = self.seconds[c][p];
-                let ratio = baseline.map_or(f64::NAN, |baseline| seconds / baseline);
+                // Only where the baseline has the same turn of the knob.
+                let baseline = self.curves[0].points.get(p);
+                let ratio = baseline
+                    .filter(|baseline| baseline.knob == point.knob)
+                    .map_or(String::new(), |_| {
+                        format!("{:.2}", seconds / self.seconds[0][p])
+                    });
                 let best = if *against == Axis::Work && front[c][p] {
                     "*"
                 } else {
@@ -76,7 +81,7 @@ impl<'e, 'a> Measured<'e, 'a> {
                 };
                 let _ = writeln!(
                     text,
-                    "{best} {:24} {:>12} {:>14} {:>9.1e} {:>9.1e} {:>10} {ratio:>7.2}",
+                    "{best} {:24} {:>12} {:>14} {:>9.1e} {:>9.1e} {:>10} {ratio:>7}",
                     curve.method,
                     compact(point.knob),
                     compact(point.work),

@@ -2,7 +2,7 @@
 
 use crate::experiment::Experiment;
 use crate::extremes::Case;
-use crate::{Effort, Error, Image, Plan, Progress, Settings};
+use crate::{Color, Effort, Error, Image, Plan, Progress, Settings, Size};
 
 type Paint = dyn Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync;
 type Planned = dyn Fn(&Settings) -> Result<Plan, Error> + Send + Sync;
@@ -107,6 +107,36 @@ impl Scene {
         scene.heeds.sampling = true;
         scene
     }
+
+    /// Scenes side by side in one picture, to be compared: each takes an equal
+    /// share of the width, with a gap of [`Scene::GAP`] pixels between them.
+    #[must_use]
+    pub fn side_by_side(name: &'static str, about: &'static str, panels: Vec<Self>) -> Self {
+        let paint = move |settings: &Settings, progress: &dyn Progress| {
+            let (size, count) = (settings.size, panels.len().max(1) as u32);
+            let gaps = Self::GAP * (count - 1);
+            let width = size.width().saturating_sub(gaps) / count;
+            let panel = Settings {
+                size: Size::new(width, size.height())?,
+                ..settings.clone()
+            };
+            let mut image = Image::black(size)?.map(|_| Color::WHITE);
+            for (left, scene) in (0..).step_by((width + Self::GAP) as usize).zip(&panels) {
+                if progress.stopped() {
+                    return Err(Error::Stopped);
+                }
+                image.paste(left, 0, &scene.render(&panel, &())?);
+            }
+            for (y, row) in (0..).zip(image.rows()) {
+                progress.row(y, row);
+            }
+            Ok(image)
+        };
+        Self::traced(name, about, paint)
+    }
+
+    /// The pixels between pictures side by side.
+    pub const GAP: u32 = 8;
 
     /// The same scene, its rays being reflected by what they meet.
     #[must_use]

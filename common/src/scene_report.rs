@@ -1,8 +1,10 @@
 //! What samples are worth for one scene, so that a person can choose how many
 //! to pay for.
 
-use crate::experiment::{Axis, Curve, Experiment, Point};
-use crate::{Effort, Error, Image, Sampling, Scene, Settings, Size};
+use std::sync::{Mutex, PoisonError};
+
+use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point};
+use crate::{Effort, Error, Image, Sampled, Sampling, Scene, Settings, Size};
 
 /// Samples per pixel and their places, against many samples of another seed.
 pub(crate) fn experiment(scene: &Scene) -> Result<Experiment<'_>, Error> {
@@ -86,5 +88,37 @@ fn curves(scene: &Scene, size: Size, effort: Effort) -> Vec<Curve<'_>> {
             })
             .collect(),
     };
-    methods.map(curve).into()
+    let mut curves: Vec<_> = methods.map(curve).into();
+    let asked = [16.0, 8.0, 4.0, 2.0, 1.0, 0.5].map(|levels| levels * HALF_GREY_LEVEL);
+    let points = asked
+        .iter()
+        .map(|asked| adaptive(scene, size, *asked, &reference));
+    curves.push(Curve {
+        method: "adaptive",
+        remark: "",
+        slope: None,
+        points: points.collect(),
+    });
+    curves
+}
+
+/// As many samples as it takes for the error that is asked for.
+fn adaptive<'a>(scene: &'a Scene, size: Size, asked: f64, reference: &[f64]) -> Point<'a> {
+    let render = move || {
+        let settings = Settings {
+            size,
+            samples: 1024,
+            max_error: Some(asked),
+            ..scene.defaults.clone()
+        };
+        let told = Mutex::new(Sampled::default());
+        let image = scene.render(&settings, &told).ok();
+        let told = told.into_inner().unwrap_or_else(PoisonError::into_inner);
+        (image, told.samples as f64)
+    };
+    let (image, rays) = render();
+    let image = channels(image);
+    let errors = image.iter().zip(reference).map(|(a, b)| a - b);
+    let mean = rays / size.pixels() as f64;
+    Point::new(mean, rays, errors, move || render().1)
 }

@@ -1,5 +1,6 @@
 //! `Settings`: what a reader can turn about a picture without changing its scene.
 
+use std::ops::Range;
 use std::path::PathBuf;
 
 use crate::Size;
@@ -33,14 +34,21 @@ impl Sampling {
 }
 
 /// What a scene is rendered with.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// Width and height of the picture.
     pub size: Size,
-    /// Samples per pixel.
+    /// The rows that are wanted of it, counted from the top; none stands for
+    /// all. Only scenes that are traced heed them.
+    pub rows: Option<Range<u32>>,
+    /// Samples per pixel; the most of them where there is a `max_error`.
     pub samples: u32,
     /// Where they lie.
     pub sampling: Sampling,
+    /// The root mean square error that the picture may have, above 0: of a
+    /// channel from 0 to 1. Samples are then taken where they are needed,
+    /// wherever `sampling` would put them.
+    pub max_error: Option<f64>,
     /// Selects the random numbers; the same seed gives the same picture.
     pub seed: u64,
     /// How many surfaces a ray may meet: 1 shows no reflection.
@@ -51,12 +59,24 @@ pub struct Settings {
     pub file: Option<PathBuf>,
 }
 
+impl Settings {
+    /// The rows of the picture that are wanted, and no others.
+    #[must_use]
+    pub fn rows(&self) -> Range<u32> {
+        let height = self.size.height();
+        let rows = self.rows.clone().unwrap_or(0..height);
+        rows.start..rows.end.min(height)
+    }
+}
+
 impl Default for Settings {
     fn default() -> Self {
         Self {
             size: Size::COURSE,
+            rows: None,
             samples: 1,
             sampling: Sampling::Center,
+            max_error: None,
             seed: 0,
             depth: 6,
             omit: true,

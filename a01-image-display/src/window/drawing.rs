@@ -90,7 +90,7 @@ impl Screen {
     }
 
     fn draw_progress(&mut self, live: &LivePicture, y: i32) {
-        let share = f64::from(live.rows()) / f64::from(live.size().height());
+        let share = live.share();
         let clock = |time: Duration| format!("{}:{:02}", time.as_secs() / 60, time.as_secs() % 60);
         let remaining = live.remaining().map_or("?".to_owned(), clock);
         let text = format!(

@@ -82,6 +82,7 @@ pub fn cases() -> Vec<Case> {
         sized("D19", 1e160, REFUSED, Bound::Equal, Fails),
     ]);
     cases.extend(no_meetings());
+    cases.push(by_the_word());
     cases.push(interpolated());
     cases
 }
@@ -211,6 +212,22 @@ fn noise() -> Case {
         met[0],
     )
     .protocol(Fails, met[1])
+}
+
+/// Points within a triangle, few of which have β + γ = 1.
+fn by_the_word() -> Case {
+    let points = (0..1000).map(|n| {
+        let mut numbers = Numbers::new(33, n);
+        let beta = numbers.between(0.01, 0.98);
+        (beta, numbers.between(0.005, 0.99 - beta))
+    });
+    let met = |&(x, y): &(f64, f64)| {
+        meeting(triangle(HALF), ([x, y, 1.0], [0.0, 0.0, -1.0])) == 1.0.into()
+    };
+    let ours = points.clone().filter(met).count();
+    let theirs = points.filter(|(x, y)| protocol::is_inside_by_the_text(*x, *y));
+    let what = "1000 points within a triangle: how many are met, β + γ being asked to be 1";
+    Case::new("D28", what, 1000.0, Bound::Equal, ours).protocol(Fails, theirs.count())
 }
 
 /// The mean of three normals is shorter than they are.

@@ -1,17 +1,17 @@
 //! How a [`Tree`] grows: shapes are parted where rays will have to ask the
 //! fewest.
 
+use super::shapes::Shape;
 use super::tree::{Child, LEVELS, Tree, WIDTH};
 use crate::Bounds;
 
-/// Shapes with their numbers.
-type Shapes = [(Bounds, u32)];
+type Shapes = [(Bounds, Shape)];
 
 /// Grows a tree over at least one shape.
 pub fn grow<B>(
     tree: &mut Tree<B>,
-    mut shapes: Vec<(Bounds, u32)>,
-    mut block: impl FnMut(&[u32]) -> B,
+    mut shapes: Vec<(Bounds, Shape)>,
+    mut block: impl FnMut(&[Shape]) -> B,
 ) {
     node(tree, &mut shapes, 0, &mut block);
 }
@@ -21,7 +21,7 @@ fn node<B>(
     tree: &mut Tree<B>,
     shapes: &mut Shapes,
     level: usize,
-    block: &mut impl FnMut(&[u32]) -> B,
+    block: &mut impl FnMut(&[Shape]) -> B,
 ) -> usize {
     let groups = four_groups(shapes, level);
     let index = tree.nodes.len();
@@ -31,8 +31,8 @@ fn node<B>(
     for group in groups {
         let bounds = bounds(group);
         let child = if group.len() <= WIDTH {
-            let numbers: Vec<_> = group.iter().map(|(_, number)| *number).collect();
-            tree.blocks.push(block(&numbers));
+            let shapes: Vec<_> = group.iter().map(|(_, shape)| *shape).collect();
+            tree.blocks.push(block(&shapes));
             Child::block(tree.blocks.len() - 1)
         } else {
             Child::node(node(tree, group, level + 1, block))
@@ -71,7 +71,7 @@ fn four_groups(shapes: &mut Shapes, level: usize) -> Vec<&mut Shapes> {
         let group = groups.swap_remove(index);
         let cut = if halve { None } else { cheapest_cut(group) };
         let (axis, left) = cut.unwrap_or_else(|| (longest_axis(group), group.len() / 2));
-        let middle = |shape: &(Bounds, u32)| shape.0.middle()[axis];
+        let middle = |shape: &(Bounds, Shape)| shape.0.middle()[axis];
         group.select_nth_unstable_by(left, |a, b| middle(a).total_cmp(&middle(b)));
         let (left, right) = group.split_at_mut(left);
         groups.extend([left, right]);

@@ -1,18 +1,18 @@
 //! `SphereBlock`: four spheres side by side, which one instruction serves.
 
-use a02_math::Point3;
 use a03_rays_cameras::Ray;
 use wide::f64x4;
 
+use super::shapes::{Shape, Shapes};
 use super::tree::WIDTH;
 use crate::Sphere;
 
-/// Up to four spheres, with a number each.
+/// Up to four spheres, and which these are.
 #[derive(Debug)]
 pub struct SphereBlock {
     c: [f64x4; 3],
     r: f64x4,
-    pub numbers: [u32; WIDTH],
+    pub spheres: [u32; WIDTH],
 }
 
 /// A ray, four times side by side.
@@ -35,17 +35,21 @@ impl SphereRay {
 }
 
 impl SphereBlock {
-    pub fn new(spheres: &[(Sphere, u32)]) -> Self {
+    pub fn new(shapes: &Shapes, block: &[Shape]) -> Self {
+        let index = |lane: usize| match block.get(lane) {
+            Some(Shape::Sphere(index)) => *index,
+            _ => u32::MAX,
+        };
         let lanes = |value: &dyn Fn(&Sphere) -> f64| {
             // No ray has a discriminant with a missing sphere.
-            let lane = |i: usize| spheres.get(i).map_or(f64::NAN, |(sphere, _)| value(sphere));
+            let sphere = |lane| shapes.spheres.get(index(lane) as usize);
+            let lane = |lane| sphere(lane).map_or(f64::NAN, |(sphere, _)| value(sphere));
             f64x4::new(std::array::from_fn(lane))
         };
-        let number = |i: usize| spheres.get(i).map_or(u32::MAX, |(_, number)| *number);
         Self {
             c: [0, 1, 2].map(|axis| lanes(&|sphere| sphere.c.to_glam()[axis])),
             r: lanes(&|sphere| sphere.r),
-            numbers: std::array::from_fn(number),
+            spheres: std::array::from_fn(index),
         }
     }
 
@@ -59,16 +63,5 @@ impl SphereBlock {
         let (lx, ly, lz) = (fx + dx * middle, fy + dy * middle, fz + dz * middle);
         let discriminant = self.r * self.r - (lx * lx + ly * ly + lz * lz);
         discriminant.simd_ge(f64x4::ZERO).to_bitmask()
-    }
-
-    /// The sphere in this lane.
-    #[inline]
-    pub fn sphere(&self, lane: usize) -> Sphere {
-        let [x, y, z] = &self.c;
-        let number = |lanes: &f64x4| lanes.as_array()[lane];
-        Sphere {
-            c: Point3::new(number(x), number(y), number(z)),
-            r: number(&self.r),
-        }
     }
 }

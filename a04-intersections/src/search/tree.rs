@@ -12,6 +12,7 @@ use glam::DVec3;
 use wide::f32x4;
 
 use super::build;
+use super::shapes::Shape;
 use crate::{Bounds, Interval};
 
 /// Children of a node, and shapes of a block.
@@ -60,9 +61,8 @@ impl Child {
 const SLACK: f64 = 1.0 / 1_048_576.0;
 
 impl<B> Tree<B> {
-    /// The tree of shapes with finite bounds, each with a number by which
-    /// `block` gathers up to four of them.
-    pub fn new(shapes: Vec<(Bounds, u32)>, block: impl FnMut(&[u32]) -> B) -> Self {
+    /// The tree of shapes with finite bounds; `block` gathers up to four.
+    pub fn new(shapes: Vec<(Bounds, Shape)>, block: impl FnMut(&[Shape]) -> B) -> Self {
         let all = shapes
             .iter()
             .fold(Bounds::NOWHERE, |all, (b, _)| all.union(*b));

@@ -7,8 +7,9 @@ use std::process::{Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How often a child is looked at: seldom enough not to disturb it.
-const INTERVAL: Duration = Duration::from_millis(5);
+/// How often a child is looked at: seldom enough not to disturb it, and often
+/// enough not to miss its memory.
+const INTERVAL: Duration = Duration::from_millis(2);
 
 /// What came of a child.
 pub struct Outcome {

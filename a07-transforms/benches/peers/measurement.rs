@@ -87,11 +87,13 @@ pub fn row(tracers: [&dyn Tracer; 3], job: &Job, measured: &[Option<Measurement>
         let [ours, theirs] = [tracers[0], tracers[i]].map(|tracer| job.file(tracer, "png"));
         Difference::between(&ours, &theirs).ok()
     };
+    // About three digits, whether small or large.
     let number = |number: Option<f64>| match number {
+        Some(number) if !number.is_finite() => "-".to_owned(),
         None => "-".to_owned(),
-        Some(number) if number < 0.1 => format!("{number:.4}"),
-        Some(number) if number < 100.0 => format!("{number:.2}"),
-        Some(number) => format!("{number:.0}"),
+        Some(number) if number >= 100.0 => format!("{number:.0}"),
+        Some(number) if number >= 0.1 || number == 0.0 => format!("{number:.2}"),
+        Some(number) => format!("{number:.4}"),
     };
     let text = |difference: Option<Difference>| {
         difference.map_or("-".to_owned(), |difference| difference.to_string())

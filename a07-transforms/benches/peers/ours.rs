@@ -8,11 +8,11 @@ use std::process::Command;
 use std::time::Instant;
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, render};
+use a03_rays_cameras::{Camera as _, PerspectiveCamera, render};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere, Triangle};
 use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight};
 use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface};
-use common::{ArgumentError, Color, Sampling, Settings, Size, Transfer, picture_file};
+use common::{ArgumentError, Color, Settings, Transfer, picture_file};
 
 use crate::description::{Camera, Description, Light, Material, Object, Shape, Triple};
 use crate::tracer::{Job, Times, Tracer, seconds};
@@ -53,32 +53,32 @@ impl Tracer for Ours {
 /// What the child does: renders, prints its times, and writes the picture.
 pub fn render_to(
     description: &Description,
-    size: Size,
-    threads: usize,
+    settings: &Settings,
+    threads: u16,
     path: &Path,
 ) -> Result<(), Box<dyn Error>> {
     let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
+        .num_threads(threads.into())
         .build()?;
-    let settings = Settings {
-        size,
-        samples: 1,
-        sampling: Sampling::Center,
-        ..Settings::default()
-    };
 
     let started = Instant::now();
     let camera = camera(&description.camera)?;
     let world = world(description)?;
+    let foci: Vec<_> = camera
+        .focus()
+        .into_iter()
+        .chain(world.lights().iter().filter_map(a05_lighting::Light::focus))
+        .collect();
+    let world = world.prepared(foci);
     println!("build: {} seconds", started.elapsed().as_secs_f64());
 
     let started = Instant::now();
     let tracer = RecursiveTracer::new(&world, settings.omit);
     let radiance = |ray: &_| tracer.trace(ray, description.depth);
-    let image = pool.install(|| render(&camera, radiance, &settings, &()))?;
+    let image = pool.install(|| render(&camera, radiance, settings, &()))?;
     println!("trace: {} seconds", started.elapsed().as_secs_f64());
 
-    picture_file::save_png(path, size, &image.to_rgb8(Transfer::Linear))?;
+    picture_file::save_png(path, settings.size, &image.to_rgb8(Transfer::Linear))?;
     Ok(())
 }
 
@@ -112,7 +112,7 @@ fn world(description: &Description) -> Result<ShadowedWorld, ArgumentError> {
             })?,
         };
     }
-    Ok(world.prepared())
+    Ok(world)
 }
 
 fn surface(material: &Material) -> Result<Box<dyn Surface>, ArgumentError> {

@@ -80,7 +80,7 @@ fn spheres() -> Description {
 fn torus() -> Description {
     Description {
         name: "s4",
-        camera: camera([0.0, 6.0, 8.0], [0.0, -6.0, -8.0]),
+        camera: camera([0.0, 5.0, 6.5], [0.0, -5.8, -6.5]),
         light: Light::Point([8.0, 6.0, 2.0]),
         ambient: 0.1,
         depth: 1,

@@ -14,7 +14,7 @@ pub struct Job<'a> {
     /// Where scenes, pictures and logs go.
     pub folder: &'a Path,
     pub size: Size,
-    pub threads: usize,
+    pub threads: u16,
 }
 
 impl Job<'_> {

@@ -70,6 +70,7 @@ pub fn cases() -> Vec<Case> {
         .protocol(Fails, place(protocol::translation_in_last_row(to))),
         moved_and_stretched(to),
         full_turn("G28"),
+        sarrus("G32"),
     ]
 }
 
@@ -222,4 +223,18 @@ fn full_turn(id: &'static str) -> Case {
         bound,
         ours,
     )
+}
+
+/// Two axes exchanged, which turns right into left: the determinant is -1.
+fn sarrus(id: &'static str) -> Case {
+    let exchange = [
+        [0.0, 1.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 1.0, 0.0],
+        [0.0, 0.0, 0.0, 1.0],
+    ];
+    let what = "determinant of x and y exchanged: glam's, and Sarrus' with four rows";
+    let ours = glam::DMat4::from_cols_array_2d(&exchange).determinant();
+    Case::new(id, what, -1.0, Bound::Equal, ours)
+        .protocol(Fails, protocol::determinant_by_sarrus(exchange))
 }

@@ -147,7 +147,7 @@ fn order(id: &'static str, what: &str, distances: [f64; 2], says: Protocol) -> C
     let theirs = || {
         let [a, b] = distances.map(sphere);
         let children: [Box<dyn Geometry>; 2] = [Box::new(a?), Box::new(b?)];
-        Ok::<_, ArgumentError>(protocol::last_hit(&children, &ray))
+        Ok::<_, ArgumentError>(protocol::last_hit(&children, &ray).map(|hit| hit.t))
     };
     let ours = || {
         let [a, b] = distances.map(sphere);

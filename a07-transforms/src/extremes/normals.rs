@@ -56,6 +56,14 @@ pub fn cases() -> Vec<Case> {
             [fifth, 2.0 * fifth, 0.0],
             transposed,
         ),
+        normal(
+            "G31",
+            "(0, 1, 0) under translate (1, 2, 3), moved like a point",
+            Normal3::new(0.0, 1.0, 0.0),
+            step.translate(Point3::new(1.0, 2.0, 3.0)),
+            [0.0, 1.0, 0.0],
+            protocol::normal_as_point,
+        ),
     ]
 }
 

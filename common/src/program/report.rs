@@ -12,9 +12,10 @@ use crate::{Effort, Error, Stage, scene_report};
 pub fn report(
     stage: &Stage,
     names: &[String],
-    effort: Effort,
+    quick: bool,
     output: Option<PathBuf>,
 ) -> Result<(), Error> {
+    let effort = if quick { Effort::Quick } else { Effort::Full };
     match names.split_first() {
         Some((first, [])) if first == "scene" => {
             let all: Vec<_> = stage.scenes.iter().map(|scene| scene.name).collect();

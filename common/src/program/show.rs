@@ -1,10 +1,10 @@
 //! `show`: a scene in a window, or its PNG where there is none.
 
 use super::grammar::Showing;
-use super::render::{note_unheeded, render};
+use super::render::{note_unheeded, render_to_file};
 use super::target::Target;
 use super::{complain, say};
-use crate::{Error, Gallery, NotShown, Scene, Stage, Viewer};
+use crate::{Error, Gallery, Image, NotShown, Scene, Stage, Viewer};
 
 /// Shows the scene until its window is closed; without one, writes its picture
 /// and says where.
@@ -15,7 +15,10 @@ pub fn show(
     options: &Showing,
 ) -> Result<(), Error> {
     let overrides = &options.overrides;
-    overrides.settings(scene)?;
+    let settings = overrides.settings(scene)?;
+    if !options.no_window {
+        Image::check_size(settings.size)?;
+    }
     note_unheeded(scene, overrides);
     if !options.no_window {
         let mut gallery = Gallery::new(stage, scene, overrides.clone());
@@ -35,8 +38,7 @@ pub fn show(
         complain("note: this is the picture of the program; --open FILE shows one of yours");
     }
     Target::Default.check(stage, scene)?;
-    let image = render(scene, overrides)?;
-    let path = Target::Default.write(stage, scene, &image, overrides.transfer)?;
-    say(&format!("{}  {}", path.display(), image.size()));
+    let (path, size) = render_to_file(stage, scene, &Target::Default, overrides)?;
+    say(&format!("{}  {size}", path.display()));
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::{Error, Image, Scene, Stage, Transfer, picture_file};
+use crate::{Error, Scene, Size, Stage, picture_file};
 
 /// The folder that pictures land in, below the current one.
 const DEFAULT_FOLDER: &str = "out";
@@ -58,18 +58,20 @@ impl Target {
         }
     }
 
+    /// Writes the picture of `scene`, band by band as
+    /// [`picture_file::save_png_in_bands`] does, and says where it is.
     pub fn write(
         &self,
         stage: &Stage,
         scene: &Scene,
-        image: &Image,
-        transfer: Transfer,
+        size: Size,
+        bands: impl IntoIterator<Item = Result<Vec<u8>, Error>>,
     ) -> Result<PathBuf, Error> {
         let path = self.path(stage, scene);
         if matches!(self, Self::Default) {
             make_default_folder()?;
         }
-        picture_file::save_png(&path, image.size(), &image.to_rgb8(transfer))?;
+        picture_file::save_png_in_bands(&path, size, bands)?;
         Ok(path)
     }
 }

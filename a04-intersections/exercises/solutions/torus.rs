@@ -1,0 +1,89 @@
+//! `Torus`: a ring around the y axis.
+
+use a02_math::{Direction, Point3, Vector3};
+use a03_rays_cameras::Ray;
+use a04_intersections::{Geometry, Hit, Interval};
+use common::{ArgumentError, argument};
+
+/// All points at the distance `r` from a circle of the radius `ring`, which lies
+/// around the origin in the plane y = 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Torus {
+    ring: f64,
+    r: f64,
+}
+
+impl Torus {
+    /// The torus of a circle of the radius `ring`, with a tube of the smaller
+    /// radius `r`.
+    pub fn new(ring: f64, r: f64) -> Result<Self, ArgumentError> {
+        let ring = argument::length("radius of the ring", ring)?;
+        let r = argument::length("radius r", r)?;
+        argument::check("radius r", r, r < ring, "less than that of the ring")?;
+        Ok(Self { ring, r })
+    }
+
+    /// The way to `p` from the nearest point of the circle; none on the axis,
+    /// which is as far from all of them.
+    fn way_from_circle(&self, p: Point3) -> Option<Vector3> {
+        let around = Vector3::new(p.x(), 0.0, p.z()).normalized()?;
+        Some(p - (Point3::ORIGIN + around * self.ring))
+    }
+
+    /// How far `p` is from the surface: negative in the tube.
+    fn distance(&self, p: Point3) -> f64 {
+        // exercise
+        let from_axis = Vector3::new(p.x(), 0.0, p.z()).magnitude();
+        let from_circle = Vector3::new(from_axis - self.ring, p.y(), 0.0).magnitude();
+        from_circle - self.r
+        // instead
+        // common::missing("the distance of a point from the surface", f64::INFINITY)
+        // end
+    }
+}
+
+impl Geometry for Torus {
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        // Nothing is met as far from the origin as this.
+        let length = ray.direction().dot(ray.direction()).sqrt();
+        let reach = (self.ring + 2.0 * self.r) / length;
+        let middle = ray.t_of(Point3::ORIGIN);
+        let (start, end) = (within.min.max(middle - reach), middle + reach);
+        let distance = |t: f64| self.distance(ray.at(t));
+
+        // exercise
+        // As far as the surface is away, nothing is in the way. Steps that are
+        // never smaller than this walk away from it, and through it.
+        let smallest = 1e-4 * self.r / length;
+        let mut inner = start + smallest;
+        let starts_inside = distance(inner) < 0.0;
+        let mut outer = inner;
+        while (distance(outer) < 0.0) == starts_inside {
+            if outer > end {
+                return None;
+            }
+            inner = outer;
+            let step = (distance(outer).abs() / length).max(smallest);
+            outer = (outer + step).max(outer.next_up());
+        }
+        // The surface lies between: halve until no number does.
+        loop {
+            let t = f64::midpoint(inner, outer);
+            if t <= inner || t >= outer {
+                break;
+            }
+            if (distance(t) < 0.0) == starts_inside {
+                inner = t;
+            } else {
+                outer = t;
+            }
+        }
+        let t = outer;
+        // instead
+        // let t = common::missing("the first t at which the distance is 0", f64::NAN);
+        // end
+
+        let normal = self.way_from_circle(ray.at(t))?.normalized()?.as_normal();
+        within.contains(t).then(|| Hit::new(t, normal))
+    }
+}

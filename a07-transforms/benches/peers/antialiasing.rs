@@ -1,0 +1,150 @@
+//! Smooth edges: how near each program comes to its own picture of 256 samples a
+//! pixel, and in which time.
+//!
+//! Each is measured against itself, so that nothing else that differs counts.
+//! Tachyon is left out: it takes equally many samples in every pixel, at random.
+
+use std::error::Error;
+use std::ops::Add;
+use std::path::Path;
+use std::time::Duration;
+
+use common::{ArgumentError, Color, Image, Size, picture_file};
+
+use crate::child;
+use crate::description::Description;
+use crate::ours::Ours;
+use crate::povray::PovRay;
+use crate::tracer::{Job, Tracer};
+
+/// A program, how it takes 64 samples a pixel, and ways to take fewer.
+struct Contestant {
+    tracer: &'static dyn Tracer,
+    reference: &'static str,
+    variants: &'static [&'static str],
+}
+
+/// POV-Ray's `+AM1` takes n x n samples (`+Rn`) where neighbouring pixels differ
+/// by more than `+A`; `+AM2` divides pixels, up to n times, where their corners
+/// differ. `-J` moves no sample at random.
+const CONTESTANTS: [Contestant; 2] = [
+    Contestant {
+        tracer: &Ours,
+        reference: "--samples 64 --sampling regular",
+        variants: &[
+            "--samples 1",
+            "--samples 4 --sampling regular",
+            "--samples 9 --sampling regular",
+            "--samples 16 --sampling regular",
+        ],
+    },
+    Contestant {
+        tracer: &PovRay,
+        reference: "+A0.0 +AM1 +R8 -J",
+        variants: &[
+            "-A",
+            "+A0.3 +AM1 +R3 -J",
+            "+A0.1 +AM1 +R3 -J",
+            "+A0.1 +AM1 +R4 -J",
+            "+A0.1 +AM2 +R2 -J",
+            "+A0.1 +AM2 +R3 -J",
+        ],
+    },
+];
+
+/// Prints a table of all programs and ways for each scene.
+pub fn compare(
+    descriptions: &[Description],
+    folder: &Path,
+    size: Size,
+    rounds: u32,
+    limit: Duration,
+) -> Result<(), Box<dyn Error>> {
+    println!("| scene | program | samples                          | trace ms | error of 255 |");
+    println!("|-------|---------|----------------------------------|----------|--------------|");
+    for description in descriptions {
+        let job = |size| Job {
+            description,
+            folder,
+            size,
+            threads: 1,
+        };
+        for contestant in CONTESTANTS.iter().filter(|c| c.tracer.installed()) {
+            let Some(reference) = reference(contestant, &job(double(size)?), limit)? else {
+                continue;
+            };
+            let (tracer, job) = (contestant.tracer, job(size));
+            tracer.write_scene(&job)?;
+            for arguments in contestant.variants {
+                let mut best: Option<f64> = None;
+                for _ in 0..rounds {
+                    if let Some(now) = trace(tracer, &job, arguments, limit)? {
+                        best = Some(best.map_or(now, |best| best.min(now)));
+                    }
+                }
+                let Some(time) = best.map(|seconds| 1e3 * seconds) else {
+                    continue;
+                };
+                let error = difference(&picture_file::open(&job.file(tracer, "png"))?, &reference);
+                let (scene, name) = (description.name, tracer.name());
+                println!(
+                    "| {scene:>5} | {name:<7} | {arguments:<32} | {time:>8.1} | {error:>12.2} |"
+                );
+            }
+        }
+    }
+    Ok(())
+}
+
+fn double(size: Size) -> Result<Size, ArgumentError> {
+    Size::new(2 * size.width(), 2 * size.height())
+}
+
+/// The picture of 256 samples a pixel: POV-Ray takes at most 81, so that of 64
+/// samples at the double size, whose pixels are then taken together by four.
+fn reference(
+    contestant: &Contestant,
+    double: &Job,
+    limit: Duration,
+) -> Result<Option<Image>, Box<dyn Error>> {
+    let tracer = contestant.tracer;
+    tracer.write_scene(double)?;
+    if trace(tracer, double, contestant.reference, limit)?.is_none() {
+        return Ok(None);
+    }
+    let large = picture_file::open(&double.file(tracer, "png"))?;
+    let size = Size::new(double.size.width() / 2, double.size.height() / 2)?;
+    let mean = |x, y| {
+        let four = [(0, 0), (1, 0), (0, 1), (1, 1)];
+        let pixels = four.map(|(dx, dy)| large.get(2 * x + dx, 2 * y + dy).unwrap_or_default());
+        pixels.into_iter().fold(Color::BLACK, Color::add) * 0.25
+    };
+    Ok(Some(Image::from_fn(size, mean)?))
+}
+
+/// The seconds that a program takes with these additional arguments.
+fn trace(
+    tracer: &dyn Tracer,
+    job: &Job,
+    arguments: &str,
+    limit: Duration,
+) -> Result<Option<f64>, Box<dyn Error>> {
+    let mut command = tracer.command(job);
+    command.args(arguments.split_whitespace());
+    let outcome = child::run(&mut command, &job.file(tracer, "log"), limit)?;
+    let times = outcome.and_then(|outcome| tracer.times(&outcome.log));
+    if times.is_none() {
+        eprintln!("{}: nothing came of {arguments}", tracer.name());
+    }
+    Ok(times.map(|times| times.trace))
+}
+
+/// The root of the mean square difference of all channels, of 255.
+fn difference(a: &Image, b: &Image) -> f64 {
+    let pixels = a.pixels().iter().zip(b.pixels());
+    let squares: f64 = pixels
+        .flat_map(|(a, b)| (*a - *b).channels())
+        .map(|difference| difference * difference)
+        .sum();
+    255.0 * (squares / (3.0 * a.size().pixels() as f64)).sqrt()
+}

@@ -1,0 +1,114 @@
+//! The book's pictures of what can go wrong: too little, right, and too much.
+//! Takes the arguments of the stages' programs.
+
+mod mesh;
+
+use std::process::ExitCode;
+
+use a02_math::{Direction, Normal3, Point3, Vector3};
+use a03_rays_cameras::{PerspectiveCamera, Ray, render};
+use a04_intersections::{AxisAlignedBox, Hit, Interval, Plane, Sphere, World};
+use a06_shadows_reflection::secondary_ray;
+use common::{Color, Effort, Error, Image, Progress, Scene, Settings, Size, Stage, Transfer};
+
+fn main() -> ExitCode {
+    common::program::run(&stage(), a01_image_display::viewer())
+}
+
+/// The pictures as a stage, so that its program can show and its test lock them.
+#[must_use]
+pub fn stage() -> Stage {
+    Stage {
+        name: "go-wrong",
+        about: "What can go wrong: too little, right, and too much",
+        scenes: vec![lift(), gamma(), mesh::cracks()],
+        experiments: Vec::new,
+        extremes: |_: Effort| Vec::new(),
+    }
+}
+
+/// Square panels of 240 pixels.
+fn panels(name: &'static str, about: &'static str, panels: Vec<Scene>) -> Scene {
+    let count = panels.len() as u32;
+    let pictures = Scene::side_by_side(name, about, panels);
+    let Ok(size) = Size::new(240 * count + Scene::GAP * (count - 1), 240) else {
+        return pictures;
+    };
+    pictures.with_defaults(Settings {
+        size,
+        ..Settings::default()
+    })
+}
+
+/// Where a shadow ray begins.
+type Lifted = fn(&Ray, &Hit) -> Ray;
+
+fn lift() -> Scene {
+    let lifts: [(_, Lifted); 3] = [
+        ("not at all", |ray, hit| by(0.0, ray, hit)),
+        ("by 64 roundings", |ray, hit| {
+            secondary_ray(ray, hit, sunwards())
+        }),
+        ("by 0.2", |ray, hit| by(0.2, ray, hit)),
+    ];
+    let panel = |(about, lifted)| {
+        Scene::traced("lift", about, move |settings, progress| {
+            shadows(lifted, settings, progress)
+        })
+    };
+    let about = "a shadow ray that is lifted not at all, by 64 roundings, and by 0.2";
+    panels("lift", about, lifts.map(panel).into())
+}
+
+fn by(lift: f64, ray: &Ray, hit: &Hit) -> Ray {
+    let point = ray.at(hit.t) + Vector3::from(hit.face) * lift;
+    Ray::derived(point, sunwards())
+}
+
+/// The direction to the light; its length is 1.
+const fn sunwards() -> Vector3 {
+    Vector3::new(0.6, 0.48, 0.64)
+}
+
+const SLOPE: Vector3 = Vector3::new(-0.1, 1.0, 0.15);
+
+/// A ball and a flat box on a slope, and their shadows.
+fn shadows(lifted: Lifted, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
+    let normal = SLOPE.unit("slope")?;
+    let floor = Plane::new(Point3::ORIGIN, Normal3::from_glam(normal.to_glam()))?;
+    let ball = Sphere::new(Point3::ORIGIN + normal * 0.5, 0.5)?;
+    let (lbf, run) = (Point3::new(-1.6, -0.5, -0.6), Point3::new(-0.8, 0.05, 0.4));
+    let world = World::new(Color::BLACK)?
+        .with(floor, Color::gray(0.8))
+        .with(ball, Color::RED)
+        .with(AxisAlignedBox::new(lbf, run)?, Color::new(0.3, 0.5, 1.0));
+    let (eye, up) = (Point3::new(-0.6, 2.6, 4.0), Vector3::new(0.0, 1.0, 0.0));
+    let camera = PerspectiveCamera::new(eye, Point3::new(-0.7, 0.1, 0.0) - eye, up, 0.7)?;
+    let color = |ray: &Ray| {
+        let Some((hit, color)) = world.hit(ray, Interval::AHEAD) else {
+            return world.background();
+        };
+        let is_dark = world.is_hit(&lifted(ray, &hit), Interval::AHEAD);
+        let cosine = hit.normal.dot(sunwards()).max(0.0);
+        *color * if is_dark { 0.2 } else { 0.2 + 0.8 * cosine }
+    };
+    render(&camera, color, settings, progress)
+}
+
+fn gamma() -> Scene {
+    let transfers = [
+        ("as it is", Transfer::Linear),
+        ("gamma 2.2", Transfer::Gamma),
+        ("srgb", Transfer::Srgb),
+    ];
+    let panel = |(about, transfer)| {
+        Scene::traced("gamma", about, move |settings, progress| {
+            let stage = a05_lighting::stage();
+            let image = stage.scene("lambert")?.render(settings, progress)?;
+            // The file is written as it is, so the curve comes first.
+            Ok(image.map(|color| color.map(|channel| Transfer::encode(transfer, channel))))
+        })
+    };
+    let about = "the same light in bytes: linear, by gamma 2.2, by the curve of sRGB";
+    panels("gamma", about, transfers.map(panel).into())
+}

@@ -1,0 +1,72 @@
+//! Adaptive sampling keeps its promise in the scenes of the course: edges,
+//! highlights, shadows, mirrors and transformed shapes.
+
+use std::sync::Mutex;
+
+use common::experiment::HALF_GREY_LEVEL;
+use common::{Image, Sampled, Sampling, Settings, Size, Stage};
+
+const ASKED: [f64; 4] = [1.0 / 64.0, 1.0 / 128.0, 1.0 / 255.0, HALF_GREY_LEVEL];
+
+/// The channels as a screen shows them.
+fn channels(image: &Image) -> Vec<f64> {
+    let shown = |color: &common::Color| color.map(|c| c.clamp(0.0, 1.0)).channels();
+    image.pixels().iter().flat_map(shown).collect()
+}
+
+fn root_mean_square(a: &[f64], b: &[f64]) -> f64 {
+    let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
+    (squares.sum::<f64>() / a.len() as f64).sqrt()
+}
+
+/// Against many samples of another seed, whose own error is far smaller.
+fn check(stage: &Stage, name: &str) {
+    let scene = stage.scene(name).expect("a scene");
+    let settings = Settings {
+        size: Size::new(64, 48).expect("a size"),
+        samples: 1024,
+        ..scene.defaults.clone()
+    };
+    let reference = Settings {
+        samples: 32 * 32,
+        sampling: Sampling::Stratified,
+        seed: 0x5EED,
+        ..settings.clone()
+    };
+    let reference = channels(&scene.render(&reference, &()).expect("a picture"));
+    for asked in ASKED {
+        let settings = Settings {
+            max_error: Some(asked),
+            ..settings.clone()
+        };
+        let told = Mutex::new(Sampled::default());
+        let image = scene.render(&settings, &told).expect("a picture");
+        let told = told.into_inner().expect("a report");
+        let error = root_mean_square(&channels(&image), &reference);
+        assert!(error <= asked, "{name}: {error} of {asked}; {told}");
+        assert!(told.error() <= asked, "{name}: {told}");
+    }
+}
+
+#[test]
+fn edges_and_highlights() {
+    let stage = a05_lighting::stage();
+    for name in ["lambert", "phong", "phong-spot"] {
+        check(&stage, name);
+    }
+}
+
+#[test]
+fn shadows_and_mirrors() {
+    let stage = a06_shadows_reflection::stage();
+    for name in ["sphere", "aab"] {
+        check(&stage, name);
+    }
+}
+
+#[test]
+fn transformed_shapes() {
+    for scene in &a07_transforms::stage().scenes {
+        check(&a07_transforms::stage(), scene.name);
+    }
+}

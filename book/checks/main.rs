@@ -1,0 +1,16 @@
+//! Writes down for each stage what it adds to those below: `cargo run -p book`.
+
+use std::process::ExitCode;
+
+use book::{Files, changes};
+
+fn main() -> ExitCode {
+    let written = Files::read().and_then(|files| changes::write(&files));
+    match written {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("could not write what the stages add: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! `Page`: a page of the book, read the way mdBook reads it.
+
+use std::ops::Range;
+
+use pulldown_cmark::{Event, Options, Parser};
+
+/// A page and where it lies.
+#[derive(Clone, Copy)]
+pub struct Page<'a> {
+    /// From the top of the repository.
+    pub path: &'a str,
+    /// As it was written, before listings are put in.
+    pub text: &'a str,
+}
+
+impl<'a> Page<'a> {
+    /// What mdBook makes of the text, and where each piece of it stands.
+    pub fn events(self) -> impl Iterator<Item = (Event<'a>, Range<usize>)> {
+        let options = Options::ENABLE_TABLES
+            | Options::ENABLE_FOOTNOTES
+            | Options::ENABLE_STRIKETHROUGH
+            | Options::ENABLE_TASKLISTS
+            | Options::ENABLE_HEADING_ATTRIBUTES
+            | Options::ENABLE_SMART_PUNCTUATION
+            | Options::ENABLE_DEFINITION_LIST
+            | Options::ENABLE_GFM
+            | Options::ENABLE_MATH;
+        Parser::new_ext(self.text, options).into_offset_iter()
+    }
+
+    /// A complaint about the place so many bytes into the text.
+    pub fn complain(self, at: usize, what: &str) -> String {
+        let line = self.text[..at].matches('\n').count() + 1;
+        complaint(self.path, line, what)
+    }
+}
+
+/// What is wrong in which line of which file, counted from 1.
+pub fn complaint(path: &str, line: usize, what: &str) -> String {
+    format!("{path}:{line}: {what}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_complaint_names_the_line() {
+        let text = "one\ntwo\nthree\n";
+        let page = Page { path: "a.md", text };
+        assert_eq!(page.complain(0, "no"), "a.md:1: no");
+        assert_eq!(page.complain(4, "no"), "a.md:2: no");
+        assert_eq!(page.complain(text.len() - 1, "no"), "a.md:3: no");
+    }
+}

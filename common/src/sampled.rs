@@ -1,0 +1,47 @@
+//! `Sampled`: what adaptive sampling took, and what it reached.
+
+use std::fmt;
+use std::ops::AddAssign;
+
+/// The samples of a picture, or of parts of it added up, and its error.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sampled {
+    /// Number of pixels.
+    pub pixels: u64,
+    /// All samples that were taken.
+    pub samples: u64,
+    /// Samples of the pixel with the most.
+    pub most: u32,
+    /// The estimated squared error of a channel from 0 to 1, summed over the
+    /// pixels.
+    pub squared_error: f64,
+}
+
+impl Sampled {
+    /// The estimated root mean square error of a channel from 0 to 1.
+    #[must_use]
+    pub fn error(&self) -> f64 {
+        (self.squared_error / self.pixels as f64).sqrt()
+    }
+}
+
+impl AddAssign for Sampled {
+    fn add_assign(&mut self, other: Self) {
+        self.pixels += other.pixels;
+        self.samples += other.samples;
+        self.most = self.most.max(other.most);
+        self.squared_error += other.squared_error;
+    }
+}
+
+impl fmt::Display for Sampled {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { samples, most, .. } = self;
+        let mean = *samples as f64 / self.pixels as f64;
+        let error = self.error();
+        write!(
+            f,
+            "{samples} samples, {mean:.2} a pixel and at most {most}; estimated error {error:.6}"
+        )
+    }
+}
