@@ -41,6 +41,10 @@ impl Sampler {
     /// What these settings ask for, and what of it needs not be done.
     #[must_use]
     pub fn plan(settings: &Settings) -> Plan {
+        if let Some(error) = settings.max_error {
+            let need = format!("primary rays: as many as an error of {error} takes");
+            return Plan::default().needing(need);
+        }
         let samples = Self::new(settings).samples;
         let pixels = settings.size.pixels();
         let rays = pixels as u64 * u64::from(samples);

@@ -42,6 +42,10 @@ impl Material for Lambert {
         color
     }
 
+    fn brightest(&self, ambient: Color, lights: Color) -> Color {
+        self.diffuse.map(f64::abs) * (ambient + lights)
+    }
+
     fn answers_light(&self) -> bool {
         self.diffuse != Color::BLACK
     }

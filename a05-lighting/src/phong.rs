@@ -68,6 +68,10 @@ impl Material for Phong {
         color
     }
 
+    fn brightest(&self, ambient: Color, lights: Color) -> Color {
+        self.matt.brightest(ambient, lights) + self.specular.map(f64::abs) * lights
+    }
+
     fn answers_light(&self) -> bool {
         self.matt.answers_light() || self.has_highlight()
     }

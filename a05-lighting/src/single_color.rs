@@ -28,6 +28,10 @@ impl Material for SingleColor {
         self.color
     }
 
+    fn brightest(&self, _: Color, _: Color) -> Color {
+        self.color.map(f64::abs)
+    }
+
     fn answers_light(&self) -> bool {
         false
     }

@@ -7,6 +7,7 @@ use a05_lighting::{Illumination, Light, Lighting, LitWorld};
 use common::tally::{self, Work};
 use common::{Color, Plan};
 
+use crate::cut::Cut;
 use crate::shadow::has_occluder;
 use crate::{LightSource, Surface, is_shadowed, secondary_ray};
 
@@ -18,6 +19,7 @@ pub type ShadowedWorld = LitWorld<Box<dyn Surface>, LightSource>;
 pub struct RecursiveTracer<'a> {
     world: &'a ShadowedWorld,
     omit: bool,
+    cut: Option<Cut>,
 }
 
 impl<'a> RecursiveTracer<'a> {
@@ -27,7 +29,20 @@ impl<'a> RecursiveTracer<'a> {
     /// not mirror.
     #[must_use]
     pub const fn new(world: &'a ShadowedWorld, omit: bool) -> Self {
-        Self { world, omit }
+        Self {
+            world,
+            omit,
+            cut: None,
+        }
+    }
+
+    /// The same tracer, which follows no mirrored ray whose light changes no
+    /// channel by as much as `bound`, if there is one and work is left out.
+    #[must_use]
+    pub fn cut_below(mut self, bound: Option<f64>) -> Self {
+        let bound = bound.filter(|_| self.omit);
+        self.cut = bound.map(|bound| Cut::new(self.world, bound));
+        self
     }
 
     /// The colour that a ray brings back which may meet `depth` surfaces; what
@@ -53,6 +68,9 @@ impl<'a> RecursiveTracer<'a> {
             color += mirrored * surface.color_for(&ray, &hit, self);
             mirrored = mirrored * surface.reflection();
             if self.omit && mirrored == Color::BLACK {
+                break;
+            }
+            if self.cut.is_some_and(|cut| cut.is_due(mirrored)) {
                 break;
             }
             let direction = (-ray.direction()).reflected_on(hit.normal);
@@ -99,7 +117,14 @@ impl RecursiveTracer<'_> {
                 "they do not mirror",
             );
         }
-        plan
+        match self.cut {
+            Some(cut) if mirrors > 0 => plan.nearly_without(
+                "mirrored rays that nobody would see",
+                "what they can bring back is bounded",
+                cut.bound(),
+            ),
+            _ => plan,
+        }
     }
 }
 

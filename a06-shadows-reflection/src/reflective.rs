@@ -37,6 +37,10 @@ impl Material for Reflective {
         self.shiny.color_for(ray, hit, lighting)
     }
 
+    fn brightest(&self, ambient: Color, lights: Color) -> Color {
+        self.shiny.brightest(ambient, lights)
+    }
+
     fn answers_light(&self) -> bool {
         self.shiny.answers_light()
     }

@@ -162,3 +162,71 @@ fn the_plan_tells_what_is_left_out() {
         assert!(!bright.contains(absent), "{absent}: {bright}");
     }
 }
+
+/// Two mirrors of colour 1 that show each other bring back 1 / (1 - k). After D
+/// surfaces k^D / (1 - k) of it is missing, which is below half a grey level,
+/// 1/510, from D = 10, 36 and 82 on.
+#[test]
+fn mirrors_are_followed_as_far_as_they_can_be_seen() {
+    let half_grey_level = 1.0 / 510.0;
+    for (k, surfaces) in [(0.5, 10), (0.8, 36), (0.9, 82)] {
+        let (plane, x) = (floor(), Vector3::new(0.0, 1.0, 0.0));
+        let ceiling = Plane::new(Point3::ORIGIN + x * 2.0, x.as_normal()).unwrap();
+        let white = || {
+            let mirror = Reflective::new(Color::WHITE, Color::BLACK, 1.0, Color::gray(k));
+            Box::new(mirror.unwrap())
+        };
+        let world = ShadowedWorld::empty(Color::BLACK, Color::WHITE).unwrap();
+        let world = world.with(plane, white()).with(ceiling, white());
+        let ray = Ray::new(Point3::new(0.0, 1.0, 0.0), x).unwrap();
+        let trace = |omit| {
+            let tracer = RecursiveTracer::new(&world, omit).cut_below(Some(half_grey_level));
+            let (color, tally) = counted(|| tracer.trace(&ray, 1000)).unwrap();
+            (color.r, tally[Work::ReflectedRay] + 1)
+        };
+        let (seen, met) = trace(true);
+        assert_eq!(met, surfaces, "{k}");
+        let missing = 1.0 / (1.0 - k) - seen;
+        let expected = (0..surfaces).map(|_| k).product::<f64>() / (1.0 - k);
+        assert!(missing > 0.0 && missing < half_grey_level);
+        // Bound: a rounding for each surface, of a sum below 10.
+        assert!((missing - expected).abs() < 10.0 * 82.0 * f64::EPSILON);
+        assert_eq!(trace(false).1, 1000);
+    }
+}
+
+/// What mirrors all light, or tells no bound of its own, is followed to the end.
+#[test]
+fn what_may_be_seen_is_followed() {
+    let white = Reflective::new(Color::WHITE, Color::WHITE, 1.0, Color::WHITE).unwrap();
+    let world = world(5.0, true).with(floor(), Box::new(white));
+    let ray = Ray::new(Point3::new(0.0, 1.0, 0.0), Vector3::new(1.0, -1.0, 0.0)).unwrap();
+    let trace = |bound| {
+        let tracer = RecursiveTracer::new(&world, true).cut_below(bound);
+        counted(|| tracer.trace(&ray, 9)).unwrap()
+    };
+    assert_eq!(trace(Some(1e9)), trace(None));
+}
+
+/// The program tells plan, counts and difference, and writes the picture.
+#[test]
+fn the_program_explains_a_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_a06-shadows-reflection"))
+        .args(["render", "aab", "--explain", "--size", "8x6"])
+        .current_dir(&folder)
+        .output()
+        .unwrap();
+    assert!(output.status.success());
+    let said = String::from_utf8(output.stdout).unwrap();
+    for part in [
+        "primary rays: 48",
+        "reflected rays from 2 of 2 objects: they do not mirror (same bits)",
+        "largest difference of a channel 0.0e0",
+        "everything takes",
+    ] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    let picture = folder.path().join("out/a06-shadows-reflection-aab.png");
+    assert!(picture.is_file());
+}

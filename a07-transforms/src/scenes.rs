@@ -37,6 +37,9 @@ pub fn stage() -> Stage {
     }
 }
 
+/// The share of the error allowed that mirrors may take.
+const UNSEEN: f64 = 1.0 / 8.0;
+
 /// A scene whose camera looks from (`eye`, `eye`, `eye`) at the origin.
 fn scene(
     name: &'static str,
@@ -49,13 +52,16 @@ fn scene(
         let (g, t) = (Vector3::new(-1.0, -1.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
         let camera = PerspectiveCamera::new(e, g, t, FRAC_PI_4)?;
         let world = world()?.omitting(settings.omit, camera.focus());
-        let tracer = RecursiveTracer::new(&world, settings.omit);
+        let tracer = RecursiveTracer::new(&world, settings.omit)
+            .cut_below(settings.max_error.map(|error| error * UNSEEN));
         let radiance = |ray: &_| tracer.trace(ray, settings.depth);
         render(&camera, radiance, settings, progress)
     })
     .planned(move |settings| {
         let world = world()?.prepared([]);
-        Ok(RecursiveTracer::new(&world, true).plan(Sampler::plan(settings)))
+        let tracer = RecursiveTracer::new(&world, true)
+            .cut_below(settings.max_error.map(|error| error * UNSEEN));
+        Ok(tracer.plan(Sampler::plan(settings)))
     })
 }
 

@@ -31,7 +31,9 @@ pub fn explain(scene: &Scene, overrides: &Overrides) -> Result<Image, Error> {
                 "  time {needed:.3} s; everything takes {ratio:.2} times as long"
             ));
             let difference = comparison.difference;
-            say(&format!("  largest difference of a channel {difference:e}"));
+            say(&format!(
+                "  largest difference of a channel {difference:.1e}"
+            ));
         }
         Ok(comparison.image)
     })
