@@ -12,6 +12,7 @@ mod node;
 #[doc(hidden)]
 pub mod protocol;
 mod scenes;
+mod straight;
 mod transform;
 
 pub use disc::Disc;

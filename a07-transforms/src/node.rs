@@ -2,12 +2,14 @@
 
 use std::sync::Arc;
 
+use a02_math::Normal3;
 use a03_rays_cameras::Ray;
 use a04_intersections::{Bounds, Geometry, Hit, Interval};
 use common::tally::{self, Work};
 
 use crate::Transform;
 use crate::moved_bounds::moved;
+use crate::straight::Straight;
 
 /// A node of the scene graph: children that are moved together. As it is a
 /// geometry, it can be a child of another node.
@@ -21,15 +23,17 @@ use crate::moved_bounds::moved;
 #[derive(Debug)]
 pub struct Node {
     transform: Transform,
+    straight: Option<Straight>,
     children: Vec<Arc<dyn Geometry>>,
 }
 
 impl Node {
     /// A node without children.
     #[must_use]
-    pub const fn new(transform: Transform) -> Self {
+    pub fn new(transform: Transform) -> Self {
         Self {
             transform,
+            straight: Straight::new(&transform),
             children: Vec::new(),
         }
     }
@@ -47,9 +51,23 @@ impl Node {
     fn as_seen_around(&self, hit: Hit) -> Option<Hit> {
         Some(Hit {
             t: hit.t,
-            normal: self.transform.normal_from_object(hit.normal)?,
-            face: self.transform.normal_from_object(hit.face)?,
+            normal: self.normal_from_object(hit.normal)?,
+            face: self.normal_from_object(hit.face)?,
         })
+    }
+
+    fn ray_to_object(&self, ray: &Ray) -> Ray {
+        match &self.straight {
+            Some(straight) => straight.ray_to_object(ray),
+            None => self.transform.ray_to_object(ray),
+        }
+    }
+
+    fn normal_from_object(&self, n: Normal3) -> Option<Normal3> {
+        match &self.straight {
+            Some(straight) => straight.normal_from_object(n),
+            None => self.transform.normal_from_object(n),
+        }
     }
 }
 
@@ -57,7 +75,7 @@ impl Geometry for Node {
     fn hit(&self, ray: &Ray, mut within: Interval) -> Option<Hit> {
         tally::count(Work::MovedRay);
         tally::count_all(Work::IntersectionTest, self.children.len() as u64);
-        let object_ray = self.transform.ray_to_object(ray);
+        let object_ray = self.ray_to_object(ray);
         let mut nearest = None;
         for child in &self.children {
             let hit = child.hit(&object_ray, within);
@@ -80,8 +98,8 @@ impl Geometry for Node {
     fn parts(&self) -> Option<Vec<Arc<dyn Geometry>>> {
         let part = |child: Arc<dyn Geometry>| -> Arc<dyn Geometry> {
             Arc::new(Self {
-                transform: self.transform,
                 children: vec![child],
+                ..Self::new(self.transform)
             })
         };
         let parts = |child: &Arc<dyn Geometry>| {
