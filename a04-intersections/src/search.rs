@@ -13,7 +13,7 @@ mod tree;
 mod triangle_block;
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use a03_rays_cameras::{Focus, Ray};
 
@@ -28,18 +28,11 @@ use triangle_block::{TriangleBlock, TriangleRay};
 #[derive(Debug)]
 pub struct Search {
     shapes: Shapes,
-    /// Those without bounds, and those of kinds of which there are few.
-    always: Vec<Shape>,
-    spheres: Option<Tree<SphereBlock>>,
-    triangles: Option<Tree<TriangleBlock>>,
-    others: Option<Tree<Vec<Shape>>>,
-    /// Those without bounds.
     unbounded: Vec<Shape>,
     pencils: Vec<Pencil>,
+    /// For rays of no pencil. Where nothing mirrors there may be none.
+    trees: OnceLock<Trees>,
 }
-
-/// Up to so many shapes are asked sooner than a tree.
-const FEW: usize = 3;
 
 impl Search {
     /// The search of the objects with these geometries, by rays of which many
@@ -49,53 +42,27 @@ impl Search {
         foci: impl IntoIterator<Item = Focus>,
     ) -> Self {
         let mut shapes = Shapes::default();
-        let (mut bounded, mut unbounded) = (Vec::new(), Vec::new());
-        let (mut turns, mut objects) = (0.., 0..);
+        let mut turns = 0..;
         let mut add = |geometry: &Arc<dyn Geometry>, object| {
             let turn = turns.next().unwrap_or(u32::MAX);
-            let shape = shapes.push(geometry, Turn { turn, object });
-            let bounds = geometry.bounds();
-            if bounds.are_finite() {
-                bounded.push((bounds, shape));
-            } else {
-                unbounded.push(shape);
-            }
+            shapes.push(geometry, Turn { turn, object });
         };
-        for geometry in geometries {
-            let object = objects.next().unwrap_or(u32::MAX);
+        for (object, geometry) in (0..).zip(geometries) {
             match geometry.parts() {
                 Some(parts) => parts.iter().for_each(|part| add(part, object)),
                 None => add(geometry, object),
             }
         }
-
+        let (bounded, unbounded): (Vec<_>, Vec<_>) =
+            shapes.bounds().partition(|(bounds, _)| bounds.are_finite());
         let pencils = foci.into_iter();
-        let pencils = pencils
-            .filter_map(|focus| Pencil::new(focus, &bounded))
-            .collect();
-        let (spheres, rest): (Vec<_>, Vec<_>) = bounded
-            .into_iter()
-            .partition(|(_, shape)| matches!(shape, Shape::Sphere(_)));
-        let (triangles, others): (Vec<_>, Vec<_>) = rest
-            .into_iter()
-            .partition(|(_, shape)| matches!(shape, Shape::Triangle(_)));
-
-        let mut always = unbounded.clone();
-        let spheres = tree(spheres, &mut always, |block| {
-            SphereBlock::new(&shapes, block)
-        });
-        let triangles = tree(triangles, &mut always, |block| {
-            TriangleBlock::new(&shapes, block)
-        });
-        let others = tree(others, &mut always, <[Shape]>::to_vec);
         Self {
+            unbounded: unbounded.into_iter().map(|(_, shape)| shape).collect(),
+            pencils: pencils
+                .filter_map(|focus| Pencil::new(focus, &bounded))
+                .collect(),
+            trees: OnceLock::new(),
             shapes,
-            always,
-            spheres,
-            triangles,
-            others,
-            unbounded,
-            pencils,
         }
     }
 
@@ -103,26 +70,25 @@ impl Search {
     /// the same place, that of the first in the list.
     #[inline]
     pub fn hit(&self, ray: &Ray, within: Interval) -> Option<(Hit, usize)> {
+        let asking = Asking::new(ray, &self.shapes);
         let mut nearest = Nearest {
-            search: self,
-            asking: Asking::new(ray, &self.shapes),
+            asking: &asking,
             within,
             found: None,
         };
+        for shape in &self.unbounded {
+            nearest.ask(*shape);
+        }
         let of_pencil = self.pencils.iter().find_map(|pencil| pencil.outwards(ray));
-        if let Some((entries, start)) = of_pencil {
-            for shape in &self.unbounded {
-                nearest.ask(*shape);
-            }
+        if let Some((entries, near)) = of_pencil {
             for entry in entries {
-                if f64::from(entry.near) - start > nearest.within.max {
+                if f64::from(entry.near) > near(nearest.within.max) {
                     break;
                 }
                 nearest.ask(entry.shape);
             }
         } else {
-            let asking = nearest.asking;
-            let _ = self.ask(&asking, within, |shape| {
+            let _ = self.trees().ask(&asking, nearest.within, |shape| {
                 nearest.ask(shape);
                 ControlFlow::Continue(nearest.within.max)
             });
@@ -135,26 +101,64 @@ impl Search {
     #[inline]
     pub fn is_hit(&self, ray: &Ray, within: Interval) -> bool {
         let asking = Asking::new(ray, &self.shapes);
-        let is_hit = |shape: Shape| asking.hit(&self.shapes, shape, within).is_some();
-        let of_pencil = self
-            .pencils
-            .iter()
-            .find_map(|pencil| pencil.inwards(ray, within));
-        if let Some((entries, start)) = of_pencil {
-            let between = entries
-                .iter()
-                .take_while(|entry| f64::from(entry.near) <= start);
-            return between.map(|entry| entry.shape).any(is_hit)
-                || self.unbounded.iter().copied().any(is_hit);
+        let is_hit = |shape: &Shape| asking.hit(*shape, within).is_some();
+        if self.unbounded.iter().any(is_hit) {
+            return true;
         }
-        self.ask(&asking, within, |shape| {
-            if is_hit(shape) {
+        for pencil in &self.pencils {
+            if let Some(mut shapes) = pencil.inwards(ray, within) {
+                return shapes.any(|shape| is_hit(&shape));
+            }
+        }
+        let ask = |shape| {
+            if is_hit(&shape) {
                 ControlFlow::Break(())
             } else {
                 ControlFlow::Continue(within.max)
             }
-        })
-        .is_break()
+        };
+        self.trees().ask(&asking, within, ask).is_break()
+    }
+
+    #[inline]
+    fn trees(&self) -> &Trees {
+        self.trees.get_or_init(|| Trees::new(&self.shapes))
+    }
+}
+
+/// The bounded shapes: one tree for each kind that is met in a way of its own,
+/// unless there are few.
+#[derive(Debug)]
+struct Trees {
+    /// Those that are asked always.
+    few: Vec<Shape>,
+    spheres: Option<Tree<SphereBlock>>,
+    triangles: Option<Tree<TriangleBlock>>,
+    others: Option<Tree<Vec<Shape>>>,
+}
+
+/// Up to so many shapes are asked sooner than a tree.
+const FEW: usize = 3;
+
+impl Trees {
+    fn new(shapes: &Shapes) -> Self {
+        let (mut spheres, mut triangles, mut others) = (Vec::new(), Vec::new(), Vec::new());
+        for (bounds, shape) in shapes.bounds().filter(|(bounds, _)| bounds.are_finite()) {
+            match shape {
+                Shape::Sphere(_) => spheres.push((bounds, shape)),
+                Shape::Triangle(_) => triangles.push((bounds, shape)),
+                _ => others.push((bounds, shape)),
+            }
+        }
+        let mut few = Vec::new();
+        Self {
+            spheres: tree(spheres, &mut few, |block| SphereBlock::new(shapes, block)),
+            triangles: tree(triangles, &mut few, |block| {
+                TriangleBlock::new(shapes, block)
+            }),
+            others: tree(others, &mut few, <[Shape]>::to_vec),
+            few,
+        }
     }
 
     /// Visits the shapes that the ray may meet within the interval, until
@@ -167,7 +171,7 @@ impl Search {
         mut visit: impl FnMut(Shape) -> ControlFlow<(), f64>,
     ) -> ControlFlow<()> {
         let ray = asking.ray;
-        for shape in &self.always {
+        for shape in &self.few {
             within.max = visit(*shape)?;
         }
         if let Some(tree) = &self.spheres {
@@ -179,8 +183,8 @@ impl Search {
                 ControlFlow::Continue(max)
             })?;
         }
-        if let (Some(tree), Some(sheared)) = (&self.triangles, &asking.sheared) {
-            let triangle_ray = TriangleRay::new(sheared);
+        if let Some(tree) = &self.triangles {
+            let triangle_ray = TriangleRay::new(asking.sheared());
             within.max = tree.search(ray, within, |block, mut max| {
                 for lane in bits(block.met(&triangle_ray)) {
                     max = visit(Shape::Triangle(block.triangles[lane]))?;
@@ -203,11 +207,11 @@ impl Search {
 /// A tree of these shapes, or none if they are few.
 fn tree<B>(
     shapes: Vec<(Bounds, Shape)>,
-    always: &mut Vec<Shape>,
+    few: &mut Vec<Shape>,
     block: impl FnMut(&[Shape]) -> B,
 ) -> Option<Tree<B>> {
     if shapes.len() <= FEW {
-        always.extend(shapes.iter().map(|(_, shape)| *shape));
+        few.extend(shapes.iter().map(|(_, shape)| *shape));
         return None;
     }
     Some(Tree::new(shapes, block))
@@ -227,8 +231,7 @@ fn bits(mut mask: u32) -> impl Iterator<Item = usize> {
 
 /// The nearest hit so far.
 struct Nearest<'a> {
-    search: &'a Search,
-    asking: Asking<'a>,
+    asking: &'a Asking<'a>,
     within: Interval,
     found: Option<(Hit, Shape)>,
 }
@@ -236,17 +239,16 @@ struct Nearest<'a> {
 impl Nearest<'_> {
     #[inline]
     fn ask(&mut self, shape: Shape) {
-        let shapes = &self.search.shapes;
-        let Some(hit) = self.asking.hit(shapes, shape, self.within) else {
+        let Some(hit) = self.asking.hit(shape, self.within) else {
             return;
         };
+        // At the same place the first of the list counts, whenever it is asked.
         if let Some((found, other)) = self.found
             && found.t == hit.t
-            && shapes.turn(other).turn < shapes.turn(shape).turn
+            && self.asking.comes_before(other, shape)
         {
             return;
         }
-        // At the same place the first of the list counts, whenever it is asked.
         self.within.max = hit.t.next_up();
         self.found = Some((hit, shape));
     }

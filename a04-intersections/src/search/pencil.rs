@@ -28,6 +28,9 @@ pub struct Pencil {
     from: [f64; 2],
     per_unit: [f64; 2],
     side: usize,
+    /// What a length is multiplied by to be in the unit of the pencil, in which
+    /// all coordinates are up to 1.
+    per_length: f64,
     /// How far a ray may pass from the focus and still be of the pencil.
     tolerance: f64,
     /// The largest coordinate that a ray may start at.
@@ -39,7 +42,8 @@ pub struct Pencil {
 /// A shape in a cell.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
-    /// No point of the shape is nearer to the focus, or earlier on its rays.
+    /// No point of the shape is nearer to the focus, or earlier on its rays, in
+    /// the unit of the pencil.
     pub near: f32,
     pub shape: Shape,
 }
@@ -78,6 +82,7 @@ impl Pencil {
             from: [0.0; 2],
             per_unit: [0.0; 2],
             side: 0,
+            per_length: 1.0 / largest,
             tolerance: largest * SLACK / 2.0,
             reach: largest * REACH,
             starts: Vec::new(),
@@ -225,46 +230,49 @@ impl Pencil {
                 depths.into_iter().fold(f64::INFINITY, f64::min)
             }
         };
-        (near - near.abs() / 1e6) as f32
+        ((near - near.abs() / 1e6) * self.per_length) as f32
     }
 
     /// What a ray that comes from the focus may meet, near ones first, and how
-    /// far on the rays of the focus it starts. None if it is not of the pencil.
+    /// near a `t` of the ray is. None if it is not of the pencil.
     #[inline]
-    pub fn outwards(&self, ray: &Ray) -> Option<(&[Entry], f64)> {
-        match self.focus {
-            Focus::Point(focus) => {
-                (ray.origin() == focus).then(|| (self.entries(ray.direction().to_glam()), 0.0))
+    pub fn outwards(&self, ray: &Ray) -> Option<(&[Entry], impl Fn(f64) -> f64)> {
+        let (o, d) = (ray.origin(), ray.direction());
+        let (p, start) = match self.focus {
+            Focus::Point(focus) if o == focus => (d.to_glam(), 0.0),
+            Focus::Direction(direction) if d == direction && self.reaches(o) => {
+                (o.to_glam(), o.to_glam().dot(self.gaze))
             }
-            Focus::Direction(direction) => {
-                let o = ray.origin();
-                (ray.direction() == direction && o.largest_coordinate() < self.reach)
-                    .then(|| (self.entries(o.to_glam()), o.to_glam().dot(self.gaze)))
-            }
-        }
+            _ => return None,
+        };
+        let near = move |t: f64| (start + t) * self.per_length;
+        Some((self.entries(p), near))
     }
 
-    /// What a ray that goes to the focus, and ends there, may meet, near to the
-    /// focus first, and how far from the focus it starts. None if it is not of
-    /// the pencil.
+    /// What a ray that goes to the focus, and ends there, may meet: nothing that
+    /// is farther from the focus than its start. None if it is not of the pencil.
     #[inline]
-    pub fn inwards(&self, ray: &Ray, within: Interval) -> Option<(&[Entry], f64)> {
+    pub fn inwards(&self, ray: &Ray, within: Interval) -> Option<impl Iterator<Item = Shape>> {
         let (o, d) = (ray.origin(), ray.direction().to_glam());
-        if o.largest_coordinate() > self.reach {
-            return None;
-        }
         let p = self.from_focus(o);
-        match self.focus {
+        let start = match self.focus {
             Focus::Point(_) => {
-                // The point of the ray that is nearest to the focus.
+                // Where the ray comes nearest to the focus.
                 let t = -p.dot(d);
                 let passes = (p + d * t).abs().max_element() <= self.tolerance;
-                (passes && within.max <= t + self.tolerance).then(|| (self.entries(p), t))
+                (passes && within.max <= t + self.tolerance).then_some(t)
             }
-            Focus::Direction(direction) => {
-                (d == -direction.to_glam()).then(|| (self.entries(p), p.dot(self.gaze)))
-            }
-        }
+            Focus::Direction(direction) => (d == -direction.to_glam()).then(|| p.dot(self.gaze)),
+        };
+        let start = start.filter(|_| self.reaches(o))? * self.per_length;
+        let between = self.entries(p).iter();
+        let between = between.take_while(move |entry| f64::from(entry.near) <= start);
+        Some(between.map(|entry| entry.shape))
+    }
+
+    #[inline]
+    fn reaches(&self, point: Point3) -> bool {
+        point.largest_coordinate() < self.reach
     }
 
     /// The shapes that a point of the pencil's picture may show.

@@ -2,12 +2,13 @@
 //! a detour and similar ones lie side by side in memory.
 
 use std::any::Any;
+use std::cell::OnceCell;
 use std::sync::Arc;
 
 use a03_rays_cameras::Ray;
 
 use crate::triangle::ShearedRay;
-use crate::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle};
+use crate::{AxisAlignedBox, Bounds, Geometry, Hit, Interval, Plane, Sphere, Triangle};
 
 /// All parts of a world.
 #[derive(Debug, Default)]
@@ -37,24 +38,44 @@ pub struct Turn {
 }
 
 impl Shapes {
-    /// Adds a part.
-    pub fn push(&mut self, part: &Arc<dyn Geometry>, turn: Turn) -> Shape {
-        fn add<G>(shapes: &mut Vec<(G, Turn)>, shape: G, turn: Turn) -> u32 {
+    /// Adds a part, to those of its kind.
+    pub fn push(&mut self, part: &Arc<dyn Geometry>, turn: Turn) {
+        fn add<G>(shapes: &mut Vec<(G, Turn)>, shape: G, turn: Turn) {
             shapes.push((shape, turn));
-            shapes.len() as u32 - 1
         }
         let any: &dyn Any = &**part;
         if let Some(sphere) = any.downcast_ref() {
-            Shape::Sphere(add(&mut self.spheres, *sphere, turn))
+            add(&mut self.spheres, *sphere, turn);
         } else if let Some(triangle) = any.downcast_ref() {
-            Shape::Triangle(add(&mut self.triangles, *triangle, turn))
+            add(&mut self.triangles, *triangle, turn);
         } else if let Some(aab) = any.downcast_ref() {
-            Shape::Box(add(&mut self.boxes, *aab, turn))
+            add(&mut self.boxes, *aab, turn);
         } else if let Some(plane) = any.downcast_ref() {
-            Shape::Plane(add(&mut self.planes, *plane, turn))
+            add(&mut self.planes, *plane, turn);
         } else {
-            Shape::Other(add(&mut self.others, Arc::clone(part), turn))
+            add(&mut self.others, Arc::clone(part), turn);
         }
+    }
+
+    /// All shapes and their bounds.
+    pub fn bounds(&self) -> impl Iterator<Item = (Bounds, Shape)> {
+        fn of<G: Geometry>(
+            shapes: &[(G, Turn)],
+            shape: fn(u32) -> Shape,
+        ) -> impl Iterator<Item = (Bounds, Shape)> {
+            (0..)
+                .zip(shapes)
+                .map(move |(i, (geometry, _))| (geometry.bounds(), shape(i)))
+        }
+        of(&self.spheres, Shape::Sphere)
+            .chain(of(&self.triangles, Shape::Triangle))
+            .chain(of(&self.boxes, Shape::Box))
+            .chain(of(&self.planes, Shape::Plane))
+            .chain(
+                (0..)
+                    .zip(&self.others)
+                    .map(|(i, (geometry, _))| (geometry.bounds(), Shape::Other(i))),
+            )
     }
 
     pub fn turn(&self, shape: Shape) -> Turn {
@@ -68,35 +89,48 @@ impl Shapes {
     }
 }
 
-/// A ray, with what it wants to compute only once.
-#[derive(Clone, Copy)]
+/// A ray that asks shapes, with what it wants to compute only once.
 pub struct Asking<'a> {
     pub ray: &'a Ray,
-    pub sheared: Option<ShearedRay>,
+    shapes: &'a Shapes,
+    sheared: OnceCell<ShearedRay>,
 }
 
 impl<'a> Asking<'a> {
     #[inline]
-    pub fn new(ray: &'a Ray, shapes: &Shapes) -> Self {
-        let has_triangles = !shapes.triangles.is_empty();
+    pub fn new(ray: &'a Ray, shapes: &'a Shapes) -> Self {
         Self {
             ray,
-            sheared: has_triangles.then(|| ShearedRay::new(ray)),
+            shapes,
+            sheared: OnceCell::new(),
         }
+    }
+
+    /// The ray as triangles want it.
+    #[inline]
+    pub fn sheared(&self) -> &ShearedRay {
+        self.sheared.get_or_init(|| ShearedRay::new(self.ray))
     }
 
     /// What the shape answers.
     #[inline]
-    pub fn hit(&self, shapes: &Shapes, shape: Shape, within: Interval) -> Option<Hit> {
+    pub fn hit(&self, shape: Shape, within: Interval) -> Option<Hit> {
+        let Self { ray, shapes, .. } = self;
         match shape {
-            Shape::Sphere(i) => shapes.spheres[i as usize].0.hit(self.ray, within),
+            Shape::Sphere(i) => shapes.spheres[i as usize].0.hit(ray, within),
             Shape::Triangle(i) => {
-                let sheared = self.sheared.as_ref()?;
-                shapes.triangles[i as usize].0.hit_by(sheared, within)
+                let (triangle, _) = &shapes.triangles[i as usize];
+                triangle.hit_by(self.sheared(), within)
             }
-            Shape::Box(i) => shapes.boxes[i as usize].0.hit(self.ray, within),
-            Shape::Plane(i) => shapes.planes[i as usize].0.hit(self.ray, within),
-            Shape::Other(i) => shapes.others[i as usize].0.hit(self.ray, within),
+            Shape::Box(i) => shapes.boxes[i as usize].0.hit(ray, within),
+            Shape::Plane(i) => shapes.planes[i as usize].0.hit(ray, within),
+            Shape::Other(i) => shapes.others[i as usize].0.hit(ray, within),
         }
+    }
+
+    /// Whether one shape has its turn before another.
+    #[inline]
+    pub fn comes_before(&self, one: Shape, other: Shape) -> bool {
+        self.shapes.turn(one).turn < self.shapes.turn(other).turn
     }
 }
