@@ -16,6 +16,7 @@ impl PaintDiagonal {
         Self { size }
     }
 
+    // ANCHOR: diagonal
     /// The picture.
     pub fn image(&self) -> Result<Image, Error> {
         Image::from_fn(
@@ -25,6 +26,7 @@ impl PaintDiagonal {
             },
         )
     }
+    // ANCHOR_END: diagonal
 }
 
 #[cfg(test)]

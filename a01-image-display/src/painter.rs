@@ -23,6 +23,7 @@ impl Painter {
         }
     }
 
+    // ANCHOR: image
     /// The picture. Every packed colour comes out as the bytes it went in.
     pub fn image(&self) -> Result<Image, Error> {
         let mut image = Image::black(self.size)?;
@@ -31,6 +32,7 @@ impl Painter {
         }
         Ok(image)
     }
+    // ANCHOR_END: image
 }
 
 #[cfg(test)]

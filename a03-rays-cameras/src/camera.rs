@@ -44,6 +44,7 @@ pub struct Basis {
 }
 
 impl Basis {
+    // ANCHOR: basis
     /// The basis of a camera at `e` that looks along the gaze direction `g`,
     /// with the up vector `t` upwards in its picture:
     /// `w = -g / |g|`, `u = (t × w) / |t × w|`, `v = w × u`.
@@ -67,6 +68,7 @@ impl Basis {
             w,
         })
     }
+    // ANCHOR_END: basis
 
     /// The direction `x u + y v - z w` of length 1, `z` being positive.
     pub(crate) fn direction(&self, x: f64, y: f64, z: f64) -> Vector3 {

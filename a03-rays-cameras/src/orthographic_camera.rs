@@ -46,9 +46,11 @@ impl Camera for OrthographicCamera {
     }
 }
 
+// ANCHOR: bracket
 /// The share of the picture's extent between its middle and pixel `p` of `n`:
 /// -1/2 in the first and 1/2 in the last. The single pixel of a picture that
 /// is one pixel wide has its middle at 0.
 fn from_middle(p: f64, n: f64) -> f64 {
     (p - (n - 1.0) / 2.0) / (n - 1.0).max(1.0)
 }
+// ANCHOR_END: bracket

@@ -34,6 +34,7 @@ impl PerspectiveCamera {
 /// From `e` in the direction
 /// `r = -w (h/2) / tan(angle/2) + (x - (w-1)/2) u + (y - (h-1)/2) v`.
 impl Camera for PerspectiveCamera {
+    // ANCHOR: ray
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
         let [width, height] = [size.width(), size.height()].map(f64::from);
         let direction = self.basis.direction(
@@ -43,6 +44,7 @@ impl Camera for PerspectiveCamera {
         );
         Ray::derived(self.basis.e, direction)
     }
+    // ANCHOR_END: ray
 
     fn focus(&self) -> Option<Focus> {
         Some(Focus::Point(self.basis.e))

@@ -45,6 +45,7 @@ impl Ray {
         self.direction
     }
 
+    // ANCHOR: at
     /// The point `o + t d`.
     #[must_use]
     pub fn at(&self, t: f64) -> Point3 {
@@ -57,6 +58,7 @@ impl Ray {
     pub fn t_of(&self, point: Point3) -> f64 {
         (point - self.origin).dot(self.direction) / self.direction.dot(self.direction)
     }
+    // ANCHOR_END: at
 
     /// The part of the ray up to a distance, which may be infinite.
     pub fn bounded(self, upper_bound: f64) -> Result<BoundedRay, ArgumentError> {

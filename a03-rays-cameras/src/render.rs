@@ -27,6 +27,7 @@ pub fn render(
     let size = settings.size;
     let rows = settings.rows();
     let mut image = Image::black(Size::new(size.width(), rows.len() as u32)?)?;
+    // ANCHOR: light
     let light = |column: u32, row: u32, (dx, dy): (f64, f64)| {
         // The camera counts rows from below, and from pixel middles.
         let x = f64::from(column) + (dx - 0.5);
@@ -34,27 +35,25 @@ pub fn render(
         tally::count(Work::PrimaryRay);
         radiance(&camera.ray_for(size, x, y))
     };
+    // ANCHOR_END: light
     if let Some(max_error) = settings.max_error {
         adaptive::render(&mut image, max_error, settings, light, progress)?;
         return Ok(image);
     }
+    // ANCHOR: mean
     let sampler = Sampler::new(settings);
+    let mean = |column, row, pixel: &mut Color, (): &mut ()| {
+        let (mut sum, mut samples) = (Color::BLACK, 0.0);
+        for place in sampler.places(column, row) {
+            sum += light(column, row, place);
+            samples += 1.0;
+        }
+        *pixel = sum.map(|channel| channel / samples);
+        true
+    };
+    // ANCHOR_END: mean
     let mut nothing = vec![(); image.size().pixels()];
-    for_each_pixel(
-        &mut image,
-        rows.start,
-        &mut nothing,
-        progress,
-        |column, row, pixel, ()| {
-            let (mut sum, mut samples) = (Color::BLACK, 0.0);
-            for place in sampler.places(column, row) {
-                sum += light(column, row, place);
-                samples += 1.0;
-            }
-            *pixel = sum.map(|channel| channel / samples);
-            true
-        },
-    )?;
+    for_each_pixel(&mut image, rows.start, &mut nothing, progress, mean)?;
     Ok(image)
 }
 

@@ -78,6 +78,7 @@ impl Sampler {
                 // Drawn although nobody wants them; the compiler must not notice.
                 black_box((jitter(0), jitter(1)));
             }
+            // ANCHOR: cells
             let cell = |(dx, dy): (f64, f64)| {
                 let (column, row) = (f64::from(i % cells), f64::from(i / cells));
                 let cells = f64::from(cells);
@@ -89,6 +90,7 @@ impl Sampler {
                 Sampling::Random => (jitter(0), jitter(1)),
                 Sampling::Stratified => cell((jitter(0), jitter(1))),
             }
+            // ANCHOR_END: cells
         })
     }
 }

@@ -10,7 +10,7 @@ use a02_math::Vector3;
 pub enum StripeRule {
     /// The height of the direction of length 1, as the text has it. Rays of one
     /// height form a cone, which the picture cuts in a hyperbola: the stripes
-    /// bend towards the horizon.
+    /// bend away from the horizon to both sides.
     Direction,
     /// The height at which the ray pierces a wall across the gaze. The stripes
     /// are straight.
@@ -59,6 +59,7 @@ impl StripedSky {
         })
     }
 
+    // ANCHOR: stripe
     /// The stripe that the ray meets, counted from 0 at the lower edge. Rays
     /// beyond an edge meet the stripe there.
     #[must_use]
@@ -69,6 +70,7 @@ impl StripedSky {
         // The cast saturates: below the lower edge is 0.
         ((from_below * f64::from(self.stripes)) as u32).min(self.stripes - 1)
     }
+    // ANCHOR_END: stripe
 
     /// The colour of the stripe that the ray meets.
     #[must_use]

@@ -57,6 +57,7 @@ impl Color {
         Self::from_bytes([r, g, b])
     }
 
+    // ANCHOR: bytes
     /// Three bytes: clamped to 0..=1, scaled to 255 and rounded to the nearest.
     /// NaN becomes 0.
     #[must_use]
@@ -64,6 +65,7 @@ impl Color {
         // The cast saturates: it is the clamp.
         self.channels().map(|channel| (channel * 255.0 + 0.5) as u8)
     }
+    // ANCHOR_END: bytes
 
     /// Red, green and blue, in this order.
     #[must_use]

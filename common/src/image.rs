@@ -108,9 +108,11 @@ impl Image {
         self
     }
 
+    // ANCHOR: index
     const fn index(&self, x: u32, y: u32) -> usize {
         y as usize * self.size.width() as usize + x as usize
     }
+    // ANCHOR_END: index
 
     /// Red, green and blue bytes of all pixels: the one place where colours
     /// become bytes.
