@@ -104,3 +104,40 @@ impl fmt::Display for Comparison {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tally::count;
+    use crate::{Color, Size};
+
+    /// Without omissions a ray more and a picture brighter by 1/8.
+    fn scene() -> Scene {
+        Scene::traced("test", "", |settings, _| {
+            count(Work::PrimaryRay);
+            let mut image = Image::black(settings.size)?;
+            if !settings.omit {
+                count(Work::ShadowRay);
+                image.pixels_mut()[0] = Color::gray(0.125);
+            }
+            Ok(image)
+        })
+    }
+
+    #[test]
+    fn what_is_left_out_is_counted_and_its_traces_are_found() {
+        let settings = Settings {
+            size: Size::new(2, 1).unwrap(),
+            ..Settings::default()
+        };
+        let comparison = Comparison::new(&scene(), &settings).unwrap();
+        assert_eq!(comparison.difference, 0.125);
+        assert_eq!(
+            comparison.row("name"),
+            "| name | 1 | **0** of 1 | | | | | |"
+        );
+        let table = comparison.to_string();
+        assert!(table.contains("100.0 %"), "{table}");
+        assert!(!table.contains("powers"), "{table}");
+    }
+}

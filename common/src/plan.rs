@@ -94,3 +94,24 @@ impl fmt::Display for Plan {
         write!(f, "{}", lines.join("\n"))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_plan_tells_what_there_is_and_what_is_left_out() {
+        let plan = Plan::default()
+            .needing("lights: 2")
+            .without("a ray", "it goes nowhere")
+            .nearly_without("a mirror", "it is dark", 0.002);
+        let lines = [
+            "  needs     lights: 2",
+            "  left out  a ray: it goes nowhere (same bits)",
+            "  left out  a mirror: it is dark (off by less than 2.00e-3)",
+        ];
+        assert_eq!(plan.to_string(), lines.join("\n"));
+        let nothing = Plan::default().to_string();
+        assert!(nothing.contains("nothing to leave out"), "{nothing}");
+    }
+}
