@@ -43,7 +43,7 @@ impl Place {
 fn world(seed: u64, count: usize, place: Place) -> World<usize> {
     let mut numbers = Numbers::new(seed);
     let mut world = World::new(Color::BLACK).unwrap();
-    let small = 2.0 / (count as f64).cbrt();
+    let small = 2.0 / libm::cbrt(count as f64);
     for i in 0..count {
         let at = numbers.vector();
         let (a, b) = (numbers.vector() * small, numbers.vector() * small);
@@ -165,6 +165,10 @@ fn rays(
             ),
             (
                 Ray::new(a, Vector3::new(0.0, 0.0, 1.0)).unwrap(),
+                Interval::AHEAD,
+            ),
+            (
+                Ray::new(a, Vector3::new(-1.0, -0.0, -0.0)).unwrap(),
                 Interval::AHEAD,
             ),
         ]);

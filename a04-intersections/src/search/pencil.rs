@@ -188,9 +188,9 @@ impl Pencil {
         }
     }
 
-    /// The point as seen from the focus.
+    /// The point as it is seen from the focus.
     #[inline]
-    fn from_focus(&self, p: Point3) -> DVec3 {
+    fn seen(&self, p: Point3) -> DVec3 {
         match self.focus {
             Focus::Point(focus) => (p - focus).to_glam(),
             Focus::Direction(_) => p.to_glam(),
@@ -201,7 +201,7 @@ impl Pencil {
     fn extent(&self, bounds: Bounds) -> Option<([f64; 2], [f64; 2])> {
         let (mut from, mut to) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for corner in bounds.corners() {
-            let p = self.from_focus(corner);
+            let p = self.seen(corner);
             // Beyond some 80 degrees the cells would be too unequal.
             if matches!(self.focus, Focus::Point(_)) && p.dot(self.gaze) < 0.15 * p.length() {
                 return None;
@@ -254,7 +254,7 @@ impl Pencil {
     #[inline]
     pub fn inwards(&self, ray: &Ray, within: Interval) -> Option<impl Iterator<Item = Shape>> {
         let (o, d) = (ray.origin(), ray.direction().to_glam());
-        let p = self.from_focus(o);
+        let p = self.seen(o);
         let start = match self.focus {
             Focus::Point(_) => {
                 // Where the ray comes nearest to the focus.

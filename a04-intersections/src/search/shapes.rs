@@ -40,20 +40,20 @@ pub struct Turn {
 impl Shapes {
     /// Adds a part, to those of its kind.
     pub fn push(&mut self, part: &Arc<dyn Geometry>, turn: Turn) {
-        fn add<G>(shapes: &mut Vec<(G, Turn)>, shape: G, turn: Turn) {
-            shapes.push((shape, turn));
+        fn is<G: Geometry + Copy>(part: &Arc<dyn Geometry>) -> Option<G> {
+            let any: &dyn Any = &**part;
+            any.downcast_ref().copied()
         }
-        let any: &dyn Any = &**part;
-        if let Some(sphere) = any.downcast_ref() {
-            add(&mut self.spheres, *sphere, turn);
-        } else if let Some(triangle) = any.downcast_ref() {
-            add(&mut self.triangles, *triangle, turn);
-        } else if let Some(aab) = any.downcast_ref() {
-            add(&mut self.boxes, *aab, turn);
-        } else if let Some(plane) = any.downcast_ref() {
-            add(&mut self.planes, *plane, turn);
+        if let Some(sphere) = is::<Sphere>(part) {
+            self.spheres.push((sphere, turn));
+        } else if let Some(triangle) = is::<Triangle>(part) {
+            self.triangles.push((triangle, turn));
+        } else if let Some(aab) = is::<AxisAlignedBox>(part) {
+            self.boxes.push((aab, turn));
+        } else if let Some(plane) = is::<Plane>(part) {
+            self.planes.push((plane, turn));
         } else {
-            add(&mut self.others, Arc::clone(part), turn);
+            self.others.push((Arc::clone(part), turn));
         }
     }
 

@@ -80,10 +80,10 @@ impl<B> Tree<B> {
     pub(super) fn node(&self, children: &[(Bounds, Child)]) -> Node {
         let mut planes = [[[f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]]; 3];
         for (lane, (bounds, _)) in children.iter().enumerate() {
-            for axis in 0..3 {
+            for (axis, [min, max]) in planes.iter_mut().enumerate() {
                 let own = |x: f64| ((x - self.centre[axis]) * self.per_length) as f32;
-                planes[axis][0][lane] = own(bounds.min[axis]).next_down();
-                planes[axis][1][lane] = own(bounds.max[axis]).next_up();
+                min[lane] = own(bounds.min[axis]).next_down();
+                max[lane] = own(bounds.max[axis]).next_up();
             }
         }
         let child = |lane| {
@@ -100,7 +100,7 @@ impl<B> Tree<B> {
     /// Visits the blocks that the ray may meet within the interval, near ones
     /// first, and all blocks if it can't tell. `visit` is told the `t` beyond
     /// which nothing is wanted, and returns it anew or breaks off.
-    #[inline(always)]
+    #[inline]
     pub fn search(
         &self,
         ray: &Ray,
@@ -191,12 +191,13 @@ impl Slab {
         let slack = slack.copysign(d);
         // Where the ray does not move along an axis, it stays almost for ever
         // in what it is in, and comes almost never to what it is not in.
-        let inverse = (1.0 / d).clamp(-1e30, 1e30);
+        let inverse = (1.0 / d as f32).clamp(-1e30, 1e30);
         Self {
-            side: usize::from(d < 0.0),
+            // The direction -0 goes down like all whose inverse is negative.
+            side: usize::from(d.is_sign_negative()),
             near: f32x4::splat((o + slack) as f32),
             far: f32x4::splat((o - slack) as f32),
-            inverse: f32x4::splat(inverse as f32),
+            inverse: f32x4::splat(inverse),
         }
     }
 
