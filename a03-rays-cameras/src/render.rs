@@ -1,5 +1,6 @@
 //! `render`: the one loop over the pixels of a traced picture.
 
+use common::tally::{self, Work};
 use common::{Color, Error, Image, Progress, Settings, Size};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
@@ -31,6 +32,7 @@ pub fn render(
         // The camera counts rows from below, and from pixel middles.
         let x = f64::from(column) + (dx - 0.5);
         let y = f64::from(size.height() - 1 - row) - (dy - 0.5);
+        tally::count(Work::PrimaryRay);
         radiance(&camera.ray_for(size, x, y))
     };
     // ANCHOR_END: light

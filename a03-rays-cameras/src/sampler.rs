@@ -1,6 +1,9 @@
 //! `Sampler`: where in a pixel its samples lie.
 
-use common::{Sampling, Settings};
+use std::hint::black_box;
+
+use common::tally::{self, Work};
+use common::{Plan, Sampling, Settings};
 
 use crate::PixelRandom;
 
@@ -12,6 +15,7 @@ pub struct Sampler {
     cells: u32,
     samples: u32,
     seed: u64,
+    omit: bool,
 }
 
 impl Sampler {
@@ -30,6 +34,26 @@ impl Sampler {
                 Sampling::Regular | Sampling::Stratified => cells * cells,
             },
             seed: settings.seed,
+            omit: settings.omit,
+        }
+    }
+
+    /// What these settings ask for, and what of it needs not be done.
+    #[must_use]
+    pub fn plan(settings: &Settings) -> Plan {
+        if let Some(error) = settings.max_error {
+            let need = format!("primary rays: as many as an error of {error} takes");
+            return Plan::default().needing(need);
+        }
+        let samples = Self::new(settings).samples;
+        let pixels = settings.size.pixels();
+        let rays = pixels as u64 * u64::from(samples);
+        let plan =
+            Plan::default().needing(format!("primary rays: {rays}, of which {samples} a pixel"));
+        if settings.sampling.is_random() {
+            plan
+        } else {
+            plan.without("random numbers", "every sample has its fixed place")
         }
     }
 
@@ -42,10 +66,18 @@ impl Sampler {
             cells,
             samples,
             seed,
+            omit,
         } = *self;
         let random = PixelRandom::new(seed, x, y);
         (0..samples).map(move |i| {
-            let jitter = |n: u64| random.uniform(2 * u64::from(i) + n);
+            let jitter = |n: u64| {
+                tally::count(Work::RandomNumber);
+                random.uniform(2 * u64::from(i) + n)
+            };
+            if !omit && !sampling.is_random() {
+                // Drawn although nobody wants them; the compiler must not notice.
+                black_box((jitter(0), jitter(1)));
+            }
             // ANCHOR: cells
             let cell = |(dx, dy): (f64, f64)| {
                 let (column, row) = (f64::from(i % cells), f64::from(i / cells));

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use a02_math::Point3;
 use common::{Error, Image, Progress, Sampling, Scene, Settings, Size, Stage};
 
-use crate::{PinholeCamera, StripeRule, StripedSky, render};
+use crate::{PinholeCamera, Sampler, StripeRule, StripedSky, render};
 
 /// The stage for its program.
 #[must_use]
@@ -30,12 +30,18 @@ fn striped_sky(name: &'static str, about: &'static str, rule: StripeRule) -> Sce
         let sky = StripedSky::new(&camera, settings.size, STRIPES, rule)?;
         render(&camera, |ray| sky.color_for(ray), settings, progress)
     };
-    Scene::traced(name, about, paint).with_defaults(Settings {
-        size: Size::SECOND_COURSE,
-        samples: 100,
-        sampling: Sampling::Stratified,
-        ..Settings::default()
-    })
+    let plan = |settings: &Settings| {
+        let plan = Sampler::plan(settings);
+        Ok(plan.without("intersections, lights and mirrors", "there is but a sky"))
+    };
+    Scene::traced(name, about, paint)
+        .planned(plan)
+        .with_defaults(Settings {
+            size: Size::SECOND_COURSE,
+            samples: 100,
+            sampling: Sampling::Stratified,
+            ..Settings::default()
+        })
 }
 
 const STRIPES: u32 = 10;

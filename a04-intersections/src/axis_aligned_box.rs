@@ -63,6 +63,9 @@ impl Geometry for AxisAlignedBox {
         if near > far * WIDER {
             return None;
         }
+        // Through an edge rounding may have a ray leave before it enters. Met
+        // before `near`, the box would hide itself, if it is in a list twice.
+        let far = far.max(near);
 
         if within.contains(near) {
             Some(Hit::new(near, axis_normal(near_axis, -d[near_axis])))

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_4;
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{Camera, OrthographicCamera, PerspectiveCamera, render};
+use a03_rays_cameras::{Camera, OrthographicCamera, PerspectiveCamera, Sampler, render};
 use common::{ArgumentError, Color, Scene, Stage};
 
 use crate::experiments::experiments;
@@ -38,8 +38,15 @@ fn scene(
     view: fn() -> Result<View, ArgumentError>,
 ) -> Scene {
     Scene::traced(name, about, move |settings, progress| {
-        let (camera, world) = view()?;
+        let (camera, mut world) = view()?;
+        if settings.omit {
+            world = world.prepared(camera.focus());
+        }
         render(&camera, |ray| world.color_for(ray), settings, progress)
+    })
+    .planned(move |settings| {
+        let plan = view()?.1.prepared([]).plan(Sampler::plan(settings));
+        Ok(plan.without("lights and mirrors", "objects have a colour, no material"))
     })
 }
 

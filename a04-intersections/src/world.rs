@@ -4,10 +4,14 @@ use std::sync::Arc;
 
 use a02_math::{Direction, Vector3};
 use a03_rays_cameras::{Focus, Ray};
-use common::{ArgumentError, Color, argument};
+use common::tally::{self, Work};
+use common::{ArgumentError, Color, Plan, argument};
 
 use crate::search::Search;
 use crate::{Geometry, Hit, Interval};
+
+/// So many objects are asked faster one by one than searched.
+const FEW: usize = 4;
 
 /// A background, and a plain list of geometries, each with its surface.
 ///
@@ -40,12 +44,47 @@ impl<S> World<S> {
 
     /// The same world, prepared for many rays, most of them from or to some
     /// foci: each asks only the objects that it may meet. What it meets is the
-    /// same, to the last bit.
+    /// same, to the last bit. Of few objects all are asked as before: a search
+    /// would be more work.
     #[must_use]
     pub fn prepared(mut self, foci: impl IntoIterator<Item = Focus>) -> Self {
         let geometries = self.objects.iter().map(|(geometry, _)| geometry);
-        self.search = Some(Search::new(geometries, foci));
+        let are_few = self.objects.len() <= FEW && geometries.clone().all(|g| g.parts().is_none());
+        self.search = (!are_few).then(|| Search::new(geometries, foci));
         self
+    }
+
+    /// How many objects there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.objects.len()
+    }
+
+    /// Whether there is no object.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.objects.is_empty()
+    }
+
+    /// Adds to a plan what there is to be met.
+    #[must_use]
+    pub fn plan(&self, plan: Plan) -> Plan {
+        let objects = self.objects.len();
+        let plan = plan.needing(format!("objects: {objects}"));
+        if self.search.is_some() {
+            plan.without(
+                "questions to objects far from a ray",
+                "a tree of their bounds finds those that it may meet",
+            )
+        } else {
+            plan.without("a search tree", "so few objects are asked one by one")
+        }
+    }
+
+    /// The objects in the order of the list: geometries and surfaces.
+    pub fn objects(&self) -> impl Iterator<Item = (&dyn Geometry, &S)> {
+        let objects = self.objects.iter();
+        objects.map(|(geometry, surface)| (&**geometry, surface))
     }
 
     /// The colour that a ray brings back if it meets nothing.
@@ -66,6 +105,7 @@ impl<S> World<S> {
             return Some((facing(hit, ray.direction()), &self.objects[object].1));
         }
         let mut nearest = None;
+        tally::count_all(Work::IntersectionTest, self.objects.len() as u64);
         for (geometry, surface) in &self.objects {
             if let Some(hit) = geometry.hit(ray, within) {
                 within.max = hit.t;
@@ -82,7 +122,10 @@ impl<S> World<S> {
             return search.is_hit(ray, within);
         }
         let mut objects = self.objects.iter();
-        objects.any(|(geometry, _)| geometry.hit(ray, within).is_some())
+        objects.any(|(geometry, _)| {
+            tally::count(Work::IntersectionTest);
+            geometry.hit(ray, within).is_some()
+        })
     }
 }
 

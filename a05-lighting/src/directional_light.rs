@@ -32,6 +32,10 @@ impl Light for DirectionalLight {
         })
     }
 
+    fn brightest(&self) -> Color {
+        self.color.map(f64::abs)
+    }
+
     fn focus(&self) -> Option<Focus> {
         Some(Focus::Direction(self.direction))
     }

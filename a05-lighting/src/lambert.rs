@@ -36,7 +36,17 @@ impl Lambert {
 impl Material for Lambert {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         let mut color = self.ambient(lighting);
-        lighting.for_each_light(ray, hit, &mut |light| color += self.share(hit, light));
+        if self.answers_light() || !lighting.omits() {
+            lighting.for_each_light(ray, hit, &mut |light| color += self.share(hit, light));
+        }
         color
+    }
+
+    fn brightest(&self, ambient: Color, lights: Color) -> Color {
+        self.diffuse.map(f64::abs) * (ambient + lights)
+    }
+
+    fn answers_light(&self) -> bool {
+        self.diffuse != Color::BLACK
     }
 }

@@ -29,6 +29,12 @@ pub trait Light: Debug + Send + Sync {
         None
     }
 
+    /// What no channel of its light exceeds anywhere, in magnitude. Infinite
+    /// unless the light says better.
+    fn brightest(&self) -> Color {
+        Color::gray(f64::INFINITY)
+    }
+
     /// Whether the light shines on `point`, nothing being in between.
     fn illuminates(&self, point: Point3) -> bool {
         self.illumination(point).is_some()

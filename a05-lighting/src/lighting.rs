@@ -16,4 +16,9 @@ pub trait Lighting {
 
     /// Calls `shade` with the light of each source that reaches the hit of `ray`.
     fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination));
+
+    /// Whether work is left out that cannot change a colour.
+    fn omits(&self) -> bool {
+        true
+    }
 }

@@ -1,8 +1,10 @@
 //! `LitWorld`: a world and the lights in it.
 
+use std::ops::Deref;
+
 use a03_rays_cameras::{Focus, Ray};
 use a04_intersections::{Geometry, Hit, Interval, World};
-use common::{ArgumentError, Color, argument};
+use common::{ArgumentError, Color, Plan, argument};
 
 use crate::{Illumination, Light, Lighting, Material};
 
@@ -12,6 +14,7 @@ pub struct LitWorld<S = Box<dyn Material>, L = Box<dyn Light>> {
     world: World<S>,
     lights: Vec<L>,
     ambient: Color,
+    omit: bool,
 }
 
 impl LitWorld {
@@ -28,6 +31,7 @@ impl<S, L> LitWorld<S, L> {
             world: World::new(background)?,
             lights: Vec::new(),
             ambient: argument::color("ambient light", ambient)?,
+            omit: true,
         })
     }
 
@@ -52,6 +56,14 @@ impl<S, L> LitWorld<S, L> {
         self
     }
 
+    /// The same world, prepared if work that changes no colour is to be left
+    /// out, else doing all of it.
+    #[must_use]
+    pub fn omitting(mut self, omit: bool, foci: impl IntoIterator<Item = Focus>) -> Self {
+        self.omit = omit;
+        if omit { self.prepared(foci) } else { self }
+    }
+
     /// The objects.
     #[must_use]
     pub const fn objects(&self) -> &World<S> {
@@ -68,6 +80,44 @@ impl<S, L> LitWorld<S, L> {
     #[must_use]
     pub const fn ambient(&self) -> Color {
         self.ambient
+    }
+}
+
+impl<S: Deref<Target: Material>, L> LitWorld<S, L> {
+    /// Adds to a plan what there is to be met and to be lit.
+    #[must_use]
+    pub fn plan(&self, plan: Plan) -> Plan {
+        let (objects, lights) = (self.world.len(), self.lights.len());
+        let plan = self.world.plan(plan).needing(format!("lights: {lights}"));
+        if lights == 0 {
+            return plan.without("all shading by lights", "there is none");
+        }
+        let count = |what: fn(&S::Target) -> bool| {
+            let surfaces = self.world.objects().map(|(_, surface)| surface);
+            surfaces.filter(|surface| !what(surface)).count()
+        };
+        let plan = match count(S::Target::answers_light) {
+            0 => plan,
+            dull => plan.without(
+                format!("light on {dull} of {objects} objects"),
+                "their colour does not depend on it",
+            ),
+        };
+        let dull = count(S::Target::has_highlight);
+        let mut plan = plan;
+        if dull > 0 {
+            plan = plan.without(
+                format!("powers on {dull} of {objects} objects"),
+                "they have no highlight",
+            );
+        }
+        if dull < objects {
+            plan = plan.without(
+                "powers where a light is behind, or mirrored away from the eye",
+                "no highlight is seen there",
+            );
+        }
+        plan
     }
 }
 
@@ -95,5 +145,9 @@ impl Lighting for LitWorld {
         lights
             .filter_map(|light| light.illumination(point))
             .for_each(|light| shade(&light));
+    }
+
+    fn omits(&self) -> bool {
+        self.omit
     }
 }

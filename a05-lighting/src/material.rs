@@ -12,4 +12,23 @@ use crate::Lighting;
 pub trait Material: Debug + Send + Sync {
     /// The light that goes from the hit back along the ray.
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color;
+
+    /// What no channel of its colour exceeds in magnitude, with this ambient light
+    /// and this sum of the light of all sources, both in magnitude. Infinite
+    /// unless the material says better.
+    fn brightest(&self, ambient: Color, lights: Color) -> Color {
+        let _ = (ambient, lights);
+        Color::gray(f64::INFINITY)
+    }
+
+    /// Whether the place from which it is seen changes its colour: a power for
+    /// each light.
+    fn has_highlight(&self) -> bool {
+        false
+    }
+
+    /// Whether the light of any source can change its colour.
+    fn answers_light(&self) -> bool {
+        true
+    }
 }

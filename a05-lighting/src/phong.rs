@@ -3,6 +3,7 @@
 use a02_math::Direction;
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
+use common::tally::{self, Work};
 use common::{ArgumentError, Color, argument};
 
 use crate::{Illumination, Lambert, Lighting, Material};
@@ -29,20 +30,27 @@ impl Phong {
 
     /// The highlight of one light, `cs cl max(0, e · r)^p`, with `e` to the eye
     /// and `r` the direction in which the surface mirrors the light.
-    fn highlight(&self, ray: &Ray, hit: &Hit, light: &Illumination) -> Color {
-        let l = light.direction;
+    fn highlight(&self, ray: &Ray, hit: &Hit, light: &Illumination, omits: bool) -> Color {
+        let (e, l) = (-ray.direction(), light.direction);
         // Light from behind mirrors nowhere, and black is black at any power.
-        if self.specular == Color::BLACK || hit.normal.dot(l) <= 0.0 {
+        let is_behind = hit.normal.dot(l) <= 0.0;
+        if omits && (is_behind || !self.has_highlight()) {
             return Color::BLACK;
         }
-        let e = -ray.direction();
         let cosine = e.dot(l.reflected_on(hit.normal));
-        // 0 to the power of 0 is 1: where nothing is mirrored there must be no
-        // power. And a cosine of 1 + 2^-52 grows to millions.
-        if cosine <= 0.0 {
+        let is_mirrored = !is_behind && cosine > 0.0;
+        if omits && !is_mirrored {
             return Color::BLACK;
         }
-        self.specular * light.color * libm::pow(cosine.min(1.0), self.exponent)
+        // A cosine of 1 + 2^-52 grows to millions.
+        tally::count(Work::Power);
+        let power = libm::pow(cosine.clamp(0.0, 1.0), self.exponent);
+        // 0 to the power of 0 is 1: where nothing is mirrored no power counts.
+        if is_mirrored {
+            self.specular * light.color * power
+        } else {
+            Color::BLACK
+        }
     }
 }
 
@@ -51,9 +59,24 @@ impl Phong {
 impl Material for Phong {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         let mut color = self.matt.ambient(lighting);
-        lighting.for_each_light(ray, hit, &mut |light| {
-            color += self.matt.share(hit, light) + self.highlight(ray, hit, light);
-        });
+        let omits = lighting.omits();
+        if self.answers_light() || !omits {
+            lighting.for_each_light(ray, hit, &mut |light| {
+                color += self.matt.share(hit, light) + self.highlight(ray, hit, light, omits);
+            });
+        }
         color
+    }
+
+    fn brightest(&self, ambient: Color, lights: Color) -> Color {
+        self.matt.brightest(ambient, lights) + self.specular.map(f64::abs) * lights
+    }
+
+    fn answers_light(&self) -> bool {
+        self.matt.answers_light() || self.has_highlight()
+    }
+
+    fn has_highlight(&self) -> bool {
+        self.specular != Color::BLACK
     }
 }

@@ -33,6 +33,10 @@ impl Light for PointLight {
         })
     }
 
+    fn brightest(&self) -> Color {
+        self.color.map(f64::abs)
+    }
+
     fn focus(&self) -> Option<Focus> {
         Some(Focus::Point(self.position))
     }

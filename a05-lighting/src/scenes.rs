@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, render};
+use a03_rays_cameras::{Camera, PerspectiveCamera, Sampler, render};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere, Triangle};
 use common::{ArgumentError, Color, Scene, Stage};
 
@@ -43,8 +43,15 @@ fn scene(
 ) -> Scene {
     Scene::traced(name, about, move |settings, progress| {
         let camera = PerspectiveCamera::new(CORNER, INWARDS, UP, FRAC_PI_4)?;
-        let world = world()?;
+        let world = world()?.omitting(settings.omit, camera.focus());
         render(&camera, |ray| world.color_for(ray), settings, progress)
+    })
+    .planned(move |settings| {
+        let plan = world()?.prepared([]).plan(Sampler::plan(settings));
+        Ok(plan.without(
+            "shadows and mirrors",
+            "these lights and materials know none",
+        ))
     })
 }
 

@@ -21,7 +21,18 @@ impl SingleColor {
 }
 
 impl Material for SingleColor {
-    fn color_for(&self, _: &Ray, _: &Hit, _: &dyn Lighting) -> Color {
+    fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
+        if !lighting.omits() {
+            lighting.for_each_light(ray, hit, &mut |_| ());
+        }
         self.color
+    }
+
+    fn brightest(&self, _: Color, _: Color) -> Color {
+        self.color.map(f64::abs)
+    }
+
+    fn answers_light(&self) -> bool {
+        false
     }
 }

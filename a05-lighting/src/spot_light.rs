@@ -49,6 +49,10 @@ impl Light for SpotLight {
         (cosine >= self.cos_half_angle).then_some(light)
     }
 
+    fn brightest(&self) -> Color {
+        self.source.brightest()
+    }
+
     fn focus(&self) -> Option<Focus> {
         self.source.focus()
     }

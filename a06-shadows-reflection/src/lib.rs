@@ -3,6 +3,7 @@
 //! The [`RecursiveTracer`] answers what light reaches a hit with shadow rays,
 //! and follows reflected rays from surface to surface.
 
+mod cut;
 mod experiments;
 mod extremes;
 mod light_source;

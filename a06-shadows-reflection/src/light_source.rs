@@ -3,6 +3,7 @@
 use a02_math::Point3;
 use a03_rays_cameras::Focus;
 use a05_lighting::{Illumination, Light};
+use common::Color;
 
 /// A light, and whether objects cast shadows in it.
 #[derive(Debug)]
@@ -30,6 +31,10 @@ impl LightSource {
 impl Light for LightSource {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
         self.light.illumination(point)
+    }
+
+    fn brightest(&self) -> Color {
+        self.light.brightest()
     }
 
     fn focus(&self) -> Option<Focus> {

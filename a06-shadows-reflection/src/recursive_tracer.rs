@@ -4,8 +4,11 @@ use a02_math::Direction;
 use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, Interval};
 use a05_lighting::{Illumination, Light, Lighting, LitWorld};
-use common::Color;
+use common::tally::{self, Work};
+use common::{Color, Plan};
 
+use crate::cut::Cut;
+use crate::shadow::has_occluder;
 use crate::{LightSource, Surface, is_shadowed, secondary_ray};
 
 /// A world of surfaces that may mirror and lights that may cast shadows.
@@ -16,14 +19,30 @@ pub type ShadowedWorld = LitWorld<Box<dyn Surface>, LightSource>;
 pub struct RecursiveTracer<'a> {
     world: &'a ShadowedWorld,
     omit: bool,
+    cut: Option<Cut>,
 }
 
 impl<'a> RecursiveTracer<'a> {
-    /// A tracer of this world. If `omit`, it leaves out rays that cannot change
-    /// a colour: to lights behind a surface, and from surfaces that do not mirror.
+    /// A tracer of this world. If `omit`, it leaves out work that cannot change
+    /// a colour: rays to lights behind a surface or that cast no shadows, whatever
+    /// is behind the first thing in a light's way, and rays from surfaces that do
+    /// not mirror.
     #[must_use]
     pub const fn new(world: &'a ShadowedWorld, omit: bool) -> Self {
-        Self { world, omit }
+        Self {
+            world,
+            omit,
+            cut: None,
+        }
+    }
+
+    /// The same tracer, which follows no mirrored ray whose light changes no
+    /// channel by as much as `bound`, if there is one and work is left out.
+    #[must_use]
+    pub fn cut_below(mut self, bound: Option<f64>) -> Self {
+        let bound = bound.filter(|_| self.omit);
+        self.cut = bound.map(|bound| Cut::new(self.world, bound));
+        self
     }
 
     /// The colour that a ray brings back which may meet `depth` surfaces; what
@@ -39,7 +58,10 @@ impl<'a> RecursiveTracer<'a> {
         let mut ray = *ray;
         let mut color = Color::BLACK;
         let mut mirrored = Color::WHITE;
-        for _ in 0..depth {
+        for met in 0..depth {
+            if met > 0 {
+                tally::count(Work::ReflectedRay);
+            }
             let Some((hit, surface)) = self.world.objects().hit(&ray, Interval::AHEAD) else {
                 return color + mirrored * self.world.objects().background();
             };
@@ -48,10 +70,61 @@ impl<'a> RecursiveTracer<'a> {
             if self.omit && mirrored == Color::BLACK {
                 break;
             }
+            if self.cut.is_some_and(|cut| cut.is_due(mirrored)) {
+                break;
+            }
             let direction = (-ray.direction()).reflected_on(hit.normal);
             ray = secondary_ray(&ray, &hit, direction);
         }
         color
+    }
+}
+
+impl RecursiveTracer<'_> {
+    /// Adds to a plan what there is to be met, to be lit and to be mirrored.
+    #[must_use]
+    pub fn plan(&self, plan: Plan) -> Plan {
+        let (objects, lights) = (self.world.objects().len(), self.world.lights().len());
+        let sources = self.world.lights().iter();
+        let casting = sources.filter(|source| source.casts_shadows()).count();
+        let surfaces = self.world.objects().objects();
+        let mirrors = surfaces.filter(|(_, surface)| surface.reflection() != Color::BLACK);
+        let mirrors = mirrors.count();
+        let mut plan = self.world.plan(plan);
+        if casting < lights {
+            plan = plan.without(
+                format!("shadow rays to {} of {lights} lights", lights - casting),
+                "no object keeps their light away",
+            );
+        }
+        if casting > 0 {
+            plan = plan
+                .without(
+                    "shadow rays from what faces away from a light",
+                    "it is dark",
+                )
+                .without(
+                    "the search behind the first object in the way of a light",
+                    "one keeps it away as well as two",
+                );
+        }
+        if mirrors < objects {
+            plan = plan.without(
+                format!(
+                    "reflected rays from {} of {objects} objects",
+                    objects - mirrors
+                ),
+                "they do not mirror",
+            );
+        }
+        match self.cut {
+            Some(cut) if mirrors > 0 => plan.nearly_without(
+                "mirrored rays that nobody would see",
+                "what they can bring back is bounded",
+                cut.bound(),
+            ),
+            _ => plan,
+        }
     }
 }
 
@@ -70,10 +143,19 @@ impl Lighting for RecursiveTracer<'_> {
             if self.omit && hit.normal.dot(light.direction) <= 0.0 {
                 continue;
             }
-            if source.casts_shadows() && is_shadowed(self.world.objects(), ray, hit, &light) {
-                continue;
+            let objects = self.world.objects();
+            let is_shadowed = if self.omit {
+                source.casts_shadows() && is_shadowed(objects, ray, hit, &light)
+            } else {
+                has_occluder(objects, ray, hit, &light) && source.casts_shadows()
+            };
+            if !is_shadowed {
+                shade(&light);
             }
-            shade(&light);
         }
+    }
+
+    fn omits(&self) -> bool {
+        self.omit
     }
 }

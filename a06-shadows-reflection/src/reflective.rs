@@ -36,6 +36,18 @@ impl Material for Reflective {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         self.shiny.color_for(ray, hit, lighting)
     }
+
+    fn brightest(&self, ambient: Color, lights: Color) -> Color {
+        self.shiny.brightest(ambient, lights)
+    }
+
+    fn answers_light(&self) -> bool {
+        self.shiny.answers_light()
+    }
+
+    fn has_highlight(&self) -> bool {
+        self.shiny.has_highlight()
+    }
 }
 
 impl Surface for Reflective {

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_4;
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, render};
+use a03_rays_cameras::{Camera, PerspectiveCamera, Sampler, render};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere};
 use a05_lighting::{Lambert, PointLight};
 use common::{ArgumentError, Color, Scene, Stage};
@@ -25,6 +25,10 @@ pub fn stage() -> Stage {
     }
 }
 
+/// The share of the error allowed that mirrors may take; the samples take the
+/// rest, and the squares of both add up to hardly more.
+const UNSEEN: f64 = 1.0 / 8.0;
+
 fn scene(
     name: &'static str,
     about: &'static str,
@@ -34,10 +38,17 @@ fn scene(
         let e = Point3::new(8.0, 8.0, 8.0);
         let (g, t) = (Vector3::new(-1.0, -1.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
         let camera = PerspectiveCamera::new(e, g, t, FRAC_PI_4)?;
-        let world = world()?;
-        let tracer = RecursiveTracer::new(&world, settings.omit);
+        let world = world()?.omitting(settings.omit, camera.focus());
+        let tracer = RecursiveTracer::new(&world, settings.omit)
+            .cut_below(settings.max_error.map(|error| error * UNSEEN));
         let radiance = |ray: &_| tracer.trace(ray, settings.depth);
         render(&camera, radiance, settings, progress)
+    })
+    .planned(move |settings| {
+        let world = world()?.prepared([]);
+        let tracer = RecursiveTracer::new(&world, true)
+            .cut_below(settings.max_error.map(|error| error * UNSEEN));
+        Ok(tracer.plan(Sampler::plan(settings)))
     })
 }
 

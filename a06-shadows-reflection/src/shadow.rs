@@ -3,6 +3,7 @@
 use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, Interval, World};
 use a05_lighting::Illumination;
+use common::tally::{self, Work};
 
 use crate::secondary_ray;
 
@@ -17,7 +18,24 @@ const BEFORE_THE_LIGHT: f64 = 1.0 - 1.0 / 16_777_216.0;
 /// It need not be the nearest thing, so the search ends at the first it finds.
 #[must_use]
 pub fn is_shadowed<S>(world: &World<S>, ray: &Ray, hit: &Hit, light: &Illumination) -> bool {
+    let (to_light, between) = way(ray, hit, light);
+    world.is_hit(&to_light, between)
+}
+
+/// The same, by a search for the nearest thing between.
+pub(crate) fn has_occluder<S>(
+    world: &World<S>,
+    ray: &Ray,
+    hit: &Hit,
+    light: &Illumination,
+) -> bool {
+    let (to_light, between) = way(ray, hit, light);
+    world.hit(&to_light, between).is_some()
+}
+
+fn way(ray: &Ray, hit: &Hit, light: &Illumination) -> (Ray, Interval) {
+    tally::count(Work::ShadowRay);
     let to_light = secondary_ray(ray, hit, light.direction);
     let between = Interval::before(light.distance * BEFORE_THE_LIGHT);
-    world.is_hit(&to_light, between)
+    (to_light, between)
 }

@@ -7,10 +7,12 @@ mod disc;
 mod experiments;
 mod extremes;
 mod mat4x4;
+mod moved_bounds;
 mod node;
 #[doc(hidden)]
 pub mod protocol;
 mod scenes;
+mod straight;
 mod transform;
 
 pub use disc::Disc;

@@ -24,6 +24,12 @@ impl Mat4x4 {
         Self(DMat4::from_cols_array_2d(&rows).transpose())
     }
 
+    /// The entries, row by row.
+    #[must_use]
+    pub fn rows(self) -> [[f64; 4]; 4] {
+        self.0.transpose().to_cols_array_2d()
+    }
+
     /// Rows and columns exchanged.
     #[must_use]
     pub fn transposed(self) -> Self {

@@ -6,6 +6,7 @@
 
 pub mod argument;
 mod color;
+pub mod comparison;
 #[cfg(all(feature = "display", target_os = "linux"))]
 pub mod display;
 mod effort;
@@ -21,6 +22,7 @@ mod overrides;
 pub mod picture_file;
 #[cfg(feature = "lock")]
 pub mod picture_lock;
+mod plan;
 #[cfg(feature = "report")]
 mod plot;
 pub mod program;
@@ -33,6 +35,7 @@ mod scene;
 mod scene_report;
 mod settings;
 mod size;
+pub mod tally;
 mod transfer;
 mod viewer;
 
@@ -45,6 +48,7 @@ pub use exercise::missing;
 pub use gallery::{Gallery, Rendering};
 pub use image::Image;
 pub use live_picture::LivePicture;
+pub use plan::{Bound, Omission, Plan};
 pub use progress::{Progress, TerminalProgress};
 pub use sampled::Sampled;
 pub use scene::{Scene, Stage};

@@ -42,7 +42,7 @@ pub struct Overrides {
     #[arg(long, value_enum, value_name = "CURVE", default_value_t)]
     pub transfer: Transfer,
 
-    /// Shoot also the rays that cannot change the picture
+    /// Do also the work that cannot change the picture
     #[arg(long)]
     no_omit: bool,
 

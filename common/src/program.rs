@@ -1,5 +1,6 @@
 //! The program of every stage.
 
+mod explain;
 mod extremes;
 mod grammar;
 mod render;
@@ -69,6 +70,7 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
             scenes,
             all,
             output,
+            explain,
             overrides,
         }) => {
             let named = scenes.iter().map(|name| stage.scene(name));
@@ -77,7 +79,7 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
             } else {
                 named.collect::<Result<_, _>>()?
             };
-            render::render_to_files(stage, &scenes, output, &overrides)
+            render::render_to_files(stage, &scenes, output, explain, &overrides)
         }
         #[cfg(feature = "report")]
         Some(Command::Report {

@@ -2,9 +2,10 @@
 
 use crate::experiment::Experiment;
 use crate::extremes::Case;
-use crate::{Color, Effort, Error, Image, Progress, Settings, Size};
+use crate::{Color, Effort, Error, Image, Plan, Progress, Settings, Size};
 
 type Paint = dyn Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync;
+type Planned = dyn Fn(&Settings) -> Result<Plan, Error> + Send + Sync;
 
 /// One stage of the tower: its name and its scenes.
 pub struct Stage {
@@ -58,6 +59,7 @@ pub struct Scene {
     /// What of the settings changes its picture.
     pub heeds: Heeds,
     paint: Box<Paint>,
+    plan: Box<Planned>,
 }
 
 impl Scene {
@@ -79,6 +81,7 @@ impl Scene {
             defaults: Settings::default(),
             heeds,
             paint: Box::new(paint),
+            plan: Box::new(|_| Ok(Plan::default())),
         }
     }
 
@@ -147,6 +150,22 @@ impl Scene {
     pub fn with_defaults(mut self, defaults: Settings) -> Self {
         self.defaults = defaults;
         self
+    }
+
+    /// The same scene, `plan` telling before the first ray what its picture
+    /// needs and what is left out.
+    #[must_use]
+    pub fn planned(
+        mut self,
+        plan: impl Fn(&Settings) -> Result<Plan, Error> + Send + Sync + 'static,
+    ) -> Self {
+        self.plan = Box::new(plan);
+        self
+    }
+
+    /// What the picture needs, and what is left out of its making.
+    pub fn plan(&self, settings: &Settings) -> Result<Plan, Error> {
+        (self.plan)(settings)
     }
 
     /// Makes the picture.

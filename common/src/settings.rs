@@ -25,6 +25,12 @@ impl Sampling {
     pub const fn is_grid(self) -> bool {
         matches!(self, Self::Regular | Self::Stratified)
     }
+
+    /// Whether random numbers decide where the samples lie.
+    #[must_use]
+    pub const fn is_random(self) -> bool {
+        matches!(self, Self::Random | Self::Stratified)
+    }
 }
 
 /// What a scene is rendered with.
@@ -47,7 +53,7 @@ pub struct Settings {
     pub seed: u64,
     /// How many surfaces a ray may meet: 1 shows no reflection.
     pub depth: u32,
-    /// Whether rays that cannot change the picture are left out.
+    /// Whether work that cannot change the picture is left out.
     pub omit: bool,
     /// The picture file to open, for the scene that opens one.
     pub file: Option<PathBuf>,

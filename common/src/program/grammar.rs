@@ -54,6 +54,10 @@ pub enum Command {
         #[arg(short, long, value_name = "FILE|DIR")]
         output: Option<PathBuf>,
 
+        /// Say what is left out of their making, and what that saves
+        #[arg(long)]
+        explain: bool,
+
         #[command(flatten)]
         overrides: Overrides,
     },

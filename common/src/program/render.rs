@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use super::explain::explain;
 use super::target::Target;
 use super::{complain, say};
 use crate::overrides::Overrides;
@@ -15,6 +16,7 @@ pub fn render_to_files(
     stage: &Stage,
     scenes: &[&Scene],
     output: Option<PathBuf>,
+    explained: bool,
     overrides: &Overrides,
 ) -> Result<(), Error> {
     let target = Target::new(output, scenes.len())?;
@@ -25,7 +27,14 @@ pub fn render_to_files(
     for scene in scenes {
         note_unheeded(scene, overrides);
         let start = Instant::now();
-        let (path, size) = render_to_file(stage, scene, &target, overrides)?;
+        let (path, size) = if explained {
+            let image = explain(scene, overrides)?;
+            let rgb = image.to_rgb8(overrides.transfer);
+            let path = target.write(stage, scene, image.size(), [Ok(rgb)])?;
+            (path, image.size())
+        } else {
+            render_to_file(stage, scene, &target, overrides)?
+        };
         let time = start.elapsed().as_secs_f64();
         say(&format!("{}  {size}  {time:.2} s", path.display()));
     }
