@@ -17,11 +17,14 @@ use std::sync::{Arc, OnceLock};
 
 use a03_rays_cameras::{Focus, Ray};
 
+use common::Plan;
+use common::tally::{self, Work};
+
 use crate::{Bounds, Geometry, Hit, Interval};
 use pencil::Pencil;
 use shapes::{Asking, Shape, Shapes, Turn};
 use sphere_block::{SphereBlock, SphereRay};
-use tree::Tree;
+use tree::{Tree, WIDTH};
 use triangle_block::{TriangleBlock, TriangleRay};
 
 /// What of a world can be asked by a ray.
@@ -63,6 +66,26 @@ impl Search {
                 .collect(),
             trees: OnceLock::new(),
             shapes,
+        }
+    }
+
+    /// Adds to a plan what need not be asked.
+    pub fn plan(&self, plan: Plan) -> Plan {
+        let plan = if self.pencils.is_empty() {
+            plan
+        } else {
+            plan.without(
+                "questions to objects beside a ray of the eye or to a light",
+                "cells, seen from there, list what each of these rays may meet",
+            )
+        };
+        if self.shapes.len() - self.unbounded.len() <= FEW {
+            plan.without("a tree of bounds", "so few objects are asked one by one")
+        } else {
+            plan.without(
+                "questions to objects far from any other ray",
+                "a tree of bounds finds those that it may meet",
+            )
         }
     }
 
@@ -177,7 +200,9 @@ impl Trees {
         if let Some(tree) = &self.spheres {
             let sphere_ray = SphereRay::new(ray);
             within.max = tree.search(ray, within, |block, mut max| {
-                for lane in bits(block.met(&sphere_ray)) {
+                let met = block.met(&sphere_ray);
+                count_unmet(&block.spheres, met);
+                for lane in bits(met) {
                     max = visit(Shape::Sphere(block.spheres[lane]))?;
                 }
                 ControlFlow::Continue(max)
@@ -186,7 +211,9 @@ impl Trees {
         if let Some(tree) = &self.triangles {
             let triangle_ray = TriangleRay::new(asking.sheared());
             within.max = tree.search(ray, within, |block, mut max| {
-                for lane in bits(block.met(&triangle_ray)) {
+                let met = block.met(&triangle_ray);
+                count_unmet(&block.triangles, met);
+                for lane in bits(met) {
                     max = visit(Shape::Triangle(block.triangles[lane]))?;
                 }
                 ControlFlow::Continue(max)
@@ -215,6 +242,17 @@ fn tree<B>(
         return None;
     }
     Some(Tree::new(shapes, block))
+}
+
+/// Notes that the shapes of a block were asked which are not met; the others are
+/// asked once more, for all that there is to a hit.
+#[inline]
+fn count_unmet(block: &[u32; WIDTH], met: u32) {
+    if tally::is_on() {
+        let shapes = block.iter().filter(|index| **index != u32::MAX);
+        let unmet = shapes.count() as u32 - met.count_ones();
+        tally::count_all(Work::IntersectionTest, unmet.into());
+    }
 }
 
 /// The numbers of the bits that are set.

@@ -10,9 +10,6 @@ use common::{ArgumentError, Color, Plan, argument};
 use crate::search::Search;
 use crate::{Geometry, Hit, Interval};
 
-/// So many objects are asked faster one by one than searched.
-const FEW: usize = 4;
-
 /// A background, and a plain list of geometries, each with its surface.
 ///
 /// The surface is whatever the reader wants to know of a geometry that is hit:
@@ -44,13 +41,11 @@ impl<S> World<S> {
 
     /// The same world, prepared for many rays, most of them from or to some
     /// foci: each asks only the objects that it may meet. What it meets is the
-    /// same, to the last bit. Of few objects all are asked as before: a search
-    /// would be more work.
+    /// same, to the last bit.
     #[must_use]
     pub fn prepared(mut self, foci: impl IntoIterator<Item = Focus>) -> Self {
         let geometries = self.objects.iter().map(|(geometry, _)| geometry);
-        let are_few = self.objects.len() <= FEW && geometries.clone().all(|g| g.parts().is_none());
-        self.search = (!are_few).then(|| Search::new(geometries, foci));
+        self.search = Some(Search::new(geometries, foci));
         self
     }
 
@@ -71,13 +66,9 @@ impl<S> World<S> {
     pub fn plan(&self, plan: Plan) -> Plan {
         let objects = self.objects.len();
         let plan = plan.needing(format!("objects: {objects}"));
-        if self.search.is_some() {
-            plan.without(
-                "questions to objects far from a ray",
-                "a tree of their bounds finds those that it may meet",
-            )
-        } else {
-            plan.without("a search tree", "so few objects are asked one by one")
+        match &self.search {
+            Some(search) => search.plan(plan),
+            None => plan,
         }
     }
 

@@ -81,6 +81,13 @@ thread_local! {
     static TALLY: Cell<Tally> = const { Cell::new(Tally([0; Work::ALL.len()])) };
 }
 
+/// Whether work is counted in this thread.
+#[inline]
+#[must_use]
+pub fn is_on() -> bool {
+    IS_ON.get()
+}
+
 /// Notes that work was done once.
 #[inline]
 pub fn count(work: Work) {

@@ -6,6 +6,7 @@ use std::cell::OnceCell;
 use std::sync::Arc;
 
 use a03_rays_cameras::Ray;
+use common::tally::{self, Work};
 
 use crate::triangle::ShearedRay;
 use crate::{AxisAlignedBox, Bounds, Geometry, Hit, Interval, Plane, Sphere, Triangle};
@@ -55,6 +56,15 @@ impl Shapes {
         } else {
             self.others.push((Arc::clone(part), turn));
         }
+    }
+
+    /// How many shapes there are.
+    pub fn len(&self) -> usize {
+        self.spheres.len()
+            + self.triangles.len()
+            + self.boxes.len()
+            + self.planes.len()
+            + self.others.len()
     }
 
     /// All shapes and their bounds.
@@ -116,6 +126,7 @@ impl<'a> Asking<'a> {
     #[inline]
     pub fn hit(&self, shape: Shape, within: Interval) -> Option<Hit> {
         let Self { ray, shapes, .. } = self;
+        tally::count(Work::IntersectionTest);
         match shape {
             Shape::Sphere(i) => shapes.spheres[i as usize].0.hit(ray, within),
             Shape::Triangle(i) => {
