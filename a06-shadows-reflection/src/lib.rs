@@ -6,6 +6,7 @@
 mod cut;
 mod experiments;
 mod extremes;
+mod foci;
 mod light_source;
 #[doc(hidden)]
 pub mod protocol;
@@ -15,7 +16,9 @@ mod scenes;
 mod secondary_ray;
 mod shadow;
 mod surface;
+mod traced_scene;
 
+pub use foci::foci;
 pub use light_source::LightSource;
 pub use recursive_tracer::{RecursiveTracer, ShadowedWorld};
 pub use reflective::Reflective;
@@ -23,6 +26,7 @@ pub use scenes::stage;
 pub use secondary_ray::secondary_ray;
 pub use shadow::is_shadowed;
 pub use surface::Surface;
+pub use traced_scene::traced_scene;
 
 /// The code in this stage's chapter is tested with it.
 #[cfg(doctest)]

@@ -1,14 +1,11 @@
 //! The protocol's test scenes of this stage.
 
-use std::f64::consts::FRAC_PI_4;
-
-use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{Camera, PerspectiveCamera, Sampler, render};
+use a02_math::{Normal3, Point3};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere};
 use a05_lighting::{Lambert, PointLight};
-use common::{ArgumentError, Color, Scene, Stage};
+use common::{ArgumentError, Color, Stage};
 
-use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, experiments, extremes};
+use crate::{LightSource, Reflective, ShadowedWorld, experiments, extremes, traced_scene};
 
 /// The stage for its program.
 #[must_use]
@@ -17,40 +14,16 @@ pub fn stage() -> Stage {
         name: "a06-shadows-reflection",
         about: "Shadows and mirrors",
         scenes: vec![
-            scene("sphere", "three mirroring spheres on a mirror", sphere).reflecting(),
-            scene("aab", "a box and its shadow", aab),
+            traced_scene("sphere", "three mirroring spheres on a mirror", EYE, sphere).reflecting(),
+            traced_scene("aab", "a box and its shadow", EYE, aab),
         ],
         experiments: experiments::experiments,
         extremes: extremes::cases,
     }
 }
 
-/// The share of the error allowed that mirrors may take; the samples take the
-/// rest, and the squares of both add up to hardly more.
-const UNSEEN: f64 = 1.0 / 8.0;
-
-fn scene(
-    name: &'static str,
-    about: &'static str,
-    world: fn() -> Result<ShadowedWorld, ArgumentError>,
-) -> Scene {
-    Scene::traced(name, about, move |settings, progress| {
-        let e = Point3::new(8.0, 8.0, 8.0);
-        let (g, t) = (Vector3::new(-1.0, -1.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
-        let camera = PerspectiveCamera::new(e, g, t, FRAC_PI_4)?;
-        let world = world()?.omitting(settings.omit, camera.focus());
-        let tracer = RecursiveTracer::new(&world, settings.omit)
-            .cut_below(settings.max_error.map(|error| error * UNSEEN));
-        let radiance = |ray: &_| tracer.trace(ray, settings.depth);
-        render(&camera, radiance, settings, progress)
-    })
-    .planned(move |settings| {
-        let world = world()?.prepared([]);
-        let tracer = RecursiveTracer::new(&world, true)
-            .cut_below(settings.max_error.map(|error| error * UNSEEN));
-        Ok(tracer.plan(Sampler::plan(settings)))
-    })
-}
+/// Where the camera is, in each coordinate.
+const EYE: f64 = 8.0;
 
 fn floor() -> Result<Plane, ArgumentError> {
     Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))

@@ -1,4 +1,4 @@
-//! `moved`: the bounds of a transformed shape.
+//! `moved`: the bounds of a shape under a transform.
 //!
 //! A shape is where the rays that the inverse `i` moves meet it, and `m` says
 //! only up to rounding where that is. So the corners moved by `m` are bounds
@@ -28,15 +28,15 @@ pub fn moved(bounds: Bounds, transform: &Transform) -> Bounds {
     let x = [largest(0), largest(1), largest(2), 1.0];
 
     let mut moved = around;
-    for row in 0..3 {
+    for (row, m) in m.iter().enumerate().take(3) {
         // With p = i x + δ for what is hit at x, the corners know m p, which is
         // off by (m i - 1) x + m δ.
         // The formula of a shape mixes the coordinates, so that each may have the
         // error of the largest.
-        let mut width = ROUNDING * m[row][3].abs();
-        let reach: f64 = m[row][..3].iter().map(|entry| entry.abs()).sum();
+        let mut width = ROUNDING * m[3].abs();
+        let reach: f64 = m[..3].iter().map(|entry| entry.abs()).sum();
         for column in 0..4 {
-            let products = (0..4).map(|k| m[row][k] * i[k][column]);
+            let products = (0..4).map(|k| m[k] * i[k][column]);
             let largest = (0..3).fold(0.0, |largest, k| i[k][column].abs().max(largest));
             let condition = reach * largest;
             if column < 3 && condition > WORST_CONDITION {

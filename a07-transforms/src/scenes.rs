@@ -1,13 +1,10 @@
 //! The protocol's test scenes of this stage.
 
-use std::f64::consts::FRAC_PI_4;
-
-use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{Camera, PerspectiveCamera, Sampler, render};
+use a02_math::{Normal3, Point3};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere};
 use a05_lighting::{Lambert, Phong, PointLight};
-use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld};
-use common::{ArgumentError, Color, Scene, Stage};
+use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, traced_scene};
+use common::{ArgumentError, Color, Stage};
 
 use crate::{Disc, Node, Transform, experiments, extremes};
 
@@ -18,51 +15,23 @@ pub fn stage() -> Stage {
         name: "a07-transforms",
         about: "Transformed geometry, the scene graph and the disc",
         scenes: vec![
-            scene(
+            traced_scene(
                 "sphere-transformation",
                 "a sphere, stretched to an ellipsoid",
                 20.0,
                 sphere_transformation,
             ),
-            scene(
+            traced_scene(
                 "box-transformations",
                 "a box, stretched and turned three times",
                 10.0,
                 box_transformations,
             ),
-            scene("disc", "a disc on a mirroring plane", 8.0, disc).reflecting(),
+            traced_scene("disc", "a disc on a mirroring plane", 8.0, disc).reflecting(),
         ],
         experiments: experiments::experiments,
         extremes: extremes::cases,
     }
-}
-
-/// The share of the error allowed that mirrors may take.
-const UNSEEN: f64 = 1.0 / 8.0;
-
-/// A scene whose camera looks from (`eye`, `eye`, `eye`) at the origin.
-fn scene(
-    name: &'static str,
-    about: &'static str,
-    eye: f64,
-    world: fn() -> Result<ShadowedWorld, ArgumentError>,
-) -> Scene {
-    Scene::traced(name, about, move |settings, progress| {
-        let e = Point3::new(eye, eye, eye);
-        let (g, t) = (Vector3::new(-1.0, -1.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
-        let camera = PerspectiveCamera::new(e, g, t, FRAC_PI_4)?;
-        let world = world()?.omitting(settings.omit, camera.focus());
-        let tracer = RecursiveTracer::new(&world, settings.omit)
-            .cut_below(settings.max_error.map(|error| error * UNSEEN));
-        let radiance = |ray: &_| tracer.trace(ray, settings.depth);
-        render(&camera, radiance, settings, progress)
-    })
-    .planned(move |settings| {
-        let world = world()?.prepared([]);
-        let tracer = RecursiveTracer::new(&world, true)
-            .cut_below(settings.max_error.map(|error| error * UNSEEN));
-        Ok(tracer.plan(Sampler::plan(settings)))
-    })
 }
 
 const UPWARDS: Normal3 = Normal3::new(0.0, 1.0, 0.0);

@@ -8,10 +8,12 @@ use std::process::Command;
 use std::time::Instant;
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{Camera as _, PerspectiveCamera, render};
+use a03_rays_cameras::{PerspectiveCamera, render};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere, Triangle};
 use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight};
-use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface};
+use a06_shadows_reflection::{
+    LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, foci,
+};
 use common::{ArgumentError, Color, Settings, Transfer, picture_file};
 
 use crate::description::{Camera, Description, Light, Material, Object, Shape, Triple};
@@ -64,11 +66,7 @@ pub fn render_to(
     let started = Instant::now();
     let camera = camera(&description.camera)?;
     let world = world(description)?;
-    let foci: Vec<_> = camera
-        .focus()
-        .into_iter()
-        .chain(world.lights().iter().filter_map(a05_lighting::Light::focus))
-        .collect();
+    let foci = foci(&camera, &world);
     let world = world.prepared(foci);
     println!("build: {} seconds", started.elapsed().as_secs_f64());
 

@@ -1,0 +1,47 @@
+//! `traced_scene`: a world, as the recursive tracer shows it.
+
+use std::f64::consts::FRAC_PI_4;
+
+use a02_math::{Point3, Vector3};
+use a03_rays_cameras::{PerspectiveCamera, Sampler, render};
+use common::{ArgumentError, Scene, Settings};
+
+use crate::{RecursiveTracer, ShadowedWorld, foci};
+
+/// A scene whose camera looks from (`eye`, `eye`, `eye`) at the origin, as all
+/// of this stage and the next do.
+pub fn traced_scene(
+    name: &'static str,
+    about: &'static str,
+    eye: f64,
+    world: fn() -> Result<ShadowedWorld, ArgumentError>,
+) -> Scene {
+    let camera = move || {
+        let e = Point3::new(eye, eye, eye);
+        let (g, t) = (Vector3::new(-1.0, -1.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
+        PerspectiveCamera::new(e, g, t, FRAC_PI_4)
+    };
+    Scene::traced(name, about, move |settings, progress| {
+        let (camera, world) = (camera()?, world()?);
+        let foci = foci(&camera, &world);
+        let world = world.omitting(settings.omit, foci);
+        let tracer = tracer(&world, settings.omit, settings);
+        let radiance = |ray: &_| tracer.trace(ray, settings.depth);
+        render(&camera, radiance, settings, progress)
+    })
+    .planned(move |settings| {
+        let (camera, world) = (camera()?, world()?);
+        let foci = foci(&camera, &world);
+        let world = world.prepared(foci);
+        Ok(tracer(&world, true, settings).plan(Sampler::plan(settings)))
+    })
+}
+
+/// The share of the error allowed that mirrors may take; the samples take the
+/// rest, and the squares of both add up to hardly more.
+const UNSEEN: f64 = 1.0 / 8.0;
+
+fn tracer<'a>(world: &'a ShadowedWorld, omit: bool, settings: &Settings) -> RecursiveTracer<'a> {
+    let unseen = settings.max_error.map(|error| error * UNSEEN);
+    RecursiveTracer::new(world, omit).cut_below(unseen)
+}
