@@ -37,6 +37,7 @@ const WIDER: f64 = {
 /// The box is where three slabs overlap, one between each pair of faces. A ray
 /// is inside from where it has entered the last to where it leaves the first.
 impl Geometry for AxisAlignedBox {
+    // ANCHOR: hit
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let o = ray.origin().to_glam().to_array();
         let d = ray.direction().to_glam().to_array();
@@ -75,6 +76,7 @@ impl Geometry for AxisAlignedBox {
             None
         }
     }
+    // ANCHOR_END: hit
 
     fn bounds(&self) -> Bounds {
         Bounds {

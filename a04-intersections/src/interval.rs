@@ -27,7 +27,9 @@ impl Interval {
 
     /// Whether `t` lies inside.
     #[must_use]
+    // ANCHOR: contains
     pub fn contains(self, t: f64) -> bool {
         self.min < t && t < self.max
     }
+    // ANCHOR_END: contains
 }

@@ -29,9 +29,11 @@ impl Plane {
 /// `t = ((a - o) · n) / (d · n)`: the dot product with `n` leaves of the way to
 /// the plane, and of a step along the ray, what leads straight towards it.
 impl Geometry for Plane {
+    // ANCHOR: hit
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let t = (self.a - ray.origin()).dot(self.n) / ray.direction().dot(self.n);
         // A parallel ray gives infinity or NaN, which no interval contains.
         within.contains(t).then(|| Hit::new(t, self.n))
     }
+    // ANCHOR_END: hit
 }

@@ -27,6 +27,7 @@ impl Sphere {
 /// and `b = -f · d`, after Haines, Günther and Akenine-Möller, "Precision
 /// Improvements for Ray/Sphere Intersection", Ray Tracing Gems (2019), chapter 7.
 impl Geometry for Sphere {
+    // ANCHOR: hit
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let (f, d) = (ray.origin() - self.c, ray.direction());
         let a = d.dot(d);
@@ -50,6 +51,7 @@ impl Geometry for Sphere {
         let normal = (f + d * t).normalized()?.as_normal();
         Some(Hit::new(t, normal))
     }
+    // ANCHOR_END: hit
 
     fn bounds(&self) -> Bounds {
         Bounds::around([self.c]).wider(self.r)

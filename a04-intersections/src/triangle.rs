@@ -52,6 +52,7 @@ impl Triangle {
 
     /// The normal at barycentric coordinates: `(1 - β - γ) nA + β nB + γ nC`,
     /// brought to length 1. That of the face where the three cancel out.
+    // ANCHOR: normal
     fn interpolated_normal(&self, beta: f64, gamma: f64) -> Normal3 {
         let [a, b, c] = self.normals;
         if a == b && b == c {
@@ -60,6 +61,7 @@ impl Triangle {
         let mean = a * (1.0 - beta - gamma) + b * beta + c * gamma;
         mean.normalized().unwrap_or(self.face)
     }
+    // ANCHOR_END: normal
 }
 
 /// The normal of a face: perpendicular to two of its edges.
@@ -118,6 +120,7 @@ impl ShearedRay {
 
     /// A point in sheared space.
     #[inline]
+    // ANCHOR: sheared
     fn sheared(&self, point: Point3) -> [f64; 3] {
         let ([x, y, z], point) = (self.axes, point.to_glam().to_array());
         let depth = point[z] - self.o[2];
@@ -127,6 +130,7 @@ impl ShearedRay {
             self.scale_z * depth,
         ]
     }
+    // ANCHOR_END: sheared
 }
 
 /// The test of Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection",
@@ -134,6 +138,7 @@ impl ShearedRay {
 /// edge, because both compute the same number for it, with opposite signs.
 impl Triangle {
     #[inline]
+    // ANCHOR: hit
     pub(crate) fn hit_by(&self, ray: &ShearedRay, within: Interval) -> Option<Hit> {
         let [a, b, c] = self.corners;
         let (a, b, c) = (ray.sheared(a), ray.sheared(b), ray.sheared(c));
@@ -157,6 +162,7 @@ impl Triangle {
             face: self.face,
         })
     }
+    // ANCHOR_END: hit
 }
 
 impl Geometry for Triangle {

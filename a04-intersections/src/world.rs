@@ -95,6 +95,7 @@ impl<S> World<S> {
             let (hit, object) = search.hit(ray, within)?;
             return Some((facing(hit, ray.direction()), &self.objects[object].1));
         }
+        // ANCHOR: hit
         let mut nearest = None;
         tally::count_all(Work::IntersectionTest, self.objects.len() as u64);
         for (geometry, surface) in &self.objects {
@@ -104,6 +105,7 @@ impl<S> World<S> {
             }
         }
         nearest.map(|(hit, surface)| (facing(hit, ray.direction()), surface))
+        // ANCHOR_END: hit
     }
 
     /// Whether anything at all is met within the interval.
