@@ -24,6 +24,7 @@ impl DirectionalLight {
 }
 
 impl Light for DirectionalLight {
+    // ANCHOR: illumination
     fn illumination(&self, _: Point3) -> Option<Illumination> {
         Some(Illumination {
             color: self.color,
@@ -31,6 +32,7 @@ impl Light for DirectionalLight {
             distance: f64::INFINITY,
         })
     }
+    // ANCHOR_END: illumination
 
     fn brightest(&self) -> Color {
         self.color.map(f64::abs)

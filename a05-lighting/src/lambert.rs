@@ -22,9 +22,11 @@ impl Lambert {
 
     /// The share of one light: `cd cl max(0, n · l)`. The same light on a slant
     /// is spread over more surface.
+    // ANCHOR: share
     pub(crate) fn share(&self, hit: &Hit, light: &Illumination) -> Color {
         self.diffuse * light.color * hit.normal.dot(light.direction).max(0.0)
     }
+    // ANCHOR_END: share
 
     /// The share of the ambient light, `cd ca`.
     pub(crate) fn ambient(&self, lighting: &dyn Lighting) -> Color {
@@ -34,6 +36,7 @@ impl Lambert {
 
 /// `c = cd ca + Σ cd cl max(0, n · l)`, the sum going over all lights.
 impl Material for Lambert {
+    // ANCHOR: color
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         let mut color = self.ambient(lighting);
         if self.answers_light() || !lighting.omits() {
@@ -41,6 +44,7 @@ impl Material for Lambert {
         }
         color
     }
+    // ANCHOR_END: color
 
     fn brightest(&self, ambient: Color, lights: Color) -> Color {
         self.diffuse.map(f64::abs) * (ambient + lights)

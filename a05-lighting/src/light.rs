@@ -8,6 +8,7 @@ use common::Color;
 
 /// The light that a source sends to a point, nothing being in between.
 #[derive(Clone, Copy, Debug, PartialEq)]
+// ANCHOR: illumination
 pub struct Illumination {
     /// Its colour.
     pub color: Color,
@@ -16,6 +17,7 @@ pub struct Illumination {
     /// From the point to the source; infinite if the source is nowhere.
     pub distance: f64,
 }
+// ANCHOR_END: illumination
 
 /// A source of light.
 pub trait Light: Debug + Send + Sync {

@@ -30,20 +30,17 @@ impl Phong {
 
     /// The highlight of one light, `cs cl max(0, e · r)^p`, with `e` to the eye
     /// and `r` the direction in which the surface mirrors the light.
+    // ANCHOR: highlight
     fn highlight(&self, ray: &Ray, hit: &Hit, light: &Illumination, omits: bool) -> Color {
         let (e, l) = (-ray.direction(), light.direction);
-        // Light from behind mirrors nowhere, and black is black at any power.
-        let is_behind = hit.normal.dot(l) <= 0.0;
-        if omits && (is_behind || !self.has_highlight()) {
-            return Color::BLACK;
-        }
         let cosine = e.dot(l.reflected_on(hit.normal));
-        let is_mirrored = !is_behind && cosine > 0.0;
-        if omits && !is_mirrored {
+        // Light from behind mirrors nowhere, and black is black at any power.
+        let is_mirrored = hit.normal.dot(l) > 0.0 && cosine > 0.0;
+        if omits && !(is_mirrored && self.has_highlight()) {
             return Color::BLACK;
         }
-        // A cosine of 1 + 2^-52 grows to millions.
         tally::count(Work::Power);
+        // A cosine of 1 + 2^-52 grows to millions.
         let power = libm::pow(cosine.clamp(0.0, 1.0), self.exponent);
         // 0 to the power of 0 is 1: where nothing is mirrored no power counts.
         if is_mirrored {
@@ -52,6 +49,7 @@ impl Phong {
             Color::BLACK
         }
     }
+    // ANCHOR_END: highlight
 }
 
 /// `c = cd ca + Σ (cd cl max(0, n · l) + cs cl max(0, e · r)^p)`, the sum going

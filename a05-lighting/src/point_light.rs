@@ -24,6 +24,7 @@ impl PointLight {
 }
 
 impl Light for PointLight {
+    // ANCHOR: illumination
     fn illumination(&self, point: Point3) -> Option<Illumination> {
         let way = self.position - point;
         Some(Illumination {
@@ -32,6 +33,7 @@ impl Light for PointLight {
             distance: way.magnitude(),
         })
     }
+    // ANCHOR_END: illumination
 
     fn brightest(&self) -> Color {
         self.color.map(f64::abs)

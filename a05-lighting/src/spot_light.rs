@@ -42,12 +42,14 @@ impl SpotLight {
 /// Compares cosines, not angles: the arc cosine of a product that rounding has
 /// moved beyond 1 is NaN, and it cannot tell small angles apart.
 impl Light for SpotLight {
+    // ANCHOR: illumination
     fn illumination(&self, point: Point3) -> Option<Illumination> {
         let light = self.source.illumination(point)?;
         // Two opposite unit vectors may multiply to a little less than -1.
         let cosine = (-light.direction).dot(self.direction).max(-1.0);
         (cosine >= self.cos_half_angle).then_some(light)
     }
+    // ANCHOR_END: illumination
 
     fn brightest(&self) -> Color {
         self.source.brightest()
