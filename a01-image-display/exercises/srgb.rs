@@ -1,0 +1,11 @@
+//! The curve of sRGB, there and back.
+
+/// The value of sRGB for linear light, both from 0 to 1.
+pub fn encode(linear: f64) -> f64 {
+    common::missing("the value for linear light", linear)
+}
+
+/// The linear light of a value of sRGB, both from 0 to 1.
+pub fn decode(value: f64) -> f64 {
+    common::missing("the linear light of a value", value)
+}
