@@ -1,0 +1,28 @@
+//! Vectors whose length is a whole number, times every power of ten.
+
+use common::exercise::Check;
+use common::extremes::Bound;
+
+pub fn check(check: &mut Check, length: impl Fn(f64, f64, f64) -> f64) {
+    let mut of = |[x, y, z]: [f64; 3], exact: f64| {
+        let what = format!("the length of ({x:e}, {y:e}, {z:e})");
+        check.expect(what, exact, Bound::Ulps(8.0), length(x, y, z));
+    };
+    of([0.0; 3], 0.0);
+    of([-0.0, 0.0, -0.0], 0.0);
+    for scale in [
+        1.0, 1e-7, 1e100, 1e-100, 1e155, 1e-160, 1e200, 1e-200, 1e306, 1e-299,
+    ] {
+        for ([x, y, z], whole) in [
+            ([3.0, 4.0, 0.0], 5.0),
+            ([2.0, -3.0, 6.0], 7.0),
+            ([-1.0, 4.0, -8.0], 9.0),
+            ([0.0, 0.0, -2.0], 2.0),
+        ] {
+            of([x * scale, y * scale, z * scale], whole * scale);
+        }
+    }
+    // The small ones count for nothing, and do no harm.
+    of([1e-300, -1e300, 1e-300], 1e300);
+    of([f64::MAX, 0.0, 0.0], f64::MAX);
+}
