@@ -1,0 +1,30 @@
+//! `Fisheye`: a camera that sees sideways and behind.
+
+use a03_rays_cameras::{Basis, Camera, Ray};
+use common::Size;
+
+/// A camera in which the distance from the middle of the picture is the angle
+/// from the gaze.
+#[derive(Clone, Copy, Debug)]
+pub struct Fisheye {
+    basis: Basis,
+    /// From the lower to the upper edge of the picture, in radians.
+    angle: f64,
+}
+
+impl Fisheye {
+    /// A camera that sees `angle` radians from the lower edge to the upper one.
+    pub fn new(basis: Basis, angle: f64) -> Self {
+        Self { basis, angle }
+    }
+}
+
+/// The place (`x`, `y`) is at `((x - (w-1)/2), (y - (h-1)/2))` from the middle.
+impl Camera for Fisheye {
+    fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
+        let Basis { e, u, v, w } = self.basis;
+        let [width, height] = [size.width(), size.height()].map(f64::from);
+        let (x, y) = (x - (width - 1.0) / 2.0, y - (height - 1.0) / 2.0);
+        common::missing("the direction of the ray", Ray::derived(e, -w))
+    }
+}
