@@ -11,8 +11,8 @@ pub fn check(check: &mut Check, mean: impl Fn(&[f64]) -> f64) {
     of("the mean of 3", 3.0, &[3.0]);
     of("the mean of 1, 2, 6", 3.0, &[1.0, 2.0, 6.0]);
     // The sum in a row is off by a thousand ulps and more.
-    of("the mean of 100000 times 0.1", 0.1, &[0.1; 100_000]);
-    of("the mean of 99999 times 0.7", 0.7, &[0.7; 99_999]);
+    of("the mean of 100000 times 0.1", 0.1, &vec![0.1; 100_000]);
+    of("the mean of 99999 times 0.7", 0.7, &vec![0.7; 99_999]);
     of(
         "the mean of 1, 1e100, 1, -1e100",
         0.5,
