@@ -1,0 +1,27 @@
+//! Refraction: the direction in which a ray goes on in water or glass.
+
+use a02_math::{Direction, Normal3, Vector3};
+
+/// The direction of length 1 behind a surface with the normal `n`, or none if
+/// all light is mirrored. Both `d` and `n` have the length 1; `n` points out,
+/// and `d` goes in or out. Outside the refractive index is 1, inside it is
+/// `index`.
+pub fn refracted(d: Vector3, n: Normal3, index: f64) -> Option<Vector3> {
+    // exercise
+    let leaves = d.dot(n) > 0.0;
+    // The normal on the side that the light comes from.
+    let (n, ratio) = if leaves {
+        (-n, index)
+    } else {
+        (n, 1.0 / index)
+    };
+    let cos = -d.dot(n);
+    let cos_squared = 1.0 - ratio * ratio * (1.0 - cos * cos);
+    if cos_squared < 0.0 {
+        return None;
+    }
+    Some(d * ratio + n * (ratio * cos - cos_squared.sqrt()))
+    // instead
+    // common::missing("the direction behind the surface", Some(d))
+    // end
+}
