@@ -1,0 +1,41 @@
+//! `Ring`: a flat disc with a round hole.
+
+use a02_math::{Direction, Normal3, Point3};
+use a03_rays_cameras::Ray;
+use a04_intersections::{Geometry, Hit, Interval, Plane};
+use common::{ArgumentError, argument};
+
+/// All points of a plane whose distance from a point is from `hole` to `r`.
+#[derive(Clone, Copy, Debug)]
+pub struct Ring {
+    plane: Plane,
+    c: Point3,
+    hole: f64,
+    r: f64,
+}
+
+impl Ring {
+    /// The ring around `c`, perpendicular to the normal `n`, with the radius `r`
+    /// and a hole of a smaller radius.
+    pub fn new(c: Point3, n: Normal3, hole: f64, r: f64) -> Result<Self, ArgumentError> {
+        let r = argument::length("radius r", r)?;
+        let hole = argument::length("hole", hole)?;
+        argument::check("hole", hole, hole < r, "less than the radius")?;
+        let plane = Plane::new(c.checked("centre c")?, n)?;
+        Ok(Self { plane, c, hole, r })
+    }
+}
+
+impl Geometry for Ring {
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        // exercise
+        let hit = self.plane.hit(ray, within)?;
+        let from_centre = ray.at(hit.t) - self.c;
+        let squared = from_centre.dot(from_centre);
+        let is_on_ring = (self.hole * self.hole..=self.r * self.r).contains(&squared);
+        is_on_ring.then_some(hit)
+        // instead
+        // common::missing("where the ray meets the ring", self.plane.hit(ray, within))
+        // end
+    }
+}

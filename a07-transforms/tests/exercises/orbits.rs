@@ -1,0 +1,66 @@
+//! The places of earth and moon on circles, from sines and cosines that are
+//! fractions.
+
+use a02_math::{Point3, Vector3};
+use a04_intersections::{Sphere, World};
+use a07_transforms::{Node, Transform};
+use common::exercise::Check;
+use common::extremes::Bound;
+use common::{ArgumentError, Color};
+
+use crate::shape::{TURNS, show};
+
+const BOUND: Bound = Bound::Absolute(1e-14);
+
+pub fn check(
+    check: &mut Check,
+    orbits: impl Fn(f64, f64) -> Result<[Transform; 2], ArgumentError>,
+) {
+    for (sin, cos) in TURNS {
+        for (sin_month, cos_month) in TURNS {
+            let (year, month) = (libm::atan2(sin, cos), libm::atan2(sin_month, cos_month));
+            let Ok([earth, moon]) = orbits(year, month) else {
+                return;
+            };
+            // The sum of both angles.
+            let sin_both = sin * cos_month + cos * sin_month;
+            let cos_both = cos * cos_month - sin * sin_month;
+            let exact_earth = [5.0 * cos, 0.0, -5.0 * sin];
+            let exact_moon = [5.0 * cos + cos_both, 0.0, -5.0 * sin - sin_both];
+            let turned = [-sin_both, 0.0, -cos_both];
+            let place = |body: Transform| (body.matrix() * Point3::ORIGIN).to_glam().to_array();
+            let when = format!("year {year:.3}, month {month:.3}");
+            check.expect(
+                format!("the earth, {when}"),
+                exact_earth,
+                BOUND,
+                place(earth),
+            );
+            check.expect(format!("the moon, {when}"), exact_moon, BOUND, place(moon));
+            let back = moon.matrix() * Vector3::new(0.0, 0.0, -1.0);
+            let what = format!("where the moon's back faces, {when}");
+            check.expect(what, turned, BOUND, back.to_glam().to_array());
+        }
+    }
+
+    let (eye, at) = (Point3::new(0.0, 9.0, 13.0), Point3::new(0.0, -0.4, 0.0));
+    show(check, twelve_months(orbits), eye, at);
+}
+
+fn twelve_months(
+    orbits: impl Fn(f64, f64) -> Result<[Transform; 2], ArgumentError>,
+) -> Result<World<Color>, ArgumentError> {
+    let sun = Sphere::new(Point3::ORIGIN, 1.2)?;
+    let mut world = World::new(Color::gray(0.03))?.with(sun, Color::new(1.0, 0.85, 0.2));
+    for month in 0..12 {
+        let angle = std::f64::consts::TAU / 12.0 * f64::from(month);
+        let [earth, moon] = orbits(angle, 3.0 * angle)?;
+        let body = |place, r| {
+            Ok::<_, ArgumentError>(Node::new(place).with(Sphere::new(Point3::ORIGIN, r)?))
+        };
+        world = world
+            .with(body(earth, 0.45)?, Color::new(0.2, 0.5, 1.0))
+            .with(body(moon, 0.18)?, Color::gray(0.9));
+    }
+    Ok(world)
+}
