@@ -111,10 +111,7 @@ impl Search {
                 nearest.ask(entry.shape);
             }
         } else {
-            let _ = self.trees().ask(&asking, nearest.within, |shape| {
-                nearest.ask(shape);
-                ControlFlow::Continue(nearest.within.max)
-            });
+            self.trees().hit(&mut nearest);
         }
         let (hit, shape) = nearest.found?;
         Some((hit, self.shapes.turn(shape).object as usize))
@@ -133,14 +130,7 @@ impl Search {
                 return shapes.any(|shape| is_hit(&shape));
             }
         }
-        let ask = |shape| {
-            if is_hit(&shape) {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(within.max)
-            }
-        };
-        self.trees().ask(&asking, within, ask).is_break()
+        self.trees().is_hit(&asking, within)
     }
 
     #[inline]
@@ -182,6 +172,26 @@ impl Trees {
             others: tree(others, &mut few, <[Shape]>::to_vec),
             few,
         }
+    }
+
+    /// Asks for a nearer hit.
+    #[inline(never)]
+    fn hit(&self, nearest: &mut Nearest) {
+        let (asking, within) = (nearest.asking, nearest.within);
+        let _ = self.ask(asking, within, |shape| {
+            nearest.ask(shape);
+            ControlFlow::Continue(nearest.within.max)
+        });
+    }
+
+    /// Asks for any hit.
+    #[inline(never)]
+    fn is_hit(&self, asking: &Asking, within: Interval) -> bool {
+        let ask = |shape| match asking.hit(shape, within) {
+            Some(_) => ControlFlow::Break(()),
+            None => ControlFlow::Continue(within.max),
+        };
+        self.ask(asking, within, ask).is_break()
     }
 
     /// Visits the shapes that the ray may meet within the interval, until

@@ -10,6 +10,9 @@ use common::{ArgumentError, Color, Plan, argument};
 use crate::search::Search;
 use crate::{Geometry, Hit, Interval};
 
+/// So many objects are asked sooner one by one than searched.
+const FEW: usize = 4;
+
 /// A background, and a plain list of geometries, each with its surface.
 ///
 /// The surface is whatever the reader wants to know of a geometry that is hit:
@@ -41,11 +44,12 @@ impl<S> World<S> {
 
     /// The same world, prepared for many rays, most of them from or to some
     /// foci: each asks only the objects that it may meet. What it meets is the
-    /// same, to the last bit.
+    /// same, to the last bit. Of few objects all are asked as before.
     #[must_use]
     pub fn prepared(mut self, foci: impl IntoIterator<Item = Focus>) -> Self {
         let geometries = self.objects.iter().map(|(geometry, _)| geometry);
-        self.search = Some(Search::new(geometries, foci));
+        let are_few = self.objects.len() <= FEW && geometries.clone().all(|g| g.parts().is_none());
+        self.search = (!are_few).then(|| Search::new(geometries, foci));
         self
     }
 
@@ -68,7 +72,7 @@ impl<S> World<S> {
         let plan = plan.needing(format!("objects: {objects}"));
         match &self.search {
             Some(search) => search.plan(plan),
-            None => plan,
+            None => plan.without("a search", "so few objects are asked one by one"),
         }
     }
 
