@@ -19,6 +19,7 @@ const LIFT: f64 = 64.0 * f64::EPSILON;
 ///
 /// (Physically Based Rendering, 4th edition, section 6.8, does the same with
 /// an error bound for each shape.)
+// ANCHOR: secondary-ray
 #[must_use]
 pub fn secondary_ray(ray: &Ray, hit: &Hit, direction: Vector3) -> Ray {
     let point = ray.at(hit.t);
@@ -30,3 +31,4 @@ pub fn secondary_ray(ray: &Ray, hit: &Hit, direction: Vector3) -> Ray {
     let lift = (LIFT * magnitude).copysign(hit.face.dot(direction));
     Ray::derived(point + Vector3::from(hit.face) * lift, direction)
 }
+// ANCHOR_END: secondary-ray
