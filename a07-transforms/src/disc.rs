@@ -33,11 +33,13 @@ impl Disc {
 /// A hit of the plane at a point `p` with `(p - c) · (p - c) ≤ r²`. Comparing
 /// squares needs no root, which would move the rim.
 impl Geometry for Disc {
+    // ANCHOR: hit
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let hit = self.plane.hit(ray, within)?;
         let from_centre = ray.at(hit.t) - self.c;
         (from_centre.dot(from_centre) <= self.r * self.r).then_some(hit)
     }
+    // ANCHOR_END: hit
 
     /// Along an axis the disc reaches as far as the sine of the angle between
     /// axis and normal: the length of the normal's other two coordinates.

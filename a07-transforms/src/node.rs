@@ -72,6 +72,7 @@ impl Node {
 }
 
 impl Geometry for Node {
+    // ANCHOR: hit
     fn hit(&self, ray: &Ray, mut within: Interval) -> Option<Hit> {
         tally::count(Work::MovedRay);
         tally::count_all(Work::IntersectionTest, self.children.len() as u64);
@@ -109,4 +110,5 @@ impl Geometry for Node {
         let parts: Vec<_> = self.children.iter().flat_map(parts).map(part).collect();
         (parts.len() > 1).then_some(parts)
     }
+    // ANCHOR_END: hit
 }

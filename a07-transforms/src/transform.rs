@@ -126,6 +126,7 @@ impl Transform {
 
     /// `m' = m T` and, the other way round, `i' = T⁻¹ i`: what is done last is
     /// undone first.
+    // ANCHOR: chain
     fn chain(self, t: Mat4x4, t_inverse: Mat4x4) -> Result<Self, ArgumentError> {
         let chained = Self {
             m: self.m * t,
@@ -141,24 +142,29 @@ impl Transform {
             Err(ArgumentError::new("transform", "too large", allowed))
         }
     }
+    // ANCHOR_END: chain
 
     /// The ray as the object sees it: `o' = i o`, `d' = i d`.
     ///
     /// Its direction is not brought back to length 1: so `t` means the same
     /// outside of the object and within, and hits can be compared.
+    // ANCHOR: ray
     #[must_use]
     pub fn ray_to_object(&self, ray: &Ray) -> Ray {
         Ray::derived(self.i * ray.origin(), self.i * ray.direction())
     }
+    // ANCHOR_END: ray
 
     /// A normal of the object as the space around it sees it:
     /// `n' = transpose(i) n`, brought to length 1.
     ///
     /// Moved like a vector it would not stay perpendicular where the object is
     /// stretched. None if rounding leaves nothing of it.
+    // ANCHOR: normal
     #[must_use]
     pub fn normal_from_object(&self, n: Normal3) -> Option<Normal3> {
         let n = self.i.transposed() * Vector3::from(n);
         n.normalized().map(Vector3::as_normal)
     }
+    // ANCHOR_END: normal
 }
