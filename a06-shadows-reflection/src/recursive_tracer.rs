@@ -53,8 +53,8 @@ impl<'a> RecursiveTracer<'a> {
     /// the colour `f` that the reflected ray brings back. As each surface
     /// reflects one ray only, a loop can carry the product of all `cr` so far
     /// instead, and no depth overflows the stack.
-    // ANCHOR: trace
     #[must_use]
+    // ANCHOR: trace
     pub fn trace(&self, ray: &Ray, depth: u32) -> Color {
         let mut ray = *ray;
         let mut color = Color::BLACK;

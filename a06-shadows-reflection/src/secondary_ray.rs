@@ -19,8 +19,8 @@ const LIFT: f64 = 64.0 * f64::EPSILON;
 ///
 /// (Physically Based Rendering, 4th edition, section 6.8, does the same with
 /// an error bound for each shape.)
-// ANCHOR: secondary-ray
 #[must_use]
+// ANCHOR: secondary-ray
 pub fn secondary_ray(ray: &Ray, hit: &Hit, direction: Vector3) -> Ray {
     let point = ray.at(hit.t);
     let magnitude = ray

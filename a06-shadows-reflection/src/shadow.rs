@@ -16,8 +16,8 @@ const BEFORE_THE_LIGHT: f64 = 1.0 - 1.0 / 16_777_216.0;
 
 /// Whether anything in the world stands between the hit of `ray` and a light.
 /// It need not be the nearest thing, so the search ends at the first it finds.
-// ANCHOR: is-shadowed
 #[must_use]
+// ANCHOR: is-shadowed
 pub fn is_shadowed<S>(world: &World<S>, ray: &Ray, hit: &Hit, light: &Illumination) -> bool {
     let (to_light, between) = way(ray, hit, light);
     world.is_hit(&to_light, between)

@@ -148,8 +148,8 @@ impl Transform {
     ///
     /// Its direction is not brought back to length 1: so `t` means the same
     /// outside of the object and within, and hits can be compared.
-    // ANCHOR: ray
     #[must_use]
+    // ANCHOR: ray
     pub fn ray_to_object(&self, ray: &Ray) -> Ray {
         Ray::derived(self.i * ray.origin(), self.i * ray.direction())
     }
@@ -160,8 +160,8 @@ impl Transform {
     ///
     /// Moved like a vector it would not stay perpendicular where the object is
     /// stretched. None if rounding leaves nothing of it.
-    // ANCHOR: normal
     #[must_use]
+    // ANCHOR: normal
     pub fn normal_from_object(&self, n: Normal3) -> Option<Normal3> {
         let n = self.i.transposed() * Vector3::from(n);
         n.normalized().map(Vector3::as_normal)
