@@ -52,6 +52,10 @@ impl Tracer for Ours {
     }
 }
 
+/// Rows that are rendered at a time, as the programs do with large pictures: so
+/// the colours of the whole are never in memory at once, only its bytes.
+const BAND: usize = 120;
+
 /// What the child does: renders, prints its times, and writes the picture.
 pub fn render_to(
     description: &Description,
@@ -73,10 +77,19 @@ pub fn render_to(
     let started = Instant::now();
     let tracer = RecursiveTracer::new(&world, settings.omit);
     let radiance = |ray: &_| tracer.trace(ray, description.depth);
-    let image = pool.install(|| render(&camera, radiance, settings, &()))?;
+    let height = settings.size.height();
+    let mut rgb = Vec::with_capacity(3 * settings.size.pixels());
+    for start in (0..height).step_by(BAND) {
+        let settings = Settings {
+            rows: Some(start..height.min(start + BAND as u32)),
+            ..settings.clone()
+        };
+        let band = pool.install(|| render(&camera, radiance, &settings, &()))?;
+        rgb.extend(band.to_rgb8(Transfer::Linear));
+    }
     println!("trace: {} seconds", started.elapsed().as_secs_f64());
 
-    picture_file::save_png(path, settings.size, &image.to_rgb8(Transfer::Linear))?;
+    picture_file::save_png(path, settings.size, &rgb)?;
     Ok(())
 }
 
