@@ -29,9 +29,9 @@ const COUNTS: [usize; 6] = [10, 100, 1_000, 10_000, 100_000, 1_000_000];
 const RAYS: u32 = 65_536;
 const EYE: Point3 = Point3::new(0.0, 2.0, 5.0);
 
-/// Six numbers from -1 to 1 that belong to `i`.
-fn numbers(i: u32) -> [f64; 6] {
-    let random = PixelRandom::new(2, i, 0);
+/// Six numbers from -1 to 1 that belong to `i`; spheres and rays have others.
+fn numbers(seed: u64, i: u32) -> [f64; 6] {
+    let random = PixelRandom::new(seed, i, 0);
     std::array::from_fn(|n| 2.0 * random.uniform(n as u64) - 1.0)
 }
 
@@ -39,7 +39,7 @@ fn world(count: usize) -> World<()> {
     let radius = 0.5 / (count as f64).sqrt();
     let empty = World::new(Color::BLACK).unwrap();
     (0..count as u32).fold(empty, |world, i| {
-        let [x, y, z, ..] = numbers(i);
+        let [x, y, z, ..] = numbers(1, i);
         world.with(Sphere::new(Point3::new(x, y, z), radius).unwrap(), ())
     })
 }
@@ -47,7 +47,7 @@ fn world(count: usize) -> World<()> {
 /// Rays from everywhere in the cube to everywhere, or all from the eye.
 fn rays(from_eye: bool) -> Vec<Ray> {
     let ray = |i| {
-        let [a, b, c, x, y, z] = numbers(i);
+        let [a, b, c, x, y, z] = numbers(2, i);
         let origin = if from_eye { EYE } else { Point3::new(a, b, c) };
         Ray::new(origin, Point3::new(x, y, z) - origin).unwrap()
     };
