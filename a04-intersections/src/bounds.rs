@@ -18,7 +18,7 @@ impl Bounds {
         max: [f64::INFINITY; 3],
     };
 
-    /// Nothing: what the union with other bounds begins with.
+    /// Nothing: the bounds of no shape.
     pub(crate) const NOWHERE: Self = Self {
         min: [f64::INFINITY; 3],
         max: [f64::NEG_INFINITY; 3],
@@ -28,9 +28,12 @@ impl Bounds {
     #[must_use]
     pub fn around(points: impl IntoIterator<Item = Point3>) -> Self {
         let points = points.into_iter().map(|p| p.to_glam().to_array());
-        points.fold(Self::NOWHERE, |bounds, p| {
-            bounds.union(Self { min: p, max: p })
-        })
+        Self::of_all(points.map(|p| Self { min: p, max: p }))
+    }
+
+    /// The bounds of several.
+    pub(crate) fn of_all(several: impl IntoIterator<Item = Self>) -> Self {
+        several.into_iter().fold(Self::NOWHERE, Self::union)
     }
 
     /// The same bounds, moved outwards by `width` on all sides.

@@ -45,7 +45,9 @@ fn scene(
         render(&camera, |ray| world.color_for(ray), settings, progress)
     })
     .planned(move |settings| {
-        let plan = view()?.1.prepared([]).plan(Sampler::plan(settings));
+        let (camera, world) = view()?;
+        let world = world.prepared(camera.focus());
+        let plan = world.plan(Sampler::plan(settings));
         Ok(plan.without("lights and mirrors", "objects have a colour, no material"))
     })
 }

@@ -41,13 +41,15 @@ fn scene(
     about: &'static str,
     world: fn() -> Result<LitWorld, ArgumentError>,
 ) -> Scene {
+    let camera = || PerspectiveCamera::new(CORNER, INWARDS, UP, FRAC_PI_4);
     Scene::traced(name, about, move |settings, progress| {
-        let camera = PerspectiveCamera::new(CORNER, INWARDS, UP, FRAC_PI_4)?;
+        let camera = camera()?;
         let world = world()?.omitting(settings.omit, camera.focus());
         render(&camera, |ray| world.color_for(ray), settings, progress)
     })
     .planned(move |settings| {
-        let plan = world()?.prepared([]).plan(Sampler::plan(settings));
+        let world = world()?.prepared(camera()?.focus());
+        let plan = world.plan(Sampler::plan(settings));
         Ok(plan.without(
             "shadows and mirrors",
             "these lights and materials know none",

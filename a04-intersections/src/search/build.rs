@@ -44,9 +44,7 @@ fn node<B>(
 }
 
 fn bounds(shapes: &Shapes) -> Bounds {
-    shapes
-        .iter()
-        .fold(Bounds::NOWHERE, |all, (b, _)| all.union(*b))
+    Bounds::of_all(shapes.iter().map(|(bounds, _)| *bounds))
 }
 
 /// Parts the shapes into up to four groups, the most expensive one first.
@@ -89,13 +87,13 @@ fn longest_axis(shapes: &Shapes) -> usize {
 }
 
 fn middles(shapes: &Shapes) -> Bounds {
-    shapes.iter().fold(Bounds::NOWHERE, |all, (b, _)| {
-        let middle = b.middle();
-        all.union(Bounds {
+    Bounds::of_all(shapes.iter().map(|(bounds, _)| {
+        let middle = bounds.middle();
+        Bounds {
             min: middle,
             max: middle,
-        })
-    })
+        }
+    }))
 }
 
 const BINS: usize = 16;

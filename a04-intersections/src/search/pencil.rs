@@ -62,9 +62,7 @@ impl Pencil {
     /// The cells of these shapes, which have finite bounds. None if the focus
     /// does not see all of them on one side.
     pub fn new(focus: Focus, shapes: &[(Bounds, Shape)]) -> Option<Self> {
-        let all = shapes
-            .iter()
-            .fold(Bounds::NOWHERE, |all, (b, _)| all.union(*b));
+        let all = Bounds::of_all(shapes.iter().map(|(bounds, _)| *bounds));
         let middle = DVec3::from(all.middle());
         let (gaze, at) = match focus {
             Focus::Point(point) => (middle - point.to_glam(), point.largest_coordinate()),

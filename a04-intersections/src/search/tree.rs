@@ -63,9 +63,7 @@ const SLACK: f64 = 1.0 / 1_048_576.0;
 impl<B> Tree<B> {
     /// The tree of shapes with finite bounds; `block` gathers up to four.
     pub fn new(shapes: Vec<(Bounds, Shape)>, block: impl FnMut(&[Shape]) -> B) -> Self {
-        let all = shapes
-            .iter()
-            .fold(Bounds::NOWHERE, |all, (b, _)| all.union(*b));
+        let all = Bounds::of_all(shapes.iter().map(|(bounds, _)| *bounds));
         let extent = (0..3).map(|axis| all.max[axis] / 2.0 - all.min[axis] / 2.0);
         let mut tree = Self {
             centre: all.middle().into(),
