@@ -17,7 +17,7 @@ use rayon::slice::ParallelSliceMut;
 
 use estimate::estimate;
 
-use crate::render::for_each_pixel;
+use crate::render::for_each_row;
 use crate::{NestedSamples, PixelRandom};
 
 /// What the samples of a pixel have shown, besides their mean.
@@ -55,17 +55,26 @@ pub fn render(
     memory.map_err(|_| Error::Memory { size })?;
     pixels.resize(size.pixels(), Pixel::default());
 
-    for_each_pixel(
-        image,
-        first_row,
-        &mut pixels,
-        progress,
-        |column, row, color, pixel| {
-            *color = light(column, row, (0.5, 0.5));
-            pixel.samples = 1;
-            true
-        },
-    )?;
+    let paint_row = |row, colors: &mut [Color], pixels: &mut [Pixel]| {
+        let mut changes = false;
+        for (column, (color, pixel)) in (0..).zip(colors.iter_mut().zip(pixels)) {
+            if progress.stopped() {
+                return false;
+            }
+            if pixel.samples == 0 {
+                *color = light(column, row, (0.5, 0.5));
+                pixel.samples = 1;
+                changes = true;
+            } else if pixel.wanted > pixel.samples {
+                let random = PixelRandom::new(settings.seed, column, row);
+                add_samples(color, pixel, random, |place| light(column, row, place));
+                changes = true;
+            }
+        }
+        changes
+    };
+
+    for_each_row(image, first_row, &mut pixels, progress, paint_row)?;
     // Summed over pixels and channels.
     let allowed = max_error * max_error * 3.0 * size.pixels() as f64;
     let error = loop {
@@ -78,20 +87,7 @@ pub fn render(
             break error;
         }
         progress.more_rows(rows);
-        for_each_pixel(
-            image,
-            first_row,
-            &mut pixels,
-            progress,
-            |column, row, color, pixel| {
-                let grows = pixel.wanted > pixel.samples;
-                if grows {
-                    let random = PixelRandom::new(settings.seed, column, row);
-                    add_samples(color, pixel, random, |place| light(column, row, place));
-                }
-                grows
-            },
-        )?;
+        for_each_row(image, first_row, &mut pixels, progress, paint_row)?;
     };
 
     // The sample in the middle was taken of every pixel.

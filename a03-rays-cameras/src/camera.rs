@@ -1,7 +1,7 @@
 //! `Camera`: what turns a place in the picture into a ray, and the axes that
 //! two of the cameras stand on.
 
-use a02_math::{Point3, Vector3};
+use a02_math::{Lanes, Point3, Vector3, Vector3x4};
 use common::{ArgumentError, Size, argument};
 
 use crate::{Focus, Ray};
@@ -13,6 +13,11 @@ pub trait Camera: Sync {
     /// `y` counts upwards: (0, 0) is the middle of the lower left pixel.
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray;
 
+    /// The rays through several such places, added to `rays`.
+    fn rays_for(&self, size: Size, places: &[(f64, f64)], rays: &mut Vec<Ray>) {
+        rays.extend(places.iter().map(|(x, y)| self.ray_for(size, *x, *y)));
+    }
+
     /// What all its rays have in common, if anything.
     fn focus(&self) -> Option<Focus> {
         None
@@ -22,6 +27,10 @@ pub trait Camera: Sync {
 impl<C: Camera + ?Sized> Camera for Box<C> {
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
         (**self).ray_for(size, x, y)
+    }
+
+    fn rays_for(&self, size: Size, places: &[(f64, f64)], rays: &mut Vec<Ray>) {
+        (**self).rays_for(size, places, rays);
     }
 
     fn focus(&self) -> Option<Focus> {
@@ -75,6 +84,16 @@ impl Basis {
         let direction = self.u * x + self.v * y - self.w * z;
         // With finite x and y there is always a direction to normalise.
         direction.normalized().unwrap_or(-self.w)
+    }
+}
+
+impl Basis {
+    /// The same of four places at the distance `z`; none if one is far from all
+    /// lengths that are usual.
+    pub(crate) fn directions(&self, x: Lanes, y: Lanes, z: f64) -> Option<Vector3x4> {
+        let [u, v, w] = [self.u, self.v, self.w].map(|axis| Vector3x4::splat(axis.to_glam()));
+        let (unit, is_unit) = (u * x + v * y - w * Lanes::splat(z)).normalized();
+        is_unit.all().then_some(unit)
     }
 }
 

@@ -24,69 +24,107 @@ pub fn render(
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Image, Error> {
+    let one_by_one = |rays: &[Ray], light: &mut [Color]| {
+        for (ray, light) in rays.iter().zip(light) {
+            *light = radiance(ray);
+        }
+    };
+    render_together(camera, one_by_one, settings, progress)
+}
+
+/// So many rays are asked for together, at least.
+const TOGETHER: usize = 64;
+
+/// The same, for who can follow several rays at once: `radiance` is asked for the
+/// light along each of some rays, neighbours mostly.
+pub fn render_together(
+    camera: &(impl Camera + ?Sized),
+    radiance: impl Fn(&[Ray], &mut [Color]) + Sync,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<Image, Error> {
     let size = settings.size;
     let rows = settings.rows();
     let mut image = Image::black(Size::new(size.width(), rows.len() as u32)?)?;
-    // ANCHOR: light
-    let light = |column: u32, row: u32, (dx, dy): (f64, f64)| {
+    // ANCHOR: place
+    let in_picture = |column: u32, row: u32, (dx, dy): (f64, f64)| {
         // The camera counts rows from below, and from pixel middles.
         let x = f64::from(column) + (dx - 0.5);
         let y = f64::from(size.height() - 1 - row) - (dy - 0.5);
-        tally::count(Work::PrimaryRay);
-        radiance(&camera.ray_for(size, x, y))
+        (x, y)
     };
-    // ANCHOR_END: light
+    // ANCHOR_END: place
     if let Some(max_error) = settings.max_error {
+        let light = |column, row, place| {
+            tally::count(Work::PrimaryRay);
+            let (x, y) = in_picture(column, row, place);
+            let mut light = [Color::BLACK];
+            radiance(&[camera.ray_for(size, x, y)], &mut light);
+            light[0]
+        };
         adaptive::render(&mut image, max_error, settings, light, progress)?;
         return Ok(image);
     }
-    // ANCHOR: mean
     let sampler = Sampler::new(settings);
-    let mean = |column, row, pixel: &mut Color, (): &mut ()| {
-        let (mut sum, mut samples) = (Color::BLACK, 0.0);
-        for place in sampler.places(column, row) {
-            sum += light(column, row, place);
-            samples += 1.0;
+    let samples = sampler.samples();
+    let together = TOGETHER.div_ceil(samples as usize);
+    let paint = |row, pixels: &mut [Color], _: &mut [()]| {
+        let (mut places, mut rays, mut light) = (Vec::new(), Vec::new(), Vec::new());
+        // ANCHOR: mean
+        let mut columns = 0..;
+        for pixels in pixels.chunks_mut(together) {
+            if progress.stopped() {
+                return false;
+            }
+            places.clear();
+            for column in columns.by_ref().take(pixels.len()) {
+                for sample in 0..samples {
+                    let place = sampler.place(sample, column, row);
+                    places.push(in_picture(column, row, place));
+                }
+            }
+            rays.clear();
+            camera.rays_for(size, &places, &mut rays);
+            tally::count_all(Work::PrimaryRay, rays.len() as u64);
+            if samples == 1 {
+                radiance(&rays, pixels);
+                continue;
+            }
+            light.resize(rays.len(), Color::BLACK);
+            radiance(&rays, &mut light);
+            for (pixel, light) in pixels.iter_mut().zip(light.chunks(samples as usize)) {
+                let sum = light.iter().fold(Color::BLACK, |sum, light| sum + *light);
+                *pixel = sum.map(|channel| channel / f64::from(samples));
+            }
         }
-        *pixel = sum.map(|channel| channel / samples);
+        // ANCHOR_END: mean
         true
     };
-    // ANCHOR_END: mean
     let mut nothing = vec![(); image.size().pixels()];
-    for_each_pixel(&mut image, rows.start, &mut nothing, progress, mean)?;
+    for_each_row(&mut image, rows.start, &mut nothing, progress, paint)?;
     Ok(image)
 }
 
-/// Paints the pixels of some column and row. Each has a `note` beside it; `paint`
-/// says whether it changes the pixel, and rows that change are reported.
-pub(crate) fn for_each_pixel<N: Send>(
+/// Paints rows. Each pixel has a note beside it; `paint` says whether it changes
+/// the row, and rows that change are reported.
+pub(crate) fn for_each_row<N: Send>(
     image: &mut Image,
     first_row: u32,
     notes: &mut [N],
     progress: &dyn Progress,
-    paint: impl Fn(u32, u32, &mut Color, &mut N) -> bool + Sync,
+    paint: impl Fn(u32, &mut [Color], &mut [N]) -> bool + Sync,
 ) -> Result<(), Error> {
     let width = image.size().width() as usize;
-    let paint_row = |(row, (pixels, notes)): (usize, (&mut [Color], &mut [N]))| {
-        let row = first_row + row as u32;
-        let mut changed = false;
-        for (column, (pixel, note)) in (0..).zip(pixels.iter_mut().zip(notes)) {
-            if progress.stopped() {
-                return;
-            }
-            changed |= paint(column, row, pixel, note);
-        }
-        if changed {
-            progress.row(row, pixels);
-        }
-    };
     let notes = notes.par_chunks_exact_mut(width);
-    image
-        .pixels_mut()
-        .par_chunks_exact_mut(width)
-        .zip(notes)
+    let rows = image.pixels_mut().par_chunks_exact_mut(width);
+    rows.zip(notes)
         .enumerate()
-        .for_each(paint_row);
+        .for_each(|(row, (pixels, notes))| {
+            let row = first_row + row as u32;
+            if paint(row, pixels, notes) {
+                progress.row(row, pixels);
+            }
+        });
 
     if progress.stopped() {
         return Err(Error::Stopped);

@@ -57,40 +57,43 @@ impl Sampler {
         }
     }
 
-    /// The places of the samples of the pixel in column `x` and row `y`: from
-    /// its upper left corner, rightwards and downwards, each at least 0 and
-    /// less than 1.
-    pub fn places(&self, x: u32, y: u32) -> impl Iterator<Item = (f64, f64)> + use<> {
-        let Self {
-            sampling,
-            cells,
-            samples,
-            seed,
-            omit,
-        } = *self;
-        let random = PixelRandom::new(seed, x, y);
-        (0..samples).map(move |i| {
-            let jitter = |n: u64| {
-                tally::count(Work::RandomNumber);
-                random.uniform(2 * u64::from(i) + n)
-            };
-            if !omit && !sampling.is_random() {
-                // Drawn although nobody wants them; the compiler must not notice.
-                black_box((jitter(0), jitter(1)));
-            }
-            // ANCHOR: cells
-            let cell = |(dx, dy): (f64, f64)| {
-                let (column, row) = (f64::from(i % cells), f64::from(i / cells));
-                let cells = f64::from(cells);
-                ((column + dx) / cells, (row + dy) / cells)
-            };
-            match sampling {
-                Sampling::Center => (0.5, 0.5),
-                Sampling::Regular => cell((0.5, 0.5)),
-                Sampling::Random => (jitter(0), jitter(1)),
-                Sampling::Stratified => cell((jitter(0), jitter(1))),
-            }
-            // ANCHOR_END: cells
-        })
+    /// How many samples a pixel has: at least one.
+    #[must_use]
+    pub const fn samples(&self) -> u32 {
+        self.samples
+    }
+
+    /// The places of the samples of the pixel in column `x` and row `y`.
+    pub fn places(self, x: u32, y: u32) -> impl Iterator<Item = (f64, f64)> {
+        (0..self.samples).map(move |i| self.place(i, x, y))
+    }
+
+    /// The place of sample `i`, counted from 0, in the pixel in column `x` and row
+    /// `y`: from its upper left corner, rightwards and downwards, each at least 0
+    /// and less than 1.
+    #[inline]
+    #[must_use]
+    pub fn place(&self, i: u32, x: u32, y: u32) -> (f64, f64) {
+        let jitter = |n: u64| {
+            tally::count(Work::RandomNumber);
+            PixelRandom::new(self.seed, x, y).uniform(2 * u64::from(i) + n)
+        };
+        if !self.omit && !self.sampling.is_random() {
+            // Drawn although nobody wants them; the compiler must not notice.
+            black_box((jitter(0), jitter(1)));
+        }
+        // ANCHOR: cells
+        let cell = |(dx, dy): (f64, f64)| {
+            let (column, row) = (f64::from(i % self.cells), f64::from(i / self.cells));
+            let cells = f64::from(self.cells);
+            ((column + dx) / cells, (row + dy) / cells)
+        };
+        match self.sampling {
+            Sampling::Center => (0.5, 0.5),
+            Sampling::Regular => cell((0.5, 0.5)),
+            Sampling::Random => (jitter(0), jitter(1)),
+            Sampling::Stratified => cell((jitter(0), jitter(1))),
+        }
+        // ANCHOR_END: cells
     }
 }

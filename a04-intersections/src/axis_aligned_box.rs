@@ -9,8 +9,8 @@ use crate::{Bounds, Geometry, Hit, Interval};
 /// A box between two opposite corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisAlignedBox {
-    lbf: [f64; 3],
-    run: [f64; 3],
+    pub(crate) lbf: [f64; 3],
+    pub(crate) run: [f64; 3],
 }
 
 impl AxisAlignedBox {
@@ -29,7 +29,7 @@ impl AxisAlignedBox {
 /// `γ(3) = 3u / (1 - 3u)` of itself, with `u = 2^-53`. So much wider, a slab
 /// loses no ray along an edge or through a corner (Ize, Robust BVH Ray
 /// Traversal, JCGT 2(2), 2013).
-const WIDER: f64 = {
+pub(crate) const WIDER: f64 = {
     let three_u = 1.5 * f64::EPSILON;
     1.0 + 2.0 * (three_u / (1.0 - three_u))
 };

@@ -12,6 +12,7 @@ mod extremes;
 mod geometry;
 mod hit;
 mod interval;
+mod packet;
 mod plane;
 #[doc(hidden)]
 pub mod protocol;
@@ -27,8 +28,10 @@ pub use bounds::Bounds;
 pub use geometry::Geometry;
 pub use hit::Hit;
 pub use interval::Interval;
+pub use packet::PacketHit;
 pub use plane::Plane;
 pub use scenes::stage;
+pub use search::{Hits, Search};
 pub use sphere::Sphere;
 pub use triangle::Triangle;
 pub use world::World;

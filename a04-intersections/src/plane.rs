@@ -9,8 +9,8 @@ use crate::{Geometry, Hit, Interval};
 /// The plane through a point, perpendicular to a normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
-    a: Point3,
-    n: Normal3,
+    pub(crate) a: Point3,
+    pub(crate) n: Normal3,
 }
 
 impl Plane {

@@ -9,6 +9,7 @@ mod build;
 mod pencil;
 mod shapes;
 mod sphere_block;
+mod together;
 mod tree;
 mod triangle_block;
 
@@ -27,11 +28,21 @@ use sphere_block::{SphereBlock, SphereRay};
 use tree::{Tree, WIDTH};
 use triangle_block::{TriangleBlock, TriangleRay};
 
+pub use together::Hits;
+
+/// So many shapes a single ray asks sooner one by one than searching.
+const FEW_FOR_ONE: usize = 4;
+/// The same, for four rays that ask together and belong to no pencil.
+const FEW_FOR_FOUR: usize = 16;
+
 /// What of a world can be asked by a ray.
 #[derive(Debug)]
 pub struct Search {
     shapes: Shapes,
+    pays_for_one: bool,
     unbounded: Vec<Shape>,
+    /// The bounded shapes, if they are so few that four rays sooner ask all.
+    few: Option<Vec<Shape>>,
     pencils: Vec<Pencil>,
     /// For rays of no pencil. Where nothing mirrors there may be none.
     trees: OnceLock<Trees>,
@@ -40,7 +51,7 @@ pub struct Search {
 impl Search {
     /// The search of the objects with these geometries, by rays of which many
     /// go through some foci.
-    pub fn new<'a>(
+    pub(crate) fn new<'a>(
         geometries: impl Iterator<Item = &'a Arc<dyn Geometry>>,
         foci: impl IntoIterator<Item = Focus>,
     ) -> Self {
@@ -59,7 +70,10 @@ impl Search {
         let (bounded, unbounded): (Vec<_>, Vec<_>) =
             shapes.bounds().partition(|(bounds, _)| bounds.are_finite());
         let pencils = foci.into_iter();
+        let are_few = bounded.len() <= FEW_FOR_FOUR;
         Self {
+            pays_for_one: shapes.len() > FEW_FOR_ONE,
+            few: are_few.then(|| bounded.iter().map(|(_, shape)| *shape).collect()),
             unbounded: unbounded.into_iter().map(|(_, shape)| shape).collect(),
             pencils: pencils
                 .filter_map(|focus| Pencil::new(focus, &bounded))
@@ -69,8 +83,14 @@ impl Search {
         }
     }
 
+    /// Whether a single ray finds its hits sooner than by asking all in turn.
+    #[inline]
+    pub(crate) fn pays_for_one(&self) -> bool {
+        self.pays_for_one
+    }
+
     /// Adds to a plan what need not be asked.
-    pub fn plan(&self, plan: Plan) -> Plan {
+    pub(crate) fn plan(&self, plan: Plan) -> Plan {
         let plan = if self.pencils.is_empty() {
             plan
         } else {
@@ -92,7 +112,7 @@ impl Search {
     /// The nearest hit within the interval and the object hit; of several at
     /// the same place, that of the first in the list.
     #[inline]
-    pub fn hit(&self, ray: &Ray, within: Interval) -> Option<(Hit, usize)> {
+    pub(crate) fn hit(&self, ray: &Ray, within: Interval) -> Option<(Hit, usize)> {
         let asking = Asking::new(ray, &self.shapes);
         let mut nearest = Nearest {
             asking: &asking,
@@ -119,7 +139,7 @@ impl Search {
 
     /// Whether anything at all is met within the interval.
     #[inline]
-    pub fn is_hit(&self, ray: &Ray, within: Interval) -> bool {
+    pub(crate) fn is_hit(&self, ray: &Ray, within: Interval) -> bool {
         let asking = Asking::new(ray, &self.shapes);
         let is_hit = |shape: &Shape| asking.hit(*shape, within).is_some();
         if self.unbounded.iter().any(is_hit) {
@@ -293,7 +313,7 @@ impl Nearest<'_> {
         // At the same place the first of the list counts, whenever it is asked.
         if let Some((found, other)) = self.found
             && found.t == hit.t
-            && self.asking.comes_before(other, shape)
+            && self.asking.shapes.comes_before(other, shape)
         {
             return;
         }

@@ -10,8 +10,8 @@ use crate::{Bounds, Geometry, Hit, Interval};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Triangle {
     pub(crate) corners: [Point3; 3],
-    normals: [Normal3; 3],
-    face: Normal3,
+    pub(crate) normals: [Normal3; 3],
+    pub(crate) face: Normal3,
 }
 
 impl Triangle {
@@ -53,15 +53,21 @@ impl Triangle {
     /// The normal at barycentric coordinates: `(1 - β - γ) nA + β nB + γ nC`,
     /// brought to length 1. That of the face where the three cancel out.
     // ANCHOR: normal
-    fn interpolated_normal(&self, beta: f64, gamma: f64) -> Normal3 {
+    pub(crate) fn interpolated_normal(&self, beta: f64, gamma: f64) -> Normal3 {
         let [a, b, c] = self.normals;
-        if a == b && b == c {
+        if self.is_flat() {
             return a;
         }
         let mean = a * (1.0 - beta - gamma) + b * beta + c * gamma;
         mean.normalized().unwrap_or(self.face)
     }
     // ANCHOR_END: normal
+
+    /// Whether all corners have the same normal.
+    pub(crate) fn is_flat(&self) -> bool {
+        let [a, b, c] = self.normals;
+        a == b && b == c
+    }
 }
 
 /// The normal of a face: perpendicular to two of its edges.
@@ -100,7 +106,7 @@ pub(crate) struct ShearedRay {
     /// The origin along these axes.
     pub o: [f64; 3],
     pub shear: [f64; 2],
-    scale_z: f64,
+    pub scale_z: f64,
 }
 
 impl ShearedRay {

@@ -10,9 +10,6 @@ use common::{ArgumentError, Color, Plan, argument};
 use crate::search::Search;
 use crate::{Geometry, Hit, Interval};
 
-/// So many objects are asked sooner one by one than searched.
-const FEW: usize = 4;
-
 /// A background, and a plain list of geometries, each with its surface.
 ///
 /// The surface is whatever the reader wants to know of a geometry that is hit:
@@ -48,9 +45,19 @@ impl<S> World<S> {
     #[must_use]
     pub fn prepared(mut self, foci: impl IntoIterator<Item = Focus>) -> Self {
         let geometries = self.objects.iter().map(|(geometry, _)| geometry);
-        let are_few = self.objects.len() <= FEW && geometries.clone().all(|g| g.parts().is_none());
-        self.search = (!are_few).then(|| Search::new(geometries, foci));
+        self.search = Some(Search::new(geometries, foci));
         self
+    }
+
+    /// The search of a prepared world, for rays that ask together.
+    #[must_use]
+    pub const fn search(&self) -> Option<&Search> {
+        self.search.as_ref()
+    }
+
+    /// The search for a single ray, if the world is prepared and it pays.
+    fn search_for_one(&self) -> Option<&Search> {
+        self.search().filter(|search| search.pays_for_one())
     }
 
     /// How many objects there are.
@@ -70,7 +77,7 @@ impl<S> World<S> {
     pub fn plan(&self, plan: Plan) -> Plan {
         let objects = self.objects.len();
         let plan = plan.needing(format!("objects: {objects}"));
-        match &self.search {
+        match self.search_for_one() {
             Some(search) => search.plan(plan),
             None => plan.without("a search", "so few objects are asked one by one"),
         }
@@ -80,6 +87,12 @@ impl<S> World<S> {
     pub fn objects(&self) -> impl Iterator<Item = (&dyn Geometry, &S)> {
         let objects = self.objects.iter();
         objects.map(|(geometry, surface)| (&**geometry, surface))
+    }
+
+    /// The surface of an object, counted from 0 in the order of the list.
+    #[must_use]
+    pub fn surface(&self, object: usize) -> &S {
+        &self.objects[object].1
     }
 
     /// The colour that a ray brings back if it meets nothing.
@@ -95,7 +108,7 @@ impl<S> World<S> {
     /// a shape looks right from inside, too.
     #[must_use]
     pub fn hit(&self, ray: &Ray, mut within: Interval) -> Option<(Hit, &S)> {
-        if let Some(search) = &self.search {
+        if let Some(search) = self.search_for_one() {
             let (hit, object) = search.hit(ray, within)?;
             return Some((facing(hit, ray.direction()), &self.objects[object].1));
         }
@@ -115,7 +128,7 @@ impl<S> World<S> {
     /// Whether anything at all is met within the interval.
     #[must_use]
     pub fn is_hit(&self, ray: &Ray, within: Interval) -> bool {
-        if let Some(search) = &self.search {
+        if let Some(search) = self.search_for_one() {
             return search.is_hit(ray, within);
         }
         let mut objects = self.objects.iter();

@@ -1,7 +1,7 @@
 //! A prepared world answers every ray as its plain list does, to the last bit.
 
-use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{Focus, PixelRandom, Ray};
+use a02_math::{Lanes, Normal3, Point3, Vector3, Vector3x4};
+use a03_rays_cameras::{Focus, PixelRandom, Ray, RayPacket};
 use a04_intersections::{
     AxisAlignedBox, Bounds, Geometry, Hit, Interval, Plane, Sphere, Triangle, World,
 };
@@ -105,6 +105,38 @@ fn met(world: &World<usize>, ray: &Ray, within: Interval) -> Met {
         })
 }
 
+/// Asks four rays together for what they meet, and for whether they meet anything:
+/// as many as are in `lanes`.
+fn compare_together(world: &World<usize>, rays: [&(Ray, Interval); 4], lanes: u32) {
+    let search = world.search().expect("a prepared world");
+    let packet = RayPacket::new(rays.map(|(ray, _)| ray));
+    let hits = search.hit_together(&packet, lanes);
+    let max = Lanes::new(rays.map(|(_, within)| within.max));
+    let is_hit = search.is_hit_together(&packet, max, lanes);
+    let t = hits.hit.t.to_array();
+    let [normals, faces] = [hits.hit.normal, hits.hit.face].map(Vector3x4::to_lanes);
+    for (lane, (ray, within)) in rays.into_iter().enumerate() {
+        if lanes >> lane & 1 == 0 {
+            continue;
+        }
+        let together = (hits.met >> lane & 1 != 0).then(|| {
+            let ([nx, ny, nz], [fx, fy, fz]) = (normals[lane].into(), faces[lane].into());
+            let numbers: [f64; 7] = [t[lane], nx, ny, nz, fx, fy, fz];
+            (
+                numbers.map(f64::to_bits),
+                *world.surface(hits.objects[lane] as usize),
+            )
+        });
+        assert_eq!(together, met(world, ray, Interval::AHEAD), "{ray:?}");
+        let before = Interval::before(within.max);
+        assert_eq!(
+            is_hit >> lane & 1 != 0,
+            world.is_hit(ray, before),
+            "{ray:?}"
+        );
+    }
+}
+
 /// Asks both worlds, and returns how many rays met something.
 fn compare(plain: &World<usize>, prepared: &World<usize>, rays: &[(Ray, Interval)]) -> usize {
     let mut hits = 0;
@@ -117,6 +149,17 @@ fn compare(plain: &World<usize>, prepared: &World<usize>, rays: &[(Ray, Interval
             "{ray:?}"
         );
         hits += usize::from(expected.is_some());
+    }
+    // Four in a row go different ways; of ten kinds, those ten apart are alike.
+    for (i, forty) in rays.chunks_exact(40).enumerate() {
+        let lanes = 1 + i as u32 % 15;
+        for k in 0..10 {
+            let four = [0, 10, 20, 30].map(|further| &forty[k + further]);
+            compare_together(prepared, four, lanes);
+            compare_together(prepared, four, 0b1111);
+            let four = [0, 1, 2, 3].map(|further| &forty[4 * k + further]);
+            compare_together(prepared, four, 0b1111);
+        }
     }
     hits
 }

@@ -1,10 +1,10 @@
 //! `DirectionalLight`: shines from infinitely far away, like the sun.
 
-use a02_math::{Point3, Vector3};
+use a02_math::{Lanes, Point3, Vector3, Vector3x4};
 use a03_rays_cameras::Focus;
 use common::{ArgumentError, Color, argument};
 
-use crate::{Illumination, Light};
+use crate::{ColorPacket, Illumination, IlluminationPacket, Light};
 
 /// A light that shines everywhere in the same direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +33,15 @@ impl Light for DirectionalLight {
         })
     }
     // ANCHOR_END: illumination
+
+    fn illuminations(&self, _: Vector3x4, active: u32) -> IlluminationPacket {
+        IlluminationPacket {
+            lit: active,
+            color: ColorPacket::splat(self.color),
+            direction: Vector3x4::splat(-self.direction.to_glam()),
+            distance: Lanes::splat(f64::INFINITY),
+        }
+    }
 
     fn brightest(&self) -> Color {
         self.color.map(f64::abs)

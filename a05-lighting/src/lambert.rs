@@ -5,12 +5,12 @@ use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 use common::{ArgumentError, Color, argument};
 
-use crate::{Illumination, Lighting, Material};
+use crate::{Illumination, Lighting, Material, Phong};
 
 /// A matt material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lambert {
-    diffuse: Color,
+    pub(crate) diffuse: Color,
 }
 
 impl Lambert {
@@ -48,6 +48,10 @@ impl Material for Lambert {
 
     fn brightest(&self, ambient: Color, lights: Color) -> Color {
         self.diffuse.map(f64::abs) * (ambient + lights)
+    }
+
+    fn as_phong(&self) -> Option<Phong> {
+        Some(Phong::matt(*self))
     }
 
     fn answers_light(&self) -> bool {

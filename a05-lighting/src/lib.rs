@@ -4,6 +4,7 @@
 //! point. A [`Material`] adds up what of this reaches it; what does is asked
 //! through [`Lighting`], because a later stage knows of shadows.
 
+mod color_packet;
 mod directional_light;
 mod experiments;
 mod extremes;
@@ -13,6 +14,7 @@ mod lighting;
 mod lit_world;
 mod material;
 mod phong;
+mod phong_packet;
 mod point_light;
 #[doc(hidden)]
 pub mod protocol;
@@ -20,13 +22,15 @@ mod scenes;
 mod single_color;
 mod spot_light;
 
+pub use color_packet::ColorPacket;
 pub use directional_light::DirectionalLight;
 pub use lambert::Lambert;
-pub use light::{Illumination, Light};
+pub use light::{Illumination, IlluminationPacket, Light};
 pub use lighting::Lighting;
 pub use lit_world::LitWorld;
 pub use material::Material;
 pub use phong::Phong;
+pub use phong_packet::PhongPacket;
 pub use point_light::PointLight;
 pub use scenes::stage;
 pub use single_color::SingleColor;

@@ -6,7 +6,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 use common::Color;
 
-use crate::Lighting;
+use crate::{Lighting, Phong};
 
 /// A material of a surface.
 pub trait Material: Debug + Send + Sync {
@@ -25,6 +25,12 @@ pub trait Material: Debug + Send + Sync {
     /// each light.
     fn has_highlight(&self) -> bool {
         false
+    }
+
+    /// This material as Phong's, if it has the same colour in any light: the
+    /// colours of several of them are computed together.
+    fn as_phong(&self) -> Option<Phong> {
+        None
     }
 
     /// Whether the light of any source can change its colour.

@@ -11,9 +11,9 @@ use crate::{Illumination, Lambert, Lighting, Material};
 /// A shiny material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phong {
-    matt: Lambert,
-    specular: Color,
-    exponent: f64,
+    pub(crate) matt: Lambert,
+    pub(crate) specular: Color,
+    pub(crate) exponent: f64,
 }
 
 impl Phong {
@@ -26,6 +26,15 @@ impl Phong {
             specular: argument::color("specular", specular)?,
             exponent: argument::not_negative("exponent", exponent)?,
         })
+    }
+
+    /// The material that is as this one and mirrors no light.
+    pub(crate) const fn matt(matt: Lambert) -> Self {
+        Self {
+            matt,
+            specular: Color::BLACK,
+            exponent: 0.0,
+        }
     }
 
     /// The highlight of one light, `cs cl max(0, e · r)^p`, with `e` to the eye
@@ -68,6 +77,10 @@ impl Material for Phong {
 
     fn brightest(&self, ambient: Color, lights: Color) -> Color {
         self.matt.brightest(ambient, lights) + self.specular.map(f64::abs) * lights
+    }
+
+    fn as_phong(&self) -> Option<Phong> {
+        Some(*self)
     }
 
     fn answers_light(&self) -> bool {

@@ -16,6 +16,7 @@ mod scenes;
 mod secondary_ray;
 mod shadow;
 mod surface;
+mod trace_together;
 mod traced_scene;
 
 pub use foci::foci;

@@ -1,8 +1,8 @@
 //! `LightSource`: a light that may cast shadows.
 
-use a02_math::Point3;
+use a02_math::{Point3, Vector3x4};
 use a03_rays_cameras::Focus;
-use a05_lighting::{Illumination, Light};
+use a05_lighting::{Illumination, IlluminationPacket, Light};
 use common::Color;
 
 /// A light, and whether objects cast shadows in it.
@@ -31,6 +31,10 @@ impl LightSource {
 impl Light for LightSource {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
         self.light.illumination(point)
+    }
+
+    fn illuminations(&self, points: Vector3x4, active: u32) -> IlluminationPacket {
+        self.light.illuminations(points, active)
     }
 
     fn brightest(&self) -> Color {

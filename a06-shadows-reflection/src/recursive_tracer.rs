@@ -45,6 +45,15 @@ impl<'a> RecursiveTracer<'a> {
         self
     }
 
+    pub(crate) const fn world(&self) -> &'a ShadowedWorld {
+        self.world
+    }
+
+    /// Whether nothing is asked of the tracer that only single rays can tell.
+    pub(crate) const fn can_trace_together(&self) -> bool {
+        self.omit && self.cut.is_none()
+    }
+
     /// The colour that a ray brings back which may meet `depth` surfaces; what
     /// the last of them mirrors stays black.
     ///

@@ -41,6 +41,10 @@ impl Material for Reflective {
         self.shiny.brightest(ambient, lights)
     }
 
+    fn as_phong(&self) -> Option<Phong> {
+        Some(self.shiny)
+    }
+
     fn answers_light(&self) -> bool {
         self.shiny.answers_light()
     }

@@ -12,7 +12,7 @@ use crate::secondary_ray;
 /// As the ray to it starts above the surface, and parallel to the exact way, it
 /// meets the ceiling a little before the distance of the light: by a few times
 /// the lift, which 2^-24 of the way exceeds by far.
-const BEFORE_THE_LIGHT: f64 = 1.0 - 1.0 / 16_777_216.0;
+pub(crate) const BEFORE_THE_LIGHT: f64 = 1.0 - 1.0 / 16_777_216.0;
 
 /// Whether anything in the world stands between the hit of `ray` and a light.
 /// It need not be the nearest thing, so the search ends at the first it finds.

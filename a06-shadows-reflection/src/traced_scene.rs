@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_4;
 
 use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, Sampler, render};
+use a03_rays_cameras::{PerspectiveCamera, Sampler, render_together};
 use common::{ArgumentError, Scene, Settings};
 
 use crate::{RecursiveTracer, ShadowedWorld, foci};
@@ -26,8 +26,10 @@ pub fn traced_scene(
         let foci = foci(&camera, &world);
         let world = world.omitting(settings.omit, foci);
         let tracer = tracer(&world, settings.omit, settings);
-        let radiance = |ray: &_| tracer.trace(ray, settings.depth);
-        render(&camera, radiance, settings, progress)
+        let radiance = |rays: &[_], colors: &mut [_]| {
+            tracer.trace_together(rays, settings.depth, colors);
+        };
+        render_together(&camera, radiance, settings, progress)
     })
     .planned(move |settings| {
         let (camera, world) = (camera()?, world()?);

@@ -9,8 +9,9 @@
 //! Computational Methods for Ray Tracing, 1984; for lights the light buffer of
 //! Haines and Greenberg, The Light Buffer: A Shadow-Testing Accelerator, 1986.)
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{Focus, Ray};
+use a02_math::vector3x4::select;
+use a02_math::{Lanes, Point3, Vector3, Vector3x4};
+use a03_rays_cameras::{Focus, Ray, RayPacket};
 use glam::DVec3;
 
 use super::shapes::Shape;
@@ -144,6 +145,8 @@ impl Pencil {
         for cell in 1..self.starts.len() {
             self.starts[cell] += self.starts[cell - 1];
         }
+        let end = *self.starts.last()?;
+        self.starts.push(end);
         let nothing = Entry {
             near: 0.0,
             shape: Shape::Other(u32::MAX),
@@ -268,6 +271,59 @@ impl Pencil {
         Some(between.map(|entry| entry.shape))
     }
 
+    /// What each of four rays that come from the focus may meet. None if any of
+    /// those in the lanes of the mask is not of the pencil.
+    #[inline]
+    pub fn outwards_together(&self, rays: &RayPacket, active: u32) -> Option<Cells<'_>> {
+        let (o, d) = (rays.origin, rays.direction);
+        let (p, start) = match self.focus {
+            Focus::Point(focus) if is_all(o, focus.to_glam(), active) => (d, Lanes::ZERO),
+            Focus::Direction(direction) if is_all(d, direction.to_glam(), active) => {
+                let reach = Lanes::splat(self.reach);
+                let reaches = o.largest_coordinate().simd_lt(reach).to_bitmask();
+                let start = o.dot(Vector3x4::splat(self.gaze));
+                (active & !reaches == 0).then_some((o, start))?
+            }
+            _ => return None,
+        };
+        Some(self.cells_together(p, start, active))
+    }
+
+    /// What each of four rays that go to the focus, and end there, may meet.
+    /// None if any of those in the lanes of the mask is not of the pencil.
+    #[inline]
+    pub fn inwards_together(&self, rays: &RayPacket, max: Lanes, active: u32) -> Option<Cells<'_>> {
+        let (o, d) = (rays.origin, rays.direction);
+        let (p, start) = match self.focus {
+            Focus::Point(focus) => {
+                let p = o - Vector3x4::splat(focus.to_glam());
+                let t = -p.dot(d);
+                let tolerance = Lanes::splat(self.tolerance);
+                let beside = (p + d * t).largest_coordinate();
+                let passes = beside.simd_le(tolerance) & max.simd_le(t + tolerance);
+                (active & !passes.to_bitmask() == 0).then_some((p, t))?
+            }
+            Focus::Direction(direction) => {
+                let is_parallel = is_all(d, -direction.to_glam(), active);
+                let start = o.dot(Vector3x4::splat(self.gaze));
+                is_parallel.then_some((o, start))?
+            }
+        };
+        let reach = Lanes::splat(self.reach);
+        let reaches = o.largest_coordinate().simd_lt(reach).to_bitmask();
+        (active & !reaches == 0).then(|| self.cells_together(p, start, active))
+    }
+
+    #[inline]
+    fn cells_together(&self, p: Vector3x4, start: Lanes, active: u32) -> Cells<'_> {
+        Cells {
+            pencil: self,
+            of_rays: self.cells_of(p),
+            active,
+            start: start * Lanes::splat(self.per_length),
+        }
+    }
+
     #[inline]
     fn reaches(&self, point: Point3) -> bool {
         point.largest_coordinate() < self.reach
@@ -281,11 +337,82 @@ impl Pencil {
         };
         let x = (x - self.from[0]) * self.per_unit[0];
         let y = (y - self.from[1]) * self.per_unit[1];
-        let side = self.side as f64;
-        if !((0.0..side).contains(&x) && (0.0..side).contains(&y)) {
-            return &[];
+        self.entries_of(self.cell(x, y))
+    }
+
+    /// The cells that four points of the pencil's picture are in.
+    #[inline]
+    fn cells_of(&self, p: Vector3x4) -> [usize; 4] {
+        let mut x = p.dot(Vector3x4::splat(self.right));
+        let mut y = p.dot(Vector3x4::splat(self.up));
+        if let Focus::Point(_) = self.focus {
+            let depth = p.dot(Vector3x4::splat(self.gaze));
+            // Behind the focus they are nowhere.
+            let depth = select(depth.simd_gt(Lanes::ZERO), depth, Lanes::splat(f64::NAN));
+            (x, y) = (x / depth, y / depth);
         }
-        let cell = y as usize * self.side + x as usize;
+        let x = (x - Lanes::splat(self.from[0])) * Lanes::splat(self.per_unit[0]);
+        let y = (y - Lanes::splat(self.from[1])) * Lanes::splat(self.per_unit[1]);
+        let (x, y) = (x.to_array(), y.to_array());
+        let cell = |lane: usize| self.cell(x[lane], y[lane]);
+        [cell(0), cell(1), cell(2), cell(3)]
+    }
+
+    /// The cell at a place counted in cells: beside all, the empty one behind the
+    /// last.
+    #[inline]
+    fn cell(&self, x: f64, y: f64) -> usize {
+        let side = self.side as f64;
+        if (0.0..side).contains(&x) && (0.0..side).contains(&y) {
+            (y as u32 * self.side as u32 + x as u32) as usize
+        } else {
+            self.side * self.side
+        }
+    }
+
+    /// The shapes that a cell may show.
+    #[inline]
+    fn entries_of(&self, cell: usize) -> &[Entry] {
         &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize]
     }
+}
+
+/// What four rays of a pencil may meet.
+pub struct Cells<'a> {
+    pencil: &'a Pencil,
+    /// The cell of each ray.
+    of_rays: [usize; 4],
+    active: u32,
+    /// How near the starts of the rays are: what goes to the focus meets nothing
+    /// that is farther away.
+    pub start: Lanes,
+}
+
+impl<'a> Cells<'a> {
+    /// The entries of the next cell, and a bit for each ray that is in it.
+    #[inline]
+    pub fn next(&mut self) -> Option<(&'a [Entry], u32)> {
+        if self.active == 0 {
+            return None;
+        }
+        let cell = self.of_rays[self.active.trailing_zeros() as usize % 4];
+        let is_in = |lane: usize| u32::from(self.of_rays[lane] == cell) << lane;
+        let lanes = self.active & (is_in(0) | is_in(1) | is_in(2) | is_in(3));
+        self.active &= !lanes;
+        Some((self.pencil.entries_of(cell), lanes))
+    }
+
+    /// How near an entry must be that rays from the focus meet before `t`.
+    #[inline]
+    pub fn near(&self, t: Lanes) -> Lanes {
+        self.start + t * Lanes::splat(self.pencil.per_length)
+    }
+}
+
+/// Whether all vectors in the lanes of the mask are this one.
+#[inline]
+fn is_all(vectors: Vector3x4, one: DVec3, active: u32) -> bool {
+    let one = Vector3x4::splat(one);
+    let same = vectors.x.simd_eq(one.x) & vectors.y.simd_eq(one.y) & vectors.z.simd_eq(one.z);
+    active & !same.to_bitmask() == 0
 }

@@ -88,6 +88,13 @@ impl Shapes {
             )
     }
 
+    /// Whether one shape has its turn before another.
+    #[inline]
+    pub fn comes_before(&self, one: Shape, other: Shape) -> bool {
+        self.turn(one).turn < self.turn(other).turn
+    }
+
+    #[inline]
     pub fn turn(&self, shape: Shape) -> Turn {
         match shape {
             Shape::Sphere(i) => self.spheres[i as usize].1,
@@ -102,7 +109,7 @@ impl Shapes {
 /// A ray that asks shapes, with what it wants to compute only once.
 pub struct Asking<'a> {
     pub ray: &'a Ray,
-    shapes: &'a Shapes,
+    pub shapes: &'a Shapes,
     sheared: OnceCell<ShearedRay>,
 }
 
@@ -125,8 +132,14 @@ impl<'a> Asking<'a> {
     /// What the shape answers.
     #[inline]
     pub fn hit(&self, shape: Shape, within: Interval) -> Option<Hit> {
-        let Self { ray, shapes, .. } = self;
         tally::count(Work::IntersectionTest);
+        self.answer(shape, within)
+    }
+
+    /// The same, by who has counted it.
+    #[inline]
+    pub fn answer(&self, shape: Shape, within: Interval) -> Option<Hit> {
+        let Self { ray, shapes, .. } = self;
         match shape {
             Shape::Sphere(i) => shapes.spheres[i as usize].0.hit(ray, within),
             Shape::Triangle(i) => {
@@ -137,11 +150,5 @@ impl<'a> Asking<'a> {
             Shape::Plane(i) => shapes.planes[i as usize].0.hit(ray, within),
             Shape::Other(i) => shapes.others[i as usize].0.hit(ray, within),
         }
-    }
-
-    /// Whether one shape has its turn before another.
-    #[inline]
-    pub fn comes_before(&self, one: Shape, other: Shape) -> bool {
-        self.shapes.turn(one).turn < self.shapes.turn(other).turn
     }
 }

@@ -8,7 +8,7 @@ use std::process::Command;
 use std::time::Instant;
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, render};
+use a03_rays_cameras::{PerspectiveCamera, render_together};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere, Triangle};
 use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight};
 use a06_shadows_reflection::{
@@ -76,7 +76,9 @@ pub fn render_to(
 
     let started = Instant::now();
     let tracer = RecursiveTracer::new(&world, settings.omit);
-    let radiance = |ray: &_| tracer.trace(ray, description.depth);
+    let radiance = |rays: &[_], colors: &mut [_]| {
+        tracer.trace_together(rays, description.depth, colors);
+    };
     let height = settings.size.height();
     let mut rgb = Vec::with_capacity(3 * settings.size.pixels());
     for start in (0..height).step_by(BAND) {
@@ -84,7 +86,7 @@ pub fn render_to(
             rows: Some(start..height.min(start + BAND as u32)),
             ..settings.clone()
         };
-        let band = pool.install(|| render(&camera, radiance, &settings, &()))?;
+        let band = pool.install(|| render_together(&camera, radiance, &settings, &()))?;
         rgb.extend(band.to_rgb8(Transfer::Linear));
     }
     println!("trace: {} seconds", started.elapsed().as_secs_f64());

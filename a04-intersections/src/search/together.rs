@@ -1,0 +1,302 @@
+//! The search for four rays at once. Where they have to ask the same shapes, as
+//! neighbours mostly have, they ask together; else each for itself.
+
+use std::array;
+use std::cell::OnceCell;
+
+use a02_math::vector3x4::{mask, select};
+use a02_math::{Lanes, Normal3, Vector3x4};
+use a03_rays_cameras::RayPacket;
+use common::tally::{self, Work};
+
+use super::Search;
+use super::shapes::{Asking, Shape, Shapes};
+use crate::packet::{PacketHit, ShearedRays};
+use crate::{Hit, Interval};
+
+/// The nearest hits of four rays.
+#[derive(Clone, Copy, Debug)]
+pub struct Hits {
+    /// A bit for each ray that meets anything.
+    pub met: u32,
+    /// Where, and which way the surfaces face there: towards the rays.
+    pub hit: PacketHit,
+    /// The objects that they meet.
+    pub objects: [u32; 4],
+}
+
+impl Search {
+    /// The nearest hits of the rays whose bits are set in `active`.
+    #[inline]
+    #[must_use]
+    pub fn hit_together(&self, rays: &RayPacket, active: u32) -> Hits {
+        let asking = AskingTogether::new(rays, &self.shapes);
+        let mut nearest = Nearest {
+            asking: &asking,
+            t: Lanes::splat(f64::INFINITY),
+            shapes: [Shape::Other(u32::MAX); 4],
+            met: 0,
+        };
+        for shape in &self.unbounded {
+            nearest.ask(*shape, active);
+        }
+        let mut pencils = self.pencils.iter();
+        if let Some(mut cells) = pencils.find_map(|pencil| pencil.outwards_together(rays, active)) {
+            while let Some((entries, active)) = cells.next() {
+                for entry in entries {
+                    let near = Lanes::splat(entry.near.into());
+                    let beyond = near.simd_gt(cells.near(nearest.t)).to_bitmask();
+                    if active & !beyond == 0 {
+                        break;
+                    }
+                    nearest.ask(entry.shape, active & !beyond);
+                }
+            }
+        } else if let Some(few) = &self.few {
+            for shape in few {
+                nearest.ask(*shape, active);
+            }
+        } else {
+            return self.hit_one_by_one(rays, active);
+        }
+        nearest.hits()
+    }
+
+    /// A bit for each ray of those in `active` that meets anything before `max`.
+    #[inline]
+    #[must_use]
+    pub fn is_hit_together(&self, rays: &RayPacket, max: Lanes, active: u32) -> u32 {
+        let asking = AskingTogether::new(rays, &self.shapes);
+        let mut open = active;
+        let mut ask = |shape: Shape, active: u32| {
+            let active = active & open;
+            if active != 0 {
+                tally::count_all(Work::IntersectionTest, active.count_ones().into());
+                let met = asking.t(shape, max, active).simd_lt(max);
+                open &= !(met.to_bitmask() & active);
+            }
+            open != 0
+        };
+        if !self.unbounded.iter().all(|shape| ask(*shape, active)) {
+            return active;
+        }
+        let mut pencils = self.pencils.iter();
+        let of_pencil = pencils.find_map(|pencil| pencil.inwards_together(rays, max, active));
+        if let Some(mut cells) = of_pencil {
+            while let Some((entries, active)) = cells.next() {
+                for entry in entries {
+                    let near = Lanes::splat(entry.near.into());
+                    let beyond = near.simd_gt(cells.start).to_bitmask();
+                    if active & !beyond == 0 || !ask(entry.shape, active & !beyond) {
+                        break;
+                    }
+                }
+            }
+        } else if let Some(few) = &self.few {
+            few.iter().all(|shape| ask(*shape, active));
+        } else {
+            return (active & !open) | self.is_hit_one_by_one(rays, max, open);
+        }
+        active & !open
+    }
+
+    #[inline(never)]
+    fn hit_one_by_one(&self, rays: &RayPacket, active: u32) -> Hits {
+        let rays_alone = rays.to_rays();
+        let (mut met, mut objects, mut hits) = (0, [0; 4], [NOTHING; 4]);
+        for (lane, ray) in rays_alone.iter().enumerate() {
+            if active >> lane & 1 != 0
+                && let Some((hit, object)) = self.hit(ray, Interval::AHEAD)
+            {
+                met |= 1 << lane;
+                (objects[lane], hits[lane]) = (object as u32, hit);
+            }
+        }
+        let hit = PacketHit::new(hits);
+        Hits { met, hit, objects }.facing(rays)
+    }
+
+    #[inline(never)]
+    fn is_hit_one_by_one(&self, rays: &RayPacket, max: Lanes, active: u32) -> u32 {
+        let (rays, max) = (rays.to_rays(), max.to_array());
+        let is_hit = |lane: usize| self.is_hit(&rays[lane], Interval::before(max[lane]));
+        let lanes = (0..4).filter(|lane| active >> lane & 1 != 0 && is_hit(*lane));
+        lanes.map(|lane| 1 << lane).sum()
+    }
+}
+
+const NOTHING: Hit = Hit::new(f64::NAN, Normal3::new(0.0, 0.0, 0.0));
+
+impl PacketHit {
+    /// These four hits.
+    #[inline]
+    fn new(hits: [Hit; 4]) -> Self {
+        Self {
+            t: Lanes::new(hits.map(|hit| hit.t)),
+            normal: Vector3x4::new(hits.map(|hit| hit.normal.to_glam())),
+            face: Vector3x4::new(hits.map(|hit| hit.face.to_glam())),
+        }
+    }
+}
+
+impl Hits {
+    /// The same hits with their normals turned against the rays.
+    #[inline]
+    fn facing(mut self, rays: &RayPacket) -> Self {
+        let from_behind = self.hit.face.dot(rays.direction).simd_gt(Lanes::ZERO);
+        self.hit.normal = self.hit.normal.negated(from_behind);
+        self.hit.face = self.hit.face.negated(from_behind);
+        self
+    }
+}
+
+/// Four rays that ask shapes.
+struct AskingTogether<'a> {
+    rays: &'a RayPacket,
+    shapes: &'a Shapes,
+    sheared: OnceCell<Option<ShearedRays>>,
+}
+
+impl<'a> AskingTogether<'a> {
+    #[inline]
+    fn new(rays: &'a RayPacket, shapes: &'a Shapes) -> Self {
+        Self {
+            rays,
+            shapes,
+            sheared: OnceCell::new(),
+        }
+    }
+
+    #[inline]
+    fn sheared(&self) -> Option<&ShearedRays> {
+        let sheared = self.sheared.get_or_init(|| ShearedRays::new(self.rays));
+        sheared.as_ref()
+    }
+
+    /// Where each ray of those in `active` meets the shape. What is beyond `max`
+    /// does not count, and may be NaN like what is not met.
+    #[inline]
+    fn t(&self, shape: Shape, max: Lanes, active: u32) -> Lanes {
+        let Self { rays, shapes, .. } = self;
+        match shape {
+            Shape::Sphere(i) => shapes.spheres[i as usize].0.meet(rays),
+            Shape::Plane(i) => shapes.planes[i as usize].0.meet(rays),
+            Shape::Box(i) => shapes.boxes[i as usize].0.meet(rays),
+            Shape::Triangle(i) if let Some(rays) = self.sheared() => {
+                shapes.triangles[i as usize].0.meet(rays).t
+            }
+            _ => self.one_by_one(shape, max, active).t,
+        }
+    }
+
+    /// All that there is to the hits of a shape that it meets at these `t`.
+    #[inline]
+    fn hit(&self, shape: Shape, t: Lanes, active: u32) -> PacketHit {
+        let Self { rays, shapes, .. } = self;
+        match shape {
+            Shape::Sphere(i) => shapes.spheres[i as usize].0.hits(rays, t),
+            Shape::Plane(i) => shapes.planes[i as usize].0.hits(t),
+            Shape::Box(i) => shapes.boxes[i as usize].0.hits(rays),
+            Shape::Triangle(i) if let Some(rays) = self.sheared() => {
+                let triangle = &shapes.triangles[i as usize].0;
+                triangle.hits(triangle.meet(rays))
+            }
+            _ => self.one_by_one(shape, t, active),
+        }
+    }
+
+    /// What the shape answers if it has no formula for four of these rays.
+    #[inline(never)]
+    fn one_by_one(&self, shape: Shape, max: Lanes, active: u32) -> PacketHit {
+        let (rays, max) = (self.rays.to_rays(), max.to_array());
+        PacketHit::new([0, 1, 2, 3].map(|lane| {
+            if active >> lane & 1 == 0 {
+                return NOTHING;
+            }
+            let within = Interval::before(max[lane].next_up());
+            let asking = Asking::new(&rays[lane], self.shapes);
+            asking.answer(shape, within).unwrap_or(NOTHING)
+        }))
+    }
+}
+
+/// The nearest hits so far.
+struct Nearest<'a> {
+    asking: &'a AskingTogether<'a>,
+    t: Lanes,
+    shapes: [Shape; 4],
+    met: u32,
+}
+
+impl Nearest<'_> {
+    #[inline]
+    fn ask(&mut self, shape: Shape, active: u32) {
+        tally::count_all(Work::IntersectionTest, active.count_ones().into());
+        let t = self.asking.t(shape, self.t, active);
+        let mut found = t.simd_lt(self.t).to_bitmask() & active;
+        if found != 0 {
+            self.t = select(mask(found), t, self.t);
+        }
+        // At the same place the first of the list counts, whenever it is asked.
+        let tied = t.simd_eq(self.t).to_bitmask() & active & self.met & !found;
+        if tied != 0 {
+            for lane in 0..4 {
+                let is_first = self.asking.shapes.comes_before(shape, self.shapes[lane]);
+                found |= tied & u32::from(is_first) << lane;
+            }
+        }
+        if self.met == 0 {
+            // Who meets nothing has no shape; any will do.
+            self.shapes = [shape; 4];
+        }
+        for (lane, nearest) in self.shapes.iter_mut().enumerate() {
+            if found >> lane & 1 != 0 {
+                *nearest = shape;
+            }
+        }
+        self.met |= found;
+    }
+
+    /// All that there is to the hits, shape by shape.
+    #[inline]
+    fn hits(self) -> Hits {
+        let Self {
+            asking,
+            t,
+            shapes,
+            met,
+        } = self;
+        let nothing = PacketHit {
+            t,
+            normal: Vector3x4::splat(glam::DVec3::ZERO),
+            face: Vector3x4::splat(glam::DVec3::ZERO),
+        };
+        if met == 0 {
+            return Hits {
+                met,
+                hit: nothing,
+                objects: [0; 4],
+            };
+        }
+        let mut hit = asking.hit(shapes[0], t, met);
+        let mut objects = [asking.shapes.turn(shapes[0]).object; 4];
+        let mut open = 0;
+        for lane in 1..4 {
+            open |= u32::from(shapes[lane] != shapes[0]) << lane;
+        }
+        while open != 0 {
+            let shape = shapes[open.trailing_zeros() as usize];
+            let same: [u32; 4] = array::from_fn(|lane| u32::from(shapes[lane] == shape) << lane);
+            let same = same.iter().sum();
+            hit = asking.hit(shape, t, met & same).or(mask(same), hit);
+            let object = asking.shapes.turn(shape).object;
+            for (lane, of_lane) in objects.iter_mut().enumerate() {
+                if same >> lane & 1 != 0 {
+                    *of_lane = object;
+                }
+            }
+            open &= !same;
+        }
+        Hits { met, hit, objects }.facing(asking.rays)
+    }
+}

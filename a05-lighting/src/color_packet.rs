@@ -1,0 +1,101 @@
+//! `ColorPacket`: four colours side by side, so that one instruction serves all.
+
+use std::ops::{Add, Mul};
+
+use a02_math::Lanes;
+use common::Color;
+
+/// Four colours, channel by channel.
+#[derive(Clone, Copy, Debug)]
+pub struct ColorPacket {
+    /// Red.
+    pub r: Lanes,
+    /// Green.
+    pub g: Lanes,
+    /// Blue.
+    pub b: Lanes,
+}
+
+impl ColorPacket {
+    /// The same colour four times.
+    #[inline]
+    #[must_use]
+    pub fn splat(color: Color) -> Self {
+        Self {
+            r: Lanes::splat(color.r),
+            g: Lanes::splat(color.g),
+            b: Lanes::splat(color.b),
+        }
+    }
+
+    /// These four colours.
+    #[inline]
+    #[must_use]
+    pub fn new([a, b, c, d]: [Color; 4]) -> Self {
+        Self {
+            r: Lanes::new([a.r, b.r, c.r, d.r]),
+            g: Lanes::new([a.g, b.g, c.g, d.g]),
+            b: Lanes::new([a.b, b.b, c.b, d.b]),
+        }
+    }
+
+    /// The four colours, one by one.
+    #[inline]
+    #[must_use]
+    pub fn to_lanes(self) -> [Color; 4] {
+        let (r, g, b) = (self.r.to_array(), self.g.to_array(), self.b.to_array());
+        let lane = |lane: usize| Color::new(r[lane], g[lane], b[lane]);
+        [lane(0), lane(1), lane(2), lane(3)]
+    }
+
+    /// These colours in the lanes of the mask, and black beside it.
+    #[inline]
+    #[must_use]
+    pub fn masked(self, mask: Lanes) -> Self {
+        Self {
+            r: self.r & mask,
+            g: self.g & mask,
+            b: self.b & mask,
+        }
+    }
+}
+
+impl Add for ColorPacket {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self {
+            r: self.r + other.r,
+            g: self.g + other.g,
+            b: self.b + other.b,
+        }
+    }
+}
+
+/// Light of four colours, each filtered by another.
+impl Mul for ColorPacket {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Self {
+            r: self.r * other.r,
+            g: self.g * other.g,
+            b: self.b * other.b,
+        }
+    }
+}
+
+impl Mul<Lanes> for ColorPacket {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, factor: Lanes) -> Self {
+        Self {
+            r: self.r * factor,
+            g: self.g * factor,
+            b: self.b * factor,
+        }
+    }
+}
