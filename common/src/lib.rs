@@ -38,6 +38,7 @@ mod size;
 pub mod tally;
 mod transfer;
 mod viewer;
+mod whole_file;
 
 pub use argument::ArgumentError;
 pub use color::Color;

@@ -7,9 +7,9 @@ use std::io::{self, BufRead, BufReader, Cursor, Seek};
 use std::path::Path;
 
 use image::{DynamicImage, ImageDecoder, ImageError, ImageReader, Limits};
-use tempfile::{NamedTempFile, spooled_tempfile_in};
+use tempfile::{SpooledTempFile, spooled_tempfile_in};
 
-use crate::{Color, Error, Image, Size};
+use crate::{Color, Error, Image, Size, whole_file};
 
 /// Opens a PNG, JPEG or BMP file, whatever its name ends in. Colours are taken
 /// as they are stored, 8 bits a channel; what is transparent shows black.
@@ -84,8 +84,8 @@ fn explain(error: &ImageError) -> String {
 
 /// Writes a PNG file of red, green and blue bytes, row after row from the top.
 ///
-/// The file is written under another name in the same folder and then renamed:
-/// whoever looks finds the old file or the new one, never half of it.
+/// Whoever looks finds the old file or the new one, never half of it. A symbolic
+/// link stays, and the file it leads to is written.
 ///
 /// # Panics
 ///
@@ -106,10 +106,7 @@ pub fn save_png_in_bands<B: AsRef<[u8]>>(
     size: Size,
     bands: impl IntoIterator<Item = Result<B, Error>>,
 ) -> Result<(), Error> {
-    let file = unnamed_png(path, size, bands)?;
-    let named = file.persist(path);
-    named.map_err(|error| cannot_write(path, error.error.to_string()))?;
-    Ok(())
+    whole_file::write(path, encoded(path, size, bands)?)
 }
 
 /// Like [`save_png`], but false and without effect if there already is a file
@@ -119,85 +116,24 @@ pub fn save_png_in_bands<B: AsRef<[u8]>>(
 ///
 /// As [`save_png`].
 pub fn save_new_png(path: &Path, size: Size, rgb: &[u8]) -> Result<bool, Error> {
-    match unnamed_png(path, size, [Ok(rgb)])?.persist_noclobber(path) {
-        Ok(_) => Ok(true),
-        Err(error) if error.error.kind() == io::ErrorKind::AlreadyExists => Ok(false),
-        Err(error) => Err(cannot_write(path, error.error.to_string())),
-    }
+    whole_file::write_new(path, encoded(path, size, [Ok(rgb)])?)
 }
 
 /// How many bytes of a file are kept in memory until it is whole.
 const MOST_BYTES_IN_MEMORY: usize = 1 << 24;
 
-/// A finished PNG file that vanishes unless it is given the name `path`.
-fn unnamed_png<B: AsRef<[u8]>>(
+/// The content of a PNG file, to be read from its beginning.
+fn encoded<B: AsRef<[u8]>>(
     path: &Path,
     size: Size,
     bands: impl IntoIterator<Item = Result<B, Error>>,
-) -> Result<NamedTempFile, Error> {
+) -> Result<SpooledTempFile, Error> {
+    let explain = |error| whole_file::cannot_write(path, &error);
     // What has no name at all vanishes even if the program is killed.
-    let mut png = spooled_tempfile_in(MOST_BYTES_IN_MEMORY, folder_of(path));
-    encoding::encode(&mut png, size, bands, |error| {
-        cannot_write(path, error.to_string())
-    })?;
-    let mut write = || {
-        let mut file = unnamed_file_beside(path)?;
-        png.rewind()?;
-        // Errors of the file itself do not tell its passing name.
-        io::copy(&mut png, file.as_file_mut())?;
-        file.as_file().sync_all()?;
-        Ok(file)
-    };
-    write().map_err(|error: io::Error| cannot_write(path, error.to_string()))
-}
-
-/// Says what would keep a file from being written, before there is a picture
-/// to write. Leaves nothing behind.
-pub fn check_writable(path: &Path) -> Result<(), Error> {
-    let unnamed = unnamed_file_beside(path);
-    unnamed.map_err(|error| cannot_write(path, error.to_string()))?;
-    Ok(())
-}
-
-fn cannot_write(path: &Path, reason: String) -> Error {
-    Error::Write {
-        path: path.to_owned(),
-        reason,
-    }
-}
-
-fn folder_of(path: &Path) -> &Path {
-    match path.parent() {
-        Some(folder) if folder != Path::new("") => folder,
-        _ => Path::new("."),
-    }
-}
-
-/// A file that vanishes unless it is given the name `path`.
-fn unnamed_file_beside(path: &Path) -> io::Result<NamedTempFile> {
-    let folder = folder_of(path);
-    let refuse = |kind, reason| Err(io::Error::new(kind, reason));
-    if path.is_dir() {
-        let reason = "a folder has this name";
-        return refuse(io::ErrorKind::IsADirectory, reason.to_owned());
-    }
-    if !folder.exists() {
-        let reason = format!("there is no folder {}; create it first", folder.display());
-        return refuse(io::ErrorKind::NotFound, reason);
-    }
-    if !folder.is_dir() {
-        let reason = format!("{} is a file, not a folder", folder.display());
-        return refuse(io::ErrorKind::NotADirectory, reason);
-    }
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".saving-");
-    // Temporary files are private by default, a picture need not be.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder).map_err(|error| {
-        let (folder, kind) = (folder.display(), error.kind());
-        io::Error::new(kind, format!("no file can be made in {folder} ({kind})"))
-    })
+    let mut png = spooled_tempfile_in(MOST_BYTES_IN_MEMORY, whole_file::folder_of(path));
+    encoding::encode(&mut png, size, bands, explain)?;
+    png.rewind().map_err(explain)?;
+    Ok(png)
 }
 
 #[cfg(test)]
@@ -348,35 +284,6 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         assert!(reason(folder.path()).ends_with("it is a folder, not a picture"));
         assert!(reason(&folder.path().join("a.png")).ends_with("there is no such file"));
-    }
-
-    #[test]
-    fn what_keeps_a_file_from_being_written_is_known_before() {
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("file");
-        std::fs::write(&file, "").unwrap();
-        for (path, reason) in [
-            (folder.path().to_owned(), "a folder has this name"),
-            (folder.path().join("missing/a.png"), "create it first"),
-            (file.join("a.png"), "is a file, not a folder"),
-        ] {
-            let error = check_writable(&path).unwrap_err().to_string();
-            assert!(error.ends_with(reason), "{error}");
-            let same = save_png(&path, Size::new(1, 1).unwrap(), &[0; 3]);
-            assert_eq!(same.unwrap_err().to_string(), error);
-        }
-        check_writable(&folder.path().join("a.png")).unwrap();
-        check_writable(&file).unwrap();
-        assert_eq!(folder.path().read_dir().unwrap().count(), 1);
-    }
-
-    #[test]
-    #[cfg(target_os = "linux")]
-    fn a_folder_that_takes_no_files_is_named() {
-        // Not even the superuser can make a file in /proc.
-        let error = check_writable(Path::new("/proc/a.png")).unwrap_err();
-        let expected = "cannot write /proc/a.png: no file can be made in /proc (";
-        assert!(error.to_string().starts_with(expected), "{error}");
     }
 
     #[test]

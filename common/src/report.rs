@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, pareto_front};
 use crate::progress::terminal_bar;
-use crate::{Effort, Error, plot};
+use crate::{Effort, Error, plot, whole_file};
 
 /// An experiment with its times: the least of several rounds, in seconds, by
 /// curve and point.
@@ -152,19 +152,33 @@ impl<'e, 'a> Measured<'e, 'a> {
 
     /// Writes CSV and plots into a folder that exists, and says which files.
     pub fn write(&self, folder: &Path, stage: &str) -> Result<Vec<PathBuf>, Error> {
-        let mut files = vec![(".csv".to_owned(), self.csv())];
+        let mut files = vec![(TABLE.to_owned(), self.csv())];
         files.extend(plot::plots(self)?);
         let mut paths = Vec::new();
         for (ending, text) in files {
-            let path = folder.join(format!("{stage}-{}{ending}", self.experiment.name));
-            std::fs::write(&path, text).map_err(|error| Error::Write {
-                path: path.clone(),
-                reason: error.to_string(),
-            })?;
+            let path = file(self.experiment, folder, stage, &ending);
+            whole_file::write(&path, text.as_bytes())?;
             paths.push(path);
         }
         Ok(paths)
     }
+}
+
+/// Says what would keep the report of an experiment from being written, before
+/// anything is measured.
+pub(crate) fn check_writable(
+    experiment: &Experiment,
+    folder: &Path,
+    stage: &str,
+) -> Result<(), Error> {
+    whole_file::check_writable(&file(experiment, folder, stage, TABLE))
+}
+
+/// What the file of a table ends in.
+const TABLE: &str = ".csv";
+
+fn file(experiment: &Experiment, folder: &Path, stage: &str, ending: &str) -> PathBuf {
+    folder.join(format!("{stage}-{}{ending}", experiment.name))
 }
 
 /// A number in few characters.

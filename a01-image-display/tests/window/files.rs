@@ -2,10 +2,10 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 use common::display::{Display, wait_for};
 
+use super::tmpfs::Tmpfs;
 use super::{
     file_name, folder, locked, locked_file, open, program, wait_for_notice, wait_for_picture,
 };
@@ -46,47 +46,14 @@ fn where_no_file_can_be_made_saving_says_so() {
     assert!(window.is_running());
 }
 
-/// A disk of one page, which is less than the picture.
-struct FullDisk<'a>(&'a Path);
-
-impl<'a> FullDisk<'a> {
-    fn mount(folder: &'a Path) -> Result<Self, String> {
-        mount(folder, "size=4k")?;
-        Ok(Self(folder))
-    }
-
-    fn make_room(&self) {
-        mount(self.0, "remount,size=1m").expect("a larger disk");
-    }
-}
-
-fn mount(folder: &Path, options: &str) -> Result<(), String> {
-    let output = Command::new("mount")
-        .args(["-t", "tmpfs", "-o", options, "tmpfs"])
-        .arg(folder)
-        .output()
-        .map_err(|error| error.to_string())?;
-    let complaint = String::from_utf8_lossy(&output.stderr).into_owned();
-    if output.status.success() {
-        Ok(())
-    } else {
-        Err(complaint)
-    }
-}
-
-impl Drop for FullDisk<'_> {
-    fn drop(&mut self) {
-        let _ = Command::new("umount").arg("-l").arg(self.0).output();
-    }
-}
-
 #[test]
 fn a_full_disk_is_told_and_half_a_file_is_not_left() {
     let Some(display) = Display::open(800, 600) else {
         return;
     };
     let folder = folder();
-    let disk = match FullDisk::mount(folder.path()) {
+    // One page, which is less than the picture.
+    let disk = match Tmpfs::mount(folder.path(), "size=4k") {
         Ok(disk) => disk,
         Err(reason) => {
             use std::io::Write;
@@ -102,12 +69,12 @@ fn a_full_disk_is_told_and_half_a_file_is_not_left() {
     wait_for_picture(&window, "painter");
     window.press("s");
     let name = file_name("painter");
-    let start = format!("error: cannot write out/{name}: No space left on device");
+    let start = format!("error: cannot write out/{name}: there is no room left; make some");
     window.wait_to_show(&start, |look| look.notices().join(" ").starts_with(&start));
     let out = folder.path().join("out");
     assert_eq!(out.read_dir().unwrap().count(), 0, "nothing is left");
 
-    disk.make_room();
+    disk.change("size=1m");
     window.press("s");
     wait_for("the file", || out.join(&name).exists().then_some(()));
     assert_eq!(open(&out.join(&name)), locked("painter"));

@@ -9,6 +9,8 @@ mod keys;
 mod lifetime;
 mod menu;
 mod pictures;
+#[path = "../saving/tmpfs.rs"]
+mod tmpfs;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -8,6 +8,7 @@ use super::check::{Findings, Pictures};
 use super::starter::starter;
 use super::task::{Task, asked_for};
 use super::{Exercise, Stage, page};
+use crate::whole_file;
 
 /// How an exercise fares.
 enum Verdict {
@@ -150,8 +151,8 @@ impl Place<'_> {
 
     fn write_starter(&self) -> Verdict {
         let written = self.generated().and_then(|text| {
-            let path = self.starter();
-            fs::write(&path, text).map_err(|error| format!("{}: {error}", path.display()))
+            let written = whole_file::write(&self.starter(), text.as_bytes());
+            written.map_err(|error| error.to_string())
         });
         match written {
             Ok(()) => Verdict::Passed("written"),

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use super::say;
-use super::target::make_default_folder;
+use super::target::{make_default_folder, make_folder};
 use crate::experiment::Experiment;
-use crate::report::Measured;
+use crate::report::{self, Measured};
 use crate::{Effort, Error, Stage, scene_report};
 
 /// Reports the named experiments, or after the word `scene` the named scenes.
@@ -45,10 +45,10 @@ fn measure(
         Some(folder) => folder,
         None => make_default_folder()?.join("report"),
     };
-    std::fs::create_dir_all(&folder).map_err(|error| Error::Write {
-        path: folder.clone(),
-        reason: error.to_string(),
-    })?;
+    make_folder(&folder)?;
+    for experiment in experiments {
+        report::check_writable(experiment, &folder, stage.name)?;
+    }
     for experiment in experiments {
         let measured = Measured::new(experiment, effort);
         say(&measured.table());

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::{Error, Scene, Size, Stage, picture_file};
+use crate::{Error, Scene, Size, Stage, picture_file, whole_file};
 
 /// The folder that pictures land in, below the current one.
 const DEFAULT_FOLDER: &str = "out";
@@ -53,8 +53,12 @@ impl Target {
         let folder = Path::new(DEFAULT_FOLDER);
         match self {
             // The folder can be made where a file can.
-            Self::Default if !folder.exists() => picture_file::check_writable(folder),
-            _ => picture_file::check_writable(&self.path(stage, scene)),
+            Self::Default if !folder.exists() => {
+                let checked = whole_file::check_writable(folder);
+                // Another program may have made it meanwhile.
+                checked.or_else(|error| if folder.is_dir() { Ok(()) } else { Err(error) })
+            }
+            _ => whole_file::check_writable(&self.path(stage, scene)),
         }
     }
 
@@ -79,15 +83,20 @@ impl Target {
 /// Makes `out/` where it is missing.
 pub fn make_default_folder() -> Result<&'static Path, Error> {
     let folder = Path::new(DEFAULT_FOLDER);
-    // What is there and no folder is named by whoever writes into it.
-    if !folder.exists() {
-        picture_file::check_writable(folder)?;
-        std::fs::create_dir_all(folder).map_err(|error| Error::Write {
-            path: folder.to_owned(),
-            reason: error.to_string(),
-        })?;
-    }
+    make_folder(folder)?;
     Ok(folder)
+}
+
+/// Makes a folder where it is missing, and those it lies in.
+pub fn make_folder(folder: &Path) -> Result<(), Error> {
+    match std::fs::create_dir_all(folder) {
+        // What is there and no folder is named by whoever writes into it.
+        Err(error) if !folder.exists() => {
+            whole_file::check_writable(folder)?;
+            Err(whole_file::cannot_write(folder, &error))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The file name of a scene's picture, `STAGE-SCENE.png`.

@@ -1,0 +1,95 @@
+//! Saving loses nothing: whatever happens to the real program while it writes,
+//! the old file is there or the new one, and nothing else is left.
+
+#![cfg(unix)]
+
+mod full_disk;
+mod killed;
+mod protected;
+mod tmpfs;
+mod together;
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::Command;
+
+use common::{Color, Image, Size, Transfer, picture_file};
+use tempfile::TempDir;
+
+/// An empty folder that every user may enter.
+fn folder() -> TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    allow(folder.path(), 0o755);
+    folder
+}
+
+/// Sets who may do what with a file or a folder.
+fn allow(path: &Path, mode: u32) {
+    let permissions = std::os::unix::fs::PermissionsExt::from_mode(mode);
+    fs::set_permissions(path, permissions).expect("its own file");
+}
+
+fn program(folder: &Path, line: &str) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_a01-image-display"));
+    command.args(line.split_whitespace()).current_dir(folder);
+    command
+}
+
+/// Runs a shell script whose `"$@"` starts the program.
+fn in_shell(script: &str, program: &Command) -> Command {
+    let mut shell = Command::new("sh");
+    shell.args(["-c", script, "sh"]).arg(program.get_program());
+    shell.args(program.get_args());
+    if let Some(folder) = program.get_current_dir() {
+        shell.current_dir(folder);
+    }
+    shell
+}
+
+/// The program must end with the exit code 1 and one sentence that begins so.
+fn assert_refused(program: &mut Command, sentence: &str) {
+    let output = program.output().expect("the program runs");
+    let complaint = String::from_utf8_lossy(&output.stderr);
+    assert!(complaint.starts_with(sentence), "{complaint}");
+    assert_eq!(complaint.matches("error: ").count(), 1, "{complaint}");
+    assert_eq!(output.status.code(), Some(1), "{complaint}");
+}
+
+fn assert_success(program: &mut Command) {
+    let output = program.output().expect("the program runs");
+    let complaint = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{complaint}");
+}
+
+/// The names in a folder, sorted.
+fn names(folder: &Path) -> Vec<String> {
+    let entries = folder.read_dir().expect("a folder");
+    let name = |entry: fs::DirEntry| entry.file_name().into_string().expect("a name");
+    let mut names: Vec<_> = entries.map(|entry| name(entry.expect("a file"))).collect();
+    names.sort();
+    names
+}
+
+/// Writes a picture without a pattern, so that no byte of it is saved.
+fn write_noise(path: &Path, side: u32, seed: u32) -> Image {
+    let size = Size::new(side, side).expect("a size");
+    let noise = Image::from_fn(size, |x, y| {
+        let mixed = (x ^ y.rotate_left(16) ^ seed).wrapping_mul(0x9E37_79B1);
+        let mixed = (mixed ^ mixed >> 15).wrapping_mul(0x85EB_CA6B);
+        let [_, red, green, blue] = (mixed ^ mixed >> 13).to_le_bytes();
+        Color::from_bytes([red, green, blue])
+    });
+    let noise = noise.expect("a picture");
+    picture_file::save_png(path, size, &noise.to_rgb8(Transfer::Linear)).expect("it is saved");
+    noise
+}
+
+/// Tells of what cannot be tested here; the test passes without it.
+fn skip(what: &str, reason: &str) {
+    let _ = writeln!(
+        std::io::stderr(),
+        "not tested: {what}, for {}",
+        reason.trim()
+    );
+}
