@@ -7,6 +7,7 @@
 pub mod caption;
 pub mod changes;
 pub mod chapter;
+pub mod dependency;
 mod files;
 mod heading;
 pub mod include;
