@@ -72,6 +72,25 @@ fn a_file_that_may_not_be_changed_is_kept() {
 }
 
 #[test]
+fn a_picture_that_may_not_be_read_is_told_and_the_old_one_kept() {
+    let folder = folder();
+    let path = |name| folder.path().join(name);
+    fs::write(path("secret.png"), "secret").unwrap();
+    allow(&path("secret.png"), 0o000);
+    fs::write(path("saved.png"), "old").unwrap();
+    allow(&path("saved.png"), 0o666);
+    allow(folder.path(), 0o777);
+    let line = "render show-image --open secret.png -o saved.png";
+    let Some(mut program) = as_user(folder.path(), line) else {
+        return;
+    };
+    let sentence = "error: cannot open secret.png: Permission denied";
+    assert_refused(&mut program, sentence);
+    assert_eq!(names(folder.path()), ["saved.png", "secret.png"]);
+    assert!(fs::read(path("saved.png")).unwrap() == b"old");
+}
+
+#[test]
 fn a_disk_that_may_only_be_read_is_told() {
     let disk = folder();
     let tmpfs = match Tmpfs::mount(disk.path(), "size=64k") {
