@@ -65,7 +65,7 @@ macro_rules! lock_pictures {
         }
 
         #[test]
-        fn one_thread_and_two_give_the_same_bytes() {
+        fn one_thread_and_eight_give_the_same_bytes() {
             $crate::picture_lock::check_threads(&$stage);
         }
 
@@ -163,20 +163,41 @@ fn small(scene: &Scene) -> Settings {
     }
 }
 
-/// Checks that the number of threads changes nothing.
+/// Samples anywhere, and several reflections.
+fn scattered(scene: &Scene) -> Settings {
+    Settings {
+        samples: 3,
+        sampling: Sampling::Random,
+        seed: 5,
+        depth: 3,
+        ..small(scene)
+    }
+}
+
+/// Checks that the number of threads changes nothing: with one sample, with
+/// scattered ones, and with as many as the picture needs.
 ///
 /// # Panics
 ///
 /// If it does.
 pub fn check_threads(stage: &Stage) {
     for scene in &stage.scenes {
-        let [one, two] = [1, 2].map(|threads| {
-            let threads = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-            threads
-                .expect("threads")
-                .install(|| render(scene, &small(scene)))
-        });
-        assert_eq!(one, two, "{}", scene.name);
+        let adaptive = Settings {
+            samples: 64,
+            max_error: Some(1.0 / 255.0),
+            ..small(scene)
+        };
+        for settings in [small(scene), scattered(scene), adaptive] {
+            let with = |threads| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+                let pool = pool.build().expect("threads");
+                pool.install(|| render(scene, &settings))
+            };
+            let one = with(1);
+            for threads in 2..=8 {
+                assert_eq!(one, with(threads), "{}, {threads} threads", scene.name);
+            }
+        }
     }
 }
 
@@ -211,14 +232,7 @@ pub fn check_rows(stage: &Stage) {
 /// If they do.
 pub fn check_omissions(stage: &Stage) {
     for scene in &stage.scenes {
-        let scattered = Settings {
-            samples: 3,
-            sampling: Sampling::Random,
-            seed: 5,
-            depth: 3,
-            ..small(scene)
-        };
-        for settings in [small(scene), scattered] {
+        for settings in [small(scene), scattered(scene)] {
             let [with, without] =
                 [settings.clone(), complete(&settings)].map(|settings| render(scene, &settings));
             assert_eq!(with, without, "{}", scene.name);
