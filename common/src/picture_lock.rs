@@ -10,13 +10,14 @@ mod difference;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::Mutex;
 
 use description::describe;
 use difference::{compare, leave_pictures};
 
 use crate::comparison::{Comparison, complete};
 use crate::program::picture_name;
-use crate::{Image, Sampling, Scene, Settings, Size, Stage, Transfer, picture_file};
+use crate::{Image, Sampled, Sampling, Scene, Settings, Size, Stage, Transfer, picture_file};
 
 /// Where the test crate and its files lie; [`lock_pictures!`](crate::lock_pictures)
 /// fills it in.
@@ -175,7 +176,8 @@ fn scattered(scene: &Scene) -> Settings {
 }
 
 /// Checks that the number of threads changes nothing: with one sample, with
-/// scattered ones, and with as many as the picture needs.
+/// scattered ones, and with as many as the picture needs. What these show of the
+/// error is a sum over pixels, whose last bits another order would change.
 ///
 /// # Panics
 ///
@@ -191,7 +193,10 @@ pub fn check_threads(stage: &Stage) {
             let with = |threads| {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
                 let pool = pool.build().expect("threads");
-                pool.install(|| render(scene, &settings))
+                let told = Mutex::new(Sampled::default());
+                let image = pool.install(|| scene.render(&settings, &told));
+                let told = told.into_inner().expect("what the samples show");
+                (image.expect("the scene renders"), told)
             };
             let one = with(1);
             for threads in 2..=8 {
