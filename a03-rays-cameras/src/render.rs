@@ -68,6 +68,7 @@ pub fn render_together(
     let sampler = Sampler::new(settings);
     let samples = sampler.samples();
     let together = TOGETHER.div_ceil(samples as usize);
+    let place = |column, row, sample| in_picture(column, row, sampler.place(sample, column, row));
     let paint = |row, pixels: &mut [Color], _: &mut [()]| {
         let (mut places, mut rays, mut light) = (Vec::new(), Vec::new(), Vec::new());
         // ANCHOR: mean
@@ -77,11 +78,12 @@ pub fn render_together(
                 return false;
             }
             places.clear();
-            for column in columns.by_ref().take(pixels.len()) {
-                for sample in 0..samples {
-                    let place = sampler.place(sample, column, row);
-                    places.push(in_picture(column, row, place));
-                }
+            let columns = columns.by_ref().take(pixels.len());
+            if samples == 1 {
+                places.extend(columns.map(|column| place(column, row, 0)));
+            } else {
+                let of_pixel = |column| (0..samples).map(move |sample| place(column, row, sample));
+                places.extend(columns.flat_map(of_pixel));
             }
             rays.clear();
             camera.rays_for(size, &places, &mut rays);

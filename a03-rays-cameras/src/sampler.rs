@@ -74,13 +74,9 @@ impl Sampler {
     #[inline]
     #[must_use]
     pub fn place(&self, i: u32, x: u32, y: u32) -> (f64, f64) {
-        let jitter = |n: u64| {
-            tally::count(Work::RandomNumber);
-            PixelRandom::new(self.seed, x, y).uniform(2 * u64::from(i) + n)
-        };
         if !self.omit && !self.sampling.is_random() {
             // Drawn although nobody wants them; the compiler must not notice.
-            black_box((jitter(0), jitter(1)));
+            black_box(self.jitter(i, x, y));
         }
         // ANCHOR: cells
         let cell = |(dx, dy): (f64, f64)| {
@@ -91,9 +87,19 @@ impl Sampler {
         match self.sampling {
             Sampling::Center => (0.5, 0.5),
             Sampling::Regular => cell((0.5, 0.5)),
-            Sampling::Random => (jitter(0), jitter(1)),
-            Sampling::Stratified => cell((jitter(0), jitter(1))),
+            Sampling::Random => self.jitter(i, x, y),
+            Sampling::Stratified => cell(self.jitter(i, x, y)),
         }
         // ANCHOR_END: cells
+    }
+
+    /// Two random numbers for sample `i` of a pixel.
+    fn jitter(&self, i: u32, x: u32, y: u32) -> (f64, f64) {
+        let random = PixelRandom::new(self.seed, x, y);
+        let number = |n: u64| {
+            tally::count(Work::RandomNumber);
+            random.uniform(2 * u64::from(i) + n)
+        };
+        (number(0), number(1))
     }
 }

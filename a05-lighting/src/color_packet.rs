@@ -48,6 +48,14 @@ impl ColorPacket {
         [lane(0), lane(1), lane(2), lane(3)]
     }
 
+    /// A bit for each that is black.
+    #[inline]
+    #[must_use]
+    pub fn are_black(self) -> u32 {
+        let is_black = |channel: Lanes| channel.simd_eq(Lanes::ZERO);
+        (is_black(self.r) & is_black(self.g) & is_black(self.b)).to_bitmask()
+    }
+
     /// These colours in the lanes of the mask, and black beside it.
     #[inline]
     #[must_use]

@@ -16,6 +16,7 @@ mod material;
 mod phong;
 mod phong_packet;
 mod point_light;
+mod power;
 #[doc(hidden)]
 pub mod protocol;
 mod scenes;

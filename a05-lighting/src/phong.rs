@@ -6,6 +6,7 @@ use a04_intersections::Hit;
 use common::tally::{self, Work};
 use common::{ArgumentError, Color, argument};
 
+use crate::power::power;
 use crate::{Illumination, Lambert, Lighting, Material};
 
 /// A shiny material.
@@ -50,7 +51,7 @@ impl Phong {
         }
         tally::count(Work::Power);
         // A cosine of 1 + 2^-52 grows to millions.
-        let power = libm::pow(cosine.clamp(0.0, 1.0), self.exponent);
+        let power = power(cosine.clamp(0.0, 1.0), self.exponent);
         // 0 to the power of 0 is 1: where nothing is mirrored no power counts.
         if is_mirrored {
             self.specular * light.color * power

@@ -5,6 +5,7 @@ use a02_math::{Lanes, Vector3x4};
 use common::Color;
 use common::tally::{self, Work};
 
+use crate::power::powers;
 use crate::{ColorPacket, IlluminationPacket, Material, Phong};
 
 /// The materials at four hits.
@@ -84,14 +85,9 @@ impl PhongPacket {
         if shining == 0 {
             return share.masked(mask(lit));
         }
-        let (cosines, mut powers) = (cosine.to_array(), [0.0; 4]);
-        for lane in 0..4 {
-            if shining >> lane & 1 != 0 {
-                tally::count(Work::Power);
-                powers[lane] = libm::pow(cosines[lane].clamp(0.0, 1.0), self.exponents[lane]);
-            }
-        }
-        let highlight = self.specular * light.color * Lanes::new(powers);
+        tally::count_all(Work::Power, shining.count_ones().into());
+        let powers = powers(cosine.fast_min(Lanes::ONE), self.exponents, shining);
+        let highlight = self.specular * light.color * powers;
         (share + highlight.masked(mask(shining))).masked(mask(lit))
     }
 }

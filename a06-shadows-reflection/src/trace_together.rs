@@ -1,13 +1,13 @@
 //! Tracing many rays together: each is followed as `RecursiveTracer::trace` does,
 //! and brings back the same colour, to the last bit.
 //!
-//! Rays are followed four at a time. Those that are mirrored are gathered anew
-//! after every bounce, so that none waits for a neighbour that goes on.
+//! Four rays at a time go from mirror to mirror, until none of them goes on.
 
+use a02_math::vector3x4::mask;
 use a02_math::{Lanes, Normal3, Vector3x4};
 use a03_rays_cameras::{Ray, RayPacket};
 use a04_intersections::{Hit, Hits, Search};
-use a05_lighting::{Light, Material, PhongPacket};
+use a05_lighting::{ColorPacket, Light, Material, PhongPacket};
 use common::Color;
 use common::tally::{self, Work};
 
@@ -15,18 +15,12 @@ use crate::secondary_ray::secondary_rays;
 use crate::shadow::BEFORE_THE_LIGHT;
 use crate::{RecursiveTracer, Surface};
 
-/// A ray that is still followed.
-#[derive(Clone, Copy)]
-struct Path {
-    /// Whose colour it adds to.
-    index: usize,
-    ray: Ray,
-    /// The share of its light that reaches the eye.
-    mirrored: Color,
-}
-
 impl RecursiveTracer<'_> {
-    /// The colours that rays bring back which may meet `depth` surfaces.
+    /// The colours that rays bring back which may meet `depth` surfaces, for
+    /// `colors`: as many as there are rays.
+    ///
+    /// Four are traced together if the world is [prepared](a05_lighting::LitWorld)
+    /// and work may be left out, the fastest if they are neighbours.
     pub fn trace_together(&self, rays: &[Ray], depth: u32, colors: &mut [Color]) {
         let search = self.world().objects().search();
         let Some(search) = search.filter(|_| self.can_trace_together()) else {
@@ -35,103 +29,81 @@ impl RecursiveTracer<'_> {
             }
             return;
         };
-        colors.fill(Color::BLACK);
-        let paths = rays.iter().enumerate();
-        let mut paths: Vec<_> = paths
-            .map(|(index, ray)| Path {
-                index,
-                ray: *ray,
-                mirrored: Color::WHITE,
-            })
-            .collect();
-        let mut mirrored = Vec::with_capacity(paths.len());
-        for met in 0..depth {
-            if met > 0 {
-                tally::count_all(Work::ReflectedRay, paths.len() as u64);
-            }
-            let (fours, rest) = paths.as_chunks();
-            for four in fours {
-                self.follow(search, four, 0b1111, colors, &mut mirrored);
-            }
-            if let [first, others @ ..] = rest {
-                // The last four are filled up with the first of them.
-                let mut four = [*first; 4];
-                four[1..rest.len()].copy_from_slice(others);
-                let active = (1 << rest.len()) - 1;
-                self.follow(search, &four, active, colors, &mut mirrored);
-            }
-            paths.clear();
-            std::mem::swap(&mut paths, &mut mirrored);
+        let (fours, rest) = rays.as_chunks();
+        let (colors_of_fours, colors_of_rest) = colors.as_chunks_mut();
+        for (four, colors) in fours.iter().zip(colors_of_fours) {
+            let packet = RayPacket::new(four.each_ref());
+            *colors = self.trace_four(search, packet, 0b1111, depth).to_lanes();
+        }
+        if let [first, ..] = rest {
+            let ray = |lane: usize| rest.get(lane).unwrap_or(first);
+            let packet = RayPacket::new([ray(0), ray(1), ray(2), ray(3)]);
+            let active = (1 << rest.len()) - 1;
+            let four = self.trace_four(search, packet, active, depth).to_lanes();
+            colors_of_rest.copy_from_slice(&four[..rest.len()]);
         }
     }
 
-    /// Follows up to four rays to where they meet something, and adds what is
-    /// mirrored there.
-    fn follow(
+    /// The colours that those of four rays bring back whose bits are set in
+    /// `active`.
+    fn trace_four(
         &self,
         search: &Search,
-        paths: &[Path; 4],
-        active: u32,
-        colors: &mut [Color],
-        mirrored: &mut Vec<Path>,
-    ) {
-        let [a, b, c, d] = paths;
-        let rays = RayPacket::new([&a.ray, &b.ray, &c.ray, &d.ray]);
-        let hits = search.hit_together(&rays, active);
-        let background = self.world().objects().background();
-        for (lane, path) in paths.iter().enumerate() {
-            if active & !hits.met & 1 << lane != 0 {
-                colors[path.index] += path.mirrored * background;
+        mut rays: RayPacket,
+        mut active: u32,
+        depth: u32,
+    ) -> ColorPacket {
+        let background = ColorPacket::splat(self.world().objects().background());
+        let mut color = ColorPacket::splat(Color::BLACK);
+        let mut mirrored = ColorPacket::splat(Color::WHITE);
+        for met in 0..depth {
+            if met > 0 {
+                tally::count_all(Work::ReflectedRay, active.count_ones().into());
             }
+            let hits = search.hit_together(&rays, active);
+            let missed = active & !hits.met;
+            if missed != 0 {
+                color = color + (mirrored * background).masked(mask(missed));
+            }
+            active = hits.met;
+            if active == 0 {
+                break;
+            }
+            let (seen, reflection) = self.look(search, &rays, &hits);
+            color = color + (mirrored * seen).masked(mask(active));
+            mirrored = mirrored * reflection;
+            active &= !mirrored.are_black();
+            if active == 0 {
+                break;
+            }
+            let direction = (-rays.direction).reflected_on(hits.hit.normal);
+            rays = secondary_rays(&rays, &hits.hit, direction);
         }
-        if hits.met == 0 {
-            return;
-        }
+        color
+    }
 
+    /// What the surfaces make of the light, and which share they mirror.
+    #[inline]
+    fn look(&self, search: &Search, rays: &RayPacket, hits: &Hits) -> (ColorPacket, ColorPacket) {
         let surface = |object: u32| &**self.world().objects().surface(object as usize);
         let [a, b, c, d] = hits.objects;
-        let are_one = a == b && a == c && a == d;
-        let (seen, reflections) = if are_one {
+        if a == b && a == c && a == d {
             let surface = surface(a);
             let seen = match surface.as_phong() {
-                Some(phong) => self.shade(search, &rays, &hits, &PhongPacket::splat(&phong)),
-                None => self.shade_one_by_one(&rays, &hits, [surface; 4]),
+                Some(phong) => self.shade(search, rays, hits, &PhongPacket::splat(&phong)),
+                None => self.shade_one_by_one(rays, hits, [surface; 4]),
             };
-            (seen, [surface.reflection(); 4])
-        } else {
-            let surfaces = hits.objects.map(surface);
-            let seen = match surfaces.map(Material::as_phong) {
-                [Some(a), Some(b), Some(c), Some(d)] => {
-                    let phong = PhongPacket::new([a, b, c, d]);
-                    self.shade(search, &rays, &hits, &phong)
-                }
-                _ => self.shade_one_by_one(&rays, &hits, surfaces),
-            };
-            (seen, surfaces.map(Surface::reflection))
+            return (seen, ColorPacket::splat(surface.reflection()));
+        }
+        let surfaces = hits.objects.map(surface);
+        let seen = match surfaces.map(Material::as_phong) {
+            [Some(a), Some(b), Some(c), Some(d)] => {
+                let phong = PhongPacket::new([a, b, c, d]);
+                self.shade(search, rays, hits, &phong)
+            }
+            _ => self.shade_one_by_one(rays, hits, surfaces),
         };
-        let mut further = 0;
-        let mut shares = [Color::BLACK; 4];
-        for (lane, path) in paths.iter().enumerate() {
-            if hits.met >> lane & 1 != 0 {
-                colors[path.index] += path.mirrored * seen[lane];
-                shares[lane] = path.mirrored * reflections[lane];
-                further |= u32::from(shares[lane] != Color::BLACK) << lane;
-            }
-        }
-        if further == 0 {
-            return;
-        }
-        let direction = (-rays.direction).reflected_on(hits.hit.normal);
-        let rays = secondary_rays(&rays, &hits.hit, direction).to_rays();
-        for (lane, path) in paths.iter().enumerate() {
-            if further >> lane & 1 != 0 {
-                mirrored.push(Path {
-                    index: path.index,
-                    ray: rays[lane],
-                    mirrored: shares[lane],
-                });
-            }
-        }
+        (seen, ColorPacket::new(surfaces.map(Surface::reflection)))
     }
 
     /// What materials make of the light that only say so for one ray.
@@ -141,11 +113,11 @@ impl RecursiveTracer<'_> {
         rays: &RayPacket,
         hits: &Hits,
         surfaces: [&dyn Surface; 4],
-    ) -> [Color; 4] {
+    ) -> ColorPacket {
         let rays = rays.to_rays();
         let t = hits.hit.t.to_array();
         let [normals, faces] = [hits.hit.normal, hits.hit.face].map(Vector3x4::to_lanes);
-        [0, 1, 2, 3].map(|lane| {
+        ColorPacket::new([0, 1, 2, 3].map(|lane| {
             if hits.met >> lane & 1 == 0 {
                 return Color::BLACK;
             }
@@ -155,7 +127,7 @@ impl RecursiveTracer<'_> {
                 face: Normal3::from_glam(faces[lane]),
             };
             surfaces[lane].color_for(&rays[lane], &hit, self)
-        })
+        }))
     }
 
     /// What the materials make of the light.
@@ -166,7 +138,7 @@ impl RecursiveTracer<'_> {
         rays: &RayPacket,
         hits: &Hits,
         phong: &PhongPacket,
-    ) -> [Color; 4] {
+    ) -> ColorPacket {
         let world = self.world();
         let mut color = phong.ambient(world.ambient());
         let answering = phong.answer_light() & hits.met;
@@ -188,6 +160,6 @@ impl RecursiveTracer<'_> {
                 color = color + phong.shade(rays.direction, hits.hit.normal, &light, lit);
             }
         }
-        color.to_lanes()
+        color
     }
 }

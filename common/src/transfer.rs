@@ -18,6 +18,9 @@ impl Transfer {
     /// The three bytes to write for a colour of linear light.
     #[must_use]
     pub fn bytes(self, color: Color) -> [u8; 3] {
+        if self == Self::Linear {
+            return color.to_bytes();
+        }
         color.map(|channel| self.encode(channel)).to_bytes()
     }
 

@@ -10,7 +10,7 @@ use crate::axis_aligned_box::WIDER;
 
 impl AxisAlignedBox {
     /// Where each ray meets the box.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn meet(&self, rays: &RayPacket) -> Lanes {
         self.hits(rays).t
     }

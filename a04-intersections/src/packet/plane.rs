@@ -8,7 +8,11 @@ use crate::Plane;
 
 impl Plane {
     /// Where each ray meets the plane.
-    #[inline]
+    #[expect(
+        clippy::inline_always,
+        reason = "a call would take as long as the test"
+    )]
+    #[inline(always)]
     pub(crate) fn meet(&self, rays: &RayPacket) -> Lanes {
         let (a, n) = (self.a.to_glam(), self.n.to_glam());
         let (a, n) = (Vector3x4::splat(a), Vector3x4::splat(n));

@@ -9,7 +9,11 @@ use crate::Sphere;
 
 impl Sphere {
     /// Where each ray meets the sphere.
-    #[inline]
+    #[expect(
+        clippy::inline_always,
+        reason = "a call would take as long as the test"
+    )]
+    #[inline(always)]
     pub(crate) fn meet(&self, rays: &RayPacket) -> Lanes {
         let r = Lanes::splat(self.r);
         let (f, d) = (self.relative_to_centre(rays.origin), rays.direction);

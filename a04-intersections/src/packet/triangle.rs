@@ -17,12 +17,14 @@ pub struct ShearedRays {
 }
 
 impl ShearedRays {
-    /// None if they do not go farthest along the same axis.
+    /// The rays whose bits are set in `active`. None if they do not go farthest
+    /// along the same axis.
     #[inline]
-    pub fn new(rays: &RayPacket) -> Option<Self> {
+    pub fn new(rays: &RayPacket, active: u32) -> Option<Self> {
         let rays = rays.to_rays().map(|ray| ShearedRay::new(&ray));
-        let axes = rays[0].axes;
-        rays.iter().all(|ray| ray.axes == axes).then(|| Self {
+        let axes = rays[active.trailing_zeros() as usize % 4].axes;
+        let is_like_them = |lane: usize| active >> lane & 1 == 0 || rays[lane].axes == axes;
+        (0..4).all(is_like_them).then(|| Self {
             axes,
             o: [0, 1, 2].map(|axis| Lanes::new(rays.map(|ray| ray.o[axis]))),
             shear: [0, 1].map(|axis| Lanes::new(rays.map(|ray| ray.shear[axis]))),
@@ -52,7 +54,7 @@ pub struct Barycentric {
 
 impl Triangle {
     /// Where each ray meets the triangle.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn meet(&self, rays: &ShearedRays) -> Barycentric {
         let corners = self.corners.map(|corner| corner.to_glam().to_array());
         let [a, b, c] = corners.map(|corner| rays.sheared(corner));

@@ -1,7 +1,6 @@
 //! The search for four rays at once. Where they have to ask the same shapes, as
 //! neighbours mostly have, they ask together; else each for itself.
 
-use std::array;
 use std::cell::OnceCell;
 
 use a02_math::vector3x4::{mask, select};
@@ -30,7 +29,7 @@ impl Search {
     #[inline]
     #[must_use]
     pub fn hit_together(&self, rays: &RayPacket, active: u32) -> Hits {
-        let asking = AskingTogether::new(rays, &self.shapes);
+        let asking = AskingTogether::new(rays, active, &self.shapes);
         let mut nearest = Nearest {
             asking: &asking,
             t: Lanes::splat(f64::INFINITY),
@@ -66,7 +65,7 @@ impl Search {
     #[inline]
     #[must_use]
     pub fn is_hit_together(&self, rays: &RayPacket, max: Lanes, active: u32) -> u32 {
-        let asking = AskingTogether::new(rays, &self.shapes);
+        let asking = AskingTogether::new(rays, active, &self.shapes);
         let mut open = active;
         let mut ask = |shape: Shape, active: u32| {
             let active = active & open;
@@ -102,9 +101,9 @@ impl Search {
 
     #[inline(never)]
     fn hit_one_by_one(&self, rays: &RayPacket, active: u32) -> Hits {
-        let rays_alone = rays.to_rays();
+        let alone = rays.to_rays();
         let (mut met, mut objects, mut hits) = (0, [0; 4], [NOTHING; 4]);
-        for (lane, ray) in rays_alone.iter().enumerate() {
+        for (lane, ray) in alone.iter().enumerate() {
             if active >> lane & 1 != 0
                 && let Some((hit, object)) = self.hit(ray, Interval::AHEAD)
             {
@@ -113,7 +112,9 @@ impl Search {
             }
         }
         let hit = PacketHit::new(hits);
-        Hits { met, hit, objects }.facing(rays)
+        let mut hits = Hits { met, hit, objects };
+        hits.turn_against(rays);
+        hits
     }
 
     #[inline(never)]
@@ -140,28 +141,30 @@ impl PacketHit {
 }
 
 impl Hits {
-    /// The same hits with their normals turned against the rays.
+    /// Turns the normals towards the side that the rays come from.
     #[inline]
-    fn facing(mut self, rays: &RayPacket) -> Self {
+    fn turn_against(&mut self, rays: &RayPacket) {
         let from_behind = self.hit.face.dot(rays.direction).simd_gt(Lanes::ZERO);
         self.hit.normal = self.hit.normal.negated(from_behind);
         self.hit.face = self.hit.face.negated(from_behind);
-        self
     }
 }
 
 /// Four rays that ask shapes.
 struct AskingTogether<'a> {
     rays: &'a RayPacket,
+    /// A bit for each that asks at all.
+    active: u32,
     shapes: &'a Shapes,
     sheared: OnceCell<Option<ShearedRays>>,
 }
 
 impl<'a> AskingTogether<'a> {
     #[inline]
-    fn new(rays: &'a RayPacket, shapes: &'a Shapes) -> Self {
+    fn new(rays: &'a RayPacket, active: u32, shapes: &'a Shapes) -> Self {
         Self {
             rays,
+            active,
             shapes,
             sheared: OnceCell::new(),
         }
@@ -169,13 +172,19 @@ impl<'a> AskingTogether<'a> {
 
     #[inline]
     fn sheared(&self) -> Option<&ShearedRays> {
-        let sheared = self.sheared.get_or_init(|| ShearedRays::new(self.rays));
+        let sheared = self
+            .sheared
+            .get_or_init(|| ShearedRays::new(self.rays, self.active));
         sheared.as_ref()
     }
 
     /// Where each ray of those in `active` meets the shape. What is beyond `max`
     /// does not count, and may be NaN like what is not met.
-    #[inline]
+    #[expect(
+        clippy::inline_always,
+        reason = "a call would take as long as the test"
+    )]
+    #[inline(always)]
     fn t(&self, shape: Shape, max: Lanes, active: u32) -> Lanes {
         let Self { rays, shapes, .. } = self;
         match shape {
@@ -229,29 +238,34 @@ struct Nearest<'a> {
 }
 
 impl Nearest<'_> {
-    #[inline]
+    #[expect(
+        clippy::inline_always,
+        reason = "a call would take as long as the test"
+    )]
+    #[inline(always)]
     fn ask(&mut self, shape: Shape, active: u32) {
         tally::count_all(Work::IntersectionTest, active.count_ones().into());
         let t = self.asking.t(shape, self.t, active);
+        if t.simd_le(self.t).to_bitmask() & active != 0 {
+            self.take(shape, t, active);
+        }
+    }
+
+    /// Takes what is nearer, and at the same place what comes first in the list.
+    #[inline(never)]
+    fn take(&mut self, shape: Shape, t: Lanes, active: u32) {
         let mut found = t.simd_lt(self.t).to_bitmask() & active;
-        if found != 0 {
-            self.t = select(mask(found), t, self.t);
-        }
-        // At the same place the first of the list counts, whenever it is asked.
-        let tied = t.simd_eq(self.t).to_bitmask() & active & self.met & !found;
-        if tied != 0 {
-            for lane in 0..4 {
-                let is_first = self.asking.shapes.comes_before(shape, self.shapes[lane]);
-                found |= tied & u32::from(is_first) << lane;
-            }
-        }
+        let tied = active & self.met & !found & t.simd_eq(self.t).to_bitmask();
+        self.t = select(mask(found), t, self.t);
         if self.met == 0 {
             // Who meets nothing has no shape; any will do.
             self.shapes = [shape; 4];
         }
         for (lane, nearest) in self.shapes.iter_mut().enumerate() {
-            if found >> lane & 1 != 0 {
+            let is_first = || self.asking.shapes.comes_before(shape, *nearest);
+            if found >> lane & 1 != 0 || tied >> lane & 1 != 0 && is_first() {
                 *nearest = shape;
+                found |= 1 << lane;
             }
         }
         self.met |= found;
@@ -266,37 +280,37 @@ impl Nearest<'_> {
             shapes,
             met,
         } = self;
-        let nothing = PacketHit {
-            t,
-            normal: Vector3x4::splat(glam::DVec3::ZERO),
-            face: Vector3x4::splat(glam::DVec3::ZERO),
+        let nothing = Vector3x4::splat(glam::DVec3::ZERO);
+        let mut hits = Hits {
+            met,
+            hit: PacketHit {
+                t,
+                normal: nothing,
+                face: nothing,
+            },
+            objects: [0; 4],
         };
-        if met == 0 {
-            return Hits {
-                met,
-                hit: nothing,
-                objects: [0; 4],
-            };
-        }
-        let mut hit = asking.hit(shapes[0], t, met);
-        let mut objects = [asking.shapes.turn(shapes[0]).object; 4];
-        let mut open = 0;
-        for lane in 1..4 {
-            open |= u32::from(shapes[lane] != shapes[0]) << lane;
-        }
+        let mut open = met;
         while open != 0 {
-            let shape = shapes[open.trailing_zeros() as usize];
-            let same: [u32; 4] = array::from_fn(|lane| u32::from(shapes[lane] == shape) << lane);
-            let same = same.iter().sum();
-            hit = asking.hit(shape, t, met & same).or(mask(same), hit);
+            let shape = shapes[open.trailing_zeros() as usize % 4];
+            let is_same = |lane: usize| u32::from(shapes[lane] == shape) << lane;
+            let same = is_same(0) | is_same(1) | is_same(2) | is_same(3);
+            let hit = asking.hit(shape, t, met & same);
             let object = asking.shapes.turn(shape).object;
-            for (lane, of_lane) in objects.iter_mut().enumerate() {
+            if met & !same == 0 {
+                hits.hit = hit;
+                hits.objects = [object; 4];
+                break;
+            }
+            hits.hit = hit.or(mask(same), hits.hit);
+            for (lane, of_lane) in hits.objects.iter_mut().enumerate() {
                 if same >> lane & 1 != 0 {
                     *of_lane = object;
                 }
             }
             open &= !same;
         }
-        Hits { met, hit, objects }.facing(asking.rays)
+        hits.turn_against(asking.rays);
+        hits
     }
 }

@@ -8,6 +8,8 @@ use std::rc::Rc;
 use common::Effort;
 use common::experiment::{Axis, Curve, Experiment, Point, Slope};
 
+use crate::power::squaring;
+
 /// Exponents P with the powers `(1 - d)^P` of eight numbers `d`, computed with
 /// 600 bits and rounded: see [`distances`].
 const EXACT: [(f64, [f64; 8]); 5] = [
@@ -116,10 +118,15 @@ pub fn experiment() -> Experiment<'static> {
                 points: EXACT.map(|exact| point(power, exact)).into(),
             };
             vec![
-                curve("libm::pow", "", Some(1.0), |d, p| libm::pow(1.0 - d, p)),
+                curve(
+                    "libm::pow",
+                    "the renderer's, unless the exponent is small and whole",
+                    Some(1.0),
+                    |d, p| libm::pow(1.0 - d, p),
+                ),
                 curve(
                     "repeated squaring",
-                    "not in the renderer: for whole exponents only",
+                    "the renderer's up to the exponent 1024, if it is whole",
                     Some(1.0),
                     |d, p| squaring(1.0 - d, p as u64),
                 ),
@@ -133,16 +140,4 @@ pub fn experiment() -> Experiment<'static> {
             ]
         }),
     }
-}
-
-fn squaring(mut base: f64, mut exponent: u64) -> f64 {
-    let mut power = 1.0;
-    while exponent > 0 {
-        if exponent & 1 == 1 {
-            power *= base;
-        }
-        base *= base;
-        exponent >>= 1;
-    }
-    power
 }
