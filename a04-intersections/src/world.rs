@@ -22,7 +22,8 @@ pub struct World<S> {
 }
 
 impl<S> World<S> {
-    /// An empty world. The channels of its background are finite.
+    /// An empty world. The channels of its background are from 0
+    /// to 1e50.
     pub fn new(background: Color) -> Result<Self, ArgumentError> {
         Ok(Self {
             background: argument::color("background", background)?,

@@ -314,10 +314,25 @@ fn refusal<T: std::fmt::Debug>(result: Result<T, ArgumentError>) -> String {
     result.unwrap_err().to_string()
 }
 
+/// Light and surface of 1e50 make 1e100 of ambient light, of matt light and of
+/// a highlight. Tolerance: rounding of a few products.
+#[test]
+fn the_brightest_colors_make_a_number() {
+    let brightest = Color::gray(1e50);
+    let material = phong(brightest, brightest, 1.0);
+    let lighting = Given {
+        ambient: brightest,
+        ..light_from(&[(brightest, UP)])
+    };
+    for channel in seen_from(UP, &material, &lighting).channels() {
+        assert_abs_diff_eq!(channel / 1e100, 3.0, epsilon = ROUNDING);
+    }
+}
+
 #[test]
 fn bad_colors_are_refused_by_name() {
     let white = Color::WHITE;
-    for bad in [f64::NAN, f64::INFINITY, -1e-9] {
+    for bad in [f64::NAN, f64::INFINITY, -1e-9, 1e51] {
         let color = Color::new(bad, 1.0, 1.0);
         for (said, name) in [
             (refusal(SingleColor::new(color)), "colour is"),
@@ -328,7 +343,7 @@ fn bad_colors_are_refused_by_name() {
             (refusal(LitWorld::new(white, color)), "ambient light is"),
         ] {
             assert!(said.starts_with(name), "{said}");
-            assert!(said.contains("finite channels of at least 0"), "{said}");
+            assert!(said.contains("channels from 0 to 1e50"), "{said}");
         }
     }
 }

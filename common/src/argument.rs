@@ -15,6 +15,11 @@ pub const SMALLEST_LENGTH: f64 = 1e-100;
 /// accepts.
 pub const LARGEST_LENGTH: f64 = 1e100;
 
+/// Greatest channel of a colour that a constructor accepts. Light times what a
+/// material makes of it, squared where errors are estimated, and summed over
+/// lights and samples is a number then.
+pub const LARGEST_CHANNEL: f64 = 1e50;
+
 /// An argument outside of what its constructor accepts.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{name} is {value}, but must be {allowed}")]
@@ -75,15 +80,10 @@ pub fn coordinate(name: &'static str, value: f64) -> Result<f64, ArgumentError> 
     check(name, value, valid, "a coordinate from -1e100 to 1e100")
 }
 
-/// A colour of finite channels, none of them negative.
+/// A colour within the range that the formulas stand, no channel negative.
 pub fn color(name: &'static str, value: Color) -> Result<Color, ArgumentError> {
-    let valid = |channel: &f64| channel.is_finite() && *channel >= 0.0;
-    check_channels(
-        name,
-        value,
-        valid,
-        "a colour of finite channels of at least 0",
-    )
+    let valid = |channel: &f64| (0.0..=LARGEST_CHANNEL).contains(channel);
+    check_channels(name, value, valid, "a colour of channels from 0 to 1e50")
 }
 
 /// A share of each channel, from 0 to 1.
@@ -139,6 +139,8 @@ mod tests {
         assert!(finite("x", -7.0).is_ok());
         assert!(color("x", Color::WHITE).is_ok());
         assert!(color("x", Color::new(0.0, -0.1, 0.0)).is_err());
+        assert!(color("x", Color::gray(1e50)).is_ok());
+        assert!(color("x", Color::new(0.0, 0.0, 1.001e50)).is_err());
         assert!(share("x", Color::WHITE).is_ok() && share("x", Color::BLACK).is_ok());
         assert!(share("x", Color::new(0.0, 1.001, 0.0)).is_err());
         assert!(share("x", Color::gray(-1e-9)).is_err());
