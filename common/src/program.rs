@@ -30,7 +30,9 @@ pub fn run(stage: &Stage, viewer: Option<&dyn Viewer>) -> ExitCode {
     run_with(stage, viewer, std::env::args_os())
 }
 
-fn run_with(
+/// Like [`run`] with other arguments, the first of which is the program's name.
+#[must_use]
+pub fn run_with(
     stage: &Stage,
     viewer: Option<&dyn Viewer>,
     arguments: impl IntoIterator<Item = OsString>,

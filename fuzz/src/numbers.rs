@@ -1,0 +1,147 @@
+//! Any numbers in every constructor, and single operations on what comes of
+//! it: what a scene asks thousands of times, asked once.
+
+use std::f64::consts::PI;
+
+use a02_math::{Direction, Mat3x3, Normal3, Vector3};
+use a03_rays_cameras::{PinholeCamera, Ray, StripeRule, StripedSky};
+use a04_intersections::{Geometry, Interval};
+use arbitrary::{Result, Unstructured};
+use common::Size;
+
+use crate::number::{normal, number, point, vector};
+use crate::shapes::{accepted, camera, shape, transform};
+
+/// Makes the things that the bytes name, and asks each of them something.
+///
+/// # Panics
+///
+/// If an answer is not what its documentation says.
+pub fn check(bytes: &[u8]) {
+    // What ends the bytes early was checked as far as they went.
+    let _ = ask(&mut Unstructured::new(bytes));
+}
+
+fn ask(u: &mut Unstructured) -> Result<()> {
+    match u.int_in_range(0..=4)? {
+        0 => vectors(vector(u)?, vector(u)?, normal(u)?),
+        1 => cameras(u)?,
+        2 => transforms(u)?,
+        _ => shapes(u)?,
+    }
+    Ok(())
+}
+
+/// A length of 1, up to the rounding of three quotients and a root.
+fn assert_unit(v: Vector3) {
+    assert!((v.magnitude() - 1.0).abs() <= 4.0 * f64::EPSILON, "{v:?}");
+}
+
+fn vectors(a: Vector3, b: Vector3, n: Normal3) {
+    let has_direction = a.to_glam().is_finite() && a != Vector3::default();
+    assert_eq!(a.normalized().is_some(), has_direction, "{a:?}");
+    assert_eq!(a.unit("a").is_ok(), has_direction, "{a:?}");
+    a.normalized().into_iter().for_each(assert_unit);
+    if let Some(n) = n.normalized() {
+        assert_unit(n.into());
+        // Tolerance: the normal's length and four roundings, of twice the length.
+        if let Some(a) = a.normalized() {
+            let length = a.reflected_on(n).magnitude();
+            assert!((length - 1.0).abs() <= 16.0 * f64::EPSILON, "{a:?} {n:?}");
+        }
+    }
+    let angle = a.angle(b);
+    assert!((0.0..=PI).contains(&angle), "{angle}: {a:?} {b:?}");
+    let (ab, ba) = (a.cross(b), b.cross(a));
+    let same = |(x, y): (f64, f64)| x == y || x.is_nan() && y.is_nan();
+    let pairs = ab
+        .to_glam()
+        .to_array()
+        .into_iter()
+        .zip((-ba).to_glam().to_array());
+    assert!(pairs.into_iter().all(same), "{ab:?} {ba:?}");
+    if let Some(shadow) = a.projected_on(b) {
+        assert!(!b.dot(b).is_nan(), "{shadow:?}");
+    }
+    let columns = Mat3x3::IDENTITY
+        .change_col_1(a)
+        .change_col_2(b)
+        .change_col_3(n.into());
+    // No sense in it, but no panic either.
+    let _ = (columns.determinant(), columns * a, columns * columns);
+}
+
+fn cameras(u: &mut Unstructured) -> Result<()> {
+    let (camera, rule) = (
+        camera(u)?,
+        *u.choose(&[StripeRule::Direction, StripeRule::Wall])?,
+    );
+    let sides = [u.int_in_range(0..=40_000)?, u.int_in_range(0..=40_000)?];
+    let Ok(size) = Size::new(sides[0], sides[1]) else {
+        return Ok(());
+    };
+    let place = |side: u32, share: u16| f64::from(side) * f64::from(share) / 65_535.0 - 0.5;
+    let (x, y) = (
+        place(sides[0], u.arbitrary()?),
+        place(sides[1], u.arbitrary()?),
+    );
+    let ray = camera.ray_for(size, x, y);
+    assert_unit(ray.direction());
+    assert!(ray.origin().to_glam().is_finite(), "{ray:?}");
+
+    let (stripes, bound) = (u.arbitrary()?, number(u)?);
+    if let Some(pinhole) = accepted(PinholeCamera::new(point(u)?, number(u)?))
+        && let Some(sky) = accepted(StripedSky::new(&pinhole, size, stripes, rule))
+    {
+        let ray = pinhole.generate_ray(size, x, y);
+        assert_unit(ray.direction());
+        assert!(sky.stripe(&ray) < stripes, "{sky:?} {ray:?}");
+    }
+    if let Some(part) = accepted(ray.bounded(bound)) {
+        let t = number(u)?;
+        let is_on_it = 0.0 <= t && t <= bound;
+        assert_eq!(part.at(t).is_some(), is_on_it, "{part:?} {t}");
+    }
+    Ok(())
+}
+
+fn transforms(u: &mut Unstructured) -> Result<()> {
+    let (transform, normal) = (transform(u)?, normal(u)?);
+    for matrix in [transform.matrix(), transform.inverse()] {
+        assert!(matrix.is_within(1e150), "{transform:?}");
+    }
+    if let Some(n) = transform.normal_from_object(normal) {
+        assert_unit(n.into());
+    }
+    Ok(())
+}
+
+/// A shape and a ray, of a length that a node may give it or of any at all.
+fn shapes(u: &mut Unstructured) -> Result<()> {
+    let Some(shape) = shape(u)? else {
+        return Ok(());
+    };
+    let within = Interval {
+        min: number(u)?,
+        max: number(u)?,
+    };
+    let (origin, direction) = (point(u)?, vector(u)?);
+    let derived = Ray::derived(origin, direction);
+    let rays = [Some(derived), accepted(Ray::new(origin, direction))];
+    for ray in rays.into_iter().flatten() {
+        for within in [within, Interval::AHEAD] {
+            if let Some(hit) = shape.hit(&ray, within) {
+                assert!(within.contains(hit.t), "{hit:?}: {shape:?} {ray:?}");
+                assert_unit(hit.normal.into());
+                assert_unit(hit.face.into());
+            }
+        }
+    }
+    let bounds = shape.bounds();
+    let is_number = |x: &f64| !x.is_nan();
+    assert!(
+        bounds.min.iter().chain(&bounds.max).all(is_number),
+        "{shape:?}"
+    );
+    Ok(())
+}

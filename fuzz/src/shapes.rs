@@ -1,0 +1,105 @@
+//! Shapes, cameras and transforms out of bytes, as far as their constructors
+//! let them pass.
+
+use a02_math::{Point3, Vector3};
+use a03_rays_cameras::{Camera, OrthographicCamera, PerspectiveCamera, PinholeCamera};
+use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle};
+use a07_transforms::{Disc, Node, Transform};
+use arbitrary::{Result, Unstructured};
+use common::ArgumentError;
+
+use crate::number::{normal, number, point, vector};
+
+/// What a constructor lets pass. What it refuses it must say something about.
+pub fn accepted<T>(made: std::result::Result<T, ArgumentError>) -> Option<T> {
+    made.inspect_err(|error| assert!(error.to_string().contains(" must be ")))
+        .ok()
+}
+
+/// Nodes within nodes go so deep.
+const LEVELS: u32 = 3;
+
+/// A shape; none if its constructor refuses the numbers.
+pub fn shape(u: &mut Unstructured) -> Result<Option<Box<dyn Geometry>>> {
+    shape_below(u, LEVELS)
+}
+
+fn shape_below(u: &mut Unstructured, levels: u32) -> Result<Option<Box<dyn Geometry>>> {
+    fn boxed<G: Geometry>(
+        made: std::result::Result<G, ArgumentError>,
+    ) -> Option<Box<dyn Geometry>> {
+        accepted(made).map(|geometry| Box::new(geometry) as _)
+    }
+    Ok(match u.int_in_range(0..=7)? {
+        0 => boxed(Plane::new(point(u)?, normal(u)?)),
+        1 => boxed(AxisAlignedBox::new(point(u)?, point(u)?)),
+        2 => boxed(Disc::new(point(u)?, normal(u)?, number(u)?)),
+        3 | 4 => boxed(Sphere::new(point(u)?, number(u)?)),
+        5 => boxed(Triangle::new(point(u)?, point(u)?, point(u)?)),
+        6 => {
+            let corners = Triangle::new(point(u)?, point(u)?, point(u)?);
+            let normals = [normal(u)?, normal(u)?, normal(u)?];
+            boxed(corners.and_then(|triangle| triangle.with_normals(normals)))
+        }
+        _ if levels == 0 => None,
+        _ => {
+            let mut node = Node::new(transform(u)?);
+            for _ in 0..u.int_in_range(0..=3)? {
+                if let Some(child) = shape_below(u, levels - 1)? {
+                    node = node.with(child);
+                }
+            }
+            Some(Box::new(node))
+        }
+    })
+}
+
+/// A chain of up to four steps, without those that are refused.
+pub fn transform(u: &mut Unstructured) -> Result<Transform> {
+    let mut transform = Transform::IDENTITY;
+    for _ in 0..u.int_in_range(0..=4)? {
+        let step = match u.int_in_range(0..=4)? {
+            0 => transform.rotate_x(number(u)?),
+            1 => transform.rotate_y(number(u)?),
+            2 => transform.rotate_z(number(u)?),
+            3 => transform.translate(point(u)?),
+            _ => transform.scale(number(u)?, number(u)?, number(u)?),
+        };
+        transform = accepted(step).unwrap_or(transform);
+    }
+    Ok(transform)
+}
+
+/// A camera of one of the three kinds. In place of one that is refused a
+/// sensible one, so that what else there is does not go to waste.
+pub fn camera(u: &mut Unstructured) -> Result<Box<dyn Camera>> {
+    fn boxed<C: Camera + 'static>(
+        made: std::result::Result<C, ArgumentError>,
+    ) -> Option<Box<dyn Camera>> {
+        accepted(made).map(|camera| Box::new(camera) as _)
+    }
+    let camera = match u.int_in_range(0..=3)? {
+        0 => boxed(PinholeCamera::new(point(u)?, number(u)?)),
+        1 => boxed(OrthographicCamera::new(
+            point(u)?,
+            vector(u)?,
+            vector(u)?,
+            number(u)?,
+        )),
+        2 => boxed(PerspectiveCamera::new(
+            point(u)?,
+            vector(u)?,
+            vector(u)?,
+            number(u)?,
+        )),
+        // Towards the origin, where small numbers put shapes.
+        _ => {
+            let e = point(u)?;
+            let up = Vector3::new(0.0, 1.0, 0.0);
+            boxed(PerspectiveCamera::new(e, Point3::ORIGIN - e, up, 0.75))
+        }
+    };
+    let eye = Point3::new(1.0, 2.0, 20.0);
+    let sensible = || PinholeCamera::new(eye, 1.0).map(|camera| Box::new(camera) as _);
+    Ok(camera.unwrap_or_else(|| sensible().expect("a camera")))
+}
