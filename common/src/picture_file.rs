@@ -1,5 +1,6 @@
 //! Opening picture files, and writing PNG so that a file is whole or absent.
 
+mod caught;
 mod encoding;
 
 use std::fs::File;
@@ -10,6 +11,7 @@ use image::{DynamicImage, ImageDecoder, ImageError, ImageReader, Limits};
 use tempfile::{SpooledTempFile, spooled_tempfile_in};
 
 use crate::{Color, Error, Image, Size, whole_file};
+use caught::caught;
 
 /// Longer files are not opened: decoders may read the whole of them first. The
 /// largest picture that opens, of 16 bits a channel, has half as many bytes.
@@ -53,7 +55,10 @@ fn cannot_open(path: &Path, reason: impl Into<String>) -> Error {
 }
 
 fn read(path: &Path, file: impl BufRead + Seek) -> Result<Image, Error> {
-    let (size, rgba) = decode(file).map_err(|reason| cannot_open(path, reason))?;
+    // The decoder of JPEG files panics on some that are damaged.
+    let decoded = caught(|| decode(file));
+    let decoded = decoded.unwrap_or_else(|| Err("the file is damaged".to_owned()));
+    let (size, rgba) = decoded.map_err(|reason| cannot_open(path, reason))?;
     let mut image = Image::black(size)?;
     for (pixel, rgba) in image.pixels_mut().iter_mut().zip(rgba.chunks_exact(4)) {
         let opacity = f64::from(rgba[3]) / 255.0;
@@ -279,6 +284,31 @@ mod tests {
             "{}",
             reason(&path)
         );
+    }
+
+    /// The second of three components is said to be the finest, two by three
+    /// places to each of the others, and only the first one follows. The decoder
+    /// panics on it.
+    #[test]
+    fn a_jpeg_file_that_the_decoder_panics_on_is_refused() {
+        let mut jpeg = Vec::new();
+        let picture = image::RgbImage::new(20, 17);
+        let format = image::ImageFormat::Jpeg;
+        picture
+            .write_to(&mut Cursor::new(&mut jpeg), format)
+            .unwrap();
+        let find = |bytes: &[u8], part: &[u8]| {
+            let start = bytes.windows(part.len()).position(|window| window == part);
+            start.expect("the part")
+        };
+        let components = find(&jpeg, &[3, 1, 0x11, 0, 2, 0x11, 1, 3, 0x11, 1]);
+        jpeg[components + 5] = 0x23;
+        let scan = [0xFF, 0xDA, 0, 12, 3, 1, 0, 2, 0x11, 3, 0x11];
+        let start = find(&jpeg, &scan);
+        jpeg.splice(start..start + scan.len(), [0xFF, 0xDA, 0, 8, 1, 1, 0]);
+        let error = open_bytes(Path::new("odd.jpg"), &jpeg).unwrap_err();
+        let expected = "cannot open odd.jpg: the file is damaged";
+        assert_eq!(error.to_string(), expected);
     }
 
     /// It has no pixels, and takes no room on the disk.
