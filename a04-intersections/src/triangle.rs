@@ -157,7 +157,7 @@ impl Triangle {
             return None;
         }
         let determinant = u + v + w;
-        if determinant == 0.0 {
+        if determinant == 0.0 || is_far_beside([a, b, c]) {
             return None;
         }
 
@@ -169,6 +169,17 @@ impl Triangle {
         })
     }
     // ANCHOR_END: hit
+}
+
+/// Whether all corners in sheared space are farther to one side of the axis than
+/// half the way to the farthest. Seen from 2^53 of its lengths away a triangle's
+/// corners are one point but for rounding, and so are the signs of the test. No
+/// edge that can be told from a point is so far from a ray that meets it.
+fn is_far_beside(corners: [[f64; 3]; 3]) -> bool {
+    let all = corners.iter().flat_map(|[x, y, _]| [x, y]);
+    let half = all.fold(0.0, |far, x| x.abs().max(far)) / 2.0;
+    let beyond = |axis: usize, sign: f64| corners.iter().all(|c| sign * c[axis] > half);
+    beyond(0, 1.0) || beyond(0, -1.0) || beyond(1, 1.0) || beyond(1, -1.0)
 }
 
 impl Geometry for Triangle {

@@ -1,5 +1,7 @@
 //! Triangles: their borders, their two sides, and their normals.
 
+use std::f64::consts::{FRAC_PI_6, PI};
+
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{Geometry, Hit, Interval, Triangle};
@@ -92,6 +94,29 @@ fn corners_and_edges_belong_to_it_and_nothing_beyond() {
         (2.25, 0.75_f64.next_up()),
     ] {
         assert_eq!(hit(&triangle(), &ahead(x, y)), None, "({x}, {y})");
+    }
+}
+
+/// Seen from 2^53 away the corners of a triangle are one point but for rounding.
+/// The rays pass it at an angle of at least 30 degrees.
+#[test]
+fn a_triangle_far_beside_a_ray_is_not_met() {
+    let corners = [[0.0, 1.5, 3.0], [10.0, 0.0, 8.5], [1.0, 0.0, 0.0]];
+    let [a, b, c] = corners.map(point);
+    let triangle = Triangle::new(a, b, c).unwrap();
+    let far = 9_007_199_254_740_992.0;
+    for n in 0..100_000 {
+        let random = PixelRandom::new(3, n, 0);
+        let vector = |i| {
+            let [x, y, z] = [i, i + 1, i + 2].map(|i| random.uniform(i) - 0.5);
+            Vector3::new(x, y, z)
+        };
+        let (from, direction) = (vector(0) * far, vector(3));
+        let angle = from.angle(direction);
+        let ray = Ray::new(Point3::ORIGIN + from, direction).unwrap();
+        if (FRAC_PI_6..=PI - FRAC_PI_6).contains(&angle) {
+            assert_eq!(hit(&triangle, &ray), None, "{ray:?}");
+        }
     }
 }
 
