@@ -1,8 +1,8 @@
 //! Whole scenes of any numbers. What the constructors let pass is rendered:
 //! every pixel must be a finite number, and the same to the last bit with work
-//! left out and without.
+//! left out, four rays at a time, and without, each ray alone.
 
-use a03_rays_cameras::{Camera, render};
+use a03_rays_cameras::{Camera, render_together};
 use a05_lighting::{DirectionalLight, Lambert, Light, Phong, PointLight, SingleColor, SpotLight};
 use a06_shadows_reflection::{
     LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, foci,
@@ -84,8 +84,10 @@ impl Scene {
 
     fn render(&self) -> Image {
         let tracer = RecursiveTracer::new(&self.world, self.settings.omit);
-        let radiance = |ray: &_| tracer.trace(ray, self.settings.depth);
-        render(&*self.camera, radiance, &self.settings, &()).expect("a picture")
+        let radiance = |rays: &[_], colors: &mut [_]| {
+            tracer.trace_together(rays, self.settings.depth, colors);
+        };
+        render_together(&*self.camera, radiance, &self.settings, &()).expect("a picture")
     }
 
     /// The rays through the middles of the pixels.

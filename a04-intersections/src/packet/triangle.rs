@@ -52,6 +52,18 @@ pub struct Barycentric {
     gamma: Lanes,
 }
 
+/// See `is_far_beside`, beside the triangle.
+#[inline]
+fn are_far_beside([a, b, c]: [[Lanes; 3]; 3]) -> Lanes {
+    let least = |axis: usize| a[axis].fast_min(b[axis]).fast_min(c[axis]);
+    let most = |axis: usize| a[axis].fast_max(b[axis]).fast_max(c[axis]);
+    let (low, high) = ([least(0), least(1)], [most(0), most(1)]);
+    let largest = |axis: usize| high[axis].fast_max(-low[axis]);
+    let half = largest(0).fast_max(largest(1)) / Lanes::splat(2.0);
+    let beyond = |axis: usize| low[axis].simd_gt(half) | high[axis].simd_lt(-half);
+    beyond(0) | beyond(1)
+}
+
 impl Triangle {
     /// Where each ray meets the triangle.
     #[inline(never)]
@@ -66,7 +78,7 @@ impl Triangle {
         let right = u.simd_lt(zero) | v.simd_lt(zero) | w.simd_lt(zero);
         let left = u.simd_gt(zero) | v.simd_gt(zero) | w.simd_gt(zero);
         let determinant = u + v + w;
-        let missed = (right & left) | determinant.simd_eq(zero);
+        let missed = (right & left) | determinant.simd_eq(zero) | are_far_beside([a, b, c]);
 
         let t = (u * a[2] + v * b[2] + w * c[2]) / determinant;
         Barycentric {
