@@ -46,6 +46,7 @@ impl RecursiveTracer<'_> {
 
     /// The colours that those of four rays bring back whose bits are set in
     /// `active`.
+    // ANCHOR: trace-four
     fn trace_four(
         &self,
         search: &Search,
@@ -81,6 +82,7 @@ impl RecursiveTracer<'_> {
         }
         color
     }
+    // ANCHOR_END: trace-four
 
     /// What the surfaces make of the light, and which share they mirror.
     #[inline]

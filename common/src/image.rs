@@ -1,5 +1,8 @@
 //! `Image`: a picture in linear colours, before it becomes bytes.
 
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::slice::{ParallelSlice, ParallelSliceMut};
+
 use crate::{Color, Error, Size, Transfer};
 
 /// A picture: rows from the top, pixels from the left, in linear colours.
@@ -118,8 +121,16 @@ impl Image {
     /// become bytes.
     #[must_use]
     pub fn to_rgb8(&self, transfer: Transfer) -> Vec<u8> {
-        let bytes = |color: &Color| transfer.bytes(*color);
-        self.pixels.iter().flat_map(bytes).collect()
+        let mut rgb = vec![0; 3 * self.pixels.len()];
+        let width = self.size.width() as usize;
+        let rows = rgb.par_chunks_exact_mut(3 * width);
+        rows.zip(self.pixels.par_chunks_exact(width))
+            .for_each(|(bytes, colors)| {
+                for (bytes, color) in bytes.chunks_exact_mut(3).zip(colors) {
+                    bytes.copy_from_slice(&transfer.bytes(*color));
+                }
+            });
+        rgb
     }
 
     /// How many pixels hold NaN or infinity; a right picture holds none.

@@ -86,8 +86,11 @@ pub fn render_to(
             rows: Some(start..height.min(start + BAND as u32)),
             ..settings.clone()
         };
-        let band = pool.install(|| render_together(&camera, radiance, &settings, &()))?;
-        rgb.extend(band.to_rgb8(Transfer::Linear));
+        let band = pool.install(|| {
+            let band = render_together(&camera, radiance, &settings, &())?;
+            Ok::<_, common::Error>(band.to_rgb8(Transfer::Linear))
+        })?;
+        rgb.extend(band);
     }
     println!("trace: {} seconds", started.elapsed().as_secs_f64());
 
