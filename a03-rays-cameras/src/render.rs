@@ -32,7 +32,7 @@ pub fn render(
     render_together(camera, one_by_one, settings, progress)
 }
 
-/// So many rays are asked for together, at least.
+/// So many rays are asked for together, or about so many.
 const TOGETHER: usize = 64;
 
 /// The same, for who can follow several rays at once: `radiance` is asked for the
@@ -69,34 +69,42 @@ pub fn render_together(
     let samples = sampler.samples();
     let together = TOGETHER.div_ceil(samples as usize);
     let place = |column, row, sample| in_picture(column, row, sampler.place(sample, column, row));
+    let look = |places: &[(f64, f64)], rays: &mut Vec<Ray>, light: &mut [Color]| {
+        rays.clear();
+        camera.rays_for(size, places, rays);
+        tally::count_all(Work::PrimaryRay, rays.len() as u64);
+        radiance(rays, light);
+    };
     let paint = |row, pixels: &mut [Color], _: &mut [()]| {
         let (mut places, mut rays, mut light) = (Vec::new(), Vec::new(), Vec::new());
         // ANCHOR: mean
-        let mut columns = 0..;
+        let mut first = 0;
         for pixels in pixels.chunks_mut(together) {
-            if progress.stopped() {
-                return false;
+            let columns = first..first + pixels.len() as u32;
+            first = columns.end;
+            for start in (0..samples).step_by(TOGETHER) {
+                if progress.stopped() {
+                    return false;
+                }
+                places.clear();
+                if samples == 1 {
+                    places.extend(columns.clone().map(|column| place(column, row, 0)));
+                    look(&places, &mut rays, pixels);
+                    continue;
+                }
+                let some = start..samples.min(start + TOGETHER as u32);
+                let of_pixel = |column| some.clone().map(move |i| place(column, row, i));
+                places.extend(columns.clone().flat_map(of_pixel));
+                light.resize(places.len(), Color::BLACK);
+                look(&places, &mut rays, &mut light);
+                for (pixel, light) in pixels.iter_mut().zip(light.chunks(some.len())) {
+                    *pixel = light.iter().fold(*pixel, |sum, light| sum + *light);
+                }
             }
-            places.clear();
-            let columns = columns.by_ref().take(pixels.len());
-            if samples == 1 {
-                places.extend(columns.map(|column| place(column, row, 0)));
-            } else {
-                let of_pixel = |column| (0..samples).map(move |sample| place(column, row, sample));
-                places.extend(columns.flat_map(of_pixel));
-            }
-            rays.clear();
-            camera.rays_for(size, &places, &mut rays);
-            tally::count_all(Work::PrimaryRay, rays.len() as u64);
-            if samples == 1 {
-                radiance(&rays, pixels);
-                continue;
-            }
-            light.resize(rays.len(), Color::BLACK);
-            radiance(&rays, &mut light);
-            for (pixel, light) in pixels.iter_mut().zip(light.chunks(samples as usize)) {
-                let sum = light.iter().fold(Color::BLACK, |sum, light| sum + *light);
-                *pixel = sum.map(|channel| channel / f64::from(samples));
+            if samples > 1 {
+                for pixel in pixels {
+                    *pixel = pixel.map(|channel| channel / f64::from(samples));
+                }
             }
         }
         // ANCHOR_END: mean
