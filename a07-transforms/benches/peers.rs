@@ -103,6 +103,9 @@ struct Options {
     /// Where the samples of `--render` lie.
     #[arg(long, hide = true, default_value = "center")]
     sampling: Sampling,
+    /// The error that `--render` may have; it then takes at most the samples.
+    #[arg(long, hide = true)]
+    max_error: Option<f64>,
     /// The picture file of `--render`.
     #[arg(short, hide = true)]
     output: Option<PathBuf>,
@@ -129,6 +132,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
             size: options.size,
             samples: options.samples,
             sampling: options.sampling,
+            max_error: options.max_error,
             ..Settings::default()
         };
         ours::render_to(description, &settings, threads, path)

@@ -75,7 +75,9 @@ pub fn render_to(
     println!("build: {} seconds", started.elapsed().as_secs_f64());
 
     let started = Instant::now();
-    let tracer = RecursiveTracer::new(&world, settings.omit);
+    // Of the error allowed, the programs leave so much to mirrors.
+    let unseen = settings.max_error.map(|error| error / 8.0);
+    let tracer = RecursiveTracer::new(&world, settings.omit).cut_below(unseen);
     let radiance = |rays: &[_], colors: &mut [_]| {
         tracer.trace_together(rays, description.depth, colors);
     };
