@@ -50,6 +50,19 @@ impl<S> World<S> {
         self
     }
 
+    /// The same world, not prepared, with another geometry in the place of each
+    /// for which `other` has one.
+    #[must_use]
+    pub fn replacing(mut self, other: impl Fn(&dyn Geometry) -> Option<Arc<dyn Geometry>>) -> Self {
+        for (geometry, _) in &mut self.objects {
+            if let Some(other) = other(&**geometry) {
+                *geometry = other;
+            }
+        }
+        self.search = None;
+        self
+    }
+
     /// The search of a prepared world, for rays that ask together.
     #[must_use]
     pub const fn search(&self) -> Option<&Search> {

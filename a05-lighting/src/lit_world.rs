@@ -1,6 +1,7 @@
 //! `LitWorld`: a world and the lights in it.
 
 use std::ops::Deref;
+use std::sync::Arc;
 
 use a03_rays_cameras::{Focus, Ray};
 use a04_intersections::{Geometry, Hit, Interval, World};
@@ -46,6 +47,13 @@ impl<S, L> LitWorld<S, L> {
     #[must_use]
     pub fn lit_by(mut self, light: L) -> Self {
         self.lights.push(light);
+        self
+    }
+
+    /// The same world, with other geometries [in place](World::replacing) of some.
+    #[must_use]
+    pub fn replacing(mut self, other: impl Fn(&dyn Geometry) -> Option<Arc<dyn Geometry>>) -> Self {
+        self.world = self.world.replacing(other);
         self
     }
 

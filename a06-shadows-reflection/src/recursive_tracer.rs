@@ -5,7 +5,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, Interval};
 use a05_lighting::{Illumination, Light, Lighting, LitWorld};
 use common::tally::{self, Work};
-use common::{Color, Plan};
+use common::{Bound, Color, Plan};
 
 use crate::cut::Cut;
 use crate::shadow::has_occluder;
@@ -132,7 +132,7 @@ impl RecursiveTracer<'_> {
             Some(cut) if mirrors > 0 => plan.nearly_without(
                 "mirrored rays that nobody would see",
                 "what they can bring back is bounded",
-                cut.bound(),
+                Bound::Channel(cut.bound()),
             ),
             _ => plan,
         }

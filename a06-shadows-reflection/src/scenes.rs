@@ -14,8 +14,11 @@ pub fn stage() -> Stage {
         name: "a06-shadows-reflection",
         about: "Shadows and mirrors",
         scenes: vec![
-            traced_scene("sphere", "three mirroring spheres on a mirror", EYE, sphere).reflecting(),
-            traced_scene("aab", "a box and its shadow", EYE, aab),
+            traced_scene("sphere", "three mirroring spheres on a mirror", EYE, |_| {
+                sphere()
+            })
+            .reflecting(),
+            traced_scene("aab", "a box and its shadow", EYE, |_| aab()),
         ],
         experiments: experiments::experiments,
         extremes: extremes::cases,

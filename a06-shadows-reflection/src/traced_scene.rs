@@ -9,12 +9,12 @@ use common::{ArgumentError, Scene, Settings};
 use crate::{RecursiveTracer, ShadowedWorld, foci};
 
 /// A scene whose camera looks from (`eye`, `eye`, `eye`) at the origin, as all
-/// of this stage and the next do.
+/// of this stage and the next do. `world` may heed the settings.
 pub fn traced_scene(
     name: &'static str,
     about: &'static str,
     eye: f64,
-    world: fn() -> Result<ShadowedWorld, ArgumentError>,
+    world: impl Fn(&Settings) -> Result<ShadowedWorld, ArgumentError> + Copy + Send + Sync + 'static,
 ) -> Scene {
     let camera = move || {
         let e = Point3::new(eye, eye, eye);
@@ -22,7 +22,7 @@ pub fn traced_scene(
         PerspectiveCamera::new(e, g, t, FRAC_PI_4)
     };
     Scene::traced(name, about, move |settings, progress| {
-        let (camera, world) = (camera()?, world()?);
+        let (camera, world) = (camera()?, world(settings)?);
         let foci = foci(&camera, &world);
         let world = world.omitting(settings.omit, foci);
         let tracer = tracer(&world, settings.omit, settings);
@@ -32,7 +32,7 @@ pub fn traced_scene(
         render_together(&camera, radiance, settings, progress)
     })
     .planned(move |settings| {
-        let (camera, world) = (camera()?, world()?);
+        let (camera, world) = (camera()?, world(settings)?);
         let foci = foci(&camera, &world);
         let world = world.prepared(foci);
         Ok(tracer(&world, true, settings).plan(Sampler::plan(settings)))

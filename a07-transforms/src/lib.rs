@@ -6,9 +6,11 @@
 mod disc;
 mod experiments;
 mod extremes;
+mod flat;
 mod mat4x4;
 mod moved_bounds;
 mod node;
+pub mod nodes;
 #[doc(hidden)]
 pub mod protocol;
 mod scenes;
@@ -16,6 +18,7 @@ mod straight;
 mod transform;
 
 pub use disc::Disc;
+pub use flat::Flat;
 pub use mat4x4::Mat4x4;
 pub use node::Node;
 pub use scenes::stage;

@@ -1,5 +1,6 @@
 //! `Node`: geometries under one transform, themselves a geometry.
 
+use std::any::Any;
 use std::sync::Arc;
 
 use a02_math::Normal3;
@@ -47,6 +48,33 @@ impl Node {
 }
 
 impl Node {
+    /// The node that a geometry is, if it is one.
+    pub(crate) fn of(geometry: &dyn Geometry) -> Option<&Self> {
+        let any: &dyn Any = geometry;
+        any.downcast_ref()
+    }
+
+    pub(crate) fn children(&self) -> impl Iterator<Item = &Arc<dyn Geometry>> {
+        self.children.iter()
+    }
+
+    pub(crate) const fn transform(&self) -> &Transform {
+        &self.transform
+    }
+
+    /// Whether it moves rays without a matrix.
+    pub(crate) const fn is_straight(&self) -> bool {
+        self.straight.is_some()
+    }
+
+    /// These children under one transform.
+    pub(crate) fn over(transform: Transform, children: Vec<Arc<dyn Geometry>>) -> Self {
+        Self {
+            children,
+            ..Self::new(transform)
+        }
+    }
+
     /// The hit as the space around the node sees it.
     fn as_seen_around(&self, hit: Hit) -> Option<Hit> {
         Some(Hit {
@@ -98,10 +126,7 @@ impl Geometry for Node {
     /// ray to the same bits as this node does, so that its hits are the same.
     fn parts(&self) -> Option<Vec<Arc<dyn Geometry>>> {
         let part = |child: Arc<dyn Geometry>| -> Arc<dyn Geometry> {
-            Arc::new(Self {
-                children: vec![child],
-                ..Self::new(self.transform)
-            })
+            Arc::new(Self::over(self.transform, vec![child]))
         };
         let parts = |child: &Arc<dyn Geometry>| {
             let own = || vec![Arc::clone(child)];

@@ -4,9 +4,9 @@ use a02_math::{Normal3, Point3};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere};
 use a05_lighting::{Lambert, Phong, PointLight};
 use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, traced_scene};
-use common::{ArgumentError, Color, Stage};
+use common::{ArgumentError, Color, Scene, Settings, Stage};
 
-use crate::{Disc, Node, Transform, experiments, extremes};
+use crate::{Disc, Node, Transform, experiments, extremes, nodes};
 
 /// The stage for its program.
 #[must_use]
@@ -15,23 +15,43 @@ pub fn stage() -> Stage {
         name: "a07-transforms",
         about: "Transformed geometry, the scene graph and the disc",
         scenes: vec![
-            traced_scene(
+            scene(
                 "sphere-transformation",
                 "a sphere, stretched to an ellipsoid",
                 20.0,
                 sphere_transformation,
             ),
-            traced_scene(
+            scene(
                 "box-transformations",
                 "a box, stretched and turned three times",
                 10.0,
                 box_transformations,
             ),
-            traced_scene("disc", "a disc on a mirroring plane", 8.0, disc).reflecting(),
+            scene("disc", "a disc on a mirroring plane", 8.0, disc).reflecting(),
         ],
         experiments: experiments::experiments,
         extremes: extremes::cases,
     }
+}
+
+/// A scene seen from (`eye`, `eye`, `eye`). Its nodes are told in its plan, and
+/// nested ones flattened if its picture may have an error.
+fn scene(
+    name: &'static str,
+    about: &'static str,
+    eye: f64,
+    world: fn() -> Result<ShadowedWorld, ArgumentError>,
+) -> Scene {
+    let eye_at = Point3::new(eye, eye, eye);
+    let flattened = move |settings: &Settings| {
+        let world = world()?;
+        Ok(match settings.max_error.filter(|_| settings.omit) {
+            Some(error) => nodes::flattened(world, eye_at, error),
+            None => world,
+        })
+    };
+    traced_scene(name, about, eye, flattened)
+        .also_planned(move |settings, plan| Ok(nodes::plan(plan, &flattened(settings)?, eye_at)))
 }
 
 const UPWARDS: Normal3 = Normal3::new(0.0, 1.0, 0.0);

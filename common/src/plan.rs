@@ -32,6 +32,10 @@ pub enum Bound {
     SameBits,
     /// No channel of a pixel is farther off than this, 1 being white.
     Channel(f64),
+    /// Every ray meets what it would if shapes were moved by less than this, 1
+    /// being the largest distance from the origin of eye and objects: only edges
+    /// and borders of shadows that pass so near to a sample change it.
+    Shift(f64),
 }
 
 impl Plan {
@@ -45,13 +49,8 @@ impl Plan {
     /// This plan and work that is left out because of `why`, the picture being
     /// the same.
     #[must_use]
-    pub fn without(mut self, what: impl Into<String>, why: impl Into<String>) -> Self {
-        self.omissions.push(Omission {
-            what: what.into(),
-            why: why.into(),
-            bound: Bound::SameBits,
-        });
-        self
+    pub fn without(self, what: impl Into<String>, why: impl Into<String>) -> Self {
+        self.nearly_without(what, why, Bound::SameBits)
     }
 
     /// The same, the picture being as near as `bound` says.
@@ -60,12 +59,10 @@ impl Plan {
         mut self,
         what: impl Into<String>,
         why: impl Into<String>,
-        bound: f64,
+        bound: Bound,
     ) -> Self {
-        self = self.without(what, why);
-        if let Some(last) = self.omissions.last_mut() {
-            last.bound = Bound::Channel(bound);
-        }
+        let (what, why) = (what.into(), why.into());
+        self.omissions.push(Omission { what, why, bound });
         self
     }
 }
@@ -75,6 +72,7 @@ impl fmt::Display for Bound {
         match self {
             Self::SameBits => write!(f, "same bits"),
             Self::Channel(bound) => write!(f, "off by less than {bound:.2e}"),
+            Self::Shift(bound) => write!(f, "shapes move by less than {bound:.2e} of the scene"),
         }
     }
 }
@@ -104,11 +102,13 @@ mod tests {
         let plan = Plan::default()
             .needing("lights: 2")
             .without("a ray", "it goes nowhere")
-            .nearly_without("a mirror", "it is dark", 0.002);
+            .nearly_without("a mirror", "it is dark", Bound::Channel(0.002))
+            .nearly_without("a turn", "it is small", Bound::Shift(3e-15));
         let lines = [
             "  needs     lights: 2",
             "  left out  a ray: it goes nowhere (same bits)",
             "  left out  a mirror: it is dark (off by less than 2.00e-3)",
+            "  left out  a turn: it is small (shapes move by less than 3.00e-15 of the scene)",
         ];
         assert_eq!(plan.to_string(), lines.join("\n"));
         let nothing = Plan::default().to_string();

@@ -163,6 +163,17 @@ impl Scene {
         self
     }
 
+    /// The same scene, `more` adding to what its plan tells.
+    #[must_use]
+    pub fn also_planned(
+        mut self,
+        more: impl Fn(&Settings, Plan) -> Result<Plan, Error> + Send + Sync + 'static,
+    ) -> Self {
+        let plan = self.plan;
+        self.plan = Box::new(move |settings| more(settings, plan(settings)?));
+        self
+    }
+
     /// What the picture needs, and what is left out of its making.
     pub fn plan(&self, settings: &Settings) -> Result<Plan, Error> {
         (self.plan)(settings)
