@@ -17,7 +17,7 @@ use rayon::slice::ParallelSliceMut;
 
 use estimate::estimate;
 
-use crate::render::for_each_row;
+use crate::render::{TOGETHER, for_each_row};
 use crate::{NestedSamples, PixelRandom};
 
 /// What the samples of a pixel have shown, besides their mean.
@@ -38,14 +38,17 @@ struct Pixel {
 /// The least number of samples of a pixel for which one is too few.
 const FEW: u32 = 4;
 
+/// A place in the pixel in some column.
+pub type Place = (u32, (f64, f64));
+
 /// Renders the rows that are wanted into a black picture of them; `light` comes
-/// from a place of the pixel in some column and row. Each part of a picture comes
-/// to the bound alone, and so the whole does.
+/// from some places in a row. Each part of a picture comes to the bound alone, and
+/// so the whole does.
 pub fn render(
     image: &mut Image,
     max_error: f64,
     settings: &Settings,
-    light: impl Fn(u32, u32, (f64, f64)) -> Color + Sync,
+    light: impl Fn(u32, &[Place], &mut Vec<Color>) + Sync,
     progress: &dyn Progress,
 ) -> Result<(), Error> {
     let (size, first_row) = (image.size(), settings.rows().start);
@@ -55,26 +58,48 @@ pub fn render(
     memory.map_err(|_| Error::Memory { size })?;
     pixels.resize(size.pixels(), Pixel::default());
 
-    let paint_row = |row, colors: &mut [Color], pixels: &mut [Pixel]| {
+    let paint_middles = |row, colors: &mut [Color], pixels: &mut [Pixel]| {
+        let middles: Vec<_> = (0..)
+            .map(|column| (column, (0.5, 0.5)))
+            .take(width)
+            .collect();
+        let mut seen = Vec::new();
+        for ((colors, pixels), middles) in colors
+            .chunks_mut(TOGETHER)
+            .zip(pixels.chunks_mut(TOGETHER))
+            .zip(middles.chunks(TOGETHER))
+        {
+            if progress.stopped() {
+                return false;
+            }
+            light(row, middles, &mut seen);
+            colors.copy_from_slice(&seen);
+            for pixel in pixels {
+                pixel.samples = 1;
+            }
+        }
+        true
+    };
+    let paint_more = |row, colors: &mut [Color], pixels: &mut [Pixel]| {
+        let (mut places, mut seen) = (Vec::new(), Vec::new());
         let mut changes = false;
         for (column, (color, pixel)) in (0..).zip(colors.iter_mut().zip(pixels)) {
             if progress.stopped() {
                 return false;
             }
-            if pixel.samples == 0 {
-                *color = light(column, row, (0.5, 0.5));
-                pixel.samples = 1;
-                changes = true;
-            } else if pixel.wanted > pixel.samples {
+            if pixel.wanted > pixel.samples {
                 let random = PixelRandom::new(settings.seed, column, row);
-                add_samples(color, pixel, random, |place| light(column, row, place));
+                places.clear();
+                places.extend(new_places(pixel, random).map(|place| (column, place)));
+                light(row, &places, &mut seen);
+                add_samples(color, pixel, &seen);
                 changes = true;
             }
         }
         changes
     };
 
-    for_each_row(image, first_row, &mut pixels, progress, paint_row)?;
+    for_each_row(image, first_row, &mut pixels, progress, paint_middles)?;
     // Summed over pixels and channels.
     let allowed = max_error * max_error * 3.0 * size.pixels() as f64;
     let error = loop {
@@ -87,7 +112,7 @@ pub fn render(
             break error;
         }
         progress.more_rows(rows);
-        for_each_row(image, first_row, &mut pixels, progress, paint_row)?;
+        for_each_row(image, first_row, &mut pixels, progress, paint_more)?;
     };
 
     // The sample in the middle was taken of every pixel.
@@ -101,15 +126,9 @@ pub fn render(
     Ok(())
 }
 
-/// Takes the samples of a pixel that are wanted and not there yet. All sums
-/// are of differences from the mean so far, so that equal samples have a
-/// variance of exactly 0.
-fn add_samples(
-    color: &mut Color,
-    pixel: &mut Pixel,
-    random: PixelRandom,
-    light: impl Fn((f64, f64)) -> Color,
-) {
+/// Where the samples of a pixel lie that are wanted and not there yet: one of the
+/// first half and one of the second in turn.
+fn new_places(pixel: &Pixel, random: PixelRandom) -> impl Iterator<Item = (f64, f64)> {
     let sets = [0, 1].map(|set| NestedSamples::new(&random, set));
     // The one in the middle has no half to be in.
     let known = if pixel.samples < FEW {
@@ -117,9 +136,17 @@ fn add_samples(
     } else {
         pixel.samples
     };
+    let indices = known / 2..pixel.wanted / 2;
+    indices.flat_map(move |index| [sets[0].place(index), sets[1].place(index)])
+}
+
+/// Adds what was seen at these places to a pixel. All sums are of differences
+/// from the mean so far, so that equal samples have a variance of exactly 0.
+fn add_samples(color: &mut Color, pixel: &mut Pixel, seen: &[Color]) {
     let mut sum = Color::BLACK;
-    for index in known / 2..pixel.wanted / 2 {
-        let [a, b] = sets.map(|set| light(set.place(index)) - *color);
+    let (pairs, _) = seen.as_chunks();
+    for [a, b] in pairs {
+        let (a, b) = (*a - *color, *b - *color);
         sum += a + b;
         pixel.squares += a * a + b * b;
         pixel.halves += a - b;

@@ -33,7 +33,7 @@ pub fn render(
 }
 
 /// So many rays are asked for together, or about so many.
-const TOGETHER: usize = 64;
+pub(crate) const TOGETHER: usize = 64;
 
 /// The same, for who can follow several rays at once: `radiance` is asked for the
 /// light along each of some rays, neighbours mostly.
@@ -54,13 +54,20 @@ pub fn render_together(
         (x, y)
     };
     // ANCHOR_END: place
+    let look = |places: &[(f64, f64)], rays: &mut Vec<Ray>, light: &mut [Color]| {
+        rays.clear();
+        camera.rays_for(size, places, rays);
+        tally::count_all(Work::PrimaryRay, rays.len() as u64);
+        radiance(rays, light);
+    };
     if let Some(max_error) = settings.max_error {
-        let light = |column, row, place| {
-            tally::count(Work::PrimaryRay);
-            let (x, y) = in_picture(column, row, place);
-            let mut light = [Color::BLACK];
-            radiance(&[camera.ray_for(size, x, y)], &mut light);
-            light[0]
+        let light = |row, places: &[adaptive::Place], light: &mut Vec<Color>| {
+            let places = places.iter();
+            let places: Vec<_> = places
+                .map(|(column, place)| in_picture(*column, row, *place))
+                .collect();
+            light.resize(places.len(), Color::BLACK);
+            look(&places, &mut Vec::new(), light);
         };
         adaptive::render(&mut image, max_error, settings, light, progress)?;
         return Ok(image);
@@ -69,12 +76,6 @@ pub fn render_together(
     let samples = sampler.samples();
     let together = TOGETHER.div_ceil(samples as usize);
     let place = |column, row, sample| in_picture(column, row, sampler.place(sample, column, row));
-    let look = |places: &[(f64, f64)], rays: &mut Vec<Ray>, light: &mut [Color]| {
-        rays.clear();
-        camera.rays_for(size, places, rays);
-        tally::count_all(Work::PrimaryRay, rays.len() as u64);
-        radiance(rays, light);
-    };
     let paint = |row, pixels: &mut [Color], _: &mut [()]| {
         let (mut places, mut rays, mut light) = (Vec::new(), Vec::new(), Vec::new());
         // ANCHOR: mean

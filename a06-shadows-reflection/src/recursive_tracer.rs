@@ -49,9 +49,8 @@ impl<'a> RecursiveTracer<'a> {
         self.world
     }
 
-    /// Whether nothing is asked of the tracer that only single rays can tell.
-    pub(crate) const fn can_trace_together(&self) -> bool {
-        self.omit && self.cut.is_none()
+    pub(crate) const fn cut(&self) -> Option<Cut> {
+        self.cut
     }
 
     /// The colour that a ray brings back which may meet `depth` surfaces; what

@@ -7,7 +7,7 @@ use a02_math::vector3x4::mask;
 use a02_math::{Lanes, Normal3, Vector3x4};
 use a03_rays_cameras::{Ray, RayPacket};
 use a04_intersections::{Hit, Hits, Search};
-use a05_lighting::{ColorPacket, Light, Material, PhongPacket};
+use a05_lighting::{ColorPacket, Light, Lighting, Material, PhongPacket};
 use common::Color;
 use common::tally::{self, Work};
 
@@ -23,7 +23,7 @@ impl RecursiveTracer<'_> {
     /// and work may be left out, the fastest if they are neighbours.
     pub fn trace_together(&self, rays: &[Ray], depth: u32, colors: &mut [Color]) {
         let search = self.world().objects().search();
-        let Some(search) = search.filter(|_| self.can_trace_together()) else {
+        let Some(search) = search.filter(|_| self.omits()) else {
             for (ray, color) in rays.iter().zip(colors) {
                 *color = self.trace(ray, depth);
             }
@@ -35,7 +35,9 @@ impl RecursiveTracer<'_> {
             let packet = RayPacket::new(four.each_ref());
             *colors = self.trace_four(search, packet, 0b1111, depth).to_lanes();
         }
-        if let [first, ..] = rest {
+        if let [alone] = rest {
+            colors_of_rest[0] = self.trace(alone, depth);
+        } else if let [first, ..] = rest {
             let ray = |lane: usize| rest.get(lane).unwrap_or(first);
             let packet = RayPacket::new([ray(0), ray(1), ray(2), ray(3)]);
             let active = (1 << rest.len()) - 1;
@@ -73,7 +75,7 @@ impl RecursiveTracer<'_> {
             let (seen, reflection) = self.look(search, &rays, &hits);
             color = color + (mirrored * seen).masked(mask(active));
             mirrored = mirrored * reflection;
-            active &= !mirrored.are_black();
+            active &= !self.ends(mirrored, active);
             if active == 0 {
                 break;
             }
@@ -83,6 +85,19 @@ impl RecursiveTracer<'_> {
         color
     }
     // ANCHOR_END: trace-four
+
+    /// A bit for each ray of those in `active` whose light is not followed further.
+    #[inline]
+    fn ends(&self, mirrored: ColorPacket, active: u32) -> u32 {
+        let mut ends = mirrored.are_black();
+        if let Some(cut) = self.cut() {
+            let mirrored = mirrored.to_lanes();
+            for lane in (0..4).filter(|lane| active >> lane & 1 != 0) {
+                ends |= u32::from(cut.is_due(mirrored[lane])) << lane;
+            }
+        }
+        ends
+    }
 
     /// What the surfaces make of the light, and which share they mirror.
     #[inline]
