@@ -78,7 +78,8 @@ impl Vector3x4 {
         (unit, is_square_of_a_length(squared))
     }
 
-    /// The greatest magnitude among the coordinates of each.
+    /// The greatest magnitude among the coordinates of each; anything in lanes where
+    /// one of them is NaN.
     #[inline]
     #[must_use]
     pub fn largest_coordinate(self) -> Lanes {
