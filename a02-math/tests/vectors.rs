@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use a02_math::{Direction, Mat3x3, Normal3, Point3, Vector3};
-use approx::assert_abs_diff_eq;
+use approx::{assert_abs_diff_eq, assert_abs_diff_ne};
 
 /// Directions in every octant, along the axes, and of very unequal coordinates.
 fn directions() -> Vec<Vector3> {
@@ -48,12 +48,26 @@ fn what_has_no_direction_cannot_be_normalized() {
         let vector = Vector3::new(0.0, x, 0.0);
         assert_eq!(vector.normalized(), None);
         assert_eq!(vector.as_normal().normalized(), None);
-        let error = vector.unit("gaze").unwrap_err().to_string();
-        assert!(
-            error.starts_with("gaze is") && error.contains("not all of them 0"),
-            "{error}"
-        );
+        for error in [
+            vector.unit("gaze").unwrap_err().to_string(),
+            vector.as_normal().unit("gaze").unwrap_err().to_string(),
+        ] {
+            assert!(
+                error.starts_with("gaze is") && error.contains("not all of them 0"),
+                "{error}"
+            );
+        }
     }
+}
+
+#[test]
+fn a_direction_of_length_1_keeps_its_direction() {
+    let unit = Vector3::new(0.0, 0.6, -0.8);
+    assert_eq!((unit * 4.0).unit("gaze").unwrap(), unit);
+    assert_eq!(
+        (unit * 4.0).as_normal().unit("n").unwrap(),
+        unit.as_normal()
+    );
 }
 
 /// Tolerance: relative to the lengths of the factors.
@@ -149,4 +163,13 @@ fn a_matrix_maps_the_axes_to_its_columns() {
     assert_eq!(m * Point3::new(0.0, 0.0, 1.0), Point3::new(3.0, 6.0, 10.0));
     assert_eq!(m.determinant(), -3.0);
     assert_abs_diff_eq!(m * Mat3x3::IDENTITY, m);
+}
+
+#[test]
+fn matrices_are_equal_up_to_the_tolerance_and_no_farther() {
+    let ulp = f64::EPSILON;
+    let with = |corner| Mat3x3::from_rows([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, corner]]);
+    assert_abs_diff_eq!(with(1.0 + ulp), Mat3x3::IDENTITY);
+    assert_abs_diff_ne!(with(1.0 + 2.0 * ulp), Mat3x3::IDENTITY);
+    assert_abs_diff_eq!(with(1.0 + 2.0 * ulp), Mat3x3::IDENTITY, epsilon = 2.0 * ulp);
 }
