@@ -2,7 +2,7 @@
 
 use a02_math::{Point3, Vector3};
 use a07_transforms::Mat4x4;
-use approx::assert_abs_diff_eq;
+use approx::{assert_abs_diff_eq, assert_abs_diff_ne};
 use glam::DMat4;
 
 /// Whole numbers: every product below is exact.
@@ -100,5 +100,13 @@ fn matrices_can_be_compared_within_a_tolerance() {
     let (a, mut rows) = (Mat4x4::from_rows(A), A);
     rows[2][1] += 1e-9;
     assert_abs_diff_eq!(a, Mat4x4::from_rows(rows), epsilon = 1.1e-9);
-    approx::assert_abs_diff_ne!(a, Mat4x4::from_rows(rows), epsilon = 0.9e-9);
+    assert_abs_diff_ne!(a, Mat4x4::from_rows(rows), epsilon = 0.9e-9);
+    // Without a word one unit of rounding is allowed.
+    let with = |corner| {
+        let mut rows = B;
+        rows[3][3] = corner;
+        Mat4x4::from_rows(rows)
+    };
+    assert_abs_diff_eq!(with(1.0 + f64::EPSILON), with(1.0));
+    assert_abs_diff_ne!(with(1.0 + 2.0 * f64::EPSILON), with(1.0));
 }
