@@ -226,3 +226,140 @@ fn level(pixels: &[Pixel], allowed: f64) -> f64 {
     }
     level
 }
+
+#[cfg(test)]
+mod tests {
+    use std::cell::{Cell, RefCell};
+
+    use super::*;
+
+    fn pixel(samples: u32, error: f64) -> Pixel {
+        Pixel {
+            samples,
+            error,
+            ..Pixel::default()
+        }
+    }
+
+    /// Of these values all sums are exact. The first of each pair belongs to the
+    /// one half, the second to the other.
+    #[test]
+    fn samples_are_added_to_mean_squares_and_halves() {
+        let values = [
+            1.0, 0.0, 0.5, 0.25, 0.0, 1.0, 1.0, 0.75, 0.5, 0.0, 0.25, 0.25, 1.0, 0.5, 1.0, 0.5,
+        ];
+        let random = PixelRandom::new(1, 2, 3);
+        let (taken, places) = (Cell::new(0), RefCell::new(Vec::new()));
+        let light = |place| {
+            places.borrow_mut().push(place);
+            Color::gray(values[taken.replace(taken.get() + 1)])
+        };
+        // The sample in the middle, which 0.25 comes from, does not stay.
+        let (mut color, mut pixel) = (Color::gray(0.25), pixel(1, 0.0));
+        for (wanted, halves) in [(4, 1.5 - 0.25), (8, 2.5 - 2.0), (16, 5.25 - 3.25)] {
+            pixel.wanted = wanted;
+            add_samples(&mut color, &mut pixel, random, light);
+            let values = &values[..wanted as usize];
+            let mean = values.iter().sum::<f64>() / f64::from(wanted);
+            let squares = values.iter().map(|x| (x - mean) * (x - mean)).sum();
+            assert_eq!(color, Color::gray(mean));
+            assert_eq!(pixel.squares, Color::gray(squares));
+            assert_eq!(pixel.halves, Color::gray(halves));
+            assert_eq!(pixel.samples, wanted);
+        }
+        let sets = [0, 1].map(|set| NestedSamples::new(&random, set));
+        let expected: Vec<_> = (0..8).flat_map(|i| sets.map(|set| set.place(i))).collect();
+        assert_eq!(*places.borrow(), expected);
+    }
+
+    /// An eighth of the error by 4 samples instead of 1; then by 2^(-3/2) with
+    /// each doubling, which is an eighth for four times as many.
+    #[test]
+    fn four_times_as_many_samples_leave_an_eighth_of_the_error() {
+        assert_eq!(grown(1.0, 2.0), (4.0, 0.25));
+        let (twice, error) = grown(4.0, 2.0);
+        assert_eq!(twice, 8.0);
+        let (four_times, error) = grown(twice, error);
+        assert_eq!(four_times, 16.0);
+        assert!((error - 0.25).abs() < 4.0 * f64::EPSILON);
+    }
+
+    /// The pixels of errors from 0 to 2, some of one sample, some of more.
+    fn pixels() -> Vec<Pixel> {
+        let samples = [1, 1, 4, 16, 1, 8, 4, 32];
+        (0..200_u32)
+            .map(|i| {
+                let error = 2.0 * f64::from(i * i) / 40_000.0;
+                pixel(samples[i as usize % samples.len()], error)
+            })
+            .collect()
+    }
+
+    /// What is left if each pixel comes down to this error for a sample.
+    fn left(pixels: &[Pixel], level: f64) -> f64 {
+        let come_down = |pixel: &Pixel| {
+            let (mut samples, mut error) = (f64::from(pixel.samples), pixel.error);
+            while error > level * samples {
+                (samples, error) = grown(samples, error);
+            }
+            error
+        };
+        pixels.iter().map(come_down).sum()
+    }
+
+    /// The level is low enough, and four fifths of a level that is not. A
+    /// hundredth of what is allowed may be in pixels that nobody looks at.
+    #[test]
+    fn the_level_brings_errors_down_to_what_is_allowed_and_little_farther() {
+        let pixels = pixels();
+        let all = left(&pixels, f64::INFINITY);
+        for share in [0.9, 0.5, 0.1, 1e-3, 1e-6] {
+            let level = level(&pixels, share * all);
+            let allowed = share * all * (1.0 + 1e-12);
+            assert!(left(&pixels, level) <= allowed, "{share}");
+            assert!(left(&pixels, level / 0.8) > 0.99 * allowed, "{share}");
+        }
+    }
+
+    #[test]
+    fn where_enough_is_known_the_level_is_the_largest_error_of_a_sample() {
+        let pixels = [pixel(1, 0.5), pixel(4, 4.0), pixel(16, 8.0)];
+        assert_eq!(level(&pixels, 12.5), 1.0);
+        assert_eq!(level(&[pixel(4, 0.0)], 0.0), 0.0);
+    }
+
+    /// 99 pixels that nobody looks at are together just too much.
+    #[test]
+    fn what_is_too_small_to_be_looked_at_counts() {
+        let mut pixels = vec![pixel(1, 0.009 / 99.0); 100];
+        pixels[50].error = 0.995;
+        assert_eq!(level(&pixels, 1.0), 0.995 * 0.8);
+        pixels[50].error = 0.99;
+        assert_eq!(level(&pixels, 1.0), 0.99);
+    }
+
+    /// Two rows of two: only where a pixel is above the level does its row
+    /// change. From 1 sample on 4 times, then 2 times as many are the most.
+    #[test]
+    fn a_plan_doubles_the_samples_where_the_error_is_large() {
+        let samples = |errors: [f64; 4], now: u32, allowed: f64, most: u32| {
+            let mut pixels = errors.map(|error| pixel(now, error));
+            let rows = plan(&mut pixels, 2, allowed, most);
+            (rows, pixels.map(|pixel| pixel.wanted))
+        };
+        let errors = [1.0, 0.0, 0.0, 0.0];
+        assert_eq!(samples(errors, 4, 1.0, 99), (0, [4; 4]));
+        assert_eq!(samples(errors, 4, 0.5, 99), (1, [8, 4, 4, 4]));
+        assert_eq!(samples(errors, 4, 0.2, 99), (1, [16, 4, 4, 4]));
+        assert_eq!(
+            samples(errors, 4, 1e-9, 99),
+            (1, [16, 4, 4, 4]),
+            "no farther"
+        );
+        assert_eq!(samples(errors, 32, 1e-9, 99), (1, [64, 32, 32, 32]));
+        assert_eq!(samples(errors, 32, 1e-9, 63), (0, [32; 4]));
+        assert_eq!(samples(errors, 1, 0.5, 99), (1, [4, 1, 1, 1]));
+        assert_eq!(samples(errors, 1, 0.5, 3), (0, [1; 4]));
+        assert_eq!(samples([1.0, 0.0, 0.0, 1.0], 4, 1.0, 99), (2, [8, 4, 4, 8]));
+    }
+}

@@ -4,7 +4,9 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use a02_math::{Direction, Point3, Vector3};
-use a03_rays_cameras::{Basis, Camera, OrthographicCamera, PerspectiveCamera, PinholeCamera};
+use a03_rays_cameras::{
+    Basis, Camera, Focus, OrthographicCamera, PerspectiveCamera, PinholeCamera, Ray,
+};
 use approx::assert_abs_diff_eq;
 use common::Size;
 
@@ -186,5 +188,44 @@ fn what_is_no_place_or_direction_is_refused_by_name() {
     for s in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let said = refusal(OrthographicCamera::new(Point3::ORIGIN, AHEAD, UP, s));
         assert!(said.starts_with("scale s is"), "{said}");
+    }
+}
+
+struct Blind;
+
+impl Camera for Blind {
+    fn ray_for(&self, _: Size, _: f64, _: f64) -> Ray {
+        Ray::derived(Point3::ORIGIN, AHEAD)
+    }
+}
+
+/// All rays of a camera with perspective come from its eye, those without have
+/// one direction. In a box a camera tells the same.
+#[test]
+fn cameras_tell_what_their_rays_have_in_common() {
+    let (e, g) = (Point3::new(1.0, 2.0, 3.0), Vector3::new(0.0, 0.0, -5.0));
+    let cameras: [(Box<dyn Camera>, Option<Focus>); 4] = [
+        (
+            Box::new(PinholeCamera::new(e, 1.0).unwrap()),
+            Some(Focus::Point(e)),
+        ),
+        (
+            Box::new(PerspectiveCamera::new(e, g, UP, 1.0).unwrap()),
+            Some(Focus::Point(e)),
+        ),
+        (
+            Box::new(OrthographicCamera::new(e, g, UP, 1.0).unwrap()),
+            Some(Focus::Direction(AHEAD)),
+        ),
+        (Box::new(Blind), None),
+    ];
+    for (camera, focus) in cameras {
+        assert_eq!(camera.focus(), focus);
+        let ray = camera.ray_for(size(8, 6), 1.0, 5.0);
+        match focus {
+            Some(Focus::Point(point)) => assert_eq!(ray.origin(), point),
+            Some(Focus::Direction(direction)) => assert_eq!(ray.direction(), direction),
+            None => {}
+        }
     }
 }

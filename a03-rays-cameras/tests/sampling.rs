@@ -4,8 +4,10 @@ use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{
-    Camera, OrthographicCamera, PinholeCamera, PixelRandom, Sampler, StripeRule, StripedSky, render,
+    Camera, OrthographicCamera, PinholeCamera, PixelRandom, Ray, Sampler, StripeRule, StripedSky,
+    render,
 };
+use common::tally::{Work, counted};
 use common::{Color, Error, Progress, Sampling, Settings, Size};
 
 fn settings(sampling: Sampling, samples: u32) -> Settings {
@@ -95,6 +97,71 @@ fn random_numbers_are_even_and_differ_by_seed_pixel_and_index() {
         (neighbours - 0.25).abs() < 5.0 * 0.3 / (N as f64).sqrt(),
         "{neighbours}"
     );
+}
+
+/// A number that two samples share would put them in a line.
+#[test]
+fn no_two_coordinates_of_random_samples_are_the_same_number() {
+    let places = places(Sampling::Random, 1000);
+    let mut numbers: Vec<_> = places.into_iter().flat_map(|(x, y)| [x, y]).collect();
+    numbers.sort_by(f64::total_cmp);
+    numbers.dedup();
+    assert_eq!(numbers.len(), 2000);
+}
+
+#[test]
+fn samples_with_a_fixed_place_take_no_random_numbers() {
+    let numbers = |sampling, omit| {
+        let settings = Settings {
+            size: Size::new(1, 1).unwrap(),
+            samples: 4,
+            sampling,
+            omit,
+            ..Settings::default()
+        };
+        let places = || Sampler::new(&settings).places(0, 0).collect::<Vec<_>>();
+        let (places, tally) = counted(places).unwrap();
+        (places, tally[Work::RandomNumber])
+    };
+    for (sampling, needed, all) in [
+        (Sampling::Center, 0, 2),
+        (Sampling::Regular, 0, 8),
+        (Sampling::Random, 8, 8),
+        (Sampling::Stratified, 8, 8),
+    ] {
+        let (with, without) = (numbers(sampling, true), numbers(sampling, false));
+        assert_eq!((with.1, without.1), (needed, all), "{sampling:?}");
+        assert_eq!(with.0, without.0);
+    }
+}
+
+#[test]
+fn the_plan_counts_the_rays_and_tells_where_no_random_numbers_are_needed() {
+    let plan = |sampling, max_error| {
+        Sampler::plan(&Settings {
+            max_error,
+            ..settings(sampling, 5)
+        })
+    };
+    for (sampling, rays, each, is_random) in [
+        (Sampling::Center, 48, 1, false),
+        (Sampling::Regular, 4 * 48, 4, false),
+        (Sampling::Random, 5 * 48, 5, true),
+        (Sampling::Stratified, 4 * 48, 4, true),
+    ] {
+        let plan = plan(sampling, None);
+        let need = format!("primary rays: {rays}, of which {each} a pixel");
+        assert_eq!(plan.needs, [need]);
+        let what: Vec<_> = plan.omissions.into_iter().map(|o| o.what).collect();
+        let omitted: &[&str] = if is_random { &[] } else { &["random numbers"] };
+        assert_eq!(what, omitted);
+    }
+    let bounded = plan(Sampling::Center, Some(0.5));
+    assert_eq!(
+        bounded.needs,
+        ["primary rays: as many as an error of 0.5 takes"]
+    );
+    assert_eq!(bounded.omissions, []);
 }
 
 fn camera() -> OrthographicCamera {
@@ -245,6 +312,20 @@ fn a_level_ray_meets_the_stripe_that_begins_at_the_horizon() {
                 assert_eq!(sky.stripe(&level), stripes / 2, "of {stripes}");
             }
         }
+    }
+}
+
+#[test]
+fn beyond_an_edge_the_stripe_at_the_edge_is_met() {
+    let camera = PinholeCamera::new(Point3::ORIGIN, 1.0).unwrap();
+    let size = Size::new(8, 6).unwrap();
+    for rule in [StripeRule::Direction, StripeRule::Wall] {
+        let sky = StripedSky::new(&camera, size, 10, rule).unwrap();
+        let stripe = |y| {
+            let ray = Ray::derived(Point3::ORIGIN, Vector3::new(0.0, y, -0.1));
+            sky.stripe(&ray)
+        };
+        assert_eq!((stripe(1.0), stripe(-1.0)), (9, 0));
     }
 }
 

@@ -1,12 +1,14 @@
 //! What is left out: counts by hand of the work with and without omissions.
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{Ray, Sampler};
+use a03_rays_cameras::{Focus, PinholeCamera, Ray, Sampler};
 use a04_intersections::{Plane, Sphere};
-use a05_lighting::{Lambert, Phong, PointLight, SingleColor};
-use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface};
+use a05_lighting::{DirectionalLight, Lambert, Light, Material, Phong, PointLight, SingleColor};
+use a06_shadows_reflection::{
+    LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, foci, traced_scene,
+};
 use common::tally::{Tally, Work, counted};
-use common::{Color, Sampling, Settings, Size};
+use common::{Bound, Color, Settings};
 
 const RAYS: u64 = 50;
 
@@ -110,32 +112,6 @@ fn what_is_needed_is_done() {
     assert_eq!(per_ray(tallies, Work::IntersectionTest), [3, 3]);
 }
 
-#[test]
-fn samples_with_a_fixed_place_take_no_random_numbers() {
-    let numbers = |sampling, omit| {
-        let settings = Settings {
-            size: Size::new(1, 1).unwrap(),
-            samples: 4,
-            sampling,
-            omit,
-            ..Settings::default()
-        };
-        let places = || Sampler::new(&settings).places(0, 0).collect::<Vec<_>>();
-        let (places, tally) = counted(places).unwrap();
-        (places, tally[Work::RandomNumber])
-    };
-    for (sampling, needed, all) in [
-        (Sampling::Center, 0, 2),
-        (Sampling::Regular, 0, 8),
-        (Sampling::Random, 8, 8),
-        (Sampling::Stratified, 8, 8),
-    ] {
-        let (with, without) = (numbers(sampling, true), numbers(sampling, false));
-        assert_eq!((with.1, without.1), (needed, all), "{sampling:?}");
-        assert_eq!(with.0, without.0);
-    }
-}
-
 /// Each kind of omission is in the plan of a world that has the reason for it,
 /// and in no other.
 #[test]
@@ -149,10 +125,16 @@ fn the_plan_tells_what_is_left_out() {
     assert!(matt.contains("reflected rays from 1 of 1"), "{matt}");
     assert!(matt.contains("powers on 1 of 1 objects"), "{matt}");
     assert!(matt.contains("random numbers"), "{matt}");
+    for absent in ["faces away from a light", "the first object in the way"] {
+        assert!(!matt.contains(absent), "{absent}: {matt}");
+    }
 
     let white = Color::WHITE;
     let mirror = Reflective::new(white, white, 1.0, white).unwrap();
     let bright = plan(&world(5.0, true).with(floor(), Box::new(mirror)));
+    for present in ["faces away from a light", "the first object in the way"] {
+        assert!(bright.contains(present), "{present}: {bright}");
+    }
     for absent in [
         "reflected rays",
         "shadow rays to",
@@ -160,6 +142,98 @@ fn the_plan_tells_what_is_left_out() {
         "light on",
     ] {
         assert!(!bright.contains(absent), "{absent}: {bright}");
+    }
+}
+
+fn half_mirror() -> Box<dyn Surface> {
+    let half = Color::gray(0.5);
+    Box::new(Reflective::new(Color::WHITE, Color::BLACK, 1.0, half).unwrap())
+}
+
+/// Of the error that a picture may have an eighth is for mirrors, if there are
+/// any.
+#[test]
+fn the_plan_bounds_what_mirrors_leave_out() {
+    let bounds = |world, max_error| -> Vec<Bound> {
+        let scene = traced_scene("mirror", "a mirror", 3.0, world);
+        let settings = Settings {
+            max_error,
+            ..Settings::default()
+        };
+        let omissions = scene.plan(&settings).unwrap().omissions;
+        let bounds = omissions.into_iter().map(|omission| omission.bound);
+        bounds.filter(|bound| *bound != Bound::SameBits).collect()
+    };
+    let mirror = || Ok(world(5.0, true).with(floor(), half_mirror()));
+    let matt = || Ok(world(5.0, true).with(floor(), black_highlight()));
+    assert_eq!(bounds(mirror, Some(0.5)), [Bound::Channel(0.0625)]);
+    assert_eq!(bounds(mirror, None), []);
+    assert_eq!(bounds(matt, Some(0.5)), []);
+}
+
+/// No ray goes to a light without shadows.
+#[test]
+fn the_foci_are_those_of_the_camera_and_of_lights_with_shadows() {
+    let (eye, lamp) = (Point3::new(1.0, 2.0, 3.0), Point3::new(0.0, 5.0, 0.0));
+    let camera = PinholeCamera::new(eye, 1.0).unwrap();
+    let down = Vector3::new(0.0, -1.0, 0.0);
+    let sun = |casts_shadows| {
+        LightSource::new(
+            DirectionalLight::new(Color::RED, down).unwrap(),
+            casts_shadows,
+        )
+    };
+    let [point, direction] = [Focus::Point(lamp), Focus::Direction(down)];
+    let eye = Focus::Point(eye);
+    for (lamp, sun_casts, expected) in [
+        (true, true, vec![eye, point, direction]),
+        (false, true, vec![eye, direction]),
+        (true, false, vec![eye, point]),
+        (false, false, vec![eye]),
+    ] {
+        let world = world(5.0, lamp).lit_by(sun(sun_casts));
+        assert_eq!(foci(&camera, &world), expected);
+    }
+    assert_eq!(sun(true).brightest(), Color::RED);
+}
+
+/// As little as the shiny surface under it.
+#[test]
+fn mirrors_answer_light_and_have_highlights_like_their_surface() {
+    let (white, black) = (Color::WHITE, Color::BLACK);
+    for (diffuse, specular) in [
+        (white, white),
+        (white, black),
+        (black, white),
+        (black, black),
+    ] {
+        let shiny = Phong::new(diffuse, specular, 1.0).unwrap();
+        let mirror = Reflective::new(diffuse, specular, 1.0, white).unwrap();
+        assert_eq!(mirror.answers_light(), shiny.answers_light());
+        assert_eq!(mirror.has_highlight(), shiny.has_highlight());
+        let light = Color::new(0.5, 1.0, 2.0);
+        assert_eq!(
+            mirror.brightest(light, light),
+            shiny.brightest(light, light)
+        );
+    }
+}
+
+/// Mirrors of the colour 1 and the share 1/2 bring back no more than 2, of which
+/// after three of them a quarter is left.
+#[test]
+fn what_is_as_bright_as_the_bound_is_followed() {
+    let up = Vector3::new(0.0, 1.0, 0.0);
+    let ceiling = Plane::new(Point3::ORIGIN + up * 2.0, up.as_normal()).unwrap();
+    let world = ShadowedWorld::empty(Color::BLACK, Color::WHITE).unwrap();
+    let world = world
+        .with(floor(), half_mirror())
+        .with(ceiling, half_mirror());
+    let ray = Ray::new(Point3::new(0.0, 1.0, 0.0), up).unwrap();
+    for (bound, surfaces) in [(0.25, 4), (0.25_f64.next_up(), 3)] {
+        let tracer = RecursiveTracer::new(&world, true).cut_below(Some(bound));
+        let (_, tally) = counted(|| tracer.trace(&ray, 100)).unwrap();
+        assert_eq!(tally[Work::ReflectedRay] + 1, surfaces);
     }
 }
 

@@ -131,3 +131,110 @@ fn factors(pixels: &[Pixel]) -> Factors {
     factors[0] = FACTOR_OF_ONE;
     factors
 }
+
+#[cfg(test)]
+mod tests {
+    use common::Size;
+
+    use super::*;
+
+    fn pixel(samples: u32, squares: f64, halves: f64) -> Pixel {
+        Pixel {
+            samples,
+            squares: Color::gray(squares),
+            halves: Color::gray(halves),
+            ..Pixel::default()
+        }
+    }
+
+    /// Three rows of grey.
+    fn around(rows: [[f64; 3]; 3]) -> [[Color; 3]; 3] {
+        rows.map(|row| row.map(Color::gray))
+    }
+
+    /// The error squared of the pixel in the middle, in one channel.
+    fn error(rows: [[f64; 3]; 3], pixel: &Pixel, factor: f64) -> f64 {
+        let rows = around(rows);
+        squared_error([&rows[0], &rows[1], &rows[2]], 1, pixel, &[factor; 32]) / 3.0
+    }
+
+    /// Squares of 0.5 in 4 samples are a variance of 0.5 / 4² of their mean; half
+    /// of it counts, 0.125².
+    #[test]
+    fn samples_that_differ_are_off_by_their_share_of_the_variance() {
+        let differing = pixel(4, 0.5, 0.0);
+        assert_eq!(error([[0.5; 3]; 3], &differing, 0.5), 0.015_625);
+        // Half of it is brighter than white, or all.
+        assert_eq!(error([[1.0; 3]; 3], &differing, 0.5), 0.015_625 / 4.0);
+        assert_eq!(error([[2.0; 3]; 3], &differing, 0.5), 0.0);
+    }
+
+    /// The neighbours are 0.25 brighter on both sides: together 0.5, of whose
+    /// square half a sample is one part in 2 · 4², and half of that counts.
+    #[test]
+    fn neighbours_add_the_light_of_half_a_sample() {
+        let alike = pixel(4, 0.0, 0.0);
+        let (low, high) = (0.25, 0.5);
+        for rows in [
+            [[low; 3], [high, low, high], [low; 3]],
+            [[low, high, low], [low; 3], [low, high, low]],
+            [[high, low, low], [low; 3], [low, low, high]],
+            [[low, low, high], [low; 3], [high, low, low]],
+        ] {
+            assert_eq!(error(rows, &alike, 0.5), 0.25 * 0.5 / 16.0 * 0.5);
+        }
+        let slope = [[0.0, 0.25, 0.5], [0.25, 0.5, 0.75], [0.5, 0.75, 1.0]];
+        assert_eq!(error(slope, &alike, 0.5), 0.0, "an even slope");
+        let glaring = [[10.0, 0.0, 10.0]; 3];
+        assert_eq!(
+            error(glaring, &pixel(1, 0.0, 0.0), 1.0),
+            4.0,
+            "no more than white"
+        );
+        assert_eq!(
+            error([[f64::NAN; 3]; 3], &pixel(4, 0.5, 0.0), 0.5),
+            0.0,
+            "no number"
+        );
+    }
+
+    /// One white pixel: all of its eight neighbours see it, at the border, too,
+    /// where they are their own neighbours. Of one sample each 0.25 / 2 counts, of
+    /// the square of 1 for the neighbours and of 2 for itself, in three channels.
+    #[test]
+    fn a_lone_pixel_is_seen_by_all_around_it() {
+        let size = Size::new(5, 5).unwrap();
+        for (x, y) in [(2, 2), (1, 1), (3, 3), (1, 3), (3, 1)] {
+            let mut image = Image::black(size).unwrap();
+            image.set(x, y, Color::WHITE);
+            let mut pixels = vec![pixel(1, 0.0, 0.0); 25];
+            let sum = estimate(&image, &mut pixels);
+            for (i, pixel) in (0..).zip(&pixels) {
+                let expected = match (x.abs_diff(i % 5), y.abs_diff(i / 5)) {
+                    (0, 0) => 1.5,
+                    (0..=1, 0..=1) => 0.375,
+                    _ => 0.0,
+                };
+                assert_eq!(pixel.error, expected, "{x}, {y}: {i}");
+            }
+            assert_eq!(sum, 1.5 + 8.0 * 0.375);
+        }
+    }
+
+    /// Four pixels of 4 samples, whose squared half differences are a quarter of
+    /// their squares; four more that are taken for unlucky make it 5/8.
+    #[test]
+    fn the_factor_is_what_the_halves_show_of_the_variance() {
+        let mut pixels = vec![pixel(1, 9.0, 9.0); 3];
+        assert_eq!(factors(&pixels)[2], 1.0, "of nothing");
+        pixels.extend([pixel(4, 1.0, 0.5); 4]);
+        pixels.push(pixel(8, 1.0, 2.0));
+        let found = factors(&pixels);
+        assert_eq!(found[0], FACTOR_OF_ONE);
+        assert_eq!((found[1], found[2], found[3]), (1.0, 0.625, 1.0));
+        // 2 of 4 and 2 of 6 samples: (1/16 + 4/36) / (4/16 + 8/36) = 25/68.
+        let pixels = [pixel(4, 4.0, 1.0), pixel(6, 8.0, 2.0)];
+        let expected = (25.0 / 68.0 + 2.0) / 3.0;
+        assert!((factors(&pixels)[2] - expected).abs() < 4.0 * f64::EPSILON);
+    }
+}
