@@ -88,3 +88,60 @@ impl Bounds {
         x * y + y * z + z * x
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BOX: Bounds = Bounds {
+        min: [1.0, -2.0, 3.0],
+        max: [3.0, 3.0, 9.0],
+    };
+
+    #[test]
+    fn a_box_has_eight_corners_a_middle_and_a_surface() {
+        let corners = BOX.corners();
+        for x in [1.0, 3.0] {
+            for y in [-2.0, 3.0] {
+                for z in [3.0, 9.0] {
+                    assert!(corners.contains(&Point3::new(x, y, z)));
+                }
+            }
+        }
+        assert_eq!(Bounds::around(corners), BOX);
+        assert_eq!(BOX.middle(), [2.0, 0.5, 6.0]);
+        // 2 · 5 + 5 · 6 + 6 · 2.
+        assert_eq!(BOX.half_area(), 52.0);
+        assert_eq!(Bounds::NOWHERE.half_area(), 0.0);
+    }
+
+    #[test]
+    fn bounds_are_finite_if_all_six_are() {
+        assert!(BOX.are_finite());
+        for axis in 0..3 {
+            let mut endless = BOX;
+            endless.min[axis] = f64::NEG_INFINITY;
+            assert!(!endless.are_finite());
+            let mut unknown = BOX;
+            unknown.max[axis] = f64::NAN;
+            assert!(!unknown.are_finite());
+        }
+    }
+
+    #[test]
+    fn unions_hold_both_and_wider_bounds_reach_farther_on_all_sides() {
+        let other = Bounds::around([Point3::new(2.0, 7.0, 3.5)]);
+        let both = Bounds {
+            max: [3.0, 7.0, 9.0],
+            ..BOX
+        };
+        assert_eq!(BOX.union(other), both);
+        assert_eq!(Bounds::of_all([other, BOX]), both);
+        assert_eq!(BOX.union(Bounds::NOWHERE), BOX);
+        let wider = Bounds {
+            min: [0.5, -2.5, 2.5],
+            max: [3.5, 3.5, 9.5],
+        };
+        assert_eq!(BOX.wider(0.5), wider);
+    }
+}

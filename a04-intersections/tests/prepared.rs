@@ -5,7 +5,7 @@ use a03_rays_cameras::{Focus, PixelRandom, Ray, RayPacket};
 use a04_intersections::{
     AxisAlignedBox, Bounds, Geometry, Hit, Interval, Plane, Sphere, Triangle, World,
 };
-use common::Color;
+use common::{Color, Plan};
 
 /// Random numbers in a row, each from -1 to 1.
 struct Numbers(PixelRandom, u64);
@@ -379,4 +379,47 @@ fn the_parts_of_an_object_have_its_surface() {
         })
         .collect();
     assert!(compare(&plain, &prepared, &rays) > 1000);
+}
+
+#[test]
+fn in_a_box_a_shape_has_the_same_bounds_and_parts() {
+    let sphere = |x| Sphere::new(Point3::new(x, 0.0, 0.0), 0.5).unwrap();
+    let pair = || Pair([sphere(0.0), sphere(3.0)]);
+    let boxed: Box<dyn Geometry> = Box::new(pair());
+    assert_eq!(boxed.bounds(), pair().bounds());
+    assert_eq!(boxed.parts().unwrap().len(), 2);
+    assert!(Box::new(sphere(0.0)).parts().is_none());
+}
+
+/// Of few shapes all are asked; more are searched, and a tree needs bounds.
+#[test]
+fn the_plan_tells_how_shapes_are_found() {
+    let floor = || Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0)).unwrap();
+    let sphere = || Sphere::new(Point3::new(0.0, 0.0, -5.0), 0.5).unwrap();
+    let what = |planes: usize, spheres: usize, foci: Vec<Focus>| -> Vec<String> {
+        let mut world = World::new(Color::BLACK).unwrap();
+        for _ in 0..planes {
+            world = world.with(floor(), ());
+        }
+        for _ in 0..spheres {
+            world = world.with(sphere(), ());
+        }
+        let plan = world.prepared(foci).plan(Plan::default());
+        assert_eq!(plan.needs, [format!("objects: {}", planes + spheres)]);
+        plan.omissions.into_iter().map(|o| o.what).collect()
+    };
+    let eye = vec![Focus::Point(Point3::ORIGIN)];
+    let beside = "questions to objects beside a ray of the eye or to a light";
+    let far = "questions to objects far from any other ray";
+    let tree = "a tree of bounds";
+    assert_eq!(what(0, 4, vec![]), ["a search"]);
+    assert_eq!(what(0, 5, vec![]), [far]);
+    assert_eq!(what(0, 5, eye.clone()), [beside, far]);
+    assert_eq!(what(3, 3, eye), [beside, tree]);
+    assert_eq!(what(3, 4, vec![]), [far]);
+
+    let pair = Pair([sphere(), sphere()]);
+    let world = World::new(Color::BLACK).unwrap().with(pair, ());
+    let plan = world.prepared([]).plan(Plan::default());
+    assert_eq!(plan.omissions[0].what, tree, "parts are searched");
 }

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_6, PI};
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
-use a04_intersections::{Geometry, Hit, Interval, Triangle};
+use a04_intersections::{Bounds, Geometry, Hit, Interval, Triangle};
 use approx::assert_abs_diff_eq;
 
 const X: Normal3 = Normal3::new(1.0, 0.0, 0.0);
@@ -198,6 +198,13 @@ fn normals_are_the_mean_of_the_corners_by_nearness_and_of_length_1() {
         assert_abs_diff_eq!(found.normal, expected.as_normal(), epsilon = ROUNDING);
         assert_eq!(found.face, Z, "which light does not change");
     }
+    // Two of the same leave the third its weight.
+    for (normals, weights) in [([X, X, Z], [2.0, 0.0, 1.0]), ([Z, X, X], [2.0, 0.0, 1.0])] {
+        let curved = triangle().with_normals(normals).unwrap();
+        let found = hit(&curved, &ahead(1.0, 1.0)).unwrap();
+        let expected = Vector3::from_glam(weights.into()).unit("weights").unwrap();
+        assert_abs_diff_eq!(found.normal, expected.as_normal(), epsilon = ROUNDING);
+    }
 }
 
 #[test]
@@ -225,6 +232,9 @@ fn the_face_points_to_the_side_of_its_normals() {
         Some(Hit::new(4.0, -Z)),
         "and not to where the corners run counterclockwise"
     );
+    // Within the face they say nothing.
+    let level = triangle().with_normals([X; 3]).unwrap();
+    assert_eq!(hit(&level, &ahead(1.0, 1.0)).unwrap().face, Z);
     let leaning = [-Z + X * 0.5, -Z + Y * 0.5, -Z];
     let found = hit(&triangle().with_normals(leaning).unwrap(), &ahead(1.0, 1.0));
     let Hit { normal, face, .. } = found.unwrap();
@@ -266,11 +276,43 @@ fn thin_triangles_are_none_the_less_triangles() {
 /// Thinner than rounding: refused in every order of the corners.
 #[test]
 fn it_does_not_matter_which_corner_comes_first() {
-    for (height, is_accepted) in [(1e-17, false), (1e-14, true)] {
+    let limit = 4.0 * f64::EPSILON;
+    for (height, is_accepted) in [
+        (1e-17, false),
+        (limit, false),
+        (limit.next_up(), true),
+        (1e-14, true),
+    ] {
         let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, height, 0.0]].map(point);
         for first in 0..3 {
             let [a, b, c] = [0, 1, 2].map(|i| corners[(first + i) % 3]);
             assert_eq!(Triangle::new(a, b, c).is_ok(), is_accepted, "{first}");
+        }
+    }
+}
+
+/// Rounding lets rays meet a needle beyond its tip: a millionth as high as it is
+/// long it is one.
+#[test]
+fn needles_have_no_bounds() {
+    for (length, height, is_needle) in [
+        (1.0, 1e-6, true),
+        (1.0, 1.1e-6, false),
+        (1000.0, 0.9e-3, true),
+        (1000.0, 1.1e-3, false),
+        (1e-3, 0.9e-9, true),
+        (1e-3, 1.1e-9, false),
+    ] {
+        let corners = [[0.0; 3], [length, 0.0, 0.0], [0.0, height, 0.0]].map(point);
+        for first in 0..3 {
+            let [a, b, c] = [0, 1, 2].map(|i| corners[(first + i) % 3]);
+            let bounds = Triangle::new(a, b, c).unwrap().bounds();
+            let expected = if is_needle {
+                Bounds::EVERYWHERE
+            } else {
+                Bounds::around(corners)
+            };
+            assert_eq!(bounds, expected, "{length}, {height}");
         }
     }
 }

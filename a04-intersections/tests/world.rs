@@ -3,7 +3,7 @@
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{AxisAlignedBox, Hit, Interval, Plane, Sphere, Triangle, World};
-use common::Color;
+use common::{Color, Plan};
 
 const AHEAD: Vector3 = Vector3::new(0.0, 0.0, -1.0);
 const TOWARDS: Normal3 = Normal3::new(0.0, 0.0, 1.0);
@@ -181,6 +181,30 @@ fn where_nothing_is_hit_the_background_is_seen() {
         behind.with(plane(-5.0), Color::RED).color_for(&ahead()),
         Color::RED
     );
+}
+
+#[test]
+fn a_world_tells_how_many_objects_it_has() {
+    let (none, two) = (empty(), empty().with(plane(1.0), ()).with(plane(2.0), ()));
+    for (world, objects) in [(none, 0), (two, 2)] {
+        assert_eq!((world.len(), world.is_empty()), (objects, objects == 0));
+        assert_eq!(world.objects().count(), objects);
+        let plan = world.plan(Plan::default());
+        assert_eq!(plan.needs, [format!("objects: {objects}")]);
+        assert_eq!(plan.omissions[0].what, "a search");
+    }
+}
+
+/// A ray along a sphere faces neither side: its normal stays.
+#[test]
+fn where_a_ray_just_touches_the_normal_points_outwards() {
+    let y = Vector3::new(0.0, 1.0, 0.0);
+    let world = empty().with(sphere(4.0), ());
+    for up in [y, -y] {
+        let ray = Ray::derived(Point3::ORIGIN + up, AHEAD);
+        let (hit, ()) = world.hit(&ray, Interval::AHEAD).unwrap();
+        assert_eq!(hit, Hit::new(5.0, up.as_normal()));
+    }
 }
 
 #[test]
