@@ -272,4 +272,67 @@ mod tests {
         let front = pareto_front(&[a, b]);
         assert_eq!(front, [[true, false], [false, true]]);
     }
+
+    /// Not all on a line: the errors 10^-1, 10^-1 and 10^-4 at 10, 100 and 1000
+    /// have the slope -3/2 by least squares.
+    #[test]
+    fn the_slope_is_that_of_least_squares() {
+        let points = curve(&[(10.0, 1e-1), (100.0, 1e-1), (1000.0, 1e-4)]);
+        let slope = points.fitted_slope(Axis::Work, EVERYWHERE).unwrap();
+        assert!((slope + 1.5).abs() < 1e-12, "{slope}");
+    }
+
+    /// The error falls with the work, from point to point.
+    #[test]
+    fn between_two_points_the_work_lies_on_the_line_through_both() {
+        let bent = curve(&[(1.0, 1.0), (4.0, 0.25), (400.0, 0.0025)]);
+        let (work, beyond) = bent.work_to_reach(0.025).unwrap();
+        assert!((work - 40.0).abs() < 1e-9 && !beyond, "{work}");
+        let (work, _) = bent.work_to_reach(0.5).unwrap();
+        assert!((work - 2.0).abs() < 1e-9, "{work}");
+    }
+
+    /// As good for the same work is not beaten; less error or less work beats.
+    #[test]
+    fn equals_do_not_beat_each_other() {
+        let a = curve(&[(1.0, 0.5), (2.0, 0.25), (4.0, 0.125)]);
+        let b = curve(&[(1.0, 0.5), (2.0, 0.5), (8.0, 0.125)]);
+        let front = pareto_front(&[a, b]);
+        assert_eq!(front, [[true, true, true], [true, false, false]]);
+    }
+
+    fn of_slope(expected: f64, tolerance: f64) -> Experiment<'static> {
+        let curves = move |_| {
+            let slope = Slope {
+                expected,
+                tolerance,
+                between: EVERYWHERE,
+            };
+            vec![Curve {
+                slope: Some(slope),
+                ..curve(&[(1.0, 1.0), (2.0, 0.5), (4.0, 0.25)])
+            }]
+        };
+        Experiment {
+            name: "halving",
+            about: "",
+            knob: "",
+            work: "",
+            error: "",
+            against: Axis::Work,
+            curves: Box::new(curves),
+        }
+    }
+
+    #[test]
+    fn slopes_near_those_of_theory_pass() {
+        check_slopes(&of_slope(-1.0, 0.01), Effort::Quick);
+        check_slopes(&of_slope(-1.5, 0.6), Effort::Quick);
+    }
+
+    #[test]
+    #[should_panic(expected = "halving: method: Some(-1")]
+    fn other_slopes_fail() {
+        check_slopes(&of_slope(-1.5, 0.4), Effort::Quick);
+    }
 }

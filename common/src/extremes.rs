@@ -398,4 +398,51 @@ mod tests {
         let error = ids(&["X"]).unwrap_err().to_string();
         assert!(error.contains("begin with A, B"), "{error}");
     }
+
+    #[test]
+    #[should_panic(expected = "1 cases fail")]
+    fn a_case_that_does_not_hold_fails() {
+        check(&[case(Bound::Equal, 1.0), case(Bound::Equal, 2.0)]);
+    }
+
+    #[test]
+    #[should_panic(expected = "A01")]
+    fn an_id_that_comes_twice_fails() {
+        check(&[case(Bound::Equal, 1.0), case(Bound::Equal, 1.0)]);
+    }
+
+    #[test]
+    fn numbers_are_shown_with_all_digits_and_few_zeros() {
+        let shown = [0.0, 1e-5, 9e-6, 0.1, 1e15, 1e16, -2.5, f64::INFINITY].map(short);
+        let expected = [
+            "0",
+            "0.00001",
+            "9e-6",
+            "0.1",
+            "1000000000000000",
+            "1e16",
+            "-2.5",
+            "inf",
+        ];
+        assert_eq!(shown, expected);
+        assert_eq!(short(f64::NAN), "NaN");
+    }
+
+    #[test]
+    fn errors_are_shown_in_units_of_rounding_while_these_are_few() {
+        let shown = |ours: f64| error(1.0.into(), ours.into());
+        assert_eq!(shown(1.0), "0");
+        assert_eq!(shown(1.0 + 3.0 * f64::EPSILON), "3 ulp");
+        assert_eq!(shown(1.0 + 9999.0 * f64::EPSILON), "9999 ulp");
+        assert_eq!(shown(1.0 + 10_000.0 * f64::EPSILON), "2.2e-12");
+        assert_eq!(error(Outcome::Nothing, Outcome::Nothing), "0");
+        assert_eq!(error(Outcome::Nothing, Outcome::Refused), "wrong");
+        let triple = |x: f64| Outcome::Triple([0.5, x, -4.0]);
+        assert_eq!(
+            error(triple(1.0), triple(1.0 + 8.0 * f64::EPSILON)),
+            "2 ulp"
+        );
+        let finite = |x| Case::new("A", "", [0.0; 3], Bound::Finite, [1.0, x, 1.0]).holds();
+        assert!(finite(2.0) && !finite(f64::NAN));
+    }
 }

@@ -181,4 +181,70 @@ mod tests {
         let kept = std::fs::read_to_string(folder.path().join("a.png")).unwrap();
         assert_eq!(kept, "a letter");
     }
+
+    fn stage() -> Stage {
+        let scene = |name| Scene::painted(name, "", |settings, _| Image::black(settings.size));
+        let file = Scene::opened("file", "", |_, _| Image::black(Size::new(1, 1)?));
+        Stage {
+            name: "a00",
+            about: "",
+            scenes: vec![scene("one"), scene("two"), file],
+            experiments: Vec::new,
+            extremes: |_| Vec::new(),
+        }
+    }
+
+    #[test]
+    fn scenes_follow_one_another_in_a_ring() {
+        let stage = stage();
+        let mut gallery = Gallery::new(&stage, &stage.scenes[1], Overrides::default());
+        let mut titles = Vec::new();
+        for _ in 0..3 {
+            titles.push(gallery.title());
+            gallery.go_to_next();
+        }
+        assert_eq!(titles, ["a00: two", "a00: file", "a00: one"]);
+        for title in ["a00: one", "a00: file", "a00: two"] {
+            gallery.go_to_previous();
+            assert_eq!(gallery.title(), title);
+        }
+    }
+
+    #[test]
+    fn files_are_chosen_where_a_scene_shows_one() {
+        let stage = stage();
+        for (scene, opens_files) in stage.scenes.iter().zip([false, false, true]) {
+            let mut gallery = Gallery::new(&stage, scene, Overrides::default());
+            assert_eq!(gallery.opens_files(), opens_files);
+            assert!(!gallery.has_file());
+            gallery.open("a.png".into());
+            assert!(gallery.has_file());
+        }
+    }
+
+    /// The scene waits until it is told to stop.
+    #[test]
+    fn a_rendering_goes_on_until_it_is_dropped() {
+        let wait = |settings: &crate::Settings, progress: &dyn crate::Progress| {
+            while !progress.stopped() {
+                std::thread::yield_now();
+            }
+            Image::black(settings.size)
+        };
+        let stage = Stage {
+            scenes: vec![Scene::traced("endless", "", wait)],
+            ..stage()
+        };
+        let gallery = Gallery::new(&stage, &stage.scenes[0], Overrides::default());
+        std::thread::scope(|scope| {
+            let rendering = gallery.render(scope).unwrap();
+            assert!(!rendering.is_over());
+            rendering.picture().stop();
+            while !rendering.is_over() {
+                std::thread::yield_now();
+            }
+            assert!(rendering.join().is_ok());
+            drop(gallery.render(scope).unwrap());
+        });
+    }
 }

@@ -167,3 +167,47 @@ fn draw(
         .map_err(|e| explain(&e))?;
     root.present().map_err(|e| explain(&e))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::experiment::Point;
+
+    #[test]
+    fn axes_hold_whole_decades() {
+        let shown = |numbers: &[f64]| {
+            let decades = decades(numbers.iter().copied());
+            [decades.start, decades.end].map(libm::log10)
+        };
+        assert_eq!(shown(&[2.0, 300.0]), [0.0, 3.0]);
+        assert_eq!(shown(&[0.02, 0.03]), [-2.0, -1.0]);
+        assert_eq!(shown(&[1.0]), [0.0, 1.0], "at least one");
+        assert_eq!(shown(&[1e-50, 1.0]), [-40.0, 0.0], "at most forty");
+        assert_eq!(shown(&[]), [-1.0, 0.0]);
+    }
+
+    /// Neither 0 nor what is no number has a logarithm.
+    #[test]
+    fn only_what_has_a_logarithm_is_shown() {
+        let point = |(work, error): (f64, f64)| Point::new(7.0, work, [error], || 0.0);
+        let points_of = [
+            (1.0, 0.5),
+            (2.0, 0.0),
+            (0.0, 0.5),
+            (3.0, f64::NAN),
+            (4.0, 0.25),
+        ];
+        let curve = Curve {
+            method: "",
+            remark: "",
+            slope: None,
+            points: points_of.map(point).into(),
+        };
+        let seconds = [0.1, 0.2, 0.3, 0.4, 0.0];
+        let shown = |kind, axis| points(&curve, &seconds, kind, axis);
+        assert_eq!(shown("work", Axis::Work), [(1.0, 0.5), (4.0, 0.25)]);
+        let by_knob = [(7.0, 0.5), (7.0, 0.5), (7.0, 0.25)];
+        assert_eq!(shown("work", Axis::Knob), by_knob);
+        assert_eq!(shown("time", Axis::Work), [(0.1, 0.5), (0.3, 0.5)]);
+    }
+}

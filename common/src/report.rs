@@ -265,4 +265,20 @@ mod tests {
         assert_eq!(duration(0.25), "250.0 ms");
         assert_eq!(duration(2.0), "2.00 s");
     }
+
+    #[test]
+    fn numbers_take_few_characters() {
+        let shown = [0.0, 1.0, 0.123_46, 1e-3, 9.9e-4, 9e9, 1e10, -2.5].map(compact);
+        let expected = [
+            "0",
+            "1",
+            "0.1235",
+            "0.001",
+            "9.90e-4",
+            "9000000000",
+            "1.00e10",
+            "-2.5",
+        ];
+        assert_eq!(shown, expected);
+    }
 }

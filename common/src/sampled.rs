@@ -45,3 +45,34 @@ impl fmt::Display for Sampled {
         )
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn means_and_errors_are_those_of_a_pixel() {
+        let mut sampled = Sampled {
+            pixels: 4,
+            samples: 10,
+            most: 7,
+            squared_error: 0.25,
+        };
+        assert_eq!(sampled.error(), 0.25);
+        let said = "10 samples, 2.50 a pixel and at most 7; estimated error 0.250000";
+        assert_eq!(sampled.to_string(), said);
+        sampled += Sampled {
+            pixels: 12,
+            samples: 6,
+            most: 3,
+            squared_error: 3.75,
+        };
+        let both = Sampled {
+            pixels: 16,
+            samples: 16,
+            most: 7,
+            squared_error: 4.0,
+        };
+        assert_eq!(sampled, both);
+    }
+}

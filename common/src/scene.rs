@@ -184,3 +184,35 @@ impl Scene {
         (self.paint)(settings, progress)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 100 pixels less two gaps of 8 leave 28 for each of three.
+    #[test]
+    fn scenes_side_by_side_share_the_width_but_for_the_gaps() {
+        let colors = [Color::RED, Color::GREEN, Color::BLUE];
+        let panel = |color: Color| {
+            Scene::painted("panel", "", move |settings, _| {
+                Image::from_fn(settings.size, |_, _| color)
+            })
+        };
+        let scene = Scene::side_by_side("three", "", colors.map(panel).into());
+        let settings = Settings {
+            size: Size::new(100, 2).unwrap(),
+            ..Settings::default()
+        };
+        let image = scene.render(&settings, &()).unwrap();
+        for x in 0..100 {
+            let expected = if x % 36 < 28 {
+                colors[x as usize / 36]
+            } else {
+                Color::WHITE
+            };
+            for y in 0..2 {
+                assert_eq!(image.get(x, y), Some(expected), "{x}, {y}");
+            }
+        }
+    }
+}
