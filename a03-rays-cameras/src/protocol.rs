@@ -140,7 +140,7 @@ mod tests {
     #[test]
     fn a_ray_ends_at_its_bound() {
         let x = Vector3::new(2.0, 0.0, 0.0);
-        let at = |t| point_at(Point3::new(1.0, 0.0, 0.0), x, 30.0, t).map(|p| p.x());
+        let at = |t| point_at(Point3::new(1.0, 0.0, 0.0), x, 30.0, t).map(Point3::x);
         assert_eq!(
             (at(0.0), at(4.0), at(30.0)),
             (Some(1.0), Some(5.0), Some(31.0))
