@@ -134,3 +134,87 @@ fn cheapest_cut(shapes: &Shapes) -> Option<(usize, usize)> {
         .min_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, axis, left)| (axis, left))
 }
+
+#[cfg(test)]
+mod tests {
+    use a03_rays_cameras::PixelRandom;
+
+    use super::*;
+
+    /// Boxes of any sizes whose middles along each axis are 0, 1, 2 .. 15, in an
+    /// order of its own: so each has a bin for itself.
+    fn boxes(seed: u64) -> Vec<(Bounds, Shape)> {
+        let shuffled = |axis: u32| {
+            let random = PixelRandom::new(seed, axis, 0);
+            let mut order: Vec<u32> = (0..16).collect();
+            order.sort_by(|a, b| {
+                let [a, b] = [a, b].map(|i| random.uniform(u64::from(*i)));
+                a.total_cmp(&b)
+            });
+            order
+        };
+        let orders = [0, 1, 2].map(shuffled);
+        let random = PixelRandom::new(seed, 3, 0);
+        let shape = |i: u32| {
+            let middle = [0, 1, 2].map(|axis| f64::from(orders[axis][i as usize]));
+            let half = [0, 1, 2].map(|axis| 4.0 * random.uniform(u64::from(3 * i + axis)));
+            let bounds = Bounds {
+                min: std::array::from_fn(|axis| middle[axis] - half[axis]),
+                max: std::array::from_fn(|axis| middle[axis] + half[axis]),
+            };
+            (bounds, Shape::Other(i))
+        };
+        (0..16).map(shape).collect()
+    }
+
+    /// The tests that are expected behind a cut: how many shapes a side has,
+    /// times its surface.
+    fn cost(shapes: &mut Shapes, axis: usize, left: usize) -> f64 {
+        shapes.sort_by(|(a, _), (b, _)| a.middle()[axis].total_cmp(&b.middle()[axis]));
+        let (left, right) = shapes.split_at(left);
+        let cost = |side: &Shapes| side.len() as f64 * bounds(side).half_area();
+        cost(left) + cost(right)
+    }
+
+    #[test]
+    fn the_cheapest_cut_is_the_cheapest_of_all() {
+        for seed in 0..50 {
+            let mut shapes = boxes(seed);
+            let (axis, left) = cheapest_cut(&shapes).unwrap();
+            let found = cost(&mut shapes, axis, left);
+            for axis in 0..3 {
+                for left in 1..16 {
+                    let other = cost(&mut shapes, axis, left);
+                    // Bound: rounding of a few products and sums.
+                    assert!(found <= other * (1.0 + 1e-14), "{seed}: {axis}, {left}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_lies_in_one_place_is_not_cut() {
+        let bounds = Bounds {
+            min: [-1.0; 3],
+            max: [1.0; 3],
+        };
+        assert_eq!(cheapest_cut(&[(bounds, Shape::Other(0)); 9]), None);
+    }
+
+    #[test]
+    fn the_longest_axis_is_that_of_the_middles() {
+        for axis in 0..3 {
+            let at = |x: f64, half: f64| {
+                let (mut min, mut max) = ([-half; 3], [half; 3]);
+                min[axis] = x - 0.5;
+                max[axis] = x + 0.5;
+                (Bounds { min, max }, Shape::Other(0))
+            };
+            // The boxes are wider along the other axes.
+            assert_eq!(
+                longest_axis(&[at(-9.0, 20.0), at(-8.0, 5.0), at(-5.0, 9.0)]),
+                axis
+            );
+        }
+    }
+}
