@@ -154,8 +154,10 @@ fn half_mirror() -> Box<dyn Surface> {
 /// any.
 #[test]
 fn the_plan_bounds_what_mirrors_leave_out() {
-    let bounds = |world, max_error| -> Vec<Bound> {
-        let scene = traced_scene("mirror", "a mirror", 3.0, world);
+    type Make = fn() -> Box<dyn Surface>;
+    let bounds = |surface: Make, max_error| -> Vec<Bound> {
+        let made = move |_: &Settings| Ok(world(5.0, true).with(floor(), surface()));
+        let scene = traced_scene("mirror", "a mirror", 3.0, made);
         let settings = Settings {
             max_error,
             ..Settings::default()
@@ -164,11 +166,9 @@ fn the_plan_bounds_what_mirrors_leave_out() {
         let bounds = omissions.into_iter().map(|omission| omission.bound);
         bounds.filter(|bound| *bound != Bound::SameBits).collect()
     };
-    let mirror = || Ok(world(5.0, true).with(floor(), half_mirror()));
-    let matt = || Ok(world(5.0, true).with(floor(), black_highlight()));
-    assert_eq!(bounds(mirror, Some(0.5)), [Bound::Channel(0.0625)]);
-    assert_eq!(bounds(mirror, None), []);
-    assert_eq!(bounds(matt, Some(0.5)), []);
+    assert_eq!(bounds(half_mirror, Some(0.5)), [Bound::Channel(0.0625)]);
+    assert_eq!(bounds(half_mirror, None), []);
+    assert_eq!(bounds(black_highlight, Some(0.5)), []);
 }
 
 /// No ray goes to a light without shadows.
