@@ -56,14 +56,17 @@ impl Search {
         foci: impl IntoIterator<Item = Focus>,
     ) -> Self {
         let mut shapes = Shapes::default();
-        let mut turns = 0..;
+        let (mut turns, mut has_parts) = (0.., false);
         let mut add = |geometry: &Arc<dyn Geometry>, object| {
             let turn = turns.next().unwrap_or(u32::MAX);
             shapes.push(geometry, Turn { turn, object });
         };
         for (object, geometry) in (0..).zip(geometries) {
             match geometry.parts() {
-                Some(parts) => parts.iter().for_each(|part| add(part, object)),
+                Some(parts) => {
+                    has_parts = true;
+                    parts.iter().for_each(|part| add(part, object));
+                }
                 None => add(geometry, object),
             }
         }
@@ -72,7 +75,7 @@ impl Search {
         let pencils = foci.into_iter();
         let are_few = bounded.len() <= FEW_FOR_FOUR;
         Self {
-            pays_for_one: shapes.len() > FEW_FOR_ONE,
+            pays_for_one: has_parts || shapes.len() > FEW_FOR_ONE,
             few: are_few.then(|| bounded.iter().map(|(_, shape)| *shape).collect()),
             unbounded: unbounded.into_iter().map(|(_, shape)| shape).collect(),
             pencils: pencils
