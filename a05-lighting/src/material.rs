@@ -27,8 +27,8 @@ pub trait Material: Debug + Send + Sync {
         false
     }
 
-    /// This material as Phong's, if it has the same colour in any light: the
-    /// colours of several of them are computed together.
+    /// The Phong material that has the same colour in any light, if there is one:
+    /// four of these are shaded together.
     fn as_phong(&self) -> Option<Phong> {
         None
     }
