@@ -65,7 +65,9 @@ impl Search {
             match geometry.parts() {
                 Some(parts) => {
                     has_parts = true;
-                    parts.iter().for_each(|part| add(part, object));
+                    for part in &parts {
+                        add(part, object);
+                    }
                 }
                 None => add(geometry, object),
             }
