@@ -76,7 +76,7 @@ pub fn render_together(
     let samples = sampler.samples();
     let together = TOGETHER.div_ceil(samples as usize);
     let place = |column, row, sample| in_picture(column, row, sampler.place(sample, column, row));
-    let paint = |row, pixels: &mut [Color], _: &mut [()]| {
+    let paint = |row, pixels: &mut [Color], (): &mut ()| {
         let (mut places, mut rays, mut light) = (Vec::new(), Vec::new(), Vec::new());
         // ANCHOR: mean
         let mut first = 0;
@@ -111,28 +111,27 @@ pub fn render_together(
         // ANCHOR_END: mean
         true
     };
-    let mut nothing = vec![(); image.size().pixels()];
+    let mut nothing = vec![(); rows.len()];
     for_each_row(&mut image, rows.start, &mut nothing, progress, paint)?;
     Ok(image)
 }
 
-/// Paints rows. Each pixel has a note beside it; `paint` says whether it changes
-/// the row, and rows that change are reported.
+/// Paints rows. Each has a note beside it; `paint` says whether it changes the
+/// row, and rows that change are reported.
 pub(crate) fn for_each_row<N: Send>(
     image: &mut Image,
     first_row: u32,
     notes: &mut [N],
     progress: &dyn Progress,
-    paint: impl Fn(u32, &mut [Color], &mut [N]) -> bool + Sync,
+    paint: impl Fn(u32, &mut [Color], &mut N) -> bool + Sync,
 ) -> Result<(), Error> {
     let width = image.size().width() as usize;
-    let notes = notes.par_chunks_exact_mut(width);
     let rows = image.pixels_mut().par_chunks_exact_mut(width);
     rows.zip(notes)
         .enumerate()
-        .for_each(|(row, (pixels, notes))| {
+        .for_each(|(row, (pixels, note))| {
             let row = first_row + row as u32;
-            if paint(row, pixels, notes) {
+            if paint(row, pixels, note) {
                 progress.row(row, pixels);
             }
         });

@@ -12,11 +12,12 @@
 //!   neighbours' light is added to them: a corner of the pixel that the light
 //!   of n samples misses is of the order of 1/n, and rare.
 
-use common::{Color, Image};
+use a02_math::Lanes;
+use common::{Color, Error, Image};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
-use super::{FEW, Pixel};
+use super::{Order, Pixel, Row};
 
 /// The share of σ²/n, for each binary logarithm of the number of samples,
 /// that is the squared error of the mean.
@@ -27,57 +28,175 @@ type Factors = [f64; 32];
 /// takes half.
 const FACTOR_OF_ONE: f64 = 0.25;
 
-/// Estimates the error of every pixel, and returns the sum of their squares.
-pub fn estimate(image: &Image, pixels: &mut [Pixel]) -> f64 {
-    let width = image.size().width() as usize;
-    let factors = factors(pixels);
-    let rows: Vec<&[Color]> = image.rows().collect();
-    let estimate_row = |(y, row): (usize, &mut [Pixel])| {
-        let [above, below] = [y.saturating_sub(1), (y + 1).min(rows.len() - 1)];
-        let around = [above, y, below].map(|y| rows[y]);
-        for (x, pixel) in row.iter_mut().enumerate() {
-            pixel.error = squared_error(around, x, pixel, &factors);
+/// The errors of all pixels as far as they are known.
+pub struct Estimate {
+    width: usize,
+    /// The estimated squares, summed over the channels.
+    errors: Vec<f64>,
+    known: [Known; 32],
+}
+
+/// What the pixels have shown of the variance that came to some number of samples,
+/// for one binary logarithm of it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Known {
+    pixels: f64,
+    /// The sum of their squared errors, by the two halves of their samples.
+    errors: f64,
+    /// The sum of σ²/n.
+    variances: f64,
+}
+
+impl Estimate {
+    /// Where each pixel has the one sample in its middle.
+    pub fn of_middles(image: &Image, rows: &[Row]) -> Result<Self, Error> {
+        let size = image.size();
+        let mut errors = Vec::new();
+        let memory = errors.try_reserve_exact(size.pixels());
+        memory.map_err(|_| Error::Memory { size })?;
+        errors.resize(size.pixels(), 0.0);
+        let mut estimate = Self {
+            width: size.width() as usize,
+            errors,
+            known: [Known::default(); 32],
+        };
+        estimate.look(image, rows, |_, columns| columns.fill(true));
+        Ok(estimate)
+    }
+
+    #[cfg(test)]
+    pub fn told(width: usize, errors: Vec<f64>) -> Self {
+        Self {
+            width,
+            errors,
+            known: [Known::default(); 32],
         }
-        row.iter().map(|pixel| pixel.error).sum::<f64>()
-    };
-    let sums: Vec<f64> = pixels
-        .par_chunks_exact_mut(width)
-        .enumerate()
-        .map(estimate_row)
-        .collect();
-    sums.iter().sum()
+    }
+
+    /// How many pixels there are.
+    pub const fn pixels(&self) -> usize {
+        self.errors.len()
+    }
+
+    /// The estimated squares of the pixels' errors, summed over the channels, row by
+    /// row.
+    pub fn rows(&self) -> impl Iterator<Item = &[f64]> {
+        self.errors.chunks_exact(self.width)
+    }
+
+    /// The sum over all pixels.
+    pub fn sum(&self) -> f64 {
+        self.rows().map(|row| row.iter().sum::<f64>()).sum()
+    }
+
+    /// Looks again at the pixels that have got what was ordered, row by row, and
+    /// at those around them; and at all with more than one sample, because more is
+    /// known now of what such samples show.
+    pub fn renew(&mut self, image: &Image, rows: &[Row], orders: &[Vec<Order>]) {
+        for (row, orders) in rows.iter().zip(orders) {
+            for order in orders {
+                let pixel = row.pixel(order.column);
+                self.known[pixel.samples.ilog2() as usize].learn(pixel);
+            }
+        }
+        let width = self.width;
+        self.look(image, rows, |y, columns| {
+            for (column, chosen) in (0..).zip(&mut *columns) {
+                *chosen = rows[y].pixel(column).samples > 1;
+            }
+            for y in around(y, orders.len()) {
+                for order in &orders[y] {
+                    let x = order.column as usize;
+                    columns[x.saturating_sub(1)..width.min(x + 2)].fill(true);
+                }
+            }
+        });
+    }
+
+    /// Estimates the errors of the pixels that `choose` marks in each row.
+    fn look(&mut self, image: &Image, rows: &[Row], choose: impl Fn(usize, &mut [bool]) + Sync) {
+        let factors = self.factors();
+        let width = self.width;
+        let colors: Vec<&[Color]> = image.rows().collect();
+        let look_at_row = |(y, errors): (usize, &mut [f64])| {
+            let mut chosen = vec![false; width];
+            choose(y, &mut chosen);
+            let around = around(y, colors.len()).map(|y| colors[y]);
+            for x in (0..width).filter(|x| chosen[*x]) {
+                errors[x] = squared_error(around, x, rows[y].pixel(x as u32), &factors);
+            }
+        };
+        self.errors
+            .par_chunks_exact_mut(width)
+            .enumerate()
+            .for_each(look_at_row);
+    }
+
+    fn factors(&self) -> Factors {
+        let mut factors = self.known.map(|known| known.factor());
+        factors[0] = FACTOR_OF_ONE;
+        factors
+    }
+}
+
+impl Known {
+    fn learn(&mut self, pixel: &Pixel) {
+        let n = f64::from(pixel.samples);
+        let sum = |color: Color| color.channels().iter().sum::<f64>() / (n * n);
+        self.pixels += 1.0;
+        self.errors += sum(pixel.halves * pixel.halves);
+        self.variances += sum(pixel.squares);
+    }
+
+    /// The share of σ²/n that is the squared error.
+    fn factor(&self) -> f64 {
+        // A few pixels may all be lucky: four are added that are not.
+        let few = 4.0 / self.pixels;
+        let factor = ((self.errors / self.variances).min(1.0) + few) / (1.0 + few);
+        if factor.is_finite() { factor } else { 1.0 }
+    }
+}
+
+/// The rows above, here and below, of so many.
+fn around(y: usize, rows: usize) -> [usize; 3] {
+    [y.saturating_sub(1), y, (y + 1).min(rows - 1)]
 }
 
 fn squared_error(around: [&[Color]; 3], x: usize, pixel: &Pixel, factors: &Factors) -> f64 {
-    let n = f64::from(pixel.samples);
     let (bend, shown_bend) = (
-        squared_bend(around, x, |c| c),
+        squared_bend(around, x, |color| color),
         squared_bend(around, x, shown),
     );
-    if shown_bend == Color::BLACK && pixel.squares == Color::BLACK {
+    let squares = lanes(pixel.squares);
+    let is_quiet = |lanes: Lanes| lanes.simd_eq(Lanes::ZERO).all();
+    if is_quiet(shown_bend) && is_quiet(squares) {
         return 0.0;
     }
-    let factor = factors[pixel.samples.ilog2() as usize] / (n * n);
-    let variance = pixel.squares * factor;
-    let mean = around[1][x].channels();
-    // Of twice the deviation either way, what a screen shows: where a pixel is
-    // brighter than white, its error may not be seen.
-    let seen = |(mean, variance): (f64, f64)| {
-        let twice = 2.0 * variance.max(0.0).sqrt();
-        let deviation = (shown(mean + twice) - shown(mean - twice)) / 4.0;
-        deviation * deviation
-    };
-    let own: f64 = mean.into_iter().zip(variance.channels()).map(seen).sum();
+    let n = f64::from(pixel.samples);
+    let factor = Lanes::splat(factors[pixel.samples.ilog2() as usize] / (n * n));
     // Light five times as bright as white shows five times its share, up to white.
-    let lucky = bend.channels().into_iter().zip(shown_bend.channels());
-    let lucky: f64 = lucky.map(|(b, shown)| (0.5 * factor * b).min(shown)).sum();
+    let mut error = (Lanes::splat(0.5) * factor * bend).min(shown_bend);
+    if !is_quiet(squares) {
+        // Of twice the deviation either way, what a screen shows: where a pixel is
+        // brighter than white, its error may not be seen.
+        let (mean, variance) = (lanes(around[1][x]), squares * factor);
+        let twice = Lanes::splat(2.0) * variance.max(Lanes::ZERO).sqrt();
+        let deviation = (shown(mean + twice) - shown(mean - twice)) * Lanes::splat(0.25);
+        error += deviation * deviation;
+    }
+    let [r, g, b, _] = error.to_array();
     // With what is no number the passes would never end.
-    (own + lucky).max(0.0)
+    (r + g + b).max(0.0)
+}
+
+/// Red, green and blue side by side, so that one instruction serves all.
+fn lanes(color: Color) -> Lanes {
+    Lanes::new([color.r, color.g, color.b, 0.0])
 }
 
 /// As a screen shows it.
-fn shown(channel: f64) -> f64 {
-    channel.clamp(0.0, 1.0)
+fn shown(color: Lanes) -> Lanes {
+    color.max(Lanes::ZERO).min(Lanes::ONE)
 }
 
 /// How far the pixel is from lying evenly between its neighbours, squared: in
@@ -86,50 +205,21 @@ fn shown(channel: f64) -> f64 {
 fn squared_bend(
     [above, here, below]: [&[Color]; 3],
     x: usize,
-    scale: impl Fn(f64) -> f64 + Copy,
-) -> Color {
+    scale: impl Fn(Lanes) -> Lanes,
+) -> Lanes {
     let (left, right) = (x.saturating_sub(1), (x + 1).min(here.len() - 1));
-    let twice = here[x].map(scale) * 2.0;
+    let scaled = |color: Color| scale(lanes(color));
+    let twice = scaled(here[x]) * Lanes::splat(2.0);
     let pairs = [
         (here[left], here[right]),
         (above[x], below[x]),
         (above[left], below[right]),
         (above[right], below[left]),
     ];
-    let mut greatest = Color::BLACK;
-    for (a, b) in pairs {
-        let bend = a.map(scale) + b.map(scale) - twice;
-        let square = bend * bend;
-        greatest = Color::new(
-            greatest.r.max(square.r),
-            greatest.g.max(square.g),
-            greatest.b.max(square.b),
-        );
-    }
-    greatest
-}
-
-fn factors(pixels: &[Pixel]) -> Factors {
-    let mut sums = [(0.0, 0.0, 0.0); 32];
-    for pixel in pixels.iter().filter(|pixel| pixel.samples >= FEW) {
-        let n = f64::from(pixel.samples);
-        let (count, errors, variances) = &mut sums[pixel.samples.ilog2() as usize];
-        let sum = |color: Color| color.channels().iter().sum::<f64>() / (n * n);
-        *count += 1.0;
-        *errors += sum(pixel.halves * pixel.halves);
-        *variances += sum(pixel.squares);
-    }
-    let mut factors = sums.map(|(count, errors, variances): (f64, f64, f64)| {
-        // A few pixels may all be lucky: four are added that are not.
-        let few = 4.0 / count;
-        ((errors / variances).min(1.0) + few) / (1.0 + few)
-    });
-    factors
-        .iter_mut()
-        .filter(|f| !f.is_finite())
-        .for_each(|f| *f = 1.0);
-    factors[0] = FACTOR_OF_ONE;
-    factors
+    pairs.into_iter().fold(Lanes::ZERO, |greatest, (a, b)| {
+        let bend = scaled(a) + scaled(b) - twice;
+        greatest.max(bend * bend)
+    })
 }
 
 #[cfg(test)]
@@ -143,7 +233,6 @@ mod tests {
             samples,
             squares: Color::gray(squares),
             halves: Color::gray(halves),
-            ..Pixel::default()
         }
     }
 
@@ -207,34 +296,76 @@ mod tests {
         for (x, y) in [(2, 2), (1, 1), (3, 3), (1, 3), (3, 1)] {
             let mut image = Image::black(size).unwrap();
             image.set(x, y, Color::WHITE);
-            let mut pixels = vec![pixel(1, 0.0, 0.0); 25];
-            let sum = estimate(&image, &mut pixels);
-            for (i, pixel) in (0..).zip(&pixels) {
+            let rows = vec![Row::seen_once(5); 5];
+            let estimate = Estimate::of_middles(&image, &rows).unwrap();
+            let errors = estimate.rows().flatten();
+            for (i, error) in (0..).zip(errors) {
                 let expected = match (x.abs_diff(i % 5), y.abs_diff(i / 5)) {
                     (0, 0) => 1.5,
                     (0..=1, 0..=1) => 0.375,
                     _ => 0.0,
                 };
-                assert_eq!(pixel.error, expected, "{x}, {y}: {i}");
+                assert_eq!(*error, expected, "{x}, {y}: {i}");
             }
-            assert_eq!(sum, 1.5 + 8.0 * 0.375);
+            assert_eq!(estimate.sum(), 1.5 + 8.0 * 0.375);
         }
+    }
+
+    /// A pixel has become white by four samples that agree: all around it see that,
+    /// and of its own bend of 2 half a sample is 4 / (2 · 4²). Another one has, too,
+    /// but nobody was told to look.
+    #[test]
+    fn only_what_has_new_samples_is_looked_at_again() {
+        let mut image = Image::black(Size::new(6, 5).unwrap()).unwrap();
+        let mut rows = vec![Row::seen_once(6); 5];
+        let mut estimate = Estimate::of_middles(&image, &rows).unwrap();
+        assert_eq!(estimate.sum(), 0.0);
+        image.set(1, 1, Color::WHITE);
+        image.set(4, 3, Color::WHITE);
+        rows[1].pixel_mut(1).samples = 4;
+        let mut orders = vec![Vec::new(); 5];
+        orders[1].push(Order {
+            column: 1,
+            samples: 4,
+        });
+        estimate.renew(&image, &rows, &orders);
+        assert_eq!(estimate.sum(), 8.0 * 0.375 + 3.0 * 4.0 / 32.0);
     }
 
     /// Four pixels of 4 samples, whose squared half differences are a quarter of
     /// their squares; four more that are taken for unlucky make it 5/8.
     #[test]
     fn the_factor_is_what_the_halves_show_of_the_variance() {
-        let mut pixels = vec![pixel(1, 9.0, 9.0); 3];
-        assert_eq!(factors(&pixels)[2], 1.0, "of nothing");
-        pixels.extend([pixel(4, 1.0, 0.5); 4]);
-        pixels.push(pixel(8, 1.0, 2.0));
-        let found = factors(&pixels);
-        assert_eq!(found[0], FACTOR_OF_ONE);
-        assert_eq!((found[1], found[2], found[3]), (1.0, 0.625, 1.0));
+        let factor = |pixels: &[Pixel]| {
+            let mut known = Known::default();
+            for pixel in pixels {
+                known.learn(pixel);
+            }
+            known.factor()
+        };
+        assert_eq!(factor(&[]), 1.0, "of nothing");
+        assert_eq!(factor(&[pixel(4, 1.0, 0.5); 4]), 0.625);
+        assert_eq!(factor(&[pixel(8, 1.0, 2.0)]), 1.0, "no more than all of it");
         // 2 of 4 and 2 of 6 samples: (1/16 + 4/36) / (4/16 + 8/36) = 25/68.
         let pixels = [pixel(4, 4.0, 1.0), pixel(6, 8.0, 2.0)];
         let expected = (25.0 / 68.0 + 2.0) / 3.0;
-        assert!((factors(&pixels)[2] - expected).abs() < 4.0 * f64::EPSILON);
+        assert!((factor(&pixels) - expected).abs() < 4.0 * f64::EPSILON);
+    }
+
+    /// Pixels that have come to 4 and to 16 samples; the others have factors that
+    /// need no knowledge.
+    #[test]
+    fn every_number_of_samples_has_its_factor() {
+        let image = Image::black(Size::new(2, 1).unwrap()).unwrap();
+        let mut rows = [Row::seen_once(2)];
+        let mut estimate = Estimate::of_middles(&image, &rows).unwrap();
+        for (column, squares) in [(0, 1.0), (1, 4.0)] {
+            *rows[0].pixel_mut(column) = pixel(4 << (2 * column), squares, 0.5);
+        }
+        let order = |column| Order { column, samples: 4 };
+        estimate.renew(&image, &rows, &[vec![order(0), order(1)]]);
+        let mut expected = [1.0; 32];
+        (expected[0], expected[2], expected[4]) = (0.25, 4.25 / 5.0, 4.0625 / 5.0);
+        assert_eq!(estimate.factors(), expected);
     }
 }

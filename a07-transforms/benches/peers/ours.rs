@@ -52,9 +52,9 @@ impl Tracer for Ours {
     }
 }
 
-/// Rows that are rendered at a time, as the programs do with large pictures: so
-/// the colours of the whole are never in memory at once, only its bytes.
-const BAND: usize = 120;
+/// Rows that are rendered at a time: the colours of so few stay in the caches, and
+/// only bytes of the whole are in memory at once.
+const BAND: u32 = 64;
 
 /// What the child does: renders, prints its times, and writes the picture.
 pub fn render_to(
@@ -83,9 +83,10 @@ pub fn render_to(
     };
     let height = settings.size.height();
     let mut rgb = Vec::with_capacity(3 * settings.size.pixels());
-    for start in (0..height).step_by(BAND) {
+    let band = settings.max_error.map_or(BAND, |_| height);
+    for start in (0..height).step_by(band as usize) {
         let settings = Settings {
-            rows: Some(start..height.min(start + BAND as u32)),
+            rows: Some(start..height.min(start + band)),
             ..settings.clone()
         };
         let band = pool.install(|| {

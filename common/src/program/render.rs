@@ -81,9 +81,11 @@ fn render_in_bands(
             rows,
             ..settings.clone()
         };
-        let image = threads.install(|| scene.render(&settings, &progress))?;
-        bad += image.count_non_finite();
-        Ok((image.size(), image.to_rgb8(overrides.transfer)))
+        threads.install(|| {
+            let image = scene.render(&settings, &progress)?;
+            bad += image.count_non_finite();
+            Ok((image.size(), image.to_rgb8(overrides.transfer)))
+        })
     };
     let (path, size) = if scene.heeds.sampling {
         let bands = bands(settings.size, most_pixels);
