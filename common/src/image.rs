@@ -1,6 +1,6 @@
 //! `Image`: a picture in linear colours, before it becomes bytes.
 
-use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, ParallelExtend, ParallelIterator};
 use rayon::slice::{ParallelSlice, ParallelSliceMut};
 
 use crate::{Color, Error, Size, Transfer};
@@ -33,7 +33,8 @@ impl Image {
         pixels
             .try_reserve_exact(size.pixels())
             .map_err(|_| Error::Memory { size })?;
-        pixels.resize(size.pixels(), Color::BLACK);
+        // Memory is handed out page by page as it is first written: by all threads.
+        pixels.par_extend(rayon::iter::repeat_n(Color::BLACK, size.pixels()));
         Ok(Self { size, pixels })
     }
 
@@ -122,6 +123,12 @@ impl Image {
     #[must_use]
     pub fn to_rgb8(&self, transfer: Transfer) -> Vec<u8> {
         let mut rgb = vec![0; 3 * self.pixels.len()];
+        self.write_rgb8(transfer, &mut rgb);
+        rgb
+    }
+
+    /// The same into `rgb`, which has three bytes for each pixel.
+    pub fn write_rgb8(&self, transfer: Transfer, rgb: &mut [u8]) {
         let width = self.size.width() as usize;
         let rows = rgb.par_chunks_exact_mut(3 * width);
         rows.zip(self.pixels.par_chunks_exact(width))
@@ -130,7 +137,6 @@ impl Image {
                     bytes.copy_from_slice(&transfer.bytes(*color));
                 }
             });
-        rgb
     }
 
     /// How many pixels hold NaN or infinity; a right picture holds none.

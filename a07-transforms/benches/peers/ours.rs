@@ -82,18 +82,22 @@ pub fn render_to(
         tracer.trace_together(rays, description.depth, colors);
     };
     let height = settings.size.height();
-    let mut rgb = Vec::with_capacity(3 * settings.size.pixels());
+    let mut rgb = vec![0; 3 * settings.size.pixels()];
     let band = settings.max_error.map_or(BAND, |_| height);
-    for start in (0..height).step_by(band as usize) {
+    let bytes_of_a_band = 3 * settings.size.width() as usize * band as usize;
+    for (start, rgb) in (0..)
+        .step_by(band as usize)
+        .zip(rgb.chunks_mut(bytes_of_a_band))
+    {
         let settings = Settings {
             rows: Some(start..height.min(start + band)),
             ..settings.clone()
         };
-        let band = pool.install(|| {
+        pool.install(|| {
             let band = render_together(&camera, radiance, &settings, &())?;
-            Ok::<_, common::Error>(band.to_rgb8(Transfer::Linear))
+            band.write_rgb8(Transfer::Linear, rgb);
+            Ok::<_, common::Error>(())
         })?;
-        rgb.extend(band);
     }
     println!("trace: {} seconds", started.elapsed().as_secs_f64());
 
