@@ -114,6 +114,19 @@ impl Search {
         }
     }
 
+    /// Adds to a plan what four rays that ask together need not ask, where each of
+    /// them alone would ask all.
+    #[must_use]
+    pub fn plan_together(&self, plan: Plan) -> Plan {
+        if self.pays_for_one || self.pencils.is_empty() {
+            return plan;
+        }
+        plan.without(
+            "questions to objects beside four rays of the eye or to a light",
+            "cells, seen from there, list what these may meet, and they ask together",
+        )
+    }
+
     /// The nearest hit within the interval and the object hit; of several at
     /// the same place, that of the first in the list.
     #[inline]

@@ -93,7 +93,10 @@ impl<S> World<S> {
         let plan = plan.needing(format!("objects: {objects}"));
         match self.search_for_one() {
             Some(search) => search.plan(plan),
-            None => plan.without("a search", "so few objects are asked one by one"),
+            None => plan.without(
+                "a search for a ray alone",
+                "it asks so few objects one by one",
+            ),
         }
     }
 

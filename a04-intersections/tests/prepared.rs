@@ -404,15 +404,20 @@ fn the_plan_tells_how_shapes_are_found() {
         for _ in 0..spheres {
             world = world.with(sphere(), ());
         }
-        let plan = world.prepared(foci).plan(Plan::default());
+        let world = world.prepared(foci);
+        let plan = world.plan(Plan::default());
         assert_eq!(plan.needs, [format!("objects: {}", planes + spheres)]);
+        let plan = world.search().unwrap().plan_together(plan);
         plan.omissions.into_iter().map(|o| o.what).collect()
     };
     let eye = vec![Focus::Point(Point3::ORIGIN)];
     let beside = "questions to objects beside a ray of the eye or to a light";
     let far = "questions to objects far from any other ray";
     let tree = "a tree of bounds";
-    assert_eq!(what(0, 4, vec![]), ["a search"]);
+    let alone = "a search for a ray alone";
+    let together = "questions to objects beside four rays of the eye or to a light";
+    assert_eq!(what(0, 4, vec![]), [alone]);
+    assert_eq!(what(0, 4, eye.clone()), [alone, together]);
     assert_eq!(what(0, 5, vec![]), [far]);
     assert_eq!(what(0, 5, eye.clone()), [beside, far]);
     assert_eq!(what(3, 3, eye), [beside, tree]);

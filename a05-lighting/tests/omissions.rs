@@ -190,7 +190,7 @@ fn the_plan_tells_what_need_not_be_lit() {
     let shiny = || -> Box<dyn Material> { Box::new(phong(Color::WHITE, Color::WHITE)) };
     let matt = || -> Box<dyn Material> { Box::new(lambert(Color::WHITE)) };
     let dull = || -> Box<dyn Material> { Box::new(SingleColor::new(ORANGE).unwrap()) };
-    let search = "a search";
+    let search = "a search for a ray alone";
     let by_lights = "all shading by lights";
     let behind = "powers where a light is behind, or mirrored away from the eye";
     for (materials, are_lit, omitted) in [

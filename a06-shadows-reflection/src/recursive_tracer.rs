@@ -101,6 +101,9 @@ impl RecursiveTracer<'_> {
         let mirrors = surfaces.filter(|(_, surface)| surface.reflection() != Color::BLACK);
         let mirrors = mirrors.count();
         let mut plan = self.world.plan(plan);
+        if let Some(search) = self.world.objects().search() {
+            plan = search.plan_together(plan);
+        }
         if casting < lights {
             plan = plan.without(
                 format!("shadow rays to {} of {lights} lights", lights - casting),
