@@ -12,12 +12,13 @@ use proptest::test_runner::RngSeed;
 const EPS: f64 = f64::EPSILON;
 
 fn config() -> ProptestConfig {
+    let default = ProptestConfig::default();
     ProptestConfig {
         // A failure is printed, and comes again without a file that tells of it.
         failure_persistence: None,
         rng_seed: RngSeed::Fixed(0),
-        cases: 1000,
-        ..ProptestConfig::default()
+        cases: default.cases.max(1000),
+        ..default
     }
 }
 
