@@ -127,8 +127,10 @@ pub(crate) fn for_each_row<N: Send>(
 ) -> Result<(), Error> {
     let width = image.size().width() as usize;
     let rows = image.pixels_mut().par_chunks_exact_mut(width);
+    // Row by row: one may take far longer than another, and none shall wait for long.
     rows.zip(notes)
         .enumerate()
+        .with_max_len(1)
         .for_each(|(row, (pixels, note))| {
             let row = first_row + row as u32;
             if paint(row, pixels, note) {

@@ -85,20 +85,20 @@ pub fn render_to(
     let mut rgb = vec![0; 3 * settings.size.pixels()];
     let band = settings.max_error.map_or(BAND, |_| height);
     let bytes_of_a_band = 3 * settings.size.width() as usize * band as usize;
-    for (start, rgb) in (0..)
+    let mut bands = (0..)
         .step_by(band as usize)
-        .zip(rgb.chunks_mut(bytes_of_a_band))
-    {
-        let settings = Settings {
-            rows: Some(start..height.min(start + band)),
-            ..settings.clone()
-        };
-        pool.install(|| {
+        .zip(rgb.chunks_mut(bytes_of_a_band));
+    pool.install(|| {
+        bands.try_for_each(|(start, rgb)| {
+            let settings = Settings {
+                rows: Some(start..height.min(start + band)),
+                ..settings.clone()
+            };
             let band = render_together(&camera, radiance, &settings, &())?;
             band.write_rgb8(Transfer::Linear, rgb);
             Ok::<_, common::Error>(())
-        })?;
-    }
+        })
+    })?;
     println!("trace: {} seconds", started.elapsed().as_secs_f64());
 
     picture_file::save_png(path, settings.size, &rgb)?;
