@@ -191,7 +191,7 @@ fn a_world_tells_how_many_objects_it_has() {
         assert_eq!(world.objects().count(), objects);
         let plan = world.plan(Plan::default());
         assert_eq!(plan.needs, [format!("objects: {objects}")]);
-        assert_eq!(plan.omissions[0].what, "a search");
+        assert_eq!(plan.omissions[0].what, "a search for a ray alone");
     }
 }
 
