@@ -73,6 +73,14 @@ mod tests {
         assert_eq!(power(0.5, 1e300), 0.0);
     }
 
+    /// Rounded after each product, which a power rounded once is not always.
+    #[test]
+    fn a_small_whole_exponent_multiplies() {
+        for base in (1..100_u32).map(|i| f64::from(i) / 100.0) {
+            assert_eq!(power(base, 3.0), base * (base * base));
+        }
+    }
+
     #[test]
     fn four_powers_are_those_of_one() {
         let bases = [0.1, 0.9, 0.999, 1.0];
