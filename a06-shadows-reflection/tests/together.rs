@@ -8,6 +8,7 @@ use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight, SingleColor, Sp
 use a06_shadows_reflection::{
     LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, foci,
 };
+use common::tally::{Work, counted};
 use common::{Color, Size};
 
 /// The `n`-th of the random numbers of a world, from -1 to 1.
@@ -92,6 +93,7 @@ fn rays(camera: &PerspectiveCamera) -> Vec<Ray> {
     seen.chain(anywhere).collect()
 }
 
+/// And as many rays are followed for them: no light is looked for in vain.
 #[test]
 fn colours_are_the_same() {
     let (e, up) = (Point3::new(2.0, 1.5, 3.0), Vector3::new(0.0, 1.0, 0.0));
@@ -101,13 +103,27 @@ fn colours_are_the_same() {
         let world = world(seed as u64, shapes);
         let foci = foci(&camera, &world);
         let world = world.prepared(foci);
-        let tracer = RecursiveTracer::new(&world, true);
-        for (depth, count) in [(0, 5), (1, rays.len()), (8, rays.len())] {
+        for (depth, count, cut) in [
+            (0, 5, None),
+            (1, rays.len(), None),
+            (8, rays.len(), None),
+            (8, rays.len(), Some(0.05)),
+        ] {
+            let tracer = RecursiveTracer::new(&world, true).cut_below(cut);
             let rays = &rays[..count];
-            let mut together = vec![Color::WHITE; count];
-            tracer.trace_together(rays, depth, &mut together);
-            for (ray, color) in rays.iter().zip(together) {
-                assert_eq!(color, tracer.trace(ray, depth), "{shapes} shapes, {ray:?}");
+            let together = || {
+                let mut colors = vec![Color::WHITE; count];
+                tracer.trace_together(rays, depth, &mut colors);
+                colors
+            };
+            let alone = || rays.iter().map(|ray| tracer.trace(ray, depth)).collect();
+            let (together, work) = counted(together).unwrap();
+            let (alone, of_alone): (Vec<_>, _) = counted(alone).unwrap();
+            for (ray, (together, alone)) in rays.iter().zip(together.iter().zip(alone)) {
+                assert_eq!(*together, alone, "{shapes} shapes, {ray:?}");
+            }
+            for kind in [Work::ReflectedRay, Work::ShadowRay, Work::Power] {
+                assert_eq!(work[kind], of_alone[kind], "{shapes} shapes: {kind:?}");
             }
         }
     }
