@@ -11,7 +11,7 @@ use a06_shadows_reflection::{LightSource, RecursiveTracer, ShadowedWorld};
 use a07_transforms::{Flat, Node, Transform, nodes};
 use common::experiment::HALF_GREY_LEVEL;
 use common::tally::{Work, counted};
-use common::{ArgumentError, Color, Plan, Sampling, Settings, Size};
+use common::{ArgumentError, Bound, Color, Plan, Sampling, Settings, Size};
 
 const EYE: Point3 = Point3::new(10.0, 10.0, 10.0);
 
@@ -333,6 +333,46 @@ fn the_plan_tells_of_nodes() {
         "(shapes move by less than ",
     ] {
         assert!(plan.contains(part), "{part}: {plan}");
+    }
+
+    let world = ShadowedWorld::empty(Color::BLACK, Color::WHITE).unwrap();
+    let turning = Node::new(turned(1.0)).with(sphere());
+    let plan = told(&world.with(turning, Box::new(white())));
+    assert!(
+        plan.contains("nodes: 1") && !plan.contains("the matrix of"),
+        "{plan}"
+    );
+}
+
+/// Two nodes: inwards they make an eighth of a length, and 1.5 / 4 + 2 of none;
+/// outwards eight times as much. The plane has no end, so the eye reaches farthest.
+#[test]
+fn the_shift_is_what_two_roundings_make_of_both_ways() {
+    let node = |x: f64, s: f64| {
+        let moved = Transform::IDENTITY.translate(Point3::new(0.0, x, 0.0));
+        moved.unwrap().scale(s, s, s).unwrap()
+    };
+    let floor = || Plane::new(Point3::ORIGIN, Vector3::new(0.0, 1.0, 0.0).as_normal()).unwrap();
+    let tree = || nested(&[node(3.0, 2.0), node(8.0, 4.0)], floor());
+    let flat = Flat::new(&tree()).unwrap();
+    let rounding = 16.0 * f64::EPSILON * 2.0 * 8.0;
+    for reach in [0.0, 1.0, 8.0] {
+        assert_eq!(flat.shift(reach), rounding * (3.0 * reach / 8.0 + 2.375));
+    }
+
+    let (eye, reach) = (Point3::new(0.0, 0.0, 8.0), 8.0);
+    let shift = flat.shift(reach) / reach;
+    let as_much = shift * 4096.0;
+    for (max_error, expected) in [
+        (as_much, vec![]),
+        (as_much.next_up(), vec![Bound::Shift(shift)]),
+    ] {
+        let world = ShadowedWorld::empty(Color::BLACK, Color::WHITE).unwrap();
+        let world = nodes::flattened(world.with(tree(), Box::new(white())), eye, max_error);
+        let plan = nodes::plan(Plan::default(), &world, eye);
+        let bounds = plan.omissions.iter().map(|omission| omission.bound);
+        let bounds: Vec<_> = bounds.filter(|bound| *bound != Bound::SameBits).collect();
+        assert_eq!(bounds, expected);
     }
 }
 
