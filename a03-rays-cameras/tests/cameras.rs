@@ -37,6 +37,36 @@ fn second_course_relations_of_the_pinhole_camera() {
     }
 }
 
+/// Also beside a picture so far away that squares of coordinates are no use; and in
+/// a box, which must ask the camera in it.
+#[test]
+fn several_rays_are_those_of_each_place() {
+    let (e, g) = (Point3::new(1.0, 2.0, 3.0), Vector3::new(-3.0, -1.0, 2.0));
+    let perspective = PerspectiveCamera::new(e, g, UP, 1.1).unwrap();
+    let cameras: [Box<dyn Camera>; 3] = [
+        Box::new(perspective),
+        Box::new(PinholeCamera::new(e, 1.1).unwrap()),
+        Box::new(OrthographicCamera::new(e, g, UP, 2.5).unwrap()),
+    ];
+    let size = size(64, 47);
+    let mut places: Vec<_> = (0..22)
+        .map(|i| (f64::from(i * i) / 7.0, f64::from(50 - 3 * i) / 3.0))
+        .collect();
+    places[9].0 = 1e200;
+    places[15].1 = -1e200;
+    for camera in &cameras {
+        for count in 0..places.len() {
+            let places = &places[..count];
+            let first = Ray::derived(Point3::ORIGIN, AHEAD);
+            let mut together = vec![first];
+            camera.rays_for(size, places, &mut together);
+            let alone = places.iter().map(|(x, y)| camera.ray_for(size, *x, *y));
+            let expected: Vec<_> = [first].into_iter().chain(alone).collect();
+            assert_eq!(together, expected);
+        }
+    }
+}
+
 /// An odd height, where halving it in whole numbers would be wrong.
 #[test]
 fn the_pinhole_halves_odd_sizes_exactly() {
