@@ -321,6 +321,145 @@ fn rays_that_just_touch_are_decided_as_in_the_list() {
     );
 }
 
+/// A world of these shapes, as a list and prepared for rays from the eye.
+fn both<G: Geometry + Clone + 'static>(shapes: &[G], eye: Point3) -> [World<usize>; 2] {
+    let world = || {
+        let empty = World::new(Color::BLACK).unwrap();
+        let shapes = shapes.iter().cloned().enumerate();
+        shapes.fold(empty, |world, (i, shape)| world.with(shape, i))
+    };
+    [world(), world().prepared([Focus::Point(eye)])]
+}
+
+/// From a point to a point.
+fn towards(from: Point3, to: Point3) -> (Ray, Interval) {
+    (Ray::new(from, to - from).unwrap(), Interval::AHEAD)
+}
+
+/// Rounding has such a ray leave a box before it enters it.
+#[test]
+fn rays_through_edges_are_decided_as_in_the_list() {
+    let mut numbers = Numbers::new(8);
+    let corners = [(); 5].map(|()| Point3::ORIGIN + numbers.vector());
+    let size = Vector3::new(0.3, 0.2, 0.1);
+    let shapes = corners.map(|corner| AxisAlignedBox::new(corner, corner + size).unwrap());
+    let eye = Point3::new(4.0, 3.0, 5.0);
+    let [plain, prepared] = both(&shapes, eye);
+    let mut rays = Vec::new();
+    for i in 0..4000 {
+        // An edge that can be seen from where all rays come from.
+        let along = 0.5 + 0.4 * numbers.next();
+        let (x, y) = [(0.3, along * 0.2), (along * 0.3, 0.2)][i % 2];
+        let edge = corners[i % 5] + Vector3::new(x, y, [0.1, 0.0][i / 2 % 2]);
+        let aside = numbers.vector();
+        let from = Point3::new(aside.x() + 3.0, aside.y() + 3.0, aside.z());
+        rays.extend([towards(eye, edge), towards(from, edge)]);
+    }
+    assert!(compare(&plain, &prepared, &rays) > 1000);
+}
+
+/// From so far away its corners are one point but for rounding, in any unit.
+#[test]
+fn triangles_far_beside_rays_are_met_by_none() {
+    let mut numbers = Numbers::new(9);
+    for scale in [1.0, 1.0 / (1_u64 << 60) as f64] {
+        let corner = |x, y, z| Point3::ORIGIN + Vector3::new(x, y, z) * scale;
+        let corners = [
+            corner(0.0, 1.5, 3.0),
+            corner(10.0, 0.0, 8.5),
+            corner(1.0, 0.0, 0.0),
+        ];
+        let [a, b, c] = corners;
+        let far = 9_007_199_254_740_992.0 * scale;
+        let eye = Point3::ORIGIN + numbers.vector() * far;
+        let [plain, prepared] = both(&[Triangle::new(a, b, c).unwrap()], eye);
+        let rays: Vec<_> = (0..40_000)
+            .map(|_| {
+                let from = Point3::ORIGIN + numbers.vector() * far;
+                let ray = Ray::new(from, numbers.vector()).unwrap();
+                (ray, Interval::AHEAD)
+            })
+            .collect();
+        compare(&plain, &prepared, &rays);
+    }
+}
+
+/// From so far away that the radius is below rounding, a sphere has no normal.
+#[test]
+fn a_sphere_that_is_a_point_by_rounding_is_decided_as_in_the_list() {
+    let centre = Point3::new(0.5, 0.25, 0.75);
+    let eye = Point3::new(0.5, 0.25, 1e20);
+    let [plain, prepared] = both(&[Sphere::new(centre, 1.0).unwrap()], eye);
+    let mut numbers = Numbers::new(11);
+    let mut rays = vec![towards(eye, centre); 40];
+    for far in [1e14, 1e15, 1e16, 1e17, 1e18, 1e20] {
+        rays.extend((0..200).map(|_| towards(centre + numbers.vector() * far, centre)));
+    }
+    let hits = compare(&plain, &prepared, &rays);
+    assert!((200..rays.len()).contains(&hits), "{hits}");
+}
+
+/// The normals of two corners are opposite: half way between them is none.
+#[test]
+fn normals_that_cancel_are_decided_as_in_the_list() {
+    let corner = |x, y| Point3::new(x, y, 0.0);
+    let [up, down] = [1.0, -1.0].map(|z| Normal3::new(0.0, 0.0, z));
+    let flat = Triangle::new(corner(0.0, 0.0), corner(4.0, 0.0), corner(0.0, 4.0)).unwrap();
+    let smooth = flat.with_normals([up, down, up]).unwrap();
+    let eye = Point3::new(2.0, 1.0, 8.0);
+    let [plain, prepared] = both(&[smooth], eye);
+    let rays: Vec<_> = (0..400)
+        .map(|i| {
+            let y = f64::from(i % 8) / 4.0;
+            let x = [2.0, f64::from(i) / 200.0][usize::from(i % 4 == 1)];
+            let above = Point3::new(x, y, 8.0);
+            towards(above, corner(x, y))
+        })
+        .collect();
+    assert_eq!(compare(&plain, &prepared, &rays), 400);
+}
+
+/// Cuts by area alone take only a few of them off at each level.
+#[test]
+fn spheres_of_all_sizes_are_met_as_in_the_list() {
+    let sphere = |exponent: i32| {
+        let size = libm::ldexp(1.0, exponent);
+        Sphere::new(Point3::new(size, 0.0, 0.0), size / 4.0).unwrap()
+    };
+    let spheres: Vec<_> = (-300..=300).map(sphere).collect();
+    let eye = Point3::new(-1.0, 0.0, 0.0);
+    let [plain, prepared] = both(&spheres, eye);
+    let ray = |exponent: i32| {
+        let (from, to) = (Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
+        let before = libm::ldexp(1.0, exponent);
+        match exponent % 3 {
+            0 => towards(Point3::new(-before, 0.0, 0.0), from),
+            1 => towards(Point3::new(2.0 * before, before, 0.0), to),
+            _ => towards(Point3::new(before * 1.5, 0.0, 0.0), from),
+        }
+    };
+    let rays: Vec<_> = (-300..=300).map(ray).collect();
+    assert!(compare(&plain, &prepared, &rays) > 400);
+}
+
+/// No cut parts what has its middle in one place.
+#[test]
+fn spheres_in_one_place_are_met_as_in_the_list() {
+    let centre = Point3::new(1.0, 2.0, 3.0);
+    let sphere = |i: u32| Sphere::new(centre, 1.0 + f64::from(i % 50) / 50.0).unwrap();
+    let spheres: Vec<_> = (0..100).map(sphere).collect();
+    let eye = Point3::new(9.0, 8.0, 7.0);
+    let [plain, prepared] = both(&spheres, eye);
+    let mut numbers = Numbers::new(12);
+    let rays: Vec<_> = (0..1000)
+        .map(|_| {
+            let aim = centre + numbers.vector() * 2.0;
+            towards(centre + numbers.vector() * 5.0, aim)
+        })
+        .collect();
+    assert!(compare(&plain, &prepared, &rays) > 400);
+}
+
 #[test]
 fn an_object_that_is_added_is_met() {
     let sphere = |x| Sphere::new(Point3::new(x, 0.0, 0.0), 0.5).unwrap();

@@ -141,7 +141,7 @@ mod tests {
 
     use super::*;
 
-    /// Boxes of any sizes whose middles along each axis are 0, 1, 2 .. 15, in an
+    /// Boxes of any sizes whose middles along each axis are -7.5, -6.5 .. 7.5, in an
     /// order of its own: so each has a bin for itself.
     fn boxes(seed: u64) -> Vec<(Bounds, Shape)> {
         let shuffled = |axis: u32| {
@@ -156,7 +156,7 @@ mod tests {
         let orders = [0, 1, 2].map(shuffled);
         let random = PixelRandom::new(seed, 3, 0);
         let shape = |i: u32| {
-            let middle = [0, 1, 2].map(|axis| f64::from(orders[axis][i as usize]));
+            let middle = [0, 1, 2].map(|axis| f64::from(orders[axis][i as usize]) - 7.5);
             let half = [0, 1, 2].map(|axis| 4.0 * random.uniform(u64::from(3 * i + axis)));
             let bounds = Bounds {
                 min: std::array::from_fn(|axis| middle[axis] - half[axis]),
@@ -192,6 +192,54 @@ mod tests {
         }
     }
 
+    /// So many points along the diagonal of a cube of this size that begins there.
+    fn cluster(count: u32, at: f64, size: f64) -> impl Iterator<Item = (Bounds, Shape)> {
+        (0..count).map(move |i| {
+            let point = [at + size * f64::from(i) / f64::from(count - 1); 3];
+            let bounds = Bounds {
+                min: point,
+                max: point,
+            };
+            (bounds, Shape::Other(i))
+        })
+    }
+
+    #[test]
+    fn a_cut_lies_between_groups() {
+        for (few, many) in [(2, 5), (5, 2)] {
+            let shapes: Vec<_> = cluster(few, 0.0, 1.0)
+                .chain(cluster(many, 90.0, 1.0))
+                .collect();
+            let (_, left) = cheapest_cut(&shapes).unwrap();
+            assert_eq!(left, few as usize);
+        }
+    }
+
+    /// Halved, a cluster costs an eighth: a half of its shapes on a quarter of its
+    /// surface. The first two cost 60 and 768, the others 360 and 30; the surface
+    /// alone, or the number of shapes alone, would part another one.
+    #[test]
+    fn the_group_that_costs_most_is_parted() {
+        for (one, other, expected) in [
+            (
+                cluster(20, 0.0, 1e-3),
+                cluster(16, 1.0, 4e-3),
+                [20, 8, 4, 4],
+            ),
+            (
+                cluster(120, 0.0, 1.0),
+                cluster(10, 1e3, 1.0),
+                [60, 30, 30, 10],
+            ),
+        ] {
+            let mut shapes: Vec<_> = one.chain(other).collect();
+            let groups = four_groups(&mut shapes, 0);
+            let mut found: Vec<_> = groups.iter().map(|group| group.len()).collect();
+            found.sort_unstable_by(|a, b| b.cmp(a));
+            assert_eq!(found, expected);
+        }
+    }
+
     #[test]
     fn what_lies_in_one_place_is_not_cut() {
         let bounds = Bounds {
@@ -204,15 +252,15 @@ mod tests {
     #[test]
     fn the_longest_axis_is_that_of_the_middles() {
         for axis in 0..3 {
-            let at = |x: f64, half: f64| {
-                let (mut min, mut max) = ([-half; 3], [half; 3]);
+            let at = |x: f64, others: f64, half: f64| {
+                let (mut min, mut max) = ([others - half; 3], [others + half; 3]);
                 min[axis] = x - 0.5;
                 max[axis] = x + 0.5;
                 (Bounds { min, max }, Shape::Other(0))
             };
             // The boxes are wider along the other axes.
             assert_eq!(
-                longest_axis(&[at(-9.0, 20.0), at(-8.0, 5.0), at(-5.0, 9.0)]),
+                longest_axis(&[at(-9.0, 1.0, 20.0), at(-8.0, 2.0, 5.0), at(-5.0, 2.0, 9.0)]),
                 axis
             );
         }

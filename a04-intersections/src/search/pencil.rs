@@ -135,7 +135,7 @@ impl Pencil {
                     total += 1;
                 }
             }
-            if total <= 16 * (appearances.len() + 4096) || self.side == 1 {
+            if total <= 16 * (appearances.len() + 4096) {
                 break counts;
             }
             self.side /= 2;
@@ -415,4 +415,60 @@ fn is_all(vectors: Vector3x4, one: DVec3, active: u32) -> bool {
     let one = Vector3x4::splat(one);
     let same = vectors.x.simd_eq(one.x) & vectors.y.simd_eq(one.y) & vectors.z.simd_eq(one.z);
     active & !same.to_bitmask() == 0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const EYE: Focus = Focus::Point(Point3::ORIGIN);
+
+    /// A cube of this size with its middle there.
+    fn cube(size: f64, middle: [f64; 3]) -> (Bounds, Shape) {
+        let bounds = Bounds {
+            min: middle.map(|x| x - size / 2.0),
+            max: middle.map(|x| x + size / 2.0),
+        };
+        (bounds, Shape::Other(0))
+    }
+
+    fn side(shapes: &[(Bounds, Shape)]) -> usize {
+        Pencil::new(EYE, shapes).expect("a pencil").side
+    }
+
+    /// 30² shapes, each of them in few cells: 120² are sixteen for each.
+    #[test]
+    fn there_are_sixteen_cells_for_a_shape() {
+        let shapes: Vec<_> = (0..900)
+            .map(|i| cube(1e-3, [f64::from(i % 30), f64::from(i / 30), -100.0]))
+            .collect();
+        assert_eq!(side(&shapes), 120);
+        assert_eq!(side(&shapes[..9]), 64, "not too few");
+    }
+
+    /// Each of these is in all 64² cells: 16 make 16 · 4096 entries, which are as
+    /// many as there may be for none and sixteen more for each.
+    #[test]
+    fn where_shapes_fill_many_cells_there_are_fewer() {
+        assert_eq!(side(&[cube(1.0, [0.0, 0.0, -10.0]); 16]), 64);
+        assert_eq!(side(&[cube(1.0, [0.0, 0.0, -10.0]); 17]), 32);
+    }
+
+    /// Shapes on both sides, at such angles to the gaze between them: some 80
+    /// degrees are the most, however large the scene is.
+    #[test]
+    fn what_is_too_far_aside_makes_no_cells() {
+        for size in [1e-3, 1.0, 1e3] {
+            let is_seen = |degrees: f64| {
+                let angle = degrees.to_radians();
+                let (before, aside) = (size * libm::cos(angle), size * libm::sin(angle));
+                let one = |aside| cube(size * 1e-3, [aside, 0.0, -before]);
+                Pencil::new(EYE, &[one(aside), one(-aside)]).is_some()
+            };
+            assert_eq!(
+                [30.0, 80.0, 83.0, 89.0].map(is_seen),
+                [true, true, false, false]
+            );
+        }
+    }
 }
