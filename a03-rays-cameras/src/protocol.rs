@@ -128,8 +128,8 @@ mod tests {
                 Vector3::new(2.0, 1.5, -4.0),
             ),
             (
-                pinhole_direction_of_whole_sizes([7, 5], 4.5, 0.5, 2.0 * half),
-                Vector3::new(1.5, 1.5, -4.0),
+                pinhole_direction_of_whole_sizes([7, 5], 5.5, 0.5, 2.0 * half),
+                Vector3::new(2.5, 1.5, -4.0),
             ),
         ] {
             let epsilon = 4.0 * f64::EPSILON;

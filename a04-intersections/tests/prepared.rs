@@ -442,6 +442,27 @@ fn spheres_of_all_sizes_are_met_as_in_the_list() {
     assert!(compare(&plain, &prepared, &rays) > 400);
 }
 
+/// The upper faces of both boxes lie in one plane. The larger one comes nearer to the
+/// eye and is asked first, wherever it stands in the list.
+#[test]
+fn of_two_at_the_same_place_the_first_of_the_list_counts() {
+    let aab = |half: f64| {
+        let low = Point3::new(-half, -half, -1.0);
+        AxisAlignedBox::new(low, Point3::new(half, half, 0.0)).unwrap()
+    };
+    let eye = Point3::new(5.0, 0.5, 3.0);
+    let mut numbers = Numbers::new(13);
+    let rays: Vec<_> = (0..400)
+        .map(|_| towards(eye, Point3::new(numbers.next(), numbers.next(), 0.0)))
+        .collect();
+    for shapes in [[aab(1.0), aab(2.0)], [aab(2.0), aab(1.0)]] {
+        let [plain, prepared] = both(&shapes, eye);
+        assert_eq!(compare(&plain, &prepared, &rays), 400);
+        let first = |(ray, _): &_| *plain.hit(ray, Interval::AHEAD).unwrap().1 == 0;
+        assert!(rays.iter().all(first));
+    }
+}
+
 /// No cut parts what has its middle in one place.
 #[test]
 fn spheres_in_one_place_are_met_as_in_the_list() {
@@ -530,6 +551,20 @@ fn in_a_box_a_shape_has_the_same_bounds_and_parts() {
     assert!(Box::new(sphere(0.0)).parts().is_none());
 }
 
+/// A shape of a kind that no search knows.
+#[derive(Debug)]
+struct Unknown(Sphere);
+
+impl Geometry for Unknown {
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        self.0.hit(ray, within)
+    }
+
+    fn bounds(&self) -> Bounds {
+        self.0.bounds()
+    }
+}
+
 /// Of few shapes all are asked; more are searched, and a tree needs bounds.
 #[test]
 fn the_plan_tells_how_shapes_are_found() {
@@ -566,4 +601,9 @@ fn the_plan_tells_how_shapes_are_found() {
     let world = World::new(Color::BLACK).unwrap().with(pair, ());
     let plan = world.prepared([]).plan(Plan::default());
     assert_eq!(plan.omissions[0].what, tree, "parts are searched");
+
+    let empty = World::new(Color::BLACK).unwrap();
+    let world = (0..5).fold(empty, |world, _| world.with(Unknown(sphere()), ()));
+    let plan = world.prepared([]).plan(Plan::default());
+    assert_eq!(plan.omissions[0].what, far, "of any kind");
 }

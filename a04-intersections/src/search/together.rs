@@ -255,7 +255,7 @@ impl Nearest<'_> {
     #[inline(never)]
     fn take(&mut self, shape: Shape, t: Lanes, active: u32) {
         let mut found = t.simd_lt(self.t).to_bitmask() & active;
-        let tied = active & self.met & !found & t.simd_eq(self.t).to_bitmask();
+        let tied = active & self.met & t.simd_eq(self.t).to_bitmask();
         self.t = select(mask(found), t, self.t);
         if self.met == 0 {
             // Who meets nothing has no shape; any will do.
