@@ -434,4 +434,49 @@ mod tests {
         }
         assert_eq!(glyph(' '), [0; 8]);
     }
+
+    #[test]
+    fn a_colour_covers_what_is_below_by_its_part() {
+        let size = Size::new(3, 9).unwrap();
+        let mut canvas = Canvas::new(size, Color::new(0.5, 1.0, 0.25)).unwrap();
+        // From row 2.75 to row 5.25.
+        canvas.line((-9.0, 4.0), (29.0, 4.0), 2.5, Color::RED);
+        let quarter = Color::new(0.625, 0.75, 0.1875);
+        assert_eq!(canvas.image.get(1, 2), Some(quarter));
+        assert_eq!(canvas.image.get(1, 3), Some(Color::RED));
+    }
+
+    #[test]
+    fn every_dot_of_a_letter_is_a_square_at_its_place() {
+        for (scale, at) in [(1, (2.3, 1.6)), (3, (4.0, 5.0))] {
+            let mut canvas = canvas(60, 32);
+            canvas.text(at, scale, Color::WHITE, "gR");
+            let (left, top) = (at.0.round() as u32, at.1.round() as u32);
+            for y in 0..32 {
+                for x in 0..60 {
+                    let dot = |start: u32, at: u32| Some(at.checked_sub(start)? / scale);
+                    let place = dot(left, x).zip(dot(top, y));
+                    let is_dot = place.is_some_and(|(column, row)| {
+                        let letter = "gR".chars().nth(column as usize / 8);
+                        row < 8
+                            && letter
+                                .is_some_and(|c| glyph(c)[row as usize] >> (column % 8) & 1 == 1)
+                    });
+                    assert_eq!(
+                        red_at(&canvas, x, y),
+                        f64::from(u8::from(is_dot)),
+                        "{x} {y}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_letter_has_a_shape_of_its_own() {
+        for letters in ["äöüßÄÖÜéñ", "αβγδθλμπρστφω"] {
+            let shapes: std::collections::HashSet<_> = letters.chars().map(glyph).collect();
+            assert_eq!(shapes.len(), letters.chars().count());
+        }
+    }
 }

@@ -35,7 +35,7 @@ impl Files {
         for entry in fs::read_dir(folder)? {
             let entry = entry?;
             let path = format!("{name}{}", entry.file_name().to_string_lossy());
-            if path.starts_with('.') || path == "target" || path == "out" {
+            if is_made(&path) {
                 continue;
             }
             if entry.file_type()?.is_dir() {
@@ -85,6 +85,11 @@ impl Files {
     pub(crate) fn of<const N: usize>(files: [(&str, &str); N]) -> Self {
         Self(files.map(|(path, text)| (path.into(), text.into())).into())
     }
+}
+
+/// Whether a path belongs to what is made by building, or to other programs.
+fn is_made(path: &str) -> bool {
+    path.starts_with('.') || path == "target" || path == "out"
 }
 
 /// What stands behind the last dot of a path.
@@ -137,5 +142,12 @@ mod tests {
         for stage in files.stages() {
             assert!(manifest.contains(&format!("\"{stage}\"")), "{stage}");
         }
+    }
+
+    #[test]
+    fn what_is_made_is_not_read() {
+        assert!([".git", "target", "out"].into_iter().all(is_made));
+        let read = ["book", "README.md", "a01/out", "fuzz/target"];
+        assert!(!read.into_iter().any(is_made));
     }
 }

@@ -83,7 +83,7 @@ fn check(text: &str, anchor: &str) -> Result<(), String> {
             Err(format!("the anchor {anchor} is closed before it is opened"))
         }
         ([open], [close]) => {
-            let mut body = text.lines().skip(open + 1).take(close - open - 1);
+            let mut body = text.lines().take(*close).skip(open + 1);
             let shown = |line: &str| !line.trim().is_empty() && !line.contains("ANCHOR");
             let found = body.any(shown);
             found
@@ -181,5 +181,19 @@ mod tests {
     #[test]
     fn what_is_escaped_is_no_include() {
         assert_eq!(directives(r"\{{#include a.rs}} {{#title A}}").count(), 0);
+    }
+
+    /// The first line of an anchor may be empty, and the last one may not; what
+    /// stands around it is not shown.
+    #[test]
+    fn an_anchor_shows_what_lies_between_its_marks() {
+        let shown = |source: &str| check(source, "c_d-1").is_ok();
+        let marked = |body| {
+            let source = format!("a();\n\n// ANCHOR: c_d-1\n{body}// ANCHOR_END: c_d-1\nb();\n");
+            shown(&source)
+        };
+        assert!(marked("\nbody();\n") && marked("body();\n\n"));
+        assert!(!marked("") && !marked("\n") && !marked("// ANCHOR: e\n"));
+        assert!(!shown("// ANCHOR: c_d-1 ANCHOR_END: c_d-1\nb();"));
     }
 }

@@ -42,6 +42,8 @@ pub fn complaint(path: &str, line: usize, what: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use pulldown_cmark::Tag;
+
     use super::*;
 
     #[test]
@@ -51,5 +53,40 @@ mod tests {
         assert_eq!(page.complain(0, "no"), "a.md:1: no");
         assert_eq!(page.complain(4, "no"), "a.md:2: no");
         assert_eq!(page.complain(text.len() - 1, "no"), "a.md:3: no");
+    }
+
+    /// Each of these is a plain text or paragraph to a reader of less.
+    #[test]
+    fn all_is_read_that_mdbook_reads() {
+        let seen = |text, found: fn(&Event) -> bool| {
+            let page = Page { path: "a.md", text };
+            page.events().any(|(event, _)| found(&event))
+        };
+        let start = |text, found: fn(&Tag) -> bool| {
+            let page = Page { path: "a.md", text };
+            let mut events = page.events();
+            events.any(|(event, _)| matches!(event, Event::Start(tag) if found(&tag)))
+        };
+        assert!(start("| a |\n|---|\n", |tag| matches!(tag, Tag::Table(_))));
+        assert!(start("[^a]\n\n[^a]: note", |tag| matches!(
+            tag,
+            Tag::FootnoteDefinition(_)
+        )));
+        assert!(start("~~a~~", |tag| matches!(tag, Tag::Strikethrough)));
+        assert!(seen("- [x] a", |event| matches!(
+            event,
+            Event::TaskListMarker(true)
+        )));
+        assert!(start("# A {#b}", |tag| matches!(
+            tag,
+            Tag::Heading { id: Some(_), .. }
+        )));
+        assert!(seen("it's", |event| *event == Event::Text("’".into())));
+        assert!(start("a\n: b", |tag| matches!(tag, Tag::DefinitionList)));
+        assert!(start("> [!NOTE]\n> a", |tag| matches!(
+            tag,
+            Tag::BlockQuote(Some(_))
+        )));
+        assert!(seen("$a$", |event| matches!(event, Event::InlineMath(_))));
     }
 }

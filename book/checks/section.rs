@@ -207,4 +207,11 @@ mod tests {
             [format!("{MAP}:6: c.rs does not exist")]
         );
     }
+
+    #[test]
+    fn both_protocols_have_their_map() {
+        let expected = ["first", "second"]
+            .map(|protocol| format!("{MAP}:1: there is no table of the {protocol} protocol"));
+        assert_eq!(complaints(&Files::of([(MAP, "# Map")])), expected);
+    }
 }

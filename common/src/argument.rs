@@ -145,4 +145,15 @@ mod tests {
         assert!(share("x", Color::new(0.0, 1.001, 0.0)).is_err());
         assert!(share("x", Color::gray(-1e-9)).is_err());
     }
+
+    #[test]
+    fn what_is_right_passes_as_it_is() {
+        for number in [0.25, 7.0] {
+            let checks = [finite, not_negative, length, coordinate];
+            assert!(checks.iter().all(|check| check("x", number) == Ok(number)));
+        }
+        let orange = Color::new(1.0, 0.5, 0.0);
+        assert_eq!(color("x", orange), Ok(orange));
+        assert_eq!(share("x", orange), Ok(orange));
+    }
 }

@@ -108,13 +108,15 @@ impl fmt::Display for Comparison {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tally::count;
+    use crate::tally::{count, count_all};
     use crate::{Color, Size};
 
-    /// Without omissions a ray more and a picture brighter by 1/8.
+    /// Without omissions a ray more, three tests more and a picture brighter by
+    /// 1/8.
     fn scene() -> Scene {
         Scene::traced("test", "", |settings, _| {
             count(Work::PrimaryRay);
+            count_all(Work::IntersectionTest, if settings.omit { 1 } else { 4 });
             let mut image = Image::black(settings.size)?;
             if !settings.omit {
                 count(Work::ShadowRay);
@@ -134,10 +136,27 @@ mod tests {
         assert_eq!(comparison.difference, 0.125);
         assert_eq!(
             comparison.row("name"),
-            "| name | 1 | **0** of 1 | | | | | |"
+            "| name | 1 | **0** of 1 | | **1** of 4 | | | |"
         );
-        let table = comparison.to_string();
-        assert!(table.contains("100.0 %"), "{table}");
-        assert!(!table.contains("powers"), "{table}");
+        let table = [
+            "  work                     everything         needed    saved",
+            "  primary rays                      1              1    0.0 %",
+            "  shadow rays                       1              0  100.0 %",
+            "  intersection tests                4              1   75.0 %",
+        ];
+        assert_eq!(comparison.to_string(), table.join("\n"));
+    }
+
+    #[test]
+    fn what_is_no_number_differs_from_all_but_the_same() {
+        let dot = |gray| {
+            let size = Size::new(1, 1).unwrap();
+            Image::from_fn(size, |_, _| Color::gray(gray)).unwrap()
+        };
+        let apart = |a, b| difference(&dot(a), &dot(b));
+        assert_eq!(apart(f64::NAN, f64::NAN), 0.0);
+        assert_eq!(apart(f64::INFINITY, f64::INFINITY), 0.0);
+        assert_eq!(apart(f64::NAN, 1.0), f64::INFINITY);
+        assert_eq!(apart(1.0, 0.25), 0.75);
     }
 }

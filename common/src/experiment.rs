@@ -170,27 +170,29 @@ pub fn pareto_front(curves: &[Curve]) -> Vec<Vec<bool>> {
     front.collect()
 }
 
-/// Checks in a test that the measured slopes are those of theory.
+/// Checks in a test that a stage has experiments, and that their measured slopes
+/// are those of theory.
 ///
 /// # Panics
 ///
 /// If one is not; the message shows all that aren't.
-pub fn check_slopes(experiment: &Experiment, effort: Effort) {
+pub fn check_slopes(experiments: &[Experiment], effort: Effort) {
+    assert!(!experiments.is_empty(), "there are no experiments");
     let mut wrong = Vec::new();
-    for curve in (experiment.curves)(effort) {
-        let Some(slope) = curve.slope else { continue };
-        let fitted = curve.fitted_slope(experiment.against, slope.between);
-        if fitted.is_none_or(|fitted| (fitted - slope.expected).abs() > slope.tolerance) {
-            let (method, expected) = (curve.method, slope.expected);
-            wrong.push(format!("{method}: {fitted:?}, not {expected}"));
+    for experiment in experiments {
+        for curve in (experiment.curves)(effort) {
+            let Some(slope) = curve.slope else { continue };
+            let fitted = curve.fitted_slope(experiment.against, slope.between);
+            if fitted.is_none_or(|fitted| (fitted - slope.expected).abs() > slope.tolerance) {
+                let (name, method) = (experiment.name, curve.method);
+                wrong.push(format!(
+                    "{name}: {method}: {fitted:?}, not {}",
+                    slope.expected
+                ));
+            }
         }
     }
-    assert!(
-        wrong.is_empty(),
-        "{}: {}",
-        experiment.name,
-        wrong.join("; ")
-    );
+    assert!(wrong.is_empty(), "{}", wrong.join("; "));
 }
 
 /// The counted work of every point, for a snapshot: it is the same on every
@@ -326,13 +328,46 @@ mod tests {
 
     #[test]
     fn slopes_near_those_of_theory_pass() {
-        check_slopes(&of_slope(-1.0, 0.01), Effort::Quick);
-        check_slopes(&of_slope(-1.5, 0.6), Effort::Quick);
+        let near = [of_slope(-1.0, 0.01), of_slope(-1.5, 0.6)];
+        check_slopes(&near, Effort::Quick);
     }
 
     #[test]
     #[should_panic(expected = "halving: method: Some(-1")]
     fn other_slopes_fail() {
-        check_slopes(&of_slope(-1.5, 0.4), Effort::Quick);
+        check_slopes(&[of_slope(-1.5, 0.4)], Effort::Quick);
+    }
+
+    #[test]
+    #[should_panic(expected = "no experiments")]
+    fn a_stage_without_experiments_fails() {
+        check_slopes(&[], Effort::Quick);
+    }
+
+    #[test]
+    fn points_without_error_do_not_bend_the_slope_of_the_others() {
+        let points = curve(&[(1.0, 1.0), (10.0, 0.1), (100.0, 0.0)]);
+        let slope = points.fitted_slope(Axis::Work, EVERYWHERE).unwrap();
+        assert!((slope + 1.0).abs() < 1e-12, "{slope}");
+    }
+
+    #[test]
+    fn what_the_last_point_reaches_lies_not_beyond_it() {
+        let halving = curve(&[(1.0, 0.8), (4.0, 0.4), (16.0, 0.2)]);
+        let (work, beyond) = halving.work_to_reach(0.2).unwrap();
+        assert!((work - 16.0).abs() < 1e-9 && !beyond);
+    }
+
+    #[test]
+    fn knobs_and_work_are_counted_in_lines() {
+        let lines = counted(&of_slope(-1.0, 0.0), Effort::Quick);
+        let line = |n: f64, error: &str| format!("{:24} {n:>12} {n:>14} {error:>9}", "method");
+        let expected = [
+            "halving ( counted)".to_owned(),
+            line(1.0, "1.0e0"),
+            line(2.0, "5.0e-1"),
+            line(4.0, "2.5e-1"),
+        ];
+        assert_eq!(lines, expected.join("\n"));
     }
 }

@@ -293,12 +293,14 @@ pub(crate) fn select(cases: Vec<Case>, names: &[String]) -> Result<Vec<Case>, Er
     Ok(cases.into_iter().filter(wanted).collect())
 }
 
-/// Checks a stage's table in a test: every row holds, and no id comes twice.
+/// Checks a stage's table in a test: it has rows, each of them holds, and no id
+/// comes twice.
 ///
 /// # Panics
 ///
-/// If a row does not hold; the message shows all that don't.
+/// If that is not so; the message shows all rows that don't hold.
 pub fn check(cases: &[Case]) {
+    assert!(!cases.is_empty(), "there are no cases");
     let failed: Vec<_> = cases.iter().filter(|case| !case.holds()).collect();
     for case in &failed {
         eprintln!("{case}");
@@ -444,5 +446,17 @@ mod tests {
         );
         let finite = |x| Case::new("A", "", [0.0; 3], Bound::Finite, [1.0, x, 1.0]).holds();
         assert!(finite(2.0) && !finite(f64::NAN));
+    }
+
+    #[test]
+    #[should_panic(expected = "no cases")]
+    fn a_table_without_a_row_fails() {
+        check(&[]);
+    }
+
+    #[test]
+    fn a_name_may_be_longer_than_an_id() {
+        let cases = vec![Case::new("A01", "", 1.0, Bound::Equal, 1.0)];
+        assert!(select(cases, &["A01B".to_owned()]).is_err());
     }
 }

@@ -157,4 +157,18 @@ mod tests {
         picture.stop();
         assert!(picture.stopped());
     }
+
+    /// A minute for the first of four rows leaves three for the others.
+    #[test]
+    fn the_remaining_rows_take_as_long_as_those_before() {
+        let minute = Duration::from_mins(1);
+        let picture = LivePicture {
+            started: Instant::now().checked_sub(minute).unwrap(),
+            ..picture()
+        };
+        picture.row(0, &[Color::BLACK; 3]);
+        assert!(picture.elapsed() >= minute);
+        let remaining = picture.remaining().unwrap();
+        assert!((3 * minute..4 * minute).contains(&remaining));
+    }
 }

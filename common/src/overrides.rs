@@ -235,13 +235,54 @@ mod tests {
     }
 
     #[test]
+    fn random_samples_may_be_any_number() {
+        assert!(check_places(5, Sampling::Random).is_ok());
+    }
+
+    #[test]
+    fn work_is_left_out_only_where_scene_and_flag_let_it() {
+        let omits = |omit, no_omit| {
+            let scene = scene().with_defaults(Settings {
+                omit,
+                ..Settings::default()
+            });
+            let flags = Overrides {
+                no_omit,
+                ..Overrides::default()
+            };
+            flags.settings(&scene).unwrap().omit
+        };
+        assert!(omits(true, false) && !omits(true, true));
+        assert!(!omits(false, false) && !omits(false, true));
+    }
+
+    #[test]
     fn flags_that_change_nothing_are_named() {
-        let flags = Overrides {
-            depth: Some(2),
+        let paint = |settings: &Settings, _: &dyn crate::Progress| Image::black(settings.size);
+        let all = Overrides {
+            size: Some(Size::COURSE),
             samples: Some(4),
+            sampling: Some(Sampling::Random),
+            max_error: Some(0.5),
+            seed: Some(1),
+            depth: Some(2),
+            open: Some("a.png".into()),
             ..Overrides::default()
         };
-        assert_eq!(flags.unheeded(scene().heeds), ["--depth"]);
-        assert!(flags.unheeded(scene().reflecting().heeds).is_empty());
+        let of_samples = ["--samples", "--sampling", "--max-error", "--seed"];
+        for (scene, before, after) in [
+            (
+                Scene::painted("", "", paint),
+                &[][..],
+                &["--depth", "--open"][..],
+            ),
+            (Scene::opened("", "", paint), &["--size"], &["--depth"]),
+        ] {
+            let expected = [before, &of_samples, after].concat();
+            assert_eq!(all.unheeded(scene.heeds), expected);
+            assert!(Overrides::default().unheeded(scene.heeds).is_empty());
+        }
+        assert_eq!(all.unheeded(scene().heeds), ["--depth", "--open"]);
+        assert_eq!(all.unheeded(scene().reflecting().heeds), ["--open"]);
     }
 }

@@ -286,31 +286,6 @@ mod tests {
         );
     }
 
-    /// The second of three components is said to be the finest, two by three
-    /// places to each of the others, and only the first one follows. The decoder
-    /// panics on it.
-    #[test]
-    fn a_jpeg_file_that_the_decoder_panics_on_is_refused() {
-        let mut jpeg = Vec::new();
-        let picture = image::RgbImage::new(20, 17);
-        let format = image::ImageFormat::Jpeg;
-        picture
-            .write_to(&mut Cursor::new(&mut jpeg), format)
-            .unwrap();
-        let find = |bytes: &[u8], part: &[u8]| {
-            let start = bytes.windows(part.len()).position(|window| window == part);
-            start.expect("the part")
-        };
-        let components = find(&jpeg, &[3, 1, 0x11, 0, 2, 0x11, 1, 3, 0x11, 1]);
-        jpeg[components + 5] = 0x23;
-        let scan = [0xFF, 0xDA, 0, 12, 3, 1, 0, 2, 0x11, 3, 0x11];
-        let start = find(&jpeg, &scan);
-        jpeg.splice(start..start + scan.len(), [0xFF, 0xDA, 0, 8, 1, 1, 0]);
-        let error = open_bytes(Path::new("odd.jpg"), &jpeg).unwrap_err();
-        let expected = "cannot open odd.jpg: the file is damaged";
-        assert_eq!(error.to_string(), expected);
-    }
-
     /// It has no pixels, and takes no room on the disk.
     #[test]
     #[cfg(unix)]
@@ -358,5 +333,38 @@ mod tests {
         let size = Size::new(1, 1).unwrap();
         assert!(save_png(&path, size, &[0; 3]).is_err());
         assert_eq!(folder.path().read_dir().unwrap().count(), 1);
+    }
+
+    /// Half of white's opacity: 128 of 255.
+    #[test]
+    fn what_is_half_transparent_is_half_as_bright() {
+        let mut png = Cursor::new(Vec::new());
+        let half = image::RgbaImage::from_pixel(1, 1, image::Rgba([255, 255, 255, 128]));
+        half.write_to(&mut png, image::ImageFormat::Png).unwrap();
+        let opened = open_bytes(Path::new("half.png"), &png.into_inner()).unwrap();
+        assert_eq!(opened.pixels(), [Color::gray(128.0 / 255.0)]);
+    }
+
+    #[test]
+    fn a_disk_that_fails_is_no_file_that_ends() {
+        struct Failing<'a>(&'a [u8]);
+        impl io::Read for Failing<'_> {
+            fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+                match self.0.read(buffer)? {
+                    0 => Err(io::Error::other("the disk is broken")),
+                    read => Ok(read),
+                }
+            }
+        }
+        impl Seek for Failing<'_> {
+            fn seek(&mut self, _: io::SeekFrom) -> io::Result<u64> {
+                Ok(0)
+            }
+        }
+        let folder = tempfile::tempdir().unwrap();
+        let whole = std::fs::read(saved(folder.path())).unwrap();
+        let half = BufReader::new(Failing(&whole[..whole.len() / 2]));
+        let error = read(Path::new("a.png"), half).unwrap_err().to_string();
+        assert_eq!(error, "cannot open a.png: the disk is broken");
     }
 }

@@ -171,7 +171,7 @@ fn draw(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::experiment::Point;
+    use crate::experiment::{Experiment, Point};
 
     #[test]
     fn axes_hold_whole_decades() {
@@ -209,5 +209,72 @@ mod tests {
         let by_knob = [(7.0, 0.5), (7.0, 0.5), (7.0, 0.25)];
         assert_eq!(shown("work", Axis::Knob), by_knob);
         assert_eq!(shown("time", Axis::Work), [(0.1, 0.5), (0.3, 0.5)]);
+    }
+
+    /// The numbers of an attribute of every element that has this colour.
+    fn numbers(svg: &str, element: &str, color: &str, attribute: &str) -> Vec<Vec<i32>> {
+        let lines = svg.lines().filter(|line| {
+            line.starts_with(&format!("<{element} ")) && line.contains(&format!("=\"{color}\""))
+        });
+        let of_line = |line: &str| {
+            let (_, rest) = line.split_once(&format!(" {attribute}=\""))?;
+            let (value, _) = rest.split_once('"')?;
+            let numbers = value.split([',', ' ']).filter_map(|n| n.parse().ok());
+            Some(numbers.collect())
+        };
+        lines.filter_map(of_line).collect()
+    }
+
+    /// From the first decades on each point is a circle, but not those far
+    /// below; each curve has its colour, and a line of 18 pixels in the legend.
+    #[test]
+    fn curves_have_their_points_and_colours() {
+        let curve = |points: &[(f64, f64)]| Curve {
+            method: "method",
+            remark: "",
+            slope: None,
+            points: points
+                .iter()
+                .map(|(work, error)| Point::new(*work, *work, [*error], || 0.0))
+                .collect(),
+        };
+        let curves = vec![
+            curve(&[(1.0, 1.0), (10.0, 5.0), (100.0, 1e-60)]),
+            curve(&[(1e-60, 1.0), (1.0, 5.0), (2.0, 5.0), (1e40, 1e40)]),
+        ];
+        let seconds = curves.iter().map(|c| vec![1.0; c.points.len()]).collect();
+        let experiment = Experiment {
+            name: "",
+            about: "",
+            knob: "",
+            work: "",
+            error: "",
+            against: Axis::Work,
+            curves: Box::new(|_| Vec::new()),
+        };
+        let measured = Measured {
+            experiment: &experiment,
+            curves,
+            seconds,
+        };
+        let plots = plots(&measured).unwrap();
+        let names: Vec<_> = plots.iter().map(|(name, _)| name.as_str()).collect();
+        let expected = [
+            "-work-light.svg",
+            "-time-light.svg",
+            "-work-dark.svg",
+            "-time-dark.svg",
+        ];
+        assert_eq!(names, expected);
+        for (color, points) in [("#0072B2", 2), ("#D55E00", 3)] {
+            let svg = &plots[0].1;
+            assert_eq!(numbers(svg, "circle", color, "cx").len(), points);
+            let lines = numbers(svg, "polyline", color, "points");
+            assert_eq!(lines[0].len(), 2 * points);
+            let [from, from_y, to, to_y] = lines[1][..] else {
+                panic!("{lines:?}");
+            };
+            assert_eq!((to - from, to_y - from_y), (18, 0));
+        }
     }
 }

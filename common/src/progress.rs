@@ -98,3 +98,39 @@ impl Drop for TerminalProgress {
         self.bar.finish_and_clear();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PART: Sampled = Sampled {
+        pixels: 2,
+        samples: 8,
+        most: 5,
+        squared_error: 0.5,
+    };
+
+    #[test]
+    fn the_bar_counts_rows_and_ends_with_the_rendering() {
+        let progress = TerminalProgress::new("scene", Size::new(3, 4).unwrap());
+        let bar = progress.bar.clone();
+        assert_eq!(bar.message(), "scene");
+        progress.row(2, &[Color::BLACK; 3]);
+        progress.more_rows(2);
+        assert_eq!((bar.position(), bar.length()), (1, Some(6)));
+        assert!(!progress.stopped() && !bar.is_finished());
+        drop(progress);
+        assert!(bar.is_finished());
+    }
+
+    #[test]
+    fn samples_are_told_where_some_were_taken() {
+        let progress = TerminalProgress::new("scene", Size::new(3, 4).unwrap());
+        assert_eq!(progress.samples(), None);
+        progress.sampled(&PART);
+        progress.sampled(&PART);
+        let mut both = PART;
+        both += PART;
+        assert_eq!(progress.samples(), Some(both));
+    }
+}

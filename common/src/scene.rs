@@ -215,4 +215,16 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn a_plan_is_told_and_added_to() {
+        let scene = Scene::painted("panel", "", |settings, _| Image::black(settings.size))
+            .planned(|settings| Ok(Plan::default().needing(settings.size.to_string())))
+            .also_planned(|_, plan| Ok(plan.without("a ray", "it goes nowhere")));
+        let plan = scene.plan(&Settings::default()).unwrap();
+        let expected = Plan::default()
+            .needing("640x480")
+            .without("a ray", "it goes nowhere");
+        assert_eq!(plan, expected);
+    }
 }

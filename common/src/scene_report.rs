@@ -122,3 +122,93 @@ fn adaptive<'a>(scene: &'a Scene, size: Size, asked: f64, reference: &[f64]) -> 
     let mean = rays / size.pixels() as f64;
     Point::new(mean, rays, errors, move || render().1)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Color;
+
+    /// As bright as 1/n with n samples, twice or half of it where they lie
+    /// otherwise, and with an error asked for as bright as that. The reference is
+    /// black.
+    fn scene() -> Scene {
+        let scene = Scene::traced("fading", "", |settings, progress| {
+            assert_eq!(settings.size, Size::new(160, 1)?);
+            let samples = f64::from(settings.samples);
+            let is_reference = settings.seed == REFERENCE;
+            let gray = match settings.max_error {
+                Some(asked) => {
+                    assert_eq!(samples, 1024.0);
+                    let pixels = settings.size.pixels() as u64;
+                    progress.sampled(&Sampled {
+                        pixels,
+                        samples: 2 * pixels,
+                        most: 2,
+                        squared_error: 0.0,
+                    });
+                    asked
+                }
+                // What lies below 0 and above 1 is not seen.
+                None if is_reference && settings.sampling == Sampling::Stratified => -1.0,
+                None => match settings.sampling {
+                    Sampling::Random => 1.0 / samples,
+                    Sampling::Regular => 2.0 / samples,
+                    _ => 0.5 / samples,
+                },
+            };
+            Image::from_fn(settings.size, |_, _| Color::gray(gray))
+        });
+        scene.with_defaults(Settings {
+            size: Size::new(320, 2).unwrap(),
+            ..Settings::default()
+        })
+    }
+
+    #[test]
+    fn errors_and_rays_are_those_of_the_pictures() {
+        let scene = scene();
+        let experiment = experiment(&scene).unwrap();
+        let mut curves = (experiment.curves)(Effort::Quick);
+        let measured = |curve: &Curve| {
+            let points = curve.points.iter();
+            points
+                .map(|point| [point.knob, point.work, point.rms])
+                .collect::<Vec<_>>()
+        };
+        for (curve, errors) in curves.iter().zip([
+            [1.0, 0.25, 1.0 / 16.0, 1.0 / 64.0],
+            [1.0, 0.5, 0.125, 1.0 / 32.0],
+            [0.5, 0.125, 1.0 / 32.0, 1.0 / 128.0],
+        ]) {
+            let expected = [1.0, 4.0, 16.0, 64.0].into_iter().zip(errors);
+            let expected: Vec<_> = expected.map(|(n, e)| [n, 160.0 * n, e]).collect();
+            assert_eq!(measured(curve), expected, "{}", curve.method);
+        }
+        let asked = [16.0, 8.0, 4.0, 2.0, 1.0, 0.5].map(|levels| levels / 510.0);
+        for (point, asked) in measured(&curves[3]).iter().zip(asked) {
+            assert_eq!(point[..2], [2.0, 320.0]);
+            assert!((point[2] - asked).abs() < 1e-12);
+        }
+        let methods: Vec<_> = curves.iter().map(|curve| curve.method).collect();
+        assert_eq!(methods, ["random", "regular", "stratified", "adaptive"]);
+        for point in curves.iter_mut().flat_map(|curve| &mut curve.points) {
+            assert_eq!((point.run)(), point.work);
+        }
+    }
+
+    #[test]
+    fn pictures_are_made_160_pixels_wide_and_keep_their_shape() {
+        let small = |width, height| small(Size::new(width, height).unwrap());
+        assert_eq!(small(640, 480).unwrap().to_string(), "160x120");
+        assert_eq!(small(480, 270).unwrap().to_string(), "160x90");
+        assert_eq!(small(1600, 1).unwrap().to_string(), "160x1");
+        assert!(small(1, 32_768).is_err());
+    }
+
+    #[test]
+    fn a_scene_that_takes_no_samples_is_refused() {
+        let scene = Scene::painted("disc", "", |settings, _| Image::black(settings.size));
+        let error = experiment(&scene).err().unwrap().to_string();
+        assert!(error.starts_with("disc is not sampled"), "{error}");
+    }
+}

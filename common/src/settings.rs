@@ -84,3 +84,28 @@ impl Default for Settings {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_lie_on_a_grid_at_random_or_both() {
+        let properties = |sampling: Sampling| (sampling.is_grid(), sampling.is_random());
+        assert_eq!(properties(Sampling::Center), (false, false));
+        assert_eq!(properties(Sampling::Regular), (true, false));
+        assert_eq!(properties(Sampling::Random), (false, true));
+        assert_eq!(properties(Sampling::Stratified), (true, true));
+    }
+
+    #[test]
+    fn no_rows_are_wanted_that_there_are_not() {
+        let rows = |rows| Settings {
+            rows,
+            ..Settings::default()
+        };
+        assert_eq!(rows(None).rows(), 0..480);
+        assert_eq!(rows(Some(5..9)).rows(), 5..9);
+        assert_eq!(rows(Some(470..490)).rows(), 470..480);
+    }
+}

@@ -149,4 +149,11 @@ mod tests {
         assert_eq!(tally[Work::Power], 1);
         assert_eq!(counted(|| ()).unwrap().1, Tally::default());
     }
+
+    #[test]
+    fn only_what_is_counted_knows_of_it() {
+        assert!(!is_on());
+        let (inside, _) = counted(is_on).unwrap();
+        assert!(inside && !is_on());
+    }
 }

@@ -69,4 +69,10 @@ mod tests {
         let above = Transfer::Srgb.encode(0.003_130_800_1);
         assert!((above - below).abs() < 1e-6);
     }
+
+    /// The standard gives the border to the straight part.
+    #[test]
+    fn at_the_border_srgb_is_straight() {
+        assert_eq!(Transfer::Srgb.encode(0.003_130_8), 12.92 * 0.003_130_8);
+    }
 }

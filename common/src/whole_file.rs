@@ -243,6 +243,28 @@ mod tests {
         assert!(kept.iter().all(|path| path.exists()));
     }
 
+    #[test]
+    fn what_would_help_is_told() {
+        let reason = |kind: ErrorKind| {
+            let error = cannot_write(Path::new("a"), &kind.into()).to_string();
+            let reason = error.strip_prefix("cannot write a: ").unwrap();
+            let (reason, _) = reason.split_once(" (").unwrap_or((reason, ""));
+            reason.to_owned()
+        };
+        let no_room = "there is no room left; make some, or write elsewhere";
+        assert_eq!(reason(ErrorKind::StorageFull), no_room);
+        assert_eq!(reason(ErrorKind::QuotaExceeded), no_room);
+        let too_large = "it is larger than a file may be there; write less, or elsewhere";
+        assert_eq!(reason(ErrorKind::FileTooLarge), too_large);
+        assert_eq!(reason(ErrorKind::BrokenPipe), "broken pipe");
+    }
+
+    #[test]
+    fn a_name_alone_lies_in_the_current_folder() {
+        assert_eq!(folder_of(Path::new("a.png")), Path::new("."));
+        assert_eq!(folder_of(Path::new("out/a.png")), Path::new("out"));
+    }
+
     #[cfg(unix)]
     mod links {
         use super::*;

@@ -118,3 +118,16 @@ fn inspect(at: Option<(u32, u32)>, color: Option<u32>) -> String {
     let [_, r, g, b] = packed.to_be_bytes();
     format!("column {column}, row {row}: #{packed:06x} ({r}, {g}, {b})")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pixel_is_told_by_place_and_colour() {
+        let told = inspect(Some((3, 7)), Some(0x00_8001));
+        assert_eq!(told, "column 3, row 7: #008001 (0, 128, 1)");
+        assert_eq!(inspect(None, None), "point at the picture");
+        assert_eq!(inspect(Some((3, 7)), None), "point at the picture");
+    }
+}

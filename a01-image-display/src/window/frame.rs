@@ -75,3 +75,70 @@ impl Frame {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const AREA: Area = Area {
+        x: 2,
+        y: 1,
+        width: 3,
+        height: 2,
+    };
+
+    fn frame(width: usize, height: usize) -> Frame {
+        let mut frame = Frame::default();
+        frame.clear((width, height), 1);
+        frame
+    }
+
+    #[test]
+    fn an_area_holds_its_first_pixels_and_not_those_behind_its_last() {
+        let inside = |x, y| AREA.contains(x, y);
+        for y in 0..5 {
+            for x in 0..7 {
+                let expected = [2, 3, 4].contains(&x) && [1, 2].contains(&y);
+                assert_eq!(inside(x, y), expected, "{x} {y}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_area_is_filled_and_cut_off_at_the_borders() {
+        let mut frame = frame(6, 4);
+        frame.fill(AREA, 7);
+        let rows = [[1; 6], [1, 1, 7, 7, 7, 1], [1, 1, 7, 7, 7, 1], [1; 6]];
+        assert_eq!(frame.pixels(), rows.concat());
+
+        for (x, y, column, row) in [(-2, -1, 0, 0), (5, 3, 5, 3)] {
+            frame.clear((6, 4), 1);
+            frame.fill(Area { x, y, ..AREA }, 7);
+            let mut expected = [1; 24];
+            expected[row * 6 + column] = 7;
+            assert_eq!(frame.pixels(), expected);
+        }
+    }
+
+    #[test]
+    fn a_place_without_a_colour_keeps_its_own() {
+        let mut frame = frame(2, 2);
+        let all = Area { x: 0, y: 0, ..AREA };
+        frame.paint(all, |x, y| (x == 1).then_some(10 + y as u32));
+        assert_eq!(frame.pixels(), [1, 10, 1, 11]);
+    }
+
+    #[test]
+    fn letters_follow_one_another_dot_by_dot() {
+        let mut frame = frame(24, 12);
+        frame.text(3, 2, 7, "gR");
+        for (index, pixel) in frame.pixels().iter().enumerate() {
+            let (x, y) = (index % 24, index / 24);
+            let is_dot = (2..10).contains(&y) && (3..19).contains(&x) && {
+                let letter = if x < 11 { 'g' } else { 'R' };
+                glyph(letter)[y - 2] >> ((x - 3) % 8) & 1 == 1
+            };
+            assert_eq!(*pixel, if is_dot { 7 } else { 1 }, "{x} {y}");
+        }
+    }
+}

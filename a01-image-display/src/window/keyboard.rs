@@ -94,4 +94,16 @@ mod tests {
         keyboard.set_key_state(Key::I, true);
         assert_eq!(keyboard.take(), [Command::Inspect]);
     }
+
+    #[test]
+    fn characters_zoom_whatever_key_they_are_on() {
+        let mut keyboard = Keyboard::default();
+        for character in "+=-0x".chars() {
+            keyboard.add_char(character.into());
+        }
+        keyboard.add_char(u32::MAX);
+        let (zoom_in, zoom_out) = (Command::ZoomIn, Command::ZoomOut);
+        let expected = [zoom_in, zoom_in, zoom_out, Command::ZoomReset];
+        assert_eq!(keyboard.take(), expected);
+    }
 }

@@ -204,4 +204,43 @@ mod tests {
         }
         assert!(matches!(zoom, Zoom::Factor(GREATEST_FACTOR, _)), "{zoom:?}");
     }
+
+    /// The middle of the window is (350, 258), that of the picture (320, 240).
+    #[test]
+    fn zooming_without_a_cursor_keeps_the_middle() {
+        let area = Area { x: 30, ..WINDOW };
+        let picture = Size::new(640, 480).unwrap();
+        let fit = Placement::new(picture, area, Zoom::Fit);
+        let middle = (320.0, 240.0);
+        assert_eq!(fit.zoomed_in(None), Zoom::Factor(2, middle));
+        let beside = Some((5, 100));
+        assert_eq!(fit.zoomed_in(beside), Zoom::Factor(2, middle));
+        let third = Placement::new(picture, area, Zoom::Factor(3, middle));
+        assert_eq!(third.zoomed_out(None), Zoom::Factor(2, middle));
+        assert_eq!(third.pixel(350, 258), Some((320, 240)));
+        assert_eq!(third.pixel(347, 255), Some((319, 239)));
+    }
+
+    /// The middle of pixel (500, 100) lies (180.5, -157.5) from that of the window:
+    /// a third of it in the picture that is three times as large, and a quarter in
+    /// the next.
+    #[test]
+    fn zooming_moves_the_middle_towards_the_cursor() {
+        let third = placed(640, 480, Zoom::Factor(3, (320.0, 240.0)));
+        let (to_x, to_y) = (320.0 + 180.5 / 3.0, 240.0 - 157.5 / 3.0);
+        let Zoom::Factor(4, (x, y)) = third.zoomed_in(Some((500, 100))) else {
+            panic!("four times as large");
+        };
+        let (middle_x, middle_y) = (to_x - 180.5 / 4.0, to_y + 157.5 / 4.0);
+        assert!((x - middle_x).abs() < 1e-9 && (y - middle_y).abs() < 1e-9);
+    }
+
+    #[test]
+    fn an_enlarged_picture_stays_in_its_part_of_the_window() {
+        let placement = placed(640, 480, Zoom::Factor(2, (320.0, 240.0)));
+        assert!(placement.pixel(0, 18).is_some() && placement.pixel(639, 497).is_some());
+        for (x, y) in [(0, 17), (-1, 18), (640, 18), (0, 498)] {
+            assert_eq!(placement.pixel(x, y), None);
+        }
+    }
 }

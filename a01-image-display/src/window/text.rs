@@ -41,4 +41,9 @@ mod tests {
         assert_eq!(wrap("äöüß", 2), ["äö", "üß"]);
         assert_eq!(wrap("→→→", 1), ["→", "→", "→"]);
     }
+
+    #[test]
+    fn a_space_in_front_ends_no_line() {
+        assert_eq!(wrap(" abcdef", 3), [" ab", "cde", "f"]);
+    }
 }

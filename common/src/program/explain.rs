@@ -25,11 +25,7 @@ pub fn explain(scene: &Scene, overrides: &Overrides) -> Result<Image, Error> {
         let comparison = Comparison::new(scene, &settings)?;
         if scene.heeds.sampling {
             say(&comparison.to_string());
-            let [needed, all] = shortest(scene, [&settings, &complete(&settings)])?;
-            let ratio = all / needed;
-            say(&format!(
-                "  time {needed:.3} s; everything takes {ratio:.2} times as long"
-            ));
+            say(&times(shortest(scene, [&settings, &complete(&settings)])?));
             let difference = comparison.difference;
             say(&format!(
                 "  largest difference of a channel {difference:.1e}"
@@ -37,6 +33,11 @@ pub fn explain(scene: &Scene, overrides: &Overrides) -> Result<Image, Error> {
         }
         Ok(comparison.image)
     })
+}
+
+fn times([needed, all]: [f64; 2]) -> String {
+    let ratio = all / needed;
+    format!("  time {needed:.3} s; everything takes {ratio:.2} times as long")
 }
 
 /// The shortest time of each, in seconds. They take turns, so that what else
@@ -51,4 +52,56 @@ fn shortest(scene: &Scene, settings: [&Settings; 2]) -> Result<[f64; 2], Error> 
         }
     }
     Ok(least)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::thread::sleep;
+    use std::time::Duration;
+
+    use super::*;
+    use crate::{Color, Size};
+
+    /// Everything takes three milliseconds, and makes it white.
+    fn scene() -> Scene {
+        let wait = Duration::from_millis(3);
+        let scene = Scene::traced("slow", "", move |settings, _| {
+            if settings.omit {
+                return Image::black(settings.size);
+            }
+            sleep(wait);
+            Image::from_fn(settings.size, |_, _| Color::WHITE)
+        });
+        scene.with_defaults(Settings {
+            size: Size::new(1, 1).unwrap(),
+            omit: false,
+            ..Settings::default()
+        })
+    }
+
+    #[test]
+    fn the_picture_is_that_with_omissions() {
+        let image = explain(&scene(), &Overrides::default()).unwrap();
+        assert_eq!(image.pixels(), [Color::BLACK]);
+    }
+
+    #[test]
+    fn each_has_its_own_time() {
+        let scene = scene();
+        let omitting = Settings {
+            omit: true,
+            ..scene.defaults.clone()
+        };
+        let [needed, all] = shortest(&scene, [&omitting, &scene.defaults]).unwrap();
+        assert!(
+            needed >= 0.0 && needed < all && all >= 0.003,
+            "{needed} {all}"
+        );
+    }
+
+    #[test]
+    fn times_are_told_with_their_ratio() {
+        let expected = "  time 0.250 s; everything takes 6.00 times as long";
+        assert_eq!(times([0.25, 1.5]), expected);
+    }
 }

@@ -22,3 +22,48 @@ pub fn show_extremes(stage: &Stage, names: &[String]) -> Result<(), Error> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::extremes::{Bound, Case};
+
+    fn stage(extremes: fn(Effort) -> Vec<Case>) -> Stage {
+        Stage {
+            name: "a00",
+            about: "",
+            scenes: Vec::new(),
+            experiments: Vec::new,
+            extremes,
+        }
+    }
+
+    fn cases() -> Vec<Case> {
+        let case = |id, ours: f64| Case::new(id, "", 1.0, Bound::Equal, ours);
+        vec![
+            case("A01", 1.0),
+            case("B01", 2.0),
+            case("B02", 3.0),
+            case("B03", 1.0),
+        ]
+    }
+
+    #[test]
+    fn cases_that_fail_are_counted_among_those_that_are_named() {
+        let stage = stage(|_| cases());
+        let failed = |names: &[&str]| {
+            let names: Vec<_> = names.iter().map(|name| (*name).to_owned()).collect();
+            show_extremes(&stage, &names)
+        };
+        assert!(matches!(failed(&[]), Err(Error::Extremes(2))));
+        assert!(matches!(failed(&["B01"]), Err(Error::Extremes(1))));
+        assert!(failed(&["A", "B03"]).is_ok());
+        assert!(matches!(failed(&["C"]), Err(Error::Usage(_))));
+    }
+
+    #[test]
+    fn a_stage_without_cases_says_so() {
+        let error = show_extremes(&stage(|_| Vec::new()), &[]).unwrap_err();
+        assert_eq!(error.to_string(), "a00 has no extreme cases");
+    }
+}

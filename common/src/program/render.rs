@@ -199,4 +199,10 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn a_band_has_as_many_rows_as_it_may() {
+        let bands: Vec<_> = bands(size(7, 5), 20).collect();
+        assert_eq!(bands, [0..2, 2..4, 4..5]);
+    }
 }

@@ -76,3 +76,94 @@ fn chosen(
     let is_wanted = |e: &Experiment| names.is_empty() || names.iter().any(|name| name == e.name);
     Ok(experiments.into_iter().filter(is_wanted).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use std::ffi::OsString;
+
+    use super::*;
+    use crate::experiment::{Axis, Curve, Point};
+    use crate::{Image, Scene};
+
+    fn experiments() -> Vec<Experiment<'static>> {
+        let experiment = |name| Experiment {
+            name,
+            about: "",
+            knob: "n",
+            work: "steps",
+            error: "",
+            against: Axis::Work,
+            curves: Box::new(|_| {
+                vec![Curve {
+                    method: "",
+                    remark: "",
+                    slope: None,
+                    points: vec![Point::new(1.0, 1.0, [1.0], || 0.0)],
+                }]
+            }),
+        };
+        vec![experiment("one"), experiment("two")]
+    }
+
+    fn stage() -> Stage {
+        let disc = Scene::painted("disc", "", |settings, _| Image::black(settings.size));
+        Stage {
+            name: "a00",
+            about: "",
+            scenes: vec![disc],
+            experiments,
+            extremes: |_| Vec::new(),
+        }
+    }
+
+    fn names(names: &[&str]) -> Vec<String> {
+        names.iter().map(|name| (*name).to_owned()).collect()
+    }
+
+    #[test]
+    fn the_named_experiments_are_chosen_or_all() {
+        let chosen = |asked: &[&str]| {
+            let chosen = chosen(experiments(), &names(asked))?;
+            Ok::<_, Error>(chosen.iter().map(|e| e.name).collect::<Vec<_>>())
+        };
+        assert_eq!(chosen(&[]).unwrap(), ["one", "two"]);
+        assert_eq!(chosen(&["two"]).unwrap(), ["two"]);
+        let error = chosen(&["two", "three"]).unwrap_err().to_string();
+        let expected = "there is no experiment \"three\"; there are one, two, and scene NAME";
+        assert_eq!(error, expected);
+    }
+
+    #[test]
+    fn reports_land_in_a_folder_that_is_made() {
+        let folder = tempfile::tempdir().unwrap();
+        let output = folder.path().join("reports");
+        report(&stage(), &names(&["two"]), true, Some(output.clone())).unwrap();
+        let files = output.read_dir().unwrap();
+        let mut files: Vec<_> = files.map(|file| file.unwrap().file_name()).collect();
+        files.sort();
+        let endings = [
+            "-time-dark.svg",
+            "-time-light.svg",
+            "-work-dark.svg",
+            "-work-light.svg",
+            ".csv",
+        ];
+        assert_eq!(
+            files,
+            endings.map(|ending| OsString::from(format!("a00-two{ending}")))
+        );
+    }
+
+    #[test]
+    fn scenes_are_named_after_the_word_scene() {
+        let refused = |asked: &[&str]| {
+            let nowhere = Some("/dev/null".into());
+            let refused = report(&stage(), &names(asked), true, nowhere);
+            refused.unwrap_err().to_string()
+        };
+        assert_eq!(refused(&["scene"]), "report scene takes a scene: disc");
+        assert!(refused(&["scene", "disc"]).starts_with("disc is not sampled"));
+        assert!(refused(&["scene", "one"]).contains("no scene \"one\""));
+        assert!(refused(&["disc"]).contains("no experiment \"disc\""));
+    }
+}

@@ -42,3 +42,57 @@ pub fn show(
     say(&format!("{}  {size}", path.display()));
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::overrides::Overrides;
+    use crate::{Settings, Size};
+
+    /// A person who is shown the gallery and sees nothing of it.
+    struct Blind(fn() -> Result<(), NotShown>);
+
+    impl Viewer for Blind {
+        fn show(&self, gallery: &mut Gallery) -> Result<(), NotShown> {
+            assert_eq!(gallery.title(), "a00: two");
+            (self.0)()
+        }
+    }
+
+    fn shown(size: Size, sees: fn() -> Result<(), NotShown>) -> Result<(), Error> {
+        let scene = |name| Scene::traced(name, "", |settings, _| Image::black(settings.size));
+        let defaults = Settings {
+            size,
+            ..Settings::default()
+        };
+        let stage = Stage {
+            name: "a00",
+            about: "",
+            scenes: ["one", "two"]
+                .map(|name| scene(name).with_defaults(defaults.clone()))
+                .into(),
+            experiments: Vec::new,
+            extremes: |_| Vec::new(),
+        };
+        let options = Showing {
+            no_window: false,
+            overrides: Overrides::default(),
+        };
+        show(&stage, &stage.scenes[1], Some(&Blind(sees)), &options)
+    }
+
+    #[test]
+    fn what_goes_wrong_in_the_window_is_told() {
+        assert!(shown(Size::COURSE, || Ok(())).is_ok());
+        let failed = shown(Size::COURSE, || Err(Error::Stopped.into()));
+        assert!(matches!(failed, Err(Error::Stopped)));
+    }
+
+    /// A file may be written row by row.
+    #[test]
+    fn a_picture_larger_than_memory_gets_no_window() {
+        let large = Size::new(32_768, 32_768).unwrap();
+        let refused = shown(large, || Ok(()));
+        assert!(matches!(refused, Err(Error::TooLarge { .. })));
+    }
+}

@@ -104,3 +104,41 @@ pub fn make_folder(folder: &Path) -> Result<(), Error> {
 pub fn picture_name(stage: &Stage, scene: &Scene) -> String {
     format!("{}-{}.png", stage.name, scene.name)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folders_are_made_and_what_is_there_is_left() {
+        let folder = tempfile::tempdir().unwrap();
+        let inner = folder.path().join("one/two");
+        make_folder(&inner).unwrap();
+        make_folder(&inner).unwrap();
+        assert!(inner.is_dir());
+        // Who writes into a file instead of a folder names it.
+        let file = folder.path().join("file");
+        std::fs::write(&file, "").unwrap();
+        make_folder(&file).unwrap();
+        assert!(file.is_file());
+    }
+
+    #[test]
+    fn a_folder_that_cannot_be_made_is_told() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("file");
+        std::fs::write(&file, "").unwrap();
+        let error = make_folder(&file.join("folder")).unwrap_err().to_string();
+        assert!(error.ends_with("file is a file, not a folder"), "{error}");
+    }
+
+    #[test]
+    fn one_file_has_room_for_one_picture() {
+        let named = |name: &str, pictures| Target::new(Some(name.into()), pictures);
+        assert!(matches!(named("a.png", 1), Ok(Target::File(_))));
+        assert!(matches!(named("a.PNG", 1), Ok(Target::File(_))));
+        assert!(named("a.png", 2).is_err() && named("a.jpg", 1).is_err());
+        assert!(matches!(named(".", 2), Ok(Target::Folder(_))));
+        assert!(matches!(Target::new(None, 2), Ok(Target::Default)));
+    }
+}

@@ -1,0 +1,49 @@
+//! What others have written panics in silence, and all else as loudly as ever.
+//! The only test of its process, which listens to its panics.
+
+use std::io::Cursor;
+use std::panic;
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use common::picture_file;
+
+static HEARD: AtomicUsize = AtomicUsize::new(0);
+
+/// A JPEG file that the decoder panics on. The second of three components is said
+/// to be the finest, two by three places to each of the others, and only the first
+/// one follows.
+fn jpeg() -> Vec<u8> {
+    let mut jpeg = Vec::new();
+    let picture = image::RgbImage::new(20, 17);
+    let format = image::ImageFormat::Jpeg;
+    picture
+        .write_to(&mut Cursor::new(&mut jpeg), format)
+        .unwrap();
+    let find = |bytes: &[u8], part: &[u8]| {
+        let start = bytes.windows(part.len()).position(|window| window == part);
+        start.expect("the part")
+    };
+    let components = find(&jpeg, &[3, 1, 0x11, 0, 2, 0x11, 1, 3, 0x11, 1]);
+    jpeg[components + 5] = 0x23;
+    let scan = [0xFF, 0xDA, 0, 12, 3, 1, 0, 2, 0x11, 3, 0x11];
+    let start = find(&jpeg, &scan);
+    jpeg.splice(start..start + scan.len(), [0xFF, 0xDA, 0, 8, 1, 1, 0]);
+    jpeg
+}
+
+#[test]
+fn a_file_that_the_decoder_panics_on_is_refused_in_silence() {
+    panic::set_hook(Box::new(|_| {
+        HEARD.fetch_add(1, Ordering::Relaxed);
+    }));
+    let jpeg = jpeg();
+    for _ in 0..2 {
+        let error = picture_file::open_bytes(Path::new("odd.jpg"), &jpeg).unwrap_err();
+        let expected = "cannot open odd.jpg: the file is damaged";
+        assert_eq!(error.to_string(), expected);
+    }
+    assert_eq!(HEARD.load(Ordering::Relaxed), 0);
+    assert!(panic::catch_unwind(|| panic!("ours")).is_err());
+    assert_eq!(HEARD.load(Ordering::Relaxed), 1);
+}
