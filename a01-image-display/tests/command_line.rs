@@ -235,7 +235,11 @@ fn pictures_that_cannot_be_opened_leave_no_file() {
             "render show-image -o old.png",
             "show show-image",
         ] {
-            assert_refused(&folder, &format!("{command} --open {name}"), 1, &sentence);
+            let line = format!("{command} --open {name}");
+            assert_refused(&folder, &line, 1, &sentence);
+            // Not even a window is missed.
+            let (_, _, complaint) = run(&folder, &line);
+            assert!(complaint.starts_with("error: "), "{complaint}");
         }
     }
     assert_eq!(fs::read(file("old.png")).unwrap(), card);

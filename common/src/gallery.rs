@@ -211,6 +211,15 @@ mod tests {
     }
 
     #[test]
+    fn the_window_shows_the_curve_that_files_get() {
+        let stage = stage();
+        let mut overrides = Overrides::default();
+        overrides.transfer = Transfer::Srgb;
+        let gallery = Gallery::new(&stage, &stage.scenes[0], overrides);
+        assert_eq!(gallery.transfer(), Transfer::Srgb);
+    }
+
+    #[test]
     fn files_are_chosen_where_a_scene_shows_one() {
         let stage = stage();
         for (scene, opens_files) in stage.scenes.iter().zip([false, false, true]) {

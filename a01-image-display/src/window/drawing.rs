@@ -91,13 +91,7 @@ impl Screen {
 
     fn draw_progress(&mut self, live: &LivePicture, y: i32) {
         let share = live.share();
-        let clock = |time: Duration| format!("{}:{:02}", time.as_secs() / 60, time.as_secs() % 60);
-        let remaining = live.remaining().map_or("?".to_owned(), clock);
-        let text = format!(
-            "{:3.0} %  {} elapsed, {remaining} to go",
-            100.0 * share,
-            clock(live.elapsed()),
-        );
+        let text = progress(share, live.elapsed(), live.remaining());
         self.draw_line("", y);
         let width = f64::from(self.placement().area().width) * share;
         let done = Area {
@@ -109,6 +103,13 @@ impl Screen {
         self.frame.fill(done, DONE);
         self.frame.text(LETTER, y + 5, TEXT, &text);
     }
+}
+
+fn progress(share: f64, elapsed: Duration, remaining: Option<Duration>) -> String {
+    let clock = |time: Duration| format!("{}:{:02}", time.as_secs() / 60, time.as_secs() % 60);
+    let (percent, elapsed) = (100.0 * share, clock(elapsed));
+    let remaining = remaining.map_or("?".to_owned(), clock);
+    format!("{percent:3.0} %  {elapsed} elapsed, {remaining} to go")
 }
 
 fn inspect(at: Option<(u32, u32)>, color: Option<u32>) -> String {
@@ -129,5 +130,14 @@ mod tests {
         assert_eq!(told, "column 3, row 7: #008001 (0, 128, 1)");
         assert_eq!(inspect(None, None), "point at the picture");
         assert_eq!(inspect(Some((3, 7)), None), "point at the picture");
+    }
+
+    #[test]
+    fn progress_is_told_in_minutes_and_seconds() {
+        let seconds = Duration::from_secs;
+        let told = progress(0.25, seconds(61), Some(seconds(183)));
+        assert_eq!(told, " 25 %  1:01 elapsed, 3:03 to go");
+        let told = progress(0.0, seconds(0), None);
+        assert_eq!(told, "  0 %  0:00 elapsed, ? to go");
     }
 }

@@ -37,6 +37,7 @@ fn every_scene_is_shown_pixel_for_pixel() {
     let card = locked_file("show-image");
     let line = format!("show show-image --open {}", card.display());
     let window = display.start(&mut program(folder.path(), &line));
+    assert_eq!(window.look().notices(), [""; 0], "a file was named");
     wait_for_picture(&window, "show-image");
     assert_eq!(folder.path().read_dir().unwrap().count(), 0, "no file");
 }
