@@ -178,8 +178,8 @@ mod tests {
         center.sampling = Some(Sampling::Center);
         let error = center.settings(&scene()).unwrap_err().to_string();
         assert!(error.contains("one center"), "{error}");
-        let error = samples(5).settings(&scene()).unwrap_err().to_string();
-        assert!(error.contains("4 and 9"), "{error}");
+        let error = samples(10).settings(&scene()).unwrap_err().to_string();
+        assert!(error.contains("9 and 16"), "{error}");
     }
 
     #[test]

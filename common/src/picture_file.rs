@@ -316,6 +316,14 @@ mod tests {
     }
 
     #[test]
+    #[cfg(unix)]
+    fn what_else_keeps_a_file_from_being_opened_is_told() {
+        let folder = tempfile::tempdir().unwrap();
+        let inside_a_file = saved(folder.path()).join("a.png");
+        assert!(reason(&inside_a_file).contains("Not a directory"));
+    }
+
+    #[test]
     fn a_folder_that_is_missing_is_named_and_not_made() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("missing").join("a.png");

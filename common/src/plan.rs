@@ -111,6 +111,8 @@ mod tests {
             "  left out  a turn: it is small (shapes move by less than 3.00e-15 of the scene)",
         ];
         assert_eq!(plan.to_string(), lines.join("\n"));
+        let all = Plan::default().needing("lights: 2").to_string();
+        assert_eq!(all, lines[0]);
         let nothing = Plan::default().to_string();
         assert!(nothing.contains("nothing to leave out"), "{nothing}");
     }

@@ -23,6 +23,12 @@ impl Sampled {
     pub fn error(&self) -> f64 {
         (self.squared_error / self.pixels as f64).sqrt()
     }
+
+    /// Whether the error is more than was asked for.
+    #[must_use]
+    pub fn misses(&self, asked: Option<f64>) -> bool {
+        asked.is_some_and(|asked| self.error() > asked)
+    }
 }
 
 impl AddAssign for Sampled {
@@ -59,6 +65,8 @@ mod tests {
             squared_error: 0.25,
         };
         assert_eq!(sampled.error(), 0.25);
+        assert!(sampled.misses(Some(0.2)) && !sampled.misses(Some(0.25)));
+        assert!(!sampled.misses(None));
         let said = "10 samples, 2.50 a pixel and at most 7; estimated error 0.250000";
         assert_eq!(sampled.to_string(), said);
         sampled += Sampled {

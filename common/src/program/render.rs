@@ -101,10 +101,7 @@ fn render_in_bands(
     drop(progress);
     if let Some(samples) = samples {
         complain(&format!("note: {}: {samples}", scene.name));
-        if settings
-            .max_error
-            .is_some_and(|asked| samples.error() > asked)
-        {
+        if samples.misses(settings.max_error) {
             complain("note: that is more than was asked for; more --samples may do");
         }
     }
