@@ -196,3 +196,18 @@ fn ctrl_does_not_stay_down_when_it_is_released_elsewhere() {
     window.press("h");
     wait_for_notice(&window, HELP);
 }
+
+#[test]
+fn a_scene_without_a_file_asks_for_none() {
+    let Some(display) = Display::open(800, 600) else {
+        return;
+    };
+    let folder = folder();
+    let window = display.start(&mut program(folder.path(), "show painter"));
+    wait_for_picture(&window, "painter");
+    window.press("ctrl+o h");
+    let look = window.wait_to_show(HELP, |look| {
+        look.notices().last().is_some_and(|line| line == HELP)
+    });
+    assert_eq!(look.notices(), [HELP]);
+}
