@@ -107,10 +107,6 @@ fn list(stage: &Stage) {
 
 /// Prints a line; a reader that has closed the pipe has seen enough.
 fn say(line: &str) {
-    // In a test it is nobody's but that test's.
-    if cfg!(test) {
-        return println!("{line}");
-    }
     let _ = writeln!(io::stdout(), "{line}");
 }
 
