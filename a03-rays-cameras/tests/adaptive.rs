@@ -109,6 +109,27 @@ fn striped_skies_are_as_exact_as_was_asked_for() {
     }
 }
 
+/// Rows 20 to 39 of 60: the band comes to the bound by itself.
+#[test]
+fn a_band_of_rows_is_as_exact_too() {
+    let disc = drawn(|x, y| f64::from(u8::from(in_disc(x, y))));
+    let band = |image: &Image| {
+        let size = Size::new(80, 20).unwrap();
+        Image::from_fn(size, |x, y| image.get(x, 20 + y).unwrap()).unwrap()
+    };
+    let reference = band(&stratified(&disc, 64, 0x5EED));
+    for asked in ASKED {
+        let settings = Settings {
+            rows: Some(20..40),
+            ..settings(asked)
+        };
+        let (image, sampled) = adaptive(&disc, &settings);
+        assert_eq!(sampled.pixels, 80 * 20);
+        let error = root_mean_square(&image, &reference);
+        assert!(error <= asked, "{error} of {asked}");
+    }
+}
+
 fn in_disc(x: f64, y: f64) -> bool {
     let (x, y) = (x - 41.3, y - 28.6);
     x * x + y * y < 22.2 * 22.2
