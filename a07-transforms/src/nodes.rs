@@ -32,9 +32,9 @@ pub fn flattened<S, L>(world: LitWorld<S, L>, eye: Point3, max_error: f64) -> Li
 /// Adds to a plan what nodes there are, and what is left out of moving rays.
 #[must_use]
 pub fn plan<S, L>(plan: Plan, world: &LitWorld<S, L>, eye: Point3) -> Plan {
-    let mut count = Count::default();
+    let (mut count, reach) = (Count::default(), reach(world, eye));
     for (geometry, _) in world.objects().objects() {
-        count.add(geometry, reach(world, eye));
+        count.add(geometry, reach);
     }
     if count.all == 0 {
         return plan;
@@ -47,7 +47,7 @@ pub fn plan<S, L>(plan: Plan, world: &LitWorld<S, L>, eye: Point3) -> Plan {
         plan = plan.nearly_without(
             format!("{} nested nodes", count.flattened),
             "one matrix moves a ray as far as all in turn",
-            Bound::Shift(count.shift / reach(world, eye)),
+            Bound::Shift(count.shift / reach),
         );
     }
     if count.straight > 0 {
