@@ -43,7 +43,14 @@ pub fn traced_scene(
 /// rest, and the squares of both add up to hardly more.
 const UNSEEN: f64 = 1.0 / 8.0;
 
-fn tracer<'a>(world: &'a ShadowedWorld, omit: bool, settings: &Settings) -> RecursiveTracer<'a> {
+/// The tracer of a picture with these settings: where it may have an error, mirrors
+/// have their share of that.
+#[must_use]
+pub fn tracer<'a>(
+    world: &'a ShadowedWorld,
+    omit: bool,
+    settings: &Settings,
+) -> RecursiveTracer<'a> {
     let unseen = settings.max_error.map(|error| error * UNSEEN);
     RecursiveTracer::new(world, omit).cut_below(unseen)
 }

@@ -11,9 +11,7 @@ use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, render_together};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere, Triangle};
 use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight};
-use a06_shadows_reflection::{
-    LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, foci,
-};
+use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, Surface, foci, tracer};
 use common::{ArgumentError, Color, Settings, Transfer, picture_file};
 
 use crate::description::{Camera, Description, Light, Material, Object, Shape, Triple};
@@ -75,9 +73,7 @@ pub fn render_to(
     println!("build: {} seconds", started.elapsed().as_secs_f64());
 
     let started = Instant::now();
-    // Of the error allowed, the programs leave so much to mirrors.
-    let unseen = settings.max_error.map(|error| error / 8.0);
-    let tracer = RecursiveTracer::new(&world, settings.omit).cut_below(unseen);
+    let tracer = tracer(&world, settings.omit, settings);
     let radiance = |rays: &[_], colors: &mut [_]| {
         tracer.trace_together(rays, description.depth, colors);
     };
