@@ -75,8 +75,3 @@ fn meeting<G: Geometry>(shape: Result<G, ArgumentError>, line: Line) -> Outcome 
     let met = || Ok::<_, ArgumentError>(first(&shape?, &unit_ray(line)?));
     met().into()
 }
-
-/// A power of two, exactly.
-const fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((1023 + exponent) as u64) << 52)
-}

@@ -59,18 +59,13 @@ fn hits(scale: f64, shift: f64) -> Vec<Option<f64>> {
     rays(scale, shift).iter().flat_map(hit).collect()
 }
 
-/// 2 to the power of `exponent`, exactly.
-fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((1023 + exponent) as u64) << 52)
-}
-
 #[test]
 fn a_scene_in_other_units_is_the_same_scene() {
     let expected = hits(1.0, 0.0);
     let met = expected.iter().flatten().count();
     assert!(met > 5000 && met < 15_000, "hits and misses: {met}");
     for exponent in (-300..=300).step_by(50) {
-        let scale = power_of_two(exponent);
+        let scale = libm::scalbn(1.0, exponent);
         let scaled = expected.iter().map(|t| t.map(|t| t * scale));
         assert!(
             hits(scale, 0.0).into_iter().eq(scaled),
@@ -82,7 +77,7 @@ fn a_scene_in_other_units_is_the_same_scene() {
 /// All differences between coordinates are exact, so nothing may change.
 #[test]
 fn a_scene_far_from_the_origin_is_the_same_scene() {
-    let shift = power_of_two(30);
+    let shift = libm::scalbn(1.0, 30);
     assert_eq!(hits(1.0, shift), hits(1.0, 0.0));
 }
 
@@ -92,7 +87,7 @@ fn a_direction_of_another_length_changes_t_alone() {
     let shapes = shapes(1.0, 0.0);
     for ray in rays(1.0, 0.0) {
         for exponent in [-300, -100, -1, 1, 100, 300] {
-            let length = power_of_two(exponent);
+            let length = libm::scalbn(1.0, exponent);
             let other = Ray::derived(ray.origin(), ray.direction() * length);
             for shape in &shapes {
                 let [one, other] = [&ray, &other].map(|ray| shape.hit(ray, Interval::AHEAD));

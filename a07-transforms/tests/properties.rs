@@ -22,14 +22,9 @@ fn config() -> ProptestConfig {
     }
 }
 
-/// 2 to the power of `exponent`, exactly.
-fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((1023 + exponent) as u64) << 52)
-}
-
 /// Of either sign, up to 2^20 and down to 2^-20 and 0.
 fn number() -> impl Strategy<Value = f64> {
-    let numbers = (-1.0..1.0, -20..=20).prop_map(|(x, exponent)| x * power_of_two(exponent));
+    let numbers = (-1.0..1.0, -20..=20).prop_map(|(x, exponent)| libm::scalbn(x, exponent));
     prop_oneof![9 => numbers, 1 => Just(0.0)]
 }
 
@@ -139,7 +134,7 @@ proptest! {
     fn a_node_whose_transform_is_exact_is_hit_at_the_very_same_distance(
         c in place(), r in 1..64_u32, k in -3..=3, way in place(), from in place(), to in place(),
     ) {
-        let s = power_of_two(k);
+        let s = libm::scalbn(1.0, k);
         let moved = |p: Point3| Point3::from_glam(p.to_glam() * s + way.to_glam());
         let transform = Transform::IDENTITY.translate(way).unwrap().scale(s, s, s).unwrap();
         let Ok(ray) = Ray::new(from, to - from) else {

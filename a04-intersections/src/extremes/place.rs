@@ -6,7 +6,7 @@ use common::extremes::Protocol::{Fails, Holds};
 use common::extremes::{Bound, Case, Protocol};
 use common::{ArgumentError, Effort};
 
-use super::{any_ray, first, meeting, power_of_two};
+use super::{any_ray, first, meeting};
 use crate::experiments::Numbers;
 use crate::protocol::{self, Compared};
 use crate::{AxisAlignedBox, Plane, Sphere, Triangle};
@@ -107,7 +107,7 @@ type Count = Result<usize, ArgumentError>;
 fn rescaled(rays: usize) -> (Count, Count) {
     let places = || {
         (-300..=300).step_by(50).map(|exponent| Place {
-            scale: power_of_two(exponent),
+            scale: libm::scalbn(1.0, exponent),
             shift: 0.0,
         })
     };
@@ -127,7 +127,7 @@ fn rescaled(rays: usize) -> (Count, Count) {
 fn moved(rays: usize) -> (Count, Count) {
     let there = Place {
         scale: 1.0,
-        shift: power_of_two(30),
+        shift: libm::scalbn(1.0, 30),
     };
     let ours = || Ok(differing(&HERE.ours(rays)?, &there.ours(rays)?, 1.0));
     let theirs = || Ok(differing(&HERE.theirs(rays)?, &there.theirs(rays)?, 1.0));
