@@ -5,7 +5,7 @@ use common::{Color, Error, Image, Progress, Settings, Size};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
-use crate::{Camera, Ray, Sampler, adaptive};
+use crate::{Camera, Radiance, Ray, Sampler, adaptive};
 
 /// Renders a picture, or the rows of it that are wanted: each pixel is the mean
 /// of `radiance`, the light that comes back along a ray, over the rays that
@@ -35,47 +35,30 @@ pub fn render(
 /// So many rays are asked for together, or about so many.
 pub(crate) const TOGETHER: usize = 64;
 
-/// The same, for who can follow several rays at once: `radiance` is asked for the
-/// light along each of some rays, neighbours mostly.
+/// The same, for who can follow several rays at once.
 pub fn render_together(
     camera: &(impl Camera + ?Sized),
-    radiance: impl Fn(&[Ray], &mut [Color]) + Sync,
+    radiance: impl Radiance,
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Image, Error> {
     let size = settings.size;
     let rows = settings.rows();
     let mut image = Image::black(Size::new(size.width(), rows.len() as u32)?)?;
-    // ANCHOR: place
-    let in_picture = |column: u32, row: u32, (dx, dy): (f64, f64)| {
-        // The camera counts rows from below, and from pixel middles.
-        let x = f64::from(column) + (dx - 0.5);
-        let y = f64::from(size.height() - 1 - row) - (dy - 0.5);
-        (x, y)
-    };
-    // ANCHOR_END: place
-    let look = |places: &[(f64, f64)], rays: &mut Vec<Ray>, light: &mut [Color]| {
-        rays.clear();
-        camera.rays_for(size, places, rays);
-        tally::count_all(Work::PrimaryRay, rays.len() as u64);
-        radiance(rays, light);
+    let view = View {
+        camera,
+        radiance,
+        settings,
+        progress,
     };
     if let Some(max_error) = settings.max_error {
-        let light = |row, places: &[adaptive::Place], light: &mut Vec<Color>| {
-            let places = places.iter();
-            let places: Vec<_> = places
-                .map(|(column, place)| in_picture(*column, row, *place))
-                .collect();
-            light.resize(places.len(), Color::BLACK);
-            look(&places, &mut Vec::new(), light);
-        };
-        adaptive::render(&mut image, max_error, settings, light, progress)?;
+        adaptive::render(&mut image, max_error, settings, &view, progress)?;
         return Ok(image);
     }
     let sampler = Sampler::new(settings);
     let samples = sampler.samples();
     let together = TOGETHER.div_ceil(samples as usize);
-    let place = |column, row, sample| in_picture(column, row, sampler.place(sample, column, row));
+    let place = |column, row, sample| view.place(column, row, sampler.place(sample, column, row));
     let paint = |row, pixels: &mut [Color], (): &mut ()| {
         let (mut places, mut rays, mut light) = (Vec::new(), Vec::new(), Vec::new());
         // ANCHOR: mean
@@ -90,14 +73,14 @@ pub fn render_together(
                 places.clear();
                 if samples == 1 {
                     places.extend(columns.clone().map(|column| place(column, row, 0)));
-                    look(&places, &mut rays, pixels);
+                    view.look(&places, &mut rays, pixels);
                     continue;
                 }
                 let some = start..samples.min(start + TOGETHER as u32);
                 let of_pixel = |column| some.clone().map(move |i| place(column, row, i));
                 places.extend(columns.clone().flat_map(of_pixel));
                 light.resize(places.len(), Color::BLACK);
-                look(&places, &mut rays, &mut light);
+                view.look(&places, &mut rays, &mut light);
                 for (pixel, light) in pixels.iter_mut().zip(light.chunks(some.len())) {
                     *pixel = light.iter().fold(*pixel, |sum, light| sum + *light);
                 }
@@ -114,6 +97,58 @@ pub fn render_together(
     let mut nothing = vec![(); rows.len()];
     for_each_row(&mut image, rows.start, &mut nothing, progress, paint)?;
     Ok(image)
+}
+
+/// What a camera sees.
+struct View<'a, C: ?Sized, R> {
+    camera: &'a C,
+    radiance: R,
+    settings: &'a Settings,
+    progress: &'a dyn Progress,
+}
+
+impl<C: Camera + ?Sized, R: Radiance> View<'_, C, R> {
+    // ANCHOR: place
+    /// Where the camera finds a place in the pixel in this column and row.
+    fn place(&self, column: u32, row: u32, (dx, dy): (f64, f64)) -> (f64, f64) {
+        // The camera counts rows from below, and from pixel middles.
+        let x = f64::from(column) + (dx - 0.5);
+        let y = f64::from(self.settings.size.height() - 1 - row) - (dy - 0.5);
+        (x, y)
+    }
+    // ANCHOR_END: place
+
+    /// The light that comes from some places; the rays there are left over.
+    fn look(&self, places: &[(f64, f64)], rays: &mut Vec<Ray>, light: &mut [Color]) {
+        rays.clear();
+        self.camera.rays_for(self.settings.size, places, rays);
+        tally::count_all(Work::PrimaryRay, rays.len() as u64);
+        self.radiance.along(rays, light);
+    }
+}
+
+impl<C: Camera + ?Sized, R: Radiance> adaptive::View for View<'_, C, R> {
+    fn light(&self, places: &[adaptive::Place], light: &mut Vec<Color>) {
+        let in_pixels = |place: &_| self.place(0, 0, adaptive::beside(*place, self.settings.seed));
+        let places = places.iter().map(in_pixels);
+        light.resize(places.len(), Color::BLACK);
+        self.look(&places.collect::<Vec<_>>(), &mut Vec::new(), light);
+    }
+
+    fn may_hide(&self, (x, y): (u32, u32), side: u32) -> bool {
+        let [left, right, top, bottom] = [x, x + side, y, y + side].map(f64::from);
+        let corners = [(left, top), (right, top), (left, bottom), (right, bottom)];
+        let places = corners.map(|place| self.place(0, 0, place));
+        let mut rays = Vec::with_capacity(places.len());
+        self.camera.rays_for(self.settings.size, &places, &mut rays);
+        let narrow = adaptive::NARROW / f64::from(side);
+        let rays = rays.as_slice().try_into();
+        rays.is_ok_and(|rays| self.radiance.may_hide(rays, narrow))
+    }
+
+    fn stopped(&self) -> bool {
+        self.progress.stopped()
+    }
 }
 
 /// Paints rows. Each has a note beside it; `paint` says whether it changes the

@@ -127,6 +127,24 @@ impl Search {
         )
     }
 
+    /// Whether something may be seen between four rays, the corners of a square, that
+    /// is narrower than this share of its side.
+    #[must_use]
+    pub fn may_hide(&self, corners: &[Ray; 4], narrow: f64) -> bool {
+        // Planes are wide; of others that have no end nothing is known.
+        let is_wide = |shape: &Shape| matches!(shape, Shape::Plane(_));
+        if !self.unbounded.iter().all(is_wide) {
+            return true;
+        }
+        if self.unbounded.len() == self.shapes.len() {
+            return false;
+        }
+        let mut pencils = self.pencils.iter();
+        pencils
+            .find_map(|pencil| pencil.may_hide(corners, narrow))
+            .unwrap_or(true)
+    }
+
     /// The nearest hit within the interval and the object hit; of several at
     /// the same place, that of the first in the list.
     #[inline]

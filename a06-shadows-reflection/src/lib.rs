@@ -27,6 +27,7 @@ pub use scenes::stage;
 pub use secondary_ray::secondary_ray;
 pub use shadow::is_shadowed;
 pub use surface::Surface;
+pub use trace_together::TracedLight;
 pub use traced_scene::{traced_scene, tracer};
 
 /// The code in this stage's chapter is tested with it.

@@ -5,7 +5,7 @@
 
 use a02_math::vector3x4::mask;
 use a02_math::{Lanes, Normal3, Vector3x4};
-use a03_rays_cameras::{Ray, RayPacket};
+use a03_rays_cameras::{Radiance, Ray, RayPacket};
 use a04_intersections::{Hit, Hits, Search};
 use a05_lighting::{ColorPacket, Light, Lighting, Material, PhongPacket};
 use common::Color;
@@ -15,15 +15,40 @@ use crate::secondary_ray::secondary_rays;
 use crate::shadow::BEFORE_THE_LIGHT;
 use crate::{RecursiveTracer, Surface};
 
+/// The light along rays that may meet so many surfaces.
+#[derive(Clone, Copy, Debug)]
+pub struct TracedLight<'a> {
+    /// Who follows them.
+    pub tracer: RecursiveTracer<'a>,
+    /// How many surfaces each may meet.
+    pub depth: u32,
+}
+
+impl Radiance for TracedLight<'_> {
+    fn along(&self, rays: &[Ray], light: &mut [Color]) {
+        self.tracer.trace_together(rays, self.depth, light);
+    }
+
+    /// What is only seen in a mirror, or is a shadow, is not thought of.
+    fn may_hide(&self, corners: &[Ray; 4], narrow: f64) -> bool {
+        let search = self.tracer.search();
+        search.is_none_or(|search| search.may_hide(corners, narrow))
+    }
+}
+
 impl RecursiveTracer<'_> {
+    /// The prepared world, if work may be left out.
+    fn search(&self) -> Option<&Search> {
+        self.world().objects().search().filter(|_| self.omits())
+    }
+
     /// The colours that rays bring back which may meet `depth` surfaces, for
     /// `colors`: as many as there are rays.
     ///
     /// Four are traced together if the world is [prepared](a05_lighting::LitWorld)
     /// and work may be left out, the fastest if they are neighbours.
     pub fn trace_together(&self, rays: &[Ray], depth: u32, colors: &mut [Color]) {
-        let search = self.world().objects().search();
-        let Some(search) = search.filter(|_| self.omits()) else {
+        let Some(search) = self.search() else {
             for (ray, color) in rays.iter().zip(colors) {
                 *color = self.trace(ray, depth);
             }

@@ -6,7 +6,7 @@ use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Sampler, render_together};
 use common::{ArgumentError, Scene, Settings};
 
-use crate::{RecursiveTracer, ShadowedWorld, foci};
+use crate::{RecursiveTracer, ShadowedWorld, TracedLight, foci};
 
 /// A scene whose camera looks from (`eye`, `eye`, `eye`) at the origin, as all
 /// of this stage and the next do. `world` may heed the settings.
@@ -25,11 +25,11 @@ pub fn traced_scene(
         let (camera, world) = (camera()?, world(settings)?);
         let foci = foci(&camera, &world);
         let world = world.omitting(settings.omit, foci);
-        let tracer = tracer(&world, settings.omit, settings);
-        let radiance = |rays: &[_], colors: &mut [_]| {
-            tracer.trace_together(rays, settings.depth, colors);
+        let light = TracedLight {
+            tracer: tracer(&world, settings.omit, settings),
+            depth: settings.depth,
         };
-        render_together(&camera, radiance, settings, progress)
+        render_together(&camera, light, settings, progress)
     })
     .planned(move |settings| {
         let (camera, world) = (camera()?, world(settings)?);

@@ -38,6 +38,8 @@ pub struct Pencil {
     reach: f64,
     starts: Vec<u32>,
     entries: Vec<Entry>,
+    /// The narrowest that each cell shows some of, unless many are there together.
+    narrowest: Vec<f32>,
 }
 
 /// A shape in a cell.
@@ -56,6 +58,9 @@ type Appearance = (Entry, [f64; 2], [f64; 2]);
 /// the way by which rounding moves a hit, and by which a ray that leaves a
 /// surface is lifted off it.
 const SLACK: f64 = 1.0 / (1_u64 << 30) as f64;
+/// So many shapes in a cell may each be alone. Where there are more, as in a mesh or
+/// a crowd, rays that miss one meet another.
+const ALONE: usize = 3;
 /// Rays may start so many times farther out than shapes and focus lie.
 const REACH: f64 = 16_384.0;
 
@@ -86,6 +91,7 @@ impl Pencil {
             reach: largest * REACH,
             starts: Vec::new(),
             entries: Vec::new(),
+            narrowest: Vec::new(),
         };
 
         let appearance = |(bounds, shape): &(Bounds, Shape)| {
@@ -153,10 +159,18 @@ impl Pencil {
         };
         self.entries = vec![nothing; *self.starts.last()? as usize];
         let mut next = self.starts.clone();
+        self.narrowest = vec![f32::INFINITY; self.side * self.side];
         for (entry, from, to) in appearances {
+            let width = (to[0] - from[0]).min(to[1] - from[1]) as f32;
             for cell in self.cells(*from, *to) {
                 self.entries[next[cell] as usize] = *entry;
                 next[cell] += 1;
+                self.narrowest[cell] = self.narrowest[cell].min(width);
+            }
+        }
+        for cell in 0..self.narrowest.len() {
+            if self.entries_of(cell).len() > ALONE {
+                self.narrowest[cell] = f32::INFINITY;
             }
         }
         Some(())
@@ -269,6 +283,36 @@ impl Pencil {
         let between = self.entries(p).iter();
         let between = between.take_while(move |entry| f64::from(entry.near) <= start);
         Some(between.map(|entry| entry.shape))
+    }
+
+    /// Whether a shape may be seen between four rays from the focus, the corners of a
+    /// square, that is alone and narrower than this share of its side. None if they
+    /// are not of the pencil.
+    pub fn may_hide(&self, corners: &[Ray; 4], narrow: f64) -> Option<bool> {
+        let Focus::Point(focus) = self.focus else {
+            return None;
+        };
+        let (mut from, mut to) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for ray in corners {
+            if ray.origin() != focus {
+                return None;
+            }
+            let place = self.place(ray.direction().to_glam())?;
+            for axis in 0..2 {
+                from[axis] = from[axis].min(place[axis]);
+                to[axis] = to[axis].max(place[axis]);
+            }
+        }
+        let narrow = narrow * (to[0] - from[0]).max(to[1] - from[1]);
+        let is_beside = |axis: usize| {
+            let end = self.from[axis] + self.side as f64 / self.per_unit[axis];
+            to[axis] < self.from[axis] || from[axis] > end
+        };
+        if is_beside(0) || is_beside(1) {
+            return Some(false);
+        }
+        let mut cells = self.cells(from, to);
+        Some(cells.any(|cell| f64::from(self.narrowest[cell]) < narrow))
     }
 
     /// What each of four rays that come from the focus may meet. None if any of

@@ -11,7 +11,9 @@ use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, render_together};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere, Triangle};
 use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight};
-use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, Surface, foci, tracer};
+use a06_shadows_reflection::{
+    LightSource, Reflective, ShadowedWorld, Surface, TracedLight, foci, tracer,
+};
 use common::{ArgumentError, Color, Settings, Transfer, picture_file};
 
 use crate::description::{Camera, Description, Light, Material, Object, Shape, Triple};
@@ -73,9 +75,9 @@ pub fn render_to(
     println!("build: {} seconds", started.elapsed().as_secs_f64());
 
     let started = Instant::now();
-    let tracer = tracer(&world, settings.omit, settings);
-    let radiance = |rays: &[_], colors: &mut [_]| {
-        tracer.trace_together(rays, description.depth, colors);
+    let light = TracedLight {
+        tracer: tracer(&world, settings.omit, settings),
+        depth: description.depth,
     };
     let height = settings.size.height();
     let mut rgb = vec![0; 3 * settings.size.pixels()];
@@ -90,7 +92,7 @@ pub fn render_to(
                 rows: Some(start..height.min(start + band)),
                 ..settings.clone()
             };
-            let band = render_together(&camera, radiance, &settings, &())?;
+            let band = render_together(&camera, light, &settings, &())?;
             band.write_rgb8(Transfer::Linear, rgb);
             Ok::<_, common::Error>(())
         })
