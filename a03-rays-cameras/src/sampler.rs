@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use common::tally::{self, Work};
-use common::{Plan, Sampling, Settings};
+use common::{Bound, Plan, Sampling, Settings};
 
 use crate::PixelRandom;
 
@@ -43,7 +43,11 @@ impl Sampler {
     pub fn plan(settings: &Settings) -> Plan {
         if let Some(error) = settings.max_error {
             let need = format!("primary rays: as many as an error of {error} takes");
-            return Plan::default().needing(need);
+            return Plan::default().needing(need).nearly_without(
+                "samples where light changes evenly",
+                "those around tell what they would show",
+                Bound::Error(error),
+            );
         }
         let samples = Self::new(settings).samples;
         let pixels = settings.size.pixels();

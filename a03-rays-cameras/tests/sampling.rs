@@ -8,7 +8,7 @@ use a03_rays_cameras::{
     render,
 };
 use common::tally::{Work, counted};
-use common::{Color, Error, Progress, Sampling, Settings, Size};
+use common::{Bound, Color, Error, Progress, Sampling, Settings, Size};
 
 fn settings(sampling: Sampling, samples: u32) -> Settings {
     Settings {
@@ -161,7 +161,11 @@ fn the_plan_counts_the_rays_and_tells_where_no_random_numbers_are_needed() {
         bounded.needs,
         ["primary rays: as many as an error of 0.5 takes"]
     );
-    assert_eq!(bounded.omissions, []);
+    let [evenly] = &bounded.omissions[..] else {
+        panic!("{:?}", bounded.omissions);
+    };
+    assert_eq!(evenly.what, "samples where light changes evenly");
+    assert_eq!(evenly.bound, Bound::Error(0.5));
 }
 
 fn camera() -> OrthographicCamera {

@@ -32,6 +32,9 @@ pub enum Bound {
     SameBits,
     /// No channel of a pixel is farther off than this, 1 being white.
     Channel(f64),
+    /// The root mean square error of all channels is estimated to be at most this, 1
+    /// being white.
+    Error(f64),
     /// Every ray meets what it would if shapes were moved by less than this, 1
     /// being the largest distance from the origin of eye and objects: only edges
     /// and borders of shadows that pass so near to a sample change it.
@@ -72,6 +75,7 @@ impl fmt::Display for Bound {
         match self {
             Self::SameBits => write!(f, "same bits"),
             Self::Channel(bound) => write!(f, "off by less than {bound:.2e}"),
+            Self::Error(bound) => write!(f, "estimated rms error at most {bound:.2e}"),
             Self::Shift(bound) => write!(f, "shapes move by less than {bound:.2e} of the scene"),
         }
     }
@@ -103,11 +107,13 @@ mod tests {
             .needing("lights: 2")
             .without("a ray", "it goes nowhere")
             .nearly_without("a mirror", "it is dark", Bound::Channel(0.002))
+            .nearly_without("a sample", "it is like others", Bound::Error(0.004))
             .nearly_without("a turn", "it is small", Bound::Shift(3e-15));
         let lines = [
             "  needs     lights: 2",
             "  left out  a ray: it goes nowhere (same bits)",
             "  left out  a mirror: it is dark (off by less than 2.00e-3)",
+            "  left out  a sample: it is like others (estimated rms error at most 4.00e-3)",
             "  left out  a turn: it is small (shapes move by less than 3.00e-15 of the scene)",
         ];
         assert_eq!(plan.to_string(), lines.join("\n"));

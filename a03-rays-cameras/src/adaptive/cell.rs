@@ -81,7 +81,7 @@ impl Cell {
     }
 
     const fn side(&self) -> u32 {
-        2 * PIXEL >> self.depth
+        (2 * PIXEL) >> self.depth
     }
 
     /// Where its cross is.
