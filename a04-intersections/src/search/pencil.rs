@@ -38,7 +38,8 @@ pub struct Pencil {
     reach: f64,
     starts: Vec<u32>,
     entries: Vec<Entry>,
-    /// The narrowest that each cell shows some of, unless many are there together.
+    /// How wide the narrowest is that each cell shows some of, unless many are there
+    /// together.
     narrowest: Vec<f32>,
 }
 
@@ -161,7 +162,11 @@ impl Pencil {
         let mut next = self.starts.clone();
         self.narrowest = vec![f32::INFINITY; self.side * self.side];
         for (entry, from, to) in appearances {
-            let width = (to[0] - from[0]).min(to[1] - from[1]) as f32;
+            // Only a sphere is as wide as its bounds, from wherever it is seen.
+            let width = match entry.shape {
+                Shape::Sphere(_) => (to[0] - from[0]).min(to[1] - from[1]) as f32,
+                _ => 0.0,
+            };
             for cell in self.cells(*from, *to) {
                 self.entries[next[cell] as usize] = *entry;
                 next[cell] += 1;
@@ -473,7 +478,7 @@ mod tests {
             min: middle.map(|x| x - size / 2.0),
             max: middle.map(|x| x + size / 2.0),
         };
-        (bounds, Shape::Other(0))
+        (bounds, Shape::Sphere(0))
     }
 
     fn side(shapes: &[(Bounds, Shape)]) -> usize {
@@ -522,7 +527,7 @@ mod tests {
             min: [left, low, -1.0],
             max: [right, high, -1.0],
         };
-        (bounds, Shape::Other(0))
+        (bounds, Shape::Sphere(0))
     }
 
     /// Fills the picture of cells, 64 x 64 of them, each 1/32 wide: wide, and so hides
@@ -677,5 +682,16 @@ mod tests {
             pencil.may_hide(&corners([-1.0, -1.0], [1.0, 1.0]), 0.1),
             None
         );
+    }
+
+    /// A needle across its bounds is narrower than they are.
+    #[test]
+    fn of_what_is_no_sphere_the_bounds_do_not_tell_how_wide_it_is() {
+        let (bounds, sphere) = cube(1.0, [0.0, 0.0, -10.5]);
+        let hides = |shape| hides(&[(bounds, shape)], [-1.0, -1.0], 2.0, 0.01);
+        assert!(!hides(sphere));
+        for shape in [Shape::Other(0), Shape::Triangle(0), Shape::Box(0)] {
+            assert!(hides(shape), "{shape:?}");
+        }
     }
 }
