@@ -12,7 +12,7 @@
 //! 1991.)
 //!
 //! What no corner shows is not found: an object that lies between the corners of all
-//! pixels is missing from the picture.
+//! pixels is missing from the picture, and so is the tip of a needle.
 
 mod cell;
 mod crosses;
