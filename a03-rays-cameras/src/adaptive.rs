@@ -140,3 +140,58 @@ fn for_each_strip(
     }
     Ok(())
 }
+
+/// What tests look at.
+#[cfg(test)]
+mod drawn {
+    use std::sync::Mutex;
+
+    use common::Color;
+
+    use super::{Place, View};
+
+    /// A function of the place, in units of the smallest cells.
+    pub struct Drawn<F> {
+        light: F,
+        /// The tiles that may hide something begin in these columns.
+        pub hiding: Vec<u32>,
+        pub stopped: bool,
+        /// What was looked at together.
+        asked: Mutex<Vec<Vec<Place>>>,
+    }
+
+    impl<F: Fn(Place) -> Color> Drawn<F> {
+        pub fn new(light: F) -> Self {
+            Self {
+                light,
+                hiding: Vec::new(),
+                stopped: false,
+                asked: Mutex::default(),
+            }
+        }
+
+        /// Where it was looked at, in order, and at how many places at once, at most.
+        pub fn asked(&self) -> (Vec<Place>, usize) {
+            let asked = self.asked.lock().unwrap();
+            let mut places = asked.concat();
+            places.sort_unstable();
+            (places, asked.iter().map(Vec::len).max().unwrap_or(0))
+        }
+    }
+
+    impl<F: Fn(Place) -> Color + Sync> View for Drawn<F> {
+        fn light(&self, places: &[Place], light: &mut Vec<Color>) {
+            light.clear();
+            light.extend(places.iter().map(|place| (self.light)(*place)));
+            self.asked.lock().unwrap().push(places.to_vec());
+        }
+
+        fn may_hide(&self, (x, _): (u32, u32), _: u32) -> bool {
+            self.hiding.contains(&x)
+        }
+
+        fn stopped(&self) -> bool {
+            self.stopped
+        }
+    }
+}
