@@ -104,3 +104,143 @@ const fn around(i: usize, places: usize) -> [usize; 3] {
         _ => [i - 1, i, i + 1],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::drawn::Drawn;
+    use super::super::place::Place;
+    use super::*;
+
+    /// Changes evenly across, down, and differently in each channel.
+    fn ramp((x, y): Place) -> Color {
+        Color::new(x.into(), y.into(), (3 * x + y).into())
+    }
+
+    fn lattice(width: u32, height: u32, first_row: u32, light: fn(Place) -> Color) -> Lattice {
+        Lattice::new(
+            Size::new(width, height).unwrap(),
+            first_row,
+            &Drawn::new(light),
+        )
+        .unwrap()
+    }
+
+    fn blocks(lattice: &Lattice, rows: Range<u32>) -> Vec<Cell> {
+        let mut blocks = Vec::new();
+        lattice.for_each_block(&rows, |block| blocks.push(block));
+        blocks
+    }
+
+    #[test]
+    fn corners_of_blocks_are_looked_at_once_and_few_together() {
+        for (width, height, columns, rows) in
+            [(5, 3, 4, 3), (4, 4, 3, 3), (1, 1, 2, 2), (199, 2, 101, 2)]
+        {
+            let view = Drawn::new(ramp);
+            let lattice = Lattice::new(Size::new(width, height).unwrap(), 7, &view).unwrap();
+            let corners =
+                (0..columns).flat_map(|x| (0..rows).map(move |y| (512 * x, 1792 + 512 * y)));
+            let (asked, together) = view.asked();
+            assert_eq!(asked, corners.collect::<Vec<_>>());
+            assert_eq!(lattice.len(), asked.len());
+            assert!(together <= TOGETHER);
+        }
+    }
+
+    #[test]
+    fn nothing_is_looked_at_once_the_picture_is_not_wanted() {
+        let mut view = Drawn::new(ramp);
+        view.stopped = true;
+        Lattice::new(Size::COURSE, 0, &view).unwrap();
+        assert_eq!(view.asked(), (vec![], 0));
+    }
+
+    #[test]
+    fn blocks_come_column_by_column_with_the_light_at_their_corners() {
+        let lattice = lattice(5, 5, 7, ramp);
+        let pixels = |rows| {
+            blocks(&lattice, rows)
+                .iter()
+                .map(Cell::pixel)
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(
+            pixels(7..11),
+            [(0, 7), (0, 9), (2, 7), (2, 9), (4, 7), (4, 9)]
+        );
+        assert_eq!(
+            pixels(9..12),
+            [(0, 9), (0, 11), (2, 9), (2, 11), (4, 9), (4, 11)]
+        );
+        assert_eq!(pixels(11..12), [(0, 11), (2, 11), (4, 11)]);
+        for Cell {
+            corners,
+            x,
+            y,
+            depth,
+            ..
+        } in blocks(&lattice, 7..12)
+        {
+            let places = [(x, y), (x + 512, y), (x, y + 512), (x + 512, y + 512)];
+            assert_eq!((corners, depth), (places.map(ramp), 0));
+        }
+    }
+
+    #[test]
+    fn light_that_changes_evenly_does_not_bend() {
+        let lattice = lattice(12, 8, 0, ramp);
+        for y in 0..5 {
+            assert_eq!(lattice.bends(y), [0.0; 7]);
+        }
+        for block in blocks(&lattice, 0..8) {
+            assert_eq!((block.seen, block.hidden), (0.0, 0.0));
+        }
+    }
+
+    /// In the middle of 7 x 5 corners.
+    fn white_corner(place: Place) -> Color {
+        if place == (3 * 512, 2 * 512) {
+            Color::WHITE
+        } else {
+            Color::BLACK
+        }
+    }
+
+    #[test]
+    fn light_bends_twice_as_far_at_a_white_corner_as_beside_it() {
+        let lattice = lattice(12, 8, 0, white_corner);
+        // Those above and below are at the ends, and like their neighbours inside.
+        let beside = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+        let across = [0.0, 0.0, 1.0, 2.0, 1.0, 0.0, 0.0];
+        let expected = [beside, beside, across, beside, beside];
+        assert_eq!([0, 1, 2, 3, 4].map(|y| lattice.bends(y)), expected);
+    }
+
+    /// The square of the bend, in three channels of four pixels.
+    #[test]
+    fn a_block_could_hide_what_bends_at_any_of_its_corners() {
+        let lattice = lattice(12, 8, 0, white_corner);
+        let hidden: Vec<_> = (blocks(&lattice, 0..8).iter())
+            .map(|block| block.hidden)
+            .collect();
+        let (none, far, near) = ([0.0; 4], [0.0, 12.0, 12.0, 0.0], [12.0, 48.0, 48.0, 12.0]);
+        assert_eq!(hidden, [none, far, near, near, far, none].concat());
+    }
+
+    /// Green, which is between the others.
+    #[test]
+    fn two_corners_in_a_row_bend_by_what_they_differ() {
+        let lattice = lattice(2, 1, 0, |(x, y)| {
+            Color::GREEN * f64::from(x / 512 + y / 256)
+        });
+        assert_eq!([0, 1].map(|y| lattice.bends(y)), [[2.0; 2]; 2]);
+    }
+
+    #[test]
+    fn places_at_the_ends_have_the_neighbours_of_the_next_inside() {
+        assert_eq!([0, 1].map(|i| around(i, 2)), [[0, 0, 1]; 2]);
+        assert_eq!([0, 1, 2].map(|i| around(i, 3)), [[0, 1, 2]; 3]);
+        let of_five = [[0, 1, 2], [0, 1, 2], [1, 2, 3], [2, 3, 4], [2, 3, 4]];
+        assert_eq!([0, 1, 2, 3, 4].map(|i| around(i, 5)), of_five);
+    }
+}
