@@ -51,8 +51,8 @@ const ERROR_OF_CHANGE: f64 = 16.0 * EDGE;
 const HIDDEN: f64 = EDGE / 10.0;
 /// Each division makes squared errors together so much larger, halfway between edges
 /// whose errors cancel out and those where they do not.
-const TOGETHER: f64 = std::f64::consts::SQRT_2;
-/// As if so many cells, black on one side and white on the other, had shown that.
+const STEP: f64 = std::f64::consts::SQRT_2;
+/// As if about so many cells, black on one side and white on the other, had shown that.
 const CELLS: f64 = 4.0;
 
 impl Experience {
@@ -62,6 +62,10 @@ impl Experience {
         let (mut sums, mut deepest) = ([Color::BLACK; DEPTHS], 0);
         for &(cell, change) in cells {
             let depth = usize::from(cell.depth);
+            if !square(change).is_finite() {
+                // Light that is no number teaches nothing.
+                continue;
+            }
             let error = ERROR_OF_CHANGE * weight(cell.depth) * square(change);
             if cell.looks_even() {
                 self.hidden.add(depth, error, cell.hidden.into());
@@ -99,7 +103,7 @@ impl Experience {
             factors.hidden[depth] = hidden;
         }
         // A block, and a pixel, is one cell: only their parts can err together.
-        let (mut cells_together, mut step) = (1.0, TOGETHER);
+        let (mut cells_together, mut step) = (1.0, STEP);
         for depth in 2..DEPTHS {
             let expected = cells_together * step;
             let share = sum.together.share(depth, expected, CELLS * 3.0 * EDGE);
@@ -107,7 +111,7 @@ impl Experience {
             cells_together *= step;
             factors.together[depth] = cells_together;
         }
-        let level = ((factors.together[2] - TOGETHER) / (2.0 - TOGETHER)).max(0.0);
+        let level = ((factors.together[2] - STEP) / (2.0 - STEP)).max(0.0);
         factors.together = factors
             .together
             .map(|together| together * (1.0 + 2.0 * level));
@@ -131,7 +135,7 @@ impl Found {
     /// weight.
     fn share(&self, depth: usize, expected: f64, weight: f64) -> f64 {
         let share = (expected * weight + self.found[depth]) / (weight + self.of[depth]);
-        // Light that is no number shows nothing.
+        // Sums of far too bright light may have no end.
         if share.is_finite() { share } else { expected }
     }
 }

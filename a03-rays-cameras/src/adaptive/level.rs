@@ -41,7 +41,7 @@ impl Level {
         mut sum: f64,
         allowed: f64,
     ) {
-        let mut bins = vec![0.0; bin(f64::INFINITY) + 1];
+        let mut bins = vec![0.0; bin(f64::INFINITY)];
         for cell in cells {
             let (mut error, mut parts) = (self.error(cell), 1.0);
             for _ in cell.depth..self.deepest {
