@@ -23,13 +23,13 @@ mod place;
 mod strip;
 
 use common::{Color, Error, Image, Progress, Sampled, Settings};
-use rayon::iter::{IndexedParallelIterator, ParallelIterator};
-use rayon::slice::ParallelSliceMut;
 
 use lattice::Lattice;
 use level::Level;
 pub use place::{Place, beside};
 use strip::{Pixels, Strip, TILE};
+
+use crate::render::for_each_strip;
 
 /// What the scene looks like.
 pub trait View: Sync {
@@ -69,10 +69,17 @@ pub fn render(
     let mut strips: Vec<_> = tops
         .map(|top| Strip::new(top..wanted.end.min(top + TILE)))
         .collect();
-    for_each_strip(image, &mut strips, progress, |strip, pixels| {
-        strip.begin(&lattice, pixels, &level, view);
-        true
-    })?;
+    let width = size.width();
+    let begin = |first_row, colors: &mut [Color], strip: &mut Strip| {
+        let mut pixels = Pixels {
+            first_row,
+            width,
+            colors,
+        };
+        strip.begin(&lattice, &mut pixels, &level, view);
+        !view.stopped()
+    };
+    for_each_strip(image, wanted.start, TILE, &mut strips, progress, begin)?;
 
     let error = loop {
         level.learn(strips.iter().map(Strip::experience));
@@ -88,13 +95,19 @@ pub fn render(
             break error;
         }
         progress.more_rows(rows);
-        for_each_strip(image, &mut strips, progress, |strip, pixels| {
+        let divide = |first_row, colors: &mut [Color], strip: &mut Strip| {
+            let mut pixels = Pixels {
+                first_row,
+                width,
+                colors,
+            };
             let is_due = strip.is_due(&level);
             if is_due {
-                strip.divide(pixels, &level, view);
+                strip.divide(&mut pixels, &level, view);
             }
-            is_due
-        })?;
+            is_due && !view.stopped()
+        };
+        for_each_strip(image, wanted.start, TILE, &mut strips, progress, divide)?;
     };
 
     let samples: u64 = strips.iter().map(Strip::samples).sum();
@@ -105,39 +118,6 @@ pub fn render(
         most: 1 << (2 * (depth - 1)),
         squared_error: error / 3.0,
     });
-    Ok(())
-}
-
-/// Paints strips; `paint` says whether it changes the strip, and the rows of those
-/// that change are reported.
-fn for_each_strip(
-    image: &mut Image,
-    strips: &mut [Strip],
-    progress: &dyn Progress,
-    paint: impl Fn(&mut Strip, &mut Pixels) -> bool + Sync,
-) -> Result<(), Error> {
-    let width = image.size().width();
-    let pixels = image.pixels_mut();
-    let strips = pixels
-        .par_chunks_mut(TILE as usize * width as usize)
-        .zip(strips)
-        .with_max_len(1);
-    strips.for_each(|(colors, strip)| {
-        let first_row = strip.rows().start;
-        let mut pixels = Pixels {
-            first_row,
-            width,
-            colors,
-        };
-        if paint(strip, &mut pixels) && !progress.stopped() {
-            for (row, colors) in (first_row..).zip(colors.chunks_exact(width as usize)) {
-                progress.row(row, colors);
-            }
-        }
-    });
-    if progress.stopped() {
-        return Err(Error::Stopped);
-    }
     Ok(())
 }
 

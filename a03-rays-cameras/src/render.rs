@@ -95,7 +95,7 @@ pub fn render_together(
         true
     };
     let mut nothing = vec![(); rows.len()];
-    for_each_row(&mut image, rows.start, &mut nothing, progress, paint)?;
+    for_each_strip(&mut image, rows.start, 1, &mut nothing, progress, paint)?;
     Ok(image)
 }
 
@@ -151,25 +151,30 @@ impl<C: Camera + ?Sized, R: Radiance> adaptive::View for View<'_, C, R> {
     }
 }
 
-/// Paints rows. Each has a note beside it; `paint` says whether it changes the
-/// row, and rows that change are reported.
-pub(crate) fn for_each_row<N: Send>(
+/// Paints strips of so many rows, but for the last, which may have fewer. Each has a
+/// note beside it; `paint` is told its first row and says whether it changes the
+/// strip, and the rows of those that change are reported.
+pub(crate) fn for_each_strip<N: Send>(
     image: &mut Image,
     first_row: u32,
+    rows: u32,
     notes: &mut [N],
     progress: &dyn Progress,
     paint: impl Fn(u32, &mut [Color], &mut N) -> bool + Sync,
 ) -> Result<(), Error> {
     let width = image.size().width() as usize;
-    let rows = image.pixels_mut().par_chunks_exact_mut(width);
-    // Row by row: one may take far longer than another, and none shall wait for long.
-    rows.zip(notes)
+    let strips = image.pixels_mut().par_chunks_mut(rows as usize * width);
+    // One by one: one may take far longer than another, and none shall wait for long.
+    strips
+        .zip(notes)
         .enumerate()
         .with_max_len(1)
-        .for_each(|(row, (pixels, note))| {
-            let row = first_row + row as u32;
-            if paint(row, pixels, note) {
-                progress.row(row, pixels);
+        .for_each(|(strip, (pixels, note))| {
+            let first_row = first_row + rows * strip as u32;
+            if paint(first_row, pixels, note) {
+                for (row, pixels) in (first_row..).zip(pixels.chunks_exact(width)) {
+                    progress.row(row, pixels);
+                }
             }
         });
 

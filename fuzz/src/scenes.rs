@@ -20,7 +20,8 @@ use crate::shapes::{accepted, camera, shape};
 /// # Panics
 ///
 /// If a pixel is no finite number or negative, if leaving out work changes a
-/// bit where no error is allowed, or if mirrored light that is cut off is more than was allowed.
+/// bit where no error is allowed, or if mirrored light that is cut off is more than
+/// was allowed.
 pub fn check(bytes: &[u8]) {
     let (Ok(lazy), Ok(thorough)) = (Scene::new(bytes, true), Scene::new(bytes, false)) else {
         return;

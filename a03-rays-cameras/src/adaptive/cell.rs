@@ -7,7 +7,7 @@
 //!   it and some on the other, and the light on both sides is theirs.
 //! - What lies around. Where light bends from cell to cell, something may hide in a
 //!   cell whose corners look even. How often it does, only dividing such cells
-//!   tells, and see [`Experience`](super::experience::Experience).
+//!   tells: see [`Experience`](super::experience::Experience).
 
 use a02_math::Lanes;
 use common::Color;
@@ -72,7 +72,7 @@ impl Cell {
 
     /// Its area, in pixels.
     pub fn area(&self) -> f64 {
-        4.0 / f64::from(1_u32 << (2 * self.depth))
+        area(self.depth)
     }
 
     /// Its light: the mean of that at the corners.
@@ -126,20 +126,16 @@ pub fn mean([a, b, c, d]: [Color; 4]) -> Color {
     ((a + b) + (c + d)) * 0.25
 }
 
+/// The area of cells of this depth, in pixels.
+fn area(depth: u8) -> f64 {
+    4.0 / f64::from(1_u32 << (2 * depth))
+}
+
 /// What the error of a cell counts for: a block stands for four pixels, and a part of
 /// a pixel for its area, squared.
 pub fn weight(depth: u8) -> f64 {
-    const WEIGHTS: [f64; DEEPEST as usize + 1] = {
-        let mut weights = [4.0; DEEPEST as usize + 1];
-        let (mut depth, mut weight) = (1, 1.0);
-        while depth < weights.len() {
-            weights[depth] = weight;
-            weight /= 16.0;
-            depth += 1;
-        }
-        weights
-    };
-    WEIGHTS[usize::from(depth)]
+    let area = area(depth);
+    area.min(area * area)
 }
 
 /// The corners of the four parts.

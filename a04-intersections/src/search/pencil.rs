@@ -219,14 +219,20 @@ impl Pencil {
 
     /// Between which places bounds appear. None if they are not well in front.
     fn extent(&self, bounds: Bounds) -> Option<([f64; 2], [f64; 2])> {
+        let points = bounds.corners().map(|corner| self.seen(corner));
+        // Beyond some 80 degrees the cells would be too unequal.
+        let is_aside = |p: &DVec3| p.dot(self.gaze) < 0.15 * p.length();
+        if matches!(self.focus, Focus::Point(_)) && points.iter().any(is_aside) {
+            return None;
+        }
+        self.around(&points)
+    }
+
+    /// Between which places points appear.
+    fn around(&self, points: &[DVec3]) -> Option<([f64; 2], [f64; 2])> {
         let (mut from, mut to) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for corner in bounds.corners() {
-            let p = self.seen(corner);
-            // Beyond some 80 degrees the cells would be too unequal.
-            if matches!(self.focus, Focus::Point(_)) && p.dot(self.gaze) < 0.15 * p.length() {
-                return None;
-            }
-            let place = self.place(p)?;
+        for point in points {
+            let place = self.place(*point)?;
             for axis in 0..2 {
                 from[axis] = from[axis].min(place[axis]);
                 to[axis] = to[axis].max(place[axis]);
@@ -297,17 +303,11 @@ impl Pencil {
         let Focus::Point(focus) = self.focus else {
             return None;
         };
-        let (mut from, mut to) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for ray in corners {
-            if ray.origin() != focus {
-                return None;
-            }
-            let place = self.place(ray.direction().to_glam())?;
-            for axis in 0..2 {
-                from[axis] = from[axis].min(place[axis]);
-                to[axis] = to[axis].max(place[axis]);
-            }
+        if corners.iter().any(|ray| ray.origin() != focus) {
+            return None;
         }
+        let directions = corners.each_ref().map(|ray| ray.direction().to_glam());
+        let (from, to) = self.around(&directions)?;
         let narrow = narrow * (to[0] - from[0]).max(to[1] - from[1]);
         let is_beside = |axis: usize| {
             let end = self.from[axis] + self.side as f64 / self.per_unit[axis];
