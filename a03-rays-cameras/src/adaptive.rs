@@ -1,10 +1,10 @@
 //! Adaptive sampling: few samples where light changes evenly, and many at edges and
 //! highlights, until the picture is as exact as it was asked to be.
 //!
-//! The picture is parted into cells, squares whose light is taken for the mean of
-//! that at their corners: first into blocks of 2 x 2 pixels. Those cells that err
-//! most are divided into four, and their parts again, as far as it takes. Neighbours
-//! share corners, so that a pixel takes about one sample for its four.
+//! The picture is parted into cells, squares whose light is told by that at their
+//! corners: first into blocks of 4 x 4 pixels. Those cells that err most are divided
+//! into four, and their parts again, as far as it takes. Neighbours share corners, so
+//! that a pixel takes about one sample for its four.
 //!
 //! (To look at the corners and to divide where they differ is Whitted's way, An
 //! Improved Illumination Model for Shaded Display, 1980; to begin with blocks larger
@@ -14,6 +14,7 @@
 //! What no corner shows is not found: an object that lies between the corners of all
 //! pixels is missing from the picture, and so is the tip of a needle.
 
+mod block;
 mod cell;
 mod crosses;
 mod experience;
@@ -22,43 +23,46 @@ mod level;
 mod place;
 mod strip;
 
-use common::{Color, Error, Image, Progress, Sampled, Settings};
+use std::iter;
 
+use common::{Color, Error, Progress, Sampled, Settings, Size};
+use rayon::iter::{
+    IndexedParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator,
+};
+use rayon::slice::ParallelSliceMut;
+
+use cell::{DEEPEST, PIXEL_DEPTH};
 use lattice::Lattice;
 use level::Level;
 pub use place::{Place, beside};
-use strip::{Pixels, Strip, TILE};
-
-use crate::render::for_each_strip;
+use strip::{Strip, TILE};
 
 /// What the scene looks like.
 pub trait View: Sync {
     /// The light at some places.
     fn light(&self, places: &[Place], light: &mut Vec<Color>);
-    /// Whether something may hide between the corners of blocks in a square tile, whose
+    /// Whether something may be seen that is so narrow, in pixels, in a square whose
     /// upper left pixel is in this column and row.
-    fn may_hide(&self, tile: (u32, u32), side: u32) -> bool;
+    fn may_hide(&self, square: (u32, u32), side: u32, narrow: f64) -> bool;
     /// True once the picture is not wanted any more.
     fn stopped(&self) -> bool;
 }
 
-/// In pixels: what is so narrow may lie between the corners of all blocks. (A disc is
-/// met by one of them if it is the root of two wider than a block.)
-pub const NARROW: f64 = 3.0;
-
 /// Of the squared error allowed so much is aimed at: what is estimated errs, too.
 const AIM: f64 = 0.6;
 
-/// Renders the rows that are wanted into a picture of them. Each part of a picture
-/// comes to the bound alone, and so the whole does.
-pub fn render(
-    image: &mut Image,
+/// Renders the rows that are wanted; what is kept of each pixel is told by `keep`. Each
+/// part of a picture comes to the bound alone, and so the whole does.
+pub fn render<T: Send>(
     max_error: f64,
     settings: &Settings,
     view: &impl View,
     progress: &dyn Progress,
+    kept: &mut [T],
+    keep: impl Fn(&[Color], &mut [T]) + Sync,
 ) -> Result<(), Error> {
-    let (size, wanted) = (image.size(), settings.rows());
+    let wanted = settings.rows();
+    let size = Size::new(settings.size.width(), wanted.len() as u32)?;
     let fair = AIM * 3.0 * max_error * max_error;
     // Summed over pixels and channels.
     let allowed = fair * size.pixels() as f64;
@@ -67,23 +71,18 @@ pub fn render(
     let lattice = Lattice::new(size, wanted.start, view)?;
     let tops = wanted.clone().step_by(TILE as usize);
     let mut strips: Vec<_> = tops
-        .map(|top| Strip::new(top..wanted.end.min(top + TILE)))
+        .map(|top| Strip::new(&lattice, top..wanted.end.min(top + TILE)))
         .collect();
-    let width = size.width();
-    let begin = |first_row, colors: &mut [Color], strip: &mut Strip| {
-        let mut pixels = Pixels {
-            first_row,
-            width,
-            colors,
-        };
-        strip.begin(&lattice, &mut pixels, &level, view);
-        !view.stopped()
-    };
-    for_each_strip(image, wanted.start, TILE, &mut strips, progress, begin)?;
+    for_each(&mut strips, progress, |strip| {
+        strip.begin(&level, view);
+        true
+    })?;
 
+    // Parts are divided, too, once it is known what to expect of that.
+    let mut times = 1;
     let error = loop {
         level.learn(strips.iter().map(Strip::experience));
-        let error = strips.iter().map(|strip| strip.error(&level)).sum();
+        let error: f64 = strips.iter().map(|strip| strip.error(&level)).sum();
         if error <= allowed {
             break error;
         }
@@ -95,29 +94,61 @@ pub fn render(
             break error;
         }
         progress.more_rows(rows);
-        let divide = |first_row, colors: &mut [Color], strip: &mut Strip| {
-            let mut pixels = Pixels {
-                first_row,
-                width,
-                colors,
-            };
+        for_each(&mut strips, progress, |strip| {
             let is_due = strip.is_due(&level);
-            if is_due {
-                strip.divide(&mut pixels, &level, view);
+            for _ in 0..times {
+                if strip.is_due(&level) {
+                    strip.divide(&level, view);
+                }
             }
-            is_due && !view.stopped()
-        };
-        for_each_strip(image, wanted.start, TILE, &mut strips, progress, divide)?;
+            is_due
+        })?;
+        times = DEEPEST;
     };
 
+    let per_row = kept.len() / wanted.len();
+    let of_strips = kept.par_chunks_mut(per_row * TILE as usize);
+    (strips.par_iter().zip(of_strips).with_max_len(1)).for_each(|(strip, kept)| {
+        let mut pixels = vec![Color::BLACK; size.width() as usize];
+        for (row, kept) in strip.rows().zip(kept.chunks_exact_mut(per_row)) {
+            strip.paint(row, &mut pixels);
+            keep(&pixels, kept);
+        }
+    });
+
     let samples: u64 = strips.iter().map(Strip::samples).sum();
-    let depth = strips.iter().map(Strip::depth).max().unwrap_or(1);
+    let depth = strips.iter().map(Strip::depth).max().unwrap_or(PIXEL_DEPTH);
     progress.sampled(&Sampled {
         pixels: size.pixels() as u64,
         samples: samples + lattice.len() as u64,
-        most: 1 << (2 * (depth - 1)),
+        most: 1 << (2 * (depth - PIXEL_DEPTH)),
         squared_error: error / 3.0,
     });
+    Ok(())
+}
+
+/// Works on all strips; `change` says whether one looks differently then.
+fn for_each(
+    strips: &mut [Strip],
+    progress: &dyn Progress,
+    change: impl Fn(&mut Strip) -> bool + Sync,
+) -> Result<(), Error> {
+    strips.par_iter_mut().with_max_len(1).for_each(|strip| {
+        if progress.stopped() || !change(strip) {
+            return;
+        }
+        for row in strip.rows() {
+            let painted = || {
+                let mut pixels = vec![Color::BLACK; strip.width()];
+                strip.paint(row, &mut pixels);
+                pixels
+            };
+            progress.row(row, &mut iter::once_with(painted).flatten());
+        }
+    });
+    if progress.stopped() {
+        return Err(Error::Stopped);
+    }
     Ok(())
 }
 
@@ -133,8 +164,8 @@ mod drawn {
     /// A function of the place, in units of the smallest cells.
     pub struct Drawn<F> {
         light: F,
-        /// The tiles that may hide something begin in these columns.
-        pub hiding: Vec<u32>,
+        /// The tiles that begin in these columns show something so narrow.
+        pub hiding: Vec<(u32, f64)>,
         pub stopped: bool,
         /// What was looked at together.
         asked: Mutex<Vec<Vec<Place>>>,
@@ -166,8 +197,9 @@ mod drawn {
             self.asked.lock().unwrap().push(places.to_vec());
         }
 
-        fn may_hide(&self, (x, _): (u32, u32), _: u32) -> bool {
-            self.hiding.contains(&x)
+        fn may_hide(&self, (x, _): (u32, u32), _: u32, narrow: f64) -> bool {
+            let mut hiding = self.hiding.iter();
+            hiding.any(|(tile, width)| *tile == x && *width < narrow)
         }
 
         fn stopped(&self) -> bool {

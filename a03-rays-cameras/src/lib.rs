@@ -33,7 +33,7 @@ pub use radiance::Radiance;
 pub use random::PixelRandom;
 pub use ray::Ray;
 pub use ray_packet::RayPacket;
-pub use render::{render, render_together};
+pub use render::{render, render_rows, render_together};
 pub use sampler::Sampler;
 pub use scenes::stage;
 pub use striped_sky::{StripeRule, StripedSky};

@@ -2,7 +2,7 @@
 
 use common::tally::{self, Work};
 use common::{Color, Error, Image, Progress, Settings, Size};
-use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
 use crate::{Camera, Radiance, Ray, Sampler, adaptive};
@@ -42,9 +42,38 @@ pub fn render_together(
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Image, Error> {
-    let size = settings.size;
-    let rows = settings.rows();
-    let mut image = Image::black(Size::new(size.width(), rows.len() as u32)?)?;
+    let rows = settings.rows().len() as u32;
+    let mut image = Image::black(Size::new(settings.size.width(), rows)?)?;
+    let copy = |colors: &[Color], pixels: &mut [Color]| pixels.copy_from_slice(colors);
+    render_rows(
+        camera,
+        radiance,
+        settings,
+        progress,
+        image.pixels_mut(),
+        copy,
+    )?;
+    Ok(image)
+}
+
+/// The same, for who keeps something else of a picture than its colours, bytes for
+/// example: `keep` is told the colours of a row once they are final, and where in
+/// `kept` its share is. All rows have equal shares.
+///
+/// [`Error::Stopped`] if `progress` stops the rendering, and [`Error::Memory`] if what
+/// the settings bound the error of does not fit into memory.
+///
+/// # Panics
+///
+/// If `kept` has fewer elements than the picture has rows.
+pub fn render_rows<T: Send>(
+    camera: &(impl Camera + ?Sized),
+    radiance: impl Radiance,
+    settings: &Settings,
+    progress: &dyn Progress,
+    kept: &mut [T],
+    keep: impl Fn(&[Color], &mut [T]) + Sync,
+) -> Result<(), Error> {
     let view = View {
         camera,
         radiance,
@@ -52,14 +81,13 @@ pub fn render_together(
         progress,
     };
     if let Some(max_error) = settings.max_error {
-        adaptive::render(&mut image, max_error, settings, &view, progress)?;
-        return Ok(image);
+        return adaptive::render(max_error, settings, &view, progress, kept, keep);
     }
     let sampler = Sampler::new(settings);
     let samples = sampler.samples();
     let together = TOGETHER.div_ceil(samples as usize);
     let place = |column, row, sample| view.place(column, row, sampler.place(sample, column, row));
-    let paint = |row, pixels: &mut [Color], (): &mut ()| {
+    let paint = |row, pixels: &mut [Color]| {
         let (mut places, mut rays, mut light) = (Vec::new(), Vec::new(), Vec::new());
         // ANCHOR: mean
         let mut first = 0;
@@ -94,9 +122,20 @@ pub fn render_together(
         // ANCHOR_END: mean
         true
     };
-    let mut nothing = vec![(); rows.len()];
-    for_each_strip(&mut image, rows.start, 1, &mut nothing, progress, paint)?;
-    Ok(image)
+    let (rows, width) = (settings.rows(), settings.size.width() as usize);
+    let shares = kept.par_chunks_mut(kept.len() / rows.len());
+    // One by one: one may take far longer than another, and none shall wait for long.
+    (rows.into_par_iter().zip(shares).with_max_len(1)).for_each(|(row, kept)| {
+        let mut pixels = vec![Color::BLACK; width];
+        if paint(row, &mut pixels) {
+            keep(&pixels, kept);
+            progress.row(row, &mut pixels.into_iter());
+        }
+    });
+    if progress.stopped() {
+        return Err(Error::Stopped);
+    }
+    Ok(())
 }
 
 /// What a camera sees.
@@ -135,51 +174,17 @@ impl<C: Camera + ?Sized, R: Radiance> adaptive::View for View<'_, C, R> {
         self.look(&places.collect::<Vec<_>>(), &mut Vec::new(), light);
     }
 
-    fn may_hide(&self, (x, y): (u32, u32), side: u32) -> bool {
+    fn may_hide(&self, (x, y): (u32, u32), side: u32, narrow: f64) -> bool {
         let [left, right, top, bottom] = [x, x + side, y, y + side].map(f64::from);
         let corners = [(left, top), (right, top), (left, bottom), (right, bottom)];
         let places = corners.map(|place| self.place(0, 0, place));
         let mut rays = Vec::with_capacity(places.len());
         self.camera.rays_for(self.settings.size, &places, &mut rays);
-        let narrow = adaptive::NARROW / f64::from(side);
         let rays = rays.as_slice().try_into();
-        rays.is_ok_and(|rays| self.radiance.may_hide(rays, narrow))
+        rays.is_ok_and(|rays| self.radiance.may_hide(rays, narrow / f64::from(side)))
     }
 
     fn stopped(&self) -> bool {
         self.progress.stopped()
     }
-}
-
-/// Paints strips of so many rows, but for the last, which may have fewer. Each has a
-/// note beside it; `paint` is told its first row and says whether it changes the
-/// strip, and the rows of those that change are reported.
-pub(crate) fn for_each_strip<N: Send>(
-    image: &mut Image,
-    first_row: u32,
-    rows: u32,
-    notes: &mut [N],
-    progress: &dyn Progress,
-    paint: impl Fn(u32, &mut [Color], &mut N) -> bool + Sync,
-) -> Result<(), Error> {
-    let width = image.size().width() as usize;
-    let strips = image.pixels_mut().par_chunks_mut(rows as usize * width);
-    // One by one: one may take far longer than another, and none shall wait for long.
-    strips
-        .zip(notes)
-        .enumerate()
-        .with_max_len(1)
-        .for_each(|(strip, (pixels, note))| {
-            let first_row = first_row + rows * strip as u32;
-            if paint(first_row, pixels, note) {
-                for (row, pixels) in (first_row..).zip(pixels.chunks_exact(width)) {
-                    progress.row(row, pixels);
-                }
-            }
-        });
-
-    if progress.stopped() {
-        return Err(Error::Stopped);
-    }
-    Ok(())
 }

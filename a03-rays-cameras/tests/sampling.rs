@@ -227,8 +227,8 @@ struct StopAfterThree {
 }
 
 impl Progress for StopAfterThree {
-    fn row(&self, _: u32, pixels: &[Color]) {
-        assert_eq!(pixels.len(), 8);
+    fn row(&self, _: u32, pixels: &mut dyn Iterator<Item = Color>) {
+        assert_eq!(pixels.count(), 8);
         let before = self.rows.fetch_add(1, Ordering::Relaxed);
         self.stop.store(before + 1 >= 3, Ordering::Relaxed);
     }

@@ -129,23 +129,23 @@ fn a_small_sphere_alone_is_found() {
     assert!(missed > 5.0 * HALF_GREY_LEVEL, "{missed}");
 }
 
-/// It hides in one tile of 16 x 16 pixels, which has 17 x 17 corners; of those, 9 x 9
-/// are corners of blocks. All others of the picture have the 41 x 31 of its blocks.
+/// It hides in one tile of 16 x 16 pixels, which has 17 x 17 corners; of those, 5 x 5
+/// are corners of blocks. All others of the picture have the 21 x 16 of its blocks.
 #[test]
 fn only_where_it_hides_are_there_more_samples() {
     let world = prepared(with_small_sphere());
     let (_, sampled) = adaptive(traced(&world, true));
-    let least = 41 * 31 + 17 * 17 - 9 * 9;
+    let least = 21 * 16 + 17 * 17 - 5 * 5;
     // And those of the edge: no more than a whole tile of a sample a pixel.
     assert!((least..least + 256).contains(&sampled.samples), "{sampled}");
 }
 
-/// The corners of 40 x 30 blocks are 41 x 31.
+/// The corners of 20 x 15 blocks are 21 x 16.
 #[test]
-fn large_smooth_things_take_a_quarter_of_a_sample_a_pixel() {
+fn large_smooth_things_take_a_sixteenth_of_a_sample_a_pixel() {
     for world in [floor(), with_large_sphere()].map(prepared) {
         let (image, sampled) = adaptive(traced(&world, true));
-        assert_eq!((sampled.samples, sampled.most), (41 * 31, 1));
+        assert_eq!((sampled.samples, sampled.most), (21 * 16, 1));
         let error = root_mean_square(&image, &stratified(&world));
         assert!(error < 1e-4, "{error}");
     }

@@ -118,25 +118,15 @@ impl Image {
     }
     // ANCHOR_END: index
 
-    /// Red, green and blue bytes of all pixels: the one place where colours
-    /// become bytes.
+    /// Red, green and blue bytes of all pixels.
     #[must_use]
     pub fn to_rgb8(&self, transfer: Transfer) -> Vec<u8> {
         let mut rgb = vec![0; 3 * self.pixels.len()];
-        self.write_rgb8(transfer, &mut rgb);
-        rgb
-    }
-
-    /// The same into `rgb`, which has three bytes for each pixel.
-    pub fn write_rgb8(&self, transfer: Transfer, rgb: &mut [u8]) {
         let width = self.size.width() as usize;
         let rows = rgb.par_chunks_exact_mut(3 * width);
         rows.zip(self.pixels.par_chunks_exact(width))
-            .for_each(|(bytes, colors)| {
-                for (bytes, color) in bytes.chunks_exact_mut(3).zip(colors) {
-                    bytes.copy_from_slice(&transfer.bytes(*color));
-                }
-            });
+            .for_each(|(rgb, colors)| transfer.write_rgb8(colors, rgb));
+        rgb
     }
 
     /// How many pixels hold NaN or infinity; a right picture holds none.

@@ -85,11 +85,11 @@ impl LivePicture {
 }
 
 impl Progress for LivePicture {
-    fn row(&self, y: u32, pixels: &[Color]) {
+    fn row(&self, y: u32, pixels: &mut dyn Iterator<Item = Color>) {
         let width = self.size.width() as usize;
         let start = y as usize * width;
         for (live, color) in self.pixels[start..start + width].iter().zip(pixels) {
-            live.store(self.transfer.pack(*color), Ordering::Relaxed);
+            live.store(self.transfer.pack(color), Ordering::Relaxed);
         }
         self.rows.fetch_add(1, Ordering::Relaxed);
     }
@@ -114,7 +114,7 @@ mod tests {
     #[test]
     fn rows_appear_where_they_belong() {
         let picture = picture();
-        picture.row(2, &[Color::RED, Color::GREEN, Color::WHITE]);
+        picture.row(2, &mut [Color::RED, Color::GREEN, Color::WHITE].into_iter());
         let mut expected = [0; 12];
         expected[6..9].copy_from_slice(&[0xFF_0000, 0x00_FF00, 0xFF_FFFF]);
         for (index, pixel) in expected.into_iter().enumerate() {
@@ -128,12 +128,12 @@ mod tests {
     fn the_remaining_time_is_known_from_the_first_row_on() {
         let picture = picture();
         assert_eq!(picture.remaining(), None);
-        picture.row(0, &[Color::BLACK; 3]);
+        picture.row(0, &mut [Color::BLACK; 3].into_iter());
         let (elapsed, remaining) = (picture.elapsed(), picture.remaining().unwrap());
         // Three rows to go for one that is done, measured a moment later.
         assert!(remaining >= elapsed * 3);
         for y in 1..4 {
-            picture.row(y, &[Color::BLACK; 3]);
+            picture.row(y, &mut [Color::BLACK; 3].into_iter());
         }
         assert_eq!(picture.remaining(), Some(Duration::ZERO));
     }
@@ -141,11 +141,11 @@ mod tests {
     #[test]
     fn rows_that_are_painted_again_are_work_too() {
         let picture = picture();
-        (0..4).for_each(|y| picture.row(y, &[Color::BLACK; 3]));
+        (0..4).for_each(|y| picture.row(y, &mut [Color::BLACK; 3].into_iter()));
         assert_eq!(picture.share(), 1.0);
         picture.more_rows(1);
         assert_eq!(picture.share(), 0.8);
-        picture.row(2, &[Color::WHITE; 3]);
+        picture.row(2, &mut [Color::WHITE; 3].into_iter());
         assert_eq!(picture.share(), 1.0);
         assert_eq!(picture.pixel(6), Some(0xFF_FFFF));
     }
@@ -166,7 +166,7 @@ mod tests {
             started: Instant::now().checked_sub(minute).unwrap(),
             ..picture()
         };
-        picture.row(0, &[Color::BLACK; 3]);
+        picture.row(0, &mut [Color::BLACK; 3].into_iter());
         assert!(picture.elapsed() >= minute);
         let remaining = picture.remaining().unwrap();
         assert!((3 * minute..4 * minute).contains(&remaining));

@@ -9,8 +9,9 @@ use crate::{Color, Sampled, Size};
 
 /// Follows a rendering from row to row. Called from all of its threads.
 pub trait Progress: Sync {
-    /// Row `y`, counted from the top, is finished.
-    fn row(&self, y: u32, pixels: &[Color]);
+    /// Row `y`, counted from the top, is finished. Its colours are worked out for those
+    /// who look at them.
+    fn row(&self, y: u32, pixels: &mut dyn Iterator<Item = Color>);
 
     /// This many rows will be painted once more.
     fn more_rows(&self, _: u32) {}
@@ -26,12 +27,12 @@ pub trait Progress: Sync {
 
 /// Nobody follows.
 impl Progress for () {
-    fn row(&self, _: u32, _: &[Color]) {}
+    fn row(&self, _: u32, _: &mut dyn Iterator<Item = Color>) {}
 }
 
 /// Adds up the samples of the parts of a picture.
 impl Progress for Mutex<Sampled> {
-    fn row(&self, _: u32, _: &[Color]) {}
+    fn row(&self, _: u32, _: &mut dyn Iterator<Item = Color>) {}
 
     fn sampled(&self, part: &Sampled) {
         *self.lock().unwrap_or_else(PoisonError::into_inner) += *part;
@@ -80,7 +81,7 @@ pub(crate) fn terminal_bar(name: &str, steps: u64) -> ProgressBar {
 }
 
 impl Progress for TerminalProgress {
-    fn row(&self, _: u32, _: &[Color]) {
+    fn row(&self, _: u32, _: &mut dyn Iterator<Item = Color>) {
         self.bar.inc(1);
     }
 
@@ -115,7 +116,7 @@ mod tests {
         let progress = TerminalProgress::new("scene", Size::new(3, 4).unwrap());
         let bar = progress.bar.clone();
         assert_eq!(bar.message(), "scene");
-        progress.row(2, &[Color::BLACK; 3]);
+        progress.row(2, &mut std::iter::empty());
         progress.more_rows(2);
         assert_eq!((bar.position(), bar.length()), (1, Some(6)));
         assert!(!progress.stopped() && !bar.is_finished());

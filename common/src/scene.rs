@@ -128,7 +128,7 @@ impl Scene {
                 image.paste(left, 0, &scene.render(&panel, &())?);
             }
             for (y, row) in (0..).zip(image.rows()) {
-                progress.row(y, row);
+                progress.row(y, &mut row.iter().copied());
             }
             Ok(image)
         };

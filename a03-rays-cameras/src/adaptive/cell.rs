@@ -1,7 +1,7 @@
 //! `Cell`: a square of the picture, of which the light at its corners is known.
 //!
-//! The light within is taken for the mean of that at the corners. Two things tell
-//! how far off this may be:
+//! The light within is taken for the mean of that at the corners, or nearly so. Two
+//! things tell how far off this may be:
 //!
 //! - What the corners show. Where an edge crosses the cell, some lie on one side of
 //!   it and some on the other, and the light on both sides is theirs.
@@ -14,7 +14,7 @@ use common::Color;
 
 use super::place::Place;
 
-/// A block of 2 x 2 pixels, or what it was divided into.
+/// A block of 4 x 4 pixels, or what it was divided into.
 #[derive(Clone, Copy, Debug)]
 pub struct Cell {
     /// The light at its corners: left and right above, left and right below.
@@ -28,7 +28,7 @@ pub struct Cell {
     pub hidden: f32,
     /// How far the light around is from changing evenly, in any channel.
     bend: f32,
-    /// How often a block was divided to come to it: 0 is a block, 1 a pixel.
+    /// How often a block was divided to come to it.
     pub depth: u8,
 }
 
@@ -36,10 +36,14 @@ pub struct Cell {
 /// its own middle, on its right and below.
 pub type Cross = [Color; 5];
 
+/// The side of a block, in pixels.
+pub const BLOCK: u32 = 4;
+/// How often a block is divided to come to its pixels.
+pub const PIXEL_DEPTH: u8 = BLOCK.ilog2() as u8;
 /// How often a block is divided at most.
-pub const DEEPEST: u8 = 9;
+pub const DEEPEST: u8 = 10;
 /// The side of a pixel, in units of the smallest cells.
-pub const PIXEL: u32 = 1 << (DEEPEST - 1);
+pub const PIXEL: u32 = 1 << (DEEPEST - PIXEL_DEPTH);
 
 /// So much of what was seen to bend around a cell bends around its parts, whatever
 /// is seen of them.
@@ -75,13 +79,14 @@ impl Cell {
         area(self.depth)
     }
 
-    /// Its light: the mean of that at the corners.
-    pub fn mean(&self) -> Color {
-        mean(self.corners)
+    /// Its light.
+    pub fn light(&self) -> Color {
+        let [r, g, b, _] = light(self.corners.map(lanes)).to_array();
+        Color::new(r, g, b)
     }
 
     const fn side(&self) -> u32 {
-        (2 * PIXEL) >> self.depth
+        (BLOCK * PIXEL) >> self.depth
     }
 
     /// Where its cross is.
@@ -121,6 +126,28 @@ impl Cell {
     }
 }
 
+/// How far the light is from the mean of the corners to that of the two between the
+/// darkest and the brightest.
+///
+/// Where light changes evenly both are the same, and where an edge has two corners on
+/// each side. Where it cuts off one, that has a quarter of the mean, and of all
+/// straight lines that do, the area cut off is (ln(1 + r) - 1/r) / (3 (2 - r)) = 0.0991,
+/// with the root r of two. (Crofton's measure of lines; see Santaló, Integral Geometry
+/// and Geometric Probability, 1976, chapter 3.)
+const TO_MIDDLE: f64 = 1.0 - 4.0 * 0.0991;
+
+// ANCHOR: light
+/// The light between four corners: of the same ones, exactly that.
+#[inline]
+fn light([a, b, c, d]: [Lanes; 4]) -> Lanes {
+    let mean = ((a + b) + (c + d)) * Lanes::splat(0.25);
+    let middle = (a.min(b).max(c.min(d)) + a.max(b).min(c.max(d))) * Lanes::splat(0.5);
+    let light = mean + (middle - mean) * Lanes::splat(TO_MIDDLE);
+    // Where corners have no end, there is no middle.
+    light.simd_eq(light).select(light, mean)
+}
+// ANCHOR_END: light
+
 /// The mean of four colours; of the same ones, exactly that.
 pub fn mean([a, b, c, d]: [Color; 4]) -> Color {
     ((a + b) + (c + d)) * 0.25
@@ -128,11 +155,11 @@ pub fn mean([a, b, c, d]: [Color; 4]) -> Color {
 
 /// The area of cells of this depth, in pixels.
 fn area(depth: u8) -> f64 {
-    4.0 / f64::from(1_u32 << (2 * depth))
+    f64::from(BLOCK * BLOCK) / f64::from(1_u32 << (2 * depth))
 }
 
-/// What the error of a cell counts for: a block stands for four pixels, and a part of
-/// a pixel for its area, squared.
+/// What the error of a cell counts for: a block stands for its pixels, and a part of a
+/// pixel for its area, squared.
 pub fn weight(depth: u8) -> f64 {
     let area = area(depth);
     area.min(area * area)
@@ -166,6 +193,11 @@ fn bend([a, b, c, d]: [Lanes; 4], cross: [Lanes; 5]) -> f32 {
     greatest_channel(bends.into_iter().fold(Lanes::ZERO, greatest))
 }
 
+/// Where one corner is alone, the squared error counts for so much of that where two
+/// are on each side. For straight edges it is less, 0.0109 to 0.0463 of all lines, but
+/// a corner alone may be the tip of something, too.
+const ONE_CORNER: f64 = 0.5;
+
 /// What corners show, and what may hide between them, both squared.
 #[inline]
 fn squares([a, b, c, d]: [Lanes; 4], bend: f32, weight: f64) -> (f32, f32) {
@@ -173,14 +205,19 @@ fn squares([a, b, c, d]: [Lanes; 4], bend: f32, weight: f64) -> (f32, f32) {
     if bend == 0.0 {
         return (0.0, 0.0);
     }
-    let least = a.min(b).min(c.min(d));
-    let differing = a.max(b).max(c.max(d)) - least;
+    let (low, high) = ([a.min(b), c.min(d)], [a.max(b), c.max(d)]);
+    let least = low[0].min(low[1]);
+    let differing = high[0].max(high[1]) - least;
+    let middle = (high[0].min(high[1]) - low[0].max(low[1])).abs();
     // Smooth light may differ much, and yet its mean is that of the corners: it is
     // off by no more than it bends.
-    let seen = differing.min(Lanes::splat(bend));
+    let bends = Lanes::splat(bend);
+    let (differing, middle) = (differing.min(bends), middle.min(bends));
+    let seen = differing * differing * Lanes::splat(ONE_CORNER)
+        + middle * middle * Lanes::splat(1.0 - ONE_CORNER);
     // What is brighter than white is white on the screen.
     let is_white = least.simd_ge(Lanes::ONE);
-    let [r, g, b, _] = is_white.select(Lanes::ZERO, seen * seen).to_array();
+    let [r, g, b, _] = is_white.select(Lanes::ZERO, seen).to_array();
     let dark = 3 - (is_white.to_bitmask() & 0b111).count_ones();
     let weighted = |square: f64| {
         let square = (weight * square) as f32;
@@ -221,22 +258,22 @@ mod tests {
     fn crosses_lie_in_the_middles_of_cells_and_of_their_sides() {
         let block = Cell::block(3, 5, grays([0.0; 4]), 0.0);
         let [top, left, middle, right, below] = [
-            (1024, 1280),
-            (768, 1536),
-            (1024, 1536),
-            (1280, 1536),
-            (1024, 1792),
+            (1280, 1280),
+            (768, 1792),
+            (1280, 1792),
+            (1792, 1792),
+            (1280, 2304),
         ];
         assert_eq!(block.places(), [top, left, middle, right, below]);
-        let [_, pixel, ..] = block.divided(&grays([0.0; 5]));
+        let [_, part, ..] = block.divided(&grays([0.0; 5]));
         let [top, left, middle, right, below] = [
-            (1152, 1280),
-            (1024, 1408),
-            (1152, 1408),
-            (1280, 1408),
-            (1152, 1536),
+            (1536, 1280),
+            (1280, 1536),
+            (1536, 1536),
+            (1792, 1536),
+            (1536, 1792),
         ];
-        assert_eq!(pixel.places(), [top, left, middle, right, below]);
+        assert_eq!(part.places(), [top, left, middle, right, below]);
     }
 
     #[test]
@@ -250,33 +287,31 @@ mod tests {
             [5.0, 6.0, 8.0, 9.0],
         ];
         assert_eq!(parts.map(|part| part.corners), corners.map(grays));
-        let pixels = [(3, 5), (4, 5), (3, 6), (4, 6)];
+        let pixels = [(3, 5), (5, 5), (3, 7), (5, 7)];
         assert_eq!(parts.map(|part| part.pixel()), pixels);
-        assert_eq!(parts.map(|part| part.mean()), grays([3.0, 4.0, 6.0, 7.0]));
+        assert_eq!(parts.map(|part| part.light()), grays([3.0, 4.0, 6.0, 7.0]));
     }
 
-    /// Always the lower right one: 256 + 128 + ... + 1 from the corner of the block.
+    /// Always the lower right one: 512 + 256 + ... + 1 from the corner of the block.
     #[test]
     fn parts_are_quarters_down_to_the_deepest() {
         let mut cell = Cell::block(0, 0, grays([0.0; 4]), 0.0);
-        let (mut area, mut left) = (4.0, 512);
-        for depth in 0..9 {
+        let (mut area, mut left) = (16.0, 1024);
+        for depth in 0..10 {
             assert_eq!((cell.depth, cell.area()), (depth, area));
-            assert_eq!((cell.x, cell.y), (512 - left, 512 - left));
+            assert_eq!((cell.x, cell.y), (1024 - left, 1024 - left));
             let parts = cell.divided(&grays([0.0; 5]));
             assert_eq!(parts.iter().map(Cell::area).sum::<f64>(), area);
             cell = parts[3];
             (area, left) = (area / 4.0, left / 2);
         }
-        assert_eq!((cell.depth, cell.x, cell.y), (DEEPEST, 511, 511));
+        assert_eq!((cell.depth, cell.x, cell.y), (DEEPEST, 1023, 1023));
     }
 
     #[test]
-    fn a_block_counts_for_four_pixels_and_parts_for_their_area_squared() {
-        assert_eq!(
-            [0, 1, 2, 3].map(weight),
-            [4.0, 1.0, 1.0 / 16.0, 1.0 / 256.0]
-        );
+    fn a_block_counts_for_its_pixels_and_parts_of_these_for_their_area_squared() {
+        let expected = [16.0, 4.0, 1.0, 1.0 / 16.0, 1.0 / 256.0];
+        assert_eq!([0, 1, 2, 3, 4].map(weight), expected);
         assert_eq!(weight(DEEPEST), 1.0 / 4_294_967_296.0);
     }
 
@@ -288,21 +323,41 @@ mod tests {
             Color::new(0.5, 0.0, 0.5),
             Color::new(0.5, 0.25, 0.75),
         ];
-        let seen = 4.0 * (0.25 + 0.0625 + 0.0625);
-        assert_eq!(squares_of(corners, 1.0), (seen, 12.0));
-        let limited = 4.0 * 3.0 * 0.0625;
-        assert_eq!(squares_of(corners, 0.25), (limited, limited));
+        let halves = 16.0 * 0.5;
+        let seen = halves * (0.25 + 0.0625 + 0.0625);
+        assert_eq!(squares_of(corners, 1.0), (seen, 48.0));
+        let limited = 3.0 * 0.0625;
+        let expected = (halves * limited, 16.0 * limited);
+        assert_eq!(squares_of(corners, 0.25), expected);
         assert_eq!(squares_of(corners, 0.0), (0.0, 0.0));
+    }
+
+    /// Whichever these are.
+    #[test]
+    fn two_corners_on_each_side_show_twice_what_one_alone_does() {
+        for i in 0..4 {
+            let mut one = [0.25; 4];
+            one[i] = 0.75;
+            assert_eq!(squares_of(grays(one), 1.0), (12.0 * 0.5, 48.0));
+            for other in (0..4).filter(|other| *other != i) {
+                let mut two = one;
+                two[other] = 0.75;
+                assert_eq!(squares_of(grays(two), 1.0), (12.0, 48.0));
+            }
+        }
+        // The two in the middle are half as far from each other as the others.
+        let seen = 48.0 * (1.0 + 0.25) / 2.0;
+        assert_eq!(squares_of(grays([0.0, 0.25, 1.0, 0.75]), 1.0), (seen, 48.0));
     }
 
     #[test]
     fn channels_that_are_white_at_all_corners_count_nothing() {
         let red_white = [1.0, 2.0, 3.0, 1.0].map(|red| Color::new(red, 0.0, 0.0));
-        assert_eq!(squares_of(red_white, 1.0), (0.0, 8.0));
+        assert_eq!(squares_of(red_white, 1.0), (0.0, 32.0));
         let blue_white = [0.0, 0.0, 0.5, 0.0].map(|green| Color::new(0.0, green, 1.0));
-        assert_eq!(squares_of(blue_white, 1.0), (1.0, 8.0));
+        assert_eq!(squares_of(blue_white, 1.0), (2.0, 32.0));
         assert_eq!(squares_of(grays([1.0, 9.0, 1.0, 1.0]), 8.0), (0.0, 0.0));
-        assert_eq!(squares_of(grays([0.5, 1.5, 1.0, 1.0]), 8.0), (12.0, 768.0));
+        assert_eq!(squares_of(grays([0.5, 1.5, 1.0, 1.0]), 8.0), (24.0, 3072.0));
     }
 
     #[test]
@@ -345,17 +400,17 @@ mod tests {
         let even = grays([0.5; 5]);
         let block = Cell::block(0, 0, grays([0.5; 4]), 1.0);
         let [part, ..] = block.divided(&even);
-        assert_eq!((part.seen, part.hidden), (0.0, 3.0 * 0.25));
+        assert_eq!((part.seen, part.hidden), (0.0, 12.0 * 0.25));
         let [part, ..] = part.divided(&even);
-        assert_eq!(part.hidden, 3.0 * 0.0625 / 16.0);
+        assert_eq!(part.hidden, 3.0 * 0.0625);
         // Its own middle bends by 3/4, which is more.
         let [part, ..] = block.divided(&grays([0.5, 0.5, 0.875, 0.5, 0.5]));
-        assert_eq!((part.seen, part.hidden), (3.0 * 0.140_625, 3.0 * 0.5625));
+        assert_eq!((part.seen, part.hidden), (6.0 * 0.140_625, 12.0 * 0.5625));
     }
 
     #[test]
     fn corners_look_even_that_differ_by_less_than_a_tenth_of_what_bends() {
-        let looks_even = |gray: f64| Cell::block(0, 0, grays([0.0, gray, 0.0, 0.0]), 1.0);
+        let looks_even = |gray: f64| Cell::block(0, 0, grays([0.0, gray, 0.0, gray]), 1.0);
         assert!(looks_even(0.0).looks_even());
         assert!(looks_even(0.099).looks_even());
         assert!(!looks_even(0.101).looks_even());
@@ -367,5 +422,53 @@ mod tests {
     fn the_mean_of_equal_colors_is_that_color() {
         assert_eq!(mean(grays([0.3; 4])), Color::gray(0.3));
         assert_eq!(mean(grays([0.0, 1.0, 2.0, 4.0])), Color::gray(1.75));
+    }
+
+    fn light_of(corners: [f64; 4]) -> f64 {
+        Cell::block(0, 0, grays(corners), 0.0).light().g
+    }
+
+    #[test]
+    fn light_that_changes_evenly_is_that_in_the_middle_of_the_cell() {
+        assert_eq!(light_of([0.3; 4]), 0.3);
+        assert_eq!(light_of([1.0, 2.0, 4.0, 5.0]), 3.0);
+        assert_eq!(light_of([5.0, 2.0, 4.0, 1.0]), 3.0);
+        assert_eq!(light_of([0.0, 0.0, 1.0, 1.0]), 0.5);
+        assert_eq!(light_of([1.0, 0.0, 0.0, 1.0]), 0.5);
+    }
+
+    #[test]
+    fn a_corner_that_is_cut_off_has_the_share_that_lines_cut_off() {
+        let root = std::f64::consts::SQRT_2;
+        // ln(1 + r), the inverse hyperbolic sine of 1.
+        let log = 0.881_373_587_019_543;
+        let share = (log - 1.0 / root) / (3.0 * (2.0 - root));
+        for corner in 0..4 {
+            let mut corners = [0.0; 4];
+            corners[corner] = 1.0;
+            assert!((light_of(corners) - share).abs() < 1e-4);
+            assert!((light_of(corners.map(|gray| 1.0 - gray)) - (1.0 - share)).abs() < 1e-4);
+        }
+    }
+
+    /// The sum of colours, so that no channel is taken for another.
+    #[test]
+    fn channels_do_not_share_their_corners() {
+        let corners = [
+            Color::RED,
+            Color::BLUE,
+            Color::GREEN,
+            Color::RED + Color::BLUE,
+        ];
+        let light = Cell::block(0, 0, corners, 1.0).light();
+        assert_eq!((light.r, light.b), (0.5, 0.5));
+        assert!((light.g - 0.0991).abs() < 1e-9);
+    }
+
+    #[test]
+    fn light_without_end_stays_that() {
+        assert_eq!(light_of([f64::INFINITY; 4]), f64::INFINITY);
+        assert_eq!(light_of([0.0, f64::INFINITY, 0.0, 1.0]), f64::INFINITY);
+        assert!(light_of([f64::NAN, 0.0, 0.0, 0.0]).is_nan());
     }
 }

@@ -55,7 +55,7 @@ mod tests {
     /// many places they have.
     fn check(columns: u32, rows: u32, from: u32, places: usize) {
         let blocks =
-            (0..columns).flat_map(|x| (0..rows).map(move |y| (from + 2 * x, from + 2 * y)));
+            (0..columns).flat_map(|x| (0..rows).map(move |y| (from + 4 * x, from + 4 * y)));
         let blocks: Vec<_> = blocks
             .map(|(x, y)| Cell::block(x, y, [Color::BLACK; 4], 0.0))
             .collect();
@@ -84,6 +84,6 @@ mod tests {
 
     #[test]
     fn crosses_are_right_in_the_far_corner_of_the_largest_picture() {
-        check(2, 2, (1 << 15) - 4, 16);
+        check(2, 2, (1 << 15) - 8, 16);
     }
 }

@@ -9,7 +9,7 @@
 
 use common::Color;
 
-use super::cell::{Cell, DEEPEST, weight};
+use super::cell::{Cell, DEEPEST, PIXEL_DEPTH, weight};
 
 const DEPTHS: usize = DEEPEST as usize + 1;
 
@@ -104,14 +104,15 @@ impl Experience {
         }
         // A block, and a pixel, is one cell: only their parts can err together.
         let (mut cells_together, mut step) = (1.0, STEP);
-        for depth in 2..DEPTHS {
+        let parts_of_pixels = usize::from(PIXEL_DEPTH) + 1;
+        for depth in parts_of_pixels..DEPTHS {
             let expected = cells_together * step;
             let share = sum.together.share(depth, expected, CELLS * 3.0 * EDGE);
             step = (share / cells_together).clamp(1.0, 2.0);
             cells_together *= step;
             factors.together[depth] = cells_together;
         }
-        let level = ((factors.together[2] - STEP) / (2.0 - STEP)).max(0.0);
+        let level = ((factors.together[parts_of_pixels] - STEP) / (2.0 - STEP)).max(0.0);
         factors.together = factors
             .together
             .map(|together| together * (1.0 + 2.0 * level));
@@ -164,32 +165,32 @@ mod tests {
         Experience::factors([experience].iter())
     }
 
-    fn assert_near(found: ByDepth, expected: [f64; 10]) {
+    fn assert_near(found: ByDepth, expected: [f64; 11]) {
         for (depth, (found, expected)) in found.iter().zip(expected).enumerate() {
             let off = (found - expected).abs();
             assert!(off < 1e-14 * expected, "depth {depth}: {found}, {expected}");
         }
     }
 
-    /// 1, 1, and then each so many times the one before.
-    fn growing(step: f64) -> [f64; 10] {
-        std::array::from_fn(|depth| (1..depth).fold(1.0, |grown, _| grown * step))
+    /// 1 up to pixels, and then each so many times the one before.
+    fn growing(step: f64) -> [f64; 11] {
+        std::array::from_fn(|depth| (2..depth).fold(1.0, |grown, _| grown * step))
     }
 
     #[test]
     fn without_cells_edges_are_expected_to_be_level_and_half_together() {
         let factors = Experience::factors([].iter());
-        assert_near(factors.seen, [1.0 / 12.0; 10]);
-        assert_near(factors.hidden, [1.0 / 120.0; 10]);
+        assert_near(factors.seen, [1.0 / 12.0; 11]);
+        assert_near(factors.hidden, [1.0 / 120.0; 11]);
         assert_near(factors.together, growing(SQRT_2));
     }
 
     #[test]
     fn a_level_edge_shows_what_was_expected() {
-        for depth in 0..10 {
+        for depth in 0..11 {
             let edge = cell(depth, 3.0, 3.0);
             let factors = factors(&[&[(&edge, Color::gray(0.25))]]);
-            assert_near(factors.seen, [1.0 / 12.0; 10]);
+            assert_near(factors.seen, [1.0 / 12.0; 11]);
         }
     }
 
@@ -197,21 +198,21 @@ mod tests {
     /// 1/3 of what is seen. Four cells of 1/12 come first: (4/12 + 1/3) / (4 + 1).
     #[test]
     fn what_a_cell_shows_goes_on_to_deeper_ones() {
-        for depth in 0..10 {
+        for depth in 0..11 {
             let at = usize::from(depth);
             let change = Color::gray(0.5);
-            let mut expected = [1.0 / 12.0; 10];
+            let mut expected = [1.0 / 12.0; 11];
             expected[at..].fill(2.0 / 15.0);
             let seen = factors(&[&[(&cell(depth, 3.0, 3.0), change)]]);
             assert_near(seen.seen, expected);
-            assert_near(seen.hidden, [1.0 / 120.0; 10]);
+            assert_near(seen.hidden, [1.0 / 120.0; 11]);
 
             // (4/120 + 1/3) / (4 + 1).
-            let mut expected = [1.0 / 120.0; 10];
+            let mut expected = [1.0 / 120.0; 11];
             expected[at..].fill(11.0 / 150.0);
             let hidden = factors(&[&[(&cell(depth, 0.0, 3.0), change)]]);
             assert_near(hidden.hidden, expected);
-            assert_near(hidden.seen, [1.0 / 12.0; 10]);
+            assert_near(hidden.seen, [1.0 / 12.0; 11]);
         }
     }
 
@@ -222,13 +223,13 @@ mod tests {
         let mut one = Experience::default();
         one.learn(&[(&edge, change)]);
         let both = Experience::factors([one, one].iter());
-        assert_near(both.seen, [1.0 / 6.0; 10]);
+        assert_near(both.seen, [1.0 / 6.0; 11]);
         let hidden = cell(0, 0.0, 3.0);
         let mut other = Experience::default();
         other.learn(&[(&hidden, change)]);
         let both = Experience::factors([one, other].iter());
-        assert_near(both.seen, [2.0 / 15.0; 10]);
-        assert_near(both.hidden, [11.0 / 150.0; 10]);
+        assert_near(both.seen, [2.0 / 15.0; 11]);
+        assert_near(both.hidden, [11.0 / 150.0; 11]);
     }
 
     /// Both change by 1 in three channels: the square of the sum is 12, the sum of the
@@ -236,7 +237,7 @@ mod tests {
     /// s = (12 + r) / 7 with the root r of two, and (s - r) / (2 - r) = 6/7.
     #[test]
     fn cells_of_a_pixel_that_change_alike_err_together() {
-        let edge = cell(2, 3.0, 3.0);
+        let edge = cell(3, 3.0, 3.0);
         let alike = factors(&[&[(&edge, Color::WHITE), (&edge, Color::WHITE)]]);
         let step = (12.0 + SQRT_2) / 7.0;
         let expected = growing(step).map(|together| together * (1.0 + 2.0 * 6.0 / 7.0));
@@ -246,7 +247,7 @@ mod tests {
     /// Four that change alike go beyond what an edge does: (48 + r) / 13 > 2.
     #[test]
     fn errors_double_with_each_division_at_most_and_level_edges_triple_them() {
-        let edge = cell(2, 3.0, 3.0);
+        let edge = cell(3, 3.0, 3.0);
         let alike = factors(&[&[(&edge, Color::gray(-1.0)); 4]]);
         assert_near(alike.together, growing(2.0).map(|together| 3.0 * together));
     }
@@ -254,13 +255,13 @@ mod tests {
     #[test]
     fn errors_that_cancel_out_are_no_larger_together() {
         let change = [Color::WHITE, Color::gray(-1.0)];
-        let edge = cell(2, 3.0, 3.0);
-        let cancelling = factors(&[&change.map(|change| (&edge, change))]);
-        assert_near(cancelling.together, [1.0; 10]);
         let edge = cell(3, 3.0, 3.0);
         let cancelling = factors(&[&change.map(|change| (&edge, change))]);
-        let mut expected = [SQRT_2; 10];
-        expected[..2].fill(1.0);
+        assert_near(cancelling.together, [1.0; 11]);
+        let edge = cell(4, 3.0, 3.0);
+        let cancelling = factors(&[&change.map(|change| (&edge, change))]);
+        let mut expected = [SQRT_2; 11];
+        expected[..3].fill(1.0);
         assert_near(cancelling.together, expected);
     }
 
@@ -269,13 +270,13 @@ mod tests {
     /// where s^2 is expected, (12 + s^2) / 7.
     #[test]
     fn only_what_one_pixel_shows_at_one_depth_is_together() {
-        let (large, small) = (cell(2, 3.0, 3.0), cell(3, 3.0, 3.0));
+        let (large, small) = (cell(3, 3.0, 3.0), cell(4, 3.0, 3.0));
         let large_white = (&large, Color::WHITE);
         let black = (&small, Color::gray(-1.0));
         let first = (3.0 + SQRT_2) / 4.0;
         let next = (12.0 + first * first) / 7.0 / first;
         let mut expected = growing(next).map(|together| together * first / next);
-        expected[..2].fill(1.0);
+        expected[..3].fill(1.0);
         for pixels in [
             &[&[large_white, black, black][..]][..],
             &[&[black, black, large_white]],
@@ -295,11 +296,11 @@ mod tests {
     #[test]
     fn light_that_is_no_number_shows_nothing() {
         for change in [f64::NAN, f64::INFINITY] {
-            let (edge, hidden) = (cell(2, 3.0, 3.0), cell(2, 0.0, 3.0));
+            let (edge, hidden) = (cell(3, 3.0, 3.0), cell(3, 0.0, 3.0));
             let change = Color::gray(change);
             let factors = factors(&[&[(&edge, change), (&hidden, change)]]);
-            assert_near(factors.seen, [1.0 / 12.0; 10]);
-            assert_near(factors.hidden, [1.0 / 120.0; 10]);
+            assert_near(factors.seen, [1.0 / 12.0; 11]);
+            assert_near(factors.hidden, [1.0 / 120.0; 11]);
             assert_near(factors.together, growing(SQRT_2));
         }
     }

@@ -1,6 +1,7 @@
-//! `Lattice`: the light at the corners of all blocks of 2 x 2 pixels, by which they
+//! `Lattice`: the light at the corners of all blocks of 4 x 4 pixels, by which they
 //! are judged first.
 
+use std::mem;
 use std::ops::Range;
 
 use common::{Color, Error, Size};
@@ -8,12 +9,13 @@ use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
 use super::View;
-use super::cell::{Cell, PIXEL, greatest_channel, lanes};
+use super::cell::{BLOCK, Cell, PIXEL, greatest_channel, lanes};
 use crate::render::TOGETHER;
 
-/// Colours row after row, two pixels apart. The last ones may lie beside the picture,
+/// Colours row after row, a block apart. The last ones may lie beside the picture,
 /// where its sides are odd.
 pub struct Lattice {
+    width: u32,
     first_row: u32,
     columns: usize,
     colors: Vec<Color>,
@@ -22,15 +24,15 @@ pub struct Lattice {
 impl Lattice {
     /// Looks at all corners of a picture of this size, or of rows from `first_row`.
     pub fn new(size: Size, first_row: u32, view: &impl View) -> Result<Self, Error> {
-        let [columns, rows] = [size.width(), size.height()].map(|side| side.div_ceil(2) + 1);
+        let [columns, rows] = [size.width(), size.height()].map(|side| side.div_ceil(BLOCK) + 1);
         let (columns, rows) = (columns as usize, rows as usize);
         let mut colors = Vec::new();
         let memory = colors.try_reserve_exact(columns * rows);
         memory.map_err(|_| Error::Memory { size })?;
         colors.resize(columns * rows, Color::BLACK);
         let look = |(row, colors): (usize, &mut [Color])| {
-            let y = PIXEL * (first_row + 2 * row as u32);
-            let mut all = (0_u32..).map(|column| (2 * PIXEL * column, y));
+            let y = PIXEL * (first_row + BLOCK * row as u32);
+            let mut all = (0_u32..).map(|column| (BLOCK * PIXEL * column, y));
             let (mut places, mut seen) = (Vec::new(), Vec::new());
             for colors in colors.chunks_mut(TOGETHER) {
                 if view.stopped() {
@@ -45,10 +47,21 @@ impl Lattice {
         let rows = colors.par_chunks_exact_mut(columns).enumerate();
         rows.with_max_len(1).for_each(look);
         Ok(Self {
+            width: size.width(),
             first_row,
             columns,
             colors,
         })
+    }
+
+    /// The width of the picture, in pixels.
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// How many blocks lie side by side.
+    pub fn blocks_in_a_row(&self) -> usize {
+        self.columns - 1
     }
 
     /// How many corners there are.
@@ -58,18 +71,32 @@ impl Lattice {
 
     /// Visits the blocks of some rows of the picture, column by column.
     pub fn for_each_block(&self, rows: &Range<u32>, mut visit: impl FnMut(Cell)) {
-        let start = ((rows.start - self.first_row) / 2) as usize;
-        let end = start + rows.len().div_ceil(2);
+        let start = ((rows.start - self.first_row) / BLOCK) as usize;
+        let end = start + rows.len().div_ceil(BLOCK as usize);
         let bends: Vec<_> = (start..=end).map(|y| self.bends(y)).collect();
         for x in 0..self.columns - 1 {
             for (y, bends) in (start..end).zip(bends.windows(2)) {
                 let (above, below) = (self.row(y), self.row(y + 1));
                 let corners = [above[x], above[x + 1], below[x], below[x + 1]];
                 let bend = |i: usize| bends[i][x].max(bends[i][x + 1]);
-                let (column, row) = (2 * x as u32, self.first_row + 2 * y as u32);
+                let (column, row) = (BLOCK * x as u32, self.first_row + BLOCK * y as u32);
                 visit(Cell::block(column, row, corners, bend(0).max(bend(1))));
             }
         }
+    }
+
+    /// What the left and the right sides of blocks show of a row of the picture: light
+    /// that changes evenly between their corners.
+    pub fn sides(&self, row: u32) -> impl Iterator<Item = [Color; 2]> {
+        let (y, row) = (
+            (row - self.first_row) / BLOCK,
+            (row - self.first_row) % BLOCK,
+        );
+        let (above, below) = (self.row(y as usize), self.row(y as usize + 1));
+        let side = move |(above, below): (&Color, &Color)| middle(*above, *below, row);
+        let mut sides = above.iter().zip(below).map(side);
+        let mut left = sides.next().unwrap_or_default();
+        sides.map(move |right| [mem::replace(&mut left, right), right])
     }
 
     fn row(&self, y: usize) -> &[Color] {
@@ -105,11 +132,26 @@ const fn around(i: usize, places: usize) -> [usize; 3] {
     }
 }
 
+/// The colour on the way from one to the other where this pixel of a block has its
+/// middle: 1/8, 3/8, 5/8 or 7/8 of the way. Between equal ones it is exactly that.
+#[inline]
+pub fn middle(a: Color, b: Color, pixel: u32) -> Color {
+    let half = |a: Color, b: Color| (a + b) * 0.5;
+    let middle = half(a, b);
+    let end = if pixel < BLOCK / 2 { a } else { b };
+    let quarter = half(end, middle);
+    let at_the_end = pixel == 0 || pixel == BLOCK - 1;
+    half(if at_the_end { end } else { middle }, quarter)
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::drawn::Drawn;
     use super::super::place::Place;
     use super::*;
+
+    /// The side of a block, in units of the smallest cells.
+    const SIDE: u32 = 1024;
 
     /// Changes evenly across, down, and differently in each channel.
     fn ramp((x, y): Place) -> Color {
@@ -134,15 +176,17 @@ mod tests {
     #[test]
     fn corners_of_blocks_are_looked_at_once_and_few_together() {
         for (width, height, columns, rows) in
-            [(5, 3, 4, 3), (4, 4, 3, 3), (1, 1, 2, 2), (199, 2, 101, 2)]
+            [(9, 6, 4, 3), (8, 8, 3, 3), (1, 1, 2, 2), (397, 2, 101, 2)]
         {
             let view = Drawn::new(ramp);
             let lattice = Lattice::new(Size::new(width, height).unwrap(), 7, &view).unwrap();
             let corners =
-                (0..columns).flat_map(|x| (0..rows).map(move |y| (512 * x, 1792 + 512 * y)));
+                (0..columns).flat_map(|x| (0..rows).map(move |y| (SIDE * x, 7 * 256 + SIDE * y)));
             let (asked, together) = view.asked();
             assert_eq!(asked, corners.collect::<Vec<_>>());
             assert_eq!(lattice.len(), asked.len());
+            assert_eq!(lattice.width(), width);
+            assert_eq!(lattice.blocks_in_a_row(), columns as usize - 1);
             assert!(together <= TOGETHER);
         }
     }
@@ -157,7 +201,7 @@ mod tests {
 
     #[test]
     fn blocks_come_column_by_column_with_the_light_at_their_corners() {
-        let lattice = lattice(5, 5, 7, ramp);
+        let lattice = lattice(9, 9, 7, ramp);
         let pixels = |rows| {
             blocks(&lattice, rows)
                 .iter()
@@ -165,41 +209,65 @@ mod tests {
                 .collect::<Vec<_>>()
         };
         assert_eq!(
-            pixels(7..11),
-            [(0, 7), (0, 9), (2, 7), (2, 9), (4, 7), (4, 9)]
+            pixels(7..15),
+            [(0, 7), (0, 11), (4, 7), (4, 11), (8, 7), (8, 11)]
         );
         assert_eq!(
-            pixels(9..12),
-            [(0, 9), (0, 11), (2, 9), (2, 11), (4, 9), (4, 11)]
+            pixels(11..16),
+            [(0, 11), (0, 15), (4, 11), (4, 15), (8, 11), (8, 15)]
         );
-        assert_eq!(pixels(11..12), [(0, 11), (2, 11), (4, 11)]);
+        assert_eq!(pixels(15..16), [(0, 15), (4, 15), (8, 15)]);
         for Cell {
             corners,
             x,
             y,
             depth,
             ..
-        } in blocks(&lattice, 7..12)
+        } in blocks(&lattice, 7..16)
         {
-            let places = [(x, y), (x + 512, y), (x, y + 512), (x + 512, y + 512)];
+            let places = [(x, y), (x + SIDE, y), (x, y + SIDE), (x + SIDE, y + SIDE)];
             assert_eq!((corners, depth), (places.map(ramp), 0));
         }
     }
 
+    /// In the rows and columns of the picture, blocks of which two begin there.
+    #[test]
+    fn sides_of_blocks_show_what_lies_evenly_between_their_corners() {
+        let lattice = lattice(9, 9, 7, ramp);
+        for row in 7..16 {
+            let sides: Vec<_> = lattice.sides(row).collect();
+            let y = 256 * row + 128;
+            let side = |x: u32| ramp((SIDE * x, y));
+            let expected = [0, 1, 2].map(|x| [side(x), side(x + 1)]);
+            assert_eq!(sides, expected);
+        }
+    }
+
+    #[test]
+    fn pixels_have_their_middles_at_odd_eighths_of_a_block() {
+        let middles = |a: f64, b: f64| {
+            [0, 1, 2, 3].map(|pixel| middle(Color::gray(a), Color::gray(b), pixel).r)
+        };
+        assert_eq!(middles(0.0, 8.0), [1.0, 3.0, 5.0, 7.0]);
+        assert_eq!(middles(16.0, 8.0), [15.0, 13.0, 11.0, 9.0]);
+        assert_eq!(middles(0.3, 0.3), [0.3; 4]);
+        assert_eq!(middles(f64::INFINITY, f64::INFINITY), [f64::INFINITY; 4]);
+    }
+
     #[test]
     fn light_that_changes_evenly_does_not_bend() {
-        let lattice = lattice(12, 8, 0, ramp);
+        let lattice = lattice(24, 16, 0, ramp);
         for y in 0..5 {
             assert_eq!(lattice.bends(y), [0.0; 7]);
         }
-        for block in blocks(&lattice, 0..8) {
+        for block in blocks(&lattice, 0..16) {
             assert_eq!((block.seen, block.hidden), (0.0, 0.0));
         }
     }
 
     /// In the middle of 7 x 5 corners.
     fn white_corner(place: Place) -> Color {
-        if place == (3 * 512, 2 * 512) {
+        if place == (3 * SIDE, 2 * SIDE) {
             Color::WHITE
         } else {
             Color::BLACK
@@ -208,7 +276,7 @@ mod tests {
 
     #[test]
     fn light_bends_twice_as_far_at_a_white_corner_as_beside_it() {
-        let lattice = lattice(12, 8, 0, white_corner);
+        let lattice = lattice(24, 16, 0, white_corner);
         // Those above and below are at the ends, and like their neighbours inside.
         let beside = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
         let across = [0.0, 0.0, 1.0, 2.0, 1.0, 0.0, 0.0];
@@ -216,14 +284,15 @@ mod tests {
         assert_eq!([0, 1, 2, 3, 4].map(|y| lattice.bends(y)), expected);
     }
 
-    /// The square of the bend, in three channels of four pixels.
+    /// The square of the bend, in three channels of 16 pixels.
     #[test]
     fn a_block_could_hide_what_bends_at_any_of_its_corners() {
-        let lattice = lattice(12, 8, 0, white_corner);
-        let hidden: Vec<_> = (blocks(&lattice, 0..8).iter())
+        let lattice = lattice(24, 16, 0, white_corner);
+        let hidden: Vec<_> = (blocks(&lattice, 0..16).iter())
             .map(|block| block.hidden)
             .collect();
-        let (none, far, near) = ([0.0; 4], [0.0, 12.0, 12.0, 0.0], [12.0, 48.0, 48.0, 12.0]);
+        let (none, far) = ([0.0; 4], [0.0, 48.0, 48.0, 0.0]);
+        let near = [48.0, 192.0, 192.0, 48.0];
         assert_eq!(hidden, [none, far, near, near, far, none].concat());
     }
 
@@ -231,7 +300,7 @@ mod tests {
     #[test]
     fn two_corners_in_a_row_bend_by_what_they_differ() {
         let lattice = lattice(2, 1, 0, |(x, y)| {
-            Color::GREEN * f64::from(x / 512 + y / 256)
+            Color::GREEN * f64::from(x / SIDE + 2 * (y / SIDE))
         });
         assert_eq!([0, 1].map(|y| lattice.bends(y)), [[2.0; 2]; 2]);
     }

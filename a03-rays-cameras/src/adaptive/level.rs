@@ -1,6 +1,6 @@
 //! `Level`: which cells are divided, because they err more than that.
 
-use super::cell::{Cell, DEEPEST};
+use super::cell::{Cell, DEEPEST, PIXEL_DEPTH, weight};
 use super::experience::{ByDepth, Experience, Factors};
 
 /// The error from which on cells are divided, and what that rests on.
@@ -23,9 +23,8 @@ impl Level {
         Self {
             factors: Experience::factors(std::iter::empty()),
             divided: f64::INFINITY,
-            // All pixels together may err by a twentieth more: blocks have four.
-            kept: 4.0 * fair / 20.0,
-            deepest: DEEPEST.min(1 + divisions_of_pixels as u8),
+            kept: fair / 5.0,
+            deepest: DEEPEST.min(PIXEL_DEPTH + divisions_of_pixels as u8),
         }
     }
 
@@ -44,12 +43,13 @@ impl Level {
         let mut bins = vec![0.0; bin(f64::INFINITY)];
         for cell in cells {
             let (mut error, mut parts) = (self.error(cell), 1.0);
-            for _ in cell.depth..self.deepest {
+            for depth in cell.depth..self.deepest {
                 if error < self.kept {
                     break;
                 }
-                bins[bin(error)] += parts * error * (1.0 - PARTS_CUT * ERROR_OF_PART);
-                (error, parts) = (error * ERROR_OF_PART, parts * PARTS_CUT);
+                let part = error * weight(depth + 1) / weight(depth);
+                bins[bin(error)] += parts * (error - PARTS_CUT * part);
+                (error, parts) = (part, parts * PARTS_CUT);
             }
         }
         let mut level = bins.len();
@@ -101,10 +101,8 @@ impl Level {
     }
 }
 
-/// So many of its four parts an edge crosses that crosses a cell, ...
+/// So many of its four parts an edge crosses that crosses a cell.
 const PARTS_CUT: f64 = 2.0;
-/// ... and the squared error of each is that of a quarter of the area.
-const ERROR_OF_PART: f64 = 1.0 / 16.0;
 
 /// Bins of positive numbers: each power of two has four, by the first two bits
 /// behind the point.
@@ -141,19 +139,19 @@ mod tests {
         assert_eq!(lower_end(bin(f64::INFINITY)), f64::INFINITY);
     }
 
-    /// A pixel, of depth 1, has one sample, and its four parts have four.
+    /// A pixel, of depth 2, has one sample, and its four parts have four.
     #[test]
     fn cells_are_divided_until_a_pixel_has_as_many_samples_as_it_may() {
         let deepest = [
-            (0, 1),
-            (1, 1),
-            (3, 1),
-            (4, 2),
-            (15, 2),
-            (16, 3),
-            (1024, 6),
-            (1 << 16, 9),
-            (u32::MAX, 9),
+            (0, 2),
+            (1, 2),
+            (3, 2),
+            (4, 3),
+            (15, 3),
+            (16, 4),
+            (1024, 7),
+            (1 << 16, 10),
+            (u32::MAX, 10),
         ];
         for (samples, depth) in deepest {
             let mut level = Level::unknown(samples, 1.0);
@@ -164,22 +162,22 @@ mod tests {
         }
     }
 
-    /// At a depth of 3, cells err together by the square of the root of two.
+    /// At a depth of 4, cells err together by the square of the root of two.
     #[test]
     fn errors_are_a_twelfth_of_what_is_seen_and_a_tenth_of_that_of_what_is_hidden() {
         let level = Level::unknown(1024, 1.0);
         let near = |error: f64, expected: f64| (error - expected).abs() < 1e-14 * expected;
         assert!(near(level.error(&cell(0, 12.0, 120.0)), 2.0));
         assert!(near(level.error(&cell(1, 12.0, 0.0)), 1.0));
-        assert!(near(level.error(&cell(3, 24.0, 120.0)), 6.0));
+        assert!(near(level.error(&cell(4, 24.0, 120.0)), 6.0));
         let (mut seen, mut hidden) = (ByDepth::default(), ByDepth::default());
-        (seen[0], hidden[1], seen[3], hidden[3]) = (12.0, 240.0, 24.0, 120.0);
+        (seen[0], hidden[1], seen[4], hidden[4]) = (12.0, 240.0, 24.0, 120.0);
         assert!(near(level.sum(&seen, &hidden), 1.0 + 2.0 + 6.0));
     }
 
-    /// Blocks have four pixels: 4/20 of the error that each may have.
+    /// The fifth of the error that a pixel may have.
     #[test]
-    fn a_twentieth_of_the_error_allowed_is_kept_nowhere() {
+    fn cells_that_err_by_little_are_not_kept() {
         let level = Level::unknown(1024, 3.0);
         assert!(level.keeps(&cell(0, 7.21, 0.0)));
         assert!(!level.keeps(&cell(0, 7.19, 0.0)));
@@ -188,12 +186,14 @@ mod tests {
     }
 
     /// What is left if all that err by this are divided, as long as they may: an edge
-    /// crosses two parts, and the square of a quarter is a sixteenth.
+    /// crosses two parts, of which each has a quarter of the pixels, or of the area,
+    /// whose square is a sixteenth.
     fn left(level: &Level, cells: &[Cell], divided: f64) -> f64 {
         let come_down = |cell: &Cell| {
             let (mut depth, mut error, mut parts) = (cell.depth, level.error(cell), 1.0);
-            while depth < 6 && error >= divided {
-                (depth, error, parts) = (depth + 1, error / 16.0, 2.0 * parts);
+            while depth < 7 && error >= divided {
+                let part = if depth < 2 { 4.0 } else { 16.0 };
+                (depth, error, parts) = (depth + 1, error / part, 2.0 * parts);
             }
             parts * error
         };
@@ -203,7 +203,7 @@ mod tests {
     /// The level is low enough, and the next one above is not.
     #[test]
     fn the_level_brings_errors_down_to_what_is_allowed_and_little_farther() {
-        let cell = |i: u16| cell((i % 4) as u8, f32::from(i * i) / 40_000.0, 0.1);
+        let cell = |i: u16| cell((1 + i % 4) as u8, f32::from(i * i) / 40_000.0, 0.1);
         let cells: Vec<_> = (0..200).map(cell).collect();
         for share in [0.9, 0.5, 0.1, 0.02] {
             let mut level = Level::unknown(1024, 1e-9);
@@ -222,17 +222,18 @@ mod tests {
         }
     }
 
-    /// The cell errs by 1.1, and 1/2 is elsewhere. Divided once it leaves 1.1/8 and
+    /// The pixel errs by 1.1, and 1/2 is elsewhere. Divided once it leaves 1.1/8 and
     /// twice 1.1/64; its parts err by 1.1/16.
     #[test]
     fn what_cannot_be_divided_counts() {
         let divided = |allowed: f64| {
             let mut level = Level::unknown(1024, 0.0);
-            level.come_down([cell(0, 13.2, 0.0)].iter(), 1.6, allowed);
+            level.come_down([cell(2, 13.2, 0.0)].iter(), 1.6, allowed);
             level.divided
         };
         assert_eq!(divided(1.59), 1.0);
-        let once = 1.6 - 0.875 * Level::unknown(1024, 0.0).error(&cell(0, 13.2, 0.0));
+        let pixel = cell(2, 13.2, 0.0);
+        let once = 1.6 - 0.875 * Level::unknown(1024, 0.0).error(&pixel);
         assert_eq!(divided(once), 1.0);
         assert_eq!(divided(0.64), 1.0);
         assert_eq!(divided(0.63), 1.0 / 16.0);
@@ -241,10 +242,29 @@ mod tests {
         assert_eq!(divided(0.49), 0.0);
     }
 
+    /// It errs by 1.1, its parts by 1.1/4 and pixels by 1.1/16, and an edge crosses twice
+    /// as many each time.
+    #[test]
+    fn dividing_blocks_takes_half_off() {
+        let divided = |allowed: f64| {
+            let mut level = Level::unknown(1024, 0.0);
+            level.come_down([cell(0, 13.2, 0.0)].iter(), 1.1, allowed);
+            level.divided
+        };
+        assert_eq!(divided(1.0), 1.0);
+        assert_eq!(divided(0.56), 1.0);
+        assert_eq!(divided(0.54), 0.25);
+        assert_eq!(divided(0.276), 0.25);
+        assert_eq!(divided(0.274), 0.0625);
+        // A pixel has an eighth: 4 x 1.1/128.
+        assert_eq!(divided(0.035), 0.0625);
+        assert_eq!(divided(0.034), 0.0625 / 16.0);
+    }
+
     #[test]
     fn cells_that_cannot_be_divided_take_nothing_off() {
         let mut level = Level::unknown(4, 0.0);
-        let cells = [cell(2, 13.2, 0.0), cell(1, 6.5, 0.0)];
+        let cells = [cell(3, 13.2, 0.0), cell(2, 6.5, 0.0)];
         level.come_down(cells.iter(), 2.1, 2.0);
         assert_eq!(level.divided, 0.5);
     }
@@ -262,9 +282,9 @@ mod tests {
     #[test]
     fn a_level_heeds_experience() {
         let mut experience = Experience::default();
-        experience.learn(&[(&cell(0, 12.0, 12.0), Color::gray(0.5))]);
+        experience.learn(&[(&cell(1, 12.0, 12.0), Color::gray(0.5))]);
         let mut level = Level::unknown(1024, 1.0);
         level.learn([experience].iter());
-        assert!((level.error(&cell(0, 15.0, 0.0)) - 2.0).abs() < 1e-14);
+        assert!((level.error(&cell(1, 15.0, 0.0)) - 2.0).abs() < 1e-14);
     }
 }

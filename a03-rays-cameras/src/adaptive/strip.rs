@@ -1,23 +1,28 @@
 //! `Strip`: some rows of the picture, whose cells are divided by one thread.
 
-use std::mem;
 use std::ops::Range;
 
 use common::Color;
 
 use super::View;
-use super::cell::{Cell, Cross, mean};
+use super::block::Block;
+use super::cell::{BLOCK, Cell, PIXEL_DEPTH, mean};
 use super::crosses::{CELLS, crosses};
 use super::experience::{ByDepth, Experience};
-use super::lattice::Lattice;
+use super::lattice::{Lattice, middle};
 use super::level::Level;
 
 /// So many rows there are in a strip, and columns in each of its tiles.
 pub const TILE: u32 = 16;
 
 /// What is known of the rows.
-pub struct Strip {
+pub struct Strip<'a> {
+    lattice: &'a Lattice,
     rows: Range<u32>,
+    /// The blocks that were divided, ...
+    blocks: Vec<Block>,
+    /// ... and of each in the rows, row after row, which of these it is.
+    divided: Vec<Option<u32>>,
     /// The cells that may be divided, ...
     cells: Vec<Cell>,
     /// ... and of the others the errors of what they show, and of what they could hide.
@@ -28,38 +33,31 @@ pub struct Strip {
     depth: u8,
 }
 
-/// The pixels of a strip.
-pub struct Pixels<'a> {
-    pub first_row: u32,
-    pub width: u32,
-    pub colors: &'a mut [Color],
-}
-
-impl Pixels<'_> {
-    /// The pixel in this column and row of the picture, if there is one.
-    fn get_mut(&mut self, (x, y): (u32, u32)) -> Option<&mut Color> {
-        let index = (y - self.first_row) as usize * self.width as usize + x as usize;
-        self.colors.get_mut(index).filter(|_| x < self.width)
-    }
-}
-
-impl Strip {
-    /// Rows of the picture: an even number of them, unless they are the last.
-    pub fn new(rows: Range<u32>) -> Self {
+impl<'a> Strip<'a> {
+    /// Rows of the picture, of which nothing is known but the lattice.
+    pub fn new(lattice: &'a Lattice, rows: Range<u32>) -> Self {
         Self {
+            lattice,
             rows,
+            blocks: Vec::new(),
+            divided: vec![None; (TILE / BLOCK) as usize * lattice.blocks_in_a_row()],
             cells: Vec::new(),
             seen: ByDepth::default(),
             hidden: ByDepth::default(),
             experience: Experience::default(),
             samples: 0,
-            depth: 1,
+            depth: PIXEL_DEPTH,
         }
     }
 
+    /// How many pixels are in each row.
+    pub fn width(&self) -> usize {
+        self.lattice.width() as usize
+    }
+
     /// Which rows they are.
-    pub fn rows(&self) -> &Range<u32> {
-        &self.rows
+    pub fn rows(&self) -> Range<u32> {
+        self.rows.clone()
     }
 
     /// What divided cells have shown.
@@ -93,108 +91,130 @@ impl Strip {
         self.cells.iter().any(|cell| level.is_due(cell))
     }
 
-    /// Paints the blocks, as the light at their corners is. Those that may hide
-    /// something are divided.
-    pub fn begin(
-        &mut self,
-        lattice: &Lattice,
-        pixels: &mut Pixels,
-        level: &Level,
-        view: &impl View,
-    ) {
-        let rows = self.rows.clone();
-        let tiles = (0..pixels.width).step_by(TILE as usize);
-        let may_hide: Vec<_> = tiles
-            .map(|x| view.may_hide((x, rows.start), TILE))
-            .collect();
-        let mut hiding = Vec::with_capacity(CELLS);
-        lattice.for_each_block(&rows, |block| {
-            let (x, y) = block.pixel();
-            if may_hide[(x / TILE) as usize] {
-                hiding.push(block);
-                if hiding.len() == CELLS {
-                    self.divide_all(&hiding, pixels, level, view);
-                    hiding.clear();
-                }
+    /// Paints one of the rows.
+    pub fn paint(&self, row: u32, pixels: &mut [Color]) {
+        let below_top = row - self.rows.start;
+        let divided = &self.divided[self.index(0, below_top)..];
+        let sides = self.lattice.sides(row);
+        for ((pixels, block), [left, right]) in
+            pixels.chunks_mut(BLOCK as usize).zip(divided).zip(sides)
+        {
+            let colors = match block {
+                Some(block) => self.blocks[*block as usize].row(below_top % BLOCK),
+                None => [0, 1, 2, 3].map(|pixel| middle(left, right, pixel)),
+            };
+            pixels.copy_from_slice(&colors[..pixels.len()]);
+        }
+    }
+
+    /// Takes up the blocks. Where they may hide something, they are divided.
+    pub fn begin(&mut self, level: &Level, view: &impl View) {
+        let rows = self.rows();
+        let tiles = (0..self.lattice.width()).step_by(TILE as usize);
+        let may_hide = |x, depth| view.may_hide((x, rows.start), TILE, narrow(depth));
+        let depths = (0..PIXEL_DEPTH).rev();
+        let hiding = tiles.map(|x| depths.clone().find(|depth| may_hide(x, *depth)));
+        let hiding: Vec<_> = hiding.collect();
+        let is_due = |cell: &Cell| {
+            let depth = hiding[(cell.pixel().0 / TILE) as usize];
+            depth.is_some_and(|depth| cell.depth <= depth)
+        };
+        let mut due = Vec::with_capacity(CELLS);
+        self.lattice.for_each_block(&rows, |block| {
+            if !is_due(&block) {
+                self.keep(block, level);
                 return;
             }
-            let middle = block.mean();
-            for (i, (x, y)) in [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)]
-                .into_iter()
-                .enumerate()
-            {
-                if let Some(pixel) = pixels.get_mut((x, y)) {
-                    // Light that changes evenly: the corners of a pixel are one of the
-                    // block, the middles of two sides, and that of the block.
-                    let corner = block.corners[i];
-                    let sides = [i ^ 1, i ^ 2].map(|next| (corner + block.corners[next]) * 0.5);
-                    *pixel = mean([corner, middle, sides[0], sides[1]]);
-                }
+            due.push(block);
+            if due.len() == CELLS {
+                self.divide_all(&due, level, view, &is_due);
+                due.clear();
             }
-            self.keep(block, level);
         });
-        self.divide_all(&hiding, pixels, level, view);
+        self.divide_all(&due, level, view, &is_due);
     }
 
     /// Divides the cells that are due.
-    pub fn divide(&mut self, pixels: &mut Pixels, level: &Level, view: &impl View) {
-        let mut cells = mem::take(&mut self.cells);
+    pub fn divide(&mut self, level: &Level, view: &impl View) {
+        let (before, mut kept) = (self.cells.len(), 0);
         let mut due = Vec::with_capacity(CELLS);
-        cells.retain(|cell| {
-            if !level.is_due(cell) {
-                return self.is_kept(cell, level);
+        for i in 0..before {
+            let cell = self.cells[i];
+            if level.is_due(&cell) {
+                due.push(cell);
+            } else if self.is_kept(&cell, level) {
+                self.cells[kept] = cell;
+                kept += 1;
             }
-            due.push(*cell);
             if due.len() == CELLS {
-                self.divide_all(&due, pixels, level, view);
+                self.divide_all(&due, level, view, &|_| false);
                 due.clear();
             }
-            false
-        });
-        self.divide_all(&due, pixels, level, view);
-        // The parts.
-        cells.append(&mut self.cells);
-        self.cells = cells;
+        }
+        self.divide_all(&due, level, view, &|_| false);
+        // Their parts are behind all others.
+        self.cells.drain(kept..before);
     }
 
-    fn divide_all(&mut self, cells: &[Cell], pixels: &mut Pixels, level: &Level, view: &impl View) {
+    /// Divides cells, and those of their parts that are due.
+    fn divide_all(
+        &mut self,
+        cells: &[Cell],
+        level: &Level,
+        view: &impl View,
+        is_due: &impl Fn(&Cell) -> bool,
+    ) {
         if view.stopped() {
             return;
         }
         let (crosses, samples) = crosses(cells, view);
         self.samples += samples;
-        let changes: Vec<_> = (cells.iter().zip(&crosses))
-            .map(|(cell, cross)| (cell, self.divide_one(cell, cross, pixels, level)))
-            .collect();
+        let (mut changes, mut due) = (Vec::with_capacity(CELLS), Vec::new());
+        for (cell, cross) in cells.iter().zip(&crosses) {
+            let parts = cell.divided(cross);
+            changes.push((cell, self.show(cell, &parts)));
+            for part in parts {
+                if is_due(&part) {
+                    due.push(part);
+                } else {
+                    self.keep(part, level);
+                }
+            }
+        }
         for of_pixel in changes.chunk_by(|(a, _), (b, _)| a.pixel() == b.pixel()) {
             self.experience.learn(of_pixel);
         }
+        for due in due.chunks(CELLS) {
+            self.divide_all(due, level, view, is_due);
+        }
     }
 
-    /// Divides a cell and paints what it shows. Returns by how much its light changes.
-    fn divide_one(
-        &mut self,
-        cell: &Cell,
-        cross: &Cross,
-        pixels: &mut Pixels,
-        level: &Level,
-    ) -> Color {
-        let parts = cell.divided(cross);
-        let change = mean(parts.each_ref().map(Cell::mean)) - cell.mean();
-        if cell.depth == 0 {
-            for part in &parts {
-                if let Some(pixel) = pixels.get_mut(part.pixel()) {
-                    *pixel = part.mean();
-                }
+    /// Paints the parts of a cell. Returns by how much its light changes.
+    fn show(&mut self, cell: &Cell, parts: &[Cell; 4]) -> Color {
+        let change = mean(parts.each_ref().map(Cell::light)) - cell.light();
+        let top = self.rows.start;
+        let (column, row) = cell.pixel();
+        let index = self.index(column / BLOCK, row - top);
+        let block = *self.divided[index].get_or_insert_with(|| {
+            self.blocks.push(Block::default());
+            self.blocks.len() as u32 - 1
+        });
+        let block = &mut self.blocks[block as usize];
+        let within = |(column, row): (u32, u32)| (column % BLOCK, (row - top) % BLOCK);
+        if cell.depth < PIXEL_DEPTH {
+            for part in parts {
+                block.show(within(part.pixel()), part);
             }
-        } else if let Some(pixel) = pixels.get_mut(cell.pixel()) {
-            *pixel += change * cell.area();
+        } else {
+            *block.pixel(within((column, row))) += change * cell.area();
         }
         self.depth = self.depth.max(cell.depth + 1);
-        for part in parts {
-            self.keep(part, level);
-        }
         change
+    }
+
+    /// The number of a block in its row, at this row below the top.
+    fn index(&self, block: u32, below_top: u32) -> usize {
+        (below_top / BLOCK) as usize * self.lattice.blocks_in_a_row() + block as usize
     }
 
     fn keep(&mut self, cell: Cell, level: &Level) {
@@ -215,6 +235,12 @@ impl Strip {
     }
 }
 
+/// In pixels: what is so narrow may lie between the corners of all cells of this depth.
+/// (A disc is met by one of them if it is the root of two wider than they are.)
+fn narrow(depth: u8) -> f64 {
+    1.5 * f64::from(BLOCK >> depth)
+}
+
 #[cfg(test)]
 mod tests {
     use common::Size;
@@ -223,51 +249,47 @@ mod tests {
     use super::super::place::Place;
     use super::*;
 
-    /// A picture of one strip, and how it is painted.
+    /// A picture of one strip, and what it shows.
     struct Picture<F> {
         view: Drawn<F>,
-        strip: Strip,
-        first_row: u32,
-        width: u32,
-        colors: Vec<Color>,
+        strip: Strip<'static>,
     }
 
     impl<F: Fn(Place) -> Color + Sync> Picture<F> {
         fn new(width: u32, rows: Range<u32>, light: F) -> Self {
+            let view = Drawn::new(light);
+            let size = Size::new(width, rows.len() as u32).unwrap();
+            let lattice = Lattice::new(size, rows.start, &view).unwrap();
             Self {
-                view: Drawn::new(light),
-                first_row: rows.start,
-                width,
-                colors: vec![Color::BLACK; width as usize * rows.len()],
-                strip: Strip::new(rows),
+                view,
+                strip: Strip::new(Box::leak(Box::new(lattice)), rows),
             }
         }
 
         fn begin(&mut self, level: &Level) {
-            let size = Size::new(self.width, self.strip.rows().len() as u32).unwrap();
-            let lattice = Lattice::new(size, self.first_row, &self.view).unwrap();
-            self.paint(|strip, pixels, view| strip.begin(&lattice, pixels, level, view));
+            self.strip.begin(level, &self.view);
         }
 
         fn divide(&mut self, level: &Level) {
-            self.paint(|strip, pixels, view| strip.divide(pixels, level, view));
+            self.strip.divide(level, &self.view);
         }
 
-        fn paint(&mut self, paint: impl Fn(&mut Strip, &mut Pixels, &Drawn<F>)) {
-            let mut pixels = Pixels {
-                first_row: self.first_row,
-                width: self.width,
-                colors: &mut self.colors,
-            };
-            paint(&mut self.strip, &mut pixels, &self.view);
+        fn painted(&self) -> Vec<Color> {
+            let mut pixels = vec![Color::BLACK; self.strip.width() * self.strip.rows().len()];
+            let rows = pixels.chunks_exact_mut(self.strip.width());
+            for (row, pixels) in self.strip.rows().zip(rows) {
+                self.strip.paint(row, pixels);
+            }
+            pixels
         }
 
         /// Checks each pixel by its column and row.
         fn assert_shows(&self, expected: impl Fn(u32, u32) -> Color) {
-            let places = self.strip.rows().clone();
-            let places = places.flat_map(|y| (0..self.width).map(move |x| (x, y)));
-            for (color, (x, y)) in self.colors.iter().zip(places) {
-                assert_eq!(*color, expected(x, y), "{x}, {y}");
+            let width = self.strip.width() as u32;
+            let places = self.strip.rows();
+            let places = places.flat_map(|y| (0..width).map(move |x| (x, y)));
+            for (color, (x, y)) in self.painted().into_iter().zip(places) {
+                assert_eq!(color, expected(x, y), "{x}, {y}");
             }
         }
     }
@@ -285,54 +307,51 @@ mod tests {
     }
 
     #[test]
-    fn a_strip_has_the_pixels_of_its_rows() {
-        let mut colors: Vec<_> = (0..6).map(|i| Color::gray(i.into())).collect();
-        let mut pixels = Pixels {
-            first_row: 10,
-            width: 3,
-            colors: &mut colors,
-        };
-        let mut at = |x, y| pixels.get_mut((x, y)).map(|color| color.r);
-        assert_eq!([at(0, 10), at(2, 10), at(0, 11)], [0.0, 2.0, 3.0].map(Some));
-        assert_eq!([at(3, 10), at(3, 11), at(0, 12)], [None; 3]);
-    }
-
-    #[test]
     fn light_that_changes_evenly_is_painted_as_in_the_middles_of_pixels() {
         let ramp = |x: f64, y: f64| Color::new(x, y, 3.0 * x - y);
         let mut picture = Picture::new(37, 7..12, |place| {
             let (x, y) = pixels(place);
             ramp(x, y)
         });
+        let expected = |x, y| ramp(f64::from(x) + 0.5, f64::from(y) + 0.5);
         picture.begin(&Level::unknown(1, 1.0));
-        picture.assert_shows(|x, y| ramp(f64::from(x) + 0.5, f64::from(y) + 0.5));
-        assert_eq!((picture.strip.samples(), picture.strip.depth()), (0, 1));
+        picture.assert_shows(expected);
+        assert_eq!((picture.strip.samples(), picture.strip.depth()), (0, 2));
+        let level = all_due(16);
+        picture.begin(&level);
+        for _ in 0..4 {
+            picture.divide(&level);
+            picture.assert_shows(expected);
+        }
     }
 
     /// The trapezoidal rule with n parts gives x^2 between i and i + 1 as
-    /// i^2 + i + 1/3 + 1/(6 n^2). A block is half a part. What is even in x and in y
-    /// is exact.
+    /// i^2 + i + 1/3 + 1/(6 n^2). What changes evenly is exact.
     #[test]
-    fn each_division_paints_the_mean_of_the_parts() {
+    fn each_division_of_pixels_paints_the_mean_of_the_parts() {
         let mut picture = Picture::new(3, 4..7, |place| {
             let (x, y) = pixels(place);
-            Color::new(x * x, y * y, x * y)
+            Color::new(x * x, y * y, x + y)
         });
         let level = all_due(64);
         picture.begin(&level);
-        // 2 x 2 blocks have 16 places, 4 x 4 pixels 56, and so on.
+        // A block has 5 places, 2 x 2 parts have 16, 4 x 4 pixels 56, and so on.
         let expected = [
-            (1.0, 0, 4),
-            (0.5, 16, 16),
-            (0.375, 16 + 56, 64),
-            (0.34375, 16 + 56 + 208, 256),
+            (None, 0, 1),
+            (None, 5, 4),
+            (Some(0.5), 5 + 16, 16),
+            (Some(0.375), 5 + 16 + 56, 64),
+            (Some(0.34375), 5 + 16 + 56 + 208, 256),
         ];
         for (depth, (rest, samples, cells)) in (0..).zip(expected) {
-            let square = |i: u32| f64::from(i * i + i) + rest;
-            let middle = |i: u32| f64::from(i) + 0.5;
-            picture.assert_shows(|x, y| Color::new(square(x), square(y), middle(x) * middle(y)));
+            if let Some(rest) = rest {
+                let square = |i: u32| f64::from(i * i + i) + rest;
+                let middle = |i: u32| f64::from(i) + 0.5;
+                picture
+                    .assert_shows(|x, y| Color::new(square(x), square(y), middle(x) + middle(y)));
+            }
             assert_eq!(picture.strip.samples(), samples);
-            assert_eq!(picture.strip.depth(), depth.max(1));
+            assert_eq!(picture.strip.depth(), depth.max(2));
             assert_eq!(picture.strip.cells().len(), cells);
             assert!(picture.strip.cells().iter().all(|cell| cell.depth == depth));
             assert!(picture.strip.is_due(&level));
@@ -340,52 +359,102 @@ mod tests {
         }
         // More cells than are divided together.
         let square = |i: u32| f64::from(i * i + i) + 1.0 / 3.0 + 1.0 / 384.0;
-        for (i, color) in (0_u32..).zip(&picture.colors) {
+        let painted = picture.painted();
+        for (i, color) in (0_u32..).zip(&painted) {
             assert_eq!(
                 *color,
                 Color::new(square(i % 3), square(4 + i / 3), color.b)
             );
         }
         assert!(!picture.strip.is_due(&level), "a pixel has 64 samples");
-        let painted = picture.colors.clone();
         picture.divide(&level);
-        assert_eq!(picture.colors, painted);
+        assert_eq!(picture.painted(), painted);
         assert_eq!(picture.strip.cells().len(), 1024);
     }
 
-    /// Black at the corners of blocks and white at the others of pixels, of which
-    /// each pixel has three.
+    /// Corners of blocks are at 0 and 4, those of their parts at 2 as well, and between
+    /// them x^2 is taken for what lies evenly there.
+    #[test]
+    fn blocks_and_their_parts_are_painted_evenly_between_their_corners() {
+        let mut picture = Picture::new(4, 0..4, |place| {
+            let (x, _) = pixels(place);
+            Color::gray(x * x)
+        });
+        let level = all_due(64);
+        picture.begin(&level);
+        picture.assert_shows(|x, _| Color::gray([2.0, 6.0, 10.0, 14.0][x as usize]));
+        picture.divide(&level);
+        picture.assert_shows(|x, _| Color::gray([1.0, 3.0, 7.0, 13.0][x as usize]));
+    }
+
+    /// Only the right of two blocks is divided.
+    #[test]
+    fn blocks_that_are_not_divided_show_the_lattice_beside_those_that_are() {
+        let mut picture = Picture::new(8, 0..4, |(x, _)| {
+            Color::gray(if x > 1024 + 512 { 1.0 } else { 0.0 })
+        });
+        let mut level = Level::unknown(64, 0.0);
+        picture.begin(&level);
+        level.come_down(picture.strip.cells().iter(), 100.0, 99.0);
+        picture.divide(&level);
+        let row = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.25, 0.75];
+        picture.assert_shows(|x, _| Color::gray(row[x as usize]));
+        assert_eq!(picture.strip.samples(), 5);
+    }
+
+    /// Black at the corners of blocks and white at all others.
     fn between_blocks((x, y): Place) -> Color {
-        Color::gray(if x % 512 == 0 && y % 512 == 0 {
+        Color::gray(if x % 1024 == 0 && y % 1024 == 0 {
             0.0
         } else {
             1.0
         })
     }
 
+    /// One corner of four is black of 2 x 2 pixels, and then in a quarter of all pixels.
     #[test]
-    fn tiles_that_may_hide_something_are_divided_at_once() {
+    fn tiles_that_may_hide_something_are_divided_at_once_and_farther_if_it_is_narrow() {
         let level = Level::unknown(1, 1.0);
-        let mut picture = Picture::new(48, 0..16, between_blocks);
-        picture.view.hiding = vec![16];
-        picture.begin(&level);
-        let in_tile = |x: u32| (16..32).contains(&x);
-        picture.assert_shows(|x, _| Color::gray(if in_tile(x) { 0.75 } else { 0.0 }));
-        // As many as 8 x 8 blocks have.
-        assert_eq!(picture.strip.samples(), 208);
-
-        // Two more columns of blocks.
+        let one_black = Cell::block(0, 0, [0.0, 1.0, 1.0, 1.0].map(Color::gray), 0.0).light();
+        for (narrow, samples) in [(4.0, 56), (2.0, 56 + 208)] {
+            let mut picture = Picture::new(48, 0..16, between_blocks);
+            picture.view.hiding = vec![(16, narrow)];
+            picture.begin(&level);
+            let painted = picture.painted();
+            for (i, color) in (0_u32..).zip(&painted) {
+                let (x, y) = (i % 48, i / 48);
+                let beside = |i: u32| [0, 3].contains(&(i % 4));
+                let expected = match (16..32).contains(&x) {
+                    false => Color::BLACK,
+                    true if narrow == 2.0 && beside(x) && beside(y) => one_black,
+                    true if narrow == 2.0 => Color::WHITE,
+                    // Evenly between the corners of 2 x 2 pixels, of which one is black.
+                    true => {
+                        let share = |i: u32| if beside(i) { 0.75 } else { 0.25 };
+                        Color::gray(1.0 - share(x) * share(y))
+                    }
+                };
+                assert_eq!(*color, expected, "{x}, {y}");
+            }
+            // As many as 4 x 4 blocks have, and 8 x 8 parts.
+            assert_eq!(picture.strip.samples(), samples);
+            assert_eq!(picture.strip.depth(), 2);
+        }
+        // Part of another tile.
         let mut picture = Picture::new(20, 0..16, between_blocks);
-        picture.view.hiding = vec![0, 16];
+        picture.view.hiding = vec![(0, 4.0), (16, 4.0)];
         picture.begin(&level);
-        picture.assert_shows(|_, _| Color::gray(0.75));
-        assert_eq!(picture.strip.samples(), 208 + 58);
-        assert_eq!(picture.strip.depth(), 1);
+        assert_eq!(picture.strip.samples(), 56 + 13);
+    }
+
+    #[test]
+    fn what_is_narrow_is_half_as_wide_again_as_cells() {
+        assert_eq!([0, 1, 2].map(narrow), [6.0, 3.0, 1.5]);
     }
 
     #[test]
     fn nothing_is_divided_once_the_picture_is_not_wanted() {
-        let mut picture = Picture::new(2, 0..2, between_blocks);
+        let mut picture = Picture::new(4, 0..4, between_blocks);
         let level = all_due(16);
         picture.begin(&level);
         picture.view.stopped = true;
@@ -394,100 +463,105 @@ mod tests {
         assert_eq!(picture.strip.samples(), 0);
     }
 
-    /// Black on the left, white on the right: (1/12 + 1/120) for 3 channels of 4 pixels.
+    /// Black on the left, white on the right: (1/12 + 1/120) for 3 channels of 16 pixels.
     #[test]
     fn errors_count_of_cells_that_are_remembered_and_of_others() {
         let near = |error: f64, expected: f64| (error - expected).abs() < 1e-14 * expected;
         for (fair, cells) in [(0.0, 1), (1e3, 0)] {
             let level = Level::unknown(16, fair);
-            let mut picture = Picture::new(2, 0..2, |(x, _)| Color::gray(f64::from(x / 512)));
+            let mut picture = Picture::new(4, 0..4, |(x, _)| Color::gray(f64::from(x / 1024)));
             picture.begin(&level);
             assert_eq!(picture.strip.cells().len(), cells);
-            assert!(near(picture.strip.error(&level), 1.1));
+            assert!(near(picture.strip.error(&level), 4.4));
         }
     }
 
-    /// Divided twice, the same edge crosses 4 of 16 cells of 1/16. Light bends by 1
-    /// around the 8 of its pixels and by 1/2 around the others:
-    /// (4/12 + (8 + 8/4)/120) 3/16, and together by the root of two more.
+    /// White on the right. Divided three times, the edge crosses 8 cells, and light bends
+    /// around those on its left.
     #[test]
     fn errors_stay_the_same_when_cells_are_forgotten() {
-        let mut picture = Picture::new(2, 0..2, |(x, _)| Color::gray(f64::from(x / 512)));
+        let mut picture = Picture::new(4, 0..4, |(x, _)| Color::gray(f64::from(x / 1024)));
         let level = all_due(16);
         picture.begin(&level);
-        picture.divide(&level);
-        picture.divide(&level);
-        for cells in [16, 0] {
-            assert_eq!(picture.strip.cells().len(), cells);
-            let off = picture.strip.error(&level) - std::f64::consts::SQRT_2 * 5.0 / 64.0;
-            assert!(off.abs() < 1e-14);
-            picture.divide(&Level::unknown(16, 1e3));
+        for _ in 0..3 {
+            picture.divide(&level);
         }
+        let error = picture.strip.error(&level);
+        assert_eq!(picture.strip.cells().len(), 64);
+        let cells = picture.strip.cells().iter();
+        let sum: f64 = cells.map(|cell| level.error(cell)).sum();
+        assert!((error - sum).abs() < 1e-14);
+        // Eight cells of a quarter of a pixel, together by the root of two.
+        let seen = std::f64::consts::SQRT_2 * 8.0 * 3.0 / 16.0 / 12.0;
+        assert!(error > seen && error < 1.5 * seen, "{error} {seen}");
+        picture.divide(&Level::unknown(16, 1e3));
+        assert!(picture.strip.cells().is_empty());
+        assert!((picture.strip.error(&level) - error).abs() < 1e-14);
     }
 
     /// Three even columns, two pixels wide. Corners bend by 7/8, and the right block
-    /// shows as much: it errs by 49/64 x 1.1. The left one shows 1/16.
+    /// shows as much: it errs by 49/64 x 4.4. The left one shows 1/16.
     #[test]
     fn only_cells_that_err_enough_are_divided_and_the_least_forgotten() {
         let near = |error: f64, expected: f64| (error - expected).abs() < 1e-14;
-        let mut picture = Picture::new(4, 0..2, |(x, _)| {
-            Color::gray([0.0, 0.0625, 1.0][x as usize / 512])
+        let mut picture = Picture::new(8, 0..4, |(x, _)| {
+            Color::gray([0.0, 0.0625, 1.0][x as usize / 1024])
         });
         let mut level = Level::unknown(16, 0.0);
         picture.begin(&level);
-        let (left, right) = (1.0 / 256.0 + 49.0 / 640.0, 49.0 / 64.0 * 1.1);
+        let (left, right) = (4.0 / 256.0 + 49.0 / 160.0, 49.0 / 64.0 * 4.4);
         assert!(near(picture.strip.error(&level), left + right));
 
-        level.come_down(picture.strip.cells().iter(), left + right, 0.5);
+        level.come_down(picture.strip.cells().iter(), left + right, 2.5);
         assert!(picture.strip.is_due(&level));
         picture.divide(&level);
         assert_eq!(picture.strip.samples(), 5);
-        let row = [1.0 / 64.0, 3.0 / 64.0, 1.0 / 16.0, 17.0 / 32.0];
-        picture.assert_shows(|x, _| Color::gray(row[x as usize]));
         // The corners of the right block and its middles bend by 15/16. Its left parts
-        // are even, and are forgotten: below a 32nd of 3/4.
+        // are even, and are forgotten: below a 32nd of what is divided.
         let places = |strip: &Strip| -> Vec<_> {
             let cells = strip.cells().iter();
             cells.map(|cell| (cell.depth, cell.pixel())).collect()
         };
-        let parts = [(1, (3, 0)), (1, (3, 1))];
+        let parts = [(1, (6, 0)), (1, (6, 2))];
         assert_eq!(
             places(&picture.strip),
             [&[(0, (0, 0))], &parts[..]].concat()
         );
-        let part = 3.0 * 225.0 / 256.0 / 120.0;
+        let part = 12.0 * 225.0 / 256.0 / 120.0;
         let sum = left + 2.0 * part + 2.0 * 11.0 * part;
         assert!(near(picture.strip.error(&level), sum));
         assert!(!picture.strip.is_due(&level));
 
         // Nothing is due, and the left block errs by less than a fifth.
-        let level = Level::unknown(16, 1.0);
+        let level = Level::unknown(16, 2.0);
         picture.divide(&level);
         assert_eq!(places(&picture.strip), parts);
         assert!(near(picture.strip.error(&level), sum));
         assert_eq!(picture.strip.samples(), 5);
     }
 
-    /// White from the middle of the lower pixels on. The block changes by 1/4, and so do
-    /// these pixels, and of the four cells of each the upper two.
+    /// White from the middle of the lowest pixels on: each division changes what lies
+    /// there by 1/4, and of the parts the lower half.
     #[test]
     fn what_divided_cells_show_is_learnt_pixel_by_pixel() {
-        let mut picture = Picture::new(2, 0..2, |(_, y)| {
-            Color::gray(if y >= 384 { 1.0 } else { 0.0 })
+        let mut picture = Picture::new(4, 0..4, |(_, y)| {
+            Color::gray(if y >= 1024 - 128 { 1.0 } else { 0.0 })
         });
         let level = all_due(16);
         picture.begin(&level);
-        for _ in 0..3 {
+        for _ in 0..4 {
             picture.divide(&level);
         }
         let factors = Experience::factors([*picture.strip.experience()].iter());
         let near = |found: f64, expected: f64| (found - expected).abs() < 1e-14;
         assert!(factors.seen.iter().all(|seen| near(*seen, 1.0 / 12.0)));
-        // The two upper pixels look even, and are: (12/120) / (12 + 6).
+        // Weighted by 16 and 4 pixels, cells that look even are, and no more than the
+        // upper half bends, each time by half: (48/120) / (48 + 3 x 12 x 2).
         assert!(near(factors.hidden[0], 1.0 / 120.0));
-        assert!(near(factors.hidden[1], 1.0 / 180.0));
-        // (r + 2 x 3/4) / (1 + 2 x 3/8) with the root r of two is 3/7 of the way from r
-        // to 2.
-        assert!(near(factors.together[0], 1.0 + 2.0 * 3.0 / 7.0));
+        assert!(factors.hidden[1] < 1.0 / 120.0 && factors.hidden[2] < factors.hidden[1]);
+        // (r + 4 x 3/4) / (1 + 4 x 3/8) with the root r of two.
+        let step = (std::f64::consts::SQRT_2 + 3.0) / 2.5;
+        let level_edge = (step - std::f64::consts::SQRT_2) / (2.0 - std::f64::consts::SQRT_2);
+        assert!(near(factors.together[0], 1.0 + 2.0 * level_edge));
     }
 }

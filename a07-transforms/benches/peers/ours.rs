@@ -8,7 +8,7 @@ use std::process::Command;
 use std::time::Instant;
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, render_together};
+use a03_rays_cameras::{PerspectiveCamera, render_rows};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere, Triangle};
 use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight};
 use a06_shadows_reflection::{
@@ -52,10 +52,6 @@ impl Tracer for Ours {
     }
 }
 
-/// Rows that are rendered at a time: the colours of so few stay in the caches, and
-/// only bytes of the whole are in memory at once.
-const BAND: u32 = 64;
-
 /// What the child does: renders, prints its times, and writes the picture.
 pub fn render_to(
     description: &Description,
@@ -79,24 +75,9 @@ pub fn render_to(
         tracer: tracer(&world, settings.omit, settings),
         depth: description.depth,
     };
-    let height = settings.size.height();
     let mut rgb = vec![0; 3 * settings.size.pixels()];
-    let band = settings.max_error.map_or(BAND, |_| height);
-    let bytes_of_a_band = 3 * settings.size.width() as usize * band as usize;
-    let mut bands = (0..)
-        .step_by(band as usize)
-        .zip(rgb.chunks_mut(bytes_of_a_band));
-    pool.install(|| {
-        bands.try_for_each(|(start, rgb)| {
-            let settings = Settings {
-                rows: Some(start..height.min(start + band)),
-                ..settings.clone()
-            };
-            let band = render_together(&camera, light, &settings, &())?;
-            band.write_rgb8(Transfer::Linear, rgb);
-            Ok::<_, common::Error>(())
-        })
-    })?;
+    let bytes = |colors: &[Color], rgb: &mut [u8]| Transfer::Linear.write_rgb8(colors, rgb);
+    pool.install(|| render_rows(&camera, light, settings, &(), &mut rgb, bytes))?;
     println!("trace: {} seconds", started.elapsed().as_secs_f64());
 
     picture_file::save_png(path, settings.size, &rgb)?;

@@ -143,7 +143,7 @@ mod tests {
                     let blue = if bad { f64::NAN } else { 0.0 };
                     *pixel = Color::from_bytes([x as u8, y as u8, 0]) + Color::new(0.0, 0.0, blue);
                 }
-                progress.row(y, row);
+                progress.row(y, &mut row.iter().copied());
             }
             Ok(image)
         });
