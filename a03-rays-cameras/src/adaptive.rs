@@ -71,7 +71,7 @@ pub fn render<T: Send>(
     let lattice = Lattice::new(size, wanted.start, view)?;
     let tops = wanted.clone().step_by(TILE as usize);
     let mut strips: Vec<_> = tops
-        .map(|top| Strip::new(&lattice, top..wanted.end.min(top + TILE)))
+        .map(|top| Strip::new(&lattice, size.width(), top..wanted.end.min(top + TILE)))
         .collect();
     for_each(&mut strips, progress, |strip| {
         strip.begin(&level, view);
@@ -120,7 +120,7 @@ pub fn render<T: Send>(
     let depth = strips.iter().map(Strip::depth).max().unwrap_or(PIXEL_DEPTH);
     progress.sampled(&Sampled {
         pixels: size.pixels() as u64,
-        samples: samples + lattice.len() as u64,
+        samples: samples + lattice.samples(),
         most: 1 << (2 * (depth - PIXEL_DEPTH)),
         squared_error: error / 3.0,
     });

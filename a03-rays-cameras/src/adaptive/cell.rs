@@ -50,9 +50,10 @@ pub const PIXEL: u32 = 1 << (DEEPEST - PIXEL_DEPTH);
 const AROUND_PARTS: f32 = 0.5;
 
 impl Cell {
-    /// The block that begins with the pixel in this column and row.
-    pub fn block(x: u32, y: u32, corners: [Color; 4], bend: f32) -> Self {
-        let (seen, hidden) = squares(corners.map(lanes), bend, weight(0));
+    /// The cell that begins with the pixel in this column and row, where light bends by
+    /// so much.
+    pub fn new((x, y): (u32, u32), depth: u8, corners: [Color; 4], bend: f32) -> Self {
+        let (seen, hidden) = squares(corners.map(lanes), bend, weight(depth));
         Self {
             corners,
             x: x * PIXEL,
@@ -60,8 +61,13 @@ impl Cell {
             seen,
             hidden,
             bend,
-            depth: 0,
+            depth,
         }
+    }
+
+    #[cfg(test)]
+    pub fn block(x: u32, y: u32, corners: [Color; 4], bend: f32) -> Self {
+        Self::new((x, y), 0, corners, bend)
     }
 
     /// Whether its corners show next to nothing of what is around.

@@ -1,5 +1,5 @@
-//! `Lattice`: the light at the corners of all blocks of 4 x 4 pixels, by which they
-//! are judged first.
+//! `Lattice`: the light at the corners of cells of one size, by which they are judged
+//! first.
 
 use std::mem;
 use std::ops::Range;
@@ -12,86 +12,168 @@ use super::View;
 use super::cell::{BLOCK, Cell, PIXEL, greatest_channel, lanes};
 use crate::render::TOGETHER;
 
-/// Colours row after row, a block apart. The last ones may lie beside the picture,
-/// where its sides are odd.
+/// Colours row after row, a cell apart. The last ones may lie beside the picture, where
+/// its sides are no multiples of that.
 pub struct Lattice {
-    width: u32,
-    first_row: u32,
-    columns: usize,
+    grid: Grid,
     colors: Vec<Color>,
+    samples: u64,
+}
+
+/// Where the corners of cells of one depth lie.
+#[derive(Clone, Copy)]
+struct Grid {
+    /// The pixel that the first cell begins with.
+    left: u32,
+    top: u32,
+    depth: u8,
+    columns: usize,
+    rows: usize,
+}
+
+impl Grid {
+    fn new(columns: &Range<u32>, rows: &Range<u32>, depth: u8) -> Self {
+        let corners = |pixels: &Range<u32>| pixels.len().div_ceil(side(depth) as usize) + 1;
+        Self {
+            left: columns.start,
+            top: rows.start,
+            depth,
+            columns: corners(columns),
+            rows: corners(rows),
+        }
+    }
+
+    const fn corners(&self) -> usize {
+        self.columns * self.rows
+    }
+
+    /// Looks at the corners in these columns of a row.
+    fn look(
+        &self,
+        row: usize,
+        mut columns: impl Iterator<Item = usize>,
+        colors: &mut [Color],
+        view: &impl View,
+    ) {
+        let side = PIXEL * side(self.depth);
+        let (left, y) = (PIXEL * self.left, PIXEL * self.top + side * row as u32);
+        let (mut some, mut places, mut seen) = (Vec::new(), Vec::new(), Vec::new());
+        while !view.stopped() {
+            some.clear();
+            some.extend(columns.by_ref().take(TOGETHER));
+            if some.is_empty() {
+                return;
+            }
+            places.clear();
+            places.extend(some.iter().map(|column| (left + side * *column as u32, y)));
+            view.light(&places, &mut seen);
+            for (column, color) in some.iter().zip(&seen) {
+                colors[*column] = *color;
+            }
+        }
+    }
+}
+
+/// The side of cells of this depth that are not smaller than a pixel, in pixels.
+const fn side(depth: u8) -> u32 {
+    BLOCK >> depth
 }
 
 impl Lattice {
-    /// Looks at all corners of a picture of this size, or of rows from `first_row`.
+    /// Looks at the corners of all blocks of a picture of this size, or of rows from
+    /// `first_row`.
     pub fn new(size: Size, first_row: u32, view: &impl View) -> Result<Self, Error> {
-        let [columns, rows] = [size.width(), size.height()].map(|side| side.div_ceil(BLOCK) + 1);
-        let (columns, rows) = (columns as usize, rows as usize);
+        let grid = Grid::new(
+            &(0..size.width()),
+            &(first_row..first_row + size.height()),
+            0,
+        );
         let mut colors = Vec::new();
-        let memory = colors.try_reserve_exact(columns * rows);
+        let memory = colors.try_reserve_exact(grid.corners());
         memory.map_err(|_| Error::Memory { size })?;
-        colors.resize(columns * rows, Color::BLACK);
-        let look = |(row, colors): (usize, &mut [Color])| {
-            let y = PIXEL * (first_row + BLOCK * row as u32);
-            let mut all = (0_u32..).map(|column| (BLOCK * PIXEL * column, y));
-            let (mut places, mut seen) = (Vec::new(), Vec::new());
-            for colors in colors.chunks_mut(TOGETHER) {
-                if view.stopped() {
-                    return;
-                }
-                places.clear();
-                places.extend(all.by_ref().take(colors.len()));
-                view.light(&places, &mut seen);
-                colors.copy_from_slice(&seen);
-            }
-        };
-        let rows = colors.par_chunks_exact_mut(columns).enumerate();
-        rows.with_max_len(1).for_each(look);
+        colors.resize(grid.corners(), Color::BLACK);
+        let rows = colors.par_chunks_exact_mut(grid.columns).enumerate();
+        (rows.with_max_len(1)).for_each(|(row, colors)| {
+            grid.look(row, 0..grid.columns, colors, view);
+        });
+        let samples = grid.corners() as u64;
         Ok(Self {
-            width: size.width(),
-            first_row,
-            columns,
+            grid,
             colors,
+            samples,
         })
     }
 
-    /// The width of the picture, in pixels.
-    pub fn width(&self) -> u32 {
-        self.width
+    /// Looks at the corners of the cells of this depth in part of the picture that these
+    /// are the blocks of, from one of them on. Their own corners are known.
+    pub fn part(
+        &self,
+        columns: &Range<u32>,
+        rows: &Range<u32>,
+        depth: u8,
+        view: &impl View,
+    ) -> Self {
+        let grid = Grid::new(columns, rows, depth);
+        let mut colors = vec![Color::BLACK; grid.corners()];
+        let mut samples = 0;
+        let (left, top) = (grid.left - self.grid.left, grid.top - self.grid.top);
+        let between = (BLOCK / side(depth)) as usize;
+        for (row, colors) in colors.chunks_exact_mut(grid.columns).enumerate() {
+            let mut known = 0;
+            if row.is_multiple_of(between) {
+                let corners = self.row((top / BLOCK) as usize + row / between);
+                let corners = &corners[(left / BLOCK) as usize..];
+                for (color, corner) in colors.iter_mut().step_by(between).zip(corners) {
+                    *color = *corner;
+                    known += 1;
+                }
+            }
+            let is_unknown = |column: &usize| known == 0 || !column.is_multiple_of(between);
+            grid.look(row, (0..grid.columns).filter(is_unknown), colors, view);
+            samples += (grid.columns - known) as u64;
+        }
+        Self {
+            grid,
+            colors,
+            samples,
+        }
     }
 
-    /// How many blocks lie side by side.
-    pub fn blocks_in_a_row(&self) -> usize {
-        self.columns - 1
+    /// How many cells lie side by side.
+    pub fn cells_in_a_row(&self) -> usize {
+        self.grid.columns - 1
     }
 
-    /// How many corners there are.
-    pub fn len(&self) -> usize {
-        self.colors.len()
+    /// How many corners were looked at.
+    pub fn samples(&self) -> u64 {
+        self.samples
     }
 
-    /// Visits the blocks of some rows of the picture, column by column.
-    pub fn for_each_block(&self, rows: &Range<u32>, mut visit: impl FnMut(Cell)) {
-        let start = ((rows.start - self.first_row) / BLOCK) as usize;
-        let end = start + rows.len().div_ceil(BLOCK as usize);
+    /// Visits the cells in some rows of the picture, column by column.
+    pub fn for_each_cell(&self, rows: &Range<u32>, mut visit: impl FnMut(Cell)) {
+        let Grid {
+            left, top, depth, ..
+        } = self.grid;
+        let side = side(depth);
+        let start = ((rows.start - top) / side) as usize;
+        let end = start + rows.len().div_ceil(side as usize);
         let bends: Vec<_> = (start..=end).map(|y| self.bends(y)).collect();
-        for x in 0..self.columns - 1 {
+        for x in 0..self.cells_in_a_row() {
             for (y, bends) in (start..end).zip(bends.windows(2)) {
                 let (above, below) = (self.row(y), self.row(y + 1));
                 let corners = [above[x], above[x + 1], below[x], below[x + 1]];
                 let bend = |i: usize| bends[i][x].max(bends[i][x + 1]);
-                let (column, row) = (BLOCK * x as u32, self.first_row + BLOCK * y as u32);
-                visit(Cell::block(column, row, corners, bend(0).max(bend(1))));
+                let pixel = (left + side * x as u32, top + side * y as u32);
+                visit(Cell::new(pixel, depth, corners, bend(0).max(bend(1))));
             }
         }
     }
 
-    /// What the left and the right sides of blocks show of a row of the picture: light
+    /// What the left and the right sides of blocks, which these cells are, show of a row of the picture: light
     /// that changes evenly between their corners.
     pub fn sides(&self, row: u32) -> impl Iterator<Item = [Color; 2]> {
-        let (y, row) = (
-            (row - self.first_row) / BLOCK,
-            (row - self.first_row) % BLOCK,
-        );
+        let below_top = row - self.grid.top;
+        let (y, row) = (below_top / BLOCK, below_top % BLOCK);
         let (above, below) = (self.row(y as usize), self.row(y as usize + 1));
         let side = move |(above, below): (&Color, &Color)| middle(*above, *below, row);
         let mut sides = above.iter().zip(below).map(side);
@@ -100,7 +182,7 @@ impl Lattice {
     }
 
     fn row(&self, y: usize) -> &[Color] {
-        &self.colors[y * self.columns..][..self.columns]
+        &self.colors[y * self.grid.columns..][..self.grid.columns]
     }
 
     /// How far the light at each corner of a row is from lying evenly between its
@@ -111,13 +193,13 @@ impl Lattice {
             (lanes(a) + lanes(c) - (b + b)).abs()
         };
         let here = self.row(y);
-        let rows = around(y, self.colors.len() / self.columns).map(|y| self.row(y));
+        let rows = around(y, self.grid.rows).map(|y| self.row(y));
         let greatest = |x: usize| {
-            let across = bend(around(x, self.columns).map(|x| here[x]));
+            let across = bend(around(x, self.grid.columns).map(|x| here[x]));
             let down = bend(rows.map(|row| row[x]));
             greatest_channel(across.max(down))
         };
-        (0..self.columns).map(greatest).collect()
+        (0..self.grid.columns).map(greatest).collect()
     }
 }
 
@@ -169,7 +251,7 @@ mod tests {
 
     fn blocks(lattice: &Lattice, rows: Range<u32>) -> Vec<Cell> {
         let mut blocks = Vec::new();
-        lattice.for_each_block(&rows, |block| blocks.push(block));
+        lattice.for_each_cell(&rows, |block| blocks.push(block));
         blocks
     }
 
@@ -184,9 +266,8 @@ mod tests {
                 (0..columns).flat_map(|x| (0..rows).map(move |y| (SIDE * x, 7 * 256 + SIDE * y)));
             let (asked, together) = view.asked();
             assert_eq!(asked, corners.collect::<Vec<_>>());
-            assert_eq!(lattice.len(), asked.len());
-            assert_eq!(lattice.width(), width);
-            assert_eq!(lattice.blocks_in_a_row(), columns as usize - 1);
+            assert_eq!(lattice.samples(), asked.len() as u64);
+            assert_eq!(lattice.cells_in_a_row(), columns as usize - 1);
             assert!(together <= TOGETHER);
         }
     }
@@ -230,7 +311,33 @@ mod tests {
         }
     }
 
-    /// In the rows and columns of the picture, blocks of which two begin there.
+    /// Of 7 x 5 pixels, from the second row and the fifth column of blocks on.
+    #[test]
+    fn parts_of_a_picture_have_the_corners_of_smaller_cells() {
+        let blocks = lattice(23, 9, 35, ramp);
+        for (depth, side, columns, rows) in [(1, 2, 5, 4), (2, 1, 8, 6)] {
+            let view = Drawn::new(ramp);
+            let part = blocks.part(&(16..23), &(39..44), depth, &view);
+            let place = |x: u32, y: u32| (256 * (16 + side * x), 256 * (39 + side * y));
+            let all = (0..columns).flat_map(|x| (0..rows).map(move |y| (x, y)));
+            let unknown = all.filter(|(x, y)| side * x % 4 != 0 || side * y % 4 != 0);
+            let unknown: Vec<_> = unknown.map(|(x, y)| place(x, y)).collect();
+            assert_eq!(part.samples(), unknown.len() as u64);
+            assert_eq!(view.asked().0, unknown);
+            assert_eq!(part.cells_in_a_row(), columns as usize - 1);
+
+            let mut cells = (0..columns - 1).flat_map(|x| (0..rows - 1).map(move |y| (x, y)));
+            part.for_each_cell(&(39..44), |cell| {
+                let (x, y) = cells.next().unwrap();
+                assert_eq!(cell.pixel(), (16 + side * x, 39 + side * y));
+                let ends = [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)];
+                assert_eq!(cell.corners, ends.map(|(x, y)| ramp(place(x, y))));
+                assert_eq!(cell.depth, depth);
+            });
+            assert_eq!(cells.next(), None);
+        }
+    }
+
     #[test]
     fn sides_of_blocks_show_what_lies_evenly_between_their_corners() {
         let lattice = lattice(9, 9, 7, ramp);

@@ -7,13 +7,23 @@ use super::experience::{ByDepth, Experience, Factors};
 pub struct Level {
     factors: Factors,
     divided: f64,
-    /// Cells that err less than this are never divided.
+    /// Parts of pixels that err less than this are never divided.
     kept: f64,
     deepest: u8,
 }
 
 /// The level comes down as more is known, but never so far.
 const FARTHEST: f64 = 1.0 / 32.0;
+
+/// Nor so far for cells of this depth: it is parts of pixels that may turn out to err
+/// together, many times as much as was expected.
+const fn farthest(depth: u8) -> f64 {
+    if depth > PIXEL_DEPTH {
+        FARTHEST
+    } else {
+        1.0 / 4.0
+    }
+}
 
 impl Level {
     /// The level for so many samples a pixel, at most, before anything is known;
@@ -23,7 +33,7 @@ impl Level {
         Self {
             factors: Experience::factors(std::iter::empty()),
             divided: f64::INFINITY,
-            kept: fair / 5.0,
+            kept: fair / 40.0,
             deepest: DEEPEST.min(PIXEL_DEPTH + divisions_of_pixels as u8),
         }
     }
@@ -97,7 +107,7 @@ impl Level {
 
     /// Whether it ever may be.
     pub fn keeps(&self, cell: &Cell) -> bool {
-        self.error(cell) >= self.kept
+        self.error(cell) >= self.kept * farthest(cell.depth) / FARTHEST
     }
 }
 
@@ -175,14 +185,18 @@ mod tests {
         assert!(near(level.sum(&seen, &hidden), 1.0 + 2.0 + 6.0));
     }
 
-    /// The fifth of the error that a pixel may have.
+    /// A fifth of the error that a pixel may have, and an eighth of that for its parts,
+    /// which are expected to err together by the root of two.
     #[test]
     fn cells_that_err_by_little_are_not_kept() {
         let level = Level::unknown(1024, 3.0);
         assert!(level.keeps(&cell(0, 7.21, 0.0)));
         assert!(!level.keeps(&cell(0, 7.19, 0.0)));
-        assert!(level.keeps(&cell(0, 0.0, 72.1)));
-        assert!(!level.keeps(&cell(0, 0.0, 71.9)));
+        assert!(level.keeps(&cell(2, 0.0, 72.1)));
+        assert!(!level.keeps(&cell(2, 0.0, 71.9)));
+        let root = std::f32::consts::SQRT_2;
+        assert!(level.keeps(&cell(3, 0.91 / root, 0.0)));
+        assert!(!level.keeps(&cell(3, 0.89 / root, 0.0)));
     }
 
     /// What is left if all that err by this are divided, as long as they may: an edge
@@ -217,7 +231,10 @@ mod tests {
             assert_eq!(level.kept, divided / 32.0);
             for cell in &cells {
                 assert_eq!(level.is_due(cell), level.error(cell) >= divided);
-                assert_eq!(level.keeps(cell), level.error(cell) >= divided / 32.0);
+                assert_eq!(
+                    level.keeps(cell),
+                    level.error(cell) >= divided / if cell.depth > 2 { 32.0 } else { 4.0 }
+                );
             }
         }
     }
@@ -271,7 +288,7 @@ mod tests {
 
     #[test]
     fn the_level_comes_down_to_what_was_kept_at_most() {
-        let mut level = Level::unknown(1024, 5.0);
+        let mut level = Level::unknown(1024, 40.0);
         level.come_down([cell(0, 13.2, 0.0)].iter(), 1.1, 0.001);
         assert_eq!((level.divided, level.kept), (1.0, 1.0 / 32.0));
         assert!(level.is_due(&cell(0, 12.1, 0.0)));

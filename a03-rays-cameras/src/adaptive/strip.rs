@@ -17,7 +17,9 @@ pub const TILE: u32 = 16;
 
 /// What is known of the rows.
 pub struct Strip<'a> {
+    /// The blocks of the picture.
     lattice: &'a Lattice,
+    width: u32,
     rows: Range<u32>,
     /// The blocks that were divided, ...
     blocks: Vec<Block>,
@@ -35,12 +37,13 @@ pub struct Strip<'a> {
 
 impl<'a> Strip<'a> {
     /// Rows of the picture, of which nothing is known but the lattice.
-    pub fn new(lattice: &'a Lattice, rows: Range<u32>) -> Self {
+    pub fn new(lattice: &'a Lattice, width: u32, rows: Range<u32>) -> Self {
         Self {
             lattice,
+            width,
             rows,
             blocks: Vec::new(),
-            divided: vec![None; (TILE / BLOCK) as usize * lattice.blocks_in_a_row()],
+            divided: vec![None; (TILE / BLOCK) as usize * lattice.cells_in_a_row()],
             cells: Vec::new(),
             seen: ByDepth::default(),
             hidden: ByDepth::default(),
@@ -52,7 +55,7 @@ impl<'a> Strip<'a> {
 
     /// How many pixels are in each row.
     pub fn width(&self) -> usize {
-        self.lattice.width() as usize
+        self.width as usize
     }
 
     /// Which rows they are.
@@ -107,31 +110,32 @@ impl<'a> Strip<'a> {
         }
     }
 
-    /// Takes up the blocks. Where they may hide something, they are divided.
+    /// Takes up the blocks; or smaller cells, where blocks may hide something.
     pub fn begin(&mut self, level: &Level, view: &impl View) {
         let rows = self.rows();
-        let tiles = (0..self.lattice.width()).step_by(TILE as usize);
+        let tiles = (0..self.width).step_by(TILE as usize);
         let may_hide = |x, depth| view.may_hide((x, rows.start), TILE, narrow(depth));
-        let depths = (0..PIXEL_DEPTH).rev();
-        let hiding = tiles.map(|x| depths.clone().find(|depth| may_hide(x, *depth)));
-        let hiding: Vec<_> = hiding.collect();
-        let is_due = |cell: &Cell| {
-            let depth = hiding[(cell.pixel().0 / TILE) as usize];
-            depth.is_some_and(|depth| cell.depth <= depth)
-        };
-        let mut due = Vec::with_capacity(CELLS);
-        self.lattice.for_each_block(&rows, |block| {
-            if !is_due(&block) {
-                self.keep(block, level);
-                return;
+        let depths = |x| (0..PIXEL_DEPTH).find(|depth| !may_hide(x, *depth));
+        let depths: Vec<_> = tiles.map(|x| depths(x).unwrap_or(PIXEL_DEPTH)).collect();
+
+        let mut columns = 0..0;
+        for tiles in depths.chunk_by(|a, b| a == b) {
+            columns = columns.end..self.width.min(columns.end + TILE * tiles.len() as u32);
+            let depth = tiles[0];
+            if depth > 0 {
+                let part = self.lattice.part(&columns, &rows, depth, view);
+                self.samples += part.samples();
+                part.for_each_cell(&rows, |cell| {
+                    self.show(&cell);
+                    self.keep(cell, level);
+                });
             }
-            due.push(block);
-            if due.len() == CELLS {
-                self.divide_all(&due, level, view, &is_due);
-                due.clear();
+        }
+        self.lattice.for_each_cell(&rows, |block| {
+            if depths[(block.pixel().0 / TILE) as usize] == 0 {
+                self.keep(block, level);
             }
         });
-        self.divide_all(&due, level, view, &is_due);
     }
 
     /// Divides the cells that are due.
@@ -147,74 +151,71 @@ impl<'a> Strip<'a> {
                 kept += 1;
             }
             if due.len() == CELLS {
-                self.divide_all(&due, level, view, &|_| false);
+                self.divide_all(&due, level, view);
                 due.clear();
             }
         }
-        self.divide_all(&due, level, view, &|_| false);
+        self.divide_all(&due, level, view);
         // Their parts are behind all others.
         self.cells.drain(kept..before);
     }
 
-    /// Divides cells, and those of their parts that are due.
-    fn divide_all(
-        &mut self,
-        cells: &[Cell],
-        level: &Level,
-        view: &impl View,
-        is_due: &impl Fn(&Cell) -> bool,
-    ) {
+    fn divide_all(&mut self, cells: &[Cell], level: &Level, view: &impl View) {
         if view.stopped() {
             return;
         }
         let (crosses, samples) = crosses(cells, view);
         self.samples += samples;
-        let (mut changes, mut due) = (Vec::with_capacity(CELLS), Vec::new());
+        let mut changes = Vec::with_capacity(CELLS);
         for (cell, cross) in cells.iter().zip(&crosses) {
             let parts = cell.divided(cross);
-            changes.push((cell, self.show(cell, &parts)));
+            changes.push((cell, self.show_parts(cell, &parts)));
             for part in parts {
-                if is_due(&part) {
-                    due.push(part);
-                } else {
-                    self.keep(part, level);
-                }
+                self.keep(part, level);
             }
         }
         for of_pixel in changes.chunk_by(|(a, _), (b, _)| a.pixel() == b.pixel()) {
             self.experience.learn(of_pixel);
         }
-        for due in due.chunks(CELLS) {
-            self.divide_all(due, level, view, is_due);
-        }
     }
 
     /// Paints the parts of a cell. Returns by how much its light changes.
-    fn show(&mut self, cell: &Cell, parts: &[Cell; 4]) -> Color {
+    fn show_parts(&mut self, cell: &Cell, parts: &[Cell; 4]) -> Color {
         let change = mean(parts.each_ref().map(Cell::light)) - cell.light();
-        let top = self.rows.start;
-        let (column, row) = cell.pixel();
-        let index = self.index(column / BLOCK, row - top);
-        let block = *self.divided[index].get_or_insert_with(|| {
-            self.blocks.push(Block::default());
-            self.blocks.len() as u32 - 1
-        });
-        let block = &mut self.blocks[block as usize];
-        let within = |(column, row): (u32, u32)| (column % BLOCK, (row - top) % BLOCK);
         if cell.depth < PIXEL_DEPTH {
             for part in parts {
-                block.show(within(part.pixel()), part);
+                self.show(part);
             }
         } else {
-            *block.pixel(within((column, row))) += change * cell.area();
+            let (block, pixel) = self.block(cell);
+            *block.pixel(pixel) += change * cell.area();
         }
         self.depth = self.depth.max(cell.depth + 1);
         change
     }
 
+    /// Paints a part of a block that is not smaller than a pixel.
+    fn show(&mut self, cell: &Cell) {
+        let (block, pixel) = self.block(cell);
+        block.show(pixel, cell);
+    }
+
+    /// The pixels of the block that a cell lies in, and where it begins there.
+    fn block(&mut self, cell: &Cell) -> (&mut Block, (u32, u32)) {
+        let (column, row) = cell.pixel();
+        let below_top = row - self.rows.start;
+        let index = self.index(column / BLOCK, below_top);
+        let block = *self.divided[index].get_or_insert_with(|| {
+            self.blocks.push(Block::default());
+            self.blocks.len() as u32 - 1
+        });
+        let pixel = (column % BLOCK, below_top % BLOCK);
+        (&mut self.blocks[block as usize], pixel)
+    }
+
     /// The number of a block in its row, at this row below the top.
     fn index(&self, block: u32, below_top: u32) -> usize {
-        (below_top / BLOCK) as usize * self.lattice.blocks_in_a_row() + block as usize
+        (below_top / BLOCK) as usize * self.lattice.cells_in_a_row() + block as usize
     }
 
     fn keep(&mut self, cell: Cell, level: &Level) {
@@ -262,7 +263,7 @@ mod tests {
             let lattice = Lattice::new(size, rows.start, &view).unwrap();
             Self {
                 view,
-                strip: Strip::new(Box::leak(Box::new(lattice)), rows),
+                strip: Strip::new(Box::leak(Box::new(lattice)), width, rows),
             }
         }
 
@@ -413,10 +414,10 @@ mod tests {
 
     /// One corner of four is black of 2 x 2 pixels, and then in a quarter of all pixels.
     #[test]
-    fn tiles_that_may_hide_something_are_divided_at_once_and_farther_if_it_is_narrow() {
+    fn where_something_may_hide_cells_are_smaller_and_pixels_if_it_is_narrow() {
         let level = Level::unknown(1, 1.0);
         let one_black = Cell::block(0, 0, [0.0, 1.0, 1.0, 1.0].map(Color::gray), 0.0).light();
-        for (narrow, samples) in [(4.0, 56), (2.0, 56 + 208)] {
+        for (narrow, samples) in [(4.0, 9 * 9 - 25), (2.0, 17 * 17 - 25)] {
             let mut picture = Picture::new(48, 0..16, between_blocks);
             picture.view.hiding = vec![(16, narrow)];
             picture.begin(&level);
@@ -436,15 +437,14 @@ mod tests {
                 };
                 assert_eq!(*color, expected, "{x}, {y}");
             }
-            // As many as 4 x 4 blocks have, and 8 x 8 parts.
             assert_eq!(picture.strip.samples(), samples);
             assert_eq!(picture.strip.depth(), 2);
         }
-        // Part of another tile.
+        // A quarter of another tile.
         let mut picture = Picture::new(20, 0..16, between_blocks);
         picture.view.hiding = vec![(0, 4.0), (16, 4.0)];
         picture.begin(&level);
-        assert_eq!(picture.strip.samples(), 56 + 13);
+        assert_eq!(picture.strip.samples(), 11 * 9 - 6 * 5);
     }
 
     #[test]
@@ -517,22 +517,20 @@ mod tests {
         picture.divide(&level);
         assert_eq!(picture.strip.samples(), 5);
         // The corners of the right block and its middles bend by 15/16. Its left parts
-        // are even, and are forgotten: below a 32nd of what is divided.
+        // are even, and are forgotten as the left block is: below a quarter of what is
+        // divided.
         let places = |strip: &Strip| -> Vec<_> {
             let cells = strip.cells().iter();
             cells.map(|cell| (cell.depth, cell.pixel())).collect()
         };
         let parts = [(1, (6, 0)), (1, (6, 2))];
-        assert_eq!(
-            places(&picture.strip),
-            [&[(0, (0, 0))], &parts[..]].concat()
-        );
+        assert_eq!(places(&picture.strip), parts);
         let part = 12.0 * 225.0 / 256.0 / 120.0;
         let sum = left + 2.0 * part + 2.0 * 11.0 * part;
         assert!(near(picture.strip.error(&level), sum));
         assert!(!picture.strip.is_due(&level));
 
-        // Nothing is due, and the left block errs by less than a fifth.
+        // Nothing is due.
         let level = Level::unknown(16, 2.0);
         picture.divide(&level);
         assert_eq!(places(&picture.strip), parts);
