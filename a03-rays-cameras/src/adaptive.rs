@@ -95,13 +95,8 @@ pub fn render<T: Send>(
         }
         progress.more_rows(rows);
         for_each(&mut strips, progress, |strip| {
-            let is_due = strip.is_due(&level);
-            for _ in 0..times {
-                if strip.is_due(&level) {
-                    strip.divide(&level, view);
-                }
-            }
-            is_due
+            let divided = (0..times).take_while(|_| strip.divide(&level, view));
+            divided.count() > 0
         })?;
         times = DEEPEST;
     };

@@ -1,4 +1,4 @@
-//! `Block`: the pixels of a block that was divided, for it shows more than its corners.
+//! `Block`: the pixels of a block of which more is known than its corners.
 
 use common::Color;
 

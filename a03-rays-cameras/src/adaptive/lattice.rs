@@ -169,8 +169,8 @@ impl Lattice {
         }
     }
 
-    /// What the left and the right sides of blocks, which these cells are, show of a row of the picture: light
-    /// that changes evenly between their corners.
+    /// Where the cells are blocks: what their left and right sides show of a row of the
+    /// picture, light that changes evenly between corners.
     pub fn sides(&self, row: u32) -> impl Iterator<Item = [Color; 2]> {
         let below_top = row - self.grid.top;
         let (y, row) = (below_top / BLOCK, below_top % BLOCK);

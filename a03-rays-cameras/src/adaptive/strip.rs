@@ -21,10 +21,10 @@ pub struct Strip<'a> {
     lattice: &'a Lattice,
     width: u32,
     rows: Range<u32>,
-    /// The blocks that were divided, ...
+    /// The blocks of which more is known than their corners, ...
     blocks: Vec<Block>,
     /// ... and of each in the rows, row after row, which of these it is.
-    divided: Vec<Option<u32>>,
+    known: Vec<Option<u32>>,
     /// The cells that may be divided, ...
     cells: Vec<Cell>,
     /// ... and of the others the errors of what they show, and of what they could hide.
@@ -43,7 +43,7 @@ impl<'a> Strip<'a> {
             width,
             rows,
             blocks: Vec::new(),
-            divided: vec![None; (TILE / BLOCK) as usize * lattice.cells_in_a_row()],
+            known: vec![None; (TILE / BLOCK) as usize * lattice.cells_in_a_row()],
             cells: Vec::new(),
             seen: ByDepth::default(),
             hidden: ByDepth::default(),
@@ -97,10 +97,10 @@ impl<'a> Strip<'a> {
     /// Paints one of the rows.
     pub fn paint(&self, row: u32, pixels: &mut [Color]) {
         let below_top = row - self.rows.start;
-        let divided = &self.divided[self.index(0, below_top)..];
+        let known = &self.known[self.index(0, below_top)..];
         let sides = self.lattice.sides(row);
         for ((pixels, block), [left, right]) in
-            pixels.chunks_mut(BLOCK as usize).zip(divided).zip(sides)
+            pixels.chunks_mut(BLOCK as usize).zip(known).zip(sides)
         {
             let colors = match block {
                 Some(block) => self.blocks[*block as usize].row(below_top % BLOCK),
@@ -138,17 +138,20 @@ impl<'a> Strip<'a> {
         });
     }
 
-    /// Divides the cells that are due.
-    pub fn divide(&mut self, level: &Level, view: &impl View) {
-        let (before, mut kept) = (self.cells.len(), 0);
+    /// Divides the cells that are due. Returns whether any was.
+    pub fn divide(&mut self, level: &Level, view: &impl View) -> bool {
+        let (before, mut kept, mut any) = (self.cells.len(), 0, false);
         let mut due = Vec::with_capacity(CELLS);
         for i in 0..before {
-            let cell = self.cells[i];
-            if level.is_due(&cell) {
-                due.push(cell);
-            } else if self.is_kept(&cell, level) {
-                self.cells[kept] = cell;
+            let cell = &self.cells[i];
+            if level.is_due(cell) {
+                any = true;
+                due.push(*cell);
+            } else if level.keeps(cell) {
+                self.cells.copy_within(i..=i, kept);
                 kept += 1;
+            } else {
+                self.forget(*cell);
             }
             if due.len() == CELLS {
                 self.divide_all(&due, level, view);
@@ -158,6 +161,7 @@ impl<'a> Strip<'a> {
         self.divide_all(&due, level, view);
         // Their parts are behind all others.
         self.cells.drain(kept..before);
+        any
     }
 
     fn divide_all(&mut self, cells: &[Cell], level: &Level, view: &impl View) {
@@ -205,7 +209,7 @@ impl<'a> Strip<'a> {
         let (column, row) = cell.pixel();
         let below_top = row - self.rows.start;
         let index = self.index(column / BLOCK, below_top);
-        let block = *self.divided[index].get_or_insert_with(|| {
+        let block = *self.known[index].get_or_insert_with(|| {
             self.blocks.push(Block::default());
             self.blocks.len() as u32 - 1
         });
@@ -219,20 +223,18 @@ impl<'a> Strip<'a> {
     }
 
     fn keep(&mut self, cell: Cell, level: &Level) {
-        if self.is_kept(&cell, level) {
+        if level.keeps(&cell) {
             self.cells.push(cell);
+        } else {
+            self.forget(cell);
         }
     }
 
-    /// Whether a cell is remembered; of one that is never divided, its error is.
-    fn is_kept(&mut self, cell: &Cell, level: &Level) -> bool {
-        let is_kept = level.keeps(cell);
-        if !is_kept {
-            let depth = usize::from(cell.depth);
-            self.seen[depth] += f64::from(cell.seen);
-            self.hidden[depth] += f64::from(cell.hidden);
-        }
-        is_kept
+    /// Of a cell that is never divided, only its error is remembered.
+    fn forget(&mut self, cell: Cell) {
+        let depth = usize::from(cell.depth);
+        self.seen[depth] += f64::from(cell.seen);
+        self.hidden[depth] += f64::from(cell.hidden);
     }
 }
 
