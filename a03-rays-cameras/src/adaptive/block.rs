@@ -2,7 +2,7 @@
 
 use common::Color;
 
-use super::cell::{BLOCK, Cell, mean};
+use super::cell::{BLOCK, Cell, PIXEL_DEPTH, mean};
 
 /// Colours row after row.
 #[derive(Clone, Copy, Default)]
@@ -21,7 +21,7 @@ impl Block {
 
     /// Paints a cell of one pixel, or of 2 x 2, that begins there.
     pub fn show(&mut self, (x, y): (u32, u32), cell: &Cell) {
-        if cell.area() == 1.0 {
+        if cell.depth == PIXEL_DEPTH {
             *self.pixel((x, y)) = cell.light();
             return;
         }

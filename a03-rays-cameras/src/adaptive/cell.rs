@@ -147,12 +147,25 @@ const TO_MIDDLE: f64 = 1.0 - 4.0 * 0.0991;
 #[inline]
 fn light([a, b, c, d]: [Lanes; 4]) -> Lanes {
     let mean = ((a + b) + (c + d)) * Lanes::splat(0.25);
-    let middle = (a.min(b).max(c.min(d)) + a.max(b).min(c.max(d))) * Lanes::splat(0.5);
+    let [_, one, other, _] = ranked([a, b, c, d]);
+    let middle = (one + other) * Lanes::splat(0.5);
     let light = mean + (middle - mean) * Lanes::splat(TO_MIDDLE);
     // Where corners have no end, there is no middle.
     light.simd_eq(light).select(light, mean)
 }
 // ANCHOR_END: light
+
+/// In each channel the least, the two in the middle in any order, and the greatest.
+#[inline]
+fn ranked([a, b, c, d]: [Lanes; 4]) -> [Lanes; 4] {
+    let (low, high) = ([a.min(b), c.min(d)], [a.max(b), c.max(d)]);
+    [
+        low[0].min(low[1]),
+        low[0].max(low[1]),
+        high[0].min(high[1]),
+        high[0].max(high[1]),
+    ]
+}
 
 /// The mean of four colours; of the same ones, exactly that.
 pub fn mean([a, b, c, d]: [Color; 4]) -> Color {
@@ -206,15 +219,13 @@ const ONE_CORNER: f64 = 0.5;
 
 /// What corners show, and what may hide between them, both squared.
 #[inline]
-fn squares([a, b, c, d]: [Lanes; 4], bend: f32, weight: f64) -> (f32, f32) {
+fn squares(corners: [Lanes; 4], bend: f32, weight: f64) -> (f32, f32) {
     let bend = f64::from(bend);
     if bend == 0.0 {
         return (0.0, 0.0);
     }
-    let (low, high) = ([a.min(b), c.min(d)], [a.max(b), c.max(d)]);
-    let least = low[0].min(low[1]);
-    let differing = high[0].max(high[1]) - least;
-    let middle = (high[0].min(high[1]) - low[0].max(low[1])).abs();
+    let [least, one, other, most] = ranked(corners);
+    let (differing, middle) = (most - least, (other - one).abs());
     // Smooth light may differ much, and yet its mean is that of the corners: it is
     // off by no more than it bends.
     let bends = Lanes::splat(bend);

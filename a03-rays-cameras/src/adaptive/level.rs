@@ -33,7 +33,8 @@ impl Level {
         Self {
             factors: Experience::factors(std::iter::empty()),
             divided: f64::INFINITY,
-            kept: fair / 40.0,
+            // Pixels are kept that err by a fifth of that.
+            kept: fair / 5.0 * FARTHEST / farthest(PIXEL_DEPTH),
             deepest: DEEPEST.min(PIXEL_DEPTH + divisions_of_pixels as u8),
         }
     }
