@@ -23,7 +23,7 @@ use common::tally::{self, Work};
 
 use crate::{Bounds, Geometry, Hit, Interval};
 use pencil::Pencil;
-use shapes::{Asking, Shape, Shapes, Turn};
+use shapes::{Asking, Shape, Shapes};
 use sphere_block::{SphereBlock, SphereRay};
 use tree::{Tree, WIDTH};
 use triangle_block::{TriangleBlock, TriangleRay};
@@ -56,20 +56,16 @@ impl Search {
         foci: impl IntoIterator<Item = Focus>,
     ) -> Self {
         let mut shapes = Shapes::default();
-        let (mut turns, mut has_parts) = (0.., false);
-        let mut add = |geometry: &Arc<dyn Geometry>, object| {
-            let turn = turns.next().unwrap_or(u32::MAX);
-            shapes.push(geometry, Turn { turn, object });
-        };
+        let mut has_parts = false;
         for (object, geometry) in (0..).zip(geometries) {
             match geometry.parts() {
                 Some(parts) => {
                     has_parts = true;
                     for part in &parts {
-                        add(part, object);
+                        shapes.push(part, object);
                     }
                 }
-                None => add(geometry, object),
+                None => shapes.push(geometry, object),
             }
         }
         let (bounded, unbounded): (Vec<_>, Vec<_>) =

@@ -321,6 +321,42 @@ fn rays_that_just_touch_are_decided_as_in_the_list() {
     );
 }
 
+/// Four rays together are told that they pass a sphere sooner than one alone is.
+#[test]
+fn four_rays_pass_a_sphere_by_next_to_nothing_as_one_does() {
+    let mut numbers = Numbers::new(8);
+    let (mut met, mut all) = (0, 0);
+    for size in [1e-95, 1e-6, 1.0, 1e95] {
+        for i in 0..2_400 {
+            let (c, r) = (numbers.vector(), 0.55 + 0.5 * numbers.next());
+            let from = c + numbers.vector() * 4.0;
+            let Some(aside) = (c - from).cross(numbers.vector()).normalized() else {
+                continue;
+            };
+            // Beside the sphere by so much of the radius; or from its surface outwards,
+            // inwards or along it.
+            let off = [0.0, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-3][i / 3 % 8];
+            let (from, to) = match i % 3 {
+                0 => (from, c + aside * (r * (1.0 + off * numbers.next())) - from),
+                1 => (c + aside * (r * (1.0 + off)), numbers.vector()),
+                _ => (c + aside * r, aside.cross(numbers.vector())),
+            };
+            let at = |v: Vector3| Point3::ORIGIN + v * size;
+            let sphere = Sphere::new(at(c), r * size).unwrap();
+            let [_, prepared] = both(&[sphere], Point3::ORIGIN);
+            let ray = Ray::new(at(from), to).unwrap();
+            let other = Ray::derived(ray.origin(), ray.direction() * (1.0 + numbers.next()));
+            for ray in [ray, other] {
+                let ray = (ray, Interval::before(2.0 * size));
+                compare_together(&prepared, [&ray; 4], 0b1111);
+                met += usize::from(prepared.is_hit(&ray.0, Interval::AHEAD));
+                all += 1;
+            }
+        }
+    }
+    assert!((all / 4..3 * all / 4).contains(&met), "{met} of {all}");
+}
+
 /// A world of these shapes, as a list and prepared for rays from the eye.
 fn both<G: Geometry + Clone + 'static>(shapes: &[G], eye: Point3) -> [World<usize>; 2] {
     let world = || {

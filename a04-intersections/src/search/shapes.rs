@@ -14,6 +14,8 @@ use crate::{AxisAlignedBox, Bounds, Geometry, Hit, Interval, Plane, Sphere, Tria
 /// All parts of a world.
 #[derive(Debug, Default)]
 pub struct Shapes {
+    /// All, in the order in which the plain list asks them.
+    pub in_turn: Vec<Shape>,
     pub spheres: Vec<(Sphere, Turn)>,
     pub triangles: Vec<(Triangle, Turn)>,
     pub boxes: Vec<(AxisAlignedBox, Turn)>,
@@ -39,32 +41,34 @@ pub struct Turn {
 }
 
 impl Shapes {
-    /// Adds a part, to those of its kind.
-    pub fn push(&mut self, part: &Arc<dyn Geometry>, turn: Turn) {
+    /// Adds a part of an object, to those of its kind.
+    pub fn push(&mut self, part: &Arc<dyn Geometry>, object: u32) {
         fn is<G: Geometry + Copy>(part: &Arc<dyn Geometry>) -> Option<G> {
             let any: &dyn Any = &**part;
             any.downcast_ref().copied()
         }
-        if let Some(sphere) = is::<Sphere>(part) {
-            self.spheres.push((sphere, turn));
-        } else if let Some(triangle) = is::<Triangle>(part) {
-            self.triangles.push((triangle, turn));
-        } else if let Some(aab) = is::<AxisAlignedBox>(part) {
-            self.boxes.push((aab, turn));
-        } else if let Some(plane) = is::<Plane>(part) {
-            self.planes.push((plane, turn));
-        } else {
-            self.others.push((Arc::clone(part), turn));
+        fn push<G>(shapes: &mut Vec<(G, Turn)>, shape: G, turn: Turn) -> u32 {
+            shapes.push((shape, turn));
+            shapes.len() as u32 - 1
         }
+        let turn = self.in_turn.len() as u32;
+        let turn = Turn { turn, object };
+        self.in_turn.push(if let Some(sphere) = is::<Sphere>(part) {
+            Shape::Sphere(push(&mut self.spheres, sphere, turn))
+        } else if let Some(triangle) = is::<Triangle>(part) {
+            Shape::Triangle(push(&mut self.triangles, triangle, turn))
+        } else if let Some(aab) = is::<AxisAlignedBox>(part) {
+            Shape::Box(push(&mut self.boxes, aab, turn))
+        } else if let Some(plane) = is::<Plane>(part) {
+            Shape::Plane(push(&mut self.planes, plane, turn))
+        } else {
+            Shape::Other(push(&mut self.others, Arc::clone(part), turn))
+        });
     }
 
     /// How many shapes there are.
     pub fn len(&self) -> usize {
-        self.spheres.len()
-            + self.triangles.len()
-            + self.boxes.len()
-            + self.planes.len()
-            + self.others.len()
+        self.in_turn.len()
     }
 
     /// All shapes and their bounds.

@@ -30,12 +30,7 @@ impl Search {
     #[must_use]
     pub fn hit_together(&self, rays: &RayPacket, active: u32) -> Hits {
         let asking = AskingTogether::new(rays, active, &self.shapes);
-        let mut nearest = Nearest {
-            asking: &asking,
-            t: Lanes::splat(f64::INFINITY),
-            shapes: [Shape::Other(u32::MAX); 4],
-            met: 0,
-        };
+        let mut nearest = Nearest::new(&asking);
         for shape in &self.unbounded {
             nearest.ask(*shape, active);
         }
@@ -233,11 +228,22 @@ impl<'a> AskingTogether<'a> {
 struct Nearest<'a> {
     asking: &'a AskingTogether<'a>,
     t: Lanes,
-    shapes: [Shape; 4],
-    met: u32,
+    /// The turns of the shapes that are met there; below 0 where nothing is.
+    turns: Lanes,
 }
 
-impl Nearest<'_> {
+impl<'a> Nearest<'a> {
+    #[inline]
+    fn new(asking: &'a AskingTogether<'a>) -> Self {
+        Self {
+            asking,
+            t: Lanes::splat(f64::INFINITY),
+            turns: Lanes::splat(-1.0),
+        }
+    }
+
+    /// Takes what is nearer, and at the same place what comes first in the list; without
+    /// a branch, for which shape is the nearest no processor can foretell.
     #[expect(
         clippy::inline_always,
         reason = "a call would take as long as the test"
@@ -246,40 +252,18 @@ impl Nearest<'_> {
     fn ask(&mut self, shape: Shape, active: u32) {
         tally::count_all(Work::IntersectionTest, active.count_ones().into());
         let t = self.asking.t(shape, self.t, active);
-        if t.simd_le(self.t).to_bitmask() & active != 0 {
-            self.take(shape, t, active);
-        }
-    }
-
-    /// Takes what is nearer, and at the same place what comes first in the list.
-    #[inline(never)]
-    fn take(&mut self, shape: Shape, t: Lanes, active: u32) {
-        let mut found = t.simd_lt(self.t).to_bitmask() & active;
-        let tied = active & self.met & t.simd_eq(self.t).to_bitmask();
-        self.t = select(mask(found), t, self.t);
-        if self.met == 0 {
-            // Who meets nothing has no shape; any will do.
-            self.shapes = [shape; 4];
-        }
-        for (lane, nearest) in self.shapes.iter_mut().enumerate() {
-            let is_first = || self.asking.shapes.comes_before(shape, *nearest);
-            if found >> lane & 1 != 0 || tied >> lane & 1 != 0 && is_first() {
-                *nearest = shape;
-                found |= 1 << lane;
-            }
-        }
-        self.met |= found;
+        let turn = Lanes::splat(self.asking.shapes.turn(shape).turn.into());
+        let is_first = t.simd_eq(self.t) & turn.simd_lt(self.turns);
+        let found = (t.simd_lt(self.t) | is_first) & mask(active);
+        self.t = select(found, t, self.t);
+        self.turns = select(found, turn, self.turns);
     }
 
     /// All that there is to the hits, shape by shape.
     #[inline]
     fn hits(self) -> Hits {
-        let Self {
-            asking,
-            t,
-            shapes,
-            met,
-        } = self;
+        let Self { asking, t, turns } = self;
+        let met = turns.simd_ge(Lanes::ZERO).to_bitmask();
         let nothing = Vector3x4::splat(glam::DVec3::ZERO);
         let mut hits = Hits {
             met,
@@ -290,12 +274,13 @@ impl Nearest<'_> {
             },
             objects: [0; 4],
         };
+        let of_lanes = turns.to_array();
         let mut open = met;
         while open != 0 {
-            let shape = shapes[open.trailing_zeros() as usize % 4];
-            let is_same = |lane: usize| u32::from(shapes[lane] == shape) << lane;
-            let same = is_same(0) | is_same(1) | is_same(2) | is_same(3);
-            let hit = asking.hit(shape, t, met & same);
+            let turn = of_lanes[open.trailing_zeros() as usize % 4];
+            let same = turns.simd_eq(Lanes::splat(turn)).to_bitmask();
+            let shape = asking.shapes.in_turn[turn as usize];
+            let hit = asking.hit(shape, t, same);
             let object = asking.shapes.turn(shape).object;
             if met & !same == 0 {
                 hits.hit = hit;
