@@ -4,7 +4,8 @@
 //! The picture is parted into cells, squares whose light is told by that at their
 //! corners: first into blocks of 4 x 4 pixels. Those cells that err most are divided
 //! into four, and their parts again, as far as it takes. Neighbours share corners, so
-//! that a pixel takes about one sample for its four.
+//! that a pixel takes about one sample for its four; and where an edge crosses it, only
+//! sides are looked at whose ends differ.
 //!
 //! (To look at the corners and to divide where they differ is Whitted's way, An
 //! Improved Illumination Model for Shaded Display, 1980; to begin with blocks larger
@@ -17,6 +18,7 @@
 mod block;
 mod cell;
 mod crosses;
+mod edge;
 mod experience;
 mod lattice;
 mod level;
@@ -95,8 +97,7 @@ pub fn render<T: Send>(
         }
         progress.more_rows(rows);
         for_each(&mut strips, progress, |strip| {
-            let divided = (0..times).take_while(|_| strip.divide(&level, view));
-            divided.count() > 0
+            strip.divide(times, &level, view)
         })?;
         times = DEEPEST;
     };

@@ -27,7 +27,7 @@ pub struct Cell {
     /// The same of how far the light around bends: as much it could hide.
     pub hidden: f32,
     /// How far the light around is from changing evenly, in any channel.
-    bend: f32,
+    pub bend: f32,
     /// How often a block was divided to come to it.
     pub depth: u8,
 }
@@ -89,6 +89,12 @@ impl Cell {
     pub fn light(&self) -> Color {
         let [r, g, b, _] = light(self.corners.map(lanes)).to_array();
         Color::new(r, g, b)
+    }
+
+    /// By how much its corners differ, in any channel.
+    pub fn contrast(&self) -> f32 {
+        let [least, _, _, most] = ranked(self.corners.map(lanes));
+        greatest_channel(most - least)
     }
 
     const fn side(&self) -> u32 {

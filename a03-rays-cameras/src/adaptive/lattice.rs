@@ -186,21 +186,29 @@ impl Lattice {
     }
 
     /// How far the light at each corner of a row is from lying evenly between its
-    /// neighbours, across or down, in any channel.
+    /// neighbours, across or down, in any channel. At the ends, of which only one side is
+    /// known, it may be twice as far as next to them: of a line that runs along, that is
+    /// known of its inner edge.
     fn bends(&self, y: usize) -> Vec<f32> {
-        let bend = |[a, b, c]: [Color; 3]| {
+        let bend = |[a, b, c]: [Color; 3], is_end| {
             let b = lanes(b);
-            (lanes(a) + lanes(c) - (b + b)).abs()
+            let bend = (lanes(a) + lanes(c) - (b + b)).abs();
+            if is_end { bend + bend } else { bend }
         };
         let here = self.row(y);
         let rows = around(y, self.grid.rows).map(|y| self.row(y));
         let greatest = |x: usize| {
-            let across = bend(around(x, self.grid.columns).map(|x| here[x]));
-            let down = bend(rows.map(|row| row[x]));
+            let columns = around(x, self.grid.columns);
+            let across = bend(columns.map(|x| here[x]), is_end(x, self.grid.columns));
+            let down = bend(rows.map(|row| row[x]), is_end(y, self.grid.rows));
             greatest_channel(across.max(down))
         };
         (0..self.grid.columns).map(greatest).collect()
     }
+}
+
+const fn is_end(i: usize, places: usize) -> bool {
+    i == 0 || i + 1 == places
 }
 
 /// A place and its neighbours, of so many in a row; at the ends that of the next one
@@ -384,10 +392,11 @@ mod tests {
     #[test]
     fn light_bends_twice_as_far_at_a_white_corner_as_beside_it() {
         let lattice = lattice(24, 16, 0, white_corner);
-        // Those above and below are at the ends, and like their neighbours inside.
+        // Those above and below are at the ends, and twice their neighbours inside.
+        let end = [0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0];
         let beside = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
         let across = [0.0, 0.0, 1.0, 2.0, 1.0, 0.0, 0.0];
-        let expected = [beside, beside, across, beside, beside];
+        let expected = [end, beside, across, beside, end];
         assert_eq!([0, 1, 2, 3, 4].map(|y| lattice.bends(y)), expected);
     }
 
@@ -399,17 +408,17 @@ mod tests {
             .map(|block| block.hidden)
             .collect();
         let (none, far) = ([0.0; 4], [0.0, 48.0, 48.0, 0.0]);
-        let near = [48.0, 192.0, 192.0, 48.0];
+        let near = [192.0; 4];
         assert_eq!(hidden, [none, far, near, near, far, none].concat());
     }
 
     /// Green, which is between the others.
     #[test]
-    fn two_corners_in_a_row_bend_by_what_they_differ() {
+    fn two_corners_in_a_row_bend_by_twice_what_they_differ() {
         let lattice = lattice(2, 1, 0, |(x, y)| {
             Color::GREEN * f64::from(x / SIDE + 2 * (y / SIDE))
         });
-        assert_eq!([0, 1].map(|y| lattice.bends(y)), [[2.0; 2]; 2]);
+        assert_eq!([0, 1].map(|y| lattice.bends(y)), [[4.0; 2]; 2]);
     }
 
     #[test]
