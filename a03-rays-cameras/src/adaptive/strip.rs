@@ -140,35 +140,38 @@ impl<'a> Strip<'a> {
     /// Divides the cells that are due, then those of their parts that are, and so on, so
     /// many times. Returns whether any was.
     pub fn divide(&mut self, times: u8, level: &Level, view: &impl View) -> bool {
-        let mut divided = 0;
-        let mut new = 0..self.cells.len();
+        let (mut first, mut any) = (0, false);
         for _ in 0..times {
-            let before = divided;
-            let mut kept = new.start;
-            let mut due = Vec::with_capacity(CELLS);
-            for i in new.clone() {
-                let cell = self.cells[i];
-                if level.is_due(&cell) {
-                    due.push(cell);
-                    divided += 1;
-                } else if level.keeps(&cell) {
-                    self.cells[kept] = cell;
-                    kept += 1;
-                }
-                if due.len() == CELLS {
-                    self.divide_all(&due, level, view);
-                    due.clear();
-                }
-            }
-            self.divide_all(&due, level, view);
-            // Their parts are behind all others.
-            self.cells.drain(kept..new.end);
-            new = kept..self.cells.len();
-            if divided == before {
+            let Some(parts) = self.divide_from(first, level, view) else {
                 break;
+            };
+            (first, any) = (parts, true);
+        }
+        any
+    }
+
+    /// Divides those cells that are due from the first one on. Returns from where on their
+    /// parts are, behind all others, if any was.
+    fn divide_from(&mut self, first: usize, level: &Level, view: &impl View) -> Option<usize> {
+        let (before, mut kept, mut any) = (self.cells.len(), first, false);
+        let mut due = Vec::with_capacity(CELLS);
+        for i in first..before {
+            let cell = self.cells[i];
+            if level.is_due(&cell) {
+                any = true;
+                due.push(cell);
+            } else if level.keeps(&cell) {
+                self.cells[kept] = cell;
+                kept += 1;
+            }
+            if due.len() == CELLS {
+                self.divide_all(&due, level, view);
+                due.clear();
             }
         }
-        divided > 0
+        self.divide_all(&due, level, view);
+        self.cells.drain(kept..before);
+        any.then_some(kept)
     }
 
     fn divide_all(&mut self, cells: &[Cell], level: &Level, view: &impl View) {
