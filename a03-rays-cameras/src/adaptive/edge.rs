@@ -126,14 +126,16 @@ mod tests {
             assert!(is_edge(PIXEL_DEPTH + 3, corners, 1.0));
             assert!(!is_edge(PIXEL_DEPTH - 1, corners, 1.0), "not a pixel");
             assert!(!is_edge(PIXEL_DEPTH, corners, 2.0), "maybe a line");
-            assert!(!is_edge(PIXEL_DEPTH, corners, 0.4), "smooth");
+            assert!(is_edge(PIXEL_DEPTH, corners, 0.5));
+            assert!(!is_edge(PIXEL_DEPTH, corners, 0.49), "smooth");
         }
         assert!(!is_edge(PIXEL_DEPTH, [0.5; 4], 1.0), "nothing to be seen");
     }
 
     /// What is looked at of this edge first, and then if that shows these.
     fn looks(corners: [f64; 4], sides: [f64; 4]) -> (Places, [f64; 4], Places, f64) {
-        let edge = Edge::across(&cell(PIXEL_DEPTH, corners, 1.0)).unwrap();
+        let contrast = cell(PIXEL_DEPTH, corners, 1.0).contrast();
+        let edge = Edge::across(&cell(PIXEL_DEPTH, corners, contrast)).unwrap();
         let mut cross = Cross::default();
         let first = edge.sides(&mut cross);
         let [above, left, _, right, below] = cross.map(|color| color.r);
@@ -159,6 +161,11 @@ mod tests {
         // Shades of the same side: a fifth of what differs most.
         let (first, guessed, ..) = looks([0.0, 1.0, 0.2, 0.8], [0.0; 4]);
         assert_eq!((first, guessed[1], guessed[2]), (UPRIGHT, 0.1, 0.9));
+        // A quarter of it differs, and so do two fifths.
+        let (first, ..) = looks([0.0, 1.0, 0.25, 0.75], [0.0; 4]);
+        assert_eq!(first, UPRIGHT | 1 << LEFT | 1 << RIGHT);
+        let (first, ..) = looks([0.0, 0.5, 0.2, 0.3], [0.0; 4]);
+        assert_eq!(first, 1 << ABOVE | 1 << LEFT | 1 << RIGHT);
         let (first, guessed, ..) = looks([1.0, 0.0, 0.0, 0.0], [1.0; 4]);
         assert_eq!(first, 1 << ABOVE | 1 << LEFT);
         assert_eq!(guessed[2..], [0.0, 0.0]);
