@@ -24,7 +24,7 @@ pub struct Shapes {
 }
 
 /// Which of [`Shapes`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub enum Shape {
     Sphere(u32),
     Triangle(u32),

@@ -14,6 +14,7 @@ use std::ops::Add;
 use std::path::Path;
 use std::time::Duration;
 
+use common::experiment::HALF_GREY_LEVEL;
 use common::{ArgumentError, Color, Image, Size, picture_file};
 
 use crate::child;
@@ -86,7 +87,7 @@ const CONTESTANTS: [Contestant; 2] = [
 ];
 
 /// Nobody sees a smaller error, of 255.
-const INVISIBLE: f64 = 0.5;
+const INVISIBLE: f64 = 255.0 * HALF_GREY_LEVEL;
 
 /// How long a program took in one of these ways, at least, and how far off it was.
 struct Row {
@@ -157,17 +158,12 @@ fn rows(
     let mut rows: Vec<Row> = Vec::new();
     for _ in 0..rounds {
         for i in 0..most.unwrap_or(0) {
-            for (
-                Contestant {
-                    tracer, variants, ..
-                },
-                reference,
-            ) in &contestants
-            {
-                let Some(arguments) = variants.get(i) else {
+            for (contestant, reference) in &contestants {
+                let tracer = contestant.tracer;
+                let Some(arguments) = contestant.variants.get(i) else {
                     continue;
                 };
-                let Some(seconds) = trace(*tracer, &job, arguments, limit)? else {
+                let Some(seconds) = trace(tracer, &job, arguments, limit)? else {
                     continue;
                 };
                 let same = |row: &&mut Row| row.arguments == *arguments;
@@ -175,9 +171,9 @@ fn rows(
                     row.seconds = row.seconds.min(seconds);
                     continue;
                 }
-                let picture = picture_file::open(&job.file(*tracer, "png"))?;
+                let picture = picture_file::open(&job.file(tracer, "png"))?;
                 rows.push(Row {
-                    tracer: *tracer,
+                    tracer,
                     arguments,
                     seconds,
                     error: difference(&picture, reference),
