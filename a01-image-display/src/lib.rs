@@ -5,7 +5,7 @@
 //! to the screen is known before the first ray is shot.
 
 mod canvas;
-mod experiments;
+mod lab;
 mod paint_diagonal;
 mod painter;
 mod scenes;

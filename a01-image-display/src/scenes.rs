@@ -31,7 +31,7 @@ pub fn stage() -> Stage {
                 },
             ),
         ],
-        experiments: crate::experiments::experiments,
+        experiments: crate::lab::experiments::experiments,
         extremes: |_| Vec::new(),
     }
 }

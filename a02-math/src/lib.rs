@@ -5,12 +5,10 @@
 //! glam; what makes no sense, such as the sum of two places, does not compile.
 
 mod direction;
-mod experiments;
-mod extremes;
+mod lab;
 mod mat3x3;
 mod normal3;
 mod point3;
-mod protocol;
 mod scenes;
 mod triple;
 mod vector3;

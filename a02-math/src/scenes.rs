@@ -16,8 +16,8 @@ pub fn stage() -> Stage {
             "sum, cross product, projection and reflection of vectors",
             |settings, _| vectors(settings.size),
         )],
-        experiments: crate::experiments::experiments,
-        extremes: crate::extremes::cases,
+        experiments: crate::lab::experiments::experiments,
+        extremes: crate::lab::extremes::cases,
     }
 }
 

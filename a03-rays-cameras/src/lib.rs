@@ -6,14 +6,11 @@
 mod adaptive;
 mod bounded_ray;
 mod camera;
-mod experiments;
-mod extremes;
 mod focus;
+mod lab;
 mod orthographic_camera;
 mod perspective_camera;
 mod pinhole_camera;
-#[doc(hidden)]
-pub mod protocol;
 mod radiance;
 mod random;
 mod ray;
@@ -26,6 +23,8 @@ mod striped_sky;
 pub use bounded_ray::BoundedRay;
 pub use camera::{Basis, Camera};
 pub use focus::Focus;
+#[doc(hidden)]
+pub use lab::protocol;
 pub use orthographic_camera::OrthographicCamera;
 pub use perspective_camera::PerspectiveCamera;
 pub use pinhole_camera::PinholeCamera;

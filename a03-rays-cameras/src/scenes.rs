@@ -19,8 +19,8 @@ pub fn stage() -> Stage {
             striped_sky("striped-sky", about_text, StripeRule::Direction),
             striped_sky("striped-sky-straight", about_straight, StripeRule::Wall),
         ],
-        experiments: crate::experiments::experiments,
-        extremes: crate::extremes::cases,
+        experiments: crate::lab::experiments::experiments,
+        extremes: crate::lab::extremes::cases,
     }
 }
 

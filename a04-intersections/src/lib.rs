@@ -6,17 +6,12 @@
 
 mod axis_aligned_box;
 mod bounds;
-mod exact;
-mod experiments;
-mod extremes;
 mod geometry;
 mod hit;
 mod interval;
+mod lab;
 mod packet;
 mod plane;
-#[doc(hidden)]
-pub mod protocol;
-mod real;
 mod scenes;
 mod search;
 mod sphere;
@@ -28,6 +23,8 @@ pub use bounds::Bounds;
 pub use geometry::Geometry;
 pub use hit::Hit;
 pub use interval::Interval;
+#[doc(hidden)]
+pub use lab::protocol;
 pub use packet::PacketHit;
 pub use plane::Plane;
 pub use scenes::stage;

@@ -6,8 +6,8 @@ use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{Camera, OrthographicCamera, PerspectiveCamera, Sampler, render};
 use common::{ArgumentError, Color, Scene, Stage};
 
-use crate::experiments::experiments;
-use crate::extremes::cases;
+use crate::lab::experiments::experiments;
+use crate::lab::extremes::cases;
 use crate::{AxisAlignedBox, Plane, Sphere, Triangle, World};
 
 /// The stage for its program.

@@ -6,8 +6,7 @@
 
 mod color_packet;
 mod directional_light;
-mod experiments;
-mod extremes;
+mod lab;
 mod lambert;
 mod light;
 mod lighting;
@@ -17,14 +16,14 @@ mod phong;
 mod phong_packet;
 mod point_light;
 mod power;
-#[doc(hidden)]
-pub mod protocol;
 mod scenes;
 mod single_color;
 mod spot_light;
 
 pub use color_packet::ColorPacket;
 pub use directional_light::DirectionalLight;
+#[doc(hidden)]
+pub use lab::protocol;
 pub use lambert::Lambert;
 pub use light::{Illumination, IlluminationPacket, Light};
 pub use lighting::Lighting;

@@ -8,9 +8,9 @@ use a03_rays_cameras::{Camera, PerspectiveCamera, Sampler, render};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere, Triangle};
 use common::{ArgumentError, Color, Scene, Stage};
 
+use crate::lab::{experiments, extremes};
 use crate::{
-    DirectionalLight, Lambert, Light, LitWorld, Material, Phong, PointLight, SingleColor,
-    SpotLight, experiments, extremes,
+    DirectionalLight, Lambert, Light, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
 };
 
 /// The stage for its program.

@@ -4,12 +4,9 @@
 //! and follows reflected rays from surface to surface.
 
 mod cut;
-mod experiments;
-mod extremes;
 mod foci;
+mod lab;
 mod light_source;
-#[doc(hidden)]
-pub mod protocol;
 mod recursive_tracer;
 mod reflective;
 mod scenes;
@@ -20,6 +17,8 @@ mod trace_together;
 mod traced_scene;
 
 pub use foci::foci;
+#[doc(hidden)]
+pub use lab::protocol;
 pub use light_source::LightSource;
 pub use recursive_tracer::{RecursiveTracer, ShadowedWorld};
 pub use reflective::Reflective;

@@ -5,7 +5,8 @@ use a04_intersections::{AxisAlignedBox, Plane, Sphere};
 use a05_lighting::{Lambert, PointLight};
 use common::{ArgumentError, Color, Stage};
 
-use crate::{LightSource, Reflective, ShadowedWorld, experiments, extremes, traced_scene};
+use crate::lab::{experiments, extremes};
+use crate::{LightSource, Reflective, ShadowedWorld, traced_scene};
 
 /// The stage for its program.
 #[must_use]

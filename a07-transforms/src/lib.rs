@@ -4,21 +4,20 @@
 //! that does so for its children.
 
 mod disc;
-mod experiments;
-mod extremes;
 mod flat;
+mod lab;
 mod mat4x4;
 mod moved_bounds;
 mod node;
 pub mod nodes;
-#[doc(hidden)]
-pub mod protocol;
 mod scenes;
 mod straight;
 mod transform;
 
 pub use disc::Disc;
 pub use flat::Flat;
+#[doc(hidden)]
+pub use lab::protocol;
 pub use mat4x4::Mat4x4;
 pub use node::Node;
 pub use scenes::stage;

@@ -6,7 +6,8 @@ use a05_lighting::{Lambert, Phong, PointLight};
 use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, traced_scene};
 use common::{ArgumentError, Color, Scene, Settings, Stage};
 
-use crate::{Disc, Node, Transform, experiments, extremes, nodes};
+use crate::lab::{experiments, extremes};
+use crate::{Disc, Node, Transform, nodes};
 
 /// The stage for its program.
 #[must_use]

@@ -1,0 +1,3 @@
+//! The laboratory: what measures the lesson of this stage, and is no part of it.
+
+pub mod experiments;

@@ -1,0 +1,112 @@
+//! The angle between two vectors, from large to tiny.
+
+use std::rc::Rc;
+
+use common::Effort;
+use common::experiment::{Axis, Curve, Experiment, Point, Slope};
+
+use super::exact::{WholeNumbers, sum_of_products};
+use crate::lab::protocol;
+use crate::{Direction, Vector3};
+
+type Method = fn(Vector3, Vector3) -> f64;
+
+/// Kahan's formula, of the vectors made equally long (How Futile are Mindless
+/// Assessments of Roundoff, 2006).
+fn kahan(a: Vector3, b: Vector3) -> f64 {
+    let (scaled_a, scaled_b) = (a * b.magnitude(), b * a.magnitude());
+    2.0 * libm::atan2(
+        (scaled_a - scaled_b).magnitude(),
+        (scaled_a + scaled_b).magnitude(),
+    )
+}
+
+/// The arc tangent of sine and cosine, the sine from exact products.
+fn exact_products(a: Vector3, b: Vector3) -> f64 {
+    let minor = |p: f64, q: f64, r: f64, s: f64| sum_of_products(&[(p, q), (-r, s)]);
+    let cross = Vector3::new(
+        minor(a.y(), b.z(), a.z(), b.y()),
+        minor(a.z(), b.x(), a.x(), b.z()),
+        minor(a.x(), b.y(), a.y(), b.x()),
+    );
+    libm::atan2(cross.magnitude(), a.dot(b))
+}
+
+const WHY_NOT: &str = "does not scale long and short vectors as ours does; not in the renderer: no picture shows an angle's last digits";
+
+pub fn experiment() -> Experiment<'static> {
+    let methods: [(&str, &str, f64, Method); 4] = [
+        ("arc tangent", "", 1.0, Vector3::angle),
+        ("arc cosine", "", 2.0, protocol::angle_by_arc_cosine),
+        ("Kahan's formula", "", 1.0, kahan),
+        ("exact products", WHY_NOT, 0.0, exact_products),
+    ];
+    let curves = move |effort: Effort| {
+        let steps = [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40];
+        let tasks = steps.map(|bits| (bits, Rc::new(tasks(bits, effort))));
+        let curve = |(method, remark, expected, angle): (_, _, _, Method)| Curve {
+            method,
+            remark,
+            slope: Some(Slope {
+                expected,
+                tolerance: 0.05,
+                // Beyond, the arc cosine is 0 or NaN.
+                between: (10.0, 1e6),
+            }),
+            points: tasks
+                .iter()
+                .map(|(bits, tasks)| point(*bits, tasks, angle))
+                .collect(),
+        };
+        methods.map(curve).into()
+    };
+    Experiment {
+        name: "angle",
+        about: "which formula sees small angles?",
+        knob: "1/tangent",
+        work: "angles",
+        error: "of the angle, in shares of it; where there is none, 1",
+        against: Axis::Knob,
+        curves: Box::new(curves),
+    }
+}
+
+/// Two vectors and the angle between them.
+type Task = (Vector3, Vector3, f64);
+
+/// To a vector `a` of whole numbers a perpendicular one is added, multiplied by
+/// a power of two; the quotient of their lengths is the tangent, about
+/// 2^-`bits`. The sum fills 52 binary digits and is exact.
+fn tasks(bits: i32, effort: Effort) -> Vec<Task> {
+    let mut numbers = WholeNumbers::new(1);
+    let digits = (bits - 4).max(5);
+    let mut task = || {
+        let mut vector = |digits: i32| {
+            let mut odd = || 2.0 * numbers.signed(digits as u32) + 1.0;
+            Vector3::new(odd(), odd(), odd())
+        };
+        let (across, a) = loop {
+            let across = vector(44 - digits);
+            let a = across.cross(vector(digits));
+            if a != Vector3::default() {
+                break (across, a);
+            }
+        };
+        let across = across * libm::scalbn(1.0, digits - bits);
+        let tangent = (across.dot(across) / a.dot(a)).sqrt();
+        (a, a + across, libm::atan(tangent))
+    };
+    (0..effort.choose(4096, 65_536)).map(|_| task()).collect()
+}
+
+fn point(bits: i32, tasks: &Rc<Vec<Task>>, angle: Method) -> Point<'static> {
+    let error = |(a, b, exact): &Task| {
+        let error = angle(*a, *b) / exact - 1.0;
+        if error.is_nan() { 1.0 } else { error }
+    };
+    let errors: Vec<_> = tasks.iter().map(error).collect();
+    let tasks = Rc::clone(tasks);
+    let count = tasks.len() as f64;
+    let run = move || tasks.iter().map(|(a, b, _)| angle(*a, *b)).sum();
+    Point::new(libm::scalbn(1.0, bits), count, errors, run)
+}

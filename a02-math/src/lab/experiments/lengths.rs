@@ -1,0 +1,98 @@
+//! Vectors that were halved many times, made to have length 1.
+
+use std::rc::Rc;
+
+use common::Effort;
+use common::experiment::{Axis, Curve, Experiment, Point};
+
+use super::exact::WholeNumbers;
+use crate::Vector3;
+use crate::lab::protocol;
+
+/// What is no direction comes out as the zero vector.
+type Method = fn(Vector3) -> Vector3;
+
+fn ours(v: Vector3) -> Vector3 {
+    v.normalized().unwrap_or_default()
+}
+
+/// The form that takes no short cut for usual lengths.
+fn always_scaled(v: Vector3) -> Vector3 {
+    let largest = v.to_glam().abs().max_element();
+    let scaled = v.to_glam().map(|x| libm::scalbn(x, -libm::ilogb(largest)));
+    Vector3::from_glam(scaled / scaled.length())
+}
+
+const WHY_NOT: &str = "not in the renderer: the same digits at a higher price for usual lengths";
+
+pub fn experiment() -> Experiment<'static> {
+    let methods: [(&str, &str, Method); 3] = [
+        ("ours", "", ours),
+        ("divided by its length", "", protocol::normalized),
+        ("always scaled", WHY_NOT, always_scaled),
+    ];
+    let curves = move |effort: Effort| {
+        let halvings = [1, 10, 100, 500, 510, 520, 530, 540, 600, 1000];
+        let tasks = halvings.map(|halvings| (halvings, Rc::new(tasks(halvings, effort))));
+        let curve = |(method, remark, normalized)| Curve {
+            method,
+            remark,
+            slope: None,
+            points: tasks
+                .iter()
+                .map(|(halvings, tasks)| point(*halvings, tasks, normalized))
+                .collect(),
+        };
+        methods.map(curve).into()
+    };
+    Experiment {
+        name: "normalise",
+        about: "how short may a vector be?",
+        knob: "halvings",
+        work: "vectors",
+        error: "of the direction, by coordinate; where there is none, 1",
+        against: Axis::Knob,
+        curves: Box::new(curves),
+    }
+}
+
+/// Whole numbers whose squares add up to a square: x, y, z and the root.
+const WHOLE: [[f64; 4]; 6] = [
+    [1.0, 2.0, 2.0, 3.0],
+    [2.0, 3.0, 6.0, 7.0],
+    [1.0, 4.0, 8.0, 9.0],
+    [4.0, 4.0, 7.0, 9.0],
+    [2.0, 6.0, 9.0, 11.0],
+    [6.0, 6.0, 7.0, 11.0],
+];
+
+/// A vector and its exact direction.
+type Task = (Vector3, Vector3);
+
+fn tasks(halvings: i32, effort: Effort) -> Vec<Task> {
+    let mut numbers = WholeNumbers::new(2);
+    let mut task = || {
+        let [x, y, z, length] = WHOLE[numbers.signed(20).abs() as usize % WHOLE.len()];
+        let mut signed = |x: f64| x.copysign(numbers.signed(1) - 0.5);
+        let [x, y, z] = [signed(x), signed(y), signed(z)];
+        let stretched = [x, y, z].map(|x| libm::scalbn(x, -halvings));
+        let exact = [x, y, z].map(|x| x / length);
+        (
+            Vector3::from_glam(stretched.into()),
+            Vector3::from_glam(exact.into()),
+        )
+    };
+    (0..effort.choose(4096, 65_536)).map(|_| task()).collect()
+}
+
+fn point(halvings: i32, tasks: &Rc<Vec<Task>>, normalized: Method) -> Point<'static> {
+    let errors = |(v, exact): &Task| {
+        let error = (normalized(*v) - *exact).to_glam().to_array();
+        error.map(|error| if error.is_finite() { error } else { 1.0 })
+    };
+    let errors: Vec<_> = tasks.iter().flat_map(errors).collect();
+    let tasks = Rc::clone(tasks);
+    let count = tasks.len() as f64;
+    let run = move || tasks.iter().map(|(v, _)| normalized(*v).x()).sum();
+    Point::new(halvings.into(), count, errors, run)
+}

@@ -1,0 +1,145 @@
+//! Three equations with three unknowns, from easy to nearly unsolvable.
+
+use std::rc::Rc;
+
+use common::Effort;
+use common::experiment::{Axis, Curve, Experiment, Point, Slope};
+
+use super::exact::{WholeNumbers, sum_of_products};
+use crate::lab::protocol;
+use crate::{Direction, Mat3x3, Vector3};
+
+type Method = fn(Mat3x3, Vector3) -> Vector3;
+
+/// Elimination, the largest number of a column being the pivot.
+fn eliminated(m: Mat3x3, b: Vector3) -> Vector3 {
+    let ([x, y, z], b) = (rows(m), b.to_glam().to_array());
+    let mut rows = [x, y, z].map(|[p, q, r]| [p, q, r, 0.0]);
+    for (row, b) in rows.iter_mut().zip(b) {
+        row[3] = b;
+    }
+    for column in 0..3 {
+        for below in column + 1..3 {
+            if rows[below][column].abs() > rows[column][column].abs() {
+                rows.swap(below, column);
+            }
+        }
+        let pivot = rows[column];
+        for row in &mut rows[column + 1..] {
+            let factor = row[column] / pivot[column];
+            for (number, above) in row.iter_mut().zip(pivot) {
+                *number -= factor * above;
+            }
+        }
+    }
+    let z = rows[2][3] / rows[2][2];
+    let y = (rows[1][3] - rows[1][2] * z) / rows[1][1];
+    let x = (rows[0][3] - rows[0][1] * y - rows[0][2] * z) / rows[0][0];
+    Vector3::new(x, y, z)
+}
+
+/// Cramer's rule, mended by what it leaves over: the rest is computed from
+/// exact products, and solved for, until nothing is left to mend.
+pub fn refined(m: Mat3x3, b: Vector3) -> Vector3 {
+    let mut x = protocol::cramer(m, b);
+    for _ in 0..4 {
+        let [p, q, r] = rows(m);
+        let rest = |[p, q, r]: [f64; 3], b| {
+            sum_of_products(&[(b, 1.0), (-p, x.x()), (-q, x.y()), (-r, x.z())])
+        };
+        let rest = Vector3::new(rest(p, b.x()), rest(q, b.y()), rest(r, b.z()));
+        x = x + protocol::cramer(m, rest);
+    }
+    x
+}
+
+fn rows(m: Mat3x3) -> [[f64; 3]; 3] {
+    let column = |i: usize| {
+        let unit = [0, 1, 2].map(|j| if i == j { 1.0 } else { 0.0 });
+        (m * Vector3::from_glam(unit.into())).to_glam().to_array()
+    };
+    let [x, y, z] = [column(0), column(1), column(2)];
+    [0, 1, 2].map(|row| [x[row], y[row], z[row]])
+}
+
+const WHY_NOT: &str =
+    "not in the renderer: solving four times more for digits that no picture needs";
+
+pub fn experiment() -> Experiment<'static> {
+    let methods: [(&str, &str, Option<f64>, Method); 3] = [
+        ("Cramer's rule", "", Some(1.0), protocol::cramer),
+        ("elimination", "", Some(1.0), eliminated),
+        ("Cramer's rule, mended", WHY_NOT, None, refined),
+    ];
+    let curves = move |effort: Effort| {
+        let steps = [0, 5, 10, 15, 20, 25, 30, 35, 40];
+        let tasks = steps.map(|bits| (bits, Rc::new(tasks(bits, effort))));
+        let curve = |(method, remark, expected, solve): (_, _, Option<f64>, Method)| Curve {
+            method,
+            remark,
+            slope: expected.map(|expected| Slope {
+                expected,
+                tolerance: 0.05,
+                between: (1e3, 1e12),
+            }),
+            points: tasks
+                .iter()
+                .map(|(bits, tasks)| point(*bits, tasks, solve))
+                .collect(),
+        };
+        methods.map(curve).into()
+    };
+    Experiment {
+        name: "linear-systems",
+        about: "how flat may three columns be?",
+        knob: "condition",
+        work: "systems",
+        error: "of an unknown, all of them being -1, 1 or 3",
+        against: Axis::Knob,
+        curves: Box::new(curves),
+    }
+}
+
+/// A matrix, a right side, and the solution.
+type Task = (Mat3x3, Vector3, Vector3);
+
+/// Columns of whole numbers below 2^26, of which the third is the sum of the
+/// others but for numbers that are smaller by a power of two. Right sides add
+/// up without rounding.
+fn tasks(bits: i32, effort: Effort) -> Vec<Task> {
+    let mut numbers = WholeNumbers::new(3);
+    let mut task = || {
+        let mut column = || {
+            let mut number = || numbers.signed(24);
+            Vector3::new(number(), number(), number())
+        };
+        let (a, b, rest) = loop {
+            let (a, b, rest) = (column(), column(), column());
+            let volume = a.cross(b).dot(rest);
+            // Directions that are nearly flat already would blur the condition.
+            if volume.abs() > 0.3 * a.magnitude() * b.magnitude() * rest.magnitude() {
+                break (a, b, rest);
+            }
+        };
+        // Cut off 20 digits behind the point, so that sums are exact.
+        let cut = |x: f64| libm::scalbn(libm::scalbn(x, 20 - bits).round(), -20);
+        let c = a + b + Vector3::from_glam(rest.to_glam().map(cut));
+        let mut unknown = || 2.0 * numbers.signed(1) + 1.0;
+        let x = Vector3::new(unknown(), unknown(), unknown());
+        let m = Mat3x3::IDENTITY
+            .change_col_1(a)
+            .change_col_2(b)
+            .change_col_3(c);
+        (m, m * x, x)
+    };
+    (0..effort.choose(4096, 65_536)).map(|_| task()).collect()
+}
+
+fn point(bits: i32, tasks: &Rc<Vec<Task>>, solve: Method) -> Point<'static> {
+    let errors = |(m, b, x): &Task| (solve(*m, *b) - *x).to_glam().to_array();
+    let errors: Vec<_> = tasks.iter().flat_map(errors).collect();
+    let tasks = Rc::clone(tasks);
+    let count = tasks.len() as f64;
+    let run = move || tasks.iter().map(|(m, b, _)| solve(*m, *b).x()).sum();
+    Point::new(libm::scalbn(1.0, bits), count, errors, run)
+}

@@ -1,0 +1,8 @@
+//! The laboratory: what measures the lesson of this stage, and is no part of it.
+
+mod exact;
+pub mod experiments;
+pub mod extremes;
+#[doc(hidden)]
+pub mod protocol;
+mod real;

@@ -1,0 +1,138 @@
+//! Box tests for rays that aim at faces, edges and corners.
+
+use std::rc::Rc;
+
+use a02_math::Point3;
+use a03_rays_cameras::Ray;
+use common::Effort;
+use common::experiment::{Axis, Curve, Experiment, Point};
+
+use super::Numbers;
+use crate::lab::protocol::{self, Compared};
+use crate::{AxisAlignedBox, Geometry, Interval};
+
+/// The corners of the box: numbers that no double holds exactly.
+pub const LBF: Point3 = Point3::new(0.1, 0.2, 0.3);
+/// The opposite corner.
+pub const RUN: Point3 = Point3::new(0.7, 1.1, 0.9);
+
+/// A ray at a point of the box that it sees.
+pub struct Aimed {
+    /// From beyond the right, upper, near corner.
+    pub ray: Ray,
+    /// How far away the point is.
+    pub distance: f64,
+}
+
+/// The `n`-th ray at a point of as many faces at once as `faces` says: 1 for a
+/// point within a face, 2 for one on an edge, 3 for a corner.
+pub fn aimed(faces: usize, n: usize) -> Aimed {
+    let mut numbers = Numbers::new(21, n);
+    let eye = RUN + numbers.triple(0.5, 3.0);
+    let (low, high) = (LBF.to_glam().to_array(), RUN.to_glam().to_array());
+    let seen = numbers.below(3);
+    let at_border = (seen + 1 + numbers.below(2)) % 3;
+    let aim: [f64; 3] = std::array::from_fn(|axis| {
+        if axis == seen {
+            high[axis]
+        } else if faces == 3 || (faces == 2 && axis == at_border) {
+            [low, high][numbers.below(2)][axis]
+        } else {
+            numbers.between(low[axis], high[axis])
+        }
+    });
+    let way = Point3::from_glam(aim.into()) - eye;
+    let distance = way.magnitude();
+    Aimed {
+        ray: Ray::derived(eye, way * (1.0 / distance)),
+        distance,
+    }
+}
+
+impl Aimed {
+    /// Whether an answer is no hit, or one elsewhere: on the far side, say.
+    pub fn is_wrong(&self, t: Option<f64>) -> bool {
+        t.is_none_or(|t| (t - self.distance).abs() > 1e-9)
+    }
+}
+
+/// The protocol's box, comparing all coordinates.
+pub fn three(ray: &Ray) -> Option<f64> {
+    protocol::axis_aligned_box(LBF, RUN, ray, Compared::Three)
+}
+
+/// The protocol's box, comparing two coordinates.
+pub fn two(ray: &Ray) -> Option<f64> {
+    protocol::axis_aligned_box(LBF, RUN, ray, Compared::Two)
+}
+
+/// Slabs as most write them first: no margin for rounding, and NaN for a ray
+/// within the plane of a face.
+pub fn slabs(lbf: Point3, run: Point3, ray: &Ray) -> Option<f64> {
+    let [low, high, o] = [lbf, run, ray.origin()].map(|p| p.to_glam().to_array());
+    let d = ray.direction().to_glam().to_array();
+    let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
+    for axis in 0..3 {
+        let inverse = 1.0 / d[axis];
+        let a = (low[axis] - o[axis]) * inverse;
+        let b = (high[axis] - o[axis]) * inverse;
+        near = near.max(a.min(b));
+        far = far.min(a.max(b));
+    }
+    if near > far || far < 0.0 {
+        None
+    } else {
+        Some(if near >= 0.0 { near } else { far })
+    }
+}
+
+fn curve(
+    method: &'static str,
+    aims: &[Rc<Vec<Aimed>>],
+    formula: impl Fn(&Ray) -> Option<f64> + Clone + 'static,
+) -> Curve<'static> {
+    let point = |(before, rays): (usize, &Rc<Vec<Aimed>>)| {
+        let wrong = |aimed: &Aimed| f64::from(u8::from(aimed.is_wrong(formula(&aimed.ray))));
+        let (tests, errors) = (rays.len() as f64, rays.iter().map(wrong));
+        let (formula, rays) = (formula.clone(), Rc::clone(rays));
+        let run = move || rays.iter().filter_map(|aimed| formula(&aimed.ray)).sum();
+        Point::new((before + 1) as f64, tests, errors, run)
+    };
+    Curve {
+        method,
+        remark: "",
+        slope: None,
+        points: aims.iter().enumerate().map(point).collect(),
+    }
+}
+
+fn curves(effort: Effort) -> Vec<Curve<'static>> {
+    let count = effort.choose(4096, 65_536);
+    let aim = |faces| Rc::new((0..count).map(|n| aimed(faces, n)).collect());
+    let aims: [Rc<Vec<Aimed>>; 3] = [1, 2, 3].map(aim);
+    // The arguments are constants that the constructor accepts.
+    let ours = AxisAlignedBox::new(LBF, RUN).ok();
+    let ours = move |ray: &Ray| ours?.hit(ray, Interval::AHEAD).map(|hit| hit.t);
+    vec![
+        curve("protocol (three)", &aims, three),
+        curve("protocol (two)", &aims, two),
+        curve("naive slabs", &aims, |ray| slabs(LBF, RUN, ray)),
+        Curve {
+            remark: "also says which face was met, for the normal",
+            ..curve("slabs (ours)", &aims, ours)
+        },
+    ]
+}
+
+/// Box tests against where rays aim.
+pub fn experiment() -> Experiment<'static> {
+    Experiment {
+        name: "box-aimed",
+        about: "who loses rays at the edges and corners of a box?",
+        knob: "faces aimed at",
+        work: "tests",
+        error: "1 for each miss or wrong face: rms is the root of the share of wrong answers",
+        against: Axis::Knob,
+        curves: Box::new(curves),
+    }
+}

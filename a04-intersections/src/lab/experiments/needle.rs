@@ -1,0 +1,245 @@
+//! Triangle tests on thinner and thinner triangles.
+
+use std::rc::Rc;
+
+use a02_math::{Direction, Point3};
+use a03_rays_cameras::Ray;
+use common::Effort;
+use common::experiment::{Axis, Curve, Experiment, Point, Slope};
+
+use super::{Numbers, slope};
+use crate::lab::{exact, protocol};
+
+/// A triangle and rays towards it.
+pub struct Needle {
+    /// Its corners.
+    pub corners: [Point3; 3],
+    /// Half of them meet it, far from grazing.
+    pub rays: Vec<Ray>,
+}
+
+/// Sixteen triangles of this ratio of length to height, in all positions, and
+/// rays from 2 to 5 lengths away.
+pub fn needles(aspect: f64, rays: usize) -> Vec<Needle> {
+    (0..16).map(|n| needle(n, aspect, rays / 16)).collect()
+}
+
+fn needle(n: usize, aspect: f64, rays: usize) -> Needle {
+    let mut numbers = Numbers::new(13, n);
+    let [along, across] = numbers.perpendicular();
+    let a = Point3::ORIGIN + numbers.triple(-1.0, 1.0);
+    let middle = along * numbers.between(0.3, 0.7);
+    let corners = [a, a + along, a + middle + across * (1.0 / aspect)];
+    let ray = |m| {
+        let mut numbers = Numbers::new(14 + n as u64, m);
+        let (beta, gamma) = (numbers.between(0.0, 1.0), numbers.between(0.0, 1.0));
+        let aim = along * beta + (middle + across * (1.0 / aspect)) * gamma;
+        let slanted = along.cross(across) + numbers.triple(-0.5, 0.5);
+        let back = slanted * numbers.between(2.0, 5.0);
+        let (origin, way) = (a + aim + back, -back);
+        Ray::derived(origin, way * (1.0 / way.magnitude()))
+    };
+    Needle {
+        corners,
+        rays: (0..rays).map(ray).collect(),
+    }
+}
+
+/// The relative errors of `t` for all rays whose exact barycentric coordinates
+/// are not near 0. A miss counts as 1.
+pub fn errors(needle: &Needle, formula: impl Fn(&[Point3; 3], &Ray) -> Option<f64>) -> Vec<f64> {
+    let corners = needle.corners.map(|corner| corner.to_glam().to_array());
+    let error = |ray: &Ray| {
+        let [o, d] = [ray.origin().to_glam(), ray.direction().to_glam()];
+        let [t, beta, gamma] = exact::triangle(&corners, &o.to_array(), &d.to_array());
+        let [beta, gamma] = [beta.value(), gamma.value()];
+        let least = beta.min(gamma).min(1.0 - beta - gamma);
+        let found = formula(&needle.corners, ray);
+        (least > 0.05).then(|| found.map_or(1.0, |found| t.error_of(found) / t.value()))
+    };
+    needle.rays.iter().filter_map(error).collect()
+}
+
+/// The test of Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle
+/// Intersection", 1997.
+fn moeller_trumbore(&[a, b, c]: &[Point3; 3], ray: &Ray) -> Option<f64> {
+    let (ab, ac) = (b - a, c - a);
+    let across = ray.direction().cross(ac);
+    let determinant = ab.dot(across);
+    if determinant == 0.0 {
+        return None;
+    }
+    let from_a = ray.origin() - a;
+    let beta = from_a.dot(across) / determinant;
+    if !(0.0..=1.0).contains(&beta) {
+        return None;
+    }
+    let moment = from_a.cross(ab);
+    let gamma = ray.direction().dot(moment) / determinant;
+    if gamma < 0.0 || beta + gamma > 1.0 {
+        return None;
+    }
+    let t = ac.dot(moment) / determinant;
+    (t > 0.0).then_some(t)
+}
+
+/// The test of the renderer without the normal, given a way to compute
+/// `a b - c d`.
+fn woop(
+    corners: &[Point3; 3],
+    ray: &Ray,
+    difference_of_products: impl Fn(f64, f64, f64, f64) -> f64,
+) -> Option<f64> {
+    let d = ray.direction().to_glam();
+    let z = d.abs().max_position();
+    let (x, y) = ((z + 1) % 3, (z + 2) % 3);
+    let (shear_x, shear_y, scale_z) = (d[x] / d[z], d[y] / d[z], 1.0 / d[z]);
+    let [a, b, c] = corners.map(|corner| {
+        let from_origin = (corner - ray.origin()).to_glam();
+        let depth = from_origin[z];
+        [
+            from_origin[x] - shear_x * depth,
+            from_origin[y] - shear_y * depth,
+            scale_z * depth,
+        ]
+    });
+    let u = difference_of_products(c[0], b[1], c[1], b[0]);
+    let v = difference_of_products(a[0], c[1], a[1], c[0]);
+    let w = difference_of_products(b[0], a[1], b[1], a[0]);
+    if (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0) {
+        return None;
+    }
+    let determinant = u + v + w;
+    if determinant == 0.0 {
+        return None;
+    }
+    let t = (u * a[2] + v * b[2] + w * c[2]) / determinant;
+    (t > 0.0).then_some(t)
+}
+
+/// The renderer's test.
+pub fn plain(corners: &[Point3; 3], ray: &Ray) -> Option<f64> {
+    woop(corners, ray, |a, b, c, d| a * b - c * d)
+}
+
+/// The same with Kahan's difference of products, which is right to 1.5 units in
+/// the last place (Jeannerod, Louvet and Muller, 2013).
+#[allow(
+    clippy::disallowed_methods,
+    reason = "one rounding instead of two is what the method lives on"
+)]
+pub fn compensated(corners: &[Point3; 3], ray: &Ray) -> Option<f64> {
+    woop(corners, ray, |a, b, c, d| {
+        let product = c * d;
+        let lost = (-c).mul_add(d, product);
+        a.mul_add(b, -product) + lost
+    })
+}
+
+/// The aspect ratios and their triangles.
+type Views = Vec<(f64, Rc<Vec<Needle>>)>;
+
+fn curve(
+    method: &'static str,
+    views: &Views,
+    slope: Option<Slope>,
+    formula: impl Fn(&[Point3; 3], &Ray) -> Option<f64> + Copy + 'static,
+) -> Curve<'static> {
+    let point = |(aspect, needles): &(f64, Rc<Vec<Needle>>)| {
+        let errors = needles.iter().flat_map(|needle| errors(needle, formula));
+        let errors: Vec<_> = errors.collect();
+        let needles = Rc::clone(needles);
+        let tests = needles
+            .iter()
+            .map(|needle| needle.rays.len())
+            .sum::<usize>();
+        let run = move || {
+            let mut sum = 0.0;
+            for needle in needles.iter() {
+                for ray in &needle.rays {
+                    sum += formula(&needle.corners, ray).unwrap_or(0.0);
+                }
+            }
+            sum
+        };
+        Point::new(*aspect, tests as f64, errors, run)
+    };
+    Curve {
+        method,
+        remark: "",
+        slope,
+        points: views.iter().map(point).collect(),
+    }
+}
+
+fn curves(effort: Effort) -> Vec<Curve<'static>> {
+    let rays = effort.choose(4096, 65_536);
+    let aspects = (0..=9).map(|power| libm::pow(8.0, power.into()));
+    let views = aspects
+        .map(|aspect| (aspect, Rc::new(needles(aspect, rays))))
+        .collect();
+    let thin = (64.0, 2e8);
+    vec![
+        curve(
+            "Cramer (protocol)",
+            &views,
+            Some(slope(1.0, thin)),
+            protocol::triangle,
+        ),
+        curve(
+            "Moeller-Trumbore",
+            &views,
+            Some(slope(1.0, thin)),
+            moeller_trumbore,
+        ),
+        Curve {
+            remark: "dearer than the others, but loses no ray between two triangles: \
+                     see the extreme cases",
+            ..curve("Woop (ours)", &views, None, plain)
+        },
+        Curve {
+            remark: "not in the renderer: only needles need it, and a build for any processor \
+                     computes fused multiply-add by a function call",
+            ..curve(
+                "Woop (compensated)",
+                &views,
+                Some(slope(0.0, thin)),
+                compensated,
+            )
+        },
+    ]
+}
+
+/// Triangle tests against the ratio of length to height.
+pub fn experiment() -> Experiment<'static> {
+    Experiment {
+        name: "triangle-needle",
+        about: "how thin may a triangle be?",
+        knob: "aspect ratio",
+        work: "tests",
+        error: "of t, relative, against 30 digits, away from the edges; half of the rays hit",
+        against: Axis::Knob,
+        curves: Box::new(curves),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Geometry, Interval, Triangle};
+
+    #[test]
+    fn the_plain_test_is_that_of_the_renderer() {
+        let mut hits = 0;
+        for needle in needles(1.0, 512) {
+            let [a, b, c] = needle.corners;
+            let triangle = Triangle::new(a, b, c).unwrap();
+            for ray in &needle.rays {
+                let ours = triangle.hit(ray, Interval::AHEAD).map(|hit| hit.t);
+                assert_eq!(plain(&needle.corners, ray), ours);
+                hits += u32::from(ours.is_some());
+            }
+        }
+        assert!((150..350).contains(&hits), "{hits}");
+    }
+}

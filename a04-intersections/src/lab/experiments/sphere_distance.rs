@@ -1,0 +1,259 @@
+//! How far the formulas for the sphere carry: seen from afar, and huge.
+
+use std::rc::Rc;
+
+use a02_math::Vector3;
+use common::Effort;
+use common::experiment::{Axis, Curve, Experiment, Point, Slope};
+
+use super::{Numbers, pair, slope};
+use crate::lab::real::{Real, difference, dot};
+use crate::lab::{exact, protocol};
+
+/// A sphere and rays towards it.
+pub struct View<F> {
+    /// Its centre.
+    pub c: [F; 3],
+    /// Its radius.
+    pub r: F,
+    /// Origins and directions.
+    pub rays: Vec<[[F; 3]; 2]>,
+}
+
+/// The formula of the renderer, in either precision.
+pub fn stable<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> Option<F> {
+    let f = difference(o, c);
+    stable_roots(&f, r, d, dot(&f, &f) - r * r)
+}
+
+/// The same, with `f · f - r²` to twice as many digits: near a huge sphere this
+/// subtracts two huge numbers (Ogita, Rump and Oishi, "Accurate Sum and Dot
+/// Product", 2005).
+fn compensated(c: &[f64; 3], r: f64, o: &[f64; 3], d: &[f64; 3]) -> Option<f64> {
+    let (square, mut error) = exact::product_with_error(r, r);
+    let mut power = -square;
+    error = -error;
+    let mut f = [0.0; 3];
+    for axis in 0..3 {
+        let (high, low) = exact::sum_with_error(o[axis], -c[axis]);
+        let (square, lost) = exact::product_with_error(high, high);
+        let (sum, lost_too) = exact::sum_with_error(power, square);
+        error += lost + lost_too + 2.0 * high * low;
+        power = sum;
+        f[axis] = high;
+    }
+    stable_roots(&f, r, d, power + error)
+}
+
+/// The least positive root, given `power` = `f · f - r²`.
+fn stable_roots<F: Real>(f: &[F; 3], r: F, d: &[F; 3], power: F) -> Option<F> {
+    let (zero, a) = (F::from(0.0), dot(d, d));
+    let middle = -dot(f, d) / a;
+    let l = [
+        f[0] + d[0] * middle,
+        f[1] + d[1] * middle,
+        f[2] + d[2] * middle,
+    ];
+    let discriminant = r * r - dot(&l, &l);
+    if discriminant < zero {
+        return None;
+    }
+    let t1 = middle + (discriminant / a).sqrt().copysign(middle);
+    let t0 = power / (a * t1);
+    let (near, far) = if t0 < t1 { (t0, t1) } else { (t1, t0) };
+    [near, far].into_iter().find(|t| *t > zero)
+}
+
+/// The unit sphere at the origin and rays from all around, at a distance, that
+/// aim at a disc of 1.2 radii.
+pub fn view_from<F: Real>(distance: f64, rays: usize) -> View<F> {
+    let ray = |n| {
+        let mut numbers = Numbers::new(11, n);
+        let [back, aside] = numbers.perpendicular();
+        let o = back * distance;
+        let d = aside * (1.2 * numbers.between(0.0, 1.0).sqrt()) - o;
+        pair(o, d * (1.0 / d.magnitude())).map(|triple| triple.map(F::rounded))
+    };
+    View {
+        c: [F::from(0.0); 3],
+        r: F::from(1.0),
+        rays: (0..rays).map(ray).collect(),
+    }
+}
+
+/// A sphere of this radius whose top is the origin, as a ground, and rays from
+/// one to two units above it, three of four of them downwards.
+fn view_of_ground<F: Real>(radius: f64, rays: usize) -> View<F> {
+    let ray = |n| {
+        let mut numbers = Numbers::new(12, n);
+        let o = numbers.triple(-1.0, 1.0);
+        let o = Vector3::new(o.x(), numbers.between(1.0, 2.0), o.z());
+        let down = if numbers.below(4) == 0 { 1.0 } else { -1.0 };
+        let d = Vector3::new(numbers.between(-0.5, 0.5), down, numbers.between(-0.5, 0.5));
+        pair(o, d * (1.0 / d.magnitude())).map(|triple| triple.map(F::rounded))
+    };
+    View {
+        c: [0.0, -radius, 0.0].map(F::rounded),
+        r: F::rounded(radius),
+        rays: (0..rays).map(ray).collect(),
+    }
+}
+
+/// The errors of `t` for all rays that meet the sphere not too near its rim,
+/// where rounding of the ray itself would count. A miss counts as 1.
+fn errors<F: Real>(
+    view: &View<F>,
+    formula: impl Fn(&[F; 3], F, &[F; 3], &[F; 3]) -> Option<F>,
+) -> Vec<f64> {
+    let (c, r) = (view.c.map(Into::into), view.r.into());
+    let error = |[o, d]: &[[F; 3]; 2]| {
+        let exact = exact::sphere(&c, r, &o.map(Into::into), &d.map(Into::into));
+        let [near, _] = exact.roots?;
+        let counts = exact.distance < 0.9 * r && near.value() > 0.0;
+        let found = formula(&view.c, view.r, o, d);
+        counts.then(|| found.map_or(1.0, |t| near.error_of(t.into())))
+    };
+    view.rays.iter().filter_map(error).collect()
+}
+
+/// What is measured of one precision: the knobs and their views.
+type Views<F> = Vec<(f64, Rc<View<F>>)>;
+
+fn views<F: Real>(view: fn(f64, usize) -> View<F>, count: i32, effort: Effort) -> Views<F> {
+    let rays = effort.choose(4096, 65_536);
+    let knobs = (1..=count).map(|power| libm::pow(8.0, power.into()));
+    knobs
+        .map(|knob| (knob, Rc::new(view(knob, rays))))
+        .collect()
+}
+
+fn curve<F: Real + 'static>(
+    method: &'static str,
+    views: &Views<F>,
+    slope: Slope,
+    formula: impl Fn(&[F; 3], F, &[F; 3], &[F; 3]) -> Option<F> + Copy + 'static,
+) -> Curve<'static> {
+    let point = |(knob, view): &(f64, Rc<View<F>>)| {
+        let (errors, view) = (errors(view, formula), Rc::clone(view));
+        let rays = view.rays.len() as f64;
+        let run = move || {
+            let mut sum = F::from(0.0);
+            for [o, d] in &view.rays {
+                if let Some(t) = formula(&view.c, view.r, o, d) {
+                    sum = sum + t;
+                }
+            }
+            sum.into()
+        };
+        Point::new(*knob, rays, errors, run)
+    };
+    Curve {
+        method,
+        remark: "",
+        slope: Some(slope),
+        points: views.iter().map(point).collect(),
+    }
+}
+
+/// The remark on the formula that is too exact to be worth it.
+const TOO_EXACT: &str = "not in the renderer: it pays only near a sphere so huge that a plane is \
+     cheaper, and from afar its digits are lost in t itself; without the processor's fused \
+     multiply-add, as here by default, it is dearer than it must be";
+
+/// A unit sphere, farther and farther away.
+pub fn far() -> Experiment<'static> {
+    Experiment {
+        name: "sphere-far",
+        about: "how far away may a sphere of radius 1 be?",
+        knob: "distance",
+        work: "rays",
+        error: "of t in radii, against 30 digits; a miss counts as 1; seven of ten rays hit",
+        against: Axis::Knob,
+        curves: Box::new(|effort| {
+            let doubles = views::<f64>(view_from, 10, effort);
+            let singles = views::<f32>(view_from, 3, effort);
+            let (until_lost, everywhere) = ((8.0, 2e7), (8.0, 2e9));
+            vec![
+                curve(
+                    "protocol",
+                    &doubles,
+                    slope(2.0, until_lost),
+                    protocol::sphere,
+                ),
+                curve("stable (ours)", &doubles, slope(1.0, everywhere), stable),
+                Curve {
+                    remark: TOO_EXACT,
+                    ..curve("compensated", &doubles, slope(1.0, everywhere), compensated)
+                },
+                curve(
+                    "protocol (single)",
+                    &singles,
+                    slope(2.0, (8.0, 512.0)),
+                    protocol::sphere,
+                ),
+                curve(
+                    "stable (single)",
+                    &singles,
+                    slope(1.0, (8.0, 512.0)),
+                    stable,
+                ),
+            ]
+        }),
+    }
+}
+
+/// A sphere as a ground, larger and larger.
+pub fn near() -> Experiment<'static> {
+    Experiment {
+        name: "sphere-near",
+        about: "how large may a sphere be whose surface is near the eye?",
+        knob: "radius",
+        work: "rays",
+        error: "of t in heights of the eye, against 30 digits; three of four rays hit",
+        against: Axis::Knob,
+        curves: Box::new(|effort| {
+            let doubles = views::<f64>(view_of_ground, 10, effort);
+            let singles = views::<f32>(view_of_ground, 6, effort);
+            let (single, double) = ((64.0, 3e5), (64.0, 2e9));
+            vec![
+                curve("protocol", &doubles, slope(1.0, double), protocol::sphere),
+                curve("stable (ours)", &doubles, slope(1.0, double), stable),
+                Curve {
+                    remark: TOO_EXACT,
+                    ..curve("compensated", &doubles, slope(0.0, double), compensated)
+                },
+                curve(
+                    "protocol (single)",
+                    &singles,
+                    slope(1.0, single),
+                    protocol::sphere,
+                ),
+                curve("stable (single)", &singles, slope(1.0, single), stable),
+            ]
+        }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use a02_math::Point3;
+    use a03_rays_cameras::Ray;
+
+    use super::*;
+    use crate::{Geometry, Interval, Sphere};
+
+    #[test]
+    fn the_stable_formula_is_that_of_the_renderer() {
+        let sphere = Sphere::new(Point3::ORIGIN, 1.0).unwrap();
+        let view = view_from::<f64>(64.0, 1000);
+        let mut hits = 0;
+        for [o, d] in &view.rays {
+            let [origin, direction] = [o, d].map(|v| Vector3::from_glam((*v).into()));
+            let ray = Ray::derived(Point3::ORIGIN + origin, direction);
+            let ours = sphere.hit(&ray, Interval::AHEAD).map(|hit| hit.t);
+            assert_eq!(stable(&view.c, view.r, o, d), ours);
+            hits += u32::from(ours.is_some());
+        }
+        assert!((600..800).contains(&hits), "{hits}");
+    }
+}

@@ -1,0 +1,182 @@
+//! Rays that slip through between triangles, or past the edges of a box.
+
+use a02_math::{Point3, Vector3};
+use a03_rays_cameras::Ray;
+use common::extremes::Protocol::{Fails, Holds};
+use common::extremes::{Bound, Case, Protocol};
+use common::{ArgumentError, Effort};
+
+use super::first;
+use crate::lab::experiments::Numbers;
+use crate::lab::experiments::aimed_box::{self, Aimed, LBF, RUN, aimed};
+use crate::lab::experiments::icosphere::Mesh;
+use crate::{AxisAlignedBox, Triangle, protocol};
+
+/// A closed surface of 320 triangles whose corners are 1 to 2 away from its
+/// middle, so that no two are alike.
+#[derive(Clone)]
+struct Hull {
+    middle: Point3,
+    corners: Vec<[Point3; 3]>,
+    triangles: Vec<Triangle>,
+}
+
+/// Where a ray out of the hull aims.
+#[derive(Clone, Copy, Debug)]
+enum Aim {
+    Anywhere,
+    Corner,
+    Edge,
+    MiddleOfEdge,
+}
+
+impl Hull {
+    fn new(middle: Point3) -> Result<Self, ArgumentError> {
+        let mesh = Mesh::icosphere(2);
+        let move_out =
+            |(n, way): (usize, &Vector3)| middle + *way * Numbers::new(51, n).between(1.0, 2.0);
+        let places: Vec<_> = mesh.corners.iter().enumerate().map(move_out).collect();
+        let faces = mesh
+            .faces
+            .iter()
+            .map(|face| face.map(|corner| places[corner]));
+        let corners: Vec<[Point3; 3]> = faces.collect();
+        let triangles = corners.iter().map(|&[a, b, c]| Triangle::new(a, b, c));
+        Ok(Self {
+            middle,
+            triangles: triangles.collect::<Result<_, _>>()?,
+            corners,
+        })
+    }
+
+    /// The `n`-th ray from near the middle, from where all triangles are seen.
+    fn ray(&self, aim: Aim, n: usize) -> Result<Ray, ArgumentError> {
+        let mut numbers = Numbers::new(52, n);
+        let eye = self.middle + numbers.triple(-0.1, 0.1);
+        let face = self.corners[numbers.below(self.corners.len())];
+        let side = numbers.below(3);
+        let (from, to) = (face[side], face[(side + 1) % 3]);
+        let share = match aim {
+            Aim::Anywhere => return Ray::new(eye, numbers.direction()),
+            Aim::Corner => 0.0,
+            Aim::Edge => numbers.between(0.0, 1.0),
+            Aim::MiddleOfEdge => 0.5,
+        };
+        Ray::new(eye, from + (to - from) * share - eye)
+    }
+
+    /// How many of so many rays get out.
+    fn leaks(
+        &self,
+        aim: Aim,
+        rays: usize,
+        is_hit: impl Fn(&Self, &Ray) -> bool,
+    ) -> Result<usize, ArgumentError> {
+        let out = |n| Ok(usize::from(!is_hit(self, &self.ray(aim, n)?)));
+        (0..rays).map(out).sum()
+    }
+
+    fn ours(&self, ray: &Ray) -> bool {
+        self.triangles
+            .iter()
+            .any(|triangle| first(triangle, ray).is_some())
+    }
+
+    fn theirs(&self, ray: &Ray) -> bool {
+        self.corners
+            .iter()
+            .any(|corners| protocol::triangle(corners, ray).is_some())
+    }
+}
+
+/// Far from the origin, where coordinates are coarse: where Embree tests.
+const FAR: Point3 = Point3::new(148_376.0, 1_234.0, -223_423.0);
+const VERY_FAR: Point3 = Point3::new(1e9, -1e9, 1e9);
+
+fn leaks(id: &'static str, middle: Point3, aim: Aim, rays: usize, says: Protocol) -> Case {
+    let hull = Hull::new(middle);
+    let count = |is_hit: fn(&Hull, &Ray) -> bool| hull.clone()?.leaks(aim, rays, is_hit);
+    let place = if middle == Point3::ORIGIN {
+        ""
+    } else {
+        " far from the origin"
+    };
+    let at = match aim {
+        Aim::Anywhere => "anywhere, which proves nothing",
+        Aim::Corner => "at corners",
+        Aim::Edge => "at edges",
+        Aim::MiddleOfEdge => "at the middles of edges",
+    };
+    let what = format!("a closed mesh{place}, {rays} rays {at}: rays that get out");
+    Case::new(id, what, 0.0, Bound::Equal, count(Hull::ours)).protocol(says, count(Hull::theirs))
+}
+
+/// Three places, three aims.
+fn million(rays: usize) -> Case {
+    let mut all = 0;
+    let mut count = || -> Result<usize, ArgumentError> {
+        let mut out = 0;
+        for middle in [Point3::ORIGIN, FAR, VERY_FAR] {
+            let hull = Hull::new(middle)?;
+            for aim in [Aim::Corner, Aim::Edge, Aim::MiddleOfEdge] {
+                out += hull.leaks(aim, rays, Hull::ours)?;
+                all += rays;
+            }
+        }
+        Ok(out)
+    };
+    let out = count();
+    let what = format!(
+        "closed meshes at three places, {all} rays at corners and edges: rays that get out"
+    );
+    Case::new("S05", what, 0.0, Bound::Equal, out)
+}
+
+/// Where a ray meets the box.
+type Formula = fn(&Ray) -> Option<f64>;
+
+/// The box, by the protocol's three coordinates, its two, and naive slabs.
+fn box_rows(ids: [&'static str; 3], faces: usize, rays: usize, says: [Protocol; 3]) -> [Case; 3] {
+    let count = |t: Formula| {
+        let wrong = |aimed: &Aimed| aimed.is_wrong(t(&aimed.ray));
+        (0..rays).map(|n| aimed(faces, n)).filter(wrong).count()
+    };
+    let ours = AxisAlignedBox::new(LBF, RUN).map(|aab| {
+        let wrong = |aimed: &Aimed| aimed.is_wrong(first(&aab, &aimed.ray));
+        (0..rays).map(|n| aimed(faces, n)).filter(wrong).count()
+    });
+    let aim = ["", "a face", "an edge", "a corner"][faces];
+    let theirs: [(&str, Formula); 3] = [
+        ("three coordinates compared", aimed_box::three),
+        ("two coordinates compared", aimed_box::two),
+        ("naive slabs", |ray| aimed_box::slabs(LBF, RUN, ray)),
+    ];
+    std::array::from_fn(|i| {
+        let (name, formula) = theirs[i];
+        let what = format!("a box, {rays} rays at {aim}: lost or met elsewhere; {name}");
+        Case::new(ids[i], what, 0.0, Bound::Equal, ours.clone()).protocol(says[i], count(formula))
+    })
+}
+
+pub fn cases(effort: Effort) -> Vec<Case> {
+    let rays = effort.choose(500, 50_000);
+    let here = Point3::ORIGIN;
+    let mut cases = vec![
+        leaks("S01", here, Aim::Corner, rays, Fails),
+        leaks("S02", here, Aim::Edge, rays, Fails),
+        leaks("S03", here, Aim::MiddleOfEdge, rays, Fails),
+        leaks("S04", FAR, Aim::Corner, rays, Fails),
+        million(effort.choose(500, 120_000)),
+        leaks("S06", here, Aim::Anywhere, rays, Holds),
+    ];
+    let rays = effort.choose(2000, 100_000);
+    cases.extend(box_rows(
+        ["S07", "S07t", "S07s"],
+        1,
+        rays,
+        [Fails, Holds, Holds],
+    ));
+    cases.extend(box_rows(["S08", "S08t", "S08s"], 2, rays, [Fails; 3]));
+    cases.extend(box_rows(["S09", "S09t", "S09s"], 3, rays, [Fails; 3]));
+    cases
+}

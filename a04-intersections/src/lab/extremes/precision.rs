@@ -1,0 +1,109 @@
+//! How far off, over many rays, held against 30 digits.
+
+use a02_math::{Direction, Point3, Vector3};
+use a03_rays_cameras::Ray;
+use common::Effort;
+use common::extremes::Protocol::{Fails, Holds};
+use common::extremes::{Bound, Case, Protocol};
+
+use super::{EPSILON, first};
+use crate::lab::experiments::Numbers;
+use crate::lab::experiments::needle::{errors, needles, plain};
+use crate::lab::experiments::sphere_distance::{stable, view_from};
+use crate::lab::real::Real;
+use crate::lab::{exact, protocol};
+use crate::{Plane, Sphere};
+
+/// How many of the rays at a unit sphere are wrongly said to hit or to miss,
+/// of those that pass its rim at more than four roundings of the distance.
+fn wrong<F: Real>(distance: f64, rays: usize, is_hit: impl Fn(&[F; 3], &[F; 3]) -> bool) -> usize {
+    let margin = 4.0 * F::EPSILON * distance;
+    let view = view_from::<F>(distance, rays);
+    let is_wrong = |[o, d]: &&[[F; 3]; 2]| {
+        let [origin, direction] = [o, d].map(|v| v.map(Into::into));
+        let exact = exact::sphere(&[0.0; 3], 1.0, &origin, &direction);
+        let is_clear = (exact.distance - 1.0).abs() > margin;
+        is_clear && is_hit(o, d) != exact.roots.is_some()
+    };
+    view.rays.iter().filter(is_wrong).count()
+}
+
+fn double_precision(rays: usize) -> Case {
+    let ours = Sphere::new(Point3::ORIGIN, 1.0).map(|sphere| {
+        wrong::<f64>(1e8, rays, |o, d| {
+            let [o, d] = [o, d].map(|v| Vector3::from_glam((*v).into()));
+            first(&sphere, &Ray::derived(Point3::ORIGIN + o, d)).is_some()
+        })
+    });
+    let theirs = wrong::<f64>(1e8, rays, |o, d| {
+        protocol::sphere(&[0.0; 3], 1.0, o, d).is_some()
+    });
+    let what = format!("{rays} rays at and past a sphere 1e8 radii away: wrong hits and misses");
+    Case::new("S10", what, 0.0, Bound::Equal, ours).protocol(Fails, theirs)
+}
+
+fn single_precision(rays: usize) -> Case {
+    let ours = wrong::<f32>(1e3, rays, |o, d| stable(&[0.0; 3], 1.0, o, d).is_some());
+    let theirs = wrong::<f32>(1e3, rays, |o, d| {
+        protocol::sphere(&[0.0; 3], 1.0, o, d).is_some()
+    });
+    let what = format!("in single precision, {rays} rays, 1e3 radii away: wrong hits and misses");
+    Case::new("S11", what, 0.0, Bound::Equal, ours).protocol(Fails, theirs)
+}
+
+/// The greatest error of a plane's `t` in units of what theory allows: roundings
+/// of the lengths involved over the cosine.
+fn plane(id: &'static str, anchor: f64, rays: usize) -> Case {
+    let greatest = |of: &dyn Fn(Point3, Vector3, &Ray) -> Option<f64>| {
+        let mut greatest = 0.0_f64;
+        for n in 0..rays {
+            let mut numbers = Numbers::new(61, n);
+            let [normal, within] = numbers.perpendicular();
+            let a = Point3::ORIGIN + within * anchor;
+            let eye = Point3::ORIGIN + normal * numbers.between(1.0, 5.0);
+            let ray = Ray::derived(eye, numbers.direction());
+            let Some(t) = of(a, normal, &ray) else {
+                continue;
+            };
+            let [a, n] = [a.to_glam(), normal.to_glam()].map(|v| v.to_array());
+            let [o, d] = [eye.to_glam(), ray.direction().to_glam()].map(|v| v.to_array());
+            let error = exact::plane(&a, &n, &o, &d).error_of(t).abs();
+            let cos = ray.direction().dot(normal).abs();
+            greatest = greatest.max(error * cos / (EPSILON * (anchor + t)));
+        }
+        greatest
+    };
+    let ours = greatest(&|a, n, ray| first(&Plane::new(a, n.as_normal()).ok()?, ray));
+    let theirs = greatest(&|a, n, ray| protocol::plane(a, n.as_normal(), ray));
+    let what = format!("{rays} rays at a plane whose point is {anchor:e} away: error in roundings");
+    Case::new(id, what, 0.0, Bound::Absolute(2.0), ours).protocol(Holds, theirs)
+}
+
+/// The median of the relative errors of `t`.
+fn needle(id: &'static str, aspect: f64, rays: usize, bound: f64, says: Protocol) -> Case {
+    let needles = needles(aspect, rays);
+    let median = |formula: fn(&[Point3; 3], &Ray) -> Option<f64>| {
+        let all = needles.iter().flat_map(|needle| errors(needle, formula));
+        let mut all: Vec<f64> = all.map(f64::abs).collect();
+        all.sort_by(f64::total_cmp);
+        all[all.len() / 2]
+    };
+    let what = format!("{rays} rays at triangles of aspect {aspect:e}: median relative error of t");
+    Case::new(id, what, 0.0, Bound::Absolute(bound), median(plain))
+        .protocol(says, median(protocol::triangle))
+}
+
+pub fn cases(effort: Effort) -> Vec<Case> {
+    let rays = effort.choose(1000, 3000);
+    let needles = effort.choose(1024, 4096);
+    vec![
+        double_precision(effort.choose(1000, 4000)),
+        single_precision(effort.choose(2000, 20_000)),
+        plane("S16a", 1.0, rays),
+        plane("S16b", 1e6, rays),
+        plane("S16c", 1e12, rays),
+        needle("S17a", 1.0, needles, 1e-15, Holds),
+        needle("S17b", 1e4, needles, 1e-14, Fails),
+        needle("S17c", 1e8, needles, 1e-10, Fails),
+    ]
+}

@@ -1,0 +1,232 @@
+//! The formulas as the protocol prints them, mistakes included. They are
+//! measured and compared; only pictures of the mistakes are rendered with them.
+
+#![expect(
+    clippy::must_use_candidate,
+    reason = "for tables and pictures of mistakes"
+)]
+
+use a02_math::{Direction, Mat3x3, Normal3, Point3};
+use a03_rays_cameras::Ray;
+
+use crate::lab::real::{Real, difference, dot};
+
+/// What a distance must reach for the triangle and exceed for box and sphere:
+/// a fixed number, as if all scenes were of one size and all directions of
+/// length 1.
+const NEAREST: f64 = 0.001;
+
+/// The plane. `t > 0` does not keep a ray from meeting the plane that it
+/// leaves, and lets an infinite `t` pass.
+pub fn plane(a: Point3, n: Normal3, ray: &Ray) -> Option<f64> {
+    let across = ray.direction().dot(n);
+    if across == 0.0 {
+        return None;
+    }
+    let t = (a - ray.origin()).dot(n) / across;
+    (t > 0.0).then_some(t)
+}
+
+/// Which coordinates of a point on a face are compared with the corners of the
+/// box: the protocol's text can be read both ways.
+#[derive(Clone, Copy, Debug)]
+pub enum Compared {
+    /// All three, also the one that is that of the face up to rounding.
+    Three,
+    /// The two within the face.
+    Two,
+}
+
+/// The box of six planes. The computed point is compared exactly, so that
+/// rounding takes faces away; corners in the wrong order make an empty box.
+pub fn axis_aligned_box(lbf: Point3, run: Point3, ray: &Ray, compared: Compared) -> Option<f64> {
+    let mut nearest: Option<f64> = None;
+    for axis in 0..3 {
+        for (corner, sign) in [(lbf, -1.0), (run, 1.0)] {
+            let mut normal = [0.0; 3];
+            normal[axis] = sign;
+            let Some(t) = plane(corner, Normal3::from_glam(normal.into()), ray) else {
+                continue;
+            };
+            let [point, low, high] = [ray.at(t), lbf, run].map(|p| p.to_glam().to_array());
+            let is_within = (0..3)
+                .filter(|other| matches!(compared, Compared::Three) || *other != axis)
+                .all(|other| low[other] <= point[other] && point[other] <= high[other]);
+            if is_within && t > NEAREST && nearest.is_none_or(|nearest| t < nearest) {
+                nearest = Some(t);
+            }
+        }
+    }
+    nearest
+}
+
+/// What a triangle demands of β and γ by the word of the text: a sum of exactly
+/// 1, which only the edge between b and c has.
+pub fn is_inside_by_the_text(beta: f64, gamma: f64) -> bool {
+    beta > 0.0 && gamma > 0.0 && beta + gamma == 1.0
+}
+
+/// The triangle by Cramer's rule. The determinant is compared with 0, not with
+/// the rounding of its own sum; rounding up β + γ takes away corner a, where
+/// the sum is 0; neighbours round it differently, and rays slip through.
+pub fn triangle(&[a, b, c]: &[Point3; 3], ray: &Ray) -> Option<f64> {
+    let (ab, ac, d) = (a - b, a - c, ray.direction());
+    let system = Mat3x3::from_rows([
+        [ab.x(), ac.x(), d.x()],
+        [ab.y(), ac.y(), d.y()],
+        [ab.z(), ac.z(), d.z()],
+    ]);
+    let determinant = system.determinant();
+    if determinant == 0.0 {
+        return None;
+    }
+    let right = a - ray.origin();
+    let beta = system.change_col_1(right).determinant() / determinant;
+    let gamma = system.change_col_2(right).determinant() / determinant;
+    let t = system.change_col_3(right).determinant() / determinant;
+    if beta < 0.0 || gamma < 0.0 || (beta + gamma).ceil() != 1.0 || t < NEAREST {
+        return None;
+    }
+    Some(t)
+}
+
+/// The normal between the corners: not brought to length 1.
+pub fn interpolated_normal([a, b, c]: [Normal3; 3], beta: f64, gamma: f64) -> Normal3 {
+    a * (1.0 - beta - gamma) + b * beta + c * gamma
+}
+
+/// The sphere of centre, radius, origin and direction. Discriminant and roots
+/// cancel. The root is drawn before the sign is tested, and comparisons that
+/// happen to be false for NaN keep it out, but not from the last branch: that
+/// can only run for the direction 0, and returns NaN.
+pub fn sphere<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> Option<F> {
+    let nearest = F::from(0.001);
+    let [a, b, discriminant] = sphere_terms(c, r, o, d);
+    let two_a = F::from(2.0) * a;
+    let minus = (-b - discriminant.sqrt()) / two_a;
+    let plus = (-b + discriminant.sqrt()) / two_a;
+    if minus > nearest {
+        return Some(minus);
+    } else if plus > nearest {
+        return Some(plus);
+    }
+    if discriminant == F::from(0.0) {
+        let t = -b / two_a;
+        if t < nearest {
+            return None;
+        }
+        return Some(t);
+    }
+    None
+}
+
+/// The factors a and b of the sphere's equation and its discriminant.
+pub fn sphere_terms<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> [F; 3] {
+    let f = difference(o, c);
+    let a = dot(d, d);
+    let b = dot(d, &f.map(|x| x * F::from(2.0)));
+    let c = dot(&f, &f) - r * r;
+    [a, b, b * b - F::from(4.0) * a * c]
+}
+
+/// A channel from 0 to 1 as the number of a byte, as Java casts it: cut off
+/// instead of rounded, and not clamped.
+pub fn byte(channel: f64) -> i32 {
+    (channel * 255.0) as i32
+}
+
+/// On numbers without rounding the formulas give what they say, so that nothing
+/// but the extreme cases makes them fail there.
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use a02_math::Vector3;
+
+    const AHEAD: Vector3 = Vector3::new(0.0, 0.0, -1.0);
+
+    fn ray(x: f64, y: f64, z: f64) -> Ray {
+        Ray::derived(Point3::new(x, y, z), AHEAD)
+    }
+
+    #[test]
+    fn a_box_is_met_beyond_the_nearest_distance() {
+        let [lbf, run] = [Point3::new(-1.0, -1.0, -2.0), Point3::new(1.0, 1.0, 0.0)];
+        for compared in [Compared::Three, Compared::Two] {
+            let t = |z| axis_aligned_box(lbf, run, &ray(0.5, -0.5, z), compared);
+            assert_eq!((t(3.0), t(-0.5), t(-2.5)), (Some(3.0), Some(1.5), None));
+            // As the nearer face is too near, the other one is met.
+            assert_eq!(t(0.002), Some(0.002));
+            assert_eq!(t(NEAREST), Some(2.0 + NEAREST));
+        }
+    }
+
+    #[test]
+    fn by_the_text_only_one_edge_is_inside() {
+        for (beta, gamma, inside) in [
+            (0.5, 0.5, true),
+            (0.25, 0.75, true),
+            (0.25, 0.25, false),
+            (0.0, 1.0, false),
+            (1.0, 0.0, false),
+            (-1.0, 2.0, false),
+            (2.0, -1.0, false),
+            (2.0, 0.5, false),
+        ] {
+            assert_eq!(is_inside_by_the_text(beta, gamma), inside);
+        }
+    }
+
+    /// The corner a lies at the origin: the ray over (β, γ) meets it there.
+    #[test]
+    fn a_triangle_is_met_on_its_edges_but_not_at_its_first_corner() {
+        let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(|[x, y]| Point3::new(x, y, 0.0));
+        let t = |beta, gamma, z| triangle(&corners, &ray(beta, gamma, z));
+        for (beta, gamma, z, met) in [
+            (0.25, 0.5, 4.0, true),
+            (0.5, 0.5, 4.0, true),
+            (0.0, 0.5, 4.0, true),
+            (0.5, 0.0, 4.0, true),
+            (0.25, 0.5, NEAREST, true),
+            (0.25, 0.5, 0.0009, false),
+            (0.0, 0.0, 4.0, false),
+            (-0.25, 0.5, 4.0, false),
+            (0.5, -0.25, 4.0, false),
+            (0.75, 0.5, 4.0, false),
+        ] {
+            assert_eq!(t(beta, gamma, z), met.then_some(z), "{beta}, {gamma}, {z}");
+        }
+    }
+
+    #[test]
+    fn the_normal_between_the_corners_is_their_weighted_sum() {
+        let normals = [[4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 4.0]];
+        let normals = normals.map(|n| Normal3::from_glam(n.into()));
+        assert_eq!(
+            interpolated_normal(normals, 0.25, 0.5),
+            Normal3::new(1.0, 1.0, 2.0)
+        );
+    }
+
+    /// All numbers are small multiples of the shortest distance or of 1, and
+    /// exact in every step.
+    #[test]
+    fn a_sphere_is_met_beyond_the_nearest_distance_and_a_tangent_from_there_on() {
+        let x = f64::from(0.001_f32);
+        let t = |r: f64, o: [f64; 3]| sphere(&[0.0; 3], r, &o, &[0.0, 0.0, -1.0]);
+        for (r, o, expected) in [
+            (1.0, [0.0, 0.0, 3.0], Some(2.0)),
+            (1.0, [0.0, 0.0, 0.0], Some(1.0)),
+            (1.0, [0.0, 0.0, -3.0], None),
+            (1.0, [2.0, 0.0, 3.0], None),
+            // Roots at 1 and 3 times the shortest distance, and at -1 and 1.
+            (x, [0.0, 0.0, 2.0 * x], Some(3.0 * x)),
+            (x, [0.0, 0.0, 0.0], None),
+            // Tangents ahead, at the shortest distance, and behind.
+            (1.0, [1.0, 0.0, 5.0], Some(5.0)),
+            (x, [x, 0.0, x], Some(x)),
+            (1.0, [1.0, 0.0, -5.0], None),
+        ] {
+            assert_eq!(t(r, o), expected, "{r}, {o:?}");
+        }
+    }
+}

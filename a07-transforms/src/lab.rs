@@ -1,0 +1,6 @@
+//! The laboratory: what measures the lesson of this stage, and is no part of it.
+
+pub mod experiments;
+pub mod extremes;
+#[doc(hidden)]
+pub mod protocol;
