@@ -1,0 +1,137 @@
+//! `Camera`: the rays through places of a picture.
+
+use std::fmt;
+
+use common::Size;
+use glam::DVec3;
+
+use crate::Ray;
+use crate::accel::RayBundle;
+use crate::lanes::{Lanes, Vector3x4};
+use crate::vector::normalized;
+
+/// The ray through the place (x, y) of a picture of this size: whole numbers are the
+/// middles of pixels, and y counts upwards.
+pub type RayFn<'a> = Box<dyn Fn(Size, f64, f64) -> Ray + Send + Sync + 'a>;
+
+/// A camera.
+pub enum Camera<'a> {
+    /// All rays start in the eye.
+    Perspective {
+        /// Where the camera stands and how it is held.
+        basis: Basis,
+        /// The tangent of half the vertical opening angle.
+        half_tangent: f64,
+    },
+    /// All rays are parallel.
+    Orthographic {
+        /// Where the camera stands and how it is held.
+        basis: Basis,
+        /// The height of the picture, from pixel middle to pixel middle.
+        scale: f64,
+    },
+    /// A camera that the engine does not know: each ray comes from this function.
+    Other(RayFn<'a>),
+}
+
+impl fmt::Debug for Camera<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Perspective { .. } => "Perspective",
+            Self::Orthographic { .. } => "Orthographic",
+            Self::Other(_) => "Other",
+        })
+    }
+}
+
+/// An eye and three axes of length 1, perpendicular to each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Basis {
+    /// The place of the camera.
+    pub e: DVec3,
+    /// To the right of the picture.
+    pub u: DVec3,
+    /// Up in the picture.
+    pub v: DVec3,
+    /// Against the direction of the gaze.
+    pub w: DVec3,
+}
+
+impl Camera<'_> {
+    /// The bundle of all its rays, if they form one.
+    #[must_use]
+    pub fn bundle(&self) -> Option<RayBundle> {
+        match self {
+            Self::Perspective { basis, .. } => Some(RayBundle::Through(basis.e)),
+            Self::Orthographic { basis, .. } => Some(RayBundle::Parallel(-basis.w)),
+            Self::Other(_) => None,
+        }
+    }
+
+    /// Adds the rays through some places to `rays`.
+    pub(crate) fn rays(&self, size: Size, places: &[(f64, f64)], rays: &mut Vec<Ray>) {
+        let [width, height] = [size.width(), size.height()].map(f64::from);
+        match self {
+            Self::Perspective {
+                basis,
+                half_tangent,
+            } => {
+                let middle = ((width - 1.0) / 2.0, (height - 1.0) / 2.0);
+                basis.perspective_rays(middle, (height / 2.0) / half_tangent, places, rays);
+            }
+            Self::Orthographic { basis, scale } => {
+                let aspect = width / height;
+                rays.extend(places.iter().map(|(x, y)| {
+                    let right = aspect * scale * from_middle(*x, width);
+                    let up = scale * from_middle(*y, height);
+                    Ray {
+                        origin: basis.e + basis.u * right + basis.v * up,
+                        direction: -basis.w,
+                    }
+                }));
+            }
+            Self::Other(ray_for) => rays.extend(places.iter().map(|(x, y)| ray_for(size, *x, *y))),
+        }
+    }
+}
+
+/// The share of the picture's extent between its middle and pixel `p` of `n`.
+fn from_middle(p: f64, n: f64) -> f64 {
+    (p - (n - 1.0) / 2.0) / (n - 1.0).max(1.0)
+}
+
+impl Basis {
+    /// The rays from the eye through places of a picture with this middle, at the
+    /// distance `z`, four at a time.
+    fn perspective_rays(
+        &self,
+        (middle_x, middle_y): (f64, f64),
+        z: f64,
+        places: &[(f64, f64)],
+        rays: &mut Vec<Ray>,
+    ) {
+        let ray = |direction: DVec3| Ray {
+            origin: self.e,
+            direction,
+        };
+        let one = |(x, y): &(f64, f64)| ray(self.direction(x - middle_x, y - middle_y, z));
+        let [u, v, w] = [self.u, self.v, self.w].map(Vector3x4::splat);
+        let (fours, rest) = places.as_chunks::<4>();
+        for four in fours {
+            let x = Lanes::new(four.map(|(x, _)| x)) - Lanes::splat(middle_x);
+            let y = Lanes::new(four.map(|(_, y)| y)) - Lanes::splat(middle_y);
+            let (unit, is_unit) = (u * x + v * y - w * Lanes::splat(z)).normalized();
+            if is_unit.all() {
+                rays.extend(unit.to_lanes().map(ray));
+            } else {
+                rays.extend(four.iter().map(one));
+            }
+        }
+        rays.extend(rest.iter().map(one));
+    }
+
+    /// The direction `x u + y v - z w` of length 1.
+    fn direction(&self, x: f64, y: f64, z: f64) -> DVec3 {
+        normalized(self.u * x + self.v * y - self.w * z).unwrap_or(-self.w)
+    }
+}

@@ -1,0 +1,110 @@
+//! `RayPacket`: four rays side by side, and `PacketHit`: their hits.
+//!
+//! Rays through neighbouring pixels meet much the same objects, so they are traced
+//! together (Wald, Slusallek, Benthin and Wagner, Interactive Rendering with Coherent
+//! Ray Tracing, 2001).
+
+use super::{Lanes, Vector3x4, select};
+use crate::{Hit, Ray};
+
+/// Four rays.
+#[derive(Clone, Copy, Debug)]
+pub struct RayPacket {
+    /// Where they start.
+    pub origin: Vector3x4,
+    /// Where they go.
+    pub direction: Vector3x4,
+}
+
+impl RayPacket {
+    /// These four rays.
+    #[inline]
+    pub fn new(rays: [&Ray; 4]) -> Self {
+        Self {
+            origin: Vector3x4::new(rays.map(|ray| ray.origin)),
+            direction: Vector3x4::new(rays.map(|ray| ray.direction)),
+        }
+    }
+
+    /// The four rays, one by one.
+    #[inline]
+    pub fn to_rays(self) -> [Ray; 4] {
+        let (origins, directions) = (self.origin.to_lanes(), self.direction.to_lanes());
+        [0, 1, 2, 3].map(|lane| Ray {
+            origin: origins[lane],
+            direction: directions[lane],
+        })
+    }
+
+    /// The points `origin + t direction`.
+    #[inline]
+    pub fn at(&self, t: Lanes) -> Vector3x4 {
+        self.origin + self.direction * t
+    }
+}
+
+/// Up to four hits.
+#[derive(Clone, Copy, Debug)]
+pub struct PacketHit {
+    /// Where on the rays: above 0. NaN in lanes without a hit.
+    pub t: Lanes,
+    /// The shading normals.
+    pub normal: Vector3x4,
+    /// The geometric normals.
+    pub face: Vector3x4,
+}
+
+impl PacketHit {
+    /// These four hits.
+    #[inline]
+    pub fn new(hits: [Hit; 4]) -> Self {
+        Self {
+            t: Lanes::new(hits.map(|hit| hit.t)),
+            normal: Vector3x4::new(hits.map(|hit| hit.normal)),
+            face: Vector3x4::new(hits.map(|hit| hit.face)),
+        }
+    }
+
+    /// Hits at these `t` whose shading normals are the geometric ones.
+    #[inline]
+    pub const fn with_normals(t: Lanes, normal: Vector3x4) -> Self {
+        Self {
+            t,
+            normal,
+            face: normal,
+        }
+    }
+
+    /// The four hits, one by one.
+    #[inline]
+    pub fn to_hits(self) -> [Hit; 4] {
+        let t = self.t.to_array();
+        let (normals, faces) = (self.normal.to_lanes(), self.face.to_lanes());
+        [0, 1, 2, 3].map(|lane| Hit {
+            t: t[lane],
+            normal: normals[lane],
+            face: faces[lane],
+        })
+    }
+
+    /// These hits in the lanes of the mask, and the others beside it.
+    #[inline]
+    pub fn or(self, mask: Lanes, others: Self) -> Self {
+        Self {
+            t: select(mask, self.t, others.t),
+            normal: self.normal.or(mask, others.normal),
+            face: self.face.or(mask, others.face),
+        }
+    }
+
+    /// The hits with their normals turned against the directions of the rays.
+    #[inline]
+    pub fn facing(self, rays: &RayPacket) -> Self {
+        let from_behind = self.face.dot(rays.direction).simd_gt(Lanes::ZERO);
+        Self {
+            t: self.t,
+            normal: self.normal.negated(from_behind),
+            face: self.face.negated(from_behind),
+        }
+    }
+}

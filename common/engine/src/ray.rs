@@ -1,0 +1,77 @@
+//! `Ray`, `Interval` and `Hit`: a ray, its part that counts, and where it meets
+//! a surface.
+
+use glam::DVec3;
+
+/// A ray: the points `origin + t direction`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// Where the ray starts.
+    pub origin: DVec3,
+    /// Where the ray goes. Its length is 1 except in the space of a transformed
+    /// shape.
+    pub direction: DVec3,
+}
+
+impl Ray {
+    /// The point `origin + t direction`.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, t: f64) -> DVec3 {
+        self.origin + self.direction * t
+    }
+}
+
+/// An open interval of `t`: its ends do not belong to it, and NaN belongs to none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// Lower end, at least 0.
+    pub min: f64,
+    /// Upper end; may be infinite.
+    pub max: f64,
+}
+
+impl Interval {
+    /// The whole ray without its origin.
+    pub const AHEAD: Self = Self::before(f64::INFINITY);
+
+    /// The part of the ray before `max`.
+    #[must_use]
+    pub const fn before(max: f64) -> Self {
+        Self { min: 0.0, max }
+    }
+
+    /// Whether `t` lies inside.
+    #[inline]
+    #[must_use]
+    pub fn contains(self, t: f64) -> bool {
+        self.min < t && t < self.max
+    }
+}
+
+/// A meeting of a ray and a shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Where on the ray.
+    pub t: f64,
+    /// The shading normal, of length 1. On a triangle it is interpolated between
+    /// the corners.
+    pub normal: DVec3,
+    /// The geometric normal, of length 1.
+    pub face: DVec3,
+}
+
+impl Hit {
+    /// No hit: `t` is NaN.
+    pub(crate) const NONE: Self = Self::new(f64::NAN, DVec3::ZERO);
+
+    /// A hit whose shading normal is the geometric one.
+    #[must_use]
+    pub const fn new(t: f64, normal: DVec3) -> Self {
+        Self {
+            t,
+            normal,
+            face: normal,
+        }
+    }
+}

@@ -1,0 +1,277 @@
+//! `Renderer`: a scene and a camera, prepared for pictures.
+
+use common::{Bound, Color, Error, Image, Plan, Progress, Settings, Size};
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
+use rayon::slice::ParallelSliceMut;
+
+use crate::accel::{Accelerator, RayBundle};
+use crate::adaptive;
+use crate::flatten::flatten;
+use crate::shade::RadianceBound;
+use crate::trace::Tracer;
+use crate::{BATCH, Camera, Light, Ray, Sampler, Scene, camera_place, count_primary_rays};
+
+/// The share of the error allowed that mirrors may take. The samples take the rest, and
+/// the squares of both add up to hardly more.
+const OF_MIRRORS: f64 = 1.0 / 8.0;
+
+/// A scene and a camera, prepared for pictures.
+#[derive(Debug)]
+pub struct Renderer<'a> {
+    camera: Camera<'a>,
+    tracer: Tracer<'a>,
+    /// Upper bound of the displacement of flattened shapes, as a share of the scene, and
+    /// how many shapes these are.
+    flattened: (f64, usize),
+}
+
+impl<'a> Renderer<'a> {
+    /// Prepares a scene. Where the settings allow an error, nested transforms are
+    /// flattened and reflections cut off within their share of it.
+    #[must_use]
+    pub fn new(scene: Scene<'a>, camera: Camera<'a>, settings: &Settings) -> Self {
+        let Scene {
+            background,
+            ambient,
+            depth,
+            mut shapes,
+            surfaces,
+            lights,
+        } = scene;
+        let mut flattened = (0.0_f64, 0);
+        if let Some(max_error) = settings.max_error {
+            let max_distance = max_distance(shapes.bounds(), &camera);
+            for (shape, _) in &mut shapes.transformed {
+                if let Some(displacement) = flatten(shape, max_distance, max_error) {
+                    flattened = (
+                        flattened.0.max(displacement / max_distance),
+                        flattened.1 + 1,
+                    );
+                }
+            }
+        }
+        let casting = lights.iter().filter(|light| light.casts_shadows);
+        let bundles = casting.filter_map(Light::bundle);
+        let accelerator = Accelerator::new(shapes, camera.bundle().into_iter().chain(bundles));
+        let cutoff = settings.max_error.map(|max_error| {
+            let threshold = max_error * OF_MIRRORS;
+            RadianceBound::new(background, ambient, &lights, &surfaces, threshold)
+        });
+        let tracer = Tracer {
+            background,
+            ambient,
+            depth,
+            accelerator,
+            surfaces,
+            lights,
+            cutoff,
+        };
+        Self {
+            camera,
+            tracer,
+            flattened,
+        }
+    }
+
+    /// The light along some rays, for `light`: as many as there are rays.
+    pub fn trace(&self, rays: &[Ray], light: &mut [Color]) {
+        self.tracer.trace(rays, light);
+    }
+
+    /// Renders a picture, or the rows of it that the settings select.
+    ///
+    /// [`Error::Stopped`] if `progress` stops the rendering, [`Error::Memory`] if the
+    /// picture does not fit into memory.
+    pub fn render(
+        &self,
+        sampler: &impl Sampler,
+        settings: &Settings,
+        progress: &dyn Progress,
+    ) -> Result<Image, Error> {
+        let rows = settings.rows().len() as u32;
+        let mut image = Image::black(Size::new(settings.size.width(), rows)?)?;
+        let copy = |colors: &[Color], pixels: &mut [Color]| pixels.copy_from_slice(colors);
+        self.render_rows(sampler, settings, progress, image.pixels_mut(), copy)?;
+        Ok(image)
+    }
+
+    /// Like `render`, but hands each finished row to `keep`, with its share of `kept`,
+    /// instead of building an [`Image`]. All rows have equal shares.
+    ///
+    /// # Panics
+    ///
+    /// If `kept` has fewer elements than the picture has rows.
+    pub fn render_rows<T: Send>(
+        &self,
+        sampler: &impl Sampler,
+        settings: &Settings,
+        progress: &dyn Progress,
+        kept: &mut [T],
+        keep: impl Fn(&[Color], &mut [T]) + Sync,
+    ) -> Result<(), Error> {
+        let view = View {
+            renderer: self,
+            settings,
+            progress,
+        };
+        if let Some(max_error) = settings.max_error {
+            return adaptive::render(max_error, settings, &view, progress, kept, keep);
+        }
+        let (rows, width) = (settings.rows(), settings.size.width() as usize);
+        let shares = kept.par_chunks_mut(kept.len() / rows.len());
+        // One row a task: one may take far longer than another.
+        (rows.into_par_iter().zip(shares).with_max_len(1)).for_each(|(row, kept)| {
+            let mut pixels = vec![Color::BLACK; width];
+            if view.paint(sampler, row, &mut pixels) {
+                keep(&pixels, kept);
+                progress.row(row, &mut pixels.into_iter());
+            }
+        });
+        if progress.stopped() {
+            return Err(Error::Stopped);
+        }
+        Ok(())
+    }
+
+    /// Adds to a plan the work that the engine skips.
+    #[must_use]
+    pub fn plan(&self, plan: Plan) -> Plan {
+        let Tracer {
+            accelerator,
+            surfaces,
+            cutoff,
+            ..
+        } = &self.tracer;
+        let mut plan = accelerator.plan(plan);
+        let unlit = surfaces
+            .iter()
+            .filter(|surface| !surface.responds_to_light());
+        let unlit = unlit.count();
+        if unlit > 0 {
+            plan = plan.without(
+                format!("light on {unlit} of {} surfaces", surfaces.len()),
+                "their colour does not depend on it",
+            );
+        }
+        let transformed = accelerator.shapes.transformed.iter();
+        let steps = transformed.flat_map(|(shape, _)| &shape.steps);
+        let simple = steps
+            .clone()
+            .filter(|step| step.is_scale_translate())
+            .count();
+        if simple > 0 {
+            plan = plan.without(
+                format!("the matrix of {simple} of {} transforms", steps.count()),
+                "they turn nothing",
+            );
+        }
+        if let (displacement, count @ 1..) = self.flattened {
+            plan = plan.nearly_without(
+                format!("the nested transforms of {count} shapes"),
+                "one matrix moves a ray as far as all in turn",
+                Bound::Shift(displacement),
+            );
+        }
+        match cutoff {
+            Some(cutoff) if surfaces.iter().any(|s| s.reflection != Color::BLACK) => plan
+                .nearly_without(
+                    "reflected rays that nobody could see",
+                    "the light that they can bring back is bounded",
+                    Bound::Channel(cutoff.threshold()),
+                ),
+            _ => plan,
+        }
+    }
+}
+
+/// The largest distance from the origin of the eye and of bounded shapes.
+fn max_distance(
+    bounds: impl Iterator<Item = (crate::shape::Bounds, impl Sized)>,
+    camera: &Camera,
+) -> f64 {
+    let eye = match camera.bundle() {
+        Some(RayBundle::Through(eye)) => eye.length(),
+        _ => 0.0,
+    };
+    let bounded = bounds.filter(|(bounds, _)| bounds.are_finite());
+    let corners = bounded.flat_map(|(bounds, _)| bounds.corners());
+    corners.map(glam::DVec3::length).fold(eye, f64::max)
+}
+
+/// A picture being rendered.
+struct View<'v, 'a> {
+    renderer: &'v Renderer<'a>,
+    settings: &'v Settings,
+    progress: &'v dyn Progress,
+}
+
+impl View<'_, '_> {
+    /// Paints a row: the mean over the samples of each pixel, some pixels at once. False
+    /// if the rendering was stopped.
+    fn paint(&self, sampler: &impl Sampler, row: u32, pixels: &mut [Color]) -> bool {
+        let samples = sampler.samples();
+        let at_once = BATCH.div_ceil(samples as usize);
+        let place = |column, i| {
+            camera_place(
+                self.settings.size,
+                (column, row),
+                sampler.place(i, column, row),
+            )
+        };
+        let (mut places, mut rays, mut light) = (Vec::new(), Vec::new(), Vec::new());
+        let mut first = 0;
+        for pixels in pixels.chunks_mut(at_once) {
+            let columns = first..first + pixels.len() as u32;
+            first = columns.end;
+            for start in (0..samples).step_by(BATCH) {
+                if self.progress.stopped() {
+                    return false;
+                }
+                places.clear();
+                if samples == 1 {
+                    places.extend(columns.clone().map(|column| place(column, 0)));
+                    self.look(&places, &mut rays, pixels);
+                    continue;
+                }
+                let batch = start..samples.min(start + BATCH as u32);
+                let of_pixel = |column| batch.clone().map(move |i| place(column, i));
+                places.extend(columns.clone().flat_map(of_pixel));
+                light.resize(places.len(), Color::BLACK);
+                self.look(&places, &mut rays, &mut light);
+                for (pixel, light) in pixels.iter_mut().zip(light.chunks(batch.len())) {
+                    *pixel = light.iter().fold(*pixel, |sum, light| sum + *light);
+                }
+            }
+            if samples > 1 {
+                for pixel in pixels {
+                    *pixel = pixel.map(|channel| channel / f64::from(samples));
+                }
+            }
+        }
+        true
+    }
+
+    /// The light at some places in the coordinates of the camera.
+    fn look(&self, places: &[(f64, f64)], rays: &mut Vec<Ray>, light: &mut [Color]) {
+        rays.clear();
+        let Renderer { camera, tracer, .. } = self.renderer;
+        camera.rays(self.settings.size, places, rays);
+        count_primary_rays(rays.len());
+        tracer.trace(rays, light);
+    }
+}
+
+impl adaptive::Radiance for View<'_, '_> {
+    fn light(&self, places: &[(f64, f64)], light: &mut Vec<Color>) {
+        light.resize(places.len(), Color::BLACK);
+        self.look(places, &mut Vec::new(), light);
+    }
+
+    fn may_miss_features(&self, corners: &[(f64, f64); 4], feature_size: f64) -> bool {
+        let mut rays = Vec::with_capacity(corners.len());
+        let Renderer { camera, tracer, .. } = self.renderer;
+        camera.rays(self.settings.size, corners, &mut rays);
+        let rays = rays.as_slice().try_into();
+        rays.is_ok_and(|rays| tracer.accelerator.may_miss_features(rays, feature_size))
+    }
+}

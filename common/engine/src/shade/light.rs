@@ -1,0 +1,182 @@
+//! `Light`: the light that a source sends to one point and to four points.
+
+use std::fmt;
+
+use common::Color;
+use glam::DVec3;
+
+use crate::accel::RayBundle;
+use crate::lanes::{ColorPacket, Lanes, Vector3x4, is_set};
+use crate::vector::normalized;
+
+/// A source of light.
+#[derive(Debug)]
+pub struct Light<'a> {
+    /// Its kind and numbers.
+    pub kind: LightKind<'a>,
+    /// Whether objects cast shadows in it.
+    pub casts_shadows: bool,
+}
+
+/// The light of a source at a point, nothing being in between; none outside of its beam.
+pub type LightFn<'a> = Box<dyn Fn(DVec3) -> Option<Illumination> + Send + Sync + 'a>;
+
+/// The kinds of lights.
+pub enum LightKind<'a> {
+    /// Shines from one point in all directions.
+    Point {
+        /// Its colour.
+        color: Color,
+        /// Where it is.
+        position: DVec3,
+    },
+    /// Shines from one point into a cone.
+    Spot {
+        /// Its colour.
+        color: Color,
+        /// Where it is.
+        position: DVec3,
+        /// The axis of the cone, of length 1.
+        direction: DVec3,
+        /// The cosine of half the angle of the cone.
+        cos_half_angle: f64,
+    },
+    /// Shines everywhere in the same direction.
+    Directional {
+        /// Its colour.
+        color: Color,
+        /// The direction in which it travels, of length 1.
+        direction: DVec3,
+    },
+    /// A light that the engine does not know: each point is looked up by this function.
+    Other(LightFn<'a>),
+}
+
+impl fmt::Debug for LightKind<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Point { .. } => "Point",
+            Self::Spot { .. } => "Spot",
+            Self::Directional { .. } => "Directional",
+            Self::Other(_) => "Other",
+        })
+    }
+}
+
+/// The light that a source sends to a point, nothing being in between.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Illumination {
+    /// Its colour.
+    pub color: Color,
+    /// From the point to the source, of length 1.
+    pub direction: DVec3,
+    /// From the point to the source; infinite for a source without a place.
+    pub distance: f64,
+}
+
+/// The light that a source sends to up to four points.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct IlluminationPacket {
+    /// A bit for each point on which it shines.
+    pub lit: u32,
+    /// Its colours there.
+    pub color: ColorPacket,
+    /// From the points to the source, of length 1.
+    pub direction: Vector3x4,
+    /// From the points to the source.
+    pub distance: Lanes,
+}
+
+impl Light<'_> {
+    /// The bundle of all rays to it, if they form one.
+    #[must_use]
+    pub fn bundle(&self) -> Option<RayBundle> {
+        match self.kind {
+            LightKind::Point { position, .. } | LightKind::Spot { position, .. } => {
+                Some(RayBundle::Through(position))
+            }
+            LightKind::Directional { direction, .. } => Some(RayBundle::Parallel(direction)),
+            LightKind::Other(_) => None,
+        }
+    }
+
+    /// Upper bound of its light, per channel.
+    pub(crate) fn max_radiance(&self) -> Color {
+        match self.kind {
+            LightKind::Point { color, .. }
+            | LightKind::Spot { color, .. }
+            | LightKind::Directional { color, .. } => color,
+            LightKind::Other(_) => Color::gray(f64::INFINITY),
+        }
+    }
+
+    /// The light that it sends to the active of four points.
+    #[inline]
+    pub(crate) fn illuminate(&self, points: Vector3x4, active: u32) -> IlluminationPacket {
+        match self.kind {
+            LightKind::Point { color, position } => from_point(color, position, points, active),
+            LightKind::Spot {
+                color,
+                position,
+                direction,
+                cos_half_angle,
+            } => {
+                let mut light = from_point(color, position, points, active);
+                let cosine = (-light.direction).dot(Vector3x4::splat(direction));
+                // Two opposite unit vectors may multiply to a little less than -1.
+                let cosine = cosine.fast_max(Lanes::splat(-1.0));
+                light.lit &= cosine.simd_ge(Lanes::splat(cos_half_angle)).to_bitmask();
+                light
+            }
+            LightKind::Directional { color, direction } => IlluminationPacket {
+                lit: active,
+                color: ColorPacket::splat(color),
+                direction: Vector3x4::splat(-direction),
+                distance: Lanes::splat(f64::INFINITY),
+            },
+            LightKind::Other(ref illumination) => one_by_one(illumination, points, active),
+        }
+    }
+}
+
+#[inline]
+fn from_point(color: Color, position: DVec3, points: Vector3x4, active: u32) -> IlluminationPacket {
+    let way = Vector3x4::splat(position) - points;
+    let (direction, is_unit) = way.normalized();
+    if active & !is_unit.to_bitmask() != 0 {
+        let illumination = |point: DVec3| {
+            let way = position - point;
+            Some(Illumination {
+                color,
+                direction: normalized(way)?,
+                distance: way.length(),
+            })
+        };
+        return one_by_one(illumination, points, active);
+    }
+    IlluminationPacket {
+        lit: active,
+        color: ColorPacket::splat(color),
+        direction,
+        distance: way.dot(way).sqrt(),
+    }
+}
+
+#[inline(never)]
+fn one_by_one(
+    illumination: impl Fn(DVec3) -> Option<Illumination>,
+    points: Vector3x4,
+    active: u32,
+) -> IlluminationPacket {
+    let points = points.to_lanes();
+    let one = |lane: usize| is_set(active, lane).then(|| illumination(points[lane]));
+    let lights = [0, 1, 2, 3].map(|lane| one(lane).flatten());
+    let lit = [0, 1, 2, 3].map(|lane| u32::from(lights[lane].is_some()) << lane);
+    let lights = lights.map(Option::unwrap_or_default);
+    IlluminationPacket {
+        lit: lit.iter().sum(),
+        color: ColorPacket::new(lights.map(|light| light.color)),
+        direction: Vector3x4::new(lights.map(|light| light.direction)),
+        distance: Lanes::new(lights.map(|light| light.distance)),
+    }
+}

@@ -1,0 +1,111 @@
+//! `Phong`: a matt surface with highlights, for four hits at once.
+//!
+//! (Phong, Illumination for Computer Generated Pictures, 1975.)
+
+use common::Color;
+use common::tally::{self, Work};
+
+use super::IlluminationPacket;
+use super::power::powers;
+use crate::lanes::{ColorPacket, Lanes, Vector3x4, mask};
+
+/// A Phong material; one without highlights is Lambert's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Phong {
+    /// The share of light that is scattered.
+    pub diffuse: Color,
+    /// The share of a light that is mirrored as a highlight.
+    pub specular: Color,
+    /// The exponent of the highlight, at least 0.
+    pub exponent: f64,
+}
+
+impl Phong {
+    fn has_highlight(&self) -> bool {
+        self.specular != Color::BLACK
+    }
+
+    /// Whether the light of any source can change its colour.
+    pub(crate) fn responds_to_light(&self) -> bool {
+        self.diffuse != Color::BLACK || self.has_highlight()
+    }
+
+    /// Upper bound of its colour, per channel, with this ambient light and this sum of
+    /// the light of all sources.
+    pub(crate) fn max_radiance(&self, ambient: Color, lights: Color) -> Color {
+        self.diffuse * (ambient + lights) + self.specular * lights
+    }
+}
+
+/// The materials at four hits.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PhongPacket {
+    diffuse: ColorPacket,
+    specular: ColorPacket,
+    exponents: [f64; 4],
+    /// A bit for each that responds to light.
+    pub responds_to_light: u32,
+    has_highlight: u32,
+}
+
+impl PhongPacket {
+    /// The same material four times.
+    #[inline]
+    pub fn splat(material: &Phong) -> Self {
+        let bits = |is: bool| if is { 0b1111 } else { 0 };
+        Self {
+            diffuse: ColorPacket::splat(material.diffuse),
+            specular: ColorPacket::splat(material.specular),
+            exponents: [material.exponent; 4],
+            responds_to_light: bits(material.responds_to_light()),
+            has_highlight: bits(material.has_highlight()),
+        }
+    }
+
+    /// These four materials.
+    #[inline]
+    pub fn new(materials: [&Phong; 4]) -> Self {
+        let bits = |is: fn(&Phong) -> bool| {
+            let bits = [0, 1, 2, 3].map(|lane| u32::from(is(materials[lane])) << lane);
+            bits.iter().sum()
+        };
+        Self {
+            diffuse: ColorPacket::new(materials.map(|phong| phong.diffuse)),
+            specular: ColorPacket::new(materials.map(|phong| phong.specular)),
+            exponents: materials.map(|phong| phong.exponent),
+            responds_to_light: bits(Phong::responds_to_light),
+            has_highlight: bits(Phong::has_highlight),
+        }
+    }
+
+    /// The share of the ambient light.
+    #[inline]
+    pub fn ambient(&self, ambient: Color) -> ColorPacket {
+        self.diffuse * ColorPacket::splat(ambient)
+    }
+
+    /// The light of one source at hits with these normals, seen along rays with these
+    /// directions; black in lanes that are not lit.
+    #[inline]
+    pub fn shade(
+        &self,
+        direction: Vector3x4,
+        normal: Vector3x4,
+        light: &IlluminationPacket,
+        lit: u32,
+    ) -> ColorPacket {
+        let slant = normal.dot(light.direction).max(Lanes::ZERO);
+        let share = self.diffuse * light.color * slant;
+
+        let cosine = (-direction).dot(light.direction.reflected_on(normal));
+        let is_mirrored = slant.simd_gt(Lanes::ZERO) & cosine.simd_gt(Lanes::ZERO);
+        let shining = is_mirrored.to_bitmask() & self.has_highlight & lit;
+        if shining == 0 {
+            return share.masked(mask(lit));
+        }
+        tally::count_all(Work::Power, shining.count_ones().into());
+        let powers = powers(cosine.fast_min(Lanes::ONE), self.exponents, shining);
+        let highlight = self.specular * light.color * powers;
+        (share + highlight.masked(mask(shining))).masked(mask(lit))
+    }
+}

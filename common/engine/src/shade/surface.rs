@@ -1,0 +1,70 @@
+//! `Surface`: the material of an object and the share of light that it mirrors.
+
+use std::fmt;
+
+use common::Color;
+
+use super::Phong;
+use crate::{Hit, Ray};
+
+/// A surface.
+#[derive(Debug)]
+pub struct Surface<'a> {
+    /// The light that it sends back by itself.
+    pub shading: Shading<'a>,
+    /// The share of each channel that it mirrors, from 0 to 1.
+    pub reflection: Color,
+}
+
+/// The light that goes from a hit back along its ray.
+pub type ShadeFn<'a> = Box<dyn Fn(&Ray, &Hit) -> Color + Send + Sync + 'a>;
+
+/// The kinds of materials.
+pub enum Shading<'a> {
+    /// Looks the same in any light.
+    SingleColor(Color),
+    /// Scatters light, and mirrors lights as highlights.
+    Phong(Phong),
+    /// A material that the engine does not know: each hit is shaded by this function.
+    Other(ShadeFn<'a>),
+}
+
+impl fmt::Debug for Shading<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::SingleColor(color) => f.debug_tuple("SingleColor").field(color).finish(),
+            Self::Phong(phong) => phong.fmt(f),
+            Self::Other(_) => f.write_str("Other"),
+        }
+    }
+}
+
+impl<'a> Surface<'a> {
+    /// A surface that mirrors nothing.
+    #[must_use]
+    pub const fn matt(shading: Shading<'a>) -> Self {
+        Self {
+            shading,
+            reflection: Color::BLACK,
+        }
+    }
+
+    /// Upper bound of its colour, per channel, with this ambient light and this sum of
+    /// the light of all sources.
+    pub(crate) fn max_radiance(&self, ambient: Color, lights: Color) -> Color {
+        match &self.shading {
+            Shading::SingleColor(color) => *color,
+            Shading::Phong(phong) => phong.max_radiance(ambient, lights),
+            Shading::Other(_) => Color::gray(f64::INFINITY),
+        }
+    }
+
+    /// Whether light of any source can change its colour.
+    pub(crate) fn responds_to_light(&self) -> bool {
+        match &self.shading {
+            Shading::SingleColor(_) => false,
+            Shading::Phong(phong) => phong.responds_to_light(),
+            Shading::Other(_) => true,
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! `AxisAlignedBox`: for one ray and for four rays.
+
+use glam::DVec3;
+
+use super::Bounds;
+use crate::lanes::{
+    Lanes, PacketHit, RayPacket, Vector3x4, copysign, first_ahead, select, without,
+};
+use crate::{Hit, Interval, Ray};
+
+/// A box whose faces are perpendicular to the axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxisAlignedBox {
+    /// The least coordinates.
+    pub min: [f64; 3],
+    /// The greatest coordinates.
+    pub max: [f64; 3],
+}
+
+/// The upper bound of a slab is widened by twice `γ(3) = 3u / (1 - 3u)`, with
+/// `u = 2^-53` (Ize, Robust BVH Ray Traversal, JCGT 2(2), 2013).
+const WIDER: f64 = {
+    let three_u = 1.5 * f64::EPSILON;
+    1.0 + 2.0 * (three_u / (1.0 - three_u))
+};
+
+impl AxisAlignedBox {
+    pub(crate) const fn bounds(&self) -> Bounds {
+        Bounds {
+            min: self.min,
+            max: self.max,
+        }
+    }
+
+    pub(crate) fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        let (o, d) = (ray.origin.to_array(), ray.direction.to_array());
+        let (mut near, mut near_axis) = (f64::NEG_INFINITY, 0);
+        let (mut far, mut far_axis) = (f64::INFINITY, 0);
+        for axis in 0..3 {
+            let inverse = 1.0 / d[axis];
+            let a = (self.min[axis] - o[axis]) * inverse;
+            let b = (self.max[axis] - o[axis]) * inverse;
+            // In this order `min` and `max` drop the NaN of a ray within a face.
+            let entered = a.max(near).min(b.max(near));
+            let left = a.min(far).max(b.min(far));
+            if entered > near {
+                (near, near_axis) = (entered, axis);
+            }
+            if left < far {
+                (far, far_axis) = (left, axis);
+            }
+        }
+        if near > far * WIDER {
+            return None;
+        }
+        let far = far.max(near);
+        if within.contains(near) {
+            Some(Hit::new(near, axis_normal(near_axis, -d[near_axis])))
+        } else if within.contains(far) {
+            Some(Hit::new(far, axis_normal(far_axis, d[far_axis])))
+        } else {
+            None
+        }
+    }
+
+    /// Where each of four rays meets the box.
+    #[inline(never)]
+    pub(crate) fn meet(&self, rays: &RayPacket) -> Lanes {
+        self.hits(rays).t
+    }
+
+    /// The hits of four rays.
+    #[inline]
+    pub(crate) fn hits(&self, rays: &RayPacket) -> PacketHit {
+        let coordinates = |v: Vector3x4| [v.x, v.y, v.z];
+        let (o, d) = (coordinates(rays.origin), coordinates(rays.direction));
+
+        let mut near = Lanes::splat(f64::NEG_INFINITY);
+        let mut far = Lanes::splat(f64::INFINITY);
+        // The outward normals of the faces that are entered and left.
+        let (mut near_normal, mut far_normal) = ([Lanes::ZERO; 3], [Lanes::ZERO; 3]);
+        for axis in 0..3 {
+            let inverse = Lanes::ONE / d[axis];
+            let a = (Lanes::splat(self.min[axis]) - o[axis]) * inverse;
+            let b = (Lanes::splat(self.max[axis]) - o[axis]) * inverse;
+            let entered = a.max(near).fast_min(b.max(near));
+            let left = a.min(far).fast_max(b.min(far));
+            let (later, earlier) = (entered.simd_gt(near), left.simd_lt(far));
+            near = select(later, entered, near);
+            far = select(earlier, left, far);
+            for earlier_axis in 0..axis {
+                near_normal[earlier_axis] &= !later;
+                far_normal[earlier_axis] &= !earlier;
+            }
+            let along = copysign(Lanes::ONE, d[axis]);
+            near_normal[axis] = -along & later;
+            far_normal[axis] = along & earlier;
+        }
+        let missed = near.simd_gt(far * Lanes::splat(WIDER));
+        let far = far.fast_max(near);
+
+        let enters = near.simd_gt(Lanes::ZERO);
+        let [x, y, z] = [0, 1, 2].map(|axis| select(enters, near_normal[axis], far_normal[axis]));
+        let t = without(missed, first_ahead(near, far));
+        PacketHit::with_normals(t, Vector3x4 { x, y, z })
+    }
+}
+
+/// The normal along an axis, on the side of `sign`.
+fn axis_normal(axis: usize, sign: f64) -> DVec3 {
+    let mut normal = [0.0; 3];
+    normal[axis] = 1.0_f64.copysign(sign);
+    normal.into()
+}

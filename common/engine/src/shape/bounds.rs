@@ -1,0 +1,142 @@
+//! `Bounds`: the box along the axes that holds a shape.
+
+use glam::DVec3;
+
+/// The smallest box along the axes that holds a shape, or all of space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Bounds {
+    /// The least coordinates.
+    pub min: [f64; 3],
+    /// The greatest coordinates.
+    pub max: [f64; 3],
+}
+
+impl Bounds {
+    /// All of space: for shapes without end, and for shapes the engine does not know.
+    pub const EVERYWHERE: Self = Self {
+        min: [f64::NEG_INFINITY; 3],
+        max: [f64::INFINITY; 3],
+    };
+
+    /// The empty box.
+    pub const NOWHERE: Self = Self {
+        min: [f64::INFINITY; 3],
+        max: [f64::NEG_INFINITY; 3],
+    };
+
+    /// The bounds of a few points.
+    pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
+        let points = points.into_iter().map(|p| p.to_array());
+        Self::of_all(points.map(|p| Self { min: p, max: p }))
+    }
+
+    /// The bounds of several.
+    pub fn of_all(several: impl IntoIterator<Item = Self>) -> Self {
+        several.into_iter().fold(Self::NOWHERE, Self::union)
+    }
+
+    /// The same bounds, moved outwards by `width` on all sides.
+    pub fn wider(self, width: f64) -> Self {
+        Self {
+            min: self.min.map(|x| x - width),
+            max: self.max.map(|x| x + width),
+        }
+    }
+
+    /// The bounds of both.
+    pub fn union(self, other: Self) -> Self {
+        Self {
+            min: std::array::from_fn(|axis| self.min[axis].min(other.min[axis])),
+            max: std::array::from_fn(|axis| self.max[axis].max(other.max[axis])),
+        }
+    }
+
+    /// Whether all bounds are numbers.
+    pub fn are_finite(self) -> bool {
+        self.min.iter().chain(&self.max).all(|x| x.is_finite())
+    }
+
+    /// The eight corners.
+    pub fn corners(self) -> [DVec3; 8] {
+        std::array::from_fn(|corner| {
+            let pick = |axis: usize| {
+                let side = if corner >> axis & 1 == 0 {
+                    self.min
+                } else {
+                    self.max
+                };
+                side[axis]
+            };
+            DVec3::new(pick(0), pick(1), pick(2))
+        })
+    }
+
+    /// The middle along each axis.
+    pub fn middle(self) -> [f64; 3] {
+        std::array::from_fn(|axis| self.min[axis].midpoint(self.max[axis]))
+    }
+
+    /// Half the surface area of the box, in proportion to the number of rays that meet
+    /// it. 0 for the empty box.
+    pub fn half_area(self) -> f64 {
+        let [x, y, z] = std::array::from_fn(|axis| (self.max[axis] - self.min[axis]).max(0.0));
+        x * y + y * z + z * x
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BOX: Bounds = Bounds {
+        min: [1.0, -2.0, 3.0],
+        max: [3.0, 3.0, 9.0],
+    };
+
+    #[test]
+    fn a_box_has_eight_corners_a_middle_and_a_surface() {
+        let corners = BOX.corners();
+        for x in [1.0, 3.0] {
+            for y in [-2.0, 3.0] {
+                for z in [3.0, 9.0] {
+                    assert!(corners.contains(&DVec3::new(x, y, z)));
+                }
+            }
+        }
+        assert_eq!(Bounds::around(corners), BOX);
+        assert_eq!(BOX.middle(), [2.0, 0.5, 6.0]);
+        // 2 · 5 + 5 · 6 + 6 · 2.
+        assert_eq!(BOX.half_area(), 52.0);
+        assert_eq!(Bounds::NOWHERE.half_area(), 0.0);
+    }
+
+    #[test]
+    fn bounds_are_finite_if_all_six_are() {
+        assert!(BOX.are_finite());
+        for axis in 0..3 {
+            let mut endless = BOX;
+            endless.min[axis] = f64::NEG_INFINITY;
+            assert!(!endless.are_finite());
+            let mut unknown = BOX;
+            unknown.max[axis] = f64::NAN;
+            assert!(!unknown.are_finite());
+        }
+    }
+
+    #[test]
+    fn unions_hold_both_and_wider_bounds_reach_farther_on_all_sides() {
+        let other = Bounds::around([DVec3::new(2.0, 7.0, 3.5)]);
+        let both = Bounds {
+            max: [3.0, 7.0, 9.0],
+            ..BOX
+        };
+        assert_eq!(BOX.union(other), both);
+        assert_eq!(Bounds::of_all([other, BOX]), both);
+        assert_eq!(BOX.union(Bounds::NOWHERE), BOX);
+        let wider = Bounds {
+            min: [0.5, -2.5, 2.5],
+            max: [3.5, 3.5, 9.5],
+        };
+        assert_eq!(BOX.wider(0.5), wider);
+    }
+}
