@@ -25,7 +25,7 @@ mod experience;
 mod lattice;
 mod level;
 mod place;
-mod random;
+pub(crate) mod random;
 mod strip;
 
 use std::iter;

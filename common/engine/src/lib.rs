@@ -11,6 +11,7 @@ pub mod adaptive;
 mod camera;
 mod flatten;
 mod lanes;
+mod query;
 mod ray;
 mod renderer;
 mod sampler;

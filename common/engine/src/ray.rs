@@ -74,4 +74,17 @@ impl Hit {
             face: normal,
         }
     }
+
+    /// The hit with its normals turned against the direction `d`.
+    pub(crate) fn facing(self, d: DVec3) -> Self {
+        if self.face.dot(d) > 0.0 {
+            Self {
+                normal: -self.normal,
+                face: -self.face,
+                ..self
+            }
+        } else {
+            self
+        }
+    }
 }

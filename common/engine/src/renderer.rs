@@ -19,7 +19,7 @@ const OF_MIRRORS: f64 = 1.0 / 8.0;
 #[derive(Debug)]
 pub struct Renderer<'a> {
     camera: Camera<'a>,
-    tracer: Tracer<'a>,
+    pub(crate) tracer: Tracer<'a>,
     /// Upper bound of the displacement of flattened shapes, as a share of the scene, and
     /// how many shapes these are.
     flattened: (f64, usize),

@@ -218,3 +218,66 @@ impl Slabs {
         (near.to_array(), near.simd_le(far).to_bitmask())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Its centre is the origin and its unit 2, so that all numbers are exact.
+    fn tree() -> Bvh<()> {
+        let bounds = Bounds {
+            min: [-2.0; 3],
+            max: [2.0; 3],
+        };
+        Bvh::new(vec![(bounds, ShapeId::Sphere(0))], |_| ())
+    }
+
+    fn ray(x: f64, direction: [f64; 3]) -> Ray {
+        Ray {
+            origin: DVec3::new(x, 0.0, 0.0),
+            direction: direction.into(),
+        }
+    }
+
+    fn all(lanes: f32x4) -> f32 {
+        let [first, rest @ ..] = lanes.to_array();
+        assert!(rest.iter().all(|lane| *lane == first));
+        first
+    }
+
+    const TO_THE_RIGHT: [f64; 3] = [1.0, 0.0, 0.0];
+    const SLACK: f32 = super::SLACK as f32;
+
+    #[test]
+    fn lengths_are_counted_in_the_unit_of_the_tree_and_bounds_are_wider() {
+        assert_eq!(tree().beyond(8.0), 4.0 + 4.0 * SLACK);
+        let within = Interval { min: 4.0, max: 8.0 };
+        let slabs = tree().slabs(&ray(-4.0, TO_THE_RIGHT), within).unwrap();
+        assert_eq!(all(slabs.from), 2.0 - 2.0 * SLACK);
+        // Twice the slack of the largest number, which is 2, and at least of 1.
+        assert_eq!(all(slabs.x.near), -2.0 + 4.0 * SLACK);
+        assert_eq!(all(slabs.x.far), -2.0 - 4.0 * SLACK);
+        assert_eq!(all(slabs.y.near), 4.0 * SLACK);
+        let slabs = tree().slabs(&ray(1.0, [-1.0, 0.0, 0.0]), within).unwrap();
+        assert_eq!(all(slabs.x.near), 0.5 - 2.0 * SLACK);
+        assert_eq!(all(slabs.x.far), 0.5 + 2.0 * SLACK);
+    }
+
+    /// Each of the three reasons counts alone.
+    #[test]
+    fn a_ray_beyond_single_precision_visits_all_leaves() {
+        let holds = |x, direction, min| {
+            let max = f64::INFINITY;
+            let within = Interval { min, max };
+            tree().slabs(&ray(x, direction), within).is_some()
+        };
+        assert!(holds(2e30, TO_THE_RIGHT, 0.0));
+        assert!(!holds(2e30_f64.next_up(), TO_THE_RIGHT, 0.0));
+        assert!(!holds(0.0, TO_THE_RIGHT, -f64::MIN_POSITIVE));
+        // Of squared length 1/2 and 2.
+        assert!(holds(0.0, [0.5, 0.5, 0.0], 0.0));
+        assert!(!holds(0.0, [0.5, 0.5_f64.next_down(), 0.0], 0.0));
+        assert!(!holds(0.0, [1.0, 1.0, 0.0], 0.0));
+        assert!(holds(0.0, [1.0, 1.0_f64.next_down(), 0.0], 0.0));
+    }
+}

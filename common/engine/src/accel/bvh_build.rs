@@ -134,3 +134,6 @@ fn cheapest_cut(shapes: &Shapes) -> Option<(usize, usize)> {
         .min_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, axis, left)| (axis, left))
 }
+
+#[cfg(test)]
+mod tests;

@@ -28,3 +28,6 @@ impl PerspectiveGrid {
         Some(cells.any(|cell| f64::from(self.feature_sizes[cell]) < narrow))
     }
 }
+
+#[cfg(test)]
+mod tests;

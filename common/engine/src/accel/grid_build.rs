@@ -146,3 +146,6 @@ impl PerspectiveGrid {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -50,3 +50,53 @@ fn whole(exponent: f64) -> Option<u64> {
     let whole = exponent as u32;
     (exponent <= LARGEST && f64::from(whole) == exponent).then(|| whole.into())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_can_be_computed_exactly_is() {
+        assert_eq!(power(0.5, 63.0), 1.0 / (1_u64 << 63) as f64);
+        assert_eq!(power(0.75, 5.0), 243.0 / 1024.0);
+        assert_eq!(power(0.25, 2.5), 1.0 / 32.0, "not a whole exponent");
+        assert_eq!(power(0.3, 1.0), 0.3);
+        assert_eq!(power(0.0, 0.0), 1.0);
+        assert_eq!(power(0.0, 3.0), 0.0);
+        assert_eq!(power(1.0, LARGEST), 1.0);
+        assert_eq!(power(1.0, 1e300), 1.0);
+        assert_eq!(power(0.5, 1e300), 0.0);
+    }
+
+    /// Rounded after each product, which a power rounded once is not always.
+    #[test]
+    fn a_small_whole_exponent_multiplies() {
+        for base in (1..100_u32).map(|i| f64::from(i) / 100.0) {
+            assert_eq!(power(base, 3.0), base * (base * base));
+        }
+    }
+
+    #[test]
+    fn four_powers_are_those_of_one() {
+        let bases = [0.1, 0.9, 0.999, 1.0];
+        for exponents in [[32.0; 4], [7.5; 4], [0.0; 4], [1.0, 2.0, 2.5, 1e9]] {
+            let four = powers(Lanes::new(bases), exponents, 0b1111).to_array();
+            assert_eq!(four, [0, 1, 2, 3].map(|i| power(bases[i], exponents[i])));
+        }
+    }
+
+    /// `u P` is what rounding the base and what rounding the products may do,
+    /// each: u is half of epsilon.
+    #[test]
+    fn squaring_loses_no_more_than_the_base_has_lost() {
+        for exponent in [2.0, 3.0, 64.0, 1000.0, LARGEST] {
+            let base = 1.0 - 0.7 / exponent;
+            let exact = libm::pow(base, exponent);
+            let bound = exponent * f64::EPSILON;
+            assert!(
+                (power(base, exponent) / exact - 1.0).abs() <= bound,
+                "{exponent}"
+            );
+        }
+    }
+}

@@ -296,28 +296,3 @@ fn only_cells_that_err_enough_are_divided_and_the_least_forgotten() {
     assert!(near(picture.strip.error(&level), sum));
     assert_eq!(picture.strip.samples(), 5);
 }
-
-/// White from the middle of the lowest pixels on: each division changes what lies
-/// there by 1/4, and of the parts the lower half.
-#[test]
-fn what_divided_cells_show_is_learnt_pixel_by_pixel() {
-    let mut picture = Picture::new(4, 0..4, |(_, y)| {
-        Color::gray(if y >= 1024 - 128 { 1.0 } else { 0.0 })
-    });
-    let level = all_due(16);
-    picture.begin(&level);
-    for _ in 0..4 {
-        picture.divide(&level);
-    }
-    let factors = Experience::factors([*picture.strip.experience()].iter());
-    let near = |found: f64, expected: f64| (found - expected).abs() < 1e-14;
-    assert!(factors.seen.iter().all(|seen| near(*seen, 1.0 / 12.0)));
-    // Weighted by 16 and 4 pixels, cells that look even are, and no more than the
-    // upper half bends, each time by half: (48/120) / (48 + 3 x 12 x 2).
-    assert!(near(factors.hidden[0], 1.0 / 120.0));
-    assert!(factors.hidden[1] < 1.0 / 120.0 && factors.hidden[2] < factors.hidden[1]);
-    // (r + 4 x 3/4) / (1 + 4 x 3/8) with the root r of two.
-    let step = (std::f64::consts::SQRT_2 + 3.0) / 2.5;
-    let level_edge = (step - std::f64::consts::SQRT_2) / (2.0 - std::f64::consts::SQRT_2);
-    assert!(near(factors.together[0], 1.0 + 2.0 * level_edge));
-}
