@@ -87,3 +87,6 @@ fn spectral_norm(matrix: DMat4) -> f64 {
     let sum = |a: DVec3| columns.iter().map(|b| a.dot(*b).abs()).sum::<f64>();
     columns.map(sum).into_iter().fold(0.0, f64::max).sqrt()
 }
+
+#[cfg(test)]
+mod tests;

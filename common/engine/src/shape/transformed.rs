@@ -89,7 +89,7 @@ impl Step {
 
     /// The ray in the space of the object. Its direction keeps the length that the
     /// inverse gives it, so that `t` means the same in both spaces.
-    fn ray(&self, ray: &Ray) -> Ray {
+    pub(crate) fn ray(&self, ray: &Ray) -> Ray {
         if let Some(simple) = &self.scale_translate {
             return Ray {
                 origin: simple.factors * ray.origin + simple.translation,

@@ -53,3 +53,6 @@ pub(super) fn transformed_bounds(bounds: Bounds, transform: &Transform) -> Bound
         Bounds::EVERYWHERE
     }
 }
+
+#[cfg(test)]
+mod tests;

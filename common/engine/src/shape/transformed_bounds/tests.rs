@@ -1,0 +1,133 @@
+//! Tests of `transformed_bounds`. Bounds that are too large change no picture, only its
+//! time; so they are tested by themselves.
+
+use std::f64::consts::FRAC_PI_4;
+
+use glam::{DMat4, DVec3};
+
+use super::*;
+use crate::shape::{AxisAlignedBox, Plane, Shape, Sphere};
+use crate::{Interval, Ray};
+
+/// From -1 to 1 along each axis.
+const CUBE: AxisAlignedBox = AxisAlignedBox {
+    min: [-1.0; 3],
+    max: [1.0; 3],
+};
+
+fn transform(matrix: DMat4) -> Transform {
+    let inverse = matrix.inverse();
+    Transform { matrix, inverse }
+}
+
+fn translated(x: f64, y: f64, z: f64) -> DMat4 {
+    DMat4::from_translation(DVec3::new(x, y, z))
+}
+
+fn scaled(x: f64, y: f64, z: f64) -> DMat4 {
+    DMat4::from_scale(DVec3::new(x, y, z))
+}
+
+/// The bounds hold the box, with room for the 4096 units of rounding that a hit may be
+/// off; and with no more than a hundred times as much.
+fn assert_fits(matrix: DMat4, min: [f64; 3], max: [f64; 3]) {
+    let bounds = Shape::Box(CUBE).transformed(&transform(matrix)).bounds();
+    let largest = min.iter().chain(&max).fold(0.0, |a: f64, x| a.max(x.abs()));
+    let room = 4096.0 * f64::EPSILON * largest;
+    for axis in 0..3 {
+        for beyond in [min[axis] - bounds.min[axis], bounds.max[axis] - max[axis]] {
+            let fits = (room..100.0 * room).contains(&beyond);
+            assert!(fits, "axis {axis}: {beyond:e} beyond, not {room:e}");
+        }
+    }
+}
+
+#[test]
+fn bounds_are_moved_and_stretched_with_the_shape() {
+    assert_fits(DMat4::IDENTITY, [-1.0; 3], [1.0; 3]);
+    let moved = translated(10.0, -20.0, 30.0);
+    assert_fits(moved, [9.0, -21.0, 29.0], [11.0, -19.0, 31.0]);
+    let stretched = moved * scaled(2.0, -3.0, 0.5);
+    assert_fits(stretched, [8.0, -23.0, 29.5], [12.0, -17.0, 30.5]);
+}
+
+/// On its edge a cube of half width 1 is √2 high, and on its corner √2 + √½ √2 wide: its
+/// extents are the sums of the rows' magnitudes.
+#[test]
+fn bounds_of_a_turned_cube_are_those_of_its_corners() {
+    let root = 2_f64.sqrt();
+    let turned = DMat4::from_rotation_z(FRAC_PI_4);
+    assert_fits(turned, [-root, -root, -1.0], [root, root, 1.0]);
+    let twice = turned * DMat4::from_rotation_x(FRAC_PI_4);
+    let across = root / 2.0 + 1.0;
+    assert_fits(twice, [-across, -across, -root], [across, across, root]);
+    let moved = translated(5.0, 0.0, 0.0) * DMat4::from_rotation_y(FRAC_PI_4);
+    assert_fits(moved, [5.0 - root, -1.0, -root], [5.0 + root, 1.0, root]);
+}
+
+/// Rounding moves a hit by up to 2^20 units in a space that is stretched 2^20 times as
+/// far in one direction as in another; beyond that no bounds are sure.
+#[test]
+fn very_unequal_stretching_has_no_bounds() {
+    let bounds = |stretch: f64| {
+        let transform = transform(scaled(stretch, 1.0, 1.0));
+        transformed_bounds(CUBE.bounds(), &transform)
+    };
+    assert!(bounds(1_048_576.0).are_finite());
+    assert_eq!(bounds(1_048_577.0), Bounds::EVERYWHERE);
+}
+
+#[test]
+fn an_endless_shape_has_no_bounds() {
+    let plane = Plane {
+        point: DVec3::ZERO,
+        normal: DVec3::Y,
+    };
+    let moved = Shape::Plane(plane).transformed(&transform(translated(1.0, 2.0, 3.0)));
+    assert_eq!(moved.bounds(), Bounds::EVERYWHERE);
+}
+
+/// Rays from all around towards points on and near a turned ellipsoid within another
+/// transform hit it only inside its bounds, up to the error of the hit itself.
+#[test]
+fn hits_lie_within_the_bounds() {
+    for s in [1e-6, 1.0, 1e6] {
+        let outer = translated(3.0 * s, s, 0.0) * DMat4::from_rotation_y(0.3) * scaled(s, s, s);
+        let inner = scaled(-1.0, 0.5, 2.0) * DMat4::from_rotation_z(1.1);
+        let sphere = Sphere {
+            center: DVec3::new(0.2, 0.1, -0.3),
+            radius: 1.0,
+        };
+        let shape = Shape::Sphere(sphere)
+            .transformed(&transform(inner))
+            .transformed(&transform(outer));
+        let bounds = shape.bounds();
+        assert!(bounds.are_finite());
+        let mut hits = 0;
+        for i in 0..4000 {
+            // Directions of a sunflower, Vogel 1979.
+            let z = 1.0 - 2.0 * (f64::from(i) + 0.5) / 4000.0;
+            let around = 2.399_963 * f64::from(i);
+            let flat = (1.0 - z * z).sqrt();
+            let on = DVec3::new(flat * libm::cos(around), flat * libm::sin(around), z);
+            let target = outer.transform_point3(inner.transform_point3(sphere.center + on));
+            let origin = target + DVec3::new(on.y, -on.z, on.x) * (6.0 * s);
+            let ray = Ray {
+                origin,
+                direction: (target - origin).normalize(),
+            };
+            let Some(hit) = shape.hit(&ray, Interval::AHEAD) else {
+                continue;
+            };
+            hits += 1;
+            let p = ray.at(hit.t);
+            let error = 64.0 * f64::EPSILON * hit.t.max(p.abs().max_element());
+            let bounds = bounds.wider(error);
+            for (axis, x) in p.to_array().into_iter().enumerate() {
+                let inside = (bounds.min[axis]..=bounds.max[axis]).contains(&x);
+                assert!(inside, "{ray:?}");
+            }
+        }
+        assert!(hits > 2000, "{hits}");
+    }
+}
