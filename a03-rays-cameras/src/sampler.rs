@@ -2,8 +2,8 @@
 
 use std::hint::black_box;
 
-use common::tally::{self, Work};
 use common::{Bound, Plan, Sampling, Settings};
+use measure::tally::{self, Work};
 
 use crate::PixelRandom;
 

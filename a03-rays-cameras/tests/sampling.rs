@@ -7,8 +7,8 @@ use a03_rays_cameras::{
     Camera, OrthographicCamera, PinholeCamera, PixelRandom, Ray, Sampler, StripeRule, StripedSky,
     render,
 };
-use common::tally::{Work, counted};
 use common::{Bound, Color, Error, Progress, Sampling, Settings, Size};
+use measure::tally::{Work, counted};
 
 fn settings(sampling: Sampling, samples: u32) -> Settings {
     Settings {

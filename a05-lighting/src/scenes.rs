@@ -6,7 +6,8 @@ use std::f64::consts::{FRAC_PI_4, PI};
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{Camera, PerspectiveCamera, Sampler, render};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere, Triangle};
-use common::{ArgumentError, Color, Scene, Stage};
+use common::{ArgumentError, Color, Scene};
+use measure::Stage;
 
 use crate::lab::{experiments, extremes};
 use crate::{

@@ -4,7 +4,8 @@ use a02_math::{Normal3, Point3};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere};
 use a05_lighting::{Lambert, Phong, PointLight};
 use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, traced_scene};
-use common::{ArgumentError, Color, Scene, Settings, Stage};
+use common::{ArgumentError, Color, Scene, Settings};
+use measure::Stage;
 
 use crate::lab::{experiments, extremes};
 use crate::{Disc, Node, Transform, nodes};

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use crate::Size;
 
 /// Where the samples of a pixel lie.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sampling {
     /// One sample in the middle.
     #[default]
@@ -39,7 +39,7 @@ pub struct Settings {
     /// Width and height of the picture.
     pub size: Size,
     /// The rows that are wanted of it, counted from the top; none stands for
-    /// all. Only scenes that are traced heed them.
+    /// all. Only traced scenes use them.
     pub rows: Option<Range<u32>>,
     /// Samples per pixel; the most of them where there is a `max_error`.
     pub samples: u32,
