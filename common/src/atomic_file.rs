@@ -29,7 +29,7 @@ pub fn write(path: &Path, content: impl Read) -> Result<(), Error> {
     Ok(())
 }
 
-/// Like [`write`], but false and without effect if there already is a file of
+/// Like [`write()`], but false and without effect if there already is a file of
 /// this name.
 pub fn write_new(path: &Path, content: impl Read) -> Result<bool, Error> {
     let (file, end) = unnamed(path, content)?;

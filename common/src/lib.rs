@@ -28,6 +28,6 @@ pub use plan::{Bound, Omission, Plan};
 pub use progress::Progress;
 pub use sampled::Sampled;
 pub use scene::{Scene, UsedSettings};
-pub use settings::{Sampling, Settings};
+pub use settings::{Renderer, Sampling, Settings};
 pub use size::Size;
 pub use transfer::Transfer;

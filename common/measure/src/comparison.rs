@@ -1,28 +1,28 @@
-//! `Comparison`: a picture made with and without omissions, and the work that
-//! both took.
+//! `Comparison`: a picture by the chosen renderer and by the one that leaves
+//! nothing out, and the work of both.
 
 use std::fmt::{self, Write};
 
-use common::{Error, Image, Scene, Settings};
+use common::{Error, Image, Renderer, Scene, Settings};
 
 use crate::tally::{Tally, Work, counted};
 
-/// What the omissions of a scene save.
+/// The work that the chosen renderer saves in a scene.
 #[derive(Debug)]
 pub struct Comparison {
-    /// The picture with omissions.
+    /// The picture by the chosen renderer.
     pub image: Image,
     /// Its work.
     pub needed: Tally,
-    /// The work without omissions.
+    /// The work of the renderer that leaves nothing out.
     pub all: Tally,
     /// The largest difference of a channel between both pictures.
     pub difference: f64,
 }
 
 impl Comparison {
-    /// Renders a scene with and without omissions, on the threads of the
-    /// current pool.
+    /// Renders a scene by the chosen renderer and by the one that leaves nothing
+    /// out, on the threads of the current pool.
     pub fn new(scene: &Scene, settings: &Settings) -> Result<Self, Error> {
         let render = |settings: &Settings| {
             let (image, tally) = counted(|| scene.render(settings, &()))?;
@@ -55,11 +55,11 @@ impl Comparison {
     }
 }
 
-/// The settings without omissions.
+/// The settings with the renderer that leaves nothing out.
 #[must_use]
 pub fn complete(settings: &Settings) -> Settings {
     Settings {
-        omit: false,
+        renderer: Renderer::AllWork,
         ..settings.clone()
     }
 }
@@ -113,14 +113,15 @@ mod tests {
     use super::*;
     use crate::tally::{count, count_all};
 
-    /// Without omissions a ray more, three tests more and a picture brighter by
+    /// The renderer that leaves nothing out takes a ray more, three tests more and a picture brighter by
     /// 1/8.
     fn scene() -> Scene {
         Scene::traced("test", "", |settings, _| {
+            let is_all = settings.renderer == Renderer::AllWork;
             count(Work::PrimaryRay);
-            count_all(Work::IntersectionTest, if settings.omit { 1 } else { 4 });
+            count_all(Work::IntersectionTest, if is_all { 4 } else { 1 });
             let mut image = Image::black(settings.size)?;
-            if !settings.omit {
+            if is_all {
                 count(Work::ShadowRay);
                 image.pixels_mut()[0] = Color::gray(0.125);
             }

@@ -3,7 +3,7 @@
 
 use std::time::Instant;
 
-use common::{Error, Image, Scene, Settings};
+use common::{Error, Image, Renderer, Scene, Settings};
 use measure::comparison::{Comparison, complete};
 
 use crate::options::Options;
@@ -15,10 +15,8 @@ const ROUNDS: usize = 3;
 /// Says what the scene's plan leaves out and what that saves, and returns the
 /// picture.
 pub fn explain(scene: &Scene, options: &Options) -> Result<Image, Error> {
-    let settings = Settings {
-        omit: true,
-        ..options.settings(scene)?
-    };
+    let settings = options.settings(scene)?;
+    check(&settings)?;
     print(&format!("{}  {}", scene.name, settings.size));
     print(&scene.plan(&settings)?.to_string());
     let threads = options.thread_pool()?;
@@ -34,6 +32,18 @@ pub fn explain(scene: &Scene, options: &Options) -> Result<Image, Error> {
         }
         Ok(comparison.image)
     })
+}
+
+/// Refuses the renderer that leaves nothing out: there is nothing to compare it with.
+pub fn check(settings: &Settings) -> Result<(), Error> {
+    match settings.renderer {
+        Renderer::Lesson | Renderer::Engine => Ok(()),
+        Renderer::AllWork => Err(Error::Usage(
+            "--explain compares a renderer with --no-omit, which leaves nothing out; \
+             give --explain without --no-omit, or with --fast"
+                .to_owned(),
+        )),
+    }
 }
 
 fn times([needed, all]: [f64; 2]) -> String {
@@ -68,7 +78,7 @@ mod tests {
     fn scene() -> Scene {
         let wait = Duration::from_millis(3);
         let scene = Scene::traced("slow", "", move |settings, _| {
-            if settings.omit {
+            if settings.renderer != Renderer::AllWork {
                 return Image::black(settings.size);
             }
             sleep(wait);
@@ -76,25 +86,32 @@ mod tests {
         });
         scene.with_defaults(Settings {
             size: Size::new(1, 1).unwrap(),
-            omit: false,
             ..Settings::default()
         })
     }
 
     #[test]
-    fn the_picture_is_that_with_omissions() {
+    fn the_picture_is_that_of_the_chosen_renderer() {
         let image = explain(&scene(), &Options::default()).unwrap();
         assert_eq!(image.pixels(), [Color::BLACK]);
     }
 
     #[test]
+    fn a_renderer_that_leaves_nothing_out_is_refused() {
+        let scene = scene().with_defaults(Settings {
+            renderer: Renderer::AllWork,
+            ..Settings::default()
+        });
+        let error = explain(&scene, &Options::default()).unwrap_err();
+        assert_eq!(error.exit_code(), 2);
+        assert!(error.to_string().contains("without --no-omit"), "{error}");
+    }
+
+    #[test]
     fn each_has_its_own_time() {
         let scene = scene();
-        let omitting = Settings {
-            omit: true,
-            ..scene.defaults.clone()
-        };
-        let [needed, all] = shortest(&scene, [&omitting, &scene.defaults]).unwrap();
+        let settings = &scene.defaults;
+        let [needed, all] = shortest(&scene, [settings, &complete(settings)]).unwrap();
         assert!(
             needed >= 0.0 && needed < all && all >= 0.003,
             "{needed} {all}"

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use common::{Error, Image, Sampling, Scene, Settings, Size, Transfer, UsedSettings};
+use common::{Error, Image, Renderer, Sampling, Scene, Settings, Size, Transfer, UsedSettings};
 
 use crate::named::by_name;
 
@@ -42,6 +42,10 @@ pub struct Options {
     /// Curve between light and the values in the file
     #[arg(long, value_name = "CURVE", value_parser = by_name::<Transfer>(), default_value = "linear")]
     pub transfer: Transfer,
+
+    /// Render with the fast renderer; the picture is the same
+    #[arg(long, conflicts_with = "no_omit")]
+    fast: bool,
 
     /// Do also the work that cannot change the picture
     #[arg(long)]
@@ -122,7 +126,11 @@ impl Options {
             max_error,
             seed: self.seed.unwrap_or(defaults.seed),
             depth: self.depth.unwrap_or(defaults.depth),
-            omit: defaults.omit && !self.no_omit,
+            renderer: match (self.fast, self.no_omit) {
+                (true, _) => Renderer::Engine,
+                (false, true) => Renderer::AllWork,
+                (false, false) => defaults.renderer,
+            },
             file: self.open.clone().or_else(|| defaults.file.clone()),
         })
     }

@@ -8,7 +8,7 @@ use common::{Error, Scene, Settings, Size};
 use measure::Stage;
 
 use crate::TerminalProgress;
-use crate::explain::explain;
+use crate::explain::{self, explain};
 use crate::options::Options;
 use crate::print::{print, warn};
 use crate::target::Target;
@@ -24,7 +24,10 @@ pub fn render_to_files(
 ) -> Result<(), Error> {
     let target = Target::new(output, scenes.len())?;
     for scene in scenes {
-        options.settings(scene)?;
+        let settings = options.settings(scene)?;
+        if explained {
+            explain::check(&settings)?;
+        }
         target.check(stage, scene)?;
     }
     for scene in scenes {

@@ -7,17 +7,22 @@
 
 mod description;
 mod difference;
+mod invariance;
+mod left_out;
+mod program_run;
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::sync::Mutex;
 
-use common::{Image, Sampled, Sampling, Scene, Settings, Size, Transfer, picture_file};
+use common::{Image, Renderer, Scene, Settings, Transfer, picture_file};
+use measure::Stage;
+use program::picture_name;
+
 use description::describe;
 use difference::{compare, leave_pictures};
-use measure::Stage;
-use measure::comparison::{Comparison, complete};
-use program::picture_name;
+
+pub use invariance::{check_narrow_sizes, check_omissions, check_rows, check_threads};
+pub use left_out::check_book;
+pub use program_run::check_program;
 
 /// Where the test crate and its files lie; [`lock_pictures!`](crate::lock_pictures)
 /// fills it in.
@@ -103,34 +108,72 @@ fn render(scene: &Scene, settings: &Settings) -> Image {
     image
 }
 
-/// Renders a scene and compares it with both halves of its lock.
+/// Renders a scene with all renderers and compares the pictures with its lock: that
+/// of the lesson, the first, with both halves, the others with the expected PNG.
 ///
 /// # Panics
 ///
-/// If the picture differs; the message says how, and where to look at it.
+/// If a picture differs; the message names the renderer, says how the picture
+/// differs, and where to look at it.
 pub fn check(stage: &Stage, test: &str, places: &Places) {
     let scene = stage.scene(&test.replace('_', "-")).expect("a scene");
-    let image = render(scene, &scene.defaults);
-    let (size, rgb) = (image.size(), image.to_rgb8(Transfer::Linear));
+    let expected = places.expected(&picture_name(stage, scene));
+    let [lesson, others @ ..] = Renderer::ALL.map(|renderer| Settings {
+        renderer,
+        ..scene.defaults.clone()
+    });
+    check_lesson(scene, &render(scene, &lesson), &expected, places);
+    for settings in others {
+        let image = render(scene, &settings);
+        if let Err(difference) = compare_with_file(&expected, &image) {
+            let difference = format!("{}: {difference}", headline(scene, settings.renderer));
+            let scratch = Path::new(places.scratch);
+            panic!(
+                "{}",
+                leave_pictures(scratch, &expected, &image, &difference)
+            );
+        }
+    }
+}
 
-    let name = picture_name(stage, scene);
-    let expected = places.expected(&name);
-    let comparison = picture_file::open(&expected)
+/// A sentence that says which picture differs from the lock.
+fn headline(scene: &Scene, renderer: Renderer) -> String {
+    let name = scene.name;
+    match renderer {
+        Renderer::Lesson => format!("the picture of {name} has changed"),
+        Renderer::Engine => {
+            format!("the fast renderer (--fast) draws another picture of {name} than the lesson")
+        }
+        Renderer::AllWork => {
+            format!(
+                "the renderer of all work (--no-omit) draws another picture of {name} than the lesson"
+            )
+        }
+    }
+}
+
+fn compare_with_file(expected: &Path, image: &Image) -> Result<(), String> {
+    picture_file::open(expected)
         .map_err(|error| error.to_string())
-        .and_then(|stored| compare(&stored, &image));
+        .and_then(|stored| compare(&stored, image))
+}
+
+/// Compares the picture of the lesson with both halves of the lock.
+fn check_lesson(scene: &Scene, image: &Image, expected: &Path, places: &Places) {
+    let (size, rgb) = (image.size(), image.to_rgb8(Transfer::Linear));
     let accept = std::env::var("INSTA_UPDATE").as_deref() == Ok("always");
-    let report = match comparison {
+    let report = match compare_with_file(expected, image) {
         Ok(()) => None,
         Err(_) if accept => {
-            picture_file::save_png(&expected, size, &rgb).expect("the expected picture is written");
+            picture_file::save_png(expected, size, &rgb).expect("the expected picture is written");
             None
         }
-        Err(difference) => Some(leave_pictures(
-            Path::new(places.scratch),
-            &expected,
-            &image,
-            &difference,
-        )),
+        Err(difference) => {
+            let difference = format!("{}: {difference}", headline(scene, Renderer::Lesson));
+            let left = leave_pictures(Path::new(places.scratch), expected, image, &difference);
+            let hint = "  INSTA_UPDATE=always accepts what the test sees; look at it first";
+            Some(format!("{left}\n{hint}"))
+        }
     };
     if let Some(report) = &report {
         eprintln!("{report}");
@@ -154,169 +197,4 @@ pub fn check_complete(stage: &Stage, tests: &[&str]) {
     let locked: Vec<_> = tests.iter().map(|test| test.replace('_', "-")).collect();
     let scenes: Vec<_> = stage.scenes.iter().map(|scene| scene.name).collect();
     assert_eq!(locked, scenes, "the tests name every scene, in order");
-}
-
-/// Few pixels, so that a scene can be rendered several times.
-fn small(scene: &Scene) -> Settings {
-    Settings {
-        size: Size::new(96, 72).expect("a size"),
-        ..scene.defaults.clone()
-    }
-}
-
-/// Samples anywhere, and several reflections.
-fn scattered(scene: &Scene) -> Settings {
-    Settings {
-        samples: 3,
-        sampling: Sampling::Random,
-        seed: 5,
-        depth: 3,
-        ..small(scene)
-    }
-}
-
-/// Checks that the number of threads changes nothing: with one sample, with
-/// scattered ones, and with as many as the picture needs. What these show of the
-/// error is a sum over pixels, whose last bits another order would change.
-///
-/// # Panics
-///
-/// If it does.
-pub fn check_threads(stage: &Stage) {
-    for scene in &stage.scenes {
-        let adaptive = Settings {
-            samples: 64,
-            max_error: Some(1.0 / 255.0),
-            ..small(scene)
-        };
-        for settings in [small(scene), scattered(scene), adaptive] {
-            let with = |threads| {
-                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-                let pool = pool.build().expect("threads");
-                let told = Mutex::new(Sampled::default());
-                let image = pool.install(|| scene.render(&settings, &told));
-                let told = told.into_inner().expect("what the samples show");
-                (image.expect("the scene renders"), told)
-            };
-            let one = with(1);
-            for threads in 2..=8 {
-                assert_eq!(one, with(threads), "{}, {threads} threads", scene.name);
-            }
-        }
-    }
-}
-
-/// Checks that bands of rows are what they are in the whole picture.
-///
-/// # Panics
-///
-/// If one is not.
-pub fn check_rows(stage: &Stage) {
-    for scene in stage.scenes.iter().filter(|scene| scene.uses.sampling) {
-        let mut settings = Settings {
-            samples: 4,
-            sampling: Sampling::Stratified,
-            ..small(scene)
-        };
-        let whole = render(scene, &settings);
-        // 72 rows make ten bands and two rows more.
-        let bands = whole.pixels().chunks(7 * 96);
-        for (start, expected) in (0..).step_by(7).zip(bands) {
-            settings.rows = Some(start..start + 7);
-            let band = render(scene, &settings);
-            assert_eq!(band.pixels(), expected, "{}, row {start}", scene.name);
-        }
-    }
-}
-
-/// Checks that work which is left out changes nothing, wherever samples lie and
-/// however often rays are mirrored.
-///
-/// # Panics
-///
-/// If they do.
-pub fn check_omissions(stage: &Stage) {
-    for scene in &stage.scenes {
-        for settings in [small(scene), scattered(scene)] {
-            let [with, without] =
-                [settings.clone(), complete(&settings)].map(|settings| render(scene, &settings));
-            assert_eq!(with, without, "{}", scene.name);
-        }
-    }
-}
-
-/// Checks that the book's table of what is left out holds what is counted, for
-/// all traced scenes of the stage in pictures of 96x72 pixels.
-///
-/// # Panics
-///
-/// If it does not; the message says what the table should say.
-pub fn check_book(stage: &Stage, places: &Places) {
-    let path = Path::new(places.stage).join("../book/src/left-out.md");
-    let mut page = std::fs::read_to_string(&path).expect("the page");
-    let mut wrong = Vec::new();
-    for scene in stage.scenes.iter().filter(|scene| scene.uses.sampling) {
-        let (number, _) = stage.name.split_once('-').expect("a number");
-        let name = format!("{number} {}", scene.name);
-        let comparison = Comparison::new(scene, &small(scene)).expect("the scene renders");
-        assert_eq!(comparison.difference, 0.0, "{name}");
-        let row = comparison.row(&name);
-        let begin = format!("| {name} |");
-        let found = page.lines().find(|line| line.starts_with(&begin));
-        if found != Some(&row) {
-            page = found.map_or_else(|| page.clone(), |found| page.replace(found, &row));
-            wrong.push(row);
-        }
-    }
-    if std::env::var("INSTA_UPDATE").as_deref() == Ok("always") {
-        std::fs::write(&path, page).expect("the page is written");
-    } else {
-        assert!(wrong.is_empty(), "it is:\n{}", wrong.join("\n"));
-    }
-}
-
-/// Renders every scene at the sizes that divide by zero if anything does.
-///
-/// # Panics
-///
-/// If a picture has another size than asked for, or pixels that are no numbers.
-pub fn check_narrow_sizes(stage: &Stage) {
-    for scene in stage.scenes.iter().filter(|scene| scene.uses.size) {
-        for (width, height) in [(1, 1), (1, 50), (50, 1)] {
-            let size = Size::new(width, height).expect("a size");
-            let settings = Settings {
-                size,
-                ..scene.defaults.clone()
-            };
-            assert_eq!(render(scene, &settings).size(), size, "{}", scene.name);
-        }
-    }
-}
-
-/// Runs the program with no display and compares the PNG it leaves.
-///
-/// # Panics
-///
-/// If the program fails, or does not leave its first picture and say where.
-pub fn check_program(stage: &Stage, places: &Places) {
-    let folder = tempfile::tempdir().expect("a folder");
-    // On these the display cannot be taken from the program, but only declined.
-    let always_a_display = cfg!(any(windows, target_os = "macos"));
-    let output = Command::new(places.program)
-        .args(always_a_display.then_some("--no-window"))
-        .current_dir(&folder)
-        .env_remove("DISPLAY")
-        .env_remove("WAYLAND_DISPLAY")
-        .output()
-        .expect("the program runs");
-    let name = picture_name(stage, &stage.scenes[0]);
-    let said = String::from_utf8_lossy(&output.stdout);
-    let complaint = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{complaint}");
-    let explained = always_a_display || complaint.starts_with("no window: ");
-    assert!(explained, "{complaint}");
-    assert!(said.contains(&name), "{said}");
-    let open = |path: &Path| picture_file::open(path).expect("a picture");
-    let left = open(&folder.path().join("out").join(&name));
-    assert_eq!(left, open(&places.expected(&name)));
 }

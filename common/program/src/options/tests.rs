@@ -92,20 +92,24 @@ fn random_samples_may_be_any_number() {
 }
 
 #[test]
-fn work_is_left_out_only_where_scene_and_flag_let_it() {
-    let omits = |omit, no_omit| {
+fn a_flag_chooses_the_renderer_or_the_scene_does() {
+    let chosen = |renderer, fast, no_omit| {
         let scene = scene().with_defaults(Settings {
-            omit,
+            renderer,
             ..Settings::default()
         });
         let flags = Options {
+            fast,
             no_omit,
             ..Options::default()
         };
-        flags.settings(&scene).unwrap().omit
+        flags.settings(&scene).unwrap().renderer
     };
-    assert!(omits(true, false) && !omits(true, true));
-    assert!(!omits(false, false) && !omits(false, true));
+    for default in Renderer::ALL {
+        assert_eq!(chosen(default, false, false), default);
+        assert_eq!(chosen(default, true, false), Renderer::Engine);
+        assert_eq!(chosen(default, false, true), Renderer::AllWork);
+    }
 }
 
 #[test]
