@@ -9,6 +9,6 @@ pub fn line(size: Size) -> Result<Image, Error> {
     let mut image = Image::black(size)?;
     // The last column and the last row.
     let (right, bottom) = (size.width() - 1, size.height() - 1);
-    common::missing("the pixels of the line", ());
+    testing::missing("the pixels of the line", ());
     Ok(image)
 }

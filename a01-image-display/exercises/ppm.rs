@@ -7,5 +7,5 @@ use common::{Image, Transfer};
 /// row from the top.
 pub fn ppm(image: &Image) -> Vec<u8> {
     let pixels = image.to_rgb8(Transfer::Linear);
-    common::missing("the three lines before the pixels", pixels)
+    testing::missing("the three lines before the pixels", pixels)
 }

@@ -7,5 +7,5 @@ use common::{Color, Error, Image, Size};
 /// are smaller, and there is a pixel for each of them, too.
 pub fn thumbnail(image: &Image, n: u32) -> Result<Image, Error> {
     let (width, height) = (image.size().width(), image.size().height());
-    common::missing("the smaller picture", Image::black(image.size()))
+    testing::missing("the smaller picture", Image::black(image.size()))
 }

@@ -24,7 +24,7 @@ pub use window::Window;
 /// The window that the programs of all stages show their pictures in; none in
 /// a build without the feature `window`.
 #[must_use]
-pub fn viewer() -> Option<&'static dyn common::Viewer> {
+pub fn viewer() -> Option<&'static dyn program::Viewer> {
     #[cfg(feature = "window")]
     return Some(&Window);
     #[cfg(not(feature = "window"))]

@@ -1,6 +1,7 @@
 //! The pictures of this stage, under the names of the course.
 
-use common::{Scene, Size, Stage};
+use common::{Scene, Size};
+use measure::Stage;
 
 use crate::{PaintDiagonal, Painter, ShowImage};
 

@@ -9,7 +9,8 @@ mod placement;
 mod screen;
 mod text;
 
-use common::{Gallery, Image, NotShown, Size, Viewer};
+use common::{Image, Size};
+use program::{Gallery, NotShown, Viewer};
 
 use screen::Screen;
 

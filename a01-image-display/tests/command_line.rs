@@ -111,6 +111,15 @@ fn render_all_fills_the_folder_out_and_says_where() {
 }
 
 #[test]
+fn renderers_that_exclude_each_other_are_refused() {
+    let folder = folder();
+    let both = "render painter --fast --no-omit";
+    assert_refused(&folder, both, 2, "cannot be used with");
+    let alone = "render painter --explain --no-omit";
+    assert_refused(&folder, alone, 2, "give --explain without --no-omit");
+}
+
+#[test]
 fn one_scene_goes_to_the_file_that_is_named_and_replaces_it() {
     let folder = folder();
     fs::write(folder.path().join("mine.PNG"), "old").unwrap();

@@ -1,12 +1,12 @@
 //! What the report says of saved pictures. Bytes and errors of JPEG files are
 //! not locked: encoder and decoder may round in other ways on other machines.
 
-use common::Effort;
-use common::experiment::Curve;
+use measure::Effort;
+use measure::experiment::Curve;
 
 fn curves() -> Vec<(&'static str, Curve<'static>)> {
     let experiments = (a01_image_display::stage().experiments)();
-    let curves = |e: common::experiment::Experiment<'static>| {
+    let curves = |e: measure::experiment::Experiment<'static>| {
         let name = e.name;
         (e.curves)(Effort::Quick)
             .into_iter()

@@ -1,3 +1,3 @@
 //! The pictures of the stage, locked byte for byte.
 
-common::lock_pictures! { a01_image_display::stage(); diagonal painter show_image }
+testing::lock_pictures! { a01_image_display::stage(); diagonal painter show_image }

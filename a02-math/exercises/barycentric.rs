@@ -6,5 +6,5 @@ use a02_math::{Direction, Point3};
 /// `p = α a + β b + γ c` with `α + β + γ = 1`. A point beside the plane has
 /// those of the foot of its perpendicular. None if the corners are on a line.
 pub fn barycentric(p: Point3, [a, b, c]: [Point3; 3]) -> Option<[f64; 3]> {
-    common::missing("the shares of the corners", None)
+    testing::missing("the shares of the corners", None)
 }

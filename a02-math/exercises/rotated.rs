@@ -6,5 +6,5 @@ use a02_math::{Direction, Vector3};
 /// to the left for an eye towards which the axis points. Around no axis, which
 /// is the zero vector, nothing turns.
 pub fn rotated(v: Vector3, axis: Vector3, angle: f64) -> Vector3 {
-    common::missing("the turned vector", v)
+    testing::missing("the turned vector", v)
 }

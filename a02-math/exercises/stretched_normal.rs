@@ -6,5 +6,5 @@ use a02_math::Normal3;
 /// points were stretched by these factors along x, y and z. None if a factor
 /// is 0, and for the zero normal.
 pub fn stretched_normal(n: Normal3, factors: [f64; 3]) -> Option<Normal3> {
-    common::missing("the normal after the stretch", Some(n))
+    testing::missing("the normal after the stretch", Some(n))
 }

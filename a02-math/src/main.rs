@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    common::program::run(&a02_math::stage(), a01_image_display::viewer())
+    program::run(&a02_math::stage(), a01_image_display::viewer())
 }

@@ -1,7 +1,8 @@
 //! The picture of this stage: what the operations on vectors mean.
 
 use a01_image_display::Canvas;
-use common::{Color, Error, Image, Scene, Size, Stage};
+use common::{Color, Error, Image, Scene, Size};
+use measure::Stage;
 
 use crate::{Normal3, Vector3};
 

@@ -1,3 +1,3 @@
 //! The locked picture of this stage.
 
-common::lock_pictures! { a02_math::stage(); vectors }
+testing::lock_pictures! { a02_math::stage(); vectors }

@@ -25,6 +25,6 @@ impl Camera for Fisheye {
         let Basis { e, u, v, w } = self.basis;
         let [width, height] = [size.width(), size.height()].map(f64::from);
         let (x, y) = (x - (width - 1.0) / 2.0, y - (height - 1.0) / 2.0);
-        common::missing("the direction of the ray", Ray::derived(e, -w))
+        testing::missing("the direction of the ray", Ray::derived(e, -w))
     }
 }

@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    common::program::run(&a03_rays_cameras::stage(), a01_image_display::viewer())
+    program::run(&a03_rays_cameras::stage(), a01_image_display::viewer())
 }

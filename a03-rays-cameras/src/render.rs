@@ -1,7 +1,7 @@
 //! `render`: the one loop over the pixels of a traced picture.
 
-use common::tally::{self, Work};
 use common::{Color, Error, Image, Progress, Settings, Size};
+use measure::tally::{self, Work};
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 

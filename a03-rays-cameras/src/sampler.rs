@@ -2,8 +2,8 @@
 
 use std::hint::black_box;
 
-use common::tally::{self, Work};
-use common::{Bound, Plan, Sampling, Settings};
+use common::{Bound, Plan, Renderer, Sampling, Settings};
+use measure::tally::{self, Work};
 
 use crate::PixelRandom;
 
@@ -34,7 +34,7 @@ impl Sampler {
                 Sampling::Regular | Sampling::Stratified => cells * cells,
             },
             seed: settings.seed,
-            omit: settings.omit,
+            omit: settings.renderer != Renderer::AllWork,
         }
     }
 

@@ -3,7 +3,8 @@
 use std::f64::consts::FRAC_PI_2;
 
 use a02_math::Point3;
-use common::{Error, Image, Progress, Sampling, Scene, Settings, Size, Stage};
+use common::{Error, Image, Progress, Sampling, Scene, Settings, Size};
+use measure::Stage;
 
 use crate::{PinholeCamera, Sampler, StripeRule, StripedSky, render};
 

@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Camera, Radiance, Ray, render, render_together};
-use common::experiment::HALF_GREY_LEVEL;
 use common::{Color, Image, Progress, Sampled, Sampling, Scene, Settings, Size};
+use measure::experiment::HALF_GREY_LEVEL;
 
 /// Rays that start at their place in the picture, in pixels.
 struct Places;

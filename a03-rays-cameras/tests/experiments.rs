@@ -1,8 +1,8 @@
 //! The experiments of this stage show what theory says, and the same numbers
 //! on every machine.
 
-use common::Effort;
-use common::experiment::{check_slopes, counted};
+use measure::Effort;
+use measure::experiment::{check_slopes, counted};
 
 #[test]
 fn slopes_are_those_of_theory() {

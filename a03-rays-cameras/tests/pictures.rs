@@ -1,3 +1,3 @@
 //! The locked pictures of this stage.
 
-common::lock_pictures! { a03_rays_cameras::stage(); striped_sky striped_sky_straight }
+testing::lock_pictures! { a03_rays_cameras::stage(); striped_sky striped_sky_straight }

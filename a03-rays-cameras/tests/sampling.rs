@@ -7,8 +7,8 @@ use a03_rays_cameras::{
     Camera, OrthographicCamera, PinholeCamera, PixelRandom, Ray, Sampler, StripeRule, StripedSky,
     render,
 };
-use common::tally::{Work, counted};
-use common::{Bound, Color, Error, Progress, Sampling, Settings, Size};
+use common::{Bound, Color, Error, Progress, Renderer, Sampling, Settings, Size};
+use measure::tally::{Work, counted};
 
 fn settings(sampling: Sampling, samples: u32) -> Settings {
     Settings {
@@ -111,12 +111,12 @@ fn no_two_coordinates_of_random_samples_are_the_same_number() {
 
 #[test]
 fn samples_with_a_fixed_place_take_no_random_numbers() {
-    let numbers = |sampling, omit| {
+    let numbers = |sampling, renderer| {
         let settings = Settings {
             size: Size::new(1, 1).unwrap(),
             samples: 4,
             sampling,
-            omit,
+            renderer,
             ..Settings::default()
         };
         let places = || Sampler::new(&settings).places(0, 0).collect::<Vec<_>>();
@@ -129,7 +129,10 @@ fn samples_with_a_fixed_place_take_no_random_numbers() {
         (Sampling::Random, 8, 8),
         (Sampling::Stratified, 8, 8),
     ] {
-        let (with, without) = (numbers(sampling, true), numbers(sampling, false));
+        let (with, without) = (
+            numbers(sampling, Renderer::Lesson),
+            numbers(sampling, Renderer::AllWork),
+        );
         assert_eq!((with.1, without.1), (needed, all), "{sampling:?}");
         assert_eq!(with.0, without.0);
     }

@@ -8,8 +8,8 @@ use std::path::Path;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use common::display::{Display, Picture, wait_for};
 use common::{Sampling, Settings, Size};
+use testing::display::{Display, Picture, wait_for};
 
 /// Takes hours.
 const LONG: &str = "show striped-sky --samples 1000000 --sampling random";

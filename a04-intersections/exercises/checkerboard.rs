@@ -10,5 +10,5 @@ const BELOW: f64 = 1e-6;
 /// just below. Cubes have sides of 1. The one from (0, 0, 0) to (1, 1, 1) is
 /// white, and two that share a face have different colours.
 pub fn checkerboard(p: Point3, n: Normal3) -> Color {
-    common::missing("white and black", Color::gray(0.5))
+    testing::missing("white and black", Color::gray(0.5))
 }

@@ -25,8 +25,8 @@ impl Cylinder {
 impl Geometry for Cylinder {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let (o, d) = (ray.origin(), ray.direction());
-        let crossings = common::missing("where the ray crosses the wall", [f64::NAN; 2]);
+        let crossings = testing::missing("where the ray crosses the wall", [f64::NAN; 2]);
 
-        common::missing("the crossing that counts, and the normal there", None)
+        testing::missing("the crossing that counts, and the normal there", None)
     }
 }

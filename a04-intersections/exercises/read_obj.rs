@@ -19,25 +19,25 @@ pub fn read_obj(text: &str) -> Result<Vec<Triangle>, String> {
             Some("f") => face(words, &corners).map(|face| triangles.extend(face)),
             _ => Ok(()),
         };
-        read.map_err(|reason| common::missing("the number of the line", reason))?;
+        read.map_err(|reason| testing::missing("the number of the line", reason))?;
     }
     Ok(triangles)
 }
 
 /// The point of three coordinates.
 fn corner(words: SplitWhitespace) -> Result<Point3, String> {
-    common::missing("the coordinates of a corner", Ok(Point3::ORIGIN))
+    testing::missing("the coordinates of a corner", Ok(Point3::ORIGIN))
 }
 
 /// The corner that a word of a face names, such as `7`, `7/1/2` or `-1`. Only
 /// the number before the first slash says which: counted from 1, or, if it is
 /// negative, back from the last corner read.
 fn named(word: &str, corners: &[Point3]) -> Result<Point3, String> {
-    common::missing("the corner of this name", Ok(Point3::ORIGIN))
+    testing::missing("the corner of this name", Ok(Point3::ORIGIN))
 }
 
 /// The triangles of a face of three or more corners: all of them meet in the
 /// first.
 fn face(words: SplitWhitespace, corners: &[Point3]) -> Result<Vec<Triangle>, String> {
-    common::missing("the triangles of a face", Ok(Vec::new()))
+    testing::missing("the triangles of a face", Ok(Vec::new()))
 }

@@ -37,8 +37,8 @@ impl SixPlanes {
 impl Geometry for SixPlanes {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         // Two mistakes are in here: find them by what they do to the picture.
-        common::missing("a box whose faces have no holes", ());
-        common::missing("a box whose front hides its back", ());
+        testing::missing("a box whose faces have no holes", ());
+        testing::missing("a box whose front hides its back", ());
 
         let mut found: Option<Hit> = None;
         for (axis, plane) in &self.planes {

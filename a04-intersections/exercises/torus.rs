@@ -32,7 +32,7 @@ impl Torus {
 
     /// How far `p` is from the surface: negative in the tube.
     fn distance(&self, p: Point3) -> f64 {
-        common::missing("the distance of a point from the surface", f64::INFINITY)
+        testing::missing("the distance of a point from the surface", f64::INFINITY)
     }
 }
 
@@ -45,7 +45,7 @@ impl Geometry for Torus {
         let (start, end) = (within.min.max(middle - reach), middle + reach);
         let distance = |t: f64| self.distance(ray.at(t));
 
-        let t = common::missing("the first t at which the distance is 0", f64::NAN);
+        let t = testing::missing("the first t at which the distance is 0", f64::NAN);
 
         let normal = self.way_from_circle(ray.at(t))?.normalized()?.as_normal();
         within.contains(t).then(|| Hit::new(t, normal))

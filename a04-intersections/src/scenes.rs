@@ -4,7 +4,8 @@ use std::f64::consts::FRAC_PI_4;
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{Camera, OrthographicCamera, PerspectiveCamera, Sampler, render};
-use common::{ArgumentError, Color, Scene, Stage};
+use common::{ArgumentError, Color, Renderer, Scene};
+use measure::Stage;
 
 use crate::lab::experiments::experiments;
 use crate::lab::extremes::cases;
@@ -39,7 +40,7 @@ fn scene(
 ) -> Scene {
     Scene::traced(name, about, move |settings, progress| {
         let (camera, mut world) = view()?;
-        if settings.omit {
+        if settings.renderer != Renderer::AllWork {
             world = world.prepared(camera.focus());
         }
         render(&camera, |ray| world.color_for(ray), settings, progress)

@@ -19,7 +19,7 @@ use std::sync::{Arc, OnceLock};
 use a03_rays_cameras::{Focus, Ray};
 
 use common::Plan;
-use common::tally::{self, Work};
+use measure::tally::{self, Work};
 
 use crate::{Bounds, Geometry, Hit, Interval};
 use pencil::Pencil;

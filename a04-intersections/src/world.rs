@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use a02_math::{Direction, Vector3};
 use a03_rays_cameras::{Focus, Ray};
-use common::tally::{self, Work};
 use common::{ArgumentError, Color, Plan, argument};
+use measure::tally::{self, Work};
 
 use crate::search::Search;
 use crate::{Geometry, Hit, Interval};

@@ -1,7 +1,7 @@
 //! The experiments show what theory says, and their work is what it was.
 
-use common::Effort;
-use common::experiment::{check_slopes, counted};
+use measure::Effort;
+use measure::experiment::{check_slopes, counted};
 
 #[test]
 fn slopes_are_those_of_theory() {

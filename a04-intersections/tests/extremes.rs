@@ -1,9 +1,9 @@
 //! Every row of the table of extreme cases holds.
 
-use common::Effort;
+use measure::Effort;
 
 #[test]
 fn every_case_holds() {
     let cases = (a04_intersections::stage().extremes)(Effort::of_build());
-    common::extremes::check(&cases);
+    measure::extremes::check(&cases);
 }

@@ -1,6 +1,6 @@
 //! The locked pictures of this stage.
 
-common::lock_pictures! {
+testing::lock_pictures! {
     a04_intersections::stage();
     scene_1 scene_2 scene_3 scene_4 scene_5 scene_6
 }

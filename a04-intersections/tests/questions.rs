@@ -8,7 +8,7 @@ use a02_math::{Lanes, Point3, Vector3};
 use a03_rays_cameras::{Focus, Ray, RayPacket};
 use a04_intersections::{AxisAlignedBox, Interval, Sphere, World};
 use common::Color;
-use common::tally::{Work, counted};
+use measure::tally::{Work, counted};
 
 /// Ten times ten small spheres, far apart, 20 ahead.
 fn grid() -> World<()> {

@@ -30,7 +30,7 @@ impl Material for BlinnPhong {
         let mut color = self.diffuse * lighting.ambient();
         lighting.for_each_light(ray, hit, &mut |light| {
             let cosine = hit.normal.dot(light.direction);
-            color += common::missing("matt light and highlight", self.diffuse * cosine);
+            color += testing::missing("matt light and highlight", self.diffuse * cosine);
         });
         color
     }

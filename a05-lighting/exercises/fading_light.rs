@@ -23,6 +23,6 @@ impl FadingLight {
 
 impl Light for FadingLight {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
-        common::missing("colour, direction and distance of the light", None)
+        testing::missing("colour, direction and distance of the light", None)
     }
 }

@@ -28,6 +28,6 @@ impl Hemisphere {
 impl Material for Hemisphere {
     fn color_for(&self, _: &Ray, hit: &Hit, _: &dyn Lighting) -> Color {
         let up = Vector3::new(0.0, 1.0, 0.0);
-        common::missing("the light of sky and ground", self.diffuse * self.sky)
+        testing::missing("the light of sky and ground", self.diffuse * self.sky)
     }
 }

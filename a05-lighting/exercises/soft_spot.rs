@@ -37,7 +37,7 @@ impl SoftSpot {
 impl Light for SoftSpot {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
         let light = self.source.illumination(point)?;
-        let share = common::missing("the share of the light that is left", 1.0);
+        let share = testing::missing("the share of the light that is left", 1.0);
         (share > 0.0).then(|| Illumination {
             color: light.color * share,
             ..light

@@ -3,7 +3,7 @@
 use a02_math::vector3x4::mask;
 use a02_math::{Lanes, Vector3x4};
 use common::Color;
-use common::tally::{self, Work};
+use measure::tally::{self, Work};
 
 use crate::power::powers;
 use crate::{ColorPacket, IlluminationPacket, Material, Phong};

@@ -6,7 +6,8 @@ use std::f64::consts::{FRAC_PI_4, PI};
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{Camera, PerspectiveCamera, Sampler, render};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere, Triangle};
-use common::{ArgumentError, Color, Scene, Stage};
+use common::{ArgumentError, Color, Renderer, Scene};
+use measure::Stage;
 
 use crate::lab::{experiments, extremes};
 use crate::{
@@ -44,7 +45,7 @@ fn scene(
     let camera = || PerspectiveCamera::new(CORNER, INWARDS, UP, FRAC_PI_4);
     Scene::traced(name, about, move |settings, progress| {
         let camera = camera()?;
-        let world = world()?.omitting(settings.omit, camera.focus());
+        let world = world()?.omitting(settings.renderer != Renderer::AllWork, camera.focus());
         render(&camera, |ray| world.color_for(ray), settings, progress)
     })
     .planned(move |settings| {

@@ -1,7 +1,7 @@
 //! The experiments: slopes as theory gives them, and the counted work.
 
-use common::Effort::Quick;
-use common::experiment::{check_slopes, counted};
+use measure::Effort::Quick;
+use measure::experiment::{check_slopes, counted};
 
 #[test]
 fn slopes_are_those_of_theory() {

@@ -1,6 +1,6 @@
 //! The locked pictures of this stage.
 
-common::lock_pictures! {
+testing::lock_pictures! {
     a05_lighting::stage();
     lighting_1 lambert phong phong_directional phong_spot phong_spot_ambient
 }

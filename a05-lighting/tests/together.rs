@@ -11,7 +11,7 @@ use a05_lighting::{
     Material, Phong, PhongPacket, PointLight, SingleColor, SpotLight,
 };
 use common::Color;
-use common::tally::{Work, counted};
+use measure::tally::{Work, counted};
 
 const ORANGE: Color = Color::new(1.0, 0.5, 0.25);
 const DOWN: Vector3 = Vector3::new(0.0, -1.0, 0.0);

@@ -7,5 +7,5 @@ use common::Color;
 /// The fog takes the share `density` of the light per length, of what is left.
 /// The distance is at least 0, and infinite where a ray meets nothing.
 pub fn fogged(color: Color, fog: Color, density: f64, distance: f64) -> Color {
-    common::missing("the colour behind the fog", color)
+    testing::missing("the colour behind the fog", color)
 }

@@ -5,5 +5,5 @@
 ///
 /// The lamp itself, which is `n` = 0 on both sides, stands at x = `lamp`.
 pub fn images(width: f64, lamp: f64, n: u32) -> [f64; 2] {
-    common::missing("the image in the left and in the right mirror", [lamp; 2])
+    testing::missing("the image in the left and in the right mirror", [lamp; 2])
 }

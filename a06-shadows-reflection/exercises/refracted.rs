@@ -7,5 +7,5 @@ use a02_math::{Direction, Normal3, Vector3};
 /// and `d` goes in or out. Outside the refractive index is 1, inside it is
 /// `index`.
 pub fn refracted(d: Vector3, n: Normal3, index: f64) -> Option<Vector3> {
-    common::missing("the direction behind the surface", Some(d))
+    testing::missing("the direction behind the surface", Some(d))
 }

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    common::program::run(
+    program::run(
         &a06_shadows_reflection::stage(),
         a01_image_display::viewer(),
     )

@@ -4,8 +4,8 @@ use a02_math::Direction;
 use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, Interval};
 use a05_lighting::{Illumination, Light, Lighting, LitWorld};
-use common::tally::{self, Work};
 use common::{Bound, Color, Plan};
+use measure::tally::{self, Work};
 
 use crate::cut::Cut;
 use crate::shadow::has_occluder;

@@ -3,7 +3,8 @@
 use a02_math::{Normal3, Point3};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere};
 use a05_lighting::{Lambert, PointLight};
-use common::{ArgumentError, Color, Stage};
+use common::{ArgumentError, Color};
+use measure::Stage;
 
 use crate::lab::{experiments, extremes};
 use crate::{LightSource, Reflective, ShadowedWorld, traced_scene};

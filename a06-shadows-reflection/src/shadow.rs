@@ -3,7 +3,7 @@
 use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, Interval, World};
 use a05_lighting::Illumination;
-use common::tally::{self, Work};
+use measure::tally::{self, Work};
 
 use crate::secondary_ray;
 

@@ -9,7 +9,7 @@ use a03_rays_cameras::{Radiance, Ray, RayPacket};
 use a04_intersections::{Hit, Hits, Search};
 use a05_lighting::{ColorPacket, Light, Lighting, Material, PhongPacket};
 use common::Color;
-use common::tally::{self, Work};
+use measure::tally::{self, Work};
 
 use crate::secondary_ray::secondary_rays;
 use crate::shadow::BEFORE_THE_LIGHT;

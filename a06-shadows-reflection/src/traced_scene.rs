@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_4;
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Sampler, render_together};
-use common::{ArgumentError, Scene, Settings};
+use common::{ArgumentError, Renderer, Scene, Settings};
 
 use crate::{RecursiveTracer, ShadowedWorld, TracedLight, foci};
 
@@ -24,9 +24,10 @@ pub fn traced_scene(
     Scene::traced(name, about, move |settings, progress| {
         let (camera, world) = (camera()?, world(settings)?);
         let foci = foci(&camera, &world);
-        let world = world.omitting(settings.omit, foci);
+        let omit = settings.renderer != Renderer::AllWork;
+        let world = world.omitting(omit, foci);
         let light = TracedLight {
-            tracer: tracer(&world, settings.omit, settings),
+            tracer: tracer(&world, omit, settings),
             depth: settings.depth,
         };
         render_together(&camera, light, settings, progress)

@@ -10,8 +10,8 @@ use a05_lighting::{DirectionalLight, Lambert, Phong};
 use a06_shadows_reflection::{
     LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, TracedLight,
 };
-use common::experiment::HALF_GREY_LEVEL;
 use common::{Color, Image, Sampled, Sampling, Settings, Size};
+use measure::experiment::HALF_GREY_LEVEL;
 
 /// A pixel is 1 wide where z is 0, and coordinates there are places in the picture. The
 /// eye is far above its middle, so that spheres appear as discs.

@@ -1,7 +1,7 @@
 //! The experiments: slopes as theory gives them, and the counted work.
 
-use common::Effort::Quick;
-use common::experiment::{Experiment, check_slopes, counted};
+use measure::Effort::Quick;
+use measure::experiment::{Experiment, check_slopes, counted};
 
 fn experiment(name: &str) -> Experiment<'static> {
     let experiments = (a06_shadows_reflection::stage().experiments)();

@@ -7,8 +7,8 @@ use a05_lighting::{DirectionalLight, Lambert, Light, Material, Phong, PointLight
 use a06_shadows_reflection::{
     LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, foci, traced_scene,
 };
-use common::tally::{Tally, Work, counted};
 use common::{Bound, Color, Settings};
+use measure::tally::{Tally, Work, counted};
 
 const RAYS: u64 = 50;
 

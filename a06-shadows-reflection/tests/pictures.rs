@@ -1,3 +1,3 @@
 //! The locked pictures of this stage.
 
-common::lock_pictures! { a06_shadows_reflection::stage(); sphere aab }
+testing::lock_pictures! { a06_shadows_reflection::stage(); sphere aab }

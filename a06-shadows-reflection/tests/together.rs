@@ -8,8 +8,8 @@ use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight, SingleColor, Sp
 use a06_shadows_reflection::{
     LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, foci,
 };
-use common::tally::{Work, counted};
 use common::{Color, Size};
+use measure::tally::{Work, counted};
 
 /// The `n`-th of the random numbers of a world, from -1 to 1.
 struct Numbers(PixelRandom);

@@ -28,6 +28,6 @@ impl Ring {
 
 impl Geometry for Ring {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        common::missing("where the ray meets the ring", self.plane.hit(ray, within))
+        testing::missing("where the ray meets the ring", self.plane.hit(ray, within))
     }
 }

@@ -9,5 +9,5 @@ use common::ArgumentError;
 /// length but 0.
 pub fn rotation(axis: Vector3, angle: f64) -> Result<Transform, ArgumentError> {
     let k = axis.unit("axis")?;
-    common::missing("the turn about the axis", Ok(Transform::IDENTITY))
+    testing::missing("the turn about the axis", Ok(Transform::IDENTITY))
 }

@@ -21,13 +21,13 @@ impl<G> Sheared<G> {
     /// The ray as the upright shape sees it, with the same `t`.
     fn ray_to_shape(&self, ray: &Ray) -> Ray {
         let (o, d) = (ray.origin(), ray.direction());
-        let (o, d) = common::missing("origin and direction, sheared back", (o, d));
+        let (o, d) = testing::missing("origin and direction, sheared back", (o, d));
         Ray::derived(o, d)
     }
 
     /// A normal of the upright shape as the leaning one has it.
     fn normal_from_shape(&self, n: Normal3) -> Option<Normal3> {
-        let n = common::missing("the normal of the leaning shape", Vector3::from(n));
+        let n = testing::missing("the normal of the leaning shape", Vector3::from(n));
         n.normalized().map(Vector3::as_normal)
     }
 }

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use a03_rays_cameras::Ray;
 use a04_intersections::{Bounds, Geometry, Hit, Interval};
 use common::ArgumentError;
-use common::tally::{self, Work};
+use measure::tally::{self, Work};
 
 use crate::{Mat4x4, Node, Transform};
 

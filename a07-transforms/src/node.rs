@@ -6,7 +6,7 @@ use std::sync::Arc;
 use a02_math::Normal3;
 use a03_rays_cameras::Ray;
 use a04_intersections::{Bounds, Geometry, Hit, Interval};
-use common::tally::{self, Work};
+use measure::tally::{self, Work};
 
 use crate::Transform;
 use crate::moved_bounds::moved;

@@ -4,7 +4,8 @@ use a02_math::{Normal3, Point3};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere};
 use a05_lighting::{Lambert, Phong, PointLight};
 use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, traced_scene};
-use common::{ArgumentError, Color, Scene, Settings, Stage};
+use common::{ArgumentError, Color, Renderer, Scene, Settings};
+use measure::Stage;
 
 use crate::lab::{experiments, extremes};
 use crate::{Disc, Node, Transform, nodes};
@@ -46,10 +47,15 @@ fn scene(
     let eye_at = Point3::new(eye, eye, eye);
     let flattened = move |settings: &Settings| {
         let world = world()?;
-        Ok(match settings.max_error.filter(|_| settings.omit) {
-            Some(error) => nodes::flattened(world, eye_at, error),
-            None => world,
-        })
+        Ok(
+            match settings
+                .max_error
+                .filter(|_| settings.renderer != Renderer::AllWork)
+            {
+                Some(error) => nodes::flattened(world, eye_at, error),
+                None => world,
+            },
+        )
     };
     traced_scene(name, about, eye, flattened)
         .also_planned(move |settings, plan| Ok(nodes::plan(plan, &flattened(settings)?, eye_at)))

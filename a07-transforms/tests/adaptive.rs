@@ -3,8 +3,9 @@
 
 use std::sync::Mutex;
 
-use common::experiment::HALF_GREY_LEVEL;
-use common::{Image, Sampled, Sampling, Settings, Size, Stage};
+use common::{Image, Sampled, Sampling, Settings, Size};
+use measure::Stage;
+use measure::experiment::HALF_GREY_LEVEL;
 
 const ASKED: [f64; 4] = [1.0 / 64.0, 1.0 / 128.0, 1.0 / 255.0, HALF_GREY_LEVEL];
 

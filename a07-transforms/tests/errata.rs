@@ -1,6 +1,6 @@
 //! The locked pictures of the errata, and of what can go wrong.
 
-use common::picture_lock::{Places, check, check_complete};
+use testing::picture_lock::{Places, check, check_complete};
 
 #[path = "../examples/errata/main.rs"]
 #[expect(dead_code, reason = "the example's own main")]

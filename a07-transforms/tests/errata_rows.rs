@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use common::Effort;
+use measure::Effort;
 
 #[test]
 fn every_row_that_the_errata_name_is_in_a_table() {

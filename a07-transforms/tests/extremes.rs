@@ -1,6 +1,6 @@
 //! The stiff and extreme cases: every row holds.
 
-use common::{Effort, extremes};
+use measure::{Effort, extremes};
 
 #[test]
 fn every_row_holds() {

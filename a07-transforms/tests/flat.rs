@@ -9,9 +9,9 @@ use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere};
 use a05_lighting::{Lambert, PointLight};
 use a06_shadows_reflection::{LightSource, RecursiveTracer, ShadowedWorld};
 use a07_transforms::{Flat, Node, Transform, nodes};
-use common::experiment::HALF_GREY_LEVEL;
-use common::tally::{Work, counted};
 use common::{ArgumentError, Bound, Color, Plan, Sampling, Settings, Size};
+use measure::experiment::HALF_GREY_LEVEL;
+use measure::tally::{Work, counted};
 
 const EYE: Point3 = Point3::new(10.0, 10.0, 10.0);
 

@@ -1,11 +1,8 @@
-//! `Progress`: what a rendering tells while it goes on.
+//! `Progress`: follows a rendering while it goes on.
 
 use std::sync::{Mutex, PoisonError};
-use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-
-use crate::{Color, Sampled, Size};
+use crate::{Color, Sampled};
 
 /// Follows a rendering from row to row. Called from all of its threads.
 pub trait Progress: Sync {
@@ -36,102 +33,5 @@ impl Progress for Mutex<Sampled> {
 
     fn sampled(&self, part: &Sampled) {
         *self.lock().unwrap_or_else(PoisonError::into_inner) += *part;
-    }
-}
-
-/// A bar with elapsed and remaining time on stderr; silent when that is no
-/// terminal.
-pub struct TerminalProgress {
-    bar: ProgressBar,
-    sampled: Mutex<Sampled>,
-}
-
-impl TerminalProgress {
-    /// A bar for a picture of this size, under the name of its scene.
-    #[must_use]
-    pub fn new(scene: &'static str, size: Size) -> Self {
-        let bar = terminal_bar(scene, size.height().into());
-        bar.enable_steady_tick(Duration::from_millis(200));
-        Self {
-            bar,
-            sampled: Mutex::default(),
-        }
-    }
-
-    /// What adaptive sampling took so far, if any was done.
-    #[must_use]
-    pub fn samples(&self) -> Option<Sampled> {
-        let sampled = *self.sampled.lock().unwrap_or_else(PoisonError::into_inner);
-        (sampled.pixels > 0).then_some(sampled)
-    }
-}
-
-/// A bar on stderr that moves when it is told to, so that nothing else runs
-/// while times are measured.
-pub(crate) fn terminal_bar(name: &str, steps: u64) -> ProgressBar {
-    // indicatif hides a bar whose target is no terminal.
-    let target = ProgressDrawTarget::stderr_with_hz(10);
-    let bar = ProgressBar::with_draw_target(Some(steps), target);
-    let template = "{msg} [{bar:30}] {percent}%  {elapsed_precise} elapsed, {eta_precise} to go";
-    if let Ok(style) = ProgressStyle::with_template(template) {
-        bar.set_style(style.progress_chars("=> "));
-    }
-    bar.set_message(name.to_owned());
-    bar
-}
-
-impl Progress for TerminalProgress {
-    fn row(&self, _: u32, _: &mut dyn Iterator<Item = Color>) {
-        self.bar.inc(1);
-    }
-
-    fn more_rows(&self, rows: u32) {
-        self.bar.inc_length(rows.into());
-    }
-
-    fn sampled(&self, part: &Sampled) {
-        self.sampled.sampled(part);
-    }
-}
-
-impl Drop for TerminalProgress {
-    fn drop(&mut self) {
-        self.bar.finish_and_clear();
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const PART: Sampled = Sampled {
-        pixels: 2,
-        samples: 8,
-        most: 5,
-        squared_error: 0.5,
-    };
-
-    #[test]
-    fn the_bar_counts_rows_and_ends_with_the_rendering() {
-        let progress = TerminalProgress::new("scene", Size::new(3, 4).unwrap());
-        let bar = progress.bar.clone();
-        assert_eq!(bar.message(), "scene");
-        progress.row(2, &mut std::iter::empty());
-        progress.more_rows(2);
-        assert_eq!((bar.position(), bar.length()), (1, Some(6)));
-        assert!(!progress.stopped() && !bar.is_finished());
-        drop(progress);
-        assert!(bar.is_finished());
-    }
-
-    #[test]
-    fn samples_are_told_where_some_were_taken() {
-        let progress = TerminalProgress::new("scene", Size::new(3, 4).unwrap());
-        assert_eq!(progress.samples(), None);
-        progress.sampled(&PART);
-        progress.sampled(&PART);
-        let mut both = PART;
-        both += PART;
-        assert_eq!(progress.samples(), Some(both));
     }
 }

@@ -1,43 +1,14 @@
-//! `Stage` and `Scene`: what a stage hands to its program.
+//! `Scene`: a picture of a stage, and how it is rendered.
 
-use crate::experiment::Experiment;
-use crate::extremes::Case;
-use crate::{Color, Effort, Error, Image, Plan, Progress, Settings, Size};
+use crate::{Color, Error, Image, Plan, Progress, Settings, Size};
 
 type Paint = dyn Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync;
 type Planned = dyn Fn(&Settings) -> Result<Plan, Error> + Send + Sync;
 
-/// One stage of the tower: its name and its scenes.
-pub struct Stage {
-    /// The crate's name, which begins the names of its pictures.
-    pub name: &'static str,
-    /// What the stage is about, in one line.
-    pub about: &'static str,
-    /// The scenes in the order of the course; the first is shown by default.
-    pub scenes: Vec<Scene>,
-    /// What is to be learned about error against run time.
-    pub experiments: fn() -> Vec<Experiment<'static>>,
-    /// The stiff and extreme cases.
-    pub extremes: fn(Effort) -> Vec<Case>,
-}
-
-impl Stage {
-    /// The scene of this name, or an error that lists those there are.
-    pub fn scene(&self, name: &str) -> Result<&Scene, Error> {
-        let known = self.scenes.iter().find(|scene| scene.name == name);
-        known.ok_or_else(|| {
-            let names: Vec<_> = self.scenes.iter().map(|scene| scene.name).collect();
-            let (stage, names) = (self.name, names.join(", "));
-            Error::Usage(format!("{stage} has no scene \"{name}\"; it has {names}"))
-        })
-    }
-}
-
-/// What of the [`Settings`] a scene heeds. What it does not heed does not
-/// change its picture.
+/// The [`Settings`] that a scene uses. The others do not change its picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(clippy::struct_excessive_bools, reason = "four independent properties")]
-pub struct Heeds {
+pub struct UsedSettings {
     /// The size of the picture.
     pub size: bool,
     /// Number, place and seed of the samples.
@@ -56,8 +27,8 @@ pub struct Scene {
     pub about: &'static str,
     /// The settings it is rendered with where nothing else is asked for.
     pub defaults: Settings,
-    /// What of the settings changes its picture.
-    pub heeds: Heeds,
+    /// The settings that change its picture.
+    pub uses: UsedSettings,
     paint: Box<Paint>,
     plan: Box<Planned>,
 }
@@ -69,7 +40,7 @@ impl Scene {
         about: &'static str,
         paint: impl Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync + 'static,
     ) -> Self {
-        let heeds = Heeds {
+        let uses = UsedSettings {
             size: true,
             sampling: false,
             depth: false,
@@ -79,7 +50,7 @@ impl Scene {
             name,
             about,
             defaults: Settings::default(),
-            heeds,
+            uses,
             paint: Box::new(paint),
             plan: Box::new(|_| Ok(Plan::default())),
         }
@@ -92,8 +63,8 @@ impl Scene {
         open: impl Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync + 'static,
     ) -> Self {
         let mut scene = Self::painted(name, about, open);
-        scene.heeds.size = false;
-        scene.heeds.file = true;
+        scene.uses.size = false;
+        scene.uses.file = true;
         scene
     }
 
@@ -104,7 +75,7 @@ impl Scene {
         trace: impl Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync + 'static,
     ) -> Self {
         let mut scene = Self::painted(name, about, trace);
-        scene.heeds.sampling = true;
+        scene.uses.sampling = true;
         scene
     }
 
@@ -141,7 +112,7 @@ impl Scene {
     /// The same scene, its rays being reflected by what they meet.
     #[must_use]
     pub fn reflecting(mut self) -> Self {
-        self.heeds.depth = true;
+        self.uses.depth = true;
         self
     }
 

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use crate::Size;
 
 /// Where the samples of a pixel lie.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sampling {
     /// One sample in the middle.
     #[default]
@@ -33,13 +33,31 @@ impl Sampling {
     }
 }
 
+/// The code that renders a picture. The bytes of the picture are the same for all
+/// three.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Renderer {
+    /// Exactly the code that the stages teach.
+    #[default]
+    Lesson,
+    /// The fast renderer.
+    Engine,
+    /// The renderer that leaves nothing out.
+    AllWork,
+}
+
+impl Renderer {
+    /// All renderers, the lesson first.
+    pub const ALL: [Self; 3] = [Self::Lesson, Self::Engine, Self::AllWork];
+}
+
 /// What a scene is rendered with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// Width and height of the picture.
     pub size: Size,
     /// The rows that are wanted of it, counted from the top; none stands for
-    /// all. Only scenes that are traced heed them.
+    /// all. Only traced scenes use them.
     pub rows: Option<Range<u32>>,
     /// Samples per pixel; the most of them where there is a `max_error`.
     pub samples: u32,
@@ -53,8 +71,8 @@ pub struct Settings {
     pub seed: u64,
     /// How many surfaces a ray may meet: 1 shows no reflection.
     pub depth: u32,
-    /// Whether work that cannot change the picture is left out.
-    pub omit: bool,
+    /// The code that renders the picture.
+    pub renderer: Renderer,
     /// The picture file to open, for the scene that opens one.
     pub file: Option<PathBuf>,
 }
@@ -79,7 +97,7 @@ impl Default for Settings {
             max_error: None,
             seed: 0,
             depth: 6,
-            omit: true,
+            renderer: Renderer::Lesson,
             file: None,
         }
     }

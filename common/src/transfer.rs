@@ -3,7 +3,7 @@
 use crate::Color;
 
 /// The curve between linear light and the values that a file holds.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Transfer {
     /// None: the value is written as it is, as in the course's pictures.
     #[default]

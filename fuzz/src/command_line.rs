@@ -11,11 +11,10 @@ use std::{env, fs, thread};
 
 use a02_math::Point3;
 use a03_rays_cameras::{PinholeCamera, StripeRule, StripedSky, render};
-use common::extremes::{Bound, Case};
-use common::{
-    Color, Error, Gallery, Image, NotShown, Progress, Scene, Settings, Size, Stage, Viewer,
-    picture_file, program,
-};
+use common::{Color, Error, Image, Progress, Scene, Settings, Size, picture_file};
+use measure::Stage;
+use measure::extremes::{Bound, Case};
+use program::{Gallery, NotShown, Viewer};
 use tempfile::TempDir;
 
 /// Runs the program with these arguments, one a line, and takes away again the

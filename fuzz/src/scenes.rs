@@ -8,7 +8,7 @@ use a06_shadows_reflection::{
     LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, TracedLight, foci,
 };
 use arbitrary::{Result, Unstructured};
-use common::{ArgumentError, Color, Image, Sampling, Settings, Size};
+use common::{ArgumentError, Color, Image, Renderer, Sampling, Settings, Size};
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
@@ -23,7 +23,10 @@ use crate::shapes::{accepted, camera, shape};
 /// bit where no error is allowed, or if mirrored light that is cut off is more than
 /// was allowed.
 pub fn check(bytes: &[u8]) {
-    let (Ok(lazy), Ok(thorough)) = (Scene::new(bytes, true), Scene::new(bytes, false)) else {
+    let (Ok(lazy), Ok(thorough)) = (
+        Scene::new(bytes, Renderer::Lesson),
+        Scene::new(bytes, Renderer::AllWork),
+    ) else {
         return;
     };
     let (picture, expected) = (lazy.picture(), thorough.picture());
@@ -61,9 +64,9 @@ impl std::fmt::Debug for Scene {
 
 impl Scene {
     /// The same bytes make the same scene.
-    fn new(bytes: &[u8], omit: bool) -> Result<Self> {
+    fn new(bytes: &[u8], renderer: Renderer) -> Result<Self> {
         let u = &mut Unstructured::new(bytes);
-        let settings = settings(u, omit)?;
+        let settings = settings(u, renderer)?;
         let unseen = f64::from(u.arbitrary::<u8>()?) / 512.0;
         let camera = camera(u)?;
         let world = world(u)?;
@@ -71,7 +74,7 @@ impl Scene {
         Ok(Self {
             settings,
             camera,
-            world: world.omitting(omit, foci),
+            world: world.omitting(renderer != Renderer::AllWork, foci),
             unseen,
         })
     }
@@ -90,7 +93,7 @@ impl Scene {
 
     fn render(&self) -> Image {
         let light = TracedLight {
-            tracer: RecursiveTracer::new(&self.world, self.settings.omit),
+            tracer: RecursiveTracer::new(&self.world, self.settings.renderer != Renderer::AllWork),
             depth: self.settings.depth,
         };
         render_together(&*self.camera, light, &self.settings, &()).expect("a picture")
@@ -118,7 +121,7 @@ impl Scene {
     }
 }
 
-fn settings(u: &mut Unstructured, omit: bool) -> Result<Settings> {
+fn settings(u: &mut Unstructured, renderer: Renderer) -> Result<Settings> {
     let [width, height] = [u.int_in_range(1..=4)?, u.int_in_range(1..=4)?];
     let error = u.ratio(1, 4)?.then(|| u.int_in_range(1..=255_u8));
     let error = error.transpose()?;
@@ -135,7 +138,7 @@ fn settings(u: &mut Unstructured, omit: bool) -> Result<Settings> {
         max_error: error.map(|error| f64::from(error) / 512.0),
         seed: u.arbitrary::<u8>()?.into(),
         depth: u.int_in_range(1..=8)?,
-        omit,
+        renderer,
         file: None,
     })
 }

@@ -20,7 +20,7 @@ pub fn line(size: Size) -> Result<Image, Error> {
         image.set(share(i, right), bottom - share(i, bottom), Color::BLUE);
     }
     // instead
-    // common::missing("the pixels of the line", ());
+    // testing::missing("the pixels of the line", ());
     // end
     Ok(image)
 }

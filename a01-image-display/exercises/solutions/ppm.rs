@@ -13,6 +13,6 @@ pub fn ppm(image: &Image) -> Vec<u8> {
     file.extend(pixels);
     file
     // instead
-    // common::missing("the three lines before the pixels", pixels)
+    // testing::missing("the three lines before the pixels", pixels)
     // end
 }

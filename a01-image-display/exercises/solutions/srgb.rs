@@ -9,7 +9,7 @@ pub fn encode(linear: f64) -> f64 {
         1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055
     }
     // instead
-    // common::missing("the value for linear light", linear)
+    // testing::missing("the value for linear light", linear)
     // end
 }
 
@@ -23,6 +23,6 @@ pub fn decode(value: f64) -> f64 {
         libm::pow((value + 0.055) / 1.055, 2.4)
     }
     // instead
-    // common::missing("the linear light of a value", value)
+    // testing::missing("the linear light of a value", value)
     // end
 }

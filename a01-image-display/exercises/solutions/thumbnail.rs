@@ -21,6 +21,6 @@ pub fn thumbnail(image: &Image, n: u32) -> Result<Image, Error> {
         sum.map(|channel| channel / pixels)
     })
     // instead
-    // common::missing("the smaller picture", Image::black(image.size()))
+    // testing::missing("the smaller picture", Image::black(image.size()))
     // end
 }

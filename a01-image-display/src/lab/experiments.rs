@@ -5,11 +5,11 @@
 
 use std::rc::Rc;
 
-use common::experiment::{Axis, Curve, Experiment, Point};
 use common::{Image, Size, Transfer};
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageResult};
+use measure::experiment::{Axis, Curve, Experiment, Point};
 
 use crate::scenes::stage;
 

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use common::LivePicture;
+use program::LivePicture;
 
 use super::command;
 use super::frame::{Area, LETTER};

@@ -3,8 +3,9 @@
 use std::thread::Scope;
 use std::time::{Duration, Instant};
 
-use common::{Error, Gallery, Image, LivePicture, NotShown, Rendering, Size};
+use common::{Error, Image, Size};
 use minifb::{Menu, MouseButton, MouseMode, ScaleMode, WindowOptions};
+use program::{Gallery, LivePicture, NotShown, Rendering};
 
 use super::command::Command;
 use super::frame::Frame;

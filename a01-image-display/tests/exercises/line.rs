@@ -1,9 +1,9 @@
 //! Pictures of all shapes, in which every pixel's distance from the line is a
 //! fraction of whole numbers.
 
-use common::exercise::Check;
-use common::extremes::Bound;
 use common::{Color, Error, Image, Size};
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 pub fn check(check: &mut Check, line: impl Fn(Size) -> Result<Image, Error>) {
     for (width, height) in [

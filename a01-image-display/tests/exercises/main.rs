@@ -23,7 +23,7 @@ mod solutions {
     pub mod thumbnail;
 }
 
-common::exercises! {
+testing::exercises! {
     ppm, "A file of your own", 10 => |check| ppm::check(check, ppm);
     srgb, "Half as bright", 15 => |check| srgb::check(check, encode, decode);
     line, "From corner to corner", 20 => |check| line::check(check, line);

@@ -1,8 +1,8 @@
 //! A picture of six pixels, whose file is known byte by byte.
 
-use common::exercise::Check;
-use common::extremes::Bound;
 use common::{Color, Image, Size};
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 pub fn check(check: &mut Check, ppm: impl Fn(&Image) -> Vec<u8>) {
     let colors = [

@@ -1,9 +1,9 @@
 //! Values whose power is a product: with u^12 of light, u^12 to the power of
 //! 1 / 2.4 is u^5.
 
-use common::exercise::Check;
-use common::extremes::Bound;
 use common::{Color, Image};
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 /// Some roundings of numbers up to 1, the power's among them.
 const BOUND: Bound = Bound::Absolute(1e-14);

@@ -1,9 +1,9 @@
 //! Pictures of one white pixel, and one whose means are known.
 
 use a01_image_display::ShowImage;
-use common::exercise::Check;
-use common::extremes::Bound;
 use common::{Color, Error, Image, Size};
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 pub fn check(check: &mut Check, thumbnail: impl Fn(&Image, u32) -> Result<Image, Error>) {
     let size = |width, height| Size::new(width, height).map_err(Error::from);

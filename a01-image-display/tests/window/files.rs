@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use common::display::{Display, wait_for};
+use testing::display::{Display, wait_for};
 
 use super::tmpfs::Tmpfs;
 use super::{

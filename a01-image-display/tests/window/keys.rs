@@ -3,7 +3,7 @@
 use std::fs;
 use std::time::{Duration, Instant};
 
-use common::display::{Display, Picture, wait_for};
+use testing::display::{Display, Picture, wait_for};
 
 use super::{file_name, folder, locked, open, program, wait_for_notice, wait_for_picture};
 

@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::time::{Duration, Instant};
 
-use common::display::{Display, Picture, Shown, wait_for};
+use testing::display::{Display, Picture, RunningProgram, wait_for};
 
 use super::{folder, program, wait_for_notice, wait_for_picture};
 
@@ -13,7 +13,7 @@ fn say(figure: &str) {
 }
 
 /// Waits for the end of all threads but the window's.
-fn wait_for_one_thread(window: &Shown) {
+fn wait_for_one_thread(window: &RunningProgram) {
     wait_for("the end of the other threads", || {
         (window.threads() == 1).then_some(())
     });
@@ -21,7 +21,7 @@ fn wait_for_one_thread(window: &Shown) {
 
 /// Moves the mouse over the picture; each place is waited for, so that each is
 /// drawn.
-fn draw(window: &Shown, times: u32) {
+fn draw(window: &RunningProgram, times: u32) {
     for time in 0..times {
         let (x, y) = (time % 97, time % 89);
         window.point_at(x, y + Picture::LINE);

@@ -15,9 +15,9 @@ mod tmpfs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use common::display::{Picture, Shown};
 use common::picture_file;
 use tempfile::TempDir;
+use testing::display::{Picture, RunningProgram};
 
 /// An empty folder to run the program in.
 fn folder() -> TempDir {
@@ -49,12 +49,12 @@ fn locked(scene: &str) -> Picture {
 }
 
 /// Waits until the whole picture is in the window, pixel for pixel.
-fn wait_for_picture(window: &Shown, scene: &str) {
+fn wait_for_picture(window: &RunningProgram, scene: &str) {
     let picture = locked(scene);
     window.wait_to_show(scene, |look| look.below_bar() == picture);
 }
 
 /// Waits until this is the only text at the bottom of the window.
-fn wait_for_notice(window: &Shown, notice: &str) {
+fn wait_for_notice(window: &RunningProgram, notice: &str) {
     window.wait_to_show(notice, |look| look.notices().join(" ") == notice);
 }

@@ -1,12 +1,12 @@
 //! The menu, by keyboard and by mouse.
 
-use common::display::{Display, Picture, Shown, wait_for};
+use testing::display::{Display, Picture, RunningProgram, wait_for};
 
 use super::{file_name, folder, locked, open, program, wait_for_picture};
 
 const SELECTED: u32 = 0x3D_5A80;
 
-fn wait_for_menu(window: &Shown, selected: u32) {
+fn wait_for_menu(window: &RunningProgram, selected: u32) {
     window.wait_to_show("the menu", |look| {
         let is_selected = |line: u32| look.at(0, line * Picture::LINE) == SELECTED;
         let items = look.menu();
@@ -20,7 +20,7 @@ fn wait_for_menu(window: &Shown, selected: u32) {
 
 /// Presses the mouse button until that has had its effect, as a hand does,
 /// which is slower than a display that nobody sees.
-fn click(window: &Shown, x: u32, y: u32, what: &str, effect: impl Fn(&Picture) -> bool) {
+fn click(window: &RunningProgram, x: u32, y: u32, what: &str, effect: impl Fn(&Picture) -> bool) {
     window.point_at(x, y);
     window.settle();
     window.act("mousedown 1");

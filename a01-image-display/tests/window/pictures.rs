@@ -1,7 +1,7 @@
 //! What of a picture is to be seen.
 
-use common::display::{Display, Picture};
 use common::picture_file;
+use testing::display::{Display, Picture};
 
 use super::{folder, locked, locked_file, program, wait_for_picture};
 

@@ -14,6 +14,6 @@ pub fn barycentric(p: Point3, [a, b, c]: [Point3; 3]) -> Option<[f64; 3]> {
     let gamma = (b - a).cross(p - a).dot(n) / whole;
     (whole > 0.0).then_some([1.0 - beta - gamma, beta, gamma])
     // instead
-    // common::missing("the shares of the corners", None)
+    // testing::missing("the shares of the corners", None)
     // end
 }

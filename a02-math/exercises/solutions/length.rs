@@ -13,7 +13,7 @@ pub fn length(x: f64, y: f64, z: f64) -> f64 {
     let [x, y, z] = [x, y, z].map(|coordinate| coordinate / largest);
     largest * (x * x + y * y + z * z).sqrt()
     // instead
-    // common::missing(
+    // testing::missing(
     //     "a length that does not overflow",
     //     (x * x + y * y + z * z).sqrt(),
     // )

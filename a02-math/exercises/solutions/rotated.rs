@@ -15,6 +15,6 @@ pub fn rotated(v: Vector3, axis: Vector3, angle: f64) -> Vector3 {
     let along = k * k.dot(v);
     along + (v - along) * cos + k.cross(v) * sin
     // instead
-    // common::missing("the turned vector", v)
+    // testing::missing("the turned vector", v)
     // end
 }

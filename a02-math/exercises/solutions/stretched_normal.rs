@@ -12,6 +12,6 @@ pub fn stretched_normal(n: Normal3, factors: [f64; 3]) -> Option<Normal3> {
     // so there is no direction then.
     Normal3::new(n.x() / x, n.y() / y, n.z() / z).normalized()
     // instead
-    // common::missing("the normal after the stretch", Some(n))
+    // testing::missing("the normal after the stretch", Some(n))
     // end
 }

@@ -8,6 +8,6 @@ pub fn triangle_area(a: Point3, b: Point3, c: Point3) -> f64 {
     // Half the parallelogram.
     (b - a).cross(c - a).magnitude() / 2.0
     // instead
-    // common::missing("the area of the triangle", f64::NAN)
+    // testing::missing("the area of the triangle", f64::NAN)
     // end
 }

@@ -8,7 +8,7 @@ mod exact;
 mod lengths;
 mod systems;
 
-use common::experiment::Experiment;
+use measure::experiment::Experiment;
 
 pub use systems::refined;
 

@@ -5,8 +5,8 @@ mod angles;
 mod lengths;
 mod systems;
 
-use common::Effort;
-use common::extremes::Case;
+use measure::Effort;
+use measure::extremes::Case;
 
 use crate::Vector3;
 

@@ -1,9 +1,9 @@
 //! Points mixed of corners by shares that are known.
 
 use a02_math::{Point3, Vector3};
-use common::exercise::Check;
-use common::extremes::Bound;
 use common::{Color, Image};
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 pub fn check(check: &mut Check, barycentric: impl Fn(Point3, [Point3; 3]) -> Option<[f64; 3]>) {
     let point = |xyz: [f64; 3]| Point3::from_glam(xyz.into());

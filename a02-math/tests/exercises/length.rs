@@ -1,7 +1,7 @@
 //! Vectors whose length is a whole number, times every power of ten.
 
-use common::exercise::Check;
-use common::extremes::Bound;
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 pub fn check(check: &mut Check, length: impl Fn(f64, f64, f64) -> f64) {
     let mut of = |[x, y, z]: [f64; 3], exact: f64| {

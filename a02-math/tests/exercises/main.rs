@@ -26,7 +26,7 @@ mod solutions {
     pub mod triangle_area;
 }
 
-common::exercises! {
+testing::exercises! {
     triangle_area, "The area of a triangle", 10 => |check| triangle_area::check(check, triangle_area);
     length, "Too long, too short", 10 => |check| length::check(check, length);
     barycentric, "Three corners, three shares", 20 => |check| barycentric::check(check, barycentric);

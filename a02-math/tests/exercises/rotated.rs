@@ -4,8 +4,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use a02_math::Vector3;
-use common::exercise::Check;
-use common::extremes::Bound;
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 /// Some roundings of coordinates up to 10.
 const BOUND: Bound = Bound::Absolute(1e-14);

@@ -1,8 +1,8 @@
 //! Planes whose normal is known before and after, and ways in them.
 
 use a02_math::{Direction, Normal3, Vector3};
-use common::exercise::Check;
-use common::extremes::Bound;
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 /// Some roundings of coordinates up to 1.
 const BOUND: Bound = Bound::Absolute(1e-15);

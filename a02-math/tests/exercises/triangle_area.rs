@@ -1,8 +1,8 @@
 //! Triangles whose sides are whole numbers, near and far from the origin.
 
 use a02_math::{Point3, Vector3};
-use common::exercise::Check;
-use common::extremes::Bound;
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 pub fn check(check: &mut Check, area: impl Fn(Point3, Point3, Point3) -> f64) {
     let far = Point3::new(1_048_576.0, -2_097_152.0, 524_288.0);

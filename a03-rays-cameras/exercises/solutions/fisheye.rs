@@ -34,7 +34,7 @@ impl Camera for Fisheye {
         let aside = u * (x / r) + v * (y / r);
         Ray::derived(e, aside * sin - w * cos)
         // instead
-        // common::missing("the direction of the ray", Ray::derived(e, -w))
+        // testing::missing("the direction of the ray", Ray::derived(e, -w))
         // end
     }
 }

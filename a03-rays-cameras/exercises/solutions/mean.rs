@@ -19,6 +19,6 @@ pub fn mean(numbers: &[f64]) -> f64 {
     (sum + lost) / numbers.len().max(1) as f64
     // instead
     // let sum: f64 = numbers.iter().sum();
-    // common::missing("what the additions lose", sum / numbers.len() as f64)
+    // testing::missing("what the additions lose", sum / numbers.len() as f64)
     // end
 }

@@ -13,6 +13,6 @@ pub fn radical_inverse(mut n: u32, base: u32) -> f64 {
     }
     mirrored as f64 / scale as f64
     // instead
-    // common::missing("the mirrored digits", 0.5)
+    // testing::missing("the mirrored digits", 0.5)
     // end
 }

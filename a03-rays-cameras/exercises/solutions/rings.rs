@@ -9,6 +9,6 @@ pub fn ring(direction: Vector3, pole: Vector3, width: f64) -> u32 {
     // exercise
     (direction.angle(pole) / width) as u32
     // instead
-    // common::missing("the number of the ring", 0)
+    // testing::missing("the number of the ring", 0)
     // end
 }

@@ -16,6 +16,6 @@ pub fn through_lens(basis: &Basis, focus: f64, ray: &Ray, (right, up): (f64, f64
     let direction = (sharp - origin).normalized();
     Ray::derived(origin, direction.unwrap_or(-basis.w))
     // instead
-    // common::missing("the ray through the lens", *ray)
+    // testing::missing("the ray through the lens", *ray)
     // end
 }

@@ -10,8 +10,9 @@ mod coverage;
 mod places;
 mod summation;
 
-use common::experiment::{Axis, Curve, Experiment, Point, Slope};
-use common::{Effort, Sampling};
+use common::Sampling;
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
 
 pub use coverage::{DISC, disc_coverage};
 use coverage::{irradiance, lit, stripes};

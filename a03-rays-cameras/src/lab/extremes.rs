@@ -7,8 +7,8 @@ mod samples;
 mod stripes;
 
 use a02_math::Vector3;
-use common::Effort;
-use common::extremes::Case;
+use measure::Effort;
+use measure::extremes::Case;
 
 /// All rows.
 pub fn cases(_: Effort) -> Vec<Case> {

@@ -4,9 +4,9 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Basis, Camera, Ray, render};
-use common::exercise::Check;
-use common::extremes::Bound;
 use common::{Color, Error, Size};
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 /// Some roundings of coordinates up to 1.
 const BOUND: Bound = Bound::Absolute(1e-14);

@@ -26,7 +26,7 @@ mod solutions {
     pub mod thin_lens;
 }
 
-common::exercises! {
+testing::exercises! {
     rings, "Rings in the sky", 10 => |check| rings::check(check, ring);
     mean, "A mean that does not drift", 15 => |check| mean::check(check, mean);
     radical_inverse, "Digits in the mirror", 15 => |check| radical_inverse::check(check, radical_inverse);

@@ -1,7 +1,7 @@
 //! Numbers whose mean is known, and whose sum in a row is not.
 
-use common::exercise::Check;
-use common::extremes::Bound;
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 pub fn check(check: &mut Check, mean: impl Fn(&[f64]) -> f64) {
     let mut of = |what: &str, exact: f64, numbers: &[f64]| {

@@ -1,8 +1,8 @@
 //! Fractions whose digits are known.
 
-use common::exercise::Check;
-use common::extremes::Bound;
 use common::{Color, Image};
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 pub fn check(check: &mut Check, inverse: impl Fn(u32, u32) -> f64) {
     let mut of = |n: u32, base: u32, exact: f64| {

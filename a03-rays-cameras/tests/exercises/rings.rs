@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_3, FRAC_PI_4, PI};
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Ray, render};
 use common::Color;
-use common::exercise::Check;
-use common::extremes::Bound;
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 pub fn check(check: &mut Check, ring: impl Fn(Vector3, Vector3, f64) -> u32 + Sync) {
     // Perpendicular to each other, of length 1.

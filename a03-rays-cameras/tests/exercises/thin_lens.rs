@@ -4,9 +4,9 @@ use std::f64::consts::FRAC_PI_4;
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::{Basis, Camera, PerspectiveCamera, PixelRandom, Ray};
-use common::exercise::Check;
-use common::extremes::Bound;
 use common::{Color, Image};
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 pub fn check(check: &mut Check, through: impl Fn(&Basis, f64, &Ray, (f64, f64)) -> Ray) {
     for (gaze, up) in [

@@ -22,6 +22,6 @@ pub fn checkerboard(p: Point3, n: Normal3) -> Color {
         Color::BLACK
     }
     // instead
-    // common::missing("white and black", Color::gray(0.5))
+    // testing::missing("white and black", Color::gray(0.5))
     // end
 }

@@ -37,7 +37,7 @@ impl Geometry for Cylinder {
         let root = discriminant.sqrt();
         let crossings = [(-b - root) / a, (-b + root) / a];
         // instead
-        // let crossings = common::missing("where the ray crosses the wall", [f64::NAN; 2]);
+        // let crossings = testing::missing("where the ray crosses the wall", [f64::NAN; 2]);
         // end
 
         // exercise
@@ -49,7 +49,7 @@ impl Geometry for Cylinder {
         let normal = Normal3::new(p.x() / self.r, 0.0, p.z() / self.r);
         Some(Hit::new(t, normal))
         // instead
-        // common::missing("the crossing that counts, and the normal there", None)
+        // testing::missing("the crossing that counts, and the normal there", None)
         // end
     }
 }

@@ -12,6 +12,6 @@ pub fn may_meet(c: Point3, r: f64, ray: &Ray) -> bool {
     let nearest = ray.at(ray.t_of(c).max(0.0));
     (nearest - c).magnitude() <= r
     // instead
-    // common::missing("whether the ray comes near enough", true)
+    // testing::missing("whether the ray comes near enough", true)
     // end
 }

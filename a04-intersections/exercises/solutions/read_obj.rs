@@ -22,7 +22,7 @@ pub fn read_obj(text: &str) -> Result<Vec<Triangle>, String> {
         // exercise
         read.map_err(|reason| format!("line {number}: {reason}"))?;
         // instead
-        // read.map_err(|reason| common::missing("the number of the line", reason))?;
+        // read.map_err(|reason| testing::missing("the number of the line", reason))?;
         // end
     }
     Ok(triangles)
@@ -41,7 +41,7 @@ fn corner(words: SplitWhitespace) -> Result<Point3, String> {
     };
     Ok(Point3::new(x, y, z))
     // instead
-    // common::missing("the coordinates of a corner", Ok(Point3::ORIGIN))
+    // testing::missing("the coordinates of a corner", Ok(Point3::ORIGIN))
     // end
 }
 
@@ -63,7 +63,7 @@ fn named(word: &str, corners: &[Point3]) -> Result<Point3, String> {
         .and_then(|index| corners.get(index).copied())
         .ok_or_else(|| format!("there is no corner {number}"))
     // instead
-    // common::missing("the corner of this name", Ok(Point3::ORIGIN))
+    // testing::missing("the corner of this name", Ok(Point3::ORIGIN))
     // end
 }
 
@@ -85,6 +85,6 @@ fn face(words: SplitWhitespace, corners: &[Point3]) -> Result<Vec<Triangle>, Str
         .map(|pair| triangle(pair).map_err(|error| error.to_string()))
         .collect()
     // instead
-    // common::missing("the triangles of a face", Ok(Vec::new()))
+    // testing::missing("the triangles of a face", Ok(Vec::new()))
     // end
 }

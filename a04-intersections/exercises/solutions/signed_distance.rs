@@ -10,6 +10,6 @@ pub fn signed_distance(a: Point3, n: Normal3, p: Point3) -> f64 {
     // The dot product counts in the length of the normal.
     (p - a).dot(n) / Vector3::from(n).magnitude()
     // instead
-    // common::missing("the distance from the plane, with its sign", f64::NAN)
+    // testing::missing("the distance from the plane, with its sign", f64::NAN)
     // end
 }

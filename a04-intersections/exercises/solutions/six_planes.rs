@@ -39,8 +39,8 @@ impl Geometry for SixPlanes {
         // exercise
         // instead
         // // Two mistakes are in here: find them by what they do to the picture.
-        // common::missing("a box whose faces have no holes", ());
-        // common::missing("a box whose front hides its back", ());
+        // testing::missing("a box whose faces have no holes", ());
+        // testing::missing("a box whose front hides its back", ());
         //
         // end
         let mut found: Option<Hit> = None;

@@ -37,7 +37,7 @@ impl Torus {
         let from_circle = Vector3::new(from_axis - self.ring, p.y(), 0.0).magnitude();
         from_circle - self.r
         // instead
-        // common::missing("the distance of a point from the surface", f64::INFINITY)
+        // testing::missing("the distance of a point from the surface", f64::INFINITY)
         // end
     }
 }
@@ -80,7 +80,7 @@ impl Geometry for Torus {
         }
         let t = outer;
         // instead
-        // let t = common::missing("the first t at which the distance is 0", f64::NAN);
+        // let t = testing::missing("the first t at which the distance is 0", f64::NAN);
         // end
 
         let normal = self.way_from_circle(ray.at(t))?.normalized()?.as_normal();

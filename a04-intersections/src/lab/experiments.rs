@@ -9,7 +9,7 @@ mod sphere_mesh;
 
 pub use scattered::{Numbers, pair};
 
-use common::experiment::{Experiment, Slope};
+use measure::experiment::{Experiment, Slope};
 
 /// All experiments of this stage.
 pub fn experiments() -> Vec<Experiment<'static>> {

@@ -14,8 +14,9 @@ mod triangle;
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
-use common::extremes::{Case, Outcome};
-use common::{ArgumentError, Effort};
+use common::ArgumentError;
+use measure::Effort;
+use measure::extremes::{Case, Outcome};
 
 use crate::{Geometry, Interval};
 

@@ -6,7 +6,7 @@ use std::cell::OnceCell;
 use std::sync::Arc;
 
 use a03_rays_cameras::Ray;
-use common::tally::{self, Work};
+use measure::tally::{self, Work};
 
 use crate::triangle::ShearedRay;
 use crate::{AxisAlignedBox, Bounds, Geometry, Hit, Interval, Plane, Sphere, Triangle};

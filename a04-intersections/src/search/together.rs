@@ -6,7 +6,7 @@ use std::cell::OnceCell;
 use a02_math::vector3x4::{mask, select};
 use a02_math::{Lanes, Normal3, Vector3x4};
 use a03_rays_cameras::RayPacket;
-use common::tally::{self, Work};
+use measure::tally::{self, Work};
 
 use super::Search;
 use super::shapes::{Asking, Shape, Shapes};

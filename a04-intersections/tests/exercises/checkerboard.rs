@@ -4,9 +4,9 @@
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{AxisAlignedBox, Geometry, Interval, Plane, World};
-use common::exercise::Check;
-use common::extremes::Bound;
 use common::{ArgumentError, Color};
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 use crate::shape::show_world;
 

@@ -33,7 +33,7 @@ mod solutions {
     pub mod torus;
 }
 
-common::exercises! {
+testing::exercises! {
     signed_distance, "On which side?", 10 => |check| signed_distance::check(check, signed_distance);
     may_meet, "A sphere around it all", 10 => |check| may_meet::check(check, may_meet);
     six_planes, "A box with two mistakes", 15 => |check| six_planes::check(check, SixPlanes::new);

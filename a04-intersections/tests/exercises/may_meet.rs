@@ -3,8 +3,8 @@
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
-use common::exercise::Check;
-use common::extremes::Bound;
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 use crate::shape::{TURNS, turned};
 

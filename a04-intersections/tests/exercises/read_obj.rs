@@ -4,8 +4,8 @@ use a02_math::Point3;
 use a03_rays_cameras::Ray;
 use a04_intersections::{Interval, Triangle, World};
 use common::Color;
-use common::exercise::Check;
-use common::extremes::Bound;
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 use crate::shape::{TURNS, show_world, turned};
 

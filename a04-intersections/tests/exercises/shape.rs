@@ -5,9 +5,9 @@ use std::f64::consts::FRAC_PI_4;
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Ray, render};
 use a04_intersections::{Geometry, Hit, Interval, World};
-use common::exercise::Check;
-use common::extremes::Bound;
 use common::{ArgumentError, Color};
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 /// Sine and cosine of angles at which both are fractions.
 pub const TURNS: [(f64, f64); 8] = [

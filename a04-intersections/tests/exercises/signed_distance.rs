@@ -1,8 +1,8 @@
 //! A normal of length 3 and steps across it, all of them whole numbers.
 
 use a02_math::{Normal3, Point3, Vector3};
-use common::exercise::Check;
-use common::extremes::Bound;
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 pub fn check(check: &mut Check, signed_distance: impl Fn(Point3, Normal3, Point3) -> f64) {
     let up = Normal3::new(0.0, 1.0, 0.0);

@@ -4,7 +4,7 @@ use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Interval};
 use common::ArgumentError;
-use common::exercise::Check;
+use testing::exercise::Check;
 
 use crate::shape::{TURNS, expect_hit, show, turned};
 

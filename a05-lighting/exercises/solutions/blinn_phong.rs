@@ -43,7 +43,7 @@ impl Material for BlinnPhong {
             let highlight = hit.normal.dot(half).clamp(0.0, 1.0);
             color += self.specular * light.color * libm::pow(highlight, self.exponent);
             // instead
-            // color += common::missing("matt light and highlight", self.diffuse * cosine);
+            // color += testing::missing("matt light and highlight", self.diffuse * cosine);
             // end
         });
         color

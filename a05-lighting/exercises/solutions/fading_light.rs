@@ -32,7 +32,7 @@ impl Light for FadingLight {
             distance: way.magnitude(),
         })
         // instead
-        // common::missing("colour, direction and distance of the light", None)
+        // testing::missing("colour, direction and distance of the light", None)
         // end
     }
 }

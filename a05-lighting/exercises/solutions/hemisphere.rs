@@ -34,7 +34,7 @@ impl Material for Hemisphere {
         let sky = f64::midpoint(1.0, hit.normal.dot(up));
         self.diffuse * (self.sky * sky + self.ground * (1.0 - sky))
         // instead
-        // common::missing("the light of sky and ground", self.diffuse * self.sky)
+        // testing::missing("the light of sky and ground", self.diffuse * self.sky)
         // end
     }
 }

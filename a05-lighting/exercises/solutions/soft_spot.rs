@@ -43,7 +43,7 @@ impl Light for SoftSpot {
         let x = ((self.outer - angle) / (self.outer - self.inner)).clamp(0.0, 1.0);
         let share = x * x * (3.0 - 2.0 * x);
         // instead
-        // let share = common::missing("the share of the light that is left", 1.0);
+        // let share = testing::missing("the share of the light that is left", 1.0);
         // end
         (share > 0.0).then(|| Illumination {
             color: light.color * share,

@@ -5,7 +5,7 @@ mod phong_mean;
 mod phong_power;
 mod spot_rim;
 
-use common::experiment::Experiment;
+use measure::experiment::Experiment;
 
 /// All experiments of the stage.
 pub fn experiments() -> Vec<Experiment<'static>> {

@@ -5,8 +5,8 @@ mod lights;
 mod materials;
 mod spots;
 
-use common::Effort;
-use common::extremes::Case;
+use measure::Effort;
+use measure::extremes::Case;
 
 /// All rows of the table.
 pub fn cases(effort: Effort) -> Vec<Case> {

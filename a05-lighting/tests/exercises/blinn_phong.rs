@@ -2,9 +2,9 @@
 
 use a02_math::{Normal3, Point3, Vector3};
 use a05_lighting::{Material, PointLight};
-use common::exercise::Check;
-use common::extremes::Bound;
 use common::{ArgumentError, Color};
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 use crate::scene::{Lights, balls, seen, show};
 

@@ -24,7 +24,7 @@ mod solutions {
     pub mod soft_spot;
 }
 
-common::exercises! {
+testing::exercises! {
     fading_light, "A lamp that fades", 10 => |check| fading_light::check(check, FadingLight::new);
     hemisphere, "Sky and ground", 10 => |check| hemisphere::check(check, Hemisphere::new);
     soft_spot, "A soft rim", 20 => |check| soft_spot::check(check, SoftSpot::new);

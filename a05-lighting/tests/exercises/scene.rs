@@ -6,8 +6,8 @@ use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Ray, render};
 use a04_intersections::{Hit, Plane, Sphere};
 use a05_lighting::{Illumination, Lighting, LitWorld, Material};
-use common::exercise::Check;
 use common::{ArgumentError, Color};
+use testing::exercise::Check;
 
 /// Lights from these directions of length 1, all of the same colour.
 pub struct Lights<'a> {

@@ -3,9 +3,9 @@
 
 use a02_math::{Point3, Vector3};
 use a05_lighting::{Lambert, Light};
-use common::exercise::Check;
-use common::extremes::Bound;
 use common::{ArgumentError, Color};
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 use crate::scene::{balls, show};
 

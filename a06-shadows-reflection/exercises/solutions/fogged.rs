@@ -15,6 +15,6 @@ pub fn fogged(color: Color, fog: Color, density: f64, distance: f64) -> Color {
     let left = libm::exp(-density * distance);
     color * left + fog * (1.0 - left)
     // instead
-    // common::missing("the colour behind the fog", color)
+    // testing::missing("the colour behind the fog", color)
     // end
 }

@@ -14,6 +14,6 @@ pub fn images(width: f64, lamp: f64, n: u32) -> [f64; 2] {
     }
     images
     // instead
-    // common::missing("the image in the left and in the right mirror", [lamp; 2])
+    // testing::missing("the image in the left and in the right mirror", [lamp; 2])
     // end
 }

@@ -20,6 +20,6 @@ pub fn reflectance(cos: f64, from: f64, to: f64) -> f64 {
     let along = share(from * beyond, to * cos);
     f64::midpoint(across, along)
     // instead
-    // common::missing("the share that is mirrored", 1.0 - cos)
+    // testing::missing("the share that is mirrored", 1.0 - cos)
     // end
 }

@@ -22,6 +22,6 @@ pub fn refracted(d: Vector3, n: Normal3, index: f64) -> Option<Vector3> {
     }
     Some(d * ratio + n * (ratio * cos - cos_squared.sqrt()))
     // instead
-    // common::missing("the direction behind the surface", Some(d))
+    // testing::missing("the direction behind the surface", Some(d))
     // end
 }

@@ -3,7 +3,7 @@
 mod recursion_depth;
 mod shadow_epsilon;
 
-use common::experiment::Experiment;
+use measure::experiment::Experiment;
 
 /// All experiments of the stage.
 pub fn experiments() -> Vec<Experiment<'static>> {

@@ -4,9 +4,9 @@ use std::f64::consts::LN_2;
 
 use a02_math::{Normal3, Point3};
 use a04_intersections::{Interval, Plane, Sphere, World};
-use common::exercise::Check;
-use common::extremes::Bound;
 use common::{ArgumentError, Color};
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 use crate::scene::show;
 

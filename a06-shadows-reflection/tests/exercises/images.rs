@@ -1,7 +1,7 @@
 //! The images of a lamp in two mirrors, which stand at `2 k width ± lamp`.
 
-use common::exercise::Check;
-use common::extremes::Bound;
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 pub fn check(check: &mut Check, images: impl Fn(f64, f64, u32) -> [f64; 2]) {
     let mut case = |width: f64, lamp: f64, n: u32, exact: [f64; 2]| {

@@ -24,7 +24,7 @@ mod solutions {
     pub mod refracted;
 }
 
-common::exercises! {
+testing::exercises! {
     fogged, "Fog", 10 => |check| fogged::check(check, fogged);
     images, "Between two mirrors", 15 => |check| images::check(check, images);
     refracted, "Into the water", 25 => |check| refracted::check(check, refracted);

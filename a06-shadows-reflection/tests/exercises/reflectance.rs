@@ -3,8 +3,8 @@
 use a02_math::{Direction, Normal3, Point3};
 use a04_intersections::{Geometry, Interval, Plane};
 use common::Color;
-use common::exercise::Check;
-use common::extremes::Bound;
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 use crate::scene::{checkered, show};
 

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_4;
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Ray, render};
 use common::Color;
-use common::exercise::Check;
+use testing::exercise::Check;
 
 /// Shows what rays from an eye bring back that looks at the point `at`.
 pub fn show(check: &mut Check, eye: Point3, at: Point3, color: impl Fn(&Ray) -> Color + Sync) {

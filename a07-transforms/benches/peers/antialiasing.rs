@@ -14,8 +14,8 @@ use std::ops::Add;
 use std::path::Path;
 use std::time::Duration;
 
-use common::experiment::HALF_GREY_LEVEL;
 use common::{ArgumentError, Color, Image, Size, picture_file};
+use measure::experiment::HALF_GREY_LEVEL;
 
 use crate::child;
 use crate::description::Description;

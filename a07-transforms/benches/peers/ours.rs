@@ -14,7 +14,7 @@ use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight};
 use a06_shadows_reflection::{
     LightSource, Reflective, ShadowedWorld, Surface, TracedLight, foci, tracer,
 };
-use common::{ArgumentError, Color, Settings, Transfer, picture_file};
+use common::{ArgumentError, Color, Renderer, Settings, Transfer, picture_file};
 
 use crate::description::{Camera, Description, Light, Material, Object, Shape, Triple};
 use crate::tracer::{Job, Times, Tracer, seconds};
@@ -72,7 +72,7 @@ pub fn render_to(
 
     let started = Instant::now();
     let light = TracedLight {
-        tracer: tracer(&world, settings.omit, settings),
+        tracer: tracer(&world, settings.renderer != Renderer::AllWork, settings),
         depth: description.depth,
     };
     let mut rgb = vec![0; 3 * settings.size.pixels()];

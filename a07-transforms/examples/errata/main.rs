@@ -10,10 +10,11 @@ mod shapes;
 
 use std::process::ExitCode;
 
-use common::{Color, Effort, Error, Image, Progress, Scene, Settings, Size, Stage};
+use common::{Color, Error, Image, Progress, Scene, Settings, Size};
+use measure::{Effort, Stage};
 
 fn main() -> ExitCode {
-    common::program::run(&stage(), a01_image_display::viewer())
+    program::run(&stage(), a01_image_display::viewer())
 }
 
 /// The pictures as a stage, so that its program can show and its test lock them.

@@ -9,10 +9,11 @@ use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Ray, render};
 use a04_intersections::{AxisAlignedBox, Hit, Interval, Plane, Sphere, World};
 use a06_shadows_reflection::secondary_ray;
-use common::{Color, Effort, Error, Image, Progress, Scene, Settings, Size, Stage, Transfer};
+use common::{Color, Error, Image, Progress, Scene, Settings, Size, Transfer};
+use measure::{Effort, Stage};
 
 fn main() -> ExitCode {
-    common::program::run(&stage(), a01_image_display::viewer())
+    program::run(&stage(), a01_image_display::viewer())
 }
 
 /// The pictures as a stage, so that its program can show and its test lock them.

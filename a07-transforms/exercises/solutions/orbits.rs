@@ -22,6 +22,6 @@ pub fn orbits(year: f64, month: f64) -> Result<[Transform; 2], ArgumentError> {
     Ok([earth, moon])
     // instead
     // let earth = Transform::IDENTITY.translate(Point3::new(5.0, 0.0, 0.0))?;
-    // common::missing("the transforms of earth and moon", Ok([earth, earth]))
+    // testing::missing("the transforms of earth and moon", Ok([earth, earth]))
     // end
 }

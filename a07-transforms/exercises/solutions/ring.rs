@@ -35,7 +35,7 @@ impl Geometry for Ring {
         let is_on_ring = (self.hole * self.hole..=self.r * self.r).contains(&squared);
         is_on_ring.then_some(hit)
         // instead
-        // common::missing("where the ray meets the ring", self.plane.hit(ray, within))
+        // testing::missing("where the ray meets the ring", self.plane.hit(ray, within))
         // end
     }
 }

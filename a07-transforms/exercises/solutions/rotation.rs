@@ -22,6 +22,6 @@ pub fn rotation(axis: Vector3, angle: f64) -> Result<Transform, ArgumentError> {
         .rotate_x(up)?
         .rotate_y(-around)
     // instead
-    // common::missing("the turn about the axis", Ok(Transform::IDENTITY))
+    // testing::missing("the turn about the axis", Ok(Transform::IDENTITY))
     // end
 }

@@ -26,7 +26,7 @@ impl<G> Sheared<G> {
         let o = Point3::new(o.x() - self.by * o.y(), o.y(), o.z());
         let d = Vector3::new(d.x() - self.by * d.y(), d.y(), d.z());
         // instead
-        // let (o, d) = common::missing("origin and direction, sheared back", (o, d));
+        // let (o, d) = testing::missing("origin and direction, sheared back", (o, d));
         // end
         Ray::derived(o, d)
     }
@@ -37,7 +37,7 @@ impl<G> Sheared<G> {
         // The transpose of the inverse matrix.
         let n = Vector3::new(n.x(), n.y() - self.by * n.x(), n.z());
         // instead
-        // let n = common::missing("the normal of the leaning shape", Vector3::from(n));
+        // let n = testing::missing("the normal of the leaning shape", Vector3::from(n));
         // end
         n.normalized().map(Vector3::as_normal)
     }

@@ -4,9 +4,10 @@ use std::rc::Rc;
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::PixelRandom;
-use common::experiment::{Axis, Curve, Experiment, Point, Slope};
-use common::{ArgumentError, Effort};
+use common::ArgumentError;
 use glam::{DMat4, DVec3};
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
 
 use crate::lab::extremes::matrices::{off_identity, turn};
 use crate::lab::protocol::Chained;

@@ -8,8 +8,8 @@ mod self_hits;
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use common::Effort;
-use common::extremes::Case;
+use measure::Effort;
+use measure::extremes::Case;
 
 /// All rows of the table.
 pub fn cases(effort: Effort) -> Vec<Case> {

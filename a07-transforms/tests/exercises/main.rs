@@ -24,7 +24,7 @@ mod solutions {
     pub mod sheared;
 }
 
-common::exercises! {
+testing::exercises! {
     ring, "Ring", 10 => |check| ring::check(check, Ring::new);
     orbits, "Earth and moon", 15 => |check| orbits::check(check, orbits);
     sheared, "A shape that leans", 20 => |check| sheared::check(check, Sheared::new, Sheared::new);

@@ -4,9 +4,9 @@
 use a02_math::{Point3, Vector3};
 use a04_intersections::{Sphere, World};
 use a07_transforms::{Node, Transform};
-use common::exercise::Check;
-use common::extremes::Bound;
 use common::{ArgumentError, Color};
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 use crate::shape::{TURNS, show};
 

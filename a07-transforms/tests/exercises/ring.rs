@@ -3,9 +3,9 @@
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Interval, Sphere, World};
-use common::exercise::Check;
-use common::extremes::Bound;
 use common::{ArgumentError, Color};
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 use crate::shape::{TURNS, show};
 

@@ -3,9 +3,9 @@
 use a02_math::{Direction, Point3, Vector3};
 use a04_intersections::{AxisAlignedBox, World};
 use a07_transforms::{Node, Transform};
-use common::exercise::Check;
-use common::extremes::Bound;
 use common::{ArgumentError, Color};
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 use crate::shape::{TURNS, show};
 

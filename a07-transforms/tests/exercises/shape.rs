@@ -5,8 +5,8 @@ use std::f64::consts::FRAC_PI_4;
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Ray, render};
 use a04_intersections::{Interval, World};
-use common::exercise::Check;
 use common::{ArgumentError, Color};
+use testing::exercise::Check;
 
 /// Sine and cosine of angles at which both are fractions.
 pub const TURNS: [(f64, f64); 6] = [

@@ -4,8 +4,8 @@ use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, World};
 use common::Color;
-use common::exercise::Check;
-use common::extremes::Bound;
+use measure::extremes::Bound;
+use testing::exercise::Check;
 
 use crate::shape::{TURNS, show};
 

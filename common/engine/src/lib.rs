@@ -34,5 +34,5 @@ pub use shape::{AxisAlignedBox, Disc, HitFn, Plane, Shape, Sphere, Transform, Tr
 const BATCH: usize = 64;
 
 fn count_primary_rays(rays: usize) {
-    common::tally::count_all(common::tally::Work::PrimaryRay, rays as u64);
+    measure::tally::count_all(measure::tally::Work::PrimaryRay, rays as u64);
 }

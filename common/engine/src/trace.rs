@@ -3,7 +3,7 @@
 mod offset_ray;
 
 use common::Color;
-use common::tally::{self, Work};
+use measure::tally::{self, Work};
 
 use crate::accel::{Accelerator, NearestHits};
 use crate::lanes::{ColorPacket, Lanes, RayPacket, is_set, mask};

@@ -2,8 +2,8 @@
 
 use std::rc::Rc;
 
-use common::Effort;
-use common::experiment::{Axis, Curve, Experiment, Point};
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, Point};
 
 use super::exact::WholeNumbers;
 use crate::Vector3;

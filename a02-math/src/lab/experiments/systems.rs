@@ -2,8 +2,8 @@
 
 use std::rc::Rc;
 
-use common::Effort;
-use common::experiment::{Axis, Curve, Experiment, Point, Slope};
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
 
 use super::exact::{WholeNumbers, sum_of_products};
 use crate::lab::protocol;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use common::extremes::{Bound, Case, Protocol};
+use measure::extremes::{Bound, Case, Protocol};
 
 use super::{triple, vector};
 use crate::Vector3;

@@ -1,6 +1,6 @@
 //! Vectors that are made to have length 1, and those that should have it.
 
-use common::extremes::{Bound, Case, Outcome, Protocol};
+use measure::extremes::{Bound, Case, Outcome, Protocol};
 
 use super::{triple, vector};
 use crate::lab::protocol;

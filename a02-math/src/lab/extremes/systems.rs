@@ -1,6 +1,6 @@
 //! Linear systems by Cramer's rule, to which the determinant sets a limit.
 
-use common::extremes::{Bound, Case, Protocol};
+use measure::extremes::{Bound, Case, Protocol};
 
 use super::{triple, vector};
 use crate::lab::experiments::refined;

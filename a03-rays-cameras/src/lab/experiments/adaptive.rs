@@ -3,8 +3,9 @@
 use std::sync::Mutex;
 
 use a02_math::{Point3, Vector3};
-use common::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Slope};
-use common::{ArgumentError, Color, Effort, Image, Sampled, Sampling, Settings, Size};
+use common::{ArgumentError, Color, Image, Sampled, Sampling, Settings, Size};
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Slope};
 
 use super::coverage::{DISC, disc_coverage};
 use crate::{Camera, Ray, render};

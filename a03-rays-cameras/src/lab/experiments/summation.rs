@@ -1,7 +1,7 @@
 //! What the sum over the samples of a pixel loses.
 
-use common::Effort;
-use common::experiment::{Axis, Curve, Experiment, Point, Slope};
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
 
 /// A sum that keeps what the additions lose in a second number (Neumaier,
 /// Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen, 1974).

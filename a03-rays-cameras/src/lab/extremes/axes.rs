@@ -2,7 +2,7 @@
 //! long or short.
 
 use a02_math::{Direction, Point3, Vector3};
-use common::extremes::{Bound, Case, Outcome, Protocol};
+use measure::extremes::{Bound, Case, Outcome, Protocol};
 
 use super::{AHEAD, UP, triple};
 use crate::{Basis, protocol};

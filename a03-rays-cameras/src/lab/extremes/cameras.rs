@@ -4,8 +4,8 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use a02_math::Point3;
-use common::extremes::{Bound, Case, Outcome, Protocol};
 use common::{ArgumentError, Size};
+use measure::extremes::{Bound, Case, Outcome, Protocol};
 
 use super::{AHEAD, UP, triple};
 use crate::{Camera, OrthographicCamera, PerspectiveCamera, PinholeCamera, protocol};

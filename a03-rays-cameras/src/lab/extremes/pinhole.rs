@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
 use a02_math::{Point3, Vector3};
-use common::extremes::{Bound, Case, Protocol};
 use common::{ArgumentError, Size};
+use measure::extremes::{Bound, Case, Protocol};
 
 use super::{AHEAD, triple};
 use crate::{Camera, PinholeCamera, Ray, protocol};

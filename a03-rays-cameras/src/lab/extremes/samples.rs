@@ -1,8 +1,8 @@
 //! Samples: their number, their places, and their mean.
 
 use a02_math::{Point3, Vector3};
-use common::extremes::{Bound, Case, Outcome, Protocol};
 use common::{Color, Error, Image, Sampling, Settings, Size};
+use measure::extremes::{Bound, Case, Outcome, Protocol};
 
 use crate::lab::experiments::{DISC, Neumaier, disc_coverage};
 use crate::{OrthographicCamera, PixelRandom, Ray, Sampler, protocol, render};

@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
 use a02_math::Point3;
-use common::extremes::{Bound, Case, Protocol};
 use common::{ArgumentError, Size};
+use measure::extremes::{Bound, Case, Protocol};
 
 use crate::{PinholeCamera, StripeRule, StripedSky, protocol};
 

@@ -4,8 +4,8 @@ use std::rc::Rc;
 
 use a02_math::Point3;
 use a03_rays_cameras::Ray;
-use common::Effort;
-use common::experiment::{Axis, Curve, Experiment, Point};
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, Point};
 
 use super::Numbers;
 use crate::lab::protocol::{self, Compared};

@@ -3,8 +3,8 @@
 use std::rc::Rc;
 
 use a02_math::Vector3;
-use common::Effort;
-use common::experiment::{Axis, Curve, Experiment, Point, Slope};
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
 
 use super::{Numbers, pair, slope};
 use crate::lab::real::{Real, difference, dot};

@@ -5,8 +5,9 @@ use std::rc::Rc;
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use common::experiment::{Axis, Curve, Experiment, Point, Slope};
-use common::{ArgumentError, Color, Effort};
+use common::{ArgumentError, Color};
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
 
 use super::icosphere::Mesh;
 use super::slope;

@@ -3,8 +3,8 @@
 //! The protocol's row compares all coordinates of the computed point. Rows of
 //! the same number with an s show naive slabs in its place.
 
-use common::extremes::Protocol::{Fails, Holds};
-use common::extremes::{Bound, Case, Outcome, Protocol};
+use measure::extremes::Protocol::{Fails, Holds};
+use measure::extremes::{Bound, Case, Outcome, Protocol};
 
 use super::{Line, MISS, REFUSED, Triple, any_ray, meeting, point};
 use crate::AxisAlignedBox;

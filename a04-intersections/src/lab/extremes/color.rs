@@ -1,8 +1,8 @@
 //! Channels on their way to bytes.
 
-use common::extremes::Protocol::{Fails, Holds};
-use common::extremes::{Bound, Case, Protocol};
 use common::{Color, Transfer};
+use measure::extremes::Protocol::{Fails, Holds};
+use measure::extremes::{Bound, Case, Protocol};
 
 use crate::lab::protocol;
 

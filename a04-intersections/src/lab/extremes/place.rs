@@ -2,9 +2,10 @@
 
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
-use common::extremes::Protocol::{Fails, Holds};
-use common::extremes::{Bound, Case, Protocol};
-use common::{ArgumentError, Effort};
+use common::ArgumentError;
+use measure::Effort;
+use measure::extremes::Protocol::{Fails, Holds};
+use measure::extremes::{Bound, Case, Protocol};
 
 use super::{any_ray, first, meeting};
 use crate::lab::experiments::Numbers;

@@ -2,9 +2,10 @@
 
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
-use common::extremes::Protocol::{Fails, Holds};
-use common::extremes::{Bound, Case, Outcome, Protocol};
-use common::{ArgumentError, Effort};
+use common::ArgumentError;
+use measure::Effort;
+use measure::extremes::Protocol::{Fails, Holds};
+use measure::extremes::{Bound, Case, Outcome, Protocol};
 
 use super::{
     EPSILON, Line, MISS, REFUSED, Triple, any_ray, first, meeting, point, raw_ray, vector,

@@ -2,9 +2,9 @@
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use common::Effort;
-use common::extremes::Protocol::{Fails, Holds};
-use common::extremes::{Bound, Case, Protocol};
+use measure::Effort;
+use measure::extremes::Protocol::{Fails, Holds};
+use measure::extremes::{Bound, Case, Protocol};
 
 use super::{EPSILON, first};
 use crate::lab::experiments::Numbers;

@@ -1,9 +1,9 @@
 //! Spheres far away, huge, tiny, touched and entered.
 
 use a02_math::{Direction, Point3};
-use common::extremes::Protocol::{Fails, Holds};
-use common::extremes::{Bound, Case, Outcome, Protocol};
 use common::{ArgumentError, Color};
+use measure::extremes::Protocol::{Fails, Holds};
+use measure::extremes::{Bound, Case, Outcome, Protocol};
 
 use super::{EPSILON, Line, MISS, REFUSED, Triple, any_ray, meeting, point, raw_ray, unit_ray};
 use crate::{Geometry, Interval, Sphere, World, protocol};

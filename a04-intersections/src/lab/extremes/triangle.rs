@@ -2,8 +2,8 @@
 
 use a02_math::{Normal3, Point3};
 use common::ArgumentError;
-use common::extremes::Protocol::{Fails, Holds};
-use common::extremes::{Bound, Case, Outcome, Protocol};
+use measure::extremes::Protocol::{Fails, Holds};
+use measure::extremes::{Bound, Case, Outcome, Protocol};
 
 use super::{Line, MISS, REFUSED, Triple, any_ray, first, meeting, point, raw_ray, unit_ray};
 use crate::lab::experiments::Numbers;

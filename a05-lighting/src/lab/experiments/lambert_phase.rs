@@ -12,8 +12,8 @@ use std::f64::consts::PI;
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{OrthographicCamera, PixelRandom, render};
 use a04_intersections::Sphere;
-use common::experiment::{Axis, Curve, Experiment, Point, Slope};
 use common::{Color, Error, Settings, Size};
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
 
 use crate::{DirectionalLight, Lambert, LitWorld};
 

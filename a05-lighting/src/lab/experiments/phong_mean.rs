@@ -5,8 +5,8 @@
 
 use std::f64::consts::PI;
 
-use common::Effort;
-use common::experiment::{Axis, Curve, Experiment, Point};
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, Point};
 
 /// The exponents.
 const EXPONENTS: [f64; 8] = [8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0];

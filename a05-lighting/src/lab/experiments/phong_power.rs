@@ -5,8 +5,8 @@
 
 use std::rc::Rc;
 
-use common::Effort;
-use common::experiment::{Axis, Curve, Experiment, Point, Slope};
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
 
 use crate::power::squaring;
 

@@ -7,8 +7,9 @@ use std::rc::Rc;
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::PixelRandom;
-use common::experiment::{Axis, Curve, Experiment, Point};
-use common::{ArgumentError, Color, Effort};
+use common::{ArgumentError, Color};
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, Point};
 
 use crate::{Light, SpotLight, protocol};
 

@@ -3,9 +3,9 @@
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
-use common::extremes::Protocol::{Fails, Holds};
-use common::extremes::{Bound, Case, Outcome, Protocol};
 use common::{ArgumentError, Color};
+use measure::extremes::Protocol::{Fails, Holds};
+use measure::extremes::{Bound, Case, Outcome, Protocol};
 
 use crate::{DirectionalLight, LitWorld, Material, Phong, protocol};
 

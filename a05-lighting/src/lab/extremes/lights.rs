@@ -3,9 +3,9 @@
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{Plane, Sphere};
-use common::extremes::Protocol::{Fails, Holds};
-use common::extremes::{Bound, Case, Outcome};
 use common::{ArgumentError, Color};
+use measure::extremes::Protocol::{Fails, Holds};
+use measure::extremes::{Bound, Case, Outcome};
 
 use crate::{DirectionalLight, Lambert, Light, LitWorld, PointLight, protocol};
 

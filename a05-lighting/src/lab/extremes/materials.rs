@@ -3,9 +3,9 @@
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
-use common::extremes::Protocol::Fails;
-use common::extremes::{Bound, Case};
 use common::{ArgumentError, Color};
+use measure::extremes::Protocol::Fails;
+use measure::extremes::{Bound, Case};
 
 use crate::{DirectionalLight, Lambert, LitWorld, Material, Phong, protocol};
 

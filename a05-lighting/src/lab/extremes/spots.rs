@@ -4,9 +4,10 @@ use std::f64::consts::PI;
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::PixelRandom;
-use common::extremes::Protocol::{Fails, Holds};
-use common::extremes::{Bound, Case, Outcome, Protocol};
-use common::{Color, Effort};
+use common::Color;
+use measure::Effort;
+use measure::extremes::Protocol::{Fails, Holds};
+use measure::extremes::{Bound, Case, Outcome, Protocol};
 
 use crate::{Light, SpotLight, protocol};
 

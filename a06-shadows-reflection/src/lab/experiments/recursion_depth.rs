@@ -10,8 +10,8 @@ use std::rc::Rc;
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::Plane;
-use common::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Slope};
 use common::{ArgumentError, Color};
+use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Slope};
 
 use crate::{RecursiveTracer, Reflective, ShadowedWorld};
 

@@ -5,8 +5,9 @@ use std::rc::Rc;
 use a02_math::Vector3;
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
-use common::experiment::{Axis, Curve, Experiment, Point};
-use common::{ArgumentError, Effort};
+use common::ArgumentError;
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, Point};
 
 use crate::lab::extremes::self_hits::{
     LIFTED, Policy, SHAPES, THOUSANDTH, Trial, from_point, trials,

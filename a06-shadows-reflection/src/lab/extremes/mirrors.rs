@@ -10,9 +10,9 @@ use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{Geometry, Hit, Interval, Plane};
 use a05_lighting::{DirectionalLight, SingleColor};
-use common::extremes::Protocol::{Fails, Holds};
-use common::extremes::{Bound, Case};
 use common::{ArgumentError, Color};
+use measure::extremes::Protocol::{Fails, Holds};
+use measure::extremes::{Bound, Case};
 
 use crate::lab::protocol::{self, OneCounter};
 use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld};

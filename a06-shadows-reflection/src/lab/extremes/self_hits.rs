@@ -6,9 +6,10 @@ use std::rc::Rc;
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
-use common::extremes::Protocol::{Fails, Holds};
-use common::extremes::{Bound, Case};
-use common::{ArgumentError, Color, Effort};
+use common::{ArgumentError, Color};
+use measure::Effort;
+use measure::extremes::Protocol::{Fails, Holds};
+use measure::extremes::{Bound, Case};
 
 use crate::secondary_ray;
 

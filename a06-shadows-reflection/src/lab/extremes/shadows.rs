@@ -6,9 +6,9 @@ use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Plane, Sphere, World};
 use a05_lighting::{Lambert, PointLight, SpotLight};
-use common::extremes::Protocol::{Fails, Holds};
-use common::extremes::{Bound, Case, Protocol};
 use common::{ArgumentError, Color};
+use measure::extremes::Protocol::{Fails, Holds};
+use measure::extremes::{Bound, Case, Protocol};
 
 use super::mirrors::Counting;
 use crate::{LightSource, RecursiveTracer, ShadowedWorld, protocol};

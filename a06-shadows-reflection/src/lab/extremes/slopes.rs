@@ -5,9 +5,10 @@ use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{Geometry, Hit, Interval, Plane, Sphere, World};
 use a05_lighting::{DirectionalLight, Light, PointLight};
-use common::extremes::Protocol::Fails;
-use common::extremes::{Bound, Case};
-use common::{ArgumentError, Color, Effort};
+use common::{ArgumentError, Color};
+use measure::Effort;
+use measure::extremes::Protocol::Fails;
+use measure::extremes::{Bound, Case};
 
 use crate::{is_shadowed, protocol};
 

@@ -4,9 +4,10 @@ use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{Geometry, Hit, Interval};
 use a06_shadows_reflection::secondary_ray;
-use common::extremes::Protocol::{Fails, Holds};
-use common::extremes::{Bound, Case, Outcome, Protocol};
-use common::{ArgumentError, Effort};
+use common::ArgumentError;
+use measure::Effort;
+use measure::extremes::Protocol::{Fails, Holds};
+use measure::extremes::{Bound, Case, Outcome, Protocol};
 
 use super::ray;
 use crate::{Disc, protocol};

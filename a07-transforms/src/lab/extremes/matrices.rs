@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use a02_math::{Point3, Vector3};
 use common::ArgumentError;
-use common::extremes::Protocol::Fails;
-use common::extremes::{Bound, Case, Outcome};
+use measure::extremes::Protocol::Fails;
+use measure::extremes::{Bound, Case, Outcome};
 
 use crate::lab::protocol::{self, Chained};
 use crate::{Mat4x4, Transform};

@@ -5,9 +5,10 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use a02_math::Point3;
 use a03_rays_cameras::PixelRandom;
 use a04_intersections::{AxisAlignedBox, Geometry, Interval, Sphere};
-use common::extremes::Protocol::{Fails, Holds};
-use common::extremes::{Bound, Case, Outcome, Protocol};
-use common::{ArgumentError, Effort};
+use common::ArgumentError;
+use measure::Effort;
+use measure::extremes::Protocol::{Fails, Holds};
+use measure::extremes::{Bound, Case, Outcome, Protocol};
 
 use super::ray;
 use crate::{Node, Transform, protocol};

@@ -4,9 +4,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a04_intersections::{Interval, Sphere, World};
-use common::extremes::Protocol::Fails;
-use common::extremes::{Bound, Case, Outcome};
 use common::{ArgumentError, Color};
+use measure::extremes::Protocol::Fails;
+use measure::extremes::{Bound, Case, Outcome};
 
 use super::{numbers, ray};
 use crate::{Mat4x4, Node, Transform, protocol};

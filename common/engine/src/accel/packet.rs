@@ -3,8 +3,8 @@
 
 use std::cell::OnceCell;
 
-use common::tally::{self, Work};
 use glam::DVec3;
+use measure::tally::{self, Work};
 
 use super::Accelerator;
 use super::shapes::{ShapeId, Shapes, SingleRay};

@@ -3,7 +3,7 @@
 
 use std::cell::OnceCell;
 
-use common::tally::{self, Work};
+use measure::tally::{self, Work};
 
 use crate::shape::{
     AxisAlignedBox, Bounds, Disc, Other, Plane, Shape, ShearedRay, Sphere, Transformed, Triangle,

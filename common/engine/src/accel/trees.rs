@@ -3,7 +3,7 @@
 
 use std::ops::ControlFlow;
 
-use common::tally::{self, Work};
+use measure::tally::{self, Work};
 
 use super::bvh::{Bvh, WIDTH};
 use super::shapes::{ShapeId, Shapes, SingleRay};

@@ -4,8 +4,8 @@
 //! product would round otherwise. `flatten` takes the product where a picture may
 //! have an error.
 
-use common::tally::{self, Work};
 use glam::{DMat4, DVec3};
+use measure::tally::{self, Work};
 
 use super::transformed_bounds::transformed_bounds;
 use super::{Bounds, Shape};

@@ -1,0 +1,165 @@
+//! `Comparison`: a picture by the chosen renderer and by the one that leaves
+//! nothing out, and the work of both.
+
+use std::fmt::{self, Write};
+
+use common::{Error, Image, Renderer, Scene, Settings};
+
+use crate::tally::{Tally, Work, counted};
+
+/// The work that the chosen renderer saves in a scene.
+#[derive(Debug)]
+pub struct Comparison {
+    /// The picture by the chosen renderer.
+    pub image: Image,
+    /// Its work.
+    pub needed: Tally,
+    /// The work of the renderer that leaves nothing out.
+    pub all: Tally,
+    /// The largest difference of a channel between both pictures.
+    pub difference: f64,
+}
+
+impl Comparison {
+    /// Renders a scene by the chosen renderer and by the one that leaves nothing
+    /// out, on the threads of the current pool.
+    pub fn new(scene: &Scene, settings: &Settings) -> Result<Self, Error> {
+        let render = |settings: &Settings| {
+            let (image, tally) = counted(|| scene.render(settings, &()))?;
+            image.map(|image| (image, tally))
+        };
+        let (image, needed) = render(settings)?;
+        let (complete, all) = render(&complete(settings))?;
+        let difference = difference(&image, &complete);
+        Ok(Self {
+            image,
+            needed,
+            all,
+            difference,
+        })
+    }
+
+    /// The line of a Markdown table: how often each kind of work is done of how
+    /// often it could be.
+    #[must_use]
+    pub fn row(&self, name: &str) -> String {
+        let mut row = format!("| {name} |");
+        for work in Work::ALL {
+            let _ = match (self.needed[work], self.all[work]) {
+                (0, 0) => write!(row, " |"),
+                (needed, all) if needed == all => write!(row, " {all} |"),
+                (needed, all) => write!(row, " **{needed}** of {all} |"),
+            };
+        }
+        row
+    }
+}
+
+/// The settings with the renderer that leaves nothing out.
+#[must_use]
+pub fn complete(settings: &Settings) -> Settings {
+    Settings {
+        renderer: Renderer::AllWork,
+        ..settings.clone()
+    }
+}
+
+/// The largest difference of a channel; infinite where one is NaN.
+fn difference(a: &Image, b: &Image) -> f64 {
+    let pairs = a.pixels().iter().zip(b.pixels());
+    let channels = pairs.flat_map(|(a, b)| {
+        let (a, b) = (a.channels(), b.channels());
+        std::array::from_fn::<_, 3, _>(|i| (a[i], b[i]))
+    });
+    let differences = channels.map(|(a, b)| {
+        if a.to_bits() == b.to_bits() {
+            0.0
+        } else {
+            let difference = (a - b).abs();
+            if difference.is_nan() {
+                f64::INFINITY
+            } else {
+                difference
+            }
+        }
+    });
+    differences.fold(0.0, f64::max)
+}
+
+/// A table of all kinds of work that there are, without the last line's end.
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(
+            f,
+            "  {:20} {:>14} {:>14} {:>8}",
+            "work", "everything", "needed", "saved"
+        )?;
+        for work in Work::ALL {
+            let (needed, all) = (self.needed[work], self.all[work]);
+            if all.max(needed) > 0 {
+                let saved = 100.0 * (all as f64 - needed as f64) / all.max(1) as f64;
+                let name = work.name();
+                write!(f, "\n  {name:20} {all:>14} {needed:>14} {saved:>6.1} %")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use common::{Color, Size};
+
+    use super::*;
+    use crate::tally::{count, count_all};
+
+    /// The renderer that leaves nothing out takes a ray more, three tests more and a picture brighter by
+    /// 1/8.
+    fn scene() -> Scene {
+        Scene::traced("test", "", |settings, _| {
+            let is_all = settings.renderer == Renderer::AllWork;
+            count(Work::PrimaryRay);
+            count_all(Work::IntersectionTest, if is_all { 4 } else { 1 });
+            let mut image = Image::black(settings.size)?;
+            if is_all {
+                count(Work::ShadowRay);
+                image.pixels_mut()[0] = Color::gray(0.125);
+            }
+            Ok(image)
+        })
+    }
+
+    #[test]
+    fn what_is_left_out_is_counted_and_its_traces_are_found() {
+        let settings = Settings {
+            size: Size::new(2, 1).unwrap(),
+            ..Settings::default()
+        };
+        let comparison = Comparison::new(&scene(), &settings).unwrap();
+        assert_eq!(comparison.difference, 0.125);
+        assert_eq!(
+            comparison.row("name"),
+            "| name | 1 | **0** of 1 | | **1** of 4 | | | |"
+        );
+        let table = [
+            "  work                     everything         needed    saved",
+            "  primary rays                      1              1    0.0 %",
+            "  shadow rays                       1              0  100.0 %",
+            "  intersection tests                4              1   75.0 %",
+        ];
+        assert_eq!(comparison.to_string(), table.join("\n"));
+    }
+
+    #[test]
+    fn what_is_no_number_differs_from_all_but_the_same() {
+        let dot = |gray| {
+            let size = Size::new(1, 1).unwrap();
+            Image::from_fn(size, |_, _| Color::gray(gray)).unwrap()
+        };
+        let apart = |a, b| difference(&dot(a), &dot(b));
+        assert_eq!(apart(f64::NAN, f64::NAN), 0.0);
+        assert_eq!(apart(f64::INFINITY, f64::INFINITY), 0.0);
+        assert_eq!(apart(f64::NAN, 1.0), f64::INFINITY);
+        assert_eq!(apart(1.0, 0.25), 0.75);
+    }
+}

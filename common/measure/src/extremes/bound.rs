@@ -1,0 +1,96 @@
+//! `Bound`: how far a computed outcome may be from the exact one.
+
+use std::fmt;
+
+use super::Outcome;
+
+/// How far a computed outcome may be from the exact one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bound {
+    /// The same outcome.
+    Equal,
+    /// At most this many units in the last place of the exact number, or of
+    /// the greatest of three.
+    Ulps(f64),
+    /// At most this far away.
+    Absolute(f64),
+    /// Any finite number, or nothing: where only NaN, infinity and a panic
+    /// would be wrong.
+    Finite,
+}
+
+impl Bound {
+    pub(super) fn admits(self, exact: Outcome, outcome: Outcome) -> bool {
+        let distance = exact.distance(outcome);
+        let equal = exact == outcome;
+        match self {
+            Self::Equal => equal,
+            Self::Ulps(ulps) => {
+                equal || distance.is_some_and(|d| d <= ulps * ulp(exact.magnitude()))
+            }
+            Self::Absolute(bound) => equal || distance.is_some_and(|d| d <= bound),
+            Self::Finite => match outcome {
+                Outcome::Number(number) => number.is_finite(),
+                Outcome::Triple(numbers) => numbers.iter().all(|number| number.is_finite()),
+                _ => true,
+            },
+        }
+    }
+}
+
+impl fmt::Display for Bound {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Equal => f.write_str("equal"),
+            Self::Ulps(ulps) => write!(f, "{ulps} ulp"),
+            Self::Absolute(bound) => write!(f, "{bound:.1e}"),
+            Self::Finite => f.write_str("finite"),
+        }
+    }
+}
+
+/// The distance between a number and the next greater one.
+fn ulp(number: f64) -> f64 {
+    number.abs().next_up() - number.abs()
+}
+
+/// How far an outcome is off, for a reader.
+pub(super) fn error(exact: Outcome, outcome: Outcome) -> String {
+    match exact.distance(outcome) {
+        Some(0.0) => "0".to_owned(),
+        Some(distance) => {
+            let ulps = distance / ulp(exact.magnitude());
+            if ulps < 1e4 {
+                format!("{ulps:.0} ulp")
+            } else {
+                format!("{distance:.1e}")
+            }
+        }
+        None if exact == outcome => "0".to_owned(),
+        None => "wrong".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::extremes::Case;
+
+    #[test]
+    fn errors_are_shown_in_units_of_rounding_while_these_are_few() {
+        let shown = |ours: f64| error(1.0.into(), ours.into());
+        assert_eq!(shown(1.0), "0");
+        assert_eq!(shown(1.0 + 3.0 * f64::EPSILON), "3 ulp");
+        assert_eq!(shown(1.0 + 9999.0 * f64::EPSILON), "9999 ulp");
+        assert_eq!(shown(1.0 + 10_000.0 * f64::EPSILON), "2.2e-12");
+        assert_eq!(error(Outcome::Nothing, Outcome::Nothing), "0");
+        assert_eq!(error(Outcome::Nothing, Outcome::Refused), "wrong");
+        let triple = |x: f64| Outcome::Triple([0.5, x, -4.0]);
+        assert_eq!(
+            error(triple(1.0), triple(1.0 + 8.0 * f64::EPSILON)),
+            "2 ulp"
+        );
+        let finite = |x| Case::new("A", "", [0.0; 3], Bound::Finite, [1.0, x, 1.0]).holds();
+        assert!(finite(2.0) && !finite(f64::NAN));
+    }
+}

@@ -1,0 +1,125 @@
+//! `Outcome`: the result of a computation.
+
+use std::fmt;
+
+/// The result of a computation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Outcome {
+    /// A number, or a count.
+    Number(f64),
+    /// A point, a direction or a colour.
+    Triple([f64; 3]),
+    /// Yes or no: hit or not, lit or not.
+    Flag(bool),
+    /// Nothing: no hit, no direction.
+    Nothing,
+    /// The constructor refuses the arguments.
+    Refused,
+}
+
+impl Outcome {
+    /// The greatest distance between the numbers of two outcomes of a kind.
+    pub(super) fn distance(self, other: Self) -> Option<f64> {
+        match (self, other) {
+            (Self::Number(a), Self::Number(b)) if a == b => Some(0.0),
+            (Self::Number(a), Self::Number(b)) => Some((a - b).abs()),
+            (Self::Triple(a), Self::Triple(b)) => {
+                let apart = |i: usize| Self::Number(a[i]).distance(Self::Number(b[i]));
+                // Unlike `max`, this keeps NaN.
+                [apart(0)?, apart(1)?, apart(2)?]
+                    .into_iter()
+                    .reduce(|a, b| if a.is_nan() || a > b { a } else { b })
+            }
+            _ => None,
+        }
+    }
+
+    /// The greatest magnitude of its numbers.
+    pub(super) fn magnitude(self) -> f64 {
+        match self {
+            Self::Number(number) => number.abs(),
+            Self::Triple(numbers) => numbers.map(f64::abs).into_iter().fold(0.0, f64::max),
+            _ => 0.0,
+        }
+    }
+}
+
+impl From<f64> for Outcome {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<[f64; 3]> for Outcome {
+    fn from(numbers: [f64; 3]) -> Self {
+        Self::Triple(numbers)
+    }
+}
+
+impl From<bool> for Outcome {
+    fn from(flag: bool) -> Self {
+        Self::Flag(flag)
+    }
+}
+
+impl From<usize> for Outcome {
+    fn from(count: usize) -> Self {
+        Self::Number(count as f64)
+    }
+}
+
+impl<T: Into<Self>> From<Option<T>> for Outcome {
+    fn from(outcome: Option<T>) -> Self {
+        outcome.map_or(Self::Nothing, Into::into)
+    }
+}
+
+impl<T: Into<Self>, E> From<Result<T, E>> for Outcome {
+    fn from(outcome: Result<T, E>) -> Self {
+        outcome.map_or(Self::Refused, Into::into)
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(number) => f.write_str(&short(*number)),
+            Self::Triple([x, y, z]) => write!(f, "({}, {}, {})", short(*x), short(*y), short(*z)),
+            Self::Flag(true) => f.write_str("yes"),
+            Self::Flag(false) => f.write_str("no"),
+            Self::Nothing => f.write_str("none"),
+            Self::Refused => f.write_str("refused"),
+        }
+    }
+}
+
+/// All digits of a number, with an exponent where it would be long without.
+fn short(number: f64) -> String {
+    if number == 0.0 || !number.is_finite() || (1e-5..1e16).contains(&number.abs()) {
+        format!("{number}")
+    } else {
+        format!("{number:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_shown_with_all_digits_and_few_zeros() {
+        let shown = [0.0, 1e-5, 9e-6, 0.1, 1e15, 1e16, -2.5, f64::INFINITY].map(short);
+        let expected = [
+            "0",
+            "0.00001",
+            "9e-6",
+            "0.1",
+            "1000000000000000",
+            "1e16",
+            "-2.5",
+            "inf",
+        ];
+        assert_eq!(shown, expected);
+        assert_eq!(short(f64::NAN), "NaN");
+    }
+}

@@ -1,0 +1,93 @@
+//! Selects and checks the rows of the table of extreme cases.
+
+use common::Error;
+
+use super::Case;
+
+/// The cases whose ids begin with one of the names; all without a name.
+pub fn select(cases: Vec<Case>, names: &[String]) -> Result<Vec<Case>, Error> {
+    let begins = |case: &Case, name: &String| {
+        let (id, name) = (case.id.as_bytes(), name.as_bytes());
+        id.len() >= name.len() && id[..name.len()].eq_ignore_ascii_case(name)
+    };
+    for name in names {
+        if !cases.iter().any(|case| begins(case, name)) {
+            let mut letters: Vec<_> = cases.iter().map(|case| &case.id[..1]).collect();
+            letters.dedup();
+            return Err(Error::Usage(format!(
+                "there is no case \"{name}\"; the ids begin with {}",
+                letters.join(", ")
+            )));
+        }
+    }
+    let wanted = |case: &Case| names.is_empty() || names.iter().any(|name| begins(case, name));
+    Ok(cases.into_iter().filter(wanted).collect())
+}
+
+/// Checks a stage's table in a test: it has rows, each of them holds, and no id
+/// comes twice.
+///
+/// # Panics
+///
+/// If that is not so; the message shows all rows that don't hold.
+pub fn check(cases: &[Case]) {
+    assert!(!cases.is_empty(), "there are no cases");
+    let failed: Vec<_> = cases.iter().filter(|case| !case.holds()).collect();
+    for case in &failed {
+        eprintln!("{case}");
+    }
+    assert!(failed.is_empty(), "{} cases fail", failed.len());
+    let mut ids: Vec<_> = cases.iter().map(|case| case.id).collect();
+    ids.sort_unstable();
+    let twice: Vec<_> = ids.windows(2).filter(|pair| pair[0] == pair[1]).collect();
+    assert!(twice.is_empty(), "{twice:?}");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::extremes::{Bound, Outcome};
+
+    fn case(bound: Bound, ours: impl Into<Outcome>) -> Case {
+        Case::new("A01", "one", 1.0, bound, ours)
+    }
+
+    #[test]
+    fn names_select_by_the_beginning_of_the_id() {
+        let all = || ["A01", "A02", "B01"].map(|id| Case::new(id, "", 1.0, Bound::Equal, 1.0));
+        let ids = |names: &[&str]| {
+            let names: Vec<_> = names.iter().map(|name| (*name).to_owned()).collect();
+            let selected = select(all().to_vec(), &names);
+            selected.map(|cases| cases.iter().map(|case| case.id).collect::<Vec<_>>())
+        };
+        assert_eq!(ids(&[]).unwrap(), ["A01", "A02", "B01"]);
+        assert_eq!(ids(&["a"]).unwrap(), ["A01", "A02"]);
+        assert_eq!(ids(&["B01", "A02"]).unwrap(), ["A02", "B01"]);
+        let error = ids(&["X"]).unwrap_err().to_string();
+        assert!(error.contains("begin with A, B"), "{error}");
+    }
+
+    #[test]
+    #[should_panic(expected = "1 cases fail")]
+    fn a_case_that_does_not_hold_fails() {
+        check(&[case(Bound::Equal, 1.0), case(Bound::Equal, 2.0)]);
+    }
+
+    #[test]
+    #[should_panic(expected = "A01")]
+    fn an_id_that_comes_twice_fails() {
+        check(&[case(Bound::Equal, 1.0), case(Bound::Equal, 1.0)]);
+    }
+
+    #[test]
+    #[should_panic(expected = "no cases")]
+    fn a_table_without_a_row_fails() {
+        check(&[]);
+    }
+
+    #[test]
+    fn a_name_may_be_longer_than_an_id() {
+        let cases = vec![Case::new("A01", "", 1.0, Bound::Equal, 1.0)];
+        assert!(select(cases, &["A01B".to_owned()]).is_err());
+    }
+}

@@ -1,0 +1,22 @@
+//! Measures the code of a stage: error against work in experiments, extreme
+//! cases against exact values, and the work of a rendering, counted.
+//!
+//! This crate prints nothing and knows no terminal. A [`Stage`] joins the scenes
+//! of a stage with its experiments and extreme cases, for the program and for the
+//! tests.
+
+pub mod comparison;
+mod effort;
+pub mod experiment;
+pub mod extremes;
+#[cfg(feature = "report")]
+mod plot;
+#[cfg(feature = "report")]
+pub mod report;
+#[cfg(feature = "report")]
+pub mod scene_report;
+mod stage;
+pub mod tally;
+
+pub use effort::Effort;
+pub use stage::Stage;

@@ -1,0 +1,218 @@
+//! What samples are worth for one scene, so that a person can choose how many
+//! to pay for.
+
+use std::sync::{Mutex, PoisonError};
+
+use common::{Error, Image, Sampled, Sampling, Scene, Settings, Size};
+
+use crate::Effort;
+use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point};
+
+/// Samples per pixel and their places, against many samples of another seed.
+pub fn experiment(scene: &Scene) -> Result<Experiment<'_>, Error> {
+    if !scene.uses.sampling {
+        let name = scene.name;
+        return Err(Error::Usage(format!(
+            "{name} is not sampled: there is nothing to choose"
+        )));
+    }
+    // What can fail does so here; more samples do not change that.
+    let size = small(scene.defaults.size)?;
+    render(scene, size, Sampling::Center, 1, 0)?;
+    Ok(Experiment {
+        name: scene.name,
+        about: "what do more samples buy, and where should they lie?",
+        knob: "samples",
+        work: "rays",
+        error: "of a channel from 0 to 1, against many samples of another seed",
+        against: Axis::Work,
+        curves: Box::new(move |effort| curves(scene, size, effort)),
+    })
+}
+
+/// The same shape of picture, 160 pixels wide.
+fn small(size: Size) -> Result<Size, Error> {
+    let height = (160 * size.height() / size.width()).max(1);
+    Ok(Size::new(160, height)?)
+}
+
+fn render(
+    scene: &Scene,
+    size: Size,
+    sampling: Sampling,
+    samples: u32,
+    seed: u64,
+) -> Result<Image, Error> {
+    let settings = Settings {
+        size,
+        samples,
+        sampling,
+        seed,
+        ..scene.defaults.clone()
+    };
+    scene.render(&settings, &())
+}
+
+/// The channels as a screen shows them.
+fn channels(image: Option<Image>) -> Vec<f64> {
+    let pixels = image.map_or(Vec::new(), |image| image.pixels().to_vec());
+    let shown = |color: common::Color| color.map(|c| c.clamp(0.0, 1.0)).channels();
+    pixels.into_iter().flat_map(shown).collect()
+}
+
+/// The seed of the reference: no curve uses it.
+const REFERENCE: u64 = 0x5EED;
+
+fn curves(scene: &Scene, size: Size, effort: Effort) -> Vec<Curve<'_>> {
+    let sides = &[1_u32, 2, 4, 8, 16][..effort.choose(4, 5)];
+    let many = effort.choose(32, 64).pow(2) as u32;
+    let picture =
+        move |sampling, samples, seed| channels(render(scene, size, sampling, samples, seed).ok());
+    let reference = picture(Sampling::Stratified, many, REFERENCE);
+    let methods = [
+        ("random", Sampling::Random),
+        ("regular", Sampling::Regular),
+        ("stratified", Sampling::Stratified),
+    ];
+    let curve = |(method, sampling)| Curve {
+        method,
+        remark: "",
+        slope: None,
+        points: sides
+            .iter()
+            .map(|side| {
+                let samples = side * side;
+                let image = picture(sampling, samples, 0);
+                let errors = image.iter().zip(&reference).map(|(a, b)| a - b);
+                let rays = size.pixels() as f64 * f64::from(samples);
+                let run = move || render(scene, size, sampling, samples, 0).map_or(0.0, |_| rays);
+                Point::new(samples.into(), rays, errors, run)
+            })
+            .collect(),
+    };
+    let mut curves: Vec<_> = methods.map(curve).into();
+    let asked = [16.0, 8.0, 4.0, 2.0, 1.0, 0.5].map(|levels| levels * HALF_GREY_LEVEL);
+    let points = asked
+        .iter()
+        .map(|asked| adaptive(scene, size, *asked, &reference));
+    curves.push(Curve {
+        method: "adaptive",
+        remark: "",
+        slope: None,
+        points: points.collect(),
+    });
+    curves
+}
+
+/// As many samples as it takes for the error that is asked for.
+fn adaptive<'a>(scene: &'a Scene, size: Size, asked: f64, reference: &[f64]) -> Point<'a> {
+    let render = move || {
+        let settings = Settings {
+            size,
+            samples: 1024,
+            max_error: Some(asked),
+            ..scene.defaults.clone()
+        };
+        let told = Mutex::new(Sampled::default());
+        let image = scene.render(&settings, &told).ok();
+        let told = told.into_inner().unwrap_or_else(PoisonError::into_inner);
+        (image, told.samples as f64)
+    };
+    let (image, rays) = render();
+    let image = channels(image);
+    let errors = image.iter().zip(reference).map(|(a, b)| a - b);
+    let mean = rays / size.pixels() as f64;
+    Point::new(mean, rays, errors, move || render().1)
+}
+
+#[cfg(test)]
+mod tests {
+    use common::Color;
+
+    use super::*;
+
+    /// As bright as 1/n with n samples, twice or half of it where they lie
+    /// otherwise, and with an error asked for as bright as that. The reference is a
+    /// quarter.
+    fn scene() -> Scene {
+        let scene = Scene::traced("fading", "", |settings, progress| {
+            assert_eq!(settings.size, Size::new(160, 1)?);
+            let samples = f64::from(settings.samples);
+            let is_reference = settings.seed == REFERENCE;
+            let gray = match settings.max_error {
+                Some(asked) => {
+                    assert_eq!(samples, 1024.0);
+                    let pixels = settings.size.pixels() as u64;
+                    progress.sampled(&Sampled {
+                        pixels,
+                        samples: 2 * pixels,
+                        most: 2,
+                        squared_error: 0.0,
+                    });
+                    asked
+                }
+                None if is_reference && settings.sampling == Sampling::Stratified => 0.25,
+                None => match settings.sampling {
+                    Sampling::Random => 1.0 / samples,
+                    Sampling::Regular => 2.0 / samples,
+                    _ => 0.5 / samples,
+                },
+            };
+            Image::from_fn(settings.size, |_, _| Color::gray(gray))
+        });
+        scene.with_defaults(Settings {
+            size: Size::new(320, 2).unwrap(),
+            ..Settings::default()
+        })
+    }
+
+    #[test]
+    fn errors_and_rays_are_those_of_the_pictures() {
+        let scene = scene();
+        let experiment = experiment(&scene).unwrap();
+        let mut curves = (experiment.curves)(Effort::Quick);
+        let measured = |curve: &Curve| {
+            let points = curve.points.iter();
+            points
+                .map(|point| [point.knob, point.work, point.rms])
+                .collect::<Vec<_>>()
+        };
+        // Brighter than 1 cannot be seen.
+        for (curve, grays) in curves.iter().zip([
+            [1.0, 0.25, 1.0 / 16.0, 1.0 / 64.0],
+            [1.0, 0.5, 0.125, 1.0 / 32.0],
+            [0.5, 0.125, 1.0 / 32.0, 1.0 / 128.0],
+        ]) {
+            let expected = [1.0, 4.0, 16.0, 64.0].into_iter().zip(grays);
+            let error = |gray: f64| (gray - 0.25).abs();
+            let expected: Vec<_> = expected.map(|(n, g)| [n, 160.0 * n, error(g)]).collect();
+            assert_eq!(measured(curve), expected, "{}", curve.method);
+        }
+        let asked = [16.0, 8.0, 4.0, 2.0, 1.0, 0.5].map(|levels| levels / 510.0);
+        for (point, asked) in measured(&curves[3]).iter().zip(asked) {
+            assert_eq!(point[..2], [2.0, 320.0]);
+            assert!((point[2] - (0.25 - asked)).abs() < 1e-12);
+        }
+        let methods: Vec<_> = curves.iter().map(|curve| curve.method).collect();
+        assert_eq!(methods, ["random", "regular", "stratified", "adaptive"]);
+        for point in curves.iter_mut().flat_map(|curve| &mut curve.points) {
+            assert_eq!((point.run)(), point.work);
+        }
+    }
+
+    #[test]
+    fn pictures_are_made_160_pixels_wide_and_keep_their_shape() {
+        let small = |width, height| small(Size::new(width, height).unwrap());
+        assert_eq!(small(640, 480).unwrap().to_string(), "160x120");
+        assert_eq!(small(480, 270).unwrap().to_string(), "160x90");
+        assert_eq!(small(1600, 1).unwrap().to_string(), "160x1");
+        assert!(small(1, 32_768).is_err());
+    }
+
+    #[test]
+    fn a_scene_that_takes_no_samples_is_refused() {
+        let scene = Scene::painted("disc", "", |settings, _| Image::black(settings.size));
+        let error = experiment(&scene).err().unwrap().to_string();
+        assert!(error.starts_with("disc is not sampled"), "{error}");
+    }
+}

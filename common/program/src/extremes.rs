@@ -1,0 +1,72 @@
+//! `extremes`: the stiff and extreme cases, for a reader.
+
+use common::Error;
+use measure::{Effort, Stage, extremes};
+
+use crate::print::print;
+
+/// Prints the cases whose ids begin with one of the names; an error if one
+/// does not hold.
+pub fn show_extremes(stage: &Stage, names: &[String]) -> Result<(), Error> {
+    let cases = (stage.extremes)(Effort::of_build());
+    if cases.is_empty() {
+        let stage = stage.name;
+        return Err(Error::Usage(format!("{stage} has no extreme cases")));
+    }
+    let cases = extremes::select(cases, names)?;
+    for case in &cases {
+        print(&case.to_string());
+    }
+    let failed = cases.iter().filter(|case| !case.holds()).count();
+    print(&format!("{} cases, {failed} of them failed", cases.len()));
+    if failed > 0 {
+        return Err(Error::Extremes(failed));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use measure::extremes::{Bound, Case};
+
+    use super::*;
+
+    fn stage(extremes: fn(Effort) -> Vec<Case>) -> Stage {
+        Stage {
+            name: "a00",
+            about: "",
+            scenes: Vec::new(),
+            experiments: Vec::new,
+            extremes,
+        }
+    }
+
+    fn cases() -> Vec<Case> {
+        let case = |id, ours: f64| Case::new(id, "", 1.0, Bound::Equal, ours);
+        vec![
+            case("A01", 1.0),
+            case("B01", 2.0),
+            case("B02", 3.0),
+            case("B03", 1.0),
+        ]
+    }
+
+    #[test]
+    fn cases_that_fail_are_counted_among_those_that_are_named() {
+        let stage = stage(|_| cases());
+        let failed = |names: &[&str]| {
+            let names: Vec<_> = names.iter().map(|name| (*name).to_owned()).collect();
+            show_extremes(&stage, &names)
+        };
+        assert!(matches!(failed(&[]), Err(Error::Extremes(2))));
+        assert!(matches!(failed(&["B01"]), Err(Error::Extremes(1))));
+        assert!(failed(&["A", "B03"]).is_ok());
+        assert!(matches!(failed(&["C"]), Err(Error::Usage(_))));
+    }
+
+    #[test]
+    fn a_stage_without_cases_says_so() {
+        let error = show_extremes(&stage(|_| Vec::new()), &[]).unwrap_err();
+        assert_eq!(error.to_string(), "a00 has no extreme cases");
+    }
+}

@@ -1,0 +1,264 @@
+//! `Gallery`: the scenes of a stage as a window shows them, one at a time.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::thread::{Scope, ScopedJoinHandle};
+
+use common::{Error, Image, Scene, Size, Transfer, picture_file};
+use measure::Stage;
+
+use crate::LivePicture;
+use crate::options::Options;
+use crate::target::make_default_folder;
+
+/// The scenes of a stage and the one that is being shown.
+pub struct Gallery<'a> {
+    stage: &'a Stage,
+    current: usize,
+    options: Options,
+}
+
+impl<'a> Gallery<'a> {
+    pub(crate) fn new(stage: &'a Stage, scene: &Scene, options: Options) -> Self {
+        let mut scenes = stage.scenes.iter();
+        Self {
+            stage,
+            current: scenes.position(|s| s.name == scene.name).unwrap_or(0),
+            options,
+        }
+    }
+
+    fn scene(&self) -> &'a Scene {
+        &self.stage.scenes[self.current]
+    }
+
+    /// Stage and scene, for the title of the window.
+    #[must_use]
+    pub fn title(&self) -> String {
+        format!("{}: {}", self.stage.name, self.scene().name)
+    }
+
+    /// Whether the scene shows a file that can be chosen.
+    #[must_use]
+    pub fn opens_files(&self) -> bool {
+        self.scene().uses.file
+    }
+
+    /// Whether a file has been chosen.
+    #[must_use]
+    pub fn has_file(&self) -> bool {
+        self.options.open.is_some()
+    }
+
+    /// Chooses the file that the scene shows.
+    pub fn open(&mut self, file: PathBuf) {
+        self.options.open = Some(file);
+    }
+
+    /// Goes to the next scene, and from the last to the first.
+    pub fn go_to_next(&mut self) {
+        self.current = (self.current + 1) % self.stage.scenes.len();
+    }
+
+    /// Goes to the previous scene, and from the first to the last.
+    pub fn go_to_previous(&mut self) {
+        let scenes = self.stage.scenes.len();
+        self.current = (self.current + scenes - 1) % scenes;
+    }
+
+    /// The curve between light and what is shown.
+    #[must_use]
+    pub const fn transfer(&self) -> Transfer {
+        self.options.transfer
+    }
+
+    /// Begins to render the scene in a thread of its own.
+    pub fn render<'scope>(
+        &self,
+        scope: &'scope Scope<'scope, '_>,
+    ) -> Result<Rendering<'scope>, Error>
+    where
+        'a: 'scope,
+    {
+        let scene = self.scene();
+        let settings = self.options.settings(scene)?;
+        let threads = self.options.thread_pool()?;
+        let picture = Arc::new(LivePicture::new(settings.size, self.transfer()));
+        let progress = Arc::clone(&picture);
+        let render = move || threads.install(|| scene.render(&settings, &*progress));
+        Ok(Rendering {
+            picture,
+            thread: Some(scope.spawn(render)),
+        })
+    }
+
+    /// Saves a picture as `out/STAGE-SCENE.png` and says where it is. A
+    /// different picture of this name is kept, and the new one gets a number.
+    pub fn save(&self, image: &Image) -> Result<PathBuf, Error> {
+        let folder = make_default_folder()?;
+        let name = format!("{}-{}", self.stage.name, self.scene().name);
+        let rgb = image.to_rgb8(self.transfer());
+        save_beside_others(folder, &name, image.size(), &rgb)
+    }
+}
+
+fn save_beside_others(folder: &Path, name: &str, size: Size, rgb: &[u8]) -> Result<PathBuf, Error> {
+    let is_same = |path: &Path| {
+        picture_file::open(path)
+            .is_ok_and(|other| other.size() == size && other.to_rgb8(Transfer::Linear) == rgb)
+    };
+    let mut path = folder.join(format!("{name}.png"));
+    let mut number = 1;
+    while !picture_file::save_new_png(&path, size, rgb)? && !is_same(&path) {
+        number += 1;
+        path = folder.join(format!("{name}-{number}.png"));
+    }
+    Ok(path)
+}
+
+/// A rendering in a thread of its own. Dropping it stops it.
+pub struct Rendering<'scope> {
+    picture: Arc<LivePicture>,
+    thread: Option<ScopedJoinHandle<'scope, Result<Image, Error>>>,
+}
+
+impl Rendering<'_> {
+    /// The picture as far as it is finished.
+    #[must_use]
+    pub fn picture(&self) -> &LivePicture {
+        &self.picture
+    }
+
+    /// Whether the rendering has ended, so that [`Rendering::join`] need not wait.
+    #[must_use]
+    pub fn is_over(&self) -> bool {
+        self.thread
+            .as_ref()
+            .is_none_or(ScopedJoinHandle::is_finished)
+    }
+
+    /// Waits for the end of the rendering.
+    pub fn join(mut self) -> Result<Image, Error> {
+        let thread = self.thread.take().ok_or(Error::Stopped)?;
+        thread
+            .join()
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    }
+}
+
+impl Drop for Rendering<'_> {
+    fn drop(&mut self) {
+        self.picture.stop();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use common::Color;
+
+    use super::*;
+
+    #[test]
+    fn a_different_picture_is_never_overwritten() {
+        let folder = tempfile::tempdir().unwrap();
+        let size = Size::new(1, 1).unwrap();
+        let save = |gray: u8| {
+            let path = save_beside_others(folder.path(), "a", size, &[gray; 3]).unwrap();
+            path.file_name().unwrap().to_str().unwrap().to_owned()
+        };
+        assert_eq!(save(1), "a.png");
+        assert_eq!(save(2), "a-2.png");
+        assert_eq!(save(1), "a.png", "the same picture is there already");
+        assert_eq!(save(3), "a-3.png");
+        assert_eq!(save(2), "a-2.png");
+        let kept = picture_file::open(&folder.path().join("a.png")).unwrap();
+        assert_eq!(kept.pixels(), [Color::from_bytes([1; 3])]);
+        assert_eq!(folder.path().read_dir().unwrap().count(), 3);
+    }
+
+    #[test]
+    fn a_file_that_is_no_picture_is_kept_too() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("a.png"), "a letter").unwrap();
+        let size = Size::new(1, 1).unwrap();
+        let path = save_beside_others(folder.path(), "a", size, &[0; 3]).unwrap();
+        assert!(path.ends_with("a-2.png"));
+        let kept = std::fs::read_to_string(folder.path().join("a.png")).unwrap();
+        assert_eq!(kept, "a letter");
+    }
+
+    fn stage() -> Stage {
+        let scene = |name| Scene::painted(name, "", |settings, _| Image::black(settings.size));
+        let file = Scene::opened("file", "", |_, _| Image::black(Size::new(1, 1)?));
+        Stage {
+            name: "a00",
+            about: "",
+            scenes: vec![scene("one"), scene("two"), file],
+            experiments: Vec::new,
+            extremes: |_| Vec::new(),
+        }
+    }
+
+    #[test]
+    fn scenes_follow_one_another_in_a_ring() {
+        let stage = stage();
+        let mut gallery = Gallery::new(&stage, &stage.scenes[1], Options::default());
+        let mut titles = Vec::new();
+        for _ in 0..3 {
+            titles.push(gallery.title());
+            gallery.go_to_next();
+        }
+        assert_eq!(titles, ["a00: two", "a00: file", "a00: one"]);
+        for title in ["a00: one", "a00: file", "a00: two"] {
+            gallery.go_to_previous();
+            assert_eq!(gallery.title(), title);
+        }
+    }
+
+    #[test]
+    fn the_window_shows_the_curve_that_files_get() {
+        let stage = stage();
+        let mut options = Options::default();
+        options.transfer = Transfer::Srgb;
+        let gallery = Gallery::new(&stage, &stage.scenes[0], options);
+        assert_eq!(gallery.transfer(), Transfer::Srgb);
+    }
+
+    #[test]
+    fn files_are_chosen_where_a_scene_shows_one() {
+        let stage = stage();
+        for (scene, opens_files) in stage.scenes.iter().zip([false, false, true]) {
+            let mut gallery = Gallery::new(&stage, scene, Options::default());
+            assert_eq!(gallery.opens_files(), opens_files);
+            assert!(!gallery.has_file());
+            gallery.open("a.png".into());
+            assert!(gallery.has_file());
+        }
+    }
+
+    /// The scene waits until it is told to stop.
+    #[test]
+    fn a_rendering_goes_on_until_it_is_dropped() {
+        let wait = |settings: &common::Settings, progress: &dyn common::Progress| {
+            while !progress.stopped() {
+                std::thread::yield_now();
+            }
+            Image::black(settings.size)
+        };
+        let stage = Stage {
+            scenes: vec![Scene::traced("endless", "", wait)],
+            ..stage()
+        };
+        let gallery = Gallery::new(&stage, &stage.scenes[0], Options::default());
+        std::thread::scope(|scope| {
+            let rendering = gallery.render(scope).unwrap();
+            assert!(!rendering.is_over());
+            rendering.picture().stop();
+            while !rendering.is_over() {
+                std::thread::yield_now();
+            }
+            assert!(rendering.join().is_ok());
+            drop(gallery.render(scope).unwrap());
+        });
+    }
+}

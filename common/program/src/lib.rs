@@ -1,0 +1,30 @@
+//! The command line of every stage: it shows, renders, reports and explains the
+//! scenes of a [`Stage`](measure::Stage).
+//!
+//! The crate of a stage hands its scenes to [`run`], together with a [`Viewer`]
+//! if the build has a window. Only this crate reads arguments and prints.
+
+mod explain;
+mod extremes;
+mod gallery;
+mod grammar;
+mod live_picture;
+mod named;
+mod options;
+mod print;
+mod render;
+#[cfg(feature = "report")]
+mod report;
+mod run;
+mod show;
+mod target;
+mod terminal_progress;
+mod viewer;
+
+pub use gallery::{Gallery, Rendering};
+pub use live_picture::LivePicture;
+pub use named::{Named, by_name};
+pub use run::{run, run_with};
+pub use target::picture_name;
+pub use terminal_progress::TerminalProgress;
+pub use viewer::{NotShown, Viewer};

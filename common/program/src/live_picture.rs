@@ -1,0 +1,174 @@
+//! `LivePicture`: a picture while it is rendered, for whoever watches it grow.
+
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::time::{Duration, Instant};
+
+use common::{Color, Progress, Size, Transfer};
+
+/// The packed 0xRRGGBB pixels of a picture in the making. Rows that are not
+/// finished are black.
+///
+/// Written by all threads of the rendering and read by the window's, without a
+/// lock: a pixel is one number, and the window shows it again soon.
+#[derive(Debug)]
+pub struct LivePicture {
+    size: Size,
+    transfer: Transfer,
+    pixels: Vec<AtomicU32>,
+    rows: AtomicU32,
+    /// How many rows there are to paint, those counted that are painted again.
+    rows_to_paint: AtomicU32,
+    stopped: AtomicBool,
+    started: Instant,
+}
+
+impl LivePicture {
+    /// A picture of which nothing is rendered yet.
+    #[must_use]
+    pub fn new(size: Size, transfer: Transfer) -> Self {
+        Self {
+            size,
+            transfer,
+            pixels: (0..size.pixels()).map(|_| AtomicU32::new(0)).collect(),
+            rows: AtomicU32::new(0),
+            rows_to_paint: AtomicU32::new(size.height()),
+            stopped: AtomicBool::new(false),
+            started: Instant::now(),
+        }
+    }
+
+    /// Width and height.
+    #[must_use]
+    pub const fn size(&self) -> Size {
+        self.size
+    }
+
+    /// A pixel as it is now, counted row after row from the top.
+    #[must_use]
+    pub fn pixel(&self, index: usize) -> Option<u32> {
+        let pixel = self.pixels.get(index)?;
+        Some(pixel.load(Ordering::Relaxed))
+    }
+
+    /// How many rows are finished; a row that is painted again counts again.
+    #[must_use]
+    pub fn rows(&self) -> u32 {
+        self.rows.load(Ordering::Relaxed)
+    }
+
+    /// How much of the work that is known of is done, from 0 to 1.
+    #[must_use]
+    pub fn share(&self) -> f64 {
+        let all = self.rows_to_paint.load(Ordering::Relaxed);
+        f64::from(self.rows()) / f64::from(all)
+    }
+
+    /// For how long the rendering has been going on.
+    #[must_use]
+    pub fn elapsed(&self) -> Duration {
+        self.started.elapsed()
+    }
+
+    /// How long the remaining rows will take if they are like the finished
+    /// ones; none before there is one.
+    #[must_use]
+    pub fn remaining(&self) -> Option<Duration> {
+        let share = self.share().min(1.0);
+        let to_go = (1.0 - share) / share;
+        Duration::try_from_secs_f64(self.elapsed().as_secs_f64() * to_go).ok()
+    }
+
+    /// Ends the rendering after the rows that are being worked on.
+    pub fn stop(&self) {
+        self.stopped.store(true, Ordering::Relaxed);
+    }
+}
+
+impl Progress for LivePicture {
+    fn row(&self, y: u32, pixels: &mut dyn Iterator<Item = Color>) {
+        let width = self.size.width() as usize;
+        let start = y as usize * width;
+        for (live, color) in self.pixels[start..start + width].iter().zip(pixels) {
+            live.store(self.transfer.pack(color), Ordering::Relaxed);
+        }
+        self.rows.fetch_add(1, Ordering::Relaxed);
+    }
+
+    fn more_rows(&self, rows: u32) {
+        self.rows_to_paint.fetch_add(rows, Ordering::Relaxed);
+    }
+
+    fn stopped(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn picture() -> LivePicture {
+        LivePicture::new(Size::new(3, 4).unwrap(), Transfer::Linear)
+    }
+
+    #[test]
+    fn rows_appear_where_they_belong() {
+        let picture = picture();
+        picture.row(2, &mut [Color::RED, Color::GREEN, Color::WHITE].into_iter());
+        let mut expected = [0; 12];
+        expected[6..9].copy_from_slice(&[0xFF_0000, 0x00_FF00, 0xFF_FFFF]);
+        for (index, pixel) in expected.into_iter().enumerate() {
+            assert_eq!(picture.pixel(index), Some(pixel), "{index}");
+        }
+        assert_eq!(picture.pixel(12), None);
+        assert_eq!(picture.rows(), 1);
+    }
+
+    #[test]
+    fn the_remaining_time_is_known_from_the_first_row_on() {
+        let picture = picture();
+        assert_eq!(picture.remaining(), None);
+        picture.row(0, &mut [Color::BLACK; 3].into_iter());
+        let (elapsed, remaining) = (picture.elapsed(), picture.remaining().unwrap());
+        // Three rows to go for one that is done, measured a moment later.
+        assert!(remaining >= elapsed * 3);
+        for y in 1..4 {
+            picture.row(y, &mut [Color::BLACK; 3].into_iter());
+        }
+        assert_eq!(picture.remaining(), Some(Duration::ZERO));
+    }
+
+    #[test]
+    fn rows_that_are_painted_again_are_work_too() {
+        let picture = picture();
+        (0..4).for_each(|y| picture.row(y, &mut [Color::BLACK; 3].into_iter()));
+        assert_eq!(picture.share(), 1.0);
+        picture.more_rows(1);
+        assert_eq!(picture.share(), 0.8);
+        picture.row(2, &mut [Color::WHITE; 3].into_iter());
+        assert_eq!(picture.share(), 1.0);
+        assert_eq!(picture.pixel(6), Some(0xFF_FFFF));
+    }
+
+    #[test]
+    fn it_can_be_stopped() {
+        let picture = picture();
+        assert!(!picture.stopped());
+        picture.stop();
+        assert!(picture.stopped());
+    }
+
+    /// A minute for the first of four rows leaves three for the others.
+    #[test]
+    fn the_remaining_rows_take_as_long_as_those_before() {
+        let minute = Duration::from_mins(1);
+        let picture = LivePicture {
+            started: Instant::now().checked_sub(minute).unwrap(),
+            ..picture()
+        };
+        picture.row(0, &mut [Color::BLACK; 3].into_iter());
+        assert!(picture.elapsed() >= minute);
+        let remaining = picture.remaining().unwrap();
+        assert!((3 * minute..4 * minute).contains(&remaining));
+    }
+}

@@ -1,0 +1,157 @@
+//! The flags that change how a scene is rendered.
+
+use std::path::PathBuf;
+
+use common::{Error, Image, Renderer, Sampling, Scene, Settings, Size, Transfer, UsedSettings};
+
+use crate::named::by_name;
+
+/// What of a scene's defaults the command line replaces.
+#[derive(Clone, Debug, Default, clap::Args)]
+pub struct Options {
+    /// Width and height in pixels [default: the scene's]
+    #[arg(long, value_name = "WxH")]
+    size: Option<Size>,
+
+    /// Samples per pixel [default: the scene's]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    samples: Option<u32>,
+
+    /// Where samples lie [default: center for one sample, else stratified]
+    #[arg(long, value_name = "HOW", value_parser = by_name::<Sampling>())]
+    sampling: Option<Sampling>,
+
+    /// Take samples where they are needed, until the picture's root mean square
+    /// error is estimated to be at most this, such as 1/510; of a pixel at most
+    /// the --samples [default: 1024]
+    #[arg(long, value_name = "E", value_parser = error_bound, conflicts_with = "sampling")]
+    max_error: Option<f64>,
+
+    /// Selects the random numbers [default: 0]
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
+
+    /// How many surfaces a ray may meet, 1 showing no reflection [default: the scene's]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    depth: Option<u32>,
+
+    /// Threads to render with [default: one a core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+
+    /// Curve between light and the values in the file
+    #[arg(long, value_name = "CURVE", value_parser = by_name::<Transfer>(), default_value = "linear")]
+    pub transfer: Transfer,
+
+    /// Render with the fast renderer; the picture is the same
+    #[arg(long, conflicts_with = "no_omit")]
+    fast: bool,
+
+    /// Do also the work that cannot change the picture
+    #[arg(long)]
+    no_omit: bool,
+
+    /// The picture that show-image opens (PNG, JPEG or BMP)
+    #[arg(long, value_name = "FILE")]
+    pub open: Option<PathBuf>,
+}
+
+/// More samples of a pixel are not taken without being asked for.
+const ENOUGH: u32 = 1024;
+
+/// Reads a number or a fraction, above 0 and at most 1.
+fn error_bound(text: &str) -> Result<f64, String> {
+    let (numerator, denominator) = text.split_once('/').unwrap_or((text, "1"));
+    let [numerator, denominator] = [numerator, denominator].map(|n| n.trim().parse::<f64>());
+    match (numerator, denominator) {
+        (Ok(n), Ok(d)) if n / d > 0.0 && n / d <= 1.0 => Ok(n / d),
+        _ => Err("a number above 0 and at most 1 is needed, such as 1/510 or 0.002".to_owned()),
+    }
+}
+
+/// Checks that this sampling has room for that many samples.
+fn check_places(samples: u32, sampling: Sampling) -> Result<(), Error> {
+    if sampling == Sampling::Center && samples > 1 {
+        return Err(Error::Usage(format!(
+            "a pixel has one center, not {samples}; \
+             --sampling regular, random or stratified takes more samples"
+        )));
+    }
+    let root = samples.isqrt();
+    if sampling.is_grid() && root * root != samples {
+        let (below, above) = (root * root, (root + 1) * (root + 1));
+        return Err(Error::Usage(format!(
+            "--samples {samples} makes no square grid, which regular and stratified \
+             sampling need; {below} and {above} do, and random sampling takes any number"
+        )));
+    }
+    Ok(())
+}
+
+impl Options {
+    /// The threads to render with.
+    pub fn thread_pool(&self) -> Result<rayon::ThreadPool, Error> {
+        // 0 lets there be one a core.
+        let threads = self.threads.unwrap_or(0).into();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        Ok(pool.build()?)
+    }
+
+    /// The settings for `scene`: what was asked for, else its defaults.
+    pub fn settings(&self, scene: &Scene) -> Result<Settings, Error> {
+        let defaults = &scene.defaults;
+        let (samples, sampling) = match (self.samples, self.sampling) {
+            (None, None) => (defaults.samples, defaults.sampling),
+            (None, Some(Sampling::Center)) | (Some(1), None) => (1, Sampling::Center),
+            (None, Some(sampling)) => (defaults.samples, sampling),
+            (Some(samples), None) => (samples, Sampling::Stratified),
+            (Some(samples), Some(sampling)) => (samples, sampling),
+        };
+        let max_error = self.max_error.or(defaults.max_error);
+        if max_error.is_none() {
+            check_places(samples, sampling)?;
+        }
+        let size = self.size.unwrap_or(defaults.size);
+        if scene.uses.size && !scene.uses.sampling {
+            Image::check_size(size)?;
+        }
+        Ok(Settings {
+            size,
+            rows: None,
+            samples: match self.max_error {
+                Some(_) => self.samples.unwrap_or(ENOUGH),
+                None => samples,
+            },
+            sampling,
+            max_error,
+            seed: self.seed.unwrap_or(defaults.seed),
+            depth: self.depth.unwrap_or(defaults.depth),
+            renderer: match (self.fast, self.no_omit) {
+                (true, _) => Renderer::Engine,
+                (false, true) => Renderer::AllWork,
+                (false, false) => defaults.renderer,
+            },
+            file: self.open.clone().or_else(|| defaults.file.clone()),
+        })
+    }
+
+    /// The flags that were given although they do not change this scene.
+    pub fn unused(&self, uses: UsedSettings) -> Vec<&'static str> {
+        let sampling = !uses.sampling;
+        [
+            ("--size", self.size.is_some() && !uses.size),
+            ("--samples", self.samples.is_some() && sampling),
+            ("--sampling", self.sampling.is_some() && sampling),
+            ("--max-error", self.max_error.is_some() && sampling),
+            ("--seed", self.seed.is_some() && sampling),
+            ("--depth", self.depth.is_some() && !uses.depth),
+            ("--open", self.open.is_some() && !uses.file),
+        ]
+        .into_iter()
+        .filter_map(|(flag, unused)| unused.then_some(flag))
+        .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests;

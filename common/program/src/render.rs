@@ -1,0 +1,212 @@
+//! `render`: scenes into PNG files.
+
+use std::ops::Range;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use common::{Error, Scene, Settings, Size};
+use measure::Stage;
+
+use crate::TerminalProgress;
+use crate::explain::{self, explain};
+use crate::options::Options;
+use crate::print::{print, warn};
+use crate::target::Target;
+
+/// Writes the pictures of these scenes, and says where and how long each took.
+/// Whatever can be refused is, before the first picture is begun.
+pub fn render_to_files(
+    stage: &Stage,
+    scenes: &[&Scene],
+    output: Option<PathBuf>,
+    explained: bool,
+    options: &Options,
+) -> Result<(), Error> {
+    let target = Target::new(output, scenes.len())?;
+    for scene in scenes {
+        let settings = options.settings(scene)?;
+        if explained {
+            explain::check(&settings)?;
+        }
+        target.check(stage, scene)?;
+    }
+    for scene in scenes {
+        warn_unused(scene, options);
+        let start = Instant::now();
+        let (path, size) = if explained {
+            let image = explain(scene, options)?;
+            let rgb = image.to_rgb8(options.transfer);
+            let path = target.write(stage, scene, image.size(), [Ok(rgb)])?;
+            (path, image.size())
+        } else {
+            render_to_file(stage, scene, &target, options)?
+        };
+        let time = start.elapsed().as_secs_f64();
+        print(&format!("{}  {size}  {time:.2} s", path.display()));
+    }
+    Ok(())
+}
+
+/// Pixels of a band that is rendered before it is written: 27 bytes each.
+const BAND: u32 = 1 << 22;
+
+/// Renders a scene into a PNG file, with a bar on the terminal, and says where
+/// that is and how large. A traced picture may be larger than memory.
+pub fn render_to_file(
+    stage: &Stage,
+    scene: &Scene,
+    target: &Target,
+    options: &Options,
+) -> Result<(PathBuf, Size), Error> {
+    let (path, size, bad) = render_in_bands(stage, scene, target, options, BAND)?;
+    if bad > 0 {
+        let name = scene.name;
+        warn(&format!(
+            "warning: {bad} pixels of {name} are no finite numbers"
+        ));
+    }
+    Ok((path, size))
+}
+
+/// Renders a traced scene in bands of at most this many pixels, or of one row,
+/// and any other at once. The last number counts the pixels that are no finite
+/// numbers.
+fn render_in_bands(
+    stage: &Stage,
+    scene: &Scene,
+    target: &Target,
+    options: &Options,
+    most_pixels: u32,
+) -> Result<(PathBuf, Size, usize), Error> {
+    let settings = options.settings(scene)?;
+    let progress = TerminalProgress::new(scene.name, settings.size);
+    let threads = options.thread_pool()?;
+    let mut bad = 0;
+    let mut render = |rows| -> Result<(Size, Vec<u8>), Error> {
+        let settings = Settings {
+            rows,
+            ..settings.clone()
+        };
+        threads.install(|| {
+            let image = scene.render(&settings, &progress)?;
+            bad += image.count_non_finite();
+            Ok((image.size(), image.to_rgb8(options.transfer)))
+        })
+    };
+    let (path, size) = if scene.uses.sampling {
+        let bands = bands(settings.size, most_pixels);
+        let bands = bands.map(|rows| render(Some(rows)).map(|(_, rgb)| rgb));
+        let path = target.write(stage, scene, settings.size, bands)?;
+        (path, settings.size)
+    } else {
+        // A picture that is opened has its own size.
+        let (size, rgb) = render(None)?;
+        (target.write(stage, scene, size, [Ok(rgb)])?, size)
+    };
+    let samples = progress.samples();
+    drop(progress);
+    if let Some(samples) = samples {
+        warn(&format!("note: {}: {samples}", scene.name));
+        if samples.misses(settings.max_error) {
+            warn("note: that is more than was asked for; more --samples may do");
+        }
+    }
+    Ok((path, size, bad))
+}
+
+/// All rows of a picture, as many at a time as have at most this many pixels.
+fn bands(size: Size, most_pixels: u32) -> impl Iterator<Item = Range<u32>> {
+    let rows = (most_pixels / size.width()).max(1);
+    let starts = (0..size.height()).step_by(rows as usize);
+    starts.map(move |start| start..size.height().min(start + rows))
+}
+
+/// Tells of the flags that do not change this scene.
+pub fn warn_unused(scene: &Scene, options: &Options) {
+    for flag in options.unused(scene.uses) {
+        warn(&format!("note: {flag} changes nothing in {}", scene.name));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use common::{Color, Image, picture_file};
+
+    use super::*;
+
+    fn size(width: u32, height: u32) -> Size {
+        Size::new(width, height).unwrap()
+    }
+
+    /// A picture of 20 x 23 pixels, all different, with two that are no numbers.
+    fn stage() -> Stage {
+        let scene = Scene::traced("numbers", "", |settings, progress| {
+            let rows = settings.rows();
+            let band = size(settings.size.width(), rows.len() as u32);
+            let mut image = Image::black(band)?;
+            for (y, row) in rows.zip(image.rows_mut()) {
+                for (x, pixel) in (0..).zip(&mut *row) {
+                    let bad = [(0, 1), (19, 22)].contains(&(x, y));
+                    let blue = if bad { f64::NAN } else { 0.0 };
+                    *pixel = Color::from_bytes([x as u8, y as u8, 0]) + Color::new(0.0, 0.0, blue);
+                }
+                progress.row(y, &mut row.iter().copied());
+            }
+            Ok(image)
+        });
+        Stage {
+            name: "a00",
+            about: "",
+            scenes: vec![scene.with_defaults(Settings {
+                size: size(20, 23),
+                ..Settings::default()
+            })],
+            experiments: Vec::new,
+            extremes: |_| Vec::new(),
+        }
+    }
+
+    #[test]
+    fn a_picture_in_bands_is_the_same_file_and_all_of_it_is_counted() {
+        let folder = tempfile::tempdir().unwrap();
+        let (stage, options) = (stage(), Options::default());
+        // One row, one row, seven rows with two left over, all rows.
+        let files = [1, 39, 7 * 20 + 13, u32::MAX].map(|most| {
+            let target = Target::Folder(folder.path().to_owned());
+            let scene = &stage.scenes[0];
+            let written = render_in_bands(&stage, scene, &target, &options, most).unwrap();
+            let path = folder.path().join("a00-numbers.png");
+            assert_eq!(written, (path.clone(), size(20, 23), 2), "{most}");
+            let image = picture_file::open(&path).unwrap();
+            for (y, row) in image.rows().enumerate() {
+                for (x, pixel) in row.iter().enumerate() {
+                    assert_eq!(pixel.to_bytes(), [x as u8, y as u8, 0], "{most}");
+                }
+            }
+            std::fs::read(path).unwrap()
+        });
+        assert!(files.iter().all(|file| *file == files[0]));
+        assert_eq!(folder.path().read_dir().unwrap().count(), 1);
+    }
+
+    #[test]
+    fn bands_hold_every_row_once_and_no_more_than_they_may() {
+        for (width, height) in [(1, 1), (32_768, 32_768), (640, 480), (1, 32_768), (7, 11)] {
+            for most in [1, 20, 1 << 15, BAND] {
+                let mut next = 0;
+                for rows in bands(size(width, height), most) {
+                    assert!(rows.start == next && rows.start < rows.end);
+                    assert!(rows.len() == 1 || rows.len() * width as usize <= most as usize);
+                    next = rows.end;
+                }
+                assert_eq!(next, height);
+            }
+        }
+    }
+
+    #[test]
+    fn a_band_has_as_many_rows_as_it_may() {
+        let bands: Vec<_> = bands(size(7, 5), 20).collect();
+        assert_eq!(bands, [0..2, 2..4, 4..5]);
+    }
+}

@@ -1,0 +1,97 @@
+//! The program of every stage.
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::{CommandFactory, FromArgMatches};
+use common::{Error, Scene};
+use measure::Stage;
+
+use crate::Viewer;
+use crate::grammar::{Command, CommandLine};
+use crate::print::{print, warn};
+use crate::{extremes, render, show};
+
+/// Runs the program of `stage` with the arguments of this process.
+///
+/// Whatever goes wrong ends in one sentence on stderr and an exit code: 2 for
+/// a wrong command line, 1 for the rest.
+#[must_use]
+pub fn run(stage: &Stage, viewer: Option<&dyn Viewer>) -> ExitCode {
+    run_with(stage, viewer, std::env::args_os())
+}
+
+/// Like [`run`] with other arguments, the first of which is the program's name.
+#[must_use]
+pub fn run_with(
+    stage: &Stage,
+    viewer: Option<&dyn Viewer>,
+    arguments: impl IntoIterator<Item = OsString>,
+) -> ExitCode {
+    let grammar = CommandLine::command().name(stage.name).about(stage.about);
+    let parsed = grammar
+        .try_get_matches_from(arguments)
+        .and_then(|matches| CommandLine::from_arg_matches(&matches));
+    let outcome = match parsed {
+        Ok(line) => execute(stage, viewer, line),
+        Err(help_or_error) => {
+            // A closed pipe is no reason to complain.
+            let _ = help_or_error.print();
+            return ExitCode::from(u8::from(help_or_error.use_stderr()) * 2);
+        }
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            warn(&format!("error: {error}"));
+            ExitCode::from(error.exit_code())
+        }
+    }
+}
+
+fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Result<(), Error> {
+    match line.command {
+        None => show::show(stage, &stage.scenes[0], viewer, &line.showing),
+        Some(Command::List) => {
+            list(stage);
+            Ok(())
+        }
+        Some(Command::Show { scene, showing }) => {
+            show::show(stage, stage.scene(&scene)?, viewer, &showing)
+        }
+        Some(Command::Render {
+            scenes,
+            all,
+            output,
+            explain,
+            options,
+        }) => {
+            let named = scenes.iter().map(|name| stage.scene(name));
+            let scenes: Vec<&Scene> = if all {
+                stage.scenes.iter().collect()
+            } else {
+                named.collect::<Result<_, _>>()?
+            };
+            render::render_to_files(stage, &scenes, output, explain, &options)
+        }
+        #[cfg(feature = "report")]
+        Some(Command::Report {
+            names,
+            quick,
+            output,
+        }) => crate::report::report(stage, &names, quick, output),
+        #[cfg(not(feature = "report"))]
+        Some(Command::Report { .. }) => Err(Error::Usage(
+            "this build has no reports; the feature `report` brings them".to_owned(),
+        )),
+        Some(Command::Extremes { names }) => extremes::show_extremes(stage, &names),
+    }
+}
+
+fn list(stage: &Stage) {
+    let names = stage.scenes.iter().map(|scene| scene.name.len());
+    let width = names.max().unwrap_or(0);
+    for scene in &stage.scenes {
+        print(&format!("{:width$}  {}", scene.name, scene.about));
+    }
+}

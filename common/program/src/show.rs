@@ -1,0 +1,102 @@
+//! `show`: a scene in a window, or its PNG where there is none.
+
+use common::{Error, Image, Scene};
+use measure::Stage;
+
+use crate::grammar::Showing;
+use crate::print::{print, warn};
+use crate::render::{render_to_file, warn_unused};
+use crate::target::Target;
+use crate::{Gallery, NotShown, Viewer};
+
+/// Shows the scene until its window is closed; without one, writes its picture
+/// and says where.
+pub fn show(
+    stage: &Stage,
+    scene: &Scene,
+    viewer: Option<&dyn Viewer>,
+    showing: &Showing,
+) -> Result<(), Error> {
+    let options = &showing.options;
+    let settings = options.settings(scene)?;
+    if !showing.no_window {
+        Image::check_size(settings.size)?;
+    }
+    warn_unused(scene, options);
+    if !showing.no_window {
+        let mut gallery = Gallery::new(stage, scene, options.clone());
+        let shown = match viewer {
+            Some(viewer) => viewer.show(&mut gallery),
+            None => Err(NotShown::NoWindow(
+                "this build has none; the feature `window` brings it".to_owned(),
+            )),
+        };
+        match shown {
+            Ok(()) => return Ok(()),
+            Err(NotShown::Failed(error)) => return Err(error),
+            Err(NotShown::NoWindow(reason)) => warn(&format!("no window: {reason}")),
+        }
+    }
+    if scene.uses.file && options.open.is_none() {
+        warn("note: this is the picture of the program; --open FILE shows one of yours");
+    }
+    Target::Default.check(stage, scene)?;
+    let (path, size) = render_to_file(stage, scene, &Target::Default, options)?;
+    print(&format!("{}  {size}", path.display()));
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use common::{Settings, Size};
+
+    use super::*;
+    use crate::options::Options;
+
+    /// A person who is shown the gallery and sees nothing of it.
+    struct Blind(fn() -> Result<(), NotShown>);
+
+    impl Viewer for Blind {
+        fn show(&self, gallery: &mut Gallery) -> Result<(), NotShown> {
+            assert_eq!(gallery.title(), "a00: two");
+            (self.0)()
+        }
+    }
+
+    fn shown(size: Size, sees: fn() -> Result<(), NotShown>) -> Result<(), Error> {
+        let scene = |name| Scene::traced(name, "", |settings, _| Image::black(settings.size));
+        let defaults = Settings {
+            size,
+            ..Settings::default()
+        };
+        let stage = Stage {
+            name: "a00",
+            about: "",
+            scenes: ["one", "two"]
+                .map(|name| scene(name).with_defaults(defaults.clone()))
+                .into(),
+            experiments: Vec::new,
+            extremes: |_| Vec::new(),
+        };
+        let options = Showing {
+            no_window: false,
+            options: Options::default(),
+        };
+        show(&stage, &stage.scenes[1], Some(&Blind(sees)), &options)
+    }
+
+    #[test]
+    fn what_goes_wrong_in_the_window_is_told() {
+        assert!(shown(Size::COURSE, || Ok(())).is_ok());
+        let failed = shown(Size::COURSE, || Err(Error::Stopped.into()));
+        assert!(matches!(failed, Err(Error::Stopped)));
+    }
+
+    /// A file may be written row by row.
+    #[test]
+    fn a_picture_larger_than_memory_gets_no_window() {
+        let large = Size::new(32_768, 32_768).unwrap();
+        let refused = shown(large, || Ok(()));
+        assert!(matches!(refused, Err(Error::TooLarge { .. })));
+    }
+}

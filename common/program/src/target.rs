@@ -1,0 +1,146 @@
+//! `Target`: where pictures go.
+
+use std::path::{Path, PathBuf};
+
+use common::atomic_file;
+use common::{Error, Scene, Size, picture_file};
+use measure::Stage;
+
+/// The folder that pictures land in, below the current one.
+const DEFAULT_FOLDER: &str = "out";
+
+/// Where pictures go.
+pub enum Target {
+    /// `out/`, made where it is missing.
+    Default,
+    Folder(PathBuf),
+    File(PathBuf),
+}
+
+impl Target {
+    /// Reads the argument of `-o`, for this many pictures.
+    pub fn new(output: Option<PathBuf>, pictures: usize) -> Result<Self, Error> {
+        let Some(path) = output else {
+            return Ok(Self::Default);
+        };
+        let is_png = |end: &std::ffi::OsStr| end.eq_ignore_ascii_case("png");
+        if path.is_dir() {
+            Ok(Self::Folder(path))
+        } else if !path.extension().is_some_and(is_png) {
+            Err(Error::Usage(format!(
+                "-o {} must be a folder that exists or the name of a PNG file, ending in .png",
+                path.display()
+            )))
+        } else if pictures > 1 {
+            Err(Error::Usage(format!(
+                "-o {} has room for one picture, not {pictures}; give a folder",
+                path.display()
+            )))
+        } else {
+            Ok(Self::File(path))
+        }
+    }
+
+    fn path(&self, stage: &Stage, scene: &Scene) -> PathBuf {
+        let name = picture_name(stage, scene);
+        match self {
+            Self::Default => Path::new(DEFAULT_FOLDER).join(name),
+            Self::Folder(folder) => folder.join(name),
+            Self::File(path) => path.clone(),
+        }
+    }
+
+    /// Says what would keep the picture of `scene` from being written.
+    pub fn check(&self, stage: &Stage, scene: &Scene) -> Result<(), Error> {
+        let folder = Path::new(DEFAULT_FOLDER);
+        match self {
+            // The folder can be made where a file can.
+            Self::Default if !folder.exists() => {
+                let checked = atomic_file::check_writable(folder);
+                // Another program may have made it meanwhile.
+                checked.or_else(|error| if folder.is_dir() { Ok(()) } else { Err(error) })
+            }
+            _ => atomic_file::check_writable(&self.path(stage, scene)),
+        }
+    }
+
+    /// Writes the picture of `scene`, band by band as
+    /// [`picture_file::save_png_in_bands`] does, and says where it is.
+    pub fn write(
+        &self,
+        stage: &Stage,
+        scene: &Scene,
+        size: Size,
+        bands: impl IntoIterator<Item = Result<Vec<u8>, Error>>,
+    ) -> Result<PathBuf, Error> {
+        let path = self.path(stage, scene);
+        if matches!(self, Self::Default) {
+            make_default_folder()?;
+        }
+        picture_file::save_png_in_bands(&path, size, bands)?;
+        Ok(path)
+    }
+}
+
+/// Makes `out/` where it is missing.
+pub fn make_default_folder() -> Result<&'static Path, Error> {
+    let folder = Path::new(DEFAULT_FOLDER);
+    make_folder(folder)?;
+    Ok(folder)
+}
+
+/// Makes a folder where it is missing, and those it lies in.
+pub fn make_folder(folder: &Path) -> Result<(), Error> {
+    match std::fs::create_dir_all(folder) {
+        // What is there and no folder is named by whoever writes into it.
+        Err(error) if !folder.exists() => {
+            atomic_file::check_writable(folder)?;
+            Err(atomic_file::cannot_write(folder, &error))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The file name of a scene's picture, `STAGE-SCENE.png`.
+#[must_use]
+pub fn picture_name(stage: &Stage, scene: &Scene) -> String {
+    format!("{}-{}.png", stage.name, scene.name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folders_are_made_and_what_is_there_is_left() {
+        let folder = tempfile::tempdir().unwrap();
+        let inner = folder.path().join("one/two");
+        make_folder(&inner).unwrap();
+        make_folder(&inner).unwrap();
+        assert!(inner.is_dir());
+        // Who writes into a file instead of a folder names it.
+        let file = folder.path().join("file");
+        std::fs::write(&file, "").unwrap();
+        make_folder(&file).unwrap();
+        assert!(file.is_file());
+    }
+
+    #[test]
+    fn a_folder_that_cannot_be_made_is_told() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("file");
+        std::fs::write(&file, "").unwrap();
+        let error = make_folder(&file.join("folder")).unwrap_err().to_string();
+        assert!(error.ends_with("file is a file, not a folder"), "{error}");
+    }
+
+    #[test]
+    fn one_file_has_room_for_one_picture() {
+        let named = |name: &str, pictures| Target::new(Some(name.into()), pictures);
+        assert!(matches!(named("a.png", 1), Ok(Target::File(_))));
+        assert!(matches!(named("a.PNG", 1), Ok(Target::File(_))));
+        assert!(named("a.png", 2).is_err() && named("a.jpg", 1).is_err());
+        assert!(matches!(named(".", 2), Ok(Target::Folder(_))));
+        assert!(matches!(Target::new(None, 2), Ok(Target::Default)));
+    }
+}

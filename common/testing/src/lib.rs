@@ -1,0 +1,12 @@
+//! Test tools of the stages: [`lock_pictures!`] compares the pictures of a stage
+//! with locked ones, [`exercises!`] checks the exercises of the students, and
+//! `display` runs a program on an X display of its own.
+//!
+//! Only tests depend on this crate, so that no program carries test code.
+
+#[cfg(target_os = "linux")]
+pub mod display;
+pub mod exercise;
+pub mod picture_lock;
+
+pub use exercise::missing;

@@ -1,0 +1,200 @@
+//! Locks the pictures of a stage in its tests.
+//!
+//! A lock has two halves: a text snapshot with the picture's size, the hash of
+//! its bytes and a thumbnail in characters, and the expected PNG, which lies
+//! where the book shows it. [`lock_pictures!`](crate::lock_pictures) writes the
+//! tests; `INSTA_UPDATE=always` accepts what they see, in both halves.
+
+mod description;
+mod difference;
+mod invariance;
+mod left_out;
+mod program_run;
+
+use std::path::{Path, PathBuf};
+
+use common::{Image, Renderer, Scene, Settings, Transfer, picture_file};
+use measure::Stage;
+use program::picture_name;
+
+use description::describe;
+use difference::{compare, leave_pictures};
+
+pub use invariance::{check_narrow_sizes, check_omissions, check_rows, check_threads};
+pub use left_out::check_book;
+pub use program_run::check_program;
+
+/// Where the test crate and its files lie; [`lock_pictures!`](crate::lock_pictures)
+/// fills it in.
+pub struct Places {
+    /// The folder of the stage's crate.
+    pub stage: &'static str,
+    /// A folder for what a failed test leaves behind.
+    pub scratch: &'static str,
+    /// The stage's program.
+    pub program: &'static str,
+}
+
+impl Places {
+    fn expected(&self, name: &str) -> PathBuf {
+        Path::new(self.stage)
+            .join("../book/src/pictures")
+            .join(name)
+    }
+}
+
+/// Writes the tests of a stage's pictures: a lock for each scene, under its
+/// name, and what holds for all of them.
+///
+/// ```ignore
+/// testing::lock_pictures! { a04_intersections::stage(); scene_1 scene_2 }
+/// ```
+#[macro_export]
+macro_rules! lock_pictures {
+    ($stage:expr; $($scene:ident)+) => {
+        const PLACES: $crate::picture_lock::Places = $crate::picture_lock::Places {
+            stage: env!("CARGO_MANIFEST_DIR"),
+            scratch: env!("CARGO_TARGET_TMPDIR"),
+            program: env!(concat!("CARGO_BIN_EXE_", env!("CARGO_PKG_NAME"))),
+        };
+
+        $(
+            #[test]
+            fn $scene() {
+                $crate::picture_lock::check(&$stage, stringify!($scene), &PLACES);
+            }
+        )+
+
+        #[test]
+        fn every_scene_is_locked() {
+            $crate::picture_lock::check_complete(&$stage, &[$(stringify!($scene)),+]);
+        }
+
+        #[test]
+        fn one_thread_and_eight_give_the_same_bytes() {
+            $crate::picture_lock::check_threads(&$stage);
+        }
+
+        #[test]
+        fn rows_rendered_alone_are_those_of_the_picture() {
+            $crate::picture_lock::check_rows(&$stage);
+        }
+
+        #[test]
+        fn what_is_left_out_changes_no_byte() {
+            $crate::picture_lock::check_omissions(&$stage);
+        }
+
+        #[test]
+        fn the_book_tells_what_is_left_out() {
+            $crate::picture_lock::check_book(&$stage, &PLACES);
+        }
+
+        #[test]
+        fn pictures_of_one_pixel_and_of_one_row_are_no_trouble() {
+            $crate::picture_lock::check_narrow_sizes(&$stage);
+        }
+
+        #[test]
+        fn without_a_display_the_program_leaves_its_first_picture() {
+            $crate::picture_lock::check_program(&$stage, &PLACES);
+        }
+    };
+}
+
+fn render(scene: &Scene, settings: &Settings) -> Image {
+    let image = scene.render(settings, &()).expect("the scene renders");
+    assert_eq!(image.count_non_finite(), 0, "no pixel is NaN or infinite");
+    image
+}
+
+/// Renders a scene with all renderers and compares the pictures with its lock: that
+/// of the lesson, the first, with both halves, the others with the expected PNG.
+///
+/// # Panics
+///
+/// If a picture differs; the message names the renderer, says how the picture
+/// differs, and where to look at it.
+pub fn check(stage: &Stage, test: &str, places: &Places) {
+    let scene = stage.scene(&test.replace('_', "-")).expect("a scene");
+    let expected = places.expected(&picture_name(stage, scene));
+    let [lesson, others @ ..] = Renderer::ALL.map(|renderer| Settings {
+        renderer,
+        ..scene.defaults.clone()
+    });
+    check_lesson(scene, &render(scene, &lesson), &expected, places);
+    for settings in others {
+        let image = render(scene, &settings);
+        if let Err(difference) = compare_with_file(&expected, &image) {
+            let difference = format!("{}: {difference}", headline(scene, settings.renderer));
+            let scratch = Path::new(places.scratch);
+            panic!(
+                "{}",
+                leave_pictures(scratch, &expected, &image, &difference)
+            );
+        }
+    }
+}
+
+/// A sentence that says which picture differs from the lock.
+fn headline(scene: &Scene, renderer: Renderer) -> String {
+    let name = scene.name;
+    match renderer {
+        Renderer::Lesson => format!("the picture of {name} has changed"),
+        Renderer::Engine => {
+            format!("the fast renderer (--fast) draws another picture of {name} than the lesson")
+        }
+        Renderer::AllWork => {
+            format!(
+                "the renderer of all work (--no-omit) draws another picture of {name} than the lesson"
+            )
+        }
+    }
+}
+
+fn compare_with_file(expected: &Path, image: &Image) -> Result<(), String> {
+    picture_file::open(expected)
+        .map_err(|error| error.to_string())
+        .and_then(|stored| compare(&stored, image))
+}
+
+/// Compares the picture of the lesson with both halves of the lock.
+fn check_lesson(scene: &Scene, image: &Image, expected: &Path, places: &Places) {
+    let (size, rgb) = (image.size(), image.to_rgb8(Transfer::Linear));
+    let accept = std::env::var("INSTA_UPDATE").as_deref() == Ok("always");
+    let report = match compare_with_file(expected, image) {
+        Ok(()) => None,
+        Err(_) if accept => {
+            picture_file::save_png(expected, size, &rgb).expect("the expected picture is written");
+            None
+        }
+        Err(difference) => {
+            let difference = format!("{}: {difference}", headline(scene, Renderer::Lesson));
+            let left = leave_pictures(Path::new(places.scratch), expected, image, &difference);
+            let hint = "  INSTA_UPDATE=always accepts what the test sees; look at it first";
+            Some(format!("{left}\n{hint}"))
+        }
+    };
+    if let Some(report) = &report {
+        eprintln!("{report}");
+    }
+
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(Path::new(places.stage).join("tests/snapshots"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.set_description(format!("{}: {}", scene.name, scene.about));
+    settings.bind(|| insta::assert_snapshot!(scene.name, describe(size, &rgb)));
+    assert!(report.is_none(), "{}", report.unwrap_or_default());
+}
+
+/// Checks that the tests name all scenes of the stage.
+///
+/// # Panics
+///
+/// If a scene has no lock.
+pub fn check_complete(stage: &Stage, tests: &[&str]) {
+    let locked: Vec<_> = tests.iter().map(|test| test.replace('_', "-")).collect();
+    let scenes: Vec<_> = stage.scenes.iter().map(|scene| scene.name).collect();
+    assert_eq!(locked, scenes, "the tests name every scene, in order");
+}

@@ -1,0 +1,109 @@
+//! How a picture differs from the expected one, in words and in pictures.
+
+use std::path::Path;
+
+use common::{Color, Image, Transfer, picture_file};
+
+/// Says how a picture differs from the expected one, if it does.
+pub fn compare(expected: &Image, actual: &Image) -> Result<(), String> {
+    let (size, other) = (expected.size(), actual.size());
+    if size != other {
+        return Err(format!("expected {size} pixels, got {other}"));
+    }
+    let bytes = |image: &Image| image.to_rgb8(Transfer::Linear);
+    let (expected, actual) = (bytes(expected), bytes(actual));
+    let pairs = expected.chunks_exact(3).zip(actual.chunks_exact(3));
+    let differing: Vec<_> = pairs.enumerate().filter(|(_, (e, a))| e != a).collect();
+    let Some((first, (wanted, got))) = differing.first() else {
+        return Ok(());
+    };
+    let channels = expected.iter().zip(&actual);
+    let largest = channels.map(|(e, a)| e.abs_diff(*a)).max().unwrap_or(0);
+    let width = size.width() as usize;
+    Err(format!(
+        "{} of {} pixels differ, a channel by at most {largest} of 255; \
+         the first is column {}, row {}: expected {wanted:?}, got {got:?}",
+        differing.len(),
+        size.pixels(),
+        first % width,
+        first / width,
+    ))
+}
+
+/// Writes the actual, the expected and the difference picture into a folder, and
+/// says where.
+pub fn leave_pictures(scratch: &Path, expected: &Path, actual: &Image, difference: &str) -> String {
+    let name = expected.file_name().unwrap_or_default().to_string_lossy();
+    let write = |suffix: &str, image: &Image| {
+        let path = scratch.join(name.replace(".png", suffix));
+        let written = picture_file::save_png(&path, image.size(), &image.to_rgb8(Transfer::Linear));
+        written.map_or_else(|error| error.to_string(), |()| path.display().to_string())
+    };
+    let mut report = vec![
+        difference.to_owned(),
+        format!("  actual:     {}", write(".actual.png", actual)),
+    ];
+    if let Ok(expected) = picture_file::open(expected) {
+        report.push(format!(
+            "  expected:   {}",
+            write(".expected.png", &expected)
+        ));
+        let apart = Image::from_fn(actual.size(), |x, y| {
+            let pixel = |image: &Image| image.get(x, y).unwrap_or(Color::WHITE);
+            (pixel(actual) - pixel(&expected)).map(f64::abs)
+        });
+        if let Ok(apart) = apart {
+            report.push(format!(
+                "  difference: {}",
+                write(".difference.png", &apart)
+            ));
+        }
+    }
+    report.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use common::Size;
+
+    use super::*;
+
+    fn picture(color: impl FnMut(u32, u32) -> Color) -> Image {
+        Image::from_fn(Size::new(96, 64).unwrap(), color).unwrap()
+    }
+
+    #[test]
+    fn a_difference_is_told_in_full() {
+        let black = picture(|_, _| Color::BLACK);
+        assert_eq!(compare(&black, &black), Ok(()));
+        let mut other = black.clone();
+        other.set(5, 2, Color::from_bytes([0, 7, 0]));
+        other.set(9, 60, Color::from_bytes([3, 0, 0]));
+        assert_eq!(
+            compare(&black, &other).unwrap_err(),
+            "2 of 6144 pixels differ, a channel by at most 7 of 255; \
+             the first is column 5, row 2: expected [0, 0, 0], got [0, 7, 0]"
+        );
+        let wide = Image::black(Size::new(97, 64).unwrap()).unwrap();
+        assert_eq!(
+            compare(&black, &wide).unwrap_err(),
+            "expected 96x64 pixels, got 97x64"
+        );
+    }
+
+    #[test]
+    fn a_mismatch_leaves_three_pictures() {
+        let folder = tempfile::tempdir().unwrap();
+        let expected = folder.path().join("a.png");
+        let [black, red] = [Color::BLACK, Color::RED].map(|color| picture(|_, _| color));
+        let rgb = black.to_rgb8(Transfer::Linear);
+        picture_file::save_png(&expected, black.size(), &rgb).unwrap();
+
+        let report = leave_pictures(folder.path(), &expected, &red, "they differ");
+        let left = |name: &str| picture_file::open(&folder.path().join(name)).unwrap();
+        assert!(report.contains("they differ"), "{report}");
+        assert_eq!(left("a.actual.png"), red);
+        assert_eq!(left("a.expected.png"), black);
+        assert_eq!(left("a.difference.png"), red);
+    }
+}

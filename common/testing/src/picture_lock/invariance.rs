@@ -1,0 +1,123 @@
+//! Checks of all scenes of a stage: pictures that must not depend on the threads,
+//! the rows that are rendered at a time, or the renderer.
+
+use std::sync::Mutex;
+
+use common::{Renderer, Sampled, Sampling, Scene, Settings, Size};
+use measure::Stage;
+
+use super::render;
+
+/// Few pixels, so that a scene can be rendered several times.
+pub(super) fn small(scene: &Scene) -> Settings {
+    Settings {
+        size: Size::new(96, 72).expect("a size"),
+        ..scene.defaults.clone()
+    }
+}
+
+/// Samples anywhere, and several reflections.
+fn scattered(scene: &Scene) -> Settings {
+    Settings {
+        samples: 3,
+        sampling: Sampling::Random,
+        seed: 5,
+        depth: 3,
+        ..small(scene)
+    }
+}
+
+/// Checks that the number of threads changes nothing: with one sample, with
+/// scattered ones, and with as many as the picture needs. What these show of the
+/// error is a sum over pixels, whose last bits another order would change.
+///
+/// # Panics
+///
+/// If it does.
+pub fn check_threads(stage: &Stage) {
+    for scene in &stage.scenes {
+        let adaptive = Settings {
+            samples: 64,
+            max_error: Some(1.0 / 255.0),
+            ..small(scene)
+        };
+        for settings in [small(scene), scattered(scene), adaptive] {
+            let with = |threads| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+                let pool = pool.build().expect("threads");
+                let told = Mutex::new(Sampled::default());
+                let image = pool.install(|| scene.render(&settings, &told));
+                let told = told.into_inner().expect("what the samples show");
+                (image.expect("the scene renders"), told)
+            };
+            let one = with(1);
+            for threads in 2..=8 {
+                assert_eq!(one, with(threads), "{}, {threads} threads", scene.name);
+            }
+        }
+    }
+}
+
+/// Checks that bands of rows are what they are in the whole picture.
+///
+/// # Panics
+///
+/// If one is not.
+pub fn check_rows(stage: &Stage) {
+    for scene in stage.scenes.iter().filter(|scene| scene.uses.sampling) {
+        let mut settings = Settings {
+            samples: 4,
+            sampling: Sampling::Stratified,
+            ..small(scene)
+        };
+        let whole = render(scene, &settings);
+        // 72 rows make ten bands and two rows more.
+        let bands = whole.pixels().chunks(7 * 96);
+        for (start, expected) in (0..).step_by(7).zip(bands) {
+            settings.rows = Some(start..start + 7);
+            let band = render(scene, &settings);
+            assert_eq!(band.pixels(), expected, "{}, row {start}", scene.name);
+        }
+    }
+}
+
+/// Checks that all renderers give the same picture, wherever samples lie and
+/// however often rays are mirrored.
+///
+/// # Panics
+///
+/// If a picture differs from that of the lesson.
+pub fn check_omissions(stage: &Stage) {
+    for scene in &stage.scenes {
+        for settings in [small(scene), scattered(scene)] {
+            let [lesson, others @ ..] = Renderer::ALL.map(|renderer| {
+                let settings = Settings {
+                    renderer,
+                    ..settings.clone()
+                };
+                (renderer, render(scene, &settings))
+            });
+            for (renderer, image) in others {
+                assert_eq!(lesson.1, image, "{}, {renderer:?}", scene.name);
+            }
+        }
+    }
+}
+
+/// Renders every scene at the sizes that divide by zero if anything does.
+///
+/// # Panics
+///
+/// If a picture has another size than asked for, or pixels that are no numbers.
+pub fn check_narrow_sizes(stage: &Stage) {
+    for scene in stage.scenes.iter().filter(|scene| scene.uses.size) {
+        for (width, height) in [(1, 1), (1, 50), (50, 1)] {
+            let size = Size::new(width, height).expect("a size");
+            let settings = Settings {
+                size,
+                ..scene.defaults.clone()
+            };
+            assert_eq!(render(scene, &settings).size(), size, "{}", scene.name);
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! Checks the book's table of the work that is left out.
+
+use std::path::Path;
+
+use measure::Stage;
+use measure::comparison::Comparison;
+
+use super::Places;
+use super::invariance::small;
+
+/// Checks that the book's table of what is left out holds what is counted, for
+/// all traced scenes of the stage in pictures of 96x72 pixels.
+///
+/// # Panics
+///
+/// If it does not; the message says what the table should say.
+pub fn check_book(stage: &Stage, places: &Places) {
+    let path = Path::new(places.stage).join("../book/src/left-out.md");
+    let mut page = std::fs::read_to_string(&path).expect("the page");
+    let mut wrong = Vec::new();
+    for scene in stage.scenes.iter().filter(|scene| scene.uses.sampling) {
+        let (number, _) = stage.name.split_once('-').expect("a number");
+        let name = format!("{number} {}", scene.name);
+        let comparison = Comparison::new(scene, &small(scene)).expect("the scene renders");
+        assert_eq!(comparison.difference, 0.0, "{name}");
+        let row = comparison.row(&name);
+        let begin = format!("| {name} |");
+        let found = page.lines().find(|line| line.starts_with(&begin));
+        if found != Some(&row) {
+            page = found.map_or_else(|| page.clone(), |found| page.replace(found, &row));
+            wrong.push(row);
+        }
+    }
+    if std::env::var("INSTA_UPDATE").as_deref() == Ok("always") {
+        std::fs::write(&path, page).expect("the page is written");
+    } else {
+        assert!(wrong.is_empty(), "it is:\n{}", wrong.join("\n"));
+    }
+}

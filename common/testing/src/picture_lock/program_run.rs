@@ -1,0 +1,38 @@
+//! Checks the picture that the program of a stage leaves without a display.
+
+use std::path::Path;
+use std::process::Command;
+
+use common::picture_file;
+use measure::Stage;
+use program::picture_name;
+
+use super::Places;
+
+/// Runs the program with no display and compares the PNG it leaves.
+///
+/// # Panics
+///
+/// If the program fails, or does not leave its first picture and say where.
+pub fn check_program(stage: &Stage, places: &Places) {
+    let folder = tempfile::tempdir().expect("a folder");
+    // On these the display cannot be taken from the program, but only declined.
+    let always_a_display = cfg!(any(windows, target_os = "macos"));
+    let output = Command::new(places.program)
+        .args(always_a_display.then_some("--no-window"))
+        .current_dir(&folder)
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .output()
+        .expect("the program runs");
+    let name = picture_name(stage, &stage.scenes[0]);
+    let said = String::from_utf8_lossy(&output.stdout);
+    let complaint = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{complaint}");
+    let explained = always_a_display || complaint.starts_with("no window: ");
+    assert!(explained, "{complaint}");
+    assert!(said.contains(&name), "{said}");
+    let open = |path: &Path| picture_file::open(path).expect("a picture");
+    let left = open(&folder.path().join("out").join(&name));
+    assert_eq!(left, open(&places.expected(&name)));
+}
