@@ -12,7 +12,6 @@ mod point3;
 mod scenes;
 mod triple;
 mod vector3;
-pub mod vector3x4;
 
 pub use direction::Direction;
 pub use mat3x3::Mat3x3;
@@ -20,7 +19,6 @@ pub use normal3::Normal3;
 pub use point3::Point3;
 pub use scenes::stage;
 pub use vector3::Vector3;
-pub use vector3x4::{Lanes, Vector3x4};
 
 /// The code in this stage's chapter is tested with it.
 #[cfg(doctest)]

@@ -1,40 +1,24 @@
-//! `Camera`: what turns a place in the picture into a ray, and the axes that
-//! two of the cameras stand on.
+//! `Camera`: turns a place in the picture into a ray. Also the axes that two of
+//! the cameras stand on.
 
-use a02_math::{Lanes, Point3, Vector3, Vector3x4};
+use std::any::Any;
+
+use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Size, argument};
 
-use crate::{Focus, Ray};
+use crate::Ray;
 
 /// Sends a ray through every place of a picture.
-pub trait Camera: Sync {
+pub trait Camera: Any + Sync {
     /// The ray through the place (`x`, `y`) of a picture of this size, both
     /// finite. As in the course, whole numbers are the middles of pixels and
     /// `y` counts upwards: (0, 0) is the middle of the lower left pixel.
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray;
-
-    /// The rays through several such places, added to `rays`.
-    fn rays_for(&self, size: Size, places: &[(f64, f64)], rays: &mut Vec<Ray>) {
-        rays.extend(places.iter().map(|(x, y)| self.ray_for(size, *x, *y)));
-    }
-
-    /// What all its rays have in common, if anything.
-    fn focus(&self) -> Option<Focus> {
-        None
-    }
 }
 
 impl<C: Camera + ?Sized> Camera for Box<C> {
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
         (**self).ray_for(size, x, y)
-    }
-
-    fn rays_for(&self, size: Size, places: &[(f64, f64)], rays: &mut Vec<Ray>) {
-        (**self).rays_for(size, places, rays);
-    }
-
-    fn focus(&self) -> Option<Focus> {
-        (**self).focus()
     }
 }
 
@@ -87,21 +71,11 @@ impl Basis {
     }
 }
 
-impl Basis {
-    /// The same of four places at the distance `z`; none if one is far from all
-    /// lengths that are usual.
-    pub(crate) fn directions(&self, x: Lanes, y: Lanes, z: f64) -> Option<Vector3x4> {
-        let [u, v, w] = [self.u, self.v, self.w].map(|axis| Vector3x4::splat(axis.to_glam()));
-        let (unit, is_unit) = (u * x + v * y - w * Lanes::splat(z)).normalized();
-        is_unit.all().then_some(unit)
-    }
-}
-
 /// How a camera sees its picture: the tangent of half the vertical opening
 /// angle, which is half the height of a picture at distance 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Opening {
-    half_tangent: f64,
+    pub half_tangent: f64,
 }
 
 impl Opening {

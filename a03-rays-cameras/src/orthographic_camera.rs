@@ -3,13 +3,13 @@
 use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Size, argument};
 
-use crate::{Basis, Camera, Focus, Ray};
+use crate::{Basis, Camera, Ray};
 
 /// A camera whose rays are parallel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrthographicCamera {
-    basis: Basis,
-    s: f64,
+    pub(crate) basis: Basis,
+    pub(crate) s: f64,
 }
 
 impl OrthographicCamera {
@@ -39,10 +39,6 @@ impl Camera for OrthographicCamera {
         let right = a * self.s * from_middle(x, width);
         let up = self.s * from_middle(y, height);
         Ray::derived(e + u * right + v * up, -w)
-    }
-
-    fn focus(&self) -> Option<Focus> {
-        Some(Focus::Direction(-self.basis.w))
     }
 }
 

@@ -1,16 +1,16 @@
 //! `PerspectiveCamera`: all rays start in the eye, so that what is far is small.
 
-use a02_math::{Lanes, Point3, Vector3};
+use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Size};
 
 use crate::camera::Opening;
-use crate::{Basis, Camera, Focus, Ray};
+use crate::{Basis, Camera, Ray};
 
 /// A camera whose rays start in one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PerspectiveCamera {
-    basis: Basis,
-    opening: Opening,
+    pub(crate) basis: Basis,
+    pub(crate) opening: Opening,
 }
 
 impl PerspectiveCamera {
@@ -45,31 +45,4 @@ impl Camera for PerspectiveCamera {
         Ray::derived(self.basis.e, direction)
     }
     // ANCHOR_END: ray
-
-    fn rays_for(&self, size: Size, places: &[(f64, f64)], rays: &mut Vec<Ray>) {
-        let [width, height] = [size.width(), size.height()].map(f64::from);
-        let [half_width, half_height] =
-            [width, height].map(|side| Lanes::splat((side - 1.0) / 2.0));
-        let z = self.opening.distance(height);
-        let mut fours = places.chunks_exact(4);
-        for four in fours.by_ref() {
-            let [x, y] = [
-                Lanes::new([four[0].0, four[1].0, four[2].0, four[3].0]),
-                Lanes::new([four[0].1, four[1].1, four[2].1, four[3].1]),
-            ];
-            let directions = self.basis.directions(x - half_width, y - half_height, z);
-            if let Some(directions) = directions {
-                let directions = directions.to_lanes().map(Vector3::from_glam);
-                rays.extend(directions.map(|direction| Ray::derived(self.basis.e, direction)));
-            } else {
-                rays.extend(four.iter().map(|(x, y)| self.ray_for(size, *x, *y)));
-            }
-        }
-        let rest = fours.remainder().iter();
-        rays.extend(rest.map(|(x, y)| self.ray_for(size, *x, *y)));
-    }
-
-    fn focus(&self) -> Option<Focus> {
-        Some(Focus::Point(self.basis.e))
-    }
 }

@@ -4,13 +4,13 @@ use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Size};
 
 use crate::camera::Opening;
-use crate::{Camera, Focus, Ray};
+use crate::{Camera, Ray};
 
 /// A pinhole camera at `origin` that looks along -z with y upwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PinholeCamera {
-    origin: Point3,
-    opening: Opening,
+    pub(crate) origin: Point3,
+    pub(crate) opening: Opening,
 }
 
 impl PinholeCamera {
@@ -41,9 +41,5 @@ impl PinholeCamera {
 impl Camera for PinholeCamera {
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
         self.generate_ray(size, x + 0.5, f64::from(size.height()) - 0.5 - y)
-    }
-
-    fn focus(&self) -> Option<Focus> {
-        Some(Focus::Point(self.origin))
     }
 }

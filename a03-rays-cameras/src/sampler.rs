@@ -1,9 +1,6 @@
 //! `Sampler`: where in a pixel its samples lie.
 
-use std::hint::black_box;
-
-use common::{Bound, Plan, Renderer, Sampling, Settings};
-use measure::tally::{self, Work};
+use common::{Sampling, Settings};
 
 use crate::PixelRandom;
 
@@ -15,7 +12,6 @@ pub struct Sampler {
     cells: u32,
     samples: u32,
     seed: u64,
-    omit: bool,
 }
 
 impl Sampler {
@@ -34,30 +30,6 @@ impl Sampler {
                 Sampling::Regular | Sampling::Stratified => cells * cells,
             },
             seed: settings.seed,
-            omit: settings.renderer != Renderer::AllWork,
-        }
-    }
-
-    /// What these settings ask for, and what of it needs not be done.
-    #[must_use]
-    pub fn plan(settings: &Settings) -> Plan {
-        if let Some(error) = settings.max_error {
-            let need = format!("primary rays: as many as an error of {error} takes");
-            return Plan::default().needing(need).nearly_without(
-                "samples where light changes evenly",
-                "those around tell what they would show",
-                Bound::Error(error),
-            );
-        }
-        let samples = Self::new(settings).samples;
-        let pixels = settings.size.pixels();
-        let rays = pixels as u64 * u64::from(samples);
-        let plan =
-            Plan::default().needing(format!("primary rays: {rays}, of which {samples} a pixel"));
-        if settings.sampling.is_random() {
-            plan
-        } else {
-            plan.without("random numbers", "every sample has its fixed place")
         }
     }
 
@@ -75,13 +47,8 @@ impl Sampler {
     /// The place of sample `i`, counted from 0, in the pixel in column `x` and row
     /// `y`: from its upper left corner, rightwards and downwards, each at least 0
     /// and less than 1.
-    #[inline]
     #[must_use]
     pub fn place(&self, i: u32, x: u32, y: u32) -> (f64, f64) {
-        if !self.omit && !self.sampling.is_random() {
-            // Drawn although nobody wants them; the compiler must not notice.
-            black_box(self.jitter(i, x, y));
-        }
         // ANCHOR: cells
         let cell = |(dx, dy): (f64, f64)| {
             let (column, row) = (f64::from(i % self.cells), f64::from(i / self.cells));
@@ -100,10 +67,7 @@ impl Sampler {
     /// Two random numbers for sample `i` of a pixel.
     fn jitter(&self, i: u32, x: u32, y: u32) -> (f64, f64) {
         let random = PixelRandom::new(self.seed, x, y);
-        let number = |n: u64| {
-            tally::count(Work::RandomNumber);
-            random.uniform(2 * u64::from(i) + n)
-        };
-        (number(0), number(1))
+        let first = 2 * u64::from(i);
+        (random.uniform(first), random.uniform(first + 1))
     }
 }

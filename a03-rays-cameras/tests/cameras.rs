@@ -4,9 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use a02_math::{Direction, Point3, Vector3};
-use a03_rays_cameras::{
-    Basis, Camera, Focus, OrthographicCamera, PerspectiveCamera, PinholeCamera, Ray,
-};
+use a03_rays_cameras::{Basis, Camera, OrthographicCamera, PerspectiveCamera, PinholeCamera};
 use approx::assert_abs_diff_eq;
 use common::Size;
 
@@ -34,36 +32,6 @@ fn second_course_relations_of_the_pinhole_camera() {
         let ray = camera.generate_ray(size(10, 10), x, y);
         assert_abs_diff_eq!(ray.direction(), expected, epsilon = ROUNDING);
         assert_eq!(ray.origin(), Point3::ORIGIN);
-    }
-}
-
-/// Also beside a picture so far away that squares of coordinates are no use; and in
-/// a box, which must ask the camera in it.
-#[test]
-fn several_rays_are_those_of_each_place() {
-    let (e, g) = (Point3::new(1.0, 2.0, 3.0), Vector3::new(-3.0, -1.0, 2.0));
-    let perspective = PerspectiveCamera::new(e, g, UP, 1.1).unwrap();
-    let cameras: [Box<dyn Camera>; 3] = [
-        Box::new(perspective),
-        Box::new(PinholeCamera::new(e, 1.1).unwrap()),
-        Box::new(OrthographicCamera::new(e, g, UP, 2.5).unwrap()),
-    ];
-    let size = size(64, 47);
-    let mut places: Vec<_> = (0..22)
-        .map(|i| (f64::from(i * i) / 7.0, f64::from(50 - 3 * i) / 3.0))
-        .collect();
-    places[9].0 = 1e200;
-    places[15].1 = -1e200;
-    for camera in &cameras {
-        for count in 0..places.len() {
-            let places = &places[..count];
-            let first = Ray::derived(Point3::ORIGIN, AHEAD);
-            let mut together = vec![first];
-            camera.rays_for(size, places, &mut together);
-            let alone = places.iter().map(|(x, y)| camera.ray_for(size, *x, *y));
-            let expected: Vec<_> = [first].into_iter().chain(alone).collect();
-            assert_eq!(together, expected);
-        }
     }
 }
 
@@ -218,44 +186,5 @@ fn what_is_no_place_or_direction_is_refused_by_name() {
     for s in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let said = refusal(OrthographicCamera::new(Point3::ORIGIN, AHEAD, UP, s));
         assert!(said.starts_with("scale s is"), "{said}");
-    }
-}
-
-struct Blind;
-
-impl Camera for Blind {
-    fn ray_for(&self, _: Size, _: f64, _: f64) -> Ray {
-        Ray::derived(Point3::ORIGIN, AHEAD)
-    }
-}
-
-/// All rays of a camera with perspective come from its eye, those without have
-/// one direction. In a box a camera tells the same.
-#[test]
-fn cameras_tell_what_their_rays_have_in_common() {
-    let (e, g) = (Point3::new(1.0, 2.0, 3.0), Vector3::new(0.0, 0.0, -5.0));
-    let cameras: [(Box<dyn Camera>, Option<Focus>); 4] = [
-        (
-            Box::new(PinholeCamera::new(e, 1.0).unwrap()),
-            Some(Focus::Point(e)),
-        ),
-        (
-            Box::new(PerspectiveCamera::new(e, g, UP, 1.0).unwrap()),
-            Some(Focus::Point(e)),
-        ),
-        (
-            Box::new(OrthographicCamera::new(e, g, UP, 1.0).unwrap()),
-            Some(Focus::Direction(AHEAD)),
-        ),
-        (Box::new(Blind), None),
-    ];
-    for (camera, focus) in cameras {
-        assert_eq!(camera.focus(), focus);
-        let ray = camera.ray_for(size(8, 6), 1.0, 5.0);
-        match focus {
-            Some(Focus::Point(point)) => assert_eq!(ray.origin(), point),
-            Some(Focus::Direction(direction)) => assert_eq!(ray.direction(), direction),
-            None => {}
-        }
     }
 }

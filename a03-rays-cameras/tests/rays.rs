@@ -1,7 +1,7 @@
 //! Rays, against the second course's numbers and by their definition.
 
-use a02_math::{Direction, Lanes, Point3, Vector3};
-use a03_rays_cameras::{Ray, RayPacket};
+use a02_math::{Direction, Point3, Vector3};
+use a03_rays_cameras::Ray;
 use approx::assert_abs_diff_eq;
 
 fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
@@ -74,21 +74,4 @@ fn a_ray_is_never_degenerate() {
         let error = Ray::new(Point3::new(0.0, bad, 0.0), x).unwrap_err();
         assert!(error.to_string().starts_with("origin is"), "{error}");
     }
-}
-
-/// To the last bit.
-#[test]
-fn four_rays_side_by_side_are_each_of_them() {
-    let rays = [
-        ray([1.0, -2.0, 3.0], [4.0, 4.0, 7.0]),
-        ray([0.0; 3], [3.0, 5.0, 3.0]),
-        ray([1e100, 0.1, -0.3], [-1.0, 1e-9, 0.5]),
-        ray([-0.7, 1e-200, 5.0], [0.0, -1.0, 0.0]),
-    ];
-    let packet = RayPacket::new(rays.each_ref());
-    assert_eq!(packet.to_rays(), rays);
-    let t = [9.0, 0.1, -2.0, 1e50];
-    let at = packet.at(Lanes::new(t)).to_lanes();
-    let alone = [0, 1, 2, 3].map(|lane| rays[lane].at(t[lane]).to_glam());
-    assert_eq!(at, alone);
 }

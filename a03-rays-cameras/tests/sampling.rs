@@ -7,8 +7,7 @@ use a03_rays_cameras::{
     Camera, OrthographicCamera, PinholeCamera, PixelRandom, Ray, Sampler, StripeRule, StripedSky,
     render,
 };
-use common::{Bound, Color, Error, Progress, Renderer, Sampling, Settings, Size};
-use measure::tally::{Work, counted};
+use common::{Color, Error, Progress, Sampling, Settings, Size};
 
 fn settings(sampling: Sampling, samples: u32) -> Settings {
     Settings {
@@ -107,68 +106,6 @@ fn no_two_coordinates_of_random_samples_are_the_same_number() {
     numbers.sort_by(f64::total_cmp);
     numbers.dedup();
     assert_eq!(numbers.len(), 2000);
-}
-
-#[test]
-fn samples_with_a_fixed_place_take_no_random_numbers() {
-    let numbers = |sampling, renderer| {
-        let settings = Settings {
-            size: Size::new(1, 1).unwrap(),
-            samples: 4,
-            sampling,
-            renderer,
-            ..Settings::default()
-        };
-        let places = || Sampler::new(&settings).places(0, 0).collect::<Vec<_>>();
-        let (places, tally) = counted(places).unwrap();
-        (places, tally[Work::RandomNumber])
-    };
-    for (sampling, needed, all) in [
-        (Sampling::Center, 0, 2),
-        (Sampling::Regular, 0, 8),
-        (Sampling::Random, 8, 8),
-        (Sampling::Stratified, 8, 8),
-    ] {
-        let (with, without) = (
-            numbers(sampling, Renderer::Lesson),
-            numbers(sampling, Renderer::AllWork),
-        );
-        assert_eq!((with.1, without.1), (needed, all), "{sampling:?}");
-        assert_eq!(with.0, without.0);
-    }
-}
-
-#[test]
-fn the_plan_counts_the_rays_and_tells_where_no_random_numbers_are_needed() {
-    let plan = |sampling, max_error| {
-        Sampler::plan(&Settings {
-            max_error,
-            ..settings(sampling, 5)
-        })
-    };
-    for (sampling, rays, each, is_random) in [
-        (Sampling::Center, 48, 1, false),
-        (Sampling::Regular, 4 * 48, 4, false),
-        (Sampling::Random, 5 * 48, 5, true),
-        (Sampling::Stratified, 4 * 48, 4, true),
-    ] {
-        let plan = plan(sampling, None);
-        let need = format!("primary rays: {rays}, of which {each} a pixel");
-        assert_eq!(plan.needs, [need]);
-        let what: Vec<_> = plan.omissions.into_iter().map(|o| o.what).collect();
-        let omitted: &[&str] = if is_random { &[] } else { &["random numbers"] };
-        assert_eq!(what, omitted);
-    }
-    let bounded = plan(Sampling::Center, Some(0.5));
-    assert_eq!(
-        bounded.needs,
-        ["primary rays: as many as an error of 0.5 takes"]
-    );
-    let [evenly] = &bounded.omissions[..] else {
-        panic!("{:?}", bounded.omissions);
-    };
-    assert_eq!(evenly.what, "samples where light changes evenly");
-    assert_eq!(evenly.bound, Bound::Error(0.5));
 }
 
 fn camera() -> OrthographicCamera {

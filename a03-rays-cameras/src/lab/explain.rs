@@ -1,0 +1,28 @@
+//! The plans of this stage's scenes: which rays a picture needs, and which work
+//! the lesson leaves out compared with all work.
+
+use common::{Plan, Settings};
+
+use crate::Sampler;
+
+/// The rays from the camera.
+#[must_use]
+pub fn samples(settings: &Settings) -> Plan {
+    let samples = Sampler::new(settings).samples();
+    let rays = settings.size.pixels() as u64 * u64::from(samples);
+    let plan = Plan::default().needing(format!("primary rays: {rays}, {samples} per pixel"));
+    if settings.sampling.is_random() {
+        plan
+    } else {
+        plan.without("random numbers", "every sample has a fixed place")
+    }
+}
+
+/// The striped sky.
+#[must_use]
+pub fn sky(settings: &Settings) -> Plan {
+    samples(settings).without(
+        "intersections, lights and mirrors",
+        "the scene has a sky and no objects",
+    )
+}

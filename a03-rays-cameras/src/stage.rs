@@ -1,0 +1,49 @@
+//! `stage`: joins the scenes, renderers, experiments and extreme cases of this
+//! stage for its program.
+
+use common::{Error, Image, Progress, Sampling, Scene, Settings, Size, Stage, tally};
+
+use crate::lab::{all_work, counted, experiments, explain, extremes};
+use crate::scenes::striped_sky;
+use crate::{Camera, Ray, StripeRule, render};
+
+/// The stage for its program.
+#[must_use]
+pub fn stage() -> Stage {
+    let about_text = "the text's rule: equal height of the direction; the stripes bend";
+    let about_straight = "the straight stripes of a picture: equal height on a wall";
+    Stage {
+        name: "a03-rays-cameras",
+        about: "Rays, cameras, sampling and the striped sky",
+        scenes: vec![
+            scene("striped-sky", about_text, StripeRule::Direction),
+            scene("striped-sky-straight", about_straight, StripeRule::Wall),
+        ],
+        experiments: experiments::experiments,
+        extremes: extremes::cases,
+    }
+}
+
+fn scene(name: &'static str, about: &'static str, rule: StripeRule) -> Scene {
+    let paint = move |settings: &Settings, progress: &dyn Progress| -> Result<Image, Error> {
+        let (camera, sky) = striped_sky(settings.size, rule)?;
+        let mut camera: Box<dyn Camera> = Box::new(camera);
+        if tally::is_on() {
+            camera = counted::camera(camera, settings);
+        }
+        let radiance = |ray: &Ray| sky.color_for(ray);
+        if settings.omit {
+            render(&camera, radiance, settings, progress)
+        } else {
+            all_work::render(&camera, radiance, settings, progress)
+        }
+    };
+    Scene::traced(name, about, paint)
+        .planned(|settings| Ok(explain::sky(settings)))
+        .with_defaults(Settings {
+            size: Size::SECOND_COURSE,
+            samples: 100,
+            sampling: Sampling::Stratified,
+            ..Settings::default()
+        })
+}
