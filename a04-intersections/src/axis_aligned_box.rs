@@ -4,7 +4,7 @@ use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
 use common::ArgumentError;
 
-use crate::{Bounds, Geometry, Hit, Interval};
+use crate::{Geometry, Hit, Interval};
 
 /// A box between two opposite corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +29,7 @@ impl AxisAlignedBox {
 /// `γ(3) = 3u / (1 - 3u)` of itself, with `u = 2^-53`. So much wider, a slab
 /// loses no ray along an edge or through a corner (Ize, Robust BVH Ray
 /// Traversal, JCGT 2(2), 2013).
-pub(crate) const WIDER: f64 = {
+const WIDER: f64 = {
     let three_u = 1.5 * f64::EPSILON;
     1.0 + 2.0 * (three_u / (1.0 - three_u))
 };
@@ -77,13 +77,6 @@ impl Geometry for AxisAlignedBox {
         }
     }
     // ANCHOR_END: hit
-
-    fn bounds(&self) -> Bounds {
-        Bounds {
-            min: self.lbf,
-            max: self.run,
-        }
-    }
 }
 
 /// The normal along an axis, on the side of `sign`.

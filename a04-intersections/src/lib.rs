@@ -5,31 +5,26 @@
 //! with a surface and finds the nearest.
 
 mod axis_aligned_box;
-mod bounds;
 mod geometry;
 mod hit;
 mod interval;
 mod lab;
-mod packet;
 mod plane;
 mod scenes;
-mod search;
 mod sphere;
+mod stage;
 mod triangle;
 mod world;
 
 pub use axis_aligned_box::AxisAlignedBox;
-pub use bounds::Bounds;
 pub use geometry::Geometry;
 pub use hit::Hit;
 pub use interval::Interval;
 #[doc(hidden)]
-pub use lab::protocol;
-pub use packet::PacketHit;
+pub use lab::{counted, explain, protocol};
 pub use plane::Plane;
-pub use scenes::stage;
-pub use search::{Hits, Search};
 pub use sphere::Sphere;
+pub use stage::stage;
 pub use triangle::Triangle;
 pub use world::World;
 

@@ -4,7 +4,7 @@ use a02_math::{Direction, Point3};
 use a03_rays_cameras::Ray;
 use common::{ArgumentError, argument};
 
-use crate::{Bounds, Geometry, Hit, Interval};
+use crate::{Geometry, Hit, Interval};
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,8 +52,4 @@ impl Geometry for Sphere {
         Some(Hit::new(t, normal))
     }
     // ANCHOR_END: hit
-
-    fn bounds(&self) -> Bounds {
-        Bounds::around([self.c]).wider(self.r)
-    }
 }

@@ -1,15 +1,11 @@
-//! The protocol's test scenes of this stage: one colour an object, no light.
+//! `stage`: joins the scenes, renderers, experiments and extreme cases of this
+//! stage for its program.
 
-use std::f64::consts::FRAC_PI_4;
+use a03_rays_cameras::{Ray, all_work, render};
+use common::{ArgumentError, Scene, Stage, tally};
 
-use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{Camera, OrthographicCamera, PerspectiveCamera, Sampler, render};
-use common::{ArgumentError, Color, Renderer, Scene};
-use measure::Stage;
-
-use crate::lab::experiments::experiments;
-use crate::lab::extremes::cases;
-use crate::{AxisAlignedBox, Plane, Sphere, Triangle, World};
+use crate::lab::{counted, experiments, explain, extremes};
+use crate::scenes::{View, scene_1, scene_2, scene_3, scene_4, scene_5, scene_6};
 
 /// The stage for its program.
 #[must_use]
@@ -25,13 +21,10 @@ pub fn stage() -> Stage {
             scene("scene-5", "two red spheres, one farther away", scene_5),
             scene("scene-6", "the same without perspective", scene_6),
         ],
-        experiments,
-        extremes: cases,
+        experiments: experiments::experiments,
+        extremes: extremes::cases,
     }
 }
-
-/// A camera and the world before it.
-type View = (Box<dyn Camera>, World<Color>);
 
 fn scene(
     name: &'static str,
@@ -39,71 +32,17 @@ fn scene(
     view: fn() -> Result<View, ArgumentError>,
 ) -> Scene {
     Scene::traced(name, about, move |settings, progress| {
-        let (camera, mut world) = view()?;
-        if settings.renderer != Renderer::AllWork {
-            world = world.prepared(camera.focus());
+        let (mut camera, mut world) = view()?;
+        if tally::is_on() {
+            camera = a03_rays_cameras::counted::camera(camera, settings);
+            world = counted::world(world)?;
         }
-        render(&camera, |ray| world.color_for(ray), settings, progress)
+        let radiance = |ray: &Ray| world.color_for(ray);
+        if settings.omit {
+            render(&camera, radiance, settings, progress)
+        } else {
+            all_work::render(&camera, radiance, settings, progress)
+        }
     })
-    .planned(move |settings| {
-        let (camera, world) = view()?;
-        let world = world.prepared(camera.focus());
-        let plan = world.plan(Sampler::plan(settings));
-        Ok(plan.without("lights and mirrors", "objects have a colour, no material"))
-    })
-}
-
-const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
-const AHEAD: Vector3 = Vector3::new(0.0, 0.0, -1.0);
-
-fn perspective(e: Point3, g: Vector3) -> Result<Box<dyn Camera>, ArgumentError> {
-    Ok(Box::new(PerspectiveCamera::new(e, g, UP, FRAC_PI_4)?))
-}
-
-fn scene_1() -> Result<View, ArgumentError> {
-    let camera = perspective(Point3::ORIGIN, AHEAD)?;
-    let plane = Plane::new(Point3::new(0.0, -1.0, 0.0), Normal3::new(0.0, 1.0, 0.0))?;
-    let world = World::new(Color::BLACK)?.with(plane, Color::GREEN);
-    Ok((camera, world))
-}
-
-fn scene_2() -> Result<View, ArgumentError> {
-    let camera = perspective(Point3::ORIGIN, AHEAD)?;
-    let sphere = Sphere::new(Point3::new(0.0, 0.0, -3.0), 0.5)?;
-    let world = World::new(Color::BLACK)?.with(sphere, Color::RED);
-    Ok((camera, world))
-}
-
-fn scene_3() -> Result<View, ArgumentError> {
-    let camera = perspective(Point3::new(3.0, 3.0, 3.0), Vector3::new(-3.0, -3.0, -3.0))?;
-    let (lbf, run) = (Point3::new(-0.5, 0.0, -0.5), Point3::new(0.5, 1.0, 0.5));
-    let world = World::new(Color::BLACK)?.with(AxisAlignedBox::new(lbf, run)?, Color::BLUE);
-    Ok((camera, world))
-}
-
-fn scene_4() -> Result<View, ArgumentError> {
-    let camera = perspective(Point3::ORIGIN, AHEAD)?;
-    let triangle = Triangle::new(
-        Point3::new(-0.5, 0.5, -3.0),
-        Point3::new(0.5, 0.5, -3.0),
-        Point3::new(0.5, -0.5, -3.0),
-    )?
-    .with_normals([Normal3::new(0.0, 0.0, 1.0); 3])?;
-    let world = World::new(Color::BLACK)?.with(triangle, Color::MAGENTA);
-    Ok((camera, world))
-}
-
-fn scene_5() -> Result<View, ArgumentError> {
-    Ok((perspective(Point3::ORIGIN, AHEAD)?, two_spheres()?))
-}
-
-fn scene_6() -> Result<View, ArgumentError> {
-    let camera = OrthographicCamera::new(Point3::ORIGIN, AHEAD, UP, 3.0)?;
-    Ok((Box::new(camera), two_spheres()?))
-}
-
-fn two_spheres() -> Result<World<Color>, ArgumentError> {
-    Ok(World::new(Color::BLACK)?
-        .with(Sphere::new(Point3::new(-1.0, 0.0, -3.0), 0.5)?, Color::RED)
-        .with(Sphere::new(Point3::new(1.0, 0.0, -6.0), 0.5)?, Color::RED))
+    .planned(move |settings| Ok(explain::colors(&view()?.1, settings)))
 }

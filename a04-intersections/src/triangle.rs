@@ -4,7 +4,7 @@ use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use common::{ArgumentError, argument};
 
-use crate::{Bounds, Geometry, Hit, Interval};
+use crate::{Geometry, Hit, Interval};
 
 /// A triangle. It has no thickness, and is seen from both sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,21 +53,15 @@ impl Triangle {
     /// The normal at barycentric coordinates: `(1 - β - γ) nA + β nB + γ nC`,
     /// brought to length 1. That of the face where the three cancel out.
     // ANCHOR: normal
-    pub(crate) fn interpolated_normal(&self, beta: f64, gamma: f64) -> Normal3 {
+    fn interpolated_normal(&self, beta: f64, gamma: f64) -> Normal3 {
         let [a, b, c] = self.normals;
-        if self.is_flat() {
+        if a == b && b == c {
             return a;
         }
         let mean = a * (1.0 - beta - gamma) + b * beta + c * gamma;
         mean.normalized().unwrap_or(self.face)
     }
     // ANCHOR_END: normal
-
-    /// Whether all corners have the same normal.
-    pub(crate) fn is_flat(&self) -> bool {
-        let [a, b, c] = self.normals;
-        a == b && b == c
-    }
 }
 
 /// The normal of a face: perpendicular to two of its edges.
@@ -96,58 +90,14 @@ fn face_normal([a, b, c]: [Point3; 3]) -> Result<Normal3, ArgumentError> {
     }
 }
 
-/// A ray that is about to be tested against triangles: sheared so that it is the
-/// z axis, and z measured in `t`.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ShearedRay {
-    /// The axes x, y and z of the sheared space; z is the one along which the
-    /// ray goes farthest.
-    pub axes: [usize; 3],
-    /// The origin along these axes.
-    pub o: [f64; 3],
-    pub shear: [f64; 2],
-    pub scale_z: f64,
-}
-
-impl ShearedRay {
-    #[inline]
-    pub fn new(ray: &Ray) -> Self {
-        let d = ray.direction().to_glam();
-        let z = d.abs().max_position();
-        let (x, y) = ((z + 1) % 3, (z + 2) % 3);
-        let (o, d) = (ray.origin().to_glam().to_array(), d.to_array());
-        Self {
-            axes: [x, y, z],
-            o: [o[x], o[y], o[z]],
-            shear: [d[x] / d[z], d[y] / d[z]],
-            scale_z: 1.0 / d[z],
-        }
-    }
-
-    /// A point in sheared space.
-    #[inline]
-    // ANCHOR: sheared
-    fn sheared(&self, point: Point3) -> [f64; 3] {
-        let ([x, y, z], point) = (self.axes, point.to_glam().to_array());
-        let depth = point[z] - self.o[2];
-        [
-            (point[x] - self.o[0]) - self.shear[0] * depth,
-            (point[y] - self.o[1]) - self.shear[1] * depth,
-            self.scale_z * depth,
-        ]
-    }
-    // ANCHOR_END: sheared
-}
-
 /// The test of Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection",
 /// JCGT 2(1), 2013: no ray slips through between two triangles that share an
 /// edge, because both compute the same number for it, with opposite signs.
-impl Triangle {
-    #[inline]
+impl Geometry for Triangle {
     // ANCHOR: hit
-    pub(crate) fn hit_by(&self, ray: &ShearedRay, within: Interval) -> Option<Hit> {
-        let [a, b, c] = self.corners;
-        let (a, b, c) = (ray.sheared(a), ray.sheared(b), ray.sheared(c));
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        let space = ShearedSpace::new(ray);
+        let [a, b, c] = self.corners.map(|corner| space.sheared(corner));
 
         // On which side of each edge does the axis pass? On an edge counts.
         let u = c[0] * b[1] - c[1] * b[0];
@@ -171,36 +121,51 @@ impl Triangle {
     // ANCHOR_END: hit
 }
 
+/// The space in which a ray is the z axis, sheared so that z is measured in `t`.
+struct ShearedSpace {
+    /// The axes of the scene that become x, y and z. The ray goes farthest along
+    /// the last.
+    axes: [usize; 3],
+    /// The origin of the ray along these axes.
+    o: [f64; 3],
+    shear: [f64; 2],
+    scale_z: f64,
+}
+
+impl ShearedSpace {
+    fn new(ray: &Ray) -> Self {
+        let d = ray.direction().to_glam();
+        let z = d.abs().max_position();
+        let (x, y) = ((z + 1) % 3, (z + 2) % 3);
+        let (o, d) = (ray.origin().to_glam().to_array(), d.to_array());
+        Self {
+            axes: [x, y, z],
+            o: [o[x], o[y], o[z]],
+            shear: [d[x] / d[z], d[y] / d[z]],
+            scale_z: 1.0 / d[z],
+        }
+    }
+
+    // ANCHOR: sheared
+    fn sheared(&self, point: Point3) -> [f64; 3] {
+        let ([x, y, z], point) = (self.axes, point.to_glam().to_array());
+        let depth = point[z] - self.o[2];
+        [
+            (point[x] - self.o[0]) - self.shear[0] * depth,
+            (point[y] - self.o[1]) - self.shear[1] * depth,
+            self.scale_z * depth,
+        ]
+    }
+    // ANCHOR_END: sheared
+}
+
 /// Whether all corners in sheared space are farther to one side of the axis than
-/// half the way to the farthest. Seen from 2^53 of its lengths away a triangle's
-/// corners are one point but for rounding, and so are the signs of the test. No
-/// edge that can be told from a point is so far from a ray that meets it.
+/// half the distance to the farthest. Seen from 2^53 of its lengths away, the
+/// corners of a triangle are one point up to rounding, and the signs of the test
+/// mean nothing. No triangle that a ray really meets is so far beside it.
 fn is_far_beside(corners: [[f64; 3]; 3]) -> bool {
     let all = corners.iter().flat_map(|[x, y, _]| [x, y]);
     let half = all.fold(0.0, |far, x| x.abs().max(far)) / 2.0;
     let beyond = |axis: usize, sign: f64| corners.iter().all(|c| sign * c[axis] > half);
     beyond(0, 1.0) || beyond(0, -1.0) || beyond(1, 1.0) || beyond(1, -1.0)
 }
-
-impl Geometry for Triangle {
-    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        self.hit_by(&ShearedRay::new(ray), within)
-    }
-
-    /// By rounding, a needle is also hit beyond its tip, as far as the tip is
-    /// sharp: nothing says where it ends.
-    fn bounds(&self) -> Bounds {
-        let [a, b, c] = self.corners;
-        let edges = [b - a, c - a, c - b].map(Vector3::magnitude);
-        let longest = edges.into_iter().fold(0.0, f64::max);
-        let doubled_area = (b - a).parallelogram_area(c - a);
-        if doubled_area > NEEDLE * longest * longest {
-            Bounds::around(self.corners)
-        } else {
-            Bounds::EVERYWHERE
-        }
-    }
-}
-
-/// Triangles that are narrower, in lengths of their longest edge, are needles.
-const NEEDLE: f64 = 1e-6;

@@ -1,13 +1,9 @@
 //! `World`: everything that is to be seen.
 
-use std::sync::Arc;
-
 use a02_math::{Direction, Vector3};
-use a03_rays_cameras::{Focus, Ray};
-use common::{ArgumentError, Color, Plan, argument};
-use measure::tally::{self, Work};
+use a03_rays_cameras::Ray;
+use common::{ArgumentError, Color, argument};
 
-use crate::search::Search;
 use crate::{Geometry, Hit, Interval};
 
 /// A background, and a plain list of geometries, each with its surface.
@@ -17,8 +13,7 @@ use crate::{Geometry, Hit, Interval};
 #[derive(Debug)]
 pub struct World<S> {
     background: Color,
-    objects: Vec<(Arc<dyn Geometry>, S)>,
-    search: Option<Search>,
+    objects: Vec<(Box<dyn Geometry>, S)>,
 }
 
 impl<S> World<S> {
@@ -28,50 +23,14 @@ impl<S> World<S> {
         Ok(Self {
             background: argument::color("background", background)?,
             objects: Vec::new(),
-            search: None,
         })
     }
 
     /// This world and one more object.
     #[must_use]
-    pub fn with(mut self, geometry: impl Geometry + 'static, surface: S) -> Self {
-        self.objects.push((Arc::new(geometry), surface));
-        self.search = None;
+    pub fn with(mut self, geometry: impl Geometry, surface: S) -> Self {
+        self.objects.push((Box::new(geometry), surface));
         self
-    }
-
-    /// The same world, prepared for many rays, most of them from or to some
-    /// foci: each asks only the objects that it may meet. What it meets is the
-    /// same, to the last bit. Of few objects all are asked as before.
-    #[must_use]
-    pub fn prepared(mut self, foci: impl IntoIterator<Item = Focus>) -> Self {
-        let geometries = self.objects.iter().map(|(geometry, _)| geometry);
-        self.search = Some(Search::new(geometries, foci));
-        self
-    }
-
-    /// The same world, not prepared, with another geometry in the place of each
-    /// for which `other` has one.
-    #[must_use]
-    pub fn replacing(mut self, other: impl Fn(&dyn Geometry) -> Option<Arc<dyn Geometry>>) -> Self {
-        for (geometry, _) in &mut self.objects {
-            if let Some(other) = other(&**geometry) {
-                *geometry = other;
-            }
-        }
-        self.search = None;
-        self
-    }
-
-    /// The search of a prepared world, for rays that ask together.
-    #[must_use]
-    pub const fn search(&self) -> Option<&Search> {
-        self.search.as_ref()
-    }
-
-    /// The search for a single ray, if the world is prepared and it pays.
-    fn search_for_one(&self) -> Option<&Search> {
-        self.search().filter(|search| search.pays_for_one())
     }
 
     /// How many objects there are.
@@ -86,30 +45,16 @@ impl<S> World<S> {
         self.objects.is_empty()
     }
 
-    /// Adds to a plan what there is to be met.
-    #[must_use]
-    pub fn plan(&self, plan: Plan) -> Plan {
-        let objects = self.objects.len();
-        let plan = plan.needing(format!("objects: {objects}"));
-        match self.search_for_one() {
-            Some(search) => search.plan(plan),
-            None => plan.without(
-                "a search for a ray alone",
-                "it asks so few objects one by one",
-            ),
-        }
-    }
-
     /// The objects in the order of the list: geometries and surfaces.
     pub fn objects(&self) -> impl Iterator<Item = (&dyn Geometry, &S)> {
         let objects = self.objects.iter();
         objects.map(|(geometry, surface)| (&**geometry, surface))
     }
 
-    /// The surface of an object, counted from 0 in the order of the list.
+    /// Gives the list of objects back.
     #[must_use]
-    pub fn surface(&self, object: usize) -> &S {
-        &self.objects[object].1
+    pub fn into_objects(self) -> Vec<(Box<dyn Geometry>, S)> {
+        self.objects
     }
 
     /// The colour that a ray brings back if it meets nothing.
@@ -124,14 +69,9 @@ impl<S> World<S> {
     /// Its normals are turned towards the side that the ray comes from, so that
     /// a shape looks right from inside, too.
     #[must_use]
+    // ANCHOR: hit
     pub fn hit(&self, ray: &Ray, mut within: Interval) -> Option<(Hit, &S)> {
-        if let Some(search) = self.search_for_one() {
-            let (hit, object) = search.hit(ray, within)?;
-            return Some((facing(hit, ray.direction()), &self.objects[object].1));
-        }
-        // ANCHOR: hit
         let mut nearest = None;
-        tally::count_all(Work::IntersectionTest, self.objects.len() as u64);
         for (geometry, surface) in &self.objects {
             if let Some(hit) = geometry.hit(ray, within) {
                 within.max = hit.t;
@@ -139,20 +79,15 @@ impl<S> World<S> {
             }
         }
         nearest.map(|(hit, surface)| (facing(hit, ray.direction()), surface))
-        // ANCHOR_END: hit
     }
+    // ANCHOR_END: hit
 
-    /// Whether anything at all is met within the interval.
+    /// Whether anything at all is met within the interval. The search ends at
+    /// the first object that is.
     #[must_use]
     pub fn is_hit(&self, ray: &Ray, within: Interval) -> bool {
-        if let Some(search) = self.search_for_one() {
-            return search.is_hit(ray, within);
-        }
         let mut objects = self.objects.iter();
-        objects.any(|(geometry, _)| {
-            tally::count(Work::IntersectionTest);
-            geometry.hit(ray, within).is_some()
-        })
+        objects.any(|(geometry, _)| geometry.hit(ray, within).is_some())
     }
 }
 

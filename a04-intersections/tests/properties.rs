@@ -4,7 +4,7 @@
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
+use a04_intersections::{AxisAlignedBox, Geometry, Interval, Plane, Sphere, Triangle, World};
 use common::Color;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -74,19 +74,6 @@ fn ray() -> impl Strategy<Value = Ray> {
     rays.prop_filter_map("two points", Result::ok)
 }
 
-/// Far more than the rounding of a formula is relative to: the way to the hit,
-/// and the coordinates where it starts and ends.
-fn extent(ray: &Ray, hit: &Hit) -> f64 {
-    hit.t + ray.origin().largest_coordinate() + ray.at(hit.t).largest_coordinate()
-}
-
-/// How far the hit is outside of the bounds of its shape.
-fn outside(shape: &dyn Geometry, ray: &Ray, hit: &Hit) -> f64 {
-    let (bounds, p) = (shape.bounds(), ray.at(hit.t).to_glam());
-    let beyond = |axis: usize| (bounds.min[axis] - p[axis]).max(p[axis] - bounds.max[axis]);
-    beyond(0).max(beyond(1)).max(beyond(2))
-}
-
 proptest! {
     #![proptest_config(config())]
 
@@ -131,31 +118,7 @@ proptest! {
         }
     }
 
-    /// Bound: 4 eps for the formula, and as much for the direction and for `at`.
-    #[test]
-    fn bounds_hold_every_hit(shape in prop_oneof![sphere(), aligned_box()], ray in ray()) {
-        if let Some(hit) = shape.hit(&ray, Interval::AHEAD) {
-            let off = outside(&*shape, &ray, &hit);
-            prop_assert!(off <= 8.0 * EPS * extent(&ray, &hit), "{off} outside");
-        }
-    }
-
-    /// As above, and more by as much as the triangle is narrower than long: what
-    /// moves the ray across it moves the hit along it.
-    #[test]
-    fn bounds_hold_every_hit_of_a_triangle([a, b, c] in corners(), ray in ray()) {
-        let Ok(triangle) = Triangle::new(a, b, c) else {
-            return Ok(());
-        };
-        let longest = [b - a, c - a, c - b].map(|edge| edge.dot(edge)).into_iter().fold(0.0, f64::max);
-        let slenderness = longest / (b - a).parallelogram_area(c - a);
-        if let Some(hit) = triangle.hit(&ray, Interval::AHEAD) {
-            let off = outside(&triangle, &ray, &hit);
-            prop_assert!(off <= 8.0 * EPS * slenderness * extent(&ray, &hit), "{off} outside");
-        }
-    }
-
-    /// Whatever is asked first, of those at the same place the first of the list.
+    /// Of shapes at the same place, the first of the list counts.
     #[test]
     fn a_world_is_hit_where_the_nearest_of_its_shapes_is(
         shapes in prop::collection::vec(shape(), 0..8), ray in ray(), max in 0.0..64.0,

@@ -1,0 +1,73 @@
+//! The protocol's test scenes of this stage: one colour an object, no light.
+
+use std::f64::consts::FRAC_PI_4;
+
+use a02_math::{Normal3, Point3, Vector3};
+use a03_rays_cameras::{Camera, OrthographicCamera, PerspectiveCamera};
+use common::{ArgumentError, Color};
+
+use crate::{AxisAlignedBox, Plane, Sphere, Triangle, World};
+
+/// A camera and the world before it.
+pub type View = (Box<dyn Camera>, World<Color>);
+
+const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
+const AHEAD: Vector3 = Vector3::new(0.0, 0.0, -1.0);
+
+fn perspective(e: Point3, g: Vector3) -> Result<Box<dyn Camera>, ArgumentError> {
+    Ok(Box::new(PerspectiveCamera::new(e, g, UP, FRAC_PI_4)?))
+}
+
+/// A green plane, up to the horizon.
+pub fn scene_1() -> Result<View, ArgumentError> {
+    let camera = perspective(Point3::ORIGIN, AHEAD)?;
+    let plane = Plane::new(Point3::new(0.0, -1.0, 0.0), Normal3::new(0.0, 1.0, 0.0))?;
+    let world = World::new(Color::BLACK)?.with(plane, Color::GREEN);
+    Ok((camera, world))
+}
+
+/// A red sphere.
+pub fn scene_2() -> Result<View, ArgumentError> {
+    let camera = perspective(Point3::ORIGIN, AHEAD)?;
+    let sphere = Sphere::new(Point3::new(0.0, 0.0, -3.0), 0.5)?;
+    let world = World::new(Color::BLACK)?.with(sphere, Color::RED);
+    Ok((camera, world))
+}
+
+/// A blue box, from above its corner.
+pub fn scene_3() -> Result<View, ArgumentError> {
+    let camera = perspective(Point3::new(3.0, 3.0, 3.0), Vector3::new(-3.0, -3.0, -3.0))?;
+    let (lbf, run) = (Point3::new(-0.5, 0.0, -0.5), Point3::new(0.5, 1.0, 0.5));
+    let world = World::new(Color::BLACK)?.with(AxisAlignedBox::new(lbf, run)?, Color::BLUE);
+    Ok((camera, world))
+}
+
+/// A magenta triangle.
+pub fn scene_4() -> Result<View, ArgumentError> {
+    let camera = perspective(Point3::ORIGIN, AHEAD)?;
+    let triangle = Triangle::new(
+        Point3::new(-0.5, 0.5, -3.0),
+        Point3::new(0.5, 0.5, -3.0),
+        Point3::new(0.5, -0.5, -3.0),
+    )?
+    .with_normals([Normal3::new(0.0, 0.0, 1.0); 3])?;
+    let world = World::new(Color::BLACK)?.with(triangle, Color::MAGENTA);
+    Ok((camera, world))
+}
+
+/// Two red spheres, one farther away.
+pub fn scene_5() -> Result<View, ArgumentError> {
+    Ok((perspective(Point3::ORIGIN, AHEAD)?, two_spheres()?))
+}
+
+/// The same without perspective.
+pub fn scene_6() -> Result<View, ArgumentError> {
+    let camera = OrthographicCamera::new(Point3::ORIGIN, AHEAD, UP, 3.0)?;
+    Ok((Box::new(camera), two_spheres()?))
+}
+
+fn two_spheres() -> Result<World<Color>, ArgumentError> {
+    Ok(World::new(Color::BLACK)?
+        .with(Sphere::new(Point3::new(-1.0, 0.0, -3.0), 0.5)?, Color::RED)
+        .with(Sphere::new(Point3::new(1.0, 0.0, -6.0), 0.5)?, Color::RED))
+}
