@@ -1,16 +1,15 @@
 //! `DirectionalLight`: shines from infinitely far away, like the sun.
 
-use a02_math::{Lanes, Point3, Vector3, Vector3x4};
-use a03_rays_cameras::Focus;
+use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Color, argument};
 
-use crate::{ColorPacket, Illumination, IlluminationPacket, Light};
+use crate::{Illumination, Light};
 
 /// A light that shines everywhere in the same direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DirectionalLight {
-    color: Color,
-    direction: Vector3,
+    pub(crate) color: Color,
+    pub(crate) direction: Vector3,
 }
 
 impl DirectionalLight {
@@ -33,21 +32,4 @@ impl Light for DirectionalLight {
         })
     }
     // ANCHOR_END: illumination
-
-    fn illuminations(&self, _: Vector3x4, active: u32) -> IlluminationPacket {
-        IlluminationPacket {
-            lit: active,
-            color: ColorPacket::splat(self.color),
-            direction: Vector3x4::splat(-self.direction.to_glam()),
-            distance: Lanes::splat(f64::INFINITY),
-        }
-    }
-
-    fn brightest(&self) -> Color {
-        self.color.map(f64::abs)
-    }
-
-    fn focus(&self) -> Option<Focus> {
-        Some(Focus::Direction(self.direction))
-    }
 }

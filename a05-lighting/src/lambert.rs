@@ -5,7 +5,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 use common::{ArgumentError, Color, argument};
 
-use crate::{Illumination, Lighting, Material, Phong};
+use crate::{Illumination, Lighting, Material};
 
 /// A matt material.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,22 +39,8 @@ impl Material for Lambert {
     // ANCHOR: color
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         let mut color = self.ambient(lighting);
-        if self.answers_light() || !lighting.omits() {
-            lighting.for_each_light(ray, hit, &mut |light| color += self.share(hit, light));
-        }
+        lighting.for_each_light(ray, hit, &mut |light| color += self.share(hit, light));
         color
     }
     // ANCHOR_END: color
-
-    fn brightest(&self, ambient: Color, lights: Color) -> Color {
-        self.diffuse.map(f64::abs) * (ambient + lights)
-    }
-
-    fn as_phong(&self) -> Option<Phong> {
-        Some(Phong::matt(*self))
-    }
-
-    fn answers_light(&self) -> bool {
-        self.diffuse != Color::BLACK
-    }
 }

@@ -1,10 +1,9 @@
 //! Assignment 5: lights, and materials that answer them.
 //!
 //! A [`Light`] says from where, how far and in which colour it illuminates a
-//! point. A [`Material`] adds up what of this reaches it; what does is asked
-//! through [`Lighting`], because a later stage knows of shadows.
+//! point. A [`Material`] adds up the light that reaches it, which comes through
+//! [`Lighting`], because a later stage has shadows.
 
-mod color_packet;
 mod directional_light;
 mod lab;
 mod lambert;
@@ -13,28 +12,26 @@ mod lighting;
 mod lit_world;
 mod material;
 mod phong;
-mod phong_packet;
 mod point_light;
 mod power;
 mod scenes;
 mod single_color;
 mod spot_light;
+mod stage;
 
-pub use color_packet::ColorPacket;
 pub use directional_light::DirectionalLight;
 #[doc(hidden)]
-pub use lab::protocol;
+pub use lab::{all_work, counted, decorated, explain, protocol};
 pub use lambert::Lambert;
-pub use light::{Illumination, IlluminationPacket, Light};
+pub use light::{Illumination, Light};
 pub use lighting::Lighting;
 pub use lit_world::LitWorld;
 pub use material::Material;
 pub use phong::Phong;
-pub use phong_packet::PhongPacket;
 pub use point_light::PointLight;
-pub use scenes::stage;
 pub use single_color::SingleColor;
 pub use spot_light::SpotLight;
+pub use stage::stage;
 
 /// The code in this stage's chapter is tested with it.
 #[cfg(doctest)]

@@ -1,7 +1,8 @@
-//! `Lighting`: what light reaches a hit.
+//! `Lighting`: the light that reaches a hit.
 //!
-//! Materials ask this instead of the lights. Here all light arrives; once
-//! there are shadows only the answer changes, and no material.
+//! Materials take their light from here and not from the lights themselves. In
+//! this stage all light arrives. A later one adds shadows, and no material
+//! changes.
 
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
@@ -16,9 +17,4 @@ pub trait Lighting {
 
     /// Calls `shade` with the light of each source that reaches the hit of `ray`.
     fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination));
-
-    /// Whether work is left out that cannot change a colour.
-    fn omits(&self) -> bool {
-        true
-    }
 }

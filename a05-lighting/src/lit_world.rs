@@ -1,11 +1,8 @@
 //! `LitWorld`: a world and the lights in it.
 
-use std::ops::Deref;
-use std::sync::Arc;
-
-use a03_rays_cameras::{Focus, Ray};
+use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval, World};
-use common::{ArgumentError, Color, Plan, argument};
+use common::{ArgumentError, Color, argument};
 
 use crate::{Illumination, Light, Lighting, Material};
 
@@ -15,7 +12,6 @@ pub struct LitWorld<S = Box<dyn Material>, L = Box<dyn Light>> {
     world: World<S>,
     lights: Vec<L>,
     ambient: Color,
-    omit: bool,
 }
 
 impl LitWorld {
@@ -32,13 +28,12 @@ impl<S, L> LitWorld<S, L> {
             world: World::new(background)?,
             lights: Vec::new(),
             ambient: argument::color("ambient light", ambient)?,
-            omit: true,
         })
     }
 
     /// This world and one more object.
     #[must_use]
-    pub fn with(mut self, geometry: impl Geometry + 'static, surface: S) -> Self {
+    pub fn with(mut self, geometry: impl Geometry, surface: S) -> Self {
         self.world = self.world.with(geometry, surface);
         self
     }
@@ -48,28 +43,6 @@ impl<S, L> LitWorld<S, L> {
     pub fn lit_by(mut self, light: L) -> Self {
         self.lights.push(light);
         self
-    }
-
-    /// The same world, with other geometries [in place](World::replacing) of some.
-    #[must_use]
-    pub fn replacing(mut self, other: impl Fn(&dyn Geometry) -> Option<Arc<dyn Geometry>>) -> Self {
-        self.world = self.world.replacing(other);
-        self
-    }
-
-    /// The same world, its objects [prepared](World::prepared) for many rays.
-    #[must_use]
-    pub fn prepared(mut self, foci: impl IntoIterator<Item = Focus>) -> Self {
-        self.world = self.world.prepared(foci);
-        self
-    }
-
-    /// The same world, prepared if work that changes no colour is to be left
-    /// out, else doing all of it.
-    #[must_use]
-    pub fn omitting(mut self, omit: bool, foci: impl IntoIterator<Item = Focus>) -> Self {
-        self.omit = omit;
-        if omit { self.prepared(foci) } else { self }
     }
 
     /// The objects.
@@ -89,43 +62,11 @@ impl<S, L> LitWorld<S, L> {
     pub const fn ambient(&self) -> Color {
         self.ambient
     }
-}
 
-impl<S: Deref<Target: Material>, L> LitWorld<S, L> {
-    /// Adds to a plan what there is to be met and to be lit.
+    /// Gives the objects, the lights and the ambient light back.
     #[must_use]
-    pub fn plan(&self, plan: Plan) -> Plan {
-        let (objects, lights) = (self.world.len(), self.lights.len());
-        let plan = self.world.plan(plan).needing(format!("lights: {lights}"));
-        if lights == 0 {
-            return plan.without("all shading by lights", "there is none");
-        }
-        let count = |what: fn(&S::Target) -> bool| {
-            let surfaces = self.world.objects().map(|(_, surface)| surface);
-            surfaces.filter(|surface| !what(surface)).count()
-        };
-        let plan = match count(S::Target::answers_light) {
-            0 => plan,
-            dull => plan.without(
-                format!("light on {dull} of {objects} objects"),
-                "their colour does not depend on it",
-            ),
-        };
-        let dull = count(S::Target::has_highlight);
-        let mut plan = plan;
-        if dull > 0 {
-            plan = plan.without(
-                format!("powers on {dull} of {objects} objects"),
-                "they have no highlight",
-            );
-        }
-        if dull < objects {
-            plan = plan.without(
-                "powers where a light is behind, or mirrored away from the eye",
-                "no highlight is seen there",
-            );
-        }
-        plan
+    pub fn into_parts(self) -> (World<S>, Vec<L>, Color) {
+        (self.world, self.lights, self.ambient)
     }
 }
 
@@ -150,12 +91,8 @@ impl Lighting for LitWorld {
     fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
         let point = ray.at(hit.t);
         let lights = self.lights.iter();
-        lights
-            .filter_map(|light| light.illumination(point))
-            .for_each(|light| shade(&light));
-    }
-
-    fn omits(&self) -> bool {
-        self.omit
+        for light in lights.filter_map(|light| light.illumination(point)) {
+            shade(&light);
+        }
     }
 }

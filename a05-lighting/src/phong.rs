@@ -29,35 +29,20 @@ impl Phong {
         })
     }
 
-    /// The material that is as this one and mirrors no light.
-    pub(crate) const fn matt(matt: Lambert) -> Self {
-        Self {
-            matt,
-            specular: Color::BLACK,
-            exponent: 0.0,
-        }
-    }
-
     /// The highlight of one light, `cs cl max(0, e · r)^p`, with `e` to the eye
     /// and `r` the direction in which the surface mirrors the light.
     // ANCHOR: highlight
-    fn highlight(&self, ray: &Ray, hit: &Hit, light: &Illumination, omits: bool) -> Color {
+    fn highlight(&self, ray: &Ray, hit: &Hit, light: &Illumination) -> Color {
         let (e, l) = (-ray.direction(), light.direction);
         let cosine = e.dot(l.reflected_on(hit.normal));
-        // Light from behind mirrors nowhere, and black is black at any power.
+        // Light from behind is mirrored nowhere. Without this return, 0 to the
+        // power of 0 would be a highlight.
         let is_mirrored = hit.normal.dot(l) > 0.0 && cosine > 0.0;
-        if omits && !(is_mirrored && self.has_highlight()) {
+        if !is_mirrored {
             return Color::BLACK;
         }
-        tally::count(Work::Power);
         // A cosine of 1 + 2^-52 grows to millions.
-        let power = power(cosine.clamp(0.0, 1.0), self.exponent);
-        // 0 to the power of 0 is 1: where nothing is mirrored no power counts.
-        if is_mirrored {
-            self.specular * light.color * power
-        } else {
-            Color::BLACK
-        }
+        self.specular * light.color * power(cosine.min(1.0), self.exponent)
     }
     // ANCHOR_END: highlight
 }
@@ -67,28 +52,9 @@ impl Phong {
 impl Material for Phong {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         let mut color = self.matt.ambient(lighting);
-        let omits = lighting.omits();
-        if self.answers_light() || !omits {
-            lighting.for_each_light(ray, hit, &mut |light| {
-                color += self.matt.share(hit, light) + self.highlight(ray, hit, light, omits);
-            });
-        }
+        lighting.for_each_light(ray, hit, &mut |light| {
+            color += self.matt.share(hit, light) + self.highlight(ray, hit, light);
+        });
         color
-    }
-
-    fn brightest(&self, ambient: Color, lights: Color) -> Color {
-        self.matt.brightest(ambient, lights) + self.specular.map(f64::abs) * lights
-    }
-
-    fn as_phong(&self) -> Option<Phong> {
-        Some(*self)
-    }
-
-    fn answers_light(&self) -> bool {
-        self.matt.answers_light() || self.has_highlight()
-    }
-
-    fn has_highlight(&self) -> bool {
-        self.specular != Color::BLACK
     }
 }

@@ -1,17 +1,15 @@
 //! `PointLight`: shines from one point in all directions.
 
-use a02_math::{Point3, Vector3x4};
-use a03_rays_cameras::Focus;
+use a02_math::Point3;
 use common::{ArgumentError, Color, argument};
 
-use crate::light::one_by_one;
-use crate::{ColorPacket, Illumination, IlluminationPacket, Light};
+use crate::{Illumination, Light};
 
 /// A light at a point. It does not grow weaker with distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointLight {
-    color: Color,
-    position: Point3,
+    pub(crate) color: Color,
+    pub(crate) position: Point3,
 }
 
 impl PointLight {
@@ -35,26 +33,4 @@ impl Light for PointLight {
         })
     }
     // ANCHOR_END: illumination
-
-    fn illuminations(&self, points: Vector3x4, active: u32) -> IlluminationPacket {
-        let way = Vector3x4::splat(self.position.to_glam()) - points;
-        let (direction, is_unit) = way.normalized();
-        if active & !is_unit.to_bitmask() != 0 {
-            return one_by_one(self, points, active);
-        }
-        IlluminationPacket {
-            lit: active,
-            color: ColorPacket::splat(self.color),
-            direction,
-            distance: way.dot(way).sqrt(),
-        }
-    }
-
-    fn brightest(&self) -> Color {
-        self.color.map(f64::abs)
-    }
-
-    fn focus(&self) -> Option<Focus> {
-        Some(Focus::Point(self.position))
-    }
 }

@@ -1,9 +1,5 @@
 //! `power`: a cosine, raised to the exponent of a highlight.
 
-use std::ops::MulAssign;
-
-use a02_math::Lanes;
-
 /// `base` to the power of an `exponent` that is at least 0.
 ///
 /// Small whole exponents are added up from powers of two, by squaring. That takes
@@ -13,10 +9,9 @@ pub(crate) fn power(base: f64, exponent: f64) -> f64 {
     whole(exponent).map_or_else(|| libm::pow(base, exponent), |whole| squaring(base, whole))
 }
 
-/// The power of any number, or of four, to a whole exponent.
-#[inline]
-pub(crate) fn squaring<T: Copy + From<f64> + MulAssign>(mut base: T, mut exponent: u64) -> T {
-    let mut power = T::from(1.0);
+/// `base` to the power of a whole exponent.
+pub(crate) fn squaring(mut base: f64, mut exponent: u64) -> f64 {
+    let mut power = 1.0;
     while exponent > 0 {
         if exponent & 1 != 0 {
             power *= base;
@@ -25,26 +20,6 @@ pub(crate) fn squaring<T: Copy + From<f64> + MulAssign>(mut base: T, mut exponen
         exponent >>= 1;
     }
     power
-}
-
-/// Four powers. In lanes whose bit in `active` is not set they are anything.
-#[inline]
-pub(crate) fn powers(bases: Lanes, exponents: [f64; 4], active: u32) -> Lanes {
-    let [first, others @ ..] = exponents;
-    if others.iter().all(|exponent| *exponent == first)
-        && let Some(whole) = whole(first)
-    {
-        return squaring(bases, whole);
-    }
-    let bases = bases.to_array();
-    Lanes::new([0, 1, 2, 3].map(|lane| {
-        let is_active = active >> lane & 1 != 0;
-        if is_active {
-            power(bases[lane], exponents[lane])
-        } else {
-            0.0
-        }
-    }))
 }
 
 /// Up to here squaring loses at most 1e-13, which nobody sees.
@@ -78,15 +53,6 @@ mod tests {
     fn a_small_whole_exponent_multiplies() {
         for base in (1..100_u32).map(|i| f64::from(i) / 100.0) {
             assert_eq!(power(base, 3.0), base * (base * base));
-        }
-    }
-
-    #[test]
-    fn four_powers_are_those_of_one() {
-        let bases = [0.1, 0.9, 0.999, 1.0];
-        for exponents in [[32.0; 4], [7.5; 4], [0.0; 4], [1.0, 2.0, 2.5, 1e9]] {
-            let four = powers(Lanes::new(bases), exponents, 0b1111).to_array();
-            assert_eq!(four, [0, 1, 2, 3].map(|i| power(bases[i], exponents[i])));
         }
     }
 

@@ -6,10 +6,10 @@ use common::{ArgumentError, Color, argument};
 
 use crate::{Lighting, Material};
 
-/// A material of one colour that does not ask for light.
+/// A material of one colour, which no light changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SingleColor {
-    color: Color,
+    pub(crate) color: Color,
 }
 
 impl SingleColor {
@@ -21,18 +21,7 @@ impl SingleColor {
 }
 
 impl Material for SingleColor {
-    fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
-        if !lighting.omits() {
-            lighting.for_each_light(ray, hit, &mut |_| ());
-        }
+    fn color_for(&self, _: &Ray, _: &Hit, _: &dyn Lighting) -> Color {
         self.color
-    }
-
-    fn brightest(&self, _: Color, _: Color) -> Color {
-        self.color.map(f64::abs)
-    }
-
-    fn answers_light(&self) -> bool {
-        false
     }
 }

@@ -3,7 +3,6 @@
 use std::f64::consts::PI;
 
 use a02_math::{Direction, Point3, Vector3};
-use a03_rays_cameras::Focus;
 use common::{ArgumentError, Color, argument};
 
 use crate::{Illumination, Light, PointLight};
@@ -11,9 +10,9 @@ use crate::{Illumination, Light, PointLight};
 /// A light at a point that shines in the directions around one of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpotLight {
-    source: PointLight,
-    direction: Vector3,
-    cos_half_angle: f64,
+    pub(crate) source: PointLight,
+    pub(crate) direction: Vector3,
+    pub(crate) cos_half_angle: f64,
 }
 
 impl SpotLight {
@@ -50,12 +49,4 @@ impl Light for SpotLight {
         (cosine >= self.cos_half_angle).then_some(light)
     }
     // ANCHOR_END: illumination
-
-    fn brightest(&self) -> Color {
-        self.source.brightest()
-    }
-
-    fn focus(&self) -> Option<Focus> {
-        self.source.focus()
-    }
 }

@@ -1,0 +1,84 @@
+//! Lighting that leaves nothing out, for the comparison with the lesson: every
+//! material takes the light of all lights, and every light on a Phong material
+//! takes a power.
+
+use std::cell::Cell;
+use std::hint::black_box;
+
+use a03_rays_cameras::Ray;
+use a04_intersections::Hit;
+use common::tally::{self, Work};
+use common::{ArgumentError, Color};
+
+use crate::lab::decorated::decorated;
+use crate::lab::highlight::{as_phong, is_mirrored};
+use crate::power::power;
+use crate::{Illumination, Lighting, LitWorld, Material, Phong};
+
+/// The same world, whose materials do all work. Its colours are the same.
+pub fn world(world: LitWorld) -> Result<LitWorld, ArgumentError> {
+    decorated(
+        world,
+        |geometry| geometry,
+        |material| Box::new(AllWork(material)) as _,
+    )
+}
+
+#[derive(Debug)]
+struct AllWork(Box<dyn Material>);
+
+impl Material for AllWork {
+    fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
+        shade(as_phong(&*self.0), ray, hit, lighting, |lighting| {
+            self.0.color_for(ray, hit, lighting)
+        })
+    }
+}
+
+/// The colour that a material has in this light, after all work has been done.
+/// `phong` is the material as a Phong material, if it is one.
+pub fn shade(
+    phong: Option<&Phong>,
+    ray: &Ray,
+    hit: &Hit,
+    lighting: &dyn Lighting,
+    color_for: impl FnOnce(&dyn Lighting) -> Color,
+) -> Color {
+    let all = AllLights {
+        phong,
+        lighting,
+        is_used: Cell::new(false),
+    };
+    let color = color_for(&all);
+    if !all.is_used.get() {
+        all.for_each_light(ray, hit, &mut |_| ());
+    }
+    color
+}
+
+/// The same light, which also takes the powers that a material leaves out.
+struct AllLights<'a> {
+    phong: Option<&'a Phong>,
+    lighting: &'a dyn Lighting,
+    is_used: Cell<bool>,
+}
+
+impl Lighting for AllLights<'_> {
+    fn ambient(&self) -> Color {
+        self.lighting.ambient()
+    }
+
+    fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
+        self.is_used.set(true);
+        self.lighting.for_each_light(ray, hit, &mut |light| {
+            if let Some(phong) = self.phong {
+                tally::count(Work::Power);
+                if !is_mirrored(ray, hit, light) {
+                    // An unused number, which the compiler would remove.
+                    black_box(power(black_box(0.5), phong.exponent));
+                }
+            }
+            shade(light);
+        });
+    }
+}

@@ -1,0 +1,20 @@
+//! When a Phong material takes a power, for the count of powers.
+
+use std::any::Any;
+
+use a02_math::Direction;
+use a03_rays_cameras::Ray;
+use a04_intersections::Hit;
+
+use crate::{Illumination, Phong};
+
+/// The Phong material that a material is, if it is one.
+pub fn as_phong(material: &dyn Any) -> Option<&Phong> {
+    material.downcast_ref()
+}
+
+/// Whether a Phong material takes a power for this light: Phong's condition.
+pub fn is_mirrored(ray: &Ray, hit: &Hit, light: &Illumination) -> bool {
+    let (e, l) = (-ray.direction(), light.direction);
+    hit.normal.dot(l) > 0.0 && e.dot(l.reflected_on(hit.normal)) > 0.0
+}
