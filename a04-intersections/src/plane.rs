@@ -24,6 +24,12 @@ impl Plane {
             n: n.unit("normal n")?,
         })
     }
+
+    /// The normal of length 1.
+    #[must_use]
+    pub const fn normal(&self) -> Normal3 {
+        self.n
+    }
 }
 
 /// `t = ((a - o) · n) / (d · n)`: the dot product with `n` leaves of the way to

@@ -38,7 +38,7 @@ impl Phong {
         // Light from behind is mirrored nowhere. Without this return, 0 to the
         // power of 0 would be a highlight.
         let is_mirrored = hit.normal.dot(l) > 0.0 && cosine > 0.0;
-        if !is_mirrored {
+        if !is_mirrored || self.specular == Color::BLACK {
             return Color::BLACK;
         }
         // A cosine of 1 + 2^-52 grows to millions.

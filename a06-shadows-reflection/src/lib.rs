@@ -1,10 +1,8 @@
 //! Assignment 6: shadows, and surfaces that mirror.
 //!
-//! The [`RecursiveTracer`] answers what light reaches a hit with shadow rays,
+//! The [`RecursiveTracer`] finds the light that reaches a hit with shadow rays,
 //! and follows reflected rays from surface to surface.
 
-mod cut;
-mod foci;
 mod lab;
 mod light_source;
 mod recursive_tracer;
@@ -12,22 +10,19 @@ mod reflective;
 mod scenes;
 mod secondary_ray;
 mod shadow;
+mod stage;
 mod surface;
-mod trace_together;
-mod traced_scene;
 
-pub use foci::foci;
 #[doc(hidden)]
-pub use lab::protocol;
+pub use lab::{all_work, counted, explain, protocol};
 pub use light_source::LightSource;
 pub use recursive_tracer::{RecursiveTracer, ShadowedWorld};
 pub use reflective::Reflective;
-pub use scenes::stage;
+pub use scenes::{View, diagonal_camera};
 pub use secondary_ray::secondary_ray;
 pub use shadow::is_shadowed;
+pub use stage::{stage, traced_scene};
 pub use surface::Surface;
-pub use trace_together::TracedLight;
-pub use traced_scene::{traced_scene, tracer};
 
 /// The code in this stage's chapter is tested with it.
 #[cfg(doctest)]

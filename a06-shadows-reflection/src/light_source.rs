@@ -1,20 +1,19 @@
 //! `LightSource`: a light that may cast shadows.
 
-use a02_math::{Point3, Vector3x4};
-use a03_rays_cameras::Focus;
-use a05_lighting::{Illumination, IlluminationPacket, Light};
-use common::Color;
+use a02_math::Point3;
+use a05_lighting::{Illumination, Light};
 
 /// A light, and whether objects cast shadows in it.
 #[derive(Debug)]
 pub struct LightSource {
-    light: Box<dyn Light>,
-    casts_shadows: bool,
+    pub(crate) light: Box<dyn Light>,
+    pub(crate) casts_shadows: bool,
 }
 
 impl LightSource {
-    /// A light that what is in its way keeps away, or that nothing does.
-    pub fn new(light: impl Light + 'static, casts_shadows: bool) -> Self {
+    /// This light. If it casts shadows, objects between it and a surface keep it
+    /// away.
+    pub fn new(light: impl Light, casts_shadows: bool) -> Self {
         Self {
             light: Box::new(light),
             casts_shadows,
@@ -31,17 +30,5 @@ impl LightSource {
 impl Light for LightSource {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
         self.light.illumination(point)
-    }
-
-    fn illuminations(&self, points: Vector3x4, active: u32) -> IlluminationPacket {
-        self.light.illuminations(points, active)
-    }
-
-    fn brightest(&self) -> Color {
-        self.light.brightest()
-    }
-
-    fn focus(&self) -> Option<Focus> {
-        self.light.focus()
     }
 }

@@ -4,11 +4,8 @@ use a02_math::Direction;
 use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, Interval};
 use a05_lighting::{Illumination, Light, Lighting, LitWorld};
-use common::{Bound, Color, Plan};
-use measure::tally::{self, Work};
+use common::Color;
 
-use crate::cut::Cut;
-use crate::shadow::has_occluder;
 use crate::{LightSource, Surface, is_shadowed, secondary_ray};
 
 /// A world of surfaces that may mirror and lights that may cast shadows.
@@ -18,43 +15,17 @@ pub type ShadowedWorld = LitWorld<Box<dyn Surface>, LightSource>;
 #[derive(Clone, Copy, Debug)]
 pub struct RecursiveTracer<'a> {
     world: &'a ShadowedWorld,
-    omit: bool,
-    cut: Option<Cut>,
 }
 
 impl<'a> RecursiveTracer<'a> {
-    /// A tracer of this world. If `omit`, it leaves out work that cannot change
-    /// a colour: rays to lights behind a surface or that cast no shadows, whatever
-    /// is behind the first thing in a light's way, and rays from surfaces that do
-    /// not mirror.
+    /// A tracer of this world.
     #[must_use]
-    pub const fn new(world: &'a ShadowedWorld, omit: bool) -> Self {
-        Self {
-            world,
-            omit,
-            cut: None,
-        }
+    pub const fn new(world: &'a ShadowedWorld) -> Self {
+        Self { world }
     }
 
-    /// The same tracer, which follows no mirrored ray whose light changes no
-    /// channel by as much as `bound`, if there is one and work is left out.
-    #[must_use]
-    pub fn cut_below(mut self, bound: Option<f64>) -> Self {
-        let bound = bound.filter(|_| self.omit);
-        self.cut = bound.map(|bound| Cut::new(self.world, bound));
-        self
-    }
-
-    pub(crate) const fn world(&self) -> &'a ShadowedWorld {
-        self.world
-    }
-
-    pub(crate) const fn cut(&self) -> Option<Cut> {
-        self.cut
-    }
-
-    /// The colour that a ray brings back which may meet `depth` surfaces; what
-    /// the last of them mirrors stays black.
+    /// The colour that a ray brings back which may meet `depth` surfaces. The
+    /// light that the last of them mirrors is black.
     ///
     /// By its definition this is a recursion: the colour of a surface is
     /// `c + cr f`, with its own colour `c`, the share `cr` that it mirrors, and
@@ -67,19 +38,13 @@ impl<'a> RecursiveTracer<'a> {
         let mut ray = *ray;
         let mut color = Color::BLACK;
         let mut mirrored = Color::WHITE;
-        for met in 0..depth {
-            if met > 0 {
-                tally::count(Work::ReflectedRay);
-            }
+        for _ in 0..depth {
             let Some((hit, surface)) = self.world.objects().hit(&ray, Interval::AHEAD) else {
                 return color + mirrored * self.world.objects().background();
             };
             color += mirrored * surface.color_for(&ray, &hit, self);
             mirrored = mirrored * surface.reflection();
-            if self.omit && mirrored == Color::BLACK {
-                break;
-            }
-            if self.cut.is_some_and(|cut| cut.is_due(mirrored)) {
+            if mirrored == Color::BLACK {
                 break;
             }
             let direction = (-ray.direction()).reflected_on(hit.normal);
@@ -90,58 +55,8 @@ impl<'a> RecursiveTracer<'a> {
     // ANCHOR_END: trace
 }
 
-impl RecursiveTracer<'_> {
-    /// Adds to a plan what there is to be met, to be lit and to be mirrored.
-    #[must_use]
-    pub fn plan(&self, plan: Plan) -> Plan {
-        let (objects, lights) = (self.world.objects().len(), self.world.lights().len());
-        let sources = self.world.lights().iter();
-        let casting = sources.filter(|source| source.casts_shadows()).count();
-        let surfaces = self.world.objects().objects();
-        let mirrors = surfaces.filter(|(_, surface)| surface.reflection() != Color::BLACK);
-        let mirrors = mirrors.count();
-        let mut plan = self.world.plan(plan);
-        if let Some(search) = self.world.objects().search() {
-            plan = search.plan_together(plan);
-        }
-        if casting < lights {
-            plan = plan.without(
-                format!("shadow rays to {} of {lights} lights", lights - casting),
-                "no object keeps their light away",
-            );
-        }
-        if casting > 0 {
-            plan = plan
-                .without(
-                    "shadow rays from what faces away from a light",
-                    "it is dark",
-                )
-                .without(
-                    "the search behind the first object in the way of a light",
-                    "one keeps it away as well as two",
-                );
-        }
-        if mirrors < objects {
-            plan = plan.without(
-                format!(
-                    "reflected rays from {} of {objects} objects",
-                    objects - mirrors
-                ),
-                "they do not mirror",
-            );
-        }
-        match self.cut {
-            Some(cut) if mirrors > 0 => plan.nearly_without(
-                "mirrored rays that nobody would see",
-                "what they can bring back is bounded",
-                Bound::Channel(cut.bound()),
-            ),
-            _ => plan,
-        }
-    }
-}
-
-/// The lights that shine on the hit and that nothing keeps away from it.
+/// The lights that shine on the front of the surface and that no object keeps
+/// away from it.
 impl Lighting for RecursiveTracer<'_> {
     fn ambient(&self) -> Color {
         self.world.ambient()
@@ -153,22 +68,14 @@ impl Lighting for RecursiveTracer<'_> {
             let Some(light) = source.illumination(point) else {
                 continue;
             };
-            if self.omit && hit.normal.dot(light.direction) <= 0.0 {
+            if hit.normal.dot(light.direction) <= 0.0 {
                 continue;
             }
             let objects = self.world.objects();
-            let is_shadowed = if self.omit {
-                source.casts_shadows() && is_shadowed(objects, ray, hit, &light)
-            } else {
-                has_occluder(objects, ray, hit, &light) && source.casts_shadows()
-            };
-            if !is_shadowed {
-                shade(&light);
+            if source.casts_shadows() && is_shadowed(objects, ray, hit, &light) {
+                continue;
             }
+            shade(&light);
         }
-    }
-
-    fn omits(&self) -> bool {
-        self.omit
     }
 }

@@ -10,8 +10,8 @@ use crate::Surface;
 /// A Phong material and the share of its surroundings that it mirrors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reflective {
-    shiny: Phong,
-    reflection: Color,
+    pub(crate) shiny: Phong,
+    pub(crate) reflection: Color,
 }
 
 impl Reflective {
@@ -30,27 +30,11 @@ impl Reflective {
     }
 }
 
-/// What the surface makes of the lights. What it mirrors comes once and after
+/// The colour in the light of the lamps. The mirrored light comes once and after
 /// the sum over the lights, from the tracer.
 impl Material for Reflective {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         self.shiny.color_for(ray, hit, lighting)
-    }
-
-    fn brightest(&self, ambient: Color, lights: Color) -> Color {
-        self.shiny.brightest(ambient, lights)
-    }
-
-    fn as_phong(&self) -> Option<Phong> {
-        Some(self.shiny)
-    }
-
-    fn answers_light(&self) -> bool {
-        self.shiny.answers_light()
-    }
-
-    fn has_highlight(&self) -> bool {
-        self.shiny.has_highlight()
     }
 }
 

@@ -1,30 +1,24 @@
 //! The protocol's test scenes of this stage.
 
-use a02_math::{Normal3, Point3};
+use std::f64::consts::FRAC_PI_4;
+
+use a02_math::{Normal3, Point3, Vector3};
+use a03_rays_cameras::{Camera, PerspectiveCamera};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere};
 use a05_lighting::{Lambert, PointLight};
 use common::{ArgumentError, Color};
-use measure::Stage;
 
-use crate::lab::{experiments, extremes};
-use crate::{LightSource, Reflective, ShadowedWorld, traced_scene};
+use crate::{LightSource, Reflective, ShadowedWorld};
 
-/// The stage for its program.
-#[must_use]
-pub fn stage() -> Stage {
-    Stage {
-        name: "a06-shadows-reflection",
-        about: "Shadows and mirrors",
-        scenes: vec![
-            traced_scene("sphere", "three mirroring spheres on a mirror", EYE, |_| {
-                sphere()
-            })
-            .reflecting(),
-            traced_scene("aab", "a box and its shadow", EYE, |_| aab()),
-        ],
-        experiments: experiments::experiments,
-        extremes: extremes::cases,
-    }
+/// A camera and the world before it.
+pub type View = (Box<dyn Camera>, ShadowedWorld);
+
+/// The camera of this stage's scenes and the next one's: it looks from
+/// (`eye`, `eye`, `eye`) at the origin.
+pub fn diagonal_camera(eye: f64) -> Result<Box<dyn Camera>, ArgumentError> {
+    let e = Point3::new(eye, eye, eye);
+    let (g, t) = (Vector3::new(-1.0, -1.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
+    Ok(Box::new(PerspectiveCamera::new(e, g, t, FRAC_PI_4)?))
 }
 
 /// Where the camera is, in each coordinate.
@@ -34,7 +28,8 @@ fn floor() -> Result<Plane, ArgumentError> {
     Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))
 }
 
-fn sphere() -> Result<ShadowedWorld, ArgumentError> {
+/// Three mirroring spheres on a mirror.
+pub fn sphere() -> Result<View, ArgumentError> {
     let half = Color::gray(0.5);
     let mirror = Reflective::new(Color::gray(0.1), Color::BLACK, 64.0, half)?;
     let light = PointLight::new(Color::WHITE, Point3::new(8.0, 8.0, 8.0))?;
@@ -46,17 +41,19 @@ fn sphere() -> Result<ShadowedWorld, ArgumentError> {
         let material = Reflective::new(color, Color::WHITE, 64.0, half)?;
         world = world.with(sphere, Box::new(material));
     }
-    Ok(world)
+    Ok((diagonal_camera(EYE)?, world))
 }
 
-fn aab() -> Result<ShadowedWorld, ArgumentError> {
+/// A box and its shadow.
+pub fn aab() -> Result<View, ArgumentError> {
     let (lbf, run) = (Point3::new(-0.5, 0.0, -0.5), Point3::new(0.5, 1.0, 0.5));
     let light = PointLight::new(Color::WHITE, Point3::new(8.0, 8.0, 0.0))?;
-    Ok(ShadowedWorld::empty(Color::BLACK, Color::gray(0.25))?
+    let world = ShadowedWorld::empty(Color::BLACK, Color::gray(0.25))?
         .with(floor()?, Box::new(Lambert::new(Color::gray(0.8))?))
         .with(
             AxisAlignedBox::new(lbf, run)?,
             Box::new(Lambert::new(Color::RED)?),
         )
-        .lit_by(LightSource::new(light, true)))
+        .lit_by(LightSource::new(light, true));
+    Ok((diagonal_camera(EYE)?, world))
 }

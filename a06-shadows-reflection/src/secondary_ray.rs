@@ -5,9 +5,9 @@
 //! much as rounding can have moved the hit and not by a fixed length, which
 //! would be too much in a small scene and too little in a large one.
 
-use a02_math::{Direction, Lanes, Vector3, Vector3x4};
-use a03_rays_cameras::{Ray, RayPacket};
-use a04_intersections::{Hit, PacketHit};
+use a02_math::{Direction, Vector3};
+use a03_rays_cameras::Ray;
+use a04_intersections::Hit;
 
 /// Units of rounding error that a hit is lifted by. The error of `o + t d` is a
 /// few units of the largest number in it; 64 leave room for the error of `t`.
@@ -32,21 +32,3 @@ pub fn secondary_ray(ray: &Ray, hit: &Hit, direction: Vector3) -> Ray {
     Ray::derived(point + Vector3::from(hit.face) * lift, direction)
 }
 // ANCHOR_END: secondary-ray
-
-/// The same for four hits.
-#[inline]
-#[must_use]
-pub(crate) fn secondary_rays(rays: &RayPacket, hit: &PacketHit, direction: Vector3x4) -> RayPacket {
-    let point = rays.at(hit.t);
-    let magnitude = rays
-        .origin
-        .largest_coordinate()
-        .fast_max(point.largest_coordinate())
-        .fast_max(hit.t);
-    let up = hit.face.dot(direction) & Lanes::splat(-0.0);
-    let lift = (Lanes::splat(LIFT) * magnitude) | up;
-    RayPacket {
-        origin: point + hit.face * lift,
-        direction,
-    }
-}

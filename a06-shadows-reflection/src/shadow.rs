@@ -3,7 +3,6 @@
 use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, Interval, World};
 use a05_lighting::Illumination;
-use measure::tally::{self, Work};
 
 use crate::secondary_ray;
 
@@ -15,29 +14,12 @@ use crate::secondary_ray;
 pub(crate) const BEFORE_THE_LIGHT: f64 = 1.0 - 1.0 / 16_777_216.0;
 
 /// Whether anything in the world stands between the hit of `ray` and a light.
-/// It need not be the nearest thing, so the search ends at the first it finds.
+/// It need not be the nearest object, so the search ends at the first.
 #[must_use]
 // ANCHOR: is-shadowed
 pub fn is_shadowed<S>(world: &World<S>, ray: &Ray, hit: &Hit, light: &Illumination) -> bool {
-    let (to_light, between) = way(ray, hit, light);
-    world.is_hit(&to_light, between)
-}
-
-/// The same, by a search for the nearest thing between.
-pub(crate) fn has_occluder<S>(
-    world: &World<S>,
-    ray: &Ray,
-    hit: &Hit,
-    light: &Illumination,
-) -> bool {
-    let (to_light, between) = way(ray, hit, light);
-    world.hit(&to_light, between).is_some()
-}
-
-fn way(ray: &Ray, hit: &Hit, light: &Illumination) -> (Ray, Interval) {
-    tally::count(Work::ShadowRay);
     let to_light = secondary_ray(ray, hit, light.direction);
     let between = Interval::before(light.distance * BEFORE_THE_LIGHT);
-    (to_light, between)
+    world.is_hit(&to_light, between)
 }
 // ANCHOR_END: is-shadowed

@@ -11,7 +11,7 @@ use common::tally::{self, Work};
 use common::{ArgumentError, Color};
 
 use crate::lab::decorated::decorated;
-use crate::lab::highlight::{as_phong, is_mirrored};
+use crate::lab::highlight::{as_phong, takes_power};
 use crate::power::power;
 use crate::{Illumination, Lighting, LitWorld, Material, Phong};
 
@@ -73,7 +73,7 @@ impl Lighting for AllLights<'_> {
         self.lighting.for_each_light(ray, hit, &mut |light| {
             if let Some(phong) = self.phong {
                 tally::count(Work::Power);
-                if !is_mirrored(ray, hit, light) {
+                if !takes_power(phong, ray, hit, light) {
                     // An unused number, which the compiler would remove.
                     black_box(power(black_box(0.5), phong.exponent));
                 }

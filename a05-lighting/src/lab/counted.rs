@@ -6,8 +6,8 @@ use common::tally::{self, Work};
 use common::{ArgumentError, Color};
 
 use crate::lab::decorated::decorated;
-use crate::lab::highlight::{as_phong, is_mirrored};
-use crate::{Illumination, Lighting, LitWorld, Material};
+use crate::lab::highlight::{as_phong, takes_power};
+use crate::{Illumination, Lighting, LitWorld, Material, Phong};
 
 /// The same world, counting intersection tests and powers.
 pub fn world(world: LitWorld) -> Result<LitWorld, ArgumentError> {
@@ -21,25 +21,39 @@ struct Counted(Box<dyn Material>);
 
 impl Material for Counted {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
-        if as_phong(&*self.0).is_some() {
-            self.0.color_for(ray, hit, &CountedLights(lighting))
-        } else {
+        counted_powers(as_phong(&*self.0), lighting, |lighting| {
             self.0.color_for(ray, hit, lighting)
-        }
+        })
+    }
+}
+
+/// The colour that a material has in this light, counting the powers that it
+/// takes. `phong` is the material as a Phong material, if it is one.
+pub fn counted_powers(
+    phong: Option<&Phong>,
+    lighting: &dyn Lighting,
+    color_for: impl FnOnce(&dyn Lighting) -> Color,
+) -> Color {
+    match phong {
+        Some(phong) => color_for(&CountedLights { phong, lighting }),
+        None => color_for(lighting),
     }
 }
 
 /// The light for a Phong material, which counts the powers that it takes.
-pub struct CountedLights<'a>(pub &'a dyn Lighting);
+struct CountedLights<'a> {
+    phong: &'a Phong,
+    lighting: &'a dyn Lighting,
+}
 
 impl Lighting for CountedLights<'_> {
     fn ambient(&self) -> Color {
-        self.0.ambient()
+        self.lighting.ambient()
     }
 
     fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
-        self.0.for_each_light(ray, hit, &mut |light| {
-            if is_mirrored(ray, hit, light) {
+        self.lighting.for_each_light(ray, hit, &mut |light| {
+            if takes_power(self.phong, ray, hit, light) {
                 tally::count(Work::Power);
             }
             shade(light);

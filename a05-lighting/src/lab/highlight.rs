@@ -5,6 +5,7 @@ use std::any::Any;
 use a02_math::Direction;
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
+use common::Color;
 
 use crate::{Illumination, Phong};
 
@@ -14,7 +15,8 @@ pub fn as_phong(material: &dyn Any) -> Option<&Phong> {
 }
 
 /// Whether a Phong material takes a power for this light: Phong's condition.
-pub fn is_mirrored(ray: &Ray, hit: &Hit, light: &Illumination) -> bool {
+pub fn takes_power(phong: &Phong, ray: &Ray, hit: &Hit, light: &Illumination) -> bool {
     let (e, l) = (-ray.direction(), light.direction);
-    hit.normal.dot(l) > 0.0 && e.dot(l.reflected_on(hit.normal)) > 0.0
+    let is_mirrored = hit.normal.dot(l) > 0.0 && e.dot(l.reflected_on(hit.normal)) > 0.0;
+    is_mirrored && phong.specular != Color::BLACK
 }

@@ -85,7 +85,7 @@ impl OneCounter<'_> {
             return background;
         };
         self.recursion -= 1;
-        let lighting = RecursiveTracer::new(self.world, false);
+        let lighting = RecursiveTracer::new(self.world);
         let color = surface.color_for(ray, &hit, &lighting);
         let direction = (-ray.direction()).reflected_on(hit.normal);
         let reflected = Ray::derived(ray.at(hit.t - 0.001), direction);

@@ -37,7 +37,7 @@ pub fn experiment() -> Experiment<'static> {
             let point = |k: f64, world: &Rc<ShadowedWorld>, asked: f64| {
                 let depth = depth(k, asked);
                 let (world, rays) = (Rc::clone(world), Rc::clone(&rays));
-                let trace = move |ray: &Ray| RecursiveTracer::new(&world, true).trace(ray, depth).r;
+                let trace = move |ray: &Ray| RecursiveTracer::new(&world).trace(ray, depth).r;
                 let errors: Vec<_> = rays
                     .iter()
                     .map(|ray| trace(ray) - 1.0 / (1.0 - k))
@@ -108,8 +108,7 @@ mod tests {
         for (k, _) in CURVES {
             let world = world(k).unwrap();
             let ray = rays(1)[0];
-            let error =
-                |depth| 1.0 / (1.0 - k) - RecursiveTracer::new(&world, true).trace(&ray, depth).r;
+            let error = |depth| 1.0 / (1.0 - k) - RecursiveTracer::new(&world).trace(&ray, depth).r;
             for depth in 1..20 {
                 let per_level = libm::log10(error(depth + 1) / error(depth));
                 assert!(

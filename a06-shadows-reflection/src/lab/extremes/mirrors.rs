@@ -108,9 +108,7 @@ impl Mirrors {
 
     fn ours(self, depth: u32) -> Made<f64> {
         let world = self.world(plane(0.0)?)?;
-        Ok(RecursiveTracer::new(&world, true)
-            .trace(&self.ray(), depth)
-            .r)
+        Ok(RecursiveTracer::new(&world).trace(&self.ray(), depth).r)
     }
 
     fn theirs(self, depth: u32) -> Made<f64> {
@@ -139,7 +137,7 @@ impl Mirrors {
     fn two_pixels(self, id: &'static str) -> Case {
         let both = || {
             let world = self.world(plane(0.0)?)?;
-            let tracer = RecursiveTracer::new(&world, true);
+            let tracer = RecursiveTracer::new(&world);
             let mut counter = OneCounter {
                 world: &world,
                 recursion: 1,
@@ -168,7 +166,7 @@ impl Mirrors {
             trace(&world, &self.ray());
             Ok::<_, ArgumentError>(rays.load(Ordering::Relaxed))
         };
-        let ours = count(&|world, ray| RecursiveTracer::new(world, true).trace(ray, depth));
+        let ours = count(&|world, ray| RecursiveTracer::new(world).trace(ray, depth));
         let theirs = count(&|world, ray| {
             OneCounter {
                 world,
@@ -198,7 +196,7 @@ fn behind_lights(id: &'static str, lights: usize) -> Case {
             world = world.lit_by(LightSource::new(light, false));
         }
         let ray = Ray::derived(Point3::new(0.0, 0.5, 0.0), -UP);
-        Ok::<_, ArgumentError>(RecursiveTracer::new(&world, true).trace(&ray, 2).r)
+        Ok::<_, ArgumentError>(RecursiveTracer::new(&world).trace(&ray, 2).r)
     };
     let theirs = protocol::reflection_inside_sum(&vec![0.0; lights], 0.5, 1.0);
     let what = format!("half of what a mirror sees, under {lights} lights");

@@ -116,7 +116,7 @@ fn brightness(id: &'static str, what: &str, light: Made<LightSource>, exact: f64
     let color = || {
         let world = world(floor()?, light?)?;
         let ray = Ray::derived(Point3::new(0.0, 1.0, 0.0), DOWN);
-        Ok::<_, ArgumentError>(RecursiveTracer::new(&world, true).trace(&ray, 1).r)
+        Ok::<_, ArgumentError>(RecursiveTracer::new(&world).trace(&ray, 1).r)
     };
     Case::new(
         id,
@@ -132,7 +132,7 @@ fn rays(id: &'static str, what: &str, light: Made<LightSource>) -> Case {
     let count = || {
         let (floor, rays) = Counting::new(floor()?);
         let world = world(floor, light?)?;
-        let _ = RecursiveTracer::new(&world, true).trace(&look(), 1);
+        let _ = RecursiveTracer::new(&world).trace(&look(), 1);
         Ok::<_, ArgumentError>(rays.load(Ordering::Relaxed) - 1)
     };
     Case::new(
@@ -160,7 +160,7 @@ fn between(
     let ours = || {
         let white = Lambert::new(Color::WHITE)?;
         let world = world(floor()?, light?)?.with(ball()?, Box::new(white));
-        let color = RecursiveTracer::new(&world, true).trace(&look(), 1);
+        let color = RecursiveTracer::new(&world).trace(&look(), 1);
         Ok::<_, ArgumentError>(color.r > 0.25)
     };
     let theirs = || {

@@ -1,0 +1,113 @@
+//! A tracer that leaves nothing out, for the comparison with the lesson: it
+//! follows reflected rays through black mirrors, and sends shadow rays to lights
+//! that are behind the surface or cast no shadows.
+
+use a02_math::Direction;
+use a03_rays_cameras::Ray;
+use a04_intersections::{Hit, Interval};
+use a05_lighting::{Illumination, Light, Lighting, Material, all_work, decorated::decorated};
+use common::{ArgumentError, Color};
+
+use crate::lab::shiny::as_phong;
+use crate::shadow::BEFORE_THE_LIGHT;
+use crate::{ShadowedWorld, Surface, secondary_ray};
+
+/// The same world, whose surfaces do all work. Its colours are the same in the
+/// light of a [`NaiveTracer`].
+pub fn world(world: ShadowedWorld) -> Result<ShadowedWorld, ArgumentError> {
+    decorated(
+        world,
+        |geometry| geometry,
+        |surface| Box::new(AllWork(surface)) as _,
+    )
+}
+
+#[derive(Debug)]
+struct AllWork(Box<dyn Surface>);
+
+impl Material for AllWork {
+    fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
+        all_work::shade(as_phong(&*self.0), ray, hit, lighting, |lighting| {
+            self.0.color_for(ray, hit, &FromTheFront(lighting))
+        })
+    }
+}
+
+impl Surface for AllWork {
+    fn reflection(&self) -> Color {
+        self.0.reflection()
+    }
+}
+
+/// The same light without that from behind the surface, which the lesson does
+/// not hand to materials.
+struct FromTheFront<'a>(&'a dyn Lighting);
+
+impl Lighting for FromTheFront<'_> {
+    fn ambient(&self) -> Color {
+        self.0.ambient()
+    }
+
+    fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
+        self.0.for_each_light(ray, hit, &mut |light| {
+            let is_behind = hit.normal.dot(light.direction) <= 0.0;
+            if !is_behind {
+                shade(light);
+            }
+        });
+    }
+}
+
+/// Finds the same colours as [`RecursiveTracer`](crate::RecursiveTracer), in a
+/// [`world`] that does all work.
+#[derive(Clone, Copy, Debug)]
+pub struct NaiveTracer<'a> {
+    world: &'a ShadowedWorld,
+}
+
+impl<'a> NaiveTracer<'a> {
+    /// A tracer of this world.
+    #[must_use]
+    pub const fn new(world: &'a ShadowedWorld) -> Self {
+        Self { world }
+    }
+
+    /// The colour that a ray brings back which may meet `depth` surfaces.
+    #[must_use]
+    pub fn trace(&self, ray: &Ray, depth: u32) -> Color {
+        let mut ray = *ray;
+        let mut color = Color::BLACK;
+        let mut mirrored = Color::WHITE;
+        for _ in 0..depth {
+            let Some((hit, surface)) = self.world.objects().hit(&ray, Interval::AHEAD) else {
+                return color + mirrored * self.world.objects().background();
+            };
+            color += mirrored * surface.color_for(&ray, &hit, self);
+            mirrored = mirrored * surface.reflection();
+            let direction = (-ray.direction()).reflected_on(hit.normal);
+            ray = secondary_ray(&ray, &hit, direction);
+        }
+        color
+    }
+}
+
+impl Lighting for NaiveTracer<'_> {
+    fn ambient(&self) -> Color {
+        self.world.ambient()
+    }
+
+    fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
+        let point = ray.at(hit.t);
+        for source in self.world.lights() {
+            let Some(light) = source.illumination(point) else {
+                continue;
+            };
+            let to_light = secondary_ray(ray, hit, light.direction);
+            let between = Interval::before(light.distance * BEFORE_THE_LIGHT);
+            let occluder = self.world.objects().hit(&to_light, between);
+            if occluder.is_none() || !source.casts_shadows() {
+                shade(&light);
+            }
+        }
+    }
+}
