@@ -1,20 +1,16 @@
 //! `Disc`: the part of a plane around a point.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
+use a02_math::{Direction, Normal3, Point3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{Bounds, Geometry, Hit, Interval, Plane};
+use a04_intersections::{Geometry, Hit, Interval, Plane};
 use common::{ArgumentError, argument};
-
-/// More than rounding moves the rim, in radii.
-const ROUNDING: f64 = 1.0 / 1_099_511_627_776.0;
 
 /// A round, flat disc. It has no thickness, and its rim belongs to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Disc {
-    plane: Plane,
-    n: Normal3,
-    c: Point3,
-    r: f64,
+    pub(crate) plane: Plane,
+    pub(crate) c: Point3,
+    pub(crate) r: f64,
 }
 
 impl Disc {
@@ -23,7 +19,6 @@ impl Disc {
     pub fn new(c: Point3, n: Normal3, r: f64) -> Result<Self, ArgumentError> {
         Ok(Self {
             plane: Plane::new(c.checked("centre c")?, n)?,
-            n: n.unit("normal n")?,
             c,
             r: argument::length("radius r", r)?,
         })
@@ -40,13 +35,4 @@ impl Geometry for Disc {
         (from_centre.dot(from_centre) <= self.r * self.r).then_some(hit)
     }
     // ANCHOR_END: hit
-
-    /// Along an axis the disc reaches as far as the sine of the angle between
-    /// axis and normal: the length of the normal's other two coordinates.
-    fn bounds(&self) -> Bounds {
-        let (x, y, z) = (self.n.x(), self.n.y(), self.n.z());
-        let [x, y, z] = [(y, z), (z, x), (x, y)].map(|(a, b)| self.r * (a * a + b * b).sqrt());
-        let reach = Vector3::new(x, y, z);
-        Bounds::around([self.c + reach, self.c - reach]).wider(self.r * ROUNDING)
-    }
 }

@@ -4,23 +4,19 @@
 //! that does so for its children.
 
 mod disc;
-mod flat;
 mod lab;
 mod mat4x4;
-mod moved_bounds;
 mod node;
-pub mod nodes;
 mod scenes;
-mod straight;
+mod stage;
 mod transform;
 
 pub use disc::Disc;
-pub use flat::Flat;
 #[doc(hidden)]
 pub use lab::protocol;
 pub use mat4x4::Mat4x4;
 pub use node::Node;
-pub use scenes::stage;
+pub use stage::stage;
 pub use transform::Transform;
 
 /// The code in this stage's chapter is tested with it.

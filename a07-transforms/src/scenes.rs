@@ -3,63 +3,10 @@
 use a02_math::{Normal3, Point3};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere};
 use a05_lighting::{Lambert, Phong, PointLight};
-use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, traced_scene};
-use common::{ArgumentError, Color, Renderer, Scene, Settings};
-use measure::Stage;
+use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, View, diagonal_camera};
+use common::{ArgumentError, Color};
 
-use crate::lab::{experiments, extremes};
-use crate::{Disc, Node, Transform, nodes};
-
-/// The stage for its program.
-#[must_use]
-pub fn stage() -> Stage {
-    Stage {
-        name: "a07-transforms",
-        about: "Transformed geometry, the scene graph and the disc",
-        scenes: vec![
-            scene(
-                "sphere-transformation",
-                "a sphere, stretched to an ellipsoid",
-                20.0,
-                sphere_transformation,
-            ),
-            scene(
-                "box-transformations",
-                "a box, stretched and turned three times",
-                10.0,
-                box_transformations,
-            ),
-            scene("disc", "a disc on a mirroring plane", 8.0, disc).reflecting(),
-        ],
-        experiments: experiments::experiments,
-        extremes: extremes::cases,
-    }
-}
-
-/// A scene seen from (`eye`, `eye`, `eye`). Its nodes are told in its plan, and
-/// nested ones flattened if its picture may have an error.
-fn scene(
-    name: &'static str,
-    about: &'static str,
-    eye: f64,
-    world: fn() -> Result<ShadowedWorld, ArgumentError>,
-) -> Scene {
-    let eye_at = Point3::new(eye, eye, eye);
-    let flattened = move |settings: &Settings| {
-        let world = world()?;
-        Ok(
-            match settings
-                .max_error
-                .filter(|_| settings.renderer != Renderer::AllWork)
-            {
-                Some(error) => nodes::flattened(world, eye_at, error),
-                None => world,
-            },
-        )
-    };
-    traced_scene(name, about, eye, flattened)
-        .also_planned(move |settings, plan| Ok(nodes::plan(plan, &flattened(settings)?, eye_at)))
-}
+use crate::{Disc, Node, Transform};
 
 const UPWARDS: Normal3 = Normal3::new(0.0, 1.0, 0.0);
 
@@ -74,15 +21,18 @@ fn lit_from(
         .lit_by(LightSource::new(light, casts_shadows)))
 }
 
-fn sphere_transformation() -> Result<ShadowedWorld, ArgumentError> {
+/// A sphere, stretched to an ellipsoid.
+pub fn sphere_transformation() -> Result<View, ArgumentError> {
     let transform = Transform::IDENTITY.scale(6.0, 1.2, 4.0)?;
     let ellipsoid = Node::new(transform).with(Sphere::new(Point3::ORIGIN, 1.0)?);
     let material = Phong::new(Color::new(0.6, 0.0, 0.0), Color::WHITE, 64.0)?;
     let world = lit_from(Point3::new(1.0, 20.0, 20.0), false, 0.25)?;
-    Ok(world.with(ellipsoid, Box::new(material)))
+    let world = world.with(ellipsoid, Box::new(material));
+    Ok((diagonal_camera(20.0)?, world))
 }
 
-fn box_transformations() -> Result<ShadowedWorld, ArgumentError> {
+/// A box, stretched and turned three times.
+pub fn box_transformations() -> Result<View, ArgumentError> {
     let transform = Transform::IDENTITY
         .scale(4.0, 1.0, 8.0)?
         .rotate_z(-20_f64.to_radians())?
@@ -91,19 +41,23 @@ fn box_transformations() -> Result<ShadowedWorld, ArgumentError> {
     let (lbf, run) = (Point3::new(-0.5, -0.5, -0.5), Point3::new(0.5, 0.5, 0.5));
     let node = Node::new(transform).with(AxisAlignedBox::new(lbf, run)?);
     let world = lit_from(Point3::new(1.0, 20.0, 20.0), false, 0.25)?;
-    Ok(world.with(node, Box::new(Lambert::new(Color::YELLOW)?)))
+    let world = world.with(node, Box::new(Lambert::new(Color::YELLOW)?));
+    Ok((diagonal_camera(10.0)?, world))
 }
 
+/// A disc on a mirroring plane.
+///
 /// The protocol puts the disc into the plane, where both are hit at the same
 /// `t` and their order in the list decides which is seen. So the disc lies on
 /// the plane here, a thousandth above it.
-fn disc() -> Result<ShadowedWorld, ArgumentError> {
+pub fn disc() -> Result<View, ArgumentError> {
     let half = Color::gray(0.5);
     let plane = Plane::new(Point3::ORIGIN, UPWARDS)?;
     let red = Reflective::new(Color::RED, Color::BLACK, 64.0, half)?;
     let disc = Disc::new(Point3::new(0.0, 0.001, 0.0), UPWARDS, 5.0)?;
     let green = Reflective::new(Color::GREEN, Color::WHITE, 2000.0, half)?;
-    Ok(lit_from(Point3::new(8.0, 8.0, 8.0), true, 0.1)?
+    let world = lit_from(Point3::new(8.0, 8.0, 8.0), true, 0.1)?
         .with(plane, Box::new(red))
-        .with(disc, Box::new(green)))
+        .with(disc, Box::new(green));
+    Ok((diagonal_camera(8.0)?, world))
 }

@@ -124,11 +124,6 @@ impl Transform {
         self.chain(rotation, rotation.transposed())
     }
 
-    /// What this transform does after `inner`: both by one matrix.
-    pub fn after(self, inner: &Self) -> Result<Self, ArgumentError> {
-        self.chain(inner.m, inner.i)
-    }
-
     /// `m' = m T` and, the other way round, `i' = T⁻¹ i`: what is done last is
     /// undone first.
     // ANCHOR: chain

@@ -1,12 +1,11 @@
-//! Whole scenes of any numbers. What the constructors let pass is rendered:
-//! every pixel must be a finite number, and the same to the last bit with work
-//! left out, four rays at a time, and without, each ray alone.
+//! Whole scenes of any numbers. Each one that the constructors accept is rendered:
+//! every pixel must be a finite number, and the same to the last bit by the
+//! lesson and with all work.
 
-use a03_rays_cameras::{Camera, render_together};
+use a03_rays_cameras::{Camera, Ray, render};
 use a05_lighting::{DirectionalLight, Lambert, Light, Phong, PointLight, SingleColor, SpotLight};
-use a06_shadows_reflection::{
-    LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, TracedLight, foci,
-};
+use a06_shadows_reflection::all_work::{self, NaiveTracer};
+use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface};
 use arbitrary::{Result, Unstructured};
 use common::{ArgumentError, Color, Image, Renderer, Sampling, Settings, Size};
 
@@ -19,40 +18,31 @@ use crate::shapes::{accepted, camera, shape};
 ///
 /// # Panics
 ///
-/// If a pixel is no finite number or negative, if leaving out work changes a
-/// bit where no error is allowed, or if mirrored light that is cut off is more than
-/// was allowed.
+/// If a pixel is no finite number or negative, or if all work changes a bit.
 pub fn check(bytes: &[u8]) {
-    let (Ok(lazy), Ok(thorough)) = (
-        Scene::new(bytes, Renderer::Lesson),
-        Scene::new(bytes, Renderer::AllWork),
-    ) else {
+    let (Ok(scene), Ok(same)) = (Scene::new(bytes), Scene::new(bytes)) else {
         return;
     };
-    let (picture, expected) = (lazy.picture(), thorough.picture());
-    // Where an error is allowed, a searched world is looked at in fewer places, and
-    // what was added to a pixel and taken off again is rounded.
-    let adaptive = lazy.settings.max_error.is_some();
-    let least = if adaptive { -1e-9 } else { 0.0 };
+    let all = all_work::world(same.world).expect("a world of the same colours");
+    let (lesson, naive) = (RecursiveTracer::new(&scene.world), NaiveTracer::new(&all));
+    let depth = scene.settings.depth;
+    let picture = scene.picture(|ray| lesson.trace(ray, depth));
+    let expected = scene.picture(|ray| naive.trace(ray, depth));
     for (pixel, expected) in picture.pixels().iter().zip(expected.pixels()) {
         let [bits, expected_bits] = [pixel, expected].map(|c| c.channels().map(f64::to_bits));
-        let same = adaptive || bits == expected_bits;
-        assert!(same, "{pixel:?}, {expected:?}: {lazy:?}");
-        let holds = |channel: f64| channel.is_finite() && channel >= least;
+        assert_eq!(bits, expected_bits, "{pixel:?}, {expected:?}: {scene:?}");
+        let holds = |channel: f64| channel.is_finite() && channel >= 0.0;
         assert!(
             pixel.channels().into_iter().all(holds),
-            "{pixel:?}: {lazy:?}"
+            "{pixel:?}: {scene:?}"
         );
     }
-    lazy.check_cut();
 }
 
 struct Scene {
     settings: Settings,
     camera: Box<dyn Camera>,
     world: ShadowedWorld,
-    /// What may be left out of mirrored light.
-    unseen: f64,
 }
 
 impl std::fmt::Debug for Scene {
@@ -64,23 +54,20 @@ impl std::fmt::Debug for Scene {
 
 impl Scene {
     /// The same bytes make the same scene.
-    fn new(bytes: &[u8], renderer: Renderer) -> Result<Self> {
+    fn new(bytes: &[u8]) -> Result<Self> {
         let u = &mut Unstructured::new(bytes);
-        let settings = settings(u, renderer)?;
-        let unseen = f64::from(u.arbitrary::<u8>()?) / 512.0;
-        let camera = camera(u)?;
-        let world = world(u)?;
-        let foci = foci(&camera, &world);
+        let settings = settings(u)?;
+        // A byte that the seeds still have.
+        let _: u8 = u.arbitrary()?;
         Ok(Self {
             settings,
-            camera,
-            world: world.omitting(renderer != Renderer::AllWork, foci),
-            unseen,
+            camera: camera(u)?,
+            world: world(u)?,
         })
     }
 
     /// On this thread: to wake another takes longer than so small a picture.
-    fn picture(&self) -> Image {
+    fn picture(&self, radiance: impl Fn(&Ray) -> Color + Send + Sync) -> Image {
         thread_local! {
             static ALONE: ThreadPool = ThreadPoolBuilder::new()
                 .num_threads(1)
@@ -88,40 +75,19 @@ impl Scene {
                 .build()
                 .expect("a pool of this thread");
         }
-        ALONE.with(|pool| pool.install(|| self.render()))
-    }
-
-    fn render(&self) -> Image {
-        let light = TracedLight {
-            tracer: RecursiveTracer::new(&self.world, self.settings.renderer != Renderer::AllWork),
-            depth: self.settings.depth,
-        };
-        render_together(&*self.camera, light, &self.settings, &()).expect("a picture")
+        let render = || render(&*self.camera, radiance, &self.settings, &());
+        ALONE.with(|pool| pool.install(render)).expect("a picture")
     }
 
     /// The rays through the middles of the pixels.
-    fn rays(&self) -> impl Iterator<Item = a03_rays_cameras::Ray> {
+    fn rays(&self) -> impl Iterator<Item = Ray> {
         let size = self.settings.size;
         let places = (0..size.height()).flat_map(move |y| (0..size.width()).map(move |x| (x, y)));
         places.map(move |(x, y)| self.camera.ray_for(size, x.into(), y.into()))
     }
-
-    /// Bound: what may be unseen, and the rounding of as many sums as there are
-    /// surfaces and lights.
-    fn check_cut(&self) {
-        let whole = RecursiveTracer::new(&self.world, true);
-        let cut = whole.cut_below(Some(self.unseen));
-        for ray in self.rays() {
-            let [whole, cut] = [whole, cut].map(|tracer| tracer.trace(&ray, self.settings.depth));
-            for (whole, cut) in whole.channels().into_iter().zip(cut.channels()) {
-                let bound = self.unseen * (1.0 + 1e-12) + 100.0 * f64::EPSILON * whole;
-                assert!((whole - cut).abs() <= bound, "{whole}, {cut}: {self:?}");
-            }
-        }
-    }
 }
 
-fn settings(u: &mut Unstructured, renderer: Renderer) -> Result<Settings> {
+fn settings(u: &mut Unstructured) -> Result<Settings> {
     let [width, height] = [u.int_in_range(1..=4)?, u.int_in_range(1..=4)?];
     let error = u.ratio(1, 4)?.then(|| u.int_in_range(1..=255_u8));
     let error = error.transpose()?;
@@ -138,12 +104,12 @@ fn settings(u: &mut Unstructured, renderer: Renderer) -> Result<Settings> {
         max_error: error.map(|error| f64::from(error) / 512.0),
         seed: u.arbitrary::<u8>()?.into(),
         depth: u.int_in_range(1..=8)?,
-        renderer,
         file: None,
+        ..Settings::default()
     })
 }
 
-/// Up to three lights and twelve objects; a world of few is not searched.
+/// Up to three lights and twelve objects.
 fn world(u: &mut Unstructured) -> Result<ShadowedWorld> {
     let (background, ambient) = (color(u)?, color(u)?);
     let empty = accepted(ShadowedWorld::empty(background, ambient));

@@ -32,7 +32,7 @@ pub fn offset() -> Scene {
         },
         |settings, progress| {
             let world = balls()?;
-            let tracer = RecursiveTracer::new(&world, settings.renderer != Renderer::AllWork);
+            let tracer = RecursiveTracer::new(&world);
             view(|ray| tracer.trace(ray, settings.depth), settings, progress)
         },
     )

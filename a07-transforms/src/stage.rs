@@ -1,0 +1,42 @@
+//! `stage`: joins the scenes, renderers, experiments and extreme cases of this
+//! stage for its program.
+
+use a06_shadows_reflection::{View, traced_scene};
+use common::{ArgumentError, Scene, Stage, tally};
+
+use crate::lab::{counted, experiments, explain, extremes};
+use crate::scenes::{box_transformations, disc, sphere_transformation};
+
+/// The stage for its program.
+#[must_use]
+pub fn stage() -> Stage {
+    let ellipsoid = "a sphere, stretched to an ellipsoid";
+    let turned = "a box, stretched and turned three times";
+    Stage {
+        name: "a07-transforms",
+        about: "Transformed geometry, the scene graph and the disc",
+        scenes: vec![
+            scene("sphere-transformation", ellipsoid, sphere_transformation),
+            scene("box-transformations", turned, box_transformations),
+            scene("disc", "a disc on a mirroring plane", disc).reflecting(),
+        ],
+        experiments: experiments::experiments,
+        extremes: extremes::cases,
+    }
+}
+
+fn scene(
+    name: &'static str,
+    about: &'static str,
+    view: fn() -> Result<View, ArgumentError>,
+) -> Scene {
+    let counted_view = move || {
+        let (camera, mut world) = view()?;
+        if tally::is_on() {
+            world = counted::world(world)?;
+        }
+        Ok((camera, world))
+    };
+    traced_scene(name, about, counted_view)
+        .also_planned(move |_, plan| Ok(explain::nodes(plan, &view()?.1)))
+}
