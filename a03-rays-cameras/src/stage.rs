@@ -1,7 +1,8 @@
 //! `stage`: joins the scenes, renderers, experiments and extreme cases of this
 //! stage for its program.
 
-use common::{Error, Image, Progress, Sampling, Scene, Settings, Size, Stage, tally};
+use common::{Error, Image, Progress, Renderer, Sampling, Scene, Settings, Size};
+use measure::{Stage, tally};
 
 use crate::lab::{all_work, counted, experiments, explain, extremes};
 use crate::scenes::striped_sky;
@@ -32,10 +33,9 @@ fn scene(name: &'static str, about: &'static str, rule: StripeRule) -> Scene {
             camera = counted::camera(camera, settings);
         }
         let radiance = |ray: &Ray| sky.color_for(ray);
-        if settings.omit {
-            render(&camera, radiance, settings, progress)
-        } else {
-            all_work::render(&camera, radiance, settings, progress)
+        match settings.renderer {
+            Renderer::Lesson | Renderer::Engine => render(&camera, radiance, settings, progress),
+            Renderer::AllWork => all_work::render(&camera, radiance, settings, progress),
         }
     };
     Scene::traced(name, about, paint)

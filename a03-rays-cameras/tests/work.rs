@@ -2,15 +2,15 @@
 //! out.
 
 use a03_rays_cameras::stage;
-use common::tally::{Work, counted};
-use common::{Sampling, Settings, Size};
+use common::{Renderer, Sampling, Settings, Size};
+use measure::tally::{Work, counted};
 
-fn settings(sampling: Sampling, omit: bool) -> Settings {
+fn settings(sampling: Sampling, renderer: Renderer) -> Settings {
     Settings {
         size: Size::new(3, 2).unwrap(),
         samples: 5,
         sampling,
-        omit,
+        renderer,
         ..Settings::default()
     }
 }
@@ -24,13 +24,13 @@ fn samples_with_a_fixed_place_take_no_random_numbers() {
         (Sampling::Random, 5, 10),
         (Sampling::Stratified, 4, 8),
     ] {
-        let rendered = |omit| {
-            let settings = settings(sampling, omit);
+        let rendered = |renderer| {
+            let settings = settings(sampling, renderer);
             let (image, tally) = counted(|| scene.render(&settings, &())).unwrap();
             assert_eq!(tally[Work::PrimaryRay], 6 * samples, "{sampling:?}");
             (image.unwrap(), tally[Work::RandomNumber])
         };
-        let (lesson, all) = (rendered(true), rendered(false));
+        let (lesson, all) = (rendered(Renderer::Lesson), rendered(Renderer::AllWork));
         assert_eq!(
             (lesson.1, all.1),
             (6 * needed, 12 * samples),
@@ -49,7 +49,7 @@ fn the_plan_counts_the_rays_and_names_random_numbers_that_nothing_needs() {
         (Sampling::Random, 30, 5, true),
         (Sampling::Stratified, 24, 4, true),
     ] {
-        let plan = scene.plan(&settings(sampling, true)).unwrap();
+        let plan = scene.plan(&settings(sampling, Renderer::Lesson)).unwrap();
         assert_eq!(
             plan.needs,
             [format!("primary rays: {rays}, {each} per pixel")]

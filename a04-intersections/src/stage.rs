@@ -2,7 +2,8 @@
 //! stage for its program.
 
 use a03_rays_cameras::{Ray, all_work, render};
-use common::{ArgumentError, Scene, Stage, tally};
+use common::{ArgumentError, Renderer, Scene, Settings};
+use measure::{Stage, tally};
 
 use crate::lab::{counted, experiments, explain, extremes};
 use crate::scenes::{View, scene_1, scene_2, scene_3, scene_4, scene_5, scene_6};
@@ -32,17 +33,23 @@ fn scene(
     view: fn() -> Result<View, ArgumentError>,
 ) -> Scene {
     Scene::traced(name, about, move |settings, progress| {
-        let (mut camera, mut world) = view()?;
-        if tally::is_on() {
-            camera = a03_rays_cameras::counted::camera(camera, settings);
-            world = counted::world(world)?;
-        }
+        let (camera, world) = counting(view()?, settings)?;
         let radiance = |ray: &Ray| world.color_for(ray);
-        if settings.omit {
-            render(&camera, radiance, settings, progress)
-        } else {
-            all_work::render(&camera, radiance, settings, progress)
+        match settings.renderer {
+            Renderer::Lesson | Renderer::Engine => render(&camera, radiance, settings, progress),
+            Renderer::AllWork => all_work::render(&camera, radiance, settings, progress),
         }
     })
     .planned(move |settings| Ok(explain::colors(&view()?.1, settings)))
+}
+
+/// The same camera and world, which count their work if it is to be counted.
+fn counting((camera, world): View, settings: &Settings) -> Result<View, ArgumentError> {
+    if !tally::is_on() {
+        return Ok((camera, world));
+    }
+    Ok((
+        a03_rays_cameras::counted::camera(camera, settings),
+        counted::world(world)?,
+    ))
 }

@@ -4,7 +4,6 @@ use a02_math::Direction;
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 use common::{ArgumentError, Color, argument};
-use measure::tally::{self, Work};
 
 use crate::power::power;
 use crate::{Illumination, Lambert, Lighting, Material};

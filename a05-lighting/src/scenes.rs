@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::PerspectiveCamera;
+use a03_rays_cameras::{Camera, PerspectiveCamera};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere, Triangle};
 use common::{ArgumentError, Color};
 
@@ -12,14 +12,18 @@ use crate::{
     DirectionalLight, Lambert, Light, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
 };
 
+/// A camera and the world before it.
+pub type View = (Box<dyn Camera>, LitWorld);
+
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 /// Where the camera and the lights are, and where both look.
 const CORNER: Point3 = Point3::new(4.0, 4.0, 4.0);
 const INWARDS: Vector3 = Vector3::new(-1.0, -1.0, -1.0);
 
-/// The camera of all six scenes.
-pub fn camera() -> Result<PerspectiveCamera, ArgumentError> {
-    PerspectiveCamera::new(CORNER, INWARDS, UP, FRAC_PI_4)
+/// The camera of all six scenes, and the world before it.
+fn view(world: LitWorld) -> Result<View, ArgumentError> {
+    let camera = PerspectiveCamera::new(CORNER, INWARDS, UP, FRAC_PI_4)?;
+    Ok((Box::new(camera), world))
 }
 
 type MaterialOf = fn(Color) -> Result<Box<dyn Material>, ArgumentError>;
@@ -68,31 +72,31 @@ fn spot_light() -> Result<Box<dyn Light>, ArgumentError> {
 }
 
 /// Four objects without light.
-pub fn lighting_1() -> Result<LitWorld, ArgumentError> {
-    objects(single_color, Color::BLACK)
+pub fn lighting_1() -> Result<View, ArgumentError> {
+    view(objects(single_color, Color::BLACK)?)
 }
 
 /// Matt objects under a point light.
-pub fn lambert() -> Result<LitWorld, ArgumentError> {
-    Ok(objects(matt, Color::BLACK)?.lit_by(point_light()?))
+pub fn lambert() -> Result<View, ArgumentError> {
+    view(objects(matt, Color::BLACK)?.lit_by(point_light()?))
 }
 
 /// Shiny objects under a point light.
-pub fn phong() -> Result<LitWorld, ArgumentError> {
-    Ok(objects(shiny, Color::BLACK)?.lit_by(point_light()?))
+pub fn phong() -> Result<View, ArgumentError> {
+    view(objects(shiny, Color::BLACK)?.lit_by(point_light()?))
 }
 
 /// Shiny objects under a far light.
-pub fn phong_directional() -> Result<LitWorld, ArgumentError> {
-    Ok(objects(shiny, Color::BLACK)?.lit_by(directional_light()?))
+pub fn phong_directional() -> Result<View, ArgumentError> {
+    view(objects(shiny, Color::BLACK)?.lit_by(directional_light()?))
 }
 
 /// Shiny objects in the cone of a spot light.
-pub fn phong_spot() -> Result<LitWorld, ArgumentError> {
-    Ok(objects(shiny, Color::BLACK)?.lit_by(spot_light()?))
+pub fn phong_spot() -> Result<View, ArgumentError> {
+    view(objects(shiny, Color::BLACK)?.lit_by(spot_light()?))
 }
 
 /// The same with a little light from everywhere.
-pub fn phong_spot_ambient() -> Result<LitWorld, ArgumentError> {
-    Ok(objects(shiny, Color::gray(0.25))?.lit_by(spot_light()?))
+pub fn phong_spot_ambient() -> Result<View, ArgumentError> {
+    view(objects(shiny, Color::gray(0.25))?.lit_by(spot_light()?))
 }

@@ -1,13 +1,13 @@
 //! `stage`: joins the scenes, renderers, experiments and extreme cases of this
 //! stage for its program.
 
-use a03_rays_cameras::{Camera, Ray, render};
-use common::{ArgumentError, Scene, Stage, tally};
+use a03_rays_cameras::{Ray, render};
+use common::{ArgumentError, Renderer, Scene, Settings};
+use measure::{Stage, tally};
 
-use crate::LitWorld;
 use crate::lab::{all_work, counted, experiments, explain, extremes};
 use crate::scenes::{
-    camera, lambert, lighting_1, phong, phong_directional, phong_spot, phong_spot_ambient,
+    View, lambert, lighting_1, phong, phong_directional, phong_spot, phong_spot_ambient,
 };
 
 /// The stage for its program.
@@ -36,24 +36,33 @@ pub fn stage() -> Stage {
 fn scene(
     name: &'static str,
     about: &'static str,
-    world: fn() -> Result<LitWorld, ArgumentError>,
+    view: fn() -> Result<View, ArgumentError>,
 ) -> Scene {
     Scene::traced(name, about, move |settings, progress| {
-        let mut camera: Box<dyn Camera> = Box::new(camera()?);
-        let mut world = world()?;
-        if !settings.omit {
-            world = all_work::world(world)?;
-        }
-        if tally::is_on() {
-            camera = a03_rays_cameras::counted::camera(camera, settings);
-            world = counted::world(world)?;
-        }
-        let radiance = |ray: &Ray| world.color_for(ray);
-        if settings.omit {
-            render(&camera, radiance, settings, progress)
-        } else {
-            a03_rays_cameras::all_work::render(&camera, radiance, settings, progress)
+        let (camera, world) = view()?;
+        match settings.renderer {
+            Renderer::Lesson | Renderer::Engine => {
+                let (camera, world) = counting((camera, world), settings)?;
+                let radiance = |ray: &Ray| world.color_for(ray);
+                render(&camera, radiance, settings, progress)
+            }
+            Renderer::AllWork => {
+                let (camera, world) = counting((camera, all_work::world(world)?), settings)?;
+                let radiance = |ray: &Ray| world.color_for(ray);
+                a03_rays_cameras::all_work::render(&camera, radiance, settings, progress)
+            }
         }
     })
-    .planned(move |settings| Ok(explain::scene(&world()?, settings)))
+    .planned(move |settings| Ok(explain::scene(&view()?.1, settings)))
+}
+
+/// The same camera and world, which count their work if it is to be counted.
+fn counting((camera, world): View, settings: &Settings) -> Result<View, ArgumentError> {
+    if !tally::is_on() {
+        return Ok((camera, world));
+    }
+    Ok((
+        a03_rays_cameras::counted::camera(camera, settings),
+        counted::world(world)?,
+    ))
 }

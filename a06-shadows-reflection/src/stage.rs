@@ -2,7 +2,8 @@
 //! stage for its program.
 
 use a03_rays_cameras::{Ray, render};
-use common::{ArgumentError, Scene, Stage, tally};
+use common::{ArgumentError, Renderer, Scene, Settings};
+use measure::{Stage, tally};
 
 use crate::RecursiveTracer;
 use crate::lab::all_work::{self, NaiveTracer};
@@ -31,23 +32,29 @@ pub fn traced_scene(
     view: impl Fn() -> Result<View, ArgumentError> + Copy + Send + Sync + 'static,
 ) -> Scene {
     Scene::traced(name, about, move |settings, progress| {
-        let (mut camera, mut world) = view()?;
-        if !settings.omit {
-            world = all_work::world(world)?;
-        }
-        if tally::is_on() {
-            camera = counted::camera(camera, settings);
-            world = counted::world(world)?;
-        }
-        if settings.omit {
-            let tracer = RecursiveTracer::new(&world);
-            let radiance = |ray: &Ray| tracer.trace(ray, settings.depth);
-            render(&camera, radiance, settings, progress)
-        } else {
-            let tracer = NaiveTracer::new(&world);
-            let radiance = |ray: &Ray| tracer.trace(ray, settings.depth);
-            a03_rays_cameras::all_work::render(&camera, radiance, settings, progress)
+        let (camera, world) = view()?;
+        match settings.renderer {
+            Renderer::Lesson | Renderer::Engine => {
+                let (camera, world) = counting((camera, world), settings)?;
+                let tracer = RecursiveTracer::new(&world);
+                let radiance = |ray: &Ray| tracer.trace(ray, settings.depth);
+                render(&camera, radiance, settings, progress)
+            }
+            Renderer::AllWork => {
+                let (camera, world) = counting((camera, all_work::world(world)?), settings)?;
+                let tracer = NaiveTracer::new(&world);
+                let radiance = |ray: &Ray| tracer.trace(ray, settings.depth);
+                a03_rays_cameras::all_work::render(&camera, radiance, settings, progress)
+            }
         }
     })
     .planned(move |settings| Ok(explain::traced(&view()?.1, settings)))
+}
+
+/// The same camera and world, which count their work if it is to be counted.
+fn counting((camera, world): View, settings: &Settings) -> Result<View, ArgumentError> {
+    if !tally::is_on() {
+        return Ok((camera, world));
+    }
+    Ok((counted::camera(camera, settings), counted::world(world)?))
 }

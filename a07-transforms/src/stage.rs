@@ -2,7 +2,8 @@
 //! stage for its program.
 
 use a06_shadows_reflection::{View, traced_scene};
-use common::{ArgumentError, Scene, Stage, tally};
+use common::{ArgumentError, Scene};
+use measure::{Stage, tally};
 
 use crate::lab::{counted, experiments, explain, extremes};
 use crate::scenes::{box_transformations, disc, sphere_transformation};

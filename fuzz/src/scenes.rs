@@ -7,7 +7,7 @@ use a05_lighting::{DirectionalLight, Lambert, Light, Phong, PointLight, SingleCo
 use a06_shadows_reflection::all_work::{self, NaiveTracer};
 use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface};
 use arbitrary::{Result, Unstructured};
-use common::{ArgumentError, Color, Image, Renderer, Sampling, Settings, Size};
+use common::{ArgumentError, Color, Image, Sampling, Settings, Size};
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 

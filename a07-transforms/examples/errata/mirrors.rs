@@ -8,7 +8,7 @@ use a04_intersections::{Plane, Sphere};
 use a05_lighting::PointLight;
 use a06_shadows_reflection::protocol::OneCounter;
 use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld};
-use common::{ArgumentError, Color, Error, Image, Progress, Renderer, Scene, Settings};
+use common::{ArgumentError, Color, Error, Image, Progress, Scene, Settings};
 
 use super::beside;
 
