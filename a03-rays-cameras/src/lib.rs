@@ -5,6 +5,7 @@
 
 mod bounded_ray;
 mod camera;
+pub mod fast;
 mod lab;
 mod orthographic_camera;
 mod perspective_camera;

@@ -7,7 +7,7 @@ use crate::PixelRandom;
 /// Places the samples of every pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampler {
-    sampling: Sampling,
+    pub(crate) sampling: Sampling,
     /// Cells in each direction of the grid, for the samplings that have one.
     cells: u32,
     samples: u32,

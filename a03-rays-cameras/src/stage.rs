@@ -4,9 +4,10 @@
 use common::{Error, Image, Progress, Renderer, Sampling, Scene, Settings, Size};
 use measure::{Stage, tally};
 
+use crate::fast::render_by_lesson;
 use crate::lab::{all_work, counted, experiments, explain, extremes};
 use crate::scenes::striped_sky;
-use crate::{Camera, Ray, StripeRule, render};
+use crate::{Camera, Ray, StripeRule};
 
 /// The stage for its program.
 #[must_use]
@@ -34,7 +35,10 @@ fn scene(name: &'static str, about: &'static str, rule: StripeRule) -> Scene {
         }
         let radiance = |ray: &Ray| sky.color_for(ray);
         match settings.renderer {
-            Renderer::Lesson | Renderer::Engine => render(&camera, radiance, settings, progress),
+            // The engine does not know the sky.
+            Renderer::Lesson | Renderer::Engine => {
+                render_by_lesson(&camera, radiance, settings, progress)
+            }
             Renderer::AllWork => all_work::render(&camera, radiance, settings, progress),
         }
     };

@@ -5,6 +5,7 @@
 //! with a surface and finds the nearest.
 
 mod axis_aligned_box;
+pub mod fast;
 mod geometry;
 mod hit;
 mod interval;

@@ -1,10 +1,12 @@
 //! `stage`: joins the scenes, renderers, experiments and extreme cases of this
 //! stage for its program.
 
-use a03_rays_cameras::{Ray, all_work, render};
+use a03_rays_cameras::fast::{plan as plan_of_engine, render_by_engine, render_by_lesson};
+use a03_rays_cameras::{Ray, all_work};
 use common::{ArgumentError, Renderer, Scene, Settings};
 use measure::{Stage, tally};
 
+use crate::fast;
 use crate::lab::{counted, experiments, explain, extremes};
 use crate::scenes::{View, scene_1, scene_2, scene_3, scene_4, scene_5, scene_6};
 
@@ -33,14 +35,23 @@ fn scene(
     view: fn() -> Result<View, ArgumentError>,
 ) -> Scene {
     Scene::traced(name, about, move |settings, progress| {
-        let (camera, world) = counting(view()?, settings)?;
+        let (camera, world) = view()?;
+        if settings.renderer == Renderer::Engine {
+            return render_by_engine(fast::scene(&world), &camera, settings, progress);
+        }
+        let (camera, world) = counting((camera, world), settings)?;
         let radiance = |ray: &Ray| world.color_for(ray);
-        match settings.renderer {
-            Renderer::Lesson | Renderer::Engine => render(&camera, radiance, settings, progress),
-            Renderer::AllWork => all_work::render(&camera, radiance, settings, progress),
+        if settings.renderer == Renderer::AllWork {
+            all_work::render(&camera, radiance, settings, progress)
+        } else {
+            render_by_lesson(&camera, radiance, settings, progress)
         }
     })
-    .planned(move |settings| Ok(explain::colors(&view()?.1, settings)))
+    .planned(move |settings| {
+        let (camera, world) = view()?;
+        let plan = explain::colors(&world, settings);
+        Ok(plan_of_engine(plan, fast::scene(&world), &camera, settings))
+    })
 }
 
 /// The same camera and world, which count their work if it is to be counted.

@@ -5,6 +5,7 @@
 //! [`Lighting`], because a later stage has shadows.
 
 mod directional_light;
+pub mod fast;
 mod lab;
 mod lambert;
 mod light;

@@ -1,10 +1,12 @@
 //! `stage`: joins the scenes, renderers, experiments and extreme cases of this
 //! stage for its program.
 
-use a03_rays_cameras::{Ray, render};
+use a03_rays_cameras::Ray;
+use a03_rays_cameras::fast::{plan as plan_of_engine, render_by_engine, render_by_lesson};
 use common::{ArgumentError, Renderer, Scene, Settings};
 use measure::{Stage, tally};
 
+use crate::fast;
 use crate::lab::{all_work, counted, experiments, explain, extremes};
 use crate::scenes::{
     View, lambert, lighting_1, phong, phong_directional, phong_spot, phong_spot_ambient,
@@ -40,20 +42,28 @@ fn scene(
 ) -> Scene {
     Scene::traced(name, about, move |settings, progress| {
         let (camera, world) = view()?;
-        match settings.renderer {
-            Renderer::Lesson | Renderer::Engine => {
-                let (camera, world) = counting((camera, world), settings)?;
-                let radiance = |ray: &Ray| world.color_for(ray);
-                render(&camera, radiance, settings, progress)
-            }
-            Renderer::AllWork => {
-                let (camera, world) = counting((camera, all_work::world(world)?), settings)?;
-                let radiance = |ray: &Ray| world.color_for(ray);
-                a03_rays_cameras::all_work::render(&camera, radiance, settings, progress)
-            }
+        if settings.renderer == Renderer::Engine {
+            return render_by_engine(fast::scene(&world), &camera, settings, progress);
+        }
+        let does_all_work = settings.renderer == Renderer::AllWork;
+        let world = if does_all_work {
+            all_work::world(world)?
+        } else {
+            world
+        };
+        let (camera, world) = counting((camera, world), settings)?;
+        let radiance = |ray: &Ray| world.color_for(ray);
+        if does_all_work {
+            a03_rays_cameras::all_work::render(&camera, radiance, settings, progress)
+        } else {
+            render_by_lesson(&camera, radiance, settings, progress)
         }
     })
-    .planned(move |settings| Ok(explain::scene(&view()?.1, settings)))
+    .planned(move |settings| {
+        let (camera, world) = view()?;
+        let plan = explain::scene(&world, settings);
+        Ok(plan_of_engine(plan, fast::scene(&world), &camera, settings))
+    })
 }
 
 /// The same camera and world, which count their work if it is to be counted.

@@ -3,6 +3,7 @@
 //! The [`RecursiveTracer`] finds the light that reaches a hit with shadow rays,
 //! and follows reflected rays from surface to surface.
 
+pub mod fast;
 mod lab;
 mod light_source;
 mod recursive_tracer;

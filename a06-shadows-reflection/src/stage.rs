@@ -1,14 +1,16 @@
 //! `stage`: joins the scenes, renderers, experiments and extreme cases of this
 //! stage for its program.
 
-use a03_rays_cameras::{Ray, render};
+use a03_rays_cameras::Ray;
+use a03_rays_cameras::fast::{plan as plan_of_engine, render_by_engine, render_by_lesson};
+use a04_intersections::fast::{Translate, shapes};
 use common::{ArgumentError, Renderer, Scene, Settings};
 use measure::{Stage, tally};
 
-use crate::RecursiveTracer;
 use crate::lab::all_work::{self, NaiveTracer};
 use crate::lab::{counted, experiments, explain, extremes};
 use crate::scenes::{View, aab, sphere};
+use crate::{RecursiveTracer, fast};
 
 /// The stage for its program.
 #[must_use]
@@ -17,28 +19,39 @@ pub fn stage() -> Stage {
         name: "a06-shadows-reflection",
         about: "Shadows and mirrors",
         scenes: vec![
-            traced_scene("sphere", "three mirroring spheres on a mirror", sphere).reflecting(),
-            traced_scene("aab", "a box and its shadow", aab),
+            traced_scene(
+                "sphere",
+                "three mirroring spheres on a mirror",
+                |_| sphere(),
+                shapes,
+            )
+            .reflecting(),
+            traced_scene("aab", "a box and its shadow", |_| aab(), shapes),
         ],
         experiments: experiments::experiments,
         extremes: extremes::cases,
     }
 }
 
-/// A scene that the recursive tracer shows.
+/// A scene that the recursive tracer shows. `shapes` hands its geometries to the engine.
 pub fn traced_scene(
     name: &'static str,
     about: &'static str,
-    view: impl Fn() -> Result<View, ArgumentError> + Copy + Send + Sync + 'static,
+    view: impl Fn(&Settings) -> Result<View, ArgumentError> + Copy + Send + Sync + 'static,
+    shapes: Translate,
 ) -> Scene {
     Scene::traced(name, about, move |settings, progress| {
-        let (camera, world) = view()?;
+        let (camera, world) = view(settings)?;
         match settings.renderer {
-            Renderer::Lesson | Renderer::Engine => {
+            Renderer::Lesson => {
                 let (camera, world) = counting((camera, world), settings)?;
                 let tracer = RecursiveTracer::new(&world);
                 let radiance = |ray: &Ray| tracer.trace(ray, settings.depth);
-                render(&camera, radiance, settings, progress)
+                render_by_lesson(&camera, radiance, settings, progress)
+            }
+            Renderer::Engine => {
+                let scene = fast::scene(&world, settings.depth, shapes);
+                render_by_engine(scene, &camera, settings, progress)
             }
             Renderer::AllWork => {
                 let (camera, world) = counting((camera, all_work::world(world)?), settings)?;
@@ -48,7 +61,12 @@ pub fn traced_scene(
             }
         }
     })
-    .planned(move |settings| Ok(explain::traced(&view()?.1, settings)))
+    .planned(move |settings| {
+        let (camera, world) = view(settings)?;
+        let plan = explain::traced(&world, settings);
+        let scene = fast::scene(&world, settings.depth, shapes);
+        Ok(plan_of_engine(plan, scene, &camera, settings))
+    })
 }
 
 /// The same camera and world, which count their work if it is to be counted.

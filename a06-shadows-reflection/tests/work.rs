@@ -2,6 +2,7 @@
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{Camera, Ray};
+use a04_intersections::fast::shapes;
 use a04_intersections::{Plane, Sphere};
 use a05_lighting::{Phong, PointLight, SingleColor};
 use a06_shadows_reflection::all_work::{self, NaiveTracer};
@@ -125,11 +126,11 @@ fn needed_work_is_done() {
 #[test]
 fn the_plan_names_the_work_that_is_left_out() {
     fn plan(casts_shadows: bool, surface: fn() -> Box<dyn Surface>) -> String {
-        let view = move || {
+        let view = move |_: &Settings| {
             let world = world(5.0, casts_shadows).with(floor(), surface());
             Ok((diagonal_camera(3.0)?, world))
         };
-        let scene = traced_scene("floor", "a floor", view);
+        let scene = traced_scene("floor", "a floor", view, shapes);
         scene.plan(&Settings::default()).unwrap().to_string()
     }
     let (behind, first) = ("shadow rays to lights behind", "behind the first object");

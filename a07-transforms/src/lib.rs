@@ -4,6 +4,7 @@
 //! that does so for its children.
 
 mod disc;
+pub mod fast;
 mod lab;
 mod mat4x4;
 mod node;

@@ -30,6 +30,12 @@ impl Mat4x4 {
         self.0.transpose().to_cols_array_2d()
     }
 
+    /// As sixteen numbers of glam.
+    #[must_use]
+    pub const fn to_glam(self) -> DMat4 {
+        self.0
+    }
+
     /// Rows and columns exchanged.
     #[must_use]
     pub fn transposed(self) -> Self {

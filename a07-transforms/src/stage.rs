@@ -2,9 +2,10 @@
 //! stage for its program.
 
 use a06_shadows_reflection::{View, traced_scene};
-use common::{ArgumentError, Scene};
+use common::{ArgumentError, Renderer, Scene, Settings};
 use measure::{Stage, tally};
 
+use crate::fast::shapes;
 use crate::lab::{counted, experiments, explain, extremes};
 use crate::scenes::{box_transformations, disc, sphere_transformation};
 
@@ -31,13 +32,14 @@ fn scene(
     about: &'static str,
     view: fn() -> Result<View, ArgumentError>,
 ) -> Scene {
-    let counted_view = move || {
-        let (camera, mut world) = view()?;
-        if tally::is_on() {
-            world = counted::world(world)?;
+    // The engine counts by itself.
+    let counted_view = move |settings: &Settings| {
+        let (camera, world) = view()?;
+        if tally::is_on() && settings.renderer != Renderer::Engine {
+            return Ok((camera, counted::world(world)?));
         }
         Ok((camera, world))
     };
-    traced_scene(name, about, counted_view)
+    traced_scene(name, about, counted_view, shapes)
         .also_planned(move |_, plan| Ok(explain::nodes(plan, &view()?.1)))
 }

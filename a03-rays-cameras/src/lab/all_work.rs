@@ -5,6 +5,7 @@ use std::hint::black_box;
 use common::{Color, Error, Image, Progress, Settings};
 use measure::tally::{self, Work};
 
+use crate::fast::render_by_lesson;
 use crate::{Camera, PixelRandom, Ray};
 
 /// Like [`render`](crate::render), but draws two random numbers for each sample
@@ -27,5 +28,5 @@ pub fn render(
         }
         radiance(ray)
     };
-    crate::render(camera, radiance, settings, progress)
+    render_by_lesson(camera, radiance, settings, progress)
 }

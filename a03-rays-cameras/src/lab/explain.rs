@@ -1,13 +1,21 @@
 //! The plans of this stage's scenes: which rays a picture needs, and which work
 //! the lesson leaves out compared with all work.
 
-use common::{Plan, Settings};
+use common::{Bound, Plan, Settings};
 
 use crate::Sampler;
 
 /// The rays from the camera.
 #[must_use]
 pub fn samples(settings: &Settings) -> Plan {
+    if let Some(error) = settings.max_error {
+        let need = format!("primary rays: as many as an error of {error} takes");
+        return Plan::default().needing(need).nearly_without(
+            "samples where the light changes evenly",
+            "the samples around them predict their light",
+            Bound::Error(error),
+        );
+    }
     let samples = Sampler::new(settings).samples();
     let rays = settings.size.pixels() as u64 * u64::from(samples);
     let plan = Plan::default().needing(format!("primary rays: {rays}, {samples} per pixel"));

@@ -1,0 +1,105 @@
+//! Hands the cameras, rays and samples of this stage to the engine.
+
+use std::any::Any;
+
+use a02_math::{Point3, Vector3};
+use common::{Color, Error, Image, Plan, Progress, Renderer, Settings};
+use measure::tally::{self, Work};
+
+use crate::{Basis, Camera, OrthographicCamera, PerspectiveCamera, Ray, Sampler, render};
+
+impl From<&Ray> for engine::Ray {
+    fn from(ray: &Ray) -> Self {
+        Self {
+            origin: ray.origin().to_glam(),
+            direction: ray.direction().to_glam(),
+        }
+    }
+}
+
+impl From<&engine::Ray> for Ray {
+    fn from(ray: &engine::Ray) -> Self {
+        let (origin, direction) = (ray.origin, ray.direction);
+        Self::derived(Point3::from_glam(origin), Vector3::from_glam(direction))
+    }
+}
+
+fn basis(basis: Basis) -> engine::Basis {
+    engine::Basis {
+        e: basis.e.to_glam(),
+        u: basis.u.to_glam(),
+        v: basis.v.to_glam(),
+        w: basis.w.to_glam(),
+    }
+}
+
+/// The camera as the engine sees it: in numbers, or as a function where it does not know
+/// the type.
+#[must_use]
+pub fn camera(camera: &dyn Camera) -> engine::Camera<'_> {
+    let any: &dyn Any = camera;
+    if let Some(boxed) = any.downcast_ref::<Box<dyn Camera>>() {
+        self::camera(&**boxed)
+    } else if let Some(camera) = any.downcast_ref::<PerspectiveCamera>() {
+        engine::Camera::Perspective {
+            basis: basis(camera.basis),
+            half_tangent: camera.opening.half_tangent,
+        }
+    } else if let Some(camera) = any.downcast_ref::<OrthographicCamera>() {
+        engine::Camera::Orthographic {
+            basis: basis(camera.basis),
+            scale: camera.s,
+        }
+    } else {
+        let ray_for = |size, x, y| engine::Ray::from(&camera.ray_for(size, x, y));
+        engine::Camera::Other(Box::new(ray_for))
+    }
+}
+
+impl engine::Sampler for Sampler {
+    fn samples(&self) -> u32 {
+        Self::samples(self)
+    }
+
+    fn place(&self, i: u32, column: u32, row: u32) -> (f64, f64) {
+        if self.sampling.is_random() {
+            tally::count_all(Work::RandomNumber, 2);
+        }
+        Self::place(self, i, column, row)
+    }
+}
+
+/// Renders a picture by the lesson: every pixel with the samples that the settings name,
+/// or with the engine's adaptive sampling, where the settings bound the error.
+pub fn render_by_lesson(
+    camera: &(impl Camera + ?Sized),
+    radiance: impl Fn(&Ray) -> Color + Sync,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<Image, Error> {
+    let Some(max_error) = settings.max_error else {
+        return render(camera, radiance, settings, progress);
+    };
+    let light = |x, y| radiance(&camera.ray_for(settings.size, x, y));
+    engine::adaptive::render_image(max_error, light, settings, progress)
+}
+
+/// Renders a picture by the engine.
+pub fn render_by_engine(
+    scene: engine::Scene,
+    camera: &dyn Camera,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<Image, Error> {
+    let renderer = engine::Renderer::new(scene, self::camera(camera), settings);
+    renderer.render(&Sampler::new(settings), settings, progress)
+}
+
+/// Adds to a plan the work that the engine skips, if the settings choose it.
+#[must_use]
+pub fn plan(plan: Plan, scene: engine::Scene, camera: &dyn Camera, settings: &Settings) -> Plan {
+    if settings.renderer != Renderer::Engine {
+        return plan;
+    }
+    engine::Renderer::new(scene, self::camera(camera), settings).plan(plan)
+}

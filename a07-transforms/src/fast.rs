@@ -1,0 +1,33 @@
+//! Hands nodes and discs to the engine.
+
+use std::any::Any;
+
+use a04_intersections::Geometry;
+
+use crate::{Disc, Mat4x4, Node, Transform};
+
+/// The shapes that a geometry of this stage, or of one below it, consists of. A node
+/// hands each of its children over under its transform.
+pub fn shapes<'a>(geometry: &'a dyn Geometry, add: &mut dyn FnMut(engine::Shape<'a>)) {
+    let any: &dyn Any = geometry;
+    if let Some(boxed) = any.downcast_ref::<Box<dyn Geometry>>() {
+        shapes(&**boxed, add);
+    } else if let Some(node) = any.downcast_ref::<Node>() {
+        let transform = transform(&node.transform);
+        for child in &node.children {
+            shapes(&**child, &mut |shape| add(shape.transformed(&transform)));
+        }
+    } else if let Some(disc) = any.downcast_ref::<Disc>() {
+        add(engine::Shape::Disc(engine::Disc {
+            plane: disc.plane.into(),
+            radius: disc.r,
+        }));
+    } else {
+        a04_intersections::fast::shapes(geometry, add);
+    }
+}
+
+fn transform(transform: &Transform) -> engine::Transform {
+    let [matrix, inverse] = [transform.matrix(), transform.inverse()].map(Mat4x4::to_glam);
+    engine::Transform { matrix, inverse }
+}

@@ -1,0 +1,181 @@
+//! The engine hits transformed shapes and discs as the lesson's nodes do, to the last
+//! bit.
+
+use std::f64::consts::PI;
+
+use a02_math::{Normal3, Point3, Vector3};
+use a03_rays_cameras::{PixelRandom, Ray};
+use a04_intersections::fast::add_objects;
+use a04_intersections::{AxisAlignedBox, Interval, Sphere, Triangle, World};
+use a07_transforms::fast::shapes;
+use a07_transforms::{Disc, Node, Transform};
+use common::{Color, Settings};
+use engine::{Camera, Renderer, Scene, Shading, Surface};
+
+const RINGS: u32 = 8;
+
+/// A point of the unit sphere between two poles, in a grid of rings.
+fn place(ring: u32, step: u32) -> Point3 {
+    let polar = PI * f64::from(ring) / f64::from(RINGS);
+    let around = 2.0 * PI * f64::from(step % RINGS) / f64::from(RINGS);
+    let (sin, cos) = (libm::sin(polar), libm::cos(polar));
+    Point3::new(sin * libm::cos(around), cos, sin * libm::sin(around))
+}
+
+/// A closed mesh round the origin; the narrow triangles at the poles are left
+/// out.
+fn mesh(mut node: Node) -> Node {
+    for ring in 1..RINGS - 1 {
+        for step in 0..RINGS {
+            let (a, b) = (place(ring, step), place(ring, step + 1));
+            let (c, d) = (place(ring + 1, step), place(ring + 1, step + 1));
+            node = node
+                .with(Triangle::new(a, b, c).unwrap())
+                .with(Triangle::new(b, d, c).unwrap());
+        }
+    }
+    node
+}
+
+fn scaled(s: f64) -> Transform {
+    Transform::IDENTITY.scale(s, s, s).unwrap()
+}
+
+/// Two meshes, one of them mirrored, stretched and nested, with simpler shapes
+/// round about; and as many places worth aiming at, on edges and rims.
+fn world(s: f64, far: f64) -> (World<usize>, Vec<Point3>) {
+    let at = |x: f64, y: f64| Point3::new(x * s + far, y * s, -far);
+    let turned = Transform::IDENTITY
+        .translate(at(0.0, 0.0))
+        .and_then(|t| t.scale(s, s, s)?.rotate_x(0.7)?.rotate_y(-0.4))
+        .unwrap();
+    let inner = Transform::IDENTITY
+        .scale(-1.0, 0.5, 2.0)
+        .and_then(|t| t.rotate_z(1.1))
+        .unwrap();
+    let outer = Transform::IDENTITY
+        .translate(at(3.0, 1.0))
+        .and_then(|t| t.scale(s, s, s)?.rotate_y(0.3))
+        .unwrap();
+    let unit = Sphere::new(Point3::ORIGIN, 1.0).unwrap();
+    let corner = Point3::new(0.5, 0.5, 0.5);
+    let cube = AxisAlignedBox::new(Point3::new(-0.5, -0.5, -0.5), corner).unwrap();
+    let tilted = Normal3::new(1.0, 2.0, -1.0);
+    let disc = Disc::new(at(-2.0, 2.0), tilted, s).unwrap();
+    let side = |x, y| Transform::IDENTITY.translate(at(x, y)).unwrap();
+    let small = |x, y| side(x, y).scale(s, s, s).unwrap();
+    let ellipsoid = side(0.0, 3.0).scale(2.0 * s, 0.1 * s, s).unwrap();
+
+    let nested = Node::new(outer)
+        .with(mesh(Node::new(inner)))
+        .with(Node::new(scaled(0.3)).with(unit).with(cube));
+    let world = World::new(Color::BLACK)
+        .unwrap()
+        .with(mesh(Node::new(turned)), 0)
+        .with(nested, 1)
+        .with(Node::new(small(-3.0, 0.0)).with(cube), 2)
+        .with(Node::new(ellipsoid).with(unit), 3)
+        .with(disc, 4)
+        // Where two are met at once, the first of the list counts.
+        .with(Node::new(small(-3.0, 0.0)).with(cube), 5);
+
+    let mut targets = Vec::new();
+    for ring in 1..RINGS {
+        for step in 0..RINGS {
+            let (p, q) = (place(ring, step), place(ring, step + 1));
+            let edge = p + (q - p) * 0.5;
+            for p in [p, edge] {
+                targets.push(turned.matrix() * p);
+                targets.push(outer.matrix() * (inner.matrix() * p));
+                targets.push(ellipsoid.matrix() * p);
+            }
+        }
+    }
+    let cube = small(-3.0, 0.0).matrix();
+    for i in 0..8 {
+        let [x, y, z] = [1, 2, 4].map(|bit| if i & bit == 0 { -0.5 } else { 0.5 });
+        targets.push(cube * Point3::new(x, y, z));
+    }
+    (world, targets)
+}
+
+/// From anywhere round about to the targets, to near by, and past them.
+fn rays(targets: &[Point3], s: f64) -> impl Iterator<Item = Ray> {
+    (0..100_000).map(move |i| {
+        let random = PixelRandom::new(7, i, 0);
+        let number = |n| 2.0 * random.uniform(n) - 1.0;
+        let way = Vector3::new(number(0), number(1), number(2));
+        let target = targets[i as usize % targets.len()];
+        let target = match i % 3 {
+            0 => target,
+            1 => target + Vector3::new(number(3), number(4), number(5)) * (1e-9 * s),
+            _ => target + Vector3::new(number(3), number(4), number(5)) * s,
+        };
+        let origin = target + way * (if i % 5 == 0 { 1e4 } else { 6.0 } * s);
+        Ray::new(origin, target - origin).unwrap()
+    })
+}
+
+/// The world prepared by the engine, for rays of no bundle.
+fn prepared(world: &World<usize>) -> Renderer<'_> {
+    let mut scene = Scene::new(Color::BLACK, Color::BLACK, 1);
+    add_objects(&mut scene, world, shapes, |_| {
+        Surface::matt(Shading::SingleColor(Color::BLACK))
+    });
+    let camera = Camera::Other(Box::new(|_, _, _| engine::Ray {
+        origin: [0.0; 3].into(),
+        direction: [1.0, 0.0, 0.0].into(),
+    }));
+    Renderer::new(scene, camera, &Settings::default())
+}
+
+fn check(s: f64, far: f64) {
+    let (world, targets) = world(s, far);
+    let engine = prepared(&world);
+    let mut met = [0; 6];
+    let rays: Vec<_> = rays(&targets, s).collect();
+    for four in rays.as_chunks::<4>().0 {
+        let of_engine = four.each_ref().map(engine::Ray::from);
+        let together = engine.hit_together(of_engine.each_ref(), 0b1111);
+        for ((ray, of_engine), together) in four.iter().zip(&of_engine).zip(together) {
+            let expected = world.hit(ray, Interval::AHEAD);
+            let expected = expected.map(|(hit, surface)| (engine::Hit::from(hit), *surface));
+            let alone = engine.hit(of_engine, engine::Interval::AHEAD);
+            for found in [alone, together] {
+                let found = found.map(|(hit, object)| (hit, object as usize));
+                assert_eq!(found, expected, "{ray:?}");
+            }
+            let is_hit = engine.is_hit(of_engine, engine::Interval::AHEAD);
+            assert_eq!(is_hit, expected.is_some(), "{ray:?}");
+            if let (Some((hit, surface)), Some((found, _))) = (expected, alone) {
+                assert_eq!(hit.t.to_bits(), found.t.to_bits());
+                met[surface] += 1;
+                let before = engine::Interval::before(hit.t);
+                assert!(!engine.is_hit(of_engine, before));
+            }
+        }
+    }
+    // All are met, but the twin of the cube behind it in the list.
+    assert!(met[..5].iter().all(|times| *times > 100), "{met:?}");
+    assert_eq!(met[5], 0);
+}
+
+#[test]
+fn nodes_are_met_alike() {
+    check(1.0, 0.0);
+}
+
+#[test]
+fn tiny_nodes_are_met_alike() {
+    check(1e-6, 0.0);
+}
+
+#[test]
+fn huge_nodes_are_met_alike() {
+    check(1e6, 0.0);
+}
+
+#[test]
+fn nodes_far_from_the_origin_are_met_alike() {
+    check(1.0, 1e7);
+}
