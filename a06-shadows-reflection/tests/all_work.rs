@@ -63,7 +63,7 @@ fn with_all_work_every_ray_brings_back_the_same_color() {
             let depth = numbers.one_of(6);
             let color = RecursiveTracer::new(&lesson).trace(&ray, depth);
             let same = NaiveTracer::new(&all).trace(&ray, depth);
-            let [expected, got] = [color, same].map(Color::channels);
+            let [expected, got] = [color, same].map(common::Color::channels);
             assert_eq!(expected.map(f64::to_bits), got.map(f64::to_bits), "{seed}");
             is_met += u32::from(color != lesson.objects().background());
         }
