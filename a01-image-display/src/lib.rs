@@ -10,14 +10,15 @@ mod paint_diagonal;
 mod painter;
 mod scenes;
 mod show_image;
+mod stage;
 #[cfg(feature = "window")]
 mod window;
 
 pub use canvas::Canvas;
 pub use paint_diagonal::PaintDiagonal;
 pub use painter::Painter;
-pub use scenes::stage;
 pub use show_image::ShowImage;
+pub use stage::stage;
 #[cfg(feature = "window")]
 pub use window::Window;
 

@@ -1,40 +1,28 @@
 //! The pictures of this stage, under the names of the course.
 
-use common::{Scene, Size};
-use measure::Stage;
+use std::path::Path;
+
+use common::{Error, Image, Size};
 
 use crate::{PaintDiagonal, Painter, ShowImage};
 
-/// The stage and its scenes.
-#[must_use]
-pub fn stage() -> Stage {
-    Stage {
-        name: "a01-image-display",
-        about: "Pixels, pictures and the window that shows them",
-        scenes: vec![
-            Scene::painted("diagonal", "a red diagonal on black", |settings, _| {
-                PaintDiagonal::new(settings.size).image()
-            }),
-            Scene::painted(
-                "painter",
-                "a red disc before a gradient, from an array of packed pixels",
-                |settings, _| Painter::new(settings.size, disc_on_gradient(settings.size))?.image(),
-            ),
-            Scene::opened(
-                "show-image",
-                "a picture file; the bundled test card where --open names none",
-                |settings, _| {
-                    let shown = match &settings.file {
-                        Some(path) => ShowImage::open(path),
-                        None => ShowImage::test_card(),
-                    };
-                    shown.map(ShowImage::into_image)
-                },
-            ),
-        ],
-        experiments: crate::lab::experiments::experiments,
-        extremes: |_| Vec::new(),
-    }
+/// A red diagonal on black.
+pub fn diagonal(size: Size) -> Result<Image, Error> {
+    PaintDiagonal::new(size).image()
+}
+
+/// A red disc before a gradient, from an array of packed pixels.
+pub fn painter(size: Size) -> Result<Image, Error> {
+    Painter::new(size, disc_on_gradient(size))?.image()
+}
+
+/// A picture file; the bundled test card without one.
+pub fn show_image(file: Option<&Path>) -> Result<Image, Error> {
+    let shown = match file {
+        Some(path) => ShowImage::open(path),
+        None => ShowImage::test_card(),
+    };
+    shown.map(ShowImage::into_image)
 }
 
 /// Packed pixels: green grows to the right and blue to the top, and in the

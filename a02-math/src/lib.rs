@@ -10,6 +10,7 @@ mod mat3x3;
 mod normal3;
 mod point3;
 mod scenes;
+mod stage;
 mod triple;
 mod vector3;
 
@@ -17,7 +18,7 @@ pub use direction::Direction;
 pub use mat3x3::Mat3x3;
 pub use normal3::Normal3;
 pub use point3::Point3;
-pub use scenes::stage;
+pub use stage::stage;
 pub use vector3::Vector3;
 
 /// The code in this stage's chapter is tested with it.

@@ -1,29 +1,12 @@
 //! The picture of this stage: what the operations on vectors mean.
 
 use a01_image_display::Canvas;
-use common::{Color, Error, Image, Scene, Size};
-use measure::Stage;
+use common::{Color, Error, Image, Size};
 
 use crate::{Normal3, Vector3};
 
-/// The stage for its program.
-#[must_use]
-pub fn stage() -> Stage {
-    Stage {
-        name: "a02-math",
-        about: "Vectors, points, normals and matrices",
-        scenes: vec![Scene::painted(
-            "vectors",
-            "sum, cross product, projection and reflection of vectors",
-            |settings, _| vectors(settings.size),
-        )],
-        experiments: crate::lab::experiments::experiments,
-        extremes: crate::lab::extremes::cases,
-    }
-}
-
 /// Four panels, one an operation.
-fn vectors(size: Size) -> Result<Image, Error> {
+pub fn vectors(size: Size) -> Result<Image, Error> {
     let mut canvas = Canvas::new(size, PAPER)?;
     let panels: [(fn(&mut Panel), _, _); 4] = [
         (sum, (0.0, 0.0), (40.0, 185.0)),

@@ -15,18 +15,18 @@ pub struct Sampler {
 }
 
 impl Sampler {
-    /// Samples as the settings ask for them, at least one. The samplings on a
-    /// grid take the greatest square number that is not above the one asked for.
+    /// As many samples as the settings say, and at least one. The samplings on a
+    /// grid take the greatest square number that is not above that.
     #[must_use]
     pub fn new(settings: &Settings) -> Self {
-        let asked = settings.samples.max(1);
-        let cells = asked.isqrt();
+        let wanted = settings.samples.max(1);
+        let cells = wanted.isqrt();
         Self {
             sampling: settings.sampling,
             cells,
             samples: match settings.sampling {
                 Sampling::Center => 1,
-                Sampling::Random => asked,
+                Sampling::Random => wanted,
                 Sampling::Regular | Sampling::Stratified => cells * cells,
             },
             seed: settings.seed,

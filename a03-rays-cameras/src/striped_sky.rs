@@ -5,7 +5,7 @@ use common::{ArgumentError, Color, Size};
 use crate::{PinholeCamera, Ray};
 use a02_math::Vector3;
 
-/// What makes two rays meet the same stripe.
+/// The rule by which two rays meet the same stripe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StripeRule {
     /// The height of the direction of length 1, as the text has it. Rays of one

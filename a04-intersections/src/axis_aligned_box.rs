@@ -26,9 +26,9 @@ impl AxisAlignedBox {
 }
 
 /// Rounding moves each of the two distances that are compared by at most
-/// `γ(3) = 3u / (1 - 3u)` of itself, with `u = 2^-53`. So much wider, a slab
-/// loses no ray along an edge or through a corner (Ize, Robust BVH Ray
-/// Traversal, JCGT 2(2), 2013).
+/// `γ(3) = 3u / (1 - 3u)` of itself, with `u = 2^-53`. A slab that
+/// is wider by this factor loses no ray along an edge or through a corner (Ize,
+/// Robust BVH Ray Traversal, JCGT 2(2), 2013).
 const WIDER: f64 = {
     let three_u = 1.5 * f64::EPSILON;
     1.0 + 2.0 * (three_u / (1.0 - three_u))

@@ -2,8 +2,7 @@
 
 use a02_math::Normal3;
 
-/// A meeting of a ray and a geometry. The ray and the geometry are known to
-/// whoever asked for it.
+/// A meeting of a ray and a geometry, which the caller knows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
     /// Where on the ray.

@@ -1,14 +1,14 @@
 //! `Interval`: which `t` of a ray count.
 //!
-//! The interval goes INTO every search. Asking only afterwards whether the
-//! nearest hit is valid would let an invalid one hide the valid one behind it.
+//! The interval goes INTO every search. A check of the nearest hit afterwards
+//! would let an invalid one hide the valid one behind it.
 
 /// An open interval: its ends do not belong to it, and NaN belongs to none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// What `t` must exceed.
+    /// The lower end, which `t` must exceed.
     pub min: f64,
-    /// What `t` must stay below.
+    /// The upper end, which `t` must stay below.
     pub max: f64,
 }
 

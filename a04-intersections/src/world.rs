@@ -8,8 +8,8 @@ use crate::{Geometry, Hit, Interval};
 
 /// A background, and a plain list of geometries, each with its surface.
 ///
-/// The surface is whatever the reader wants to know of a geometry that is hit:
-/// here a [`Color`], later a material.
+/// The surface describes the look of a geometry that is hit: here a [`Color`],
+/// later a material.
 #[derive(Debug)]
 pub struct World<S> {
     background: Color,

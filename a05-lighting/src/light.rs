@@ -21,7 +21,7 @@ pub struct Illumination {
 
 /// A source of light.
 pub trait Light: Any + Debug + Send + Sync {
-    /// What the light sends to `point`, or none if that lies outside of its
+    /// The light that arrives at `point`, or none if that lies outside of the
     /// beam or in the source itself.
     fn illumination(&self, point: Point3) -> Option<Illumination>;
 

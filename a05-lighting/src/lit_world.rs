@@ -22,7 +22,7 @@ impl LitWorld {
 }
 
 impl<S, L> LitWorld<S, L> {
-    /// A world without objects and lights, of whatever surfaces and lights.
+    /// A world without objects and lights, of any type of surfaces and lights.
     pub fn empty(background: Color, ambient: Color) -> Result<Self, ArgumentError> {
         Ok(Self {
             world: World::new(background)?,

@@ -22,7 +22,7 @@ pub(crate) fn squaring(mut base: f64, mut exponent: u64) -> f64 {
     power
 }
 
-/// Up to here squaring loses at most 1e-13, which nobody sees.
+/// Up to here squaring loses at most 1e-13, which is invisible.
 const LARGEST: f64 = 1024.0;
 
 /// The exponent, if it is a small whole number.

@@ -20,7 +20,7 @@ impl SpotLight {
     /// than `half_angle` from `direction`, which has any length but 0.
     ///
     /// The half angle, in radians, is from 1e-7 to π; the cosine of a smaller
-    /// one cannot be told from 1.
+    /// one rounds to 1.
     pub fn new(
         color: Color,
         position: Point3,
@@ -39,7 +39,7 @@ impl SpotLight {
 }
 
 /// Compares cosines, not angles: the arc cosine of a product that rounding has
-/// moved beyond 1 is NaN, and it cannot tell small angles apart.
+/// moved beyond 1 is NaN, and it maps different small angles to the same number.
 impl Light for SpotLight {
     // ANCHOR: illumination
     fn illumination(&self, point: Point3) -> Option<Illumination> {

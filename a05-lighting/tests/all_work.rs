@@ -8,6 +8,7 @@ use a05_lighting::{
     DirectionalLight, Lambert, Light, LitWorld, Material, Phong, PointLight, SingleColor,
     SpotLight, all_work,
 };
+use common::Color;
 use numbers::Numbers;
 
 fn material(numbers: &mut Numbers) -> Box<dyn Material> {
@@ -51,7 +52,7 @@ fn with_all_work_every_ray_brings_back_the_same_color() {
         for _ in 0..100 {
             let ray = Ray::new(numbers.point(), numbers.vector()).unwrap();
             let color = lesson.color_for(&ray);
-            let [expected, got] = [color, all.color_for(&ray)].map(common::Color::channels);
+            let [expected, got] = [color, all.color_for(&ray)].map(Color::channels);
             assert_eq!(expected.map(f64::to_bits), got.map(f64::to_bits), "{seed}");
             is_lit += u32::from(color != lesson.objects().background());
         }

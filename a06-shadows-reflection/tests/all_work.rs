@@ -8,6 +8,7 @@ use a03_rays_cameras::Ray;
 use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight, SingleColor, SpotLight};
 use a06_shadows_reflection::all_work::{self, NaiveTracer};
 use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface};
+use common::Color;
 use numbers::Numbers;
 
 fn surface(numbers: &mut Numbers) -> Box<dyn Surface> {
@@ -63,7 +64,7 @@ fn with_all_work_every_ray_brings_back_the_same_color() {
             let depth = numbers.one_of(6);
             let color = RecursiveTracer::new(&lesson).trace(&ray, depth);
             let same = NaiveTracer::new(&all).trace(&ray, depth);
-            let [expected, got] = [color, same].map(common::Color::channels);
+            let [expected, got] = [color, same].map(Color::channels);
             assert_eq!(expected.map(f64::to_bits), got.map(f64::to_bits), "{seed}");
             is_met += u32::from(color != lesson.objects().background());
         }

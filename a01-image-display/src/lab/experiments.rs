@@ -11,7 +11,7 @@ use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageResult};
 use measure::experiment::{Axis, Curve, Experiment, Point};
 
-use crate::scenes::stage;
+use crate::stage;
 
 /// All experiments of the stage.
 pub fn experiments() -> Vec<Experiment<'static>> {

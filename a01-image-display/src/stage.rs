@@ -1,0 +1,34 @@
+//! `stage`: joins the scenes, experiments and extreme cases of this stage for its
+//! program.
+
+use common::Scene;
+use measure::Stage;
+
+use crate::lab::experiments::experiments;
+use crate::scenes::{diagonal, painter, show_image};
+
+/// The stage for its program.
+#[must_use]
+pub fn stage() -> Stage {
+    Stage {
+        name: "a01-image-display",
+        about: "Pixels, pictures and the window that shows them",
+        scenes: vec![
+            Scene::painted("diagonal", "a red diagonal on black", |settings, _| {
+                diagonal(settings.size)
+            }),
+            Scene::painted(
+                "painter",
+                "a red disc before a gradient, from an array of packed pixels",
+                |settings, _| painter(settings.size),
+            ),
+            Scene::opened(
+                "show-image",
+                "a picture file; the bundled test card where --open names none",
+                |settings, _| show_image(settings.file.as_deref()),
+            ),
+        ],
+        experiments,
+        extremes: |_| Vec::new(),
+    }
+}
