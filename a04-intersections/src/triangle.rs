@@ -107,7 +107,7 @@ impl Geometry for Triangle {
             return None;
         }
         let determinant = u + v + w;
-        if determinant == 0.0 || is_far_beside([a, b, c]) {
+        if determinant == 0.0 || is_beside([a, b, c]) {
             return None;
         }
 
@@ -159,13 +159,11 @@ impl ShearedSpace {
     // ANCHOR_END: sheared
 }
 
-/// Whether all corners in sheared space are farther to one side of the axis than
-/// half the distance to the farthest. Seen from 2^53 of its lengths away, the
-/// corners of a triangle are one point up to rounding, and the signs of the test
-/// mean nothing. No triangle that a ray really meets is so far beside it.
-fn is_far_beside(corners: [[f64; 3]; 3]) -> bool {
-    let all = corners.iter().flat_map(|[x, y, _]| [x, y]);
-    let half = all.fold(0.0, |far, x| x.abs().max(far)) / 2.0;
-    let beyond = |axis: usize, sign: f64| corners.iter().all(|c| sign * c[axis] > half);
-    beyond(0, 1.0) || beyond(0, -1.0) || beyond(1, 1.0) || beyond(1, -1.0)
+/// Whether all corners in sheared space lie on one side of the axis, in x or in y.
+/// Then the ray passes beside the triangle, and signs of areas that say otherwise come
+/// from rounding: where the ray lies in the plane of the triangle, and where it is so
+/// far away that the corners are almost one point.
+fn is_beside(corners: [[f64; 3]; 3]) -> bool {
+    let all = |axis: usize, sign: f64| corners.iter().all(|c| sign * c[axis] > 0.0);
+    all(0, 1.0) || all(0, -1.0) || all(1, 1.0) || all(1, -1.0)
 }

@@ -66,7 +66,7 @@ impl Triangle {
             return None;
         }
         let determinant = u + v + w;
-        if determinant == 0.0 || is_far_beside([a, b, c]) {
+        if determinant == 0.0 || is_beside([a, b, c]) {
             return None;
         }
         let t = (u * a[2] + v * b[2] + w * c[2]) / determinant;
@@ -88,7 +88,7 @@ impl Triangle {
         let right = u.simd_lt(zero) | v.simd_lt(zero) | w.simd_lt(zero);
         let left = u.simd_gt(zero) | v.simd_gt(zero) | w.simd_gt(zero);
         let determinant = u + v + w;
-        let missed = (right & left) | determinant.simd_eq(zero) | are_far_beside([a, b, c]);
+        let missed = (right & left) | determinant.simd_eq(zero) | are_beside([a, b, c]);
 
         let t = (u * a[2] + v * b[2] + w * c[2]) / determinant;
         Barycentric {
@@ -130,24 +130,18 @@ pub(crate) struct Barycentric {
     gamma: Lanes,
 }
 
-/// Whether all corners in sheared space are farther to one side of the axis than half
-/// the way to the farthest. Seen from 2^53 of its lengths away a triangle's corners
-/// are one point but for rounding, and so are the signs of the test.
-fn is_far_beside(corners: [[f64; 3]; 3]) -> bool {
-    let all = corners.iter().flat_map(|[x, y, _]| [x, y]);
-    let half = all.fold(0.0, |far, x| x.abs().max(far)) / 2.0;
-    let beyond = |axis: usize, sign: f64| corners.iter().all(|c| sign * c[axis] > half);
-    beyond(0, 1.0) || beyond(0, -1.0) || beyond(1, 1.0) || beyond(1, -1.0)
+/// Whether all corners in sheared space lie on one side of the axis, in x or in y: then
+/// signs of areas that say otherwise come from rounding.
+fn is_beside(corners: [[f64; 3]; 3]) -> bool {
+    let all = |axis: usize, sign: f64| corners.iter().all(|c| sign * c[axis] > 0.0);
+    all(0, 1.0) || all(0, -1.0) || all(1, 1.0) || all(1, -1.0)
 }
 
 /// The same for four rays.
 #[inline]
-fn are_far_beside([a, b, c]: [[Lanes; 3]; 3]) -> Lanes {
-    let least = |axis: usize| a[axis].fast_min(b[axis]).fast_min(c[axis]);
-    let most = |axis: usize| a[axis].fast_max(b[axis]).fast_max(c[axis]);
-    let (low, high) = ([least(0), least(1)], [most(0), most(1)]);
-    let largest = |axis: usize| high[axis].fast_max(-low[axis]);
-    let half = largest(0).fast_max(largest(1)) / Lanes::splat(2.0);
-    let beyond = |axis: usize| low[axis].simd_gt(half) | high[axis].simd_lt(-half);
-    beyond(0) | beyond(1)
+fn are_beside([a, b, c]: [[Lanes; 3]; 3]) -> Lanes {
+    let zero = Lanes::ZERO;
+    let above = |axis: usize| a[axis].fast_min(b[axis]).fast_min(c[axis]).simd_gt(zero);
+    let below = |axis: usize| a[axis].fast_max(b[axis]).fast_max(c[axis]).simd_lt(zero);
+    above(0) | below(0) | above(1) | below(1)
 }
