@@ -14,7 +14,8 @@ pub struct OrthographicCamera {
 
 impl OrthographicCamera {
     /// A camera at `e` looking along `g` with `t` upwards, whose picture shows
-    /// a height of `s`: a length of the scene from 1e-100 to 1e100.
+    /// a height of `s` from the middle of its lowest pixel to the middle of its
+    /// highest: a length of the scene from 1e-100 to 1e100.
     pub fn new(e: Point3, g: Vector3, t: Vector3, s: f64) -> Result<Self, ArgumentError> {
         Ok(Self {
             basis: Basis::new(e, g, t)?,

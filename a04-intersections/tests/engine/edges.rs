@@ -53,6 +53,36 @@ fn rays_that_just_touch_are_decided_as_in_the_list() {
     );
 }
 
+/// Far from the origin coordinates are multiples of 2^-9: the spheres are a few dozen of
+/// these units wide, and rays towards their rims tell bounds apart that are half a unit
+/// too small.
+#[test]
+fn spheres_a_few_units_of_rounding_wide_are_met_as_in_the_list() {
+    let (far, unit) = (1e13, 1.0 / 512.0);
+    let mut numbers = Numbers::new(17);
+    let mut point = |reach: f64| {
+        let [x, y, z] = [0; 3].map(|_| (numbers.next() * reach).round() * unit);
+        Point3::new(far + x, y - far, far + z)
+    };
+    let (mut hits, mut all) = (0, 0);
+    for n in 0..200 {
+        let spheres: Vec<_> = (0..12)
+            .map(|i| {
+                let r = (5.0 + f64::from((7 * n + i) % 20) / 3.0) * unit;
+                Sphere::new(point(40.0), r).unwrap()
+            })
+            .collect();
+        let world = list(&spheres);
+        let engine = prepared(&world, &[]);
+        let rays: Vec<_> = (0..400)
+            .map(|_| towards(point(200.0), point(50.0)))
+            .collect();
+        hits += compare(&world, &engine, &rays);
+        all += rays.len();
+    }
+    assert!((all / 10..all).contains(&hits), "{hits} of {all}");
+}
+
 /// Four rays together are told that they pass a sphere sooner than one alone is.
 #[test]
 fn four_rays_pass_a_sphere_by_next_to_nothing_as_one_does() {

@@ -48,33 +48,35 @@ pub fn world(seed: u64, count: usize, place: Place) -> World<usize> {
         let corners = [at, at + a, at + b].map(|corner| place.point(corner));
         let [p, q, r] = corners;
         let length = place.size * small * (1.1 + numbers.next()) / 2.0;
-        world = match i % 8 {
-            0..3 => world.with(Sphere::new(p, length).unwrap(), i),
-            3 => world.with(AxisAlignedBox::new(p, q).unwrap(), i),
-            4 => world.with(Triangle::new(p, q, r).unwrap(), i),
+        // Rounding may put the corners of a tiny triangle on a line.
+        let triangle = |third: Point3| Triangle::new(p, q, third).ok();
+        let flat = match i % 8 {
+            0..3 => {
+                world = world.with(Sphere::new(p, length).unwrap(), i);
+                None
+            }
+            3 => {
+                world = world.with(AxisAlignedBox::new(p, q).unwrap(), i);
+                None
+            }
+            4 => triangle(r),
             5 => {
                 let normals = [numbers.vector(), numbers.vector(), numbers.vector()];
-                let smooth = Triangle::new(p, q, r).unwrap();
-                world.with(
-                    smooth
-                        .with_normals(normals.map(Vector3::as_normal))
-                        .unwrap(),
-                    i,
-                )
+                let normals = normals.map(Vector3::as_normal);
+                triangle(r).and_then(|flat| flat.with_normals(normals).ok())
             }
             6 => {
                 // The same sphere twice: the first one counts.
                 let sphere = Sphere::new(p, length).unwrap();
-                world.with(sphere, i).with(sphere, count + i)
+                world = world.with(sphere, i).with(sphere, count + i);
+                None
             }
-            _ => {
-                let near_the_line = place.point(at + a * 0.5 + b * 1e-9);
-                match Triangle::new(p, q, near_the_line) {
-                    Ok(needle) => world.with(needle, i),
-                    Err(_) => world,
-                }
-            }
+            // A needle.
+            _ => triangle(place.point(at + a * 0.5 + b * 1e-9)),
         };
+        if let Some(triangle) = flat {
+            world = world.with(triangle, i);
+        }
     }
     let down = place.point(Vector3::new(0.0, -1.2, 0.0));
     world.with(

@@ -91,7 +91,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
             Fails,
         ),
         spot(
-            "F31",
+            "F37",
             "half angle 1e-7, a point at 1.2e-7",
             ahead,
             1e-7,
@@ -100,7 +100,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
             Holds,
         ),
         spot(
-            "F32",
+            "F38",
             "half angle 1e-7, a point at 0.8e-7",
             ahead,
             1e-7,
@@ -110,7 +110,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
         ),
         behind("I09", count),
         angles("S15", count),
-        formula("F33"),
+        formula("F39"),
     ]
 }
 

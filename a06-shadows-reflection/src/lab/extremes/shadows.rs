@@ -43,7 +43,7 @@ pub fn cases() -> Vec<Case> {
         ),
         brightness("I04", "light behind the floor", point(height(-3.0)), 0.25),
         rays(
-            "I13",
+            "I26",
             "light in the floor",
             point(Point3::new(3.0, 0.0, 0.0)),
         ),

@@ -35,11 +35,12 @@ impl Bounds {
         several.into_iter().fold(Self::NOWHERE, Self::union)
     }
 
-    /// The same bounds, moved outwards by `width` on all sides.
+    /// The same bounds, moved outwards by at least `width` on all sides: sums are
+    /// rounded outwards.
     pub fn wider(self, width: f64) -> Self {
         Self {
-            min: self.min.map(|x| x - width),
-            max: self.max.map(|x| x + width),
+            min: self.min.map(|x| (x - width).next_down()),
+            max: self.max.map(|x| (x + width).next_up()),
         }
     }
 
@@ -134,8 +135,8 @@ mod tests {
         assert_eq!(Bounds::of_all([other, BOX]), both);
         assert_eq!(BOX.union(Bounds::NOWHERE), BOX);
         let wider = Bounds {
-            min: [0.5, -2.5, 2.5],
-            max: [3.5, 3.5, 9.5],
+            min: [0.5, -2.5, 2.5].map(f64::next_down),
+            max: [3.5, 3.5, 9.5].map(f64::next_up),
         };
         assert_eq!(BOX.wider(0.5), wider);
     }
