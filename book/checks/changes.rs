@@ -1,4 +1,4 @@
-//! What a stage adds to those below, told by its source files.
+//! The list of what a stage adds to the stages below, from its source files.
 //!
 //! A chapter includes it as `{{#include ../changes/STAGE.md}}`.
 
@@ -52,7 +52,7 @@ fn list(files: &Files, stage: &str) -> String {
     let folder = format!("{stage}/src/");
     for (path, text) in files.below(&folder) {
         let name = &path[folder.len()..];
-        let Some(room) = name.strip_suffix(".rs").filter(|room| is_lesson(room)) else {
+        let Some(room) = name.strip_suffix(".rs").filter(|room| is_listed(room)) else {
             continue;
         };
         let inner = files.below(&folder).filter(|(path, _)| {
@@ -68,18 +68,29 @@ fn list(files: &Files, stage: &str) -> String {
     list
 }
 
-/// Whether a file of this name, without its ending, is worth a line: not what
-/// only gathers the others, nor what lies in a folder and is counted there.
-fn is_lesson(room: &str) -> bool {
+/// Whether a file of this name, without its ending, has a line: all but the files
+/// that only gather others, and the files in folders, which are counted there.
+fn is_listed(room: &str) -> bool {
     !matches!(room, "lib" | "main") && !room.contains('/')
 }
 
-/// The types, traits and constants that a stage imports from one below.
+/// Whether a file of this name, without its ending, belongs to the lesson.
+fn is_lesson(room: &str) -> bool {
+    is_listed(room) && !matches!(room, "stage" | "fast" | "lab")
+}
+
+/// The types, traits and constants that the lesson of a stage imports from one below.
 fn names_used<'a>(files: &'a Files, stage: &str, below: &str) -> BTreeSet<&'a str> {
     let import = format!("use {}::", below.replace('-', "_"));
     let mut names = BTreeSet::new();
     let folder = format!("{stage}/src/");
-    for (_, text) in files.below(&folder) {
+    for (path, text) in files.below(&folder) {
+        if !path[folder.len()..]
+            .strip_suffix(".rs")
+            .is_some_and(is_lesson)
+        {
+            continue;
+        }
         for rest in text.split(&import).skip(1) {
             let imported = rest.split(';').next().unwrap_or_default();
             let words = imported.split(|c: char| !c.is_alphanumeric() && c != '_');
@@ -117,7 +128,7 @@ mod tests {
     );
     const LIST: &str = "From the stages below it takes\n\n- `a01-low`: `Line`, `Point`, `zero`\n\n\
         | file | lines, about | what it is |\n|---|---:|---|\n\
-        | `ray.rs` | 20 | `Ray`: a `Line` with a start. |\n";
+        | `lab.rs` | 10 | The lab. |\n| `ray.rs` | 20 | `Ray`: a `Line` with a start. |\n";
 
     #[test]
     fn the_list_is_that_of_the_sources() {
@@ -126,6 +137,10 @@ mod tests {
             STAGE,
             SOURCE,
             ("a02-high/src/ray/end.rs", "//! The end.\n"),
+            (
+                "a02-high/src/lab.rs",
+                "//! The lab.\n\nuse a01_low::fast;\n",
+            ),
             ("a02-high/src/lib.rs", "//! All.\n"),
         ]);
         assert_eq!(list(&files, "a02-high"), LIST);
