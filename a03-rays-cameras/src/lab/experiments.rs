@@ -5,6 +5,7 @@
 //! one kind may be poor for another. Every pixel's mean is known in closed
 //! form, so that nothing is compared with more of the same samples.
 
+mod adaptive;
 mod coverage;
 mod places;
 mod summation;
@@ -41,6 +42,7 @@ pub fn experiments() -> Vec<Experiment<'static>> {
             smooth_shading,
             [Some(-0.5), Some(-1.0), Some(-1.0), None, None],
         ),
+        adaptive::experiment(),
         summation::experiment(),
     ]
 }

@@ -5,6 +5,8 @@
 
 mod color;
 mod ray_packet;
+#[cfg(test)]
+mod tests;
 mod vector;
 
 pub use color::ColorPacket;

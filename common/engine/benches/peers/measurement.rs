@@ -1,4 +1,4 @@
-//! Measuring the tracers in turn, and the row of figures that comes of it.
+//! Measures the tracers in turn, and formats their figures as a row.
 
 use std::io;
 use std::time::Duration;
@@ -14,8 +14,8 @@ pub struct Measurement {
     peak: u64,
 }
 
-/// Lets all tracers render in turn, round after round. None is measured of one
-/// that is not installed, fails or takes longer than `limit`.
+/// Lets all tracers render in turn, round after round. A tracer that is not installed,
+/// fails or takes longer than `limit` has no measurement.
 pub fn measure<const N: usize>(
     tracers: [&dyn Tracer; N],
     job: &Job,
@@ -72,7 +72,7 @@ fn merge(a: Option<Measurement>, b: Option<Measurement>) -> Option<Measurement> 
     })
 }
 
-/// What the cells of a [`row`] hold.
+/// The names of the cells of a [`row`].
 pub const HEADER: &str = "\
 |       |         |   trace |  times as long    |  peak | times as much     | build |   build |   build | different > 8 (mean of 255)       |
 | scene | threads | ours ms | POV-Ray | Tachyon |   MiB | POV-Ray | Tachyon |    ms | POV-Ray | Tachyon |         POV-Ray |         Tachyon |

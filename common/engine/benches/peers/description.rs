@@ -3,8 +3,8 @@
 /// A point, a direction or a colour.
 pub type Triple = [f64; 3];
 
-/// All that is to be seen. The background is black, because Tachyon paints it,
-/// unweakened, where the last mirror that a ray may meet would show something.
+/// A scene. The background is black, because Tachyon paints it, unweakened, where the
+/// last mirror that a ray may meet would show something.
 pub struct Description {
     pub name: &'static str,
     pub camera: Camera,

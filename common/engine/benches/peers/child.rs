@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 /// enough not to miss its memory.
 const INTERVAL: Duration = Duration::from_millis(2);
 
-/// What came of a child.
+/// The output of a child, and its memory.
 pub struct Outcome {
     /// All that it printed.
     pub log: String,
@@ -19,7 +19,7 @@ pub struct Outcome {
     pub peak: u64,
 }
 
-/// Runs a program to its end, or ends it after `limit`: then nothing came of it.
+/// Runs a program to its end, or ends it after `limit`: then there is no outcome.
 pub fn run(command: &mut Command, log: &Path, limit: Duration) -> io::Result<Option<Outcome>> {
     let file = File::create(log)?;
     command
@@ -42,7 +42,7 @@ pub fn run(command: &mut Command, log: &Path, limit: Duration) -> io::Result<Opt
 }
 
 /// The greatest resident memory of a running process so far, where the system
-/// tells (Linux: `VmHWM`, in KiB).
+/// reports it (Linux: `VmHWM`, in KiB).
 fn peak_memory(process: u32) -> Option<u64> {
     let status = fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status

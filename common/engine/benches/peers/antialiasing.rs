@@ -2,9 +2,9 @@
 //! pixel, and in which time.
 //!
 //! The error that nobody sees, 1/510, is 0.50 of 255. Rounding a picture to bytes
-//! has 0.29 of its own where colours change smoothly, which counts here. What counts
-//! is the fastest setting that stays below: POV-Ray's say nothing of an error, and
-//! ours mostly make a smaller one than is asked for.
+//! has 0.29 of its own where colours change smoothly, which counts here. The fastest
+//! setting that stays below is compared: POV-Ray's settings name no error, and ours
+//! mostly make a smaller one than the bound that they name.
 //!
 //! Each is measured against itself, so that nothing else that differs counts.
 //! Tachyon is left out: it takes equally many samples in every pixel, at random.
@@ -189,8 +189,8 @@ fn double(size: Size) -> Result<Size, ArgumentError> {
     Size::new(2 * size.width(), 2 * size.height())
 }
 
-/// The picture of 256 samples a pixel: POV-Ray takes at most 81, so that of 64
-/// samples at the double size, whose pixels are then taken together by four.
+/// The picture of 256 samples a pixel. POV-Ray takes at most 81, so the picture is
+/// rendered with 64 samples at the double size, and the mean of four pixels is one.
 fn reference(
     contestant: &Contestant,
     double: &Job,

@@ -1,9 +1,9 @@
-//! Our tracer beside the ray tracers that a student could install.
+//! The engine beside the ray tracers that a student could install.
 //!
 //! ```console
 //! $ apt-get install povray tachyon
-//! $ cargo bench -p a07-transforms --bench peers                   all scenes
-//! $ cargo bench -p a07-transforms --bench peers -- s1 s3 --quick  two of them, one round
+//! $ cargo bench -p engine --bench peers                   all scenes
+//! $ cargo bench -p engine --bench peers -- s1 s3 --quick  two of them, one round
 //! ```
 //!
 //! Where a program is missing, its columns stay empty. `--help` lists what can
@@ -19,14 +19,15 @@
 //!
 //! All three programs take one sample in the middle of each pixel, and cast a
 //! shadow ray wherever the one light may shine: Tachyon has no light without
-//! shadows. What one of them cannot express occurs in no scene: backgrounds
-//! other than black, coloured highlights and coloured mirrors.
+//! shadows. No scene has a background other than black, coloured highlights or
+//! coloured mirrors, because one of the programs cannot express them.
 //!
-//! The programs run as they do by default, apart from what makes their pictures
-//! equal. They take turns, and of all rounds the shortest time counts. Times
+//! The programs run with their default options, apart from those that make their
+//! pictures equal. They take turns, and of all rounds the shortest time counts. Times
 //! are the ones that each program prints about itself: tracing without reading
-//! the scene and writing the file, and building what makes tracing fast.
-//! (POV-Ray builds that of a mesh while it reads, so there it counts nowhere.)
+//! the scene and writing the file, and building the structures that make tracing
+//! fast; for the engine that includes making its scene. (POV-Ray builds the
+//! structure of a mesh while it reads, so that its time is in neither column.)
 //! Memory is the peak of the whole process, seen from outside. Ratios say how
 //! many times as long, or as much, the other program takes: above 1 ours is
 //! better. The last columns say which share of pixels differs from ours by more
@@ -38,6 +39,8 @@
 
 #[path = "peers/antialiasing.rs"]
 mod antialiasing;
+#[path = "peers/camera.rs"]
+mod camera;
 #[path = "peers/child.rs"]
 mod child;
 #[path = "peers/description.rs"]
@@ -50,6 +53,10 @@ mod measurement;
 mod ours;
 #[path = "peers/povray.rs"]
 mod povray;
+#[path = "../src/adaptive/random.rs"]
+mod random;
+#[path = "peers/samples.rs"]
+mod samples;
 #[path = "peers/scenes.rs"]
 mod scenes;
 #[path = "peers/tachyon.rs"]
@@ -74,7 +81,7 @@ use crate::povray::PovRay;
 use crate::tachyon::Tachyon;
 use crate::tracer::{Job, Tracer};
 
-/// Compares our tracer with POV-Ray and Tachyon.
+/// Compares the engine with POV-Ray and Tachyon.
 #[derive(Parser)]
 struct Options {
     /// The scenes to render; all if none is named. "aa" smooths their edges.
@@ -95,7 +102,7 @@ struct Options {
     /// Seconds after which a rendering is given up.
     #[arg(long, default_value_t = 120)]
     limit: u64,
-    /// Render one scene with our tracer: what the benchmark asks of itself.
+    /// Render one scene with the engine; the benchmark calls itself with it.
     #[arg(long, hide = true, requires = "output")]
     render: Option<String>,
     /// Samples per pixel of `--render`.

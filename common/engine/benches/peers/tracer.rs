@@ -1,4 +1,4 @@
-//! `Tracer`: a program that renders a description, and how to ask it.
+//! `Tracer`: a program that renders a description, and how to run it.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use common::Size;
 
 use crate::description::Description;
 
-/// What to render and how.
+/// A scene to render, and how to render it.
 pub struct Job<'a> {
     pub description: &'a Description,
     /// Where scenes, pictures and logs go.
@@ -25,7 +25,7 @@ impl Job<'_> {
     }
 }
 
-/// What a program says about itself, in seconds.
+/// The times that a program prints about itself, in seconds.
 pub struct Times {
     /// Making the structures that rays are traced in.
     pub build: f64,
@@ -46,7 +46,7 @@ pub trait Tracer {
     /// The call that renders `job` into its file with the extension `png`.
     fn command(&self, job: &Job) -> Command;
 
-    /// The times that the program has printed, if it has come so far.
+    /// The times that the program has printed; none if it failed before.
     fn times(&self, log: &str) -> Option<Times>;
 }
 

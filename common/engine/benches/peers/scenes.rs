@@ -2,9 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_4, TAU};
 
-use a03_rays_cameras::PixelRandom;
-
 use crate::description::{Camera, Description, Light, Material, Mesh, Object, Shape, Triple};
+use crate::random::PixelRandom;
 
 /// All scenes, from few objects to many.
 pub fn all() -> Vec<Description> {
@@ -145,8 +144,8 @@ fn scattered(count: u32, smallest: f64, largest: f64) -> Box<dyn Iterator<Item =
     }))
 }
 
-/// A torus of radii 2.5 and 1 around the y axis: so many steps around the axis
-/// and around the tube, and two triangles in each square between them.
+/// A torus of radii 2.5 and 1 around the y axis, with `around` steps around the axis,
+/// `tube` steps around the tube, and two triangles in each square between them.
 fn ring(around: usize, tube: usize) -> Mesh {
     let places = || (0..around).flat_map(move |i| (0..tube).map(move |j| (i, j)));
     let normal = |(i, j): (usize, usize)| {

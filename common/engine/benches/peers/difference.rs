@@ -1,5 +1,5 @@
-//! How far two pictures of one scene lie apart: whoever computes another
-//! picture does another work.
+//! How far two pictures of one scene lie apart: the times of two programs can be
+//! compared only where both compute the same picture.
 
 use std::fmt;
 use std::path::Path;

@@ -103,7 +103,7 @@ fn light(out: &mut impl Write, light: &Light) -> io::Result<()> {
     }
 }
 
-/// What Tachyon calls specular is the share that mirrors.
+/// Tachyon's word for the share that mirrors is "specular".
 fn texture(out: &mut impl Write, i: usize, material: &Material, ambient: f64) -> io::Result<()> {
     let Material {
         color,

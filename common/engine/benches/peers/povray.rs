@@ -7,9 +7,7 @@ use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::process::Command;
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::Basis;
-
+use crate::camera::basis;
 use crate::description::{Camera, Light, Material, Mesh, Object, Shape, Triple};
 use crate::tracer::{Job, Times, Tracer, is_installed, seconds};
 
@@ -91,12 +89,10 @@ fn list<const N: usize>(out: &mut impl Write, name: &str, items: &[[f64; N]]) ->
 
 /// The picture is 1 high, so that its distance follows from the opening angle.
 fn camera(out: &mut impl Write, camera: &Camera, aspect: f64) -> io::Result<()> {
-    let [gaze, up] = [camera.gaze, camera.up].map(|v| Vector3::from_glam(v.into()));
-    let eye = Point3::from_glam(camera.eye.into());
-    let basis = Basis::new(eye, gaze, up).map_err(io::Error::other)?;
+    let basis = basis(camera);
     let distance = 0.5 / libm::tan(camera.angle / 2.0);
     let [right, up, direction] =
-        [basis.u * aspect, basis.v, basis.w * -distance].map(|v| vector(v.to_glam().to_array()));
+        [basis.u * aspect, basis.v, basis.w * -distance].map(|v| vector(v.to_array()));
     writeln!(
         out,
         "camera {{ location {} right {right} up {up} direction {direction} }}",

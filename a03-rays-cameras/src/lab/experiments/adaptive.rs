@@ -1,0 +1,137 @@
+//! The cost of an error where samples are taken only where they are needed.
+
+use std::sync::Mutex;
+
+use a02_math::{Point3, Vector3};
+use common::{ArgumentError, Color, Error, Image, Sampled, Sampling, Settings, Size};
+use engine::adaptive;
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Slope};
+
+use super::coverage::{DISC, disc_coverage};
+use crate::{Camera, Ray, render};
+
+const SIDE: u32 = 64;
+
+/// The light of the disc at a place of the picture, counted from the middles of pixels:
+/// [`DISC`] counts from their corners.
+fn disc(x: f64, y: f64) -> Color {
+    Color::gray(if DISC.contains(x + 0.5, y + 0.5) {
+        1.0
+    } else {
+        0.0
+    })
+}
+
+/// Rays that start at their place in the picture, in pixels.
+struct Places;
+
+impl Camera for Places {
+    fn ray_for(&self, _: Size, x: f64, y: f64) -> Ray {
+        Ray::derived(Point3::new(x, y, 0.0), Vector3::new(0.0, 0.0, -1.0))
+    }
+}
+
+fn with_samples_everywhere(settings: &Settings) -> Result<Image, Error> {
+    let light = |ray: &Ray| disc(ray.origin().x(), ray.origin().y());
+    render(&Places, light, settings, &())
+}
+
+/// A picture of the disc, the number of its samples, and its error as it is estimated.
+fn with_max_error(max_error: f64, settings: &Settings) -> Option<(Image, f64, f64)> {
+    let sampled = Mutex::new(Sampled::default());
+    let image = adaptive::render_image(max_error, disc, settings, &sampled).ok()?;
+    let sampled = sampled.into_inner().ok()?;
+    Some((image, sampled.samples as f64, sampled.error()))
+}
+
+fn errors(image: &Image) -> impl Iterator<Item = f64> {
+    let rows = (0..SIDE).rev().zip(image.rows());
+    rows.flat_map(|(y, row)| {
+        let row = (0_u32..).zip(row);
+        row.map(move |(x, color)| color.r - disc_coverage(x.into(), y.into()))
+    })
+}
+
+fn stratified(settings: &Settings, side: u32) -> Option<Point<'static>> {
+    let settings = Settings {
+        samples: side * side,
+        sampling: Sampling::Stratified,
+        ..settings.clone()
+    };
+    let image = with_samples_everywhere(&settings).ok()?;
+    let samples = f64::from(settings.samples) * f64::from(SIDE * SIDE);
+    let run = move || with_samples_everywhere(&settings).map_or(0.0, |_| samples);
+    Some(Point::new(samples, samples, errors(&image), run))
+}
+
+fn adaptive(settings: &Settings, max_error: f64, as_estimated: bool) -> Option<Point<'static>> {
+    let settings = Settings {
+        samples: 1 << 16,
+        ..settings.clone()
+    };
+    let (image, samples, estimate) = with_max_error(max_error, &settings)?;
+    let errors: Vec<_> = if as_estimated {
+        vec![estimate]
+    } else {
+        errors(&image).collect()
+    };
+    let run = move || with_max_error(max_error, &settings).map_or(0.0, |(_, samples, _)| samples);
+    Some(Point::new(samples, samples, errors, run))
+}
+
+fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
+    let settings = Settings {
+        size: Size::new(SIDE, SIDE)?,
+        ..Settings::default()
+    };
+    let sides = &[1, 2, 4, 8, 16, 32, 64][..effort.choose(5, 7)];
+    let bounds = [16.0, 8.0, 4.0, 2.0, 1.0, 0.5, 0.25].map(|levels| levels * HALF_GREY_LEVEL);
+    let bounds = &bounds[..effort.choose(6, 7)];
+    let adaptive = |as_estimated: bool| {
+        let points = bounds.iter();
+        points
+            .filter_map(|max_error| adaptive(&settings, *max_error, as_estimated))
+            .collect()
+    };
+    Ok(vec![
+        Curve {
+            method: "stratified everywhere",
+            remark: "",
+            // Mitchell, Consequences of Stratified Sampling in Graphics, 1996.
+            slope: Some(Slope {
+                expected: -0.75,
+                tolerance: 0.05,
+                between: (1e4, 1e9),
+            }),
+            points: sides
+                .iter()
+                .filter_map(|side| stratified(&settings, *side))
+                .collect(),
+        },
+        Curve {
+            method: "adaptive",
+            remark: "",
+            slope: None,
+            points: adaptive(false),
+        },
+        Curve {
+            method: "adaptive, as estimated",
+            remark: "the renderer's own estimate; it should be the greater one",
+            slope: None,
+            points: adaptive(true),
+        },
+    ])
+}
+
+pub fn experiment() -> Experiment<'static> {
+    Experiment {
+        name: "samples-adaptive",
+        about: "what does an error cost if samples are taken only where they are needed?",
+        knob: "samples",
+        work: "rays",
+        error: "of a pixel of a disc's picture, against its mean in closed form",
+        against: Axis::Work,
+        curves: Box::new(|effort| curves(effort).unwrap_or_default()),
+    }
+}
