@@ -4,3 +4,4 @@
 
 mod experiments;
 mod extremes;
+mod protocol;

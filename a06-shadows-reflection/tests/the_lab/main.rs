@@ -4,3 +4,5 @@
 
 mod experiments;
 mod extremes;
+mod protocol;
+mod recursion_depth;

@@ -5,3 +5,4 @@
 mod errata_rows;
 mod experiments;
 mod extremes;
+mod protocol;
