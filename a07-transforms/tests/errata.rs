@@ -1,4 +1,7 @@
 //! The locked pictures of the errata, and of what can go wrong.
+//!
+//! `cargo test -p a07-transforms --test errata` runs them; without `--test errata`
+//! they are left out.
 
 use testing::picture_lock::{Places, check, check_complete};
 
