@@ -1,5 +1,10 @@
 //! The laboratory: what measures the lesson of this stage, and is no part of it.
 
+#![expect(
+    clippy::must_use_candidate,
+    reason = "called by the tables, the report and their tests"
+)]
+
 pub mod experiments;
 pub mod extremes;
-mod protocol;
+pub mod protocol;

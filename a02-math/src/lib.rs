@@ -5,7 +5,8 @@
 //! glam; what makes no sense, such as the sum of two places, does not compile.
 
 mod direction;
-mod lab;
+#[doc(hidden)]
+pub mod lab;
 mod mat3x3;
 mod normal3;
 mod point3;

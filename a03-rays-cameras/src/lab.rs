@@ -1,12 +1,13 @@
 //! The laboratory: what measures the lesson of this stage, and is no part of it.
 
-#[doc(hidden)]
+#![expect(
+    clippy::must_use_candidate,
+    reason = "called by the tables, the report and their tests"
+)]
+
 pub mod all_work;
-#[doc(hidden)]
 pub mod counted;
 pub mod experiments;
-#[doc(hidden)]
 pub mod explain;
 pub mod extremes;
-#[doc(hidden)]
 pub mod protocol;

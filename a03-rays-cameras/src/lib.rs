@@ -6,7 +6,8 @@
 mod bounded_ray;
 mod camera;
 pub mod fast;
-mod lab;
+#[doc(hidden)]
+pub mod lab;
 mod orthographic_camera;
 mod perspective_camera;
 mod pinhole_camera;

@@ -1,12 +1,15 @@
 //! The laboratory: what measures the lesson of this stage, and is no part of it.
 
-#[doc(hidden)]
+#![expect(
+    clippy::must_use_candidate,
+    clippy::return_self_not_must_use,
+    reason = "called by the tables, the report and their tests"
+)]
+
 pub mod counted;
-mod exact;
+pub mod exact;
 pub mod experiments;
-#[doc(hidden)]
 pub mod explain;
 pub mod extremes;
-#[doc(hidden)]
 pub mod protocol;
-mod real;
+pub mod real;

@@ -9,7 +9,8 @@ pub mod fast;
 mod geometry;
 mod hit;
 mod interval;
-mod lab;
+#[doc(hidden)]
+pub mod lab;
 mod plane;
 mod scenes;
 mod sphere;

@@ -6,7 +6,8 @@
 
 mod directional_light;
 pub mod fast;
-mod lab;
+#[doc(hidden)]
+pub mod lab;
 mod lambert;
 mod light;
 mod lighting;

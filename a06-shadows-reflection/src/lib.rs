@@ -4,7 +4,8 @@
 //! and follows reflected rays from surface to surface.
 
 pub mod fast;
-mod lab;
+#[doc(hidden)]
+pub mod lab;
 mod light_source;
 mod recursive_tracer;
 mod reflective;

@@ -1,8 +1,12 @@
 //! The laboratory: what measures the lesson of this stage, and is no part of it.
 
+#![expect(
+    clippy::must_use_candidate,
+    reason = "called by the tables, the report and their tests"
+)]
+
 pub mod counted;
 pub mod experiments;
 pub mod explain;
 pub mod extremes;
-#[doc(hidden)]
 pub mod protocol;

@@ -5,7 +5,8 @@
 
 mod disc;
 pub mod fast;
-mod lab;
+#[doc(hidden)]
+pub mod lab;
 mod mat4x4;
 mod node;
 mod scenes;

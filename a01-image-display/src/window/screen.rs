@@ -1,24 +1,22 @@
-//! `Screen`: the open window, what it shows, and how it obeys.
+//! `Screen`: the open window and what it shows.
+
+mod commands;
+mod size;
 
 use std::thread::Scope;
 use std::time::{Duration, Instant};
 
 use common::{Error, Image, Size};
-use minifb::{Menu, MouseButton, MouseMode, ScaleMode, WindowOptions};
+use minifb::{Menu, MouseMode, ScaleMode, WindowOptions};
 use program::{Gallery, LivePicture, NotShown, Rendering};
 
-use super::command::Command;
 use super::frame::Frame;
 use super::keyboard::Keyboard;
-use super::menu_bar::{ITEMS, LINE, MenuBar, PLATFORM_HAS_MENU};
+use super::menu_bar::{ITEMS, MenuBar, PLATFORM_HAS_MENU};
 use super::placement::Zoom;
-use super::{NO_FILE, choose_file};
 
-/// Width and height that fit on nearly every screen; how large this one is, is
-/// not told.
-const LARGEST: (f64, f64) = (1280.0, 720.0);
-/// Width and height that leave room for the menu and something to grasp.
-const SMALLEST: (f64, f64) = (240.0, 120.0);
+use commands::{After, Mouse};
+use size::window_size;
 
 /// Looks a second at keys and mouse. A click that begins and ends between two
 /// of them is lost.
@@ -50,13 +48,6 @@ pub struct Screen {
     pub(super) inspects: bool,
     pub(super) helps: bool,
     notice: Option<(String, Instant)>,
-}
-
-/// The mouse at the last look.
-#[derive(Default)]
-struct Mouse {
-    is_down: bool,
-    cursor: Option<(i32, i32)>,
 }
 
 /// What decides whether the window must be drawn again.
@@ -196,97 +187,6 @@ impl Screen {
         let cursor = self.window.get_mouse_pos(MouseMode::Discard);
         cursor.map(|(x, y)| (x as i32, y as i32))
     }
-
-    /// What has been typed, chosen and clicked.
-    fn commands(&mut self) -> Vec<Command> {
-        // What is released while another window has the keyboard is not told.
-        let is_active = self.window.is_active();
-        if self.is_active && !is_active {
-            self.keyboard.release_all();
-        }
-        self.is_active = is_active;
-        let mut commands = Vec::new();
-        for typed in self.keyboard.take() {
-            commands.extend(self.menu.handle(typed));
-        }
-        let chosen = self.window.is_menu_pressed().and_then(|id| ITEMS.get(id));
-        commands.extend(chosen.map(|item| item.command));
-
-        let mouse = Mouse {
-            is_down: self.window.get_mouse_down(MouseButton::Left),
-            cursor: self.cursor(),
-        };
-        if let Some((x, y)) = mouse.cursor.filter(|_| !PLATFORM_HAS_MENU) {
-            // A mouse that rests leaves the menu to the keys.
-            if mouse.cursor != self.mouse.cursor {
-                self.menu.hover(x, y);
-            }
-            if mouse.is_down && !self.mouse.is_down {
-                commands.extend(self.menu.click(x, y));
-            }
-        }
-        self.mouse = mouse;
-        commands
-    }
-
-    fn obey(&mut self, command: Command, gallery: &mut Gallery) -> After {
-        match command {
-            Command::Close => return After::Close,
-            Command::Save => self.save(gallery),
-            Command::Open if gallery.opens_files() => match choose_file() {
-                Some(file) => {
-                    gallery.open(file);
-                    return self.change_to(gallery);
-                }
-                None => self.notify(NO_FILE.to_owned()),
-            },
-            Command::Next => {
-                gallery.go_to_next();
-                return self.change_to(gallery);
-            }
-            Command::Previous => {
-                gallery.go_to_previous();
-                return self.change_to(gallery);
-            }
-            Command::Inspect => self.inspects = !self.inspects,
-            Command::Help => self.helps = !self.helps,
-            Command::ZoomIn => self.zoom = self.placement().zoomed_in(self.cursor()),
-            Command::ZoomOut => self.zoom = self.placement().zoomed_out(self.cursor()),
-            Command::ZoomReset => self.zoom = Zoom::Fit,
-            // The menu has handled the rest.
-            _ => {}
-        }
-        After::Nothing
-    }
-
-    fn change_to(&mut self, gallery: &Gallery) -> After {
-        self.title = gallery.title();
-        self.window.set_title(&self.title);
-        self.menu.set_can_open(gallery.opens_files());
-        self.zoom = Zoom::Fit;
-        self.notice = None;
-        self.outcome = None;
-        After::Render
-    }
-
-    fn save(&mut self, gallery: &Gallery) {
-        let notice = match &self.outcome {
-            None => "the picture is not finished yet".to_owned(),
-            Some(Err(_)) => "there is no picture to save".to_owned(),
-            Some(Ok(image)) => match gallery.save(image) {
-                Ok(path) => format!("saved {}", path.display()),
-                Err(error) => format!("error: {error}"),
-            },
-        };
-        self.notify(notice);
-    }
-}
-
-/// What a command leaves to be done.
-enum After {
-    Nothing,
-    Render,
-    Close,
 }
 
 fn add_platform_menu(window: &mut minifb::Window) {
@@ -296,16 +196,6 @@ fn add_platform_menu(window: &mut minifb::Window) {
         }
         window.add_menu(&file);
     }
-}
-
-/// The picture's width and height and the menu bar, shrunk where a side is too
-/// long for the screen; never smaller than what a person can handle.
-fn window_size(picture: Size) -> (usize, usize) {
-    let (width, height) = (f64::from(picture.width()), f64::from(picture.height()));
-    let fit = (LARGEST.0 / width).min(LARGEST.1 / height).min(1.0);
-    let side = |side: f64, smallest: f64| (side * fit).round().max(smallest) as usize;
-    let bar = if PLATFORM_HAS_MENU { 0 } else { LINE as usize };
-    (side(width, SMALLEST.0), side(height, SMALLEST.1) + bar)
 }
 
 fn explain(error: minifb::Error) -> NotShown {

@@ -15,7 +15,7 @@ use crate::{assert_success, folder, in_shell, names, program, write_noise};
 const KILLS: usize = 60;
 
 #[test]
-fn whenever_it_is_killed_the_old_picture_is_there_or_the_new_one() {
+fn killed_at_any_time_it_leaves_the_old_or_the_new_picture() {
     let kills = std::env::var("SAVING_KILLS");
     let kills = kills.map_or(KILLS, |kills| kills.parse().expect("a number"));
     let folder = folder();

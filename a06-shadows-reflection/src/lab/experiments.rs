@@ -1,6 +1,6 @@
 //! Error against run time for mirrors and shadows.
 
-mod recursion_depth;
+pub mod recursion_depth;
 mod shadow_epsilon;
 
 use measure::experiment::Experiment;

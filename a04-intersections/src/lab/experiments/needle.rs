@@ -222,24 +222,3 @@ pub fn experiment() -> Experiment<'static> {
         curves: Box::new(curves),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Geometry, Interval, Triangle};
-
-    #[test]
-    fn the_plain_test_is_that_of_the_renderer() {
-        let mut hits = 0;
-        for needle in needles(1.0, 512) {
-            let [a, b, c] = needle.corners;
-            let triangle = Triangle::new(a, b, c).unwrap();
-            for ray in &needle.rays {
-                let ours = triangle.hit(ray, Interval::AHEAD).map(|hit| hit.t);
-                assert_eq!(plain(&needle.corners, ray), ours);
-                hits += u32::from(ours.is_some());
-            }
-        }
-        assert!((150..350).contains(&hits), "{hits}");
-    }
-}

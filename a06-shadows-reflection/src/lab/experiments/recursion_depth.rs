@@ -15,7 +15,7 @@ use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Slope
 
 use crate::{RecursiveTracer, Reflective, ShadowedWorld};
 
-const CURVES: [(f64, &str); 5] = [
+pub const CURVES: [(f64, &str); 5] = [
     (0.5, "k = 0.5"),
     (0.8, "k = 0.8"),
     (0.9, "k = 0.9"),
@@ -67,12 +67,12 @@ pub fn experiment() -> Experiment<'static> {
 }
 
 /// The least depth D with `k^D / (1 - k)` not above the error asked for.
-fn depth(k: f64, asked: f64) -> u32 {
+pub fn depth(k: f64, asked: f64) -> u32 {
     (libm::log(asked * (1.0 - k)) / libm::log(k)).ceil() as u32
 }
 
 /// Rays that go up from between the mirrors, at any slope.
-fn rays(count: usize) -> Rc<[Ray]> {
+pub fn rays(count: usize) -> Rc<[Ray]> {
     let ray = |n: usize| {
         let random = PixelRandom::new(4, n as u32, 0);
         let aside = |i| 2.0 * random.uniform(i) - 1.0;
@@ -85,37 +85,10 @@ fn rays(count: usize) -> Rc<[Ray]> {
     (0..count).filter_map(ray).collect()
 }
 
-fn world(k: f64) -> Result<ShadowedWorld, ArgumentError> {
+pub fn world(k: f64) -> Result<ShadowedWorld, ArgumentError> {
     let mirror = || Reflective::new(Color::WHITE, Color::BLACK, 1.0, Color::gray(k));
     let plane = |y| Plane::new(Point3::new(0.0, y, 0.0), Normal3::new(0.0, 1.0, 0.0));
     Ok(ShadowedWorld::empty(Color::BLACK, Color::WHITE)?
         .with(plane(0.0)?, Box::new(mirror()?))
         .with(plane(1.0)?, Box::new(mirror()?)))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_depth_is_the_least_that_reaches_half_a_grey_level() {
-        let depths = CURVES.map(|(k, _)| depth(k, HALF_GREY_LEVEL));
-        assert_eq!(depths, [10, 36, 82, 180, 1079]);
-    }
-
-    #[test]
-    fn each_level_leaves_the_share_k_of_the_error() {
-        for (k, _) in CURVES {
-            let world = world(k).unwrap();
-            let ray = rays(1)[0];
-            let error = |depth| 1.0 / (1.0 - k) - RecursiveTracer::new(&world).trace(&ray, depth).r;
-            for depth in 1..20 {
-                let per_level = libm::log10(error(depth + 1) / error(depth));
-                assert!(
-                    (per_level - libm::log10(k)).abs() < 1e-8,
-                    "{k} {depth} {per_level}"
-                );
-            }
-        }
-    }
 }

@@ -1,0 +1,7 @@
+//! Tests of `src/lab`: experiments, extreme cases, and the formulas that they measure.
+//!
+//! `cargo test` runs them after the tests of the lesson, which they measure.
+
+mod experiments;
+mod extremes;
+mod protocol;

@@ -1,0 +1,73 @@
+//! The formulas of the two texts.
+//!
+//! On small numbers the formulas give what they say, so that nothing but the
+//! extreme cases makes them fail there.
+
+use a02_math::{Point3, Vector3};
+use a03_rays_cameras::protocol::{
+    bracket_of_the_code, bracket_of_the_course, bracket_of_the_formula, count_current_stripe,
+    mean_byte, mean_over_grid, normalized, perspective_direction, pinhole_direction,
+    pinhole_direction_of_whole_sizes, point_at,
+};
+use approx::assert_abs_diff_eq;
+
+#[test]
+fn the_three_brackets_differ() {
+    assert_eq!(bracket_of_the_code(5.0, 4.0), 4.0);
+    assert_eq!(bracket_of_the_code(5.0, 3.0), 4.0);
+    assert!(bracket_of_the_code(5.0, 1.0).is_nan());
+    assert_eq!(bracket_of_the_formula(5.0, 3.0), 4.5);
+    assert_eq!(bracket_of_the_course(6.0, 5.0), 1.0);
+    assert_eq!(bracket_of_the_course(0.0, 5.0), -0.5);
+}
+
+/// Tolerance: the tangent of half the angle is 1/2 up to rounding.
+#[test]
+fn cameras_look_where_the_texts_say() {
+    let half = libm::atan(0.5);
+    for (direction, expected) in [
+        (
+            perspective_direction([5.0, 4.0], 5.0, 4.0, half),
+            Vector3::new(3.0, 2.5, -4.0),
+        ),
+        (
+            pinhole_direction([5.0, 4.0], 4.5, 0.5, 2.0 * half),
+            Vector3::new(2.0, 1.5, -4.0),
+        ),
+        (
+            pinhole_direction_of_whole_sizes([7, 5], 5.5, 0.5, 2.0 * half),
+            Vector3::new(2.5, 1.5, -4.0),
+        ),
+    ] {
+        let epsilon = 4.0 * f64::EPSILON;
+        assert_abs_diff_eq!(direction, normalized(expected), epsilon = epsilon);
+    }
+}
+
+#[test]
+fn a_ray_ends_at_its_bound() {
+    let x = Vector3::new(2.0, 0.0, 0.0);
+    let at = |t| point_at(Point3::new(1.0, 0.0, 0.0), x, 30.0, t).map(Point3::x);
+    assert_eq!(
+        (at(0.0), at(4.0), at(30.0)),
+        (Some(1.0), Some(5.0), Some(31.0))
+    );
+    assert_eq!((at(-1.0), at(30.5)), (None, None));
+}
+
+/// Stripes of the height 1/2 between -1 and 1.
+#[test]
+fn stripes_are_counted_from_the_top_to_the_horizon() {
+    let heights = [1.5, 1.0, 0.75, 0.5, 0.25, 0.0, -0.25, -0.75];
+    let counts = heights.map(|y| count_current_stripe(1.0, 4, y));
+    assert_eq!(counts, [0, 1, 1, 2, 2, 3, 2, 1]);
+}
+
+/// 51 / 3 = 17, 53 / 3 = 17 and two thirds; 9 of 10 places fill a grid.
+#[test]
+fn means_lose_what_is_left_over() {
+    assert_eq!(mean_byte(&[10, 20, 21]), 17);
+    assert_eq!(mean_byte(&[10, 20, 23]), 17);
+    assert_eq!(mean_over_grid(9, 2.0), 2.0);
+    assert_eq!(mean_over_grid(10, 2.0), 1.8);
+}

@@ -1,0 +1,15 @@
+//! Tests of the shapes and the world of this stage, and of the engine
+//! against the lesson.
+//!
+//! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
+
+mod axis_aligned_box;
+mod engine;
+mod in_plane;
+mod invariance;
+mod mesh;
+mod plane;
+mod properties;
+mod sphere;
+mod triangle;
+mod world;

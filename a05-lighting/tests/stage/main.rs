@@ -1,0 +1,10 @@
+//! Tests of the lights and materials of this stage.
+//!
+//! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
+
+mod all_work;
+mod closed_forms;
+mod explain;
+mod lights;
+mod materials;
+mod numbers;

@@ -1,0 +1,70 @@
+//! Materials: colours calculated by hand, and what must not shine.
+
+mod highlights;
+mod lit_world;
+mod matt;
+mod refusals;
+
+use a02_math::{Point3, Vector3};
+use a03_rays_cameras::Ray;
+use a04_intersections::Hit;
+use a05_lighting::{Illumination, Lambert, Lighting, Material, Phong};
+use approx::assert_abs_diff_eq;
+use common::Color;
+
+const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
+/// 0.6² + 0.8² = 1: the cosine to the normal is 0.8, and both reflect into
+/// each other.
+const LEFT: Vector3 = Vector3::new(-0.6, 0.8, 0.0);
+const RIGHT: Vector3 = Vector3::new(0.6, 0.8, 0.0);
+/// Rounding of a few products.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// Light that is all there, as it is given.
+struct Given {
+    ambient: Color,
+    lights: Vec<Illumination>,
+}
+
+impl Lighting for Given {
+    fn ambient(&self) -> Color {
+        self.ambient
+    }
+
+    fn for_each_light(&self, _: &Ray, _: &Hit, shade: &mut dyn FnMut(&Illumination)) {
+        self.lights.iter().for_each(shade);
+    }
+}
+
+/// Lights of these colours from these directions, and no ambient light.
+fn light_from(lights: &[(Color, Vector3)]) -> Given {
+    let from = |&(color, direction): &(Color, Vector3)| Illumination {
+        color,
+        direction,
+        distance: 1.0,
+    };
+    Given {
+        ambient: Color::BLACK,
+        lights: lights.iter().map(from).collect(),
+    }
+}
+
+/// What an eye in the direction `e` sees of a surface that faces upwards.
+fn seen_from(e: Vector3, material: &dyn Material, lighting: &dyn Lighting) -> Color {
+    let ray = Ray::derived(Point3::ORIGIN + e, -e);
+    material.color_for(&ray, &Hit::new(1.0, UP.as_normal()), lighting)
+}
+
+fn assert_close(color: Color, expected: Color) {
+    for (channel, expected) in color.channels().into_iter().zip(expected.channels()) {
+        assert_abs_diff_eq!(channel, expected, epsilon = ROUNDING);
+    }
+}
+
+fn lambert(diffuse: Color) -> Lambert {
+    Lambert::new(diffuse).unwrap()
+}
+
+fn phong(diffuse: Color, specular: Color, exponent: f64) -> Phong {
+    Phong::new(diffuse, specular, exponent).unwrap()
+}

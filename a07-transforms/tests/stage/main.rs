@@ -1,0 +1,14 @@
+//! Tests of the transforms, nodes and discs of this stage, and of the engine
+//! against the lesson.
+//!
+//! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
+
+mod adaptive;
+mod disc;
+mod engine;
+mod mat4x4;
+mod node;
+mod own_objects;
+mod projected_areas;
+mod properties;
+mod transform;

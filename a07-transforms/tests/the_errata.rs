@@ -1,0 +1,46 @@
+//! The locked pictures of the errata, and of what can go wrong.
+//!
+//! `cargo test -p a07-transforms --test the_errata` runs them; without `--test the_errata`
+//! they are left out.
+
+use testing::picture_lock::{Places, check, check_complete};
+
+#[path = "../examples/errata/main.rs"]
+#[expect(dead_code, reason = "the example's own main")]
+mod errata;
+#[path = "../examples/go-wrong/main.rs"]
+#[expect(dead_code, reason = "the example's own main")]
+mod go_wrong;
+
+const PLACES: Places = Places {
+    stage: env!("CARGO_MANIFEST_DIR"),
+    scratch: env!("CARGO_TARGET_TMPDIR"),
+    program: env!("CARGO_BIN_EXE_a07-transforms"),
+};
+
+macro_rules! lock {
+    ($complete:ident: $stage:expr; $($scene:ident)+) => {
+        $(
+            #[test]
+            fn $scene() {
+                check(&$stage, stringify!($scene), &PLACES);
+            }
+        )+
+
+        #[test]
+        fn $complete() {
+            check_complete(&$stage, &[$(stringify!($scene)),+]);
+        }
+    };
+}
+
+lock! {
+    every_mistake_is_locked: errata::stage();
+    tangent half_pixel stripes box_faces far_sphere highlight point_light point_light_slope spot_light
+    directional_light mirror transform normal node
+}
+
+lock! {
+    everything_that_goes_wrong_is_locked: go_wrong::stage();
+    lift gamma cracks
+}
