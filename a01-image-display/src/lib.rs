@@ -24,6 +24,7 @@ pub use window::Window;
 
 /// The window that the programs of all stages show their pictures in; none in
 /// a build without the feature `window`.
+#[cfg(not(target_family = "wasm"))]
 #[must_use]
 pub fn viewer() -> Option<&'static dyn program::Viewer> {
     #[cfg(feature = "window")]
