@@ -1,7 +1,6 @@
 //! The locked pictures of the errata, and of what can go wrong.
 //!
-//! `cargo test -p a07-transforms --test the_errata` runs them; without `--test the_errata`
-//! they are left out.
+//! `cargo test` runs them after the pictures of the stage.
 
 use testing::picture_lock::{Places, check, check_complete};
 

@@ -5,7 +5,6 @@
 
 mod axis_aligned_box;
 mod engine;
-mod in_plane;
 mod invariance;
 mod mesh;
 mod plane;

@@ -2,6 +2,7 @@
 
 mod degenerate;
 mod hits;
+mod in_plane;
 mod normals;
 
 use a02_math::{Normal3, Point3, Vector3};
