@@ -114,10 +114,10 @@ fn adaptive<'a>(scene: &'a Scene, size: Size, asked: f64, reference: &[f64]) -> 
             max_error: Some(asked),
             ..scene.defaults.clone()
         };
-        let told = Mutex::new(Sampled::default());
-        let image = scene.render(&settings, &told).ok();
-        let told = told.into_inner().unwrap_or_else(PoisonError::into_inner);
-        (image, told.samples as f64)
+        let sampled = Mutex::new(Sampled::default());
+        let image = scene.render(&settings, &sampled).ok();
+        let sampled = sampled.into_inner().unwrap_or_else(PoisonError::into_inner);
+        (image, sampled.samples as f64)
     };
     let (image, rays) = render();
     let image = channels(image);

@@ -56,8 +56,8 @@ pub struct Options {
     pub open: Option<PathBuf>,
 }
 
-/// Most samples of a pixel where `--samples` is not given.
-const ENOUGH: u32 = 1024;
+/// Most samples of a pixel in adaptive sampling if `--samples` is not given.
+const MAX_SAMPLES: u32 = 1024;
 
 /// Reads a number or a fraction, above 0 and at most 1.
 fn error_bound(text: &str) -> Result<f64, String> {
@@ -119,7 +119,7 @@ impl Options {
             size,
             rows: None,
             samples: match self.max_error {
-                Some(_) => self.samples.unwrap_or(ENOUGH),
+                Some(_) => self.samples.unwrap_or(MAX_SAMPLES),
                 None => samples,
             },
             sampling,

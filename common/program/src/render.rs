@@ -108,7 +108,7 @@ fn render_in_bands(
     if let Some(samples) = samples {
         warn(&format!("note: {}: {samples}", scene.name));
         if samples.misses(settings.max_error) {
-            warn("note: that is more than was asked for; more --samples may do");
+            warn("note: the error is larger than --max-error; more --samples may reduce it");
         }
     }
     Ok((path, size, bad))
