@@ -12,8 +12,8 @@
 //! than a pixel is that of Akimoto, Mase and Suenaga, Pixel-Selected Ray Tracing,
 //! 1991.)
 //!
-//! An object between all corners is missed, and so is the tip of a needle: corners are
-//! the only places at which the picture is sampled.
+//! An object that lies between the corners of all pixels is missed, and so is the tip of
+//! a needle.
 
 mod block;
 mod cell;
