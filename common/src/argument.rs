@@ -1,8 +1,8 @@
-//! Checks of what a constructor is given, and the one error they share.
+//! Checks of the arguments of constructors, and the one error type they share.
 //!
 //! Lengths and coordinates stay within [`SMALLEST_LENGTH`] and
 //! [`LARGEST_LENGTH`], so that a product of three of them neither overflows
-//! nor vanishes and no formula of the workbook can turn into infinity or NaN.
+//! nor underflows, and no formula of the workbook yields infinity or NaN.
 
 use std::fmt;
 
@@ -15,25 +15,25 @@ pub const SMALLEST_LENGTH: f64 = 1e-100;
 /// accepts.
 pub const LARGEST_LENGTH: f64 = 1e100;
 
-/// Greatest channel of a colour that a constructor accepts. Light times what a
-/// material makes of it, squared where errors are estimated, and summed over
-/// lights and samples is a number then.
+/// Greatest channel of a colour that a constructor accepts. With it, light times the
+/// colour of a material is finite, even squared for an error estimate and summed over
+/// lights and samples.
 pub const LARGEST_CHANNEL: f64 = 1e50;
 
-/// An argument outside of what its constructor accepts.
+/// An argument outside of the range that its constructor accepts.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{name} is {value}, but must be {allowed}")]
 pub struct ArgumentError {
-    /// The argument, by its name in the constructor.
+    /// The name of the argument in the constructor.
     pub name: &'static str,
-    /// What was given.
+    /// The value that was given.
     pub value: String,
-    /// What would be accepted.
+    /// The values that are accepted.
     pub allowed: &'static str,
 }
 
 impl ArgumentError {
-    /// An error that names the argument, what was given and what is allowed.
+    /// An error that names the argument, its value and the allowed values.
     pub fn new(name: &'static str, value: impl fmt::Display, allowed: &'static str) -> Self {
         Self {
             name,
@@ -43,7 +43,7 @@ impl ArgumentError {
     }
 }
 
-/// Passes `value` on if `valid`, or says what is allowed.
+/// Returns `value` if it is `valid`, else an error that names the allowed values.
 pub fn check(
     name: &'static str,
     value: f64,
@@ -68,19 +68,19 @@ pub fn not_negative(name: &'static str, value: f64) -> Result<f64, ArgumentError
     check(name, value, valid, "a finite number of at least 0")
 }
 
-/// A positive length within the range that the formulas stand.
+/// A positive length within the range for which the formulas hold.
 pub fn length(name: &'static str, value: f64) -> Result<f64, ArgumentError> {
     let valid = (SMALLEST_LENGTH..=LARGEST_LENGTH).contains(&value);
     check(name, value, valid, "a length from 1e-100 to 1e100")
 }
 
-/// A coordinate within the range that the formulas stand.
+/// A coordinate within the range for which the formulas hold.
 pub fn coordinate(name: &'static str, value: f64) -> Result<f64, ArgumentError> {
     let valid = value.abs() <= LARGEST_LENGTH;
     check(name, value, valid, "a coordinate from -1e100 to 1e100")
 }
 
-/// A colour within the range that the formulas stand, no channel negative.
+/// A colour within the range for which the formulas hold, no channel negative.
 pub fn color(name: &'static str, value: Color) -> Result<Color, ArgumentError> {
     let valid = |channel: &f64| (0.0..=LARGEST_CHANNEL).contains(channel);
     check_channels(name, value, valid, "a colour of channels from 0 to 1e50")
@@ -111,7 +111,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_error_says_what_was_given_and_what_would_be_right() {
+    fn an_error_names_the_value_and_the_allowed_ones() {
         let error = length("radius", 0.0).unwrap_err();
         let text = "radius is 0, but must be a length from 1e-100 to 1e100";
         assert_eq!(error.to_string(), text);
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_right_passes_as_it_is() {
+    fn valid_values_pass_unchanged() {
         for number in [0.25, 7.0] {
             let checks = [finite, not_negative, length, coordinate];
             assert!(checks.iter().all(|check| check("x", number) == Ok(number)));

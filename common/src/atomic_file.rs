@@ -1,4 +1,4 @@
-//! Writing files so that they are whole or absent.
+//! Writes files so that each is complete or absent.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, ErrorKind, Read};
@@ -9,19 +9,17 @@ use tempfile::NamedTempFile;
 
 use crate::Error;
 
-/// How files begin and end that have not yet got their name.
+/// Prefix and suffix of temporary files.
 const TEMPORARY: [&str; 2] = [".saving-", ".part"];
 
-/// No file goes without its name as long as this; what does was left behind by
-/// a program that was killed.
+/// Temporary files older than this were left behind by a program that was killed.
 const LEFT_BEHIND: Duration = Duration::from_hours(1);
 
-/// Writes a file of this name, instead of one that may be there.
+/// Writes a file of this name, and replaces an older one.
 ///
-/// It is written under another name in the same folder and then renamed: whoever
-/// looks, and whenever the program is killed, finds the old file or the new one,
-/// never half of it. If `path` is a symbolic link, it stays, and the file it
-/// leads to is written.
+/// It is written under another name in the same folder and then renamed. So other
+/// programs always find the old file or the complete new one, even if this program is
+/// killed. If `path` is a symbolic link, it stays, and its target is written.
 pub fn write(path: &Path, content: impl Read) -> Result<(), Error> {
     let (file, end) = unnamed(path, content)?;
     let named = file.persist(end);
@@ -29,8 +27,8 @@ pub fn write(path: &Path, content: impl Read) -> Result<(), Error> {
     Ok(())
 }
 
-/// Like [`write()`], but false and without effect if there already is a file of
-/// this name.
+/// Like [`write()`], but if there already is a file of this name, keeps it and returns
+/// false.
 pub fn write_new(path: &Path, content: impl Read) -> Result<bool, Error> {
     let (file, end) = unnamed(path, content)?;
     match file.persist_noclobber(end) {
@@ -40,14 +38,14 @@ pub fn write_new(path: &Path, content: impl Read) -> Result<bool, Error> {
     }
 }
 
-/// Says what would keep a file from being written, before there is anything to
-/// write. Leaves nothing behind.
+/// An error if a file cannot be written; for a check before there is anything to
+/// write. Leaves no file behind.
 pub fn check_writable(path: &Path) -> Result<(), Error> {
     temporary_file(path)?;
     Ok(())
 }
 
-/// The error that `path` cannot be written, with what would help.
+/// The error that `path` cannot be written, with a remedy.
 #[must_use]
 pub fn cannot_write(path: &Path, error: &io::Error) -> Error {
     let reason = match error.kind() {
@@ -69,11 +67,12 @@ fn refusal(path: &Path, reason: impl Into<String>) -> Error {
     }
 }
 
-/// A finished file that vanishes unless it is given the name that follows.
+/// A complete temporary file, which is deleted unless it gets its final name, the
+/// second value.
 fn unnamed(path: &Path, mut content: impl Read) -> Result<(NamedTempFile, PathBuf), Error> {
     let (mut file, end) = temporary_file(path)?;
     remove_left_behind(folder_of(&end));
-    // Errors of the file itself do not name the temporary file.
+    // Errors of the inner file do not contain the temporary name.
     let inner = file.as_file_mut();
     let copied = io::copy(&mut content, inner)
         // Some file systems rename first and write later: without this, a power
@@ -85,8 +84,8 @@ fn unnamed(path: &Path, mut content: impl Read) -> Result<(NamedTempFile, PathBu
     Ok((file, end))
 }
 
-/// An empty file that vanishes unless it is given the name that follows: `path`,
-/// or what that leads to as a link.
+/// An empty temporary file, which is deleted unless it gets its final name, the second
+/// value: `path`, or its target if it is a link.
 fn temporary_file(path: &Path) -> Result<(NamedTempFile, PathBuf), Error> {
     let end = end_of_links(path)?;
     let folder = folder_of(&end);
@@ -102,7 +101,7 @@ fn temporary_file(path: &Path) -> Result<(NamedTempFile, PathBuf), Error> {
     check_replaceable(&end).map_err(|reason| refusal(path, reason))?;
     let mut builder = tempfile::Builder::new();
     builder.prefix(TEMPORARY[0]).suffix(TEMPORARY[1]);
-    // Temporary files are private by default, a picture need not be.
+    // Temporary files are private by default; a picture gets the usual permissions.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let file = builder.tempfile_in(folder).map_err(|error| {
@@ -112,10 +111,11 @@ fn temporary_file(path: &Path) -> Result<(NamedTempFile, PathBuf), Error> {
     Ok((file, end))
 }
 
-/// Where a name leads. Renaming would replace the link, not the file behind it.
+/// The target of a link, or the path itself. Renaming to a link would replace the link
+/// and not its target.
 fn end_of_links(path: &Path) -> Result<PathBuf, Error> {
     let mut end = path.to_owned();
-    // As many as Linux follows.
+    // Linux follows as many links.
     for _ in 0..40 {
         match fs::read_link(&end) {
             Ok(next) => end = folder_of(&end).join(next),
@@ -125,8 +125,8 @@ fn end_of_links(path: &Path) -> Result<PathBuf, Error> {
     Err(refusal(path, "it is a link that leads nowhere"))
 }
 
-/// Says what is wrong with replacing what has this name. Renaming would ask only
-/// whether the folder may be changed.
+/// An error if this file must not be replaced. Renaming would only check the
+/// permissions of the folder.
 fn check_replaceable(path: &Path) -> Result<(), &'static str> {
     let Ok(found) = fs::metadata(path) else {
         return Ok(());
@@ -145,7 +145,7 @@ fn check_replaceable(path: &Path) -> Result<(), &'static str> {
     }
 }
 
-/// Removes files from the folder that were never given their names.
+/// Removes old temporary files from the folder.
 fn remove_left_behind(folder: &Path) {
     let [begin, end] = TEMPORARY;
     for entry in folder.read_dir().into_iter().flatten().flatten() {

@@ -19,7 +19,7 @@ pub struct Color {
 impl Color {
     /// No light at all.
     pub const BLACK: Self = Self::gray(0.0);
-    /// All three channels full.
+    /// All three channels are 1.
     pub const WHITE: Self = Self::gray(1.0);
     /// Full red.
     pub const RED: Self = Self::new(1.0, 0.0, 0.0);
@@ -44,7 +44,7 @@ impl Color {
         Self::new(value, value, value)
     }
 
-    /// The colour of three bytes, 255 becoming 1.
+    /// The colour of three bytes, with 255 as 1.
     #[must_use]
     pub fn from_bytes([r, g, b]: [u8; 3]) -> Self {
         Self::new(r.into(), g.into(), b.into()).map(|byte| byte / 255.0)
@@ -73,7 +73,7 @@ impl Color {
         [self.r, self.g, self.b]
     }
 
-    /// The colour whose channels are `f` of these.
+    /// The colour with `f` applied to each channel.
     #[must_use]
     pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
         Self::new(f(self.r), f(self.g), f(self.b))
@@ -108,7 +108,7 @@ impl Sub for Color {
     }
 }
 
-/// Light of one colour, filtered by the other.
+/// Light of one colour, filtered by the other: channel by channel.
 impl Mul for Color {
     type Output = Self;
 
@@ -130,7 +130,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_byte_survives_the_way_to_a_number_and_back() {
+    fn every_byte_survives_the_conversion_to_a_number_and_back() {
         for byte in 0..=255 {
             let bytes = [byte, 255 - byte, byte / 2];
             assert_eq!(Color::from_bytes(bytes).to_bytes(), bytes);
@@ -171,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn one_bad_channel_is_enough_not_to_be_finite() {
+    fn a_color_with_one_bad_channel_is_not_finite() {
         assert!(Color::WHITE.is_finite());
         assert!(!Color::new(0.0, f64::NAN, 0.0).is_finite());
         assert!(!Color::new(0.0, 0.0, f64::INFINITY).is_finite());

@@ -1,13 +1,13 @@
-//! `Error`: what can go wrong in a stage's program, each said in one sentence.
+//! `Error`: the errors of a stage's program, each reported in one sentence.
 
 use std::path::PathBuf;
 
 use crate::{ArgumentError, Size};
 
-/// Why a picture could not be made, opened or written.
+/// The reason why a picture could not be made, opened or written.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The command line asks for what cannot be done.
+    /// The command line is wrong.
     #[error("{0}")]
     Usage(String),
     /// A constructor refused an argument.
@@ -18,7 +18,7 @@ pub enum Error {
     Open {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it, and what would be right.
+        /// The reason, and a remedy if there is one.
         reason: String,
     },
     /// A picture file could not be written.
@@ -40,7 +40,7 @@ pub enum Error {
     /// An extreme case is out of its bound.
     #[error("{0} of the extreme cases fail; they are marked FAILED")]
     Extremes(usize),
-    /// A picture has more pixels than are held in memory at once.
+    /// A picture has more pixels than may be held in memory at once.
     #[error(
         "a picture of {size} pixels is too large to be held in memory, at most 8192x8192 in all; \
          `render` writes larger ones of scenes that are traced"
@@ -64,8 +64,8 @@ pub enum Error {
 }
 
 impl Error {
-    /// The exit code of a program that ends with this error: 2 where the
-    /// command line is wrong, else 1.
+    /// The exit code of a program that ends with this error: 2 for a wrong command
+    /// line, else 1.
     #[must_use]
     pub const fn exit_code(&self) -> u8 {
         match self {

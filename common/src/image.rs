@@ -25,15 +25,15 @@ impl Image {
         }
     }
 
-    /// A black picture, or an error where it is too large or memory does not
-    /// suffice.
+    /// A black picture, or an error if it is too large or there is not enough memory.
     pub fn black(size: Size) -> Result<Self, Error> {
         Self::check_size(size)?;
         let mut pixels = Vec::new();
         pixels
             .try_reserve_exact(size.pixels())
             .map_err(|_| Error::Memory { size })?;
-        // Memory is handed out page by page as it is first written: by all threads.
+        // The system provides memory at the first write to each page, so all threads share
+        // that work.
         pixels.par_extend(rayon::iter::repeat_n(Color::BLACK, size.pixels()));
         Ok(Self { size, pixels })
     }
@@ -62,7 +62,7 @@ impl Image {
         &self.pixels
     }
 
-    /// All pixels, row after row, to be painted.
+    /// All pixels, row after row, mutable.
     pub fn pixels_mut(&mut self) -> &mut [Color] {
         &mut self.pixels
     }
@@ -72,20 +72,19 @@ impl Image {
         self.pixels.chunks_exact(self.size.width() as usize)
     }
 
-    /// The rows, from the top, to be painted.
+    /// The rows, from the top, mutable.
     pub fn rows_mut(&mut self) -> impl Iterator<Item = &mut [Color]> {
         self.pixels.chunks_exact_mut(self.size.width() as usize)
     }
 
-    /// The pixel at column `x` and row `y`, or none outside of the picture.
+    /// The pixel at column `x` and row `y`; none outside of the picture.
     #[must_use]
     pub fn get(&self, x: u32, y: u32) -> Option<Color> {
         let inside = x < self.size.width() && y < self.size.height();
         inside.then(|| self.pixels[self.index(x, y)])
     }
 
-    /// Paints the pixel at column `x` and row `y`; outside of the picture
-    /// nothing happens.
+    /// Paints the pixel at column `x` and row `y`; no effect outside of the picture.
     pub fn set(&mut self, x: u32, y: u32, color: Color) {
         if x < self.size.width() && y < self.size.height() {
             let index = self.index(x, y);
@@ -93,8 +92,8 @@ impl Image {
         }
     }
 
-    /// Paints another picture into this one, its upper left pixel at column
-    /// `left` and row `top`; what lies outside is cut off.
+    /// Paints another picture into this one, its upper left pixel at column `left` and
+    /// row `top`. Pixels outside of this picture are cut off.
     pub fn paste(&mut self, left: u32, top: u32, other: &Self) {
         for (y, row) in (top..).zip(other.rows()) {
             for (x, color) in (left..).zip(row) {
@@ -103,7 +102,7 @@ impl Image {
         }
     }
 
-    /// The picture whose pixels are `f` of these.
+    /// The picture with `f` applied to each pixel.
     #[must_use]
     pub fn map(mut self, f: impl Fn(Color) -> Color) -> Self {
         for pixel in &mut self.pixels {
@@ -129,7 +128,7 @@ impl Image {
         rgb
     }
 
-    /// How many pixels hold NaN or infinity; a right picture holds none.
+    /// The number of pixels with NaN or infinity; 0 in a correct picture.
     #[must_use]
     pub fn count_non_finite(&self) -> usize {
         self.pixels.iter().filter(|c| !c.is_finite()).count()
@@ -156,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn outside_there_is_nothing_to_get_or_set() {
+    fn pixels_outside_can_be_neither_read_nor_painted() {
         let mut image = numbered();
         let before = image.clone();
         for (x, y) in [(3, 0), (0, 2), (u32::MAX, u32::MAX)] {
@@ -198,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn pixels_that_are_no_numbers_are_counted() {
+    fn pixels_that_are_not_finite_are_counted() {
         let mut image = numbered();
         assert_eq!(image.count_non_finite(), 0);
         image.set(1, 1, Color::gray(f64::NAN));

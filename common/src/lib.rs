@@ -1,10 +1,10 @@
-//! The types that every stage needs and no lesson teaches: colours, pictures,
-//! picture files, scenes, their settings and errors.
+//! Types that every stage needs and no lesson teaches: colours, pictures, picture
+//! files, scenes, their settings and errors.
 //!
-//! This crate knows no ray, no window and no terminal, and it builds for
-//! WebAssembly. The crates in the folders below it use it: `measure` for
-//! experiments and extreme cases, `program` for the command line, `testing` for
-//! the tests of the stages.
+//! This crate contains no rays, and does not depend on a window or a terminal; it
+//! builds for WebAssembly. The crates in the folders below use it: `measure` for
+//! experiments and extreme cases, `program` for the command line, `testing` for the
+//! tests of the stages, `engine` for the fast renderer.
 
 pub mod argument;
 pub mod atomic_file;

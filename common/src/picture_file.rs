@@ -1,4 +1,4 @@
-//! Opening picture files, and writing PNG so that a file is whole or absent.
+//! Opens picture files, and writes PNG files so that each is complete or absent.
 
 mod catch_quietly;
 mod encoding;
@@ -13,18 +13,18 @@ use tempfile::{SpooledTempFile, spooled_tempfile_in};
 use crate::{Color, Error, Image, Size, atomic_file};
 use catch_quietly::catch_quietly;
 
-/// Longer files are not opened: decoders may read the whole of them first. The
-/// largest picture that opens, of 16 bits a channel, has half as many bytes.
+/// Longer files are not opened, because decoders may read the whole file first. The
+/// largest picture that opens, with 16 bits per channel, has half as many bytes.
 const LONGEST_FILE: u64 = 1 << 30;
 
-/// So much memory may take what comes along with the pixels: colour profiles, of
-/// a few megabytes at most, lie packed in the file.
+/// Most memory for metadata. The largest are colour profiles, which are compressed in
+/// the file and have a few megabytes at most.
 const MOST_BYTES_BESIDE_PIXELS: u64 = 1 << 24;
 
-/// Opens a PNG, JPEG or BMP file, whatever its name ends in. Colours are taken
-/// as they are stored, 8 bits a channel; what is transparent shows black.
+/// Opens a PNG, JPEG or BMP file with any suffix. Colours are taken as they are
+/// stored, with 8 bits per channel; transparent pixels are blended with black.
 ///
-/// The size is checked before memory is taken for the pixels.
+/// The size is checked before memory is allocated for the pixels.
 pub fn open(path: &Path) -> Result<Image, Error> {
     if path.is_dir() {
         return Err(cannot_open(path, "it is a folder, not a picture"));
@@ -41,8 +41,8 @@ pub fn open(path: &Path) -> Result<Image, Error> {
     }
 }
 
-/// Opens a picture file that is in memory, such as one that the program brings
-/// along; errors call it `name`. Otherwise like [`open`].
+/// Like [`open`], for a picture file in memory, such as one that is part of the
+/// program. Errors call it `name`.
 pub fn open_bytes(name: &Path, bytes: &[u8]) -> Result<Image, Error> {
     read(name, Cursor::new(bytes))
 }
@@ -55,7 +55,7 @@ fn cannot_open(path: &Path, reason: impl Into<String>) -> Error {
 }
 
 fn read(path: &Path, file: impl BufRead + Seek) -> Result<Image, Error> {
-    // The decoder of JPEG files panics on some that are damaged.
+    // The JPEG decoder panics on some damaged files.
     let decoded = catch_quietly(|| decode(file));
     let decoded = decoded.unwrap_or_else(|| Err("the file is damaged".to_owned()));
     let (size, rgba) = decoded.map_err(|reason| cannot_open(path, reason))?;
@@ -73,7 +73,7 @@ fn decode(file: impl BufRead + Seek) -> Result<(Size, Vec<u8>), String> {
         .with_guessed_format()
         .map_err(|error| error.to_string())?;
     let mut limits = Limits::default();
-    // The pixels themselves have their own bound, by the size of the picture.
+    // The pixels have their own limit, the size of the picture.
     limits.max_alloc = Some(MOST_BYTES_BESIDE_PIXELS);
     reader.limits(limits);
     let mut decoder = reader.into_decoder().map_err(explain)?;
@@ -101,8 +101,8 @@ fn explain(error: &ImageError) -> String {
 
 /// Writes a PNG file of red, green and blue bytes, row after row from the top.
 ///
-/// Whoever looks finds the old file or the new one, never half of it. A symbolic
-/// link stays, and the file it leads to is written.
+/// Other programs always find the old file or the complete new one. A symbolic link
+/// stays, and its target is written.
 ///
 /// # Panics
 ///
@@ -111,9 +111,8 @@ pub fn save_png(path: &Path, size: Size, rgb: &[u8]) -> Result<(), Error> {
     save_png_in_bands(path, size, [Ok(rgb)])
 }
 
-/// Like [`save_png`], of rows that come band by band from the top, so that no
-/// more than one band need be in memory. The first band that is an error ends
-/// it, and there is no file.
+/// Like [`save_png`], for rows that come in bands from the top, so that only one band
+/// need be in memory. If a band is an error, no file is written.
 ///
 /// # Panics
 ///
@@ -126,8 +125,8 @@ pub fn save_png_in_bands<B: AsRef<[u8]>>(
     atomic_file::write(path, encoded(path, size, bands)?)
 }
 
-/// Like [`save_png`], but false and without effect if there already is a file
-/// of this name.
+/// Like [`save_png`], but if there already is a file of this name, keeps it and
+/// returns false.
 ///
 /// # Panics
 ///
@@ -136,7 +135,7 @@ pub fn save_new_png(path: &Path, size: Size, rgb: &[u8]) -> Result<bool, Error> 
     atomic_file::write_new(path, encoded(path, size, [Ok(rgb)])?)
 }
 
-/// How many bytes of a file are kept in memory until it is whole.
+/// Larger files are kept on the disk, and not in memory, until they are complete.
 const MOST_BYTES_IN_MEMORY: usize = 1 << 24;
 
 /// The content of a PNG file, to be read from its beginning.
@@ -146,7 +145,7 @@ fn encoded<B: AsRef<[u8]>>(
     bands: impl IntoIterator<Item = Result<B, Error>>,
 ) -> Result<SpooledTempFile, Error> {
     let explain = |error| atomic_file::cannot_write(path, &error);
-    // What has no name at all vanishes even if the program is killed.
+    // A file without a name is deleted even if the program is killed.
     let mut png = spooled_tempfile_in(MOST_BYTES_IN_MEMORY, atomic_file::folder_of(path));
     encoding::encode(&mut png, size, bands, explain)?;
     png.rewind().map_err(explain)?;

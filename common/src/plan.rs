@@ -1,62 +1,63 @@
-//! `Plan`: what a picture needs, and what is left out of its making.
+//! `Plan`: the work that a picture needs, and the work that the renderer skips.
 //!
-//! It is made from the scene before the first ray, so that a reader can see
-//! what the renderer knows before it begins.
+//! It is made from the scene before the first ray, so that a reader sees which facts
+//! about the scene the renderer uses.
 
 use std::fmt;
 
-/// What the picture of a scene needs, and what it does not.
+/// The work that the picture of a scene needs, and the work that it does not.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Plan {
-    /// What there is: rays, objects, lights, mirrors.
+    /// The work and its objects: rays, shapes, lights, mirrors.
     pub needs: Vec<String>,
-    /// What is not done.
+    /// The work that is skipped.
     pub omissions: Vec<Omission>,
 }
 
-/// Work that is not done.
+/// Work that is skipped.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Omission {
-    /// Which work.
+    /// The work.
     pub what: String,
-    /// Why the picture does not need it.
+    /// The reason why the picture does not need it.
     pub why: String,
-    /// How far the picture can be from the one with this work.
+    /// The largest difference from the picture with this work.
     pub bound: Bound,
 }
 
-/// How far a picture can be from the one with all work.
+/// The largest difference of a picture from the one with all work.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bound {
-    /// It is the same, to the last bit.
+    /// None: the pictures are bit-identical.
     SameBits,
-    /// No channel of a pixel is farther off than this, 1 being white.
+    /// No channel of a pixel differs by more than this, where 1 is white.
     Channel(f64),
-    /// The root mean square error of all channels is estimated to be at most this, 1
-    /// being white.
+    /// The root mean square error of all channels is estimated to be at most this,
+    /// where 1 is white.
     Error(f64),
-    /// Every ray meets what it would if shapes were moved by less than this, 1
-    /// being the largest distance from the origin of eye and objects: only edges
-    /// and borders of shadows that pass so near to a sample change it.
+    /// Every ray has the hits that it would have if shapes were moved by less than
+    /// this, where 1 is the largest distance of eye and objects from the origin. The
+    /// picture differs only where an edge or the border of a shadow passes a sample
+    /// within that distance.
     Shift(f64),
 }
 
 impl Plan {
-    /// This plan and one more thing that there is.
+    /// Adds an entry to `needs`.
     #[must_use]
     pub fn needing(mut self, need: impl Into<String>) -> Self {
         self.needs.push(need.into());
         self
     }
 
-    /// This plan and work that is left out because of `why`, the picture being
-    /// the same.
+    /// Adds work that is skipped because of `why`, without any change of the picture.
     #[must_use]
     pub fn without(self, what: impl Into<String>, why: impl Into<String>) -> Self {
         self.nearly_without(what, why, Bound::SameBits)
     }
 
-    /// The same, the picture being as near as `bound` says.
+    /// Adds work that is skipped because of `why`, with a change of the picture within
+    /// `bound`.
     #[must_use]
     pub fn nearly_without(
         mut self,
@@ -81,7 +82,7 @@ impl fmt::Display for Bound {
     }
 }
 
-/// One line each, without the last line's end.
+/// One line for each entry, without a newline at the end.
 impl fmt::Display for Plan {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         if self.needs.is_empty() && self.omissions.is_empty() {
@@ -102,7 +103,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_plan_tells_what_there_is_and_what_is_left_out() {
+    fn a_plan_lists_needed_and_skipped_work() {
         let plan = Plan::default()
             .needing("lights: 2")
             .without("a ray", "it goes nowhere")

@@ -1,4 +1,4 @@
-//! `Progress`: follows a rendering while it goes on.
+//! `Progress`: follows a rendering while it runs.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -6,23 +6,23 @@ use crate::{Color, Sampled};
 
 /// Follows a rendering from row to row. Called from all of its threads.
 pub trait Progress: Sync {
-    /// Row `y`, counted from the top, is finished. Its colours are worked out for those
-    /// who look at them.
+    /// Row `y`, counted from the top, is finished. Its colours are computed only if the
+    /// iterator is used.
     fn row(&self, y: u32, pixels: &mut dyn Iterator<Item = Color>);
 
-    /// This many rows will be painted once more.
+    /// This many rows will be painted again.
     fn more_rows(&self, _: u32) {}
 
-    /// The picture, or this part of it, is sampled as exactly as was asked for.
+    /// Adaptive sampling of the picture, or of a part of it, has ended with this result.
     fn sampled(&self, _: &Sampled) {}
 
-    /// True once the picture is not wanted any more: no further row is begun.
+    /// True once the picture is no longer needed: no further row is begun.
     fn stopped(&self) -> bool {
         false
     }
 }
 
-/// Nobody follows.
+/// Ignores the progress.
 impl Progress for () {
     fn row(&self, _: u32, _: &mut dyn Iterator<Item = Color>) {}
 }

@@ -1,16 +1,16 @@
-//! `Sampled`: what adaptive sampling took, and what it reached.
+//! `Sampled`: the number of samples and the error of adaptive sampling.
 
 use std::fmt;
 use std::ops::AddAssign;
 
-/// The samples of a picture, or of parts of it added up, and its error.
+/// The samples and the error of a picture, or the sum over several parts of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sampled {
     /// Number of pixels.
     pub pixels: u64,
-    /// All samples that were taken.
+    /// Number of samples of all pixels.
     pub samples: u64,
-    /// Samples of the pixel with the most.
+    /// Largest number of samples of a pixel.
     pub most: u32,
     /// The estimated squared error of a channel from 0 to 1, summed over the
     /// pixels.
@@ -24,7 +24,7 @@ impl Sampled {
         (self.squared_error / self.pixels as f64).sqrt()
     }
 
-    /// Whether the error is more than was asked for.
+    /// Whether the error is larger than the requested one.
     #[must_use]
     pub fn misses(&self, asked: Option<f64>) -> bool {
         asked.is_some_and(|asked| self.error() > asked)
@@ -57,7 +57,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn means_and_errors_are_those_of_a_pixel() {
+    fn means_and_errors_are_per_pixel() {
         let mut sampled = Sampled {
             pixels: 4,
             samples: 10,

@@ -1,4 +1,4 @@
-//! `Scene`: a picture of a stage, and how it is rendered.
+//! `Scene`: a picture of a stage, and the code that renders it.
 
 use crate::{Color, Error, Image, Plan, Progress, Settings, Size};
 
@@ -13,7 +13,7 @@ pub struct UsedSettings {
     pub size: bool,
     /// Number, place and seed of the samples.
     pub sampling: bool,
-    /// The number of surfaces that a ray may meet.
+    /// The number of surfaces that a ray may hit.
     pub depth: bool,
     /// The file to open.
     pub file: bool,
@@ -23,9 +23,9 @@ pub struct UsedSettings {
 pub struct Scene {
     /// The name on the command line, in kebab case.
     pub name: &'static str,
-    /// What is to be seen, in one line.
+    /// A description of the picture, in one line.
     pub about: &'static str,
-    /// The settings it is rendered with where nothing else is asked for.
+    /// The settings of the rendering where the command line has no others.
     pub defaults: Settings,
     /// The settings that change its picture.
     pub uses: UsedSettings,
@@ -56,7 +56,7 @@ impl Scene {
         }
     }
 
-    /// A scene that shows a picture file of whatever size that has.
+    /// A scene that shows a picture file in the size of the file.
     pub fn opened(
         name: &'static str,
         about: &'static str,
@@ -79,8 +79,8 @@ impl Scene {
         scene
     }
 
-    /// Scenes side by side in one picture, to be compared: each takes an equal
-    /// share of the width, with a gap of [`Scene::GAP`] pixels between them.
+    /// Scenes side by side in one picture, for comparison: each has an equal share of
+    /// the width, with a gap of [`Scene::GAP`] pixels between them.
     #[must_use]
     pub fn side_by_side(name: &'static str, about: &'static str, panels: Vec<Self>) -> Self {
         let paint = move |settings: &Settings, progress: &dyn Progress| {
@@ -106,10 +106,10 @@ impl Scene {
         Self::traced(name, about, paint)
     }
 
-    /// The pixels between pictures side by side.
+    /// The gap between pictures side by side, in pixels.
     pub const GAP: u32 = 8;
 
-    /// The same scene, its rays being reflected by what they meet.
+    /// The same scene, with surfaces that reflect rays.
     #[must_use]
     pub fn reflecting(mut self) -> Self {
         self.uses.depth = true;
@@ -123,8 +123,7 @@ impl Scene {
         self
     }
 
-    /// The same scene, `plan` telling before the first ray what its picture
-    /// needs and what is left out.
+    /// The same scene, with `plan` for its plan, which is made before the first ray.
     #[must_use]
     pub fn planned(
         mut self,
@@ -134,7 +133,7 @@ impl Scene {
         self
     }
 
-    /// The same scene, `more` adding to what its plan tells.
+    /// The same scene, with `more` to extend its plan.
     #[must_use]
     pub fn also_planned(
         mut self,
@@ -145,12 +144,12 @@ impl Scene {
         self
     }
 
-    /// What the picture needs, and what is left out of its making.
+    /// The work that the picture needs, and the work that is skipped.
     pub fn plan(&self, settings: &Settings) -> Result<Plan, Error> {
         (self.plan)(settings)
     }
 
-    /// Makes the picture.
+    /// Renders the picture.
     pub fn render(&self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
         (self.paint)(settings, progress)
     }
@@ -162,7 +161,7 @@ mod tests {
 
     /// 100 pixels less two gaps of 8 leave 28 for each of three.
     #[test]
-    fn scenes_side_by_side_share_the_width_but_for_the_gaps() {
+    fn scenes_side_by_side_share_the_width_without_the_gaps() {
         let colors = [Color::RED, Color::GREEN, Color::BLUE];
         let panel = |color: Color| {
             Scene::painted("panel", "", move |settings, _| {
@@ -188,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn a_plan_is_told_and_added_to() {
+    fn a_plan_is_made_and_extended() {
         let scene = Scene::painted("panel", "", |settings, _| Image::black(settings.size))
             .planned(|settings| Ok(Plan::default().needing(settings.size.to_string())))
             .also_planned(|_, plan| Ok(plan.without("a ray", "it goes nowhere")));

@@ -1,4 +1,5 @@
-//! `Settings`: what a reader can turn about a picture without changing its scene.
+//! `Settings`: the parameters of a rendering, which a reader can change without
+//! changing the scene.
 
 use std::ops::Range;
 use std::path::PathBuf;
@@ -42,7 +43,7 @@ pub enum Renderer {
     Lesson,
     /// The fast renderer.
     Engine,
-    /// The renderer that leaves nothing out.
+    /// The renderer that skips no work.
     AllWork,
 }
 
@@ -51,34 +52,34 @@ impl Renderer {
     pub const ALL: [Self; 3] = [Self::Lesson, Self::Engine, Self::AllWork];
 }
 
-/// What a scene is rendered with.
+/// The parameters of a rendering.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// Width and height of the picture.
     pub size: Size,
-    /// The rows that are wanted of it, counted from the top; none stands for
-    /// all. Only traced scenes use them.
+    /// The rows to render, counted from the top; none stands for all. Only traced
+    /// scenes use them.
     pub rows: Option<Range<u32>>,
-    /// Samples per pixel; the most of them where there is a `max_error`.
+    /// Samples per pixel; with a `max_error`, the most samples of a pixel.
     pub samples: u32,
-    /// Where they lie.
+    /// The places of the samples in a pixel.
     pub sampling: Sampling,
-    /// The root mean square error that the picture may have, above 0: of a
-    /// channel from 0 to 1. Samples are then taken where they are needed,
-    /// wherever `sampling` would put them.
+    /// The largest root mean square error of the picture, above 0, for channels from
+    /// 0 to 1. With it, adaptive sampling chooses the places of the samples, and
+    /// `sampling` is ignored.
     pub max_error: Option<f64>,
     /// Selects the random numbers; the same seed gives the same picture.
     pub seed: u64,
-    /// How many surfaces a ray may meet: 1 shows no reflection.
+    /// The number of surfaces that a ray may hit: 1 shows no reflection.
     pub depth: u32,
     /// The code that renders the picture.
     pub renderer: Renderer,
-    /// The picture file to open, for the scene that opens one.
+    /// The picture file to open, for a scene that opens one.
     pub file: Option<PathBuf>,
 }
 
 impl Settings {
-    /// The rows of the picture that are wanted, and no others.
+    /// The rows to render, limited to the picture.
     #[must_use]
     pub fn rows(&self) -> Range<u32> {
         let height = self.size.height();
@@ -108,7 +109,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn samples_lie_on_a_grid_at_random_or_both() {
+    fn samples_are_on_a_grid_or_random_or_both() {
         let properties = |sampling: Sampling| (sampling.is_grid(), sampling.is_random());
         assert_eq!(properties(Sampling::Center), (false, false));
         assert_eq!(properties(Sampling::Regular), (true, false));
@@ -117,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn no_rows_are_wanted_that_there_are_not() {
+    fn rows_outside_of_the_picture_are_dropped() {
         let rows = |rows| Settings {
             rows,
             ..Settings::default()

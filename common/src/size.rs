@@ -1,4 +1,4 @@
-//! `Size`: width and height of a picture, checked before memory is taken.
+//! `Size`: width and height of a picture, checked before memory is allocated.
 
 use std::fmt;
 use std::str::FromStr;
@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_size_is_refused_with_the_reason() {
+    fn wrong_sizes_are_refused_with_the_reason() {
         for text in [
             "",
             "640",

@@ -1,4 +1,4 @@
-//! `Transfer`: how linear light is spread over the 256 levels of a byte.
+//! `Transfer`: the curve that maps linear light to the 256 levels of a byte.
 
 use crate::Color;
 
@@ -25,14 +25,14 @@ impl Transfer {
         color.map(|channel| self.encode(channel)).to_bytes()
     }
 
-    /// Writes red, green and blue bytes of some colours into `rgb`, which has three bytes
-    /// for each: the one place where colours become bytes.
+    /// Writes the red, green and blue bytes of some colours into `rgb`, which has three
+    /// bytes for each. All conversions from colours to bytes use this function.
     pub fn write_rgb8(self, colors: &[Color], rgb: &mut [u8]) {
-        // Some at once, so that one instruction serves many channels.
-        const TOGETHER: usize = 8;
-        let (some, rest) = colors.as_chunks::<TOGETHER>();
-        let (bytes, bytes_of_rest) = rgb.split_at_mut(3 * TOGETHER * some.len());
-        for (bytes, colors) in bytes.chunks_exact_mut(3 * TOGETHER).zip(some) {
+        // A batch of colours, so that one instruction works on many channels.
+        const BATCH: usize = 8;
+        let (some, rest) = colors.as_chunks::<BATCH>();
+        let (bytes, bytes_of_rest) = rgb.split_at_mut(3 * BATCH * some.len());
+        for (bytes, colors) in bytes.chunks_exact_mut(3 * BATCH).zip(some) {
             bytes.copy_from_slice(colors.map(|color| self.bytes(color)).as_flattened());
         }
         for (bytes, color) in bytes_of_rest.chunks_exact_mut(3).zip(rest) {
@@ -47,7 +47,7 @@ impl Transfer {
         u32::from_be_bytes([0, r, g, b])
     }
 
-    /// The value to write for `linear` light; negative light counts as none.
+    /// The value to write for `linear` light; negative light counts as 0.
     #[must_use]
     pub fn encode(self, linear: f64) -> f64 {
         match self {
@@ -86,7 +86,7 @@ mod tests {
         assert!((above - below).abs() < 1e-6);
     }
 
-    /// The standard gives the border to the straight part.
+    /// In the standard the border belongs to the straight part.
     #[test]
     fn at_the_border_srgb_is_straight() {
         assert_eq!(Transfer::Srgb.encode(0.003_130_8), 12.92 * 0.003_130_8);

@@ -29,10 +29,10 @@ use trees::{FEW, Trees};
 
 /// Up to this many shapes a linear scan is faster for a single ray.
 const FEW_FOR_ONE: usize = 4;
-/// The same for a packet of rays that no grid serves.
+/// Up to this many shapes a linear scan is faster for a packet outside of all grids.
 const FEW_FOR_PACKET: usize = 16;
 
-/// What many rays have in common.
+/// The point or the direction that many rays share.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RayBundle {
     /// All of them pass through one point.
@@ -50,12 +50,12 @@ pub(crate) struct Accelerator<'a> {
     /// The bounded shapes, if they are few enough for packets to scan.
     few: Option<Vec<ShapeId>>,
     grids: Vec<PerspectiveGrid>,
-    /// For rays that no grid serves; built for the first of them.
+    /// For rays outside of all grids; built for the first of them.
     trees: OnceLock<Trees>,
 }
 
 impl<'a> Accelerator<'a> {
-    /// The accelerator of these shapes, most rays being of some bundles.
+    /// The accelerator of these shapes, for rays most of which belong to these bundles.
     pub fn new(shapes: Shapes<'a>, bundles: impl IntoIterator<Item = RayBundle>) -> Self {
         let (bounded, unbounded): (Vec<_>, Vec<_>) =
             shapes.bounds().partition(|(bounds, _)| bounds.are_finite());
@@ -98,7 +98,7 @@ impl<'a> Accelerator<'a> {
     /// Whether an object narrower than this share of the side could lie between four
     /// rays, the corners of a square.
     pub fn may_miss_features(&self, corners: &[Ray; 4], feature_size: f64) -> bool {
-        // Planes are wide; nothing is known of other shapes without bounds.
+        // Planes are wide. The width of other shapes without bounds is unknown.
         let is_wide = |shape: &ShapeId| matches!(shape, ShapeId::Plane(_));
         if !self.unbounded.iter().all(is_wide) {
             return true;

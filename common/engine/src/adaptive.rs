@@ -12,8 +12,8 @@
 //! than a pixel is that of Akimoto, Mase and Suenaga, Pixel-Selected Ray Tracing,
 //! 1991.)
 //!
-//! What no corner shows is not found: an object that lies between the corners of all
-//! pixels is missing from the picture, and so is the tip of a needle.
+//! An object that lies between the corners of all pixels is missed, and so is the tip of
+//! a needle.
 
 mod block;
 mod cell;
@@ -126,7 +126,8 @@ impl<R: Radiance> View for Jittered<'_, R> {
     }
 }
 
-/// Of the squared error allowed so much is aimed at: what is estimated errs, too.
+/// Safety factor: aim at this share of the allowed squared error, because the estimate is
+/// itself uncertain.
 const AIM: f64 = 0.6;
 
 /// Like [`render_image`], but hands each finished row to `keep`, with its share of

@@ -1,4 +1,4 @@
-//! `Camera`: the rays through places of a picture.
+//! `Camera`: computes the rays through places of a picture.
 
 use std::fmt;
 

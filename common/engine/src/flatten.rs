@@ -1,4 +1,4 @@
-//! `flatten`: nested transforms as one.
+//! `flatten`: replaces nested transforms by one.
 //!
 //! A ray that goes down through k transforms is moved k times. The product of their
 //! matrices moves it at once, but rounds otherwise: both ways err by up to k times the
@@ -24,8 +24,8 @@ use crate::shape::{Step, Transform, Transformed};
 /// together stay below 10 eps; the norms are rounded, too.
 const PER_TRANSFORM: f64 = 16.0 * f64::EPSILON;
 
-/// Shapes may move by the error allowed, times this share of the scene: less than that
-/// part of a pixel, in a picture up to 4096 pixels wide of all of it.
+/// Shapes may move by the allowed error times this share of the scene. In a picture of
+/// the whole scene, up to 4096 pixels wide, that is less than the same part of a pixel.
 const PIXEL: f64 = 1.0 / 4096.0;
 
 /// Largest entry of a product, so that the square of a stretched direction is finite.

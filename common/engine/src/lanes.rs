@@ -17,10 +17,10 @@ pub use vector::{Vector3x4, is_square_of_a_length};
 /// are set, or none.
 pub use wide::f64x4 as Lanes;
 
-/// No `t` at all.
+/// The `t` of no hit.
 pub const NOWHERE: Lanes = Lanes::new([f64::NAN; 4]);
 
-/// `yes` in the lanes of the mask, and `no` beside it.
+/// `yes` in the lanes of the mask, and `no` in the others.
 #[inline]
 pub fn select(mask: Lanes, yes: Lanes, no: Lanes) -> Lanes {
     mask.bitselect(yes, no)
@@ -29,7 +29,7 @@ pub fn select(mask: Lanes, yes: Lanes, no: Lanes) -> Lanes {
 /// `t`, and NaN in the lanes of the mask.
 #[inline]
 pub fn without(mask: Lanes, t: Lanes) -> Lanes {
-    // All bits set is one of the NaN.
+    // A number with all bits set is NaN.
     t | mask
 }
 

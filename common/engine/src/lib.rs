@@ -1,6 +1,6 @@
 //! The fast renderer: it draws the pictures of the lessons, byte for byte, in less time.
 //!
-//! It works on plain numbers and knows no stage: a stage hands over a [`Scene`] and a
+//! It works on plain numbers and depends on no stage: a stage passes a [`Scene`] and a
 //! [`Camera`], and a function for each object that the engine does not know. It repeats
 //! the formulas of the lessons in the same order of operations, for one ray and for four
 //! rays side by side, and skips tests only of shapes that a ray cannot hit. The README

@@ -1,4 +1,4 @@
-//! `Ray`, `Interval` and `Hit`: a ray, its part that counts, and where it meets
+//! `Ray`, `Interval` and `Hit`: a ray, the part of it in which hits count, and a hit on
 //! a surface.
 
 use glam::DVec3;
@@ -6,9 +6,9 @@ use glam::DVec3;
 /// A ray: the points `origin + t direction`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// Where the ray starts.
+    /// The start of the ray.
     pub origin: DVec3,
-    /// Where the ray goes. Its length is 1 except in the space of a transformed
+    /// The direction of the ray. Its length is 1 except in the space of a transformed
     /// shape.
     pub direction: DVec3,
 }
@@ -49,10 +49,10 @@ impl Interval {
     }
 }
 
-/// A meeting of a ray and a shape.
+/// A point at which a ray meets a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// Where on the ray.
+    /// The place on the ray.
     pub t: f64,
     /// The shading normal, of length 1. On a triangle it is interpolated between
     /// the corners.

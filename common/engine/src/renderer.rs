@@ -1,4 +1,4 @@
-//! `Renderer`: a scene and a camera, prepared for pictures.
+//! `Renderer`: a scene and a camera, prepared for rendering.
 
 use common::{Bound, Color, Error, Image, Plan, Progress, Settings, Size};
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
@@ -11,17 +11,17 @@ use crate::shade::RadianceBound;
 use crate::trace::Tracer;
 use crate::{BATCH, Camera, Light, Ray, Sampler, Scene, camera_place, count_primary_rays};
 
-/// The share of the error allowed that mirrors may take. The samples take the rest, and
-/// the squares of both add up to hardly more.
+/// The share of the allowed error for reflections that are cut off. The samples may use
+/// all of it, because the sum of both squares is hardly larger.
 const OF_MIRRORS: f64 = 1.0 / 8.0;
 
-/// A scene and a camera, prepared for pictures.
+/// A scene and a camera, prepared for rendering.
 #[derive(Debug)]
 pub struct Renderer<'a> {
     camera: Camera<'a>,
     pub(crate) tracer: Tracer<'a>,
     /// Upper bound of the displacement of flattened shapes, as a share of the scene, and
-    /// how many shapes these are.
+    /// their number.
     flattened: (f64, usize),
 }
 
@@ -73,7 +73,7 @@ impl<'a> Renderer<'a> {
         }
     }
 
-    /// The light along some rays, for `light`: as many as there are rays.
+    /// Computes the light along some rays. `light` has one element for each ray.
     pub fn trace(&self, rays: &[Ray], light: &mut [Color]) {
         self.tracer.trace(rays, light);
     }
@@ -119,7 +119,7 @@ impl<'a> Renderer<'a> {
         }
         let (rows, width) = (settings.rows(), settings.size.width() as usize);
         let shares = kept.par_chunks_mut(kept.len() / rows.len());
-        // One row a task: one may take far longer than another.
+        // Each row is a task, because one may take far longer than another.
         (rows.into_par_iter().zip(shares).with_max_len(1)).for_each(|(row, kept)| {
             let mut pixels = vec![Color::BLACK; width];
             if view.paint(sampler, row, &mut pixels) {
@@ -206,8 +206,8 @@ struct View<'v, 'a> {
 }
 
 impl View<'_, '_> {
-    /// Paints a row: the mean over the samples of each pixel, some pixels at once. False
-    /// if the rendering was stopped.
+    /// Paints a row: the mean over the samples of each pixel, for a batch of pixels at a
+    /// time. False if the rendering was stopped.
     fn paint(&self, sampler: &impl Sampler, row: u32, pixels: &mut [Color]) -> bool {
         let samples = sampler.samples();
         let at_once = BATCH.div_ceil(samples as usize);

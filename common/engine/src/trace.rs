@@ -25,7 +25,7 @@ pub(crate) struct Tracer<'a> {
     pub accelerator: Accelerator<'a>,
     pub surfaces: Vec<Surface<'a>>,
     pub lights: Vec<Light<'a>>,
-    /// Ends rays whose light nobody could see, where the picture may have an error.
+    /// Ends rays whose light is below a threshold, where the picture may have an error.
     pub cutoff: Option<RadianceBound>,
 }
 

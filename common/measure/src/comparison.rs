@@ -1,5 +1,5 @@
-//! `Comparison`: a picture by the chosen renderer and by the one that leaves
-//! nothing out, and the work of both.
+//! `Comparison`: a picture by the chosen renderer and by the one that skips no
+//! work, and the work of both.
 
 use std::fmt::{self, Write};
 
@@ -14,15 +14,15 @@ pub struct Comparison {
     pub image: Image,
     /// Its work.
     pub needed: Tally,
-    /// The work of the renderer that leaves nothing out.
+    /// The work of the renderer that skips none.
     pub all: Tally,
     /// The largest difference of a channel between both pictures.
     pub difference: f64,
 }
 
 impl Comparison {
-    /// Renders a scene by the chosen renderer and by the one that leaves nothing
-    /// out, on the threads of the current pool.
+    /// Renders a scene by the chosen renderer and by the one that skips no work, on
+    /// the threads of the current pool.
     pub fn new(scene: &Scene, settings: &Settings) -> Result<Self, Error> {
         let render = |settings: &Settings| {
             let (image, tally) = counted(|| scene.render(settings, &()))?;
@@ -39,8 +39,8 @@ impl Comparison {
         })
     }
 
-    /// The line of a Markdown table: how often each kind of work is done of how
-    /// often it could be.
+    /// A row of a Markdown table: for each kind of work the count of the chosen
+    /// renderer, and the full count if that is another.
     #[must_use]
     pub fn row(&self, name: &str) -> String {
         let mut row = format!("| {name} |");
@@ -55,7 +55,7 @@ impl Comparison {
     }
 }
 
-/// The settings with the renderer that leaves nothing out.
+/// The settings with the renderer that skips no work.
 #[must_use]
 pub fn complete(settings: &Settings) -> Settings {
     Settings {
@@ -86,7 +86,7 @@ fn difference(a: &Image, b: &Image) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
-/// A table of all kinds of work that there are, without the last line's end.
+/// A table of the kinds of work that were done, without a newline at its end.
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(
@@ -113,8 +113,8 @@ mod tests {
     use super::*;
     use crate::tally::{count, count_all};
 
-    /// The renderer that leaves nothing out takes a ray more, three tests more and a picture brighter by
-    /// 1/8.
+    /// The renderer that skips no work takes one more ray and three more tests, and its
+    /// picture is brighter by 1/8.
     fn scene() -> Scene {
         Scene::traced("test", "", |settings, _| {
             let is_all = settings.renderer == Renderer::AllWork;
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_left_out_is_counted_and_its_traces_are_found() {
+    fn skipped_work_and_differences_of_the_pictures_are_found() {
         let settings = Settings {
             size: Size::new(2, 1).unwrap(),
             ..Settings::default()
@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_differs_from_all_but_the_same() {
+    fn nan_differs_from_all_but_itself() {
         let dot = |gray| {
             let size = Size::new(1, 1).unwrap();
             Image::from_fn(size, |_, _| Color::gray(gray)).unwrap()

@@ -1,16 +1,17 @@
-//! `Effort`: how much is computed where more is only more certain.
+//! `Effort`: how many rays, samples and rounds a measurement takes; more of them
+//! only make it more certain.
 
 /// How many rays, samples and rounds to spend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effort {
-    /// Seconds.
+    /// Few: a measurement takes seconds.
     Quick,
     /// The full counts.
     Full,
 }
 
 impl Effort {
-    /// All in a release build; in a debug build, which is slower, little.
+    /// Full effort in a release build; quick in a debug build, which is slower.
     #[must_use]
     pub const fn of_build() -> Self {
         if cfg!(debug_assertions) {
@@ -20,7 +21,7 @@ impl Effort {
         }
     }
 
-    /// One of two numbers.
+    /// The number for this effort.
     #[must_use]
     pub const fn choose(self, quick: usize, full: usize) -> usize {
         match self {
@@ -35,7 +36,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn little_effort_takes_the_first_number() {
+    fn quick_effort_takes_the_first_number() {
         assert_eq!(Effort::Quick.choose(3, 15), 3);
         assert_eq!(Effort::Full.choose(3, 15), 15);
     }

@@ -1,84 +1,84 @@
-//! Error against work: what being less wrong costs.
+//! Error against work: the price of a smaller error.
 //!
-//! As for solvers of differential equations, several methods do the same with
-//! a knob turned from coarse to fine, and each turn is a point of a diagram:
-//! how far off, and at what price. The price is counted, which is the same on
-//! every machine, and timed, which is not.
+//! As in work-precision diagrams of solvers of differential equations, several
+//! methods solve one problem with a parameter that goes from coarse to fine. Each
+//! value is a point of the diagram: the error, and its price. The price is counted,
+//! which is the same on every machine, and timed, which is not.
 
 use crate::Effort;
 
 /// Half a grey level of an 8-bit picture: smaller errors can't be seen.
 pub const HALF_GREY_LEVEL: f64 = 1.0 / 510.0;
 
-/// What the slopes of an experiment are taken against.
+/// The horizontal axis against which the slopes of an experiment are taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
-    /// The counted work: turning the knob costs something.
+    /// The counted work, where the parameter changes the price of the method.
     Work,
-    /// The knob itself: it turns the task, not the method.
+    /// The parameter itself, where it changes the problem and not the method.
     Knob,
 }
 
-/// Methods that are compared.
+/// A comparison of methods.
 pub struct Experiment<'a> {
     /// The name on the command line, in kebab case.
     pub name: &'a str,
     /// The question, in one line.
     pub about: &'a str,
-    /// What the knob turns.
+    /// The name of the parameter.
     pub knob: &'a str,
-    /// What the work counts.
+    /// The unit of the counted work, such as rays.
     pub work: &'a str,
-    /// What the error is of, and against which exact value.
+    /// The quantity that the error is of, and its exact value.
     pub error: &'a str,
-    /// What slopes are taken against.
+    /// The axis that slopes are taken against.
     pub against: Axis,
-    /// Measures all methods; the first is the baseline of the times.
+    /// Measures all methods. The first is the baseline of the times.
     pub curves: Box<dyn Fn(Effort) -> Vec<Curve<'a>> + 'a>,
 }
 
-/// A method at all turns of the knob.
+/// A method at all values of the parameter.
 pub struct Curve<'a> {
     /// Its name.
     pub method: &'a str,
-    /// What a reader should know of it: for the most exact one, why it is not
-    /// in the renderer. May be empty.
+    /// A remark for the reader: for the most exact method, why it is not in the
+    /// renderer. May be empty.
     pub remark: &'a str,
-    /// The slope that theory gives, if it does.
+    /// The slope that theory gives, if it gives one.
     pub slope: Option<Slope>,
-    /// From coarse to fine.
+    /// The measurements, from coarse to fine.
     pub points: Vec<Point<'a>>,
 }
 
-/// A slope of log error over log work, or over log knob.
+/// A slope of log error over log work, or over the log of the parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slope {
-    /// What theory gives.
+    /// The slope that theory gives.
     pub expected: f64,
-    /// How far a measured one may be off.
+    /// The largest deviation of a measured slope.
     pub tolerance: f64,
-    /// The values on the axis that count: before, theory may not hold yet, and
-    /// after, rounding may have taken over.
+    /// The range of the axis in which points count: below it, theory may not hold
+    /// yet, and above it, rounding errors may be larger.
     pub between: (f64, f64),
 }
 
 /// One measurement.
 pub struct Point<'a> {
-    /// The turn of the knob.
+    /// The value of the parameter.
     pub knob: f64,
     /// The counted work.
     pub work: f64,
-    /// The root of the mean squared error.
+    /// The root mean square error.
     pub rms: f64,
     /// The greatest error.
     pub max: f64,
-    /// The work itself, to be timed: without finding out the error. What it
-    /// returns keeps the compiler from leaving it out.
+    /// The work itself, to be timed, without the measurement of the error. Its
+    /// result is used, so that the compiler cannot remove the work.
     pub run: Box<dyn FnMut() -> f64 + 'a>,
 }
 
 impl<'a> Point<'a> {
-    /// The measurement whose errors are these, at least one.
+    /// A measurement with these errors, at least one.
     pub fn new(
         knob: f64,
         work: f64,
@@ -100,7 +100,7 @@ impl<'a> Point<'a> {
         }
     }
 
-    /// The place on an axis.
+    /// The coordinate on an axis.
     #[must_use]
     pub const fn on(&self, axis: Axis) -> f64 {
         match axis {
@@ -111,8 +111,8 @@ impl<'a> Point<'a> {
 }
 
 impl Curve<'_> {
-    /// The slope of log error over log `axis` among the points between two
-    /// values, by least squares; none with fewer than two points with an error.
+    /// The slope of log error over log `axis` for the points in a range, by least
+    /// squares. None if fewer than two of them have an error.
     #[must_use]
     pub fn fitted_slope(&self, axis: Axis, between: (f64, f64)) -> Option<f64> {
         let logs: Vec<_> = self
@@ -131,9 +131,10 @@ impl Curve<'_> {
         slope.is_finite().then_some(slope)
     }
 
-    /// The work that brings the error down to `target`: between two points on
-    /// a straight line through both, beyond the last on the fitted one (then
-    /// the flag is true); none if the error does not fall.
+    /// The work that brings the error down to `target`. Between two points it is
+    /// interpolated on the straight line through both. Beyond the last point it is
+    /// extrapolated on the fitted line, and the flag is true. None if the error
+    /// does not fall.
     #[must_use]
     pub fn work_to_reach(&self, target: f64) -> Option<(f64, bool)> {
         let reached = self.points.iter().position(|point| point.rms <= target);
@@ -155,8 +156,8 @@ impl Curve<'_> {
     }
 }
 
-/// Which points no other beats: none has both less work and a smaller error.
-/// By curve and point.
+/// The Pareto front, by curve and point: true for a point if no other has both
+/// less work and a smaller error.
 #[must_use]
 pub fn pareto_front(curves: &[Curve]) -> Vec<Vec<bool>> {
     let all = || curves.iter().flat_map(|curve| &curve.points);
@@ -171,11 +172,11 @@ pub fn pareto_front(curves: &[Curve]) -> Vec<Vec<bool>> {
 }
 
 /// Checks in a test that a stage has experiments, and that their measured slopes
-/// are those of theory.
+/// agree with theory.
 ///
 /// # Panics
 ///
-/// If one is not; the message shows all that aren't.
+/// If a slope does not; the message lists all of them.
 pub fn check_slopes(experiments: &[Experiment], effort: Effort) {
     assert!(!experiments.is_empty(), "there are no experiments");
     let mut wrong = Vec::new();
@@ -195,8 +196,8 @@ pub fn check_slopes(experiments: &[Experiment], effort: Effort) {
     assert!(wrong.is_empty(), "{}", wrong.join("; "));
 }
 
-/// The counted work of every point, for a snapshot: it is the same on every
-/// machine. The errors are given to two digits.
+/// The counted work of every point, for a snapshot, because it is the same on every
+/// machine. The errors are rounded to two digits.
 #[must_use]
 pub fn counted(experiment: &Experiment, effort: Effort) -> String {
     let mut lines = vec![format!("{} ({} counted)", experiment.name, experiment.work)];

@@ -1,8 +1,8 @@
 //! Stiff and extreme cases: a table for the reader that is also a test.
 //!
-//! Each row computes one thing twice, by the protocol's formula and by ours,
-//! and holds both against a value that neither has computed. The protocol's
-//! must fail where the row says so: a comparison that it can't lose is none.
+//! Each row computes one quantity twice, by the protocol's formula and by ours, and
+//! compares both with an exact value from another source. Where the row says so,
+//! the protocol's formula must fail: otherwise the row would prove nothing.
 
 mod bound;
 mod case;

@@ -1,9 +1,9 @@
 //! Measures the code of a stage: error against work in experiments, extreme
 //! cases against exact values, and the work of a rendering, counted.
 //!
-//! This crate prints nothing and knows no terminal. A [`Stage`] joins the scenes
-//! of a stage with its experiments and extreme cases, for the program and for the
-//! tests.
+//! This crate prints nothing and does not depend on a terminal. A [`Stage`] holds
+//! the scenes of a stage with its experiments and extreme cases, for the program
+//! and for the tests.
 
 pub mod comparison;
 mod effort;

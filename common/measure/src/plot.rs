@@ -13,8 +13,8 @@ struct Page {
     paper: RGBColor,
     ink: RGBColor,
     grid: RGBColor,
-    /// Of the curves; told apart by people who see few colours, too (Okabe and
-    /// Ito, Color Universal Design, 2008).
+    /// Colours of the curves, which colour-blind people can distinguish, too (Okabe
+    /// and Ito, Color Universal Design, 2008).
     curves: [RGBColor; 7],
 }
 
@@ -50,11 +50,11 @@ const DARK: Page = Page {
     ],
 };
 
-/// The rounding of numbers near 1: where curves bend to the level.
+/// The rounding of numbers near 1, at which curves become level.
 const ROUNDING: f64 = f64::EPSILON;
 
-/// The plots of an experiment, each with the ending of its file's name: error
-/// against counted work or knob, and against time.
+/// The plots of an experiment, each with the suffix of its file name: error
+/// against counted work or the parameter, and against time.
 pub fn plots(measured: &Measured) -> Result<Vec<(String, String)>, Error> {
     let experiment = measured.experiment;
     let counted = match experiment.against {
@@ -81,7 +81,7 @@ pub fn plots(measured: &Measured) -> Result<Vec<(String, String)>, Error> {
     Ok(plots)
 }
 
-/// What a logarithm can show of a curve.
+/// The points of a curve whose coordinates have logarithms.
 fn points(curve: &Curve, seconds: &[f64], kind: &str, axis: Axis) -> Vec<(f64, f64)> {
     let timed = curve.points.iter().zip(seconds);
     timed
@@ -93,10 +93,10 @@ fn points(curve: &Curve, seconds: &[f64], kind: &str, axis: Axis) -> Vec<(f64, f
         .collect()
 }
 
-/// How many decades an axis shows; below, curves leave the plot.
+/// Most decades on an axis; below them, curves leave the plot.
 const MOST_DECADES: f64 = 40.0;
 
-/// The decades that hold all numbers, from the greatest down.
+/// The range of decades that holds all numbers, or the upper part of it.
 fn decades(numbers: impl Iterator<Item = f64> + Clone) -> std::ops::Range<f64> {
     let least = numbers.clone().fold(f64::INFINITY, f64::min);
     let most = numbers.fold(0.0, f64::max);
@@ -106,7 +106,7 @@ fn decades(numbers: impl Iterator<Item = f64> + Clone) -> std::ops::Range<f64> {
     let decade = |x: f64| libm::pow(10.0, x);
     let (from, to) = (libm::log10(least).floor(), libm::log10(most).ceil());
     let to = to.max(from + 1.0);
-    // More decades than numbers have digits twice over tell nothing.
+    // Numbers have some 16 digits: more than twice as many decades show nothing.
     decade(from.max(to - MOST_DECADES))..decade(to)
 }
 
@@ -186,9 +186,9 @@ mod tests {
         assert_eq!(shown(&[]), [-1.0, 0.0]);
     }
 
-    /// Neither 0 nor what is no number has a logarithm.
+    /// Neither 0 nor NaN has a logarithm.
     #[test]
-    fn only_what_has_a_logarithm_is_shown() {
+    fn only_points_that_have_logarithms_are_shown() {
         let point = |(work, error): (f64, f64)| Point::new(7.0, work, [error], || 0.0);
         let points_of = [
             (1.0, 0.5),
@@ -225,8 +225,8 @@ mod tests {
         lines.filter_map(of_line).collect()
     }
 
-    /// From the first decades on each point is a circle, but not those far
-    /// below; each curve has its colour, and a line of 18 pixels in the legend.
+    /// Each point is a circle, except points below the decades shown. Each curve has
+    /// its colour, and a line of 18 pixels in the legend.
     #[test]
     fn curves_have_their_points_and_colours() {
         let curve = |points: &[(f64, f64)]| Curve {

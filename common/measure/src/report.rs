@@ -10,24 +10,24 @@ use common::{Error, atomic_file};
 use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, pareto_front};
 use crate::{Effort, plot};
 
-/// An experiment with its times: the least of several rounds, in seconds, by
+/// An experiment with its times: the shortest of several rounds, in seconds, by
 /// curve and point.
 pub struct Measured<'e, 'a> {
     /// The experiment.
     pub experiment: &'e Experiment<'a>,
     /// The methods with their errors.
     pub curves: Vec<Curve<'a>>,
-    /// The least time of each point, by curve and point.
+    /// The shortest time, by curve and point.
     pub seconds: Vec<Vec<f64>>,
 }
 
 impl<'e, 'a> Measured<'e, 'a> {
-    /// Measures errors, then times. All methods take turns in every round, so
-    /// that what else the machine does hits them alike; the least time is that
-    /// which was disturbed least.
+    /// Measures errors, then times. All methods take turns in every round, so that
+    /// other load on the machine affects them equally. The shortest time is the one
+    /// with the least disturbance.
     ///
-    /// `progress` gets the number of measured times and of all that will be
-    /// measured, before the first and after each.
+    /// Calls `progress` with the number of measured times and their total, before
+    /// the first measurement and after each.
     pub fn new(
         experiment: &'e Experiment<'a>,
         effort: Effort,
@@ -80,7 +80,7 @@ impl<'e, 'a> Measured<'e, 'a> {
         for (c, curve) in self.curves.iter().enumerate() {
             for (p, point) in curve.points.iter().enumerate() {
                 let seconds = self.seconds[c][p];
-                // Only where the baseline has the same turn of the knob.
+                // Only where the baseline has the same value of the parameter.
                 let baseline = self.curves[0].points.get(p);
                 let ratio = baseline
                     .filter(|baseline| baseline.knob == point.knob)
@@ -113,7 +113,7 @@ impl<'e, 'a> Measured<'e, 'a> {
         text
     }
 
-    /// Slope, work to half a grey level, remark.
+    /// Slope, work to reach half a grey level, and remark.
     fn summary(&self, curve: &Curve) -> String {
         let axis = self.experiment.against;
         let everywhere = (0.0, f64::INFINITY);
@@ -137,7 +137,7 @@ impl<'e, 'a> Measured<'e, 'a> {
         parts.join("; ")
     }
 
-    /// Everything as comma-separated values.
+    /// All measurements as comma-separated values.
     #[must_use]
     pub fn csv(&self) -> String {
         let Experiment {
@@ -164,7 +164,7 @@ impl<'e, 'a> Measured<'e, 'a> {
         text
     }
 
-    /// Writes CSV and plots into a folder that exists, and says which files.
+    /// Writes CSV and plots into a folder that exists, and returns their paths.
     pub fn write(&self, folder: &Path, stage: &str) -> Result<Vec<PathBuf>, Error> {
         let mut files = vec![(TABLE.to_owned(), self.csv())];
         files.extend(plot::plots(self)?);
@@ -178,13 +178,13 @@ impl<'e, 'a> Measured<'e, 'a> {
     }
 }
 
-/// Says what would keep the report of an experiment from being written, before
-/// anything is measured.
+/// An error if the report of an experiment cannot be written; for a check before
+/// the measurement.
 pub fn check_writable(experiment: &Experiment, folder: &Path, stage: &str) -> Result<(), Error> {
     atomic_file::check_writable(&file(experiment, folder, stage, TABLE))
 }
 
-/// What the file of a table ends in.
+/// The suffix of the file of a table.
 const TABLE: &str = ".csv";
 
 fn file(experiment: &Experiment, folder: &Path, stage: &str, ending: &str) -> PathBuf {
@@ -200,7 +200,7 @@ fn compact(number: f64) -> String {
     }
 }
 
-/// A time in the unit that leaves few digits.
+/// A time, in the unit in which it has few digits.
 fn duration(seconds: f64) -> String {
     match seconds {
         ..1e-6 => format!("{:.0} ns", seconds * 1e9),

@@ -1,5 +1,5 @@
-//! What samples are worth for one scene, so that a person can choose how many
-//! to pay for.
+//! The error of one scene against its samples, so that a person can choose how
+//! many samples to take.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -8,7 +8,8 @@ use common::{Error, Image, Sampled, Sampling, Scene, Settings, Size};
 use crate::Effort;
 use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point};
 
-/// Samples per pixel and their places, against many samples of another seed.
+/// The experiment with the samples of a scene: their number and their places,
+/// compared with many samples of another seed.
 pub fn experiment(scene: &Scene) -> Result<Experiment<'_>, Error> {
     if !scene.uses.sampling {
         let name = scene.name;
@@ -16,7 +17,7 @@ pub fn experiment(scene: &Scene) -> Result<Experiment<'_>, Error> {
             "{name} is not sampled: there is nothing to choose"
         )));
     }
-    // What can fail does so here; more samples do not change that.
+    // A scene that cannot be rendered fails here already.
     let size = small(scene.defaults.size)?;
     render(scene, size, Sampling::Center, 1, 0)?;
     Ok(Experiment {
@@ -30,7 +31,7 @@ pub fn experiment(scene: &Scene) -> Result<Experiment<'_>, Error> {
     })
 }
 
-/// The same shape of picture, 160 pixels wide.
+/// The size with the same proportions, 160 pixels wide.
 fn small(size: Size) -> Result<Size, Error> {
     let height = (160 * size.height() / size.width()).max(1);
     Ok(Size::new(160, height)?)
@@ -53,7 +54,7 @@ fn render(
     scene.render(&settings, &())
 }
 
-/// The channels as a screen shows them.
+/// The channels as a screen shows them, clamped to 1.
 fn channels(image: Option<Image>) -> Vec<f64> {
     let pixels = image.map_or(Vec::new(), |image| image.pixels().to_vec());
     let shown = |color: common::Color| color.map(|c| c.clamp(0.0, 1.0)).channels();
@@ -104,7 +105,7 @@ fn curves(scene: &Scene, size: Size, effort: Effort) -> Vec<Curve<'_>> {
     curves
 }
 
-/// As many samples as it takes for the error that is asked for.
+/// Adaptive sampling, with the requested error as the parameter.
 fn adaptive<'a>(scene: &'a Scene, size: Size, asked: f64, reference: &[f64]) -> Point<'a> {
     let render = move || {
         let settings = Settings {
@@ -113,10 +114,10 @@ fn adaptive<'a>(scene: &'a Scene, size: Size, asked: f64, reference: &[f64]) -> 
             max_error: Some(asked),
             ..scene.defaults.clone()
         };
-        let told = Mutex::new(Sampled::default());
-        let image = scene.render(&settings, &told).ok();
-        let told = told.into_inner().unwrap_or_else(PoisonError::into_inner);
-        (image, told.samples as f64)
+        let sampled = Mutex::new(Sampled::default());
+        let image = scene.render(&settings, &sampled).ok();
+        let sampled = sampled.into_inner().unwrap_or_else(PoisonError::into_inner);
+        (image, sampled.samples as f64)
     };
     let (image, rays) = render();
     let image = channels(image);
@@ -131,9 +132,9 @@ mod tests {
 
     use super::*;
 
-    /// As bright as 1/n with n samples, twice or half of it where they lie
-    /// otherwise, and with an error asked for as bright as that. The reference is a
-    /// quarter.
+    /// Its brightness is 1/n with n samples, twice or half of that with other
+    /// samplings, and equal to the requested error with adaptive sampling. The
+    /// brightness of the reference is a quarter.
     fn scene() -> Scene {
         let scene = Scene::traced("fading", "", |settings, progress| {
             assert_eq!(settings.size, Size::new(160, 1)?);
@@ -167,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn errors_and_rays_are_those_of_the_pictures() {
+    fn errors_and_rays_come_from_the_pictures() {
         let scene = scene();
         let experiment = experiment(&scene).unwrap();
         let mut curves = (experiment.curves)(Effort::Quick);

@@ -6,9 +6,9 @@ use crate::Effort;
 use crate::experiment::Experiment;
 use crate::extremes::Case;
 
-/// One stage of the tower: its name and its scenes.
+/// One stage of the course: its name, scenes, experiments and extreme cases.
 pub struct Stage {
-    /// The crate's name, which begins the names of its pictures.
+    /// The crate's name, with which the names of its pictures begin.
     pub name: &'static str,
     /// The subject of the stage, in one line.
     pub about: &'static str,
@@ -21,7 +21,7 @@ pub struct Stage {
 }
 
 impl Stage {
-    /// The scene of this name, or an error that lists those there are.
+    /// The scene of this name, or an error that lists the scenes of the stage.
     pub fn scene(&self, name: &str) -> Result<&Scene, Error> {
         let known = self.scenes.iter().find(|scene| scene.name == name);
         known.ok_or_else(|| {

@@ -1,8 +1,9 @@
 //! `tally`: how much work a rendering does, counted exactly.
 //!
-//! Counts, unlike times, are the same on every machine. Each thread counts for
-//! itself, and only in the pool that [`counted`] makes: so what else runs at the
-//! same time is not counted, and whoever does not ask pays one look at a flag.
+//! Counts, unlike times, are the same on every machine. Each thread has its own
+//! counts, and only the threads of the pool that [`counted`] makes count at all. So
+//! other work at the same time is not counted. When counting is off, the cost is one
+//! test of a flag.
 
 use std::cell::Cell;
 use std::ops::{Add, Index};
@@ -18,10 +19,9 @@ pub enum Work {
     ShadowRay,
     /// A ray that a surface mirrors.
     ReflectedRay,
-    /// A question to a geometry whether a ray meets it. A node asks its children
-    /// in turn.
+    /// A test of a geometry for a hit. A node tests its children in turn.
     IntersectionTest,
-    /// A ray moved into the space of a transformed object.
+    /// A ray transformed into the space of an object.
     MovedRay,
     /// A power, for a highlight.
     Power,
@@ -41,7 +41,7 @@ impl Work {
         Self::RandomNumber,
     ];
 
-    /// The kind as a reader knows it, in the plural.
+    /// The name for a reader, in the plural.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -88,13 +88,13 @@ pub fn is_on() -> bool {
     IS_ON.get()
 }
 
-/// Notes that work was done once.
+/// Counts one piece of work.
 #[inline]
 pub fn count(work: Work) {
     count_all(work, 1);
 }
 
-/// Notes that work was done so many times.
+/// Counts `times` pieces of work.
 #[inline]
 pub fn count_all(work: Work, times: u64) {
     if IS_ON.get() {
@@ -104,8 +104,8 @@ pub fn count_all(work: Work, times: u64) {
     }
 }
 
-/// What `task` returns, and the work that it did: itself and in parallel, on as
-/// many threads as it would have had uncounted.
+/// Runs `task`, and returns its result and the work of all its threads. It has as
+/// many threads as without counting.
 pub fn counted<T: Send>(task: impl FnOnce() -> T + Send) -> Result<(T, Tally), Error> {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(rayon::current_num_threads())
@@ -141,17 +141,17 @@ mod tests {
     }
 
     #[test]
-    fn what_runs_beside_or_before_is_not_counted() {
+    fn work_before_and_in_other_threads_is_not_counted() {
         count(Work::Power);
-        let beside = std::thread::spawn(|| (0..1000).for_each(|_| count(Work::Power)));
+        let other = std::thread::spawn(|| (0..1000).for_each(|_| count(Work::Power)));
         let ((), tally) = counted(|| count(Work::Power)).unwrap();
-        beside.join().unwrap();
+        other.join().unwrap();
         assert_eq!(tally[Work::Power], 1);
         assert_eq!(counted(|| ()).unwrap().1, Tally::default());
     }
 
     #[test]
-    fn only_what_is_counted_knows_of_it() {
+    fn counting_is_on_only_inside_counted() {
         assert!(!is_on());
         let (inside, _) = counted(is_on).unwrap();
         assert!(inside && !is_on());

@@ -1,5 +1,5 @@
-//! `render --explain`: what is left out of a picture's making, and what that
-//! saves.
+//! `render --explain`: the work that the renderer skips for a picture, and how much
+//! that saves.
 
 use std::time::Instant;
 
@@ -9,11 +9,11 @@ use measure::comparison::{Comparison, complete};
 use crate::options::Options;
 use crate::print::print;
 
-/// Times are the shortest of so many.
+/// Number of renderings, of which the shortest time counts.
 const ROUNDS: usize = 3;
 
-/// Says what the scene's plan leaves out and what that saves, and returns the
-/// picture.
+/// Prints the work that the scene's plan skips and how much that saves, and returns
+/// the picture.
 pub fn explain(scene: &Scene, options: &Options) -> Result<Image, Error> {
     let settings = options.settings(scene)?;
     check(&settings)?;
@@ -34,7 +34,7 @@ pub fn explain(scene: &Scene, options: &Options) -> Result<Image, Error> {
     })
 }
 
-/// Refuses the renderer that leaves nothing out: there is nothing to compare it with.
+/// Refuses the renderer that skips no work: there is nothing to compare it with.
 pub fn check(settings: &Settings) -> Result<(), Error> {
     match settings.renderer {
         Renderer::Lesson | Renderer::Engine => Ok(()),
@@ -51,8 +51,8 @@ fn times([needed, all]: [f64; 2]) -> String {
     format!("  time {needed:.3} s; everything takes {ratio:.2} times as long")
 }
 
-/// The shortest time of each, in seconds. They take turns, so that what else
-/// the machine does hits them alike.
+/// The shortest time with each of the settings, in seconds. They take turns, so that
+/// other load on the machine affects them equally.
 fn shortest(scene: &Scene, settings: [&Settings; 2]) -> Result<[f64; 2], Error> {
     let mut least = [f64::INFINITY; 2];
     for _ in 0..ROUNDS {
@@ -74,7 +74,8 @@ mod tests {
 
     use super::*;
 
-    /// Everything takes three milliseconds, and makes it white.
+    /// The renderer that skips no work takes three milliseconds, and paints the picture
+    /// white.
     fn scene() -> Scene {
         let wait = Duration::from_millis(3);
         let scene = Scene::traced("slow", "", move |settings, _| {
@@ -91,13 +92,13 @@ mod tests {
     }
 
     #[test]
-    fn the_picture_is_that_of_the_chosen_renderer() {
+    fn the_picture_comes_from_the_chosen_renderer() {
         let image = explain(&scene(), &Options::default()).unwrap();
         assert_eq!(image.pixels(), [Color::BLACK]);
     }
 
     #[test]
-    fn a_renderer_that_leaves_nothing_out_is_refused() {
+    fn the_renderer_that_skips_no_work_is_refused() {
         let scene = scene().with_defaults(Settings {
             renderer: Renderer::AllWork,
             ..Settings::default()
@@ -108,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn each_has_its_own_time() {
+    fn each_renderer_has_its_own_time() {
         let scene = scene();
         let settings = &scene.defaults;
         let [needed, all] = shortest(&scene, [settings, &complete(settings)]).unwrap();
@@ -119,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn times_are_told_with_their_ratio() {
+    fn times_are_printed_with_their_ratio() {
         let expected = "  time 0.250 s; everything takes 6.00 times as long";
         assert_eq!(times([0.25, 1.5]), expected);
     }

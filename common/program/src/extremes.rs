@@ -5,8 +5,8 @@ use measure::{Effort, Stage, extremes};
 
 use crate::print::print;
 
-/// Prints the cases whose ids begin with one of the names; an error if one
-/// does not hold, or if a stage without cases is to show one.
+/// Prints the cases whose ids begin with one of the names. An error if one of them
+/// does not hold, or if the stage has no cases.
 pub fn show_extremes(stage: &Stage, names: &[String]) -> Result<(), Error> {
     let cases = (stage.extremes)(Effort::of_build());
     if cases.is_empty() {
@@ -56,7 +56,7 @@ mod tests {
     }
 
     #[test]
-    fn cases_that_fail_are_counted_among_those_that_are_named() {
+    fn only_named_cases_are_counted() {
         let stage = stage(|_| cases());
         let failed = |names: &[&str]| {
             let names: Vec<_> = names.iter().map(|name| (*name).to_owned()).collect();
@@ -69,7 +69,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stage_without_cases_says_so() {
+    fn a_stage_without_cases_is_an_error() {
         let stage = stage(|_| Vec::new());
         assert!(show_extremes(&stage, &[]).is_ok());
         let error = show_extremes(&stage, &["A01".to_owned()]).unwrap_err();

@@ -1,4 +1,4 @@
-//! `Gallery`: the scenes of a stage as a window shows them, one at a time.
+//! `Gallery`: the scenes of a stage, which a window shows one at a time.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -66,13 +66,13 @@ impl<'a> Gallery<'a> {
         self.current = (self.current + scenes - 1) % scenes;
     }
 
-    /// The curve between light and what is shown.
+    /// The curve between light and the values that are shown.
     #[must_use]
     pub const fn transfer(&self) -> Transfer {
         self.options.transfer
     }
 
-    /// Begins to render the scene in a thread of its own.
+    /// Starts to render the scene in a separate thread.
     pub fn render<'scope>(
         &self,
         scope: &'scope Scope<'scope, '_>,
@@ -92,8 +92,8 @@ impl<'a> Gallery<'a> {
         })
     }
 
-    /// Saves a picture as `out/STAGE-SCENE.png` and says where it is. A
-    /// different picture of this name is kept, and the new one gets a number.
+    /// Saves a picture as `out/STAGE-SCENE.png` and returns its path. A different
+    /// picture of this name is kept, and the new one gets a number.
     pub fn save(&self, image: &Image) -> Result<PathBuf, Error> {
         let folder = make_default_folder()?;
         let name = format!("{}-{}", self.stage.name, self.scene().name);
@@ -116,7 +116,7 @@ fn save_beside_others(folder: &Path, name: &str, size: Size, rgb: &[u8]) -> Resu
     Ok(path)
 }
 
-/// A rendering in a thread of its own. Dropping it stops it.
+/// A rendering in a separate thread. Dropping it stops it.
 pub struct Rendering<'scope> {
     picture: Arc<LivePicture>,
     thread: Option<ScopedJoinHandle<'scope, Result<Image, Error>>>,
@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn the_window_shows_the_curve_that_files_get() {
+    fn the_window_and_the_files_have_the_same_curve() {
         let stage = stage();
         let mut options = Options::default();
         options.transfer = Transfer::Srgb;
@@ -236,7 +236,7 @@ mod tests {
         }
     }
 
-    /// The scene waits until it is told to stop.
+    /// The scene waits until it is stopped.
     #[test]
     fn a_rendering_goes_on_until_it_is_dropped() {
         let wait = |settings: &common::Settings, progress: &dyn common::Progress| {

@@ -1,8 +1,8 @@
 //! The command line of every stage: it shows, renders, reports and explains the
 //! scenes of a [`Stage`](measure::Stage).
 //!
-//! The crate of a stage hands its scenes to [`run`], together with a [`Viewer`]
-//! if the build has a window. Only this crate reads arguments and prints.
+//! The crate of a stage passes its scenes to [`run`], together with a [`Viewer`] if
+//! the build has a window. Only this crate reads arguments and prints.
 
 mod explain;
 mod extremes;

@@ -1,29 +1,29 @@
-//! `LivePicture`: a picture while it is rendered, for whoever watches it grow.
+//! `LivePicture`: a picture while it is rendered, for the window that shows it.
 
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::time::{Duration, Instant};
 
 use common::{Color, Progress, Size, Transfer};
 
-/// The packed 0xRRGGBB pixels of a picture in the making. Rows that are not
-/// finished are black.
+/// The packed 0xRRGGBB pixels of a picture while it is rendered. Unfinished rows
+/// are black.
 ///
-/// Written by all threads of the rendering and read by the window's, without a
-/// lock: a pixel is one number, and the window shows it again soon.
+/// All threads of the rendering write it, and the window's thread reads it, without
+/// a lock: a pixel is one number, and the window soon shows it again.
 #[derive(Debug)]
 pub struct LivePicture {
     size: Size,
     transfer: Transfer,
     pixels: Vec<AtomicU32>,
     rows: AtomicU32,
-    /// How many rows there are to paint, those counted that are painted again.
+    /// The number of rows to paint; a row that is painted again counts again.
     rows_to_paint: AtomicU32,
     stopped: AtomicBool,
     started: Instant,
 }
 
 impl LivePicture {
-    /// A picture of which nothing is rendered yet.
+    /// A picture without a finished row.
     #[must_use]
     pub fn new(size: Size, transfer: Transfer) -> Self {
         Self {
@@ -43,34 +43,34 @@ impl LivePicture {
         self.size
     }
 
-    /// A pixel as it is now, counted row after row from the top.
+    /// The current value of a pixel, counted row after row from the top.
     #[must_use]
     pub fn pixel(&self, index: usize) -> Option<u32> {
         let pixel = self.pixels.get(index)?;
         Some(pixel.load(Ordering::Relaxed))
     }
 
-    /// How many rows are finished; a row that is painted again counts again.
+    /// The number of finished rows; a row that is painted again counts again.
     #[must_use]
     pub fn rows(&self) -> u32 {
         self.rows.load(Ordering::Relaxed)
     }
 
-    /// How much of the work that is known of is done, from 0 to 1.
+    /// The finished share of the work known so far, from 0 to 1.
     #[must_use]
     pub fn share(&self) -> f64 {
         let all = self.rows_to_paint.load(Ordering::Relaxed);
         f64::from(self.rows()) / f64::from(all)
     }
 
-    /// For how long the rendering has been going on.
+    /// The time since the rendering began.
     #[must_use]
     pub fn elapsed(&self) -> Duration {
         self.started.elapsed()
     }
 
-    /// How long the remaining rows will take if they are like the finished
-    /// ones; none before there is one.
+    /// The time for the remaining rows, if they take as long as the finished ones.
+    /// None before a row is finished.
     #[must_use]
     pub fn remaining(&self) -> Option<Duration> {
         let share = self.share().min(1.0);
@@ -78,7 +78,7 @@ impl LivePicture {
         Duration::try_from_secs_f64(self.elapsed().as_secs_f64() * to_go).ok()
     }
 
-    /// Ends the rendering after the rows that are being worked on.
+    /// Ends the rendering after the rows that are being painted.
     pub fn stop(&self) {
         self.stopped.store(true, Ordering::Relaxed);
     }

@@ -1,4 +1,4 @@
-//! `Named`: the values of a flag by their names on the command line.
+//! `Named`: values of a flag with their names on the command line.
 
 use clap::ValueEnum;
 use clap::builder::{EnumValueParser, PossibleValue, TypedValueParser};

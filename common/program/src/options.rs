@@ -6,7 +6,7 @@ use common::{Error, Image, Renderer, Sampling, Scene, Settings, Size, Transfer, 
 
 use crate::named::by_name;
 
-/// What of a scene's defaults the command line replaces.
+/// The flags that replace a scene's defaults.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub struct Options {
     /// Width and height in pixels [default: the scene's]
@@ -56,8 +56,8 @@ pub struct Options {
     pub open: Option<PathBuf>,
 }
 
-/// More samples of a pixel are not taken without being asked for.
-const ENOUGH: u32 = 1024;
+/// Most samples of a pixel in adaptive sampling if `--samples` is not given.
+const MAX_SAMPLES: u32 = 1024;
 
 /// Reads a number or a fraction, above 0 and at most 1.
 fn error_bound(text: &str) -> Result<f64, String> {
@@ -69,7 +69,7 @@ fn error_bound(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Checks that this sampling has room for that many samples.
+/// Checks that this sampling allows this number of samples.
 fn check_places(samples: u32, sampling: Sampling) -> Result<(), Error> {
     if sampling == Sampling::Center && samples > 1 {
         return Err(Error::Usage(format!(
@@ -91,13 +91,13 @@ fn check_places(samples: u32, sampling: Sampling) -> Result<(), Error> {
 impl Options {
     /// The threads to render with.
     pub fn thread_pool(&self) -> Result<rayon::ThreadPool, Error> {
-        // 0 lets there be one a core.
+        // 0 stands for one per core.
         let threads = self.threads.unwrap_or(0).into();
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
         Ok(pool.build()?)
     }
 
-    /// The settings for `scene`: what was asked for, else its defaults.
+    /// The settings for `scene`: the flags that were given, else its defaults.
     pub fn settings(&self, scene: &Scene) -> Result<Settings, Error> {
         let defaults = &scene.defaults;
         let (samples, sampling) = match (self.samples, self.sampling) {
@@ -119,7 +119,7 @@ impl Options {
             size,
             rows: None,
             samples: match self.max_error {
-                Some(_) => self.samples.unwrap_or(ENOUGH),
+                Some(_) => self.samples.unwrap_or(MAX_SAMPLES),
                 None => samples,
             },
             sampling,

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-/// Prints a line on stdout. A closed pipe is no error: its reader has seen enough.
+/// Prints a line on stdout. A closed pipe is no error: its reader has ended.
 pub fn print(line: &str) {
     let _ = writeln!(io::stdout(), "{line}");
 }

@@ -1,4 +1,4 @@
-//! `render`: scenes into PNG files.
+//! `render`: renders scenes into PNG files.
 
 use std::ops::Range;
 use std::path::PathBuf;
@@ -13,8 +13,8 @@ use crate::options::Options;
 use crate::print::{print, warn};
 use crate::target::Target;
 
-/// Writes the pictures of these scenes, and says where and how long each took.
-/// Whatever can be refused is, before the first picture is begun.
+/// Writes the pictures of these scenes, and prints the path and the time of each.
+/// Wrong arguments are refused before the first picture is begun.
 pub fn render_to_files(
     stage: &Stage,
     scenes: &[&Scene],
@@ -47,11 +47,11 @@ pub fn render_to_files(
     Ok(())
 }
 
-/// Pixels of a band that is rendered before it is written: 27 bytes each.
+/// Pixels of a band, which is rendered before it is written: 27 bytes each.
 const BAND: u32 = 1 << 22;
 
-/// Renders a scene into a PNG file, with a bar on the terminal, and says where
-/// that is and how large. A traced picture may be larger than memory.
+/// Renders a scene into a PNG file, with a bar on the terminal, and returns its path
+/// and size. A traced picture may be larger than memory.
 pub fn render_to_file(
     stage: &Stage,
     scene: &Scene,
@@ -68,9 +68,9 @@ pub fn render_to_file(
     Ok((path, size))
 }
 
-/// Renders a traced scene in bands of at most this many pixels, or of one row,
-/// and any other at once. The last number counts the pixels that are no finite
-/// numbers.
+/// Renders a traced scene in bands of at most this many pixels, or of one row, and
+/// any other scene as a whole. The last number counts the pixels that hold NaN or
+/// infinity.
 fn render_in_bands(
     stage: &Stage,
     scene: &Scene,
@@ -108,20 +108,21 @@ fn render_in_bands(
     if let Some(samples) = samples {
         warn(&format!("note: {}: {samples}", scene.name));
         if samples.misses(settings.max_error) {
-            warn("note: that is more than was asked for; more --samples may do");
+            warn("note: the error is larger than --max-error; more --samples may reduce it");
         }
     }
     Ok((path, size, bad))
 }
 
-/// All rows of a picture, as many at a time as have at most this many pixels.
+/// The bands of a picture: as many rows as have at most this many pixels, but at
+/// least one.
 fn bands(size: Size, most_pixels: u32) -> impl Iterator<Item = Range<u32>> {
     let rows = (most_pixels / size.width()).max(1);
     let starts = (0..size.height()).step_by(rows as usize);
     starts.map(move |start| start..size.height().min(start + rows))
 }
 
-/// Tells of the flags that do not change this scene.
+/// Prints a note for each flag that does not change this scene.
 pub fn warn_unused(scene: &Scene, options: &Options) {
     for flag in options.unused(scene.uses) {
         warn(&format!("note: {flag} changes nothing in {}", scene.name));
@@ -138,7 +139,7 @@ mod tests {
         Size::new(width, height).unwrap()
     }
 
-    /// A picture of 20 x 23 pixels, all different, with two that are no numbers.
+    /// A picture of 20 x 23 pixels, all different, two of which are no finite numbers.
     fn stage() -> Stage {
         let scene = Scene::traced("numbers", "", |settings, progress| {
             let rows = settings.rows();
@@ -167,10 +168,10 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_in_bands_is_the_same_file_and_all_of_it_is_counted() {
+    fn a_picture_in_bands_is_the_same_file_and_all_its_pixels_are_counted() {
         let folder = tempfile::tempdir().unwrap();
         let (stage, options) = (stage(), Options::default());
-        // One row, one row, seven rows with two left over, all rows.
+        // Bands of one row, of one row, of seven rows with two left over, and of all rows.
         let files = [1, 39, 7 * 20 + 13, u32::MAX].map(|most| {
             let target = Target::Folder(folder.path().to_owned());
             let scene = &stage.scenes[0];
@@ -190,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn bands_hold_every_row_once_and_no_more_than_they_may() {
+    fn bands_hold_every_row_once_and_no_more_pixels_than_allowed() {
         for (width, height) in [(1, 1), (32_768, 32_768), (640, 480), (1, 32_768), (7, 11)] {
             for most in [1, 20, 1 << 15, BAND] {
                 let mut next = 0;
@@ -205,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn a_band_has_as_many_rows_as_it_may() {
+    fn a_band_has_as_many_rows_as_allowed() {
         let bands: Vec<_> = bands(size(7, 5), 20).collect();
         assert_eq!(bands, [0..2, 2..4, 4..5]);
     }

@@ -1,4 +1,4 @@
-//! `report`: error against run time, of experiments or of scenes.
+//! `report`: error against run time, for experiments or for scenes.
 
 use std::path::PathBuf;
 
@@ -11,7 +11,8 @@ use crate::print::print;
 use crate::target::{make_default_folder, make_folder};
 use crate::terminal_progress::terminal_bar;
 
-/// Reports the named experiments, or after the word `scene` the named scenes.
+/// Reports the named experiments, or the scenes that are named after the word
+/// `scene`.
 pub fn report(
     stage: &Stage,
     names: &[String],
@@ -69,7 +70,7 @@ fn measure(
     Ok(())
 }
 
-/// The experiments of these names; all without a name.
+/// The experiments with these names; without a name, all experiments.
 fn chosen(
     experiments: Vec<Experiment<'static>>,
     names: &[String],
@@ -145,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn reports_land_in_a_folder_that_is_made() {
+    fn reports_are_written_into_a_new_folder() {
         let folder = tempfile::tempdir().unwrap();
         let output = folder.path().join("reports");
         report(&stage(), &names(&["two"]), true, Some(output.clone())).unwrap();
@@ -166,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn scenes_are_named_after_the_word_scene() {
+    fn scene_names_follow_the_word_scene() {
         let refused = |asked: &[&str]| {
             let nowhere = Some("/dev/null".into());
             let refused = report(&stage(), &names(asked), true, nowhere);

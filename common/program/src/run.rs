@@ -14,14 +14,14 @@ use crate::{extremes, render, show};
 
 /// Runs the program of `stage` with the arguments of this process.
 ///
-/// Whatever goes wrong ends in one sentence on stderr and an exit code: 2 for
-/// a wrong command line, 1 for the rest.
+/// Every error ends in one sentence on stderr and an exit code: 2 for a wrong
+/// command line, 1 for all others.
 #[must_use]
 pub fn run(stage: &Stage, viewer: Option<&dyn Viewer>) -> ExitCode {
     run_with(stage, viewer, std::env::args_os())
 }
 
-/// Like [`run`] with other arguments, the first of which is the program's name.
+/// Like [`run`], with the given arguments, the first of which is the program's name.
 #[must_use]
 pub fn run_with(
     stage: &Stage,
@@ -35,7 +35,7 @@ pub fn run_with(
     let outcome = match parsed {
         Ok(line) => execute(stage, viewer, line),
         Err(help_or_error) => {
-            // A closed pipe is no reason to complain.
+            // A closed pipe is no error.
             let _ = help_or_error.print();
             return ExitCode::from(u8::from(help_or_error.use_stderr()) * 2);
         }

@@ -1,4 +1,4 @@
-//! `show`: a scene in a window, or its PNG where there is none.
+//! `show`: shows a scene in a window, or writes its PNG where there is none.
 
 use common::{Error, Image, Scene};
 use measure::Stage;
@@ -9,8 +9,8 @@ use crate::render::{render_to_file, warn_unused};
 use crate::target::Target;
 use crate::{Gallery, NotShown, Viewer};
 
-/// Shows the scene until its window is closed; without one, writes its picture
-/// and says where.
+/// Shows the scene until its window is closed. Without a window, writes its picture
+/// and prints the path.
 pub fn show(
     stage: &Stage,
     scene: &Scene,
@@ -53,7 +53,7 @@ mod tests {
     use super::*;
     use crate::options::Options;
 
-    /// A person who is shown the gallery and sees nothing of it.
+    /// A viewer that opens no window and returns the result of this function.
     struct Blind(fn() -> Result<(), NotShown>);
 
     impl Viewer for Blind {
@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn what_goes_wrong_in_the_window_is_told() {
+    fn errors_of_the_window_are_returned() {
         assert!(shown(Size::COURSE, || Ok(())).is_ok());
         let failed = shown(Size::COURSE, || Err(Error::Stopped.into()));
         assert!(matches!(failed, Err(Error::Stopped)));

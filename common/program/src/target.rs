@@ -1,4 +1,4 @@
-//! `Target`: where pictures go.
+//! `Target`: where pictures are written.
 
 use std::path::{Path, PathBuf};
 
@@ -6,12 +6,12 @@ use common::atomic_file;
 use common::{Error, Scene, Size, picture_file};
 use measure::Stage;
 
-/// The folder that pictures land in, below the current one.
+/// The folder for pictures, below the current one.
 const DEFAULT_FOLDER: &str = "out";
 
-/// Where pictures go.
+/// Where pictures are written.
 pub enum Target {
-    /// `out/`, made where it is missing.
+    /// `out/`, which is made if it is missing.
     Default,
     Folder(PathBuf),
     File(PathBuf),
@@ -50,14 +50,14 @@ impl Target {
         }
     }
 
-    /// Says what would keep the picture of `scene` from being written.
+    /// An error if the picture of `scene` cannot be written.
     pub fn check(&self, stage: &Stage, scene: &Scene) -> Result<(), Error> {
         let folder = Path::new(DEFAULT_FOLDER);
         match self {
-            // The folder can be made where a file can.
+            // A folder can be made wherever a file can.
             Self::Default if !folder.exists() => {
                 let checked = atomic_file::check_writable(folder);
-                // Another program may have made it meanwhile.
+                // Another program may have made the folder meanwhile.
                 checked.or_else(|error| if folder.is_dir() { Ok(()) } else { Err(error) })
             }
             _ => atomic_file::check_writable(&self.path(stage, scene)),
@@ -65,7 +65,7 @@ impl Target {
     }
 
     /// Writes the picture of `scene`, band by band as
-    /// [`picture_file::save_png_in_bands`] does, and says where it is.
+    /// [`picture_file::save_png_in_bands`] does, and returns its path.
     pub fn write(
         &self,
         stage: &Stage,
@@ -82,17 +82,17 @@ impl Target {
     }
 }
 
-/// Makes `out/` where it is missing.
+/// Makes `out/` if it is missing.
 pub fn make_default_folder() -> Result<&'static Path, Error> {
     let folder = Path::new(DEFAULT_FOLDER);
     make_folder(folder)?;
     Ok(folder)
 }
 
-/// Makes a folder where it is missing, and those it lies in.
+/// Makes a folder if it is missing, and its parents.
 pub fn make_folder(folder: &Path) -> Result<(), Error> {
     match std::fs::create_dir_all(folder) {
-        // What is there and no folder is named by whoever writes into it.
+        // If a file has this name, the error comes from writing into it.
         Err(error) if !folder.exists() => {
             atomic_file::check_writable(folder)?;
             Err(atomic_file::cannot_write(folder, &error))
@@ -112,13 +112,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn folders_are_made_and_what_is_there_is_left() {
+    fn missing_folders_are_made_and_files_are_kept() {
         let folder = tempfile::tempdir().unwrap();
         let inner = folder.path().join("one/two");
         make_folder(&inner).unwrap();
         make_folder(&inner).unwrap();
         assert!(inner.is_dir());
-        // Who writes into a file instead of a folder names it.
+        // Writing into a file instead of a folder is an error later, which names it.
         let file = folder.path().join("file");
         std::fs::write(&file, "").unwrap();
         make_folder(&file).unwrap();
@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_that_cannot_be_made_is_told() {
+    fn a_folder_that_cannot_be_made_is_an_error() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("file");
         std::fs::write(&file, "").unwrap();

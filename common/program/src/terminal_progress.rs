@@ -6,15 +6,14 @@ use std::time::Duration;
 use common::{Color, Progress, Sampled, Size};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// A bar with elapsed and remaining time on stderr; silent when that is no
-/// terminal.
+/// A bar with elapsed and remaining time on stderr; hidden if stderr is no terminal.
 pub struct TerminalProgress {
     bar: ProgressBar,
     sampled: Mutex<Sampled>,
 }
 
 impl TerminalProgress {
-    /// A bar for a picture of this size, under the name of its scene.
+    /// A bar for a picture of this size, labelled with the name of its scene.
     #[must_use]
     pub fn new(scene: &'static str, size: Size) -> Self {
         let bar = terminal_bar(scene, size.height().into());
@@ -25,7 +24,7 @@ impl TerminalProgress {
         }
     }
 
-    /// What adaptive sampling took so far, if any was done.
+    /// The statistics of adaptive sampling so far, if there was any.
     #[must_use]
     pub fn samples(&self) -> Option<Sampled> {
         let sampled = *self.sampled.lock().unwrap_or_else(PoisonError::into_inner);
@@ -33,7 +32,7 @@ impl TerminalProgress {
     }
 }
 
-/// A bar on stderr that moves when it is told to, so that nothing else runs
+/// A bar on stderr that moves only when it is set, so that no other thread runs
 /// while times are measured.
 pub fn terminal_bar(name: &str, steps: u64) -> ProgressBar {
     // indicatif hides a bar whose target is no terminal.
@@ -92,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn samples_are_told_where_some_were_taken() {
+    fn samples_are_reported_if_some_were_taken() {
         let progress = TerminalProgress::new("scene", Size::new(3, 4).unwrap());
         assert_eq!(progress.samples(), None);
         progress.sampled(&PART);

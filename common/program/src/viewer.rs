@@ -1,5 +1,5 @@
-//! `Viewer`: the window as the programs see it, so that a build without one
-//! has none compiled in.
+//! `Viewer`: the interface of the window, so that a build without a window contains
+//! no code for one.
 
 use common::Error;
 
@@ -15,10 +15,10 @@ pub trait Viewer {
 /// Why nothing was shown.
 #[derive(Debug, thiserror::Error)]
 pub enum NotShown {
-    /// There is no display, or it refuses a connection.
+    /// There is no display, or it refuses the connection.
     #[error("{0}")]
     NoWindow(String),
-    /// There would be a window, but no picture for it.
+    /// The picture for the window could not be made.
     #[error(transparent)]
     Failed(#[from] Error),
 }

@@ -3,7 +3,7 @@ use std::fs::File;
 use std::time::SystemTime;
 
 #[test]
-fn what_keeps_a_file_from_being_written_is_known_before() {
+fn files_that_cannot_be_written_are_refused_before() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("file");
     fs::write(&file, "").unwrap();
@@ -25,7 +25,7 @@ fn what_keeps_a_file_from_being_written_is_known_before() {
 
 #[test]
 #[cfg(target_os = "linux")]
-fn a_folder_that_takes_no_files_is_named() {
+fn the_error_names_a_folder_without_permission() {
     // Not even the superuser can make a file in /proc.
     let error = check_writable(Path::new("/proc/a.png")).unwrap_err();
     let expected = "cannot write /proc/a.png: no file can be made in /proc (";
@@ -33,7 +33,7 @@ fn a_folder_that_takes_no_files_is_named() {
 }
 
 #[test]
-fn content_that_breaks_off_leaves_the_old_file() {
+fn a_read_error_keeps_the_old_file() {
     struct Broken;
     impl Read for Broken {
         fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
@@ -50,7 +50,7 @@ fn content_that_breaks_off_leaves_the_old_file() {
 }
 
 #[test]
-fn what_a_killed_program_left_is_removed_when_it_is_old() {
+fn old_temporary_files_of_killed_programs_are_removed() {
     let folder = tempfile::tempdir().unwrap();
     let left = |name: &str, age: u64| {
         let path = folder.path().join(name);
@@ -71,7 +71,7 @@ fn what_a_killed_program_left_is_removed_when_it_is_old() {
 }
 
 #[test]
-fn what_would_help_is_told() {
+fn errors_name_a_remedy() {
     let reason = |kind: ErrorKind| {
         let error = cannot_write(Path::new("a"), &kind.into()).to_string();
         let reason = error.strip_prefix("cannot write a: ").unwrap();
@@ -87,7 +87,7 @@ fn what_would_help_is_told() {
 }
 
 #[test]
-fn a_name_alone_lies_in_the_current_folder() {
+fn a_name_without_folder_is_in_the_current_one() {
     assert_eq!(folder_of(Path::new("a.png")), Path::new("."));
     assert_eq!(folder_of(Path::new("out/a.png")), Path::new("out"));
 }
@@ -98,7 +98,7 @@ mod links {
     use std::os::unix::fs::symlink;
 
     #[test]
-    fn a_link_stays_and_the_file_behind_it_is_written() {
+    fn a_link_stays_and_its_target_is_written() {
         let folder = tempfile::tempdir().unwrap();
         let (here, there) = (folder.path().join("here"), folder.path().join("there"));
         fs::create_dir(&here).unwrap();
@@ -116,7 +116,7 @@ mod links {
     }
 
     #[test]
-    fn links_that_lead_nowhere_are_told() {
+    fn links_that_lead_nowhere_are_refused() {
         let folder = tempfile::tempdir().unwrap();
         let (circle, lost) = (folder.path().join("circle"), folder.path().join("lost"));
         symlink("circle", &circle).unwrap();
@@ -127,7 +127,7 @@ mod links {
     }
 
     #[test]
-    fn what_is_no_file_is_not_replaced() {
+    fn devices_and_pipes_are_not_replaced() {
         let folder = tempfile::tempdir().unwrap();
         let link = folder.path().join("null.png");
         symlink("/dev/null", &link).unwrap();

@@ -1,4 +1,4 @@
-//! `catch_quietly`: what others have written may panic, and must not end the program.
+//! `catch_quietly`: catches panics of foreign code, which must not end the program.
 
 use std::cell::Cell;
 use std::panic::{self, AssertUnwindSafe};
@@ -8,8 +8,8 @@ thread_local! {
     static IS_CATCHING: Cell<bool> = const { Cell::new(false) };
 }
 
-/// What `work` returns, or none if it panics. Of that nothing is printed;
-/// panics of other threads are as loud as ever.
+/// The result of `work`, or none if it panics. The panic prints no message; panics of
+/// other threads print theirs as usual.
 pub fn catch_quietly<T>(work: impl FnOnce() -> T) -> Option<T> {
     static QUIET: Once = Once::new();
     QUIET.call_once(|| {
@@ -21,7 +21,7 @@ pub fn catch_quietly<T>(work: impl FnOnce() -> T) -> Option<T> {
         }));
     });
     IS_CATCHING.set(true);
-    // Whatever the work was on is gone with it.
+    // Unwinding drops all that the work could have left in a broken state.
     let outcome = panic::catch_unwind(AssertUnwindSafe(work));
     IS_CATCHING.set(false);
     outcome.ok()
@@ -32,7 +32,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_panic_is_none_and_the_next_work_is_done() {
+    fn a_panic_yields_none_and_later_work_is_done() {
         assert_eq!(catch_quietly(|| assert_eq!(1 + 1, 3)), None);
         assert_eq!(catch_quietly(|| 1 + 1), Some(2));
     }

@@ -1,4 +1,4 @@
-//! Encodes PNG band by band, so that a picture need not be in memory as a whole.
+//! Encodes PNG band by band, so that only one band of a picture need be in memory.
 
 use std::cell::Cell;
 use std::io::{self, Write};
@@ -7,8 +7,8 @@ use png::{BitDepth, ColorType, Compression, Encoder, EncodingError};
 
 use crate::{Error, Size};
 
-/// Writes bands of rows, from the top, as a PNG file. Errors of the file are
-/// said as `explain` does; the first error of a band or of the file ends it.
+/// Writes bands of rows, from the top, as a PNG file. `explain` converts errors of
+/// the file. The first error of a band or of the file is returned.
 ///
 /// # Panics
 ///
@@ -47,8 +47,8 @@ pub fn encode<B: AsRef<[u8]>>(
     check()
 }
 
-/// A file that seems never to fail. The encoder panics at some errors and loses
-/// those of the last bytes; here the latest is kept until it is asked for.
+/// Passes bytes on to a file, and hides its errors from the encoder, which panics at
+/// some errors and drops errors of the last bytes. The latest error is kept.
 struct Output<'a, W> {
     file: &'a mut W,
     failure: &'a Cell<Option<io::Error>>,

@@ -20,7 +20,7 @@ fn reason(path: &Path) -> String {
 }
 
 #[test]
-fn what_is_saved_comes_back_and_nothing_else_is_left() {
+fn a_saved_picture_opens_again_and_no_other_file_is_left() {
     let folder = tempfile::tempdir().unwrap();
     let path = saved(folder.path());
     saved(folder.path());
@@ -36,7 +36,7 @@ fn jpeg_and_bmp_open_under_any_name() {
     let buffer = image::RgbImage::from_raw(20, 10, rgb).unwrap();
     for (format, largest_difference) in [
         (image::ImageFormat::Bmp, 0.0),
-        // Lossy, and the colours change fast: a sixth of the range.
+        // JPEG is lossy, and the colours change fast: the bound is a sixth of the range.
         (image::ImageFormat::Jpeg, 1.0 / 6.0),
     ] {
         let path = folder.path().join("named.png");
@@ -52,7 +52,7 @@ fn jpeg_and_bmp_open_under_any_name() {
 }
 
 #[test]
-fn what_is_transparent_shows_black() {
+fn transparent_pixels_are_black() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("clear.png");
     let clear = image::RgbaImage::from_pixel(1, 1, image::Rgba([255, 255, 255, 0]));
@@ -92,7 +92,7 @@ fn a_file_cut_anywhere_is_refused_and_does_not_panic() {
     let folder = tempfile::tempdir().unwrap();
     let whole = std::fs::read(saved(folder.path())).unwrap();
     let path = folder.path().join("cut.png");
-    // The last twelve bytes only say that the picture is over.
+    // The last twelve bytes only mark the end of the picture.
     for length in 0..whole.len() - 12 {
         std::fs::write(&path, &whole[..length]).unwrap();
         assert!(open(&path).is_err(), "{length} bytes of {}", whole.len());
@@ -111,7 +111,7 @@ fn a_flipped_bit_in_the_pixels_is_noticed() {
 }
 
 #[test]
-fn a_header_that_promises_too_much_is_refused_before_memory_is_taken() {
+fn a_header_of_a_huge_picture_is_refused_before_memory_is_allocated() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("huge.bmp");
     let mut bmp = Vec::new();
@@ -129,7 +129,7 @@ fn a_header_that_promises_too_much_is_refused_before_memory_is_taken() {
     );
 }
 
-/// It has no pixels, and takes no room on the disk.
+/// The file is sparse: it has no content and occupies no space on the disk.
 #[test]
 #[cfg(unix)]
 fn a_file_that_is_too_long_is_not_read() {
@@ -152,7 +152,7 @@ fn a_picture_in_memory_opens_like_the_file() {
 }
 
 #[test]
-fn what_is_no_file_is_called_what_it_is() {
+fn errors_name_folders_and_missing_files() {
     let folder = tempfile::tempdir().unwrap();
     assert!(reason(folder.path()).ends_with("it is a folder, not a picture"));
     assert!(reason(&folder.path().join("a.png")).ends_with("there is no such file"));
@@ -160,7 +160,7 @@ fn what_is_no_file_is_called_what_it_is() {
 
 #[test]
 #[cfg(unix)]
-fn what_else_keeps_a_file_from_being_opened_is_told() {
+fn other_errors_of_the_system_are_reported() {
     let folder = tempfile::tempdir().unwrap();
     let inside_a_file = saved(folder.path()).join("a.png");
     assert!(reason(&inside_a_file).contains("Not a directory"));
@@ -177,7 +177,7 @@ fn a_folder_that_is_missing_is_named_and_not_made() {
 }
 
 #[test]
-fn a_picture_that_cannot_take_its_name_leaves_nothing_behind() {
+fn a_picture_that_cannot_be_renamed_leaves_no_file() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.png");
     std::fs::create_dir(&path).unwrap();
@@ -186,9 +186,9 @@ fn a_picture_that_cannot_take_its_name_leaves_nothing_behind() {
     assert_eq!(folder.path().read_dir().unwrap().count(), 1);
 }
 
-/// Half of white's opacity: 128 of 255.
+/// The opacity of white is 128 of 255.
 #[test]
-fn what_is_half_transparent_is_half_as_bright() {
+fn half_transparent_pixels_are_half_as_bright() {
     let mut png = Cursor::new(Vec::new());
     let half = image::RgbaImage::from_pixel(1, 1, image::Rgba([255, 255, 255, 128]));
     half.write_to(&mut png, image::ImageFormat::Png).unwrap();
@@ -197,7 +197,7 @@ fn what_is_half_transparent_is_half_as_bright() {
 }
 
 #[test]
-fn a_disk_that_fails_is_no_file_that_ends() {
+fn an_error_of_the_disk_is_not_reported_as_a_truncated_file() {
     struct Failing<'a>(&'a [u8]);
     impl io::Read for Failing<'_> {
         fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {

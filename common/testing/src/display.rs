@@ -1,8 +1,8 @@
-//! `Display`: an X server of its own for a test, and the program that is shown
-//! on it, as a person with eyes, keyboard and mouse meets it.
+//! `Display`: a private X server for a test, and the program that is shown on it. A
+//! test sees the screen and uses keyboard and mouse, as a person does.
 //!
-//! The screen is read from the file that Xvfb keeps it in, so that looking at
-//! it costs nothing and a test can wait for what it expects to see.
+//! The screen is read from the file in which Xvfb stores it. That is fast, so a test
+//! can look again and again until the screen is as expected.
 
 mod picture;
 mod running_program;
@@ -19,17 +19,17 @@ use tempfile::TempDir;
 pub use picture::Picture;
 pub use running_program::RunningProgram;
 
-/// After this time what a test waits for will not come any more.
+/// After this time a test stops waiting and fails.
 const PATIENCE: Duration = Duration::from_mins(1);
 
 /// One display at a time, so that tests do not slow one another down.
 static TURN: Mutex<()> = Mutex::new(());
 
-/// Waits until there is what a test expects.
+/// Waits until `find` returns a value.
 ///
 /// # Panics
 ///
-/// If it does not come within a minute, saying `what` it is.
+/// If it does not within a minute; the message contains `what`.
 pub fn wait_for<T>(what: &str, mut find: impl FnMut() -> Option<T>) -> T {
     let start = Instant::now();
     loop {
@@ -41,7 +41,7 @@ pub fn wait_for<T>(what: &str, mut find: impl FnMut() -> Option<T>) -> T {
     }
 }
 
-/// A screen that nobody sees. It is gone when it is dropped.
+/// A virtual screen. Its server ends when it is dropped.
 pub struct Display {
     server: Child,
     name: String,
@@ -50,18 +50,18 @@ pub struct Display {
 }
 
 impl Display {
-    /// A screen of this many pixels; none, and a sentence on stderr, on a
-    /// machine that lacks Xvfb or xdotool.
+    /// A screen of this many pixels. On a machine without Xvfb or xdotool, none, and
+    /// a sentence on stderr.
     ///
     /// # Panics
     ///
-    /// If the tools are there but do not work.
+    /// If the tools are installed but do not work.
     #[must_use]
     pub fn open(width: u32, height: u32) -> Option<Self> {
         for (tool, argument) in [("Xvfb", "-help"), ("xdotool", "version")] {
             let found = Command::new(tool).arg(argument).output();
             if let Err(error) = found {
-                // The macros' output is shown for failing tests only.
+                // The output of `eprintln!` is shown for failing tests only.
                 let line = format!("not tested on a display: {tool}: {error}\n");
                 let _ = io::stderr().write_all(line.as_bytes());
                 return None;
@@ -78,8 +78,8 @@ impl Display {
             .spawn()
             .expect("Xvfb starts");
         let mut number = String::new();
-        let mut told = BufReader::new(server.stdout.take().expect("a pipe"));
-        told.read_line(&mut number).expect("the display's number");
+        let mut output = BufReader::new(server.stdout.take().expect("a pipe"));
+        output.read_line(&mut number).expect("the display's number");
         assert_ne!(number, "", "Xvfb serves no display");
         Some(Self {
             server,
@@ -89,12 +89,12 @@ impl Display {
         })
     }
 
-    /// Starts a program, with nothing in its environment that would lead it to
-    /// another display or to a file dialog, and waits for its window.
+    /// Starts a program and waits for its window. The environment contains no
+    /// variables that lead to another display or to a file dialog.
     ///
     /// # Panics
     ///
-    /// If no window comes.
+    /// If no window appears.
     pub fn start(&self, program: &mut Command) -> RunningProgram<'_> {
         let child = program
             .env_remove("WAYLAND_DISPLAY")
@@ -104,7 +104,7 @@ impl Display {
             .env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/dev/null")
             .env("PATH", "")
             .env("TMPDIR", self.folder.path())
-            // A group of its own shows what it leaves behind.
+            // Processes that the program leaves behind are found by its process group.
             .process_group(0)
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
@@ -124,7 +124,7 @@ impl Display {
         String::from_utf8(output.stdout).expect("text")
     }
 
-    /// Names of the files that programs have left in the folder for such.
+    /// Names of the temporary files that programs have left behind.
     ///
     /// # Panics
     ///
@@ -134,12 +134,12 @@ impl Display {
         let entries = fs::read_dir(self.folder.path()).expect("a folder");
         let names = entries.map(|entry| entry.expect("an entry").file_name());
         let names = names.map(|name| name.to_string_lossy().into_owned());
-        // The screen itself.
+        // The file of the screen.
         names.filter(|name| name != "Xvfb_screen0").collect()
     }
 
-    /// What is on the screen now, from the file's X window dump: a header of
-    /// big-endian numbers, a palette of twelve bytes a colour, rows of pixels.
+    /// A part of the current screen, from the X window dump in the file: a header of
+    /// big-endian numbers, a palette of twelve bytes per colour, and rows of pixels.
     fn look(&self, [left, top, width, height]: [u32; 4]) -> Picture {
         let dump = fs::read(self.folder.path().join("Xvfb_screen0")).expect("the screen");
         let number = |index: usize| {

@@ -1,5 +1,5 @@
-//! Exercises: starters that students finish, checks that tell how far they
-//! are, and solutions that prove the checks.
+//! Exercises: starters that students complete, checks that show their progress, and
+//! solutions that prove the checks.
 //!
 //! # How to add an exercise
 //!

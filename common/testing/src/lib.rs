@@ -1,8 +1,8 @@
 //! Test tools of the stages: [`lock_pictures!`] compares the pictures of a stage
 //! with locked ones, [`exercises!`] checks the exercises of the students, and
-//! `display` runs a program on an X display of its own.
+//! `display` runs a program on a private X display.
 //!
-//! Only tests depend on this crate, so that no program carries test code.
+//! Only tests depend on this crate, so that no program contains test code.
 
 #[cfg(target_os = "linux")]
 pub mod display;

@@ -1,9 +1,9 @@
 //! Locks the pictures of a stage in its tests.
 //!
-//! A lock has two halves: a text snapshot with the picture's size, the hash of
-//! its bytes and a thumbnail in characters, and the expected PNG, which lies
-//! where the book shows it. [`lock_pictures!`](crate::lock_pictures) writes the
-//! tests; `INSTA_UPDATE=always` accepts what they see, in both halves.
+//! A lock has two halves: a text snapshot with the picture's size, the hash of its
+//! bytes and a thumbnail in characters, and the expected PNG, which is a file of the
+//! book. [`lock_pictures!`](crate::lock_pictures) writes the tests;
+//! `INSTA_UPDATE=always` accepts the new pictures, in both halves.
 
 mod description;
 mod difference;
@@ -24,12 +24,12 @@ pub use invariance::{check_narrow_sizes, check_omissions, check_rows, check_thre
 pub use left_out::check_book;
 pub use program_run::check_program;
 
-/// Where the test crate and its files lie; [`lock_pictures!`](crate::lock_pictures)
-/// fills it in.
+/// The paths of the test crate and its files; [`lock_pictures!`](crate::lock_pictures)
+/// fills them in.
 pub struct Places {
     /// The folder of the stage's crate.
     pub stage: &'static str,
-    /// A folder for what a failed test leaves behind.
+    /// A folder for the pictures of failed tests.
     pub scratch: &'static str,
     /// The stage's program.
     pub program: &'static str,
@@ -43,8 +43,8 @@ impl Places {
     }
 }
 
-/// Writes the tests of a stage's pictures: a lock for each scene, under its
-/// name, and what holds for all of them.
+/// Writes the tests of a stage's pictures: a lock for each scene, with its name, and
+/// tests of all scenes.
 ///
 /// ```ignore
 /// testing::lock_pictures! { a04_intersections::stage(); scene_1 scene_2 }
@@ -76,22 +76,22 @@ macro_rules! lock_pictures {
         }
 
         #[test]
-        fn rows_rendered_alone_are_those_of_the_picture() {
+        fn rows_rendered_alone_equal_the_rows_of_the_picture() {
             $crate::picture_lock::check_rows(&$stage);
         }
 
         #[test]
-        fn what_is_left_out_changes_no_byte() {
+        fn skipped_work_changes_no_byte() {
             $crate::picture_lock::check_omissions(&$stage);
         }
 
         #[test]
-        fn the_book_tells_what_is_left_out() {
+        fn the_table_of_skipped_work_in_the_book_is_right() {
             $crate::picture_lock::check_book(&$stage, &PLACES);
         }
 
         #[test]
-        fn pictures_of_one_pixel_and_of_one_row_are_no_trouble() {
+        fn pictures_of_one_pixel_and_of_one_row_are_rendered() {
             $crate::picture_lock::check_narrow_sizes(&$stage);
         }
 
@@ -108,13 +108,13 @@ fn render(scene: &Scene, settings: &Settings) -> Image {
     image
 }
 
-/// Renders a scene with all renderers and compares the pictures with its lock: that
-/// of the lesson, the first, with both halves, the others with the expected PNG.
+/// Renders a scene with all renderers and compares the pictures with its lock: the
+/// first, by the lesson, with both halves, the others with the expected PNG.
 ///
 /// # Panics
 ///
-/// If a picture differs; the message names the renderer, says how the picture
-/// differs, and where to look at it.
+/// If a picture differs; the message contains the renderer, the difference and the
+/// paths of the pictures.
 pub fn check(stage: &Stage, test: &str, places: &Places) {
     let scene = stage.scene(&test.replace('_', "-")).expect("a scene");
     let expected = places.expected(&picture_name(stage, scene));
@@ -159,7 +159,7 @@ fn compare_with_file(expected: &Path, image: &Image) -> Result<(), String> {
 }
 
 /// Compares the picture of the lesson with both halves of the lock: first with the
-/// PNG, so that a changed picture is told in pictures and not in a hash.
+/// PNG, so that the message about a changed picture shows pictures and not a hash.
 fn check_lesson(scene: &Scene, image: &Image, expected: &Path, places: &Places) {
     let (size, rgb) = (image.size(), image.to_rgb8(Transfer::Linear));
     let accept = std::env::var("INSTA_UPDATE").as_deref() == Ok("always");

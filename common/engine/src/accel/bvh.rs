@@ -1,5 +1,5 @@
 //! `Bvh`: a bounding volume hierarchy, which finds the few shapes near a ray among
-//! very many.
+//! many.
 //!
 //! It only chooses candidates, so its bounds may be coarse, but must never be too
 //! small: they are single precision numbers, rounded outwards.
@@ -54,10 +54,10 @@ impl Child {
     }
 }
 
-/// Bounds widened by this share of the largest number in the units of the tree hold
-/// every hit that a shape computes: the single precision of the slab test and of its
-/// ray moves a hit by less than a quarter of it, the double precision of the shapes by
-/// far less.
+/// Bounds are widened by this share of the largest number, in the units of the tree, so
+/// that they hold every hit that a shape computes. The single precision of the slab
+/// test and of its ray moves a hit by less than a quarter of it, and the double
+/// precision of the shapes by far less.
 const SLACK: f64 = 1.0 / 1_048_576.0;
 
 impl<L> Bvh<L> {
@@ -97,7 +97,7 @@ impl<L> Bvh<L> {
 
     /// Visits the leaves that the ray may meet within the interval, near ones first,
     /// and all leaves if the ray does not fit into the units of the tree. `visit` gets
-    /// the `t` beyond which no hit is wanted, and returns it anew or breaks off.
+    /// the largest `t` of interest, and returns it updated or breaks off.
     #[inline]
     pub fn search(
         &self,
@@ -131,7 +131,7 @@ impl<L> Bvh<L> {
             while met != 0 {
                 let lane = met.trailing_zeros() as usize;
                 met &= met - 1;
-                // The farther wait longer.
+                // The stack returns the nearest child first.
                 let entry = (near[lane], node.children[lane]);
                 let waiting = &open[first..];
                 let place = waiting.iter().position(|(far, _)| *far < entry.0);
@@ -166,7 +166,7 @@ impl<L> Bvh<L> {
     }
 }
 
-/// A ray as the slab test needs it.
+/// A ray, prepared for the slab test.
 struct Slabs {
     x: Slab,
     y: Slab,
@@ -176,7 +176,7 @@ struct Slabs {
 
 /// One axis of a ray for the slab test.
 struct Slab {
-    /// Which of the two planes of a slab the ray meets first.
+    /// The index of the plane of the slab that the ray meets first.
     side: usize,
     near: f32x4,
     far: f32x4,
@@ -191,7 +191,7 @@ impl Slab {
         // 0 * infinity.
         let inverse = (1.0 / d as f32).clamp(-1e30, 1e30);
         Self {
-            // The direction -0 goes down like all whose inverse is negative.
+            // The direction -0 counts as downwards, like all others with a negative inverse.
             side: usize::from(d.is_sign_negative()),
             near: f32x4::splat((o + slack) as f32),
             far: f32x4::splat((o - slack) as f32),
@@ -199,7 +199,7 @@ impl Slab {
         }
     }
 
-    /// Where the ray enters four slabs, and where it leaves them.
+    /// The `t` at which the ray enters and leaves four slabs.
     #[inline]
     fn enter(&self, planes: &[f32x4; 2]) -> (f32x4, f32x4) {
         let near = (planes[self.side] - self.near) * self.inverse;
@@ -209,7 +209,8 @@ impl Slab {
 }
 
 impl Slabs {
-    /// Where the ray enters the four children, and a bit for each it meets.
+    /// The `t` at which the ray enters the four children, and a bit for each that it
+    /// meets.
     #[inline]
     fn enter(&self, [x, y, z]: &[[f32x4; 2]; 3], beyond: f32) -> ([f32; WIDTH], u32) {
         let ((nx, fx), (ny, fy), (nz, fz)) = (self.x.enter(x), self.y.enter(y), self.z.enter(z));

@@ -49,8 +49,8 @@ fn bounds(shapes: &Shapes) -> Bounds {
 
 /// Divides the shapes into up to four groups, the most expensive one first.
 fn four_groups(shapes: &mut Shapes, level: usize) -> Vec<&mut Shapes> {
-    // Cuts by area alone could make a tree as deep as there are shapes. Below
-    // half its levels the shapes are halved, which gets to the end of any.
+    // Cuts by area alone could make a tree with as many levels as shapes. Below half
+    // of the levels the shapes are halved, for which the other half is enough.
     let halve = level >= LEVELS / 2;
     let cost = |group: &Shapes| {
         let area = if halve {
@@ -100,7 +100,7 @@ const BINS: usize = 16;
 
 /// Where to cut the shapes, sorted along an axis, so that the surface area
 /// heuristic expects the fewest tests: the axis, and how many go to the left.
-/// None if all middles are in one place.
+/// None if all middles are the same point.
 ///
 /// (Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, 2007)
 fn cheapest_cut(shapes: &Shapes) -> Option<(usize, usize)> {

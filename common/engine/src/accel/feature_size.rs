@@ -5,9 +5,9 @@ use super::grid::PerspectiveGrid;
 use crate::Ray;
 
 impl PerspectiveGrid {
-    /// Whether a shape could appear between four rays through the bundle's point, the
-    /// corners of a square, that is alone and narrower than this share of the side.
-    /// None if the rays do not belong to the bundle.
+    /// Whether a single shape narrower than `feature_size` times the side could appear
+    /// between four rays through the bundle's point, the corners of a square. None if
+    /// the rays do not belong to the bundle.
     pub fn may_miss_features(&self, corners: &[Ray; 4], feature_size: f64) -> Option<bool> {
         let RayBundle::Through(point) = self.bundle else {
             return None;

@@ -20,11 +20,11 @@ use crate::shape::Bounds;
 #[derive(Debug)]
 pub(super) struct PerspectiveGrid {
     pub bundle: RayBundle,
-    /// To the right and up in the picture of cells, and into it.
+    /// The axes of the grid: to the right, up, and away from the point.
     pub right: DVec3,
     pub up: DVec3,
     pub gaze: DVec3,
-    /// Place of the first cell, and cells per unit.
+    /// The lower left corner of the first cell, and cells per unit.
     pub from: [f64; 2],
     pub per_unit: [f64; 2],
     /// Cells in a row and in a column.
@@ -36,7 +36,8 @@ pub(super) struct PerspectiveGrid {
     pub tolerance: f64,
     /// The largest coordinate that a ray may start at.
     pub max_origin: f64,
-    /// The first candidate of each cell; one empty cell more than there are.
+    /// The index of the first candidate of each cell; the last cell is an extra, empty
+    /// one.
     pub starts: Vec<u32>,
     pub candidates: Vec<Candidate>,
     /// The size of the narrowest object in each cell, unless many lie there together.
@@ -46,13 +47,13 @@ pub(super) struct PerspectiveGrid {
 /// A shape in a cell.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Candidate {
-    /// No point of the shape is nearer to the point of the bundle, or earlier on its
-    /// rays, in the unit of the grid.
+    /// Lower bound of the distance of the shape from the point of the bundle, or along
+    /// its direction, in the unit of the grid.
     pub near: f32,
     pub shape: ShapeId,
 }
 
-/// Places in the picture of cells between which a shape appears.
+/// The places in the grid between which a shape appears.
 pub(super) type Extent = ([f64; 2], [f64; 2]);
 
 impl PerspectiveGrid {
@@ -69,8 +70,8 @@ impl PerspectiveGrid {
         (low..=high).flat_map(move |y| (left..=right).map(move |x| y * side + x))
     }
 
-    /// The place of a point in the picture of cells. None beside and behind the point
-    /// of the bundle.
+    /// The place of a point in the grid. None beside and behind the point of the
+    /// bundle.
     #[inline]
     pub fn place(&self, p: DVec3) -> Option<[f64; 2]> {
         let (x, y) = (p.dot(self.right), p.dot(self.up));

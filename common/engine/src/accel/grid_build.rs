@@ -8,7 +8,7 @@ use super::shapes::ShapeId;
 use crate::shape::Bounds;
 use crate::vector::{largest_coordinate, normalized};
 
-/// Bounds are widened by this share of the largest coordinate: more than the way by
+/// Bounds are widened by this share of the largest coordinate: more than the distance by
 /// which rounding moves a hit, and by which the origin of a ray that leaves a surface
 /// is offset.
 const SLACK: f64 = 1.0 / (1_u64 << 30) as f64;
@@ -58,14 +58,14 @@ impl PerspectiveGrid {
             Some((candidate, grid.extent_of_bounds(bounds)?))
         };
         let mut seen: Vec<_> = shapes.iter().map(seen).collect::<Option<_>>()?;
-        // Near ones come first, so that a search can end early.
+        // The nearest candidates come first, so that a search can end early.
         seen.sort_by(|(a, _), (b, _)| a.near.total_cmp(&b.near));
         grid.choose_cells(&seen)?;
         grid.fill(&seen);
         Some(grid)
     }
 
-    /// How near to the bundle's point bounds come, or how early on its rays.
+    /// The least distance of bounds from the bundle's point, or along its direction.
     fn nearest(&self, bounds: Bounds) -> f32 {
         let near = match self.bundle {
             RayBundle::Through(point) => {

@@ -36,7 +36,7 @@ impl PerspectiveGrid {
         let p = self.relative(o);
         let start = match self.bundle {
             RayBundle::Through(_) => {
-                // Where the ray comes nearest to the point.
+                // The point of the ray that is nearest to the point of the bundle.
                 let t = -p.dot(d);
                 let passes = largest_coordinate(p + d * t) <= self.tolerance;
                 (passes && within.max <= t + self.tolerance).then_some(t)
@@ -64,7 +64,7 @@ impl PerspectiveGrid {
         self.candidates_of(self.cell(x, y))
     }
 
-    /// The cell at a place counted in cells; beside all, the empty one behind the last.
+    /// The cell at a place counted in cells; outside of the grid, the extra empty one.
     #[inline]
     fn cell(&self, x: f64, y: f64) -> usize {
         let side = self.side as f64;

@@ -71,7 +71,7 @@ impl Trees {
     }
 
     /// Visits the shapes that the ray may hit within the interval, until `visit`
-    /// breaks off; it returns the `t` beyond which no hit is wanted.
+    /// breaks off; it returns the largest `t` of interest.
     #[inline]
     fn visit(
         &self,

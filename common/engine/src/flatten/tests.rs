@@ -1,5 +1,5 @@
-//! Tests of `flatten`: against exact arithmetic both ways to move a ray together err by
-//! less than the bound.
+//! Tests of `flatten`: compared with exact arithmetic, the errors of both ways to
+//! transform a ray add up to less than the bound.
 
 use super::*;
 use crate::adaptive::random::PixelRandom;
@@ -47,7 +47,7 @@ fn exact(steps: &[Step], x: DVec3, w: f64) -> [Exact; 3] {
     })
 }
 
-/// The distance of a moved ray at `t` from where it should be, in the outer space.
+/// The distance of a moved ray at `t` from its exact place, in the outer space.
 fn error(steps: &[Step], ray: &Ray, moved: &Ray, t: f64) -> f64 {
     let part = |x: DVec3, exact: [Exact; 3]| {
         let x = x.to_array();
@@ -70,7 +70,7 @@ fn moved(x: f64) -> Step {
     step(by(x), by(-x))
 }
 
-/// A movement, turns and an uneven stretching at random.
+/// A random translation, rotation and uneven scaling.
 fn anywhere(random: PixelRandom, level: u64) -> Step {
     let number = |n| 2.0 * random.uniform(10 * level + n) - 1.0;
     let factor = |n| libm::exp2(number(n));
@@ -120,7 +120,7 @@ fn displacements_stay_below_the_bound() {
         assert!(errors < bound, "{errors} of {bound}, {levels} levels");
         worst = worst.max(errors / bound);
     }
-    // The bound is not so large as to mean nothing.
+    // The bound is small enough to be of use.
     assert!(worst > 1e-3, "{worst}");
 }
 
@@ -159,7 +159,7 @@ fn nested(steps: &[Step]) -> Transformed<'static> {
 /// Transforms that move too far for the bound stay as they are, and so do products with
 /// too large entries.
 #[test]
-fn only_near_products_are_taken() {
+fn only_products_within_the_bound_are_taken() {
     for (far, is_flat) in [(1e6, true), (1e12, false)] {
         let mut shape = nested(&[moved(far), moved(-far)]);
         let flattened = flatten(&mut shape, 10.0, 1.0 / 510.0);
@@ -172,8 +172,8 @@ fn only_near_products_are_taken() {
     assert!(flatten(&mut nested(&[moved(1.0)]), 10.0, 1.0).is_none());
 }
 
-/// The digits that are lost a million away come back: flat, the sphere is hit where the
-/// sphere without transforms is.
+/// A flattened shape has the digits that nested transforms lose a million away: the
+/// sphere is hit at the same place as the sphere without transforms.
 #[test]
 fn far_and_back_costs_no_digits_in_a_product() {
     let far = nested(&[moved(1e6), moved(-1e6)]);

@@ -53,7 +53,7 @@ impl ColorPacket {
         (is_black(self.r) & is_black(self.g) & is_black(self.b)).to_bitmask()
     }
 
-    /// These colours in the lanes of the mask, and black beside it.
+    /// These colours in the lanes of the mask, and black in the others.
     #[inline]
     pub fn masked(self, mask: Lanes) -> Self {
         Self {
@@ -77,7 +77,7 @@ impl Add for ColorPacket {
     }
 }
 
-/// Light of four colours, each filtered by another.
+/// Light of four colours, each filtered by one of the others.
 impl Mul for ColorPacket {
     type Output = Self;
 

@@ -10,9 +10,9 @@ use crate::{Hit, Ray};
 /// Four rays.
 #[derive(Clone, Copy, Debug)]
 pub struct RayPacket {
-    /// Where they start.
+    /// The origins.
     pub origin: Vector3x4,
-    /// Where they go.
+    /// The directions.
     pub direction: Vector3x4,
 }
 
@@ -46,7 +46,7 @@ impl RayPacket {
 /// Up to four hits.
 #[derive(Clone, Copy, Debug)]
 pub struct PacketHit {
-    /// Where on the rays: above 0. NaN in lanes without a hit.
+    /// The `t` of the hits: above 0. NaN in lanes without a hit.
     pub t: Lanes,
     /// The shading normals.
     pub normal: Vector3x4,
@@ -87,7 +87,7 @@ impl PacketHit {
         })
     }
 
-    /// These hits in the lanes of the mask, and the others beside it.
+    /// These hits in the lanes of the mask, and `others` in the other lanes.
     #[inline]
     pub fn or(self, mask: Lanes, others: Self) -> Self {
         Self {

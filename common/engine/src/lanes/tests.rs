@@ -1,5 +1,5 @@
-//! Four vectors side by side have the bits of the scalar operations, on any processor
-//! and for any numbers.
+//! Tests of lanes: operations on four vectors have the bits of the scalar operations, on
+//! any processor and for any numbers.
 
 use std::array;
 
@@ -24,11 +24,11 @@ const NUMBERS: [f64; 13] = [
     f64::NEG_INFINITY,
     f64::NAN,
 ];
-/// The number of vectors that they make.
+/// The number of vectors with these coordinates.
 const VECTORS: usize = NUMBERS.len().pow(3);
 
 /// Calls `check` with every vector of these numbers in every lane, and with other
-/// vectors beside them.
+/// vectors in the other lanes.
 fn for_fours(check: impl Fn([DVec3; 4], [DVec3; 4])) {
     let number = |i: usize| NUMBERS[i % NUMBERS.len()];
     let vector = |i: usize| DVec3::new(number(i), number(i / 13), number(i / 169));
@@ -42,7 +42,7 @@ fn for_fours(check: impl Fn([DVec3; 4], [DVec3; 4])) {
     }
 }
 
-/// The same with single numbers.
+/// Like `for_fours`, with single numbers.
 fn for_four_numbers(check: impl Fn([f64; 4], [f64; 4])) {
     for_fours(|a, b| check(a.map(|v| v.x), b.map(|v| v.x)));
 }
@@ -63,7 +63,7 @@ fn assert_same_vectors(vectors: Vector3x4, scalar: [DVec3; 4]) {
     assert_same(vectors.z, scalar.map(|v| v.z));
 }
 
-/// A chosen vector keeps its bits, those of a NaN as well.
+/// A selected vector keeps its bits, even those of a NaN.
 #[track_caller]
 fn assert_kept(vectors: Vector3x4, scalar: [DVec3; 4]) {
     let bits = |v: DVec3| v.to_array().map(f64::to_bits);
@@ -90,7 +90,7 @@ fn reflected_on(v: DVec3, n: DVec3) -> DVec3 {
 }
 
 #[test]
-fn arithmetic_is_that_of_one_vector() {
+fn arithmetic_has_the_bits_of_single_vectors() {
     for_fours(|a, b| {
         let (v, w) = (Vector3x4::new(a), Vector3x4::new(b));
         assert_same_vectors(v + w, vectors(|i| a[i] + b[i]));
@@ -138,7 +138,7 @@ fn a_mask_chooses_lanes() {
             assert_kept(Vector3x4 { x, ..v.or(mask, w) }, either);
             let turned = vectors(|i| if is_chosen(i) { -a[i] } else { a[i] });
             assert_kept(v.negated(mask), turned);
-            // A mask also makes a channel black, and a `t` no `t` at all.
+            // A mask also makes a channel black, and a `t` NaN.
             let shown = lanes(|i| if is_chosen(i) { a[i].x } else { 0.0 });
             assert_same(v.x & mask, shown);
             let removed = lanes(|i| if is_chosen(i) { f64::NAN } else { a[i].x });
@@ -162,7 +162,7 @@ fn nan_is_neither_less_nor_greater_nor_equal() {
 
 /// Neither scalars nor lanes define which of 0 and -0 is the greater.
 #[test]
-fn the_greater_and_the_less_are_no_nan_if_one_is_none() {
+fn max_and_min_drop_a_single_nan() {
     let no_sign = |x: f64| if x == 0.0 { 0.0 } else { x };
     for_four_numbers(|a, b| {
         let (v, w) = (Lanes::new(a), Lanes::new(b));
@@ -181,7 +181,7 @@ fn the_greater_and_the_less_are_no_nan_if_one_is_none() {
 }
 
 #[test]
-fn roots_quotients_and_magnitudes_are_those_of_one_number() {
+fn roots_quotients_and_magnitudes_have_the_bits_of_single_numbers() {
     for_four_numbers(|a, b| {
         let (v, w) = (Lanes::new(a), Lanes::new(b));
         assert_same(v.sqrt(), a.map(f64::sqrt));
@@ -192,7 +192,7 @@ fn roots_quotients_and_magnitudes_are_those_of_one_number() {
 }
 
 #[test]
-fn the_first_t_ahead_is_that_of_one_ray() {
+fn the_first_t_ahead_is_the_same_as_for_one_ray() {
     for_four_numbers(|a, b| {
         let scalar = lanes(|i| {
             let ahead = [a[i], b[i]].into_iter().find(|t| *t > 0.0);
@@ -203,7 +203,7 @@ fn the_first_t_ahead_is_that_of_one_ray() {
 }
 
 #[test]
-fn the_largest_coordinate_is_that_of_one_point() {
+fn the_largest_coordinate_is_the_same_as_for_one_point() {
     for_fours(|a, _| {
         if a.iter().all(|v| !v.is_nan()) {
             let scalar = a.map(largest_coordinate);

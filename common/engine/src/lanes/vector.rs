@@ -54,8 +54,8 @@ impl Vector3x4 {
     }
 
     /// The vectors of length 1 in the same directions, and a mask of the lanes that
-    /// hold them: the others hold anything, because the scalar formula has to scale
-    /// first there, or has no direction.
+    /// hold them. The other lanes hold anything: the scalar formula has to scale their
+    /// vectors first, or they have no direction.
     #[inline]
     pub fn normalized(self) -> (Self, Lanes) {
         let squared = self.dot(self);
@@ -76,7 +76,7 @@ impl Vector3x4 {
         x.fast_max(y).fast_max(z)
     }
 
-    /// The vectors of `self` in the lanes of the mask, and of `other` beside it.
+    /// The vectors of `self` in the lanes of the mask, and of `other` in the others.
     #[inline]
     pub fn or(self, mask: Lanes, other: Self) -> Self {
         Self {

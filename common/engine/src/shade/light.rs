@@ -18,7 +18,7 @@ pub struct Light<'a> {
     pub casts_shadows: bool,
 }
 
-/// The light of a source at a point, nothing being in between; none outside of its beam.
+/// The light of a source at a point, without shadows; none outside of its beam.
 pub type LightFn<'a> = Box<dyn Fn(DVec3) -> Option<Illumination> + Send + Sync + 'a>;
 
 /// The kinds of lights.
@@ -48,7 +48,7 @@ pub enum LightKind<'a> {
         /// The direction in which it travels, of length 1.
         direction: DVec3,
     },
-    /// A light that the engine does not know: each point is looked up by this function.
+    /// A light that the engine does not know: this function computes its light at a point.
     Other(LightFn<'a>),
 }
 
@@ -63,7 +63,7 @@ impl fmt::Debug for LightKind<'_> {
     }
 }
 
-/// The light that a source sends to a point, nothing being in between.
+/// The light that a source sends to a point, without shadows.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Illumination {
     /// Its colour.

@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_can_be_computed_exactly_is() {
+    fn exact_powers_are_exact() {
         assert_eq!(power(0.5, 63.0), 1.0 / (1_u64 << 63) as f64);
         assert_eq!(power(0.75, 5.0), 243.0 / 1024.0);
         assert_eq!(power(0.25, 2.5), 1.0 / 32.0, "not a whole exponent");
@@ -68,7 +68,7 @@ mod tests {
         assert_eq!(power(0.5, 1e300), 0.0);
     }
 
-    /// Rounded after each product, which a power rounded once is not always.
+    /// The result is rounded after each product, unlike a power that is rounded once.
     #[test]
     fn a_small_whole_exponent_multiplies() {
         for base in (1..100_u32).map(|i| f64::from(i) / 100.0) {
@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn four_powers_are_those_of_one() {
+    fn four_powers_have_the_bits_of_single_ones() {
         let bases = [0.1, 0.9, 0.999, 1.0];
         for exponents in [[32.0; 4], [7.5; 4], [0.0; 4], [1.0, 2.0, 2.5, 1e9]] {
             let four = powers(Lanes::new(bases), exponents, 0b1111).to_array();
@@ -85,8 +85,8 @@ mod tests {
         }
     }
 
-    /// `u P` is what rounding the base and what rounding the products may do,
-    /// each: u is half of epsilon.
+    /// Rounding of the base and rounding of the products may each lead to an error of
+    /// `u P`, where u is half of epsilon.
     #[test]
     fn squaring_loses_no_more_than_the_base_has_lost() {
         for exponent in [2.0, 3.0, 64.0, 1000.0, LARGEST] {

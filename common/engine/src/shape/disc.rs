@@ -15,7 +15,7 @@ pub struct Disc {
     pub radius: f64,
 }
 
-/// More than rounding moves the rim, in radii.
+/// Upper bound of the rounding error of the rim, in radii.
 const ROUNDING: f64 = 1.0 / 1_099_511_627_776.0;
 
 impl Disc {

@@ -23,8 +23,8 @@ pub struct Sphere {
     pub radius: f64,
 }
 
-/// Rounding takes a smaller share of two squares than is missing here to 1: a few
-/// units in the last of their 53 binary places.
+/// A factor below 1. The rounding error of two squares, a few units in the last of
+/// their 53 binary places, is smaller than the difference to 1.
 const CLEARLY: f64 = 1.0 - 1e-12;
 
 impl Sphere {
@@ -80,8 +80,8 @@ impl Sphere {
         let in_order = t0.simd_lt(t1);
         let (near, far) = (select(in_order, t0, t1), select(in_order, t1, t0));
         let t = first_ahead(near, far);
-        // Only the centre itself has no normal: a hit is a radius away from it, or by
-        // rounding on it, and nothing in between is too short to be squared.
+        // Only a hit on the centre itself has no normal. A hit is a radius away from the
+        // centre, or by rounding on it, so no other vector is too short to be squared.
         let outwards = f + d * t;
         without(!is_square_of_a_length(outwards.dot(outwards)), t)
     }

@@ -1,8 +1,8 @@
 //! `transformed_bounds`: the bounds of a shape under a transform.
 //!
-//! A shape is hit where the rays that the inverse `i` moves meet it, and `m` says
-//! only up to rounding where that is. So the corners moved by `m` are bounds after
-//! they have been widened by the error of rounding.
+//! Hits are computed with rays that are transformed by the inverse `i`. The matrix `m`
+//! is the inverse of `i` only up to rounding. So the corners transformed by `m` are
+//! bounds only after they have been widened by the rounding error.
 
 use super::{Bounds, Transform};
 

@@ -26,8 +26,8 @@ pub struct Triangle {
 const NEEDLE: f64 = 1e-6;
 
 impl Triangle {
-    /// By rounding, a needle is also hit beyond its tip, as far as the tip is sharp:
-    /// it has no bounds.
+    /// The bounds; all of space for a needle, because rounding lets rays hit it far
+    /// beyond its sharp tip.
     pub(crate) fn bounds(&self) -> Bounds {
         let [a, b, c] = self.corners;
         let edges = [b - a, c - a, c - b].map(DVec3::length);
@@ -137,7 +137,7 @@ fn is_beside(corners: [[f64; 3]; 3]) -> bool {
     all(0, 1.0) || all(0, -1.0) || all(1, 1.0) || all(1, -1.0)
 }
 
-/// The same for four rays.
+/// Like `is_beside`, for four rays.
 #[inline]
 fn are_beside([a, b, c]: [[Lanes; 3]; 3]) -> Lanes {
     let zero = Lanes::ZERO;

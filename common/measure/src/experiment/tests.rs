@@ -13,7 +13,7 @@ fn curve(points: &[(f64, f64)]) -> Curve<'static> {
 const EVERYWHERE: (f64, f64) = (0.0, f64::INFINITY);
 
 #[test]
-fn errors_have_a_mean_and_a_greatest() {
+fn the_mean_and_the_greatest_error_are_computed() {
     let point = Point::new(1.0, 1.0, [3.0, -4.0, 0.0, 0.0], || 0.0);
     assert_eq!((point.rms, point.max), (2.5, 4.0));
 }
@@ -41,7 +41,7 @@ fn a_single_point_and_points_without_error_have_no_slope() {
 }
 
 #[test]
-fn the_work_to_an_error_is_read_off_the_curve() {
+fn the_work_to_reach_an_error_is_read_off_the_curve() {
     let halving = curve(&[(1.0, 0.8), (4.0, 0.4), (16.0, 0.2)]);
     assert_eq!(halving.work_to_reach(1.0), Some((1.0, false)));
     let (work, beyond) = halving.work_to_reach(0.4).unwrap();
@@ -52,17 +52,17 @@ fn the_work_to_an_error_is_read_off_the_curve() {
 }
 
 #[test]
-fn the_front_is_what_nothing_beats() {
+fn the_front_has_the_points_that_no_other_beats() {
     let a = curve(&[(1.0, 0.5), (4.0, 0.3)]);
     let b = curve(&[(2.0, 0.6), (4.0, 0.2)]);
     let front = pareto_front(&[a, b]);
     assert_eq!(front, [[true, false], [false, true]]);
 }
 
-/// Not all on a line: the errors 10^-1, 10^-1 and 10^-4 at 10, 100 and 1000
-/// have the slope -3/2 by least squares.
+/// Three points that are not on one line: the errors 10^-1, 10^-1 and 10^-4 at 10,
+/// 100 and 1000 have the slope -3/2 by least squares.
 #[test]
-fn the_slope_is_that_of_least_squares() {
+fn the_slope_is_fitted_by_least_squares() {
     let points = curve(&[(10.0, 1e-1), (100.0, 1e-1), (1000.0, 1e-4)]);
     let slope = points.fitted_slope(Axis::Work, EVERYWHERE).unwrap();
     assert!((slope + 1.5).abs() < 1e-12, "{slope}");
@@ -78,7 +78,8 @@ fn between_two_points_the_work_lies_on_the_line_through_both() {
     assert!((work - 2.0).abs() < 1e-9, "{work}");
 }
 
-/// As good for the same work is not beaten; less error or less work beats.
+/// A point with the same error and the same work does not beat another; a smaller
+/// error or less work does.
 #[test]
 fn equals_do_not_beat_each_other() {
     let a = curve(&[(1.0, 0.5), (2.0, 0.25), (4.0, 0.125)]);
@@ -111,7 +112,7 @@ fn of_slope(expected: f64, tolerance: f64) -> Experiment<'static> {
 }
 
 #[test]
-fn slopes_near_those_of_theory_pass() {
+fn slopes_near_the_expected_ones_pass() {
     let near = [of_slope(-1.0, 0.01), of_slope(-1.5, 0.6)];
     check_slopes(&near, Effort::Quick);
 }
@@ -136,14 +137,14 @@ fn points_without_error_do_not_bend_the_slope_of_the_others() {
 }
 
 #[test]
-fn what_the_last_point_reaches_lies_not_beyond_it() {
+fn an_error_that_the_last_point_reaches_is_not_extrapolated() {
     let halving = curve(&[(1.0, 0.8), (4.0, 0.4), (16.0, 0.2)]);
     let (work, beyond) = halving.work_to_reach(0.2).unwrap();
     assert!((work - 16.0).abs() < 1e-9 && !beyond);
 }
 
 #[test]
-fn knobs_and_work_are_counted_in_lines() {
+fn each_point_is_a_line_with_its_counted_work() {
     let lines = counted(&of_slope(-1.0, 0.0), Effort::Quick);
     let line = |n: f64, error: &str| format!("{:24} {n:>12} {n:>14} {error:>9}", "method");
     let expected = [

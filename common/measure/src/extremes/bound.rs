@@ -7,15 +7,15 @@ use super::Outcome;
 /// How far a computed outcome may be from the exact one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bound {
-    /// The same outcome.
+    /// The outcomes are equal.
     Equal,
-    /// At most this many units in the last place of the exact number, or of
-    /// the greatest of three.
+    /// At most this many units in the last place of the exact number, or of the
+    /// greatest of three numbers.
     Ulps(f64),
-    /// At most this far away.
+    /// At most this distance.
     Absolute(f64),
-    /// Any finite number, or nothing: where only NaN, infinity and a panic
-    /// would be wrong.
+    /// Any finite number, or nothing, where only NaN, infinity and a panic would
+    /// be wrong.
     Finite,
 }
 
@@ -54,7 +54,7 @@ fn ulp(number: f64) -> f64 {
     number.abs().next_up() - number.abs()
 }
 
-/// How far an outcome is off, for a reader.
+/// The error of an outcome, for a reader.
 pub(super) fn error(exact: Outcome, outcome: Outcome) -> String {
     match exact.distance(outcome) {
         Some(0.0) => "0".to_owned(),
@@ -77,7 +77,7 @@ mod tests {
     use crate::extremes::Case;
 
     #[test]
-    fn errors_are_shown_in_units_of_rounding_while_these_are_few() {
+    fn small_errors_are_shown_in_ulps() {
         let shown = |ours: f64| error(1.0.into(), ours.into());
         assert_eq!(shown(1.0), "0");
         assert_eq!(shown(1.0 + 3.0 * f64::EPSILON), "3 ulp");

@@ -10,7 +10,7 @@ use super::{Bound, Outcome};
 pub struct Case {
     /// A letter for the subject and a number.
     pub id: &'static str,
-    /// What is computed, of which numbers.
+    /// The quantity that is computed, and its arguments.
     pub what: String,
     exact: Outcome,
     bound: Bound,
@@ -18,12 +18,12 @@ pub struct Case {
     ours: Outcome,
 }
 
-/// What a row says of the protocol's formula.
+/// Whether the protocol's formula is expected to hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Protocol {
-    /// It stays within the bound, too.
+    /// Its error is within the bound, too.
     Holds,
-    /// It does not.
+    /// Its error is larger.
     Fails,
 }
 
@@ -46,14 +46,15 @@ impl Case {
         }
     }
 
-    /// The same row with the outcome of the protocol's formula.
+    /// Adds the outcome of the protocol's formula.
     #[must_use]
     pub fn protocol(mut self, says: Protocol, outcome: impl Into<Outcome>) -> Self {
         self.protocol = Some((outcome.into(), says));
         self
     }
 
-    /// Whether ours is within the bound, and the protocol's is where it should.
+    /// Whether our outcome is within the bound, and the protocol's is or is not, as
+    /// expected.
     #[must_use]
     pub fn holds(&self) -> bool {
         let as_said = self.protocol.is_none_or(|(outcome, says)| {
@@ -62,7 +63,7 @@ impl Case {
         as_said && self.bound.admits(self.exact, self.ours)
     }
 
-    /// What is expected of ours, what it is, and how far off, in one line.
+    /// The exact outcome, ours, and the error of ours, in one line.
     #[must_use]
     pub fn comparison(&self) -> String {
         let Self {
@@ -112,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn bounds_admit_what_lies_within() {
+    fn bounds_admit_outcomes_within_them() {
         let next = 1.0_f64.next_up();
         assert!(case(Bound::Equal, 1.0).holds());
         assert!(!case(Bound::Equal, next).holds());
@@ -127,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_is_within_no_bound() {
+    fn nan_and_infinity_are_within_no_bound() {
         for bad in [f64::NAN, f64::INFINITY] {
             for bound in [
                 Bound::Equal,
@@ -146,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn the_protocol_must_fail_where_it_is_said_to() {
+    fn the_protocol_must_fail_where_the_row_says_so() {
         let right = case(Bound::Equal, 1.0);
         assert!(right.clone().protocol(Protocol::Fails, 2.0).holds());
         assert!(!right.clone().protocol(Protocol::Fails, 1.0).holds());
@@ -162,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn a_row_shows_how_far_it_is_off() {
+    fn a_row_shows_its_error() {
         let case = case(Bound::Ulps(2.0), 1.0_f64.next_up()).protocol(Protocol::Fails, 1.5);
         assert_eq!(
             case.to_string(),

@@ -18,7 +18,7 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// The greatest distance between the numbers of two outcomes of a kind.
+    /// The greatest distance between the numbers of two outcomes of the same kind.
     pub(super) fn distance(self, other: Self) -> Option<f64> {
         match (self, other) {
             (Self::Number(a), Self::Number(b)) if a == b => Some(0.0),
@@ -93,7 +93,7 @@ impl fmt::Display for Outcome {
     }
 }
 
-/// All digits of a number, with an exponent where it would be long without.
+/// All digits of a number, with an exponent where it would otherwise be long.
 fn short(number: f64) -> String {
     if number == 0.0 || !number.is_finite() || (1e-5..1e16).contains(&number.abs()) {
         format!("{number}")

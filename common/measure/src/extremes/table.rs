@@ -4,7 +4,7 @@ use common::Error;
 
 use super::Case;
 
-/// The cases whose ids begin with one of the names; all without a name.
+/// The cases whose ids begin with one of the names; without a name, all cases.
 pub fn select(cases: Vec<Case>, names: &[String]) -> Result<Vec<Case>, Error> {
     let begins = |case: &Case, name: &String| {
         let (id, name) = (case.id.as_bytes(), name.as_bytes());
@@ -25,11 +25,11 @@ pub fn select(cases: Vec<Case>, names: &[String]) -> Result<Vec<Case>, Error> {
 }
 
 /// Checks a stage's table in a test: it has rows, each of them holds, and no id
-/// comes twice.
+/// occurs twice.
 ///
 /// # Panics
 ///
-/// If that is not so; the message shows all rows that don't hold.
+/// If the table fails the check; the message shows all rows that do not hold.
 pub fn check(cases: &[Case]) {
     assert!(!cases.is_empty(), "there are no cases");
     let failed: Vec<_> = cases.iter().filter(|case| !case.holds()).collect();
@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     #[should_panic(expected = "A01")]
-    fn an_id_that_comes_twice_fails() {
+    fn an_id_that_occurs_twice_fails() {
         check(&[case(Bound::Equal, 1.0), case(Bound::Equal, 1.0)]);
     }
 

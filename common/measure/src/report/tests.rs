@@ -26,7 +26,7 @@ fn experiment() -> Experiment<'static> {
 }
 
 #[test]
-fn the_table_tells_slope_price_and_remark() {
+fn the_table_shows_slope_price_and_remark() {
     let experiment = experiment();
     let mut steps = Vec::new();
     let measured = Measured::new(&experiment, Effort::Quick, |done, all| {
@@ -45,7 +45,7 @@ fn the_table_tells_slope_price_and_remark() {
     assert_eq!(table.matches("* plain").count(), 3, "{table}");
 }
 
-/// Two curves whose first points have the same knob, and times made up.
+/// Two curves whose first points have the same parameter, with invented times.
 fn measured<'e>(experiment: &'e Experiment<'static>) -> Measured<'e, 'static> {
     let curve = |method, points: &[[f64; 3]]| Curve {
         method,
@@ -70,7 +70,7 @@ fn measured<'e>(experiment: &'e Experiment<'static>) -> Measured<'e, 'static> {
 /// Nothing beats the clever method's first point. The plain one's error has
 /// the slope -1; it takes 10 * 0.5 * 510 steps to half a grey level.
 #[test]
-fn a_row_has_its_time_beside_that_of_the_same_knob() {
+fn times_are_compared_at_the_same_parameter() {
     let mut experiment = experiment();
     let rows = |star| {
         [
@@ -92,7 +92,7 @@ fn a_row_has_its_time_beside_that_of_the_same_knob() {
     let expected = [&rows("*")[..], &[summary.to_owned(), rising.to_owned()]].concat();
     assert_eq!(lines(measured(&experiment)), expected);
 
-    // Against the knob there is no price, and none that is the best for it.
+    // Against the parameter there is no price, and no Pareto front.
     experiment.against = Axis::Knob;
     let summary = "  plain: slope -1.00".to_owned();
     let expected = [&rows(" ")[..], &[summary, rising.to_owned()]].concat();
@@ -100,7 +100,7 @@ fn a_row_has_its_time_beside_that_of_the_same_knob() {
 }
 
 #[test]
-fn a_curve_of_which_nothing_can_be_said_has_no_summary() {
+fn a_curve_without_slope_and_remark_has_no_summary() {
     let experiment = experiment();
     let mut measured = measured(&experiment);
     measured.curves[0].points.truncate(1);

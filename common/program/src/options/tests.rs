@@ -17,7 +17,7 @@ fn without_flags_the_scene_decides() {
 }
 
 #[test]
-fn the_number_of_samples_chooses_a_sampling_that_can_hold_it() {
+fn the_number_of_samples_chooses_a_sampling_that_allows_it() {
     let samples = |samples| Options {
         samples: Some(samples),
         ..Options::default()
@@ -49,7 +49,7 @@ fn center_sampling_means_one_sample() {
 }
 
 #[test]
-fn only_what_is_traced_may_be_larger_than_memory() {
+fn only_traced_pictures_may_be_larger_than_memory() {
     let large = Options {
         size: Some(Size::new(16_384, 16_384).unwrap()),
         ..Options::default()
@@ -62,14 +62,14 @@ fn only_what_is_traced_may_be_larger_than_memory() {
 }
 
 #[test]
-fn a_bound_for_the_error_makes_the_samples_the_most_of_a_pixel() {
+fn with_a_bound_of_the_error_samples_are_the_most_of_a_pixel() {
     let mut bounded = Options {
         max_error: Some(0.002),
         ..Options::default()
     };
     let settings = bounded.settings(&scene()).unwrap();
     assert_eq!((settings.max_error, settings.samples), (Some(0.002), 1024));
-    // No grid is asked for.
+    // The number need not be a square.
     bounded.samples = Some(5);
     assert_eq!(bounded.settings(&scene()).unwrap().samples, 5);
 }

@@ -1,4 +1,4 @@
-//! `Picture`: pixels as the screen holds them.
+//! `Picture`: pixels in the format of the screen.
 
 use common::{Image, Transfer};
 use font8x8::legacy::BASIC_LEGACY;
@@ -25,7 +25,7 @@ impl Picture {
         }
     }
 
-    /// The pixel at a place within the picture.
+    /// The pixel at column `x` and row `y`.
     #[must_use]
     pub fn at(&self, x: u32, y: u32) -> u32 {
         self.pixels[(y * self.width + x) as usize]
@@ -38,7 +38,7 @@ impl Picture {
     }
 }
 
-/// How the window writes on itself: letters of eight by eight pixels.
+/// The text of the window: letters of eight by eight pixels.
 impl Picture {
     const LETTER: u32 = 8;
     const INK: u32 = 0xE0_E0E0;
@@ -46,7 +46,7 @@ impl Picture {
     /// Height of the menu bar and of every line.
     pub const LINE: u32 = 18;
 
-    /// The character whose upper left corner lies here, if there is one.
+    /// The character whose upper left corner is here, if there is one.
     fn letter(&self, x: u32, y: u32) -> Option<char> {
         let row = |row| {
             let is_ink = |dot: &u32| self.at(x + dot, y + row) == Self::INK;
@@ -64,7 +64,7 @@ impl Picture {
         letters.collect::<String>().trim_end().to_owned()
     }
 
-    /// What is written in the strips at the bottom, from the top.
+    /// The text of the strips at the bottom, from the upper to the lower.
     #[must_use]
     pub fn notices(&self) -> Vec<String> {
         let bottoms = (1..self.height / Self::LINE).map(|line| self.height - line * Self::LINE);
@@ -84,7 +84,7 @@ impl Picture {
         items.collect()
     }
 
-    /// What is shown below the menu bar.
+    /// The part below the menu bar.
     #[must_use]
     pub fn below_bar(&self) -> Self {
         self.part(0, Self::LINE, self.width, self.height - Self::LINE)

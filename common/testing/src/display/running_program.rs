@@ -1,4 +1,4 @@
-//! `RunningProgram`: a program on a display of its own, and what a person can do to it.
+//! `RunningProgram`: a program on a private display, and the actions of a person.
 
 use std::fs;
 use std::io::Read;
@@ -26,7 +26,7 @@ impl<'a> RunningProgram<'a> {
             area: [0; 4],
         };
         shown.window = wait_for("a window", || {
-            assert!(shown.is_running(), "no window: {}", shown.complaint());
+            assert!(shown.is_running(), "no window: {}", shown.stderr());
             let found = display.xdotool("search --onlyvisible --name .");
             found.lines().next().map(str::to_owned)
         });
@@ -36,12 +36,12 @@ impl<'a> RunningProgram<'a> {
         shown
     }
 
-    /// Asks where the window is and how large.
+    /// Measures the window's place and size.
     fn measure(&mut self) {
         let line = format!("getwindowgeometry --shell {}", self.window);
-        let told = self.display.xdotool(&line);
+        let output = self.display.xdotool(&line);
         let value = |name: &str| {
-            let mut lines = told.lines();
+            let mut lines = output.lines();
             let value = lines.find_map(|line| line.strip_prefix(name)?.strip_prefix('='));
             value.and_then(|value| value.parse().ok())
         };
@@ -84,17 +84,17 @@ impl<'a> RunningProgram<'a> {
         (self.area[2], self.area[3])
     }
 
-    /// What the window shows now.
+    /// The current content of the window.
     #[must_use]
     pub fn look(&self) -> Picture {
         self.display.look(self.area)
     }
 
-    /// Waits until the window shows what is expected.
+    /// Waits until the content of the window is as expected.
     ///
     /// # Panics
     ///
-    /// If it does not within a minute, saying `what` that is.
+    /// If it is not within a minute; the message contains `what`.
     pub fn wait_to_show(&self, what: &str, shows: impl Fn(&Picture) -> bool) -> Picture {
         wait_for(what, || Some(self.look()).filter(|picture| shows(picture)))
     }
@@ -104,7 +104,7 @@ impl<'a> RunningProgram<'a> {
         self.display.xdotool(&format!("key {keys}"));
     }
 
-    /// Keys and mouse as xdotool names them: `keydown s`, `mousedown 1`.
+    /// Uses keys and mouse with commands of xdotool: `keydown s`, `mousedown 1`.
     pub fn act(&self, line: &str) {
         self.display.xdotool(line);
     }
@@ -116,8 +116,8 @@ impl<'a> RunningProgram<'a> {
         self.display.xdotool(&format!("mousemove {x} {y}"));
     }
 
-    /// Waits until the program must have noticed what does not show: where
-    /// the mouse is, and who has the keyboard.
+    /// Waits until the program must have noticed changes that are not visible: the
+    /// place of the mouse, and the window with the keyboard.
     ///
     /// Its first thread sleeps at least once in each turn of its loop, and at
     /// most a dozen times, while a picture goes to the display.
@@ -129,7 +129,7 @@ impl<'a> RunningProgram<'a> {
         });
     }
 
-    /// Gives the window another size, at the screen's upper left corner.
+    /// Resizes the window, and moves it to the screen's upper left corner.
     pub fn resize(&mut self, width: u32, height: u32) {
         let window = self.window.clone();
         let line = format!("windowmove {window} 0 0 windowsize {window} {width} {height}");
@@ -140,8 +140,8 @@ impl<'a> RunningProgram<'a> {
         });
     }
 
-    /// A line of a file that the system keeps about the program.
-    fn told(&self, file: &str) -> String {
+    /// A file in `/proc` about the program.
+    fn proc_file(&self, file: &str) -> String {
         let path = format!("/proc/{}/{file}", self.child.id());
         fs::read_to_string(path).expect("a process")
     }
@@ -156,23 +156,23 @@ impl<'a> RunningProgram<'a> {
         self.status("VmRSS:")
     }
 
-    /// A figure of the program's status, or of its first thread's.
+    /// A number in the status of the program, or of its first thread.
     fn status(&self, name: &str) -> u64 {
-        let status = self.told("status");
+        let status = self.proc_file("status");
         let line = status.lines().find_map(|line| line.strip_prefix(name));
         let figure = line.and_then(|line| line.split_whitespace().next());
         figure.and_then(|f| f.parse().ok()).expect("a figure")
     }
 
-    /// Time that the program has computed so far, on all processors.
+    /// Processor time of the program so far, on all processors.
     ///
     /// # Panics
     ///
     /// If the program has ended.
     #[must_use]
     pub fn time(&self) -> Duration {
-        let stat = self.told("stat");
-        // The name in parentheses may hold spaces. Linux counts hundredths.
+        let stat = self.proc_file("stat");
+        // The name in parentheses may contain spaces. Linux counts hundredths of a second.
         let fields = stat.rsplit(')').next().expect("fields");
         let ticks = fields.split_whitespace().skip(11).take(2);
         let ticks: u64 = ticks.map(|t| t.parse::<u64>().expect("a figure")).sum();
@@ -190,12 +190,12 @@ impl<'a> RunningProgram<'a> {
         fs::read_dir(path).expect("a process").count()
     }
 
-    /// Waits for the program's end, and returns its exit code and what it
-    /// printed on stderr.
+    /// Waits for the program's end, and returns its exit code and its output on
+    /// stderr.
     ///
     /// # Panics
     ///
-    /// If it does not end, or leaves another process behind.
+    /// If the program does not end, or leaves another process behind.
     #[must_use]
     pub fn wait_for_end(mut self) -> (Option<i32>, String) {
         let status = wait_for("the program's end", || {
@@ -203,27 +203,27 @@ impl<'a> RunningProgram<'a> {
         });
         let group = self.child.id().to_string();
         assert_eq!(group_members(&group), 0, "processes are left");
-        (status.code(), self.complaint())
+        (status.code(), self.stderr())
     }
 
     /// Whether the program is running.
     ///
     /// # Panics
     ///
-    /// If that cannot be told.
+    /// If its state cannot be read.
     #[must_use]
     pub fn is_running(&mut self) -> bool {
         let state = self.child.try_wait().expect("the program's state");
         state.is_none()
     }
 
-    /// What the program, which has ended, printed on stderr.
-    fn complaint(&mut self) -> String {
-        let mut complaint = String::new();
-        if let Some(mut stderr) = self.child.stderr.take() {
-            stderr.read_to_string(&mut complaint).expect("text");
+    /// The output on stderr of the program, which must have ended.
+    fn stderr(&mut self) -> String {
+        let mut stderr = String::new();
+        if let Some(mut pipe) = self.child.stderr.take() {
+            pipe.read_to_string(&mut stderr).expect("text");
         }
-        complaint
+        stderr
     }
 }
 
@@ -234,7 +234,7 @@ impl Drop for RunningProgram<'_> {
     }
 }
 
-/// How many processes belong to a group.
+/// The number of processes in a group.
 fn group_members(group: &str) -> usize {
     let processes = fs::read_dir("/proc").expect("the processes");
     let stats = processes.filter_map(|process| {

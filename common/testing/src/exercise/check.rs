@@ -1,4 +1,4 @@
-//! `Check`: compares what a student's code computes with what is right.
+//! `Check`: compares the results of a student's code with the right ones.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
@@ -7,11 +7,11 @@ use std::sync::{Mutex, PoisonError};
 use common::{Error, Image, Settings, Size, Transfer, picture_file};
 use measure::extremes::{Bound, Case, Outcome};
 
-/// What the running check has found missing.
+/// The parts that the running check has found missing.
 static MISSING: Mutex<Vec<String>> = Mutex::new(Vec::new());
 
-/// Stands in a starter for what the student is to write, and is `for_now`. The
-/// check, which meets it, says once that `what` is missing.
+/// A placeholder in a starter for the student's code; returns `for_now`. The check
+/// that calls it reports once that `what` is missing.
 pub fn missing<T>(what: &str, for_now: T) -> T {
     let mut missing = MISSING.lock().unwrap_or_else(PoisonError::into_inner);
     if !missing.iter().any(|known| known == what) {
@@ -20,25 +20,26 @@ pub fn missing<T>(what: &str, for_now: T) -> T {
     for_now
 }
 
-/// Compares what the student's code computes with what is right.
+/// Compares the results of the student's code with the right ones.
 #[derive(Default)]
 pub struct Check {
     compared: Vec<Case>,
     pictures: Pictures,
 }
 
-/// What is done with the picture that a check makes.
+/// The files of the picture that a check makes.
 #[derive(Default)]
 pub(super) struct Pictures {
-    /// Where it goes, if it is wanted.
+    /// Where to save it, if at all.
     pub left: Option<PathBuf>,
-    /// Where the same picture must be, if the book shows it.
+    /// The same picture in the book, if it shows one.
     pub shown: Option<PathBuf>,
 }
 
 impl Check {
-    /// Compares an outcome with the exact one: what is computed, its exact value,
-    /// how far off is right, and what the student's code makes of it.
+    /// Compares an outcome with the exact one: the name of the quantity, its exact
+    /// value, the largest error that counts as right, and the result of the student's
+    /// code.
     pub fn expect(
         &mut self,
         what: impl Into<String>,
@@ -49,8 +50,9 @@ impl Check {
         self.compared.push(Case::new("", what, exact, bound, got));
     }
 
-    /// Leaves a small picture made with the student's code, if this exercise was
-    /// asked for by name. The solution's is compared with the one in the book.
+    /// Saves a small picture made with the student's code, if the exercise is named on
+    /// the command line. The picture of the solution is compared with the one in the
+    /// book.
     pub fn picture(&mut self, paint: impl FnOnce(&Settings) -> Result<Image, Error>) {
         let Pictures { left, shown } = std::mem::take(&mut self.pictures);
         if left.is_none() && shown.is_none() {
@@ -70,7 +72,8 @@ fn small(paint: impl FnOnce(&Settings) -> Result<Image, Error>) -> Result<Image,
     })
 }
 
-/// Whether a picture is the one shown, if there is one.
+/// Saves a picture, and returns whether it equals the one in the book, if there is
+/// one.
 fn leave_and_compare(
     image: &Image,
     left: Option<PathBuf>,
@@ -85,16 +88,16 @@ fn leave_and_compare(
     Ok(shown.is_none_or(|shown| shown.to_rgb8(Transfer::Linear) == rgb))
 }
 
-/// What a check finds.
+/// The findings of a check.
 pub(super) struct Findings {
-    /// What the code still lacks.
+    /// The missing parts of the code.
     pub missing: Vec<String>,
-    /// What differs, and how far off it is.
+    /// The differences, with their errors.
     pub wrong: Vec<String>,
 }
 
-/// How many differences are told in full.
-const TOLD: usize = 3;
+/// Number of differences that are reported in full.
+const MAX_REPORTED: usize = 3;
 
 impl Findings {
     /// Runs a check.
@@ -120,8 +123,8 @@ impl Findings {
         if !differ.is_empty() {
             wrong.push(format!("{} of {compared} comparisons differ", differ.len()));
         }
-        let told = differ.iter().take(TOLD);
-        wrong.extend(told.map(|case| format!("{}: {}", case.what, case.comparison())));
+        let shown = differ.iter().take(MAX_REPORTED);
+        wrong.extend(shown.map(|case| format!("{}: {}", case.what, case.comparison())));
         Self {
             missing: take_missing(),
             wrong,
@@ -138,9 +141,9 @@ mod tests {
         (missing.join("; "), wrong.join("; "))
     }
 
-    /// One test: what is missing is kept in one place for all.
+    /// One test for all, because checks share the list of missing parts.
     #[test]
-    fn a_check_finds_what_is_missing_and_what_differs() {
+    fn a_check_finds_missing_parts_and_differences() {
         let right = found(|check| check.expect("two", 2.0, Bound::Equal, 2.0));
         assert_eq!(right, (String::new(), String::new()));
 

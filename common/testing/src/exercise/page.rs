@@ -1,8 +1,8 @@
-//! Checks the book's page of exercises: it sets each of them, and no other.
+//! Checks the book's page of exercises: it has a section for each, and no others.
 
 use super::Exercise;
 
-/// What is wrong with the page.
+/// The problems of the page.
 pub fn problems(page: &str, exercises: &[Exercise]) -> Vec<String> {
     let mut sections = page.split("\n## ").skip(1);
     let mut problems = Vec::new();
@@ -27,7 +27,7 @@ pub fn problems(page: &str, exercises: &[Exercise]) -> Vec<String> {
             }
         }
         let mut hints = text.split("<details>").skip(1).peekable();
-        if hints.peek().is_none() || hints.any(|hint| !says_something(hint)) {
+        if hints.peek().is_none() || hints.any(|hint| !has_text(hint)) {
             problems.push(format!("\"{title}\" has no hint, or an empty one"));
         }
     }
@@ -37,7 +37,7 @@ pub fn problems(page: &str, exercises: &[Exercise]) -> Vec<String> {
 }
 
 /// Whether there is text between the summary of a hint and its end.
-fn says_something(hint: &str) -> bool {
+fn has_text(hint: &str) -> bool {
     hint.split_once("</summary>")
         .and_then(|(_, text)| text.split_once("</details>"))
         .is_some_and(|(text, _)| !text.trim().is_empty())
@@ -80,7 +80,7 @@ Multiply.
     }
 
     #[test]
-    fn what_a_section_lacks_is_named() {
+    fn missing_parts_of_a_section_are_named() {
         for (whole, broken, said) in [
             ("## The square", "## A square", "\"A square\", not"),
             ("10 minutes", "soon", "10 minutes"),

@@ -1,4 +1,4 @@
-//! Runs the exercises of a stage, and proves them both ways.
+//! Runs the exercises of a stage, and proves their starters and solutions.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,17 +11,17 @@ use super::starter::starter;
 use super::task::{Task, asked_for};
 use super::{Exercise, Stage, page};
 
-/// How an exercise fares.
+/// The result of an exercise.
 enum Verdict {
     Passed(&'static str),
     Failed(Vec<String>),
     ToDo(Vec<String>),
 }
 
-/// Runs the exercises that the arguments of this process ask for.
+/// Runs the exercises that the arguments of this process select.
 ///
-/// Like every test it takes a part of a name, and whatever else `cargo test`
-/// hands to all of them. It fails if an exercise has been begun and is wrong.
+/// As for every test, a part of a name selects exercises, and the other arguments of
+/// `cargo test` are allowed. It fails if an exercise has been begun and is wrong.
 #[must_use]
 pub fn run(stage: &Stage, exercises: &[Exercise]) -> ExitCode {
     let (task, names) = asked_for(std::env::args().skip(1));
@@ -54,18 +54,18 @@ pub fn run(stage: &Stage, exercises: &[Exercise]) -> ExitCode {
             Task::Solutions => place.prove_solution(!names.is_empty()),
             Task::WriteStarters => place.write_starter(),
         };
-        tell(exercise.name, &verdict);
+        report(exercise.name, &verdict);
         verdicts.push(verdict);
     }
     if task == Task::Starters {
         let verdict = prove_page(stage, exercises);
-        tell("page of the book", &verdict);
+        report("page of the book", &verdict);
         verdicts.push(verdict);
     }
     sum_up(&verdicts)
 }
 
-/// Where the files of an exercise are.
+/// The paths of the files of an exercise.
 struct Place<'a> {
     stage: &'a Stage,
     exercise: &'a Exercise,
@@ -77,13 +77,13 @@ impl Place<'_> {
         Path::new(self.stage.folder).join(file)
     }
 
-    /// What the solution makes the starter to be.
+    /// The starter, made from the solution.
     fn generated(&self) -> Result<String, String> {
         let file = format!("exercises/solutions/{}.rs", self.exercise.name);
         starter(&read(&Path::new(self.stage.folder).join(file))?)
     }
 
-    /// Where a picture goes, if it can go there.
+    /// The path for a picture, if its folder can be made.
     fn left(&self, ending: &str) -> Option<PathBuf> {
         let folder = Path::new(self.stage.folder).parent()?.join("out/exercises");
         fs::create_dir_all(&folder).ok()?;
@@ -91,7 +91,7 @@ impl Place<'_> {
         Some(folder.join(format!("{}-{name}{ending}.png", self.stage.name)))
     }
 
-    /// The picture of the solution, if the book has it.
+    /// The picture of the solution in the book, if there is one.
     fn shown(&self) -> Option<PathBuf> {
         let name = self.exercise.name.replace('_', "-");
         let file = format!("{}-exercise-{name}.png", self.stage.name);
@@ -178,11 +178,11 @@ fn prove_page(stage: &Stage, exercises: &[Exercise]) -> Verdict {
 
 fn read(path: &Path) -> Result<String, String> {
     let text = fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
-    // Git may check files out with the line ends of Windows.
+    // On Windows, Git may check out files with its line endings.
     Ok(text.replace("\r\n", "\n"))
 }
 
-fn tell(name: &str, verdict: &Verdict) {
+fn report(name: &str, verdict: &Verdict) {
     match verdict {
         Verdict::Passed(word) => println!("exercise {name} ... {word}"),
         Verdict::ToDo(missing) => println!("exercise {name} ... to do: {}", missing.join("; ")),
@@ -195,7 +195,7 @@ fn tell(name: &str, verdict: &Verdict) {
     }
 }
 
-/// The last line, as all tests have it.
+/// Prints the last line, in the format of all tests.
 fn sum_up(verdicts: &[Verdict]) -> ExitCode {
     let count = |is: fn(&Verdict) -> bool| verdicts.iter().filter(|v| is(v)).count();
     let passed = count(|v| matches!(v, Verdict::Passed(_)));

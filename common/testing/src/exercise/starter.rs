@@ -1,6 +1,6 @@
 //! Makes the starter of an exercise from its solution.
 
-/// Where a line of a solution belongs.
+/// The files to which a line of a solution belongs.
 #[derive(Clone, Copy)]
 enum Part {
     Both,
@@ -8,8 +8,8 @@ enum Part {
     Starter,
 }
 
-/// The starter: the solution, in which what stands between `// exercise` and
-/// `// instead` is left out, and the comments from there to `// end` are code.
+/// The starter: the solution without the lines between `// exercise` and
+/// `// instead`, and with the comments from there to `// end` as code.
 pub fn starter(solution: &str) -> Result<String, String> {
     let mut part = Part::Both;
     let mut starter = String::new();
@@ -52,7 +52,7 @@ mod tests {
     use super::starter;
 
     #[test]
-    fn what_is_marked_is_replaced() {
+    fn marked_lines_are_replaced() {
         let solution = "
 fn square(x: f64) -> f64 {
     // exercise
@@ -81,7 +81,7 @@ fn square(x: f64) -> f64 {
     }
 
     #[test]
-    fn marks_out_of_order_are_refused_with_their_line() {
+    fn marks_in_wrong_order_are_refused_with_their_line() {
         for (solution, place) in [
             ("// exercise\n// end\n", "line 2"),
             ("\n// instead\n", "line 2"),

@@ -1,9 +1,9 @@
-//! `Task`: what the command line asks of the exercises.
+//! `Task`: the task that the command line selects.
 
-/// What is done with the exercises.
+/// A task of the runner of exercises.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Task {
-    /// Tells students how far they are.
+    /// Shows students their progress.
     Check,
     /// Proves that starters are untouched and fail.
     Starters,
@@ -13,8 +13,8 @@ pub enum Task {
     WriteStarters,
 }
 
-/// The task and the names in the arguments. Flags of Rust's own test harness
-/// are no names, nor are their values.
+/// The task and the names in the arguments. The flags of Rust's test harness and
+/// their values are not names.
 pub fn asked_for(mut arguments: impl Iterator<Item = String>) -> (Task, Vec<String>) {
     let (mut task, mut names) = (Task::Check, Vec::new());
     while let Some(argument) = arguments.next() {
@@ -38,7 +38,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn flags_of_other_tests_and_their_values_are_no_names() {
+    fn flags_of_the_test_harness_and_their_values_are_not_names() {
         let given = |line: &str| asked_for(line.split_whitespace().map(str::to_owned));
         let names = |line: &str| given(line).1.join(" ");
         assert_eq!(names("--nocapture --test-threads 1 -q cube"), "cube");

@@ -1,4 +1,4 @@
-//! `describe`: a picture as text, so that a person sees in a diff what changed.
+//! `describe`: a picture as text, so that a person sees changes in a diff.
 
 use common::Size;
 
@@ -67,7 +67,7 @@ fn hue(channels: &[f64; 3]) -> char {
     }
 }
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo): tells pictures apart, guards no secret.
+/// FNV-1a, 64 bits (Fowler, Noll, Vo): distinguishes pictures; not cryptographic.
 fn fnv1a(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
         (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)

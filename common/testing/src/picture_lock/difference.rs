@@ -1,10 +1,10 @@
-//! How a picture differs from the expected one, in words and in pictures.
+//! The difference of a picture from the expected one, in words and in pictures.
 
 use std::path::Path;
 
 use common::{Color, Image, Transfer, picture_file};
 
-/// Says how a picture differs from the expected one, if it does.
+/// Describes the difference of a picture from the expected one, if there is one.
 pub fn compare(expected: &Image, actual: &Image) -> Result<(), String> {
     let (size, other) = (expected.size(), actual.size());
     if size != other {
@@ -31,7 +31,7 @@ pub fn compare(expected: &Image, actual: &Image) -> Result<(), String> {
 }
 
 /// Writes the actual, the expected and the difference picture into a folder, and
-/// says where.
+/// returns a message with their paths.
 pub fn leave_pictures(scratch: &Path, expected: &Path, actual: &Image, difference: &str) -> String {
     let name = expected.file_name().unwrap_or_default().to_string_lossy();
     let write = |suffix: &str, image: &Image| {
@@ -73,7 +73,7 @@ mod tests {
     }
 
     #[test]
-    fn a_difference_is_told_in_full() {
+    fn a_difference_is_described_in_full() {
         let black = picture(|_, _| Color::BLACK);
         assert_eq!(compare(&black, &black), Ok(()));
         let mut other = black.clone();

@@ -1,5 +1,5 @@
-//! Checks of all scenes of a stage: pictures that must not depend on the threads,
-//! the rows that are rendered at a time, or the renderer.
+//! Checks of all scenes of a stage: their pictures must not depend on the number of
+//! threads, the bands of rows, or the renderer.
 
 use std::sync::Mutex;
 
@@ -16,7 +16,7 @@ pub(super) fn small(scene: &Scene) -> Settings {
     }
 }
 
-/// Samples anywhere, and several reflections.
+/// Random samples, and several reflections.
 fn scattered(scene: &Scene) -> Settings {
     Settings {
         samples: 3,
@@ -27,13 +27,13 @@ fn scattered(scene: &Scene) -> Settings {
     }
 }
 
-/// Checks that the number of threads changes nothing: with one sample, with
-/// scattered ones, and with as many as the picture needs. What these show of the
-/// error is a sum over pixels, whose last bits another order would change.
+/// Checks that the number of threads changes no bit: with one sample, with random
+/// samples, and with adaptive sampling. The estimated error of the latter is a sum
+/// over pixels, and another order would change its last bits.
 ///
 /// # Panics
 ///
-/// If it does.
+/// If a picture or an error estimate differs.
 pub fn check_threads(stage: &Stage) {
     for scene in &stage.scenes {
         let adaptive = Settings {
@@ -45,10 +45,10 @@ pub fn check_threads(stage: &Stage) {
             let with = |threads| {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
                 let pool = pool.build().expect("threads");
-                let told = Mutex::new(Sampled::default());
-                let image = pool.install(|| scene.render(&settings, &told));
-                let told = told.into_inner().expect("what the samples show");
-                (image.expect("the scene renders"), told)
+                let sampled = Mutex::new(Sampled::default());
+                let image = pool.install(|| scene.render(&settings, &sampled));
+                let sampled = sampled.into_inner().expect("the error estimate");
+                (image.expect("the scene renders"), sampled)
             };
             let one = with(1);
             for threads in 2..=8 {
@@ -59,11 +59,11 @@ pub fn check_threads(stage: &Stage) {
     }
 }
 
-/// Checks that bands of rows are what they are in the whole picture.
+/// Checks that bands of rows equal those rows of the whole picture.
 ///
 /// # Panics
 ///
-/// If one is not.
+/// If a band differs.
 pub fn check_rows(stage: &Stage) {
     for scene in stage.scenes.iter().filter(|scene| scene.uses.sampling) {
         let mut settings = Settings {
@@ -72,7 +72,7 @@ pub fn check_rows(stage: &Stage) {
             ..small(scene)
         };
         let whole = render(scene, &settings);
-        // 72 rows make ten bands and two rows more.
+        // 72 rows are ten bands and two more rows.
         let bands = whole.pixels().chunks(7 * 96);
         for (start, expected) in (0..).step_by(7).zip(bands) {
             settings.rows = Some(start..start + 7);
@@ -83,12 +83,12 @@ pub fn check_rows(stage: &Stage) {
     }
 }
 
-/// Checks that all renderers give the same picture, wherever samples lie and
-/// however often rays are mirrored.
+/// Checks that all renderers give the same picture, with one sample and with random
+/// samples and several reflections.
 ///
 /// # Panics
 ///
-/// If a picture differs from that of the lesson.
+/// If a picture differs from the one by the lesson.
 pub fn check_omissions(stage: &Stage) {
     for scene in &stage.scenes {
         for settings in [small(scene), scattered(scene)] {
@@ -111,11 +111,11 @@ pub fn check_omissions(stage: &Stage) {
     }
 }
 
-/// Renders every scene at the sizes that divide by zero if anything does.
+/// Renders every scene at sizes that may lead to a division by zero.
 ///
 /// # Panics
 ///
-/// If a picture has another size than asked for, or pixels that are no numbers.
+/// If a picture has a wrong size, or pixels that are NaN or infinite.
 pub fn check_narrow_sizes(stage: &Stage) {
     for scene in stage.scenes.iter().filter(|scene| scene.uses.size) {
         for (width, height) in [(1, 1), (1, 50), (50, 1)] {

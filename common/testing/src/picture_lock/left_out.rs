@@ -1,4 +1,4 @@
-//! Checks the book's table of the work that is left out.
+//! Checks the book's table of the work that is skipped.
 
 use std::path::Path;
 
@@ -8,12 +8,12 @@ use measure::comparison::Comparison;
 use super::Places;
 use super::invariance::small;
 
-/// Checks that the book's table of what is left out holds what is counted, for
-/// all traced scenes of the stage in pictures of 96x72 pixels.
+/// Checks that the book's table of the skipped work has the counted numbers, for all
+/// traced scenes of the stage in pictures of 96x72 pixels.
 ///
 /// # Panics
 ///
-/// If it does not; the message says what the table should say.
+/// If it has others; the message contains the right rows.
 pub fn check_book(stage: &Stage, places: &Places) {
     let path = Path::new(places.stage).join("../book/src/left-out.md");
     let mut page = std::fs::read_to_string(&path).expect("the page");

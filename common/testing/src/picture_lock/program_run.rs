@@ -1,4 +1,4 @@
-//! Checks the picture that the program of a stage leaves without a display.
+//! Checks the picture that the program of a stage writes without a display.
 
 use std::path::Path;
 use std::process::Command;
@@ -9,14 +9,14 @@ use program::picture_name;
 
 use super::Places;
 
-/// Runs the program with no display and compares the PNG it leaves.
+/// Runs the program without a display and compares the PNG that it writes.
 ///
 /// # Panics
 ///
-/// If the program fails, or does not leave its first picture and say where.
+/// If the program fails, or does not write its first picture and print the path.
 pub fn check_program(stage: &Stage, places: &Places) {
     let folder = tempfile::tempdir().expect("a folder");
-    // On these the display cannot be taken from the program, but only declined.
+    // On these systems the program always finds a display, but can be run without it.
     let always_a_display = cfg!(any(windows, target_os = "macos"));
     let output = Command::new(places.program)
         .args(always_a_display.then_some("--no-window"))
@@ -26,12 +26,12 @@ pub fn check_program(stage: &Stage, places: &Places) {
         .output()
         .expect("the program runs");
     let name = picture_name(stage, &stage.scenes[0]);
-    let said = String::from_utf8_lossy(&output.stdout);
-    let complaint = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{complaint}");
-    let explained = always_a_display || complaint.starts_with("no window: ");
-    assert!(explained, "{complaint}");
-    assert!(said.contains(&name), "{said}");
+    let stdout = String::from_utf8_lossy(&output.stdout);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{stderr}");
+    let explained = always_a_display || stderr.starts_with("no window: ");
+    assert!(explained, "{stderr}");
+    assert!(stdout.contains(&name), "{stdout}");
     let open = |path: &Path| picture_file::open(path).expect("a picture");
     let left = open(&folder.path().join("out").join(&name));
     let is_same = left == open(&places.expected(&name));

@@ -4,8 +4,8 @@ use crate::adaptive::random::PixelRandom;
 
 use super::*;
 
-/// Boxes of any sizes whose middles along each axis are -7.5, -6.5 .. 7.5, in an
-/// order of its own: so each has a bin for itself.
+/// Boxes of any sizes. Along each axis their middles are -7.5, -6.5 .. 7.5, in a
+/// different order, so that each has its own bin.
 fn boxes(seed: u64) -> Vec<(Bounds, ShapeId)> {
     let shuffled = |axis: u32| {
         let random = PixelRandom::new(seed, axis, 0);
@@ -30,8 +30,8 @@ fn boxes(seed: u64) -> Vec<(Bounds, ShapeId)> {
     (0..16).map(shape).collect()
 }
 
-/// The tests that are expected behind a cut: how many shapes a side has,
-/// times its surface.
+/// The expected number of tests after a cut: the number of shapes on each side times
+/// its surface.
 fn cost(shapes: &mut Shapes, axis: usize, left: usize) -> f64 {
     shapes.sort_by(|(a, _), (b, _)| a.middle()[axis].total_cmp(&b.middle()[axis]));
     let (left, right) = shapes.split_at(left);
@@ -55,7 +55,7 @@ fn the_cheapest_cut_is_the_cheapest_of_all() {
     }
 }
 
-/// So many points along the diagonal of a cube of this size that begins there.
+/// `count` points along the diagonal of a cube of this size that begins at `at`.
 fn cluster(count: u32, at: f64, size: f64) -> impl Iterator<Item = (Bounds, ShapeId)> {
     (0..count).map(move |i| {
         let point = [at + size * f64::from(i) / f64::from(count - 1); 3];
@@ -78,11 +78,11 @@ fn a_cut_lies_between_groups() {
     }
 }
 
-/// Halved, a cluster costs an eighth: a half of its shapes on a quarter of its
-/// surface. The first two cost 60 and 768, the others 360 and 30; the surface
-/// alone, or the number of shapes alone, would part another one.
+/// After a cut, half of a cluster costs an eighth: half of its shapes on a quarter of
+/// its surface. The first two cost 60 and 768, the others 360 and 30. By the surface
+/// alone, or by the number of shapes alone, another cluster would be cut.
 #[test]
-fn the_group_that_costs_most_is_parted() {
+fn the_most_expensive_group_is_cut() {
     for (one, other, expected) in [
         (
             cluster(20, 0.0, 1e-3),
@@ -104,7 +104,7 @@ fn the_group_that_costs_most_is_parted() {
 }
 
 #[test]
-fn what_lies_in_one_place_is_not_cut() {
+fn shapes_with_one_middle_are_not_cut() {
     let bounds = Bounds {
         min: [-1.0; 3],
         max: [1.0; 3],
@@ -113,7 +113,7 @@ fn what_lies_in_one_place_is_not_cut() {
 }
 
 #[test]
-fn the_longest_axis_is_that_of_the_middles() {
+fn the_longest_axis_has_the_largest_spread_of_middles() {
     for axis in 0..3 {
         let at = |x: f64, others: f64, half: f64| {
             let (mut min, mut max) = ([others - half; 3], [others + half; 3]);

@@ -8,7 +8,7 @@ use crate::shape::Bounds;
 
 const EYE: RayBundle = RayBundle::Through(DVec3::ZERO);
 
-/// A cube of this size with its middle there.
+/// A cube of this size with this middle.
 fn cube(size: f64, middle: [f64; 3]) -> (Bounds, ShapeId) {
     let bounds = Bounds {
         min: middle.map(|x| x - size / 2.0),
@@ -21,7 +21,7 @@ const fn ray(origin: DVec3, direction: DVec3) -> Ray {
     Ray { origin, direction }
 }
 
-/// A rectangle 1 in front of the eye, where places are coordinates.
+/// A rectangle at the distance 1 in front of the eye, where places are coordinates.
 fn flat([left, low]: [f64; 2], [right, high]: [f64; 2]) -> (Bounds, ShapeId) {
     let bounds = Bounds {
         min: [left, low, -1.0],
@@ -30,19 +30,19 @@ fn flat([left, low]: [f64; 2], [right, high]: [f64; 2]) -> (Bounds, ShapeId) {
     (bounds, ShapeId::Sphere(0))
 }
 
-/// Fills the picture of cells, 64 x 64 of them, each 1/32 wide: wide, and so hides
-/// nowhere.
+/// Fills the grid, 64 x 64 cells, each 1/32 wide: it is so wide that no ray pattern
+/// misses it.
 fn wall() -> (Bounds, ShapeId) {
     flat([-1.0, -1.0], [1.0, 1.0])
 }
 
-/// Rays from the eye to the corners of a rectangle 1 in front of it.
+/// Rays from the eye to the corners of a rectangle at the distance 1 in front of it.
 fn corners([left, low]: [f64; 2], [right, high]: [f64; 2]) -> [Ray; 4] {
     [(left, high), (right, high), (left, low), (right, low)]
         .map(|(x, y)| ray(DVec3::ZERO, DVec3::new(x, y, -1.0)))
 }
 
-/// Whether one of the shapes may hide in a square whose lower left corner is there.
+/// Whether a square with this lower left corner may miss one of the shapes.
 fn hides(shapes: &[(Bounds, ShapeId)], [left, low]: [f64; 2], side: f64, narrow: f64) -> bool {
     let corners = corners([left, low], [left + side, low + side]);
     let grid = PerspectiveGrid::new(EYE, shapes).expect("a grid");
@@ -50,10 +50,10 @@ fn hides(shapes: &[(Bounds, ShapeId)], [left, low]: [f64; 2], side: f64, narrow:
     may_miss_features.expect("rays of the grid")
 }
 
-/// Its face is 10 away and 1 wide, so that it appears 0.1 wide, which is a twentieth
-/// of a square of side 2.
+/// The face of the cube is 10 away and 1 wide, so that it appears 0.1 wide, which is a
+/// twentieth of a square of side 2.
 #[test]
-fn a_cube_hides_if_it_is_narrower_than_the_share_of_the_square() {
+fn a_cube_narrower_than_the_feature_size_may_be_missed() {
     let alone = [cube(1.0, [0.0, 0.0, -10.5])];
     for at in [[-1.0, -1.0], [0.02, -1.0], [-1.0, 0.02], [-2.02, -2.02]] {
         assert!(hides(&alone, at, 2.0, 0.0501), "{at:?}");
@@ -63,9 +63,9 @@ fn a_cube_hides_if_it_is_narrower_than_the_share_of_the_square() {
     assert!(!hides(&alone, [-2.0, -2.0], 4.0, 0.0249));
 }
 
-/// A camera that is turned sees the square turned, too.
+/// For a rotated camera the square is rotated, too.
 #[test]
-fn of_what_is_no_square_the_longer_side_counts() {
+fn the_longer_side_of_a_rectangle_counts() {
     let grid = PerspectiveGrid::new(EYE, &[cube(1.0, [0.0, 0.0, -10.5])]).expect("a grid");
     for (from, to) in [([-1.0, -0.2], [1.0, 0.2]), ([-0.2, -1.0], [0.2, 1.0])] {
         let corners = corners(from, to);
@@ -74,10 +74,10 @@ fn of_what_is_no_square_the_longer_side_counts() {
     }
 }
 
-/// Both are 0.1 on one side and 0.6 on the other, which is an eighth of the square
-/// and three quarters.
+/// Both sticks are 0.1 wide one way and 0.6 the other, an eighth and three quarters of
+/// the square.
 #[test]
-fn what_is_narrow_one_way_hides() {
+fn a_shape_that_is_narrow_one_way_may_be_missed() {
     let upright = flat([0.5, 0.3], [0.6, 0.9]);
     let lying = flat([0.3, 0.5], [0.9, 0.6]);
     let (Bounds { min, max }, shape) = wall();
@@ -92,9 +92,9 @@ fn what_is_narrow_one_way_hides() {
     }
 }
 
-/// It is in the cells that begin at 3/32 and end at 7/32, both ways.
+/// The shape is in the cells that begin at 3/32 and end at 7/32, both ways.
 #[test]
-fn a_shape_hides_in_the_cells_that_show_it() {
+fn a_shape_may_be_missed_only_in_its_cells() {
     let shapes = [wall(), flat([0.1, 0.1], [0.2, 0.2])];
     let hides = |at| hides(&shapes, at, 0.5, 1.0);
     for inside in [[-0.1, -0.1], [-0.39, 0.19], [0.19, 0.19], [0.19, -0.39]] {
@@ -109,9 +109,9 @@ fn a_shape_hides_in_the_cells_that_show_it() {
     }
 }
 
-/// The cells end where it does: squares that reach beyond still find it.
+/// The cells end where the shape ends. Squares that reach beyond still find it.
 #[test]
-fn nothing_hides_beside_all() {
+fn no_shape_is_missed_outside_of_the_grid() {
     let upright = flat([-0.1, -0.2], [0.1, 0.2]);
     let lying = flat([-0.2, -0.1], [0.2, 0.1]);
     for (alone, [x, y]) in [(upright, [0.1, 0.2]), (lying, [0.2, 0.1])] {
@@ -138,9 +138,9 @@ fn up_to_three_in_a_cell_may_miss_features() {
     assert_eq!([1, 2, 3, 4, 5].map(hides), [true, true, true, false, false]);
 }
 
-/// A band 0.05 high that is one of two to the left and one of four to the right.
+/// A band 0.05 high, one of two shapes on the left and one of four on the right.
 #[test]
-fn a_crowd_hides_nothing_where_it_is() {
+fn no_shape_is_missed_in_a_crowded_cell() {
     let band = flat([-0.9, 0.0], [0.9, 0.05]);
     let right = flat([0.1, -1.0], [1.0, 1.0]);
     let hides = |left| hides(&[wall(), right, band, right], [left, -0.4], 0.6, 0.1);
@@ -148,7 +148,7 @@ fn a_crowd_hides_nothing_where_it_is() {
 }
 
 #[test]
-fn nothing_is_known_of_rays_from_elsewhere() {
+fn rays_from_elsewhere_do_not_belong_to_the_bundle() {
     let grid = PerspectiveGrid::new(EYE, &[cube(1.0, [0.0, 0.0, -10.5])]).expect("a grid");
     let of_grid = corners([-1.0, -1.0], [1.0, 1.0]);
     assert_eq!(grid.may_miss_features(&of_grid, 0.1), Some(true));
@@ -161,7 +161,7 @@ fn nothing_is_known_of_rays_from_elsewhere() {
 }
 
 #[test]
-fn nothing_is_known_of_rays_that_look_back() {
+fn rays_that_look_back_do_not_belong_to_the_bundle() {
     let grid = PerspectiveGrid::new(EYE, &[cube(1.0, [0.0, 0.0, -10.5])]).expect("a grid");
     for i in 0..4 {
         let mut corners = corners([-1.0, -1.0], [1.0, 1.0]);
@@ -171,7 +171,7 @@ fn nothing_is_known_of_rays_that_look_back() {
 }
 
 #[test]
-fn nothing_is_known_of_what_parallel_rays_see() {
+fn parallel_rays_have_no_feature_size() {
     let ahead = DVec3::new(0.0, 0.0, -1.0);
     let alone = [cube(1.0, [0.0, 0.0, -10.5])];
     let grid = PerspectiveGrid::new(RayBundle::Parallel(ahead), &alone).expect("a grid");
@@ -183,9 +183,9 @@ fn nothing_is_known_of_what_parallel_rays_see() {
     );
 }
 
-/// A needle across its bounds is narrower than they are.
+/// A needle along the diagonal of its bounds is narrower than the bounds.
 #[test]
-fn of_what_is_no_sphere_the_bounds_do_not_tell_how_wide_it_is() {
+fn only_a_sphere_is_as_wide_as_its_bounds() {
     let (bounds, sphere) = cube(1.0, [0.0, 0.0, -10.5]);
     let hides = |shape| hides(&[(bounds, shape)], [-1.0, -1.0], 2.0, 0.01);
     assert!(!hides(sphere));

@@ -4,7 +4,7 @@ use super::*;
 
 const EYE: RayBundle = RayBundle::Through(DVec3::ZERO);
 
-/// A cube of this size with its middle there.
+/// A cube of this size with this middle.
 fn cube(size: f64, middle: [f64; 3]) -> (Bounds, ShapeId) {
     let bounds = Bounds {
         min: middle.map(|x| x - size / 2.0),
@@ -27,18 +27,18 @@ fn there_are_sixteen_cells_for_a_shape() {
     assert_eq!(side(&shapes[..9]), 64, "not too few");
 }
 
-/// Each of these is in all 64² cells: 16 make 16 · 4096 entries, which are as
-/// many as there may be for none and sixteen more for each.
+/// Each of these shapes is in all 64² cells. 16 of them make 16 · 4096 entries, which
+/// is the limit without shapes; each shape raises it by sixteen.
 #[test]
 fn where_shapes_fill_many_cells_there_are_fewer() {
     assert_eq!(side(&[cube(1.0, [0.0, 0.0, -10.0]); 16]), 64);
     assert_eq!(side(&[cube(1.0, [0.0, 0.0, -10.0]); 17]), 32);
 }
 
-/// Shapes on both sides, at such angles to the gaze between them: some 80
-/// degrees are the most, however large the scene is.
+/// Shapes on both sides, at these angles to the gaze between them. The largest angle
+/// is some 80 degrees, for a scene of any size.
 #[test]
-fn what_is_too_far_aside_makes_no_cells() {
+fn shapes_too_far_aside_make_no_grid() {
     for size in [1e-3, 1.0, 1e3] {
         let is_seen = |degrees: f64| {
             let angle = degrees.to_radians();

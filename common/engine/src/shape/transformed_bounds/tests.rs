@@ -54,7 +54,7 @@ fn bounds_are_moved_and_stretched_with_the_shape() {
 /// On its edge a cube of half width 1 is √2 high, and on its corner √2 + √½ √2 wide: its
 /// extents are the sums of the rows' magnitudes.
 #[test]
-fn bounds_of_a_turned_cube_are_those_of_its_corners() {
+fn a_rotated_cube_has_the_bounds_of_its_corners() {
     let root = 2_f64.sqrt();
     let turned = DMat4::from_rotation_z(FRAC_PI_4);
     assert_fits(turned, [-root, -root, -1.0], [root, root, 1.0]);
