@@ -27,7 +27,8 @@ impl Material for Counted {
     }
 }
 
-/// The colour of a material in this light, with its powers counted. `phong` is the material as a Phong material, if it is one.
+/// The colour of a material in this light, with its powers counted. `phong` is the
+/// material as a Phong material, if it is one.
 pub fn counted_powers(
     phong: Option<&Phong>,
     lighting: &dyn Lighting,

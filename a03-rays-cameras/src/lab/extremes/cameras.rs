@@ -127,7 +127,7 @@ fn brackets() -> Vec<Case> {
     ]
 }
 
-/// Number of NaNs among the rays' twelve numbers, for pictures of one row, one
+/// Number of NaN values among the rays' twelve numbers, for pictures of one row, one
 /// column or one pixel.
 fn pictures_of_few_pixels() -> Vec<Case> {
     let sizes = [(1, 1), (1, 9), (9, 1)];

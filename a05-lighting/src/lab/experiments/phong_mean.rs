@@ -67,8 +67,8 @@ fn mean(across: u32, exponent: f64, sum: fn(&mut dyn Iterator<Item = f64>) -> f6
     sum(&mut places.map(highlight)) * pixel * pixel / PI
 }
 
-/// The sum of the terms, with a second sum of the rounding errors. (Neumaier, Rundungsfehleranalyse einiger Verfahren zur Summation endlicher
-/// Summen, 1974)
+/// The sum of the terms, with a second sum of the rounding errors. (Neumaier,
+/// Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen, 1974)
 fn neumaier(terms: &mut dyn Iterator<Item = f64>) -> f64 {
     let (mut sum, mut lost) = (0.0_f64, 0.0);
     for term in terms {
