@@ -1,7 +1,7 @@
 //! `Canvas`: lines, arrows and labels, for diagrams.
 //!
-//! A pixel takes as much of a shape's colour as the shape covers of it, which
-//! is told by the distance from the pixel's middle to the shape's edge. Only
+//! The colour of a shape is blended in proportion to its coverage of the pixel,
+//! which follows from the distance between the pixel's middle and the edge. Only
 //! `+ - * /` and square roots are used, so that the bytes are the same on
 //! every platform.
 
@@ -22,15 +22,15 @@ const HEAD_HALF_WIDTH: f64 = 2.5;
 /// Length in pixels of the shortest head whose corners can be told apart.
 const SHORTEST_HEAD: f64 = 0.01;
 
-/// Coordinates of at most this magnitude are drawn. From there the formulas
-/// still find a pixel's distance to less than a hundredth.
+/// Largest magnitude of a coordinate that is drawn. There a pixel's distance is
+/// still computed with an error below a hundredth.
 const FARTHEST: f64 = 1e9;
 
 /// A picture to draw on.
 ///
 /// Points are (x, y) in pixels: x to the right, y down, (0, 0) being the top
-/// left corner of the top left pixel and (0.5, 0.5) its middle. What lies
-/// outside of the picture is cut off. A shape with a coordinate or a width that
+/// left corner of the top left pixel and (0.5, 0.5) its middle. Shapes are
+/// clipped at the borders of the picture. A shape with a coordinate or a width that
 /// is NaN or beyond 1e9 is not drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Canvas {
@@ -45,14 +45,14 @@ impl Canvas {
         Ok(Self { image })
     }
 
-    /// Draws a line of `width` pixels with round ends; where both ends are the
-    /// same, a dot. Without a width above 0 there is none.
+    /// Draws a line of `width` pixels with round ends; a dot if both ends are the
+    /// same. A width of 0 or less draws nothing.
     pub fn line(&mut self, from: (f64, f64), to: (f64, f64), width: f64, color: Color) {
         let half = width / 2.0;
         if !(drawable(&[from, to, (width, width)]) && half > 0.0) {
             return;
         }
-        // No pixel is covered by more than the line is wide.
+        // A line narrower than a pixel covers no more of it than its width.
         let most = width.min(1.0);
         self.blend(&[from, to], half + 0.5, color, |at| {
             (half + 0.5 - distance(at, from, to)).clamp(0.0, most)
@@ -60,8 +60,8 @@ impl Canvas {
     }
 
     /// Draws a line of `width` pixels that ends in a filled head with its tip
-    /// at `to`. The head is no longer than the arrow; where both ends are the
-    /// same there is no direction to point in, and a dot instead.
+    /// at `to`. The head is no longer than the arrow. If both ends are the same,
+    /// the arrow has no direction and is drawn as a dot.
     pub fn arrow(&mut self, from: (f64, f64), to: (f64, f64), width: f64, color: Color) {
         let (x, y) = (to.0 - from.0, to.1 - from.1);
         let length = (x * x + y * y).sqrt();
@@ -84,7 +84,7 @@ impl Canvas {
     /// Fills a triangle of three different corners that follow one another
     /// clockwise.
     fn triangle(&mut self, [a, b, c]: [(f64, f64); 3], color: Color) {
-        // Beyond a sharp corner the edges' distances are still small.
+        // The margin clips beyond a sharp corner, where all distances are small.
         self.blend(&[a, b, c], 1.5, color, |at| {
             let outside = [(a, b), (b, c), (c, a)].map(|(from, to)| left_of(at, from, to));
             let farthest = outside.into_iter().fold(f64::NEG_INFINITY, f64::max);
@@ -92,11 +92,11 @@ impl Canvas {
         });
     }
 
-    /// Writes `text` in one row, `at` being its top left corner, moved to the
+    /// Writes `text` in one row. Its top left corner is `at`, rounded to the
     /// nearest pixel; every dot of a letter is `scale` pixels wide and high.
     ///
-    /// There are the characters of ASCII, Latin-1 and Greek, and a few signs
-    /// such as ≤ and ≥. Any other shows as a question mark.
+    /// The font has the characters of ASCII, Latin-1 and Greek, and a few signs
+    /// like ≤ and ≥. Any other character becomes a question mark.
     pub fn text(&mut self, at: (f64, f64), scale: u32, color: Color, text: &str) {
         if !drawable(&[at]) {
             return;
@@ -129,9 +129,9 @@ impl Canvas {
         self.image
     }
 
-    /// Lays `color` over the pixels in the box around `points`, enlarged by
-    /// `margin`: as much of it as `coverage` says, from 0 to 1, for the
-    /// pixel's middle.
+    /// Blends `color` over the pixels in the box around `points`, enlarged by
+    /// `margin`. The weight of `color` is `coverage` at the pixel's middle, from
+    /// 0 to 1.
     fn blend(
         &mut self,
         points: &[(f64, f64)],
@@ -155,11 +155,11 @@ impl Canvas {
     }
 }
 
-/// The pixels of a side of the picture that lie between the coordinates.
+/// Range of the pixels of a row or column that lie between the coordinates.
 fn covered(coordinates: impl Iterator<Item = f64> + Clone, margin: f64, side: u32) -> Range<u32> {
     let least = coordinates.clone().fold(f64::INFINITY, f64::min) - margin;
     let most = coordinates.fold(f64::NEG_INFINITY, f64::max) + margin;
-    // The casts saturate: what is left of the picture begins at 0.
+    // The casts saturate: a negative coordinate becomes 0.
     let [first, end] = [least.floor(), most.ceil()].map(|at| (at as u32).min(side));
     first..end
 }
@@ -174,7 +174,7 @@ fn distance(at: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
     let (line_x, line_y) = (to.0 - from.0, to.1 - from.1);
     let (x, y) = (at.0 - from.0, at.1 - from.1);
     let square = line_x * line_x + line_y * line_y;
-    // How far along the line the nearest point lies, from 0 to 1.
+    // Position of the nearest point along the line, from 0 to 1.
     let along = if square > 0.0 {
         ((x * line_x + y * line_y) / square).clamp(0.0, 1.0)
     } else {
@@ -184,15 +184,15 @@ fn distance(at: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
     (x * x + y * y).sqrt()
 }
 
-/// How far a point lies to the left of a line without ends, as seen on the
-/// screen by who walks along it; negative to the right.
+/// Signed distance of a point from an infinite line, in pixels: positive to the
+/// left of its direction as seen on the screen, negative to the right.
 fn left_of(at: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
     let (line_x, line_y) = (to.0 - from.0, to.1 - from.1);
     let (x, y) = (at.0 - from.0, at.1 - from.1);
     (line_y * x - line_x * y) / (line_x * line_x + line_y * line_y).sqrt()
 }
 
-/// Eight rows from the top, the lowest bit being the leftmost dot.
+/// Eight rows from the top; the lowest bit is the leftmost dot.
 pub(crate) fn glyph(character: char) -> [u8; 8] {
     let code = character as usize;
     match character {
@@ -202,7 +202,7 @@ pub(crate) fn glyph(character: char) -> [u8; 8] {
         '\u{390}'..='\u{3a1}' | '\u{3a3}'..='\u{3c9}' => GREEK_LEGACY[code - 0x390],
         '≤' => MISC_LEGACY[5],
         '≥' => MISC_LEGACY[6],
-        // Minus and the dot operator look like their cousins in Latin-1.
+        // Minus and the dot operator look like characters of Latin-1.
         '−' => glyph('-'),
         '⋅' => glyph('·'),
         _ => glyph('?'),

@@ -1,3 +1,3 @@
-//! The laboratory: what measures the lesson of this stage, and is no part of it.
+//! The laboratory: measures the lesson of this stage, and is no part of it.
 
 pub mod experiments;

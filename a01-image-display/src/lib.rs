@@ -1,8 +1,8 @@
 //! Pixels, pictures and the window that shows them.
 //!
 //! Everything the later stages compute ends as an [`Image`](common::Image).
-//! Here images are made by hand, pixel by pixel, so that the way from a colour
-//! to the screen is known before the first ray is shot.
+//! Here images are made by hand, pixel by pixel, so that the path from a colour
+//! to the screen is clear before the first ray.
 
 mod canvas;
 mod lab;
@@ -22,8 +22,8 @@ pub use stage::stage;
 #[cfg(feature = "window")]
 pub use window::Window;
 
-/// The window that the programs of all stages show their pictures in; none in
-/// a build without the feature `window`.
+/// The window in which the programs of all stages show their pictures; `None`
+/// in a build without the feature `window`.
 #[cfg(not(target_family = "wasm"))]
 #[must_use]
 pub fn viewer() -> Option<&'static dyn program::Viewer> {
@@ -33,7 +33,7 @@ pub fn viewer() -> Option<&'static dyn program::Viewer> {
     return None;
 }
 
-/// The code in this stage's chapter is tested with it.
+/// Tests the code in this stage's chapter.
 #[cfg(doctest)]
 #[doc = include_str!("../../book/src/a01-image-display.md")]
 mod book {}

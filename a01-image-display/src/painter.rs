@@ -1,4 +1,4 @@
-//! `Painter`: a picture out of an array of packed pixels.
+//! `Painter`: a picture from an array of packed pixels.
 
 use common::{ArgumentError, Color, Error, Image, Size};
 
@@ -11,7 +11,7 @@ pub struct Painter {
 
 impl Painter {
     /// A picture of packed 0xRRGGBB pixels, row after row from the top; higher
-    /// bits are ignored. There must be width times height of them.
+    /// bits are ignored. Their number must be width times height.
     pub fn new(size: Size, pixels: Vec<u32>) -> Result<Self, ArgumentError> {
         if pixels.len() == size.pixels() {
             Ok(Self { size, pixels })
@@ -24,7 +24,7 @@ impl Painter {
     }
 
     // ANCHOR: image
-    /// The picture. Every packed colour comes out as the bytes it went in.
+    /// The picture. The bytes of every packed colour are kept.
     pub fn image(&self) -> Result<Image, Error> {
         let mut image = Image::black(self.size)?;
         for (pixel, packed) in image.pixels_mut().iter_mut().zip(&self.pixels) {

@@ -16,7 +16,7 @@ pub fn painter(size: Size) -> Result<Image, Error> {
     Painter::new(size, disc_on_gradient(size))?.image()
 }
 
-/// A picture file; the bundled test card without one.
+/// A picture file, or the bundled test card if there is none.
 pub fn show_image(file: Option<&Path>) -> Result<Image, Error> {
     let shown = match file {
         Some(path) => ShowImage::open(path),
@@ -29,7 +29,7 @@ pub fn show_image(file: Option<&Path>) -> Result<Image, Error> {
 /// middle lies a red disc whose radius is a quarter of the smaller side.
 fn disc_on_gradient(size: Size) -> Vec<u32> {
     let (width, height) = (size.width(), size.height());
-    // From 0 at the first pixel to 255 at the last, rounded to the nearest.
+    // Linear from 0 at the first pixel to 255 at the last, rounded to nearest.
     let ramp = |at: u32, last: u32| (255 * at + last / 2) / last.max(1);
     let pixel = |x, y| {
         if in_disc(size, x, y) {
@@ -45,7 +45,7 @@ fn disc_on_gradient(size: Size) -> Vec<u32> {
 
 // ANCHOR: disc
 /// Whether the middle of the pixel lies in the disc. All lengths are doubled,
-/// which makes whole numbers of them: dx and dy are twice the distances from
+/// so that they are whole numbers: dx and dy are twice the distances from
 /// the picture's middle, and dx^2 + dy^2 <= (2r)^2 with 2r half the side.
 fn in_disc(size: Size, x: u32, y: u32) -> bool {
     let twice = |at: u32, side: u32| i64::from(2 * at + 1) - i64::from(side);

@@ -1,13 +1,13 @@
-//! `ShowImage`: a picture out of a file.
+//! `ShowImage`: a picture from a file.
 
 use std::path::Path;
 
 use common::{Error, Image, picture_file};
 
-/// The card shows what a screen does to a picture: bars of colour, a ramp of
-/// grey, a circle and a grid that must not be distorted, stripes beside flat
-/// greys (the one that looks as bright as the stripes tells the screen's
-/// gamma), and a border one pixel wide that is lost where edges are cut.
+/// The card makes errors of a screen visible: bars of colour, a ramp of grey, a
+/// circle and a grid that must not be distorted, stripes beside flat greys (the
+/// grey that looks as bright as the stripes determines the screen's gamma), and
+/// a border one pixel wide that is missing if edges are cut.
 const TEST_CARD: &[u8] = include_bytes!("../assets/test-card.png");
 
 /// A picture that was opened, not computed.
@@ -17,13 +17,13 @@ pub struct ShowImage {
 }
 
 impl ShowImage {
-    /// Opens a PNG, JPEG or BMP file, whatever its name ends in.
+    /// Opens a PNG, JPEG or BMP file; the format is read from its content.
     pub fn open(path: &Path) -> Result<Self, Error> {
         let image = picture_file::open(path)?;
         Ok(Self { image })
     }
 
-    /// The test card that the program brings along, 640x480 pixels.
+    /// The bundled test card, 640x480 pixels.
     pub fn test_card() -> Result<Self, Error> {
         let image = picture_file::open_bytes(Path::new("test-card.png"), TEST_CARD)?;
         Ok(Self { image })

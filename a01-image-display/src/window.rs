@@ -14,10 +14,10 @@ use program::{Gallery, NotShown, Viewer};
 
 use screen::Screen;
 
-/// What a person reads who is asked for a file and names none.
+/// Shown when the file dialog is cancelled.
 const NO_FILE: &str = "no file was chosen; the argument --open FILE shows one, too";
 
-/// A window that grows with the picture and lets its reader save it.
+/// A window that has the size of the picture and can save it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Window;
 
@@ -37,7 +37,7 @@ impl Viewer for Window {
             }
             // The size of a file is not known before it has been read.
             let outcome = match rendering.join() {
-                // Who named the file on the command line looks at the terminal.
+                // A file of the command line: the error goes to the terminal.
                 Err(error) if !has_chosen => return Err(error.into()),
                 outcome => outcome,
             };

@@ -1,4 +1,4 @@
-//! `Direction`: what a dot product accepts.
+//! `Direction`: an operand of the dot product.
 
 use glam::DVec3;
 

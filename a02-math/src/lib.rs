@@ -1,8 +1,8 @@
 //! Assignment 2: the mathematics of rays, kept apart by meaning.
 //!
-//! [`Point3`] is a place, [`Vector3`] a way from one place to another,
+//! [`Point3`] is a position, [`Vector3`] the step from one point to another,
 //! [`Normal3`] the direction that a surface faces. Each wraps three numbers of
-//! glam; what makes no sense, such as the sum of two places, does not compile.
+//! glam; meaningless operations, like the sum of two points, do not compile.
 
 mod direction;
 #[doc(hidden)]
@@ -22,7 +22,7 @@ pub use point3::Point3;
 pub use stage::stage;
 pub use vector3::Vector3;
 
-/// The code in this stage's chapter is tested with it.
+/// Tests the code in this stage's chapter.
 #[cfg(doctest)]
 #[doc = include_str!("../../book/src/a02-math.md")]
 mod book {}

@@ -11,13 +11,13 @@ use crate::{Point3, Vector3};
 pub struct Mat3x3(DMat3);
 
 impl Mat3x3 {
-    /// The matrix that changes nothing.
+    /// The identity matrix.
     pub const IDENTITY: Self = Self(DMat3::IDENTITY);
 
     /// A matrix, row by row as it is written on paper.
     #[must_use]
     pub fn from_rows(rows: [[f64; 3]; 3]) -> Self {
-        // glam counts by columns.
+        // glam stores matrices by columns.
         Self(DMat3::from_cols_array_2d(&rows).transpose())
     }
 

@@ -8,7 +8,7 @@ use glam::DVec3;
 use crate::Vector3;
 use crate::triple::triple;
 
-/// A normal of three coordinates. Those of surfaces have length 1; sums and
+/// A normal of three coordinates. Normals of surfaces have length 1; sums and
 /// multiples need not.
 ///
 /// A type of its own because transforms treat normals differently from vectors.
@@ -18,7 +18,7 @@ pub struct Normal3(DVec3);
 triple!(Normal3);
 
 impl Normal3 {
-    /// The normal of length 1 in the same direction; none for the zero normal
+    /// The normal of length 1 in the same direction; `None` for the zero normal
     /// and for coordinates that are not finite.
     #[must_use]
     pub fn normalized(self) -> Option<Self> {

@@ -1,4 +1,4 @@
-//! `Point3`: a place.
+//! `Point3`: a position in space.
 
 use std::ops::{Add, Sub};
 
@@ -26,11 +26,11 @@ pub struct Point3(DVec3);
 triple!(Point3);
 
 impl Point3 {
-    /// The point that coordinates count from.
+    /// The origin of the coordinates.
     pub const ORIGIN: Self = Self(DVec3::ZERO);
 
-    /// This point, if its coordinates are within the range that the formulas
-    /// stand, or an error that names the argument `name`.
+    /// This point, if its coordinates are within the range of the formulas, or an
+    /// error that names the argument `name`.
     pub fn checked(self, name: &'static str) -> Result<Self, ArgumentError> {
         for coordinate in self.0.to_array() {
             argument::coordinate(name, coordinate)?;

@@ -1,11 +1,11 @@
-//! The picture of this stage: what the operations on vectors mean.
+//! The picture of this stage: the operations on vectors, drawn as arrows.
 
 use a01_image_display::Canvas;
 use common::{Color, Error, Image, Size};
 
 use crate::{Normal3, Vector3};
 
-/// Four panels, one an operation.
+/// Four panels, one for each operation.
 pub fn vectors(size: Size) -> Result<Image, Error> {
     let mut canvas = Canvas::new(size, PAPER)?;
     let panels: [(fn(&mut Panel), _, _); 4] = [
@@ -27,7 +27,7 @@ const FIRST: Color = Color::new(0.1, 0.3, 0.8);
 const SECOND: Color = Color::new(0.1, 0.5, 0.2);
 const RESULT: Color = Color::new(0.8, 0.1, 0.1);
 
-// Where a label stands, counted from the tip of its vector.
+// Offset of a label from the tip of its vector.
 const ABOVE: (f64, f64) = (-4.0, -22.0);
 const BELOW: (f64, f64) = (-30.0, 10.0);
 const RIGHT: (f64, f64) = (10.0, -8.0);
@@ -82,14 +82,14 @@ fn reflection(panel: &mut Panel) {
 /// A quarter of the picture, with coordinate axes of its own.
 struct Panel<'a> {
     canvas: &'a mut Canvas,
-    /// Pixels of the picture in one of the 640 x 480 that all is measured in.
+    /// Scale: pixels of the picture for one unit of the 640 x 480 layout.
     pixel: f64,
     corner: (f64, f64),
     origin: (f64, f64),
 }
 
 impl<'a> Panel<'a> {
-    /// The panel in a column and row, its axes at `origin` inside of it.
+    /// The panel in a column and row, with its axes at `origin` inside of it.
     fn new(
         canvas: &'a mut Canvas,
         size: Size,
@@ -108,8 +108,8 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// Where the tip of a vector from the origin is drawn: z comes out of the
-    /// paper, which is to say down to the left at half its length.
+    /// Position in the picture of the tip of a vector from the origin. The z axis
+    /// points out of the paper: it is drawn down to the left at half its length.
     fn tip(&self, v: Vector3) -> (f64, f64) {
         let unit = 55.0 * self.pixel;
         let (right, up) = (v.x() - 0.35 * v.z(), v.y() - 0.35 * v.z());
@@ -136,7 +136,7 @@ impl<'a> Panel<'a> {
     }
 
     fn text(&mut self, at: (f64, f64), color: Color, text: &str) {
-        // Letters are made of whole dots; in the smallest picture of none.
+        // Rounded down; 0 in the smallest picture, which has no letters.
         let dot = (2.0 * self.pixel) as u32;
         self.canvas.text(at, dot, color, text);
     }

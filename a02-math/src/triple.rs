@@ -1,7 +1,7 @@
-//! What the three types of three numbers have in common.
+//! `triple!`: the common code of the three types of three numbers.
 
-/// Gives a wrapper of `DVec3` its constructor, its coordinates, the way from
-/// and to glam, and comparison within a tolerance.
+/// Implements constructor, coordinates, conversions from and to glam, and
+/// comparison within a tolerance for a wrapper of `DVec3`.
 macro_rules! triple {
     ($type:ident) => {
         impl $type {

@@ -1,4 +1,4 @@
-//! `Vector3`: a way from one place to another.
+//! `Vector3`: the step from one point to another.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -15,16 +15,16 @@ pub struct Vector3(DVec3);
 triple!(Vector3);
 
 impl Vector3 {
-    /// The length, `√(v · v)`. Exact powers of two aside it is right to the
-    /// last bit or two for lengths from 1e-150 to 1e150.
+    /// The length, `√(v · v)`, with an error in the last bit or two for lengths
+    /// from 1e-150 to 1e150.
     #[must_use]
     pub fn magnitude(self) -> f64 {
         self.0.length()
     }
 
     // ANCHOR: normalized
-    /// The vector of length 1 in the same direction, whatever its length; none
-    /// for the zero vector and for coordinates that are not finite.
+    /// The vector of length 1 in the same direction, for any length; `None` for
+    /// the zero vector and for coordinates that are not finite.
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
         let squared = self.0.length_squared();
@@ -38,7 +38,7 @@ impl Vector3 {
     // ANCHOR_END: normalized
 
     /// The vector in the same direction whose largest coordinate is at least 1
-    /// and below 2; none where there is no direction. The factor is a power of
+    /// and below 2; `None` if there is no direction. The factor is a power of
     /// two, so that nothing is rounded.
     fn scaled(self) -> Option<Self> {
         let largest = self.0.abs().max_element();
@@ -60,7 +60,7 @@ impl Vector3 {
         })
     }
 
-    /// The cross product: perpendicular to both, in the order of the right hand.
+    /// The cross product: perpendicular to both, by the right-hand rule.
     #[must_use]
     pub fn cross(self, other: Self) -> Self {
         Self(self.0.cross(other.0))
@@ -73,7 +73,7 @@ impl Vector3 {
     }
 
     // ANCHOR: reflection
-    /// This vector, which points away from a surface, reflected on its normal:
+    /// This vector, which points away from a surface, reflected about its normal:
     /// `r = 2 (n · v) n - v`. As long as `v` if `n` has length 1.
     #[must_use]
     pub fn reflected_on(self, n: Normal3) -> Self {
@@ -84,14 +84,14 @@ impl Vector3 {
     // ANCHOR: angle
     /// The angle to the other vector in radians, from 0 to π.
     ///
-    /// The arc tangent of sine and cosine, both still scaled by the lengths:
-    /// unlike the arc cosine it sees the smallest angles and never meets a
-    /// cosine above 1. The angle to the zero vector is 0, and so is that to
-    /// coordinates that are not finite.
+    /// The arc tangent of sine and cosine, both scaled by the lengths. Unlike the
+    /// arc cosine it resolves the smallest angles, and rounding cannot lead to a
+    /// cosine above 1. The angle to the zero vector and to coordinates that are
+    /// not finite is 0.
     #[must_use]
     pub fn angle(self, other: Self) -> f64 {
-        // The square of the cross product holds four lengths: too many for
-        // long or short vectors, on whose lengths the angle does not depend.
+        // The square of the cross product has four lengths as factors, which
+        // overflow or underflow. The angle does not depend on the lengths.
         let (Some(a), Some(b)) = (self.scaled(), other.scaled()) else {
             return 0.0;
         };
@@ -99,15 +99,15 @@ impl Vector3 {
     }
     // ANCHOR_END: angle
 
-    /// The area of the parallelogram that both vectors span, `|a × b|`.
+    /// The area of the parallelogram spanned by both vectors, `|a × b|`.
     #[must_use]
     pub fn parallelogram_area(self, other: Self) -> f64 {
         self.cross(other).magnitude()
     }
 
     // ANCHOR: projection
-    /// The part of this vector along the other one, `(a · b / b · b) b`; none
-    /// if that is the zero vector.
+    /// The projection of this vector on the other one, `(a · b / b · b) b`;
+    /// `None` if that is the zero vector.
     #[must_use]
     pub fn projected_on(self, other: Self) -> Option<Self> {
         let share = self.dot(other) / other.dot(other);

@@ -21,7 +21,7 @@ impl BoundedRay {
         Ok(Self { ray, upper_bound })
     }
 
-    /// The point at distance `t`, or none before the origin and beyond the bound.
+    /// The point at distance `t`, or `None` if `t` is negative or beyond the bound.
     #[must_use]
     pub fn at(&self, t: f64) -> Option<Point3> {
         (0.0..=self.upper_bound)

@@ -1,5 +1,5 @@
-//! `Camera`: turns a place in the picture into a ray. Also the axes that two of
-//! the cameras stand on.
+//! `Camera`: turns a position in the picture into a ray. Also the basis that two
+//! of the cameras share.
 
 use std::any::Any;
 
@@ -8,9 +8,9 @@ use common::{ArgumentError, Size, argument};
 
 use crate::Ray;
 
-/// Sends a ray through every place of a picture.
+/// Computes a ray for every position in a picture.
 pub trait Camera: Any + Sync {
-    /// The ray through the place (`x`, `y`) of a picture of this size, both
+    /// The ray through the position (`x`, `y`) of a picture of this size, both
     /// finite. As in the course, whole numbers are the middles of pixels and
     /// `y` counts upwards: (0, 0) is the middle of the lower left pixel.
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray;
@@ -22,17 +22,17 @@ impl<C: Camera + ?Sized> Camera for Box<C> {
     }
 }
 
-/// Where a camera stands and how it is held: an eye and three axes of length
-/// 1, perpendicular to each other.
+/// Position and orientation of a camera: an eye and three axes of length 1,
+/// perpendicular to each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Basis {
-    /// The place of the camera.
+    /// The eye: the position of the camera.
     pub e: Point3,
-    /// To the right of the picture.
+    /// The direction to the right in the picture.
     pub u: Vector3,
-    /// Up in the picture.
+    /// The direction upwards in the picture.
     pub v: Vector3,
-    /// Against the direction of the gaze.
+    /// The direction opposite to the gaze.
     pub w: Vector3,
 }
 
@@ -43,7 +43,7 @@ impl Basis {
     /// `w = -g / |g|`, `u = (t × w) / |t × w|`, `v = w × u`.
     ///
     /// An error if `g` or `t` is no direction, or if they are parallel up to
-    /// rounding, for then nothing says how the camera is held.
+    /// rounding, because they then leave the orientation undetermined.
     pub fn new(e: Point3, g: Vector3, t: Vector3) -> Result<Self, ArgumentError> {
         let e = e.checked("eye point")?;
         let w = -g.unit("gaze direction")?;
@@ -63,7 +63,7 @@ impl Basis {
     }
     // ANCHOR_END: basis
 
-    /// The direction `x u + y v - z w` of length 1, `z` being positive.
+    /// The direction `x u + y v - z w`, brought to length 1; `z` is positive.
     pub(crate) fn direction(&self, x: f64, y: f64, z: f64) -> Vector3 {
         let direction = self.u * x + self.v * y - self.w * z;
         // With finite x and y there is always a direction to normalise.
@@ -71,8 +71,8 @@ impl Basis {
     }
 }
 
-/// How a camera sees its picture: the tangent of half the vertical opening
-/// angle, which is half the height of a picture at distance 1.
+/// Field of view of a camera: the tangent of half the vertical opening angle,
+/// which is half the height of a picture at distance 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Opening {
     pub half_tangent: f64,
@@ -81,7 +81,7 @@ pub(crate) struct Opening {
 impl Opening {
     /// From the full vertical opening angle in radians: above 0 and below π.
     pub fn new(angle: f64) -> Result<Self, ArgumentError> {
-        // Below 1e-100 the picture would be farther away than lengths may be.
+        // Below 1e-100 the picture's distance would exceed the limit of lengths.
         let valid = (1e-100..std::f64::consts::PI).contains(&angle);
         let allowed = "the full opening angle in radians: from 1e-100 to less than pi";
         argument::check("angle", angle, valid, allowed)?;

@@ -1,4 +1,4 @@
-//! Hands the cameras, rays and samples of this stage to the engine.
+//! Translates the cameras, rays and samples of this stage for the engine.
 
 use std::any::Any;
 
@@ -33,8 +33,8 @@ fn basis(basis: Basis) -> engine::Basis {
     }
 }
 
-/// The camera as the engine sees it: in numbers, or as a function where it does not know
-/// the type.
+/// The engine's camera: numbers if the engine has the camera's type, otherwise a
+/// function.
 #[must_use]
 pub fn camera(camera: &dyn Camera) -> engine::Camera<'_> {
     let any: &dyn Any = camera;
@@ -69,8 +69,8 @@ impl engine::Sampler for Sampler {
     }
 }
 
-/// Renders a picture by the lesson: every pixel with the samples that the settings name,
-/// or with the engine's adaptive sampling, where the settings bound the error.
+/// Renders a picture with the lesson: every pixel with the samples of the settings, or
+/// with the engine's adaptive sampling if the settings bound the error.
 pub fn render_by_lesson(
     camera: &(impl Camera + ?Sized),
     radiance: impl Fn(&Ray) -> Color + Sync,
@@ -84,7 +84,7 @@ pub fn render_by_lesson(
     engine::adaptive::render_image(max_error, light, settings, progress)
 }
 
-/// Renders a picture by the engine.
+/// Renders a picture with the engine.
 pub fn render_by_engine(
     scene: engine::Scene,
     camera: &dyn Camera,
@@ -95,7 +95,7 @@ pub fn render_by_engine(
     renderer.render(&Sampler::new(settings), settings, progress)
 }
 
-/// Adds to a plan the work that the engine skips, if the settings choose it.
+/// Adds the work that the engine skips to a plan, if the settings select the engine.
 #[must_use]
 pub fn plan(plan: Plan, scene: engine::Scene, camera: &dyn Camera, settings: &Settings) -> Plan {
     if settings.renderer != Renderer::Engine {

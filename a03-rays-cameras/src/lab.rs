@@ -1,4 +1,4 @@
-//! The laboratory: what measures the lesson of this stage, and is no part of it.
+//! The laboratory: measures the lesson of this stage, and is no part of it.
 
 #![expect(
     clippy::must_use_candidate,

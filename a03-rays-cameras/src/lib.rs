@@ -1,7 +1,7 @@
-//! Assignment 3: rays, the cameras that send them, and the sky they meet.
+//! Assignment 3: rays, cameras, and a striped sky.
 //!
-//! A [`Camera`] turns a place in the picture into a [`Ray`]; [`render`] takes the
-//! rays of every pixel from it, and the light along each from a function.
+//! A [`Camera`] turns a position in the picture into a [`Ray`]; [`render`] takes
+//! the rays of every pixel from it, and the radiance of each ray from a function.
 
 mod bounded_ray;
 mod camera;
@@ -33,7 +33,7 @@ pub use sampler::Sampler;
 pub use stage::stage;
 pub use striped_sky::{StripeRule, StripedSky};
 
-/// The code in this stage's chapter is tested with it.
+/// Tests the code in this stage's chapter.
 #[cfg(doctest)]
 #[doc = include_str!("../../book/src/a03-rays-cameras.md")]
 mod book {}

@@ -1,4 +1,4 @@
-//! `OrthographicCamera`: parallel rays, so that distance makes nothing smaller.
+//! `OrthographicCamera`: parallel rays, so that size does not depend on distance.
 
 use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Size, argument};
@@ -23,7 +23,7 @@ impl OrthographicCamera {
         })
     }
 
-    /// Where the camera stands and how it is held.
+    /// Position and orientation of the camera.
     #[must_use]
     pub const fn basis(&self) -> Basis {
         self.basis
@@ -44,9 +44,9 @@ impl Camera for OrthographicCamera {
 }
 
 // ANCHOR: bracket
-/// The share of the picture's extent between its middle and pixel `p` of `n`:
-/// -1/2 in the first and 1/2 in the last. The single pixel of a picture that
-/// is one pixel wide has its middle at 0.
+/// Offset of pixel `p` of `n` from the middle of the picture, as a fraction of
+/// its extent: -1/2 for the first and 1/2 for the last. In a picture one pixel
+/// wide the middle of the only pixel is at 0.
 fn from_middle(p: f64, n: f64) -> f64 {
     (p - (n - 1.0) / 2.0) / (n - 1.0).max(1.0)
 }

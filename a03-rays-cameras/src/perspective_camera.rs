@@ -1,4 +1,4 @@
-//! `PerspectiveCamera`: all rays start in the eye, so that what is far is small.
+//! `PerspectiveCamera`: all rays start in the eye, so that far objects look small.
 
 use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Size};
@@ -14,9 +14,8 @@ pub struct PerspectiveCamera {
 }
 
 impl PerspectiveCamera {
-    /// A camera at `e` looking along `g` with `t` upwards, whose picture is
-    /// seen under the full vertical opening `angle`, in radians: above 0 and
-    /// below π.
+    /// A camera at `e` looking along `g` with `t` upwards, with the full vertical
+    /// opening `angle` in radians: above 0 and below π.
     pub fn new(e: Point3, g: Vector3, t: Vector3, angle: f64) -> Result<Self, ArgumentError> {
         Ok(Self {
             basis: Basis::new(e, g, t)?,
@@ -24,7 +23,7 @@ impl PerspectiveCamera {
         })
     }
 
-    /// Where the camera stands and how it is held.
+    /// Position and orientation of the camera.
     #[must_use]
     pub const fn basis(&self) -> Basis {
         self.basis

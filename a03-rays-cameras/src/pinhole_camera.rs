@@ -14,8 +14,8 @@ pub struct PinholeCamera {
 }
 
 impl PinholeCamera {
-    /// A camera whose picture is seen under the full vertical opening angle
-    /// `alpha`, in radians: above 0 and below π.
+    /// A camera with the full vertical opening angle `alpha` in radians: above 0
+    /// and below π.
     pub fn new(origin: Point3, alpha: f64) -> Result<Self, ArgumentError> {
         Ok(Self {
             origin: origin.checked("origin")?,
@@ -23,9 +23,9 @@ impl PinholeCamera {
         })
     }
 
-    /// The ray through the place (`x`, `y`) of the picture, both finite and
-    /// counted from its upper left corner, `y` downwards. As the second text
-    /// has it, in the direction `(x - w/2, h/2 - y, -(h/2) / tan(alpha/2))`.
+    /// The ray through the position (`x`, `y`) of the picture, both finite and
+    /// counted from its upper left corner, `y` downwards. By the formula of
+    /// the second text its direction is `(x - w/2, h/2 - y, -(h/2) / tan(alpha/2))`.
     #[must_use]
     pub fn generate_ray(&self, size: Size, x: f64, y: f64) -> Ray {
         let [width, height] = [size.width(), size.height()].map(f64::from);
@@ -37,7 +37,8 @@ impl PinholeCamera {
     }
 }
 
-/// The middle of the lower left pixel, (0, 0) here, is (0.5, h - 0.5) there.
+/// Converts coordinates: the middle of the lower left pixel is (0, 0) for
+/// [`Camera`] and (0.5, h - 0.5) for the pinhole camera.
 impl Camera for PinholeCamera {
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
         self.generate_ray(size, x + 0.5, f64::from(size.height()) - 0.5 - y)

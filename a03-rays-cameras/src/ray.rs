@@ -24,22 +24,22 @@ impl Ray {
         })
     }
 
-    /// A ray that continues a valid one: reflected, on its way to a light, or
-    /// seen from a transformed object. Nothing is checked, and the direction
-    /// keeps its length: it is 1 but in the space of a transformed object,
-    /// where `t` then still counts as outside of it.
+    /// A ray that is computed from a valid one: a reflected ray, a shadow ray, or
+    /// a ray in the space of a transformed object. Nothing is checked, and the
+    /// direction keeps its length. It is 1, except in the space of a transformed
+    /// object, so that `t` has the same value inside and outside.
     #[must_use]
     pub const fn derived(origin: Point3, direction: Vector3) -> Self {
         Self { origin, direction }
     }
 
-    /// Where the ray starts.
+    /// The origin of the ray.
     #[must_use]
     pub const fn origin(&self) -> Point3 {
         self.origin
     }
 
-    /// Where the ray goes.
+    /// The direction of the ray.
     #[must_use]
     pub const fn direction(&self) -> Vector3 {
         self.direction
@@ -52,8 +52,8 @@ impl Ray {
         self.origin + self.direction * t
     }
 
-    /// The `t` at which the ray is nearest to `point`: that of the point itself
-    /// if it lies on the ray.
+    /// The `t` of the ray's nearest point to `point`, which is `point` itself if it
+    /// lies on the ray.
     #[must_use]
     pub fn t_of(&self, point: Point3) -> f64 {
         (point - self.origin).dot(self.direction) / self.direction.dot(self.direction)

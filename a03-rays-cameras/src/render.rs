@@ -6,12 +6,12 @@ use rayon::slice::ParallelSliceMut;
 
 use crate::{Camera, Ray, Sampler};
 
-/// Renders a picture, or those of its rows that the settings name: each pixel is
-/// the mean of `radiance`, the light that comes back along a ray, over the rays
-/// that `camera` sends through it.
+/// Renders a picture, or the rows of it that the settings select. A pixel is the
+/// mean of `radiance`, the light that comes back along a ray, over the rays of
+/// `camera` through it.
 ///
-/// The threads of the current rayon pool share the rows. A pixel does not depend
-/// on any other, so the number of threads does not change the picture.
+/// The threads of the current rayon pool share the rows. Pixels are independent,
+/// so the number of threads does not change the picture.
 ///
 /// [`Error::Stopped`] if `progress` stops the rendering, [`Error::Memory`] if
 /// the picture does not fit into memory.
@@ -49,11 +49,11 @@ pub fn render(
 }
 
 // ANCHOR: place
-/// The coordinates in which a camera counts, of the place (`dx`, `dy`) in a pixel
-/// of a picture of this size.
+/// Camera coordinates of the position (`dx`, `dy`) in a pixel of a picture of this
+/// size.
 #[must_use]
 pub fn camera_coordinates(size: Size, column: u32, row: u32, (dx, dy): (f64, f64)) -> (f64, f64) {
-    // The camera counts rows from below, and from the middles of pixels.
+    // Camera coordinates count upwards, from the middles of pixels.
     let x = f64::from(column) + (dx - 0.5);
     let y = f64::from(size.height() - 1 - row) - (dy - 0.5);
     (x, y)

@@ -1,4 +1,4 @@
-//! `Sampler`: where in a pixel its samples lie.
+//! `Sampler`: the positions of the samples in a pixel.
 
 use common::{Sampling, Settings};
 
@@ -8,15 +8,15 @@ use crate::PixelRandom;
 #[derive(Clone, Copy, Debug)]
 pub struct Sampler {
     pub(crate) sampling: Sampling,
-    /// Cells in each direction of the grid, for the samplings that have one.
+    /// Number of grid cells in each direction, for samplings on a grid.
     cells: u32,
     samples: u32,
     seed: u64,
 }
 
 impl Sampler {
-    /// As many samples as the settings say, and at least one. The samplings on a
-    /// grid take the greatest square number that is not above that.
+    /// A sampler with the number of samples in the settings, and at least one.
+    /// Samplings on a grid round it down to a square number.
     #[must_use]
     pub fn new(settings: &Settings) -> Self {
         let wanted = settings.samples.max(1);
@@ -33,18 +33,18 @@ impl Sampler {
         }
     }
 
-    /// How many samples a pixel has: at least one.
+    /// Number of samples in a pixel: at least one.
     #[must_use]
     pub const fn samples(&self) -> u32 {
         self.samples
     }
 
-    /// The places of the samples of the pixel in column `x` and row `y`.
+    /// The positions of the samples in the pixel in column `x` and row `y`.
     pub fn places(self, x: u32, y: u32) -> impl Iterator<Item = (f64, f64)> {
         (0..self.samples).map(move |i| self.place(i, x, y))
     }
 
-    /// The place of sample `i`, counted from 0, in the pixel in column `x` and row
+    /// The position of sample `i`, counted from 0, in the pixel in column `x` and row
     /// `y`: from its upper left corner, rightwards and downwards, each at least 0
     /// and less than 1.
     #[must_use]

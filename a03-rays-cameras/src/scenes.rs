@@ -1,4 +1,4 @@
-//! The pictures of this stage: the second course's striped sky, by both rules.
+//! The pictures of this stage: the second course's striped sky, with both rules.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -9,7 +9,7 @@ use crate::{PinholeCamera, StripeRule, StripedSky};
 
 const STRIPES: u32 = 10;
 
-/// A camera at the origin that sees a right angle, and the sky before it, whose
+/// A camera at the origin with an opening angle of 90 degrees, and a sky whose
 /// stripes fill a picture of this size.
 pub fn striped_sky(
     size: Size,

@@ -35,7 +35,7 @@ fn scene(name: &'static str, about: &'static str, rule: StripeRule) -> Scene {
         }
         let radiance = |ray: &Ray| sky.color_for(ray);
         match settings.renderer {
-            // The engine does not know the sky.
+            // The engine has no type for the sky.
             Renderer::Lesson | Renderer::Engine => {
                 render_by_lesson(&camera, radiance, settings, progress)
             }

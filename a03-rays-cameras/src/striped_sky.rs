@@ -5,15 +5,15 @@ use common::{ArgumentError, Color, Size};
 use crate::{PinholeCamera, Ray};
 use a02_math::Vector3;
 
-/// The rule by which two rays meet the same stripe.
+/// The quantity of a ray that determines its stripe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StripeRule {
-    /// The height of the direction of length 1, as the text has it. Rays of one
-    /// height form a cone, which the picture cuts in a hyperbola: the stripes
-    /// bend away from the horizon to both sides.
+    /// The height of the direction of length 1, as in the text. Rays of one
+    /// height form a cone, which intersects the picture in a hyperbola: the
+    /// stripes bend away from the horizon to both sides.
     Direction,
-    /// The height at which the ray pierces a wall across the gaze. The stripes
-    /// are straight.
+    /// The height at which the ray hits a wall perpendicular to the gaze. The
+    /// stripes are straight.
     Wall,
 }
 
@@ -40,8 +40,8 @@ const EVEN: [u8; 3] = [25, 25, 112];
 const ODD: [u8; 3] = [50, 205, 50];
 
 impl StripedSky {
-    /// This many stripes, at least one, between the lower and the upper edge of
-    /// the camera's picture, measured in its middle column.
+    /// A sky with this number of stripes, at least one, between the lower and the upper
+    /// edge of the camera's picture, measured in its middle column.
     pub fn new(
         camera: &PinholeCamera,
         size: Size,
@@ -60,19 +60,19 @@ impl StripedSky {
     }
 
     // ANCHOR: stripe
-    /// The stripe that the ray meets, counted from 0 at the lower edge. Rays
-    /// beyond an edge meet the stripe there.
+    /// Number of the stripe that the ray hits, counted from 0 at the lower edge.
+    /// Rays beyond an edge hit the stripe at that edge.
     #[must_use]
     pub fn stripe(&self, ray: &Ray) -> u32 {
-        // From 0 at the lower edge to 1 at the upper one, and exactly half of
-        // it at the horizon.
+        // From 0 at the lower edge to 1 at the upper one, and exactly 1/2 at
+        // the horizon.
         let from_below = 0.5 + 0.5 * self.rule.height(ray.direction()) / self.top;
         // The cast saturates: below the lower edge is 0.
         ((from_below * f64::from(self.stripes)) as u32).min(self.stripes - 1)
     }
     // ANCHOR_END: stripe
 
-    /// The colour of the stripe that the ray meets.
+    /// The colour of the stripe that the ray hits.
     #[must_use]
     pub fn color_for(&self, ray: &Ray) -> Color {
         let is_even = self.stripe(ray).is_multiple_of(2);

@@ -15,7 +15,7 @@ pub struct AxisAlignedBox {
 
 impl AxisAlignedBox {
     /// The box from its left, bottom, far corner `lbf` to its right, upper,
-    /// near corner `run`. Any two opposite corners will do; a box may be flat.
+    /// near corner `run`. Any two opposite corners are valid; a box may be flat.
     pub fn new(lbf: Point3, run: Point3) -> Result<Self, ArgumentError> {
         let (lbf, run) = (lbf.checked("corner lbf")?, run.checked("corner run")?);
         Ok(Self {
@@ -34,8 +34,8 @@ const WIDER: f64 = {
     1.0 + 2.0 * (three_u / (1.0 - three_u))
 };
 
-/// The box is where three slabs overlap, one between each pair of faces. A ray
-/// is inside from where it has entered the last to where it leaves the first.
+/// The box is the intersection of three slabs, one between each pair of faces. A
+/// ray is inside from the last entry into a slab to the first exit.
 impl Geometry for AxisAlignedBox {
     // ANCHOR: hit
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
@@ -49,7 +49,7 @@ impl Geometry for AxisAlignedBox {
             let a = (self.lbf[axis] - o[axis]) * inverse;
             let b = (self.run[axis] - o[axis]) * inverse;
             // A ray within a face has 0 · infinity = NaN for that face. `min`
-            // and `max` drop a NaN, and in this order what remains is right
+            // and `max` drop a NaN, and in this order the result is right
             // (Barnes, "Fast, Branchless Ray/Bounding Box Intersections, Part
             // 2: NaNs", 2015).
             let entered = a.max(near).min(b.max(near));
@@ -64,8 +64,8 @@ impl Geometry for AxisAlignedBox {
         if near > far * WIDER {
             return None;
         }
-        // Through an edge rounding may have a ray leave before it enters. Met
-        // before `near`, the box would hide itself, if it is in a list twice.
+        // By rounding, a ray through an edge may leave before it enters. With a
+        // `t` below `near`, the same box twice in a list would hide itself.
         let far = far.max(near);
 
         if within.contains(near) {

@@ -1,4 +1,4 @@
-//! Hands the shapes of this stage to the engine.
+//! Translates the shapes of this stage for the engine.
 
 use std::any::Any;
 
@@ -46,8 +46,8 @@ impl From<Plane> for engine::Plane {
 /// Adds the shapes of a geometry, one by one, to the list of the engine.
 pub type Translate = for<'a> fn(&'a dyn Geometry, &mut dyn FnMut(engine::Shape<'a>));
 
-/// The shape that a geometry of this stage is: in numbers, or as a function where the
-/// engine does not know the type.
+/// The engine's shape for a geometry of this stage: numbers if the engine has the
+/// geometry's type, otherwise a function.
 pub fn shapes<'a>(geometry: &'a dyn Geometry, add: &mut dyn FnMut(engine::Shape<'a>)) {
     let any: &dyn Any = geometry;
     add(

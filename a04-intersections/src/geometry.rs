@@ -1,4 +1,4 @@
-//! `Geometry`: a shape that rays can meet.
+//! `Geometry`: a shape that rays can hit.
 
 use std::any::Any;
 use std::fmt::Debug;
@@ -7,13 +7,13 @@ use a03_rays_cameras::Ray;
 
 use crate::{Hit, Interval};
 
-/// A shape that rays can meet.
+/// A shape that rays can hit.
 pub trait Geometry: Any + Debug + Send + Sync {
-    /// The nearest meeting whose `t` lies within the interval, with the normal
-    /// that points out of the shape. The direction of the ray may have any
-    /// length, and `t` counts in that length.
+    /// The nearest hit whose `t` lies within the interval, with the normal that
+    /// points out of the shape. The direction of the ray may have any length,
+    /// which is the unit of `t`.
     ///
-    /// A ray that touches the shape meets it: borders, edges and corners belong
+    /// A ray that touches the shape hits it: borders, edges and corners belong
     /// to it.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit>;
 }

@@ -1,21 +1,21 @@
-//! `Hit`: where a ray meets a geometry, and which way the surface faces there.
+//! `Hit`: an intersection of a ray and a geometry, with the normals there.
 
 use a02_math::Normal3;
 
-/// A meeting of a ray and a geometry, which the caller knows.
+/// An intersection of a ray and a geometry. The caller knows both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// Where on the ray.
+    /// The parameter of the ray at the hit.
     pub t: f64,
-    /// The normal of length 1 that light is computed with. On a triangle it is
-    /// interpolated between the corners and need not be that of the face.
+    /// The shading normal, of length 1. On a triangle it is interpolated between
+    /// the corners and need not be perpendicular to the face.
     pub normal: Normal3,
-    /// The normal of length 1 of the surface itself.
+    /// The geometric normal: perpendicular to the surface, of length 1.
     pub face: Normal3,
 }
 
 impl Hit {
-    /// A meeting with a surface that is lit as it lies.
+    /// A hit whose shading normal is the geometric normal.
     #[must_use]
     pub const fn new(t: f64, normal: Normal3) -> Self {
         Self {

@@ -1,9 +1,9 @@
-//! `Interval`: which `t` of a ray count.
+//! `Interval`: the valid range of a ray's `t`.
 //!
-//! The interval goes INTO every search. A check of the nearest hit afterwards
-//! would let an invalid one hide the valid one behind it.
+//! The interval goes INTO every search. If only the nearest hit were checked
+//! afterwards, an invalid hit would hide the valid one behind it.
 
-/// An open interval: its ends do not belong to it, and NaN belongs to none.
+/// An open interval: its ends do not belong to it, and NaN belongs to no interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     /// The lower end, which `t` must exceed.
@@ -13,7 +13,7 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// The whole ray but its origin, which belongs to the surface that it leaves.
+    /// The whole ray except its origin, which lies on the surface that it leaves.
     pub const AHEAD: Self = Self {
         min: 0.0,
         max: f64::INFINITY,

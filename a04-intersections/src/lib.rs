@@ -1,8 +1,8 @@
-//! Assignment 4: where rays meet planes, boxes, triangles and spheres.
+//! Assignment 4: intersections of rays with planes, boxes, triangles and spheres.
 //!
-//! A [`Geometry`] says where a [`Ray`](a03_rays_cameras::Ray) meets it first
-//! within an [`Interval`], and knows nothing of colour. The [`World`] pairs each
-//! with a surface and finds the nearest.
+//! A [`Geometry`] computes its nearest hit by a [`Ray`](a03_rays_cameras::Ray)
+//! within an [`Interval`], and has no colour. The [`World`] pairs each geometry
+//! with a surface and finds the nearest hit.
 
 mod axis_aligned_box;
 pub mod fast;
@@ -30,7 +30,7 @@ pub use stage::stage;
 pub use triangle::Triangle;
 pub use world::World;
 
-/// The code in this stage's chapter is tested with it.
+/// Tests the code in this stage's chapter.
 #[cfg(doctest)]
 #[doc = include_str!("../../book/src/a04-intersections.md")]
 mod book {}

@@ -1,4 +1,4 @@
-//! `Plane`: flat and endless.
+//! `Plane`: flat and infinite.
 
 use a02_math::{Direction, Normal3, Point3};
 use a03_rays_cameras::Ray;
@@ -16,8 +16,8 @@ pub struct Plane {
 impl Plane {
     /// The plane through `a` with a normal `n` of any length but 0.
     ///
-    /// Of all its points, one near the rest of the scene is best: digits are
-    /// lost in proportion to the distance between `a` and the rays.
+    /// Best is a point `a` near the rest of the scene: the rounding error grows in
+    /// proportion to the distance between `a` and the rays.
     pub fn new(a: Point3, n: Normal3) -> Result<Self, ArgumentError> {
         Ok(Self {
             a: a.checked("point a")?,
@@ -32,8 +32,8 @@ impl Plane {
     }
 }
 
-/// `t = ((a - o) · n) / (d · n)`: the dot product with `n` leaves of the way to
-/// the plane, and of a step along the ray, what leads straight towards it.
+/// `t = ((a - o) · n) / (d · n)`: the distance of the origin from the plane,
+/// divided by the approach to the plane in one step `d` along the ray.
 impl Geometry for Plane {
     // ANCHOR: hit
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {

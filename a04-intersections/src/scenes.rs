@@ -1,4 +1,4 @@
-//! The protocol's test scenes of this stage: one colour an object, no light.
+//! The protocol's test scenes of this stage: one colour per object, no light.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -34,7 +34,7 @@ pub fn scene_2() -> Result<View, ArgumentError> {
     Ok((camera, world))
 }
 
-/// A blue box, from above its corner.
+/// A blue box, seen from above one of its corners.
 pub fn scene_3() -> Result<View, ArgumentError> {
     let camera = perspective(Point3::new(3.0, 3.0, 3.0), Vector3::new(-3.0, -3.0, -3.0))?;
     let (lbf, run) = (Point3::new(-0.5, 0.0, -0.5), Point3::new(0.5, 1.0, 0.5));
@@ -60,7 +60,7 @@ pub fn scene_5() -> Result<View, ArgumentError> {
     Ok((perspective(Point3::ORIGIN, AHEAD)?, two_spheres()?))
 }
 
-/// The same without perspective.
+/// The two spheres of `scene_5` without perspective.
 pub fn scene_6() -> Result<View, ArgumentError> {
     let camera = OrthographicCamera::new(Point3::ORIGIN, AHEAD, UP, 3.0)?;
     Ok((Box::new(camera), two_spheres()?))

@@ -1,4 +1,4 @@
-//! `Sphere`: all points at one distance from a centre.
+//! `Sphere`: all points at the same distance from a centre.
 
 use a02_math::{Direction, Point3};
 use a03_rays_cameras::Ray;
@@ -34,15 +34,15 @@ impl Geometry for Sphere {
         let middle = -f.dot(d) / a;
 
         // The discriminant b² - a (f · f - r²) subtracts two numbers as large
-        // as the squared distance. The same divided by a is r² less the square
-        // of the shortest way l from the centre to the ray.
+        // as the squared distance. Divided by a it is r² - l · l, where l is
+        // the shortest vector from the centre to the ray.
         let l = f + d * middle;
         let discriminant = self.r * self.r - l.dot(l);
         if discriminant < 0.0 {
             return None;
         }
 
-        // Of b / a ± root, the sum of equal signs keeps its digits; the other
+        // In b / a ± root, the sum of equal signs does not cancel; the other
         // root follows from their product (f · f - r²) / a.
         let t1 = middle + (discriminant / a).sqrt().copysign(middle);
         let t0 = (f.dot(f) - self.r * self.r) / (a * t1);

@@ -54,7 +54,7 @@ fn scene(
     })
 }
 
-/// The same camera and world, which count their work if it is to be counted.
+/// Camera and world with wrappers that count work, if the settings enable counting.
 fn counting((camera, world): View, settings: &Settings) -> Result<View, ArgumentError> {
     if !tally::is_on() {
         return Ok((camera, world));

@@ -16,8 +16,8 @@ pub struct Triangle {
 
 impl Triangle {
     /// The triangle of three corners that do not lie on a line, the farthest two
-    /// of them at least 1e-100 apart, lit as flat as it is. Its normal points to
-    /// where the corners run counterclockwise.
+    /// of them at least 1e-100 apart, with flat shading. Its normal points to the
+    /// side from which the corners run counterclockwise.
     pub fn new(a: Point3, b: Point3, c: Point3) -> Result<Self, ArgumentError> {
         let corners = [
             a.checked("corner a")?,
@@ -32,9 +32,9 @@ impl Triangle {
         })
     }
 
-    /// The same triangle, lit as if it were curved: with the normals of `a`,
-    /// `b` and `c`, each of any length but 0, and between the corners with
-    /// their mean, weighted by how near each corner is.
+    /// This triangle with smooth shading: with the normals of `a`, `b` and `c`,
+    /// each of any length but 0. Between the corners they are interpolated by
+    /// barycentric coordinates.
     pub fn with_normals(mut self, normals: [Normal3; 3]) -> Result<Self, ArgumentError> {
         let [a, b, c] = normals;
         self.normals = [
@@ -42,7 +42,7 @@ impl Triangle {
             b.unit("normal of b")?,
             c.unit("normal of c")?,
         ];
-        // The face points to the side that its normals point to.
+        // The face normal points to the side of the corners' normals.
         let [a, b, c] = self.normals;
         if (a + b + c).dot(self.face) < 0.0 {
             self.face = -self.face;
@@ -51,7 +51,7 @@ impl Triangle {
     }
 
     /// The normal at barycentric coordinates: `(1 - β - γ) nA + β nB + γ nC`,
-    /// brought to length 1. That of the face where the three cancel out.
+    /// brought to length 1. If the sum is 0, the normal of the face.
     // ANCHOR: normal
     fn interpolated_normal(&self, beta: f64, gamma: f64) -> Normal3 {
         let [a, b, c] = self.normals;
@@ -70,8 +70,8 @@ fn face_normal([a, b, c]: [Point3; 3]) -> Result<Normal3, ArgumentError> {
         let corners = format!("{}, {}, {}", a.to_glam(), b.to_glam(), c.to_glam());
         ArgumentError::new("triangle", corners, "three corners that are not on a line")
     };
-    // Measured in the longest edge, so that neither tiny nor huge triangles
-    // lose their normal, and that it does not matter which corner comes first.
+    // Divided by the longest edge, so that neither tiny nor huge triangles
+    // lose their normal, and the order of the corners does not matter.
     let edges = [b - a, c - a, c - b];
     let longest = edges
         .map(Vector3::magnitude)
@@ -79,9 +79,9 @@ fn face_normal([a, b, c]: [Point3; 3]) -> Result<Normal3, ArgumentError> {
         .fold(0.0, f64::max);
     let [ab, ac] = [edges[0], edges[1]].map(|edge| edge * (1.0 / longest));
     let across = ab.cross(ac);
-    // Corners on a line make a normal of pure rounding; a single point of NaN.
+    // For corners on a line the normal is only rounding error; for a point, NaN.
     if across.magnitude() > 4.0 * f64::EPSILON {
-        // In shorter ones the areas that the test compares lose digits.
+        // With shorter edges the areas in the hit test lose digits.
         let stands = longest >= argument::SMALLEST_LENGTH;
         argument::check("longest edge", longest, stands, "at least 1e-100 long")?;
         across.as_normal().unit("triangle")
@@ -91,15 +91,15 @@ fn face_normal([a, b, c]: [Point3; 3]) -> Result<Normal3, ArgumentError> {
 }
 
 /// The test of Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection",
-/// JCGT 2(1), 2013: no ray slips through between two triangles that share an
-/// edge, because both compute the same number for it, with opposite signs.
+/// JCGT 2(1), 2013: no ray passes between two triangles that share an edge,
+/// because both compute the same number for it, with opposite signs.
 impl Geometry for Triangle {
     // ANCHOR: hit
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let space = ShearedSpace::new(ray);
         let [a, b, c] = self.corners.map(|corner| space.sheared(corner));
 
-        // On which side of each edge does the axis pass? On an edge counts.
+        // The sign gives the axis's side of each edge; 0 is on the edge, a hit.
         let u = c[0] * b[1] - c[1] * b[0];
         let v = a[0] * c[1] - a[1] * c[0];
         let w = b[0] * a[1] - b[1] * a[0];
@@ -123,8 +123,8 @@ impl Geometry for Triangle {
 
 /// The space in which a ray is the z axis, sheared so that z is measured in `t`.
 struct ShearedSpace {
-    /// The axes of the scene that become x, y and z. The ray goes farthest along
-    /// the last.
+    /// The axes of the scene that become x, y and z. The direction's largest
+    /// coordinate is along z.
     axes: [usize; 3],
     /// The origin of the ray along these axes.
     o: [f64; 3],
@@ -160,9 +160,9 @@ impl ShearedSpace {
 }
 
 /// Whether all corners in sheared space lie on one side of the axis, in x or in y.
-/// Then the ray passes beside the triangle, and signs of areas that say otherwise come
-/// from rounding: where the ray lies in the plane of the triangle, and where it is so
-/// far away that the corners are almost one point.
+/// Then the ray misses the triangle. The signs of the areas may be wrong by rounding if
+/// the ray lies in the plane of the triangle, or is so far away that the corners are
+/// almost one point.
 fn is_beside(corners: [[f64; 3]; 3]) -> bool {
     let all = |axis: usize, sign: f64| corners.iter().all(|c| sign * c[axis] > 0.0);
     all(0, 1.0) || all(0, -1.0) || all(1, 1.0) || all(1, -1.0)

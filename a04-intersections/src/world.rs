@@ -1,4 +1,4 @@
-//! `World`: everything that is to be seen.
+//! `World`: all objects of a scene and its background.
 
 use a02_math::{Direction, Vector3};
 use a03_rays_cameras::Ray;
@@ -8,8 +8,8 @@ use crate::{Geometry, Hit, Interval};
 
 /// A background, and a plain list of geometries, each with its surface.
 ///
-/// The surface describes the look of a geometry that is hit: here a [`Color`],
-/// later a material.
+/// The surface describes the appearance of a geometry: here a [`Color`], later a
+/// material.
 #[derive(Debug)]
 pub struct World<S> {
     background: Color,
@@ -26,48 +26,48 @@ impl<S> World<S> {
         })
     }
 
-    /// This world and one more object.
+    /// This world with one more object.
     #[must_use]
     pub fn with(mut self, geometry: impl Geometry, surface: S) -> Self {
         self.objects.push((Box::new(geometry), surface));
         self
     }
 
-    /// How many objects there are.
+    /// Number of objects.
     #[must_use]
     pub fn len(&self) -> usize {
         self.objects.len()
     }
 
-    /// Whether there is no object.
+    /// Whether the world has no objects.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.objects.is_empty()
     }
 
-    /// The objects in the order of the list: geometries and surfaces.
+    /// The objects in the order of the list, as pairs of geometry and surface.
     pub fn objects(&self) -> impl Iterator<Item = (&dyn Geometry, &S)> {
         let objects = self.objects.iter();
         objects.map(|(geometry, surface)| (&**geometry, surface))
     }
 
-    /// Gives the list of objects back.
+    /// Converts the world into its list of objects.
     #[must_use]
     pub fn into_objects(self) -> Vec<(Box<dyn Geometry>, S)> {
         self.objects
     }
 
-    /// The colour that a ray brings back if it meets nothing.
+    /// The colour of a ray that hits nothing.
     #[must_use]
     pub const fn background(&self) -> Color {
         self.background
     }
 
-    /// The nearest meeting within the interval and the surface met there; of
-    /// several at the same place, that of the object listed first.
+    /// The nearest hit within the interval and the surface there; if several
+    /// objects have the same `t`, the first in the list.
     ///
-    /// Its normals are turned towards the side that the ray comes from, so that
-    /// a shape looks right from inside, too.
+    /// Its normals are turned to the side of the ray's origin, so that a shape
+    /// is also shaded correctly from inside.
     #[must_use]
     // ANCHOR: hit
     pub fn hit(&self, ray: &Ray, mut within: Interval) -> Option<(Hit, &S)> {
@@ -82,8 +82,8 @@ impl<S> World<S> {
     }
     // ANCHOR_END: hit
 
-    /// Whether anything at all is met within the interval. The search ends at
-    /// the first object that is.
+    /// Whether any object is hit within the interval. The search ends at the
+    /// first hit.
     #[must_use]
     pub fn is_hit(&self, ray: &Ray, within: Interval) -> bool {
         let mut objects = self.objects.iter();
@@ -105,8 +105,8 @@ fn facing(hit: Hit, d: Vector3) -> Hit {
 }
 
 impl World<Color> {
-    /// The colour that a ray brings back: that of the nearest object, or the
-    /// background.
+    /// The colour that a ray brings back: the colour of the nearest object, or
+    /// the background.
     #[must_use]
     pub fn color_for(&self, ray: &Ray) -> Color {
         let nearest = self.hit(ray, Interval::AHEAD);

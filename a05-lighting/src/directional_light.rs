@@ -5,7 +5,7 @@ use common::{ArgumentError, Color, argument};
 
 use crate::{Illumination, Light};
 
-/// A light that shines everywhere in the same direction.
+/// A light with the same direction everywhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DirectionalLight {
     pub(crate) color: Color,

@@ -1,4 +1,4 @@
-//! Hands the lights and materials of this stage to the engine.
+//! Translates the lights and materials of this stage for the engine.
 
 use std::any::Any;
 
@@ -12,8 +12,8 @@ use crate::{
     DirectionalLight, Lambert, Light, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
 };
 
-/// The light as the engine sees it: in numbers, or as a function where it does not know
-/// the type.
+/// The engine's light: numbers if the engine has the light's type, otherwise a
+/// function.
 #[must_use]
 pub fn light(light: &dyn Light) -> engine::LightKind<'_> {
     let any: &dyn Any = light;
@@ -46,8 +46,8 @@ pub fn light(light: &dyn Light) -> engine::LightKind<'_> {
     }
 }
 
-/// The material as the engine sees it: in numbers, or where it does not know the type, as
-/// the function `color`.
+/// The engine's material: numbers if the engine has the material's type, otherwise the
+/// function `color`.
 pub fn shading<'a>(
     material: &'a dyn Material,
     color: impl Fn(&Ray, &Hit) -> Color + Send + Sync + 'a,

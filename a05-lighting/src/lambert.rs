@@ -1,4 +1,4 @@
-//! `Lambert`: a matt surface, equally bright from wherever it is seen.
+//! `Lambert`: a matt surface, equally bright from every direction.
 
 use a02_math::Direction;
 use a03_rays_cameras::Ray;
@@ -14,27 +14,27 @@ pub struct Lambert {
 }
 
 impl Lambert {
-    /// The material that scatters this share of each channel.
+    /// The material with this diffuse reflectance in each channel.
     pub fn new(diffuse: Color) -> Result<Self, ArgumentError> {
         let diffuse = argument::color("diffuse", diffuse)?;
         Ok(Self { diffuse })
     }
 
-    /// The share of one light: `cd cl max(0, n · l)`. The same light on a slant
-    /// is spread over more surface.
+    /// The contribution of one light: `cd cl max(0, n · l)`. Light at a grazing
+    /// angle is spread over a larger area.
     // ANCHOR: share
     pub(crate) fn share(&self, hit: &Hit, light: &Illumination) -> Color {
         self.diffuse * light.color * hit.normal.dot(light.direction).max(0.0)
     }
     // ANCHOR_END: share
 
-    /// The share of the ambient light, `cd ca`.
+    /// The contribution of the ambient light, `cd ca`.
     pub(crate) fn ambient(&self, lighting: &dyn Lighting) -> Color {
         self.diffuse * lighting.ambient()
     }
 }
 
-/// `c = cd ca + Σ cd cl max(0, n · l)`, the sum going over all lights.
+/// `c = cd ca + Σ cd cl max(0, n · l)`, with the sum over all lights.
 impl Material for Lambert {
     // ANCHOR: color
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {

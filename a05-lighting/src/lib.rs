@@ -1,7 +1,7 @@
-//! Assignment 5: lights, and materials that answer them.
+//! Assignment 5: lights, and materials that reflect their light.
 //!
-//! A [`Light`] says from where, how far and in which colour it illuminates a
-//! point. A [`Material`] adds up the light that reaches it, which comes through
+//! A [`Light`] computes direction, distance and colour of its light at a point. A
+//! [`Material`] adds up the light that it reflects. It takes the light from
 //! [`Lighting`], because a later stage has shadows.
 
 mod directional_light;
@@ -35,7 +35,7 @@ pub use single_color::SingleColor;
 pub use spot_light::SpotLight;
 pub use stage::stage;
 
-/// The code in this stage's chapter is tested with it.
+/// Tests the code in this stage's chapter.
 #[cfg(doctest)]
 #[doc = include_str!("../../book/src/a05-lighting.md")]
 mod book {}

@@ -6,26 +6,26 @@ use std::fmt::Debug;
 use a02_math::{Point3, Vector3};
 use common::Color;
 
-/// The light that a source sends to a point, nothing being in between.
+/// The light that a source sends to a point, without objects in between.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 // ANCHOR: illumination
 pub struct Illumination {
-    /// Its colour.
+    /// The colour of the light.
     pub color: Color,
-    /// From the point to the source; its length is 1.
+    /// Direction from the point to the source, of length 1.
     pub direction: Vector3,
-    /// From the point to the source; infinite if the source is nowhere.
+    /// Distance from the point to the source; infinite for a directional light.
     pub distance: f64,
 }
 // ANCHOR_END: illumination
 
 /// A source of light.
 pub trait Light: Any + Debug + Send + Sync {
-    /// The light that arrives at `point`, or none if that lies outside of the
-    /// beam or in the source itself.
+    /// The light that arrives at `point`, or `None` if the point lies outside of
+    /// the beam or in the source itself.
     fn illumination(&self, point: Point3) -> Option<Illumination>;
 
-    /// Whether the light shines on `point`, nothing being in between.
+    /// Whether the light shines on `point`, without objects in between.
     fn illuminates(&self, point: Point3) -> bool {
         self.illumination(point).is_some()
     }

@@ -1,8 +1,8 @@
 //! `Lighting`: the light that reaches a hit.
 //!
 //! Materials take their light from here and not from the lights themselves. In
-//! this stage all light arrives. A later one adds shadows, and no material
-//! changes.
+//! this stage all light arrives. A later stage adds shadows without changing any
+//! material.
 
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
@@ -10,9 +10,9 @@ use common::Color;
 
 use crate::Illumination;
 
-/// The light around a hit.
+/// The light that reaches hits.
 pub trait Lighting {
-    /// The light that comes from everywhere.
+    /// The ambient light.
     fn ambient(&self) -> Color;
 
     /// Calls `shade` with the light of each source that reaches the hit of `ray`.

@@ -31,14 +31,14 @@ impl<S, L> LitWorld<S, L> {
         })
     }
 
-    /// This world and one more object.
+    /// This world with one more object.
     #[must_use]
     pub fn with(mut self, geometry: impl Geometry, surface: S) -> Self {
         self.world = self.world.with(geometry, surface);
         self
     }
 
-    /// This world and one more light.
+    /// This world with one more light.
     #[must_use]
     pub fn lit_by(mut self, light: L) -> Self {
         self.lights.push(light);
@@ -57,13 +57,13 @@ impl<S, L> LitWorld<S, L> {
         &self.lights
     }
 
-    /// The light that comes from everywhere.
+    /// The ambient light.
     #[must_use]
     pub const fn ambient(&self) -> Color {
         self.ambient
     }
 
-    /// Gives the objects, the lights and the ambient light back.
+    /// Converts the world into its objects, lights and ambient light.
     #[must_use]
     pub fn into_parts(self) -> (World<S>, Vec<L>, Color) {
         (self.world, self.lights, self.ambient)
@@ -71,8 +71,8 @@ impl<S, L> LitWorld<S, L> {
 }
 
 impl LitWorld {
-    /// The colour that a ray brings back: what the material of the nearest
-    /// object makes of the light, or the background.
+    /// The colour that a ray brings back: the light reflected by the material of
+    /// the nearest object, or the background.
     #[must_use]
     pub fn color_for(&self, ray: &Ray) -> Color {
         let nearest = self.world.hit(ray, Interval::AHEAD);
@@ -82,7 +82,7 @@ impl LitWorld {
     }
 }
 
-/// All light arrives: nothing casts a shadow.
+/// All light arrives: no object casts a shadow.
 impl Lighting for LitWorld {
     fn ambient(&self) -> Color {
         self.ambient

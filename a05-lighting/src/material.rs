@@ -1,4 +1,4 @@
-//! `Material`: how a surface answers light.
+//! `Material`: how a surface reflects light.
 
 use std::any::Any;
 use std::fmt::Debug;
@@ -11,6 +11,6 @@ use crate::Lighting;
 
 /// A material of a surface.
 pub trait Material: Any + Debug + Send + Sync {
-    /// The light that goes from the hit back along the ray.
+    /// The light that is reflected from the hit back along the ray.
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color;
 }

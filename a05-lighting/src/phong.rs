@@ -1,4 +1,4 @@
-//! `Phong`: a matt surface with highlights where it mirrors a light.
+//! `Phong`: a matt surface with highlights, where it mirrors a light.
 
 use a02_math::Direction;
 use a03_rays_cameras::Ray;
@@ -17,8 +17,8 @@ pub struct Phong {
 }
 
 impl Phong {
-    /// The material that scatters `diffuse` of each channel and mirrors
-    /// `specular` of each light. The higher the exponent, which is at least 0,
+    /// The material with the reflectances `diffuse` and `specular` in each
+    /// channel. The higher the exponent, which is at least 0,
     /// the smaller and sharper the highlight.
     pub fn new(diffuse: Color, specular: Color, exponent: f64) -> Result<Self, ArgumentError> {
         Ok(Self {
@@ -34,19 +34,19 @@ impl Phong {
     fn highlight(&self, ray: &Ray, hit: &Hit, light: &Illumination) -> Color {
         let (e, l) = (-ray.direction(), light.direction);
         let cosine = e.dot(l.reflected_on(hit.normal));
-        // Light from behind is mirrored nowhere. Without this return, 0 to the
-        // power of 0 would be a highlight.
+        // Light from behind is not mirrored. Without this return, 0 to the power
+        // of 0 would be a highlight.
         let is_mirrored = hit.normal.dot(l) > 0.0 && cosine > 0.0;
         if !is_mirrored || self.specular == Color::BLACK {
             return Color::BLACK;
         }
-        // A cosine of 1 + 2^-52 grows to millions.
+        // The power of a cosine of 1 + 2^-52 could grow to millions.
         self.specular * light.color * power(cosine.min(1.0), self.exponent)
     }
     // ANCHOR_END: highlight
 }
 
-/// `c = cd ca + Σ (cd cl max(0, n · l) + cs cl max(0, e · r)^p)`, the sum going
+/// `c = cd ca + Σ (cd cl max(0, n · l) + cs cl max(0, e · r)^p)`, with the sum
 /// over all lights. (Phong, Illumination for Computer Generated Pictures, 1975)
 impl Material for Phong {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {

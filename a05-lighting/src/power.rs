@@ -2,9 +2,9 @@
 
 /// `base` to the power of an `exponent` that is at least 0.
 ///
-/// Small whole exponents are added up from powers of two, by squaring. That takes
-/// fewer operations than [`libm::pow`], and rounding them moves the result by no
-/// more than rounding the base did: by half of epsilon times the exponent.
+/// Small whole exponents use exponentiation by squaring. That takes fewer
+/// operations than [`libm::pow`], and its rounding error is no larger than the
+/// effect of rounding the base: half of epsilon times the exponent.
 pub(crate) fn power(base: f64, exponent: f64) -> f64 {
     whole(exponent).map_or_else(|| libm::pow(base, exponent), |whole| squaring(base, whole))
 }
@@ -22,7 +22,7 @@ pub(crate) fn squaring(mut base: f64, mut exponent: u64) -> f64 {
     power
 }
 
-/// Up to here squaring loses at most 1e-13, which is invisible.
+/// Largest exponent for squaring: the error is at most 1e-13, which is invisible.
 const LARGEST: f64 = 1024.0;
 
 /// The exponent, if it is a small whole number.
@@ -48,7 +48,7 @@ mod tests {
         assert_eq!(power(0.5, 1e300), 0.0);
     }
 
-    /// Rounded after each product, which a power rounded once is not always.
+    /// Squaring rounds after each product, so some results differ from `pow`.
     #[test]
     fn a_small_whole_exponent_multiplies() {
         for base in (1..100_u32).map(|i| f64::from(i) / 100.0) {
@@ -56,8 +56,8 @@ mod tests {
         }
     }
 
-    /// `u P` is what rounding the base and what rounding the products may do,
-    /// each: u is half of epsilon.
+    /// The error bounds of rounding the base and of rounding the products are `u P`
+    /// each; u is half of epsilon.
     #[test]
     fn squaring_loses_no_more_than_the_base_has_lost() {
         for exponent in [2.0, 3.0, 64.0, 1000.0, LARGEST] {

@@ -16,7 +16,7 @@ use crate::{
 pub type View = (Box<dyn Camera>, LitWorld);
 
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
-/// Where the camera and the lights are, and where both look.
+/// Position of the camera and of the lights, and the point that both aim at.
 const CORNER: Point3 = Point3::new(4.0, 4.0, 4.0);
 const INWARDS: Vector3 = Vector3::new(-1.0, -1.0, -1.0);
 
@@ -96,7 +96,7 @@ pub fn phong_spot() -> Result<View, ArgumentError> {
     view(objects(shiny, Color::BLACK)?.lit_by(spot_light()?))
 }
 
-/// The same with a little light from everywhere.
+/// The scene `phong_spot` with a little ambient light.
 pub fn phong_spot_ambient() -> Result<View, ArgumentError> {
     view(objects(shiny, Color::gray(0.25))?.lit_by(spot_light()?))
 }

@@ -1,4 +1,4 @@
-//! `SingleColor`: looks the same in any light.
+//! `SingleColor`: a material without shading.
 
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
@@ -6,7 +6,7 @@ use common::{ArgumentError, Color, argument};
 
 use crate::{Lighting, Material};
 
-/// A material of one colour, which no light changes.
+/// A material whose colour does not depend on the light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SingleColor {
     pub(crate) color: Color,

@@ -7,7 +7,7 @@ use common::{ArgumentError, Color, argument};
 
 use crate::{Illumination, Light, PointLight};
 
-/// A light at a point that shines in the directions around one of them.
+/// A light at a point that shines into a cone of directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpotLight {
     pub(crate) source: PointLight,
@@ -16,11 +16,11 @@ pub struct SpotLight {
 }
 
 impl SpotLight {
-    /// A light that shines into the cone of directions that are not farther
-    /// than `half_angle` from `direction`, which has any length but 0.
+    /// A light whose cone has the axis `direction`, of any length but 0. The edge
+    /// of the cone, at `half_angle` from the axis, is lit.
     ///
     /// The half angle, in radians, is from 1e-7 to π; the cosine of a smaller
-    /// one rounds to 1.
+    /// angle rounds to 1.
     pub fn new(
         color: Color,
         position: Point3,
@@ -38,13 +38,13 @@ impl SpotLight {
     }
 }
 
-/// Compares cosines, not angles: the arc cosine of a product that rounding has
-/// moved beyond 1 is NaN, and it maps different small angles to the same number.
+/// Compares cosines, not angles: rounding can make the dot product greater than
+/// 1, whose arc cosine is NaN, and the arc cosine merges different small angles.
 impl Light for SpotLight {
     // ANCHOR: illumination
     fn illumination(&self, point: Point3) -> Option<Illumination> {
         let light = self.source.illumination(point)?;
-        // Two opposite unit vectors may multiply to a little less than -1.
+        // The product of two opposite unit vectors may be a little less than -1.
         let cosine = (-light.direction).dot(self.direction).max(-1.0);
         (cosine >= self.cos_half_angle).then_some(light)
     }

@@ -1,4 +1,4 @@
-//! Hands the surfaces and light sources of this stage to the engine.
+//! Translates the surfaces and light sources of this stage for the engine.
 
 use std::any::Any;
 
@@ -9,8 +9,8 @@ use a05_lighting::fast::{light, shading};
 
 use crate::{RecursiveTracer, Reflective, ShadowedWorld, Surface};
 
-/// A world as a scene of the engine, whose rays may meet `depth` surfaces. `shapes`
-/// translates its geometries.
+/// A world as a scene of the engine, whose rays may hit `depth` surfaces in turn.
+/// `shapes` translates its geometries.
 #[must_use]
 pub fn scene(world: &ShadowedWorld, depth: u32, shapes: Translate) -> engine::Scene<'_> {
     let mut scene = engine::Scene::new(world.objects().background(), world.ambient(), depth);
@@ -26,8 +26,8 @@ pub fn scene(world: &ShadowedWorld, depth: u32, shapes: Translate) -> engine::Sc
     scene
 }
 
-/// A surface in numbers. If the engine does not know the type, the surface shades each
-/// hit itself, in the light of the lesson's tracer.
+/// The engine's surface: numbers if the engine has the surface's type, otherwise a
+/// function that shades each hit with the light of the lesson's tracer.
 fn surface<'a>(surface: &'a dyn Surface, world: &'a ShadowedWorld) -> engine::Surface<'a> {
     let any: &dyn Any = surface;
     let color = move |ray: &Ray, hit: &Hit| {

@@ -26,7 +26,7 @@ pub use shadow::is_shadowed;
 pub use stage::{stage, traced_scene};
 pub use surface::Surface;
 
-/// The code in this stage's chapter is tested with it.
+/// Tests the code in this stage's chapter.
 #[cfg(doctest)]
 #[doc = include_str!("../../book/src/a06-shadows-reflection.md")]
 mod book {}

@@ -11,8 +11,8 @@ pub struct LightSource {
 }
 
 impl LightSource {
-    /// This light. If it casts shadows, objects between it and a surface keep it
-    /// away.
+    /// A source of this light. If it casts shadows, objects between it and a
+    /// surface block it.
     pub fn new(light: impl Light, casts_shadows: bool) -> Self {
         Self {
             light: Box::new(light),

@@ -1,4 +1,4 @@
-//! `RecursiveTracer`: follows a ray from mirror to mirror.
+//! `RecursiveTracer`: traces shadow rays and reflected rays.
 
 use a02_math::Direction;
 use a03_rays_cameras::Ray;
@@ -11,7 +11,7 @@ use crate::{LightSource, Surface, is_shadowed, secondary_ray};
 /// A world of surfaces that may mirror and lights that may cast shadows.
 pub type ShadowedWorld = LitWorld<Box<dyn Surface>, LightSource>;
 
-/// Finds the colours that rays bring back from a world.
+/// Computes the colours that rays bring back from a world.
 #[derive(Clone, Copy, Debug)]
 pub struct RecursiveTracer<'a> {
     world: &'a ShadowedWorld,
@@ -24,11 +24,11 @@ impl<'a> RecursiveTracer<'a> {
         Self { world }
     }
 
-    /// The colour that a ray brings back which may meet `depth` surfaces. The
-    /// light that the last of them mirrors is black.
+    /// The colour that a ray brings back if it may hit `depth` surfaces in turn.
+    /// The last of them mirrors black.
     ///
     /// By its definition this is a recursion: the colour of a surface is
-    /// `c + cr f`, with its own colour `c`, the share `cr` that it mirrors, and
+    /// `c + cr f`, with its own colour `c`, its reflectance `cr` as a mirror, and
     /// the colour `f` that the reflected ray brings back. As each surface
     /// reflects one ray only, a loop can carry the product of all `cr` so far
     /// instead, and no depth overflows the stack.
@@ -55,8 +55,7 @@ impl<'a> RecursiveTracer<'a> {
     // ANCHOR_END: trace
 }
 
-/// The lights that shine on the front of the surface and that no object keeps
-/// away from it.
+/// The lights that shine on the front of the surface and that no object blocks.
 impl Lighting for RecursiveTracer<'_> {
     fn ambient(&self) -> Color {
         self.world.ambient()

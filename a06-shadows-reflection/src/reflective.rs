@@ -7,7 +7,7 @@ use common::{ArgumentError, Color, argument};
 
 use crate::Surface;
 
-/// A Phong material and the share of its surroundings that it mirrors.
+/// A Phong material with a mirror reflectance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reflective {
     pub(crate) shiny: Phong,
@@ -15,8 +15,8 @@ pub struct Reflective {
 }
 
 impl Reflective {
-    /// A [`Phong`] material that also mirrors `reflection` of each channel: a
-    /// share from 0 to 1, or facing mirrors would make ever more light.
+    /// A [`Phong`] material with the mirror reflectance `reflection` in each
+    /// channel, from 0 to 1: otherwise facing mirrors would amplify light.
     pub fn new(
         diffuse: Color,
         specular: Color,
@@ -30,8 +30,8 @@ impl Reflective {
     }
 }
 
-/// The colour in the light of the lamps. The mirrored light comes once and after
-/// the sum over the lights, from the tracer.
+/// The colour in the light of the lamps. The tracer adds the mirrored light, once
+/// and after the sum over the lights.
 impl Material for Reflective {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         self.shiny.color_for(ray, hit, lighting)

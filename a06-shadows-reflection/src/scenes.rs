@@ -21,7 +21,7 @@ pub fn diagonal_camera(eye: f64) -> Result<Box<dyn Camera>, ArgumentError> {
     Ok(Box::new(PerspectiveCamera::new(e, g, t, FRAC_PI_4)?))
 }
 
-/// Where the camera is, in each coordinate.
+/// Each coordinate of the camera's position.
 const EYE: f64 = 8.0;
 
 fn floor() -> Result<Plane, ArgumentError> {

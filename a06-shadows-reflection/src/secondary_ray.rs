@@ -1,21 +1,21 @@
-//! `secondary_ray`: how a ray leaves a surface without meeting it again.
+//! `secondary_ray`: a ray that leaves a surface without hitting it again.
 //!
 //! A computed hit lies a little above or below its surface. From below, the
-//! surface would shade itself: acne. So the ray starts a little above, by as
-//! much as rounding can have moved the hit and not by a fixed length, which
-//! would be too much in a small scene and too little in a large one.
+//! surface would shadow itself: acne. So the origin of the ray is offset by a
+//! bound of the rounding error. A fixed length would be too much in a small
+//! scene and too little in a large one.
 
 use a02_math::{Direction, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 
-/// Units of rounding error that a hit is lifted by. The error of `o + t d` is a
-/// few units of the largest number in it; 64 leave room for the error of `t`.
+/// Ray offset along the normal, relative to the largest number in `o + t d`. The
+/// rounding error is a few epsilon; 64 include the error of `t`.
 const LIFT: f64 = 64.0 * f64::EPSILON;
 
 /// The ray that leaves the hit of `ray` in a direction of length 1: to a light,
-/// or reflected. It starts on that side of the surface to which it goes, moved
-/// along the normal, so that it clears the surface at grazing angles, too.
+/// or reflected. Its origin is offset along the normal, to the side of its
+/// direction, so that it clears the surface at grazing angles, too.
 ///
 /// (Physically Based Rendering, 4th edition, section 6.8, does the same with
 /// an error bound for each shape.)

@@ -33,7 +33,7 @@ pub fn stage() -> Stage {
     }
 }
 
-/// A scene that the recursive tracer shows. `shapes` hands its geometries to the engine.
+/// A scene for the recursive tracer. `shapes` translates its geometries for the engine.
 pub fn traced_scene(
     name: &'static str,
     about: &'static str,
@@ -69,7 +69,7 @@ pub fn traced_scene(
     })
 }
 
-/// The same camera and world, which count their work if it is to be counted.
+/// Camera and world with wrappers that count work, if the settings enable counting.
 fn counting((camera, world): View, settings: &Settings) -> Result<View, ArgumentError> {
     if !tally::is_on() {
         return Ok((camera, world));

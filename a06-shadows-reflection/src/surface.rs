@@ -1,11 +1,11 @@
-//! `Surface`: a material, and how much of its surroundings it mirrors.
+//! `Surface`: a material with a mirror reflectance.
 
 use a05_lighting::{Lambert, Material, Phong, SingleColor};
 use common::Color;
 
 /// A material that may mirror.
 pub trait Surface: Material {
-    /// The share of each channel that is mirrored.
+    /// The mirror reflectance in each channel.
     fn reflection(&self) -> Color {
         Color::BLACK
     }

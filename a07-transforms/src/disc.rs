@@ -1,4 +1,4 @@
-//! `Disc`: the part of a plane around a point.
+//! `Disc`: the part of a plane within a radius of a point.
 
 use a02_math::{Direction, Normal3, Point3};
 use a03_rays_cameras::Ray;
@@ -26,7 +26,7 @@ impl Disc {
 }
 
 /// A hit of the plane at a point `p` with `(p - c) · (p - c) ≤ r²`. Comparing
-/// squares needs no root, which would move the rim.
+/// squares avoids a square root, whose rounding would move the rim.
 impl Geometry for Disc {
     // ANCHOR: hit
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {

@@ -1,4 +1,4 @@
-//! Hands nodes and discs to the engine.
+//! Translates nodes and discs for the engine.
 
 use std::any::Any;
 
@@ -6,8 +6,8 @@ use a04_intersections::Geometry;
 
 use crate::{Disc, Mat4x4, Node, Transform};
 
-/// The shapes that a geometry of this stage, or of one below it, consists of. A node
-/// hands each of its children over under its transform.
+/// Adds the engine's shapes for a geometry of this stage or of a lower one. A node adds
+/// each of its children with its transform.
 pub fn shapes<'a>(geometry: &'a dyn Geometry, add: &mut dyn FnMut(engine::Shape<'a>)) {
     let any: &dyn Any = geometry;
     if let Some(boxed) = any.downcast_ref::<Box<dyn Geometry>>() {

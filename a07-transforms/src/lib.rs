@@ -1,7 +1,7 @@
-//! Assignment 7: objects moved, stretched and turned, and gathered in a tree.
+//! Assignment 7: translation, scaling and rotation of objects; the scene graph.
 //!
-//! A [`Transform`] moves the ray instead of the object; a [`Node`] is a geometry
-//! that does so for its children.
+//! A [`Transform`] transforms the ray instead of the object; a [`Node`] is a
+//! geometry that does this for its children.
 
 mod disc;
 pub mod fast;
@@ -21,7 +21,7 @@ pub use node::Node;
 pub use stage::stage;
 pub use transform::Transform;
 
-/// The code in this stage's chapter is tested with it.
+/// Tests the code in this stage's chapter.
 #[cfg(doctest)]
 #[doc = include_str!("../../book/src/a07-transforms.md")]
 mod book {}

@@ -1,4 +1,4 @@
-//! `Mat4x4`: sixteen numbers that turn, stretch and move.
+//! `Mat4x4`: sixteen numbers that rotate, scale and translate.
 
 use std::ops::Mul;
 
@@ -8,19 +8,19 @@ use glam::DMat4;
 /// A matrix of four rows and four columns.
 ///
 /// The fourth coordinate of a point is 1 and of a vector 0: the last column
-/// moves points, and leaves vectors where they are. The last row, which is
-/// (0, 0, 0, 1) in every movement, stretching and turn, is not applied.
+/// translates points, and does not change vectors. The last row is (0, 0, 0, 1)
+/// in every translation, scaling and rotation, and is not applied.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mat4x4(DMat4);
 
 impl Mat4x4 {
-    /// The matrix that changes nothing.
+    /// The identity matrix.
     pub const IDENTITY: Self = Self(DMat4::IDENTITY);
 
     /// A matrix, row by row as it is written on paper.
     #[must_use]
     pub fn from_rows(rows: [[f64; 4]; 4]) -> Self {
-        // glam counts by columns.
+        // glam stores matrices by columns.
         Self(DMat4::from_cols_array_2d(&rows).transpose())
     }
 
@@ -36,13 +36,13 @@ impl Mat4x4 {
         self.0
     }
 
-    /// Rows and columns exchanged.
+    /// The transposed matrix.
     #[must_use]
     pub fn transposed(self) -> Self {
         Self(self.0.transpose())
     }
 
-    /// Whether the magnitude of every entry is at most `limit`; NaN is not.
+    /// Whether the magnitude of every entry is at most `limit`; false for NaN.
     #[must_use]
     pub fn is_within(self, limit: f64) -> bool {
         self.0

@@ -5,15 +5,15 @@ use a04_intersections::{Geometry, Hit, Interval};
 
 use crate::Transform;
 
-/// A node of the scene graph: children that are moved together. As it is a
+/// A node of the scene graph: children with a common transform. As it is a
 /// geometry, it can be a child of another node.
 ///
-/// Nodes that move a long way and back again lose the digits in between, and a
-/// surface may then shade itself: what a node adds to the coordinates should
-/// not be much larger than the scene.
+/// A long translation and a second one back lose digits in between, and a
+/// surface may then shadow itself: the translation of a node should not be much
+/// larger than the scene.
 ///
-/// The world gives a node one surface, which all its children share. Objects of
-/// several surfaces take a node each, with the same transform.
+/// A node has one surface in the world, which all its children share. Objects of
+/// different surfaces need a node each, with the same transform.
 #[derive(Debug)]
 pub struct Node {
     pub(crate) transform: Transform,
@@ -30,7 +30,7 @@ impl Node {
         }
     }
 
-    /// This node and one more child.
+    /// This node with one more child.
     #[must_use]
     pub fn with(mut self, child: impl Geometry) -> Self {
         self.children.push(Box::new(child));
@@ -56,7 +56,7 @@ impl Geometry for Node {
 }
 
 impl Node {
-    /// The hit as the space around the node sees it.
+    /// The hit in the space around the node.
     fn as_seen_around(&self, hit: Hit) -> Option<Hit> {
         Some(Hit {
             t: hit.t,

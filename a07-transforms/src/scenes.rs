@@ -10,7 +10,7 @@ use crate::{Disc, Node, Transform};
 
 const UPWARDS: Normal3 = Normal3::new(0.0, 1.0, 0.0);
 
-/// A black world with a little light from everywhere and a lamp.
+/// A black world with a little ambient light and a lamp.
 fn lit_from(
     light: Point3,
     casts_shadows: bool,
@@ -21,7 +21,7 @@ fn lit_from(
         .lit_by(LightSource::new(light, casts_shadows)))
 }
 
-/// A sphere, stretched to an ellipsoid.
+/// A sphere, scaled to an ellipsoid.
 pub fn sphere_transformation() -> Result<View, ArgumentError> {
     let transform = Transform::IDENTITY.scale(6.0, 1.2, 4.0)?;
     let ellipsoid = Node::new(transform).with(Sphere::new(Point3::ORIGIN, 1.0)?);
@@ -31,7 +31,7 @@ pub fn sphere_transformation() -> Result<View, ArgumentError> {
     Ok((diagonal_camera(20.0)?, world))
 }
 
-/// A box, stretched and turned three times.
+/// A box, scaled and rotated three times.
 pub fn box_transformations() -> Result<View, ArgumentError> {
     let transform = Transform::IDENTITY
         .scale(4.0, 1.0, 8.0)?
@@ -47,9 +47,9 @@ pub fn box_transformations() -> Result<View, ArgumentError> {
 
 /// A disc on a mirroring plane.
 ///
-/// The protocol puts the disc into the plane, where both are hit at the same
-/// `t` and their order in the list decides which is seen. So the disc lies on
-/// the plane here, a thousandth above it.
+/// The protocol puts the disc into the plane. Both then have the same `t`, and
+/// their order in the list decides which is visible. So the disc lies a
+/// thousandth above the plane here.
 pub fn disc() -> Result<View, ArgumentError> {
     let half = Color::gray(0.5);
     let plane = Plane::new(Point3::ORIGIN, UPWARDS)?;

@@ -32,7 +32,7 @@ fn scene(
     about: &'static str,
     view: fn() -> Result<View, ArgumentError>,
 ) -> Scene {
-    // The engine counts by itself.
+    // The engine has counters of its own.
     let counted_view = move |settings: &Settings| {
         let (camera, world) = view()?;
         if tally::is_on() && settings.renderer != Renderer::Engine {

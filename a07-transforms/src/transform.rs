@@ -1,7 +1,7 @@
 //! `Transform`: a matrix and its inverse, built side by side.
 //!
-//! Every elementary step has an inverse that is known exactly. Multiplying
-//! those keeps the digits that inverting the finished matrix would lose.
+//! Every elementary step has a known inverse. The product of these inverses is
+//! more accurate than the inverse of the finished matrix.
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
@@ -9,15 +9,15 @@ use common::{ArgumentError, argument};
 
 use crate::Mat4x4;
 
-/// Up to here the square of a direction that the matrix has stretched is a
-/// number.
+/// Largest magnitude of an entry. Up to here the square of a transformed
+/// direction does not overflow.
 const LARGEST_ENTRY: f64 = 1e150;
 
-/// A chain of movements, stretchings and turns.
+/// A chain of translations, scalings and rotations.
 ///
-/// A chained call applies to the object before those written to its left:
-/// `Transform::IDENTITY.translate(..)?.rotate_x(..)?` first turns the object and
-/// then moves it. The calls read from the outside inwards.
+/// A chained call applies to the object before the calls to its left:
+/// `Transform::IDENTITY.translate(..)?.rotate_x(..)?` first rotates the object
+/// and then translates it. The calls read from the outside inwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transform {
     m: Mat4x4,
@@ -25,25 +25,25 @@ pub struct Transform {
 }
 
 impl Transform {
-    /// The transform that changes nothing.
+    /// The identity transform.
     pub const IDENTITY: Self = Self {
         m: Mat4x4::IDENTITY,
         i: Mat4x4::IDENTITY,
     };
 
-    /// From the space of the object to that around it.
+    /// The matrix from the space of the object to the space around it.
     #[must_use]
     pub const fn matrix(&self) -> Mat4x4 {
         self.m
     }
 
-    /// From the space around the object to its own.
+    /// The matrix from the space around the object to its own space.
     #[must_use]
     pub const fn inverse(&self) -> Mat4x4 {
         self.i
     }
 
-    /// Moves by the coordinates of a point.
+    /// Translates by the coordinates of a point.
     pub fn translate(self, to: Point3) -> Result<Self, ArgumentError> {
         let to = to.checked("translation")?;
         let (x, y, z) = (to.x(), to.y(), to.z());
@@ -58,8 +58,8 @@ impl Transform {
         self.chain(by(x, y, z), by(-x, -y, -z))
     }
 
-    /// Stretches along the axes. A negative factor mirrors; the magnitude of
-    /// each is from 1e-100 to 1e100, because nothing can be flat and come back.
+    /// Scales along the axes. A negative factor mirrors; the magnitude of each is
+    /// from 1e-100 to 1e100, because a factor of 0 has no inverse.
     pub fn scale(self, x: f64, y: f64, z: f64) -> Result<Self, ArgumentError> {
         for (name, factor) in [("scale x", x), ("scale y", y), ("scale z", z)] {
             let valid = argument::length(name, factor.abs()).is_ok();
@@ -77,7 +77,7 @@ impl Transform {
         self.chain(by(x, y, z), by(1.0 / x, 1.0 / y, 1.0 / z))
     }
 
-    /// Turns about the x axis by an angle in radians, from y towards z.
+    /// Rotates about the x axis by an angle in radians, from y towards z.
     pub fn rotate_x(self, angle: f64) -> Result<Self, ArgumentError> {
         self.rotate(angle, |sin, cos| {
             [
@@ -89,7 +89,7 @@ impl Transform {
         })
     }
 
-    /// Turns about the y axis by an angle in radians, from z towards x.
+    /// Rotates about the y axis by an angle in radians, from z towards x.
     pub fn rotate_y(self, angle: f64) -> Result<Self, ArgumentError> {
         self.rotate(angle, |sin, cos| {
             [
@@ -101,7 +101,7 @@ impl Transform {
         })
     }
 
-    /// Turns about the z axis by an angle in radians, from x towards y.
+    /// Rotates about the z axis by an angle in radians, from x towards y.
     pub fn rotate_z(self, angle: f64) -> Result<Self, ArgumentError> {
         self.rotate(angle, |sin, cos| {
             [
@@ -113,7 +113,7 @@ impl Transform {
         })
     }
 
-    /// A rotation is undone by its transpose.
+    /// The inverse of a rotation is its transpose.
     fn rotate(
         self,
         angle: f64,
@@ -124,8 +124,8 @@ impl Transform {
         self.chain(rotation, rotation.transposed())
     }
 
-    /// `m' = m T` and, the other way round, `i' = T⁻¹ i`: what is done last is
-    /// undone first.
+    /// `m' = m T` and, in the opposite order, `i' = T⁻¹ i`: the inverse undoes the
+    /// last step first.
     // ANCHOR: chain
     fn chain(self, t: Mat4x4, t_inverse: Mat4x4) -> Result<Self, ArgumentError> {
         let chained = Self {
@@ -144,10 +144,10 @@ impl Transform {
     }
     // ANCHOR_END: chain
 
-    /// The ray as the object sees it: `o' = i o`, `d' = i d`.
+    /// The ray in the space of the object: `o' = i o`, `d' = i d`.
     ///
-    /// Its direction is not brought back to length 1: so `t` means the same
-    /// outside of the object and within, and hits can be compared.
+    /// Its direction is not brought back to length 1: so `t` has the same value
+    /// in both spaces, and hits can be compared.
     #[must_use]
     // ANCHOR: ray
     pub fn ray_to_object(&self, ray: &Ray) -> Ray {
@@ -155,11 +155,11 @@ impl Transform {
     }
     // ANCHOR_END: ray
 
-    /// A normal of the object as the space around it sees it:
-    /// `n' = transpose(i) n`, brought to length 1.
+    /// A normal of the object in the space around it: `n' = transpose(i) n`,
+    /// brought to length 1.
     ///
-    /// Moved like a vector it would not stay perpendicular where the object is
-    /// stretched. None if rounding leaves nothing of it.
+    /// Transformed like a vector it would not stay perpendicular to a scaled
+    /// object. `None` if the result is 0 or not finite.
     #[must_use]
     // ANCHOR: normal
     pub fn normal_from_object(&self, n: Normal3) -> Option<Normal3> {

@@ -7,7 +7,6 @@
 pub mod caption;
 pub mod changes;
 pub mod chapter;
-pub mod dependency;
 mod files;
 mod heading;
 pub mod include;

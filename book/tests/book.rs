@@ -1,6 +1,6 @@
 //! The book and the crates say the same.
 
-use book::{Files, caption, changes, chapter, dependency, include, link, picture, section};
+use book::{Files, caption, changes, chapter, include, link, picture, section};
 
 /// Fails with all complaints of a check about this repository.
 fn check(complaints: fn(&Files) -> Vec<String>) {
@@ -41,9 +41,4 @@ fn every_section_of_the_protocols_has_its_place() {
 #[test]
 fn every_stage_says_what_it_adds() {
     check(changes::complaints);
-}
-
-#[test]
-fn every_dependency_has_its_reason() {
-    check(dependency::complaints);
 }

@@ -1,7 +1,7 @@
 //! Error against bytes: what does a saved picture lose as JPEG?
 //!
-//! PNG keeps every byte of a picture. JPEG keeps what the eye sees of a
-//! photograph in fewer bytes, and pictures of a ray tracer are none.
+//! PNG keeps every byte of a picture. JPEG needs fewer bytes by removing details
+//! that are invisible in photographs, but visible in pictures of a ray tracer.
 
 use std::rc::Rc;
 
@@ -22,7 +22,7 @@ pub fn experiments() -> Vec<Experiment<'static>> {
     ]
 }
 
-/// The picture of a scene, saved at all qualities.
+/// An experiment that saves the picture of a scene at all qualities.
 fn saving(name: &'static str, scene: &'static str) -> Experiment<'static> {
     let curves = move |_| {
         let Some(saved) = Picture::of(scene).map(Rc::new) else {
@@ -59,7 +59,7 @@ const LOSES: &str =
 
 #[derive(Clone, Copy)]
 enum File {
-    /// With a quality from 1 to 100.
+    /// JPEG with a quality from 1 to 100.
     Jpeg(u8),
     Png,
 }
@@ -93,7 +93,7 @@ impl Picture {
         Ok(bytes)
     }
 
-    /// The measurement of a file, which is opened again for it.
+    /// The measurement of a file, which is decoded again.
     fn point(self: &Rc<Self>, file: File) -> Option<Point<'static>> {
         let bytes = self.encoded(file).ok()?;
         let opened = image::load_from_memory(&bytes).ok()?.into_rgb8();

@@ -1,8 +1,8 @@
-//! `Command`: what a person can tell the window, by key or by menu.
+//! `Command`: the commands of the window, by key or by menu.
 
 use minifb::Key;
 
-/// What a person can tell the window.
+/// A command of the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Command {
     Save,
@@ -25,11 +25,11 @@ pub enum Command {
     Choose,
 }
 
-/// The keys, as the help line tells them.
+/// The keys, for the help line.
 pub const HELP: &str = "S save  Esc close  <- -> scenes  I inspect  + - 0 zoom  F10 menu  H help";
 
 impl Command {
-    /// What a key means, with or without Ctrl.
+    /// The command of a key, with or without Ctrl.
     pub const fn of_key(key: Key, ctrl: bool) -> Option<Self> {
         Some(match (key, ctrl) {
             (Key::S, _) => Self::Save,
@@ -48,7 +48,7 @@ impl Command {
         })
     }
 
-    /// What a character means. Where `+` and `-` lie depends on the keyboard.
+    /// The command of a character. The keys of `+` and `-` depend on the keyboard.
     pub const fn of_character(character: char) -> Option<Self> {
         Some(match character {
             '+' | '=' => Self::ZoomIn,

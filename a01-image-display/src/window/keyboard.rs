@@ -1,4 +1,4 @@
-//! `Keyboard`: collects what is typed until the window asks for it.
+//! `Keyboard`: collects key presses until the window reads them.
 //!
 //! The window's own list of keys forgets one that is pressed and released
 //! between two updates; its callback does not.
@@ -10,7 +10,7 @@ use minifb::{InputCallback, Key};
 
 use super::command::Command;
 
-/// What has been typed.
+/// The collected key presses.
 #[derive(Clone, Default)]
 pub struct Keyboard(Rc<RefCell<Typed>>);
 

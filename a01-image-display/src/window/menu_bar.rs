@@ -20,11 +20,11 @@ const WIDTH: i32 = 200;
 /// An item of the menu.
 #[derive(Clone, Copy, Debug)]
 pub struct Item {
-    /// What it says.
+    /// The text of the item.
     pub label: &'static str,
     /// The key that does the same.
     key: &'static str,
-    /// What it does.
+    /// The command of the item.
     pub command: Command,
 }
 

@@ -105,7 +105,7 @@ impl Placement {
         ));
         let over = cursor.filter(|(x, y)| self.pixel(*x, *y).is_some());
         let (to_x, to_y) = over.map_or((x, y), |(x, y)| self.place(middle_of(x, y)));
-        // What lies under the cursor stays there if the middle moves towards it.
+        // The point under the cursor stays there if the middle moves towards it.
         let share = self.scale / f64::from(factor);
         let middle = (to_x + (x - to_x) * share, to_y + (y - to_y) * share);
         Zoom::Factor(factor, middle)

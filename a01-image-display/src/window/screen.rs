@@ -50,7 +50,7 @@ pub struct Screen {
     notice: Option<(String, Instant)>,
 }
 
-/// What decides whether the window must be drawn again.
+/// The state that is visible in the window. If it changes, the window is redrawn.
 #[derive(PartialEq)]
 struct Look {
     rows: Option<u32>,

@@ -1,7 +1,7 @@
 //! Error against the task's difficulty: angles, linear systems, and lengths.
 //!
-//! The inputs are made of numbers with few binary digits, so that what is
-//! asked for is known exactly and only the method rounds.
+//! The inputs are numbers with few binary digits, so that the solution is known
+//! exactly and only the method rounds.
 
 mod angles;
 mod exact;

@@ -1,5 +1,5 @@
 //! Stiff and extreme cases of vectors, angles and linear systems. Exact values
-//! are those of the given doubles, from 60 digits or from fractions.
+//! are computed from the given doubles, with 60 digits or with fractions.
 
 mod angles;
 mod lengths;

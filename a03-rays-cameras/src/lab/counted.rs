@@ -5,14 +5,14 @@ use measure::tally::{self, Work};
 
 use crate::{Camera, Ray};
 
-/// A camera that counts its rays, and the two random numbers of each where
-/// sampling is random.
+/// A camera that counts its rays, and two random numbers for each if sampling is
+/// random.
 struct Counted {
     camera: Box<dyn Camera>,
     random_numbers: u64,
 }
 
-/// This camera, counting the work of a rendering with these settings.
+/// Wraps this camera to count the work of a rendering with these settings.
 #[must_use]
 pub fn camera(camera: Box<dyn Camera>, settings: &Settings) -> Box<dyn Camera> {
     Box::new(Counted {

@@ -1,9 +1,8 @@
-//! Error against work: where in a pixel should its samples lie, and how should
-//! they be summed?
+//! Error against work: methods to place the samples in a pixel, and to sum them.
 //!
-//! The same samplers meet three kinds of pixel, for a place that is good for
-//! one kind may be poor for another. Every pixel's mean is known in closed
-//! form, so that nothing is compared with more of the same samples.
+//! All samplers are tested on three kinds of pixels, because positions that are
+//! good for one kind may be poor for another. Every pixel's mean has a closed
+//! form, so no reference picture with more samples is needed.
 
 mod adaptive;
 mod coverage;
@@ -47,15 +46,15 @@ pub fn experiments() -> Vec<Experiment<'static>> {
     ]
 }
 
-/// A picture of which each pixel's mean is known.
+/// A picture with the known mean of each pixel.
 struct Task {
-    /// The light at a place of the picture, in pixels.
+    /// Radiance at a position of the picture, in pixels.
     radiance: fn(f64, f64) -> f64,
-    /// Pixels that are not trivial, with their means.
+    /// The pixels that are not constant, with their means.
     pixels: Vec<(u32, u32, f64)>,
 }
 
-/// Pixels of which some part is light and some is dark.
+/// Whether a part of the pixel is light and a part is dark.
 fn is_edge((_, _, mean): &(u32, u32, f64)) -> bool {
     (1e-9..1.0 - 1e-9).contains(mean)
 }
@@ -90,7 +89,7 @@ fn smooth_shading() -> Task {
     }
 }
 
-/// An experiment with all samplers; the slopes are theirs, in this order.
+/// An experiment with all samplers, and their slopes in the same order.
 fn samples(
     name: &'static str,
     about: &'static str,

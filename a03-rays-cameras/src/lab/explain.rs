@@ -5,7 +5,7 @@ use common::{Bound, Plan, Settings};
 
 use crate::Sampler;
 
-/// The rays from the camera.
+/// The plan of the rays from the camera.
 #[must_use]
 pub fn samples(settings: &Settings) -> Plan {
     if let Some(error) = settings.max_error {
@@ -26,7 +26,7 @@ pub fn samples(settings: &Settings) -> Plan {
     }
 }
 
-/// The striped sky.
+/// The plan of the striped sky.
 #[must_use]
 pub fn sky(settings: &Settings) -> Plan {
     samples(settings).without(

@@ -6,11 +6,11 @@ use measure::tally::{self, Work};
 
 use crate::{Geometry, Hit, Interval, World};
 
-/// A geometry that counts how many rays are tested against it.
+/// A geometry that counts the rays tested against it.
 #[derive(Debug)]
 struct Counted(Box<dyn Geometry>);
 
-/// This geometry, counting intersection tests.
+/// Wraps this geometry to count intersection tests.
 #[must_use]
 pub fn geometry(geometry: Box<dyn Geometry>) -> Box<dyn Geometry> {
     Box::new(Counted(geometry))
@@ -23,7 +23,7 @@ impl Geometry for Counted {
     }
 }
 
-/// The same world, counting intersection tests.
+/// Wraps the geometries of a world to count intersection tests.
 pub fn world<S>(world: World<S>) -> Result<World<S>, ArgumentError> {
     let empty = World::new(world.background())?;
     let objects = world.into_objects().into_iter();

@@ -1,5 +1,5 @@
-//! Where rays meet shapes, to about 30 digits of what the given doubles say:
-//! the reference that formulas in doubles are held against.
+//! Intersections of rays and shapes with about 30 digits, for the given doubles:
+//! the reference for formulas in double precision.
 //!
 //! The tests compare it with values of mpmath at 200 digits.
 
@@ -26,16 +26,16 @@ fn cross(a: &[Number; 3], b: &[Number; 3]) -> [Number; 3] {
     ]
 }
 
-/// A ray and a sphere.
+/// The intersection of a ray and a sphere.
 #[derive(Clone, Copy, Debug)]
 pub struct SphereMeeting {
-    /// How near the ray comes to the centre.
+    /// Distance of the ray from the centre.
     pub distance: f64,
-    /// Both roots, in order, if there are any.
+    /// Both roots, in order, if the ray hits the sphere.
     pub roots: Option<[Number; 2]>,
 }
 
-/// Where the ray `o + t d` meets the sphere around `c` of radius `r`.
+/// Intersection of the ray `o + t d` with the sphere around `c` of radius `r`.
 pub fn sphere(c: &[f64; 3], r: f64, o: &[f64; 3], d: &[f64; 3]) -> SphereMeeting {
     let (f, d) = (difference(o, c), d.map(Number::from));
     let a = dot(&d, &d);
@@ -53,13 +53,13 @@ pub fn sphere(c: &[f64; 3], r: f64, o: &[f64; 3], d: &[f64; 3]) -> SphereMeeting
     }
 }
 
-/// Where the ray `o + t d` meets the plane through `a` perpendicular to `n`.
+/// The `t` of the ray `o + t d` at the plane through `a` perpendicular to `n`.
 pub fn plane(a: &[f64; 3], n: &[f64; 3], o: &[f64; 3], d: &[f64; 3]) -> Number {
     let n = n.map(Number::from);
     dot(&difference(a, o), &n) / dot(&d.map(Number::from), &n)
 }
 
-/// `t`, β and γ of where the ray `o + t d` meets the plane of a triangle.
+/// `t`, β and γ of the ray `o + t d` at the plane of a triangle.
 pub fn triangle([a, b, c]: &[[f64; 3]; 3], o: &[f64; 3], d: &[f64; 3]) -> [Number; 3] {
     let [ab, ac, ao] = [b, c, o].map(|point| difference(point, a));
     let d = d.map(Number::from);

@@ -1,4 +1,4 @@
-//! Error against run time of the formulas that rays meet shapes by.
+//! Error against run time of the intersection formulas.
 
 pub mod aimed_box;
 pub mod icosphere;
@@ -22,7 +22,7 @@ pub fn experiments() -> Vec<Experiment<'static>> {
     ]
 }
 
-/// A slope that must be met to a twentieth.
+/// A slope with a tolerance of 0.05.
 const fn slope(expected: f64, between: (f64, f64)) -> Slope {
     Slope {
         expected,

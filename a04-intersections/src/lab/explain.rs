@@ -6,13 +6,13 @@ use common::{Color, Plan, Settings};
 
 use crate::World;
 
-/// A plan and the objects of a world.
+/// Adds the objects of a world to a plan.
 #[must_use]
 pub fn objects<S>(plan: Plan, world: &World<S>) -> Plan {
     plan.needing(format!("objects: {}", world.len()))
 }
 
-/// A world of colours.
+/// The plan of a world of colours.
 #[must_use]
 pub fn colors(world: &World<Color>, settings: &Settings) -> Plan {
     objects(explain::samples(settings), world).without(

@@ -1,7 +1,7 @@
 //! Stiff and extreme cases of rays and shapes. Exact values were computed with
 //! mpmath at 1200 bits from the doubles given, or follow from closed forms.
 //!
-//! Tables are laid out by hand, so that a row is read as a row.
+//! Tables are formatted by hand, with one row on a line.
 
 mod axis_aligned_box;
 mod color;
@@ -51,27 +51,27 @@ const fn vector([x, y, z]: Triple) -> Vector3 {
     Vector3::new(x, y, z)
 }
 
-/// The ray as a scene makes it.
+/// The ray as in a scene, with a direction of length 1.
 fn unit_ray((o, d): Line) -> Result<Ray, ArgumentError> {
     Ray::new(point(o), vector(d))
 }
 
-/// The ray as the protocol makes it: unchecked.
+/// The ray as in the protocol: unchecked.
 const fn raw_ray((o, d): Line) -> Ray {
     Ray::derived(point(o), vector(d))
 }
 
-/// The ray of a scene; unchecked where a scene would refuse it.
+/// The ray as in a scene, or unchecked if `Ray::new` refuses it.
 fn any_ray(line: Line) -> Ray {
     unit_ray(line).unwrap_or(raw_ray(line))
 }
 
-/// Where a ray meets a shape first.
+/// The `t` of a ray's nearest hit of a shape.
 fn first(shape: &impl Geometry, ray: &Ray) -> Option<f64> {
     shape.hit(ray, Interval::AHEAD).map(|hit| hit.t)
 }
 
-/// The same as an outcome, whatever could not be built.
+/// The `t` of the nearest hit as an outcome, or the error of a constructor.
 fn meeting<G: Geometry>(shape: Result<G, ArgumentError>, line: Line) -> Outcome {
     let met = || Ok::<_, ArgumentError>(first(&shape?, &unit_ray(line)?));
     met().into()

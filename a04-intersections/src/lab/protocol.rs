@@ -11,13 +11,13 @@ use a03_rays_cameras::Ray;
 
 use crate::lab::real::{Real, difference, dot};
 
-/// What a distance must reach for the triangle and exceed for box and sphere:
-/// a fixed number, as if all scenes were of one size and all directions of
+/// Least distance of a hit, included for the triangle and excluded for box and
+/// sphere: a fixed number, as if all scenes had the same size and all directions
 /// length 1.
 pub const NEAREST: f64 = 0.001;
 
-/// The plane. `t > 0` does not keep a ray from meeting the plane that it
-/// leaves, and lets an infinite `t` pass.
+/// The plane. With `t > 0` a ray can hit the plane that it leaves, and an infinite
+/// `t` is accepted.
 pub fn plane(a: Point3, n: Normal3, ray: &Ray) -> Option<f64> {
     let across = ray.direction().dot(n);
     if across == 0.0 {
@@ -27,18 +27,19 @@ pub fn plane(a: Point3, n: Normal3, ray: &Ray) -> Option<f64> {
     (t > 0.0).then_some(t)
 }
 
-/// Which coordinates of a point on a face are compared with the corners of the
-/// box: the protocol's text can be read both ways.
+/// The coordinates of a point on a face that are compared with the corners of the
+/// box: the protocol's text allows both readings.
 #[derive(Clone, Copy, Debug)]
 pub enum Compared {
-    /// All three, also the one that is that of the face up to rounding.
+    /// All three, including the coordinate of the face, which is only right up to
+    /// rounding.
     Three,
-    /// The two within the face.
+    /// The two coordinates within the face.
     Two,
 }
 
-/// The box of six planes. The computed point is compared exactly, so that
-/// rounding takes faces away; corners in the wrong order make an empty box.
+/// The box of six planes. The computed point is compared exactly, so that faces
+/// disappear by rounding; corners in the wrong order make an empty box.
 pub fn axis_aligned_box(lbf: Point3, run: Point3, ray: &Ray, compared: Compared) -> Option<f64> {
     let mut nearest: Option<f64> = None;
     for axis in 0..3 {
@@ -60,15 +61,15 @@ pub fn axis_aligned_box(lbf: Point3, run: Point3, ray: &Ray, compared: Compared)
     nearest
 }
 
-/// What a triangle demands of β and γ by the word of the text: a sum of exactly
-/// 1, which only the edge between b and c has.
+/// The text's literal condition for β and γ: a sum of exactly 1, which is true only
+/// on the edge between b and c.
 pub fn is_inside_by_the_text(beta: f64, gamma: f64) -> bool {
     beta > 0.0 && gamma > 0.0 && beta + gamma == 1.0
 }
 
-/// The triangle by Cramer's rule. The determinant is compared with 0, not with
-/// the rounding of its own sum; rounding up β + γ takes away corner a, where
-/// the sum is 0; neighbours round it differently, and rays slip through.
+/// The triangle by Cramer's rule. The determinant is compared with 0, not with its
+/// rounding error; rounding up β + γ excludes corner a, where the sum is 0;
+/// neighbours round it differently, and rays pass between them.
 pub fn triangle(&[a, b, c]: &[Point3; 3], ray: &Ray) -> Option<f64> {
     let (ab, ac, d) = (a - b, a - c, ray.direction());
     let system = Mat3x3::from_rows([
@@ -96,9 +97,9 @@ pub fn interpolated_normal([a, b, c]: [Normal3; 3], beta: f64, gamma: f64) -> No
 }
 
 /// The sphere of centre, radius, origin and direction. Discriminant and roots
-/// cancel. The root is drawn before the sign is tested, and comparisons that
-/// happen to be false for NaN keep it out, but not from the last branch: that
-/// can only run for the direction 0, and returns NaN.
+/// cancel. The root is taken before the sign is tested. Comparisons with NaN are
+/// false and exclude it, except in the last branch, which runs only for the
+/// direction 0 and returns NaN.
 pub fn sphere<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> Option<F> {
     let nearest = F::from(0.001);
     let [a, b, discriminant] = sphere_terms(c, r, o, d);
@@ -129,7 +130,7 @@ pub fn sphere_terms<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> [F; 3]
     [a, b, b * b - F::from(4.0) * a * c]
 }
 
-/// A channel from 0 to 1 as the number of a byte, as Java casts it: cut off
+/// A channel from 0 to 1 as the value of a byte, as Java casts it: truncated
 /// instead of rounded, and not clamped.
 pub fn byte(channel: f64) -> i32 {
     (channel * 255.0) as i32

@@ -1,5 +1,5 @@
-//! `Real`: what a formula needs of a number, so that it can be tried in single
-//! and in double precision.
+//! `Real`: the operations of numbers in formulas, for single and for double
+//! precision.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -1,6 +1,6 @@
 //! Lighting that leaves nothing out, for the comparison with the lesson: every
-//! material takes the light of all lights, and every light on a Phong material
-//! takes a power.
+//! material computes the light of all lights, and every light on a Phong material
+//! a power.
 
 use std::cell::Cell;
 use std::hint::black_box;
@@ -15,7 +15,7 @@ use crate::lab::highlight::{as_phong, takes_power};
 use crate::power::power;
 use crate::{Illumination, Lighting, LitWorld, Material, Phong};
 
-/// The same world, whose materials do all work. Its colours are the same.
+/// Wraps the materials of a world to do all work. The colours do not change.
 pub fn world(world: LitWorld) -> Result<LitWorld, ArgumentError> {
     decorated(
         world,
@@ -35,7 +35,7 @@ impl Material for AllWork {
     }
 }
 
-/// The colour that a material has in this light, after all work has been done.
+/// The colour of a material in this light, computed with all work.
 /// `phong` is the material as a Phong material, if it is one.
 pub fn shade(
     phong: Option<&Phong>,
@@ -56,7 +56,7 @@ pub fn shade(
     color
 }
 
-/// The same light, which also takes the powers that a material leaves out.
+/// A wrapper of a light that also computes the powers that a material skips.
 struct AllLights<'a> {
     phong: Option<&'a Phong>,
     lighting: &'a dyn Lighting,

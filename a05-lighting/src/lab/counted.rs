@@ -9,7 +9,7 @@ use crate::lab::decorated::decorated;
 use crate::lab::highlight::{as_phong, takes_power};
 use crate::{Illumination, Lighting, LitWorld, Material, Phong};
 
-/// The same world, counting intersection tests and powers.
+/// Wraps the objects of a world to count intersection tests and powers.
 pub fn world(world: LitWorld) -> Result<LitWorld, ArgumentError> {
     decorated(world, counted::geometry, |material| {
         Box::new(Counted(material)) as _
@@ -27,8 +27,8 @@ impl Material for Counted {
     }
 }
 
-/// The colour that a material has in this light, counting the powers that it
-/// takes. `phong` is the material as a Phong material, if it is one.
+/// The colour of a material in this light, with its powers counted. `phong` is the
+/// material as a Phong material, if it is one.
 pub fn counted_powers(
     phong: Option<&Phong>,
     lighting: &dyn Lighting,
@@ -40,7 +40,7 @@ pub fn counted_powers(
     }
 }
 
-/// The light for a Phong material, which counts the powers that it takes.
+/// The light for a Phong material, with its powers counted.
 struct CountedLights<'a> {
     phong: &'a Phong,
     lighting: &'a dyn Lighting,

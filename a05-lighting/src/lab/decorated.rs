@@ -5,8 +5,8 @@ use common::ArgumentError;
 
 use crate::LitWorld;
 
-/// The same world and lights, with these functions of its geometries and
-/// surfaces in their places.
+/// The world with the same lights, and with its geometries and surfaces replaced
+/// by these functions of them.
 pub fn decorated<S, T, L>(
     world: LitWorld<S, L>,
     geometry: impl Fn(Box<dyn Geometry>) -> Box<dyn Geometry>,

@@ -10,7 +10,7 @@ use common::{Plan, Settings};
 use crate::lab::highlight::as_phong;
 use crate::{LitWorld, SingleColor};
 
-/// A scene of this stage.
+/// The plan of a scene of this stage.
 #[must_use]
 pub fn scene(world: &LitWorld, settings: &Settings) -> Plan {
     let plan = objects(samples(settings), world.objects());
@@ -22,7 +22,7 @@ pub fn scene(world: &LitWorld, settings: &Settings) -> Plan {
     )
 }
 
-/// A plan and the shading of these materials, of which `shiny` have a highlight.
+/// Adds the shading of these materials to a plan; `shiny` of them have a highlight.
 #[must_use]
 pub fn shading(plan: Plan, lights: usize, materials: &[&dyn Any], shiny: usize) -> Plan {
     let mut plan = plan.needing(format!("lights: {lights}"));

@@ -1,4 +1,4 @@
-//! When a Phong material takes a power, for the count of powers.
+//! `takes_power`: whether a Phong material computes a power, to count powers.
 
 use std::any::Any;
 
@@ -9,12 +9,12 @@ use common::Color;
 
 use crate::{Illumination, Phong};
 
-/// The Phong material that a material is, if it is one.
+/// The material as a Phong material, if it is one.
 pub fn as_phong(material: &dyn Any) -> Option<&Phong> {
     material.downcast_ref()
 }
 
-/// Whether a Phong material takes a power for this light: Phong's condition.
+/// Whether a Phong material computes a power for this light: Phong's condition.
 pub fn takes_power(phong: &Phong, ray: &Ray, hit: &Hit, light: &Illumination) -> bool {
     let (e, l) = (-ray.direction(), light.direction);
     let is_mirrored = hit.normal.dot(l) > 0.0 && e.dot(l.reflected_on(hit.normal)) > 0.0;

@@ -1,6 +1,5 @@
-//! The formulas of the protocol as it prints them, mistakes included. The
-//! tables hold them against what is right, and only pictures of the mistakes
-//! are rendered with them.
+//! The formulas of the protocol as it prints them, mistakes included. They
+//! are only for comparison, and to render pictures of the mistakes.
 
 #![expect(
     clippy::must_use_candidate,
@@ -9,8 +8,8 @@
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 
-/// Wrong: a cosine above 1 or below -1, by rounding, has no arc. For then the
-/// angle is NaN, which is not greater than anything: lit.
+/// Wrong: if rounding makes the cosine greater than 1 or less than -1, the angle is
+/// NaN. Comparisons with NaN are false, so the point counts as lit.
 pub fn spot_light_illuminates(
     position: Point3,
     direction: Vector3,
@@ -23,12 +22,12 @@ pub fn spot_light_illuminates(
     !is_outside
 }
 
-/// Wrong: the text takes the cosine where the program takes the arc cosine.
+/// Wrong: the text prints the cosine, the program computes the arc cosine.
 pub fn angle(a: Vector3, b: Vector3) -> f64 {
     libm::cos(a.dot(b) / (a.magnitude() * b.magnitude()))
 }
 
-/// Wrong: asks for a position, which a light from far away has not.
+/// Wrong: uses a position, which a directional light does not have.
 pub fn directional_light_illuminates(position: Point3, point: Point3) -> bool {
     (position - point).magnitude() > 0.00001
 }
@@ -36,22 +35,22 @@ pub fn directional_light_illuminates(position: Point3, point: Point3) -> bool {
 /// Wrong: by the text the light always comes from above.
 pub const DIRECTIONAL_LIGHT_FROM: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 
-/// The cosine for a light at a position. Where the way is longer than numbers
-/// can be squared it is dark.
+/// The cosine for a light at a position. It is 0 if the squared distance
+/// overflows.
 pub fn lambert(n: Normal3, position: Point3, point: Point3) -> f64 {
     let way = position - point;
     n.dot(way * (1.0 / way.magnitude())).max(0.0)
 }
 
-/// Wrong: 0 to the power of 0 is 1, so does NaN to the power of 0, and a cosine
-/// just above 1 has no bound. Surfaces turned away from the light shine, too.
+/// Wrong: 0 and NaN to the power of 0 are 1, and the power of a cosine just above
+/// 1 is unbounded. Surfaces that face away from the light have highlights, too.
 pub fn highlight(cosine: f64, exponent: f64) -> f64 {
     libm::pow(cosine.max(0.0), exponent)
 }
 
-/// Wrong: the surface colour `cr` stands before the highlight, too, so that
-/// there is none in channels that the surface does not have; and there is one
-/// light, where the sum over all should stand.
+/// Wrong: the surface colour `cr` is a factor of the highlight, too, so that there
+/// is no highlight in channels in which the surface is black; and there is one
+/// light instead of the sum over all lights.
 pub fn phong(cr: f64, ca: f64, cl: f64, n_l: f64, highlight: f64) -> f64 {
     cr * (ca + cl * n_l.max(0.0) + cl * highlight)
 }

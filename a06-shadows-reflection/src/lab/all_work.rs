@@ -12,8 +12,8 @@ use crate::lab::shiny::as_phong;
 use crate::shadow::BEFORE_THE_LIGHT;
 use crate::{ShadowedWorld, Surface, secondary_ray};
 
-/// The same world, whose surfaces do all work. Its colours are the same in the
-/// light of a [`NaiveTracer`].
+/// Wraps the surfaces of a world to do all work. With a [`NaiveTracer`] the colours
+/// do not change.
 pub fn world(world: ShadowedWorld) -> Result<ShadowedWorld, ArgumentError> {
     decorated(
         world,
@@ -39,8 +39,8 @@ impl Surface for AllWork {
     }
 }
 
-/// The same light without that from behind the surface, which the lesson does
-/// not hand to materials.
+/// A wrapper of the lighting without light from behind the surface, which the
+/// lesson does not pass to materials.
 struct FromTheFront<'a>(&'a dyn Lighting);
 
 impl Lighting for FromTheFront<'_> {
@@ -58,7 +58,7 @@ impl Lighting for FromTheFront<'_> {
     }
 }
 
-/// Finds the same colours as [`RecursiveTracer`](crate::RecursiveTracer), in a
+/// Computes the same colours as [`RecursiveTracer`](crate::RecursiveTracer), in a
 /// [`world`] that does all work.
 #[derive(Clone, Copy, Debug)]
 pub struct NaiveTracer<'a> {
@@ -72,7 +72,7 @@ impl<'a> NaiveTracer<'a> {
         Self { world }
     }
 
-    /// The colour that a ray brings back which may meet `depth` surfaces.
+    /// The colour that a ray brings back if it may hit `depth` surfaces in turn.
     #[must_use]
     pub fn trace(&self, ray: &Ray, depth: u32) -> Color {
         let mut ray = *ray;

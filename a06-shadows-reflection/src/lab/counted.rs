@@ -1,5 +1,5 @@
 //! Counts shadow rays, reflected rays and powers, by wrappers around the objects
-//! and a geometry that sees every search of the world.
+//! and a geometry that is tested in every search of the world.
 
 use std::cell::Cell;
 
@@ -20,7 +20,7 @@ thread_local! {
     static IS_SHADING: Cell<bool> = const { Cell::new(false) };
 }
 
-/// This camera, counting the work of a rendering with these settings.
+/// Wraps this camera to count the work of a rendering with these settings.
 #[must_use]
 pub fn camera(camera: Box<dyn Camera>, settings: &Settings) -> Box<dyn Camera> {
     Box::new(MarkedCamera(a03_rays_cameras::counted::camera(
@@ -37,7 +37,7 @@ impl Camera for MarkedCamera {
     }
 }
 
-/// The same world, counting its work.
+/// Wraps the objects of a world to count its work.
 pub fn world(world: ShadowedWorld) -> Result<ShadowedWorld, ArgumentError> {
     let (objects, lights, ambient) = world.into_parts();
     let mut probed = ShadowedWorld::empty(objects.background(), ambient)?
@@ -48,7 +48,7 @@ pub fn world(world: ShadowedWorld) -> Result<ShadowedWorld, ArgumentError> {
     Ok(lights.into_iter().fold(probed, ShadowedWorld::lit_by))
 }
 
-/// The first geometry of the world, which no ray meets: it counts the searches.
+/// The first geometry of the world, which no ray hits: it counts the searches.
 #[derive(Debug)]
 struct Probe;
 
@@ -63,7 +63,7 @@ impl Geometry for Probe {
     }
 }
 
-/// A surface that notes when it is shaded, and counts powers.
+/// A surface that sets a flag while it is shaded, and counts powers.
 #[derive(Debug)]
 struct Counted(Box<dyn Surface>);
 

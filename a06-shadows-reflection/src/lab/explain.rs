@@ -11,7 +11,7 @@ use common::{Color, Plan, Settings};
 use crate::lab::shiny::as_phong;
 use crate::{LightSource, ShadowedWorld, Surface};
 
-/// A scene that the recursive tracer shows.
+/// The plan of a scene of the recursive tracer.
 #[must_use]
 pub fn traced(world: &ShadowedWorld, settings: &Settings) -> Plan {
     let surfaces: Vec<&dyn Surface> = world.objects().objects().map(|(_, s)| &**s).collect();

@@ -1,6 +1,5 @@
-//! The formulas of the protocol as it prints them, mistakes included. The
-//! tables hold them against what is right, and only pictures of the mistakes
-//! are rendered with them.
+//! The formulas of the protocol as it prints them, mistakes included. They
+//! are only for comparison, and to render pictures of the mistakes.
 
 #![expect(
     clippy::must_use_candidate,
@@ -14,10 +13,10 @@ use common::Color;
 
 use crate::{RecursiveTracer, ShadowedWorld};
 
-/// Wrong: nearer than a thousandth is asked only of the nearest hit, so that
-/// the surface itself hides what casts the shadow. And `t`, which counts in
-/// lengths of the direction, is compared with a distance, so that things behind
-/// the light cast shadows.
+/// Wrong: only the nearest hit is compared with a thousandth, so that the surface
+/// itself hides the object that casts the shadow. And `t`, in units of the
+/// direction's length, is compared with a distance, so that objects behind the
+/// light cast shadows.
 pub fn point_light_illuminates<S>(position: Point3, point: Point3, world: &World<S>) -> bool {
     let to_light = position - point;
     let hit = world.hit(&Ray::derived(point, to_light), Interval::AHEAD);
@@ -31,7 +30,7 @@ pub fn spot_light_illuminates<S>(position: Point3, point: Point3, world: &World<
     !hit.is_some_and(|(hit, _)| hit.t < from_light.magnitude())
 }
 
-/// Wrong: any hit counts, that of the surface itself, too.
+/// Wrong: any hit counts, including a hit of the surface itself.
 pub fn directional_light_illuminates<S>(
     direction: Vector3,
     point: Point3,
@@ -41,8 +40,8 @@ pub fn directional_light_illuminates<S>(
     world.hit(&ray, Interval::AHEAD).is_none()
 }
 
-/// Wrong for a light at the point itself: 0 / 0 is NaN, which the `max` of
-/// Java, unlike that of Rust, does not hide.
+/// Wrong for a light at the point itself: 0 / 0 is NaN, and `max` in Java returns
+/// NaN, unlike `max` in Rust.
 pub fn lambert(n: Normal3, position: Point3, point: Point3) -> f64 {
     let way = position - point;
     let cosine = n.dot(way * (1.0 / way.magnitude()));
@@ -53,18 +52,17 @@ pub fn lambert(n: Normal3, position: Point3, point: Point3) -> f64 {
     }
 }
 
-/// Wrong: the reflection stands inside of the sum over the lights. It counts
-/// once for each, and not at all without any.
+/// Wrong: the reflection is inside of the sum over the lights. It counts once for
+/// each light, and not at all without lights.
 pub fn reflection_inside_sum(own: &[f64], k: f64, reflected: f64) -> f64 {
     own.iter().fold(0.0, |sum, own| sum + own + k * reflected)
 }
 
 /// The tracer of the protocol.
 ///
-/// Wrong: its one counter is never restored, so it counts rays and not depth;
-/// at the limit it returns the background; and the reflected ray begins a
-/// thousandth before the hit, however small the scene is. And every hit is
-/// searched for three times.
+/// Wrong: its one counter is never restored, so it counts rays and not depth; at
+/// the limit it returns the background; and the reflected ray begins a thousandth
+/// before the hit, also in tiny scenes. Every hit is searched for three times.
 pub struct OneCounter<'a> {
     pub world: &'a ShadowedWorld,
     pub recursion: u32,

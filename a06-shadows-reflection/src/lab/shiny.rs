@@ -1,4 +1,4 @@
-//! The Phong materials among the surfaces, for the count of powers.
+//! `as_phong`: the Phong material of a surface, to count powers.
 
 use std::any::Any;
 
@@ -6,7 +6,7 @@ use a05_lighting::Phong;
 
 use crate::Reflective;
 
-/// The Phong material that a surface is or has, if there is one.
+/// The Phong material of a surface, if it has one.
 pub fn as_phong(surface: &dyn Any) -> Option<&Phong> {
     match surface.downcast_ref() {
         Some(Reflective { shiny, .. }) => Some(shiny),

@@ -1,4 +1,4 @@
-//! Counts moved rays and the intersection tests within nodes, by wrappers around
+//! Counts transformed rays and the intersection tests within nodes, by wrappers around
 //! the nodes and their children.
 
 use std::any::Any;
@@ -13,12 +13,12 @@ use measure::tally::{self, Work};
 use crate::Node;
 use crate::lab::explain::as_node;
 
-/// The same world, counting the work of its nodes.
+/// Wraps the nodes of a world to count their work.
 pub fn world(world: ShadowedWorld) -> Result<ShadowedWorld, ArgumentError> {
     decorated(world, geometry, |surface| surface)
 }
 
-/// A node that counts the rays that it moves. Its children count theirs.
+/// A node that counts the rays that it transforms, with children that count theirs.
 #[derive(Debug)]
 struct Counted(Node);
 
@@ -29,7 +29,7 @@ impl Geometry for Counted {
     }
 }
 
-/// The same geometry, counting the work of the nodes in it.
+/// Wraps the nodes in a geometry to count their work.
 fn geometry(geometry: Box<dyn Geometry>) -> Box<dyn Geometry> {
     if as_node(&*geometry).is_none() {
         return geometry;

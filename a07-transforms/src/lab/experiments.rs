@@ -18,14 +18,14 @@ pub fn experiments() -> Vec<Experiment<'static>> {
     vec![nesting(), condition()]
 }
 
-/// Ways to the inverse of a product of steps.
+/// Methods for the inverse of a product of steps.
 #[derive(Clone, Copy)]
 enum Inverse {
-    /// Ours: the inverses of the steps, multiplied in the opposite order.
+    /// Our method: the inverses of the steps, multiplied in the opposite order.
     Stored,
     /// The inverse of the finished product, by glam: adjugate over determinant.
     OfProduct,
-    /// The protocol's: the inverses multiplied in the same order.
+    /// The protocol's method: the inverses multiplied in the same order.
     SameOrder,
 }
 
@@ -68,7 +68,7 @@ fn inverted(m: Mat4x4) -> Mat4x4 {
     Mat4x4::from_rows(inverse.transpose().to_cols_array_2d())
 }
 
-/// Keeps a result from being left out of a timed run.
+/// Uses a result, so that the compiler cannot remove a timed run.
 fn trace(m: Mat4x4) -> f64 {
     (m * Vector3::new(1.0, 1.0, 1.0)).x()
 }
@@ -127,7 +127,7 @@ fn nesting() -> Experiment<'static> {
     }
 }
 
-/// The turns before and after a stretching.
+/// The rotations before and after a scaling.
 fn pair_of_turns(n: u32) -> Result<[Transform; 2], ArgumentError> {
     let random = PixelRandom::new(10, n, 0);
     let angle = |i| 6.3 * random.uniform(i);

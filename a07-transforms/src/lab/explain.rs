@@ -1,4 +1,4 @@
-//! The plans of this stage's scenes: those of the stage before, and the nodes.
+//! The plans of this stage's scenes: the plans of the previous stage with nodes.
 
 use std::any::Any;
 
@@ -8,7 +8,7 @@ use common::Plan;
 
 use crate::Node;
 
-/// A plan and the nodes of a world.
+/// Adds the nodes of a world to a plan.
 #[must_use]
 pub fn nodes(plan: Plan, world: &ShadowedWorld) -> Plan {
     let objects = world.objects().objects();
@@ -21,13 +21,13 @@ pub fn nodes(plan: Plan, world: &ShadowedWorld) -> Plan {
     }
 }
 
-/// The node that a geometry is, if it is one.
+/// The geometry as a node, if it is one.
 pub fn as_node(geometry: &dyn Geometry) -> Option<&Node> {
     let any: &dyn Any = geometry;
     any.downcast_ref()
 }
 
-/// A node and the nodes within it.
+/// Number of nodes in a tree, with its root.
 fn count(node: &Node) -> usize {
     let children = node.children.iter();
     let nodes = children.filter_map(|child| as_node(&**child));

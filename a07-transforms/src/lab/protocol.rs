@@ -1,6 +1,5 @@
-//! The formulas of the protocol as it prints them, mistakes included. The
-//! tables hold them against what is right, and only pictures of the mistakes
-//! are rendered with them.
+//! The formulas of the protocol as it prints them, mistakes included. They
+//! are only for comparison, and to render pictures of the mistakes.
 
 #![expect(
     clippy::must_use_candidate,
@@ -13,7 +12,7 @@ use a04_intersections::{Geometry, Hit, Interval};
 
 use crate::{Mat4x4, Transform};
 
-/// A matrix and what the protocol takes for its inverse.
+/// A matrix and its inverse by the protocol.
 #[derive(Clone, Copy, Debug)]
 pub struct Chained {
     pub m: Mat4x4,
@@ -37,19 +36,20 @@ impl Chained {
     }
 }
 
-/// Wrong: by its word a normal is "transposed", which the rotation back does.
+/// Wrong: the text only "transposes" the matrix for a normal, which is the inverse
+/// rotation.
 pub fn transposed_normal(m: Mat4x4, n: Normal3) -> Option<Normal3> {
     let n = m.transposed() * Vector3::from(n);
     n.normalized().map(Vector3::as_normal)
 }
 
-/// Wrong: moved like a vector, a normal is no longer perpendicular where the
-/// object is stretched.
+/// Wrong: transformed like a vector, a normal of a scaled object is no longer
+/// perpendicular.
 pub fn normal_as_vector(m: Mat4x4, n: Normal3) -> Option<Normal3> {
     (m * Vector3::from(n)).normalized().map(Vector3::as_normal)
 }
 
-/// Wrong: with a fourth coordinate of 1 instead of 0, a normal is also moved.
+/// Wrong: with a fourth coordinate of 1 instead of 0, a normal is also translated.
 pub fn normal_as_point(m: Mat4x4, n: Normal3) -> Option<Normal3> {
     let moved = m * Point3::from_glam(n.to_glam());
     (moved - Point3::ORIGIN)
@@ -57,7 +57,7 @@ pub fn normal_as_point(m: Mat4x4, n: Normal3) -> Option<Normal3> {
         .map(Vector3::as_normal)
 }
 
-/// Wrong: as long as the transform makes it, a normal dims or brightens.
+/// Wrong: without length 1, a normal makes the surface darker or brighter.
 pub fn unnormalized_normal(i: Mat4x4, n: Normal3) -> Vector3 {
     i.transposed() * Vector3::from(n)
 }
@@ -68,8 +68,8 @@ pub fn scaled_direction(factors: [f64; 3], d: Vector3) -> Vector3 {
     Vector3::new(x * d.x(), y * d.y(), z * d.z())
 }
 
-/// Wrong: the program writes the translation into the last row, where the
-/// product with a point does not find it.
+/// Wrong: the program writes the translation into the last row, so that the product
+/// with a point ignores it.
 pub fn translation_in_last_row(by: Point3) -> Mat4x4 {
     Mat4x4::from_rows([
         [1.0, 0.0, 0.0, 0.0],
@@ -79,14 +79,14 @@ pub fn translation_in_last_row(by: Point3) -> Mat4x4 {
     ])
 }
 
-/// Wrong: the product of the program takes columns for rows, so that its
-/// factors change places.
+/// Wrong: the product of the program exchanges rows and columns, and so the order
+/// of its factors.
 pub fn product(a: Mat4x4, b: Mat4x4) -> Mat4x4 {
     (a.transposed() * b.transposed()).transposed()
 }
 
-/// Wrong: the rule of Sarrus, four diagonals down minus four up, is one for
-/// three rows and three columns; of four it leaves out 16 of 24 products.
+/// Wrong: the rule of Sarrus, diagonals down minus diagonals up, is valid for three
+/// rows and columns only; for four it leaves out 16 of 24 products.
 pub fn determinant_by_sarrus(rows: [[f64; 4]; 4]) -> f64 {
     let product =
         |column: &dyn Fn(usize) -> usize| (0..4).map(|i| rows[i][column(i) % 4]).product();
@@ -97,8 +97,8 @@ pub fn determinant_by_sarrus(rows: [[f64; 4]; 4]) -> f64 {
     (0..4).map(diagonal).sum()
 }
 
-/// Wrong: without an `else`, the second condition overwrites the nearest hit,
-/// so that the last in the list wins.
+/// Wrong: without an `else`, the second condition overwrites the nearest hit, so
+/// that the last hit in the list is returned.
 pub fn last_hit(children: &[Box<dyn Geometry>], ray: &Ray) -> Option<Hit> {
     let mut cached: Option<Hit> = None;
     for child in children {
@@ -114,8 +114,8 @@ pub fn last_hit(children: &[Box<dyn Geometry>], ray: &Ray) -> Option<Hit> {
     cached
 }
 
-/// Wrong: the root moves the rim, to which `<` does not belong; no radius is
-/// refused; and all `t` above 0 count, those of rays that leave the disc, too.
+/// Wrong: rounding of the root moves the rim, and `<` excludes it; every radius is
+/// accepted; and all `t` above 0 count, also for rays that leave the disc.
 pub fn disc(a: Point3, n: Normal3, radius: f64, ray: &Ray) -> Option<f64> {
     if ray.direction().dot(n) == 0.0 {
         return None;

@@ -138,7 +138,7 @@ fn the_closed_menu_is_a_bar_with_the_title() {
     assert!(drawn.pixels() == expected.pixels());
 }
 
-/// What an item says begins a letter from the left, and its key ends a letter
+/// The text of an item begins a letter from the left, and its key ends a letter
 /// from the right.
 #[test]
 fn the_open_menu_has_a_line_for_each_item() {

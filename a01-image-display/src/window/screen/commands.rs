@@ -16,7 +16,7 @@ pub(super) struct Mouse {
     cursor: Option<(i32, i32)>,
 }
 
-/// What a command leaves to be done.
+/// The work that remains after a command.
 pub(super) enum After {
     Nothing,
     Render,
@@ -24,9 +24,9 @@ pub(super) enum After {
 }
 
 impl Screen {
-    /// What has been typed, chosen and clicked.
+    /// The commands since the last call, by key, menu and click.
     pub(super) fn commands(&mut self) -> Vec<Command> {
-        // What is released while another window has the keyboard is not told.
+        // Releases of keys are not reported while another window has the keyboard.
         let is_active = self.window.is_active();
         if self.is_active && !is_active {
             self.keyboard.release_all();

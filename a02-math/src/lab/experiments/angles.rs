@@ -11,7 +11,7 @@ use crate::{Direction, Vector3};
 
 type Method = fn(Vector3, Vector3) -> f64;
 
-/// Kahan's formula, of the vectors made equally long (How Futile are Mindless
+/// Kahan's formula, with the vectors scaled to equal length (How Futile are Mindless
 /// Assessments of Roundoff, 2006).
 fn kahan(a: Vector3, b: Vector3) -> f64 {
     let (scaled_a, scaled_b) = (a * b.magnitude(), b * a.magnitude());
@@ -21,7 +21,7 @@ fn kahan(a: Vector3, b: Vector3) -> f64 {
     )
 }
 
-/// The arc tangent of sine and cosine, the sine from exact products.
+/// The arc tangent of sine and cosine, with the sine from exact products.
 fn exact_products(a: Vector3, b: Vector3) -> f64 {
     let minor = |p: f64, q: f64, r: f64, s: f64| sum_of_products(&[(p, q), (-r, s)]);
     let cross = Vector3::new(
@@ -50,7 +50,7 @@ pub fn experiment() -> Experiment<'static> {
             slope: Some(Slope {
                 expected,
                 tolerance: 0.05,
-                // Beyond, the arc cosine is 0 or NaN.
+                // For smaller angles the arc cosine is 0 or NaN.
                 between: (10.0, 1e6),
             }),
             points: tasks
@@ -74,8 +74,8 @@ pub fn experiment() -> Experiment<'static> {
 /// Two vectors and the angle between them.
 type Task = (Vector3, Vector3, f64);
 
-/// To a vector `a` of whole numbers a perpendicular one is added, multiplied by
-/// a power of two; the quotient of their lengths is the tangent, about
+/// The second vector is a vector `a` of whole numbers plus a perpendicular vector
+/// times a power of two; the quotient of their lengths is the tangent, about
 /// 2^-`bits`. The sum fills 52 binary digits and is exact.
 fn tasks(bits: i32, effort: Effort) -> Vec<Task> {
     let mut numbers = WholeNumbers::new(1);

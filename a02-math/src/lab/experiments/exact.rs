@@ -1,6 +1,6 @@
-//! Products and sums whose rounding is known, and whole random numbers.
+//! Products and sums with their rounding errors, and random whole numbers.
 
-/// The rounded product and what rounding took away (Dekker: A Floating-Point
+/// The rounded product and its rounding error (Dekker: A Floating-Point
 /// Technique for Extending the Available Precision, 1971).
 fn product(a: f64, b: f64) -> (f64, f64) {
     let halves = |x: f64| {
@@ -14,7 +14,7 @@ fn product(a: f64, b: f64) -> (f64, f64) {
     (rounded, lost)
 }
 
-/// The rounded sum and what rounding took away (Knuth: The Art of Computer
+/// The rounded sum and its rounding error (Knuth: The Art of Computer
 /// Programming, volume 2, 4.2.2).
 fn sum(a: f64, b: f64) -> (f64, f64) {
     let rounded = a + b;
@@ -35,7 +35,7 @@ pub fn sum_of_products(pairs: &[(f64, f64)]) -> f64 {
     total + lost
 }
 
-/// Whole random numbers from a linear congruential generator with the
+/// Random whole numbers from a linear congruential generator with the
 /// multiplier of Knuth's MMIX.
 pub struct WholeNumbers(u64);
 
@@ -44,7 +44,7 @@ impl WholeNumbers {
         Self(seed)
     }
 
-    /// A number from -2^bits to 2^bits, its ends excluded.
+    /// A number between -2^bits and 2^bits, both excluded.
     pub fn signed(&mut self, bits: u32) -> f64 {
         const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
         const INCREMENT: u64 = 1_442_695_040_888_963_407;

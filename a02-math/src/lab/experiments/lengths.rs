@@ -1,4 +1,4 @@
-//! Vectors that were halved many times, made to have length 1.
+//! Vectors that were halved many times, brought to length 1.
 
 use std::rc::Rc;
 
@@ -9,14 +9,14 @@ use super::exact::WholeNumbers;
 use crate::Vector3;
 use crate::lab::protocol;
 
-/// What is no direction comes out as the zero vector.
+/// A method to bring a vector to length 1; the zero vector if it has no direction.
 type Method = fn(Vector3) -> Vector3;
 
 fn ours(v: Vector3) -> Vector3 {
     v.normalized().unwrap_or_default()
 }
 
-/// The form that takes no short cut for usual lengths.
+/// Normalisation that always scales, without the short cut for usual lengths.
 fn always_scaled(v: Vector3) -> Vector3 {
     let largest = v.to_glam().abs().max_element();
     let scaled = v.to_glam().map(|x| libm::scalbn(x, -libm::ilogb(largest)));

@@ -11,7 +11,7 @@ use crate::{Direction, Mat3x3, Vector3};
 
 type Method = fn(Mat3x3, Vector3) -> Vector3;
 
-/// Elimination, the largest number of a column being the pivot.
+/// Elimination with the largest number of a column as the pivot.
 fn eliminated(m: Mat3x3, b: Vector3) -> Vector3 {
     let ([x, y, z], b) = (rows(m), b.to_glam().to_array());
     let mut rows = [x, y, z].map(|[p, q, r]| [p, q, r, 0.0]);
@@ -38,8 +38,8 @@ fn eliminated(m: Mat3x3, b: Vector3) -> Vector3 {
     Vector3::new(x, y, z)
 }
 
-/// Cramer's rule, mended by what it leaves over: the rest is computed from
-/// exact products, and solved for, until nothing is left to mend.
+/// Cramer's rule with iterative refinement: the residual is computed from exact
+/// products, and the system is solved for it, until it is 0.
 pub fn refined(m: Mat3x3, b: Vector3) -> Vector3 {
     let mut x = protocol::cramer(m, b);
     for _ in 0..4 {
@@ -103,9 +103,8 @@ pub fn experiment() -> Experiment<'static> {
 /// A matrix, a right side, and the solution.
 type Task = (Mat3x3, Vector3, Vector3);
 
-/// Columns of whole numbers below 2^26, of which the third is the sum of the
-/// others but for numbers that are smaller by a power of two. Right sides add
-/// up without rounding.
+/// Columns of whole numbers below 2^26. The third is the sum of the others plus
+/// numbers that are smaller by a power of two. The right sides are exact sums.
 fn tasks(bits: i32, effort: Effort) -> Vec<Task> {
     let mut numbers = WholeNumbers::new(3);
     let mut task = || {
@@ -116,12 +115,12 @@ fn tasks(bits: i32, effort: Effort) -> Vec<Task> {
         let (a, b, rest) = loop {
             let (a, b, rest) = (column(), column(), column());
             let volume = a.cross(b).dot(rest);
-            // Directions that are nearly flat already would blur the condition.
+            // Nearly coplanar directions would change the condition number.
             if volume.abs() > 0.3 * a.magnitude() * b.magnitude() * rest.magnitude() {
                 break (a, b, rest);
             }
         };
-        // Cut off 20 digits behind the point, so that sums are exact.
+        // Rounded to 20 binary digits behind the point, so that sums are exact.
         let cut = |x: f64| libm::scalbn(libm::scalbn(x, 20 - bits).round(), -20);
         let c = a + b + Vector3::from_glam(rest.to_glam().map(cut));
         let mut unknown = || 2.0 * numbers.signed(1) + 1.0;

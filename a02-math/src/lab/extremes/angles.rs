@@ -1,4 +1,4 @@
-//! Angles too small for an arc cosine, and the second text's own numbers.
+//! Angles too small for an arc cosine, and the numbers of the second text.
 
 use std::f64::consts::FRAC_PI_4;
 

@@ -1,4 +1,4 @@
-//! Vectors that are made to have length 1, and those that should have it.
+//! Vectors brought to length 1, and vectors that should have length 1.
 
 use measure::extremes::{Bound, Case, Outcome, Protocol};
 
@@ -6,7 +6,7 @@ use super::{triple, vector};
 use crate::lab::protocol;
 use crate::{Direction, Normal3, Vector3};
 
-/// A few roundings of numbers near 1.
+/// A few rounding errors of numbers near 1.
 const ROUNDING: Bound = Bound::Absolute(4.0 * f64::EPSILON);
 
 pub fn cases() -> Vec<Case> {
@@ -82,7 +82,7 @@ fn reflected() -> Vec<Case> {
 
 /// The two directions that glam finds perpendicular to a third, after Duff et
 /// al.: Building an Orthonormal Basis, Revisited, 2017. They hold where an
-/// older formula fails, near -z.
+/// older formula fails: near -z.
 fn perpendicular() -> Vec<Case> {
     let row = |id, what: &str, n: [f64; 3]| {
         let defect = vector(n).normalized().map(|n| {

@@ -1,4 +1,4 @@
-//! Linear systems by Cramer's rule, to which the determinant sets a limit.
+//! Linear systems by Cramer's rule, whose accuracy the determinant limits.
 
 use measure::extremes::{Bound, Case, Protocol};
 
@@ -32,7 +32,7 @@ pub fn cases() -> Vec<Case> {
 }
 
 /// The third column differs from the sum of the others by 2^-40 in one
-/// coordinate: the sum of all columns is exact, and is what x = (1, 1, 1) gives.
+/// coordinate: the sum of all columns is exact, and the solution is (1, 1, 1).
 fn nearly_flat() -> Case {
     let step = libm::scalbn(1.0, -40);
     let columns = [[0.3, 0.7, 0.9], [0.5, 0.2, 0.6]].map(|column| column.map(short));
@@ -53,8 +53,8 @@ fn nearly_flat() -> Case {
     .protocol(Protocol::Fails, triple(protocol::cramer(m, right)))
 }
 
-/// The number cut off after 30 binary digits, so that a few of them add up
-/// without rounding.
+/// The number truncated to 30 binary digits, so that sums of a few of them are
+/// exact.
 fn short(x: f64) -> f64 {
     libm::scalbn(libm::scalbn(x, 30).floor(), -30)
 }

@@ -1,4 +1,4 @@
-//! The cost of an error where samples are taken only where they are needed.
+//! The cost of a given error with adaptive sampling.
 
 use std::sync::Mutex;
 
@@ -13,8 +13,8 @@ use crate::{Camera, Ray, render};
 
 const SIDE: u32 = 64;
 
-/// The light of the disc at a place of the picture, counted from the middles of pixels:
-/// [`DISC`] counts from their corners.
+/// Radiance of the disc at a position of the picture, relative to the middles of pixels;
+/// [`DISC`] is relative to their corners.
 fn disc(x: f64, y: f64) -> Color {
     Color::gray(if DISC.contains(x + 0.5, y + 0.5) {
         1.0
@@ -23,7 +23,7 @@ fn disc(x: f64, y: f64) -> Color {
     })
 }
 
-/// Rays that start at their place in the picture, in pixels.
+/// A camera whose rays start at their position in the picture, in pixels.
 struct Places;
 
 impl Camera for Places {
@@ -37,7 +37,7 @@ fn with_samples_everywhere(settings: &Settings) -> Result<Image, Error> {
     render(&Places, light, settings, &())
 }
 
-/// A picture of the disc, the number of its samples, and its error as it is estimated.
+/// A picture of the disc, the number of its samples, and its estimated error.
 fn with_max_error(max_error: f64, settings: &Settings) -> Option<(Image, f64, f64)> {
     let sampled = Mutex::new(Sampled::default());
     let image = adaptive::render_image(max_error, disc, settings, &sampled).ok()?;

@@ -1,5 +1,5 @@
-//! Pictures of which the mean over a pixel is known in closed form. Lengths
-//! are in pixels; a pixel is named by its corner (`x`, `y`).
+//! Pictures whose mean over a pixel has a closed form. Lengths are in pixels; a
+//! pixel is identified by its corner (`x`, `y`).
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -24,13 +24,13 @@ impl Disc {
     }
 }
 
-/// How much of a pixel [`DISC`] covers.
+/// Coverage of a pixel by [`DISC`], from 0 to 1.
 pub fn disc_coverage(x: f64, y: f64) -> f64 {
     over_corners(corner_of_disc, x - DISC.x, y - DISC.y, 1.0)
 }
 
-/// The integral over the square at (`x`, `y`) of a function whose integral
-/// over all that is left of and below a corner is `corner`.
+/// The integral over the square at (`x`, `y`) of a function with the integral
+/// `corner` over the quadrant to the left of and below a corner.
 fn over_corners(corner: fn(f64, f64) -> f64, x: f64, y: f64, side: f64) -> f64 {
     corner(x + side, y + side) - corner(x, y + side) - corner(x + side, y) + corner(x, y)
 }
@@ -53,7 +53,7 @@ fn corner_of_disc(x: f64, y: f64) -> f64 {
     if y >= 0.0 { 2.0 * half(x) - cut } else { cut }
 }
 
-/// The height of a stripe and the one below, no multiple of a pixel.
+/// Height of two stripes, no multiple of a pixel.
 const PERIOD: f64 = 5.236_067_977_499_79;
 
 /// Whether a height lies in a light stripe.
@@ -61,7 +61,7 @@ pub fn in_stripe(y: f64) -> bool {
     2.0 * (y / PERIOD).fract() < 1.0
 }
 
-/// How much of a pixel light stripes cover.
+/// Coverage of a pixel by light stripes, from 0 to 1.
 pub fn stripes(y: f64) -> f64 {
     let below = |y: f64| {
         let half = PERIOD / 2.0;
@@ -71,12 +71,12 @@ pub fn stripes(y: f64) -> f64 {
     below(y + 1.0) - below(y)
 }
 
-/// The light's height over the plane, and the pixels in a unit of length.
+/// Height of the light over the plane, and pixels per unit of length.
 const HEIGHT: f64 = 2.0;
 const PIXELS: f64 = 4.0;
 
-/// The cosine at the plane's normal of the way to a light that hangs over
-/// (0, 0).
+/// Cosine of the angle between the plane's normal and the direction to a light
+/// over (0, 0).
 pub fn lit(x: f64, y: f64) -> f64 {
     let (x, y) = (x / PIXELS, y / PIXELS);
     HEIGHT / (x * x + y * y + HEIGHT * HEIGHT).sqrt()

@@ -1,4 +1,4 @@
-//! Ways to spread samples over a pixel.
+//! Methods to distribute samples over a pixel.
 
 use common::{Sampling, Settings};
 
@@ -6,10 +6,10 @@ use crate::{PixelRandom, Sampler};
 
 type Iter = Box<dyn Iterator<Item = (f64, f64)>>;
 
-/// The places of `n` samples in the pixel of this column and row.
+/// The positions of `n` samples in the pixel of this column and row.
 pub type Places = fn(u32, u32, u32) -> Iter;
 
-/// The renderer's own.
+/// The renderer's own sampling.
 pub fn with_sampler(sampling: Sampling) -> Places {
     fn places(sampling: Sampling, x: u32, y: u32, samples: u32) -> Iter {
         let settings = Settings {
@@ -46,8 +46,8 @@ pub fn n_rooks(x: u32, y: u32, n: u32) -> Iter {
     }))
 }
 
-/// The multiples of one irrational pair, which fill the pixel evenly, shifted
-/// by a random pair for every pixel (Roberts: The Unreasonable Effectiveness of
+/// The multiples of a pair of irrational numbers, which fill the pixel evenly,
+/// shifted by a random pair for every pixel (Roberts: The Unreasonable Effectiveness of
 /// Quasirandom Sequences, 2018).
 pub fn r2(x: u32, y: u32, n: u32) -> Iter {
     /// The plastic number, which solves p^3 = p + 1.

@@ -1,9 +1,9 @@
-//! What the sum over the samples of a pixel loses.
+//! The rounding error of the sum over the samples of a pixel.
 
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
 
-/// A sum that keeps what the additions lose in a second number (Neumaier,
+/// A sum that keeps the rounding errors in a second number (Neumaier,
 /// Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen, 1974).
 #[derive(Clone, Copy, Default)]
 pub struct Neumaier {
@@ -40,13 +40,13 @@ fn compensated(x: f64, n: u32) -> f64 {
     sum.sum() / f64::from(n)
 }
 
-/// Half the digits: the sum stands still once a term is less than half of its
-/// last digit.
+/// Single precision: the sum stays constant once a term is less than half a unit
+/// in its last place.
 fn single(x: f64, n: u32) -> f64 {
     f64::from((0..n).fold(0.0_f32, |sum, _| sum + x as f32) / n as f32)
 }
 
-/// Channels of equal samples, whose mean is known: each is its own.
+/// Number of channels of equal samples. The mean equals each sample.
 const CHANNELS: u32 = 16;
 
 fn channels() -> impl Iterator<Item = f64> {

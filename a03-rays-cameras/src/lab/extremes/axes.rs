@@ -7,7 +7,7 @@ use measure::extremes::{Bound, Case, Outcome, Protocol};
 use super::{AHEAD, UP, triple};
 use crate::{Basis, protocol};
 
-/// How far the axes are from being perpendicular and of length 1.
+/// Greatest deviation of the axes from being perpendicular and of length 1.
 fn defect(Basis { u, v, w, .. }: Basis) -> f64 {
     let angles = [u.dot(v), v.dot(w), w.dot(u)];
     let lengths = [u, v, w].map(|axis| axis.dot(axis) - 1.0);

@@ -1,5 +1,5 @@
 //! Cameras: openings, brackets and pictures of few pixels. Exact directions are
-//! those of the given doubles, computed with 80 digits.
+//! computed from the given doubles with 80 digits.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -17,7 +17,7 @@ pub fn cases() -> Vec<Case> {
     cases
 }
 
-/// The middle of pixel (`px`, `py`), counted from below, through the
+/// Direction through the middle of pixel (`px`, `py`), counted from below, of the
 /// perspective camera at the origin.
 fn direction(size: [u32; 2], px: f64, py: f64, angle: f64) -> Result<[f64; 3], ArgumentError> {
     let camera = PerspectiveCamera::new(Point3::ORIGIN, AHEAD, UP, angle)?;
@@ -25,8 +25,7 @@ fn direction(size: [u32; 2], px: f64, py: f64, angle: f64) -> Result<[f64; 3], A
     Ok(triple(ray.direction()))
 }
 
-/// A row whose angle is half of the opening, which is how the text's formula
-/// is right.
+/// A row whose angle is half of the opening: with it the text's formula is right.
 fn opening(
     id: &'static str,
     what: &str,
@@ -91,7 +90,7 @@ fn openings() -> Vec<Case> {
     ]
 }
 
-/// Where the ray of column `px` starts, in widths of the picture.
+/// Offset of the origin of the ray of column `px`, in widths of the picture.
 fn bracket(width: u32, px: f64) -> Result<f64, ArgumentError> {
     let camera = OrthographicCamera::new(Point3::ORIGIN, AHEAD, UP, 1.0)?;
     let ray = camera.ray_for(Size::new(width, width)?, px, 0.0);
@@ -128,8 +127,8 @@ fn brackets() -> Vec<Case> {
     ]
 }
 
-/// How many of the rays' twelve numbers are no numbers, over pictures of one
-/// row, one column or one pixel.
+/// Number of NaN values among the rays' twelve numbers, for pictures of one row, one
+/// column or one pixel.
 fn pictures_of_few_pixels() -> Vec<Case> {
     let sizes = [(1, 1), (1, 9), (9, 1)];
     let no_numbers = |v: [f64; 3]| v.iter().filter(|x| !x.is_finite()).count();

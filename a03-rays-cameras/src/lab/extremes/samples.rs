@@ -1,4 +1,4 @@
-//! Samples: their number, their places, and their mean.
+//! Samples: their number, their positions, and their mean.
 
 use a02_math::{Point3, Vector3};
 use common::{Color, Error, Image, Sampling, Settings, Size};
@@ -18,7 +18,7 @@ pub fn cases() -> Vec<Case> {
     cases
 }
 
-/// A picture of `radiance` as an orthographic camera sees it.
+/// A picture of `radiance` with an orthographic camera.
 fn picture(
     (width, height): (u32, u32),
     sampling: Sampling,
@@ -36,7 +36,7 @@ fn picture(
     render(&camera, radiance, &settings, &())
 }
 
-/// The only pixel of a picture of one.
+/// The pixel of a picture of 1x1 pixels.
 fn pixel(sampling: Sampling, samples: u32, radiance: fn(&Ray) -> Color) -> Result<f64, Error> {
     picture((1, 1), sampling, samples, radiance).map(|image| image.pixels()[0].r)
 }

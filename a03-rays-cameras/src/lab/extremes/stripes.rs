@@ -32,8 +32,7 @@ pub fn cases() -> Vec<Case> {
     ]
 }
 
-/// A row of two counts, of the protocol's stripes and of ours, that the
-/// protocol gets wrong.
+/// A row with two counts, the protocol's and ours; the protocol's is wrong.
 fn row(
     id: &'static str,
     what: &str,
@@ -56,8 +55,8 @@ fn sky(
     Ok((camera, sky, edge.direction().y()))
 }
 
-/// The stripe that begins at the horizon: of N, the protocol counts those that
-/// lie above, N / 2 of them and the one on the horizon itself.
+/// The stripe that begins at the horizon: of N stripes, the protocol counts the
+/// N / 2 above the horizon and the stripe at the horizon itself.
 fn horizon() -> Case {
     let size = Size::SECOND_COURSE;
     let count = || -> Result<(usize, usize), ArgumentError> {
@@ -97,7 +96,7 @@ fn wrong_rows() -> Result<(usize, usize), ArgumentError> {
     Ok((theirs, ours))
 }
 
-/// Runs of one stripe from the top of the picture to its bottom.
+/// Number of runs of one stripe from the top of the picture to its bottom.
 fn stripes_in_the_middle() -> Result<(usize, usize), ArgumentError> {
     let size = Size::SECOND_COURSE;
     let (camera, sky, top) = sky(size, FRAC_PI_2, 10, StripeRule::Direction)?;

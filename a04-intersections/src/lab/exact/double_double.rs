@@ -2,15 +2,15 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A sum of two doubles of which the second is at most half a unit in the last
-/// place of the first: about 31 digits.
+/// A sum of two doubles with about 31 digits. The second is at most half a unit in
+/// the last place of the first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DoubleDouble {
     high: f64,
     low: f64,
 }
 
-/// The rounded sum and what rounding took away (Knuth, The Art of Computer
+/// The rounded sum and its rounding error (Knuth, The Art of Computer
 /// Programming, volume 2, section 4.2.2).
 pub fn sum_with_error(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -18,7 +18,7 @@ pub fn sum_with_error(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - (sum - b_of_sum)) + (b - b_of_sum))
 }
 
-/// The rounded product and what rounding took away.
+/// The rounded product and its rounding error.
 #[allow(
     clippy::disallowed_methods,
     reason = "one rounding instead of two is what makes the error exact"
@@ -43,7 +43,7 @@ impl DoubleDouble {
         self.high
     }
 
-    /// By how much a double is greater than this number.
+    /// The difference of a double and this number.
     pub fn error_of(self, computed: f64) -> f64 {
         (computed - self.high) - self.low
     }

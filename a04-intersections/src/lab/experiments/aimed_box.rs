@@ -16,16 +16,16 @@ pub const LBF: Point3 = Point3::new(0.1, 0.2, 0.3);
 /// The opposite corner.
 pub const RUN: Point3 = Point3::new(0.7, 1.1, 0.9);
 
-/// A ray at a point of the box that it sees.
+/// A ray towards a visible point of the box.
 pub struct Aimed {
-    /// From beyond the right, upper, near corner.
+    /// The ray, from beyond the right, upper, near corner.
     pub ray: Ray,
-    /// How far away the point is.
+    /// Distance of the point.
     pub distance: f64,
 }
 
-/// The `n`-th ray at a point of as many faces at once as `faces` says: 1 for a
-/// point within a face, 2 for one on an edge, 3 for a corner.
+/// The `n`-th ray towards a point on `faces` faces at once: 1 for a point inside a
+/// face, 2 for a point on an edge, 3 for a corner.
 pub fn aimed(faces: usize, n: usize) -> Aimed {
     let mut numbers = Numbers::new(21, n);
     let eye = RUN + numbers.triple(0.5, 3.0);
@@ -50,7 +50,8 @@ pub fn aimed(faces: usize, n: usize) -> Aimed {
 }
 
 impl Aimed {
-    /// Whether an answer is no hit, or one elsewhere: on the far side, say.
+    /// Whether a result is no hit, or a hit at another point, on the far side for
+    /// example.
     pub fn is_wrong(&self, t: Option<f64>) -> bool {
         t.is_none_or(|t| (t - self.distance).abs() > 1e-9)
     }
@@ -66,8 +67,7 @@ pub fn two(ray: &Ray) -> Option<f64> {
     protocol::axis_aligned_box(LBF, RUN, ray, Compared::Two)
 }
 
-/// Slabs as most write them first: no margin for rounding, and NaN for a ray
-/// within the plane of a face.
+/// Naive slabs: no margin for rounding, and NaN for a ray in the plane of a face.
 pub fn slabs(lbf: Point3, run: Point3, ray: &Ray) -> Option<f64> {
     let [low, high, o] = [lbf, run, ray.origin()].map(|p| p.to_glam().to_array());
     let d = ray.direction().to_glam().to_array();
@@ -124,7 +124,7 @@ fn curves(effort: Effort) -> Vec<Curve<'static>> {
     ]
 }
 
-/// Box tests against where rays aim.
+/// Errors of box tests against the target of the rays.
 pub fn experiment() -> Experiment<'static> {
     Experiment {
         name: "box-aimed",

@@ -1,15 +1,15 @@
-//! The sphere of triangles: an icosahedron whose faces are divided in four.
+//! The icosphere: an icosahedron whose faces are divided into four.
 
 use std::collections::HashMap;
 
 use a02_math::Vector3;
 
-/// Corners, and faces by the numbers of their corners.
+/// A mesh: corners, and faces with the indices of their corners.
 #[derive(Clone, Debug)]
 pub struct Mesh {
-    /// Where the corners are.
+    /// Positions of the corners.
     pub corners: Vec<Vector3>,
-    /// Three corners each, counterclockwise from outside.
+    /// Indices of three corners, counterclockwise seen from outside.
     pub faces: Vec<[usize; 3]>,
 }
 
@@ -32,7 +32,7 @@ impl Mesh {
                     .push(on_unit_sphere(Vector3::from_glam(corner.into())));
             }
         }
-        // Neighbours on the unit sphere are 1.05 apart, all others more.
+        // The distance of neighbours on the unit sphere is 1.05, of others more.
         let corners = &mesh.corners;
         let is_edge = |i: usize, j: usize| (corners[i] - corners[j]).magnitude() < 1.1;
         for i in 0..12 {
@@ -48,7 +48,7 @@ impl Mesh {
         mesh
     }
 
-    /// Divides every face in four.
+    /// Divides every face into four.
     fn divide(&mut self) {
         let mut middles = HashMap::new();
         let corners = &mut self.corners;

@@ -14,12 +14,12 @@ use crate::lab::{exact, protocol};
 pub struct Needle {
     /// Its corners.
     pub corners: [Point3; 3],
-    /// Half of them meet it, far from grazing.
+    /// Rays, of which half hit the triangle, far from grazing.
     pub rays: Vec<Ray>,
 }
 
-/// Sixteen triangles of this ratio of length to height, in all positions, and
-/// rays from 2 to 5 lengths away.
+/// Sixteen triangles with this ratio of length to height, in various orientations,
+/// and rays from 2 to 5 lengths away.
 pub fn needles(aspect: f64, rays: usize) -> Vec<Needle> {
     (0..16).map(|n| needle(n, aspect, rays / 16)).collect()
 }
@@ -83,8 +83,7 @@ fn moeller_trumbore(&[a, b, c]: &[Point3; 3], ray: &Ray) -> Option<f64> {
     (t > 0.0).then_some(t)
 }
 
-/// The test of the renderer without the normal, given a way to compute
-/// `a b - c d`.
+/// The renderer's test without the normal, with a given function for `a b - c d`.
 fn woop(
     corners: &[Point3; 3],
     ray: &Ray,
@@ -122,8 +121,8 @@ pub fn plain(corners: &[Point3; 3], ray: &Ray) -> Option<f64> {
     woop(corners, ray, |a, b, c, d| a * b - c * d)
 }
 
-/// The same with Kahan's difference of products, which is right to 1.5 units in
-/// the last place (Jeannerod, Louvet and Muller, 2013).
+/// The renderer's test with Kahan's difference of products, whose error is at most
+/// 1.5 units in the last place (Jeannerod, Louvet and Muller, 2013).
 #[allow(
     clippy::disallowed_methods,
     reason = "one rounding instead of two is what the method lives on"

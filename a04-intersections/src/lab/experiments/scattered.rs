@@ -3,14 +3,14 @@
 use a02_math::Vector3;
 use a03_rays_cameras::PixelRandom;
 
-/// Draws one number after the other.
+/// A generator of random numbers.
 pub struct Numbers {
     random: PixelRandom,
     drawn: u64,
 }
 
 impl Numbers {
-    /// The numbers of the `n`-th ray, or whatever else there is many of.
+    /// The numbers of the `n`-th ray or other object.
     pub const fn new(seed: u64, n: usize) -> Self {
         Self {
             random: PixelRandom::new(seed, n as u32, 0),
@@ -56,7 +56,7 @@ impl Numbers {
     }
 }
 
-/// Origin and direction as arrays, as the formulas of many precisions take them.
+/// Origin and direction as arrays, the arguments of formulas in both precisions.
 pub fn pair(o: Vector3, d: Vector3) -> [[f64; 3]; 2] {
     [o.to_glam().to_array(), d.to_glam().to_array()]
 }

@@ -1,4 +1,4 @@
-//! How far the formulas for the sphere carry: seen from afar, and huge.
+//! Accuracy of the formulas for far spheres and for huge spheres.
 
 use std::rc::Rc;
 
@@ -26,8 +26,8 @@ pub fn stable<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> Option<F> {
     stable_roots(&f, r, d, dot(&f, &f) - r * r)
 }
 
-/// The same, with `f · f - r²` to twice as many digits: near a huge sphere this
-/// subtracts two huge numbers (Ogita, Rump and Oishi, "Accurate Sum and Dot
+/// The renderer's formula with `f · f - r²` in twice as many digits: near a huge
+/// sphere this is the difference of two huge numbers (Ogita, Rump and Oishi, "Accurate Sum and Dot
 /// Product", 2005).
 fn compensated(c: &[f64; 3], r: f64, o: &[f64; 3], d: &[f64; 3]) -> Option<f64> {
     let (square, mut error) = exact::product_with_error(r, r);
@@ -99,8 +99,8 @@ fn view_of_ground<F: Real>(radius: f64, rays: usize) -> View<F> {
     }
 }
 
-/// The errors of `t` for all rays that meet the sphere not too near its rim,
-/// where rounding of the ray itself would count. A miss counts as 1.
+/// The errors of `t` for all rays that hit the sphere, except near its rim, where
+/// rounding of the ray itself has an effect. A miss counts as 1.
 fn errors<F: Real>(
     view: &View<F>,
     formula: impl Fn(&[F; 3], F, &[F; 3], &[F; 3]) -> Option<F>,
@@ -116,7 +116,7 @@ fn errors<F: Real>(
     view.rays.iter().filter_map(error).collect()
 }
 
-/// What is measured of one precision: the knobs and their views.
+/// Parameters and their views, for one precision.
 type Views<F> = Vec<(f64, Rc<View<F>>)>;
 
 fn views<F: Real>(view: fn(f64, usize) -> View<F>, count: i32, effort: Effort) -> Views<F> {
@@ -155,12 +155,12 @@ fn curve<F: Real + 'static>(
     }
 }
 
-/// The remark on the formula that is too exact to be worth it.
+/// Remark on the formula that is more exact than needed.
 const TOO_EXACT: &str = "not in the renderer: it pays only near a sphere so huge that a plane is \
      cheaper, and from afar its digits are lost in t itself; without the processor's fused \
      multiply-add, as here by default, it is dearer than it must be";
 
-/// A unit sphere, farther and farther away.
+/// A unit sphere at growing distances.
 pub fn far() -> Experiment<'static> {
     Experiment {
         name: "sphere-far",
@@ -202,7 +202,7 @@ pub fn far() -> Experiment<'static> {
     }
 }
 
-/// A sphere as a ground, larger and larger.
+/// A sphere as a ground, with a growing radius.
 pub fn near() -> Experiment<'static> {
     Experiment {
         name: "sphere-near",

@@ -1,4 +1,4 @@
-//! The sphere as many triangles: what a mesh costs where a formula would do.
+//! The sphere as many triangles: the cost of a mesh compared with a formula.
 
 use std::f64::consts::PI;
 use std::rc::Rc;
@@ -13,17 +13,17 @@ use super::icosphere::Mesh;
 use super::slope;
 use crate::{Hit, Interval, Sphere, Triangle, World};
 
-/// The view: towards -w, u to the right and v upwards. Slanted, so that nothing
-/// of the icosahedron is parallel to it.
+/// The view: towards -w, u to the right and v upwards. Slanted, so that no face
+/// and no edge of the icosahedron is parallel to it.
 const U: Vector3 = Vector3::new(3.0 / 7.0, -6.0 / 7.0, 2.0 / 7.0);
 const V: Vector3 = Vector3::new(6.0 / 7.0, 2.0 / 7.0, -3.0 / 7.0);
 const W: Vector3 = Vector3::new(2.0 / 7.0, 3.0 / 7.0, 6.0 / 7.0);
 
-/// Where the parallel rays start.
+/// Distance of the origins of the parallel rays.
 const BEFORE: f64 = 2.0;
 
 /// Parallel rays by the square of their distance from the axis, which is spread
-/// evenly over an interval; each is turned on by the golden angle (Vogel, "A
+/// evenly over an interval; each is rotated by the golden angle (Vogel, "A
 /// Better Way to Construct the Sunflower Head", 1979).
 fn rays(count: usize, least: f64, most: f64) -> Vec<(f64, Ray)> {
     let golden_angle = PI * (3.0 - 5_f64.sqrt());
@@ -42,9 +42,9 @@ fn rays(count: usize, least: f64, most: f64) -> Vec<(f64, Ray)> {
 /// A unit sphere in a world of its own.
 struct Ball {
     world: World<()>,
-    /// Of how many objects.
+    /// Number of objects.
     objects: f64,
-    /// The square of the radius of the greatest ball that fits into it.
+    /// Squared radius of the greatest ball inside of the mesh.
     inner: f64,
 }
 
@@ -56,7 +56,7 @@ fn round() -> Result<Ball, ArgumentError> {
     })
 }
 
-/// Of triangles, with the normals of the sphere at their corners.
+/// A ball of triangles, with the normals of the sphere at their corners.
 fn angular(divisions: u32) -> Result<Ball, ArgumentError> {
     let mesh = Mesh::icosphere(divisions);
     let mut world = World::new(Color::BLACK)?;
@@ -77,8 +77,8 @@ fn angular(divisions: u32) -> Result<Ball, ArgumentError> {
     })
 }
 
-/// The depth and the normals for rays that keep away from the rim, where both
-/// change too fast to be compared: to nine tenths of the radius.
+/// Rays for depth and normals: within nine tenths of the radius, because near the
+/// rim both change too fast for a comparison.
 fn shading_rays(effort: Effort) -> Vec<(f64, Ray)> {
     rays(effort.choose(2048, 4096), 0.0, 0.81)
 }
@@ -117,8 +117,8 @@ fn shading(
     }
 }
 
-/// How much of the disc that the sphere covers the mesh does not. All of it
-/// lies outside of the greatest ball within the mesh, and there are the rays.
+/// Fraction of the sphere's disc that the mesh does not cover. It lies outside of
+/// the greatest ball inside of the mesh, so the rays are only there.
 fn silhouette(balls: &[Rc<Ball>], slope: Slope, effort: Effort) -> Curve<'static> {
     let point = |ball: &Rc<Ball>| {
         let ball = Rc::clone(ball);
@@ -176,7 +176,7 @@ fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
     ])
 }
 
-/// The sphere of more and more triangles, all of them tested by every ray.
+/// The sphere of more and more triangles; every ray tests all of them.
 pub fn experiment() -> Experiment<'static> {
     Experiment {
         name: "sphere-mesh",

@@ -1,7 +1,7 @@
-//! Boxes that are met along faces, edges and zeros.
+//! Boxes hit along faces and edges, and with zeros in the direction.
 //!
-//! The protocol's row compares all coordinates of the computed point. Rows of
-//! the same number with an s show naive slabs in its place.
+//! The protocol's row compares all coordinates of the computed point. Rows with
+//! the same number and an s show naive slabs instead.
 
 use measure::extremes::Protocol::{Fails, Holds};
 use measure::extremes::{Bound, Case, Outcome, Protocol};
@@ -107,7 +107,7 @@ pub fn cases() -> Vec<Case> {
     ]
 }
 
-/// 4.1 before a face at 0.9: what is computed, 5 - 4.1, is not below 0.9.
+/// 4.1 before a face at 0.9: the computed 5 - 4.1 is not below 0.9.
 fn lost_face() -> Case {
     let corners = ([0.1, 0.2, 0.3], [0.7, 1.1, 0.9]);
     let line = ([0.4, 0.6, 5.0], [0.0, 0.0, -1.0]);

@@ -1,4 +1,4 @@
-//! Channels on their way to bytes.
+//! Conversion of channels to bytes.
 
 use common::{Color, Transfer};
 use measure::extremes::Protocol::{Fails, Holds};

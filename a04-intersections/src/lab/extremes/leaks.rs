@@ -1,4 +1,4 @@
-//! Rays that slip through between triangles, or past the edges of a box.
+//! Rays that pass between triangles, or past the edges of a box.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
@@ -14,7 +14,7 @@ use crate::lab::experiments::icosphere::Mesh;
 use crate::{AxisAlignedBox, Triangle, protocol};
 
 /// A closed surface of 320 triangles whose corners are 1 to 2 away from its
-/// middle, so that no two are alike.
+/// middle, so that all are different.
 #[derive(Clone)]
 struct Hull {
     middle: Point3,
@@ -22,7 +22,7 @@ struct Hull {
     triangles: Vec<Triangle>,
 }
 
-/// Where a ray out of the hull aims.
+/// The target of a ray from inside the hull.
 #[derive(Clone, Copy, Debug)]
 enum Aim {
     Anywhere,
@@ -50,7 +50,7 @@ impl Hull {
         })
     }
 
-    /// The `n`-th ray from near the middle, from where all triangles are seen.
+    /// The `n`-th ray from near the middle, where all triangles are visible.
     fn ray(&self, aim: Aim, n: usize) -> Result<Ray, ArgumentError> {
         let mut numbers = Numbers::new(52, n);
         let eye = self.middle + numbers.triple(-0.1, 0.1);
@@ -66,7 +66,7 @@ impl Hull {
         Ray::new(eye, from + (to - from) * share - eye)
     }
 
-    /// How many of so many rays get out.
+    /// Number of rays that miss all triangles, out of `rays`.
     fn leaks(
         &self,
         aim: Aim,
@@ -90,7 +90,7 @@ impl Hull {
     }
 }
 
-/// Far from the origin, where coordinates are coarse: where Embree tests.
+/// A position far from the origin, where coordinates are coarse, from Embree's tests.
 const FAR: Point3 = Point3::new(148_376.0, 1_234.0, -223_423.0);
 const VERY_FAR: Point3 = Point3::new(1e9, -1e9, 1e9);
 
@@ -112,7 +112,7 @@ fn leaks(id: &'static str, middle: Point3, aim: Aim, rays: usize, says: Protocol
     Case::new(id, what, 0.0, Bound::Equal, count(Hull::ours)).protocol(says, count(Hull::theirs))
 }
 
-/// Three places, three aims.
+/// A row for three positions and three targets.
 fn million(rays: usize) -> Case {
     let mut all = 0;
     let mut count = || -> Result<usize, ArgumentError> {
@@ -133,10 +133,11 @@ fn million(rays: usize) -> Case {
     Case::new("S05", what, 0.0, Bound::Equal, out)
 }
 
-/// Where a ray meets the box.
+/// A formula for the nearest hit of the box.
 type Formula = fn(&Ray) -> Option<f64>;
 
-/// The box, by the protocol's three coordinates, its two, and naive slabs.
+/// Rows of the box with the protocol's three coordinates, two coordinates, and naive
+/// slabs.
 fn box_rows(ids: [&'static str; 3], faces: usize, rays: usize, says: [Protocol; 3]) -> [Case; 3] {
     let count = |t: Formula| {
         let wrong = |aimed: &Aimed| aimed.is_wrong(t(&aimed.ray));

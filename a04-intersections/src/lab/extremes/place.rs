@@ -1,4 +1,4 @@
-//! The same scene elsewhere, and in other units: where nothing may change.
+//! Translated and scaled scenes, whose hits must not change.
 
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
@@ -12,11 +12,10 @@ use crate::lab::experiments::Numbers;
 use crate::lab::protocol::{self, Compared};
 use crate::{AxisAlignedBox, Plane, Sphere, Triangle};
 
-/// Coordinates are multiples of this: moved by 2^30, they are still exact.
+/// Coordinates are multiples of this: they are exact after a translation by 2^30.
 const GRID: f64 = 1.0 / 1_048_576.0;
 
-/// A plane, a box, a triangle and a sphere, so many times as large and moved so
-/// far along all axes.
+/// A plane, a box, a triangle and a sphere, scaled, and translated along all axes.
 struct Place {
     scale: f64,
     shift: f64,
@@ -30,7 +29,7 @@ impl Place {
         Point3::from_glam(coordinates.map(|x| x * self.scale + self.shift).into())
     }
 
-    /// The `n`-th ray: its direction is the same at every place.
+    /// The `n`-th ray. Its direction does not depend on scale and translation.
     fn ray(&self, n: usize) -> Ray {
         let mut numbers = Numbers::new(41, n);
         let mut on_grid = |reach: f64| (numbers.between(-reach, reach) / GRID).round() * GRID;
@@ -89,7 +88,7 @@ impl Place {
     }
 }
 
-/// How many distances are not the same bits, once scaled.
+/// Number of distances that differ in any bit after scaling.
 fn differing(one: &[Distances], other: &[Distances], scale: f64) -> usize {
     let bits = |t: Option<f64>| t.map(f64::to_bits);
     let pairs = one.iter().flatten().zip(other.iter().flatten());
@@ -104,7 +103,7 @@ const HERE: Place = Place {
 
 type Count = Result<usize, ArgumentError>;
 
-/// Over many scales, ours and theirs.
+/// Differing distances over many scales: ours and the protocol's.
 fn rescaled(rays: usize) -> (Count, Count) {
     let places = || {
         (-300..=300).step_by(50).map(|exponent| Place {

@@ -1,4 +1,4 @@
-//! Planes that are grazed, far away, and left.
+//! Planes at grazing angles, far planes, and rays that leave a plane.
 
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
@@ -25,7 +25,7 @@ fn case(
     says: Protocol,
 ) -> Case {
     let (a, n) = (point(a), vector(n).as_normal());
-    // The protocol's normals are of length 1 as well, but where that goes wrong.
+    // The protocol also normalises, except where its formula fails.
     let unit = n.normalized().unwrap_or(n);
     Case::new(id, what, exact, bound, meeting(Plane::new(a, n), line))
         .protocol(says, protocol::plane(a, unit, &any_ray(line)))
@@ -65,7 +65,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     ]
 }
 
-/// The product of two lengths of 1e-200 is 0: no plane, to the protocol.
+/// The product of two lengths of 1e-200 is 0, so the protocol finds no plane.
 fn tiny_lengths() -> Case {
     let line = ([0.0, 1.0, 0.0], [0.0, -1e-200, 0.0]);
     let n = Normal3::new(0.0, 1e-200, 0.0);
@@ -89,9 +89,9 @@ fn infinite_origin() -> Case {
     .protocol(Fails, protocol::plane(Point3::ORIGIN, n, &ray))
 }
 
-/// Rays go on from where others met a slanted plane. The point is rounded to
-/// one of both sides; `t > 0` alone meets the same plane again, and an interval
-/// that begins after some roundings of the lengths involved does not.
+/// Rays that start at hits of a slanted plane. Rounding moves the point to one of
+/// its sides. With `t > 0` some rays hit the same plane again; with an interval
+/// that begins after a few rounding errors of the lengths, no ray does.
 fn leaving(effort: Effort) -> Case {
     let count = |again: &dyn Fn(Point3, Normal3, &Plane, &Ray, f64) -> bool| {
         let mut met = 0_usize;
@@ -113,7 +113,7 @@ fn leaving(effort: Effort) -> Case {
         }
         Ok::<_, ArgumentError>(met)
     };
-    // A slanted ray is at the plane at a distance of the error over the cosine.
+    // A slanted ray hits the plane at a distance of the error over the cosine.
     let ours = count(&|_, normal, plane, ray, least| {
         use a02_math::Direction;
         let min = least / ray.direction().dot(normal).abs();

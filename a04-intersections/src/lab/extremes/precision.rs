@@ -1,4 +1,4 @@
-//! How far off, over many rays, held against 30 digits.
+//! Errors over many rays, compared with 30 digits.
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
@@ -14,8 +14,8 @@ use crate::lab::real::Real;
 use crate::lab::{exact, protocol};
 use crate::{Plane, Sphere};
 
-/// How many of the rays at a unit sphere are wrongly said to hit or to miss,
-/// of those that pass its rim at more than four roundings of the distance.
+/// Number of rays with a wrong decision between hit and miss of a unit sphere,
+/// among rays that pass its rim at more than four rounding errors of the distance.
 fn wrong<F: Real>(distance: f64, rays: usize, is_hit: impl Fn(&[F; 3], &[F; 3]) -> bool) -> usize {
     let margin = 4.0 * F::EPSILON * distance;
     let view = view_from::<F>(distance, rays);
@@ -51,8 +51,8 @@ fn single_precision(rays: usize) -> Case {
     Case::new("S11", what, 0.0, Bound::Equal, ours).protocol(Fails, theirs)
 }
 
-/// The greatest error of a plane's `t` in units of what theory allows: roundings
-/// of the lengths involved over the cosine.
+/// The greatest error of a plane's `t`, relative to the theoretical bound: rounding
+/// errors of the lengths over the cosine.
 fn plane(id: &'static str, anchor: f64, rays: usize) -> Case {
     let greatest = |of: &dyn Fn(Point3, Vector3, &Ray) -> Option<f64>| {
         let mut greatest = 0.0_f64;

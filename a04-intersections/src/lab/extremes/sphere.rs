@@ -1,4 +1,4 @@
-//! Spheres far away, huge, tiny, touched and entered.
+//! Far, huge and tiny spheres, tangent rays, and rays from inside.
 
 use a02_math::{Direction, Point3};
 use common::{ArgumentError, Color};
@@ -11,7 +11,7 @@ use crate::{Geometry, Interval, Sphere, World, protocol};
 const AT_ORIGIN: (Triple, f64) = ([0.0; 3], 1.0);
 const DOWN_Z: Triple = [0.0, 0.0, -1.0];
 
-/// What the formula of the renderer promises: four roundings of the distance
+/// Error bound of the renderer's formula: four rounding errors of the distance
 /// to the centre, or of the radius if that is greater, over the cosine.
 fn stable(length: f64, cos: f64) -> Bound {
     Bound::Absolute(4.0 * EPSILON * length / cos)
@@ -48,7 +48,7 @@ fn long_or_short(id: &'static str, length: f64, says: Protocol) -> Case {
     Case::new(id, what, 2.0, Bound::Ulps(1.0), ours).protocol(says, raw.map(|t| t * length))
 }
 
-/// A ray that no scene can make, given to the shape itself.
+/// A ray that no scene contains, passed directly to the shape.
 fn unchecked(id: &'static str, what: &str, line: Line, says: Protocol) -> Case {
     let (c, r) = AT_ORIGIN;
     let ours = Sphere::new(point(c), r).map(|s| super::first(&s, &raw_ray(line)));
@@ -140,7 +140,7 @@ fn on_the_surface() -> [Case; 8] {
     ]
 }
 
-/// The protocol's normal points outwards, away from an eye inside.
+/// The protocol's normal points outwards, also for an eye inside.
 fn facing_from_inside() -> Case {
     let line = ([0.0; 3], [0.0, 0.0, 1.0]);
     let ours = || -> Result<_, ArgumentError> {

@@ -1,4 +1,4 @@
-//! Triangles met at corners and edges, needles, tiny and huge ones, and none.
+//! Triangles hit at corners and edges; thin, tiny, huge and degenerate triangles.
 
 use a02_math::{Normal3, Point3};
 use common::ArgumentError;
@@ -38,7 +38,7 @@ fn case(
         .protocol(says, theirs(corners, line))
 }
 
-/// Whether the first of two neighbours is met, and whether the second is.
+/// Whether the ray hits the first and the second of two neighbours.
 fn neighbours(
     id: &'static str,
     what: &str,
@@ -55,7 +55,7 @@ fn neighbours(
     Case::new(id, what, true, Bound::Equal, ours()).protocol(Holds, theirs)
 }
 
-/// A triangle of this size from as far away, through β = γ = 1/4.
+/// A triangle of this size, seen from the same distance, at β = γ = 1/4.
 fn sized(
     id: &'static str,
     size: f64,
@@ -137,7 +137,7 @@ fn needles() -> [Case; 3] {
     ]
 }
 
-/// The protocol's least distance counts in lengths of the direction.
+/// The protocol's least distance is in units of the direction's length.
 fn long_direction() -> Case {
     let line = ([0.25, 0.25, 1.0], [0.0, 0.0, -1e4]);
     let raw = protocol::triangle(&HALF.map(point), &raw_ray(line));
@@ -157,7 +157,7 @@ fn no_meetings() -> Vec<Case> {
     let down = [0.0, 0.0, -1.0];
     let on_a_line = [[0.0; 3], [1.0, 1.0, 0.0], [3.0, 3.0, 0.0]];
     let one_third = [[0.1, 0.2, 0.3], [1.1, 2.2, 3.3], [0.4, 0.8, 1.2]];
-    // From the tests of pbrt-v4, where it was once met in single precision.
+    // From the tests of pbrt-v4, where single precision once gave a hit.
     let thin = [
         [-1_113.454_59, -79.049_614, -56.243_190_8],
         [-1_113.454_59, -87.092_269_9, -56.243_190_8],
@@ -182,8 +182,8 @@ fn no_meetings() -> Vec<Case> {
     ]
 }
 
-/// Corners on a line but for rounding have a determinant of pure rounding,
-/// which is not 0: the protocol meets some of them, anywhere.
+/// For corners on a line up to rounding, the determinant is only rounding error and
+/// not 0: the protocol computes hits of some of them, at arbitrary points.
 fn noise() -> Case {
     let mut met = [0_usize; 2];
     for n in 0..1000 {
@@ -230,7 +230,7 @@ fn by_the_word() -> Case {
     Case::new("D28", what, 1000.0, Bound::Equal, ours).protocol(Fails, theirs.count())
 }
 
-/// The mean of three normals is shorter than they are.
+/// The mean of three normals is shorter than each of them.
 fn interpolated() -> Case {
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let normals = axes.map(|axis| Normal3::from_glam(axis.into()));

@@ -1,11 +1,11 @@
-//! The whole renderer against a closed form: how bright a matt ball is, like
-//! the moon, depends on the angle between the light and the eye only. At the
-//! phase angle a its mean brightness is `(2/3) (sin a + (π - a) cos a) / π`.
+//! The whole renderer against a closed form: the brightness of a matt ball, the
+//! moon for example, depends only on the angle between the light and the eye. At
+//! the phase angle a its mean brightness is `(2/3) (sin a + (π - a) cos a) / π`.
 //! (Lambert, Photometria, 1760)
 //!
-//! The pixels that the edge cuts count as a whole or not at all: an error of
-//! `n^(-3/2)` for n pixels across. At full moon the edge is dark, and what is
-//! counted wrongly is next to nothing: `n^-2`.
+//! The pixels at the edge count as a whole or not at all: an error of `n^(-3/2)`
+//! for n pixels across. At full moon the edge is dark, and the error of these
+//! pixels is smaller: `n^-2`.
 
 use std::f64::consts::PI;
 
@@ -17,7 +17,7 @@ use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
 
 use crate::{DirectionalLight, Lambert, LitWorld};
 
-/// The side of what the picture shows: no ball is larger than 2.2 across.
+/// Side of the visible square: no ball is larger than 2.2 across.
 const VIEW: f64 = 2.4;
 
 const PHASES: [(f64, &str, f64); 4] = [
@@ -62,8 +62,8 @@ pub fn experiment() -> Experiment<'static> {
     }
 }
 
-/// The mean brightness of a ball whose centre is somewhere in a pixel, and whose
-/// radius is none that suits the grid.
+/// The mean brightness of a ball whose centre and radius are no multiples of a
+/// pixel.
 fn mean(phase: f64, pixels: u32, ball: u32) -> Result<f64, Error> {
     let across = f64::from(pixels);
     let pixel = VIEW / across;
@@ -78,7 +78,7 @@ fn mean(phase: f64, pixels: u32, ball: u32) -> Result<f64, Error> {
         )
         .lit_by(Box::new(DirectionalLight::new(Color::WHITE, light)?));
 
-    // The camera's `s` is the way from the first row of pixels to the last.
+    // The camera's `s` is the distance from the first row of pixels to the last.
     let (e, g, t) = (
         Point3::new(0.0, 0.0, 9.0),
         Vector3::new(0.0, 0.0, -1.0),

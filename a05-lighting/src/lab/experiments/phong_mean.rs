@@ -1,7 +1,7 @@
 //! The highlight of a ball that is lit from the eye has the mean
-//! `1 / (2 (P + 1))` for every exponent P. A grid of n by n points finds it as
-//! soon as it sees the highlight, so that what remains is the rounding of the
-//! sum.
+//! `1 / (2 (P + 1))` for every exponent P. A grid of n by n points has this
+//! mean as soon as it resolves the highlight, so that only the rounding error of
+//! the sum remains.
 
 use std::f64::consts::PI;
 
@@ -49,8 +49,8 @@ pub fn experiment() -> Experiment<'static> {
 }
 
 /// The mean over the disc of a ball in a picture of `across` by `across`
-/// pixels. To the eye, the mirrored light has the cosine `1 - 2 ρ²` at the
-/// distance ρ from the middle.
+/// pixels. At the distance ρ from the middle, the cosine of the angle between the
+/// mirrored light and the eye is `1 - 2 ρ²`.
 fn mean(across: u32, exponent: f64, sum: fn(&mut dyn Iterator<Item = f64>) -> f64) -> f64 {
     let pixel = 2.0 / f64::from(across);
     let place = move |i: u32| (f64::from(i) + 0.5) * pixel - 1.0;
@@ -67,9 +67,8 @@ fn mean(across: u32, exponent: f64, sum: fn(&mut dyn Iterator<Item = f64>) -> f6
     sum(&mut places.map(highlight)) * pixel * pixel / PI
 }
 
-/// The sum of the terms, and beside it that of what each addition has lost.
-/// (Neumaier, Rundungsfehleranalyse einiger Verfahren zur Summation endlicher
-/// Summen, 1974)
+/// The sum of the terms, with a second sum of the rounding errors. (Neumaier,
+/// Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen, 1974)
 fn neumaier(terms: &mut dyn Iterator<Item = f64>) -> f64 {
     let (mut sum, mut lost) = (0.0_f64, 0.0);
     for term in terms {

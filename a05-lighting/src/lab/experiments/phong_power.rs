@@ -1,7 +1,7 @@
-//! Ways to raise a cosine to a power.
+//! Methods to raise a cosine to a power.
 //!
-//! Rounding the cosine moves its P-th power by the share eps P / 4, however
-//! exact the power is; only who knows 1 - cosine can do better.
+//! Rounding the cosine changes its P-th power by the relative error eps P / 4,
+//! even if the power is exact; only methods that use 1 - cosine can do better.
 
 use std::rc::Rc;
 

@@ -75,14 +75,14 @@ pub fn experiment() -> Experiment<'static> {
     }
 }
 
-/// What the light of the renderer decides, without a direction of length 1.
+/// The decision of the renderer's light, without a direction of length 1.
 fn by_cosines(_: &SpotLight, point: Point3) -> bool {
     let to_point = point - Point3::ORIGIN;
     let lengths = (to_point.dot(to_point) * DIRECTION.dot(DIRECTION)).sqrt();
     to_point.dot(DIRECTION) >= COS_HALF_ANGLE * lengths
 }
 
-/// Points with whether the light shines on them.
+/// Points, and whether the light shines on them.
 type Points = Rc<[(Point3, bool)]>;
 
 /// A light at the origin and points near the rim of its cone.

@@ -1,4 +1,4 @@
-//! Powers of cosines, from none to beyond all numbers.
+//! Powers of cosines, for exponents from 0 to overflow.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
@@ -59,8 +59,8 @@ pub fn cases() -> Vec<Case> {
     ]
 }
 
-/// What a light, straight above a white highlight, brings to an eye to which
-/// the mirrored light has this cosine.
+/// Radiance of a white highlight under a light straight above, for this cosine of
+/// the angle between the mirrored light and the eye.
 fn power(
     id: &'static str,
     cosine: f64,

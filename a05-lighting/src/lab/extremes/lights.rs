@@ -1,4 +1,4 @@
-//! Lights far away, inside of things, and of no place.
+//! Far lights, lights inside of objects, and lights without a position.
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
@@ -79,7 +79,7 @@ pub fn cases() -> Vec<Case> {
     ]
 }
 
-/// The white unit sphere with a light at its centre, and 1/4 from everywhere.
+/// The white unit sphere with a light at its centre, and ambient light of 1/4.
 fn light_inside() -> Made<LitWorld> {
     let light = PointLight::new(Color::WHITE, Point3::ORIGIN)?;
     Ok(LitWorld::new(Color::BLACK, Color::gray(0.25))?
@@ -90,7 +90,7 @@ fn light_inside() -> Made<LitWorld> {
         .lit_by(Box::new(light)))
 }
 
-/// Its brightness from so far away.
+/// Brightness of the sphere, seen from the distance `z`.
 fn sphere(id: &'static str, what: &str, z: f64, exact: f64) -> Case {
     let ray = Ray::derived(Point3::new(0.0, 0.0, z), Vector3::new(0.0, 0.0, -1.0));
     let ours = light_inside().map(|world| world.color_for(&ray).r);
@@ -98,7 +98,7 @@ fn sphere(id: &'static str, what: &str, z: f64, exact: f64) -> Case {
     Case::new(id, what, exact, Bound::Absolute(4.0 * f64::EPSILON), ours)
 }
 
-/// Its brightness from an eye within it, the worst of many directions.
+/// Brightness of the sphere, seen from inside; the worst of many directions.
 fn from_inside(id: &'static str, count: u32) -> Case {
     let worst = || {
         let world = light_inside()?;
@@ -142,7 +142,7 @@ fn brightness<L: Light + 'static>(n: Normal3, light: Made<L>) -> Made<f64> {
     Ok(world.color_for(&Ray::derived(Point3::ORIGIN + n, -n)).r)
 }
 
-/// A light from far away shines at the origin as it does everywhere.
+/// A directional light is the same at the origin as everywhere.
 fn directional(id: &'static str) -> Case {
     let ours = DirectionalLight::new(Color::WHITE, Vector3::new(0.0, -1.0, 0.0))
         .map(|light| light.illuminates(Point3::ORIGIN));
@@ -159,7 +159,7 @@ fn directional(id: &'static str) -> Case {
     )
 }
 
-/// A wall under a light that comes straight at it.
+/// A wall with a light perpendicular to it.
 fn from_the_side(id: &'static str) -> Case {
     use a02_math::Direction;
     let wall = Normal3::new(1.0, 0.0, 0.0);

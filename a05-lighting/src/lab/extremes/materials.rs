@@ -1,4 +1,4 @@
-//! What the protocol's printed formulas make of colours.
+//! Colours by the protocol's printed formulas.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
@@ -37,7 +37,7 @@ fn lambert(diffuse: f64, lights: &[f64]) -> Result<f64, ArgumentError> {
     Ok(shaded(&material, lights)?.r)
 }
 
-/// Without the sum there is one light.
+/// Without the sum, only one light counts.
 fn two_lights(id: &'static str) -> Case {
     let ours = lambert(1.0, &[0.25, 0.5]);
     Case::new(
@@ -67,7 +67,7 @@ fn white_highlight_on_red(id: &'static str) -> Case {
     .protocol(Fails, theirs)
 }
 
-/// A light brighter than 1 is no error before the picture is shown.
+/// A light brighter than 1 is valid; only the picture is clamped.
 fn bright_light(id: &'static str) -> Case {
     let ours = lambert(0.25, &[3.0]);
     Case::new(

@@ -179,7 +179,7 @@ fn angles(id: &'static str, count: usize) -> Case {
         .protocol(Fails, not_numbers(arc))
 }
 
-/// Between the x axis and the diagonal of x and y.
+/// The angle between the x axis and the diagonal of x and y.
 fn formula(id: &'static str) -> Case {
     let (a, b) = (Vector3::new(2.0, 0.0, 0.0), Vector3::new(1.0, 1.0, 0.0));
     Case::new(

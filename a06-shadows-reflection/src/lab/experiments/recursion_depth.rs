@@ -1,9 +1,9 @@
-//! How deep the recursion must go.
+//! The recursion depth needed for a given error.
 //!
-//! Between two mirrors that each shine with 1 and mirror a share k, what D
-//! surfaces leave out of the sum 1 / (1 - k) is `k^D / (1 - k)`. That falls by
-//! the same factor with each surface, which no straight line of a log-log plot
-//! shows; so the knob is the error that is asked for, and the depth follows.
+//! Between two mirrors that each emit 1 and have the reflectance k, the error of D
+//! surfaces against the sum 1 / (1 - k) is `k^D / (1 - k)`. This falls by the same
+//! factor with each surface, which is no straight line in a log-log plot. So the
+//! parameter is the allowed error, and the depth follows.
 
 use std::rc::Rc;
 
@@ -66,12 +66,12 @@ pub fn experiment() -> Experiment<'static> {
     }
 }
 
-/// The least depth D with `k^D / (1 - k)` not above the error asked for.
+/// The least depth D with `k^D / (1 - k)` not above the allowed error.
 pub fn depth(k: f64, asked: f64) -> u32 {
     (libm::log(asked * (1.0 - k)) / libm::log(k)).ceil() as u32
 }
 
-/// Rays that go up from between the mirrors, at any slope.
+/// Rays that start between the mirrors and go upwards, at various slopes.
 pub fn rays(count: usize) -> Rc<[Ray]> {
     let ray = |n: usize| {
         let random = PixelRandom::new(4, n as u32, 0);

@@ -1,4 +1,4 @@
-//! What keeps a surface out of its own shadow, at every size of a scene.
+//! Methods against self-shadowing, at every size of a scene.
 
 use std::rc::Rc;
 
@@ -15,8 +15,8 @@ use crate::lab::extremes::self_hits::{
 
 const SIZES: [f64; 8] = [1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e9];
 
-/// Something stands as near as this before the light, in sizes of the scene: for
-/// one half of the rays here, for the other there.
+/// Distances of an object before the light, in sizes of the scene, for one half of
+/// the rays each.
 const NEAR: [f64; 2] = [1e-4, 1e-10];
 
 const POLICIES: [(&str, Policy, &str); 5] = [

@@ -1,7 +1,7 @@
-//! Two mirrors that face each other, and what they bring back.
+//! The light between two mirrors that face each other.
 //!
-//! Each shines with 1 itself and mirrors the share k. After D of them a ray has
-//! brought back 1 + k + ... + k^(D-1) = (1 - k^D) / (1 - k).
+//! Each emits 1 and has the reflectance k. After D mirrors a ray has brought back
+//! 1 + k + ... + k^(D-1) = (1 - k^D) / (1 - k).
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -101,7 +101,7 @@ impl Mirrors {
         )
     }
 
-    /// From the middle upwards.
+    /// The ray from the middle upwards.
     fn ray(self) -> Ray {
         Ray::derived(Point3::new(0.0, self.gap / 2.0, 0.0), UP)
     }
@@ -127,13 +127,13 @@ impl Mirrors {
         Case::new(id, what, exact, bound, self.ours(depth))
     }
 
-    /// The background is nothing that the last mirror sees.
+    /// The last mirror does not reflect the background.
     fn at_the_limit(self, id: &'static str) -> Case {
         let what = "two mirrors, k = 1/2, before a background of 8, 3 of them met";
         Case::new(id, what, 1.75, Bound::Equal, self.ours(3)).protocol(Fails, self.theirs(3))
     }
 
-    /// Both pixels see one mirror.
+    /// Both pixels show one mirror.
     fn two_pixels(self, id: &'static str) -> Case {
         let both = || {
             let world = self.world(plane(0.0)?)?;
@@ -157,8 +157,8 @@ impl Mirrors {
         .protocol(Fails, both().map(|both| second(both.1)))
     }
 
-    /// One search finds the hit, and what does not mirror, or is met last, needs
-    /// no reflected ray.
+    /// One search finds the hit. A surface that does not mirror, or is the last,
+    /// needs no reflected ray.
     fn searches(self, id: &'static str, what: &str, depth: u32) -> Case {
         let count = |trace: &dyn Fn(&ShadowedWorld, &Ray) -> Color| {
             let (below, rays) = Counting::new(plane(0.0)?);
@@ -184,7 +184,7 @@ fn plane(y: f64) -> Made<Plane> {
 }
 
 /// A mirror without a colour of its own, k = 1/2, under a ceiling of colour 1
-/// that needs no light: it brings back 1/2, however many lights there are.
+/// that needs no light: it brings back 1/2 for any number of lights.
 fn behind_lights(id: &'static str, lights: usize) -> Case {
     let ours = || {
         let mirror = Reflective::new(Color::BLACK, Color::BLACK, 1.0, Color::gray(0.5))?;
@@ -216,7 +216,7 @@ fn million_reflections(id: &'static str) -> Case {
     Case::new(id, what, 1.0, bound, direction.dot(direction).sqrt())
 }
 
-/// A geometry that counts the rays that ask for it.
+/// A geometry that counts the rays tested against it.
 #[derive(Debug)]
 pub struct Counting<G> {
     geometry: G,

@@ -1,5 +1,5 @@
-//! Rays that leave what they have hit, in scenes of every size: none may meet
-//! it again, and none may pass what stands right before it.
+//! Rays that leave the shape that they have hit, in scenes of every size: no ray
+//! may hit it again, and no ray may miss an object close to it.
 
 use std::rc::Rc;
 
@@ -30,8 +30,7 @@ const IDS: [[&str; 5]; 4] = [
     ["S47", "S48", "S49", "S50", "S51"],
 ];
 
-/// How far from the surface something stands before the light, in sizes of the
-/// scene.
+/// Distance from the surface of an object before the light, in sizes of the scene.
 const NEAR: f64 = 1e-4;
 
 pub fn cases(effort: Effort) -> Vec<Case> {
@@ -51,7 +50,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
             cases.push(match size {
                 ..=1.0 => case.protocol(Fails, wrong(THOUSANDTH)),
                 ..=1e4 => case.protocol(Holds, wrong(THOUSANDTH)),
-                // Here it depends on the rounding of single points.
+                // Here the result depends on the rounding of single points.
                 _ => case,
             });
         }
@@ -59,14 +58,13 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     cases
 }
 
-/// How a ray leaves a hit: itself, and the least `t` that counts.
+/// A rule for rays that leave a hit: the ray and its least `t`.
 pub type Policy = fn(&Ray, &Hit, Vector3) -> (Ray, f64);
 
-/// Ours.
+/// Our policy: the offset of the origin.
 pub const LIFTED: Policy = |ray, hit, light| (secondary_ray(ray, hit, light), 0.0);
 
-/// The protocol's: from the computed point, and only what is farther than a
-/// thousandth.
+/// The protocol's policy: from the computed point, and a least `t` of a thousandth.
 pub const THOUSANDTH: Policy = |ray, hit, light| (from_point(ray, hit, light), 0.001);
 
 /// The ray from the computed point.
@@ -84,14 +82,14 @@ pub struct Trial {
 }
 
 impl Trial {
-    /// Whether the shape, which is convex, stands in its own light.
+    /// Whether the shape, which is convex, shadows itself.
     pub fn shades_itself(&self, policy: Policy) -> bool {
         let (to_light, min) = policy(&self.ray, &self.hit, self.light);
         self.world.is_hit(&to_light, beyond(min))
     }
 
-    /// Whether a policy is wrong: the shape shades itself, or what stands so
-    /// near before the light is not found.
+    /// Whether a policy is wrong: the shape shadows itself, or the object at the
+    /// distance `near` before the light is missed.
     pub fn is_wrong(&self, policy: Policy, near: f64) -> bool {
         let (to_light, min) = policy(&self.ray, &self.hit, self.light);
         let before = self.ray.at(self.hit.t) + self.light * (near * self.size);
@@ -129,7 +127,7 @@ pub fn trials(shape: Shape, size: f64, count: usize) -> Made<Vec<Trial>> {
         };
         let light = within(6).unit("light")?;
         let cosine = light.dot(hit.face);
-        // Where light only grazes, either is right.
+        // At grazing angles either result is right.
         if cosine.abs() < 1e-3 {
             continue;
         }

@@ -1,4 +1,4 @@
-//! Lights in unusual places, and where the protocol's shadow rays go.
+//! Lights in unusual positions, and the protocol's shadow rays.
 
 use std::sync::atomic::Ordering;
 
@@ -99,14 +99,14 @@ fn floor() -> Made<Plane> {
     Plane::new(Point3::ORIGIN, UP)
 }
 
-/// A white floor, light of 1/4 from everywhere, and one more light.
+/// A white floor, ambient light of 1/4, and one more light.
 fn world(floor: impl Geometry + 'static, light: LightSource) -> Made<ShadowedWorld> {
     let world = ShadowedWorld::empty(Color::BLACK, Color::gray(0.25))?;
     let white = Lambert::new(Color::WHITE)?;
     Ok(world.with(floor, Box::new(white)).lit_by(light))
 }
 
-/// To the origin, past what stands above it.
+/// A ray to the origin, past the objects above it.
 fn look() -> Ray {
     Ray::derived(Point3::new(-3.0, 4.0, 0.0), Vector3::new(0.6, -0.8, 0.0))
 }
@@ -127,7 +127,7 @@ fn brightness(id: &'static str, what: &str, light: Made<LightSource>, exact: f64
     )
 }
 
-/// How many rays ask for the floor beside that of the camera.
+/// Number of rays tested against the floor, without the camera's ray.
 fn rays(id: &'static str, what: &str, light: Made<LightSource>) -> Case {
     let count = || {
         let (floor, rays) = Counting::new(floor()?);

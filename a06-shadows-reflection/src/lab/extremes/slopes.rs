@@ -24,7 +24,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     ]
 }
 
-/// Points of a tilted floor around the origin, as rays from an eye find them.
+/// Points of a tilted floor around the origin, computed as hits of rays.
 struct Points {
     floor: Plane,
     normal: Vector3,
@@ -42,12 +42,12 @@ impl Points {
         })
     }
 
-    /// The place so far above the floor.
+    /// The point at this height above the floor, in sizes of the scene.
     fn above(&self, height: f64) -> Point3 {
         Point3::ORIGIN + self.normal * (height * self.size)
     }
 
-    /// Of how many points a statement is true.
+    /// Number of points for which a statement is true.
     fn count(&self, points: usize, is_wrong: impl Fn(&Ray, &Hit) -> bool) -> usize {
         let wrong = |i: &usize| {
             let random = PixelRandom::new(14, *i as u32, 0);

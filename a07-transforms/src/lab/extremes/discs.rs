@@ -103,7 +103,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     ]
 }
 
-/// The `t` at which a ray meets the disc around the origin.
+/// The `t` at which a ray hits the disc around the origin.
 fn hit(
     id: &'static str,
     what: &str,
@@ -127,8 +127,7 @@ fn hit(
         .protocol(says, protocol::disc(Point3::ORIGIN, UP, r, &ray))
 }
 
-/// Rays that leave a disc on the side from which it was hit must not meet it
-/// again.
+/// Rays that leave a disc on the side from which it was hit must not hit it again.
 fn leaving(id: &'static str, count: usize) -> Case {
     let (c, n, r) = (Point3::new(0.1, 0.2, 0.3), Normal3::new(0.3, 1.0, 0.2), 1.0);
     let met_again = |is_met: fn(&Disc, Normal3, &Ray, &Hit) -> bool| {

@@ -74,7 +74,7 @@ pub fn cases() -> Vec<Case> {
     ]
 }
 
-/// A transform, and the same by the protocol.
+/// A transform by our formulas and by the protocol's.
 struct Both {
     ours: Transform,
     theirs: Chained,
@@ -94,12 +94,12 @@ impl Both {
     }
 }
 
-/// Turns about x, y and z by turns, by angles from 1 to 1.9.
+/// Rotations about x, y and z in turn, by angles from 1 to 1.9.
 fn turns(count: u32) -> Result<Both, ArgumentError> {
     (0..count).try_fold(Both::IDENTITY, |both, i| both.then(|t| turn(t, i)))
 }
 
-/// The transform after the `i`-th of these turns.
+/// The transform after the `i`-th of these rotations.
 pub fn turn(t: Transform, i: u32) -> Step {
     let angle = 1.0 + 0.1 * f64::from(i % 10);
     match i % 3 {
@@ -109,8 +109,8 @@ pub fn turn(t: Transform, i: u32) -> Step {
     }
 }
 
-/// Two turns, a stretching of one axis by `k`, and two more turns: the
-/// condition of the product is `k`.
+/// Two rotations, a scaling of one axis by `k`, and two more rotations: the
+/// condition number of the product is `k`.
 fn stretched(k: f64, [a, b, c, d]: [f64; 4]) -> Result<Both, ArgumentError> {
     Both::IDENTITY
         .then(|t| t.rotate_x(a)?.rotate_y(b))?
@@ -124,7 +124,7 @@ fn moved_and_turned(to: Point3) -> Result<Both, ArgumentError> {
         .then(|t| t.rotate_y(FRAC_PI_2))
 }
 
-/// The numbers of `m i - 1`, without the last row, which is exact.
+/// The entries of `m i - 1`, without the last row, which is exact.
 pub fn off_identity(m: Mat4x4, i: Mat4x4) -> [f64; 12] {
     let product = m * i;
     let axis = |x, y, z| {
@@ -152,7 +152,7 @@ fn triple(v: Vector3) -> [f64; 3] {
     v.to_glam().to_array()
 }
 
-/// Where a matrix puts the origin.
+/// The image of the origin under a matrix.
 fn place(m: Mat4x4) -> [f64; 3] {
     (m * Point3::ORIGIN).to_glam().to_array()
 }
@@ -190,8 +190,8 @@ fn origin(id: &'static str, what: &str, exact: [f64; 3], ours: Step) -> Case {
     )
 }
 
-/// The outer step is the scaling: the object is moved first, and the movement
-/// stretched with it.
+/// The outer step is the scaling: the object is translated first, and the
+/// translation is scaled.
 fn moved_and_stretched(to: Point3) -> Case {
     let step = Transform::IDENTITY;
     let ours = step.scale(2.0, 2.0, 2.0).and_then(|t| t.translate(to));
@@ -225,7 +225,7 @@ fn full_turn(id: &'static str) -> Case {
     )
 }
 
-/// Two axes exchanged, which turns right into left: the determinant is -1.
+/// Two axes exchanged, which is a reflection: the determinant is -1.
 fn sarrus(id: &'static str) -> Case {
     let exchange = [
         [0.0, 1.0, 0.0, 0.0],

@@ -105,8 +105,8 @@ fn ellipsoid(
     first(id, &what, (o, d), exact, bound, node())
 }
 
-/// The turns add up to a full one, after which the box beside the axis is
-/// where it was.
+/// The rotations add up to a full turn, which returns the box to its position
+/// beside the axis.
 fn nested_turns() -> Made<Node> {
     let beside = Transform::IDENTITY.translate(Point3::new(2.0, 0.0, 0.0))?;
     (0..100).try_fold(Node::new(beside).with(unit_box()?), |node, _| {
@@ -122,8 +122,8 @@ fn small_and_large() -> Made<Node> {
         .with(Sphere::new(Point3::ORIGIN, 1.0)?))
 }
 
-/// Rays along the normal of a face that a quarter turn has made almost
-/// parallel to an axis: π/2 is not a number of 53 digits.
+/// Rays along the normal of a face that a quarter turn has made almost parallel to
+/// an axis: π/2 is not exact in 53 binary digits.
 fn rotated_box(id: &'static str, rays: usize) -> Case {
     let wrong = || {
         let quarter = Transform::IDENTITY.rotate_z(FRAC_PI_2)?;
@@ -141,7 +141,7 @@ fn rotated_box(id: &'static str, rays: usize) -> Case {
     Case::new(id, what, 0.0, Bound::Equal, wrong())
 }
 
-/// The nearest of two spheres of a node, whose nearest points are so far away.
+/// The nearer of two spheres of a node, whose nearest points have these distances.
 fn order(id: &'static str, what: &str, distances: [f64; 2], says: Protocol) -> Case {
     let ray = ray([0.0; 3], [0.0, 0.0, -1.0]);
     let sphere = |t: f64| Sphere::new(Point3::new(0.0, 0.0, -t - 1.0), 1.0);

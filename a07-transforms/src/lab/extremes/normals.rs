@@ -1,4 +1,4 @@
-//! Normals under stretchings, turns and mirrors.
+//! Normals under scalings, rotations and reflections.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -86,7 +86,7 @@ fn normal(
     Case::new(id, what, exact, bound, ours).protocol(Fails, theirs)
 }
 
-/// Light straight from above on an object twice as large is as bright.
+/// An object twice as large is as bright under a light straight above.
 fn lambert(id: &'static str) -> Case {
     let (up, light) = (Normal3::new(0.0, 1.0, 0.0), Vector3::new(0.0, 1.0, 0.0));
     let double = Transform::IDENTITY.scale(2.0, 2.0, 2.0);

@@ -1,5 +1,5 @@
-//! Rays that leave what they have hit, under transforms of every size: none may
-//! meet it again, and none may pass what stands right before it.
+//! Rays that leave the shape that they have hit, under transforms of every size: no
+//! ray may hit it again, and no ray may miss an object close to it.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
@@ -38,7 +38,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
                 Bound::Equal,
                 counts(shape, size, count, &lifted),
             );
-            // At 1e9 it depends on the rounding of single points.
+            // At 1e9 the result depends on the rounding of single points.
             cases.push(match size {
                 ..=1.0 => case.protocol(Fails, counts(shape, size, count, &fixed)),
                 ..=1e4 => case.protocol(Holds, counts(shape, size, count, &fixed)),
@@ -56,14 +56,13 @@ fn lifted(ray: &Ray, hit: &Hit, light: Vector3) -> (Ray, f64) {
     (secondary_ray(ray, hit, light), 0.0)
 }
 
-/// The protocol's: from the computed point, and what is nearer than a
-/// thousandth does not count.
+/// The protocol's policy: from the computed point, and a least `t` of a thousandth.
 fn fixed(ray: &Ray, hit: &Hit, light: Vector3) -> (Ray, f64) {
     (Ray::derived(ray.at(hit.t), light), 0.001)
 }
 
-/// How many lit points a shape shades itself, and how many see a light through
-/// an object that is a ten thousandth of the scene away.
+/// Number of lit points that a shape shadows itself, and of points that a light
+/// reaches through an object at a ten thousandth of the scene's size.
 fn counts(shape: Shape, size: f64, count: usize, policy: &Policy) -> Made<usize> {
     let transform = Transform::IDENTITY
         .translate(Point3::new(0.3 * size, -0.2 * size, 0.7 * size))?
