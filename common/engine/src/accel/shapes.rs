@@ -99,9 +99,18 @@ impl<'a> Shapes<'a> {
             ShapeId::Triangle(i) => self.triangles[i as usize].1,
             ShapeId::Box(i) => self.boxes[i as usize].1,
             ShapeId::Plane(i) => self.planes[i as usize].1,
+            _ => self.listed_rare(shape),
+        }
+    }
+
+    /// Like `listed`, for the kinds that are rare in large scenes.
+    #[inline(never)]
+    fn listed_rare(&self, shape: ShapeId) -> Listed {
+        match shape {
             ShapeId::Disc(i) => self.discs[i as usize].1,
             ShapeId::Transformed(i) => self.transformed[i as usize].1,
             ShapeId::Other(i) => self.others[i as usize].1,
+            _ => self.listed(shape),
         }
     }
 }

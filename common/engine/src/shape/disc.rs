@@ -35,7 +35,7 @@ impl Disc {
     }
 
     /// Where each of four rays meets the disc.
-    #[inline(never)]
+    #[inline]
     pub(crate) fn meet(&self, rays: &RayPacket) -> Lanes {
         let t = self.plane.meet(rays);
         let from_center = rays.at(t) - Vector3x4::splat(self.plane.point);
