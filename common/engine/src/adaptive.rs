@@ -36,7 +36,7 @@ use rayon::iter::{
 };
 use rayon::slice::ParallelSliceMut;
 
-use crate::camera_place;
+use crate::{camera_place, image_of_rows};
 use cell::{DEEPEST, PIXEL_DEPTH};
 use lattice::Lattice;
 use level::Level;
@@ -74,12 +74,10 @@ pub fn render_image(
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Image, Error> {
-    let rows = settings.rows().len() as u32;
-    let mut image = Image::black(Size::new(settings.size.width(), rows)?)?;
-    let copy = |colors: &[Color], pixels: &mut [Color]| pixels.copy_from_slice(colors);
-    let (light, pixels) = (OneByOne(light), image.pixels_mut());
-    render(max_error, settings, &light, progress, pixels, copy)?;
-    Ok(image)
+    let light = OneByOne(light);
+    image_of_rows(settings, |pixels, copy| {
+        render(max_error, settings, &light, progress, pixels, copy)
+    })
 }
 
 /// The light at corners of cells.

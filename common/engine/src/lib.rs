@@ -21,6 +21,8 @@ mod shape;
 mod trace;
 mod vector;
 
+use common::{Color, Error, Image, Settings, Size};
+
 pub use accel::RayBundle;
 pub use camera::{Basis, Camera, RayFn};
 pub use ray::{Hit, Interval, Ray};
@@ -33,6 +35,16 @@ pub use shape::{AxisAlignedBox, Disc, HitFn, Plane, Shape, Sphere, Transform, Tr
 /// Rays per batch, approximately.
 const BATCH: usize = 64;
 
-fn count_primary_rays(rays: usize) {
-    measure::tally::count_all(measure::tally::Work::PrimaryRay, rays as u64);
+/// The image of the rows that the settings select: `render` fills its pixels, with a
+/// function that copies a finished row.
+fn image_of_rows(
+    settings: &Settings,
+    render: impl FnOnce(&mut [Color], fn(&[Color], &mut [Color])) -> Result<(), Error>,
+) -> Result<Image, Error> {
+    let rows = settings.rows().len() as u32;
+    let mut image = Image::black(Size::new(settings.size.width(), rows)?)?;
+    render(image.pixels_mut(), |row, pixels| {
+        pixels.copy_from_slice(row);
+    })?;
+    Ok(image)
 }

@@ -1,6 +1,7 @@
 //! `Renderer`: a scene and a camera, prepared for rendering.
 
-use common::{Bound, Color, Error, Image, Plan, Progress, Settings, Size};
+use common::{Bound, Color, Error, Image, Plan, Progress, Settings};
+use measure::tally::{self, Work};
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
@@ -9,7 +10,7 @@ use crate::adaptive;
 use crate::flatten::flatten;
 use crate::shade::RadianceBound;
 use crate::trace::Tracer;
-use crate::{BATCH, Camera, Light, Ray, Sampler, Scene, camera_place, count_primary_rays};
+use crate::{BATCH, Camera, Light, Ray, Sampler, Scene, camera_place, image_of_rows};
 
 /// The share of the allowed error for reflections that are cut off. The samples may use
 /// all of it, because the sum of both squares is hardly larger.
@@ -88,11 +89,9 @@ impl<'a> Renderer<'a> {
         settings: &Settings,
         progress: &dyn Progress,
     ) -> Result<Image, Error> {
-        let rows = settings.rows().len() as u32;
-        let mut image = Image::black(Size::new(settings.size.width(), rows)?)?;
-        let copy = |colors: &[Color], pixels: &mut [Color]| pixels.copy_from_slice(colors);
-        self.render_rows(sampler, settings, progress, image.pixels_mut(), copy)?;
-        Ok(image)
+        image_of_rows(settings, |pixels, copy| {
+            self.render_rows(sampler, settings, progress, pixels, copy)
+        })
     }
 
     /// Like `render`, but hands each finished row to `keep`, with its share of `kept`,
@@ -256,7 +255,7 @@ impl View<'_, '_> {
         rays.clear();
         let Renderer { camera, tracer, .. } = self.renderer;
         camera.rays(self.settings.size, places, rays);
-        count_primary_rays(rays.len());
+        tally::count_all(Work::PrimaryRay, rays.len() as u64);
         tracer.trace(rays, light);
     }
 }
