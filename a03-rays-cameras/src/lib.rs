@@ -15,7 +15,8 @@ mod random;
 mod ray;
 mod render;
 mod sampler;
-mod scenes;
+#[doc(hidden)]
+pub mod scenes;
 mod stage;
 mod striped_sky;
 

@@ -12,7 +12,8 @@ mod interval;
 #[doc(hidden)]
 pub mod lab;
 mod plane;
-mod scenes;
+#[doc(hidden)]
+pub mod scenes;
 mod sphere;
 mod stage;
 mod triangle;

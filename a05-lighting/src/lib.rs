@@ -16,7 +16,8 @@ mod material;
 mod phong;
 mod point_light;
 mod power;
-mod scenes;
+#[doc(hidden)]
+pub mod scenes;
 mod single_color;
 mod spot_light;
 mod stage;

@@ -9,7 +9,8 @@ pub mod lab;
 mod light_source;
 mod recursive_tracer;
 mod reflective;
-mod scenes;
+#[doc(hidden)]
+pub mod scenes;
 mod secondary_ray;
 mod shadow;
 mod stage;

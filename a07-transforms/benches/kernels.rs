@@ -1,4 +1,4 @@
-//! What single steps of the tracer cost.
+//! The time of single steps of the tracer.
 //!
 //! ```console
 //! $ cargo bench -p a07-transforms --bench kernels            all of them
@@ -8,8 +8,8 @@
 //! Each step is taken for 65,536 different rays in a row, so that the processor
 //! cannot learn the outcomes by heart, and about half of the rays meet the shape:
 //! a test that always fails is cheaper. Read the figures as ratios of one run;
-//! what moves by a factor with the next build is the layout of the program, not
-//! its arithmetic.
+//! a factor that comes and goes with the next build comes from the layout of the
+//! program, not from its arithmetic.
 
 use std::f64::consts::FRAC_PI_4;
 use std::hint::black_box;

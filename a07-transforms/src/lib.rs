@@ -9,7 +9,8 @@ pub mod fast;
 pub mod lab;
 mod mat4x4;
 mod node;
-mod scenes;
+#[doc(hidden)]
+pub mod scenes;
 mod stage;
 mod transform;
 

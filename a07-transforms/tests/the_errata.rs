@@ -1,4 +1,4 @@
-//! The locked pictures of the errata, and of what can go wrong.
+//! The locked pictures of the errata, and of mistakes in general.
 //!
 //! `cargo test` runs them after the pictures of the stage.
 

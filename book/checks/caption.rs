@@ -1,5 +1,6 @@
 //! Every picture and every listing has a caption: the paragraph behind it, all
-//! of it emphasised. The book's style sheet counts on that.
+//! of it emphasised. The book's style sheet counts on that. Pictures in a table are
+//! explained by its rows.
 
 use pulldown_cmark::{Event, Tag, TagEnd};
 
@@ -20,6 +21,10 @@ pub fn complaints(files: &Files) -> Vec<String> {
             let wrong = match event {
                 Event::Start(Tag::Image { .. }) => {
                     has_picture = true;
+                    None
+                }
+                Event::End(TagEnd::Table) => {
+                    has_picture = false;
                     None
                 }
                 Event::End(TagEnd::Paragraph) if std::mem::take(&mut has_picture) => {
@@ -67,6 +72,8 @@ mod tests {
     fn captions_are_right() {
         let text = format!("![a](a.png)\n\n*A, seen\nfrom `b`*\n\n{LISTING}\n*a/src/b.rs*\n");
         assert_eq!(complaints_about(&text), [""; 0]);
+        let table = "| a |\n|---|\n| ![b](c.png) |\n\nd\n";
+        assert_eq!(complaints_about(table), [""; 0]);
         assert_eq!(complaints_about("```rust\nassert!(true);\n```\n"), [""; 0]);
     }
 

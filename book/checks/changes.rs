@@ -1,4 +1,4 @@
-//! The list of what a stage adds to the stages below, from its source files.
+//! The list of the files that a stage adds to the stages below.
 //!
 //! A chapter includes it as `{{#include ../changes/STAGE.md}}`.
 
@@ -10,7 +10,7 @@ use crate::Files;
 use crate::files::top;
 use crate::page::complaint;
 
-/// The stages whose list is not what their sources say.
+/// The stages whose list differs from their sources.
 #[must_use]
 pub fn complaints(files: &Files) -> Vec<String> {
     let lists = files
@@ -34,7 +34,7 @@ fn path(stage: &str) -> String {
     format!("book/changes/{stage}.md")
 }
 
-/// What the stage uses, and a line for each of its files.
+/// The stages that this stage uses, and a line for each of its files.
 fn list(files: &Files, stage: &str) -> String {
     let mut list = String::new();
     let below = files.stages().take_while(|below| *below != stage);

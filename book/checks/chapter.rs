@@ -8,7 +8,7 @@ use crate::Files;
 use crate::files::{SUMMARY, resolve};
 use crate::page::{Page, complaint};
 
-/// What is wrong with the list of chapters.
+/// The mistakes in the list of chapters.
 #[must_use]
 pub fn complaints(files: &Files) -> Vec<String> {
     let text = files.text(SUMMARY).unwrap_or_default();

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use crate::page::Page;
 
 /// The paths of all files, from the top of the repository with `/` in between,
-/// each with its text; that of pictures and the like is empty.
+/// each with its text; the text of pictures and other binary files is empty.
 #[derive(Debug, Default)]
 pub struct Files(BTreeMap<String, String>);
 
@@ -87,12 +87,12 @@ impl Files {
     }
 }
 
-/// Whether a path belongs to what is made by building, or to other programs.
+/// Whether a path belongs to build products or to other programs.
 fn is_made(path: &str) -> bool {
     path.starts_with('.') || path == "target" || path == "out"
 }
 
-/// What stands behind the last dot of a path.
+/// The text behind the last dot of a path.
 pub fn ending(path: &str) -> &str {
     path.rsplit_once('.').map_or("", |(_, ending)| ending)
 }

@@ -1,4 +1,4 @@
-//! Listings: what a page includes is there, and what is marked is included.
+//! Listings: every include of a page exists, and every anchor is included.
 
 use std::collections::HashSet;
 
@@ -43,7 +43,7 @@ pub fn complaints(files: &Files) -> Vec<String> {
 const OPEN: &str = "ANCHOR:";
 const CLOSE: &str = "ANCHOR_END:";
 
-/// The includes of a text: where they stand, and what they ask for.
+/// The includes of a text: their places and their arguments.
 pub fn directives(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let starts = text.match_indices("{{#");
     starts.filter_map(|(at, start)| {
@@ -183,8 +183,8 @@ mod tests {
         assert_eq!(directives(r"\{{#include a.rs}} {{#title A}}").count(), 0);
     }
 
-    /// The first line of an anchor may be empty, and the last one may not; what
-    /// stands around it is not shown.
+    /// The first line of an anchor may be empty, and the last one may not; the
+    /// text around it is not shown.
     #[test]
     fn an_anchor_shows_what_lies_between_its_marks() {
         let shown = |source: &str| check(source, "c_d-1").is_ok();

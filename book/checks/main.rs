@@ -1,4 +1,5 @@
-//! Writes down for each stage what it adds to those below: `cargo run -p book`.
+//! Writes the list of the files that each stage adds to the stages below:
+//! `cargo run -p book`.
 
 use std::process::ExitCode;
 

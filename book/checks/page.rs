@@ -14,7 +14,7 @@ pub struct Page<'a> {
 }
 
 impl<'a> Page<'a> {
-    /// What mdBook makes of the text, and where each piece of it stands.
+    /// The events of mdBook's parser for the text, each with its place.
     pub fn events(self) -> impl Iterator<Item = (Event<'a>, Range<usize>)> {
         let options = Options::ENABLE_TABLES
             | Options::ENABLE_FOOTNOTES
@@ -28,14 +28,14 @@ impl<'a> Page<'a> {
         Parser::new_ext(self.text, options).into_offset_iter()
     }
 
-    /// A complaint about the place so many bytes into the text.
+    /// A complaint about the byte `at` of the text.
     pub fn complain(self, at: usize, what: &str) -> String {
         let line = self.text[..at].matches('\n').count() + 1;
         complaint(self.path, line, what)
     }
 }
 
-/// What is wrong in which line of which file, counted from 1.
+/// A mistake in a line of a file; lines are counted from 1.
 pub fn complaint(path: &str, line: usize, what: &str) -> String {
     format!("{path}:{line}: {what}")
 }

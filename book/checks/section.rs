@@ -64,7 +64,7 @@ const FIRST: [(&str, &str); 53] = [
     ("19", "Progress bar"),
 ];
 
-/// Those of the second protocol.
+/// The sections of the second protocol.
 const SECOND: [(&str, &str); 4] = [
     ("3.1", "Vectors"),
     ("3.2", "Ray"),
@@ -72,7 +72,7 @@ const SECOND: [(&str, &str); 4] = [
     ("3.4", "Background"),
 ];
 
-/// What the map lacks, and where it points to nothing.
+/// The sections that the map lacks, and its links that point to nothing.
 #[must_use]
 pub fn complaints(files: &Files) -> Vec<String> {
     let mut complaints = map("first protocol", &FIRST, files);
@@ -137,7 +137,7 @@ fn map(protocol: &str, sections: &[(&str, &str)], files: &Files) -> Vec<String> 
     complaints
 }
 
-/// The four columns of a row; what is not there is empty.
+/// The four columns of a row; a missing one is empty.
 fn cells(line: &str) -> [&str; 4] {
     let mut cells = line.trim_matches('|').split('|').map(str::trim);
     std::array::from_fn(|_| cells.next().unwrap_or_default())

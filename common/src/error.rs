@@ -26,15 +26,7 @@ pub enum Error {
     Write {
         /// The file.
         path: PathBuf,
-        /// What stands in the way.
-        reason: String,
-    },
-    /// A plot could not be drawn.
-    #[error("cannot plot {name}: {reason}")]
-    Plot {
-        /// The experiment.
-        name: String,
-        /// What stands in the way.
+        /// The cause.
         reason: String,
     },
     /// An extreme case is out of its bound.

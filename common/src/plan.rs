@@ -32,7 +32,7 @@ pub enum Bound {
     SameBits,
     /// No channel of a pixel differs by more than this, where 1 is white.
     Channel(f64),
-    /// The root mean square error of all channels is estimated to be at most this,
+    /// The root mean square error of all channels is at most this with 95 % confidence,
     /// where 1 is white.
     Error(f64),
     /// Every ray has the hits that it would have if shapes were moved by less than
@@ -76,7 +76,7 @@ impl fmt::Display for Bound {
         match self {
             Self::SameBits => write!(f, "same bits"),
             Self::Channel(bound) => write!(f, "off by less than {bound:.2e}"),
-            Self::Error(bound) => write!(f, "estimated rms error at most {bound:.2e}"),
+            Self::Error(bound) => write!(f, "rms error at most {bound:.2e}, with 95 % confidence"),
             Self::Shift(bound) => write!(f, "shapes move by less than {bound:.2e} of the scene"),
         }
     }
@@ -114,7 +114,7 @@ mod tests {
             "  needs     lights: 2",
             "  left out  a ray: it goes nowhere (same bits)",
             "  left out  a mirror: it is dark (off by less than 2.00e-3)",
-            "  left out  a sample: it is like others (estimated rms error at most 4.00e-3)",
+            "  left out  a sample: it is like others (rms error at most 4.00e-3, with 95 % confidence)",
             "  left out  a turn: it is small (shapes move by less than 3.00e-15 of the scene)",
         ];
         assert_eq!(plan.to_string(), lines.join("\n"));

@@ -1,33 +1,44 @@
-//! `Sampled`: the number of samples and the error of adaptive sampling.
+//! `Sampled`: the samples and the error of a picture by adaptive sampling.
 
 use std::fmt;
 use std::ops::AddAssign;
 
-/// The samples and the error of a picture, or the sum over several parts of it.
+/// The samples and the error of a picture, or of several parts of it together. Errors are
+/// those of a channel from 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sampled {
     /// Number of pixels.
     pub pixels: u64,
-    /// Number of samples of all pixels.
+    /// Number of samples of all pixels, with those that only checked the error.
     pub samples: u64,
     /// Largest number of samples of a pixel.
     pub most: u32,
-    /// The estimated squared error of a channel from 0 to 1, summed over the
-    /// pixels.
+    /// How often a pixel was audited: compared with new samples.
+    pub audited: u64,
+    /// The squared error that the audits estimate, summed over the pixels.
     pub squared_error: f64,
+    /// The variance of `squared_error`.
+    pub variance: f64,
+    /// The largest squared error by objects that no sample met, with 95 % confidence, summed
+    /// over the pixels.
+    pub unseen: f64,
 }
 
 impl Sampled {
-    /// The estimated root mean square error of a channel from 0 to 1.
+    /// The least and the largest root mean square error of a channel: it lies between them
+    /// with 95 % confidence. A normal distribution lies within two standard deviations.
     #[must_use]
-    pub fn error(&self) -> f64 {
-        (self.squared_error / self.pixels as f64).sqrt()
+    pub fn error(&self) -> [f64; 2] {
+        let doubt = 2.0 * self.variance.sqrt();
+        let sum = self.squared_error;
+        let squares = [sum - doubt, sum.max(0.0) + doubt + self.unseen];
+        squares.map(|sum| (sum.max(0.0) / self.pixels as f64).sqrt())
     }
 
-    /// Whether the error is larger than the requested one.
+    /// Whether the error may be larger than the requested one.
     #[must_use]
     pub fn misses(&self, asked: Option<f64>) -> bool {
-        asked.is_some_and(|asked| self.error() > asked)
+        asked.is_some_and(|asked| self.error()[1] > asked)
     }
 }
 
@@ -36,18 +47,27 @@ impl AddAssign for Sampled {
         self.pixels += other.pixels;
         self.samples += other.samples;
         self.most = self.most.max(other.most);
+        self.audited += other.audited;
         self.squared_error += other.squared_error;
+        self.variance += other.variance;
+        self.unseen += other.unseen;
     }
 }
 
 impl fmt::Display for Sampled {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { samples, most, .. } = self;
+        let Self {
+            samples,
+            most,
+            audited,
+            ..
+        } = self;
         let mean = *samples as f64 / self.pixels as f64;
-        let error = self.error();
+        let [least, largest] = self.error();
         write!(
             f,
-            "{samples} samples, {mean:.2} a pixel and at most {most}; estimated error {error:.6}"
+            "{samples} samples, {mean:.2} a pixel and at most {most}; root mean square error \
+             between {least:.6} and {largest:.6} (95 %), {audited} pixels audited"
         )
     }
 }
@@ -56,30 +76,51 @@ impl fmt::Display for Sampled {
 mod tests {
     use super::*;
 
+    /// The squared errors are 1 - 2 x 1/4 and 1 + 2 x 1/4 + 3/4, of 4 pixels.
+    const PART: Sampled = Sampled {
+        pixels: 4,
+        samples: 10,
+        most: 7,
+        audited: 3,
+        squared_error: 1.0,
+        variance: 0.0625,
+        unseen: 0.75,
+    };
+
     #[test]
     fn means_and_errors_are_per_pixel() {
-        let mut sampled = Sampled {
-            pixels: 4,
-            samples: 10,
-            most: 7,
-            squared_error: 0.25,
-        };
-        assert_eq!(sampled.error(), 0.25);
-        assert!(sampled.misses(Some(0.2)) && !sampled.misses(Some(0.25)));
-        assert!(!sampled.misses(None));
-        let said = "10 samples, 2.50 a pixel and at most 7; estimated error 0.250000";
-        assert_eq!(sampled.to_string(), said);
+        let [least, largest] = PART.error();
+        assert_eq!(
+            [least * least, largest * largest].map(|e| (e * 1e9).round()),
+            [125e6, 562_500_000.0]
+        );
+        assert!(PART.misses(Some(0.74)) && !PART.misses(Some(0.75)));
+        assert!(!PART.misses(None));
+        let said = "10 samples, 2.50 a pixel and at most 7; root mean square error between \
+                    0.353553 and 0.750000 (95 %), 3 pixels audited";
+        assert_eq!(PART.to_string(), said);
+    }
+
+    #[test]
+    fn parts_add_up() {
+        let mut sampled = PART;
         sampled += Sampled {
             pixels: 12,
             samples: 6,
             most: 3,
-            squared_error: 3.75,
+            audited: 5,
+            squared_error: 3.0,
+            variance: 0.9375,
+            unseen: 0.25,
         };
         let both = Sampled {
             pixels: 16,
             samples: 16,
             most: 7,
+            audited: 8,
             squared_error: 4.0,
+            variance: 1.0,
+            unseen: 1.0,
         };
         assert_eq!(sampled, both);
     }

@@ -60,13 +60,14 @@ pub struct Settings {
     /// The rows to render, counted from the top; none stands for all. Only traced
     /// scenes use them.
     pub rows: Option<Range<u32>>,
-    /// Samples per pixel; with a `max_error`, the most samples of a pixel.
+    /// Samples per pixel; with a `max_error`, the most samples of a pixel, but at
+    /// least four.
     pub samples: u32,
     /// The places of the samples in a pixel.
     pub sampling: Sampling,
     /// The largest root mean square error of the picture, above 0, for channels from
-    /// 0 to 1. With it, adaptive sampling chooses the places of the samples, and
-    /// `sampling` is ignored.
+    /// 0 to 1, with 95 % confidence. With it, adaptive sampling chooses the places of
+    /// the samples, and `sampling` is ignored.
     pub max_error: Option<f64>,
     /// Selects the random numbers; the same seed gives the same picture.
     pub seed: u64,

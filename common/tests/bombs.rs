@@ -6,7 +6,7 @@ use std::path::Path;
 
 use common::{Color, picture_file};
 
-/// More than opening these files takes: 16 MiB of what is packed beside the
+/// More than opening these files takes: 16 MiB of packed data beside the
 /// pixels, and copies of files, of which the largest have 1.7 MB. Unpacked they
 /// would have 256 MiB.
 const ENOUGH: u64 = 32 << 20;
@@ -129,7 +129,7 @@ fn no_file_takes_memory_that_its_picture_does_not_need() {
         let said = opened.map(|image| image.size()).unwrap_err().to_string();
         assert!(said.contains(reason), "{said}");
     }
-    // What is packed beside the pixels, or after them, is none of them.
+    // Data packed beside the pixels, or after them, does not count as pixels.
     for bytes in [
         grey(1, &bomb),
         with(packed(*b"iCCP", b"profile\0\0")),

@@ -1,4 +1,4 @@
-//! What others have written panics in silence, and all else as loudly as ever.
+//! Panics of foreign code are silent, and all others print their message.
 //! The only test of its process, which listens to its panics.
 
 use std::io::Cursor;

@@ -19,7 +19,7 @@ use tempfile::TempDir;
 
 /// Runs the program with these arguments, one a line, and takes away again the
 /// files that it has written. Goes to another folder, and so needs a process of
-/// its own; what the program says lands in its output.
+/// its own, which prints the messages of the program.
 ///
 /// # Panics
 ///

@@ -13,8 +13,8 @@ const MOST_PIXELS: u64 = 1 << 12;
 ///
 /// # Panics
 ///
-/// If what opens has a channel that is not between 0 and 1, or if what does not
-/// open leaves no reason.
+/// If an opened picture has a channel that is not between 0 and 1, or if a refusal
+/// gives no reason.
 pub fn check(bytes: &[u8]) {
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format();
     let size = reader.ok().and_then(|reader| reader.into_dimensions().ok());

@@ -9,8 +9,8 @@ use a03_rays_cameras::PixelRandom;
 /// Numbers at which lengths and sizes turn over.
 const TURNS: [u8; 6] = [0, 1, 0x7F, 0x80, 0xFE, 0xFF];
 
-/// Checks the files in a folder of `seeds/`, and then so many inputs that are
-/// nearly right: each file in turn with a few changes.
+/// Checks the files in a folder of `seeds/`, and then this number of inputs that
+/// are nearly right: each file in turn with a few changes.
 ///
 /// # Panics
 ///
@@ -35,7 +35,7 @@ pub fn check_near(seeds: &str, inputs: u32, check: fn(&[u8])) {
     }
 }
 
-/// Checks so many inputs of random bytes, of all lengths below one.
+/// Checks this number of inputs of random bytes, of all lengths below `longest`.
 ///
 /// # Panics
 ///

@@ -2,7 +2,7 @@
 //! in, a function that takes any bytes and panics if they do harm.
 //!
 //! `tests/` calls them with the files in `seeds/` and with changes of them, and
-//! `libfuzzer/` with whatever leads to code that was not reached before.
+//! `libfuzzer/` with inputs that reach new code.
 
 pub mod command_line;
 pub mod images;

@@ -5,7 +5,7 @@ use a02_math::{Normal3, Point3, Vector3};
 use arbitrary::{Result, Unstructured};
 use common::Color;
 
-/// Ends of the ranges that constructors and number formats have, and what lies
+/// Ends of the ranges that constructors and number formats have, and numbers
 /// beyond.
 const ENDS: [f64; 24] = [
     0.0,

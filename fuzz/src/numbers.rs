@@ -1,5 +1,4 @@
-//! Any numbers in every constructor, and single operations on what comes of
-//! it: what a scene asks thousands of times, asked once.
+//! Any numbers in every constructor, and single operations on the results.
 
 use std::f64::consts::PI;
 
@@ -16,9 +15,9 @@ use crate::shapes::{accepted, camera, shape, transform};
 ///
 /// # Panics
 ///
-/// If an answer is not what its documentation says.
+/// If a result contradicts its documentation.
 pub fn check(bytes: &[u8]) {
-    // What ends the bytes early was checked as far as they went.
+    // Too few bytes end the check early.
     let _ = ask(&mut Unstructured::new(bytes));
 }
 

@@ -10,7 +10,7 @@ use common::ArgumentError;
 
 use crate::number::{normal, number, point, vector};
 
-/// What a constructor lets pass. What it refuses it must say something about.
+/// The result of a constructor; an error must have a message.
 pub fn accepted<T>(made: std::result::Result<T, ArgumentError>) -> Option<T> {
     made.inspect_err(|error| assert!(error.to_string().contains(" must be ")))
         .ok()
@@ -70,8 +70,8 @@ pub fn transform(u: &mut Unstructured) -> Result<Transform> {
     Ok(transform)
 }
 
-/// A camera of one of the three kinds. In place of one that is refused a
-/// sensible one, so that what else there is does not go to waste.
+/// A camera of one of the three kinds. If the constructor refuses it, a sensible
+/// one, so that the rest of the bytes is used.
 pub fn camera(u: &mut Unstructured) -> Result<Box<dyn Camera>> {
     fn boxed<C: Camera + 'static>(
         made: std::result::Result<C, ArgumentError>,

@@ -6,8 +6,8 @@ use std::process::Command;
 use fuzz::command_line;
 use fuzz::inputs::check_near;
 
-/// Set in the process that the programs run in: what they say is no output of
-/// a test, and they go to another folder.
+/// Set in the process that runs the programs: their messages are not output of a
+/// test, and they change the folder.
 const INSIDE: &str = "FUZZ_COMMAND_LINE";
 
 #[test]

@@ -9,21 +9,33 @@ use common::{Image, Size, Transfer};
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageResult};
-use measure::experiment::{Axis, Curve, Experiment, Point};
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 use crate::stage;
 
 /// All experiments of the stage.
 pub fn experiments() -> Vec<Experiment<'static>> {
     vec![
-        saving("save-diagonal", "diagonal"),
-        saving("save-painter", "painter"),
-        saving("save-show-image", "show-image"),
+        saving(
+            "save-diagonal",
+            "diagonal",
+            "What does a picture of one line lose as JPEG, and what does that save?",
+        ),
+        saving(
+            "save-painter",
+            "painter",
+            "What does a disc before a gradient lose as JPEG, and what does that save?",
+        ),
+        saving(
+            "save-show-image",
+            "show-image",
+            "What does the test card lose as JPEG, and what does that save?",
+        ),
     ]
 }
 
 /// An experiment that saves the picture of a scene at all qualities.
-fn saving(name: &'static str, scene: &'static str) -> Experiment<'static> {
+fn saving(name: &'static str, scene: &'static str, about: &'static str) -> Experiment<'static> {
     let curves = move |_| {
         let Some(saved) = Picture::of(scene).map(Rc::new) else {
             return Vec::new();
@@ -45,10 +57,13 @@ fn saving(name: &'static str, scene: &'static str) -> Experiment<'static> {
     };
     Experiment {
         name,
-        about: "what does the picture lose as JPEG, and how many bytes does that save?",
+        about,
         knob: "quality",
         work: "bytes",
-        error: "of a channel from 0 to 1, against the picture that was saved",
+        error: "rms error of a channel",
+        unit: Unit::Light,
+        exact: "against the picture that was saved",
+        seeds: &[],
         against: Axis::Work,
         curves: Box::new(curves),
     }

@@ -21,7 +21,7 @@ impl Area {
     }
 }
 
-/// Packed 0xRRGGBB pixels. What is drawn outside is cut off.
+/// Packed 0xRRGGBB pixels. Drawing is clipped to the frame.
 #[derive(Default)]
 pub struct Frame {
     width: i32,

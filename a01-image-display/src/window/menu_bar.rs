@@ -90,7 +90,7 @@ impl MenuBar {
         }
     }
 
-    /// Handles a command that concerns the menu. What is left is for the window.
+    /// Handles a command that concerns the menu, and returns any other command.
     pub fn handle(&mut self, command: Command) -> Option<Command> {
         let items = self.items();
         let count = items.len();

@@ -25,7 +25,7 @@ pub struct Placement {
     area: Area,
 }
 
-/// How far a picture can be enlarged beyond what fits.
+/// The largest factor by which a picture can be enlarged beyond the size that fits.
 const GREATEST_FACTOR: u32 = 64;
 
 impl Placement {
@@ -77,8 +77,8 @@ impl Placement {
         inside.then_some((column as u32, row as u32))
     }
 
-    /// Enlarged by the next whole factor, keeping in place what lies under the
-    /// cursor, if that is over the picture.
+    /// Enlarged by the next whole factor; the pixel under the cursor, if the cursor is
+    /// over the picture, stays in place.
     pub fn zoomed_in(&self, cursor: Option<(i32, i32)>) -> Zoom {
         let factor = self.scale.floor() as u32;
         // A picture of few pixels may fit enlarged by more than that.
@@ -205,7 +205,7 @@ mod tests {
         assert!(matches!(zoom, Zoom::Factor(GREATEST_FACTOR, _)), "{zoom:?}");
     }
 
-    /// The middle of the window is (350, 258), that of the picture (320, 240).
+    /// The middle of the window is (350, 258), the middle of the picture (320, 240).
     #[test]
     fn zooming_without_a_cursor_keeps_the_middle() {
         let area = Area { x: 30, ..WINDOW };
@@ -221,8 +221,8 @@ mod tests {
         assert_eq!(third.pixel(347, 255), Some((319, 239)));
     }
 
-    /// The middle of pixel (500, 100) lies (180.5, -157.5) from that of the window:
-    /// a third of it in the picture that is three times as large, and a quarter in
+    /// The middle of pixel (500, 100) lies (180.5, -157.5) from the middle of the window:
+    /// a third of that in the picture that is three times as large, and a quarter in
     /// the next.
     #[test]
     fn zooming_moves_the_middle_towards_the_cursor() {

@@ -1,4 +1,4 @@
-//! `Screen`: the open window and what it shows.
+//! `Screen`: the open window and its picture.
 
 mod commands;
 mod size;
@@ -29,7 +29,7 @@ const REFRESH: Duration = Duration::from_millis(250);
 /// How long a notice stays.
 const NOTICE: Duration = Duration::from_secs(6);
 
-/// The open window and what it shows.
+/// The open window and its picture.
 pub struct Screen {
     pub(super) window: minifb::Window,
     keyboard: Keyboard,

@@ -1,16 +1,19 @@
-//! Pictures of one white pixel, and one whose means are known.
+//! Pictures of one white pixel, and random ones whose means are whole numbers of
+//! a square's pixels.
 
 use a01_image_display::ShowImage;
 use common::{Color, Error, Image, Size};
 use measure::extremes::Bound;
-use testing::exercise::Check;
+use testing::exercise::{Check, Random};
 
-pub fn check(check: &mut Check, thumbnail: impl Fn(&Image, u32) -> Result<Image, Error>) {
-    let size = |width, height| Size::new(width, height).map_err(Error::from);
-    let small = |image: &Result<Image, Error>, n| {
-        let image = image.as_ref().ok()?;
-        thumbnail(image, n).ok()
-    };
+pub fn check(check: &mut Check, thumbnail: impl Fn(&Image, u32) -> Result<Image, Error> + Copy) {
+    // Bright light must not be cut off before the mean is taken.
+    let bright = [[0.0, 0.25, 1.0], [4.0, 0.25, 0.0]];
+    let bright = picture(2, 1, |x, _| bright[x as usize]);
+    let got = bright.and_then(|bright| thumbnail(&bright, 2).ok()?.get(0, 0));
+    let what = "the mean of (0, 0.25, 1) and (4, 0.25, 0)";
+    let exact = Some([2.0, 0.25, 0.5]);
+    check.expect(what, exact, Bound::Equal, got.map(Color::channels));
 
     for (width, height, n) in [
         (6, 4, 2),
@@ -20,60 +23,21 @@ pub fn check(check: &mut Check, thumbnail: impl Fn(&Image, u32) -> Result<Image,
         (3, 2, 1),
         (3, 2, 9),
     ] {
-        let columns = |n: u32, length: u32| length / n + u32::from(!length.is_multiple_of(n));
-        let (wide, high) = (columns(n, width), columns(n, height));
-        let name = format!("{width}x{height} by {n}");
-        let white = (0..width * height).map(|i| (i % width, i / width));
-        for (at_x, at_y) in white {
-            let image = size(width, height).and_then(|size| {
-                Image::from_fn(size, |x, y| {
-                    Color::gray(f64::from(u8::from((x, y) == (at_x, at_y))))
-                })
-            });
-            let got = small(&image, n);
-            let got_size = got.as_ref().map(|got| {
-                let size = got.size();
-                [f64::from(size.width()), f64::from(size.height()), 1.0]
-            });
-            let exact = [f64::from(wide), f64::from(high), 1.0];
-            check.expect(
-                format!("width and height of {name}"),
-                Some(exact),
-                Bound::Equal,
-                got_size,
-            );
-            // A square that the edge cuts off has fewer pixels.
-            let (left, top) = (at_x / n * n, at_y / n * n);
-            let pixels = n.min(width - left) * n.min(height - top);
-            for (x, y) in (0..high).flat_map(|y| (0..wide).map(move |x| (x, y))) {
-                let is_here = (x, y) == (at_x / n, at_y / n);
-                let exact = f64::from(u8::from(is_here)) / f64::from(pixels);
-                let got = got.as_ref().and_then(|got| got.get(x, y));
-                let what = format!("pixel ({x}, {y}) of {name}, white at ({at_x}, {at_y})");
-                check.expect(
-                    what,
-                    Some([exact; 3]),
-                    Bound::Equal,
-                    got.map(Color::channels),
-                );
-            }
+        for (at_x, at_y) in (0..width * height).map(|i| (i % width, i / width)) {
+            let light = |x, y| f64::from(u8::from((x, y) == (at_x, at_y)));
+            let name = format!("{width}x{height} by {n}, white at ({at_x}, {at_y})");
+            expect_means(check, thumbnail, [width, height, n], &name, light);
         }
     }
-
-    // Bright light must not be cut off before the mean is taken.
-    let bright = size(2, 1).and_then(|size| {
-        Image::from_fn(size, |x, _| {
-            let x = f64::from(x);
-            Color::new(4.0 * x, 0.25, 1.0 - x)
-        })
-    });
-    let got = small(&bright, 2).and_then(|small| small.get(0, 0));
-    check.expect(
-        "the mean of (0, 0.25, 1) and (4, 0.25, 0)",
-        Some([2.0, 0.25, 0.5]),
-        Bound::Equal,
-        got.map(Color::channels),
-    );
+    let mut random = Random::new(4);
+    for _ in 0..40 {
+        let [width, height] = [40; 2].map(|end| 1 + random.below(end));
+        let n = 1 + random.below(9);
+        let pixels: Vec<_> = (0..width * height).map(|_| random.below(256)).collect();
+        let light = |x, y| f64::from(pixels[(y * width + x) as usize]);
+        let name = format!("{width}x{height} by {n}, random whole numbers");
+        expect_means(check, thumbnail, [width, height, n], &name, light);
+    }
 
     check.picture(|settings| {
         let card = ShowImage::test_card()?.into_image();
@@ -87,4 +51,58 @@ pub fn check(check: &mut Check, thumbnail: impl Fn(&Image, u32) -> Result<Image,
         }
         Ok(image)
     });
+}
+
+fn picture(width: u32, height: u32, color: impl Fn(u32, u32) -> [f64; 3]) -> Option<Image> {
+    let size = Size::new(width, height).ok()?;
+    let color = |x, y| {
+        let [r, g, b] = color(x, y);
+        Color::new(r, g, b)
+    };
+    Image::from_fn(size, color).ok()
+}
+
+/// Compares the means of a picture whose red is `light`, a whole number, whose green is
+/// the column, and whose blue is the row.
+fn expect_means(
+    check: &mut Check,
+    thumbnail: impl Fn(&Image, u32) -> Result<Image, Error>,
+    [width, height, n]: [u32; 3],
+    name: &str,
+    light: impl Fn(u32, u32) -> f64,
+) {
+    let channels = |x, y| [light(x, y), f64::from(x), f64::from(y)];
+    let Some(large) = picture(width, height, channels) else {
+        return;
+    };
+    let got = thumbnail(&large, n);
+    let [wide, high] = [width, height].map(|length| length / n + u32::from(length % n > 0));
+    for (what, exact, of) in [
+        ("width", wide, Size::width as fn(Size) -> u32),
+        ("height", high, Size::height),
+    ] {
+        let got = got.as_ref().ok().map(|got| of(got.size()) as usize);
+        check.expect(
+            format!("{what} of {name}"),
+            Some(exact as usize),
+            Bound::Equal,
+            got,
+        );
+    }
+    for (x, y) in (0..high).flat_map(|y| (0..wide).map(move |x| (x, y))) {
+        // A square that the edge cuts off has fewer pixels.
+        let columns = x * n..((x + 1) * n).min(width);
+        let rows = y * n..((y + 1) * n).min(height);
+        let pixels = f64::from(columns.len() as u32 * rows.len() as u32);
+        let mut sum = [0.0; 3];
+        for (x, y) in rows.flat_map(|y| columns.clone().map(move |x| (x, y))) {
+            sum = std::array::from_fn(|i| sum[i] + channels(x, y)[i]);
+        }
+        // Sums of whole numbers are exact.
+        let exact = sum.map(|sum| sum / pixels);
+        let got = got.as_ref().ok().and_then(|got| got.get(x, y));
+        let what = format!("pixel ({x}, {y}) of {name}; green is the column, blue the row");
+        let bound = Bound::Ulps(2.0);
+        check.expect(what, Some(exact), bound, got.map(Color::channels));
+    }
 }

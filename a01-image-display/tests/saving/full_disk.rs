@@ -35,7 +35,6 @@ fn a_full_disk_keeps_the_old_picture() {
 }
 
 #[test]
-#[cfg(feature = "report")]
 fn a_full_disk_keeps_the_old_report() {
     let disk = folder();
     let _tmpfs = match Tmpfs::mount(disk.path(), "size=8k") {
@@ -53,7 +52,7 @@ fn a_full_disk_keeps_the_old_report() {
     assert!(fs::read(disk.path().join(table)).unwrap() == b"old");
 }
 
-/// What every user can try: a limit for the length of files.
+/// Every user can try it: a limit for the length of files.
 #[test]
 fn a_file_that_becomes_too_long_keeps_the_old_one() {
     let folder = folder();

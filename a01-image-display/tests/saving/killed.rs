@@ -74,7 +74,7 @@ fn killed_at_any_time_it_leaves_the_old_or_the_new_picture() {
     assert!(unfinished > 0, "no kill was in time");
 }
 
-/// A limit for the length of files kills it when exactly so much is written.
+/// A limit for the length of files kills it when exactly that many bytes are written.
 #[test]
 fn what_a_killed_program_leaves_is_removed_by_a_later_one() {
     let folder = folder();

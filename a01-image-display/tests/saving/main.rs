@@ -1,5 +1,5 @@
-//! Saving loses nothing: whatever happens to the real program while it writes,
-//! the old file is there or the new one, and nothing else is left.
+//! Saving loses nothing: if the real program is stopped while it writes, the old
+//! file is there or the new one, and nothing else is left.
 
 #![cfg(unix)]
 
@@ -24,7 +24,7 @@ fn folder() -> TempDir {
     folder
 }
 
-/// Sets who may do what with a file or a folder.
+/// Sets the permissions of a file or a folder.
 fn allow(path: &Path, mode: u32) {
     let permissions = std::os::unix::fs::PermissionsExt::from_mode(mode);
     fs::set_permissions(path, permissions).expect("its own file");
@@ -85,7 +85,7 @@ fn write_noise(path: &Path, side: u32, seed: u32) -> Image {
     noise
 }
 
-/// Tells of what cannot be tested here; the test passes without it.
+/// Prints that a test cannot run here, and why; it passes.
 fn skip(what: &str, reason: &str) {
     let _ = writeln!(
         std::io::stderr(),

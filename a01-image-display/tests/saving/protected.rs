@@ -9,8 +9,8 @@ use std::process::Command;
 use crate::tmpfs::Tmpfs;
 use crate::{allow, assert_refused, assert_success, folder, names, program, skip};
 
-/// The program as a user who is not the superuser, whom nothing stops. None if
-/// that user cannot start it.
+/// The program run by an ordinary user, because permissions do not stop the superuser.
+/// None if that user cannot start it.
 fn as_user(folder: &Path, line: &str) -> Option<Command> {
     let mut command = program(folder, line);
     if fs::metadata(folder).unwrap().uid() == 0 {
@@ -34,7 +34,6 @@ fn a_folder_that_may_not_be_changed_is_told() {
         ("render painter -o saved.png", "cannot write saved.png"),
         ("render painter -o new.png", "cannot write new.png"),
         ("render painter", "cannot write out"),
-        #[cfg(feature = "report")]
         (
             "report --quick -o .",
             "cannot write ./a01-image-display-save-diagonal.csv",

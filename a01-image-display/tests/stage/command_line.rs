@@ -1,4 +1,4 @@
-//! The real program: exit codes, what it says, and the files that it leaves.
+//! The real program: exit codes, messages, and the files that it leaves.
 
 mod no_window;
 mod refusals;

@@ -1,4 +1,4 @@
-//! What `ShowImage` makes of good files and of all kinds of bad ones.
+//! `ShowImage` with good files and with all kinds of bad ones.
 
 use std::fs;
 use std::io::Cursor;

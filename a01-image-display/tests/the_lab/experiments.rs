@@ -1,5 +1,5 @@
-//! What the report says of saved pictures. Bytes and errors of JPEG files are
-//! not locked: encoder and decoder may round in other ways on other machines.
+//! The report on saved pictures. Bytes and errors of JPEG files are not locked:
+//! encoder and decoder may round in other ways on other machines.
 
 use measure::Effort;
 use measure::experiment::Curve;

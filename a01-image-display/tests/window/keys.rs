@@ -1,4 +1,4 @@
-//! Every key and what it does.
+//! Every key and its effect.
 
 use std::fs;
 use std::time::{Duration, Instant};
@@ -103,7 +103,7 @@ fn plus_minus_and_0_zoom() {
     let picture = locked("painter");
     let window = display.start(&mut program(folder.path(), "show painter"));
     wait_for_picture(&window, "painter");
-    // Outside of the window, so that its middle is what stays.
+    // Outside of the window, so that its middle stays in place.
     window.point_at(700, 550);
     window.settle();
     let around_the_middle = |factor: u32| {

@@ -1,4 +1,4 @@
-//! What a window costs while it is open, and what is left of it.
+//! The memory and time of an open window, and the processes and files left after it.
 
 use std::io::Write;
 use std::time::{Duration, Instant};
@@ -33,8 +33,8 @@ fn draw(window: &RunningProgram, times: u32) {
     }
 }
 
-/// Draws that often and checks that each costs less than 256 bytes of memory,
-/// apart from what the allocator may round up to.
+/// Draws this many times and checks that each costs less than 256 bytes of memory,
+/// apart from rounding by the allocator.
 fn check_memory(times: u32) {
     let Some(display) = Display::open(800, 600) else {
         return;
@@ -72,8 +72,7 @@ fn going_from_scene_to_scene_takes_no_more_memory_each_time() {
     };
     let folder = folder();
     let mut program = program(folder.path(), "show diagonal");
-    // By default the system's allocator keeps some of what is freed, now more
-    // and now less.
+    // By default the system's allocator keeps a varying share of freed memory.
     program.env("MALLOC_MMAP_THRESHOLD_", "131072");
     let window = display.start(&mut program);
     let go_round = |times| {

@@ -1,6 +1,5 @@
-//! The window on a display of its own: what it shows, and what keys and mouse
-//! do to it. Where Xvfb or xdotool is missing nothing is tested, and a line
-//! says so.
+//! The window on a display of its own: its picture, and the effect of keys and
+//! mouse. Where Xvfb or xdotool is missing nothing is tested, and a line says so.
 
 #![cfg(all(target_os = "linux", feature = "window"))]
 

@@ -1,4 +1,4 @@
-//! What of a picture is to be seen.
+//! The part of a picture that the window shows.
 
 use common::picture_file;
 use testing::display::{Display, Picture};
@@ -8,8 +8,8 @@ use super::{folder, locked, locked_file, program, wait_for_picture};
 const BACKGROUND: u32 = 0x18_1818;
 const RED: u32 = 0xFF_0000;
 
-/// Left, top, right and bottom of what is not background below the menu bar,
-/// the last two being the first pixels beyond.
+/// Left, top, right and bottom of the pixels below the menu bar that are not
+/// background; the last two are the first pixels beyond.
 fn frame(look: &Picture) -> [u32; 4] {
     let shown = look.below_bar();
     let places = (0..shown.height).flat_map(|y| (0..shown.width).map(move |x| (x, y)));

@@ -4,7 +4,6 @@
 /// It is right up to a few roundings wherever it is no less than 1e-300 and not
 /// beyond the greatest number.
 pub fn length(x: f64, y: f64, z: f64) -> f64 {
-    // exercise
     let largest = x.abs().max(y.abs()).max(z.abs());
     if largest == 0.0 {
         return 0.0;
@@ -12,10 +11,4 @@ pub fn length(x: f64, y: f64, z: f64) -> f64 {
     // None of them is above 1, and no square of one that counts is lost.
     let [x, y, z] = [x, y, z].map(|coordinate| coordinate / largest);
     largest * (x * x + y * y + z * z).sqrt()
-    // instead
-    // testing::missing(
-    //     "a length that does not overflow",
-    //     (x * x + y * y + z * z).sqrt(),
-    // )
-    // end
 }

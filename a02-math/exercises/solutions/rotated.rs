@@ -6,7 +6,6 @@ use a02_math::{Direction, Vector3};
 /// to the left for an eye towards which the axis points. Around no axis, which
 /// is the zero vector, nothing turns.
 pub fn rotated(v: Vector3, axis: Vector3, angle: f64) -> Vector3 {
-    // exercise
     let Some(k) = axis.normalized() else {
         return v;
     };
@@ -14,7 +13,4 @@ pub fn rotated(v: Vector3, axis: Vector3, angle: f64) -> Vector3 {
     // Rodrigues (1840): what lies along the axis stays, the rest turns.
     let along = k * k.dot(v);
     along + (v - along) * cos + k.cross(v) * sin
-    // instead
-    // testing::missing("the turned vector", v)
-    // end
 }

@@ -6,12 +6,8 @@ use a02_math::Normal3;
 /// points were stretched by these factors along x, y and z. None if a factor
 /// is 0, and for the zero normal.
 pub fn stretched_normal(n: Normal3, factors: [f64; 3]) -> Option<Normal3> {
-    // exercise
     let [x, y, z] = factors;
     // Twice as wide is half as steep. Nothing that is divided by 0 is finite, and
     // so there is no direction then.
     Normal3::new(n.x() / x, n.y() / y, n.z() / z).normalized()
-    // instead
-    // testing::missing("the normal after the stretch", Some(n))
-    // end
 }

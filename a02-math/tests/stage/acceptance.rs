@@ -1,4 +1,4 @@
-//! The course's fourteen acceptance checks, and those of the second course.
+//! The fourteen acceptance checks of the course, and the checks of the second course.
 //!
 //! Where the inputs are small whole numbers the results are exact and compared
 //! without a tolerance.

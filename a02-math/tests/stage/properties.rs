@@ -1,5 +1,5 @@
-//! What holds for all vectors and matrices: exactly where the numbers are small
-//! and whole, and else within what rounding can do.
+//! Laws of all vectors and matrices: exact where the numbers are small and whole,
+//! and elsewhere within a bound of the rounding error.
 //!
 //! The same cases come every time; `PROPTEST_CASES=100000` makes more of them.
 //! In the bounds u is the unit of rounding, half of eps. Terms with u² are left
@@ -43,7 +43,7 @@ fn rows<N: Strategy<Value = f64>>(number: fn() -> N) -> impl Strategy<Value = Ro
     [(); 3].map(|()| prop::array::uniform3(number()))
 }
 
-/// All numbers without their signs: what rounding is relative to.
+/// All numbers without their signs: rounding errors are relative to them.
 fn unsigned(rows: Rows) -> Mat3x3 {
     Mat3x3::from_rows(rows.map(|row| row.map(f64::abs)))
 }
@@ -116,7 +116,7 @@ proptest! {
         prop_assert_eq!(other.angle(longer).to_bits(), a.angle(b).to_bits());
     }
 
-    /// Sine and cosine are those of before, but for a sign. Two arc tangents are
+    /// Sine and cosine keep their values, but for a sign. Two arc tangents are
     /// off by less than a unit in the last place of π, 2 eps, and their sum by
     /// half of it.
     #[test]
@@ -142,9 +142,9 @@ proptest! {
         }
     }
 
-    /// A determinant is off by 6u of its permanent; that of a product by 9u of
-    /// the permanent of |A| |B| besides, because each column is off by 3u, and
-    /// that permanent is at least the product of the two.
+    /// A determinant is off by 6u of its permanent. The determinant of a product is
+    /// off by another 9u of the permanent of |A| |B|, because each column is off by 3u,
+    /// and that permanent is at least the product of the two.
     #[test]
     fn determinants_multiply(a in rows(number), b in rows(number)) {
         let [one, other] = [a, b].map(Mat3x3::from_rows);

@@ -11,7 +11,7 @@ fn vectors(width: u32, height: u32) -> Image {
     stage.scenes[0].render(&settings, &()).unwrap()
 }
 
-/// What is drawn in a quarter of the picture, in pixels of pure black.
+/// The ink in a quarter of the picture, in pixels of pure black.
 fn ink(image: &Image, column: usize, row: usize) -> f64 {
     let [width, height] = [image.size().width(), image.size().height()].map(|x| x as usize / 2);
     let rows = image.rows().skip(row * height).take(height);
@@ -33,7 +33,7 @@ fn a_larger_picture_has_ink_in_proportion() {
     }
 }
 
-/// Whatever is drawn lies where it lay, but for rounding to whole pixels.
+/// All lines keep their places, up to rounding to whole pixels.
 #[test]
 fn a_larger_picture_shows_the_same_in_the_same_places() {
     let (small, large) = (vectors(640, 480), vectors(1280, 960));

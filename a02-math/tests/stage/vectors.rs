@@ -1,4 +1,4 @@
-//! What holds for all vectors, the extremely long and short among them.
+//! Laws of all vectors, the extremely long and short among them.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 

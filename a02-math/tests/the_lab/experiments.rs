@@ -1,5 +1,5 @@
-//! The experiments of this stage show what theory says, and the same numbers
-//! on every machine.
+//! The experiments of this stage agree with theory, and give the same numbers on
+//! every machine.
 
 use measure::Effort;
 use measure::experiment::{check_slopes, counted};

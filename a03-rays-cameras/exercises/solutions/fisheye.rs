@@ -25,7 +25,6 @@ impl Camera for Fisheye {
         let Basis { e, u, v, w } = self.basis;
         let [width, height] = [size.width(), size.height()].map(f64::from);
         let (x, y) = (x - (width - 1.0) / 2.0, y - (height - 1.0) / 2.0);
-        // exercise
         let r = (x * x + y * y).sqrt();
         if r == 0.0 {
             return Ray::derived(e, -w);
@@ -33,8 +32,5 @@ impl Camera for Fisheye {
         let (sin, cos) = libm::sincos(r / height * self.angle);
         let aside = u * (x / r) + v * (y / r);
         Ray::derived(e, aside * sin - w * cos)
-        // instead
-        // testing::missing("the direction of the ray", Ray::derived(e, -w))
-        // end
     }
 }

@@ -3,7 +3,6 @@
 /// The mean of the numbers, as if their sum was rounded once; 0 if there is
 /// none.
 pub fn mean(numbers: &[f64]) -> f64 {
-    // exercise
     // Neumaier (1974): what an addition loses is added up on its own.
     let (mut sum, mut lost) = (0.0_f64, 0.0);
     for &x in numbers {
@@ -17,8 +16,4 @@ pub fn mean(numbers: &[f64]) -> f64 {
         sum = next;
     }
     (sum + lost) / numbers.len().max(1) as f64
-    // instead
-    // let sum: f64 = numbers.iter().sum();
-    // testing::missing("what the additions lose", sum / numbers.len() as f64)
-    // end
 }

@@ -3,7 +3,6 @@
 /// The digits of `n` in a `base` of at least 2, mirrored at the point: 6 is 110
 /// in base 2, and becomes 0.011, which is 3/8.
 pub fn radical_inverse(mut n: u32, base: u32) -> f64 {
-    // exercise
     // Whole numbers, and one division: it rounds once.
     let (mut mirrored, mut scale) = (0_u64, 1_u64);
     while n > 0 {
@@ -12,7 +11,4 @@ pub fn radical_inverse(mut n: u32, base: u32) -> f64 {
         n /= base;
     }
     mirrored as f64 / scale as f64
-    // instead
-    // testing::missing("the mirrored digits", 0.5)
-    // end
 }

@@ -8,14 +8,10 @@ use a03_rays_cameras::{Basis, Ray};
 /// of `ray`, which starts in the eye. Both meet in the plane across the gaze
 /// at the distance `focus`. The direction has length 1.
 pub fn through_lens(basis: &Basis, focus: f64, ray: &Ray, (right, up): (f64, f64)) -> Ray {
-    // exercise
     // Along the gaze the ray makes this much of its length.
     let along = -basis.w.dot(ray.direction());
     let sharp = ray.at(focus / along);
     let origin = basis.e + basis.u * right + basis.v * up;
     let direction = (sharp - origin).normalized();
     Ray::derived(origin, direction.unwrap_or(-basis.w))
-    // instead
-    // testing::missing("the ray through the lens", *ray)
-    // end
 }

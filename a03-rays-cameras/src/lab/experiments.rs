@@ -11,7 +11,7 @@ mod summation;
 
 use common::Sampling;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
 
 pub use coverage::{DISC, disc_coverage};
 use coverage::{irradiance, lit, stripes};
@@ -23,21 +23,21 @@ pub fn experiments() -> Vec<Experiment<'static>> {
     vec![
         samples(
             "samples-curved-edge",
-            "where should samples lie in a pixel that a disc's edge crosses?",
+            "Where should samples lie in a pixel that a disc's edge crosses?",
             curved_edge,
             // Mitchell, Consequences of Stratified Sampling in Graphics, 1996.
             [Some(-0.5), Some(-0.75), Some(-0.75), Some(-0.5), None],
         ),
         samples(
             "samples-level-edge",
-            "where should samples lie in a pixel that a level edge crosses?",
+            "Where should samples lie in a pixel that a level edge crosses?",
             level_edge,
             // A regular grid of n has only sqrt(n) heights, n rooks have n.
             [Some(-0.5), Some(-0.5), Some(-0.75), Some(-1.0), None],
         ),
         samples(
             "samples-smooth-shading",
-            "where should samples lie in a pixel of smooth shading?",
+            "Where should samples lie in a pixel of smooth shading?",
             smooth_shading,
             [Some(-0.5), Some(-1.0), Some(-1.0), None, None],
         ),
@@ -119,9 +119,12 @@ fn samples(
     Experiment {
         name,
         about,
-        knob: "samples",
+        knob: "samples a pixel",
         work: "rays a pixel",
-        error: "of a pixel from 0 to 1, against its mean in closed form",
+        error: "rms error of a pixel",
+        unit: Unit::Light,
+        exact: "against the pixel's mean in closed form",
+        seeds: &[0, 1, 2],
         against: Axis::Work,
         curves: Box::new(curves),
     }

@@ -11,8 +11,9 @@ pub fn samples(settings: &Settings) -> Plan {
     if let Some(error) = settings.max_error {
         let need = format!("primary rays: as many as an error of {error} takes");
         return Plan::default().needing(need).nearly_without(
-            "samples where the light changes evenly",
-            "the samples around them predict their light",
+            "samples where others agree",
+            "new samples of pixels drawn at random check the error of the picture; the error of \
+             a single pixel may be larger",
             Bound::Error(error),
         );
     }

@@ -1,4 +1,5 @@
-//! Places whose angle from the gaze is a share of the opening.
+//! Places whose angle from the gaze is a share of the opening, in directions whose
+//! sine and cosine are fractions.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 
@@ -6,7 +7,7 @@ use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Basis, Camera, Ray, render};
 use common::{Color, Error, Size};
 use measure::extremes::Bound;
-use testing::exercise::Check;
+use testing::exercise::{Check, Random};
 
 /// Some roundings of coordinates up to 1.
 const BOUND: Bound = Bound::Absolute(1e-14);
@@ -18,6 +19,7 @@ fn basis(gaze: [f64; 3], up: [f64; 3]) -> Result<Basis, Error> {
 }
 
 pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Basis, f64) -> C) {
+    let mut random = Random::new(4);
     for (gaze, up) in [
         ([0.0, 0.0, -1.0], [0.0, 1.0, 0.0]),
         ([1.0, 2.0, -2.0], [2.0, 1.0, 2.0]),
@@ -29,35 +31,32 @@ pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Basis, f64) -> C) {
             };
             for angle in [0.5, FRAC_PI_2, PI, 1.9 * PI] {
                 let camera = new(basis, angle);
-                // In heights of the picture, and where these lead.
-                for (right, up) in [
-                    (0.0, 0.0),
-                    (0.5, 0.0),
-                    (0.0, 0.5),
-                    (0.0, -0.25),
-                    (-0.3, 0.4),
-                    (0.18, -0.24),
-                ] {
+                let mut aimed = |r: f64, (x, y): (f64, f64)| {
+                    let (right, up) = (r * x, r * y);
                     let h = f64::from(height);
-                    let x = (f64::from(width) - 1.0) / 2.0 + right * h;
-                    let y = (h - 1.0) / 2.0 + up * h;
-                    let ray = camera.ray_for(size, x, y);
-                    let far: f64 = if right == 0.0 { up.abs() } else { right.abs() };
-                    let r = match (right, up) {
-                        (-0.3, _) => 0.5,
-                        (0.18, _) => 0.3,
-                        _ => far,
-                    };
+                    let column = (f64::from(width) - 1.0) / 2.0 + right * h;
+                    let row = (h - 1.0) / 2.0 + up * h;
+                    let ray = camera.ray_for(size, column, row);
                     let (sin, cos) = libm::sincos(r * angle);
-                    let share = if r == 0.0 { 0.0 } else { sin / r };
-                    let exact = basis.u * (right * share) + basis.v * (up * share) - basis.w * cos;
+                    let exact = (basis.u * x + basis.v * y) * sin - basis.w * cos;
                     let what = format!(
-                        "direction at ({right}, {up}) heights from the middle of {size}, opening {angle}, gaze {gaze:?}"
+                        "direction at ({right:.3}, {up:.3}) heights from the middle of {size}, opening {angle:.3}, gaze {gaze:?}"
                     );
                     let [exact, got] = [exact, ray.direction()].map(|d| d.to_glam().to_array());
                     check.expect(what, exact, BOUND, got);
                     let [exact, got] = [basis.e, ray.origin()].map(|p| p.to_glam().to_array());
                     check.expect("origin of the ray", exact, Bound::Equal, got);
+                };
+                aimed(0.0, (1.0, 0.0));
+                for way in [
+                    (1.0, 0.0),
+                    (0.0, 1.0),
+                    (0.0, -1.0),
+                    (-0.6, 0.8),
+                    (0.28, -0.96),
+                ] {
+                    aimed(0.5, way);
+                    aimed(random.between(0.01, 0.5), way);
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use common::{Color, Image};
 use measure::extremes::Bound;
-use testing::exercise::Check;
+use testing::exercise::{Check, Random};
 
 pub fn check(check: &mut Check, inverse: impl Fn(u32, u32) -> f64) {
     let mut of = |n: u32, base: u32, exact: f64| {
@@ -21,6 +21,15 @@ pub fn check(check: &mut Check, inverse: impl Fn(u32, u32) -> f64) {
     of(7 * 11 + 4, 11, 51.0 / 121.0);
     of(1 << 31, 2, 1.0 / 4_294_967_296.0);
     of(u32::MAX, 2, 4_294_967_295.0 / 4_294_967_296.0);
+    of(u32::MAX, 7, fraction(&digits(u32::MAX, 7), 7));
+
+    let mut random = Random::new(3);
+    for _ in 0..60 {
+        let base = 2 + random.below(35);
+        let bits = 1 + random.below(31);
+        let n = random.below(1 << bits);
+        of(n, base, fraction(&digits(n, base), base));
+    }
 
     check.picture(|settings| {
         let mut image = Image::black(settings.size)?;
@@ -32,4 +41,20 @@ pub fn check(check: &mut Check, inverse: impl Fn(u32, u32) -> f64) {
         }
         Ok(image)
     });
+}
+
+/// The digits, the last first.
+fn digits(n: u32, base: u32) -> Vec<u32> {
+    let remaining = std::iter::successors(Some(n), |n| Some(n / base));
+    let digits = remaining.take_while(|&n| n > 0).map(|n| n % base);
+    digits.collect()
+}
+
+/// The fraction of these digits behind the point: numerator and denominator are exact.
+fn fraction(digits: &[u32], base: u32) -> f64 {
+    let base = u128::from(base);
+    let whole = digits
+        .iter()
+        .fold(0, |whole, &digit| whole * base + u128::from(digit));
+    whole as f64 / base.pow(digits.len() as u32) as f64
 }

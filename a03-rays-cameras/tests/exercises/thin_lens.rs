@@ -6,9 +6,10 @@ use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::{Basis, Camera, PerspectiveCamera, PixelRandom, Ray};
 use common::{Color, Image};
 use measure::extremes::Bound;
-use testing::exercise::Check;
+use testing::exercise::{Check, Random};
 
 pub fn check(check: &mut Check, through: impl Fn(&Basis, f64, &Ray, (f64, f64)) -> Ray) {
+    let mut random = Random::new(5);
     for (gaze, up) in [
         ([0.0, 0.0, -1.0], [0.0, 1.0, 0.0]),
         ([1.0, 2.0, -2.0], [2.0, 1.0, 2.0]),
@@ -17,44 +18,21 @@ pub fn check(check: &mut Check, through: impl Fn(&Basis, f64, &Ray, (f64, f64)) 
         let Ok(basis) = Basis::new(Point3::new(1.0, 2.0, 3.0), gaze, up) else {
             continue;
         };
-        let Basis { e, u, v, w } = basis;
+        let mut expect = |focus: f64, (x, y): (f64, f64), lens: (f64, f64)| {
+            expect_sharp(check, &through, &basis, focus, (x, y), lens);
+        };
         for focus in [0.5, 4.0, 100.0] {
-            for (x, y) in [(0.0, 0.0), (0.5, 0.0), (-0.75, 1.0), (2.0, -1.5)] {
-                let sharp = e + (u * x + v * y - w) * focus;
-                let Ok(ray) = Ray::new(e, sharp - e) else {
-                    continue;
-                };
-                for (right, up) in [(0.0, 0.0), (0.1, 0.0), (0.0, -0.2), (-0.3, 0.25)] {
-                    let got = through(&basis, focus, &ray, (right, up));
-                    let name = format!(
-                        "lens ({right}, {up}), focus {focus}, sharp point {}",
-                        sharp.to_glam()
-                    );
-                    let mut near = |what: &str, exact: [f64; 3], got: [f64; 3]| {
-                        // Some roundings of coordinates up to 300.
-                        check.expect(
-                            format!("{what}, {name}"),
-                            exact,
-                            Bound::Absolute(1e-12),
-                            got,
-                        );
-                    };
-                    let origin = e + u * right + v * up;
-                    near(
-                        "origin",
-                        origin.to_glam().to_array(),
-                        got.origin().to_glam().to_array(),
-                    );
-                    let met = got.at((sharp - origin).magnitude());
-                    near(
-                        "there",
-                        sharp.to_glam().to_array(),
-                        met.to_glam().to_array(),
-                    );
-                    let length = got.direction().dot(got.direction()).sqrt();
-                    check.expect("length of the direction", 1.0, Bound::Ulps(4.0), length);
+            for place in [(0.0, 0.0), (0.5, 0.0), (-0.75, 1.0), (2.0, -1.5)] {
+                for lens in [(0.0, 0.0), (0.1, 0.0), (0.0, -0.2), (-0.3, 0.25)] {
+                    expect(focus, place, lens);
                 }
             }
+        }
+        for _ in 0..40 {
+            let focus = random.between(0.1, 20.0);
+            let mut pair =
+                |limit: f64| (random.between(-limit, limit), random.between(-limit, limit));
+            expect(focus, pair(2.0), pair(0.5));
         }
     }
     // Three walls of holes, one behind the other; the middle one is in focus.
@@ -75,6 +53,48 @@ pub fn check(check: &mut Check, through: impl Fn(&Basis, f64, &Ray, (f64, f64)) 
             sum.map(|channel| channel / f64::from(samples))
         })
     });
+}
+
+/// Compares the ray that meets the place (`x`, `y`) times `focus` in the plane of focus.
+fn expect_sharp(
+    check: &mut Check,
+    through: impl Fn(&Basis, f64, &Ray, (f64, f64)) -> Ray,
+    basis: &Basis,
+    focus: f64,
+    (x, y): (f64, f64),
+    (right, up): (f64, f64),
+) {
+    let Basis { e, u, v, w } = *basis;
+    let sharp = e + (u * x + v * y - w) * focus;
+    let Ok(ray) = Ray::new(e, sharp - e) else {
+        return;
+    };
+    let got = through(basis, focus, &ray, (right, up));
+    let place = sharp.to_glam();
+    let name = format!(
+        "lens ({right}, {up}), focus {focus}, sharp point {place:.3}, gaze {:.3}",
+        (-w).to_glam()
+    );
+    // Some roundings of coordinates up to 300.
+    let bound = Bound::Absolute(1e-12);
+    let mut near = |what: &str, exact: Point3, got: Point3| {
+        let [exact, got] = [exact, got].map(|p| p.to_glam().to_array());
+        check.expect(format!("{what}, {name}"), exact, bound, got);
+    };
+    let origin = e + u * right + v * up;
+    near("origin", origin, got.origin());
+    near(
+        "where the ray meets the sharp point",
+        sharp,
+        got.at((sharp - origin).magnitude()),
+    );
+    let length = got.direction().dot(got.direction()).sqrt();
+    check.expect(
+        format!("length of the direction, {name}"),
+        1.0,
+        Bound::Ulps(4.0),
+        length,
+    );
 }
 
 /// The colour of the nearest disc: a row of each, at three distances.

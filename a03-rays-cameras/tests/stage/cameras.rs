@@ -1,5 +1,5 @@
 //! Cameras: the second course's relations, the formulas at places where their
-//! value is known, and what a constructor must refuse.
+//! value is known, and the arguments that a constructor must refuse.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 

@@ -10,7 +10,6 @@ const BELOW: f64 = 1e-6;
 /// just below. Cubes have sides of 1. The one from (0, 0, 0) to (1, 1, 1) is
 /// white, and two that share a face have different colours.
 pub fn checkerboard(p: Point3, n: Normal3) -> Color {
-    // exercise
     // On a face between two cubes, rounding would choose one of them.
     let below = (p - Vector3::from(n) * BELOW).to_glam();
     // Down also below 0, where a cast would round up.
@@ -21,7 +20,4 @@ pub fn checkerboard(p: Point3, n: Normal3) -> Color {
     } else {
         Color::BLACK
     }
-    // instead
-    // testing::missing("white and black", Color::gray(0.5))
-    // end
 }

@@ -25,7 +25,6 @@ impl Cylinder {
 impl Geometry for Cylinder {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let (o, d) = (ray.origin(), ray.direction());
-        // exercise
         // Seen from above the wall is a circle, and y does not matter.
         let a = d.x() * d.x() + d.z() * d.z();
         let b = o.x() * d.x() + o.z() * d.z();
@@ -36,11 +35,7 @@ impl Geometry for Cylinder {
         }
         let root = discriminant.sqrt();
         let crossings = [(-b - root) / a, (-b + root) / a];
-        // instead
-        // let crossings = testing::missing("where the ray crosses the wall", [f64::NAN; 2]);
-        // end
 
-        // exercise
         // Over the rim of the near wall, a ray may meet the far one.
         let is_on_wall = |t: f64| (0.0..=self.height).contains(&ray.at(t).y());
         let counts = |t: &f64| within.contains(*t) && is_on_wall(*t);
@@ -48,8 +43,5 @@ impl Geometry for Cylinder {
         let p = ray.at(t);
         let normal = Normal3::new(p.x() / self.r, 0.0, p.z() / self.r);
         Some(Hit::new(t, normal))
-        // instead
-        // testing::missing("the crossing that counts, and the normal there", None)
-        // end
     }
 }

@@ -19,18 +19,13 @@ pub fn read_obj(text: &str) -> Result<Vec<Triangle>, String> {
             Some("f") => face(words, &corners).map(|face| triangles.extend(face)),
             _ => Ok(()),
         };
-        // exercise
         read.map_err(|reason| format!("line {number}: {reason}"))?;
-        // instead
-        // read.map_err(|reason| testing::missing("the number of the line", reason))?;
-        // end
     }
     Ok(triangles)
 }
 
 /// The point of three coordinates.
 fn corner(words: SplitWhitespace) -> Result<Point3, String> {
-    // exercise
     let number = |word: &str| {
         let number = word.parse::<f64>();
         number.map_err(|_| format!("\"{word}\" is no number"))
@@ -40,16 +35,12 @@ fn corner(words: SplitWhitespace) -> Result<Point3, String> {
         return Err("a corner has three coordinates".to_owned());
     };
     Ok(Point3::new(x, y, z))
-    // instead
-    // testing::missing("the coordinates of a corner", Ok(Point3::ORIGIN))
-    // end
 }
 
 /// The corner that a word of a face names, such as `7`, `7/1/2` or `-1`. Only
 /// the number before the first slash says which: counted from 1, or, if it is
 /// negative, back from the last corner read.
 fn named(word: &str, corners: &[Point3]) -> Result<Point3, String> {
-    // exercise
     let name = word.split('/').next().unwrap_or_default();
     let number: isize = name
         .parse()
@@ -62,15 +53,11 @@ fn named(word: &str, corners: &[Point3]) -> Result<Point3, String> {
     index
         .and_then(|index| corners.get(index).copied())
         .ok_or_else(|| format!("there is no corner {number}"))
-    // instead
-    // testing::missing("the corner of this name", Ok(Point3::ORIGIN))
-    // end
 }
 
 /// The triangles of a face of three or more corners: all of them meet in the
 /// first.
 fn face(words: SplitWhitespace, corners: &[Point3]) -> Result<Vec<Triangle>, String> {
-    // exercise
     let around = words
         .map(|word| named(word, corners))
         .collect::<Result<Vec<_>, _>>()?;
@@ -84,7 +71,4 @@ fn face(words: SplitWhitespace, corners: &[Point3]) -> Result<Vec<Triangle>, Str
     rest.windows(2)
         .map(|pair| triangle(pair).map_err(|error| error.to_string()))
         .collect()
-    // instead
-    // testing::missing("the triangles of a face", Ok(Vec::new()))
-    // end
 }

@@ -6,10 +6,6 @@ use a02_math::{Direction, Normal3, Point3, Vector3};
 /// length but 0: positive on the side that `n` points to, negative on the far
 /// side, and 0 in the plane.
 pub fn signed_distance(a: Point3, n: Normal3, p: Point3) -> f64 {
-    // exercise
     // The dot product counts in the length of the normal.
     (p - a).dot(n) / Vector3::from(n).magnitude()
-    // instead
-    // testing::missing("the distance from the plane, with its sign", f64::NAN)
-    // end
 }

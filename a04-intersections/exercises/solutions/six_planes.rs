@@ -36,32 +36,18 @@ impl SixPlanes {
 
 impl Geometry for SixPlanes {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        // exercise
-        // instead
-        // // Two mistakes are in here: find them by what they do to the picture.
-        // testing::missing("a box whose faces have no holes", ());
-        // testing::missing("a box whose front hides its back", ());
-        //
-        // end
         let mut found: Option<Hit> = None;
         for (axis, plane) in &self.planes {
             let Some(hit) = plane.hit(ray, within) else {
                 continue;
             };
             let point = ray.at(hit.t).to_glam();
-            // exercise
             // Along its own axis the point is where the plane is, up to rounding.
             let mut others = (0..3).filter(|other| other != axis);
             let is_on_face = others.all(|i| self.lbf[i] <= point[i] && point[i] <= self.run[i]);
             if is_on_face && found.is_none_or(|nearest| hit.t < nearest.t) {
                 found = Some(hit);
             }
-            // instead
-            // let is_on_face = (0..3).all(|i| self.lbf[i] <= point[i] && point[i] <= self.run[i]);
-            // if is_on_face {
-            //     found = Some(hit);
-            // }
-            // end
         }
         found
     }

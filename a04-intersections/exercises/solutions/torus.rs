@@ -32,13 +32,9 @@ impl Torus {
 
     /// How far `p` is from the surface: negative in the tube.
     fn distance(&self, p: Point3) -> f64 {
-        // exercise
         let from_axis = Vector3::new(p.x(), 0.0, p.z()).magnitude();
         let from_circle = Vector3::new(from_axis - self.ring, p.y(), 0.0).magnitude();
         from_circle - self.r
-        // instead
-        // testing::missing("the distance of a point from the surface", f64::INFINITY)
-        // end
     }
 }
 
@@ -51,7 +47,6 @@ impl Geometry for Torus {
         let (start, end) = (within.min.max(middle - reach), middle + reach);
         let distance = |t: f64| self.distance(ray.at(t));
 
-        // exercise
         // As far as the surface is away, nothing is in the way. Steps that are
         // never smaller than this walk away from it, and through it.
         let smallest = 1e-4 * self.r / length;
@@ -79,9 +74,6 @@ impl Geometry for Torus {
             }
         }
         let t = outer;
-        // instead
-        // let t = testing::missing("the first t at which the distance is 0", f64::NAN);
-        // end
 
         let normal = self.way_from_circle(ray.at(t))?.normalized()?.as_normal();
         within.contains(t).then(|| Hit::new(t, normal))

@@ -1,12 +1,12 @@
 //! Cubes whose colour is known from three whole numbers, and points of
 //! surfaces that lie just where two cubes meet.
 
-use a02_math::{Normal3, Point3};
+use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{AxisAlignedBox, Geometry, Interval, Plane, World};
 use common::{ArgumentError, Color};
 use measure::extremes::Bound;
-use testing::exercise::Check;
+use testing::exercise::{Check, Random};
 
 use crate::shape::show_world;
 
@@ -34,6 +34,19 @@ pub fn check(check: &mut Check, checkerboard: impl Fn(Point3, Normal3) -> Color 
     cube([1_000_001, 0, 0]);
     cube([0, -1_000_001, 1_000_001]);
 
+    let mut random = Random::new(4);
+    for _ in 0..60 {
+        let cube = [(); 3].map(|()| f64::from(random.below(2001)) - 1000.0);
+        let place = cube.map(|low| low + random.between(0.01, 0.99));
+        let p = Point3::from_glam(place.into());
+        let [x, y, z] = [(); 3].map(|()| random.between(-1.0, 1.0));
+        let normal = Vector3::new(x, y, z).normalized().map(Vector3::as_normal);
+        let got = checkerboard(p, normal.unwrap_or(up)).channels();
+        let what = format!("at {place:?}");
+        let [i, j, k] = cube.map(|n| n as i32);
+        check.expect(what, color_of(i, j, k).channels(), Bound::Equal, got);
+    }
+
     // Rays to middles of squares, where rounding leaves the hit above, below or
     // on the face.
     let eye = Point3::new(0.3, 5.7, 0.2);
@@ -48,7 +61,6 @@ pub fn check(check: &mut Check, checkerboard: impl Fn(Point3, Normal3) -> Color 
             // A surface shows the cube on the side that it does not face.
             let below = if normal[axis] < 0.0 { place } else { place - 1 };
             let normal = Normal3::from_glam(normal.into());
-            let mut wrong: usize = 0;
             for (i, j) in (-8..8).flat_map(|i| (-8..8).map(move |j| (i, j))) {
                 let mut cube = [i; 3];
                 cube[(axis + 1) % 3] = j;
@@ -61,13 +73,17 @@ pub fn check(check: &mut Check, checkerboard: impl Fn(Point3, Normal3) -> Color 
                     .zip(Ray::new(eye, at - eye).ok());
                 let hit = hit.and_then(|(plane, ray)| {
                     let hit = plane.hit(&ray, Interval::AHEAD)?;
-                    Some(checkerboard(ray.at(hit.t), hit.normal))
+                    Some(checkerboard(ray.at(hit.t), hit.normal).channels())
                 });
                 let [i, j, k] = cube;
-                wrong += usize::from(hit != Some(color_of(i, j, k)));
+                let what = format!(
+                    "a ray from {} to the plane {name} = {place} at {}, the face of a cube",
+                    eye.to_glam(),
+                    at.to_glam()
+                );
+                let exact = Some(color_of(i, j, k).channels());
+                check.expect(what, exact, Bound::Equal, hit);
             }
-            let what = format!("wrong ones of 256 squares in the plane {name} = {place}");
-            check.expect(what, 0, Bound::Equal, wrong);
         }
     }
 

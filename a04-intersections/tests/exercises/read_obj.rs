@@ -5,7 +5,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::{Interval, Triangle, World};
 use common::Color;
 use measure::extremes::Bound;
-use testing::exercise::Check;
+use testing::exercise::{Check, Random};
 
 use crate::shape::{TURNS, show_world, turned};
 
@@ -61,8 +61,12 @@ pub fn check(check: &mut Check, read_obj: impl Fn(&str) -> Result<Vec<Triangle>,
         "f -3 -2 -1",
         "f 1/1/1 -2/1/1 3/1/1\nv 9 9 9",
     ] {
-        let got = read_obj(&format!("{CORNERS}{face}\n")).ok() == exact;
-        let what = format!("the one triangle of {face:?}, after three corners");
+        let got = read_obj(&format!("{CORNERS}{face}\n"));
+        let what = format!(
+            "the one triangle of {face:?}, after three corners{}",
+            not(&got)
+        );
+        let got = got.ok() == exact;
         check.expect(what, true, Bound::Equal, got);
     }
 
@@ -77,10 +81,18 @@ pub fn check(check: &mut Check, read_obj: impl Fn(&str) -> Result<Vec<Triangle>,
         "f 1 2 x",
         "f 1 1 2",
     ] {
-        let error = read_obj(&format!("{CORNERS}{broken}\nv 1 1 1\n")).err();
-        let told = error.is_some_and(|error| error.starts_with("line 4: "));
-        let what = format!("{broken:?} ends in an error that begins with \"line 4: \"");
+        let got = read_obj(&format!("{CORNERS}{broken}\nv 1 1 1\n"));
+        let what = format!(
+            "{broken:?} ends in an error that begins with \"line 4: \"{}",
+            not(&got)
+        );
+        let told = got.is_err_and(|error| error.starts_with("line 4: "));
         check.expect(what, true, Bound::Equal, told);
+    }
+
+    let mut random = Random::new(6);
+    for _ in 0..20 {
+        expect_mesh(check, &read_obj, &mut random);
     }
 
     check.expect(
@@ -113,6 +125,61 @@ pub fn check(check: &mut Check, read_obj: impl Fn(&str) -> Result<Vec<Triangle>,
         let [r, g, b] = normal.to_glam().abs().to_array();
         Color::new(r, g, b)
     });
+}
+
+/// The error, for the end of a message.
+fn not(got: &Result<Vec<Triangle>, String>) -> String {
+    let error = got.as_ref().err();
+    error.map_or(String::new(), |error| format!(", not {error:?}"))
+}
+
+/// A random face among random corners, which are named in all ways.
+fn expect_mesh(
+    check: &mut Check,
+    read_obj: impl Fn(&str) -> Result<Vec<Triangle>, String>,
+    random: &mut Random,
+) {
+    let count = 6 + random.below(7);
+    let corners: Vec<[f64; 3]> = (0..count)
+        .map(|_| [(); 3].map(|()| random.between(-9.0, 9.0)))
+        .collect();
+    let lines: Vec<_> = corners
+        .iter()
+        .map(|[x, y, z]| format!("v {x} {y} {z}\n"))
+        .collect();
+    let mut text = lines.concat();
+    // Different corners in a row.
+    let (first, sides) = (random.below(count), 3 + random.below(4));
+    let around: Vec<u32> = (0..sides).map(|i| (first + i) % count).collect();
+    text.push('f');
+    for &corner in &around {
+        let name = match random.below(4) {
+            0 => format!(" {}", i64::from(corner) - i64::from(count)),
+            1 => format!(" {}/{}", corner + 1, 1 + random.below(9)),
+            2 => format!(" {}//{}", corner + 1, 1 + random.below(9)),
+            _ => format!(" {}", corner + 1),
+        };
+        text.push_str(&name);
+    }
+    text.push_str("\nv 0 0 0\n");
+
+    let face = text.lines().nth(count as usize).unwrap_or_default();
+    let got = read_obj(&text);
+    let triangles = got.as_ref().map(Vec::len).ok();
+    let what = format!("triangles of {face:?} after {count} corners{}", not(&got));
+    check.expect(what, Some(around.len() - 2), Bound::Equal, triangles);
+    for (k, pair) in around[1..].windows(2).enumerate() {
+        let joined = [around[0], pair[0], pair[1]];
+        let [a, b, c] = joined.map(|corner| Point3::from_glam(corners[corner as usize].into()));
+        let is_right =
+            got.as_ref().ok().and_then(|got| got.get(k)) == Triangle::new(a, b, c).ok().as_ref();
+        let joined = joined.map(|corner| corner + 1);
+        let what = format!(
+            "triangle {} of {face:?} after {count} corners joins {joined:?}",
+            k + 1
+        );
+        check.expect(what, true, Bound::Equal, is_right);
+    }
 }
 
 fn world(triangles: Result<Vec<Triangle>, String>) -> Option<World<()>> {

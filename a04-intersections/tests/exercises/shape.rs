@@ -1,4 +1,4 @@
-//! What the checks of all shapes have in common.
+//! Helpers of the checks of shapes.
 
 use std::f64::consts::FRAC_PI_4;
 

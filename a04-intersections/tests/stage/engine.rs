@@ -9,7 +9,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval, Sphere, World};
 use common::Color;
 
-use compare::{compare, parallel, prepared, through};
+use compare::{compare, prepared};
 use scenes::{Numbers, Place, rays, world};
 
 fn check(seed: u64, shapes: usize, count: usize, place: Place) {
@@ -19,9 +19,8 @@ fn check(seed: u64, shapes: usize, count: usize, place: Place) {
     );
     let inside = place.point(Vector3::new(0.1, 0.2, -0.1));
     let sun = Vector3::new(-1.0, -2.0, 0.5).unit("sun").unwrap();
-    let bundles = [through(eye), through(lamp), through(inside), parallel(sun)];
     let world = world(seed, shapes, place);
-    let engine = prepared(&world, &bundles);
+    let engine = prepared(&world);
     let hits = [(eye, lamp), (lamp, eye), (inside, inside)].map(|(eye, lamp)| {
         compare(
             &world,
@@ -81,7 +80,7 @@ fn unknown_shapes_are_met_as_in_the_list() {
         };
     }
     let eye = Point3::new(25.0, 5.0, 30.0);
-    let engine = prepared(&world, &[through(eye)]);
+    let engine = prepared(&world);
     let mut numbers = Numbers::new(3);
     let rays: Vec<_> = (0..20_000)
         .map(|_| {

@@ -1,4 +1,4 @@
-//! What holds for every shape and every ray, wherever they are.
+//! Laws of every shape and every ray, wherever they are.
 //!
 //! The same cases come every time; `PROPTEST_CASES=100000` makes more of them.
 
@@ -102,8 +102,8 @@ proptest! {
         }
     }
 
-    /// Steiner's power of a point: the product of the two distances is f · f - r²,
-    /// whatever the direction. This is off by 6u of its terms, two roots and a
+    /// Steiner's power of a point: the product of the two distances is f · f - r²
+    /// for every direction. This is off by 6u of its terms, two roots and a
     /// product by 4u, and the length of the direction by 4u, twice.
     #[test]
     fn the_two_hits_of_a_sphere_have_the_power_of_the_origin(

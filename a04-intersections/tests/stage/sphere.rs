@@ -24,7 +24,7 @@ fn t(sphere: &Sphere, ray: &Ray) -> Option<f64> {
     hit(sphere, ray).map(|hit| hit.t)
 }
 
-/// Tolerance: that of the formula, 4 eps of the distance.
+/// Tolerance: the error of the formula, 4 eps of the distance.
 #[test]
 fn a_ray_meets_the_near_side() {
     let front = Vector3::new(0.0, 0.0, 1.0).as_normal();

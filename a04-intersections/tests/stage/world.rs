@@ -1,4 +1,4 @@
-//! The world: what of several objects is seen, and from which side.
+//! The world: the object that is seen among several, and its side.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};

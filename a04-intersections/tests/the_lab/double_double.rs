@@ -10,7 +10,7 @@ fn sum(high: f64, low: f64) -> DoubleDouble {
     DoubleDouble::from(high) + DoubleDouble::from(low)
 }
 
-/// 1 + 2^-54 and -1 + 2^-107: what is left lies 107 binary digits below.
+/// 1 + 2^-54 and -1 + 2^-107: the rest lies 107 binary digits below.
 #[test]
 fn sums_that_cancel_keep_their_last_digit() {
     let (small, smallest) = (power_of_two(-54), power_of_two(-107));

@@ -2,7 +2,7 @@
 
 use a04_intersections::lab::exact::{DoubleDouble as Number, plane, sphere, triangle};
 
-/// The nearest double of the exact value and that of the rest, by mpmath.
+/// The nearest double of the exact value, and the nearest double of the rest, by mpmath.
 fn assert_exact(computed: Number, high: f64, low: f64) {
     assert_eq!(computed.value(), high);
     let rest = computed.error_of(high);

@@ -1,4 +1,4 @@
-//! The experiments show what theory says, and their work is what it was.
+//! The experiments agree with theory, and their work does not change.
 
 use measure::Effort;
 use measure::experiment::{check_slopes, counted};

@@ -30,7 +30,6 @@ impl Material for BlinnPhong {
         let mut color = self.diffuse * lighting.ambient();
         lighting.for_each_light(ray, hit, &mut |light| {
             let cosine = hit.normal.dot(light.direction);
-            // exercise
             // Light from behind is neither scattered nor mirrored.
             if cosine <= 0.0 {
                 return;
@@ -42,9 +41,6 @@ impl Material for BlinnPhong {
             };
             let highlight = hit.normal.dot(half).clamp(0.0, 1.0);
             color += self.specular * light.color * libm::pow(highlight, self.exponent);
-            // instead
-            // color += testing::missing("matt light and highlight", self.diffuse * cosine);
-            // end
         });
         color
     }

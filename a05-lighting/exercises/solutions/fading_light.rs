@@ -23,7 +23,6 @@ impl FadingLight {
 
 impl Light for FadingLight {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
-        // exercise
         let way = self.position - point;
         Some(Illumination {
             // The same light falls on a sphere of the area 4 π d².
@@ -31,8 +30,5 @@ impl Light for FadingLight {
             direction: way.normalized()?,
             distance: way.magnitude(),
         })
-        // instead
-        // testing::missing("colour, direction and distance of the light", None)
-        // end
     }
 }

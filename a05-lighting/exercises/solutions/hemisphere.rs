@@ -28,13 +28,9 @@ impl Hemisphere {
 impl Material for Hemisphere {
     fn color_for(&self, _: &Ray, hit: &Hit, _: &dyn Lighting) -> Color {
         let up = Vector3::new(0.0, 1.0, 0.0);
-        // exercise
         // Each direction counts by its cosine to the normal, as in Lambert's
         // law: over the part of the sky that is seen, that makes this share.
         let sky = f64::midpoint(1.0, hit.normal.dot(up));
         self.diffuse * (self.sky * sky + self.ground * (1.0 - sky))
-        // instead
-        // testing::missing("the light of sky and ground", self.diffuse * self.sky)
-        // end
     }
 }

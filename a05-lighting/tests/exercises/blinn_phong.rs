@@ -1,12 +1,12 @@
-//! Lights and eyes between which the half vector has a known cosine.
+//! Lights and eyes between which the half vector is known.
 
-use a02_math::{Normal3, Point3, Vector3};
+use a02_math::{Direction, Normal3, Point3, Vector3};
 use a05_lighting::{Material, PointLight};
 use common::{ArgumentError, Color};
 use measure::extremes::Bound;
-use testing::exercise::Check;
+use testing::exercise::{Check, Random};
 
-use crate::scene::{Lights, balls, seen, show};
+use crate::scene::{Lights, balls, color, seen, show, unit};
 
 pub fn check<M: Material + 'static>(
     check: &mut Check,
@@ -51,7 +51,43 @@ pub fn check<M: Material + 'static>(
     );
     case("two lights", up, &[up, aslant], 2.0, [0.32, 0.82]);
     case("light from behind", low, &[below], 1.0, [0.0, 0.0]);
+    let along = Vector3::new(1.0, 0.0, 0.0);
+    case("light along the surface", up, &[along], 1.0, [0.0, 0.0]);
     case("light from behind", low, &[below], 0.0, [0.0, 0.0]);
+
+    // The eye is where the light is mirrored to about a half vector that is known.
+    let mut random = Random::new(4);
+    for n in 0..60 {
+        let [normal, half, light] = [(); 3].map(|()| unit(&mut random));
+        let light = if light.dot(half) < 0.0 { -light } else { light };
+        let eye = half * (2.0 * half.dot(light)) - light;
+        let [diffuse, specular, lamp] = [(); 3].map(|()| color(&mut random));
+        let exponent = f64::from([1, 2, 5, 30][n % 4]);
+        let Ok(material) = new(diffuse, specular, exponent) else {
+            return;
+        };
+        let lights = Lights {
+            color: lamp,
+            directions: &[light],
+        };
+        let (cosine, highlight) = (
+            normal.dot(light),
+            libm::pow(normal.dot(half).max(0.0), exponent),
+        );
+        let is_lit = f64::from(u8::from(cosine > 0.0));
+        let exact = (diffuse * cosine + specular * highlight) * lamp * is_lit;
+        let what = format!(
+            "normal {:.3}, light from {:.3}, eye at {:.3}, exponent {exponent}, diffuse {:?}, specular {:?}, light {:?}",
+            normal.to_glam(),
+            light.to_glam(),
+            eye.to_glam(),
+            diffuse.channels(),
+            specular.channels(),
+            lamp.channels()
+        );
+        let got = seen(&material, normal.as_normal(), eye, &lights);
+        check.expect(what, exact.channels(), Bound::Absolute(1e-13), got);
+    }
 
     let lamp = PointLight::new(Color::WHITE, Point3::new(-3.0, 4.0, 4.0));
     let world = lamp.and_then(|lamp| {

@@ -1,4 +1,4 @@
-//! What the checks of lights and materials have in common.
+//! Helpers of the checks of lights and materials.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -7,7 +7,7 @@ use a03_rays_cameras::{PerspectiveCamera, Ray, render};
 use a04_intersections::{Hit, Plane, Sphere};
 use a05_lighting::{Illumination, Lighting, LitWorld, Material};
 use common::{ArgumentError, Color};
-use testing::exercise::Check;
+use testing::exercise::{Check, Random};
 
 /// Lights from these directions of length 1, all of the same colour.
 pub struct Lights<'a> {
@@ -38,6 +38,17 @@ pub fn seen(material: &impl Material, normal: Normal3, eye: Vector3, lights: &Li
     material
         .color_for(&ray, &Hit::new(t, normal), lights)
         .channels()
+}
+
+/// A random direction of length 1.
+pub fn unit(random: &mut Random) -> Vector3 {
+    Vector3::from_glam(random.unit().into())
+}
+
+/// A random colour, brighter than white in parts.
+pub fn color(random: &mut Random) -> Color {
+    let [r, g, b] = [(); 3].map(|()| random.between(0.0, 1.5));
+    Color::new(r, g, b)
 }
 
 /// Two balls on a floor, of materials with these colours, and no light.

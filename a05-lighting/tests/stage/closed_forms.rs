@@ -18,11 +18,11 @@ use approx::assert_abs_diff_eq;
 use common::{Color, Sampling, Settings, Size};
 
 /// Pixels along each side of the pictures, samples along each side of a pixel,
-/// and the side of what they show.
+/// and the side of the square that the pictures show.
 const PIXELS: u32 = 200;
 const SAMPLES: u32 = 3;
 const VIEW: f64 = 2.2;
-/// From the middle of the first pixel to that of the last it is `VIEW`.
+/// The distance from the middle of the first pixel to the middle of the last is `VIEW`.
 const PIXEL: f64 = VIEW / (PIXELS as f64 - 1.0);
 
 fn tolerance(r: f64) -> f64 {
@@ -30,8 +30,8 @@ fn tolerance(r: f64) -> f64 {
     5.0 * 0.26 * h_by_r * h_by_r.sqrt()
 }
 
-/// The integral of the red channel over what a camera straight above the
-/// origin sees.
+/// The integral of the red channel over the view of a camera straight above the
+/// origin.
 fn integral(world: &LitWorld) -> f64 {
     let (e, down) = (Point3::new(0.0, 0.0, 9.0), Vector3::new(0.0, 0.0, -1.0));
     let camera = OrthographicCamera::new(e, down, Vector3::new(0.0, 1.0, 0.0), VIEW).unwrap();
@@ -91,7 +91,7 @@ fn the_mean_highlight_of_a_sphere_is_known_for_every_exponent() {
 
 /// A smooth highlight is integrated by a grid to the last digits: nearly
 /// exp(-2 p s), its error is about exp(-π² / (2 p h²)), below 1e-300 at these p
-/// and h. What is left is the rounding of the cosine, p times as large as
+/// and h. The remaining error is the rounding of the cosine, p times as large as
 /// power, 4 eps each.
 #[test]
 fn the_mean_of_a_smooth_highlight_is_right_to_rounding() {

@@ -1,4 +1,4 @@
-//! Materials: colours calculated by hand, and what must not shine.
+//! Materials: colours calculated by hand, and surfaces that must not shine.
 
 mod highlights;
 mod lit_world;
@@ -49,7 +49,7 @@ fn light_from(lights: &[(Color, Vector3)]) -> Given {
     }
 }
 
-/// What an eye in the direction `e` sees of a surface that faces upwards.
+/// The colour of a surface that faces upwards, seen from the direction `e`.
 fn seen_from(e: Vector3, material: &dyn Material, lighting: &dyn Lighting) -> Color {
     let ray = Ray::derived(Point3::ORIGIN + e, -e);
     material.color_for(&ray, &Hit::new(1.0, UP.as_normal()), lighting)

@@ -7,14 +7,10 @@ use common::Color;
 /// The fog takes the share `density` of the light per length, of what is left.
 /// The distance is at least 0, and infinite where a ray meets nothing.
 pub fn fogged(color: Color, fog: Color, density: f64, distance: f64) -> Color {
-    // exercise
     // Without fog, infinitely far away is 0 times infinity.
     if density == 0.0 {
         return color;
     }
     let left = libm::exp(-density * distance);
     color * left + fog * (1.0 - left)
-    // instead
-    // testing::missing("the colour behind the fog", color)
-    // end
 }

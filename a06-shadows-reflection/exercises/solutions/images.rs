@@ -5,7 +5,6 @@
 ///
 /// The lamp itself, which is `n` = 0 on both sides, stands at x = `lamp`.
 pub fn images(width: f64, lamp: f64, n: u32) -> [f64; 2] {
-    // exercise
     // What is seen in a mirror is the image in the other one, one step earlier.
     let mut images = [lamp; 2];
     for _ in 0..n {
@@ -13,7 +12,4 @@ pub fn images(width: f64, lamp: f64, n: u32) -> [f64; 2] {
         images = [-right, 2.0 * width - left];
     }
     images
-    // instead
-    // testing::missing("the image in the left and in the right mirror", [lamp; 2])
-    // end
 }

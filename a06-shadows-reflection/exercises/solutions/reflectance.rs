@@ -4,7 +4,6 @@
 /// normal has the cosine `cos`, from 0 to 1. It comes from where the
 /// refractive index is `from`, and beyond the surface it is `to`.
 pub fn reflectance(cos: f64, from: f64, to: f64) -> f64 {
-    // exercise
     let ratio = from / to;
     let cos_squared = 1.0 - ratio * ratio * (1.0 - cos * cos);
     // All light is mirrored.
@@ -19,7 +18,4 @@ pub fn reflectance(cos: f64, from: f64, to: f64) -> f64 {
     let across = share(from * cos, to * beyond);
     let along = share(from * beyond, to * cos);
     f64::midpoint(across, along)
-    // instead
-    // testing::missing("the share that is mirrored", 1.0 - cos)
-    // end
 }

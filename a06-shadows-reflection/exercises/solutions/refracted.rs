@@ -7,7 +7,6 @@ use a02_math::{Direction, Normal3, Vector3};
 /// and `d` goes in or out. Outside the refractive index is 1, inside it is
 /// `index`.
 pub fn refracted(d: Vector3, n: Normal3, index: f64) -> Option<Vector3> {
-    // exercise
     let leaves = d.dot(n) > 0.0;
     // The normal on the side that the light comes from.
     let (n, ratio) = if leaves {
@@ -21,7 +20,4 @@ pub fn refracted(d: Vector3, n: Normal3, index: f64) -> Option<Vector3> {
         return None;
     }
     Some(d * ratio + n * (ratio * cos - cos_squared.sqrt()))
-    // instead
-    // testing::missing("the direction behind the surface", Some(d))
-    // end
 }

@@ -6,7 +6,7 @@ use a02_math::{Normal3, Point3};
 use a04_intersections::{Interval, Plane, Sphere, World};
 use common::{ArgumentError, Color};
 use measure::extremes::Bound;
-use testing::exercise::Check;
+use testing::exercise::{Check, Random};
 
 use crate::scene::show;
 
@@ -20,6 +20,24 @@ pub fn check(check: &mut Check, fogged: impl Fn(Color, Color, f64, f64) -> Color
             let exact = [left, 0.5, 1.0 - left];
             check.expect(what, exact, Bound::Absolute(1e-14), got.channels());
         }
+    }
+    let mut random = Random::new(1);
+    for halvings in (0..6).cycle().take(40) {
+        let [color, fog] = [(); 2].map(|()| {
+            let [r, g, b] = [(); 3].map(|()| random.between(0.0, 2.0));
+            Color::new(r, g, b)
+        });
+        let distance = random.between(0.1, 50.0);
+        let density = LN_2 * f64::from(halvings) / distance;
+        let left = 1.0 / f64::from(1 << halvings);
+        let exact = color * left + fog * (1.0 - left);
+        let got = fogged(color, fog, density, distance).channels();
+        let what = format!(
+            "{:?} in fog of {:?}, density {density:.4}, distance {distance}",
+            color.channels(),
+            fog.channels()
+        );
+        check.expect(what, exact.channels(), Bound::Absolute(1e-13), got);
     }
     let got = fogged(color, fog, 0.1, f64::INFINITY).channels();
     check.expect("infinitely far away", fog.channels(), Bound::Equal, got);

@@ -5,7 +5,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Interval, Sphere};
 use common::Color;
 use measure::extremes::Bound;
-use testing::exercise::Check;
+use testing::exercise::{Check, Random};
 
 use crate::scene::{checkered, show};
 
@@ -50,6 +50,36 @@ pub fn check(
             true,
             Bound::Equal,
             inside,
+        );
+    }
+
+    let mut random = Random::new(4);
+    for _ in 0..60 {
+        let [n, other] = [(); 2].map(|()| Vector3::from_glam(random.unit().into()));
+        let Some(aside) = n.cross(other).normalized() else {
+            continue;
+        };
+        // The smaller sine is that inside.
+        let index = random.between(1.05, 2.5);
+        let inside = random.between(0.0, 0.99) / index;
+        let way = |sin: f64, up: f64| aside * sin + n * (up * (1.0 - sin * sin).sqrt());
+        let mut expect = |what: &str, d: Vector3, exact: Option<Vector3>| {
+            let array = |d: Vector3| d.to_glam().to_array();
+            let got = refracted(d, n.as_normal(), index).map(array);
+            let what = format!(
+                "{what}, index {index}, normal {:.3}, direction {:.3}",
+                n.to_glam(),
+                d.to_glam()
+            );
+            check.expect(what, exact.map(array), Bound::Absolute(1e-13), got);
+        };
+        let outside = inside * index;
+        expect("in", way(outside, -1.0), Some(way(inside, -1.0)));
+        expect("out", way(inside, 1.0), Some(way(outside, 1.0)));
+        expect(
+            "mirrored",
+            way(random.between(1.01, index) / index, 1.0),
+            None,
         );
     }
 

@@ -1,4 +1,4 @@
-//! What the checks' pictures have in common.
+//! Helpers of the pictures of checks.
 
 use std::f64::consts::FRAC_PI_4;
 

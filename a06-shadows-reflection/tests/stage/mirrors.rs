@@ -1,4 +1,4 @@
-//! Mirrors: geometric series, depth, and what is seen in them.
+//! Mirrors: geometric series, depth, and mirror images.
 
 mod depth;
 mod images;
@@ -14,7 +14,7 @@ use common::Color;
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 const X: Vector3 = Vector3::new(1.0, 0.0, 0.0);
 
-/// Matt white, black, or what else is asked for, and as reflecting.
+/// A matt surface of this diffuse colour that also reflects.
 fn mirror(diffuse: Color, reflection: Color) -> Box<dyn Surface> {
     Box::new(Reflective::new(diffuse, Color::BLACK, 64.0, reflection).unwrap())
 }

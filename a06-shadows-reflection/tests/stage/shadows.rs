@@ -42,8 +42,8 @@ fn lamp(light: impl Light + 'static) -> LightSource {
     LightSource::new(light, true)
 }
 
-/// What is seen of the origin from an eye far enough aside not to look through
-/// what stands above it.
+/// The colour of the origin, seen from so far aside that no object above it is in
+/// the way.
 fn seen(world: &ShadowedWorld) -> Color {
     let eye = Point3::new(-8.0, 1.0, 0.0);
     let ray = Ray::new(eye, Point3::ORIGIN - eye).unwrap();

@@ -174,7 +174,7 @@ fn the_program_explains_a_picture() {
         "primary rays: 48",
         "reflected rays from 2 of 2 objects: they do not mirror (same bits)",
         "largest difference of a channel 0.0e0",
-        "everything takes",
+        "; everything",
     ] {
         assert!(said.contains(part), "{part}: {said}");
     }

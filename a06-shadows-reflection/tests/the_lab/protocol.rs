@@ -1,7 +1,7 @@
 //! The formulas of the protocol.
 //!
-//! On whole numbers the formulas give what they say, so that nothing but the
-//! extreme cases makes them fail there.
+//! On whole numbers the formulas are right, so that only the extreme
+//! cases make them fail.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;

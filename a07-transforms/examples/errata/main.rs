@@ -8,12 +8,11 @@ mod mirrors;
 mod nodes;
 mod shapes;
 
-use std::process::ExitCode;
-
 use common::{Color, Error, Image, Progress, Scene, Settings, Size};
 use measure::{Effort, Stage};
 
-fn main() -> ExitCode {
+#[cfg(not(target_family = "wasm"))]
+fn main() -> std::process::ExitCode {
     program::run(&stage(), a01_image_display::viewer())
 }
 
@@ -44,7 +43,7 @@ pub fn stage() -> Stage {
     }
 }
 
-/// What a panel shows.
+/// Renders the picture of a panel.
 type Panel = fn(&Settings, &dyn Progress) -> Result<Image, Error>;
 
 /// Two panels of 360x270: the wrong one, and the right one.

@@ -1,9 +1,7 @@
-//! The book's pictures of what can go wrong: too little, right, and too much.
+//! The book's pictures of mistakes: too little, right, and too much.
 //! Takes the arguments of the stages' programs.
 
 mod mesh;
-
-use std::process::ExitCode;
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Ray, render};
@@ -12,7 +10,8 @@ use a06_shadows_reflection::secondary_ray;
 use common::{Color, Error, Image, Progress, Scene, Settings, Size, Transfer};
 use measure::{Effort, Stage};
 
-fn main() -> ExitCode {
+#[cfg(not(target_family = "wasm"))]
+fn main() -> std::process::ExitCode {
     program::run(&stage(), a01_image_display::viewer())
 }
 
@@ -61,20 +60,27 @@ fn lift() -> Scene {
     panels("lift", about, lifts.map(panel).into())
 }
 
-fn by(lift: f64, ray: &Ray, hit: &Hit) -> Ray {
+/// The shadow ray of a hit, lifted by a length.
+#[must_use]
+pub fn by(lift: f64, ray: &Ray, hit: &Hit) -> Ray {
     let point = ray.at(hit.t) + Vector3::from(hit.face) * lift;
     Ray::derived(point, sunwards())
 }
 
 /// The direction to the light; its length is 1.
-const fn sunwards() -> Vector3 {
+#[must_use]
+pub const fn sunwards() -> Vector3 {
     Vector3::new(0.6, 0.48, 0.64)
 }
 
 const SLOPE: Vector3 = Vector3::new(-0.1, 1.0, 0.15);
 
 /// A ball and a flat box on a slope, and their shadows.
-fn shadows(lifted: Lifted, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
+pub fn shadows(
+    lifted: impl Fn(&Ray, &Hit) -> Ray + Sync,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<Image, Error> {
     let normal = SLOPE.unit("slope")?;
     let floor = Plane::new(Point3::ORIGIN, Normal3::from_glam(normal.to_glam()))?;
     let ball = Sphere::new(Point3::ORIGIN + normal * 0.5, 0.5)?;

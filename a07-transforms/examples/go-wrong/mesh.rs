@@ -28,7 +28,7 @@ type Test = fn([Point3; 3]) -> Box<dyn Fn(&Ray) -> bool + Sync>;
 /// Pixels from corner to corner.
 const STEP: u32 = 20;
 
-/// A wall before a light: white is what shines through.
+/// A wall before a light: light that shines through is white.
 fn wall(test: Test, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
     let (eye, gaze) = (Point3::new(0.1, 0.2, 0.3), Vector3::new(1.0, -0.3, -2.0));
     let camera = PerspectiveCamera::new(eye, gaze, Vector3::new(0.0, 1.0, 0.0), 0.8)?;
@@ -48,7 +48,7 @@ fn wall(test: Test, settings: &Settings, progress: &dyn Progress) -> Result<Imag
     render(&camera, color, settings, progress)
 }
 
-/// The triangles between corners behind every so many pixels, and beyond the
+/// The triangles between corners at a fixed distance in pixels, and beyond the
 /// border; each corner is 3 to 3.5 away.
 fn triangles(camera: &PerspectiveCamera, size: Size) -> Vec<[Point3; 3]> {
     let [columns, rows] = [size.width(), size.height()].map(|side| side / STEP + 2);

@@ -11,7 +11,6 @@ use common::ArgumentError;
 /// earth, is the x axis turned by `month` radians about the y axis. The
 /// transforms move a body from the origin to its place.
 pub fn orbits(year: f64, month: f64) -> Result<[Transform; 2], ArgumentError> {
-    // exercise
     let earth = Transform::IDENTITY
         .rotate_y(year)?
         .translate(Point3::new(5.0, 0.0, 0.0))?;
@@ -20,8 +19,4 @@ pub fn orbits(year: f64, month: f64) -> Result<[Transform; 2], ArgumentError> {
         .rotate_y(month)?
         .translate(Point3::new(1.0, 0.0, 0.0))?;
     Ok([earth, moon])
-    // instead
-    // let earth = Transform::IDENTITY.translate(Point3::new(5.0, 0.0, 0.0))?;
-    // testing::missing("the transforms of earth and moon", Ok([earth, earth]))
-    // end
 }

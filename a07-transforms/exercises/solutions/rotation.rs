@@ -9,7 +9,6 @@ use common::ArgumentError;
 /// length but 0.
 pub fn rotation(axis: Vector3, angle: f64) -> Result<Transform, ArgumentError> {
     let k = axis.unit("axis")?;
-    // exercise
     // Up from the plane y = 0, and around from z towards x, lies the axis. Turns
     // about the x axis lead down from z.
     let up = libm::atan2(k.y(), libm::hypot(k.x(), k.z()));
@@ -21,7 +20,4 @@ pub fn rotation(axis: Vector3, angle: f64) -> Result<Transform, ArgumentError> {
         .rotate_z(angle)?
         .rotate_x(up)?
         .rotate_y(-around)
-    // instead
-    // testing::missing("the turn about the axis", Ok(Transform::IDENTITY))
-    // end
 }

@@ -21,24 +21,16 @@ impl<G> Sheared<G> {
     /// The ray as the upright shape sees it, with the same `t`.
     fn ray_to_shape(&self, ray: &Ray) -> Ray {
         let (o, d) = (ray.origin(), ray.direction());
-        // exercise
         // Points and vectors alike: a shear leaves the origin where it is.
         let o = Point3::new(o.x() - self.by * o.y(), o.y(), o.z());
         let d = Vector3::new(d.x() - self.by * d.y(), d.y(), d.z());
-        // instead
-        // let (o, d) = testing::missing("origin and direction, sheared back", (o, d));
-        // end
         Ray::derived(o, d)
     }
 
     /// A normal of the upright shape as the leaning one has it.
     fn normal_from_shape(&self, n: Normal3) -> Option<Normal3> {
-        // exercise
         // The transpose of the inverse matrix.
         let n = Vector3::new(n.x(), n.y() - self.by * n.x(), n.z());
-        // instead
-        // let n = testing::missing("the normal of the leaning shape", Vector3::from(n));
-        // end
         n.normalized().map(Vector3::as_normal)
     }
 }

@@ -7,7 +7,7 @@ use a03_rays_cameras::PixelRandom;
 use common::ArgumentError;
 use glam::{DMat4, DVec3};
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
 
 use crate::lab::extremes::matrices::{off_identity, turn};
 use crate::lab::protocol::Chained;
@@ -76,10 +76,13 @@ fn trace(m: Mat4x4) -> f64 {
 fn nesting() -> Experiment<'static> {
     Experiment {
         name: "nested-turns",
-        about: "how many turns can be nested before the inverse is no inverse?",
+        about: "How many turns can be nested before the inverse is no inverse?",
         knob: "turns",
         work: "4x4 products",
-        error: "of the numbers of M I, against those of the identity",
+        error: "rms error of the numbers of M I",
+        unit: Unit::Other("identity = 1"),
+        exact: "against those of the identity",
+        seeds: &[],
         against: Axis::Knob,
         curves: Box::new(|effort| {
             let steps = (0..30).filter_map(|i| turn(Transform::IDENTITY, i).ok());
@@ -141,10 +144,13 @@ fn pair_of_turns(n: u32) -> Result<[Transform; 2], ArgumentError> {
 fn condition() -> Experiment<'static> {
     Experiment {
         name: "condition",
-        about: "what does an uneven stretching by k cost in digits?",
-        knob: "k",
+        about: "What does an uneven stretching by k cost in digits?",
+        knob: "stretching k",
         work: "4x4 products",
-        error: "of the numbers of M I, against those of the identity",
+        error: "rms error of the numbers of M I",
+        unit: Unit::Other("identity = 1"),
+        exact: "against those of the identity",
+        seeds: &[10],
         against: Axis::Knob,
         curves: Box::new(|effort: Effort| {
             let count = effort.choose(4_096, 65_536) as u32;

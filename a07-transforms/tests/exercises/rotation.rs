@@ -5,7 +5,7 @@ use a04_intersections::{AxisAlignedBox, World};
 use a07_transforms::{Node, Transform};
 use common::{ArgumentError, Color};
 use measure::extremes::Bound;
-use testing::exercise::Check;
+use testing::exercise::{Check, Random};
 
 use crate::shape::{TURNS, show};
 
@@ -15,18 +15,23 @@ pub fn check(
     check: &mut Check,
     rotation: impl Fn(Vector3, f64) -> Result<Transform, ArgumentError>,
 ) {
-    for k in [
-        Vector3::new(1.0, 0.0, 0.0),
-        Vector3::new(0.0, 1.0, 0.0),
-        Vector3::new(0.0, -1.0, 0.0),
-        Vector3::new(0.0, 0.0, -1.0),
-        Vector3::new(0.6, 0.0, -0.8),
-        Vector3::new(0.48, 0.6, 0.64),
-        Vector3::new(-0.36, -0.8, 0.48),
-    ] {
+    let mut random = Random::new(3);
+    let axes = [
+        [0.0, 0.0, 1.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, -1.0, 0.0],
+        [0.0, 0.0, -1.0],
+        [0.6, 0.0, -0.8],
+        [0.48, 0.6, 0.64],
+        [-0.36, -0.8, 0.48],
+    ];
+    let more: Vec<_> = (0..20).map(|_| random.unit()).collect();
+    for k in axes.into_iter().chain(more) {
+        let k = Vector3::from_glam(k.into());
         for (sin, cos) in TURNS {
             // An axis of any length.
-            let Ok(turn) = rotation(k * 2.5, libm::atan2(sin, cos)) else {
+            let Ok(turn) = rotation(k * 2.0, libm::atan2(sin, cos)) else {
                 return;
             };
             for p in [
@@ -35,12 +40,13 @@ pub fn check(
                 Vector3::new(0.0, 0.0, 1.0),
             ] {
                 let exact = p * cos + k.cross(p) * sin + k * (k.dot(p) * (1.0 - cos));
-                let about = format!("{} about {}", p.to_glam(), k.to_glam());
+                let axis = k * 2.0;
+                let about = format!("{} about {:.3}", p.to_glam(), axis.to_glam());
                 let what = format!("{about}, turned by sine {sin:.3}, cosine {cos:.3}");
                 let got = (turn.matrix() * p).to_glam().to_array();
                 check.expect(what, exact.to_glam().to_array(), BOUND, got);
                 let got = (turn.inverse() * exact).to_glam().to_array();
-                let what = format!("{about}, turned back");
+                let what = format!("{about}, turned back from sine {sin:.3}, cosine {cos:.3}");
                 check.expect(what, p.to_glam().to_array(), BOUND, got);
             }
             let still = (turn.matrix() * Point3::ORIGIN).to_glam().to_array();

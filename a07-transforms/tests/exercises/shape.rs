@@ -1,4 +1,4 @@
-//! What the checks of shapes and transforms have in common.
+//! Helpers of the checks of shapes and transforms.
 
 use std::f64::consts::FRAC_PI_4;
 

@@ -5,7 +5,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, World};
 use common::Color;
 use measure::extremes::Bound;
-use testing::exercise::Check;
+use testing::exercise::{Check, Random};
 
 use crate::shape::{TURNS, show};
 
@@ -17,7 +17,9 @@ pub fn check<B: Geometry + 'static, A: Geometry + 'static>(
     let Ok(sphere) = Sphere::new(Point3::ORIGIN, 1.0) else {
         return;
     };
-    for by in [0.0, 0.75, -2.0] {
+    let mut random = Random::new(4);
+    let more: Vec<_> = (0..8).map(|_| random.between(-3.0, 3.0)).collect();
+    for by in [0.75, 0.0, -2.0].into_iter().chain(more) {
         let leaning = ball(sphere, by);
         for (sin, cos) in TURNS {
             for (high, around) in [(0.6, 0.8), (-0.8, 0.6), (0.0, 1.0), (1.0, 0.0)] {
@@ -32,7 +34,10 @@ pub fn check<B: Geometry + 'static, A: Geometry + 'static>(
                 for length in [2.0, 0.5] {
                     let ray = Ray::derived(place + exact * 2.0, exact * -length);
                     let got = leaning.hit(&ray, Interval::AHEAD);
-                    let what = format!("a ball sheared by {by}, at {}", place.to_glam());
+                    let what = format!(
+                        "a ball sheared by {by}, at {:.3}, direction of length {length}",
+                        place.to_glam()
+                    );
                     expect(check, &what, 2.0 / length, exact, got);
                 }
             }

@@ -21,8 +21,7 @@ fn root_mean_square(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// Against many samples of another seed, whose own error is far smaller; the bytes of
-/// that picture are the same by both renderers. In pictures much smaller than these, with
-/// the few edges that they have, errors may be larger than estimated by a tenth.
+/// that picture are the same by both renderers.
 fn check(stage: &Stage, name: &str) {
     let scene = stage.scene(name).expect("a scene");
     let settings = Settings {
@@ -53,7 +52,7 @@ fn check(stage: &Stage, name: &str) {
                 error <= bound,
                 "{name} by {renderer:?}: {error} of {bound}; {sampled}"
             );
-            assert!(sampled.error() <= bound, "{name}: {sampled}");
+            assert!(!sampled.misses(Some(bound)), "{name}: {sampled}");
         }
     }
 }

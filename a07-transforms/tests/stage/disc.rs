@@ -1,4 +1,4 @@
-//! Discs: their rim, and what they refuse.
+//! Discs: their rim, and the arguments that their constructor refuses.
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;

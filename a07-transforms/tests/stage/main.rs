@@ -4,6 +4,7 @@
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
 mod adaptive;
+mod dahlia;
 mod disc;
 mod engine;
 mod mat4x4;

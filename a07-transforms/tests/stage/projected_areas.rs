@@ -18,7 +18,7 @@ use common::{Color, Sampling, Settings, Size};
 const PIXELS: u32 = 200;
 const SAMPLES: u32 = 3;
 const VIEW: f64 = 3.0;
-/// From the middle of the first pixel to that of the last it is `VIEW`.
+/// The distance from the middle of the first pixel to the middle of the last is `VIEW`.
 const PIXEL: f64 = VIEW / (PIXELS as f64 - 1.0);
 
 fn tolerance(a: f64) -> f64 {
@@ -26,7 +26,7 @@ fn tolerance(a: f64) -> f64 {
     5.0 * (8.0 * a / h / 12.0).sqrt() * h * h
 }
 
-/// The area of what a camera sees of a shape that looks along -z.
+/// The area of a shape in the picture of a camera that looks along -z.
 fn projected_area(shape: impl Geometry + 'static) -> f64 {
     let (e, g) = (Point3::new(0.0, 0.0, 9.0), Vector3::new(0.0, 0.0, -1.0));
     let camera = OrthographicCamera::new(e, g, Vector3::new(0.0, 1.0, 0.0), VIEW).unwrap();

@@ -1,4 +1,4 @@
-//! What holds for all matrices, transforms and nodes.
+//! Laws of all matrices, transforms and nodes.
 //!
 //! The same cases come every time; `PROPTEST_CASES=100000` makes more of them.
 //! In the bounds u is the unit of rounding, half of eps. Terms with u² are left
@@ -30,13 +30,13 @@ fn number() -> impl Strategy<Value = f64> {
 
 type Rows = [[f64; 4]; 4];
 
-/// A matrix whose last row is that of all movements.
+/// A matrix with the last row of all affine transforms.
 fn rows() -> impl Strategy<Value = Rows> {
     prop::array::uniform3(prop::array::uniform4(number()))
         .prop_map(|[x, y, z]| [x, y, z, [0.0, 0.0, 0.0, 1.0]])
 }
 
-/// All numbers without their signs: what rounding is relative to.
+/// All numbers without their signs: rounding errors are relative to them.
 fn unsigned(matrix: Mat4x4) -> Mat4x4 {
     Mat4x4::from_rows(matrix.rows().map(|row| row.map(f64::abs)))
 }
@@ -109,7 +109,7 @@ proptest! {
     }
 
     /// Each step multiplies, which costs 4u on the way there and 4u on the way
-    /// back, and is undone by its inverse but for 4u: those of two squares of
+    /// back, and is undone by its inverse but for 4u: the error of two squares of
     /// libm's sine and cosine, which are right to a unit in the last place. The
     /// last product costs 4u. All relative to the steps without their signs.
     #[test]
@@ -129,7 +129,7 @@ proptest! {
     }
 
     /// Moved by eighths and stretched by powers of two nothing is rounded on the
-    /// way into the node, so that `t` is that of the shape that lies there.
+    /// way into the node, so that `t` equals the `t` of a shape that lies there.
     #[test]
     fn a_node_with_an_exact_transform_is_hit_at_the_same_t(
         c in place(), r in 1..64_u32, k in -3..=3, way in place(), from in place(), to in place(),

@@ -1,36 +1,177 @@
-//! How time and memory grow with the number of objects.
+//! How build time and time per ray grow with the number of objects.
 //!
 //! ```console
-//! $ cargo bench -p engine --bench scaling
+//! $ cargo bench -p engine --bench scaling             a table
+//! $ cargo bench -p engine --bench scaling -- --book   and the plot of the book
 //! ```
 //!
-//! From ten spheres in a cube to a million, which fill a ninth of it. The nearest hits
-//! of 65,536 rays are found: in a plain list, as far as one can wait for it; in the
-//! prepared scene for rays of no bundle, such as reflected rays; and for rays from the
-//! eye. The most memory that `build` allocates at once, divided by the number of
-//! objects, is the memory of an object.
+//! From ten spheres in a cube to a million, which fill a ninth of it. Times in
+//! nanoseconds: building the scene with its tree, divided by the number of objects; the
+//! nearest hit of a ray from the eye, and of a ray from anywhere to anywhere, such as a
+//! reflected one; and the same in a plain list, up to a thousand objects. The least of
+//! several rounds counts.
 
 #[path = "../src/adaptive/random.rs"]
 mod random;
 
+use std::error::Error;
+use std::fs;
+use std::hint::black_box;
+use std::path::Path;
+use std::time::Instant;
+
+use clap::Parser;
 use common::{Color, Settings};
-use divan::counter::ItemsCount;
-use divan::{AllocProfiler, Bencher};
-use engine::{Basis, Camera, Hit, Interval, Ray, Renderer, Scene, Shading, Shape, Sphere, Surface};
+use engine::{
+    Basis, Camera, Hit, Interval, Phong, Ray, Renderer, Scene, Shading, Shape, Sphere, Surface,
+};
 use glam::DVec3;
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
+use measure::report::Measured;
 
 use crate::random::PixelRandom;
 
-#[global_allocator]
-static ALLOCATOR: AllocProfiler = AllocProfiler::system();
-
-fn main() {
-    divan::main();
-}
-
 const COUNTS: [usize; 6] = [10, 100, 1_000, 10_000, 100_000, 1_000_000];
+/// Longer lists take too long.
+const LONGEST_LIST: usize = 1_000;
 const RAYS: u32 = 65_536;
 const EYE: DVec3 = DVec3::new(0.0, 2.0, 5.0);
+
+const NAMES: [&str; 4] = [
+    "building, an object",
+    "a ray from the eye",
+    "a ray from anywhere",
+    "a ray through a list",
+];
+
+/// Measures how time grows with the number of objects.
+#[derive(Parser)]
+struct Options {
+    /// How often everything is measured; the shortest time counts.
+    #[arg(long, default_value_t = 5)]
+    rounds: u32,
+    /// Threads that build; rays are always followed on one.
+    #[arg(long, default_value_t = 1)]
+    threads: usize,
+    /// Renew the plot of the book.
+    #[arg(long)]
+    book: bool,
+    /// Given by `cargo bench`, but not by `cargo test`, which is to measure nothing.
+    #[arg(long, hide = true)]
+    bench: bool,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let options = Options::parse();
+    if !options.bench {
+        return Ok(());
+    }
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(options.threads)
+        .build()?;
+    let mut least = [[f64::INFINITY; NAMES.len()]; COUNTS.len()];
+    for _ in 0..options.rounds {
+        for (count, least) in COUNTS.into_iter().zip(&mut least) {
+            for (now, least) in nanoseconds(count, &pool).into_iter().zip(least) {
+                *least = least.min(now);
+            }
+        }
+    }
+    print(&least);
+    if options.book {
+        plot(&experiment(&least))?;
+    }
+    Ok(())
+}
+
+/// A figure for each of [`NAMES`]; infinite if it is not measured.
+fn nanoseconds(count: usize, pool: &rayon::ThreadPool) -> [f64; NAMES.len()] {
+    let (renderer, build) = pool.install(|| {
+        let started = Instant::now();
+        let renderer = prepare(spheres(count).map(Shape::Sphere));
+        (renderer, since(started) / count as f64)
+    });
+
+    let (from_eye, anywhere) = (rays(true), rays(false));
+    let [from_eye_time, anywhere_time] =
+        [from_eye, anywhere.clone()].map(|rays| hit(&renderer, &rays));
+    let list = match count {
+        ..=LONGEST_LIST => hit(&prepare(spheres(count).map(unknown)), &anywhere),
+        _ => f64::INFINITY,
+    };
+    [build, from_eye_time, anywhere_time, list]
+}
+
+fn since(started: Instant) -> f64 {
+    1e9 * started.elapsed().as_secs_f64()
+}
+
+/// The time of each of these rays.
+fn hit(renderer: &Renderer, rays: &[Ray]) -> f64 {
+    let is_hit = |ray: &&Ray| renderer.hit(ray, Interval::AHEAD).is_some();
+    // Caches as in the middle of a picture.
+    black_box(rays.iter().filter(is_hit).count());
+    let started = Instant::now();
+    black_box(rays.iter().filter(is_hit).count());
+    since(started) / rays.len() as f64
+}
+
+fn print(least: &[[f64; NAMES.len()]]) {
+    println!("| objects | {} |", NAMES.join(" | "));
+    println!("|---:|{}", "---:|".repeat(NAMES.len()));
+    for (count, least) in COUNTS.iter().zip(least) {
+        let cell = |ns: f64| {
+            if ns.is_finite() {
+                format!("{ns:.0}")
+            } else {
+                String::new()
+            }
+        };
+        println!("| {count} | {} |", least.map(cell).join(" | "));
+    }
+}
+
+/// Writes the plot of the book.
+fn plot(experiment: &Experiment) -> Result<(), Box<dyn Error>> {
+    let written = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    Measured::new(experiment, Effort::Quick, |_, _| {}).write(written, "engine")?;
+    let pictures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/pictures");
+    let plot = "engine-scaling.svg";
+    fs::copy(written.join(plot), pictures.join(plot))?;
+    Ok(())
+}
+
+/// The figures as curves, for a plot.
+fn experiment(least: &[[f64; NAMES.len()]]) -> Experiment<'_> {
+    let curve = move |i: usize| {
+        let figures = COUNTS
+            .iter()
+            .zip(least)
+            .map(move |(count, least)| (*count, least[i]));
+        let measured = figures.filter(|(_, ns)| ns.is_finite());
+        Curve {
+            method: NAMES[i],
+            remark: "",
+            slope: None,
+            points: measured
+                .map(|(count, ns)| Point::new(count as f64, 1.0, [ns], || 0.0))
+                .collect(),
+        }
+    };
+    Experiment {
+        name: "scaling",
+        about: "How times grow with the number of objects",
+        knob: "objects",
+        work: "measurements",
+        error: "time",
+        unit: Unit::Other("nanoseconds"),
+        exact: "the least of several rounds",
+        seeds: &[1, 2],
+        against: Axis::Knob,
+        curves: Box::new(move |_| (0..NAMES.len()).map(curve).collect()),
+    }
+}
 
 /// Six numbers from -1 to 1 that belong to `i`; spheres and rays have others.
 fn numbers(seed: u64, i: u32) -> [f64; 6] {
@@ -49,39 +190,30 @@ fn spheres(count: usize) -> impl Iterator<Item = Sphere> {
     })
 }
 
-fn prepare(
-    shapes: impl Iterator<Item = Shape<'static>>,
-    camera: Camera<'static>,
-) -> Renderer<'static> {
-    let mut scene = Scene::new(Color::BLACK, Color::BLACK, 1);
-    let surface = scene.add_surface(Surface::matt(Shading::SingleColor(Color::WHITE)));
+/// A scene seen from the eye, of mirrors, so that its trees are built with it.
+fn prepare(shapes: impl Iterator<Item = Shape<'static>>) -> Renderer<'static> {
+    let mut scene = Scene::new(Color::BLACK, Color::BLACK, 2);
+    let surface = scene.add_surface(Surface {
+        shading: Shading::Phong(Phong {
+            diffuse: Color::WHITE,
+            specular: Color::BLACK,
+            exponent: 0.0,
+        }),
+        reflection: Color::WHITE,
+    });
     for shape in shapes {
         scene.add_shape(shape, surface);
     }
-    Renderer::new(scene, camera, &Settings::default())
-}
-
-/// A camera whose rays form no bundle.
-fn anywhere() -> Camera<'static> {
-    Camera::Other(Box::new(|_, _, _| ray(EYE, DVec3::ZERO)))
-}
-
-fn at_the_eye() -> Camera<'static> {
-    let basis = Basis {
-        e: EYE,
-        u: DVec3::X,
-        v: DVec3::Y,
-        w: DVec3::Z,
-    };
-    Camera::Perspective {
-        basis,
+    let camera = Camera::Perspective {
+        basis: Basis {
+            e: EYE,
+            u: DVec3::X,
+            v: DVec3::Y,
+            w: DVec3::Z,
+        },
         half_tangent: 1.0,
-    }
-}
-
-fn ray(origin: DVec3, towards: DVec3) -> Ray {
-    let direction = (towards - origin).normalize();
-    Ray { origin, direction }
+    };
+    Renderer::new(scene, camera, &Settings::default())
 }
 
 /// Rays from everywhere in the cube to everywhere, or all from the eye.
@@ -89,7 +221,10 @@ fn rays(from_eye: bool) -> Vec<Ray> {
     let ray = |i| {
         let [a, b, c, x, y, z] = numbers(2, i);
         let origin = if from_eye { EYE } else { DVec3::new(a, b, c) };
-        ray(origin, DVec3::new(x, y, z))
+        Ray {
+            origin,
+            direction: (DVec3::new(x, y, z) - origin).normalize(),
+        }
     };
     (0..RAYS).map(ray).collect()
 }
@@ -110,42 +245,4 @@ fn unknown(sphere: Sphere) -> Shape<'static> {
         let t = both.into_iter().find(|t| within.contains(*t))?;
         Some(Hit::new(t, (f + ray.direction * t) / sphere.radius))
     })
-}
-
-fn nearest(bencher: Bencher, renderer: &Renderer, rays: &[Ray]) {
-    let is_hit = |ray: &&Ray| renderer.hit(ray, Interval::AHEAD).is_some();
-    // The tree is built for the first ray, which is not the rays' time.
-    let _ = rays.first().as_ref().map(is_hit);
-    bencher
-        .counter(ItemsCount::new(rays.len()))
-        .bench_local(|| rays.iter().filter(is_hit).count());
-}
-
-#[divan::bench(args = COUNTS[..3].iter().copied(), sample_count = 5)]
-fn list(bencher: Bencher, count: usize) {
-    let renderer = prepare(spheres(count).map(unknown), anywhere());
-    nearest(bencher, &renderer, &rays(false));
-}
-
-#[divan::bench(args = COUNTS, sample_count = 10)]
-fn prepared(bencher: Bencher, count: usize) {
-    let renderer = prepare(spheres(count).map(Shape::Sphere), anywhere());
-    nearest(bencher, &renderer, &rays(false));
-}
-
-#[divan::bench(args = COUNTS, sample_count = 10)]
-fn prepared_for_the_eye(bencher: Bencher, count: usize) {
-    let renderer = prepare(spheres(count).map(Shape::Sphere), at_the_eye());
-    nearest(bencher, &renderer, &rays(true));
-}
-
-/// The scene, the grid of the eye, and the tree, which is built for the first ray that
-/// comes from elsewhere.
-#[divan::bench(args = COUNTS, sample_count = 3)]
-fn build(bencher: Bencher, count: usize) {
-    let elsewhere = ray(DVec3::ZERO, DVec3::Z);
-    bencher.counter(ItemsCount::new(count)).bench_local(|| {
-        let renderer = prepare(spheres(count).map(Shape::Sphere), at_the_eye());
-        renderer.hit(&elsewhere, Interval::AHEAD).is_some()
-    });
 }

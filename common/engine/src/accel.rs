@@ -5,115 +5,94 @@
 
 mod bvh;
 mod bvh_build;
-mod feature_size;
-mod grid;
-mod grid_build;
-mod grid_lookup;
+mod cut;
+mod list;
 mod packet;
 mod shapes;
 mod single;
-mod trees;
-
-use std::sync::OnceLock;
+mod slabs;
 
 use common::Plan;
-use glam::DVec3;
 
-use crate::Ray;
-pub(crate) use bvh::WIDTH;
-use grid::PerspectiveGrid;
-pub(crate) use packet::NearestHits;
+use crate::shape::Bounds;
+use bvh::{Bvh, Leaf};
+use bvh_build::Item;
+pub(crate) use packet::{NearestHits, Occluder};
 use shapes::ShapeId;
 pub(crate) use shapes::Shapes;
-use trees::{FEW, Trees};
+use slabs::Units;
 
-/// Up to this many shapes a linear scan is faster for a single ray.
-const FEW_FOR_ONE: usize = 4;
-/// Up to this many shapes a linear scan is faster for a packet outside of all grids.
-const FEW_FOR_PACKET: usize = 16;
-
-/// The point or the direction that many rays share.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum RayBundle {
-    /// All of them pass through one point.
-    Through(DVec3),
-    /// All of them are parallel to one direction of length 1.
-    Parallel(DVec3),
-}
+/// Up to this many shapes are all tested.
+const FEW: usize = 16;
 
 /// The shapes of a scene, prepared for many rays.
 #[derive(Debug)]
 pub(crate) struct Accelerator<'a> {
     pub shapes: Shapes<'a>,
-    /// The shapes without finite bounds: every ray tests them.
-    unbounded: Vec<ShapeId>,
-    /// The bounded shapes, if they are few enough for packets to scan.
-    few: Option<Vec<ShapeId>>,
-    grids: Vec<PerspectiveGrid>,
-    /// For rays outside of all grids; built for the first of them.
-    trees: OnceLock<Trees>,
+    /// The shapes that every ray is tested against: those without finite bounds, or all, if
+    /// they are few.
+    scanned: Vec<Leaf>,
+    /// The others.
+    tree: Option<Bvh>,
 }
 
 impl<'a> Accelerator<'a> {
-    /// The accelerator of these shapes, for rays most of which belong to these bundles.
-    pub fn new(shapes: Shapes<'a>, bundles: impl IntoIterator<Item = RayBundle>) -> Self {
-        let (bounded, unbounded): (Vec<_>, Vec<_>) =
-            shapes.bounds().partition(|(bounds, _)| bounds.are_finite());
-        let are_few = bounded.len() <= FEW_FOR_PACKET;
-        let bundles = bundles.into_iter();
+    /// The accelerator of these shapes.
+    pub fn new(mut shapes: Shapes<'a>) -> Self {
+        shapes.finish();
+        let is_few = shapes.len() <= FEW;
+        let is_scanned = |bounds: Bounds| is_few || !bounds.are_finite();
+        let (mut all, mut scanned) = (Bounds::NOWHERE, Vec::new());
+        for (shape, bounds) in shapes.bounds() {
+            if is_scanned(bounds) {
+                scanned.push(shape);
+            } else {
+                all = all.union(bounds);
+            }
+        }
+        let units = Units::new(all);
+        let mut items = Vec::with_capacity(shapes.len() - scanned.len());
+        let in_tree = shapes.bounds().filter(|(_, bounds)| !is_scanned(*bounds));
+        items.extend(in_tree.map(|(shape, bounds)| Item {
+            bounds: units.bounds(bounds),
+            shape,
+        }));
+        let name = |items: &mut [Item]| {
+            let in_tree = items.iter_mut().map(|item| &mut item.shape);
+            shapes.reorder(in_tree.chain(&mut scanned));
+        };
+        let tree = if items.is_empty() {
+            None
+        } else {
+            Some(Bvh::new(units, items, name))
+        };
         Self {
-            few: are_few.then(|| bounded.iter().map(|(_, shape)| *shape).collect()),
-            unbounded: unbounded.into_iter().map(|(_, shape)| shape).collect(),
-            grids: bundles
-                .filter_map(|bundle| PerspectiveGrid::new(bundle, &bounded))
-                .collect(),
-            trees: OnceLock::new(),
+            scanned: leaves(&scanned),
             shapes,
+            tree,
         }
     }
 
     /// Adds to a plan the tests that are skipped.
     pub fn plan(&self, plan: Plan) -> Plan {
-        let plan = if self.grids.is_empty() {
-            plan
-        } else {
-            plan.without(
-                "tests of objects beside rays from the eye and to a light",
-                "the cells of a perspective grid list the objects that they can hit",
-            )
-        };
-        if self.shapes.len() - self.unbounded.len() <= FEW {
-            plan.without(
-                "a bounding volume hierarchy",
-                "so few objects are tested in turn",
-            )
-        } else {
-            plan.without(
-                "tests of objects far from any other ray",
-                "a bounding volume hierarchy finds the objects near it",
-            )
+        if self.tree.is_none() {
+            return plan;
         }
+        plan.without(
+            "tests of objects far from a ray",
+            "a bounding volume hierarchy finds the objects near it",
+        )
     }
+}
 
-    /// Whether an object narrower than this share of the side could lie between four
-    /// rays, the corners of a square.
-    pub fn may_miss_features(&self, corners: &[Ray; 4], feature_size: f64) -> bool {
-        // Planes are wide. The width of other shapes without bounds is unknown.
-        let is_wide = |shape: &ShapeId| matches!(shape, ShapeId::Plane(_));
-        if !self.unbounded.iter().all(is_wide) {
-            return true;
-        }
-        if self.unbounded.len() == self.shapes.len() {
-            return false;
-        }
-        let mut grids = self.grids.iter();
-        grids
-            .find_map(|grid| grid.may_miss_features(corners, feature_size))
-            .unwrap_or(true)
-    }
-
-    #[inline]
-    fn trees(&self) -> &Trees {
-        self.trees.get_or_init(|| Trees::new(&self.shapes))
-    }
+/// Shapes that are named in turn, as few leaves.
+fn leaves(shapes: &[ShapeId]) -> Vec<Leaf> {
+    let runs = shapes.chunk_by(|a, b| a.kind == b.kind);
+    let fours = runs.flat_map(|run| run.chunks(bvh::LEAF));
+    let leaf = |four: &[ShapeId]| Leaf {
+        kind: four[0].kind,
+        count: four.len() as u8,
+        first: four[0].index,
+    };
+    fours.map(leaf).collect()
 }

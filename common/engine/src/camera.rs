@@ -6,7 +6,6 @@ use common::Size;
 use glam::DVec3;
 
 use crate::Ray;
-use crate::accel::RayBundle;
 use crate::lanes::{Lanes, Vector3x4};
 use crate::vector::normalized;
 
@@ -58,16 +57,6 @@ pub struct Basis {
 }
 
 impl Camera<'_> {
-    /// The bundle of all its rays, if they form one.
-    #[must_use]
-    pub fn bundle(&self) -> Option<RayBundle> {
-        match self {
-            Self::Perspective { basis, .. } => Some(RayBundle::Through(basis.e)),
-            Self::Orthographic { basis, .. } => Some(RayBundle::Parallel(-basis.w)),
-            Self::Other(_) => None,
-        }
-    }
-
     /// Adds the rays through some places to `rays`.
     pub(crate) fn rays(&self, size: Size, places: &[(f64, f64)], rays: &mut Vec<Ray>) {
         let [width, height] = [size.width(), size.height()].map(f64::from);

@@ -33,16 +33,16 @@ pub fn without(mask: Lanes, t: Lanes) -> Lanes {
     t | mask
 }
 
-/// `t` where it lies ahead, else NaN.
+/// `t` where it lies beyond `min`, else NaN.
 #[inline]
-pub fn ahead(t: Lanes) -> Lanes {
-    without(t.simd_le(Lanes::ZERO), t)
+pub fn beyond(min: Lanes, t: Lanes) -> Lanes {
+    without(t.simd_le(min), t)
 }
 
-/// The first of two `t` in ascending order that lies ahead, else NaN.
+/// The first of two `t` in ascending order that lies beyond `min`, else NaN.
 #[inline]
-pub fn first_ahead(near: Lanes, far: Lanes) -> Lanes {
-    select(near.simd_gt(Lanes::ZERO), near, ahead(far))
+pub fn first_beyond(min: Lanes, near: Lanes, far: Lanes) -> Lanes {
+    select(near.simd_gt(min), near, beyond(min, far))
 }
 
 /// The magnitudes of some numbers with the signs of others.

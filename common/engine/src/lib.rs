@@ -23,7 +23,6 @@ mod vector;
 
 use common::{Color, Error, Image, Settings, Size};
 
-pub use accel::RayBundle;
 pub use camera::{Basis, Camera, RayFn};
 pub use ray::{Hit, Interval, Ray};
 pub use renderer::Renderer;

@@ -34,6 +34,6 @@ impl Renderer<'_> {
     pub fn is_hit_together(&self, rays: [&Ray; 4], max: [f64; 4], active: u32) -> u32 {
         let (packet, max) = (RayPacket::new(rays), Lanes::new(max));
         let accelerator = &self.tracer.accelerator;
-        accelerator.is_hit_packet(&packet, max, active)
+        accelerator.is_hit_packet(&packet, max, active, &mut None)
     }
 }

@@ -5,12 +5,12 @@ use measure::tally::{self, Work};
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
-use crate::accel::{Accelerator, RayBundle};
+use crate::accel::Accelerator;
 use crate::adaptive;
 use crate::flatten::flatten;
 use crate::shade::RadianceBound;
 use crate::trace::Tracer;
-use crate::{BATCH, Camera, Light, Ray, Sampler, Scene, camera_place, image_of_rows};
+use crate::{BATCH, Camera, Ray, Sampler, Scene, camera_place, image_of_rows};
 
 /// The share of the allowed error for reflections that are cut off. The samples may use
 /// all of it, because the sum of both squares is hardly larger.
@@ -42,7 +42,7 @@ impl<'a> Renderer<'a> {
         let mut flattened = (0.0_f64, 0);
         if let Some(max_error) = settings.max_error {
             let max_distance = max_distance(shapes.bounds(), &camera);
-            for (shape, _) in &mut shapes.transformed {
+            for shape in &mut shapes.transformed.shapes {
                 if let Some(displacement) = flatten(shape, max_distance, max_error) {
                     flattened = (
                         flattened.0.max(displacement / max_distance),
@@ -51,9 +51,7 @@ impl<'a> Renderer<'a> {
                 }
             }
         }
-        let casting = lights.iter().filter(|light| light.casts_shadows);
-        let bundles = casting.filter_map(Light::bundle);
-        let accelerator = Accelerator::new(shapes, camera.bundle().into_iter().chain(bundles));
+        let accelerator = Accelerator::new(shapes);
         let cutoff = settings.max_error.map(|max_error| {
             let threshold = max_error * OF_MIRRORS;
             RadianceBound::new(background, ambient, &lights, &surfaces, threshold)
@@ -152,8 +150,8 @@ impl<'a> Renderer<'a> {
                 "their colour does not depend on it",
             );
         }
-        let transformed = accelerator.shapes.transformed.iter();
-        let steps = transformed.flat_map(|(shape, _)| &shape.steps);
+        let transformed = accelerator.shapes.transformed.shapes.iter();
+        let steps = transformed.flat_map(|shape| &shape.steps);
         let simple = steps
             .clone()
             .filter(|step| step.is_scale_translate())
@@ -185,15 +183,15 @@ impl<'a> Renderer<'a> {
 
 /// The largest distance from the origin of the eye and of bounded shapes.
 fn max_distance(
-    bounds: impl Iterator<Item = (crate::shape::Bounds, impl Sized)>,
+    bounds: impl Iterator<Item = (impl Sized, crate::shape::Bounds)>,
     camera: &Camera,
 ) -> f64 {
-    let eye = match camera.bundle() {
-        Some(RayBundle::Through(eye)) => eye.length(),
+    let eye = match camera {
+        Camera::Perspective { basis, .. } => basis.e.length(),
         _ => 0.0,
     };
-    let bounded = bounds.filter(|(bounds, _)| bounds.are_finite());
-    let corners = bounded.flat_map(|(bounds, _)| bounds.corners());
+    let bounded = bounds.filter(|(_, bounds)| bounds.are_finite());
+    let corners = bounded.flat_map(|(_, bounds)| bounds.corners());
     corners.map(glam::DVec3::length).fold(eye, f64::max)
 }
 
@@ -264,13 +262,5 @@ impl adaptive::Radiance for View<'_, '_> {
     fn light(&self, places: &[(f64, f64)], light: &mut Vec<Color>) {
         light.resize(places.len(), Color::BLACK);
         self.look(places, &mut Vec::new(), light);
-    }
-
-    fn may_miss_features(&self, corners: &[(f64, f64); 4], feature_size: f64) -> bool {
-        let mut rays = Vec::with_capacity(corners.len());
-        let Renderer { camera, tracer, .. } = self.renderer;
-        camera.rays(self.settings.size, corners, &mut rays);
-        let rays = rays.as_slice().try_into();
-        rays.is_ok_and(|rays| tracer.accelerator.may_miss_features(rays, feature_size))
     }
 }

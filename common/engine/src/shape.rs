@@ -3,29 +3,35 @@
 mod axis_aligned_box;
 mod bounds;
 mod disc;
+mod mesh;
 mod plane;
+mod pool;
+mod primitive;
+mod rays;
 mod sheared_ray;
 mod sphere;
 mod transformed;
 mod transformed_bounds;
 mod triangle;
-mod triangle_block;
 
 use std::fmt;
 
+use crate::lanes::{Lanes, PacketHit};
 use crate::{Hit, Interval, Ray};
 
 pub use axis_aligned_box::AxisAlignedBox;
 pub(crate) use bounds::Bounds;
 pub use disc::Disc;
+pub(crate) use mesh::Mesh;
 pub use plane::Plane;
+pub(crate) use primitive::{Primitive, one_by_one};
+pub(crate) use rays::Rays;
 pub(crate) use sheared_ray::{ShearedRay, ShearedRays};
 pub use sphere::Sphere;
-pub(crate) use sphere::{SphereBlock, SphereRay};
 pub(crate) use transformed::Transformed;
 pub use transformed::{Step, Transform};
+pub(crate) use triangle::Corners;
 pub use triangle::Triangle;
-pub(crate) use triangle_block::{TriangleBlock, TriangleRay};
 
 /// Finds the nearest hit of a ray within an interval, its normals pointing out of the
 /// shape.
@@ -77,30 +83,49 @@ impl<'a> Shape<'a> {
 
     pub(crate) fn bounds(&self) -> Bounds {
         match self {
-            Self::Sphere(sphere) => sphere.bounds(),
-            Self::Box(aab) => aab.bounds(),
-            Self::Triangle(triangle) => triangle.bounds(),
-            Self::Disc(disc) => disc.bounds(),
+            Self::Sphere(shape) => shape.bounds(),
+            Self::Plane(shape) => shape.bounds(),
+            Self::Box(shape) => shape.bounds(),
+            Self::Triangle(shape) => shape.bounds(),
+            Self::Disc(shape) => shape.bounds(),
             Self::Transformed(shape) => shape.bounds(),
-            Self::Plane(_) | Self::Other(_) => Bounds::EVERYWHERE,
+            Self::Other(shape) => shape.bounds(),
         }
     }
 
     pub(crate) fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         match self {
-            Self::Sphere(sphere) => sphere.hit(ray, within),
-            Self::Plane(plane) => plane.hit(ray, within),
-            Self::Box(aab) => aab.hit(ray, within),
-            Self::Triangle(triangle) => triangle.hit(&ShearedRay::new(ray), within),
-            Self::Disc(disc) => disc.hit(ray, within),
+            Self::Sphere(shape) => shape.hit(ray, within),
+            Self::Plane(shape) => shape.hit(ray, within),
+            Self::Box(shape) => shape.hit(ray, within),
+            Self::Triangle(shape) => shape.hit(ray, within),
+            Self::Disc(shape) => shape.hit(ray, within),
             Self::Transformed(shape) => shape.hit(ray, within),
-            Self::Other(other) => other.hit(ray, within),
+            Self::Other(shape) => shape.hit(ray, within),
         }
     }
 }
 
-impl Other<'_> {
-    pub(crate) fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+impl Primitive for &Other<'_> {
+    type Four = [Self; 4];
+
+    fn bounds(self) -> Bounds {
+        Bounds::EVERYWHERE
+    }
+
+    fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {
         (self.0)(ray, within)
+    }
+
+    fn four(shapes: [Self; 4]) -> Self::Four {
+        shapes
+    }
+
+    fn meet(shapes: &Self::Four, rays: &Rays, wanted: u32) -> Lanes {
+        one_by_one(*shapes, rays, wanted).t
+    }
+
+    fn hits(self, rays: &Rays, _: Lanes, wanted: u32) -> PacketHit {
+        one_by_one([self; 4], rays, wanted)
     }
 }

@@ -5,7 +5,7 @@ mod offset_ray;
 use common::Color;
 use measure::tally::{self, Work};
 
-use crate::accel::{Accelerator, NearestHits};
+use crate::accel::{Accelerator, NearestHits, Occluder};
 use crate::lanes::{ColorPacket, Lanes, RayPacket, is_set, mask};
 use crate::shade::{PhongPacket, RadianceBound};
 use crate::{Light, Phong, Ray, Shading, Surface};
@@ -39,24 +39,31 @@ const BLACK: Phong = Phong {
 impl Tracer<'_> {
     /// The light along some rays; the fastest if they are neighbours.
     pub fn trace(&self, rays: &[Ray], light: &mut [Color]) {
+        let mut occluders = vec![None; self.lights.len()];
+        let mut trace = |rays, active| self.trace_packet(rays, active, &mut occluders).to_lanes();
         let (fours, rest) = rays.as_chunks();
         let (light_of_fours, light_of_rest) = light.as_chunks_mut();
         for (four, light) in fours.iter().zip(light_of_fours) {
             let packet = RayPacket::new(four.each_ref());
-            *light = self.trace_packet(packet, 0b1111).to_lanes();
+            *light = trace(packet, 0b1111);
         }
         if let [first, ..] = rest {
             let ray = |lane: usize| rest.get(lane).unwrap_or(first);
             let packet = RayPacket::new([ray(0), ray(1), ray(2), ray(3)]);
             let active = (1 << rest.len()) - 1;
-            let four = self.trace_packet(packet, active).to_lanes();
+            let four = trace(packet, active);
             light_of_rest.copy_from_slice(&four[..rest.len()]);
         }
     }
 
     /// The light along the active of four rays.
     // ANCHOR: trace-packet
-    fn trace_packet(&self, mut rays: RayPacket, mut active: u32) -> ColorPacket {
+    fn trace_packet(
+        &self,
+        mut rays: RayPacket,
+        mut active: u32,
+        occluders: &mut [Occluder],
+    ) -> ColorPacket {
         let background = ColorPacket::splat(self.background);
         let mut color = ColorPacket::splat(Color::BLACK);
         let mut mirrored = ColorPacket::splat(Color::WHITE);
@@ -73,7 +80,7 @@ impl Tracer<'_> {
             if active == 0 {
                 break;
             }
-            let (own, reflection) = self.shade(&rays, &hits);
+            let (own, reflection) = self.shade(&rays, &hits, occluders);
             color = color + (mirrored * own).masked(mask(active));
             mirrored = mirrored * reflection;
             active &= !self.ends(mirrored, active);
@@ -102,17 +109,25 @@ impl Tracer<'_> {
 
     /// The own light of the surfaces, and the share that they mirror.
     #[inline]
-    fn shade(&self, rays: &RayPacket, hits: &NearestHits) -> (ColorPacket, ColorPacket) {
+    fn shade(
+        &self,
+        rays: &RayPacket,
+        hits: &NearestHits,
+        occluders: &mut [Occluder],
+    ) -> (ColorPacket, ColorPacket) {
         let surface = |index: u32| &self.surfaces[index as usize];
         let [a, b, c, d] = hits.surfaces;
         if a == b && a == c && a == d {
             let surface = surface(a);
             let reflection = ColorPacket::splat(surface.reflection);
             if let Shading::Phong(phong) = &surface.shading {
-                let own = self.shade_phong(rays, hits, &PhongPacket::splat(phong));
+                let own = self.shade_phong(rays, hits, &PhongPacket::splat(phong), occluders);
                 return (own, reflection);
             }
-            return (self.shade_mixed(rays, hits, [surface; 4]), reflection);
+            return (
+                self.shade_mixed(rays, hits, [surface; 4], occluders),
+                reflection,
+            );
         }
         let surfaces = hits.surfaces.map(surface);
         let reflection = ColorPacket::new(surfaces.map(|surface| surface.reflection));
@@ -122,8 +137,8 @@ impl Tracer<'_> {
                 Shading::Phong(b),
                 Shading::Phong(c),
                 Shading::Phong(d),
-            ] => self.shade_phong(rays, hits, &PhongPacket::new([a, b, c, d])),
-            _ => self.shade_mixed(rays, hits, surfaces),
+            ] => self.shade_phong(rays, hits, &PhongPacket::new([a, b, c, d]), occluders),
+            _ => self.shade_mixed(rays, hits, surfaces, occluders),
         };
         (own, reflection)
     }
@@ -135,13 +150,14 @@ impl Tracer<'_> {
         rays: &RayPacket,
         hits: &NearestHits,
         surfaces: [&Surface; 4],
+        occluders: &mut [Occluder],
     ) -> ColorPacket {
         let phong = surfaces.map(|surface| match &surface.shading {
             Shading::Phong(phong) => phong,
             _ => &BLACK,
         });
         let mut colors = self
-            .shade_phong(rays, hits, &PhongPacket::new(phong))
+            .shade_phong(rays, hits, &PhongPacket::new(phong), occluders)
             .to_lanes();
         let (rays, of_lanes) = (rays.to_rays(), hits.hit.to_hits());
         for lane in (0..4).filter(|lane| is_set(hits.hit_mask, *lane)) {
@@ -162,12 +178,13 @@ impl Tracer<'_> {
         rays: &RayPacket,
         hits: &NearestHits,
         phong: &PhongPacket,
+        occluders: &mut [Occluder],
     ) -> ColorPacket {
         let hit = &hits.hit;
         let mut color = phong.ambient(self.ambient);
         let responding = phong.responds_to_light & hits.hit_mask;
         let points = rays.at(hit.t);
-        for source in &self.lights {
+        for (source, occluder) in self.lights.iter().zip(occluders) {
             if responding == 0 {
                 break;
             }
@@ -178,7 +195,9 @@ impl Tracer<'_> {
                 tally::count_all(Work::ShadowRay, lit.count_ones().into());
                 let to_light = offset_rays(rays, hit, light.direction);
                 let before = light.distance * Lanes::splat(BEFORE_THE_LIGHT);
-                lit &= !self.accelerator.is_hit_packet(&to_light, before, lit);
+                lit &= !self
+                    .accelerator
+                    .is_hit_packet(&to_light, before, lit, occluder);
             }
             if lit != 0 {
                 color = color + phong.shade(rays.direction, hit.normal, &light, lit);

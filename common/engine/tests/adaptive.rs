@@ -35,11 +35,11 @@ fn stratified(light: Light, size: Size, side: u32) -> Image {
     support::stratified(|x, y| Color::gray(light(x, y)), size, side)
 }
 
-/// Checks a picture against 64 x 64 samples a pixel. Returns the samples taken for the
-/// smallest error.
-fn check(light: Light) -> Sampled {
+/// Checks a picture against 64 x 64 samples a pixel. Returns error and samples for the
+/// smallest bound.
+fn check(light: Light) -> (f64, Sampled) {
     let reference = stratified(light, settings(1.0).size, 64);
-    let mut last = Sampled::default();
+    let mut last = (0.0, Sampled::default());
     for bound in BOUNDS {
         for seed in [0, 1] {
             let settings = Settings {
@@ -49,8 +49,8 @@ fn check(light: Light) -> Sampled {
             let (image, sampled) = adaptive(light, &settings);
             let error = root_mean_square(&image, &reference);
             assert!(error <= bound, "{error} of {bound}, seed {seed}");
-            assert!(sampled.error() <= bound, "{sampled}");
-            last = sampled;
+            assert!(!sampled.misses(Some(bound)), "{sampled}");
+            last = (error, sampled);
         }
     }
     last
@@ -58,13 +58,12 @@ fn check(light: Light) -> Sampled {
 
 #[test]
 fn a_disc_keeps_the_bound_with_a_fraction_of_the_samples() {
-    let sampled = check(DISC);
-    let size = settings(1.0).size;
-    let everywhere = stratified(DISC, size, 8);
-    let error = root_mean_square(&everywhere, &stratified(DISC, size, 64));
-    assert!(error > HALF_GREY_LEVEL, "{error}");
+    let (error, sampled) = check(DISC);
     let mean = sampled.samples as f64 / sampled.pixels as f64;
-    assert!(mean < 64.0 / 4.0, "{mean} samples a pixel");
+    let size = settings(1.0).size;
+    let everywhere = stratified(DISC, size, mean.sqrt().ceil() as u32);
+    let uniform = root_mean_square(&everywhere, &stratified(DISC, size, 64));
+    assert!(uniform > 1.5 * error, "{error}, {uniform}; {sampled}");
 }
 
 /// Edges in the very middle of the picture, between two pixels: without jitter, all
@@ -118,38 +117,85 @@ fn a_band_of_rows_keeps_the_bound() {
     }
 }
 
-/// Neighbouring pixels share their corners.
+/// Pairs of samples on both sides of the middle see light that changes evenly at its mean.
 #[test]
-fn smooth_light_takes_about_one_sample_a_pixel() {
+fn smooth_light_takes_the_fewest_samples() {
     let slope: Light = |x, y| 0.1 + 0.002 * x + 0.003 * y;
     // The mean of a pixel is the light in its middle.
     let exact = Image::from_fn(settings(1.0).size, |column, row| {
         Color::gray(slope(f64::from(column), f64::from(59 - row)))
     });
     let exact = exact.unwrap();
-    for bound in BOUNDS {
-        let (image, sampled) = adaptive(slope, &settings(bound));
-        assert_eq!(sampled.most, 1);
-        assert!(sampled.samples < sampled.pixels * 11 / 10, "{sampled}");
-        assert!(root_mean_square(&image, &exact) < 1e-5);
-    }
-    let (image, sampled) = adaptive(|_, _| 0.3, &settings(1e-9));
-    assert_eq!((sampled.most, sampled.error()), (1, 0.0));
-    assert!(image.pixels().iter().all(|c| *c == Color::gray(0.3)));
+    let (image, sampled) = adaptive(slope, &settings(1.0 / 64.0));
+    assert_eq!((sampled.most, sampled.samples), (4, 4 * sampled.pixels));
+    assert!(root_mean_square(&image, &exact) < 1e-12);
 }
 
-/// This is the limit of the method, and its estimate does not see it either.
+/// A lone square of 0.3 x 0.3 pixels makes the error 0.09 / 69 of the picture. To know with
+/// 95 % confidence that no such thing is there takes 3 / 0.09 samples a pixel or more, even
+/// where there is nothing.
 #[test]
-fn an_object_between_the_corners_of_pixels_is_missed() {
+fn an_empty_picture_is_searched_for_small_objects() {
+    let size = settings(1.0).size;
+    let bound = 0.09 / (size.pixels() as f64).sqrt();
+    let (image, sampled) = adaptive(|_, _| 0.25, &settings(bound));
+    assert!(image.pixels().iter().all(|c| *c == Color::gray(0.25)));
+    assert!(sampled.samples >= 33 * sampled.pixels, "{sampled}");
+    assert!(
+        sampled.error()[0] == 0.0 && sampled.error()[1] > 0.5 * bound,
+        "{sampled}"
+    );
+}
+
+/// With twenty seeds, a lone square is missed in a promised picture at most once; the
+/// probability is below 5 % in each, and the seeds are fixed.
+#[test]
+fn a_lone_object_that_matters_is_found() {
     let speck: Light = |x, y| {
-        let (x, y) = (x - 40.0, y - 30.0);
-        if x * x + y * y < 0.25 { 1.0 } else { 0.0 }
+        let near = (x - 40.2).abs() < 0.2 && (y - 30.1).abs() < 0.2;
+        f64::from(u8::from(near))
     };
     let settings = settings(HALF_GREY_LEVEL);
-    let (image, sampled) = adaptive(speck, &settings);
-    assert_eq!(sampled.error(), 0.0);
-    let error = root_mean_square(&image, &stratified(speck, settings.size, 64));
-    assert!(error > HALF_GREY_LEVEL, "{error}");
+    let reference = stratified(speck, settings.size, 64);
+    let missed = (0..20).filter(|seed| {
+        let seed = *seed;
+        let settings = Settings {
+            seed,
+            ..settings.clone()
+        };
+        let (image, sampled) = adaptive(speck, &settings);
+        let above = root_mean_square(&image, &reference) > HALF_GREY_LEVEL;
+        above && !sampled.misses(Some(HALF_GREY_LEVEL))
+    });
+    assert!(missed.count() <= 1);
+}
+
+/// The rate is that of theory for stratified samples, or better.
+#[test]
+fn the_error_of_a_level_edge_falls_on_to_an_eighth_of_a_grey_level() {
+    let edge: Light = |x, y| f64::from(u8::from(y > 29.637 + 1e-4 * x));
+    let exact = Image::from_fn(settings(1.0).size, |column, row| {
+        let below = 29.637 + 1e-4 * f64::from(column) - (f64::from(59 - row) - 0.5);
+        Color::gray(1.0 - below.clamp(0.0, 1.0))
+    });
+    let exact = exact.unwrap();
+    let measured: Vec<_> = [64.0, 255.0, 1020.0, 4080.0]
+        .map(|parts| {
+            let bound = 1.0 / parts;
+            let (image, sampled) = adaptive(edge, &settings(bound));
+            let error = root_mean_square(&image, &exact);
+            assert!(
+                error <= bound && !sampled.misses(Some(bound)),
+                "{error}; {sampled}"
+            );
+            (sampled.samples as f64, error)
+        })
+        .into();
+    let [first, .., last] = measured[..] else {
+        panic!("four measurements")
+    };
+    let slope = libm::log(last.1 / first.1) / libm::log(last.0 / first.0);
+    assert!(slope < -0.75, "{slope}: {measured:?}");
 }
 
 #[test]
@@ -167,23 +213,23 @@ fn threads_do_not_change_the_picture_and_the_seed_does() {
     assert_ne!(one.0, adaptive(DISC, &other).0);
 }
 
-/// The smallest cells are halves, quarters and eighths of a pixel wide.
+/// The report says so if the allowed samples are too few for the bound.
 #[test]
 fn no_pixel_takes_more_samples_than_allowed() {
-    for (samples, most) in [(1, 1), (3, 1), (4, 4), (21, 16), (64, 64)] {
+    for (samples, most) in [(1, 4), (4, 4), (21, 20), (64, 64)] {
         let few = Settings {
             samples,
             ..settings(1e-5)
         };
         let (_, sampled) = adaptive(DISC, &few);
-        assert_eq!(sampled.most, most);
-        assert!(sampled.error() > 1e-5, "{sampled}");
+        assert!(sampled.most <= most, "{sampled}");
+        assert!(sampled.misses(Some(1e-5)), "{sampled}");
     }
 }
 
 /// Odd sides, and fewer pixels than a block has.
 #[test]
-fn small_pictures_keep_the_bound() {
+fn small_pictures_keep_the_bound_or_say_that_they_may_not() {
     for (width, height) in [(1, 1), (1, 2), (3, 1), (5, 7), (17, 33)] {
         let size = Size::new(width, height).unwrap();
         let half_plane: Light = |x, y| f64::from(u8::from(y > 0.31 * x + 0.1));
@@ -194,7 +240,8 @@ fn small_pictures_keep_the_bound() {
         let (image, sampled) = adaptive(half_plane, &small);
         assert_eq!(sampled.pixels, size.pixels() as u64);
         let error = root_mean_square(&image, &stratified(half_plane, size, 64));
-        assert!(error <= HALF_GREY_LEVEL, "{size}: {error}");
+        let misses = sampled.misses(Some(HALF_GREY_LEVEL));
+        assert!(error <= HALF_GREY_LEVEL || misses, "{size}: {error}");
     }
 }
 

@@ -5,10 +5,35 @@
 //! value is a point of the diagram: the error, and its price. The price is counted,
 //! which is the same on every machine, and timed, which is not.
 
+use std::fmt;
+
 use crate::Effort;
+use crate::fit::Fit;
 
 /// Half a grey level of an 8-bit picture: smaller errors can't be seen.
 pub const HALF_GREY_LEVEL: f64 = 1.0 / 510.0;
+
+/// The unit of an error.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit<'a> {
+    /// The light of a pixel, from black, 0, to white, 1.
+    Light,
+    /// The share of wrong answers, from 0 to 1. It follows no power law, because it
+    /// has a largest value.
+    Share,
+    /// Another unit, in words.
+    Other(&'a str),
+}
+
+impl fmt::Display for Unit<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Light => "white = 1",
+            Self::Share => "all = 1",
+            Self::Other(name) => name,
+        })
+    }
+}
 
 /// The horizontal axis against which the slopes of an experiment are taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,18 +48,48 @@ pub enum Axis {
 pub struct Experiment<'a> {
     /// The name on the command line, in kebab case.
     pub name: &'a str,
-    /// The question, in one line.
+    /// The question, in one line: the title of its plots.
     pub about: &'a str,
-    /// The name of the parameter.
+    /// The parameter, with its unit in brackets if it has one.
     pub knob: &'a str,
-    /// The unit of the counted work, such as rays.
+    /// The counted work, such as rays.
     pub work: &'a str,
-    /// The quantity that the error is of, and its exact value.
+    /// The error, without its unit: "rms error of t".
     pub error: &'a str,
+    /// The unit of the error.
+    pub unit: Unit<'a>,
+    /// The exact value: "against 30 digits", and what counts how.
+    pub exact: &'a str,
+    /// The seeds of its random numbers. Empty if it takes none.
+    pub seeds: &'a [u64],
     /// The axis that slopes are taken against.
     pub against: Axis,
     /// Measures all methods. The first is the baseline of the times.
     pub curves: Box<dyn Fn(Effort) -> Vec<Curve<'a>> + 'a>,
+}
+
+impl Experiment<'_> {
+    /// The line through the errors of a curve. None for shares.
+    #[must_use]
+    pub fn fit(&self, curve: &Curve) -> Option<Fit> {
+        let fit = curve.fit(self.against)?;
+        (self.unit != Unit::Share).then_some(fit)
+    }
+
+    /// Whether half a grey level is a mark for these errors: they are of light, and a
+    /// method exists whose error falls as its work grows.
+    #[must_use]
+    pub fn can_be_seen(&self, curves: &[Curve]) -> bool {
+        let falls = |curve: &Curve| {
+            let by_work = |a: &&Point, b: &&Point| a.work.total_cmp(&b.work);
+            let ends = (
+                curve.points.iter().min_by(by_work),
+                curve.points.iter().max_by(by_work),
+            );
+            matches!(ends, (Some(least), Some(most)) if most.rms < least.rms)
+        };
+        self.unit == Unit::Light && curves.iter().any(falls)
+    }
 }
 
 /// A method at all values of the parameter.
@@ -72,6 +127,8 @@ pub struct Point<'a> {
     pub rms: f64,
     /// The greatest error.
     pub max: f64,
+    /// Whether the error is only estimated, by the method itself.
+    pub is_estimate: bool,
     /// The work itself, to be timed, without the measurement of the error. Its
     /// result is used, so that the compiler cannot remove the work.
     pub run: Box<dyn FnMut() -> f64 + 'a>,
@@ -96,7 +153,17 @@ impl<'a> Point<'a> {
             work,
             rms: (squares / count).sqrt(),
             max,
+            is_estimate: false,
             run: Box::new(run),
+        }
+    }
+
+    /// A method's own estimate of its error. It is shown beside the errors, and not
+    /// compared with them.
+    pub fn estimate(knob: f64, work: f64, error: f64, run: impl FnMut() -> f64 + 'a) -> Self {
+        Self {
+            is_estimate: true,
+            ..Self::new(knob, work, [error], run)
         }
     }
 
@@ -110,61 +177,19 @@ impl<'a> Point<'a> {
     }
 }
 
-impl Curve<'_> {
-    /// The slope of log error over log `axis` for the points in a range, by least
-    /// squares. None if fewer than two of them have an error.
-    #[must_use]
-    pub fn fitted_slope(&self, axis: Axis, between: (f64, f64)) -> Option<f64> {
-        let logs: Vec<_> = self
-            .points
-            .iter()
-            .map(|point| (point.on(axis), point.rms))
-            .filter(|(x, error)| (between.0..=between.1).contains(x) && *error > 0.0)
-            .map(|(x, error)| (libm::log10(x), libm::log10(error)))
-            .collect();
-        let count = logs.len() as f64;
-        let mean = |f: fn(&(f64, f64)) -> f64| logs.iter().map(f).sum::<f64>() / count;
-        let (x, y) = (mean(|log| log.0), mean(|log| log.1));
-        let along: f64 = logs.iter().map(|log| (log.0 - x) * (log.0 - x)).sum();
-        let across: f64 = logs.iter().map(|log| (log.0 - x) * (log.1 - y)).sum();
-        let slope = across / along;
-        slope.is_finite().then_some(slope)
-    }
-
-    /// The work that brings the error down to `target`. Between two points it is
-    /// interpolated on the straight line through both. Beyond the last point it is
-    /// extrapolated on the fitted line, and the flag is true. None if the error
-    /// does not fall.
-    #[must_use]
-    pub fn work_to_reach(&self, target: f64) -> Option<(f64, bool)> {
-        let reached = self.points.iter().position(|point| point.rms <= target);
-        match reached {
-            Some(0) => Some((self.points[0].work, false)),
-            Some(at) => {
-                let (a, b) = (&self.points[at - 1], &self.points[at]);
-                let slope = libm::log(b.rms / a.rms) / libm::log(b.work / a.work);
-                let work = a.work * libm::pow(target / a.rms, 1.0 / slope);
-                Some((if work.is_finite() { work } else { b.work }, false))
-            }
-            None => {
-                let last = self.points.last()?;
-                let slope = self.fitted_slope(Axis::Work, (last.work / 300.0, last.work))?;
-                let work = last.work * libm::pow(target / last.rms, 1.0 / slope);
-                (slope < -0.01 && work.is_finite()).then_some((work, true))
-            }
-        }
-    }
-}
-
 /// The Pareto front, by curve and point: true for a point if no other has both
-/// less work and a smaller error.
+/// less work and a smaller error. Estimates take no part.
 #[must_use]
 pub fn pareto_front(curves: &[Curve]) -> Vec<Vec<bool>> {
-    let all = || curves.iter().flat_map(|curve| &curve.points);
     let beats = |a: &Point, b: &Point| {
         a.work <= b.work && a.rms <= b.rms && (a.work < b.work || a.rms < b.rms)
     };
-    let unbeaten = |point: &Point| !all().any(|other| beats(other, point));
+    let measured = || {
+        let all = curves.iter().flat_map(|curve| &curve.points);
+        all.filter(|point| !point.is_estimate)
+    };
+    let unbeaten =
+        |point: &Point| !point.is_estimate && !measured().any(|other| beats(other, point));
     let front = curves
         .iter()
         .map(|curve| curve.points.iter().map(unbeaten).collect());
@@ -182,14 +207,20 @@ pub fn check_slopes(experiments: &[Experiment], effort: Effort) {
     let mut wrong = Vec::new();
     for experiment in experiments {
         for curve in (experiment.curves)(effort) {
-            let Some(slope) = curve.slope else { continue };
-            let fitted = curve.fitted_slope(experiment.against, slope.between);
-            if fitted.is_none_or(|fitted| (fitted - slope.expected).abs() > slope.tolerance) {
+            let Some(Slope {
+                expected,
+                tolerance,
+                ..
+            }) = curve.slope
+            else {
+                continue;
+            };
+            let agrees =
+                |fit: &Fit| fit.is_power_law() && (fit.slope - expected).abs() <= tolerance;
+            let fit = experiment.fit(&curve);
+            if !fit.is_some_and(|fit| agrees(&fit)) {
                 let (name, method) = (experiment.name, curve.method);
-                wrong.push(format!(
-                    "{name}: {method}: {fitted:?}, not {}",
-                    slope.expected
-                ));
+                wrong.push(format!("{name}: {method}: {fit:?}, not {expected}"));
             }
         }
     }

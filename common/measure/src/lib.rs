@@ -9,14 +9,14 @@ pub mod comparison;
 mod effort;
 pub mod experiment;
 pub mod extremes;
-#[cfg(feature = "report")]
+pub mod fit;
 mod plot;
-#[cfg(feature = "report")]
+mod provenance;
 pub mod report;
-#[cfg(feature = "report")]
 pub mod scene_report;
 mod stage;
 pub mod tally;
+pub mod timing;
 
 pub use effort::Effort;
 pub use stage::Stage;

@@ -1,280 +1,280 @@
-//! Log-log plots of error against work, as SVG for light and dark pages.
+//! Log-log plots of error against work and against time, as SVG.
+//!
+//! The names of the curves stand beside the plot, in the order of the curves' ends, so
+//! that they cover no data (E. R. Tufte, The Visual Display of Quantitative Information,
+//! 1983; W. S. Cleveland, The Elements of Graphing Data, 1985).
 
-use common::Error;
-use plotters::coord::combinators::IntoLogRange;
-use plotters::prelude::*;
+mod axis;
+mod svg;
 
-use crate::experiment::{Axis, Curve};
+use crate::experiment::{Axis, HALF_GREY_LEVEL};
+use crate::provenance;
 use crate::report::Measured;
+use axis::{LogAxis, rounded};
+use svg::Svg;
 
-/// Colours of a page.
-struct Page {
-    name: &'static str,
-    paper: RGBColor,
-    ink: RGBColor,
-    grid: RGBColor,
-    /// Colours of the curves, which colour-blind people can distinguish, too (Okabe
-    /// and Ito, Color Universal Design, 2008).
-    curves: [RGBColor; 7],
-}
+/// The size of the picture, and the sides of the plot in it, in pixels.
+const SIZE: [f64; 2] = [780.0, 468.0];
+const LEFT: f64 = 70.0;
+const RIGHT: f64 = 566.0;
+const TOP: f64 = 88.0;
+const BOTTOM: f64 = 400.0;
 
-const LIGHT: Page = Page {
-    name: "light",
-    paper: RGBColor(255, 255, 255),
-    ink: RGBColor(40, 40, 40),
-    grid: RGBColor(225, 225, 225),
-    curves: [
-        RGBColor(0, 114, 178),
-        RGBColor(213, 94, 0),
-        RGBColor(0, 158, 115),
-        RGBColor(204, 121, 167),
-        RGBColor(86, 180, 233),
-        RGBColor(160, 110, 0),
-        RGBColor(60, 60, 60),
-    ],
-};
+/// Height of the strip below the axis for errors of 0.
+const STRIP: f64 = 34.0;
 
-const DARK: Page = Page {
-    name: "dark",
-    paper: RGBColor(24, 26, 27),
-    ink: RGBColor(225, 225, 225),
-    grid: RGBColor(60, 63, 65),
-    curves: [
-        RGBColor(86, 180, 233),
-        RGBColor(230, 159, 0),
-        RGBColor(0, 190, 140),
-        RGBColor(230, 150, 195),
-        RGBColor(120, 150, 255),
-        RGBColor(240, 228, 66),
-        RGBColor(200, 200, 200),
-    ],
-};
+/// Height of a name beside the plot, with its remark.
+const NAME: f64 = 31.0;
 
 /// The rounding of numbers near 1, at which curves become level.
 const ROUNDING: f64 = f64::EPSILON;
 
-/// The plots of an experiment, each with the suffix of its file name: error
-/// against counted work or the parameter, and against time.
-pub fn plots(measured: &Measured) -> Result<Vec<(String, String)>, Error> {
+/// A curve of a plot.
+struct Series<'a> {
+    name: &'a str,
+    /// A remark beside the plot, the slope for example.
+    remark: String,
+    is_estimate: bool,
+    /// Points: the ends of an interval with the middle between them, and the error.
+    points: Vec<([f64; 3], f64)>,
+}
+
+/// The plots of an experiment, each with the suffix of its file name: error against
+/// counted work or the parameter, and, where the parameter changes the time, error
+/// against time.
+pub fn plots(measured: &Measured) -> Vec<(&'static str, String)> {
     let experiment = measured.experiment;
-    let counted = match experiment.against {
+    let label = match experiment.against {
         Axis::Work => experiment.work,
         Axis::Knob => experiment.knob,
     };
-    let mut plots = Vec::new();
-    for page in [&LIGHT, &DARK] {
-        for (kind, label) in [("work", counted), ("time", "seconds")] {
-            let series: Vec<_> = measured
-                .curves
-                .iter()
-                .zip(&measured.seconds)
-                .map(|(curve, seconds)| points(curve, seconds, kind, experiment.against))
-                .collect();
-            let mut svg = String::new();
-            draw(&mut svg, page, measured, label, &series).map_err(|reason| Error::Plot {
-                name: experiment.name.to_owned(),
-                reason,
-            })?;
-            plots.push((format!("-{kind}-{}.svg", page.name), svg));
+    let mut plots = vec![(".svg", draw(measured, label, "", series(measured, false)))];
+    if (0..measured.curves.len()).any(|curve| time_changes(measured, curve)) {
+        let [(_, machine), (_, compiler), ..] = provenance::lines();
+        let compiler = compiler.split(',').next().unwrap_or_default();
+        let source = format!("medians, with intervals of 95 %; {machine}; {compiler}");
+        let timed = series(measured, true);
+        plots.push((
+            "-time.svg",
+            draw(measured, "time (seconds)", &source, timed),
+        ));
+    }
+    plots
+}
+
+/// Whether a method's work and time change with the parameter: the time by more than a
+/// factor of two, beyond its noise.
+fn time_changes(measured: &Measured, c: usize) -> bool {
+    let points = &measured.curves[c].points;
+    let times: Vec<_> = (0..points.len()).map(|p| measured.time(c, p)).collect();
+    let longer = times.iter().map(|time| time.low).fold(0.0, f64::max);
+    let shorter = times
+        .iter()
+        .map(|time| time.high)
+        .fold(f64::INFINITY, f64::min);
+    points.windows(2).any(|pair| pair[0].work != pair[1].work) && longer > 2.0 * shorter
+}
+
+/// The curves against time, or against work or parameter.
+fn series<'a>(measured: &Measured<'_, 'a>, is_timed: bool) -> Vec<Series<'a>> {
+    let experiment = measured.experiment;
+    let curves = measured.curves.iter().enumerate().map(|(c, curve)| {
+        let points = curve.points.iter().enumerate().map(|(p, point)| {
+            let time = measured.time(c, p);
+            let x = if is_timed {
+                [time.low, time.value, time.high]
+            } else {
+                [point.on(experiment.against); 3]
+            };
+            (x, point.rms)
+        });
+        let fit = experiment
+            .fit(curve)
+            .filter(|fit| !is_timed && fit.is_power_law());
+        let slope = fit.map(|fit| fit.slope_in_words());
+        Series {
+            name: curve.method,
+            remark: slope.unwrap_or_default().replace('-', "−"),
+            is_estimate: curve.points.iter().any(|point| point.is_estimate),
+            points: points
+                .filter(|(x, error)| x[0] > 0.0 && error.is_finite())
+                .collect(),
+        }
+    });
+    curves.collect()
+}
+
+/// Empties whole curves behind a gap that is more than twice as high as all others: on
+/// one axis they would flatten the others. Their errors are written beside the plot.
+fn leave_out_far_curves(all: &mut [Series]) {
+    let logs = |one: &Series| -> Vec<f64> {
+        let errors = one.points.iter().map(|point| point.1);
+        errors
+            .filter(|error| *error > 0.0)
+            .map(libm::log10)
+            .collect()
+    };
+    let mut sorted: Vec<_> = all.iter().flat_map(logs).collect();
+    sorted.sort_by(f64::total_cmp);
+    let gaps = (1..sorted.len()).map(|i| (sorted[i] - sorted[i - 1], i));
+    let Some((gap, at)) = gaps.max_by(|a, b| a.0.total_cmp(&b.0)) else {
+        return;
+    };
+    let is_below = at < sorted.len() - at;
+    let near = if is_below {
+        &sorted[at..]
+    } else {
+        &sorted[..at]
+    };
+    let is_far = |log: &f64| (*log < sorted[at]) == is_below;
+    let is_torn = |one: &Series| {
+        let logs = logs(one);
+        logs.iter().any(is_far) && !logs.iter().all(is_far)
+    };
+    if gap < 2.0 * (near[near.len() - 1] - near[0]).max(1.0) || all.iter().any(is_torn) {
+        return;
+    }
+    for one in all.iter_mut().filter(|one| logs(one).iter().any(is_far)) {
+        let logs = logs(one);
+        let ends = [
+            logs.iter().copied().fold(f64::MAX, f64::min),
+            logs.iter().copied().fold(f64::MIN, f64::max),
+        ];
+        let [low, high] = ends.map(|log| rounded(libm::pow(10.0, log)));
+        let arrow = if is_below { '↓' } else { '↑' };
+        let range = if low == high {
+            low
+        } else {
+            format!("{low} to {high}")
+        };
+        one.remark = format!("{arrow} off the scale: {range}");
+        one.points.clear();
+    }
+}
+
+fn draw(measured: &Measured, label: &str, source: &str, mut all: Vec<Series>) -> String {
+    let experiment = measured.experiment;
+    leave_out_far_curves(&mut all);
+    let points = || all.iter().flat_map(|one| &one.points);
+    let has_zeros = points().any(|(_, error)| *error == 0.0);
+    let level = experiment
+        .can_be_seen(&measured.curves)
+        .then_some(HALF_GREY_LEVEL);
+    let bottom = if has_zeros { BOTTOM - STRIP } else { BOTTOM };
+    let errors = points()
+        .map(|(_, error)| *error)
+        .filter(|error| *error > 0.0);
+    let y = LogAxis::new(errors.chain(level), (bottom, TOP));
+    let x = LogAxis::new(points().flat_map(|(x, _)| *x), (LEFT, RIGHT));
+
+    let mut svg = Svg::new(SIZE, experiment.about);
+    svg.text("title", [14.0, 28.0], experiment.about);
+    svg.text("small", [14.0, 47.0], experiment.exact);
+    let error = format!("{} ({})", experiment.error, experiment.unit);
+    svg.text("", [14.0, TOP - 15.0], &error);
+    svg.text("middle", [f64::midpoint(LEFT, RIGHT), BOTTOM + 40.0], label);
+    svg.text("small", [14.0, SIZE[1] - 8.0], source);
+    draw_axes(&mut svg, &x, &y, bottom);
+
+    let zero = BOTTOM - 10.0;
+    let height = |error: f64| if error == 0.0 { zero } else { y.at(error) };
+    if has_zeros {
+        svg.line("grid", &[[LEFT, zero], [RIGHT, zero]]);
+        svg.text("end", [LEFT - 8.0, zero + 4.5], "0");
+        // Two strokes: here the axis is broken.
+        for at in [bottom, bottom + 5.0] {
+            svg.line("", &[[LEFT - 5.0, at + 3.0], [LEFT + 5.0, at - 3.0]]);
         }
     }
-    Ok(plots)
+    let mut names = Vec::new();
+    let rounding = Some(ROUNDING).filter(|rounding| y.holds(*rounding));
+    for (level, name, remark) in [
+        (level, "half a grey level", "1/510"),
+        (rounding, "rounding of 1", "2⁻⁵²"),
+    ] {
+        if let Some(level) = level {
+            svg.line("level", &[[LEFT, y.at(level)], [RIGHT, y.at(level)]]);
+            names.push((y.at(level), name, remark, None));
+        }
+    }
+    for (index, one) in all.iter().enumerate() {
+        let class = if one.is_estimate { "estimate" } else { "" };
+        let at = |(x_of, error): &([f64; 3], f64)| [x.at(x_of[1]), height(*error)];
+        // No line leads to an error of 0, which lies infinitely far below.
+        for part in one.points.split(|(_, error)| *error == 0.0) {
+            let part: Vec<_> = part.iter().map(at).collect();
+            svg.curve(class, index, 2.0, &part);
+        }
+        for point in &one.points {
+            let [low, _, high] = point.0.map(|number| x.at(number));
+            svg.curve("", index, 1.0, &[[low, at(point)[1]], [high, at(point)[1]]]);
+            svg.mark(index, at(point));
+        }
+        let last = one.points.iter().max_by(|a, b| a.0[1].total_cmp(&b.0[1]));
+        let off = if one.remark.starts_with('↑') {
+            TOP
+        } else {
+            bottom
+        };
+        let is_exact = last.is_some() && one.points.iter().all(|(_, error)| *error == 0.0);
+        let remark = if is_exact { "no error" } else { &one.remark };
+        names.push((
+            last.map_or(off, |last| at(last)[1]),
+            one.name,
+            remark,
+            Some((index, class)),
+        ));
+    }
+    draw_names(&mut svg, names);
+    svg.finish()
 }
 
-/// The points of a curve whose coordinates have logarithms.
-fn points(curve: &Curve, seconds: &[f64], kind: &str, axis: Axis) -> Vec<(f64, f64)> {
-    let timed = curve.points.iter().zip(seconds);
-    timed
-        .map(|(point, seconds)| match kind {
-            "time" => (*seconds, point.rms),
-            _ => (point.on(axis), point.rms),
-        })
-        .filter(|(x, error)| *x > 0.0 && *error > 0.0 && error.is_finite())
-        .collect()
+fn draw_axes(svg: &mut Svg, x: &LogAxis, y: &LogAxis, bottom: f64) {
+    for (number, label) in y.labels() {
+        svg.line("grid", &[[LEFT, y.at(number)], [RIGHT, y.at(number)]]);
+        svg.text("end", [LEFT - 8.0, y.at(number) + 4.5], &label);
+    }
+    for (number, label) in x.labels() {
+        svg.line("grid", &[[x.at(number), TOP], [x.at(number), bottom]]);
+        svg.text("middle", [x.at(number), BOTTOM + 19.0], &label);
+    }
+    for at in y.marks().map(|number| y.at(number)) {
+        svg.line("", &[[LEFT, at], [LEFT + 4.0, at]]);
+    }
+    for at in x.marks().map(|number| x.at(number)) {
+        svg.line("", &[[at, BOTTOM], [at, BOTTOM - 4.0]]);
+    }
+    svg.line("", &[[LEFT, TOP], [LEFT, bottom]]);
+    svg.line("", &[[LEFT, BOTTOM], [RIGHT, BOTTOM]]);
 }
 
-/// Most decades on an axis; below them, curves leave the plot.
-const MOST_DECADES: f64 = 40.0;
+/// A name with its height, its remark, and the number and class of its curve.
+type Name<'a> = (f64, &'a str, &'a str, Option<(usize, &'a str)>);
 
-/// The range of decades that holds all numbers, or the upper part of it.
-fn decades(numbers: impl Iterator<Item = f64> + Clone) -> std::ops::Range<f64> {
-    let least = numbers.clone().fold(f64::INFINITY, f64::min);
-    let most = numbers.fold(0.0, f64::max);
-    if least > most {
-        return 0.1..1.0;
+/// Draws names beside the plot, each as near to its height as the others allow.
+fn draw_names(svg: &mut Svg, mut names: Vec<Name>) {
+    names.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut least = TOP;
+    for name in &mut names {
+        name.0 = name.0.max(least);
+        least = name.0 + NAME;
     }
-    let decade = |x: f64| libm::pow(10.0, x);
-    let (from, to) = (libm::log10(least).floor(), libm::log10(most).ceil());
-    let to = to.max(from + 1.0);
-    // Numbers have some 16 digits: more than twice as many decades show nothing.
-    decade(from.max(to - MOST_DECADES))..decade(to)
-}
-
-fn draw(
-    svg: &mut String,
-    page: &Page,
-    measured: &Measured,
-    label: &str,
-    series: &[Vec<(f64, f64)>],
-) -> Result<(), String> {
-    let explain = |error: &dyn std::fmt::Display| error.to_string();
-    let root = SVGBackend::with_string(svg, (760, 480)).into_drawing_area();
-    root.fill(&page.paper).map_err(|e| explain(&e))?;
-    let all = || series.iter().flatten();
-    let x = decades(all().map(|point| point.0));
-    let y = decades(all().map(|point| point.1));
-    let text = |size: i32| ("sans-serif", size).into_font().color(&page.ink);
-    let mut chart = ChartBuilder::on(&root)
-        .caption(measured.experiment.name, text(20))
-        .margin(12)
-        .x_label_area_size(44)
-        .y_label_area_size(72)
-        .build_cartesian_2d(x.clone().log_scale(), y.clone().log_scale())
-        .map_err(|e| explain(&e))?;
-    let power = |value: &f64| format!("1e{:.0}", libm::log10(*value));
-    chart
-        .configure_mesh()
-        .axis_style(page.ink)
-        .bold_line_style(page.grid)
-        .light_line_style(TRANSPARENT)
-        .label_style(text(14))
-        .x_label_formatter(&power)
-        .y_label_formatter(&power)
-        .x_desc(label)
-        .y_desc("rms error")
-        .draw()
-        .map_err(|e| explain(&e))?;
-    let floor = LineSeries::new([(x.start, ROUNDING), (x.end, ROUNDING)], page.ink);
-    if y.contains(&ROUNDING) {
-        chart.draw_series(floor).map_err(|e| explain(&e))?;
+    let mut most = BOTTOM;
+    for (height, name, remark, curve) in names.into_iter().rev() {
+        let at = height.min(most);
+        most = at - NAME;
+        let sample = [[RIGHT + 12.0, at], [RIGHT + 34.0, at]];
+        match curve {
+            None => svg.line("level", &sample),
+            Some((index, class)) => {
+                svg.curve(class, index, 2.0, &sample);
+                svg.mark(index, [RIGHT + 23.0, at]);
+            }
+        }
+        svg.text("", [RIGHT + 41.0, at + 4.5], name);
+        svg.text("small", [RIGHT + 41.0, at + 18.0], remark);
     }
-    for (index, (curve, points)) in measured.curves.iter().zip(series).enumerate() {
-        let color = page.curves[index % page.curves.len()];
-        let shown = points.iter().copied();
-        let shown = shown.filter(|point| point.0 >= x.start && point.1 >= y.start);
-        let line = LineSeries::new(shown, color.stroke_width(2)).point_size(3);
-        let drawn = chart.draw_series(line).map_err(|e| explain(&e))?;
-        drawn
-            .label(curve.method)
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], color.stroke_width(3)));
-    }
-    chart
-        .configure_series_labels()
-        .background_style(page.paper.mix(0.85))
-        .border_style(page.grid)
-        .label_font(text(13))
-        .draw()
-        .map_err(|e| explain(&e))?;
-    root.present().map_err(|e| explain(&e))
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::experiment::{Experiment, Point};
-
-    #[test]
-    fn axes_hold_whole_decades() {
-        let shown = |numbers: &[f64]| {
-            let decades = decades(numbers.iter().copied());
-            [decades.start, decades.end].map(libm::log10)
-        };
-        assert_eq!(shown(&[2.0, 300.0]), [0.0, 3.0]);
-        assert_eq!(shown(&[0.02, 0.03]), [-2.0, -1.0]);
-        assert_eq!(shown(&[1.0]), [0.0, 1.0], "at least one");
-        assert_eq!(shown(&[1e-50, 1.0]), [-40.0, 0.0], "at most forty");
-        assert_eq!(shown(&[]), [-1.0, 0.0]);
-    }
-
-    /// Neither 0 nor NaN has a logarithm.
-    #[test]
-    fn only_points_that_have_logarithms_are_shown() {
-        let point = |(work, error): (f64, f64)| Point::new(7.0, work, [error], || 0.0);
-        let points_of = [
-            (1.0, 0.5),
-            (2.0, 0.0),
-            (0.0, 0.5),
-            (3.0, f64::NAN),
-            (4.0, 0.25),
-        ];
-        let curve = Curve {
-            method: "",
-            remark: "",
-            slope: None,
-            points: points_of.map(point).into(),
-        };
-        let seconds = [0.1, 0.2, 0.3, 0.4, 0.0];
-        let shown = |kind, axis| points(&curve, &seconds, kind, axis);
-        assert_eq!(shown("work", Axis::Work), [(1.0, 0.5), (4.0, 0.25)]);
-        let by_knob = [(7.0, 0.5), (7.0, 0.5), (7.0, 0.25)];
-        assert_eq!(shown("work", Axis::Knob), by_knob);
-        assert_eq!(shown("time", Axis::Work), [(0.1, 0.5), (0.3, 0.5)]);
-    }
-
-    /// The numbers of an attribute of every element that has this colour.
-    fn numbers(svg: &str, element: &str, color: &str, attribute: &str) -> Vec<Vec<i32>> {
-        let lines = svg.lines().filter(|line| {
-            line.starts_with(&format!("<{element} ")) && line.contains(&format!("=\"{color}\""))
-        });
-        let of_line = |line: &str| {
-            let (_, rest) = line.split_once(&format!(" {attribute}=\""))?;
-            let (value, _) = rest.split_once('"')?;
-            let numbers = value.split([',', ' ']).filter_map(|n| n.parse().ok());
-            Some(numbers.collect())
-        };
-        lines.filter_map(of_line).collect()
-    }
-
-    /// Each point is a circle, except points below the decades shown. Each curve has
-    /// its colour, and a line of 18 pixels in the legend.
-    #[test]
-    fn curves_have_their_points_and_colours() {
-        let curve = |points: &[(f64, f64)]| Curve {
-            method: "method",
-            remark: "",
-            slope: None,
-            points: points
-                .iter()
-                .map(|(work, error)| Point::new(*work, *work, [*error], || 0.0))
-                .collect(),
-        };
-        let curves = vec![
-            curve(&[(1.0, 1.0), (10.0, 5.0), (100.0, 1e-60)]),
-            curve(&[(1e-60, 1.0), (1.0, 5.0), (2.0, 5.0), (1e40, 1e40)]),
-        ];
-        let seconds = curves.iter().map(|c| vec![1.0; c.points.len()]).collect();
-        let experiment = Experiment {
-            name: "",
-            about: "",
-            knob: "",
-            work: "",
-            error: "",
-            against: Axis::Work,
-            curves: Box::new(|_| Vec::new()),
-        };
-        let measured = Measured {
-            experiment: &experiment,
-            curves,
-            seconds,
-        };
-        let plots = plots(&measured).unwrap();
-        let names: Vec<_> = plots.iter().map(|(name, _)| name.as_str()).collect();
-        let expected = [
-            "-work-light.svg",
-            "-time-light.svg",
-            "-work-dark.svg",
-            "-time-dark.svg",
-        ];
-        assert_eq!(names, expected);
-        for (color, points) in [("#0072B2", 2), ("#D55E00", 3)] {
-            let svg = &plots[0].1;
-            assert_eq!(numbers(svg, "circle", color, "cx").len(), points);
-            let lines = numbers(svg, "polyline", color, "points");
-            assert_eq!(lines[0].len(), 2 * points);
-            let [from, from_y, to, to_y] = lines[1][..] else {
-                panic!("{lines:?}");
-            };
-            assert_eq!((to - from, to_y - from_y), (18, 0));
-        }
-    }
-}
+mod tests;

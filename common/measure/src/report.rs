@@ -8,23 +8,22 @@ use std::time::Instant;
 use common::{Error, atomic_file};
 
 use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, pareto_front};
-use crate::{Effort, plot};
+use crate::timing::Median;
+use crate::{Effort, plot, provenance};
 
-/// An experiment with its times: the shortest of several rounds, in seconds, by
-/// curve and point.
+/// An experiment with its times.
 pub struct Measured<'e, 'a> {
     /// The experiment.
     pub experiment: &'e Experiment<'a>,
     /// The methods with their errors.
     pub curves: Vec<Curve<'a>>,
-    /// The shortest time, by curve and point.
-    pub seconds: Vec<Vec<f64>>,
+    /// The times in seconds, by curve, point and round.
+    pub seconds: Vec<Vec<Vec<f64>>>,
 }
 
 impl<'e, 'a> Measured<'e, 'a> {
     /// Measures errors, then times. All methods take turns in every round, so that
-    /// other load on the machine affects them equally. The shortest time is the one
-    /// with the least disturbance.
+    /// other load on the machine affects them equally.
     ///
     /// Calls `progress` with the number of measured times and their total, before
     /// the first measurement and after each.
@@ -34,18 +33,18 @@ impl<'e, 'a> Measured<'e, 'a> {
         mut progress: impl FnMut(usize, usize),
     ) -> Self {
         let mut curves = (experiment.curves)(effort);
-        let rounds = effort.choose(3, 15);
+        let rounds = effort.choose(9, 15);
         let points = |curves: &[Curve]| curves.iter().map(|c| c.points.len()).sum::<usize>();
         let (mut done, all) = (0, rounds * points(&curves));
         progress(done, all);
-        let unknown = |curve: &Curve| vec![f64::INFINITY; curve.points.len()];
-        let mut seconds: Vec<Vec<f64>> = curves.iter().map(unknown).collect();
+        let none = |curve: &Curve| vec![Vec::new(); curve.points.len()];
+        let mut seconds: Vec<Vec<Vec<f64>>> = curves.iter().map(none).collect();
         for _ in 0..rounds {
             for (curve, seconds) in curves.iter_mut().zip(&mut seconds) {
-                for (point, least) in curve.points.iter_mut().zip(seconds) {
+                for (point, seconds) in curve.points.iter_mut().zip(seconds) {
                     let start = Instant::now();
                     black_box((point.run)());
-                    *least = least.min(start.elapsed().as_secs_f64());
+                    seconds.push(start.elapsed().as_secs_f64());
                     done += 1;
                     progress(done, all);
                 }
@@ -58,6 +57,20 @@ impl<'e, 'a> Measured<'e, 'a> {
         }
     }
 
+    /// The median time of a point, in seconds.
+    pub(crate) fn time(&self, curve: usize, point: usize) -> Median {
+        Median::of(self.seconds[curve][point].clone())
+    }
+
+    /// The time of a point over that of the first method, where this has the same value
+    /// of the parameter.
+    fn ratio(&self, curve: usize, point: usize) -> Option<Median> {
+        let first = self.curves[0].points.get(point)?;
+        let (own, first_seconds) = (&self.seconds[curve][point], &self.seconds[0].get(point)?);
+        let is_comparable = curve > 0 && first.knob == self.curves[curve].points[point].knob;
+        is_comparable.then(|| Median::of_quotients(own, first_seconds))
+    }
+
     /// The table for the terminal.
     #[must_use]
     pub fn table(&self) -> String {
@@ -67,40 +80,34 @@ impl<'e, 'a> Measured<'e, 'a> {
             knob,
             work,
             error,
+            unit,
+            exact,
             against,
             ..
         } = self.experiment;
         let front = pareto_front(&self.curves);
-        let mut text = format!("{name}: {about}\n  error: {error}\n");
+        let mut text = format!("{name}: {about}\n  {error} ({unit}), {exact}\n");
+        let (k, w) = (knob.chars().count().max(12), work.chars().count().max(14));
         let _ = writeln!(
             text,
-            "  {:24} {knob:>12.12} {work:>14.14} {:>9} {:>9} {:>10} {:>7}",
-            "method", "rms error", "max", "time", "ratio"
+            "  {:24} {knob:>k$} {work:>w$} {:>9} {:>9} {:>10}  time / first method",
+            "method", "error", "max", "time"
         );
         for (c, curve) in self.curves.iter().enumerate() {
             for (p, point) in curve.points.iter().enumerate() {
-                let seconds = self.seconds[c][p];
-                // Only where the baseline has the same value of the parameter.
-                let baseline = self.curves[0].points.get(p);
-                let ratio = baseline
-                    .filter(|baseline| baseline.knob == point.knob)
-                    .map_or(String::new(), |_| {
-                        format!("{:.2}", seconds / self.seconds[0][p])
-                    });
-                let best = if *against == Axis::Work && front[c][p] {
-                    "*"
-                } else {
-                    " "
-                };
+                let ratio = self.ratio(c, p).map(|ratio| format!("  {ratio}"));
+                let is_best = *against == Axis::Work && front[c][p];
                 let _ = writeln!(
                     text,
-                    "{best} {:24} {:>12} {:>14} {:>9.1e} {:>9.1e} {:>10} {ratio:>7}",
+                    "{} {:24} {:>k$} {:>w$} {:>9.1e} {:>9.1e} {:>10}{}",
+                    if is_best { "*" } else { " " },
                     curve.method,
                     compact(point.knob),
                     compact(point.work),
                     point.rms,
                     point.max,
-                    duration(seconds),
+                    duration(self.time(c, p).value),
+                    ratio.unwrap_or_default(),
                 );
             }
         }
@@ -115,21 +122,21 @@ impl<'e, 'a> Measured<'e, 'a> {
 
     /// Slope, work to reach half a grey level, and remark.
     fn summary(&self, curve: &Curve) -> String {
-        let axis = self.experiment.against;
-        let everywhere = (0.0, f64::INFINITY);
-        let between = curve.slope.map_or(everywhere, |slope| slope.between);
         let mut parts = Vec::new();
-        if let Some(fitted) = curve.fitted_slope(axis, between) {
-            let theory = curve.slope.map_or(String::new(), |slope| {
-                format!(" (theory {})", slope.expected)
-            });
-            parts.push(format!("slope {fitted:.2}{theory}"));
+        if let Some(fit) = self.experiment.fit(curve) {
+            let theory = curve
+                .slope
+                .map(|slope| format!(" (theory {})", slope.expected));
+            parts.push(format!("{fit}{}", theory.unwrap_or_default()));
         }
-        if axis == Axis::Work
+        let is_estimate = curve.points.iter().any(|point| point.is_estimate);
+        if self.experiment.can_be_seen(&self.curves)
+            && !is_estimate
             && let Some((work, beyond)) = curve.work_to_reach(HALF_GREY_LEVEL)
         {
             let beyond = if beyond { ", extrapolated" } else { "" };
-            parts.push(format!("1/510 takes {work:.0}{beyond}"));
+            let unit = self.experiment.work;
+            parts.push(format!("1/510 takes {work:.0} {unit}{beyond}"));
         }
         if !curve.remark.is_empty() {
             parts.push(curve.remark.to_owned());
@@ -137,26 +144,62 @@ impl<'e, 'a> Measured<'e, 'a> {
         parts.join("; ")
     }
 
-    /// All measurements as comma-separated values.
+    /// All measurements as comma-separated values, below lines with `#` about their
+    /// origin.
     #[must_use]
     pub fn csv(&self) -> String {
         let Experiment {
-            name, knob, work, ..
+            name,
+            about,
+            knob,
+            work,
+            error,
+            unit,
+            exact,
+            seeds,
+            ..
         } = self.experiment;
+        let seeds: Vec<_> = seeds.iter().map(u64::to_string).collect();
+        let seeds = if seeds.is_empty() {
+            "no random numbers".to_owned()
+        } else {
+            seeds.join(" ")
+        };
+        let rounds = self.seconds.iter().flatten().map(Vec::len).max();
+        let mut head = vec![
+            ("experiment", format!("{name}: {about}")),
+            ("error", format!("{error} ({unit}), {exact}")),
+            ("work", format!("counted: {work}")),
+            (
+                "seconds",
+                format!("median of {} rounds by turns", rounds.unwrap_or(0)),
+            ),
+            ("low and high", "interval of 95 % for the median".to_owned()),
+            ("seed", seeds),
+        ];
+        head.extend(provenance::lines());
+        let head = head
+            .iter()
+            .map(|(name, value)| format!("# {name}: {value}\n"));
+        let mut text: String = head.collect();
+        let (knob, work, error) = (quoted(knob), quoted(work), quoted(error));
+        let _ = writeln!(
+            text,
+            "experiment,method,{knob},{work},{error},max error,seconds,low,high,estimate,pareto"
+        );
         let front = pareto_front(&self.curves);
-        let mut text =
-            format!("experiment,method,{knob},{work},rms error,max error,seconds,pareto\n");
         for (c, curve) in self.curves.iter().enumerate() {
             for (p, point) in curve.points.iter().enumerate() {
+                let Median { low, value, high } = self.time(c, p);
                 let _ = writeln!(
                     text,
-                    "{name},{},{},{},{:e},{:e},{:e},{}",
-                    curve.method,
+                    "{name},{},{},{},{:e},{:e},{value:e},{low:e},{high:e},{},{}",
+                    quoted(curve.method),
                     point.knob,
                     point.work,
                     point.rms,
                     point.max,
-                    self.seconds[c][p],
+                    point.is_estimate,
                     front[c][p],
                 );
             }
@@ -166,11 +209,11 @@ impl<'e, 'a> Measured<'e, 'a> {
 
     /// Writes CSV and plots into a folder that exists, and returns their paths.
     pub fn write(&self, folder: &Path, stage: &str) -> Result<Vec<PathBuf>, Error> {
-        let mut files = vec![(TABLE.to_owned(), self.csv())];
-        files.extend(plot::plots(self)?);
+        let mut files = vec![(TABLE, self.csv())];
+        files.extend(plot::plots(self));
         let mut paths = Vec::new();
         for (ending, text) in files {
-            let path = file(self.experiment, folder, stage, &ending);
+            let path = file(self.experiment, folder, stage, ending);
             atomic_file::write(&path, text.as_bytes())?;
             paths.push(path);
         }
@@ -189,6 +232,15 @@ const TABLE: &str = ".csv";
 
 fn file(experiment: &Experiment, folder: &Path, stage: &str, ending: &str) -> PathBuf {
     folder.join(format!("{stage}-{}{ending}", experiment.name))
+}
+
+/// A field of a CSV file (RFC 4180).
+fn quoted(field: &str) -> String {
+    if field.contains([',', '"']) {
+        format!("\"{}\"", field.replace('"', "\"\""))
+    } else {
+        field.to_owned()
+    }
 }
 
 /// A number in few characters.

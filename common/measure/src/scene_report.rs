@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use common::{Error, Image, Sampled, Sampling, Scene, Settings, Size};
 
 use crate::Effort;
-use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point};
+use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Unit};
 
 /// The experiment with the samples of a scene: their number and their places,
 /// compared with many samples of another seed.
@@ -22,10 +22,13 @@ pub fn experiment(scene: &Scene) -> Result<Experiment<'_>, Error> {
     render(scene, size, Sampling::Center, 1, 0)?;
     Ok(Experiment {
         name: scene.name,
-        about: "what do more samples buy, and where should they lie?",
-        knob: "samples",
+        about: "What do more samples buy, and where should they lie?",
+        knob: "samples a pixel",
         work: "rays",
-        error: "of a channel from 0 to 1, against many samples of another seed",
+        error: "rms error of a channel",
+        unit: Unit::Light,
+        exact: "against many stratified samples of another seed",
+        seeds: &[0, REFERENCE],
         against: Axis::Work,
         curves: Box::new(move |effort| curves(scene, size, effort)),
     })
@@ -148,7 +151,7 @@ mod tests {
                         pixels,
                         samples: 2 * pixels,
                         most: 2,
-                        squared_error: 0.0,
+                        ..Sampled::default()
                     });
                     asked
                 }

@@ -5,12 +5,10 @@ use std::time::Instant;
 
 use common::{Error, Image, Renderer, Scene, Settings};
 use measure::comparison::{Comparison, complete};
+use measure::timing::Median;
 
 use crate::options::Options;
 use crate::print::print;
-
-/// Number of renderings, of which the shortest time counts.
-const ROUNDS: usize = 3;
 
 /// Prints the work that the scene's plan skips and how much that saves, and returns
 /// the picture.
@@ -24,7 +22,10 @@ pub fn explain(scene: &Scene, options: &Options) -> Result<Image, Error> {
         let comparison = Comparison::new(scene, &settings)?;
         if scene.uses.sampling {
             print(&comparison.to_string());
-            print(&times(shortest(scene, [&settings, &complete(&settings)])?));
+            print(&comparison_of(&times(
+                scene,
+                [&settings, &complete(&settings)],
+            )?));
             let difference = comparison.difference;
             print(&format!(
                 "  largest difference of a channel {difference:.1e}"
@@ -46,23 +47,34 @@ pub fn check(settings: &Settings) -> Result<(), Error> {
     }
 }
 
-fn times([needed, all]: [f64; 2]) -> String {
-    let ratio = all / needed;
-    format!("  time {needed:.3} s; everything takes {ratio:.2} times as long")
+/// The time of the chosen renderer, and how many times as long the one takes that skips
+/// no work, if that is more than noise.
+fn comparison_of([needed, all]: &[Vec<f64>; 2]) -> String {
+    let time = Median::of(needed.clone()).value;
+    let ratio = Median::of_quotients(all, needed);
+    let Median { low, value, high } = ratio;
+    match ratio.noise() {
+        Some(noise) => {
+            format!("  time {time:.3} s; everything: no difference beyond the noise of {noise}")
+        }
+        None => format!(
+            "  time {time:.3} s; everything takes {value:.2} times as long ({low:.2} to {high:.2})"
+        ),
+    }
 }
 
-/// The shortest time with each of the settings, in seconds. They take turns, so that
-/// other load on the machine affects them equally.
-fn shortest(scene: &Scene, settings: [&Settings; 2]) -> Result<[f64; 2], Error> {
-    let mut least = [f64::INFINITY; 2];
-    for _ in 0..ROUNDS {
-        for (settings, least) in settings.iter().zip(&mut least) {
+/// The times with each of the settings, in seconds. They take turns, so that other load
+/// on the machine affects them equally.
+fn times(scene: &Scene, settings: [&Settings; 2]) -> Result<[Vec<f64>; 2], Error> {
+    let mut seconds = [const { Vec::new() }; 2];
+    for _ in 0..Median::ROUNDS {
+        for (settings, seconds) in settings.iter().zip(&mut seconds) {
             let start = Instant::now();
             scene.render(settings, &())?;
-            *least = least.min(start.elapsed().as_secs_f64());
+            seconds.push(start.elapsed().as_secs_f64());
         }
     }
-    Ok(least)
+    Ok(seconds)
 }
 
 #[cfg(test)]
@@ -109,19 +121,21 @@ mod tests {
     }
 
     #[test]
-    fn each_renderer_has_its_own_time() {
+    fn each_renderer_has_its_own_times() {
         let scene = scene();
         let settings = &scene.defaults;
-        let [needed, all] = shortest(&scene, [settings, &complete(settings)]).unwrap();
-        assert!(
-            needed >= 0.0 && needed < all && all >= 0.003,
-            "{needed} {all}"
-        );
+        let [needed, all] = times(&scene, [settings, &complete(settings)]).unwrap();
+        assert_eq!((needed.len(), all.len()), (Median::ROUNDS, Median::ROUNDS));
+        assert!(all.iter().all(|seconds| *seconds >= 0.003));
     }
 
     #[test]
-    fn times_are_printed_with_their_ratio() {
-        let expected = "  time 0.250 s; everything takes 6.00 times as long";
-        assert_eq!(times([0.25, 1.5]), expected);
+    fn times_are_compared_unless_they_differ_by_noise() {
+        let needed = vec![0.25; 6];
+        let of = |all: [f64; 6]| comparison_of(&[needed.clone(), all.into()]);
+        let slower = "  time 0.250 s; everything takes 6.00 times as long (4.00 to 8.00)";
+        assert_eq!(of([1.5, 1.0, 2.0, 1.5, 1.5, 1.5]), slower);
+        let equal = "  time 0.250 s; everything: no difference beyond the noise of a factor of 2.0";
+        assert_eq!(of([0.125, 0.25, 0.25, 0.25, 0.25, 0.3125]), equal);
     }
 }

@@ -2,13 +2,19 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, CommandFactory, Parser, Subcommand};
+use common::{Scene, UsedSettings};
+use measure::Stage;
 
 use crate::options::Options;
 
 /// The whole command line; without a command the first scene is shown.
 #[derive(Parser)]
-#[command(disable_help_subcommand = true, args_conflicts_with_subcommands = true)]
+#[command(
+    version,
+    disable_help_subcommand = true,
+    args_conflicts_with_subcommands = true
+)]
 pub struct CommandLine {
     #[command(subcommand)]
     pub command: Option<Command>,
@@ -28,7 +34,7 @@ pub struct Showing {
     pub options: Options,
 }
 
-/// What to do.
+/// The commands.
 #[derive(Subcommand)]
 pub enum Command {
     /// List the scenes, one a line
@@ -50,11 +56,11 @@ pub enum Command {
         #[arg(long)]
         all: bool,
 
-        /// Where to: a PNG file for one scene, or a folder [default: out/]
+        /// A PNG file for one scene, or a folder, made if it is missing [default: out/]
         #[arg(short, long, value_name = "FILE|DIR")]
         output: Option<PathBuf>,
 
-        /// Say what is left out of their making, and what that saves
+        /// List the work that the renderer leaves out, and the time that this saves
         #[arg(long)]
         explain: bool,
 
@@ -63,7 +69,7 @@ pub enum Command {
     },
     /// Report error against run time: a table, CSV and plots
     Report {
-        /// Experiments; or `scene` and scenes, to see what their samples are worth [default: all experiments]
+        /// Experiments; or `scene` and scenes, for the error of their samples [default: all experiments]
         names: Vec<String>,
 
         /// Measure less, in seconds
@@ -79,4 +85,49 @@ pub enum Command {
         /// Beginnings of ids, such as A or A01 [default: all]
         names: Vec<String>,
     },
+}
+
+impl CommandLine {
+    /// The grammar for a stage: its help shows examples, and hides flags that change
+    /// nothing in the stage.
+    pub fn of(stage: &Stage) -> clap::Command {
+        let uses = |used: fn(&UsedSettings) -> bool| stage.scenes.iter().any(|s| used(&s.uses));
+        let is_sampled = uses(|used| used.sampling);
+        let mut hidden = Vec::new();
+        if !is_sampled {
+            hidden.extend(["samples", "sampling", "max_error", "seed", "explain"]);
+            hidden.extend(["threads", "fast", "no_omit"]);
+        }
+        if !uses(|used| used.depth) {
+            hidden.push("depth");
+        }
+        if !uses(|used| used.file) {
+            hidden.push("open");
+        }
+        let hide = |command: clap::Command| {
+            command.mut_args(|argument| {
+                let is_hidden = hidden.contains(&argument.get_id().as_str());
+                argument.hide(is_hidden)
+            })
+        };
+        hide(Self::command())
+            .name(stage.name)
+            .about(stage.about)
+            .after_help(examples(stage.name, &stage.scenes, is_sampled))
+            .mut_subcommands(hide)
+    }
+}
+
+/// Command lines of a program, which has the name of its stage.
+fn examples(program: &str, scenes: &[Scene], is_sampled: bool) -> String {
+    let name = |scene: Option<&Scene>| scene.map_or("SCENE", |scene| scene.name);
+    let (first, last) = (name(scenes.first()), name(scenes.last()));
+    let samples = if is_sampled { " --samples 16" } else { "" };
+    format!(
+        "Examples:\n  \
+         {program} show {last}{samples}\n  \
+         {program} render {first} --size 1280x960 -o picture.png\n  \
+         {program} render --all -o pictures\n  \
+         {program} report --quick"
+    )
 }

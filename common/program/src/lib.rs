@@ -13,7 +13,6 @@ mod named;
 mod options;
 mod print;
 mod render;
-#[cfg(feature = "report")]
 mod report;
 mod run;
 mod show;

@@ -14,29 +14,30 @@ pub struct Options {
     size: Option<Size>,
 
     /// Samples per pixel [default: the scene's]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     samples: Option<u32>,
 
     /// Where samples lie [default: center for one sample, else stratified]
     #[arg(long, value_name = "HOW", value_parser = by_name::<Sampling>())]
     sampling: Option<Sampling>,
 
-    /// Take samples where they are needed, until the picture's root mean square
-    /// error is estimated to be at most this, such as 1/510; of a pixel at most
-    /// the --samples [default: 1024]
-    #[arg(long, value_name = "E", value_parser = error_bound, conflicts_with = "sampling")]
+    /// Take samples where they are needed, until new samples show with 95 % confidence
+    /// that the picture's root mean square error is at most this, such as 1/510; of a
+    /// pixel at most the --samples [default: 1024], but at least 4. Not promised: the
+    /// error of any single pixel
+    #[arg(long, value_name = "E", allow_negative_numbers = true, value_parser = error_bound, conflicts_with = "sampling")]
     max_error: Option<f64>,
 
     /// Selects the random numbers [default: 0]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     seed: Option<u64>,
 
-    /// How many surfaces a ray may meet, 1 showing no reflection [default: the scene's]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    /// Surfaces that a ray may hit in turn; 1 shows no reflection [default: the scene's]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..))]
     depth: Option<u32>,
 
-    /// Threads to render with [default: one a core]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    /// Threads to render with [default: one for each core]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 
     /// Curve between light and the values in the file
@@ -135,15 +136,19 @@ impl Options {
         })
     }
 
-    /// The flags that were given although they do not change this scene.
-    pub fn unused(&self, uses: UsedSettings) -> Vec<&'static str> {
+    /// The flags that were given although they do not change the picture of a scene
+    /// that uses these settings.
+    pub fn unused(&self, uses: UsedSettings, settings: &Settings) -> Vec<&'static str> {
         let sampling = !uses.sampling;
+        let is_random = settings.sampling.is_random() || settings.max_error.is_some();
         [
             ("--size", self.size.is_some() && !uses.size),
             ("--samples", self.samples.is_some() && sampling),
             ("--sampling", self.sampling.is_some() && sampling),
             ("--max-error", self.max_error.is_some() && sampling),
-            ("--seed", self.seed.is_some() && sampling),
+            ("--seed", self.seed.is_some() && (sampling || !is_random)),
+            ("--fast", self.fast && sampling),
+            ("--no-omit", self.no_omit && sampling),
             ("--depth", self.depth.is_some() && !uses.depth),
             ("--open", self.open.is_some() && !uses.file),
         ]

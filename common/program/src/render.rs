@@ -31,7 +31,7 @@ pub fn render_to_files(
         target.check(stage, scene)?;
     }
     for scene in scenes {
-        warn_unused(scene, options);
+        warn_unused(scene, options, &options.settings(scene)?);
         let start = Instant::now();
         let (path, size) = if explained {
             let image = explain(scene, options)?;
@@ -108,7 +108,10 @@ fn render_in_bands(
     if let Some(samples) = samples {
         warn(&format!("note: {}: {samples}", scene.name));
         if samples.misses(settings.max_error) {
-            warn("note: the error is larger than --max-error; more --samples may reduce it");
+            warn(
+                "warning: the error may be larger than --max-error; with more --samples it may \
+                 be promised",
+            );
         }
     }
     Ok((path, size, bad))
@@ -123,8 +126,8 @@ fn bands(size: Size, most_pixels: u32) -> impl Iterator<Item = Range<u32>> {
 }
 
 /// Prints a note for each flag that does not change this scene.
-pub fn warn_unused(scene: &Scene, options: &Options) {
-    for flag in options.unused(scene.uses) {
+pub fn warn_unused(scene: &Scene, options: &Options, settings: &Settings) {
+    for flag in options.unused(scene.uses, settings) {
         warn(&format!("note: {flag} changes nothing in {}", scene.name));
     }
 }

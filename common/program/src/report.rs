@@ -93,7 +93,7 @@ mod tests {
     use std::ffi::OsString;
 
     use common::{Image, Scene};
-    use measure::experiment::{Axis, Curve, Point};
+    use measure::experiment::{Axis, Curve, Point, Unit};
 
     use super::*;
 
@@ -104,6 +104,9 @@ mod tests {
             knob: "n",
             work: "steps",
             error: "",
+            unit: Unit::Light,
+            exact: "",
+            seeds: &[],
             against: Axis::Work,
             curves: Box::new(|_| {
                 vec![Curve {
@@ -153,13 +156,7 @@ mod tests {
         let files = output.read_dir().unwrap();
         let mut files: Vec<_> = files.map(|file| file.unwrap().file_name()).collect();
         files.sort();
-        let endings = [
-            "-time-dark.svg",
-            "-time-light.svg",
-            "-work-dark.svg",
-            "-work-light.svg",
-            ".csv",
-        ];
+        let endings = [".csv", ".svg"];
         assert_eq!(
             files,
             endings.map(|ending| OsString::from(format!("a00-two{ending}")))

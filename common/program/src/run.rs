@@ -3,7 +3,8 @@
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::{CommandFactory, FromArgMatches};
+use clap::FromArgMatches;
+use clap::error::{ContextKind, ContextValue};
 use common::{Error, Scene};
 use measure::Stage;
 
@@ -28,13 +29,19 @@ pub fn run_with(
     viewer: Option<&dyn Viewer>,
     arguments: impl IntoIterator<Item = OsString>,
 ) -> ExitCode {
-    let grammar = CommandLine::command().name(stage.name).about(stage.about);
-    let parsed = grammar
+    let parsed = CommandLine::of(stage)
         .try_get_matches_from(arguments)
         .and_then(|matches| CommandLine::from_arg_matches(&matches));
     let outcome = match parsed {
         Ok(line) => execute(stage, viewer, line),
         Err(help_or_error) => {
+            if let Some(scene) = scene_as_command(stage, &help_or_error) {
+                let (stage, scene) = (stage.name, scene.name);
+                warn(&format!(
+                    "error: {scene} is a scene of {stage}, not a command; try: show {scene}"
+                ));
+                return ExitCode::from(2);
+            }
             // A closed pipe is no error.
             let _ = help_or_error.print();
             return ExitCode::from(u8::from(help_or_error.use_stderr()) * 2);
@@ -47,6 +54,16 @@ pub fn run_with(
             ExitCode::from(error.exit_code())
         }
     }
+}
+
+/// The scene that stands in the place of a command.
+fn scene_as_command<'a>(stage: &'a Stage, error: &clap::Error) -> Option<&'a Scene> {
+    [ContextKind::InvalidSubcommand, ContextKind::InvalidArg]
+        .into_iter()
+        .find_map(|kind| match error.get(kind) {
+            Some(ContextValue::String(word)) => stage.scenes.iter().find(|s| s.name == word),
+            _ => None,
+        })
 }
 
 fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Result<(), Error> {
@@ -74,16 +91,11 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
             };
             render::render_to_files(stage, &scenes, output, explain, &options)
         }
-        #[cfg(feature = "report")]
         Some(Command::Report {
             names,
             quick,
             output,
         }) => crate::report::report(stage, &names, quick, output),
-        #[cfg(not(feature = "report"))]
-        Some(Command::Report { .. }) => Err(Error::Usage(
-            "this build has no reports; the feature `report` brings them".to_owned(),
-        )),
         Some(Command::Extremes { names }) => extremes::show_extremes(stage, &names),
     }
 }

@@ -22,7 +22,7 @@ pub fn show(
     if !showing.no_window {
         Image::check_size(settings.size)?;
     }
-    warn_unused(scene, options);
+    warn_unused(scene, options, &settings);
     if !showing.no_window {
         let mut gallery = Gallery::new(stage, scene, options.clone());
         let shown = match viewer {
@@ -40,8 +40,9 @@ pub fn show(
     if scene.uses.file && options.open.is_none() {
         warn("note: this is the picture of the program; --open FILE shows one of yours");
     }
-    Target::Default.check(stage, scene)?;
-    let (path, size) = render_to_file(stage, scene, &Target::Default, options)?;
+    let target = Target::default();
+    target.check(stage, scene)?;
+    let (path, size) = render_to_file(stage, scene, &target, options)?;
     print(&format!("{}  {size}", path.display()));
     Ok(())
 }

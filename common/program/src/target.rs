@@ -1,9 +1,9 @@
 //! `Target`: where pictures are written.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use common::atomic_file;
-use common::{Error, Scene, Size, picture_file};
+use common::{Error, Scene, Size, atomic_file, picture_file};
 use measure::Stage;
 
 /// The folder for pictures, below the current one.
@@ -11,51 +11,53 @@ const DEFAULT_FOLDER: &str = "out";
 
 /// Where pictures are written.
 pub enum Target {
-    /// `out/`, which is made if it is missing.
-    Default,
+    /// A folder, which is made if it is missing.
     Folder(PathBuf),
+    /// A PNG file, for one picture.
     File(PathBuf),
 }
 
+impl Default for Target {
+    fn default() -> Self {
+        Self::Folder(DEFAULT_FOLDER.into())
+    }
+}
+
 impl Target {
-    /// Reads the argument of `-o`, for this many pictures.
+    /// Reads the argument of `-o`, for this many pictures: a name that ends in `.png`
+    /// is a file, and any other name without an ending is a folder.
     pub fn new(output: Option<PathBuf>, pictures: usize) -> Result<Self, Error> {
         let Some(path) = output else {
-            return Ok(Self::Default);
+            return Ok(Self::default());
         };
-        let is_png = |end: &std::ffi::OsStr| end.eq_ignore_ascii_case("png");
-        if path.is_dir() {
-            Ok(Self::Folder(path))
-        } else if !path.extension().is_some_and(is_png) {
-            Err(Error::Usage(format!(
-                "-o {} must be a folder that exists or the name of a PNG file, ending in .png",
+        let is_png = |end: &OsStr| end.eq_ignore_ascii_case("png");
+        match path.extension() {
+            _ if path.is_dir() => Ok(Self::Folder(path)),
+            None => Ok(Self::Folder(path)),
+            Some(end) if !is_png(end) => Err(Error::Usage(format!(
+                "-o {} must be a folder or the name of a PNG file, ending in .png",
                 path.display()
-            )))
-        } else if pictures > 1 {
-            Err(Error::Usage(format!(
+            ))),
+            Some(_) if pictures > 1 => Err(Error::Usage(format!(
                 "-o {} has room for one picture, not {pictures}; give a folder",
                 path.display()
-            )))
-        } else {
-            Ok(Self::File(path))
+            ))),
+            Some(_) => Ok(Self::File(path)),
         }
     }
 
     fn path(&self, stage: &Stage, scene: &Scene) -> PathBuf {
-        let name = picture_name(stage, scene);
         match self {
-            Self::Default => Path::new(DEFAULT_FOLDER).join(name),
-            Self::Folder(folder) => folder.join(name),
+            Self::Folder(folder) => folder.join(picture_name(stage, scene)),
             Self::File(path) => path.clone(),
         }
     }
 
     /// An error if the picture of `scene` cannot be written.
     pub fn check(&self, stage: &Stage, scene: &Scene) -> Result<(), Error> {
-        let folder = Path::new(DEFAULT_FOLDER);
         match self {
             // A folder can be made wherever a file can.
-            Self::Default if !folder.exists() => {
+            Self::Folder(folder) if !folder.exists() => {
                 let checked = atomic_file::check_writable(folder);
                 // Another program may have made the folder meanwhile.
                 checked.or_else(|error| if folder.is_dir() { Ok(()) } else { Err(error) })
@@ -73,10 +75,10 @@ impl Target {
         size: Size,
         bands: impl IntoIterator<Item = Result<Vec<u8>, Error>>,
     ) -> Result<PathBuf, Error> {
-        let path = self.path(stage, scene);
-        if matches!(self, Self::Default) {
-            make_default_folder()?;
+        if let Self::Folder(folder) = self {
+            make_folder(folder)?;
         }
+        let path = self.path(stage, scene);
         picture_file::save_png_in_bands(&path, size, bands)?;
         Ok(path)
     }
@@ -141,6 +143,7 @@ mod tests {
         assert!(matches!(named("a.PNG", 1), Ok(Target::File(_))));
         assert!(named("a.png", 2).is_err() && named("a.jpg", 1).is_err());
         assert!(matches!(named(".", 2), Ok(Target::Folder(_))));
-        assert!(matches!(Target::new(None, 2), Ok(Target::Default)));
+        assert!(matches!(named("missing", 2), Ok(Target::Folder(_))));
+        assert!(matches!(Target::new(None, 2), Ok(Target::Folder(_))));
     }
 }

@@ -74,7 +74,10 @@ mod tests {
         pixels: 2,
         samples: 8,
         most: 5,
+        audited: 1,
         squared_error: 0.5,
+        variance: 0.25,
+        unseen: 0.125,
     };
 
     #[test]

@@ -1,110 +1,159 @@
-//! Exercises: starters that students complete, checks that show their progress, and
-//! solutions that prove the checks.
+//! Exercises: starters that students complete, checks that judge their code, solutions
+//! and usual mistakes that prove the checks.
 //!
 //! # How to add an exercise
 //!
-//! 1. Write the solution, `exercises/solutions/NAME.rs`: what the student is to
-//!    write stands between `// exercise` and `// instead`; the lines from there
-//!    to `// end` are comments and become code in the starter. They call
-//!    [`missing`].
+//! 1. Write the starter, `exercises/starters/NAME.rs`: it compiles, and calls
+//!    [`missing`] in the place of the code that is left to the student. `cargo learn`
+//!    copies it to `exercises/NAME.rs`, which no commit of the workbook contains.
 //!
 //!    ```ignore
 //!    pub fn square(x: f64) -> f64 {
-//!        // exercise
-//!        x * x
-//!        // instead
-//!        // testing::missing("the square of x", 0.0)
-//!        // end
+//!        testing::missing("the square of x", 0.0)
 //!    }
 //!    ```
-//! 2. Copy it to `exercises/NAME.rs`, which the student edits.
-//! 3. Write the check, `tests/exercises/NAME.rs`. It takes what the student
-//!    writes as an argument, so that the same check judges starter and solution:
+//! 2. Write the solution, `exercises/solutions/NAME.rs`. On the core path, where the
+//!    student writes a part of the lesson, it is a `pub use` of the lesson's type, or a
+//!    function that calls the lesson.
+//! 3. Write the check, `tests/exercises/NAME.rs`. It takes the student's code as an
+//!    argument. Expected values come from closed forms, never from the solution.
 //!
 //!    ```ignore
 //!    pub fn check(check: &mut Check, square: impl Fn(f64) -> f64) {
 //!        check.expect("the square of -3", 9.0, Bound::Equal, square(-3.0));
 //!    }
 //!    ```
-//! 4. Name all three in `tests/exercises/main.rs`: a `mod` each for check, starter
-//!    and solution, and a line in [`exercises!`](crate::exercises).
-//! 5. Give it a section in the book's page, `aNN-exercises.md`, with a hint. If
-//!    its check makes a picture, `-- --solutions NAME` leaves that of the solution
-//!    in `out/exercises/`; the book shows it as `pictures/STAGE-exercise-NAME.png`.
-//! 6. Make the starter from the solution, and prove it both ways:
+//! 4. Write the usual mistakes, `tests/exercises/wrong/NAME.rs`: at least three
+//!    solutions, as short as can be, that the check must refuse with a message
+//!    that helps.
+//!
+//!    ```ignore
+//!    pub const WRONG: &[Wrong] = &[
+//!        Wrong {
+//!            mistake: "twice instead of squared",
+//!            says: "the square of -3: expected 9, got -6",
+//!            check: |check| square::check(check, |x| 2.0 * x),
+//!        },
+//!    ];
+//!    ```
+//! 5. Add a line to [`exercises!`](crate::exercises) in `tests/exercises/main.rs`.
+//! 6. Give it a section in the book's page, `book/src/aNN-exercises.md`: task, minutes
+//!    and hints, which `cargo learn` shows, too.
+//! 7. Prove it:
 //!
 //!    ```console
-//!    $ cargo test -p STAGE --test exercises -- --write-starters NAME
-//!    $ cargo test -p STAGE --test exercises -- --starters
-//!    $ cargo test -p STAGE --test exercises -- --solutions
+//!    $ cargo test -p STAGE --test exercises -- NAME
+//!    $ cargo learn starters
 //!    ```
 //!
-//! Expected values come from closed forms, never from the solution.
+//!    The first shows the messages that students read, and leaves the picture of the
+//!    solution in `out/exercises/`; the book has it as
+//!    `pictures/STAGE-exercise-NAME.png`.
 
 mod check;
-mod page;
-mod runner;
-mod starter;
-mod task;
+mod locked;
+mod prove;
+mod random;
+mod yours;
 
 pub use check::{Check, missing};
-pub use runner::run;
+pub use prove::prove;
+pub use random::Random;
+pub use yours::judge;
 
-/// The stage that sets the exercises; [`exercises!`](crate::exercises) fills it in.
-pub struct Stage {
-    /// The crate's name.
-    pub name: &'static str,
-    /// The crate's folder.
-    pub folder: &'static str,
-}
-
-/// An exercise; [`exercises!`](crate::exercises) makes it.
+/// An exercise with the proofs of its check; [`exercises!`](crate::exercises) makes it.
 pub struct Exercise {
     /// The name of its files, without `.rs`.
     pub name: &'static str,
-    /// The heading of its section in the book.
-    pub title: &'static str,
-    /// How long it takes.
-    pub minutes: u32,
-    /// The check of what the student edits.
-    pub starter: fn(&mut Check),
-    /// The same check of the solution.
+    /// The check of the solution.
     pub solution: fn(&mut Check),
+    /// Usual wrong solutions, at least three.
+    pub wrong: &'static [Wrong],
 }
 
-/// Writes the `main` of a stage's `tests/exercises/main.rs`, where the modules
-/// `starters` and `solutions` hold the files. A line is name, title, minutes
-/// and a check, which sees the public items of the exercise's file.
+/// A usual wrong solution, which the check must refuse.
+pub struct Wrong {
+    /// The mistake in a few words.
+    pub mistake: &'static str,
+    /// The part of a message that helps a student to find the mistake.
+    pub says: &'static str,
+    /// The check of the wrong solution.
+    pub check: fn(&mut Check),
+}
+
+/// Writes the modules and the `main` of a stage's `tests/exercises/main.rs`. A line is
+/// the name of an exercise and a check, which sees the public items of its file.
 ///
 /// ```ignore
 /// testing::exercises! {
-///     square, "The square", 10 => |check| square::check(check, square);
+///     square => |check| square::check(check, square);
 /// }
 /// ```
+///
+/// The test proves all checks, and does not read the students' files: a file that does
+/// not compile fails no test. `cargo learn` builds the test program with the
+/// configurations `learn` and `NAME` instead, and such a program judges the student's
+/// file of that name; with `starters`, the starter.
 #[macro_export]
 macro_rules! exercises {
-    ($($name:ident, $title:literal, $minutes:literal => $check:expr;)+) => {
+    ($($name:ident => $check:expr;)+) => {
+        $(
+            #[cfg(any(not(learn), $name))]
+            mod $name;
+        )+
+
+        /// The students' files, which rust-analyzer reads, too.
+        #[cfg(any(learn, rust_analyzer))]
+        #[cfg_attr(starters, path = "../../exercises/starters")]
+        #[cfg_attr(not(starters), path = "../../exercises")]
+        #[allow(clippy::all, clippy::pedantic, missing_docs)]
+        mod yours {
+            $(
+                #[cfg(any($name, rust_analyzer))]
+                pub mod $name;
+            )+
+        }
+
+        #[cfg(not(learn))]
+        #[path = "../../exercises/solutions"]
+        mod solutions {
+            $(pub mod $name;)+
+        }
+
+        #[cfg(not(learn))]
+        mod wrong {
+            $(pub mod $name;)+
+        }
+
+        #[cfg(learn)]
         fn main() -> std::process::ExitCode {
-            let stage = $crate::exercise::Stage {
-                name: env!("CARGO_PKG_NAME"),
-                folder: env!("CARGO_MANIFEST_DIR"),
-            };
+            $(
+                #[cfg($name)]
+                if std::env::args().any(|name| name == stringify!($name)) {
+                    use yours::$name::*;
+                    return $crate::exercise::judge(
+                        env!("CARGO_PKG_NAME"),
+                        stringify!($name),
+                        $check,
+                    );
+                }
+            )+
+            panic!("no exercise is named");
+        }
+
+        #[cfg(not(learn))]
+        fn main() -> std::process::ExitCode {
             let exercises = [$(
                 $crate::exercise::Exercise {
                     name: stringify!($name),
-                    title: $title,
-                    minutes: $minutes,
-                    starter: {
-                        use starters::$name::*;
-                        $check
-                    },
                     solution: {
                         use solutions::$name::*;
                         $check
                     },
+                    wrong: wrong::$name::WRONG,
                 }
             ),+];
-            $crate::exercise::run(&stage, &exercises)
+            $crate::exercise::prove(env!("CARGO_PKG_NAME"), &exercises)
         }
     };
 }

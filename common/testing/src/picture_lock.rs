@@ -18,8 +18,10 @@ use measure::Stage;
 use program::picture_name;
 
 use description::describe;
-use difference::{compare, leave_pictures};
+use difference::compare;
 
+pub(crate) use description::hash;
+pub(crate) use difference::leave_pictures;
 pub use invariance::{check_narrow_sizes, check_omissions, check_rows, check_threads};
 pub use left_out::check_book;
 pub use program_run::check_program;
@@ -152,7 +154,8 @@ fn headline(scene: &Scene, renderer: Renderer) -> String {
     }
 }
 
-fn compare_with_file(expected: &Path, image: &Image) -> Result<(), String> {
+/// Compares a picture with that of a file.
+pub(crate) fn compare_with_file(expected: &Path, image: &Image) -> Result<(), String> {
     picture_file::open(expected)
         .map_err(|error| error.to_string())
         .and_then(|stored| compare(&stored, image))

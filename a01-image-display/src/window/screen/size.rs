@@ -11,7 +11,7 @@ const LARGEST: (f64, f64) = (1280.0, 720.0);
 const SMALLEST: (f64, f64) = (240.0, 120.0);
 
 /// The picture's width and height and the menu bar, shrunk where a side is too
-/// long for the screen; never smaller than what a person can handle.
+/// long for the screen, but never too small to use.
 pub(super) fn window_size(picture: Size) -> (usize, usize) {
     let (width, height) = (f64::from(picture.width()), f64::from(picture.height()));
     let fit = (LARGEST.0 / width).min(LARGEST.1 / height).min(1.0);

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
 
 use super::exact::{WholeNumbers, sum_of_products};
 use crate::lab::protocol;
@@ -62,10 +62,13 @@ pub fn experiment() -> Experiment<'static> {
     };
     Experiment {
         name: "angle",
-        about: "which formula sees small angles?",
-        knob: "1/tangent",
+        about: "Which formula sees small angles?",
+        knob: "1 / tangent",
         work: "angles",
-        error: "of the angle, in shares of it; where there is none, 1",
+        error: "rms error of the angle",
+        unit: Unit::Other("share of the angle"),
+        exact: "against the angle by construction; where there is none, the error is 1",
+        seeds: &[1],
         against: Axis::Knob,
         curves: Box::new(curves),
     }

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point};
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 use super::exact::WholeNumbers;
 use crate::Vector3;
@@ -47,10 +47,13 @@ pub fn experiment() -> Experiment<'static> {
     };
     Experiment {
         name: "normalise",
-        about: "how short may a vector be?",
-        knob: "halvings",
+        about: "How short may a vector be?",
+        knob: "halvings of the vector",
         work: "vectors",
-        error: "of the direction, by coordinate; where there is none, 1",
+        error: "rms error of a coordinate of the direction",
+        unit: Unit::Other("length = 1"),
+        exact: "against a quotient of whole numbers; where there is no direction, the error is 1",
+        seeds: &[2],
         against: Axis::Knob,
         curves: Box::new(curves),
     }

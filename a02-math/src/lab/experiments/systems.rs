@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
 
 use super::exact::{WholeNumbers, sum_of_products};
 use crate::lab::protocol;
@@ -91,10 +91,13 @@ pub fn experiment() -> Experiment<'static> {
     };
     Experiment {
         name: "linear-systems",
-        about: "how flat may three columns be?",
-        knob: "condition",
+        about: "How flat may three columns be?",
+        knob: "condition number",
         work: "systems",
-        error: "of an unknown, all of them being -1, 1 or 3",
+        error: "rms error of an unknown",
+        unit: Unit::Other("its value is -1, 1 or 3"),
+        exact: "against the solution that the right side was computed from",
+        seeds: &[3],
         against: Axis::Knob,
         curves: Box::new(curves),
     }

@@ -6,7 +6,7 @@ use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Color, Error, Image, Sampled, Sampling, Settings, Size};
 use engine::adaptive;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Slope};
+use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Slope, Unit};
 
 use super::coverage::{DISC, disc_coverage};
 use crate::{Camera, Ray, render};
@@ -37,12 +37,13 @@ fn with_samples_everywhere(settings: &Settings) -> Result<Image, Error> {
     render(&Places, light, settings, &())
 }
 
-/// A picture of the disc, the number of its samples, and its estimated error.
+/// A picture of the disc, the number of its samples, and the largest error that its check
+/// leaves possible.
 fn with_max_error(max_error: f64, settings: &Settings) -> Option<(Image, f64, f64)> {
     let sampled = Mutex::new(Sampled::default());
     let image = adaptive::render_image(max_error, disc, settings, &sampled).ok()?;
     let sampled = sampled.into_inner().ok()?;
-    Some((image, sampled.samples as f64, sampled.error()))
+    Some((image, sampled.samples as f64, sampled.error()[1]))
 }
 
 fn errors(image: &Image) -> impl Iterator<Item = f64> {
@@ -65,19 +66,18 @@ fn stratified(settings: &Settings, side: u32) -> Option<Point<'static>> {
     Some(Point::new(samples, samples, errors(&image), run))
 }
 
-fn adaptive(settings: &Settings, max_error: f64, as_estimated: bool) -> Option<Point<'static>> {
+fn adaptive(settings: &Settings, max_error: f64, as_promised: bool) -> Option<Point<'static>> {
     let settings = Settings {
         samples: 1 << 16,
         ..settings.clone()
     };
-    let (image, samples, estimate) = with_max_error(max_error, &settings)?;
-    let errors: Vec<_> = if as_estimated {
-        vec![estimate]
-    } else {
-        errors(&image).collect()
-    };
+    let (image, samples, largest) = with_max_error(max_error, &settings)?;
     let run = move || with_max_error(max_error, &settings).map_or(0.0, |(_, samples, _)| samples);
-    Some(Point::new(samples, samples, errors, run))
+    Some(if as_promised {
+        Point::estimate(samples, samples, largest, run)
+    } else {
+        Point::new(samples, samples, errors(&image), run)
+    })
 }
 
 fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
@@ -88,10 +88,10 @@ fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
     let sides = &[1, 2, 4, 8, 16, 32, 64][..effort.choose(5, 7)];
     let bounds = [16.0, 8.0, 4.0, 2.0, 1.0, 0.5, 0.25].map(|levels| levels * HALF_GREY_LEVEL);
     let bounds = &bounds[..effort.choose(6, 7)];
-    let adaptive = |as_estimated: bool| {
+    let adaptive = |as_promised: bool| {
         let points = bounds.iter();
         points
-            .filter_map(|max_error| adaptive(&settings, *max_error, as_estimated))
+            .filter_map(|max_error| adaptive(&settings, *max_error, as_promised))
             .collect()
     };
     Ok(vec![
@@ -116,8 +116,8 @@ fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
             points: adaptive(false),
         },
         Curve {
-            method: "adaptive, as estimated",
-            remark: "the renderer's own estimate; it should be the greater one",
+            method: "adaptive, as promised",
+            remark: "the largest error that the renderer's check leaves possible, with 95 % confidence",
             slope: None,
             points: adaptive(true),
         },
@@ -127,10 +127,13 @@ fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
 pub fn experiment() -> Experiment<'static> {
     Experiment {
         name: "samples-adaptive",
-        about: "what does an error cost if samples are taken only where they are needed?",
+        about: "What does an error cost if samples are taken only where they are needed?",
         knob: "samples",
         work: "rays",
-        error: "of a pixel of a disc's picture, against its mean in closed form",
+        error: "rms error of a pixel of a disc's picture",
+        unit: Unit::Light,
+        exact: "against the pixel's mean in closed form",
+        seeds: &[0],
         against: Axis::Work,
         curves: Box::new(|effort| curves(effort).unwrap_or_default()),
     }

@@ -1,7 +1,7 @@
 //! The rounding error of the sum over the samples of a pixel.
 
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
 
 /// A sum that keeps the rounding errors in a second number (Neumaier,
 /// Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen, 1974).
@@ -80,10 +80,13 @@ pub fn experiment() -> Experiment<'static> {
     };
     Experiment {
         name: "summation",
-        about: "what does a sum of many samples lose?",
+        about: "What does a sum of many samples lose?",
         knob: "terms",
         work: "additions",
-        error: "of the mean of equal terms from 0 to 1, against the term",
+        error: "rms error of the mean of equal terms",
+        unit: Unit::Other("terms from 1/17 to 16/17"),
+        exact: "against the term",
+        seeds: &[],
         against: Axis::Work,
         curves: Box::new(curves),
     }

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use a02_math::Point3;
 use a03_rays_cameras::Ray;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point};
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 use super::Numbers;
 use crate::lab::protocol::{self, Compared};
@@ -92,11 +92,12 @@ fn curve(
     formula: impl Fn(&Ray) -> Option<f64> + Clone + 'static,
 ) -> Curve<'static> {
     let point = |(before, rays): (usize, &Rc<Vec<Aimed>>)| {
-        let wrong = |aimed: &Aimed| f64::from(u8::from(aimed.is_wrong(formula(&aimed.ray))));
-        let (tests, errors) = (rays.len() as f64, rays.iter().map(wrong));
+        let is_wrong = |aimed: &&Aimed| aimed.is_wrong(formula(&aimed.ray));
+        let tests = rays.len() as f64;
+        let share = rays.iter().filter(is_wrong).count() as f64 / tests;
         let (formula, rays) = (formula.clone(), Rc::clone(rays));
         let run = move || rays.iter().filter_map(|aimed| formula(&aimed.ray)).sum();
-        Point::new((before + 1) as f64, tests, errors, run)
+        Point::new((before + 1) as f64, tests, [share], run)
     };
     Curve {
         method,
@@ -128,10 +129,13 @@ fn curves(effort: Effort) -> Vec<Curve<'static>> {
 pub fn experiment() -> Experiment<'static> {
     Experiment {
         name: "box-aimed",
-        about: "who loses rays at the edges and corners of a box?",
+        about: "Who loses rays at the edges and corners of a box?",
         knob: "faces aimed at",
         work: "tests",
-        error: "1 for each miss or wrong face: rms is the root of the share of wrong answers",
+        error: "share of wrong answers",
+        unit: Unit::Share,
+        exact: "a miss, or a hit elsewhere; aimed at a face, at an edge of two, at a corner of three",
+        seeds: &[21],
         against: Axis::Knob,
         curves: Box::new(curves),
     }

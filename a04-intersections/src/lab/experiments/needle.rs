@@ -5,7 +5,7 @@ use std::rc::Rc;
 use a02_math::{Direction, Point3};
 use a03_rays_cameras::Ray;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
 
 use super::{Numbers, slope};
 use crate::lab::{exact, protocol};
@@ -213,10 +213,13 @@ fn curves(effort: Effort) -> Vec<Curve<'static>> {
 pub fn experiment() -> Experiment<'static> {
     Experiment {
         name: "triangle-needle",
-        about: "how thin may a triangle be?",
-        knob: "aspect ratio",
+        about: "How thin may a triangle be?",
+        knob: "length / height",
         work: "tests",
-        error: "of t, relative, against 30 digits, away from the edges; half of the rays hit",
+        error: "rms error of t",
+        unit: Unit::Other("share of t"),
+        exact: "against 30 digits, away from the edges; half of the rays hit",
+        seeds: &[13, 14],
         against: Axis::Knob,
         curves: Box::new(curves),
     }

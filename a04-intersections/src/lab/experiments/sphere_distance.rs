@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use a02_math::Vector3;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
 
 use super::{Numbers, pair, slope};
 use crate::lab::real::{Real, difference, dot};
@@ -164,10 +164,13 @@ const TOO_EXACT: &str = "not in the renderer: it pays only near a sphere so huge
 pub fn far() -> Experiment<'static> {
     Experiment {
         name: "sphere-far",
-        about: "how far away may a sphere of radius 1 be?",
-        knob: "distance",
+        about: "How far away may a sphere of radius 1 be?",
+        knob: "distance (radii)",
         work: "rays",
-        error: "of t in radii, against 30 digits; a miss counts as 1; seven of ten rays hit",
+        error: "rms error of t",
+        unit: Unit::Other("radii"),
+        exact: "against 30 digits; a miss counts as 1; seven of ten rays hit",
+        seeds: &[11],
         against: Axis::Knob,
         curves: Box::new(|effort| {
             let doubles = views::<f64>(view_from, 10, effort);
@@ -206,10 +209,13 @@ pub fn far() -> Experiment<'static> {
 pub fn near() -> Experiment<'static> {
     Experiment {
         name: "sphere-near",
-        about: "how large may a sphere be whose surface is near the eye?",
-        knob: "radius",
+        about: "How large may a sphere be whose surface is near the eye?",
+        knob: "radius (eye heights)",
         work: "rays",
-        error: "of t in heights of the eye, against 30 digits; three of four rays hit",
+        error: "rms error of t",
+        unit: Unit::Other("heights of the eye"),
+        exact: "against 30 digits; three of four rays hit",
+        seeds: &[12],
         against: Axis::Knob,
         curves: Box::new(|effort| {
             let doubles = views::<f64>(view_of_ground, 10, effort);

@@ -7,7 +7,7 @@ use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use common::{ArgumentError, Color};
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
 
 use super::icosphere::Mesh;
 use super::slope;
@@ -180,11 +180,13 @@ fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
 pub fn experiment() -> Experiment<'static> {
     Experiment {
         name: "sphere-mesh",
-        about: "how many triangles make a sphere?",
+        about: "How many triangles make a sphere?",
         knob: "objects",
         work: "tests",
-        error: "in radii, of cos for Lambert lit from the eye, as a share of the area for the \
-                silhouette; against the sphere's closed forms",
+        error: "rms error of depth, Lambert or area",
+        unit: Unit::Other("radii, white = 1, or all = 1"),
+        exact: "against the sphere's closed forms; Lambert is lit from the eye, the silhouette is an area",
+        seeds: &[],
         against: Axis::Work,
         // The arguments are constants that the constructors accept.
         curves: Box::new(|effort| curves(effort).unwrap_or_default()),

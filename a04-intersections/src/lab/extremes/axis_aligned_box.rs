@@ -34,7 +34,7 @@ fn case(
     Case::new(id, what, exact, bound, ours(corners, line)).protocol(says, theirs)
 }
 
-/// Naive slabs instead of the protocol's planes: wrong in every such row.
+/// Naive slabs instead of the protocol's planes: wrong in every row that uses them.
 fn naive(
     id: &'static str,
     what: &str,

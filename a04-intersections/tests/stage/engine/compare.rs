@@ -1,28 +1,18 @@
-//! Compares the hits of the engine with those of the lesson's list, bit by bit.
+//! Compares the hits of the engine with the hits of the lesson's list, bit by bit.
 
 use a02_math::{Normal3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::fast::{add_objects, shapes};
 use a04_intersections::{Hit, Interval, World};
 use common::{Color, Settings};
-use engine::{Camera, Light, LightKind, RayBundle, Renderer, Scene, Shading, Surface};
+use engine::{Camera, Renderer, Scene, Shading, Surface};
 
-/// A world prepared by the engine for rays of these bundles.
-pub fn prepared<'a>(world: &'a World<usize>, bundles: &[RayBundle]) -> Renderer<'a> {
+/// A world prepared by the engine.
+pub fn prepared(world: &World<usize>) -> Renderer<'_> {
     let mut scene = Scene::new(Color::BLACK, Color::BLACK, 1);
     add_objects(&mut scene, world, shapes, |_| {
         Surface::matt(Shading::SingleColor(Color::BLACK))
     });
-    for bundle in bundles {
-        let color = Color::WHITE;
-        scene.add_light(Light {
-            kind: match *bundle {
-                RayBundle::Through(position) => LightKind::Point { color, position },
-                RayBundle::Parallel(direction) => LightKind::Directional { color, direction },
-            },
-            casts_shadows: true,
-        });
-    }
     let camera = Camera::Other(Box::new(|_, _, _| engine::Ray {
         origin: [0.0; 3].into(),
         direction: [1.0, 0.0, 0.0].into(),
@@ -54,7 +44,7 @@ const fn interval(within: Interval) -> engine::Interval {
     engine::Interval { min, max }
 }
 
-/// Compares the hits of those of four rays whose bits are set in `active`.
+/// Compares the hits of four rays, of the ones whose bits are set in `active`.
 pub fn compare_four(
     world: &World<usize>,
     engine: &Renderer,
@@ -101,15 +91,13 @@ pub fn compare(world: &World<usize>, engine: &Renderer, rays: &[(Ray, Interval)]
             compare_four(world, engine, four, 0b1111);
         }
     }
+    // Rays that differ little are followed together.
+    for (i, (ray, within)) in rays.iter().enumerate() {
+        let aside = |k: i32| Vector3::new(1e-3, -2e-4, 3e-4) * f64::from(k);
+        let near =
+            [0, 1, 2, 3].map(|k| Ray::new(ray.origin(), ray.direction() + aside(k)).unwrap());
+        let near = near.map(|ray| (ray, *within));
+        compare_four(world, engine, near.each_ref(), 1 + i as u32 % 15);
+    }
     hits
-}
-
-/// The bundle of rays through a point.
-pub fn through(point: a02_math::Point3) -> RayBundle {
-    RayBundle::Through(point.to_glam())
-}
-
-/// The bundle of rays parallel to a direction.
-pub fn parallel(direction: Vector3) -> RayBundle {
-    RayBundle::Parallel(direction.to_glam())
 }

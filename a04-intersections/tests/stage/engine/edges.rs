@@ -6,7 +6,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::{AxisAlignedBox, Geometry, Interval, Sphere, Triangle, World};
 use common::Color;
 
-use super::compare::{compare, compare_four, prepared, through};
+use super::compare::{compare, compare_four, prepared};
 use super::scenes::Numbers;
 
 #[test]
@@ -23,7 +23,7 @@ fn rays_that_just_touch_are_decided_as_in_the_list() {
     let eye = Point3::new(4.0, 3.0, 5.0);
     let shapes = spheres.iter().map(|(c, r)| Sphere::new(*c, *r).unwrap());
     let world = list(&shapes.collect::<Vec<_>>());
-    let engine = prepared(&world, &[through(eye)]);
+    let engine = prepared(&world);
     let mut rays = Vec::new();
     for (c, r) in &spheres {
         for _ in 0..40 {
@@ -73,7 +73,7 @@ fn spheres_a_few_units_of_rounding_wide_are_met_as_in_the_list() {
             })
             .collect();
         let world = list(&spheres);
-        let engine = prepared(&world, &[]);
+        let engine = prepared(&world);
         let rays: Vec<_> = (0..400)
             .map(|_| towards(point(200.0), point(50.0)))
             .collect();
@@ -95,7 +95,7 @@ fn four_rays_pass_a_sphere_by_next_to_nothing_as_one_does() {
             let Some(aside) = (c - from).cross(numbers.vector()).normalized() else {
                 continue;
             };
-            // Beside the sphere by so much of the radius; or from its surface outwards,
+            // Beside the sphere by this share of the radius; or from its surface outwards,
             // inwards or along it.
             let off = [0.0, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-3][i / 3 % 8];
             let (from, to) = match i % 3 {
@@ -106,7 +106,7 @@ fn four_rays_pass_a_sphere_by_next_to_nothing_as_one_does() {
             let at = |v: Vector3| Point3::ORIGIN + v * size;
             let sphere = Sphere::new(at(c), r * size).unwrap();
             let world = list(&[sphere]);
-            let engine = prepared(&world, &[through(Point3::ORIGIN)]);
+            let engine = prepared(&world);
             let ray = Ray::new(at(from), to).unwrap();
             let other = Ray::derived(ray.origin(), ray.direction() * (1.0 + numbers.next()));
             for ray in [ray, other] {
@@ -132,7 +132,7 @@ fn towards(from: Point3, to: Point3) -> (Ray, Interval) {
     (Ray::new(from, to - from).unwrap(), Interval::AHEAD)
 }
 
-/// Rounding has such a ray leave a box before it enters it.
+/// By rounding, these rays leave a box before they enter it.
 #[test]
 fn rays_through_edges_are_decided_as_in_the_list() {
     let mut numbers = Numbers::new(8);
@@ -141,7 +141,7 @@ fn rays_through_edges_are_decided_as_in_the_list() {
     let shapes = corners.map(|corner| AxisAlignedBox::new(corner, corner + size).unwrap());
     let eye = Point3::new(4.0, 3.0, 5.0);
     let world = list(&shapes);
-    let engine = prepared(&world, &[through(eye)]);
+    let engine = prepared(&world);
     let mut rays = Vec::new();
     for i in 0..4000 {
         // An edge that can be seen from where all rays come from.
@@ -168,9 +168,8 @@ fn triangles_far_beside_rays_are_met_by_none() {
         ];
         let [a, b, c] = corners;
         let far = 9_007_199_254_740_992.0 * scale;
-        let eye = Point3::ORIGIN + numbers.vector() * far;
         let world = list(&[Triangle::new(a, b, c).unwrap()]);
-        let engine = prepared(&world, &[through(eye)]);
+        let engine = prepared(&world);
         let rays: Vec<_> = (0..40_000)
             .map(|_| {
                 let from = Point3::ORIGIN + numbers.vector() * far;
@@ -188,7 +187,7 @@ fn a_sphere_rounded_to_a_point_is_decided_as_in_the_list() {
     let centre = Point3::new(0.5, 0.25, 0.75);
     let eye = Point3::new(0.5, 0.25, 1e20);
     let world = list(&[Sphere::new(centre, 1.0).unwrap()]);
-    let engine = prepared(&world, &[through(eye)]);
+    let engine = prepared(&world);
     let mut numbers = Numbers::new(11);
     let mut rays = vec![towards(eye, centre); 40];
     for far in [1e14, 1e15, 1e16, 1e17, 1e18, 1e20] {
@@ -205,9 +204,8 @@ fn normals_that_cancel_are_decided_as_in_the_list() {
     let [up, down] = [1.0, -1.0].map(|z| Normal3::new(0.0, 0.0, z));
     let flat = Triangle::new(corner(0.0, 0.0), corner(4.0, 0.0), corner(0.0, 4.0)).unwrap();
     let smooth = flat.with_normals([up, down, up]).unwrap();
-    let eye = Point3::new(2.0, 1.0, 8.0);
     let world = list(&[smooth]);
-    let engine = prepared(&world, &[through(eye)]);
+    let engine = prepared(&world);
     let rays: Vec<_> = (0..400)
         .map(|i| {
             let y = f64::from(i % 8) / 4.0;
@@ -227,9 +225,8 @@ fn spheres_of_all_sizes_are_met_as_in_the_list() {
         Sphere::new(Point3::new(size, 0.0, 0.0), size / 4.0).unwrap()
     };
     let spheres: Vec<_> = (-300..=300).map(sphere).collect();
-    let eye = Point3::new(-1.0, 0.0, 0.0);
     let world = list(&spheres);
-    let engine = prepared(&world, &[through(eye)]);
+    let engine = prepared(&world);
     let ray = |exponent: i32| {
         let (from, to) = (Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
         let before = libm::ldexp(1.0, exponent);
@@ -258,22 +255,21 @@ fn of_two_at_the_same_place_the_first_of_the_list_counts() {
         .collect();
     for shapes in [[aab(1.0), aab(2.0)], [aab(2.0), aab(1.0)]] {
         let world = list(&shapes);
-        let engine = prepared(&world, &[through(eye)]);
+        let engine = prepared(&world);
         assert_eq!(compare(&world, &engine, &rays), 400);
         let first = |(ray, _): &_| *world.hit(ray, Interval::AHEAD).unwrap().1 == 0;
         assert!(rays.iter().all(first));
     }
 }
 
-/// No cut parts what has its middle in one place.
+/// Shapes with the same middle cannot be divided by a plane.
 #[test]
 fn spheres_in_one_place_are_met_as_in_the_list() {
     let centre = Point3::new(1.0, 2.0, 3.0);
     let sphere = |i: u32| Sphere::new(centre, 1.0 + f64::from(i % 50) / 50.0).unwrap();
     let spheres: Vec<_> = (0..100).map(sphere).collect();
-    let eye = Point3::new(9.0, 8.0, 7.0);
     let world = list(&spheres);
-    let engine = prepared(&world, &[through(eye)]);
+    let engine = prepared(&world);
     let mut numbers = Numbers::new(12);
     let rays: Vec<_> = (0..1000)
         .map(|_| {

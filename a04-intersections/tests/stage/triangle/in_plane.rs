@@ -1,6 +1,6 @@
 //! Rays in the plane of a triangle, up to rounding, that pass beside it.
 
-use a02_math::{Point3, Vector3};
+use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{Geometry, Interval, Triangle};
 
@@ -56,6 +56,44 @@ fn rays_in_the_plane_beside_a_triangle_miss_it() {
             return;
         }
     }
+}
+
+/// Seen along its plane a triangle has no area, so that a ray may hit or miss it. A ray
+/// along an edge hits nothing but the edge, and one through a corner nothing before or
+/// behind all corners, to the rounding of depths below 64.
+#[test]
+fn rays_in_the_plane_hit_edges_and_corners_where_they_are() {
+    const ROUNDING: f64 = 64.0 * 16.0 * f64::EPSILON;
+    let mut hits = [0, 0];
+    for n in 0..20_000 {
+        let random = PixelRandom::new(42, n, 0);
+        let [a, b, c] = [0, 3, 6].map(|i| Point3::ORIGIN + eighths(random, i));
+        let Ok(triangle) = Triangle::new(a, b, c) else {
+            continue;
+        };
+        let share = f64::from(whole(random, 10)) / 4.0;
+        for (from, to, third) in [(a, b, c), (b, c, a), (c, a, b)] {
+            let along = to - from;
+            let aside = along + (third - from) * share;
+            let rays = [(along, vec![from, to]), (aside, vec![a, b, c])];
+            for ((way, corners), hits) in rays.into_iter().zip(&mut hits) {
+                let eye = from - way * 0.5;
+                let Ok(ray) = Ray::new(eye, way) else {
+                    continue;
+                };
+                let Some(hit) = triangle.hit(&ray, Interval::AHEAD) else {
+                    continue;
+                };
+                let depths = corners.iter().map(|p| (*p - eye).dot(ray.direction()));
+                let ends = (f64::INFINITY, f64::NEG_INFINITY);
+                let (low, high) = depths.fold(ends, |(a, b), t| (a.min(t), b.max(t)));
+                let range = low - ROUNDING..=high + ROUNDING;
+                assert!(range.contains(&hit.t), "{triangle:?} {ray:?}");
+                *hits += 1;
+            }
+        }
+    }
+    assert!(hits.iter().all(|hits| *hits > 1000), "both are tested");
 }
 
 /// Found by an audit: it was hit 1.75 edges beside the triangle.

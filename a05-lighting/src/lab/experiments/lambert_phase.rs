@@ -13,7 +13,7 @@ use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{OrthographicCamera, PixelRandom, render};
 use a04_intersections::Sphere;
 use common::{Color, Error, Settings, Size};
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
 
 use crate::{DirectionalLight, Lambert, LitWorld};
 
@@ -30,10 +30,13 @@ const PHASES: [(f64, &str, f64); 4] = [
 pub fn experiment() -> Experiment<'static> {
     Experiment {
         name: "lambert-phase",
-        about: "how many pixels does the mean brightness of a matt ball need?",
+        about: "How many pixels does the mean brightness of a matt ball need?",
         knob: "pixels across",
         work: "rays",
-        error: "of the mean brightness of random balls, against the closed form",
+        error: "rms error of the mean brightness",
+        unit: Unit::Other("full moon = 2/3"),
+        exact: "against the closed form, for random balls",
+        seeds: &[1760],
         against: Axis::Work,
         curves: Box::new(|effort| {
             let balls = effort.choose(48, 96) as u32;

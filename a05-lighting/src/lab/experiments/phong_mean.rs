@@ -6,7 +6,7 @@
 use std::f64::consts::PI;
 
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point};
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 /// The exponents.
 const EXPONENTS: [f64; 8] = [8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0];
@@ -14,10 +14,13 @@ const EXPONENTS: [f64; 8] = [8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0];
 pub fn experiment() -> Experiment<'static> {
     Experiment {
         name: "phong-mean",
-        about: "what does adding up many pixels cost in digits?",
+        about: "What does adding up many pixels cost in digits?",
         knob: "pixels across",
         work: "pixels",
-        error: "of the mean highlight of a ball, against 1 / (2 (P + 1)), P = 8 to 15",
+        error: "rms error of the mean highlight",
+        unit: Unit::Other("largest highlight = 1"),
+        exact: "against 1 / (2 (P + 1)) for the exponents P = 8 to 15",
+        seeds: &[],
         against: Axis::Knob,
         curves: Box::new(|effort: Effort| {
             let sizes = &[64, 128, 256, 512, 1024, 2048, 4096][..effort.choose(4, 7)];

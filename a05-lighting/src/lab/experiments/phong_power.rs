@@ -6,7 +6,7 @@
 use std::rc::Rc;
 
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope};
+use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
 
 use crate::power::squaring;
 
@@ -91,10 +91,13 @@ type Power = fn(d: f64, exponent: f64) -> f64;
 pub fn experiment() -> Experiment<'static> {
     Experiment {
         name: "phong-power",
-        about: "how exact is the power of a highlight, and what does it cost?",
+        about: "How exact is the power of a highlight, and what does it cost?",
         knob: "exponent",
         work: "powers",
-        error: "relative, against powers of 600 bits",
+        error: "rms error of the power",
+        unit: Unit::Other("share of it"),
+        exact: "against powers of 600 bits",
+        seeds: &[],
         against: Axis::Knob,
         curves: Box::new(|effort: Effort| {
             let count = effort.choose(4_096, 65_536);

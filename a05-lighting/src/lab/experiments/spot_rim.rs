@@ -9,7 +9,7 @@ use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::PixelRandom;
 use common::{ArgumentError, Color};
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point};
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 use crate::{Light, SpotLight, protocol};
 
@@ -22,11 +22,13 @@ type Illuminates = fn(&SpotLight, Point3) -> bool;
 pub fn experiment() -> Experiment<'static> {
     Experiment {
         name: "spot-rim",
-        about: "how near to the rim of a spot light is inside told from outside?",
-        knob: "from rim",
+        about: "How near to the rim of a spot light is inside told from outside?",
+        knob: "from rim (half angles)",
         work: "points",
-        error: "share of points judged wrongly, the knob being their distance from the rim \
-                in half angles",
+        error: "share of points judged wrongly",
+        unit: Unit::Share,
+        exact: "against the side on which a point was put; one in eight lies behind",
+        seeds: &[12],
         against: Axis::Knob,
         curves: Box::new(|effort: Effort| {
             let count = effort.choose(4_096, 65_536) as u32;

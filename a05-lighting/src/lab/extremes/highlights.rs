@@ -35,7 +35,7 @@ pub fn cases() -> Vec<Case> {
             Ray::new(Point3::ORIGIN, nan).map(|_| true),
         )
         .protocol(Fails, protocol::highlight(f64::NAN, 0.0)),
-        // The exact powers are those of 1 - d for the given d; rounding the
+        // The exact values are powers of 1 - d for the given d; rounding the
         // cosine costs up to eps P / 4 of them.
         power(
             "F21",

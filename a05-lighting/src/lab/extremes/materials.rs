@@ -50,7 +50,7 @@ fn two_lights(id: &'static str) -> Case {
     .protocol(Fails, protocol::phong(1.0, 0.0, 0.25, 1.0, 0.0))
 }
 
-/// The highlight has the colour of the light, not that of the surface.
+/// The highlight has the colour of the light, not the colour of the surface.
 fn white_highlight_on_red(id: &'static str) -> Case {
     let green = || {
         let material = Phong::new(Color::RED, Color::WHITE, 64.0)?;

@@ -48,7 +48,7 @@ fn highlights_add_up_and_the_surface_does_not_tint_them() {
     assert_close(seen_from(UP, &material, &lighting), expected);
 }
 
-/// 0 to the power of 0 is 1: it must not light what faces away.
+/// 0 to the power of 0 is 1: it must not light a surface that faces away.
 #[test]
 fn beyond_a_right_angle_no_exponent_makes_a_highlight() {
     let lighting = light_from(&[(Color::WHITE, RIGHT)]);

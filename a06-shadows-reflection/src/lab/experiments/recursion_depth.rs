@@ -11,7 +11,7 @@ use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::Plane;
 use common::{ArgumentError, Color};
-use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Slope};
+use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Slope, Unit};
 
 use crate::{RecursiveTracer, Reflective, ShadowedWorld};
 
@@ -26,10 +26,13 @@ pub const CURVES: [(f64, &str); 5] = [
 pub fn experiment() -> Experiment<'static> {
     Experiment {
         name: "recursion-depth",
-        about: "how deep must the recursion go between two mirrors?",
-        knob: "error asked for",
+        about: "How deep must the recursion go between two mirrors?",
+        knob: "asked for (white = 1)",
         work: "rays",
-        error: "of a colour, against the sum 1 / (1 - k) of all reflections",
+        error: "rms error of a colour",
+        unit: Unit::Light,
+        exact: "against the sum 1 / (1 - k) of all reflections",
+        seeds: &[4],
         against: Axis::Knob,
         curves: Box::new(|effort| {
             let rays = rays(effort.choose(16, 256));

@@ -7,7 +7,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 use common::ArgumentError;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point};
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 use crate::lab::extremes::self_hits::{
     LIFTED, Policy, SHAPES, THOUSANDTH, Trial, from_point, trials,
@@ -57,10 +57,13 @@ fn relative(ray: &Ray, hit: &Hit, light: Vector3) -> (Ray, f64) {
 pub fn experiment() -> Experiment<'static> {
     Experiment {
         name: "shadow-epsilon",
-        about: "what keeps a surface out of its own shadow, and lets nothing else through?",
-        knob: "scene size",
+        about: "What keeps a surface out of its own shadow, and lets nothing else through?",
+        knob: "scene size (units)",
         work: "shadow rays",
-        error: "share of wrong shadow rays: of the surface itself, or through an object",
+        error: "share of wrong shadow rays",
+        unit: Unit::Share,
+        exact: "of the surface itself, or through an object",
+        seeds: &[13],
         against: Axis::Knob,
         curves: Box::new(|effort| {
             let scenes =

@@ -1,4 +1,4 @@
-//! What is seen in a mirror.
+//! Mirror images.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
@@ -44,7 +44,7 @@ fn what_is_mirrored_is_added_once_however_many_lights_there_are() {
     }
 }
 
-/// A plane mirror shows what an eye behind it would see without it.
+/// A plane mirror shows the view of an eye behind it, without the mirror.
 #[test]
 fn a_plane_mirror_shows_the_mirrored_scene() {
     let floor = plane(Point3::ORIGIN, UP);
@@ -69,9 +69,8 @@ fn a_plane_mirror_shows_the_mirrored_scene() {
     assert_eq!(seen.len(), 5, "all balls and the background");
 }
 
-/// The normal leans by 30 degrees, so that what comes straight from above is
-/// sent away at 60 degrees, where a small ball hangs. By the face it would go
-/// back up.
+/// The normal leans by 30 degrees, so that a ray straight from above is reflected at
+/// 60 degrees, to a small ball. By the normal of the face it would go back up.
 #[test]
 fn a_curved_triangle_reflects_on_its_interpolated_normal() {
     let leaning = Vector3::new(0.5, 0.75_f64.sqrt(), 0.0).as_normal();

@@ -11,7 +11,7 @@ use common::Color;
 
 use super::{AHEAD, ahead, hit, rays, scaled, translated, unit_sphere};
 
-/// The same hits and misses. Bound: that of each shape, 4 eps of the distance
+/// The same hits and misses. Bound: the error of each shape, 4 eps of the distance
 /// over the cosine, twice, as both are rounded, and as much again for the
 /// transform; in units of the smallest shape for the normals.
 fn assert_same(one: &impl Geometry, other: &impl Geometry) {

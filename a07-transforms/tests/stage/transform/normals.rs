@@ -58,7 +58,7 @@ fn normals_stay_perpendicular_to_the_surface_and_of_length_1() {
         let bound = 8.0 * f64::EPSILON * 100.0 * moved.magnitude();
         assert_abs_diff_eq!(turned.dot(moved), 0.0, epsilon = bound);
         assert_abs_diff_eq!(turned.dot(turned), 1.0, epsilon = ROUNDING);
-        // What is outside stays outside.
+        // The outside stays outside.
         let outwards = transform.matrix() * Vector3::from(normal);
         assert!(turned.dot(outwards) > 0.0);
     }

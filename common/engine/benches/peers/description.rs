@@ -1,5 +1,7 @@
 //! `Description`: a scene that belongs to none of the programs that render it.
 
+use glam::DMat4;
+
 /// A point, a direction or a colour.
 pub type Triple = [f64; 3];
 
@@ -7,8 +9,12 @@ pub type Triple = [f64; 3];
 /// last mirror that a ray may meet would show something.
 pub struct Description {
     pub name: &'static str,
+    /// For the reader of the table.
+    pub about: &'static str,
+    /// Whether most rays start at mirrors, or in the middle of the objects.
+    pub is_incoherent: bool,
     pub camera: Camera,
-    pub light: Light,
+    pub lights: Vec<Light>,
     /// The share of each colour that is seen without any light.
     pub ambient: f64,
     /// How many surfaces a ray may meet.
@@ -16,8 +22,10 @@ pub struct Description {
     pub materials: Vec<Material>,
     /// Makes the objects one after the other: a list of them would count among
     /// the memory of the program that we measure.
-    pub objects: fn() -> Box<dyn Iterator<Item = Object>>,
+    pub objects: fn() -> Objects,
 }
+
+pub type Objects = Box<dyn Iterator<Item = Object>>;
 
 /// A perspective camera, with its full vertical opening angle in radians.
 pub struct Camera {
@@ -27,11 +35,18 @@ pub struct Camera {
     pub angle: f64,
 }
 
-/// A white light that does not grow weaker. It casts shadows, as Tachyon knows
-/// no other.
-pub enum Light {
+/// A light that does not grow weaker with the distance. It casts shadows, as Tachyon
+/// knows no other.
+pub struct Light {
+    pub color: Triple,
+    pub kind: LightKind,
+}
+
+pub enum LightKind {
     /// At a place.
     Point(Triple),
+    /// At a place, around a direction, up to an angle in degrees.
+    Spot(Triple, Triple, f64),
     /// Travels in a direction.
     Directional(Triple),
 }
@@ -52,19 +67,23 @@ pub struct Object {
 }
 
 pub enum Shape {
-    /// Point and normal.
-    Plane(Triple, Triple),
+    /// The normal of a plane through the origin: Tachyon misplaces others.
+    Plane(Triple),
     /// Centre and radius.
     Sphere(Triple, f64),
-    /// Opposite corners, the smaller numbers first.
-    Box(Triple, Triple),
+    /// Centre and half the edge: the normals of Tachyon's other boxes are wrong.
+    Cube(Triple, f64),
+    /// Centre, normal and radius.
+    Disc(Triple, Triple, f64),
     Triangle([Triple; 3]),
     Mesh(Mesh),
+    /// A shape under transforms, from the innermost to the outermost.
+    Node(Box<Shape>, Vec<DMat4>),
 }
 
 /// Smooth triangles: corners, the normal at each, and three corners a triangle.
 pub struct Mesh {
     pub corners: Vec<Triple>,
     pub normals: Vec<Triple>,
-    pub triangles: Vec<[usize; 3]>,
+    pub triangles: Vec<[u32; 3]>,
 }

@@ -1,46 +1,87 @@
-//! Measures the tracers in turn, and formats their figures as a row.
+//! Measures the tracers in turn, and compares their figures.
 
-use std::io;
+use std::io::{self, ErrorKind};
 use std::time::Duration;
 
 use crate::child;
+use crate::description::Description;
 use crate::difference::Difference;
 use crate::tracer::{Job, Times, Tracer};
 
-/// The best of a tracer.
+/// The best figures of a tracer, in seconds and bytes.
+#[derive(Clone, Copy)]
 pub struct Measurement {
-    times: Times,
-    /// The most memory, in bytes.
-    peak: u64,
+    pub build: f64,
+    pub trace: f64,
+    /// Of one round: both together.
+    pub total: f64,
+    pub peak: f64,
 }
 
-/// Lets all tracers render in turn, round after round. A tracer that is not installed,
-/// fails or takes longer than `limit` has no measurement.
-pub fn measure<const N: usize>(
-    tracers: [&dyn Tracer; N],
-    job: &Job,
+/// One of the figures.
+pub type Figure = fn(&Measurement) -> f64;
+
+/// A scene rendered by all tracers on so many threads.
+pub struct Comparison<'a> {
+    pub description: &'a Description,
+    pub threads: u16,
+    /// Ours first; none of a tracer that is not installed, fails, cannot express the
+    /// scene or takes too long.
+    pub measured: [Option<Measurement>; 3],
+    /// From our picture.
+    pub differences: [Option<Difference>; 3],
+}
+
+impl Comparison<'_> {
+    pub fn figure(&self, tracer: usize, of: Figure) -> Option<f64> {
+        self.measured[tracer].as_ref().map(of)
+    }
+
+    /// How many times our figure another tracer's is.
+    pub fn ratio(&self, tracer: usize, of: Figure) -> Option<f64> {
+        Some(self.figure(tracer, of)? / self.figure(0, of)?)
+    }
+}
+
+/// Lets all tracers render in turn, round after round.
+pub fn compare<'a>(
+    tracers: [&dyn Tracer; 3],
+    job: &Job<'a>,
     rounds: u32,
     limit: Duration,
-) -> io::Result<[Option<Measurement>; N]> {
-    let mut installed = tracers.map(Tracer::installed);
-    for (tracer, _) in tracers
-        .iter()
-        .zip(installed)
-        .filter(|(_, installed)| *installed)
-    {
-        tracer.write_scene(job)?;
+) -> io::Result<Comparison<'a>> {
+    let mut takes_part = [false; 3];
+    for (tracer, takes_part) in tracers.iter().zip(&mut takes_part) {
+        *takes_part = tracer.installed() && can_express(*tracer, job)?;
     }
-    let mut best = [const { None }; N];
+    let mut measured = [None; 3];
     for _ in 0..rounds {
-        for ((tracer, best), installed) in tracers.iter().zip(&mut best).zip(&mut installed) {
-            if *installed {
+        for ((tracer, best), takes_part) in tracers.iter().zip(&mut measured).zip(&mut takes_part) {
+            if *takes_part {
                 let now = render(*tracer, job, limit)?;
-                *installed = now.is_some();
-                *best = merge(best.take(), now);
+                *takes_part = now.is_some();
+                *best = merge(*best, now);
             }
         }
     }
-    Ok(best)
+    let [ours, ..] = tracers.map(|tracer| job.file(tracer, "png"));
+    let difference = |i: usize| {
+        measured[0].and(measured[i])?;
+        Difference::between(&ours, &job.file(tracers[i], "png")).ok()
+    };
+    Ok(Comparison {
+        description: job.description,
+        threads: job.threads,
+        measured,
+        differences: [0, 1, 2].map(difference),
+    })
+}
+
+fn can_express(tracer: &dyn Tracer, job: &Job) -> io::Result<bool> {
+    match tracer.write_scene(job) {
+        Err(error) if error.kind() == ErrorKind::Unsupported => Ok(false),
+        written => written.map(|()| true),
+    }
 }
 
 fn render(tracer: &dyn Tracer, job: &Job, limit: Duration) -> io::Result<Option<Measurement>> {
@@ -54,67 +95,23 @@ fn render(tracer: &dyn Tracer, job: &Job, limit: Duration) -> io::Result<Option<
     if times.is_none() {
         eprintln!("{} failed; see {}", tracer.name(), log.display());
     }
-    let peak = outcome.peak;
-    Ok(times.map(|times| Measurement { times, peak }))
+    Ok(times.map(|Times { build, trace }| Measurement {
+        build,
+        trace,
+        total: build + trace,
+        peak: outcome.peak as f64,
+    }))
 }
 
 /// The shortest times and the greatest peak.
 fn merge(a: Option<Measurement>, b: Option<Measurement>) -> Option<Measurement> {
-    let (Some(a), Some(b)) = (&a, &b) else {
+    let (Some(a), Some(b)) = (a, b) else {
         return a.or(b);
     };
     Some(Measurement {
-        times: Times {
-            build: a.times.build.min(b.times.build),
-            trace: a.times.trace.min(b.times.trace),
-        },
+        build: a.build.min(b.build),
+        trace: a.trace.min(b.trace),
+        total: a.total.min(b.total),
         peak: a.peak.max(b.peak),
     })
-}
-
-/// The names of the cells of a [`row`].
-pub const HEADER: &str = "\
-|       |         |   trace |  times as long    |  peak | times as much     | build |   build |   build | different > 8 (mean of 255)       |
-| scene | threads | ours ms | POV-Ray | Tachyon |   MiB | POV-Ray | Tachyon |    ms | POV-Ray | Tachyon |         POV-Ray |         Tachyon |
-|-------|---------|---------|---------|---------|-------|---------|---------|-------|---------|---------|-----------------|-----------------|";
-
-/// Our figures, and how many times as much the two others take.
-pub fn row(tracers: [&dyn Tracer; 3], job: &Job, measured: &[Option<Measurement>; 3]) -> String {
-    let figure = |i: usize, of: fn(&Measurement) -> f64| measured[i].as_ref().map(of);
-    let ratio = |i, of| Some(figure(i, of)? / figure(0, of)?);
-    let difference = |i: usize| {
-        measured[0].as_ref().and(measured[i].as_ref())?;
-        let [ours, theirs] = [tracers[0], tracers[i]].map(|tracer| job.file(tracer, "png"));
-        Difference::between(&ours, &theirs).ok()
-    };
-    // About three digits, whether small or large.
-    let number = |number: Option<f64>| match number {
-        Some(number) if !number.is_finite() => "-".to_owned(),
-        None => "-".to_owned(),
-        Some(number) if number >= 100.0 => format!("{number:.0}"),
-        Some(number) if number >= 0.1 || number == 0.0 => format!("{number:.2}"),
-        Some(number) => format!("{number:.4}"),
-    };
-    let text = |difference: Option<Difference>| {
-        difference.map_or("-".to_owned(), |difference| difference.to_string())
-    };
-    let trace: fn(&Measurement) -> f64 = |m| 1e3 * m.times.trace;
-    let build: fn(&Measurement) -> f64 = |m| 1e3 * m.times.build;
-    let peak: fn(&Measurement) -> f64 = |m| m.peak as f64 / f64::from(1 << 20);
-    format!(
-        "| {:>5} | {:>7} | {:>7} | {:>7} | {:>7} | {:>5} | {:>7} | {:>7} | {:>5} | {:>7} | {:>7} | {:>15} | {:>15} |",
-        job.description.name,
-        job.threads,
-        number(figure(0, trace)),
-        number(ratio(1, trace)),
-        number(ratio(2, trace)),
-        number(figure(0, peak)),
-        number(ratio(1, peak)),
-        number(ratio(2, peak)),
-        number(figure(0, build)),
-        number(figure(1, build)),
-        number(figure(2, build)),
-        text(difference(1)),
-        text(difference(2)),
-    )
 }

@@ -8,11 +8,11 @@ use std::process::Command;
 use std::time::Instant;
 
 use common::{Color, Settings, Transfer, picture_file};
-use engine::{LightKind, Phong, Renderer, Scene, Shading, Surface};
-use glam::DVec3;
+use engine::{Phong, Renderer, Scene, Shading, Surface, Transform};
+use glam::{DMat4, DVec3};
 
 use crate::camera::{basis, unit};
-use crate::description::{Camera, Description, Light, Material, Object, Shape};
+use crate::description::{Camera, Description, Light, LightKind, Material, Object, Shape, Triple};
 use crate::samples::Samples;
 use crate::tracer::{Job, Times, Tracer, seconds};
 
@@ -49,30 +49,31 @@ impl Tracer for Ours {
     }
 }
 
-/// The work of the child: it renders, prints its times, and writes the picture.
+/// The work of the child: renders, and writes the picture. Returns the times.
 pub fn render_to(
     description: &Description,
     settings: &Settings,
     threads: u16,
     path: &Path,
-) -> Result<(), Box<dyn Error>> {
+) -> Result<Times, Box<dyn Error>> {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads.into())
         .build()?;
-
-    let started = Instant::now();
-    let renderer = Renderer::new(scene(description), camera(&description.camera), settings);
-    println!("build: {} seconds", started.elapsed().as_secs_f64());
-
-    let started = Instant::now();
-    let samples = Samples::new(settings);
     let mut rgb = vec![0; 3 * settings.size.pixels()];
-    let bytes = |colors: &[Color], rgb: &mut [u8]| Transfer::Linear.write_rgb8(colors, rgb);
-    pool.install(|| renderer.render_rows(&samples, settings, &(), &mut rgb, bytes))?;
-    println!("trace: {} seconds", started.elapsed().as_secs_f64());
+    let times = pool.install(|| {
+        let started = Instant::now();
+        let renderer = Renderer::new(scene(description), camera(&description.camera), settings);
+        let build = started.elapsed().as_secs_f64();
 
+        let started = Instant::now();
+        let samples = Samples::new(settings);
+        let bytes = |colors: &[Color], rgb: &mut [u8]| Transfer::Linear.write_rgb8(colors, rgb);
+        renderer.render_rows(&samples, settings, &(), &mut rgb, bytes)?;
+        let trace = started.elapsed().as_secs_f64();
+        Ok::<_, common::Error>(Times { build, trace })
+    })?;
     picture_file::save_png(path, settings.size, &rgb)?;
-    Ok(())
+    Ok(times)
 }
 
 fn camera(camera: &Camera) -> engine::Camera<'static> {
@@ -85,33 +86,27 @@ fn camera(camera: &Camera) -> engine::Camera<'static> {
 fn scene(description: &Description) -> Scene<'static> {
     let ambient = Color::gray(description.ambient);
     let mut scene = Scene::new(Color::BLACK, ambient, description.depth);
-    scene.add_light(light(&description.light));
+    for light in &description.lights {
+        scene.add_light(of_light(light));
+    }
     let materials = description.materials.iter();
     let surfaces: Vec<_> = materials
         .map(|material| scene.add_surface(surface(material)))
         .collect();
     for Object { shape, material } in (description.objects)() {
-        let mut add = |shape| scene.add_shape(shape, surfaces[material]);
+        let surface = surfaces[material];
         match shape {
-            Shape::Plane(point, normal) => add(engine::Shape::Plane(engine::Plane {
-                point: point.into(),
-                normal: unit(normal.into()),
-            })),
-            Shape::Sphere(center, radius) => add(engine::Shape::Sphere(engine::Sphere {
-                center: center.into(),
-                radius,
-            })),
-            Shape::Box(min, max) => {
-                add(engine::Shape::Box(engine::AxisAlignedBox { min, max }));
-            }
-            Shape::Triangle(corners) => {
-                add(engine::Shape::Triangle(flat(corners.map(DVec3::from))));
-            }
             Shape::Mesh(mesh) => {
                 for corners in &mesh.triangles {
-                    let normals = corners.map(|i| unit(mesh.normals[i].into()));
-                    let triangle = flat(corners.map(|i| mesh.corners[i].into()));
-                    add(engine::Shape::Triangle(smooth(triangle, normals)));
+                    let of_corner = |of: &[Triple]| corners.map(|i| DVec3::from(of[i as usize]));
+                    let triangle = flat(of_corner(&mesh.corners));
+                    let triangle = smooth(triangle, of_corner(&mesh.normals).map(unit));
+                    scene.add_shape(engine::Shape::Triangle(triangle), surface);
+                }
+            }
+            shape => {
+                if let Some(shape) = of_shape(shape) {
+                    scene.add_shape(shape, surface);
                 }
             }
         }
@@ -119,15 +114,58 @@ fn scene(description: &Description) -> Scene<'static> {
     scene
 }
 
-fn light(light: &Light) -> engine::Light<'static> {
+/// None for a mesh, which is more than one shape.
+fn of_shape(shape: Shape) -> Option<engine::Shape<'static>> {
+    Some(match shape {
+        Shape::Plane(normal) => engine::Shape::Plane(plane([0.0; 3], normal)),
+        Shape::Sphere(center, radius) => engine::Shape::Sphere(engine::Sphere {
+            center: center.into(),
+            radius,
+        }),
+        Shape::Cube(center, half) => engine::Shape::Box(engine::AxisAlignedBox {
+            min: center.map(|middle| middle - half),
+            max: center.map(|middle| middle + half),
+        }),
+        Shape::Disc(center, normal, radius) => engine::Shape::Disc(engine::Disc {
+            plane: plane(center, normal),
+            radius,
+        }),
+        Shape::Triangle(corners) => engine::Shape::Triangle(flat(corners.map(DVec3::from))),
+        Shape::Node(shape, matrices) => {
+            let transformed = |shape: engine::Shape<'static>, matrix| {
+                let inverse = DMat4::inverse(&matrix);
+                shape.transformed(&Transform { matrix, inverse })
+            };
+            matrices.into_iter().fold(of_shape(*shape)?, transformed)
+        }
+        Shape::Mesh(_) => return None,
+    })
+}
+
+fn plane(point: Triple, normal: Triple) -> engine::Plane {
+    engine::Plane {
+        point: point.into(),
+        normal: unit(normal.into()),
+    }
+}
+
+fn of_light(light: &Light) -> engine::Light<'static> {
+    let [r, g, b] = light.color;
+    let color = Color::new(r, g, b);
     engine::Light {
-        kind: match *light {
-            Light::Point(position) => LightKind::Point {
-                color: Color::WHITE,
+        kind: match light.kind {
+            LightKind::Point(position) => engine::LightKind::Point {
+                color,
                 position: position.into(),
             },
-            Light::Directional(direction) => LightKind::Directional {
-                color: Color::WHITE,
+            LightKind::Spot(position, direction, degrees) => engine::LightKind::Spot {
+                color,
+                position: position.into(),
+                direction: unit(direction.into()),
+                cos_half_angle: libm::cos(degrees.to_radians()),
+            },
+            LightKind::Directional(direction) => engine::LightKind::Directional {
+                color,
                 direction: unit(direction.into()),
             },
         },

@@ -7,8 +7,10 @@ use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::process::Command;
 
+use glam::DMat4;
+
 use crate::camera::basis;
-use crate::description::{Camera, Light, Material, Mesh, Object, Shape, Triple};
+use crate::description::{Camera, Light, LightKind, Material, Object, Shape, Triple};
 use crate::tracer::{Job, Times, Tracer, is_installed, seconds};
 
 pub struct PovRay;
@@ -34,12 +36,14 @@ impl Tracer for PovRay {
         )?;
         let aspect = f64::from(job.size.width()) / f64::from(job.size.height());
         camera(&mut out, &scene.camera, aspect)?;
-        light(&mut out, &scene.light)?;
+        for light in &scene.lights {
+            writeln!(out, "{}", of_light(light))?;
+        }
         for (i, material) in scene.materials.iter().enumerate() {
             texture(&mut out, i, material, scene.ambient)?;
         }
-        for object in (scene.objects)() {
-            shape(&mut out, &object)?;
+        for Object { shape, material } in (scene.objects)() {
+            of_shape(&mut out, &shape, &format!("texture {{ M{material} }}"))?;
         }
         out.flush()
     }
@@ -75,14 +79,11 @@ fn vector([x, y, z]: Triple) -> String {
     format!("<{x}, {y}, {z}>")
 }
 
-fn list<const N: usize>(out: &mut impl Write, name: &str, items: &[[f64; N]]) -> io::Result<()> {
+fn list<T: ToString + Copy>(out: &mut impl Write, name: &str, items: &[[T; 3]]) -> io::Result<()> {
     write!(out, "  {name} {{ {}", items.len())?;
     for item in items {
-        write!(
-            out,
-            ",\n<{}>",
-            item.map(|number| number.to_string()).join(", ")
-        )?;
+        let numbers = item.map(|number| number.to_string());
+        write!(out, ",\n<{}>", numbers.join(", "))?;
     }
     writeln!(out, " }}")
 }
@@ -100,13 +101,22 @@ fn camera(out: &mut impl Write, camera: &Camera, aspect: f64) -> io::Result<()> 
     )
 }
 
-fn light(out: &mut impl Write, light: &Light) -> io::Result<()> {
-    match light {
-        Light::Point(place) => writeln!(out, "light_source {{ {} rgb 1 }}", vector(*place)),
+fn of_light(light: &Light) -> String {
+    let color = vector(light.color);
+    match &light.kind {
+        LightKind::Point(place) => format!("light_source {{ {} rgb {color} }}", vector(*place)),
+        LightKind::Spot(place, direction, degrees) => {
+            let at = [0, 1, 2].map(|axis| place[axis] + direction[axis]);
+            format!(
+                "light_source {{ {} rgb {color} spotlight point_at {} radius {degrees} \
+                 falloff {degrees} tightness 0 }}",
+                vector(*place),
+                vector(at)
+            )
+        }
         // It starts somewhere, outside of everything.
-        Light::Directional(direction) => writeln!(
-            out,
-            "light_source {{ {} rgb 1 parallel point_at 0 }}",
+        LightKind::Directional(direction) => format!(
+            "light_source {{ {} rgb {color} parallel point_at 0 }}",
             vector(direction.map(|d| -1000.0 * d))
         ),
     }
@@ -127,45 +137,42 @@ fn texture(out: &mut impl Write, i: usize, material: &Material, ambient: f64) ->
     )
 }
 
-fn shape(out: &mut impl Write, object: &Object) -> io::Result<()> {
-    let texture = format!("texture {{ M{} }}", object.material);
-    match &object.shape {
-        Shape::Plane(point, normal) => {
-            let (point, normal) = (vector(*point), vector(*normal));
-            writeln!(
-                out,
-                "plane {{ {normal}, vdot({point}, {normal}) {texture} }}"
-            )
+/// The shape; `rest` stands behind its own numbers.
+fn of_shape(out: &mut impl Write, shape: &Shape, rest: &str) -> io::Result<()> {
+    match shape {
+        Shape::Plane(normal) => writeln!(out, "plane {{ {}, 0 {rest} }}", vector(*normal)),
+        Shape::Sphere(center, radius) => {
+            writeln!(out, "sphere {{ {}, {radius} {rest} }}", vector(*center))
         }
-        Shape::Sphere(centre, radius) => {
-            writeln!(out, "sphere {{ {}, {radius} {texture} }}", vector(*centre))
+        Shape::Cube(center, half) => {
+            let [low, high] = [-half, *half].map(|half| vector(center.map(|c| c + half)));
+            writeln!(out, "box {{ {low}, {high} {rest} }}")
         }
-        Shape::Box(low, high) => {
-            writeln!(
-                out,
-                "box {{ {}, {} {texture} }}",
-                vector(*low),
-                vector(*high)
-            )
+        Shape::Disc(center, normal, radius) => {
+            let (center, normal) = (vector(*center), vector(*normal));
+            writeln!(out, "disc {{ {center}, {normal}, {radius} {rest} }}")
         }
         Shape::Triangle(corners) => {
-            writeln!(
-                out,
-                "triangle {{ {} {texture} }}",
-                corners.map(vector).join(", ")
-            )
+            let corners = corners.map(vector).join(", ");
+            writeln!(out, "triangle {{ {corners} {rest} }}")
         }
-        Shape::Mesh(Mesh {
-            corners,
-            normals,
-            triangles,
-        }) => {
+        Shape::Mesh(mesh) => {
             writeln!(out, "mesh2 {{")?;
-            list(out, "vertex_vectors", corners)?;
-            list(out, "normal_vectors", normals)?;
-            let triangles: Vec<_> = triangles.iter().map(|t| t.map(|i| i as f64)).collect();
-            list(out, "face_indices", &triangles)?;
-            writeln!(out, "  {texture} }}")
+            list(out, "vertex_vectors", &mesh.corners)?;
+            list(out, "normal_vectors", &mesh.normals)?;
+            list(out, "face_indices", &mesh.triangles)?;
+            writeln!(out, "  {rest} }}")
+        }
+        Shape::Node(shape, matrices) => {
+            let matrices = matrices.iter().map(matrix).collect::<String>();
+            of_shape(out, shape, &(matrices + rest))
         }
     }
+}
+
+/// The images of the axes, and of the origin.
+fn matrix(matrix: &DMat4) -> String {
+    let columns = matrix.to_cols_array_2d();
+    let numbers = columns.map(|[x, y, z, _]| format!("{x}, {y}, {z}"));
+    format!("matrix <{}> ", numbers.join(", "))
 }

@@ -1,103 +1,36 @@
-//! The five scenes.
+//! The scenes, by kind, and what they share.
 
-use std::f64::consts::{FRAC_PI_4, TAU};
+mod meshes;
+mod solids;
+mod spheres;
 
-use crate::description::{Camera, Description, Light, Material, Mesh, Object, Shape, Triple};
+use std::f64::consts::FRAC_PI_4;
+
+use glam::DVec3;
+
+use crate::description::{
+    Camera, Description, Light, LightKind, Material, Object, Objects, Shape, Triple,
+};
 use crate::random::PixelRandom;
 
-/// All scenes, from few objects to many.
+/// All scenes.
 pub fn all() -> Vec<Description> {
     vec![
-        mirrors(),
-        four_objects(),
-        spheres(),
-        torus(),
-        many_spheres(),
+        spheres::mirrors(),
+        solids::objects(),
+        spheres::spheres(),
+        meshes::torus(),
+        spheres::swarm(),
+        spheres::sizes(),
+        spheres::cloud(),
+        solids::boxes(),
+        solids::discs(),
+        solids::nodes(),
+        solids::lamps(),
+        meshes::mesh(),
+        meshes::hills(),
+        meshes::hairs(),
     ]
-}
-
-/// Nine mirroring spheres on a mirroring plane.
-fn mirrors() -> Description {
-    Description {
-        name: "s1",
-        camera: camera([0.0, 7.0, 10.0], [0.0, -6.6, -10.0]),
-        light: Light::Point([6.0, 12.0, 5.0]),
-        ambient: 0.1,
-        depth: 8,
-        materials: palette(0.5, 0.5),
-        objects: || {
-            let plane = object(Shape::Plane([0.0; 3], [0.0, 1.0, 0.0]), 6);
-            let spheres = (0..9).map(|i| {
-                let [x, z] = [i % 3, i / 3].map(|place| 2.5 * (place as f64 - 1.0));
-                object(Shape::Sphere([x, 1.0, z], 1.0), i % 6)
-            });
-            Box::new(spheres.chain([plane]))
-        },
-    }
-}
-
-/// The four objects of the course, matt and under a far light.
-fn four_objects() -> Description {
-    Description {
-        name: "s2",
-        camera: camera([4.0; 3], [-1.0; 3]),
-        light: Light::Directional([-1.0, -3.0, -2.0]),
-        ambient: 0.1,
-        depth: 1,
-        materials: palette(0.0, 0.0),
-        objects: || {
-            let triangle = [[0.0, 0.0, -1.0], [1.0, 0.0, -1.0], [1.0, 1.0, -1.0]];
-            Box::new(
-                [
-                    Shape::Plane([0.0; 3], [0.0, 1.0, 0.0]),
-                    Shape::Sphere([1.0; 3], 0.5),
-                    Shape::Box([-1.5, 0.5, 0.5], [-0.5, 1.5, 1.5]),
-                    Shape::Triangle(triangle),
-                ]
-                .into_iter()
-                .zip(0..)
-                .map(|(shape, material)| object(shape, material)),
-            )
-        },
-    }
-}
-
-/// A thousand shiny spheres.
-fn spheres() -> Description {
-    Description {
-        name: "s3",
-        camera: camera([0.0, 8.0, 26.0], [0.0, -8.0, -26.0]),
-        light: Light::Point([15.0, 30.0, 25.0]),
-        ambient: 0.1,
-        depth: 1,
-        materials: palette(0.5, 0.0),
-        objects: || scattered(1_000, 0.3, 0.8),
-    }
-}
-
-/// A ring of 20,000 smooth triangles.
-fn torus() -> Description {
-    Description {
-        name: "s4",
-        camera: camera([0.0, 5.0, 6.5], [0.0, -5.8, -6.5]),
-        light: Light::Point([8.0, 6.0, 2.0]),
-        ambient: 0.1,
-        depth: 1,
-        materials: palette(0.5, 0.0),
-        objects: || {
-            let ring = object(Shape::Mesh(ring(200, 50)), 1);
-            Box::new(std::iter::once(ring))
-        },
-    }
-}
-
-/// A hundred thousand small spheres.
-fn many_spheres() -> Description {
-    Description {
-        name: "s5",
-        objects: || scattered(100_000, 0.05, 0.15),
-        ..spheres()
-    }
 }
 
 /// A camera with the course's opening, held upright.
@@ -108,6 +41,12 @@ fn camera(eye: Triple, gaze: Triple) -> Camera {
         up: [0.0, 1.0, 0.0],
         angle: FRAC_PI_4,
     }
+}
+
+/// A single white light.
+fn white(kind: LightKind) -> Vec<Light> {
+    let color = [1.0; 3];
+    vec![Light { color, kind }]
 }
 
 /// Six colours and a dark grey.
@@ -130,48 +69,49 @@ fn palette(specular: f64, reflection: f64) -> Vec<Material> {
     colors.map(material).into()
 }
 
+const COLORS: u32 = 6;
+const GREY: usize = 6;
+
 const fn object(shape: Shape, material: usize) -> Object {
     Object { shape, material }
 }
 
-/// Spheres anywhere in a cube around the origin, with radii between two.
-fn scattered(count: u32, smallest: f64, largest: f64) -> Box<dyn Iterator<Item = Object>> {
+const FLOOR: Object = object(Shape::Plane([0.0, 1.0, 0.0]), GREY);
+
+/// Shapes of all colours, each made of random numbers of its own.
+fn random(count: u32, shape: impl Fn(u32, Random) -> Shape + 'static) -> Objects {
     Box::new((0..count).map(move |i| {
-        let random = PixelRandom::new(0, i, 0);
-        let centre = [0, 1, 2].map(|axis| 20.0 * random.uniform(axis) - 10.0);
-        let radius = smallest + (largest - smallest) * random.uniform(3);
-        object(Shape::Sphere(centre, radius), i as usize % 6)
+        let random = Random(PixelRandom::new(0, i, 0));
+        object(shape(i, random), (i % COLORS) as usize)
     }))
 }
 
-/// A torus of radii 2.5 and 1 around the y axis, with `around` steps around the axis,
-/// `tube` steps around the tube, and two triangles in each square between them.
-fn ring(around: usize, tube: usize) -> Mesh {
-    let places = || (0..around).flat_map(move |i| (0..tube).map(move |j| (i, j)));
-    let normal = |(i, j): (usize, usize)| {
-        let (a, b) = (TAU * i as f64 / around as f64, TAU * j as f64 / tube as f64);
-        let outwards = libm::cos(b);
-        [
-            outwards * libm::cos(a),
-            libm::sin(b),
-            outwards * libm::sin(a),
-        ]
-    };
-    let corner = |(i, j): (usize, usize)| {
-        let [x, y, z] = normal((i, j));
-        let a = TAU * i as f64 / around as f64;
-        [2.5 * libm::cos(a) + x, y, 2.5 * libm::sin(a) + z]
-    };
-    let index = |i: usize, j: usize| (i % around) * tube + j % tube;
-    Mesh {
-        corners: places().map(corner).collect(),
-        normals: places().map(normal).collect(),
-        triangles: places()
-            .flat_map(|(i, j)| {
-                let [a, b] = [index(i, j), index(i, j + 1)];
-                let [c, d] = [index(i + 1, j), index(i + 1, j + 1)];
-                [[a, b, d], [a, d, c]]
-            })
-            .collect(),
+/// The spheres and cubes that leave room for eye and lamp.
+fn around(places: [Triple; 2], objects: Objects) -> Objects {
+    const ROOM: f64 = 0.25;
+    Box::new(objects.filter(move |object| {
+        let (center, radius) = match object.shape {
+            Shape::Sphere(center, radius) => (center, radius),
+            Shape::Cube(center, half) => (center, half * libm::sqrt(3.0)),
+            _ => return true,
+        };
+        let distance = |place| DVec3::from(place).distance(center.into());
+        places.iter().all(|place| distance(*place) > radius + ROOM)
+    }))
+}
+
+/// The random numbers of an object.
+#[derive(Clone, Copy)]
+struct Random(PixelRandom);
+
+impl Random {
+    /// The `n`-th number, between two.
+    fn between(self, from: f64, to: f64, n: u64) -> f64 {
+        from + (to - from) * self.0.uniform(n)
+    }
+
+    /// The numbers 0, 1 and 2: a point anywhere between two corners.
+    fn point(self, from: Triple, to: Triple) -> Triple {
+        [0, 1, 2].map(|axis| self.between(from[axis], to[axis], axis as u64))
     }
 }

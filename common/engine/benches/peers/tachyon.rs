@@ -1,10 +1,11 @@
 //! Tachyon 0.99: the scene in its language, and its command line.
 
 use std::fs::File;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, ErrorKind, Write};
 use std::process::Command;
 
-use crate::description::{Camera, Light, Material, Object, Shape, Triple};
+use crate::camera::unit;
+use crate::description::{Camera, Light, LightKind, Material, Object, Shape, Triple};
 use crate::tracer::{Job, Times, Tracer, is_installed, seconds};
 
 pub struct Tachyon;
@@ -30,7 +31,9 @@ impl Tracer for Tachyon {
             scene.depth,
         )?;
         writeln!(out, "BACKGROUND 0 0 0")?;
-        light(&mut out, &scene.light)?;
+        for light in &scene.lights {
+            writeln!(out, "{}", of_light(light))?;
+        }
         for (i, material) in scene.materials.iter().enumerate() {
             texture(&mut out, i, material, scene.ambient)?;
         }
@@ -91,14 +94,21 @@ fn camera(
     )
 }
 
-fn light(out: &mut impl Write, light: &Light) -> io::Result<()> {
-    match light {
-        Light::Point(place) => {
-            writeln!(out, "LIGHT CENTER {} RAD 0.001 COLOR 1 1 1", vector(*place))
+fn of_light(light: &Light) -> String {
+    let color = vector(light.color);
+    match &light.kind {
+        LightKind::Point(place) => {
+            format!("LIGHT CENTER {} RAD 0.001 COLOR {color}", vector(*place))
         }
-        Light::Directional(direction) => {
+        LightKind::Spot(place, direction, degrees) => format!(
+            "SPOTLIGHT CENTER {} RAD 0.001 DIRECTION {} FALLOFF_START {degrees} \
+             FALLOFF_END {degrees} COLOR {color}",
+            vector(*place),
+            vector(unit((*direction).into()).to_array()),
+        ),
+        LightKind::Directional(direction) => {
             let direction = vector(*direction);
-            writeln!(out, "DIRECTIONAL_LIGHT DIRECTION {direction} COLOR 1 1 1")
+            format!("DIRECTIONAL_LIGHT DIRECTION {direction} COLOR {color}")
         }
     }
 }
@@ -122,23 +132,23 @@ fn texture(out: &mut impl Write, i: usize, material: &Material, ambient: f64) ->
 fn shape(out: &mut impl Write, object: &Object) -> io::Result<()> {
     let texture = format!("M{}", object.material);
     match &object.shape {
-        Shape::Plane(point, normal) => {
-            let (point, normal) = (vector(*point), vector(*normal));
-            writeln!(out, "PLANE CENTER {point} NORMAL {normal} {texture}")
+        Shape::Plane(normal) => {
+            let normal = vector(*normal);
+            writeln!(out, "PLANE CENTER 0 0 0 NORMAL {normal} {texture}")
         }
-        Shape::Sphere(centre, radius) => {
+        Shape::Sphere(center, radius) => {
+            let center = vector(*center);
+            writeln!(out, "SPHERE CENTER {center} RAD {radius} {texture}")
+        }
+        Shape::Cube(center, half) => {
+            let [low, high] = [-half, *half].map(|half| vector(center.map(|c| c + half)));
+            writeln!(out, "BOX MIN {low} MAX {high} {texture}")
+        }
+        Shape::Disc(center, normal, radius) => {
+            let (center, normal) = (vector(*center), vector(*normal));
             writeln!(
                 out,
-                "SPHERE CENTER {} RAD {radius} {texture}",
-                vector(*centre)
-            )
-        }
-        Shape::Box(low, high) => {
-            writeln!(
-                out,
-                "BOX MIN {} MAX {} {texture}",
-                vector(*low),
-                vector(*high)
+                "RING CENTER {center} NORMAL {normal} INNER 0 OUTER {radius} {texture}"
             )
         }
         Shape::Triangle(corners) => {
@@ -146,12 +156,13 @@ fn shape(out: &mut impl Write, object: &Object) -> io::Result<()> {
             writeln!(out, "TRI V0 {a} V1 {b} V2 {c} {texture}")
         }
         Shape::Mesh(mesh) => mesh.triangles.iter().try_for_each(|triangle| {
-            let [a, b, c] = triangle.map(|i| vector(mesh.corners[i]));
-            let [na, nb, nc] = triangle.map(|i| vector(mesh.normals[i]));
+            let of_corner = |of: &[Triple]| triangle.map(|i| vector(of[i as usize]));
+            let ([a, b, c], [na, nb, nc]) = (of_corner(&mesh.corners), of_corner(&mesh.normals));
             writeln!(
                 out,
                 "STRI V0 {a} V1 {b} V2 {c} N0 {na} N1 {nb} N2 {nc} {texture}"
             )
         }),
+        Shape::Node(..) => Err(ErrorKind::Unsupported.into()),
     }
 }

@@ -40,7 +40,8 @@ pub trait Tracer {
     /// Whether it can be run here.
     fn installed(&self) -> bool;
 
-    /// Writes the scene in the language of the program.
+    /// Writes the scene in the language of the program. The error is of the kind
+    /// `Unsupported` if the language has no words for it.
     fn write_scene(&self, job: &Job) -> io::Result<()>;
 
     /// The call that renders `job` into its file with the extension `png`.

@@ -1,138 +1,157 @@
-//! How a [`Bvh`] is built: shapes are divided where the surface area heuristic expects
-//! the fewest tests.
+//! How a [`Bvh`] is built, on all threads: shapes are divided where the surface area
+//! heuristic expects the fewest tests.
 
-use super::bvh::{Bvh, Child, LEVELS, WIDTH};
+use std::sync::{Mutex, PoisonError};
+
+use arrayvec::ArrayVec;
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
+use wide::f32x8;
+
+use super::bvh::{Bvh, Child, LEAF, LEVELS, Leaf, Node, WIDTH};
+use super::cut::{by_kind, cheapest, halves};
 use super::shapes::ShapeId;
-use crate::shape::Bounds;
+use super::slabs::{TreeBounds, Units};
 
-type Shapes = [(Bounds, ShapeId)];
-
-/// Grows a tree over at least one shape.
-pub(super) fn grow<L>(
-    tree: &mut Bvh<L>,
-    mut shapes: Vec<(Bounds, ShapeId)>,
-    mut leaf: impl FnMut(&[ShapeId]) -> L,
-) {
-    node(tree, &mut shapes, 0, &mut leaf);
+/// A shape to be put into a tree.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Item {
+    pub bounds: TreeBounds,
+    pub shape: ShapeId,
 }
 
-/// Adds the node of these shapes, and returns its index.
-fn node<L>(
-    tree: &mut Bvh<L>,
-    shapes: &mut Shapes,
-    level: usize,
-    leaf: &mut impl FnMut(&[ShapeId]) -> L,
-) -> usize {
-    let groups = four_groups(shapes, level);
-    let index = tree.nodes.len();
-    let empty = tree.node(&[]);
-    tree.nodes.push(empty);
-    let mut children = Vec::with_capacity(WIDTH);
-    for group in groups {
-        let bounds = bounds(group);
-        let child = if group.len() <= WIDTH {
-            let shapes: Vec<_> = group.iter().map(|(_, shape)| *shape).collect();
-            tree.leaves.push(leaf(&shapes));
-            Child::leaf(tree.leaves.len() - 1)
-        } else {
-            Child::node(node(tree, group, level + 1, leaf))
-        };
-        children.push((bounds, child));
+/// Nodes of more shapes than this are divided by several threads.
+const SHARED: usize = 4_096;
+
+/// Shapes, and how many lie before them in the list of all.
+type Group<'i> = (usize, &'i mut [Item]);
+
+impl Bvh {
+    /// The tree of at least one shape. `name` gives the shapes, put into the order of the
+    /// leaves, their final names.
+    pub fn new(units: Units, mut shapes: Vec<Item>, name: impl FnOnce(&mut [Item])) -> Self {
+        let nodes = Mutex::default();
+        add_node(&nodes, (0, &mut shapes), 0);
+        let mut nodes = nodes.into_inner().unwrap_or_else(PoisonError::into_inner);
+        name(&mut shapes);
+        let (mut leaves, mut width) = (0.0, 0.0);
+        for child in nodes.iter_mut().flat_map(|node| &mut node.children) {
+            if let Child::Leaf(leaf) = child {
+                let group = &shapes[leaf.first as usize..][..leaf.count.into()];
+                leaf.first = group[0].shape.index;
+                width += bounds(group).mean_width();
+                leaves += 1.0;
+            }
+        }
+        Self {
+            units,
+            nodes,
+            leaf_width: width / leaves,
+        }
     }
-    tree.nodes[index] = tree.node(&children);
-    index
 }
 
-fn bounds(shapes: &Shapes) -> Bounds {
-    Bounds::of_all(shapes.iter().map(|(bounds, _)| *bounds))
+/// Adds the node of a group after those of its children, and returns its index.
+fn add_node(nodes: &Mutex<Vec<Node>>, group: Group, level: usize) -> u32 {
+    let is_shared = group.1.len() > SHARED;
+    let child = |(first, group): Group| {
+        let bounds = bounds(group);
+        let child = leaf(first, group).map_or_else(
+            || Child::Node(add_node(nodes, (first, group), level + 1)),
+            Child::Leaf,
+        );
+        (bounds, child)
+    };
+    let groups = divide(group, level);
+    let children: ArrayVec<_, WIDTH> = if is_shared {
+        let children: Vec<_> = groups.into_par_iter().with_max_len(1).map(child).collect();
+        children.into_iter().collect()
+    } else {
+        groups.into_iter().map(child).collect()
+    };
+    let mut nodes = nodes.lock().unwrap_or_else(PoisonError::into_inner);
+    nodes.push(node(&children));
+    nodes.len() as u32 - 1
 }
 
-/// Divides the shapes into up to four groups, the most expensive one first.
-fn four_groups(shapes: &mut Shapes, level: usize) -> Vec<&mut Shapes> {
+fn node(children: &[(TreeBounds, Child)]) -> Node {
+    let mut planes = [[[f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]]; 3];
+    for (lane, (bounds, _)) in children.iter().enumerate() {
+        for (axis, [min, max]) in planes.iter_mut().enumerate() {
+            (min[lane], max[lane]) = (bounds.min[axis], bounds.max[axis]);
+        }
+    }
+    // No ray meets the bounds of a missing child.
+    let child = |lane: usize| {
+        children
+            .get(lane)
+            .map_or(Child::Node(0), |(_, child)| *child)
+    };
+    Node {
+        planes: planes.map(|sides| sides.map(f32x8::new)),
+        children: std::array::from_fn(child),
+    }
+}
+
+/// The leaf of a group, if it is small enough and of one kind.
+fn leaf(first: usize, group: &[Item]) -> Option<Leaf> {
+    let kind = group[0].shape.kind;
+    is_leaf(group).then_some(Leaf {
+        kind,
+        count: group.len() as u8,
+        first: first as u32,
+    })
+}
+
+fn is_leaf(group: &[Item]) -> bool {
+    group.len() <= LEAF
+        && group
+            .windows(2)
+            .all(|two| two[0].shape.kind == two[1].shape.kind)
+}
+
+pub(super) fn bounds(items: &[Item]) -> TreeBounds {
+    let all = items.iter().map(|item| item.bounds);
+    all.fold(TreeBounds::NOWHERE, TreeBounds::union)
+}
+
+/// Divides shapes into up to eight groups, the most expensive one first; those that could
+/// be leaves only if no other is left.
+fn divide(group: Group, level: usize) -> Vec<Group> {
     // Cuts by area alone could make a tree with as many levels as shapes. Below half
     // of the levels the shapes are halved, for which the other half is enough.
     let halve = level >= LEVELS / 2;
-    let cost = |group: &Shapes| {
+    let cost = |group: &[Item]| {
         let area = if halve {
             1.0
         } else {
             bounds(group).half_area()
         };
-        area * group.len() as f64
+        (!is_leaf(group), area * group.len() as f32)
     };
-    let mut groups = vec![shapes];
+    let mut groups = vec![(cost(group.1), group)];
     while groups.len() < WIDTH {
-        let large = (0..groups.len()).filter(|i| groups[*i].len() > WIDTH);
-        let Some(index) = large.max_by(|i, j| cost(groups[*i]).total_cmp(&cost(groups[*j]))) else {
+        let several = (0..groups.len()).filter(|i| groups[*i].1.1.len() > 1);
+        let expensive = |i: &usize, j: &usize| {
+            let (i, j) = (groups[*i].0, groups[*j].0);
+            i.0.cmp(&j.0).then(i.1.total_cmp(&j.1))
+        };
+        let Some(index) = several.max_by(expensive) else {
             break;
         };
-        let group = groups.swap_remove(index);
-        let cut = if halve { None } else { cheapest_cut(group) };
-        let (axis, left) = cut.unwrap_or_else(|| (longest_axis(group), group.len() / 2));
-        let middle = |shape: &(Bounds, ShapeId)| shape.0.middle()[axis];
-        group.select_nth_unstable_by(left, |a, b| middle(a).total_cmp(&middle(b)));
-        let (left, right) = group.split_at_mut(left);
-        groups.extend([left, right]);
+        let (_, (first, group)) = groups.swap_remove(index);
+        let left = if group.len() <= LEAF && !is_leaf(group) {
+            by_kind(group)
+        } else if halve {
+            halves(group)
+        } else {
+            cheapest(group).unwrap_or_else(|| halves(group))
+        };
+        let (a, b) = group.split_at_mut(left);
+        for group in [(first, a), (first + left, b)] {
+            groups.push((cost(group.1), group));
+        }
     }
-    groups
-}
-
-/// The axis along which the middles of the shapes are spread farthest.
-fn longest_axis(shapes: &Shapes) -> usize {
-    let middles = middles(shapes);
-    let extent = |axis: &usize| middles.max[*axis] - middles.min[*axis];
-    let axes = 0..3;
-    axes.max_by(|a, b| extent(a).total_cmp(&extent(b)))
-        .unwrap_or(0)
-}
-
-fn middles(shapes: &Shapes) -> Bounds {
-    Bounds::of_all(shapes.iter().map(|(bounds, _)| {
-        let middle = bounds.middle();
-        Bounds {
-            min: middle,
-            max: middle,
-        }
-    }))
-}
-
-const BINS: usize = 16;
-
-/// Where to cut the shapes, sorted along an axis, so that the surface area
-/// heuristic expects the fewest tests: the axis, and how many go to the left.
-/// None if all middles are the same point.
-///
-/// (Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, 2007)
-fn cheapest_cut(shapes: &Shapes) -> Option<(usize, usize)> {
-    let middles = middles(shapes);
-    let cuts = (0..3).flat_map(|axis| {
-        let (from, extent) = (middles.min[axis], middles.max[axis] - middles.min[axis]);
-        let mut bins = [(0, Bounds::NOWHERE); BINS];
-        if extent > 0.0 {
-            for (b, _) in shapes {
-                let place = (b.middle()[axis] - from) / extent * BINS as f64;
-                let (count, bounds) = &mut bins[(place as usize).min(BINS - 1)];
-                *count += 1;
-                *bounds = bounds.union(*b);
-            }
-        }
-        let mut from_right = [0.0; BINS];
-        let (mut count, mut all) = (0, Bounds::NOWHERE);
-        for bin in (1..BINS).rev() {
-            count += bins[bin].0;
-            all = all.union(bins[bin].1);
-            from_right[bin] = count as f64 * all.half_area();
-        }
-        let (mut left, mut all) = (0, Bounds::NOWHERE);
-        (1..BINS).map(move |bin| {
-            left += bins[bin - 1].0;
-            all = all.union(bins[bin - 1].1);
-            (left as f64 * all.half_area() + from_right[bin], axis, left)
-        })
-    });
-    cuts.filter(|(_, _, left)| (1..shapes.len()).contains(left))
-        .min_by(|a, b| a.0.total_cmp(&b.0))
-        .map(|(_, axis, left)| (axis, left))
+    groups.into_iter().map(|(_, group)| group).collect()
 }
 
 #[cfg(test)]

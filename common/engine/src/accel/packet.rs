@@ -1,16 +1,21 @@
-//! The nearest hits, and any hits, of four rays. Rays with the same candidates, as
-//! neighbours mostly have, are tested together; others one by one.
+//! The nearest hits, and any hits, of four rays: together while they go the same way, and
+//! otherwise one by one.
 
-use std::cell::OnceCell;
+use std::ops::ControlFlow;
 
 use glam::DVec3;
-use measure::tally::{self, Work};
 
 use super::Accelerator;
-use super::shapes::{ShapeId, Shapes, SingleRay};
-use crate::lanes::{Lanes, PacketHit, RayPacket, Vector3x4, is_set, mask, select};
-use crate::shape::ShearedRays;
-use crate::{Hit, Interval};
+use super::bvh::{Bvh, Leaf};
+use super::shapes::{Kind, ShapeId, with_list};
+use super::single::Nearest;
+use super::slabs::Slabs;
+use crate::Interval;
+use crate::lanes::{Lanes, PacketHit, RayPacket, Vector3x4, bits, mask, select};
+use crate::shape::{Primitive, Rays};
+
+/// Rays stay together while they are no farther apart than this many leaves are wide.
+const COHERENT: f32 = 2.0;
 
 /// The nearest hits of four rays.
 #[derive(Clone, Copy, Debug)]
@@ -23,255 +28,246 @@ pub(crate) struct NearestHits {
     pub surfaces: [u32; 4],
 }
 
+/// A shape that has kept away the light of a source, which the next rays to it may meet
+/// first. (Haines and Greenberg, The Light Buffer, 1986: shadow caching.)
+pub(crate) type Occluder = Option<ShapeId>;
+
 impl Accelerator<'_> {
     /// The nearest hits of the active rays.
-    #[inline]
-    pub fn hit_packet(&self, rays: &RayPacket, active: u32) -> NearestHits {
-        let tests = PacketTests::new(rays, active, &self.shapes);
-        let mut nearest = Nearest::new(&tests);
-        for shape in &self.unbounded {
-            nearest.test(*shape, active);
-        }
-        let mut grids = self.grids.iter();
-        if let Some(mut cells) = grids.find_map(|grid| grid.packet_outwards(rays, active)) {
-            while let Some((candidates, active)) = cells.next() {
-                for candidate in candidates {
-                    let near = Lanes::splat(candidate.near.into());
-                    let beyond = near.simd_gt(cells.near(nearest.t)).to_bitmask();
-                    if active & !beyond == 0 {
-                        break;
-                    }
-                    nearest.test(candidate.shape, active & !beyond);
-                }
-            }
-        } else if let Some(few) = &self.few {
-            for shape in few {
-                nearest.test(*shape, active);
-            }
-        } else {
-            return self.hit_one_by_one(rays, active);
-        }
-        nearest.hits()
-    }
-
-    /// A bit for each active ray that hits anything before `max`.
-    #[inline]
-    pub fn is_hit_packet(&self, rays: &RayPacket, max: Lanes, active: u32) -> u32 {
-        let tests = PacketTests::new(rays, active, &self.shapes);
-        let mut open = active;
-        let mut test = |shape: ShapeId, active: u32| {
-            let active = active & open;
-            if active != 0 {
-                tally::count_all(Work::IntersectionTest, active.count_ones().into());
-                let is_hit = tests.t(shape, max, active).simd_lt(max);
-                open &= !(is_hit.to_bitmask() & active);
-            }
-            open != 0
+    pub fn hit_packet(&self, packet: &RayPacket, active: u32) -> NearestHits {
+        let rays = Rays::four(packet, active);
+        let mut nearest = Nearest4::new();
+        let test = |leaf: Leaf, nearest: &mut Nearest4| {
+            with_list!(self.shapes, leaf.kind, |list| {
+                list.nearest_of_four(leaf, &rays, active, nearest);
+            });
         };
-        if !self.unbounded.iter().all(|shape| test(*shape, active)) {
-            return active;
+        for leaf in &self.scanned {
+            test(*leaf, &mut nearest);
         }
-        let mut grids = self.grids.iter();
-        let of_grid = grids.find_map(|grid| grid.packet_inwards(rays, max, active));
-        if let Some(mut cells) = of_grid {
-            while let Some((candidates, active)) = cells.next() {
-                for candidate in candidates {
-                    let near = Lanes::splat(candidate.near.into());
-                    let beyond = near.simd_gt(cells.start).to_bitmask();
-                    if active & !beyond == 0 || !test(candidate.shape, active & !beyond) {
-                        break;
-                    }
-                }
+        if let Some(tree) = &self.tree {
+            let beyond = |nearest: &Nearest4| tree.units.beyond(largest(nearest.t, active));
+            let first = beyond(&nearest);
+            let visit = |leaf| {
+                test(leaf, &mut nearest);
+                ControlFlow::Continue(beyond(&nearest))
+            };
+            let _ = match tree.way(packet, active) {
+                Way::Bundle(slabs) => tree.search(&slabs, first, visit),
+                Way::AllLeaves => tree.search_all(visit),
+                Way::OneByOne => self.nearest_one_by_one(packet, active, &mut nearest),
+            };
+        }
+        self.hits(&rays, nearest)
+    }
+
+    fn nearest_one_by_one(
+        &self,
+        packet: &RayPacket,
+        active: u32,
+        nearest: &mut Nearest4,
+    ) -> ControlFlow<()> {
+        let rays = packet.to_rays();
+        let (mut t, mut orders) = (nearest.t.to_array(), nearest.orders.to_array());
+        let mut shapes = nearest.shapes.to_array();
+        for lane in bits(active) {
+            let ray = &rays[lane];
+            let mut alone = Nearest {
+                t: t[lane],
+                // Below 0, no hit, becomes 0.
+                order: orders[lane] as u32,
+                shape: None,
+            };
+            self.search_nearest(ray, &Rays::one(ray, 0.0), 0.0, &mut alone);
+            if let Some(shape) = alone.shape {
+                (t[lane], orders[lane]) = (alone.t, alone.order.into());
+                shapes[lane] = shape.to_bits();
             }
-        } else if let Some(few) = &self.few {
-            few.iter().all(|shape| test(*shape, active));
-        } else {
-            return (active & !open) | self.is_hit_one_by_one(rays, max, open);
         }
-        active & !open
-    }
-
-    #[inline(never)]
-    fn hit_one_by_one(&self, rays: &RayPacket, active: u32) -> NearestHits {
-        let alone = rays.to_rays();
-        let (mut hit_mask, mut surfaces, mut hits) = (0, [0; 4], [Hit::NONE; 4]);
-        for (lane, ray) in alone.iter().enumerate() {
-            if is_set(active, lane)
-                && let Some((hit, surface)) = self.hit(ray, Interval::AHEAD)
-            {
-                hit_mask |= 1 << lane;
-                (surfaces[lane], hits[lane]) = (surface, hit);
-            }
-        }
-        NearestHits {
-            hit_mask,
-            hit: PacketHit::new(hits).facing(rays),
-            surfaces,
-        }
-    }
-
-    #[inline(never)]
-    fn is_hit_one_by_one(&self, rays: &RayPacket, max: Lanes, active: u32) -> u32 {
-        let (rays, max) = (rays.to_rays(), max.to_array());
-        let is_hit = |lane: usize| self.is_hit(&rays[lane], Interval::before(max[lane]));
-        let lanes = (0..4).filter(|lane| is_set(active, *lane) && is_hit(*lane));
-        lanes.map(|lane| 1 << lane).sum()
-    }
-}
-
-/// Four rays that are tested against shapes.
-struct PacketTests<'r, 'a> {
-    rays: &'r RayPacket,
-    active: u32,
-    shapes: &'r Shapes<'a>,
-    sheared: OnceCell<Option<ShearedRays>>,
-}
-
-impl<'r, 'a> PacketTests<'r, 'a> {
-    #[inline]
-    fn new(rays: &'r RayPacket, active: u32, shapes: &'r Shapes<'a>) -> Self {
-        Self {
-            rays,
-            active,
-            shapes,
-            sheared: OnceCell::new(),
-        }
-    }
-
-    #[inline]
-    fn sheared(&self) -> Option<&ShearedRays> {
-        let sheared = || ShearedRays::new(self.rays, self.active);
-        self.sheared.get_or_init(sheared).as_ref()
-    }
-
-    /// Where each active ray hits the shape. Hits beyond `max` do not count, and may be
-    /// NaN like misses.
-    #[expect(
-        clippy::inline_always,
-        reason = "a call would take as long as the test"
-    )]
-    #[inline(always)]
-    fn t(&self, shape: ShapeId, max: Lanes, active: u32) -> Lanes {
-        let Self { rays, shapes, .. } = self;
-        match shape {
-            ShapeId::Sphere(i) => shapes.spheres[i as usize].0.meet(rays),
-            ShapeId::Plane(i) => shapes.planes[i as usize].0.meet(rays),
-            ShapeId::Box(i) => shapes.boxes[i as usize].0.meet(rays),
-            ShapeId::Triangle(i) if let Some(rays) = self.sheared() => {
-                shapes.triangles[i as usize].0.meet(rays).t
-            }
-            _ => self.rare(shape, max, active).t,
-        }
-    }
-
-    /// The hits of a shape at these `t`.
-    #[inline]
-    fn hits(&self, shape: ShapeId, t: Lanes, active: u32) -> PacketHit {
-        let Self { rays, shapes, .. } = self;
-        match shape {
-            ShapeId::Sphere(i) => shapes.spheres[i as usize].0.hits(rays, t),
-            ShapeId::Plane(i) => shapes.planes[i as usize].0.hits(t),
-            ShapeId::Box(i) => shapes.boxes[i as usize].0.hits(rays),
-            ShapeId::Triangle(i) if let Some(rays) = self.sheared() => {
-                let triangle = &shapes.triangles[i as usize].0;
-                triangle.hits(triangle.meet(rays))
-            }
-            _ => self.rare(shape, t, active),
-        }
-    }
-
-    /// The hits of a shape of the other kinds. They stay out of the loop over
-    /// candidates, which is faster with few kinds.
-    #[inline(never)]
-    fn rare(&self, shape: ShapeId, max: Lanes, active: u32) -> PacketHit {
-        if let ShapeId::Disc(i) = shape {
-            let disc = &self.shapes.discs[i as usize].0;
-            return disc.hits(disc.meet(self.rays));
-        }
-        self.one_by_one(shape, max, active)
-    }
-
-    /// The hits of a shape that has no formula for four of these rays.
-    fn one_by_one(&self, shape: ShapeId, max: Lanes, active: u32) -> PacketHit {
-        let (rays, max) = (self.rays.to_rays(), max.to_array());
-        PacketHit::new([0, 1, 2, 3].map(|lane| {
-            if !is_set(active, lane) {
-                return Hit::NONE;
-            }
-            let within = Interval::before(max[lane].next_up());
-            let tests = SingleRay::new(&rays[lane], self.shapes);
-            tests.hit_uncounted(shape, within).unwrap_or(Hit::NONE)
-        }))
-    }
-}
-
-/// The nearest hits so far.
-struct Nearest<'t, 'r, 'a> {
-    tests: &'t PacketTests<'r, 'a>,
-    t: Lanes,
-    /// The positions in the list of the shapes hit there; below 0 without a hit.
-    orders: Lanes,
-}
-
-impl<'t, 'r, 'a> Nearest<'t, 'r, 'a> {
-    #[inline]
-    fn new(tests: &'t PacketTests<'r, 'a>) -> Self {
-        Self {
-            tests,
-            t: Lanes::splat(f64::INFINITY),
-            orders: Lanes::splat(-1.0),
-        }
-    }
-
-    /// Takes the nearer hit, and at the same place the first of the list; without a
-    /// branch, because no processor can predict which shape is the nearest.
-    #[expect(
-        clippy::inline_always,
-        reason = "a call would take as long as the test"
-    )]
-    #[inline(always)]
-    fn test(&mut self, shape: ShapeId, active: u32) {
-        tally::count_all(Work::IntersectionTest, active.count_ones().into());
-        let t = self.tests.t(shape, self.t, active);
-        let order = Lanes::splat(self.tests.shapes.listed(shape).order.into());
-        let is_first = t.simd_eq(self.t) & order.simd_lt(self.orders);
-        let found = (t.simd_lt(self.t) | is_first) & mask(active);
-        self.t = select(found, t, self.t);
-        self.orders = select(found, order, self.orders);
+        *nearest = Nearest4 {
+            t: Lanes::new(t),
+            orders: Lanes::new(orders),
+            shapes: Lanes::new(shapes),
+        };
+        ControlFlow::Continue(())
     }
 
     /// The hits, shape by shape.
-    #[inline]
-    fn hits(self) -> NearestHits {
-        let Self { tests, t, orders } = self;
+    fn hits(&self, rays: &Rays, nearest: Nearest4) -> NearestHits {
+        let Nearest4 { t, orders, shapes } = nearest;
         let hit_mask = orders.simd_ge(Lanes::ZERO).to_bitmask();
         let mut hit = PacketHit::with_normals(t, Vector3x4::splat(DVec3::ZERO));
         let mut surfaces = [0; 4];
-        let of_lanes = orders.to_array();
+        let shapes = shapes.to_array();
         let mut open = hit_mask;
         while open != 0 {
-            let order = of_lanes[open.trailing_zeros() as usize % 4];
-            let same = orders.simd_eq(Lanes::splat(order)).to_bitmask();
-            let shape = tests.shapes.in_order[order as usize];
-            let of_shape = tests.hits(shape, t, same);
-            let surface = tests.shapes.listed(shape).surface;
+            let lane = open.trailing_zeros() as usize % 4;
+            let order = Lanes::splat(orders.to_array()[lane]);
+            let same = orders.simd_eq(order).to_bitmask();
+            let shape = ShapeId::from_bits(shapes[lane]);
+            let (of_shape, surface) = with_list!(self.shapes, shape.kind, |list| {
+                let hits = list.get(shape.index).hits(rays, t, same);
+                (hits, list.places[shape.index as usize].surface)
+            });
             if hit_mask & !same == 0 {
                 hit = of_shape;
                 surfaces = [surface; 4];
                 break;
             }
             hit = of_shape.or(mask(same), hit);
-            for (lane, of_lane) in surfaces.iter_mut().enumerate() {
-                if is_set(same, lane) {
-                    *of_lane = surface;
-                }
+            for lane in bits(same) {
+                surfaces[lane] = surface;
             }
             open &= !same;
         }
         NearestHits {
             hit_mask,
-            hit: hit.facing(tests.rays),
+            hit: hit.facing(&rays.packet),
             surfaces,
         }
+    }
+
+    /// A bit for each active ray that hits anything before `max`. `occluder` is tested
+    /// first, and renewed.
+    pub fn is_hit_packet(
+        &self,
+        packet: &RayPacket,
+        max: Lanes,
+        active: u32,
+        occluder: &mut Occluder,
+    ) -> u32 {
+        let rays = Rays::four(packet, active);
+        let mut shadow = Shadow {
+            open: active,
+            occluder: *occluder,
+        };
+        let test = |leaf: Leaf, shadow: &mut Shadow| {
+            let (hit, i) = with_list!(self.shapes, leaf.kind, |list| {
+                list.any_of_four(leaf, &rays, max, shadow.open)
+            });
+            if hit != 0 {
+                *shadow = Shadow {
+                    open: shadow.open & !hit,
+                    occluder: Some(leaf.shape(i)),
+                };
+            }
+            shadow.open == 0
+        };
+        let last = occluder.map(Leaf::of);
+        let mut first = last.iter().chain(&self.scanned);
+        if !first.any(|leaf| test(*leaf, &mut shadow))
+            && let Some(tree) = &self.tree
+        {
+            let active = shadow.open;
+            let beyond = tree.units.beyond(largest(max, active));
+            let visit = |leaf| {
+                if test(leaf, &mut shadow) {
+                    return ControlFlow::Break(());
+                }
+                ControlFlow::Continue(beyond)
+            };
+            let _ = match tree.way(packet, active) {
+                Way::Bundle(slabs) => tree.search(&slabs, beyond, visit),
+                Way::AllLeaves => tree.search_all(visit),
+                Way::OneByOne => self.any_one_by_one(packet, max, &mut shadow),
+            };
+        }
+        *occluder = shadow.occluder;
+        active & !shadow.open
+    }
+
+    fn any_one_by_one(
+        &self,
+        packet: &RayPacket,
+        max: Lanes,
+        shadow: &mut Shadow,
+    ) -> ControlFlow<()> {
+        let (rays, max) = (packet.to_rays(), max.to_array());
+        for lane in bits(shadow.open) {
+            let ray = &rays[lane];
+            let within = Interval::before(max[lane]);
+            let found = self.search_any(ray, &Rays::one(ray, 0.0), within);
+            if found.is_some() {
+                shadow.open &= !(1 << lane);
+                shadow.occluder = found;
+            }
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// How rays pass through a tree.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "it lives for a moment, on the stack"
+)]
+enum Way {
+    /// Together.
+    Bundle(Slabs<2>),
+    /// Together, testing all shapes.
+    AllLeaves,
+    OneByOne,
+}
+
+impl Bvh {
+    /// The way of the active of four rays: together while they are coherent. Otherwise the
+    /// shapes of a single node are sooner tested than told apart.
+    #[inline]
+    fn way(&self, packet: &RayPacket, active: u32) -> Way {
+        if active.is_power_of_two() {
+            // A ray alone.
+            return Way::OneByOne;
+        }
+        let width = COHERENT * self.leaf_width;
+        match self.units.bundle(packet, active, width) {
+            Some(slabs) => Way::Bundle(slabs),
+            None if self.nodes.len() == 1 => Way::AllLeaves,
+            None => Way::OneByOne,
+        }
+    }
+}
+
+/// The rays that have not hit anything yet, and the shape hit last.
+struct Shadow {
+    open: u32,
+    occluder: Occluder,
+}
+
+/// The largest of some lanes.
+#[inline]
+fn largest(lanes: Lanes, active: u32) -> f64 {
+    let [a, b, c, d] = (lanes & mask(active)).to_array();
+    a.max(b).max(c.max(d))
+}
+
+/// The nearest hits so far.
+#[derive(Clone, Copy)]
+pub(super) struct Nearest4 {
+    pub t: Lanes,
+    /// The positions in the list of the shapes hit there; below 0 without a hit.
+    orders: Lanes,
+    /// The bits of the shapes hit.
+    shapes: Lanes,
+}
+
+impl Nearest4 {
+    fn new() -> Self {
+        Self {
+            t: Lanes::splat(f64::INFINITY),
+            orders: Lanes::splat(-1.0),
+            shapes: Lanes::ZERO,
+        }
+    }
+
+    /// Takes the nearer hits of a shape, and at the same place the first of the list;
+    /// without a branch, because no processor can predict which shape is the nearest.
+    #[inline]
+    pub fn take(&mut self, t: Lanes, order: u32, shape: ShapeId, active: u32) {
+        let order = Lanes::splat(order.into());
+        let is_first = t.simd_eq(self.t) & order.simd_lt(self.orders);
+        let found = (t.simd_lt(self.t) | is_first) & mask(active);
+        self.t = select(found, t, self.t);
+        self.orders = select(found, order, self.orders);
+        self.shapes = select(found, Lanes::splat(shape.to_bits()), self.shapes);
     }
 }

@@ -1,94 +1,115 @@
 //! The nearest hit, and any hit, of a single ray.
 
-use super::shapes::{ShapeId, SingleRay};
-use super::{Accelerator, FEW_FOR_ONE};
+use std::ops::ControlFlow;
+
+use super::Accelerator;
+use super::bvh::{Bvh, Leaf};
+use super::shapes::{Kind, ShapeId, with_list};
+use crate::shape::{Primitive, Rays};
 use crate::{Hit, Interval, Ray};
 
 impl Accelerator<'_> {
     /// The nearest hit within the interval and the surface hit; of several at the same
     /// place, the first of the list.
-    #[inline]
     pub fn hit(&self, ray: &Ray, within: Interval) -> Option<(Hit, u32)> {
-        let tests = SingleRay::new(ray, &self.shapes);
-        let mut nearest = Nearest::new(&tests, within);
-        if self.shapes.len() <= FEW_FOR_ONE {
-            for shape in &self.shapes.in_order {
-                nearest.test(*shape);
-            }
-            return nearest.hit();
+        let rays = Rays::one(ray, within.min);
+        let mut nearest = Nearest::before(within.max);
+        for leaf in &self.scanned {
+            self.nearest_in(*leaf, &rays, &mut nearest);
         }
-        for shape in &self.unbounded {
-            nearest.test(*shape);
-        }
-        let of_grid = self.grids.iter().find_map(|grid| grid.outwards(ray));
-        if let Some((candidates, near)) = of_grid {
-            for candidate in candidates {
-                if f64::from(candidate.near) > near(nearest.within.max) {
-                    break;
-                }
-                nearest.test(candidate.shape);
-            }
-        } else {
-            self.trees().hit(&mut nearest);
-        }
-        nearest.hit()
+        self.search_nearest(ray, &rays, within.min, &mut nearest);
+        let shape = nearest.shape?;
+        let hit = with_list!(self.shapes, shape.kind, |list| {
+            list.get(shape.index).hit(ray, within)
+        })?;
+        Some((hit, self.shapes.place(shape).surface))
     }
 
     /// Whether anything is hit within the interval.
-    #[inline]
     pub fn is_hit(&self, ray: &Ray, within: Interval) -> bool {
-        let tests = SingleRay::new(ray, &self.shapes);
-        let is_hit = |shape: &ShapeId| tests.hit(*shape, within).is_some();
-        if self.shapes.len() <= FEW_FOR_ONE {
-            return self.shapes.in_order.iter().any(is_hit);
-        }
-        if self.unbounded.iter().any(is_hit) {
-            return true;
-        }
-        for grid in &self.grids {
-            if let Some(mut shapes) = grid.inwards(ray, within) {
-                return shapes.any(|shape| is_hit(&shape));
+        let rays = Rays::one(ray, within.min);
+        let mut scanned = self.scanned.iter();
+        scanned.any(|leaf| self.any_in(*leaf, &rays, within.max).is_some())
+            || self.search_any(ray, &rays, within).is_some()
+    }
+
+    /// Looks for a nearer hit in the tree.
+    #[inline(never)]
+    pub(super) fn search_nearest(&self, ray: &Ray, rays: &Rays, min: f64, nearest: &mut Nearest) {
+        let Some(tree) = &self.tree else {
+            return;
+        };
+        let beyond = tree.units.beyond(nearest.t);
+        let _ = tree.search_one(ray, min, beyond, |leaf| {
+            self.nearest_in(leaf, rays, nearest);
+            ControlFlow::Continue(tree.units.beyond(nearest.t))
+        });
+    }
+
+    /// Looks for any hit in the tree.
+    #[inline(never)]
+    pub(super) fn search_any(&self, ray: &Ray, rays: &Rays, within: Interval) -> Option<ShapeId> {
+        let tree = self.tree.as_ref()?;
+        let beyond = tree.units.beyond(within.max);
+        let mut found = None;
+        let _ = tree.search_one(ray, within.min, beyond, |leaf| {
+            found = self.any_in(leaf, rays, within.max);
+            match found {
+                Some(_) => ControlFlow::Break(()),
+                None => ControlFlow::Continue(beyond),
             }
+        });
+        found
+    }
+
+    #[inline]
+    fn nearest_in(&self, leaf: Leaf, rays: &Rays, nearest: &mut Nearest) {
+        with_list!(self.shapes, leaf.kind, |list| list
+            .nearest(leaf, rays, nearest));
+    }
+
+    #[inline]
+    fn any_in(&self, leaf: Leaf, rays: &Rays, max: f64) -> Option<ShapeId> {
+        let hit = with_list!(self.shapes, leaf.kind, |list| list.any(leaf, rays, max));
+        hit.map(|i| leaf.shape(i))
+    }
+}
+
+impl Bvh {
+    /// Like `search`, for one ray; visits all leaves if it does not fit into the units of
+    /// the tree.
+    #[inline]
+    fn search_one(
+        &self,
+        ray: &Ray,
+        min: f64,
+        beyond: f32,
+        visit: impl FnMut(Leaf) -> ControlFlow<(), f32>,
+    ) -> ControlFlow<()> {
+        match self.units.ray(ray, min) {
+            Some(slabs) => self.search(&slabs, beyond, visit),
+            None => self.search_all(visit),
         }
-        self.trees().is_hit(&tests, within)
     }
 }
 
 /// The nearest hit so far.
-pub(super) struct Nearest<'r, 'a> {
-    pub tests: &'r SingleRay<'r, 'a>,
-    pub within: Interval,
-    found: Option<(Hit, ShapeId)>,
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Nearest {
+    pub t: f64,
+    /// The position in the list of the shape hit there.
+    pub order: u32,
+    pub shape: Option<ShapeId>,
 }
 
-impl<'r, 'a> Nearest<'r, 'a> {
-    pub const fn new(tests: &'r SingleRay<'r, 'a>, within: Interval) -> Self {
+impl Nearest {
+    /// No hit; those before `max` count.
+    pub const fn before(max: f64) -> Self {
         Self {
-            tests,
-            within,
-            found: None,
+            t: max,
+            // No shape comes before the first of the list.
+            order: 0,
+            shape: None,
         }
-    }
-
-    #[inline]
-    pub fn test(&mut self, shape: ShapeId) {
-        let Some(hit) = self.tests.hit(shape, self.within) else {
-            return;
-        };
-        // At the same place the first of the list counts, in any order of tests.
-        let order = |shape| self.tests.shapes.listed(shape).order;
-        if let Some((found, other)) = self.found
-            && found.t == hit.t
-            && order(other) < order(shape)
-        {
-            return;
-        }
-        self.within.max = hit.t.next_up();
-        self.found = Some((hit, shape));
-    }
-
-    fn hit(self) -> Option<(Hit, u32)> {
-        let (hit, shape) = self.found?;
-        Some((hit, self.tests.shapes.listed(shape).surface))
     }
 }

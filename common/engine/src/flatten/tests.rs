@@ -3,7 +3,7 @@
 
 use super::*;
 use crate::adaptive::random::PixelRandom;
-use crate::shape::{Shape, Sphere};
+use crate::shape::{Primitive, Shape, Sphere};
 use crate::{Hit, Interval, Ray};
 
 /// A sum of two doubles, the second below the last digit of the first: some 30 digits

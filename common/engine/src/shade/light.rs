@@ -5,7 +5,6 @@ use std::fmt;
 use common::Color;
 use glam::DVec3;
 
-use crate::accel::RayBundle;
 use crate::lanes::{ColorPacket, Lanes, Vector3x4, is_set};
 use crate::vector::normalized;
 
@@ -88,18 +87,6 @@ pub(crate) struct IlluminationPacket {
 }
 
 impl Light<'_> {
-    /// The bundle of all rays to it, if they form one.
-    #[must_use]
-    pub fn bundle(&self) -> Option<RayBundle> {
-        match self.kind {
-            LightKind::Point { position, .. } | LightKind::Spot { position, .. } => {
-                Some(RayBundle::Through(position))
-            }
-            LightKind::Directional { direction, .. } => Some(RayBundle::Parallel(direction)),
-            LightKind::Other(_) => None,
-        }
-    }
-
     /// Upper bound of its light, per channel.
     pub(crate) fn max_radiance(&self) -> Color {
         match self.kind {

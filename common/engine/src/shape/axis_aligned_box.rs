@@ -1,11 +1,9 @@
-//! `AxisAlignedBox`: for one ray and for four rays.
+//! `AxisAlignedBox`: alone and in lanes.
 
 use glam::DVec3;
 
-use super::Bounds;
-use crate::lanes::{
-    Lanes, PacketHit, RayPacket, Vector3x4, copysign, first_ahead, select, without,
-};
+use super::{Bounds, Primitive, Rays};
+use crate::lanes::{Lanes, PacketHit, Vector3x4, copysign, first_beyond, select, without};
 use crate::{Hit, Interval, Ray};
 
 /// A box whose faces are perpendicular to the axes.
@@ -24,15 +22,23 @@ const WIDER: f64 = {
     1.0 + 2.0 * (three_u / (1.0 - three_u))
 };
 
-impl AxisAlignedBox {
-    pub(crate) const fn bounds(&self) -> Bounds {
+/// Four boxes.
+pub(crate) struct Boxes {
+    min: [Lanes; 3],
+    max: [Lanes; 3],
+}
+
+impl Primitive for &AxisAlignedBox {
+    type Four = Boxes;
+
+    fn bounds(self) -> Bounds {
         Bounds {
             min: self.min,
             max: self.max,
         }
     }
 
-    pub(crate) fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+    fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {
         let (o, d) = (ray.origin.to_array(), ray.direction.to_array());
         let (mut near, mut near_axis) = (f64::NEG_INFINITY, 0);
         let (mut far, mut far_axis) = (f64::INFINITY, 0);
@@ -63,17 +69,32 @@ impl AxisAlignedBox {
         }
     }
 
-    /// Where each of four rays meets the box.
-    #[inline(never)]
-    pub(crate) fn meet(&self, rays: &RayPacket) -> Lanes {
-        self.hits(rays).t
+    #[inline]
+    fn four(shapes: [Self; 4]) -> Boxes {
+        Boxes {
+            min: [0, 1, 2].map(|axis| Lanes::new(shapes.map(|shape| shape.min[axis]))),
+            max: [0, 1, 2].map(|axis| Lanes::new(shapes.map(|shape| shape.max[axis]))),
+        }
     }
 
-    /// The hits of four rays.
     #[inline]
-    pub(crate) fn hits(&self, rays: &RayPacket) -> PacketHit {
+    fn meet(shapes: &Boxes, rays: &Rays, _: u32) -> Lanes {
+        shapes.hits(rays).t
+    }
+
+    #[inline]
+    fn hits(self, rays: &Rays, _: Lanes, _: u32) -> PacketHit {
+        Self::four([self; 4]).hits(rays)
+    }
+}
+
+impl Boxes {
+    /// The hits of a ray and a box in each lane.
+    #[inline]
+    fn hits(&self, rays: &Rays) -> PacketHit {
         let coordinates = |v: Vector3x4| [v.x, v.y, v.z];
-        let (o, d) = (coordinates(rays.origin), coordinates(rays.direction));
+        let (o, d) = (rays.packet.origin, rays.packet.direction);
+        let (o, d) = (coordinates(o), coordinates(d));
 
         let mut near = Lanes::splat(f64::NEG_INFINITY);
         let mut far = Lanes::splat(f64::INFINITY);
@@ -81,8 +102,8 @@ impl AxisAlignedBox {
         let (mut near_normal, mut far_normal) = ([Lanes::ZERO; 3], [Lanes::ZERO; 3]);
         for axis in 0..3 {
             let inverse = Lanes::ONE / d[axis];
-            let a = (Lanes::splat(self.min[axis]) - o[axis]) * inverse;
-            let b = (Lanes::splat(self.max[axis]) - o[axis]) * inverse;
+            let a = (self.min[axis] - o[axis]) * inverse;
+            let b = (self.max[axis] - o[axis]) * inverse;
             let entered = a.max(near).fast_min(b.max(near));
             let left = a.min(far).fast_max(b.min(far));
             let (later, earlier) = (entered.simd_gt(near), left.simd_lt(far));
@@ -99,9 +120,9 @@ impl AxisAlignedBox {
         let missed = near.simd_gt(far * Lanes::splat(WIDER));
         let far = far.fast_max(near);
 
-        let enters = near.simd_gt(Lanes::ZERO);
+        let enters = near.simd_gt(rays.min);
         let [x, y, z] = [0, 1, 2].map(|axis| select(enters, near_normal[axis], far_normal[axis]));
-        let t = without(missed, first_ahead(near, far));
+        let t = without(missed, first_beyond(rays.min, near, far));
         PacketHit::with_normals(t, Vector3x4 { x, y, z })
     }
 }

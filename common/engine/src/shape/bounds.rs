@@ -76,13 +76,6 @@ impl Bounds {
     pub fn middle(self) -> [f64; 3] {
         std::array::from_fn(|axis| self.min[axis].midpoint(self.max[axis]))
     }
-
-    /// Half the surface area of the box, in proportion to the number of rays that meet
-    /// it. 0 for the empty box.
-    pub fn half_area(self) -> f64 {
-        let [x, y, z] = std::array::from_fn(|axis| (self.max[axis] - self.min[axis]).max(0.0));
-        x * y + y * z + z * x
-    }
 }
 
 #[cfg(test)]
@@ -95,7 +88,7 @@ mod tests {
     };
 
     #[test]
-    fn a_box_has_eight_corners_a_middle_and_a_surface() {
+    fn a_box_has_eight_corners_and_a_middle() {
         let corners = BOX.corners();
         for x in [1.0, 3.0] {
             for y in [-2.0, 3.0] {
@@ -106,9 +99,6 @@ mod tests {
         }
         assert_eq!(Bounds::around(corners), BOX);
         assert_eq!(BOX.middle(), [2.0, 0.5, 6.0]);
-        // 2 · 5 + 5 · 6 + 6 · 2.
-        assert_eq!(BOX.half_area(), 52.0);
-        assert_eq!(Bounds::NOWHERE.half_area(), 0.0);
     }
 
     #[test]

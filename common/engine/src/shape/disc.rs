@@ -1,9 +1,10 @@
-//! `Disc`: for one ray and for four rays.
+//! `Disc`: alone and in lanes.
 
 use glam::DVec3;
 
-use super::{Bounds, Plane};
-use crate::lanes::{Lanes, PacketHit, RayPacket, Vector3x4, without};
+use super::plane::Planes;
+use super::{Bounds, Plane, Primitive, Rays};
+use crate::lanes::{Lanes, PacketHit, without};
 use crate::{Hit, Interval, Ray};
 
 /// The part of a plane around a point of it.
@@ -18,34 +19,48 @@ pub struct Disc {
 /// Upper bound of the rounding error of the rim, in radii.
 const ROUNDING: f64 = 1.0 / 1_099_511_627_776.0;
 
-impl Disc {
+/// Four discs.
+pub(crate) struct Discs {
+    planes: Planes,
+    radius: Lanes,
+}
+
+impl Primitive for &Disc {
+    type Four = Discs;
+
     /// Along an axis the disc reaches as far as the sine of the angle between axis
     /// and normal: the length of the normal's other two coordinates.
-    pub(crate) fn bounds(&self) -> Bounds {
+    fn bounds(self) -> Bounds {
         let DVec3 { x, y, z } = self.plane.normal;
         let reach = [(y, z), (z, x), (x, y)].map(|(a, b)| self.radius * (a * a + b * b).sqrt());
         let (center, reach) = (self.plane.point, DVec3::from(reach));
         Bounds::around([center + reach, center - reach]).wider(self.radius * ROUNDING)
     }
 
-    pub(crate) fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+    fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {
         let hit = self.plane.hit(ray, within)?;
         let from_center = ray.at(hit.t) - self.plane.point;
         (from_center.dot(from_center) <= self.radius * self.radius).then_some(hit)
     }
 
-    /// Where each of four rays meets the disc.
     #[inline]
-    pub(crate) fn meet(&self, rays: &RayPacket) -> Lanes {
-        let t = self.plane.meet(rays);
-        let from_center = rays.at(t) - Vector3x4::splat(self.plane.point);
-        let squared_radius = Lanes::splat(self.radius * self.radius);
+    fn four(shapes: [Self; 4]) -> Discs {
+        Discs {
+            planes: <&Plane>::four(shapes.map(|disc| &disc.plane)),
+            radius: Lanes::new(shapes.map(|disc| disc.radius)),
+        }
+    }
+
+    #[inline]
+    fn meet(shapes: &Discs, rays: &Rays, wanted: u32) -> Lanes {
+        let t = <&Plane>::meet(&shapes.planes, rays, wanted);
+        let from_center = rays.packet.at(t) - shapes.planes.point;
+        let squared_radius = shapes.radius * shapes.radius;
         without(!from_center.dot(from_center).simd_le(squared_radius), t)
     }
 
-    /// The hits at these `t`.
     #[inline]
-    pub(crate) fn hits(&self, t: Lanes) -> PacketHit {
-        self.plane.hits(t)
+    fn hits(self, rays: &Rays, t: Lanes, wanted: u32) -> PacketHit {
+        self.plane.hits(rays, t, wanted)
     }
 }

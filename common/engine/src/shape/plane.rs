@@ -1,8 +1,9 @@
-//! `Plane`: for one ray and for four rays.
+//! `Plane`: alone and in lanes.
 
 use glam::DVec3;
 
-use crate::lanes::{Lanes, PacketHit, RayPacket, Vector3x4, ahead};
+use super::{Bounds, Primitive, Rays};
+use crate::lanes::{Lanes, PacketHit, Vector3x4, beyond};
 use crate::{Hit, Interval, Ray};
 
 /// The plane through a point, perpendicular to a normal.
@@ -14,26 +15,41 @@ pub struct Plane {
     pub normal: DVec3,
 }
 
-impl Plane {
-    pub(crate) fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+/// Four planes.
+pub(crate) struct Planes {
+    pub point: Vector3x4,
+    normal: Vector3x4,
+}
+
+impl Primitive for &Plane {
+    type Four = Planes;
+
+    fn bounds(self) -> Bounds {
+        Bounds::EVERYWHERE
+    }
+
+    fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {
         let t = (self.point - ray.origin).dot(self.normal) / ray.direction.dot(self.normal);
         within.contains(t).then(|| Hit::new(t, self.normal))
     }
 
-    /// Where each of four rays meets the plane.
-    #[expect(
-        clippy::inline_always,
-        reason = "a call would take as long as the test"
-    )]
-    #[inline(always)]
-    pub(crate) fn meet(&self, rays: &RayPacket) -> Lanes {
-        let (a, n) = (Vector3x4::splat(self.point), Vector3x4::splat(self.normal));
-        ahead((a - rays.origin).dot(n) / rays.direction.dot(n))
+    #[inline]
+    fn four(shapes: [Self; 4]) -> Planes {
+        Planes {
+            point: Vector3x4::new(shapes.map(|plane| plane.point)),
+            normal: Vector3x4::new(shapes.map(|plane| plane.normal)),
+        }
     }
 
-    /// The hits at these `t`.
     #[inline]
-    pub(crate) fn hits(&self, t: Lanes) -> PacketHit {
+    fn meet(shapes: &Planes, rays: &Rays, _: u32) -> Lanes {
+        let (a, n) = (shapes.point, shapes.normal);
+        let ray = &rays.packet;
+        beyond(rays.min, (a - ray.origin).dot(n) / ray.direction.dot(n))
+    }
+
+    #[inline]
+    fn hits(self, _: &Rays, t: Lanes, _: u32) -> PacketHit {
         PacketHit::with_normals(t, Vector3x4::splat(self.normal))
     }
 }

@@ -6,16 +6,16 @@
 use glam::DVec3;
 
 use crate::Ray;
-use crate::lanes::{Lanes, RayPacket, is_set};
+use crate::lanes::{Lanes, RayPacket, Vector3x4, select};
 
 /// A sheared ray.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShearedRay {
     /// The axes x, y and z of the sheared space; the ray goes farthest along z.
-    pub axes: [usize; 3],
+    axes: [usize; 3],
     /// The origin along these axes.
-    pub origin: [f64; 3],
-    pub shear: [f64; 2],
+    origin: [f64; 3],
+    shear: [f64; 2],
     scale_z: f64,
 }
 
@@ -47,36 +47,69 @@ impl ShearedRay {
     }
 }
 
-/// Four rays sheared along the same axis.
+/// Four sheared rays.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShearedRays {
-    axes: [usize; 3],
+    axes: Axes,
     origin: [Lanes; 3],
     shear: [Lanes; 2],
     scale_z: Lanes,
 }
 
-impl ShearedRays {
-    /// The rays whose bits are set in `active`. None if they do not go farthest along
-    /// the same axis.
+/// The axes x, y and z of the sheared spaces.
+#[derive(Clone, Copy, Debug)]
+enum Axes {
+    Same([usize; 3]),
+    /// Masks of the rays that go farthest along the first axis, and along the second.
+    Mixed([Lanes; 2]),
+}
+
+impl Axes {
+    /// Of rays with these directions; only the active ones count.
     #[inline]
-    pub fn new(rays: &RayPacket, active: u32) -> Option<Self> {
-        let rays = rays.to_rays().map(|ray| ShearedRay::new(&ray));
-        let axes = rays[active.trailing_zeros() as usize % 4].axes;
-        let is_like_them = |lane: usize| !is_set(active, lane) || rays[lane].axes == axes;
-        (0..4).all(is_like_them).then(|| Self {
-            axes,
-            origin: [0, 1, 2].map(|axis| Lanes::new(rays.map(|ray| ray.origin[axis]))),
-            shear: [0, 1].map(|axis| Lanes::new(rays.map(|ray| ray.shear[axis]))),
-            scale_z: Lanes::new(rays.map(|ray| ray.scale_z)),
-        })
+    fn new(direction: Vector3x4, active: u32) -> Self {
+        let [x, y, z] = [direction.x, direction.y, direction.z].map(Lanes::abs);
+        let beyond_x = y.simd_gt(x);
+        let third = z.simd_gt(select(beyond_x, y, x));
+        let masks = [!(beyond_x | third), beyond_x & !third, third];
+        let is_of_all = |mask: &Lanes| active & !mask.to_bitmask() == 0;
+        match masks.iter().position(is_of_all) {
+            Some(z) => Self::Same([(z + 1) % 3, (z + 2) % 3, z]),
+            None => Self::Mixed([masks[0], masks[1]]),
+        }
     }
 
-    /// A point in the sheared space of each ray.
+    /// The coordinates along the axes x, y and z.
     #[inline]
-    pub fn sheared(&self, corner: DVec3) -> [Lanes; 3] {
-        let corner = corner.to_array();
-        let [x, y, z] = self.axes.map(|axis| Lanes::splat(corner[axis]));
+    fn along(self, coordinates: &[Lanes; 3]) -> [Lanes; 3] {
+        match self {
+            Self::Same(axes) => axes.map(|axis| coordinates[axis]),
+            Self::Mixed([first, second]) => [1, 2, 0].map(|of_first| {
+                let [a, b, c] = [0, 1, 2].map(|axis| coordinates[(of_first + axis) % 3]);
+                select(first, a, select(second, b, c))
+            }),
+        }
+    }
+}
+
+impl ShearedRays {
+    #[inline]
+    pub fn new(rays: &RayPacket, active: u32) -> Self {
+        let RayPacket { origin, direction } = *rays;
+        let axes = Axes::new(direction, active);
+        let [x, y, z] = axes.along(&[direction.x, direction.y, direction.z]);
+        Self {
+            axes,
+            origin: axes.along(&[origin.x, origin.y, origin.z]),
+            shear: [x / z, y / z],
+            scale_z: Lanes::ONE / z,
+        }
+    }
+
+    /// A point for each ray, in its sheared space.
+    #[inline]
+    pub fn sheared(&self, point: &[Lanes; 3]) -> [Lanes; 3] {
+        let [x, y, z] = self.axes.along(point);
         let depth = z - self.origin[2];
         [
             (x - self.origin[0]) - self.shear[0] * depth,

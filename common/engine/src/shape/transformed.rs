@@ -8,7 +8,8 @@ use glam::{DMat4, DVec3};
 use measure::tally::{self, Work};
 
 use super::transformed_bounds::transformed_bounds;
-use super::{Bounds, Shape};
+use super::{Bounds, Primitive, Rays, Shape, one_by_one};
+use crate::lanes::{Lanes, PacketHit};
 use crate::vector::normalized;
 use crate::{Hit, Interval, Ray};
 
@@ -41,15 +42,19 @@ impl<'a> Transformed<'a> {
         self.steps.insert(0, Step::new(transform));
         self
     }
+}
 
-    pub(crate) fn bounds(&self) -> Bounds {
+impl Primitive for &Transformed<'_> {
+    type Four = [Self; 4];
+
+    fn bounds(self) -> Bounds {
         let inwards = self.steps.iter().rev();
         inwards.fold(self.shape.bounds(), |bounds, step| {
             transformed_bounds(bounds, &step.transform)
         })
     }
 
-    pub(crate) fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+    fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {
         tally::count_all(Work::MovedRay, self.steps.len() as u64);
         tally::count_all(Work::IntersectionTest, self.steps.len() as u64);
         let ray = self.steps.iter().fold(*ray, |ray, step| step.ray(&ray));
@@ -61,6 +66,18 @@ impl<'a> Transformed<'a> {
                 face: step.normal(hit.face)?,
             })
         })
+    }
+
+    fn four(shapes: [Self; 4]) -> Self::Four {
+        shapes
+    }
+
+    fn meet(shapes: &Self::Four, rays: &Rays, wanted: u32) -> Lanes {
+        one_by_one(*shapes, rays, wanted).t
+    }
+
+    fn hits(self, rays: &Rays, _: Lanes, wanted: u32) -> PacketHit {
+        one_by_one([self; 4], rays, wanted)
     }
 }
 

@@ -1,14 +1,13 @@
-//! `Triangle`: for one ray, and for four rays that are sheared together.
+//! `Triangle`: alone and in lanes.
 //!
 //! (Woop, Benthin and Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013.)
 
 use glam::DVec3;
 
-use super::Bounds;
-use super::sheared_ray::{ShearedRay, ShearedRays};
-use crate::lanes::{Lanes, PacketHit, Vector3x4, ahead, without};
+use super::{Bounds, Primitive, Rays, ShearedRay};
+use crate::lanes::{Lanes, NOWHERE, PacketHit, Vector3x4, beyond, without};
 use crate::vector::normalized;
-use crate::{Hit, Interval};
+use crate::{Hit, Interval, Ray};
 
 /// Three corners, each with a shading normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,20 +25,6 @@ pub struct Triangle {
 const NEEDLE: f64 = 1e-6;
 
 impl Triangle {
-    /// The bounds; all of space for a needle, because rounding lets rays hit it far
-    /// beyond its sharp tip.
-    pub(crate) fn bounds(&self) -> Bounds {
-        let [a, b, c] = self.corners;
-        let edges = [b - a, c - a, c - b].map(DVec3::length);
-        let longest = edges.into_iter().fold(0.0, f64::max);
-        let doubled_area = (b - a).cross(c - a).length();
-        if doubled_area > NEEDLE * longest * longest {
-            Bounds::around(self.corners)
-        } else {
-            Bounds::EVERYWHERE
-        }
-    }
-
     /// The shading normal at barycentric coordinates; the geometric one where the
     /// three normals cancel out.
     fn interpolated_normal(&self, beta: f64, gamma: f64) -> DVec3 {
@@ -55,9 +40,30 @@ impl Triangle {
         let [a, b, c] = self.normals;
         a == b && b == c
     }
+}
 
-    #[inline]
-    pub(crate) fn hit(&self, ray: &ShearedRay, within: Interval) -> Option<Hit> {
+/// The corners of four triangles, coordinate by coordinate.
+pub(crate) type Corners = [[Lanes; 3]; 3];
+
+impl Primitive for Triangle {
+    type Four = Corners;
+
+    /// All of space for a needle, because rounding lets rays hit it far beyond its sharp
+    /// tip.
+    fn bounds(self) -> Bounds {
+        let [a, b, c] = self.corners;
+        let edges = [b - a, c - a, c - b].map(DVec3::length);
+        let longest = edges.into_iter().fold(0.0, f64::max);
+        let doubled_area = (b - a).cross(c - a).length();
+        if doubled_area > NEEDLE * longest * longest {
+            Bounds::around(self.corners)
+        } else {
+            Bounds::EVERYWHERE
+        }
+    }
+
+    fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {
+        let ray = ShearedRay::new(ray);
         let [a, b, c] = self.corners.map(|corner| ray.sheared(corner));
         let u = c[0] * b[1] - c[1] * b[0];
         let v = a[0] * c[1] - a[1] * c[0];
@@ -77,57 +83,67 @@ impl Triangle {
         })
     }
 
-    /// Where each of four rays meets the triangle.
-    #[inline(never)]
-    pub(crate) fn meet(&self, rays: &ShearedRays) -> Barycentric {
-        let [a, b, c] = self.corners.map(|corner| rays.sheared(corner));
-        let zero = Lanes::ZERO;
-        let u = c[0] * b[1] - c[1] * b[0];
-        let v = a[0] * c[1] - a[1] * c[0];
-        let w = b[0] * a[1] - b[1] * a[0];
-        let right = u.simd_lt(zero) | v.simd_lt(zero) | w.simd_lt(zero);
-        let left = u.simd_gt(zero) | v.simd_gt(zero) | w.simd_gt(zero);
-        let determinant = u + v + w;
-        let missed = (right & left) | determinant.simd_eq(zero) | are_beside([a, b, c]);
-
-        let t = (u * a[2] + v * b[2] + w * c[2]) / determinant;
-        Barycentric {
-            t: without(missed, ahead(t)),
-            beta: v / determinant,
-            gamma: w / determinant,
-        }
+    #[inline]
+    fn four(shapes: [Self; 4]) -> Corners {
+        [0, 1, 2].map(|corner| {
+            let Vector3x4 { x, y, z } = Vector3x4::new(shapes.map(|shape| shape.corners[corner]));
+            [x, y, z]
+        })
     }
 
-    /// The hits at these places.
     #[inline]
-    pub(crate) fn hits(&self, at: Barycentric) -> PacketHit {
-        let Barycentric { t, beta, gamma } = at;
+    fn meet(shapes: &Corners, rays: &Rays, _: u32) -> Lanes {
+        let corners = shapes
+            .each_ref()
+            .map(|corner| rays.sheared().sheared(corner));
+        let [u, v, w] = edge_functions(&corners);
+        let zero = Lanes::ZERO;
+        let right = u.simd_lt(zero) | v.simd_lt(zero) | w.simd_lt(zero);
+        let left = u.simd_gt(zero) | v.simd_gt(zero) | w.simd_gt(zero);
+        let missed = right & left;
+        if missed.all() {
+            return NOWHERE;
+        }
+        let [a, b, c] = corners;
+        let determinant = u + v + w;
+        let missed = missed | determinant.simd_eq(zero) | are_beside([a, b, c]);
+        let t = (u * a[2] + v * b[2] + w * c[2]) / determinant;
+        without(missed, beyond(rays.min, t))
+    }
+
+    #[inline]
+    fn hits(self, rays: &Rays, t: Lanes, _: u32) -> PacketHit {
+        let face = Vector3x4::splat(self.face);
         let [a, b, c] = self.normals.map(Vector3x4::splat);
-        let mut normal = a;
-        if !self.is_flat() {
-            let mean = a * (Lanes::ONE - beta - gamma) + b * beta + c * gamma;
-            let (unit, is_unit) = mean.normalized();
-            normal = unit;
-            if !(is_unit | t.is_nan()).all() {
-                let (beta, gamma) = (beta.to_array(), gamma.to_array());
-                let one = |lane: usize| self.interpolated_normal(beta[lane], gamma[lane]);
-                normal = Vector3x4::new([0, 1, 2, 3].map(one));
-            }
+        if self.is_flat() {
+            return PacketHit { t, normal: a, face };
         }
-        PacketHit {
-            t,
-            normal,
-            face: Vector3x4::splat(self.face),
+        let corners = Self::four([self; 4]);
+        let corners = corners
+            .each_ref()
+            .map(|corner| rays.sheared().sheared(corner));
+        let [u, v, w] = edge_functions(&corners);
+        let determinant = u + v + w;
+        let (beta, gamma) = (v / determinant, w / determinant);
+        let mean = a * (Lanes::ONE - beta - gamma) + b * beta + c * gamma;
+        let (mut normal, is_unit) = mean.normalized();
+        if !(is_unit | t.is_nan()).all() {
+            let (beta, gamma) = (beta.to_array(), gamma.to_array());
+            let one = |lane: usize| self.interpolated_normal(beta[lane], gamma[lane]);
+            normal = Vector3x4::new([0, 1, 2, 3].map(one));
         }
+        PacketHit { t, normal, face }
     }
 }
 
-/// Where on four rays, and where on a triangle.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Barycentric {
-    pub t: Lanes,
-    beta: Lanes,
-    gamma: Lanes,
+/// Twice the areas between the ray and the edges, seen along the ray.
+#[inline]
+fn edge_functions([a, b, c]: &[[Lanes; 3]; 3]) -> [Lanes; 3] {
+    [
+        c[0] * b[1] - c[1] * b[0],
+        a[0] * c[1] - a[1] * c[0],
+        b[0] * a[1] - b[1] * a[0],
+    ]
 }
 
 /// Whether all corners in sheared space lie on one side of the axis, in x or in y: then

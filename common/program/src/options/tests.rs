@@ -123,9 +123,14 @@ fn flags_that_change_nothing_are_named() {
         seed: Some(1),
         depth: Some(2),
         open: Some("a.png".into()),
+        fast: true,
         ..Options::default()
     };
-    let of_samples = ["--samples", "--sampling", "--max-error", "--seed"];
+    let random = Settings {
+        sampling: Sampling::Random,
+        ..Settings::default()
+    };
+    let of_samples = ["--samples", "--sampling", "--max-error", "--seed", "--fast"];
     for (scene, before, after) in [
         (
             Scene::painted("", "", paint),
@@ -135,9 +140,11 @@ fn flags_that_change_nothing_are_named() {
         (Scene::opened("", "", paint), &["--size"], &["--depth"]),
     ] {
         let expected = [before, &of_samples, after].concat();
-        assert_eq!(all.unused(scene.uses), expected);
-        assert!(Options::default().unused(scene.uses).is_empty());
+        assert_eq!(all.unused(scene.uses, &random), expected);
+        assert!(Options::default().unused(scene.uses, &random).is_empty());
     }
-    assert_eq!(all.unused(scene().uses), ["--depth", "--open"]);
-    assert_eq!(all.unused(scene().reflecting().uses), ["--open"]);
+    assert_eq!(all.unused(scene().uses, &random), ["--depth", "--open"]);
+    assert_eq!(all.unused(scene().reflecting().uses, &random), ["--open"]);
+    let center = ["--seed", "--depth", "--open"];
+    assert_eq!(all.unused(scene().uses, &Settings::default()), center);
 }

@@ -1,11 +1,15 @@
 //! `Check`: compares the results of a student's code with the right ones.
 
+use std::fmt::Display;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
 use common::{Error, Image, Settings, Size, Transfer, picture_file};
+use measure::Stage;
 use measure::extremes::{Bound, Case, Outcome};
+
+use super::locked;
 
 /// The parts that the running check has found missing.
 static MISSING: Mutex<Vec<String>> = Mutex::new(Vec::new());
@@ -23,7 +27,10 @@ pub fn missing<T>(what: &str, for_now: T) -> T {
 /// Compares the results of the student's code with the right ones.
 #[derive(Default)]
 pub struct Check {
-    compared: Vec<Case>,
+    compared: usize,
+    /// The last comparison, after which a panic happens.
+    last: String,
+    wrong: Vec<String>,
     pictures: Pictures,
 }
 
@@ -47,20 +54,43 @@ impl Check {
         bound: Bound,
         got: impl Into<Outcome>,
     ) {
-        self.compared.push(Case::new("", what, exact, bound, got));
+        let case = Case::new("", what, exact, bound, got);
+        let wrong = format!("{}: {}", case.what, case.comparison());
+        self.last.clone_from(&case.what);
+        self.conclude(case.holds().then_some(()).ok_or(wrong));
     }
 
-    /// Saves a small picture made with the student's code, if the exercise is named on
-    /// the command line. The picture of the solution is compared with the one in the
-    /// book.
+    fn conclude(&mut self, result: Result<(), impl Display>) {
+        self.compared += 1;
+        self.wrong
+            .extend(result.err().map(|wrong| wrong.to_string()));
+    }
+
+    /// Renders a scene of the stage with the student's code, and compares the picture
+    /// with the locked one, unless an earlier comparison of this check has failed: then
+    /// the numbers say more.
+    pub fn scene(
+        &mut self,
+        stage: &Stage,
+        scene: &str,
+        render: impl FnOnce(&Settings) -> Result<Image, Error>,
+    ) {
+        if self.wrong.is_empty() {
+            let left = self.pictures.left.take();
+            self.conclude(locked::compare(stage, scene, render, left));
+        }
+    }
+
+    /// Saves a small picture made with the student's code. The picture of the solution
+    /// is compared with the one in the book.
     pub fn picture(&mut self, paint: impl FnOnce(&Settings) -> Result<Image, Error>) {
         let Pictures { left, shown } = std::mem::take(&mut self.pictures);
-        if left.is_none() && shown.is_none() {
-            return;
-        }
-        match small(paint).and_then(|image| leave_and_compare(&image, left, shown)) {
-            Ok(same) => self.expect("the picture is the book's", true, Bound::Equal, same),
-            Err(error) => self.expect(format!("a picture: {error}"), true, Bound::Equal, false),
+        if left.is_some() || shown.is_some() {
+            let result = small(paint).and_then(|image| leave_and_compare(&image, left, shown));
+            match result {
+                Ok(same) => self.expect("the picture is the book's", true, Bound::Equal, same),
+                Err(error) => self.conclude(Err(format!("a picture: {error}"))),
+            }
         }
     }
 }
@@ -113,18 +143,26 @@ impl Findings {
 
         let mut wrong = Vec::new();
         if panicked {
-            wrong.push("it panics, with the message above".to_owned());
+            let last = &check.last;
+            wrong.push(format!("it panics, with the message above, after: {last}"));
         }
-        let compared = check.compared.len();
+        let compared = check.compared;
         if compared == 0 {
             wrong.push("nothing is compared".to_owned());
         }
-        let differ: Vec<_> = check.compared.iter().filter(|case| !case.holds()).collect();
-        if !differ.is_empty() {
-            wrong.push(format!("{} of {compared} comparisons differ", differ.len()));
+        if !check.wrong.is_empty() {
+            let differ = check.wrong.len();
+            wrong.push(format!("{differ} of {compared} comparisons differ"));
         }
-        let shown = differ.iter().take(MAX_REPORTED);
-        wrong.extend(shown.map(|case| format!("{}: {}", case.what, case.comparison())));
+        // The text before a semicolon is the kind of a comparison; one of each is enough.
+        let mut kinds = Vec::new();
+        check.wrong.retain(|line| {
+            let kind = line.split(';').next().map(str::to_owned);
+            let is_new = !kinds.contains(&kind);
+            kinds.push(kind);
+            is_new
+        });
+        wrong.extend(check.wrong.into_iter().take(MAX_REPORTED));
         Self {
             missing: take_missing(),
             wrong,

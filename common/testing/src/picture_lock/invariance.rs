@@ -28,7 +28,7 @@ fn scattered(scene: &Scene) -> Settings {
 }
 
 /// Checks that the number of threads changes no bit: with one sample, with random
-/// samples, and with adaptive sampling. The estimated error of the latter is a sum
+/// samples, and with adaptive sampling. The error of the latter is a sum
 /// over pixels, and another order would change its last bits.
 ///
 /// # Panics

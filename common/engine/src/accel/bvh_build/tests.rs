@@ -1,130 +1,115 @@
 //! Tests of `bvh_build`.
 
-use crate::adaptive::random::PixelRandom;
-
 use super::*;
+use crate::accel::cut::tests::item;
+use crate::accel::shapes::Kind;
+use crate::adaptive::random::PixelRandom;
+use crate::shape::Bounds;
 
-/// Boxes of any sizes. Along each axis their middles are -7.5, -6.5 .. 7.5, in a
-/// different order, so that each has its own bin.
-fn boxes(seed: u64) -> Vec<(Bounds, ShapeId)> {
-    let shuffled = |axis: u32| {
-        let random = PixelRandom::new(seed, axis, 0);
-        let mut order: Vec<u32> = (0..16).collect();
-        order.sort_by(|a, b| {
-            let [a, b] = [a, b].map(|i| random.uniform(u64::from(*i)));
-            a.total_cmp(&b)
-        });
-        order
-    };
-    let orders = [0, 1, 2].map(shuffled);
-    let random = PixelRandom::new(seed, 3, 0);
-    let shape = |i: u32| {
-        let middle = [0, 1, 2].map(|axis| f64::from(orders[axis][i as usize]) - 7.5);
-        let half = [0, 1, 2].map(|axis| 4.0 * random.uniform(u64::from(3 * i + axis)));
-        let bounds = Bounds {
-            min: std::array::from_fn(|axis| middle[axis] - half[axis]),
-            max: std::array::from_fn(|axis| middle[axis] + half[axis]),
-        };
-        (bounds, ShapeId::Other(i))
-    };
-    (0..16).map(shape).collect()
-}
+const UNITS: Bounds = Bounds {
+    min: [-1.0; 3],
+    max: [1.0; 3],
+};
 
-/// The expected number of tests after a cut: the number of shapes on each side times
-/// its surface.
-fn cost(shapes: &mut Shapes, axis: usize, left: usize) -> f64 {
-    shapes.sort_by(|(a, _), (b, _)| a.middle()[axis].total_cmp(&b.middle()[axis]));
-    let (left, right) = shapes.split_at(left);
-    let cost = |side: &Shapes| side.len() as f64 * bounds(side).half_area();
-    cost(left) + cost(right)
-}
-
-#[test]
-fn the_cheapest_cut_is_the_cheapest_of_all() {
-    for seed in 0..50 {
-        let mut shapes = boxes(seed);
-        let (axis, left) = cheapest_cut(&shapes).unwrap();
-        let found = cost(&mut shapes, axis, left);
-        for axis in 0..3 {
-            for left in 1..16 {
-                let other = cost(&mut shapes, axis, left);
-                // Bound: rounding of a few products and sums.
-                assert!(found <= other * (1.0 + 1e-14), "{seed}: {axis}, {left}");
-            }
-        }
-    }
+fn sizes(mut shapes: Vec<Item>) -> Vec<usize> {
+    let groups = divide((0, &mut shapes), 0);
+    let mut sizes: Vec<_> = groups.iter().map(|(_, group)| group.len()).collect();
+    sizes.sort_unstable_by(|a, b| b.cmp(a));
+    sizes
 }
 
 /// `count` points along the diagonal of a cube of this size that begins at `at`.
-fn cluster(count: u32, at: f64, size: f64) -> impl Iterator<Item = (Bounds, ShapeId)> {
+fn cluster(count: u32, at: f32, size: f32) -> impl Iterator<Item = Item> {
     (0..count).map(move |i| {
-        let point = [at + size * f64::from(i) / f64::from(count - 1); 3];
-        let bounds = Bounds {
-            min: point,
-            max: point,
-        };
-        (bounds, ShapeId::Other(i))
+        let point = [at + size * i as f32 / (count - 1) as f32; 3];
+        item(point, point, i)
     })
 }
 
-#[test]
-fn a_cut_lies_between_groups() {
-    for (few, many) in [(2, 5), (5, 2)] {
-        let shapes: Vec<_> = cluster(few, 0.0, 1.0)
-            .chain(cluster(many, 90.0, 1.0))
-            .collect();
-        let (_, left) = cheapest_cut(&shapes).unwrap();
-        assert_eq!(left, few as usize);
-    }
-}
-
 /// After a cut, half of a cluster costs an eighth: half of its shapes on a quarter of
-/// its surface. The first two cost 60 and 768, the others 360 and 30. By the surface
-/// alone, or by the number of shapes alone, another cluster would be cut.
+/// its surface. In proportion, the first costs 640 = 640 x 1 and the second 480 = 160 x 3;
+/// cut, they cost 80 and 60 twice, and so on: each is cut until there are eight.
 #[test]
 fn the_most_expensive_group_is_cut() {
-    for (one, other, expected) in [
-        (
-            cluster(20, 0.0, 1e-3),
-            cluster(16, 1.0, 4e-3),
-            [20, 8, 4, 4],
-        ),
-        (
-            cluster(120, 0.0, 1.0),
-            cluster(10, 1e3, 1.0),
-            [60, 30, 30, 10],
-        ),
-    ] {
-        let mut shapes: Vec<_> = one.chain(other).collect();
-        let groups = four_groups(&mut shapes, 0);
-        let mut found: Vec<_> = groups.iter().map(|group| group.len()).collect();
-        found.sort_unstable_by(|a, b| b.cmp(a));
-        assert_eq!(found, expected);
-    }
+    let shapes = cluster(640, 0.0, 1.0).chain(cluster(160, 1e3, 3.0_f32.sqrt()));
+    assert_eq!(
+        sizes(shapes.collect()),
+        [160, 160, 160, 160, 40, 40, 40, 40]
+    );
 }
 
+/// Groups small enough for leaves are divided further while a node has room.
 #[test]
-fn shapes_with_one_middle_are_not_cut() {
-    let bounds = Bounds {
-        min: [-1.0; 3],
-        max: [1.0; 3],
-    };
-    assert_eq!(cheapest_cut(&[(bounds, ShapeId::Other(0)); 9]), None);
+fn a_node_has_room_for_eight() {
+    assert_eq!(sizes(cluster(8, 0.0, 1.0).collect()), [1; 8]);
+    assert_eq!(sizes(cluster(2, 0.0, 1.0).collect()), [1; 2]);
+    let sizes = sizes(cluster(32, 0.0, 1.0).collect());
+    assert_eq!(sizes, [4; 8]);
 }
 
+/// The shapes of all leaves, each by its index before it was named anew.
 #[test]
-fn the_longest_axis_has_the_largest_spread_of_middles() {
-    for axis in 0..3 {
-        let at = |x: f64, others: f64, half: f64| {
-            let (mut min, mut max) = ([others - half; 3], [others + half; 3]);
-            min[axis] = x - 0.5;
-            max[axis] = x + 0.5;
-            (Bounds { min, max }, ShapeId::Other(0))
+fn each_shape_is_in_one_leaf_of_its_kind_within_all_bounds_above() {
+    for count in [1, 7, 100, 10_000] {
+        let units = Units::new(UNITS);
+        let shape = |i: u32| {
+            let random = PixelRandom::new(1, i, 0);
+            // Every seventh at the same place.
+            let middle = [0, 1, 2].map(|axis| match i % 7 {
+                0 => 0.25,
+                _ => 2.0 * random.uniform(axis) as f32 - 1.0,
+            });
+            let mut item = item(middle.map(|x| x - 0.01), middle.map(|x| x + 0.01), i);
+            item.shape.kind = if i.is_multiple_of(3) {
+                Kind::Box
+            } else {
+                Kind::Disc
+            };
+            item
         };
-        // The boxes are wider along the other axes.
-        assert_eq!(
-            longest_axis(&[at(-9.0, 1.0, 20.0), at(-8.0, 2.0, 5.0), at(-5.0, 2.0, 9.0)]),
-            axis
-        );
+        let shapes: Vec<_> = (0..count).map(shape).collect();
+        let mut order = Vec::new();
+        let tree = Bvh::new(units, shapes.clone(), |items| {
+            order.extend_from_slice(items);
+        });
+        // The names stayed: the first of a leaf finds the others in the order.
+        let mut found = vec![0; count as usize];
+        let root = tree.nodes.len() - 1;
+        let mut open = vec![(
+            root,
+            TreeBounds {
+                min: [-2.0; 3],
+                max: [2.0; 3],
+            },
+            0,
+        )];
+        while let Some((index, within, level)) = open.pop() {
+            assert!(level < LEVELS);
+            let node = &tree.nodes[index];
+            for (lane, child) in node.children.iter().enumerate() {
+                let bounds = TreeBounds {
+                    min: node.planes.map(|[min, _]| min.to_array()[lane]),
+                    max: node.planes.map(|[_, max]| max.to_array()[lane]),
+                };
+                if bounds == TreeBounds::NOWHERE {
+                    continue;
+                }
+                assert_eq!(within.union(bounds), within);
+                match child {
+                    Child::Node(node) => open.push((*node as usize, bounds, level + 1)),
+                    Child::Leaf(leaf) => {
+                        let mut places = order.iter();
+                        let first = places.position(|item| item.shape.index == leaf.first);
+                        let group = &order[first.unwrap()..][..leaf.count.into()];
+                        for item in group {
+                            assert_eq!(item.shape.kind, leaf.kind);
+                            assert_eq!(bounds.union(item.bounds), bounds);
+                            found[item.shape.index as usize] += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(found.iter().all(|times| *times == 1));
     }
 }

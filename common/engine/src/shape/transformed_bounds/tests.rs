@@ -6,7 +6,7 @@ use std::f64::consts::FRAC_PI_4;
 use glam::{DMat4, DVec3};
 
 use super::*;
-use crate::shape::{AxisAlignedBox, Plane, Shape, Sphere};
+use crate::shape::{AxisAlignedBox, Plane, Primitive, Shape, Sphere};
 use crate::{Interval, Ray};
 
 /// From -1 to 1 along each axis.

@@ -1,0 +1,14 @@
+//! `diagonal`: the first picture, a red line on black.
+//!
+//! Chapter: Showing a picture, section "PaintDiagonal". To compare afterwards:
+//! `a01-image-display/src/paint_diagonal.rs`.
+
+use common::{Color, Error, Image, Size};
+
+/// A picture whose pixels are red where column and row are the same, both counted from
+/// the top left, and black elsewhere.
+///
+/// `Image::black(size)?` is a black picture; `image.set(x, y, color)` paints a pixel.
+pub fn diagonal(size: Size) -> Result<Image, Error> {
+    testing::missing("the red diagonal", Image::black(size))
+}

@@ -1,0 +1,15 @@
+//! `angle`: the angle between two vectors.
+//!
+//! Chapter: Vectors, points, normals, section "The angle". To compare afterwards:
+//! `a02-math/src/vector3.rs`.
+
+use a02_math::{Direction, Vector3};
+
+/// The angle between two vectors of any length in radians, from 0 to π. The angle to
+/// the zero vector is 0.
+///
+/// `a.dot(b)`, `a.cross(b)` and `a.magnitude()` are written; of the functions of angles,
+/// use those of `libm`: `libm::acos(x)`, `libm::atan2(y, x)`.
+pub fn angle(a: Vector3, b: Vector3) -> f64 {
+    testing::missing("the angle", 0.0)
+}

@@ -1,0 +1,20 @@
+//! `dot` and `cross`: the two products of vectors.
+//!
+//! Chapter: Vectors, points, normals, sections "The dot product" and "The cross
+//! product". To compare afterwards: `a02-math/src/direction.rs`,
+//! `a02-math/src/vector3.rs`.
+
+use a02_math::Vector3;
+
+/// The dot product: |a| |b| times the cosine of the angle between them.
+///
+/// The coordinates of a vector are `a.x()`, `a.y()` and `a.z()`.
+pub fn dot(a: Vector3, b: Vector3) -> f64 {
+    testing::missing("the dot product", 0.0)
+}
+
+/// The cross product: perpendicular to both, by the right-hand rule. It is as long as
+/// the parallelogram of both is large.
+pub fn cross(a: Vector3, b: Vector3) -> Vector3 {
+    testing::missing("the cross product", Vector3::new(0.0, 0.0, 0.0))
+}

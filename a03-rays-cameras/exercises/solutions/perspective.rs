@@ -1,0 +1,3 @@
+//! `PerspectiveCamera`: the lesson's own.
+
+pub use a03_rays_cameras::PerspectiveCamera;

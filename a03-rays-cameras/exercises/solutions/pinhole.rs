@@ -1,0 +1,3 @@
+//! `PinholeCamera`: the lesson's own.
+
+pub use a03_rays_cameras::PinholeCamera;

@@ -1,0 +1,42 @@
+//! `PerspectiveCamera`: a camera that looks into any direction.
+//!
+//! Chapter: Rays and cameras, sections "The camera's own axes" and "Perspective". To
+//! compare afterwards: `a03-rays-cameras/src/camera.rs`,
+//! `a03-rays-cameras/src/perspective_camera.rs`.
+
+use a02_math::{Point3, Vector3};
+use a03_rays_cameras::{Camera, Ray};
+use common::{ArgumentError, Size};
+
+/// A camera whose rays start in one point.
+pub struct PerspectiveCamera {
+    e: Point3,
+    /// The unit vectors to the right in the picture, upwards, and against the gaze.
+    u: Vector3,
+    v: Vector3,
+    w: Vector3,
+    /// The full vertical opening angle in radians.
+    angle: f64,
+}
+
+impl PerspectiveCamera {
+    /// A camera at `e` that looks along `g`, with `t` upwards in its picture. Both have
+    /// any length, and need not be perpendicular to each other.
+    ///
+    /// `vector.unit("its name")?` is the vector of length 1.
+    pub fn new(e: Point3, g: Vector3, t: Vector3, angle: f64) -> Result<Self, ArgumentError> {
+        let nowhere = Vector3::new(0.0, 0.0, 0.0);
+        let [u, v, w] = testing::missing("the three axes of the camera", [nowhere; 3]);
+        Ok(Self { e, u, v, w, angle })
+    }
+}
+
+impl Camera for PerspectiveCamera {
+    /// The ray through the position (`x`, `y`) of a picture of this size, with a
+    /// direction of length 1. (0, 0) is the middle of the lower left pixel.
+    fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
+        let [width, height] = [size.width(), size.height()].map(f64::from);
+        let direction = testing::missing("the direction of the ray", self.w);
+        Ray::derived(self.e, direction)
+    }
+}

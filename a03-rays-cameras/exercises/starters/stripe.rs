@@ -1,0 +1,30 @@
+//! `Sky`: horizontal stripes.
+//!
+//! Chapter: Rays and cameras, section "The striped sky". To compare afterwards:
+//! `a03-rays-cameras/src/striped_sky.rs`.
+
+use a03_rays_cameras::{PinholeCamera, Ray};
+use common::{ArgumentError, Size};
+
+/// A sky of stripes of equal height, which fill the picture of a camera.
+pub struct Sky {
+    stripes: u32,
+    /// Height of the direction, of length 1, at the upper edge of the picture. At the
+    /// lower edge it is `-top`.
+    top: f64,
+}
+
+impl Sky {
+    pub fn new(camera: &PinholeCamera, size: Size, stripes: u32) -> Result<Self, ArgumentError> {
+        let upper_edge = camera.generate_ray(size, f64::from(size.width()) / 2.0, 0.0);
+        let top = upper_edge.direction().y();
+        Ok(Self { stripes, top })
+    }
+
+    /// Number of the stripe that the ray hits, counted from 0 at the lower edge: equal
+    /// heights `ray.direction().y()` belong to equal stripes. Rays beyond an edge hit the
+    /// stripe at that edge.
+    pub fn stripe(&self, ray: &Ray) -> u32 {
+        testing::missing("the number of the stripe", 0)
+    }
+}

@@ -1,0 +1,3 @@
+//! `AxisAlignedBox`: the lesson's own.
+
+pub use a04_intersections::AxisAlignedBox;

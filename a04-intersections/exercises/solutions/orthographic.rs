@@ -1,0 +1,3 @@
+//! `OrthographicCamera`: the lesson's own.
+
+pub use a03_rays_cameras::OrthographicCamera;

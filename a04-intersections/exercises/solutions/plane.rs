@@ -1,0 +1,3 @@
+//! `Plane`: the lesson's own.
+
+pub use a04_intersections::Plane;

@@ -1,0 +1,3 @@
+//! `Sphere`: the lesson's own.
+
+pub use a04_intersections::Sphere;

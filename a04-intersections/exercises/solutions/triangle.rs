@@ -1,0 +1,3 @@
+//! `Triangle`: the lesson's own.
+
+pub use a04_intersections::Triangle;

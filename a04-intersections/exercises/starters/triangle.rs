@@ -1,0 +1,32 @@
+//! `Triangle`: three corners.
+//!
+//! Chapter: Intersections, section "Triangle". To compare afterwards:
+//! `a04-intersections/src/triangle.rs`, which interpolates normals, too.
+
+use a02_math::{Direction, Normal3, Point3, Vector3};
+use a03_rays_cameras::Ray;
+use a04_intersections::{Geometry, Hit, Interval};
+use common::ArgumentError;
+
+/// A triangle. It has no thickness, and is seen from both sides.
+#[derive(Debug)]
+pub struct Triangle {
+    a: Point3,
+    b: Point3,
+    c: Point3,
+}
+
+impl Triangle {
+    pub fn new(a: Point3, b: Point3, c: Point3) -> Result<Self, ArgumentError> {
+        Ok(Self { a, b, c })
+    }
+}
+
+impl Geometry for Triangle {
+    /// The hit, if its `t` lies within the interval, with the normal of length 1 that
+    /// points to the side from which a, b and c run counterclockwise. Edges and corners
+    /// belong to the triangle.
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        testing::missing("the hit within the interval", None)
+    }
+}

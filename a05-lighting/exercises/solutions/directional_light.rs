@@ -1,0 +1,3 @@
+//! `DirectionalLight`: the lesson's own.
+
+pub use a05_lighting::DirectionalLight;

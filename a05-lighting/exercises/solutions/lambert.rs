@@ -1,0 +1,3 @@
+//! `Lambert`: the lesson's own.
+
+pub use a05_lighting::Lambert;

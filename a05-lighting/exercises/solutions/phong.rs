@@ -1,0 +1,3 @@
+//! `Phong`: the lesson's own.
+
+pub use a05_lighting::Phong;

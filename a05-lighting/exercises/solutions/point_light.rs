@@ -1,0 +1,3 @@
+//! `PointLight`: the lesson's own.
+
+pub use a05_lighting::PointLight;

@@ -1,0 +1,3 @@
+//! `SpotLight`: the lesson's own.
+
+pub use a05_lighting::SpotLight;

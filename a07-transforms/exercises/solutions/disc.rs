@@ -1,0 +1,3 @@
+//! `Disc`: the lesson's own.
+
+pub use a07_transforms::Disc;

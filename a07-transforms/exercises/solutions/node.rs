@@ -1,0 +1,3 @@
+//! `Node`: the lesson's own.
+
+pub use a07_transforms::Node;

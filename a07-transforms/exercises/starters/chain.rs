@@ -1,0 +1,18 @@
+//! `chain`: the matrix of several steps, and its inverse.
+//!
+//! Chapter: Transforms, section "The order of the steps". To compare afterwards:
+//! `a07-transforms/src/transform.rs`.
+
+use a07_transforms::Mat4x4;
+
+use crate::steps::Step;
+
+/// The matrix of a chain of steps from the space of the object to the space around it, and
+/// its inverse. The steps are in the order in which a program chains them, so the last one
+/// is applied to the object first.
+///
+/// `step.matrix()` is the matrix of one step, and `step.inverse()` undoes it. `a * b` is
+/// the product of matrices, which applies b first, and `Mat4x4::IDENTITY` changes nothing.
+pub fn chain(steps: &[Step]) -> [Mat4x4; 2] {
+    testing::missing("the two products", [Mat4x4::IDENTITY; 2])
+}

@@ -1,0 +1,43 @@
+//! `Node`: geometries under one transform, themselves a geometry.
+//!
+//! Chapter: Transforms, section "Node". To compare afterwards:
+//! `a07-transforms/src/node.rs`.
+
+use a03_rays_cameras::Ray;
+use a04_intersections::{Geometry, Hit, Interval};
+use a07_transforms::Transform;
+
+/// A node of the scene graph: children with a common transform. As it is a geometry, it
+/// can be a child of another node.
+#[derive(Debug)]
+pub struct Node {
+    transform: Transform,
+    children: Vec<Box<dyn Geometry>>,
+}
+
+impl Node {
+    pub fn new(transform: Transform) -> Self {
+        Self {
+            transform,
+            children: Vec::new(),
+        }
+    }
+
+    /// This node with one more child.
+    pub fn with(mut self, child: impl Geometry) -> Self {
+        self.children.push(Box::new(child));
+        self
+    }
+}
+
+impl Geometry for Node {
+    /// The nearest hit of all children whose `t` lies within the interval, with both
+    /// normals, `normal` and `face`, in the space around the node.
+    ///
+    /// `self.transform.ray_to_object(ray)` is the ray in the space of the children, with
+    /// the same `t`; `self.transform.normal_from_object(n)` is a normal of a child in the
+    /// space around the node, or none.
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        testing::missing("the nearest hit of the children", None)
+    }
+}

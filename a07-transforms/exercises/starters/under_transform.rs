@@ -1,0 +1,26 @@
+//! The ray and the normal under a transform.
+//!
+//! Chapter: Transforms, sections "The ray in object space" and "The normal". To compare
+//! afterwards: `a07-transforms/src/transform.rs`.
+
+use a02_math::{Normal3, Vector3};
+use a03_rays_cameras::Ray;
+use a07_transforms::Transform;
+
+/// The ray in the space of the object. A hit there has the same `t` as around the object,
+/// so the direction keeps the length that it has.
+///
+/// `transform.matrix()` leads from the space of the object to the space around it, and
+/// `transform.inverse()` back. A matrix times a point is a point, a matrix times a vector
+/// is a vector. `Ray::derived(origin, direction)` makes a ray.
+pub fn ray_to_object(transform: &Transform, ray: &Ray) -> Ray {
+    testing::missing("the ray in the space of the object", *ray)
+}
+
+/// A normal of the object in the space around it, of length 1, perpendicular to the
+/// transformed surface; none if there is no such direction.
+///
+/// `matrix.transposed()` has rows and columns swapped.
+pub fn normal_from_object(transform: &Transform, n: Normal3) -> Option<Normal3> {
+    testing::missing("the normal in the space around the object", Some(n))
+}

@@ -1,0 +1,282 @@
+// Figures that answer: a drawing with handles to drag, sliders and numbers. A figure is
+// a description, shown below the diagram of the book that it belongs to:
+//
+//     live.figure('sphere', {
+//         below: 'sphere-quadratic',           the diagram's file
+//         title, hint,                         what it is, and what to try
+//         question: { text, choices, right, because },   asked before the numbers show
+//         area: { x: [-3, 3], y: [-2, 2] },    what the drawing shows; y is upwards
+//         state: { x: 0, y: 0.5 },             the numbers, in the module's order
+//         sliders: { x: { label, min, max, step } },
+//         handles: [{ label, at(state), move(state, x, y) }],
+//         values: { 'ours.0': 't₀, ours' },    numbers of the answer that are shown
+//         draw(pen, state, answer),
+//     });
+//
+// The numbers come from the module alone: the code of the stages.
+live.figures = {};
+
+// Collects the shapes of a drawing, in the coordinates of the figure.
+live.Pen = class {
+    static width = 440;
+
+    constructor({ x, y }) {
+        this.area = { x, y };
+        this.scale = live.Pen.width / (x[1] - x[0]);
+        this.height = (y[1] - y[0]) * this.scale;
+        this.shapes = [];
+    }
+
+    to([x, y]) {
+        return [(x - this.area.x[0]) * this.scale, (this.area.y[1] - y) * this.scale];
+    }
+
+    from([x, y]) {
+        return [x / this.scale + this.area.x[0], this.area.y[1] - y / this.scale];
+    }
+
+    path(points, kind, closed = false) {
+        const places = points.map((point) => this.to(point).map((x) => x.toFixed(2)).join(' '));
+        this.shapes.push(`<path class="${kind}" d="M${places.join('L')}${closed ? 'Z' : ''}"/>`);
+    }
+
+    line(from, to, kind) {
+        this.path([from, to], kind);
+    }
+
+    // An arrow of a fixed head, so that short vectors are seen.
+    arrow(from, to, kind) {
+        const [x, y] = [to[0] - from[0], to[1] - from[1]];
+        const length = Math.hypot(x, y);
+        if (!(length > 0)) {
+            return;
+        }
+        this.line(from, to, kind);
+        const head = 9 / this.scale / length;
+        const side = (s) => [to[0] - head * (x + s * y * 0.5), to[1] - head * (y - s * x * 0.5)];
+        this.path([side(1), to, side(-1)], kind);
+    }
+
+    circle(centre, radius, kind) {
+        const [x, y] = this.to(centre);
+        this.shapes.push(`<circle class="${kind}" cx="${x}" cy="${y}" r="${radius * this.scale}"/>`);
+    }
+
+    dot(at, kind, radius = 4) {
+        this.circle(at, radius / this.scale, `${kind} live-dot`);
+    }
+
+    text(at, words, kind = '', anchor = 'start') {
+        const [x, y] = this.to(at);
+        this.shapes.push(`<text class="${kind}" text-anchor="${anchor}" x="${x + (anchor === 'start' ? 9 : 0)}" y="${y - 11}">${words}</text>`);
+    }
+};
+
+live.Figure = class {
+    constructor(name, figure, after) {
+        Object.assign(this, { name, figure });
+        this.state = { ...figure.state };
+        this.change = live.newest(() => this.answer());
+        this.root = live.element('figure', { className: 'live-figure' });
+        this.root.dataset.figure = name;
+        this.root.append(live.element('strong', {}, figure.title));
+        this.addQuestion();
+        this.addDrawing();
+        this.addSliders();
+        this.addValues();
+        this.root.append(live.element('figcaption', {}, figure.hint));
+        after.after(this.root);
+        // The module is loaded when the reader is about to see a figure.
+        new IntersectionObserver(([entry], observer) => {
+            if (entry.isIntersecting) {
+                observer.disconnect();
+                this.change();
+            }
+        }, { rootMargin: '200px' }).observe(this.root);
+    }
+
+    // A prediction first: the numbers show once the reader has chosen.
+    addQuestion() {
+        const { question } = this.figure;
+        if (!question) {
+            return;
+        }
+        this.root.dataset.asked = '';
+        const verdict = live.element('output');
+        const buttons = question.choices.map((choice, index) => {
+            const choose = () => {
+                delete this.root.dataset.asked;
+                buttons.forEach((button) => (button.disabled = true));
+                buttons[index].classList.add('live-chosen');
+                verdict.value = `${index === question.right ? 'Yes:' : 'No:'} ${question.because}`;
+            };
+            return live.element('button', { type: 'button', onclick: choose }, choice);
+        });
+        this.root.append(live.element('div', { className: 'live-question' }, question.text, ' ', ...buttons, verdict));
+    }
+
+    addDrawing() {
+        const { area, picture } = this.figure;
+        const drawings = live.element('div', { className: 'live-drawings' });
+        if (area) {
+            this.area = area;
+            const { height } = new live.Pen(area);
+            this.svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+            this.svg.setAttribute('viewBox', `0 0 ${live.Pen.width} ${height}`);
+            this.svg.setAttribute('role', 'group');
+            this.svg.setAttribute('aria-label', this.figure.title);
+            this.drawn = document.createElementNS('http://www.w3.org/2000/svg', 'g');
+            this.svg.append(this.drawn);
+            drawings.append(this.svg);
+            this.handles = (this.figure.handles ?? []).map((handle) => this.addHandle(handle));
+        }
+        if (picture) {
+            this.canvas = live.element('canvas', { width: picture[0], height: picture[1] });
+            drawings.append(this.canvas);
+        }
+        this.root.append(drawings);
+    }
+
+    addHandle(handle) {
+        const circle = document.createElementNS('http://www.w3.org/2000/svg', 'circle');
+        const attributes = { r: 11, class: 'live-handle', tabindex: 0, role: 'button', 'aria-label': `${handle.label}: drag, or arrow keys` };
+        for (const [key, value] of Object.entries(attributes)) {
+            circle.setAttribute(key, value);
+        }
+        const move = (x, y) => this.set(handle.move(this.state, x, y));
+        let dragged = false;
+        circle.onpointerdown = (event) => {
+            dragged = true;
+            circle.setPointerCapture(event.pointerId);
+        };
+        circle.onpointermove = (event) => {
+            if (dragged) {
+                const box = this.svg.getBoundingClientRect();
+                const shrunk = live.Pen.width / box.width;
+                const place = [(event.clientX - box.left) * shrunk, (event.clientY - box.top) * shrunk];
+                move(...this.inside(new live.Pen(this.area).from(place)));
+            }
+        };
+        circle.onpointerup = circle.onpointercancel = () => {
+            dragged = false;
+        };
+        circle.onkeydown = (event) => {
+            const step = (this.area.x[1] - this.area.x[0]) / 60;
+            const by = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+            if (by) {
+                event.preventDefault();
+                // The book turns pages with the arrow keys.
+                event.stopPropagation();
+                const [x, y] = handle.at(this.state);
+                move(...this.inside([x + by[0] * step, y + by[1] * step]));
+            }
+        };
+        this.svg.append(circle);
+        return { ...handle, circle };
+    }
+
+    inside([x, y]) {
+        const limit = ([low, high], value) => Math.min(Math.max(value, low), high);
+        return [limit(this.area.x, x), limit(this.area.y, y)];
+    }
+
+    addSliders() {
+        const sliders = live.element('div', { className: 'live-controls' });
+        this.sliders = Object.entries(this.figure.sliders ?? {}).map(([name, { label, choices, ...range }]) => {
+            const input = choices
+                ? live.element('select', {}, ...choices.map((choice, value) => live.element('option', { value }, choice)))
+                : live.element('input', { type: 'range', ...range });
+            const value = live.element('output');
+            input.oninput = () => this.set({ [name]: Number(input.value) });
+            sliders.append(live.element('label', {}, `${label} `, input, ' ', choices ? '' : value));
+            return () => {
+                input.value = this.state[name];
+                value.value = live.show(this.state[name]);
+            };
+        });
+        this.root.append(sliders);
+    }
+
+    addValues() {
+        const table = live.element('div', { className: 'live-values' });
+        this.values = Object.entries(this.figure.values ?? {}).map(([name, label]) => {
+            const value = live.element('output');
+            value.dataset.value = name;
+            table.append(live.element('span', {}, `${label} `, value));
+            return [name, value];
+        });
+        this.root.append(table);
+    }
+
+    // Changes numbers of the state; resolves once they are answered and drawn.
+    set(numbers) {
+        Object.assign(this.state, numbers);
+        return this.change();
+    }
+
+    async answer() {
+        try {
+            const answer = await live.ask(this.name, Object.values(this.state));
+            // Some figures need a second answer.
+            const more = await this.figure.more?.(this.state);
+            this.show({ ...more, ...answer });
+            delete this.root.dataset.error;
+        } catch (error) {
+            this.root.dataset.error = error.message;
+        }
+    }
+
+    show(answer) {
+        this.sliders.forEach((show) => show());
+        for (const [name, element] of this.values) {
+            const [list, index = 0] = name.split('.');
+            element.value = live.show(answer[list]?.[index]);
+        }
+        if (this.svg) {
+            const pen = new live.Pen(this.area);
+            this.figure.draw(pen, this.state, answer);
+            this.drawn.innerHTML = pen.shapes.join('');
+            for (const { circle, at } of this.handles) {
+                const [x, y] = pen.to(at(this.state));
+                circle.setAttribute('cx', x);
+                circle.setAttribute('cy', y);
+            }
+        }
+        if (this.canvas) {
+            const [width, height] = answer.size;
+            const pixels = new ImageData(new Uint8ClampedArray(answer.pixels), width, height);
+            this.canvas.getContext('2d').putImageData(pixels, 0, 0);
+        }
+        this.root.dataset.drawn = (Number(this.root.dataset.drawn) || 0) + 1;
+    }
+};
+
+// Shows a figure on the page that has its diagram, behind the diagram's caption.
+live.figure = (name, figure) => {
+    const image = live.works && document.querySelector(`main img[src$="${figure.below}"]`);
+    if (image) {
+        const paragraph = image.closest('p');
+        const caption = paragraph.nextElementSibling;
+        live.figures[name] = new live.Figure(name, figure, caption?.matches('p') ? caption : paragraph);
+    }
+};
+
+// A handle for two numbers of the state.
+live.handle = (label, x, y) => ({
+    label,
+    at: (state) => [state[x], state[y]],
+    move: (_, ...place) => ({ [x]: place[0], [y]: place[1] }),
+});
+
+// A handle on a circle around a point, for an angle of the state, in radians.
+live.angleHandle = (label, name, radius, centre = () => [0, 0]) => ({
+    label,
+    at: (state) => {
+        const [x, y] = centre(state);
+        return [x + radius * Math.cos(state[name]), y + radius * Math.sin(state[name])];
+    },
+    move: (state, x, y) => {
+        const [cx, cy] = centre(state);
+        return { [name]: Math.atan2(y - cy, x - cx) };
+    },
+});

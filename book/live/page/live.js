@@ -1,0 +1,107 @@
+// What the live pictures and the figures share: the module, loaded at the first
+// question, and a way to ask it without falling behind the reader.
+const live = {
+    // The module lies beside this script.
+    folder: new URL('.', document.currentScript.src),
+
+    // Whether this browser can run the module; if not, each picture stands as it is.
+    works: typeof WebAssembly === 'object' && typeof DecompressionStream === 'function',
+};
+
+// The file `live-module.js` calls this with the module, compressed, as base64.
+live.receive = (base64) => {
+    live.compressed = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+};
+
+live.load = () =>
+    new Promise((resolve, reject) => {
+        const script = document.createElement('script');
+        script.src = new URL('live-module.js', live.folder);
+        script.onload = resolve;
+        script.onerror = () => reject(new Error('the module of the live pictures is missing'));
+        document.head.append(script);
+    });
+
+live.start = async () => {
+    await live.load();
+    const source = `${bindModule}\n(${liveWorker})()`;
+    const worker = new Worker(URL.createObjectURL(new Blob([source])));
+    const open = new Map();
+    let last = 0;
+    worker.onmessage = ({ data: { id, answer, error } }) => {
+        const { resolve, reject } = open.get(id);
+        open.delete(id);
+        error === undefined ? resolve(answer) : reject(new Error(error));
+    };
+    const post = (message) =>
+        new Promise((resolve, reject) => {
+            open.set(++last, { resolve, reject });
+            worker.postMessage({ id: last, ...message });
+        });
+    await post({ compressed: live.compressed });
+    delete live.compressed;
+    return post;
+};
+
+// The module's answer to a request with numbers.
+live.ask = async (request, numbers = []) => {
+    live.started ??= live.start();
+    const post = await live.started;
+    return post({ request, numbers });
+};
+
+// `work`, called with the newest arguments only while an earlier call still runs: a
+// drag asks more often than answers come. Resolves when nothing is left to do.
+live.newest = (work) => {
+    let waiting;
+    let running;
+    const run = async () => {
+        while (waiting) {
+            const now = waiting;
+            waiting = undefined;
+            await work(...now);
+        }
+    };
+    return (...now) => {
+        waiting = now;
+        running ??= run().finally(() => {
+            running = undefined;
+        });
+        return running;
+    };
+};
+
+// An HTML element with attributes and children.
+live.element = (name, attributes = {}, ...children) => {
+    const element = document.createElement(name);
+    for (const [key, value] of Object.entries(attributes)) {
+        key in element ? (element[key] = value) : element.setAttribute(key, value);
+    }
+    element.append(...children);
+    return element;
+};
+
+// The book turns pages with the arrow keys; in a slider or a list they belong to it.
+addEventListener(
+    'keydown',
+    (event) => {
+        if (event.target.closest?.('.live-controls, .live-pair')) {
+            event.stopPropagation();
+        }
+    },
+    true,
+);
+
+// A number as the reader sees it: six digits at most.
+live.show = (number) => {
+    if (number === undefined || Number.isNaN(number)) {
+        return 'none';
+    }
+    if (!Number.isFinite(number)) {
+        return number < 0 ? '-∞' : '∞';
+    }
+    const short = Number(number.toPrecision(6));
+    const exponent = Math.abs(short);
+    const small = short !== 0 && (exponent < 1e-4 || exponent >= 1e7);
+    return small ? short.toExponential().replace('e+', 'e') : String(short);
+};

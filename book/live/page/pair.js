@@ -1,0 +1,42 @@
+// Pictures of the errata: the wrong panel over the right one, with a slider between
+// them. The picture holds both side by side, with a gap.
+live.Pair = class {
+    static gap = 8;
+
+    constructor(image, after) {
+        this.image = image;
+        this.canvas = live.element('canvas');
+        this.canvas.setAttribute('role', 'img');
+        this.canvas.setAttribute('aria-label', image.alt);
+        this.slider = live.element('input', { type: 'range', min: 0, max: 100, value: 50 });
+        this.slider.setAttribute('aria-label', 'from the right picture to the wrong one');
+        this.slider.oninput = () => this.draw();
+        const row = live.element('label', {}, 'right ', this.slider, ' wrong');
+        after.after(live.element('figure', { className: 'live-pair' }, this.canvas, row));
+        image.decode().then(() => this.draw(), () => {});
+    }
+
+    draw() {
+        const { canvas, image } = this;
+        const width = (image.naturalWidth - live.Pair.gap) / 2;
+        const height = image.naturalHeight;
+        Object.assign(canvas, { width, height });
+        const context = canvas.getContext('2d');
+        context.drawImage(image, width + live.Pair.gap, 0, width, height, 0, 0, width, height);
+        const shown = Math.round((width * this.slider.value) / 100);
+        if (shown) {
+            context.drawImage(image, 0, 0, shown, height, 0, 0, shown, height);
+        }
+        context.fillStyle = '#fff';
+        context.fillRect(shown - 1, 0, 2, height);
+    }
+};
+
+live.pairs = [];
+if (live.works) {
+    for (const image of document.querySelectorAll('main img[src*="/errata-"]:not(.img-wrapper > img)')) {
+        const paragraph = image.closest('p');
+        const caption = paragraph.nextElementSibling;
+        live.pairs.push(new live.Pair(image, caption?.matches('p') ? caption : paragraph));
+    }
+}

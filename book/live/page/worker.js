@@ -1,0 +1,34 @@
+// The worker in which the module runs, so that the page never waits for a picture. Its
+// source becomes a Blob: a page opened as a file may start no worker from a file.
+function liveWorker() {
+    let compiled;
+    let ask;
+
+    const start = async () => {
+        ask = bindModule((await WebAssembly.instantiate(compiled, {})).exports);
+    };
+
+    const compile = async (compressed) => {
+        const stream = new Blob([compressed]).stream().pipeThrough(new DecompressionStream('gzip'));
+        compiled = await WebAssembly.compile(await new Response(stream).arrayBuffer());
+        await start();
+    };
+
+    onmessage = async ({ data: { id, compressed, request, numbers } }) => {
+        try {
+            if (compressed) {
+                await compile(compressed);
+                postMessage({ id });
+            } else {
+                const answer = ask(request, numbers);
+                postMessage({ id, answer }, [answer.pixels.buffer]);
+            }
+        } catch (error) {
+            // After a trap the module's memory is in no known state.
+            if (error instanceof WebAssembly.RuntimeError) {
+                await start();
+            }
+            postMessage({ id, error: error.message });
+        }
+    };
+}

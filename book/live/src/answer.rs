@@ -1,0 +1,37 @@
+//! `Answer`: numbers by name, a text and bytes, for a page.
+
+/// The answer to a request of a page.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Answer {
+    /// Lists of numbers, each with its name.
+    pub numbers: Vec<(&'static str, Vec<f64>)>,
+    /// A text for the reader.
+    pub text: String,
+    /// Red, green, blue and opacity of the pixels of a picture.
+    pub pixels: Vec<u8>,
+}
+
+impl Answer {
+    /// An answer of a text.
+    #[must_use]
+    pub fn text(text: impl Into<String>) -> Self {
+        Self {
+            text: text.into(),
+            ..Self::default()
+        }
+    }
+
+    /// The same answer with one more list of numbers.
+    #[must_use]
+    pub fn with(mut self, name: &'static str, numbers: impl Into<Vec<f64>>) -> Self {
+        self.numbers.push((name, numbers.into()));
+        self
+    }
+
+    /// The numbers of this name; none if there are none.
+    #[must_use]
+    pub fn get(&self, name: &str) -> &[f64] {
+        let found = self.numbers.iter().find(|(known, _)| *known == name);
+        found.map_or(&[], |(_, numbers)| numbers)
+    }
+}

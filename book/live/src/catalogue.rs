@@ -1,0 +1,51 @@
+//! The pictures of the book that its pages can render, by the names of their files.
+
+use common::Scene;
+use measure::Stage;
+
+// The pictures of the errata are examples of the last stage.
+#[path = "../../../a07-transforms/examples/errata/main.rs"]
+#[allow(dead_code, reason = "the example's own main")]
+mod errata;
+#[path = "../../../a07-transforms/examples/go-wrong/main.rs"]
+#[allow(dead_code, reason = "the example's own main")]
+pub mod go_wrong;
+
+/// The stages, and the pictures of the errata and of what can go wrong as two more.
+pub fn stages() -> [Stage; 9] {
+    [
+        a01_image_display::stage(),
+        a02_math::stage(),
+        a03_rays_cameras::stage(),
+        a04_intersections::stage(),
+        a05_lighting::stage(),
+        a06_shadows_reflection::stage(),
+        a07_transforms::stage(),
+        errata::stage(),
+        go_wrong::stage(),
+    ]
+}
+
+fn name(stage: &str, scene: &Scene) -> String {
+    format!("{stage}-{}", scene.name)
+}
+
+/// The names of all pictures.
+pub fn names() -> Vec<String> {
+    let stages = stages();
+    let names = stages
+        .iter()
+        .flat_map(|stage| stage.scenes.iter().map(|scene| name(stage.name, scene)));
+    names.collect()
+}
+
+/// The scene whose picture has this name.
+pub fn scene(picture: &str) -> Result<Scene, String> {
+    let mut scenes = stages().into_iter().flat_map(|stage| {
+        let named = move |scene| (name(stage.name, &scene), scene);
+        stage.scenes.into_iter().map(named)
+    });
+    let found = scenes.find(|(name, _)| name == picture);
+    let missing = || format!("there is no picture \"{picture}\"");
+    found.map(|(_, scene)| scene).ok_or_else(missing)
+}

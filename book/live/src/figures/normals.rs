@@ -1,0 +1,45 @@
+//! A transformed sphere: the ray in both spaces, and its normal moved rightly and
+//! wrongly.
+
+use a02_math::{Normal3, Point3};
+use a03_rays_cameras::Ray;
+use a04_intersections::{Geometry, Interval, Sphere};
+use a07_transforms::{Node, Transform, protocol};
+
+use super::{Answered, flat, place, point};
+use crate::Answer;
+
+/// Numbers: the factors of the scaling, an angle in degrees, the translation, and
+/// origin and passed point of the ray. The sphere is scaled, turned and then moved.
+pub fn answer([sx, sy, angle, tx, ty, ox, oy, x, y]: [f64; 9]) -> Answered {
+    let transform = Transform::IDENTITY
+        .translate(point(tx, ty))?
+        .rotate_z(angle.to_radians())?
+        .scale(sx, sy, 1.0)?;
+    let o = point(ox, oy);
+    let ray = Ray::new(o, point(x, y) - o)?;
+    let object_ray = transform.ray_to_object(&ray);
+    let sphere = Sphere::new(Point3::ORIGIN, 1.0)?;
+    let matrix = transform.matrix().rows();
+    let answer = Answer::default()
+        .with("matrix", matrix.concat())
+        .with("direction", flat(ray.direction()))
+        .with("object_origin", place(object_ray.origin()))
+        .with("object_direction", flat(object_ray.direction()));
+    let Some(inside) = sphere.hit(&object_ray, Interval::AHEAD) else {
+        return Ok(answer);
+    };
+    let flat_normal =
+        |normal: Option<Normal3>| normal.map(|n| flat(n).to_vec()).unwrap_or_default();
+    let outside = Node::new(transform).with(sphere).hit(&ray, Interval::AHEAD);
+    let moved = protocol::normal_as_vector(transform.matrix(), inside.normal);
+    Ok(answer
+        .with("t_object", [inside.t])
+        .with(
+            "t_world",
+            outside.map(|hit| vec![hit.t]).unwrap_or_default(),
+        )
+        .with("object_normal", flat(inside.normal))
+        .with("normal", flat_normal(outside.map(|hit| hit.normal)))
+        .with("wrong_normal", flat_normal(moved)))
+}

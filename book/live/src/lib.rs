@@ -1,0 +1,31 @@
+//! The stages' lessons for the book's pages: pictures that the reader renders on the
+//! page, and the numbers behind the figures.
+//!
+//! A page sends a request, a name and numbers, to [`call`] and shows the [`Answer`].
+//! Compiled to WebAssembly, the crate exports it as plain functions on memory.
+
+mod answer;
+mod catalogue;
+#[cfg(target_family = "wasm")]
+mod exports;
+mod extremes;
+mod figures;
+mod picture;
+mod turned;
+mod view;
+
+pub use answer::Answer;
+
+/// Answers a request of a page: `render PICTURE`, `probe PICTURE` or `about PICTURE`,
+/// with the settings as numbers, `extremes STAGE`, `pictures`, or the name of a figure
+/// with its numbers. An error is a sentence for the reader.
+pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
+    match request.split_once(' ') {
+        Some(("render", name)) => picture::render(name, numbers),
+        Some(("probe", name)) => picture::probe(name, numbers),
+        Some(("about", name)) => picture::about(name),
+        Some(("extremes", stage)) => extremes::extremes(stage),
+        None if request == "pictures" => Ok(Answer::text(catalogue::names().join("\n"))),
+        _ => figures::answer(request, numbers),
+    }
+}

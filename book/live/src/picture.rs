@@ -1,0 +1,157 @@
+//! Renders the pictures of the book for its pages, and looks along single rays.
+
+use a02_math::Vector3;
+use a03_rays_cameras::{Camera, camera_coordinates, render as render_by_lesson};
+use common::{Color, Image, Renderer, Sampling, Scene, Settings, Size, Transfer, fnv1a};
+
+use crate::Answer;
+use crate::catalogue;
+use crate::turned::{Turn, Turned};
+use crate::view::{View, view};
+
+pub const SAMPLINGS: [Sampling; 4] = [
+    Sampling::Center,
+    Sampling::Regular,
+    Sampling::Random,
+    Sampling::Stratified,
+];
+
+/// The description of a picture by a page: width, height, samples, the number of their place in
+/// [`SAMPLINGS`], seed, depth, 1 for the engine, yaw, pitch and zoom.
+fn settings(scene: &Scene, numbers: &[f64]) -> Result<(Settings, Turn), String> {
+    let &[
+        width,
+        height,
+        samples,
+        sampling,
+        seed,
+        depth,
+        engine,
+        yaw,
+        pitch,
+        zoom,
+        ..,
+    ] = numbers
+    else {
+        return Ok((scene.defaults.clone(), Turn::NONE));
+    };
+    let size = Size::new(width as u32, height as u32).map_err(|error| error.to_string())?;
+    let settings = Settings {
+        size,
+        samples: samples as u32,
+        sampling: SAMPLINGS
+            .get(sampling as usize)
+            .copied()
+            .unwrap_or_default(),
+        seed: seed as u64,
+        depth: depth as u32,
+        renderer: if engine == 1.0 {
+            Renderer::Engine
+        } else {
+            Renderer::Lesson
+        },
+        ..scene.defaults.clone()
+    };
+    Ok((settings, Turn { yaw, pitch, zoom }))
+}
+
+/// The view of a picture, with its camera turned.
+fn turned(picture: &str, settings: &Settings, turn: Turn) -> Result<Option<View>, String> {
+    let view = view(picture, settings).map_err(|error| error.to_string())?;
+    Ok(view.map(|view| {
+        if turn == Turn::NONE {
+            return view;
+        }
+        let camera = Turned::new(view.camera, settings.size, view.centre, turn);
+        View {
+            camera: Box::new(camera),
+            ..view
+        }
+    }))
+}
+
+/// Renders a picture: its pixels, its size and, as text, the hash that the tests lock.
+///
+/// With the camera of the scene, the stage renders it as its program does.
+pub fn render(picture: &str, numbers: &[f64]) -> Result<Answer, String> {
+    let scene = catalogue::scene(picture)?;
+    let (settings, turn) = settings(&scene, numbers)?;
+    let view = match turn {
+        Turn::NONE => None,
+        _ => turned(picture, &settings, turn)?,
+    };
+    let image = match view {
+        None => scene.render(&settings, &()),
+        Some(view) => {
+            let radiance = view.radiance(settings.depth);
+            render_by_lesson(&view.camera, radiance, &settings, &())
+        }
+    };
+    image
+        .map(|image| pixels(&image))
+        .map_err(|error| error.to_string())
+}
+
+/// The pixels, size and hash of a picture.
+pub fn pixels(image: &Image) -> Answer {
+    let rgb = image.to_rgb8(Transfer::Linear);
+    let rgba = rgb.as_chunks::<3>().0.iter();
+    let (width, height) = (image.size().width(), image.size().height());
+    Answer {
+        pixels: rgba.flat_map(|[r, g, b]| [*r, *g, *b, 255]).collect(),
+        ..Answer::text(format!("{:016x}", fnv1a(&rgb)))
+    }
+    .with("size", [width.into(), height.into()])
+}
+
+/// Looks along the ray through the middle of a pixel, whose column and row follow the
+/// settings: its linear colour, and if it meets a surface, `t`, point and normal.
+pub fn probe(picture: &str, numbers: &[f64]) -> Result<Answer, String> {
+    let scene = catalogue::scene(picture)?;
+    let (settings, turn) = settings(&scene, numbers)?;
+    let (Some(view), [.., column, row]) = (turned(picture, &settings, turn)?, numbers) else {
+        return Ok(Answer::text("painted, without a ray"));
+    };
+    let (column, row) = (*column as u32, *row as u32);
+    let row = row.min(settings.size.height() - 1);
+    let (x, y) = camera_coordinates(settings.size, column, row, (0.5, 0.5));
+    let ray = view.camera.ray_for(settings.size, x, y);
+    let Color { r, g, b } = view.radiance(settings.depth)(&ray);
+    let answer = Answer::default().with("color", [r, g, b]);
+    let Some(met) = view.meet(&ray) else {
+        return Ok(Answer {
+            text: "the background".to_owned(),
+            ..answer
+        });
+    };
+    let normal = Vector3::from(met.hit.normal).to_glam().to_array();
+    let point = ray.at(met.hit.t).to_glam().to_array();
+    Ok(Answer {
+        text: met.names,
+        ..answer
+    }
+    .with("t", [met.hit.t])
+    .with("point", point)
+    .with("normal", normal))
+}
+
+/// The settings that a picture has by default, and those that change it.
+pub fn about(picture: &str) -> Result<Answer, String> {
+    let scene = catalogue::scene(picture)?;
+    let defaults = &scene.defaults;
+    let sampling = SAMPLINGS
+        .iter()
+        .position(|place| *place == defaults.sampling);
+    let turns = view(picture, defaults).is_ok_and(|view| view.is_some());
+    let flag = |is_set| f64::from(u8::from(is_set));
+    let (width, height) = (defaults.size.width(), defaults.size.height());
+    Ok(Answer::text(scene.about)
+        .with("size", [width.into(), height.into()])
+        .with("samples", [defaults.samples.into()])
+        .with("sampling", [sampling.unwrap_or(0) as f64])
+        .with("seed", [defaults.seed as f64])
+        .with("depth", [defaults.depth.into()])
+        .with("uses_sampling", [flag(scene.uses.sampling)])
+        .with("uses_depth", [flag(scene.uses.depth)])
+        .with("turns", [flag(turns)]))
+}

@@ -1,0 +1,127 @@
+//! `Turned`: a camera, turned around a point and moved towards it.
+
+use a02_math::{Direction, Point3, Vector3};
+use a03_rays_cameras::{Camera, Ray};
+use common::Size;
+
+const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
+
+/// The steepest gaze, as an angle from the horizontal: a little less than π / 2.
+const STEEPEST: f64 = 1.5;
+
+/// How far a reader has turned a camera; nothing by default.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn {
+    /// Angle around the vertical axis, in radians.
+    pub yaw: f64,
+    /// Angle upwards, in radians; limited so that the gaze stays below the vertical.
+    pub pitch: f64,
+    /// Factor of the distance to the centre.
+    pub zoom: f64,
+}
+
+impl Turn {
+    /// The camera as the scene has it.
+    pub const NONE: Self = Self {
+        yaw: 0.0,
+        pitch: 0.0,
+        zoom: 1.0,
+    };
+}
+
+/// A camera that is turned around a centre.
+pub struct Turned {
+    camera: Box<dyn Camera>,
+    centre: Point3,
+    zoom: f64,
+    /// The three axes of the scene, rotated.
+    axes: [Vector3; 3],
+}
+
+impl Turned {
+    /// Turns a camera whose gaze is not vertical.
+    pub fn new(camera: Box<dyn Camera>, size: Size, centre: Point3, mut turn: Turn) -> Self {
+        let [x, y] = [size.width(), size.height()].map(|side| f64::from(side - 1) / 2.0);
+        let gaze = camera.ray_for(size, x, y).direction();
+        let elevation = libm::asin(gaze.y().clamp(-1.0, 1.0));
+        turn.pitch = (elevation + turn.pitch).clamp(-STEEPEST, STEEPEST) - elevation;
+        let right = gaze.cross(UP).normalized();
+        let right = right.unwrap_or(Vector3::new(1.0, 0.0, 0.0));
+        let turned = |v| rotated(rotated(v, right, turn.pitch), UP, turn.yaw);
+        let axes = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)];
+        Self {
+            camera,
+            centre,
+            zoom: turn.zoom,
+            axes: axes.map(|(x, y, z)| turned(Vector3::new(x, y, z))),
+        }
+    }
+
+    fn turned(&self, v: Vector3) -> Vector3 {
+        let [x, y, z] = self.axes;
+        x * v.x() + y * v.y() + z * v.z()
+    }
+}
+
+impl Camera for Turned {
+    fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
+        let ray = self.camera.ray_for(size, x, y);
+        let from_centre = (ray.origin() - self.centre) * self.zoom;
+        let origin = self.centre + self.turned(from_centre);
+        Ray::derived(origin, self.turned(ray.direction()))
+    }
+}
+
+/// The vector `v`, rotated by an angle about an axis of length 1: the formula of
+/// Rodrigues, `v cos + (k × v) sin + k (k · v) (1 - cos)`.
+fn rotated(v: Vector3, k: Vector3, angle: f64) -> Vector3 {
+    let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+    v * cos + k.cross(v) * sin + k * (k.dot(v) * (1.0 - cos))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
+    use a03_rays_cameras::PerspectiveCamera;
+
+    use super::*;
+
+    /// A camera at (0, 0, 4) that looks at the origin, turned.
+    fn gaze(turn: Turn) -> Ray {
+        let (e, g) = (Point3::new(0.0, 0.0, 4.0), Vector3::new(0.0, 0.0, -1.0));
+        let camera = PerspectiveCamera::new(e, g, UP, FRAC_PI_4).unwrap();
+        let size = Size::new(3, 3).unwrap();
+        Turned::new(Box::new(camera), size, Point3::ORIGIN, turn).ray_for(size, 1.0, 1.0)
+    }
+
+    fn assert_near(found: [f64; 3], expected: [f64; 3]) {
+        for (found, expected) in found.into_iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-15, "{found} {expected}");
+        }
+    }
+
+    #[test]
+    fn a_quarter_turn_looks_from_the_side_and_half_the_zoom_from_half_as_far() {
+        let ray = gaze(Turn {
+            yaw: FRAC_PI_2,
+            zoom: 0.5,
+            ..Turn::NONE
+        });
+        assert_near(ray.origin().to_glam().to_array(), [2.0, 0.0, 0.0]);
+        assert_near(ray.direction().to_glam().to_array(), [-1.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn the_gaze_stays_below_the_vertical() {
+        for pitch in [2.0, -2.0] {
+            let y = gaze(Turn {
+                pitch,
+                ..Turn::NONE
+            })
+            .direction()
+            .y();
+            assert!((y - libm::sin(STEEPEST.copysign(pitch))).abs() < 1e-15);
+        }
+    }
+}

@@ -1,0 +1,281 @@
+// The built book in a headless Chromium, opened as files: every live picture has the
+// locked bytes, every figure answers, and without WebAssembly the pictures stand.
+//
+//     node browser.mjs CHROMIUM ANSWERS [FOLDER FOR SCREENSHOTS]
+//
+// ANSWERS is the program of examples/answers.rs, which computes the figures' numbers
+// natively.
+import { spawnSync } from 'node:child_process';
+import { readdirSync, writeFileSync } from 'node:fs';
+import { Chromium } from './chromium.mjs';
+
+const [program, answers, screenshots] = process.argv.slice(2);
+const book = new URL('../../../target/book/', import.meta.url);
+const pages = readdirSync(book)
+    .filter((name) => name.endsWith('.html') && !['print.html', 'toc.html', '404.html', 'index.html'].includes(name));
+
+const complaints = [];
+const expect = (isSo, complaint) => {
+    if (!isSo) {
+        complaints.push(complaint);
+        console.log(complaint);
+    }
+};
+
+const chromium = new Chromium(program);
+const open = async (page) => {
+    await chromium.go(new URL(page, book).href);
+    await chromium.value(`document.querySelectorAll('details').forEach((fold) => (fold.open = true))`);
+};
+const shot = async (name, element) => {
+    if (screenshots) {
+        writeFileSync(`${screenshots}/${name}.png`, Buffer.from(await chromium.picture(element), 'base64'));
+    }
+};
+
+// The first picture by a real click, then turned by mouse and keys, and reset.
+async function tryByHand() {
+    await open('a05-lighting.html');
+    const picture = `live.pictures[0]`;
+    const start = performance.now();
+    await chromium.click(`${picture}.frame`);
+    await chromium.until(`${picture}.frame.dataset.state`);
+    console.log(`first picture ${(performance.now() - start).toFixed(0)} ms after the click: ${await chromium.value(`${picture}.status.value`)}`);
+    expect((await chromium.value(`${picture}.frame.dataset.state`)) === 'tested', 'phong has other bytes after a click');
+    await chromium.until(`${picture}.probed`);
+
+    await chromium.drag(`${picture}.canvas`, 60, 20);
+    await chromium.until(`${picture}.frame.dataset.state === 'changed'`);
+    const yaw = await chromium.value(`${picture}.settings.yaw`);
+    expect(yaw !== 0, 'a drag does not turn the camera');
+    await chromium.key('ArrowLeft');
+    expect((await chromium.value(`${picture}.settings.yaw`)) > yaw, 'the arrow keys do not turn the camera');
+    await shot('phong-turned', `${picture}.frame.closest('p')`);
+    const [x, y] = await chromium.middle(`${picture}.canvas`);
+    await chromium.mouse('mouseMoved', x + 3, y + 3);
+    await chromium.until(`/^Pixel .*t = /.test(${picture}.probed.value)`);
+    await chromium.key('0');
+    await chromium.until(`${picture}.frame.dataset.state === 'tested'`);
+
+    // A slider keeps its keys, with which the book would turn the page.
+    await chromium.value(`${picture}.frame.parentElement.querySelector('.live-controls input').focus()`);
+    await chromium.arrow('ArrowRight', 39);
+    expect((await chromium.value(`${picture}.settings.samples`)) === 4, 'the slider of the samples does not answer the keyboard');
+    expect(/a05-lighting/.test(await chromium.value('location.href')), 'an arrow key in a slider turns the page');
+    await chromium.value(`${picture}.startAgain().then(() => 0)`);
+
+    const frames = 40;
+    const seconds = await chromium.value(`(async () => {
+        const start = performance.now();
+        for (let i = 0; i < ${frames}; i += 1) {
+            ${picture}.settings.yaw += 0.02;
+            ${picture}.shrunk = 2;
+            await ${picture}.render(true);
+        }
+        return (performance.now() - start) / 1000;
+    })()`);
+    console.log(`phong at half size, turning: ${(frames / seconds).toFixed(0)} pictures a second`);
+}
+
+// Every picture of a page; returns their names.
+async function tryPictures(page) {
+    await open(page);
+    const states = await chromium.value(`(async () => {
+        const states = [];
+        for (const picture of live.pictures) {
+            await picture.begin();
+            states.push([picture.name, picture.frame.dataset.state, picture.status.value]);
+        }
+        return states;
+    })()`);
+    for (const [name, state, status] of states) {
+        expect(state === 'tested', `${page}, ${name}: ${status}`);
+    }
+    return states.map(([name]) => name);
+}
+
+// The pairs of a page: the slider shows more or less of the wrong picture.
+async function tryPairs(page) {
+    const pairs = await chromium.value('live.pairs.length');
+    for (let index = 0; index < pairs; index += 1) {
+        const pair = `live.pairs[${index}]`;
+        const seen = [];
+        for (const value of [0, 50, 100]) {
+            await chromium.value(`${pair}.image.decode().then(() => { ${pair}.slider.value = ${value}; ${pair}.slider.oninput(); })`);
+            seen.push(await chromium.picture(`${pair}.canvas`));
+        }
+        expect(new Set(seen).size === 3, `${page}: pair ${index} does not answer its slider`);
+    }
+    return pairs;
+}
+
+// What is wider than the page scrolls: tables, listings and formulas.
+async function tryWidths(page, width) {
+    const cut = await chromium.value(`(() => {
+        const scrolls = (element) => element && element !== document.body
+            && (/auto|scroll/.test(getComputedStyle(element).overflowX) || scrolls(element.parentElement));
+        const wide = [...document.querySelectorAll('main :is(pre, code, table, .katex-display, img, figure, svg, canvas)')]
+            .filter((element) => element.checkVisibility() && element.getBoundingClientRect().right > innerWidth + 1)
+            .filter((element) => !element.closest('.img-wrapper') && !scrolls(element));
+        return [document.documentElement.scrollWidth, ...wide.map((element) => element.outerHTML.slice(0, 90))];
+    })()`);
+    expect(cut[0] <= width, `${page} is ${cut[0]} pixels wide in a window of ${width}`);
+    cut.slice(1).forEach((element) => expect(false, `${page}, cut at ${width} pixels: ${element}`));
+}
+
+// The tools of single pages: extreme cases, and error against run time.
+async function tryTools() {
+    await open('extreme-cases.html');
+    for (const stage of await chromium.value(`[...live.extremes.stage.options].map((option) => option.value)`)) {
+        const status = await chromium.value(`(async () => {
+            live.extremes.stage.value = '${stage}';
+            await live.extremes.run();
+            return live.extremes.status.value;
+        })()`);
+        const [, held, cases] = /^(\d+) of (\d+) cases hold/.exec(status) ?? [];
+        expect(cases > 10 && held === cases, `extreme cases of ${stage}: ${status}`);
+        console.log(`${stage}: ${status}`);
+    }
+    await chromium.value(`live.extremes.stage.value = 'a04-intersections'; live.extremes.run().then(() => 0)`);
+    await shot('extremes', 'live.extremes.rows.closest("figure")');
+    await open('error-and-run-time.html');
+    const curves = await chromium.value(`live.measure.run([1, 4, 16], 64).then(() => live.measure.curves.map(({ points }) => points.map(([, error]) => error)))`);
+    expect(curves.length === 3 && curves.every(([one, four, sixteen]) => one > four && four > sixteen && sixteen > 0), `errors do not fall with samples: ${JSON.stringify(curves)}`);
+    await shot('measure', 'live.measure.svg.closest("figure")');
+}
+
+// Five settings of a figure: as it opens, and spread over what its sliders reach.
+const settings = (figure) => `(() => {
+    const { state, sliders = {}, area } = ${figure}.figure;
+    return [0, 1, 2, 3, 4].map((round) => {
+        const entries = Object.entries(state).map(([name, value], index) => {
+            const { min, max, step, choices } = sliders[name] ?? {};
+            if (round === 0) return [name, value];
+            if (choices) return [name, round % choices.length];
+            if (step) return [name, min + step * Math.floor(((max - min) / step) * ((round + 0.5) / 5))];
+            return [name, value + 0.07 * round * (index % 2 ? 1 : -1)];
+        });
+        return Object.fromEntries(entries);
+    });
+})()`;
+
+// Displayed values against those that the native library gives.
+async function tryValues(name, figure) {
+    const states = await chromium.value(settings(figure));
+    const requests = states.map((state) => [name, ...Object.values(state)].join(' '));
+    const { stdout } = spawnSync(answers, { input: requests.join('\n'), encoding: 'utf8' });
+    for (const [index, line] of stdout.trimEnd().split('\n').entries()) {
+        await chromium.value(`${figure}.set(${JSON.stringify(states[index])}).then(() => 0)`);
+        const error = await chromium.value(`${figure}.root.dataset.error ?? ''`);
+        expect(!error, `${name}: ${error}`);
+        const lists = Object.fromEntries(line.split(' ').map((list) => {
+            const [list_name, numbers] = list.split('=');
+            return [list_name, numbers ? numbers.split(',').map((x) => Number(x.replace('inf', 'Infinity'))) : []];
+        }));
+        const shown = await chromium.value(`${figure}.values.map(([name, element]) => [name, element.value])`);
+        for (const [value, text] of shown) {
+            const [list, at = 0] = value.split('.');
+            const number = lists[list]?.[at];
+            const expected = await chromium.value(`live.show(${number === undefined ? 'undefined' : number})`);
+            expect(text === expected, `${requests[index]}: ${value} shows ${text}, the library says ${expected}`);
+        }
+    }
+}
+
+async function tryFigure(name) {
+    const figure = `live.figures['${name}']`;
+    await chromium.middle(`${figure}.root`);
+    await chromium.until(`${figure}.root.dataset.drawn`);
+    const state = () => chromium.value(`JSON.stringify(${figure}.state)`);
+    const handles = await chromium.value(`${figure}.handles?.length ?? 0`);
+    for (let index = 0; index < handles; index += 1) {
+        const circle = `${figure}.handles[${index}].circle`;
+        const label = `${name}, ${await chromium.value(`${figure}.handles[${index}].label`)}`;
+        let before = await state();
+        await chromium.drag(circle, 12, -9);
+        expect((await state()) !== before, `${label}: does not answer a drag`);
+        before = await state();
+        await chromium.value(`${circle}.focus()`);
+        await chromium.key('ArrowRight');
+        await chromium.key('ArrowUp');
+        expect((await state()) !== before, `${label}: does not answer the keyboard`);
+    }
+    const sliders = await chromium.value(`[...${figure}.root.querySelectorAll('.live-controls input')].length`);
+    if (sliders) {
+        const before = await state();
+        await chromium.value(`${figure}.root.querySelector('.live-controls input').focus()`);
+        // At either end of the slider one of these moves it.
+        await chromium.arrow('ArrowLeft', 37);
+        await chromium.arrow('ArrowRight', 39);
+        await chromium.arrow('ArrowRight', 39);
+        expect((await state()) !== before, `${name}: its slider does not answer the keyboard`);
+    }
+    await tryValues(name, figure);
+    await chromium.value(`${figure}.set(${figure}.figure.state).then(() => 0)`);
+    await shot(`figure-${name}`, `${figure}.root`);
+}
+
+async function tryAll() {
+    await chromium.open(1280, 900);
+    await tryByHand();
+
+    const found = new Set();
+    let locks = {};
+    const figures = [];
+    let pairs = 0;
+    for (const page of pages) {
+        (await tryPictures(page)).forEach((name) => found.add(name));
+        pairs += await tryPairs(page);
+        await tryWidths(page, 1280);
+        locks = await chromium.value('live.locks');
+        for (const name of await chromium.value('Object.keys(live.figures)')) {
+            figures.push([page, name]);
+            await tryFigure(name);
+        }
+    }
+    for (const name of Object.keys(locks)) {
+        expect(found.has(name), `no page shows ${name} live`);
+    }
+    console.log(`${found.size} live pictures have the locked bytes; ${pairs} pairs slide; ${figures.length} figures answer: ${figures.map(([, name]) => name).join(', ')}`);
+
+    await tryTools();
+
+    // A phone, in the dark.
+    await chromium.resize(390, 844);
+    await chromium.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: 'dark' }] });
+    for (const page of pages) {
+        await open(page);
+        await tryWidths(page, 390);
+        for (const name of await chromium.value('Object.keys(live.figures)')) {
+            const figure = `live.figures['${name}']`;
+            await chromium.middle(`${figure}.root`);
+            await chromium.until(`${figure}.root.dataset.drawn`);
+            const box = await chromium.value(`${figure}.root.scrollWidth - ${figure}.root.clientWidth`);
+            expect(box <= 0, `the figure ${name} is ${box} pixels too wide on a phone`);
+            await shot(`phone-${name}`, `${figure}.root`);
+        }
+    }
+    expect(await chromium.value(`getComputedStyle(document.documentElement).colorScheme === 'dark' || document.documentElement.classList.contains('coal')`), 'the book is not dark');
+
+    // Without WebAssembly the pictures stand.
+    await chromium.resize(1280, 900);
+    await chromium.send('Page.addScriptToEvaluateOnNewDocument', { source: 'delete globalThis.WebAssembly' });
+    for (const page of pages) {
+        await open(page);
+        const bad = await chromium.value(`[...document.querySelectorAll('main img[src$=".png"]:not(.img-wrapper > img)')].filter((image) => !image.complete || !image.naturalWidth || !image.checkVisibility()).length`);
+        expect(bad === 0, `${page}: ${bad} pictures are missing without WebAssembly`);
+        const traces = await chromium.value(`document.querySelectorAll('.live-picture, .live-figure').length`);
+        expect(traces === 0, `${page} offers live pictures without WebAssembly`);
+    }
+    chromium.errors.forEach((error) => expect(false, `console: ${error}`));
+}
+
+try {
+    await tryAll();
+} catch (error) {
+    expect(false, error.stack);
+} finally {
+    await chromium.close();
+}
+console.log(complaints.length ? `${complaints.length} complaints` : 'the book lives');
+process.exit(complaints.length ? 1 : 0);

@@ -1,0 +1,198 @@
+//! The numbers of figures against closed forms, and pictures against their locks.
+
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4};
+
+use live::{Answer, call};
+
+fn ask(request: &str, numbers: &[f64]) -> Answer {
+    call(request, numbers).unwrap()
+}
+
+#[track_caller]
+fn assert_near(found: &[f64], expected: &[f64]) {
+    assert_eq!(found.len(), expected.len(), "{found:?} {expected:?}");
+    for (found, expected) in found.iter().zip(expected) {
+        assert!((found - expected).abs() < 1e-14, "{found} {expected}");
+    }
+}
+
+/// A ray at half the radius meets the sphere half a chord, √(3/4), before and behind
+/// its middle.
+#[test]
+fn a_sphere_is_hit_half_a_chord_around_the_middle() {
+    let answer = ask("sphere", &[0.0, 0.5, 0.0, 1.0]);
+    let half = 0.75_f64.sqrt();
+    for name in ["ours", "protocol", "exact"] {
+        assert_near(answer.get(name), &[10.0 - half, 10.0 + half]);
+    }
+    assert_near(answer.get("exact_discriminant"), &[4.0 * 0.75]);
+}
+
+/// From 10^8 radii the squares agree in all digits: the protocol's error is as large as
+/// the sphere, and ours one rounding of the distance.
+#[test]
+fn from_far_away_only_the_protocols_formula_fails() {
+    let answer = ask("sphere", &[0.0, 0.5, 0.1, 8.0]);
+    assert!(answer.get("protocol_error")[0] > 0.1);
+    assert!(answer.get("our_error")[0] <= 2.0 * 1e8 * f64::EPSILON);
+    assert!(ask("sphere", &[0.0, 1.5, 0.0, 1.0]).get("ours").is_empty());
+}
+
+/// From (-2, 0) along x: into the slab in x after 1, out after 3.
+#[test]
+fn slabs_are_entered_and_left() {
+    let answer = ask("slabs", &[-2.0, 0.0, 0.0, 0.0]);
+    assert_near(answer.get("x_slab"), &[1.0, 3.0]);
+    assert_near(answer.get("both"), &[1.0, 3.0]);
+    assert_near(answer.get("normal"), &[-1.0, 0.0]);
+    assert!(ask("slabs", &[-2.0, 1.0, 0.0, 1.0]).get("hit").is_empty());
+}
+
+#[test]
+fn weights_of_corners_are_shares_of_the_area() {
+    let at = |x, y| ask("barycentric", &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0, x, y]);
+    assert_near(at(0.25, 0.25).get("weights"), &[0.5, 0.25, 0.25]);
+    assert_near(at(0.5, 0.0).get("weights"), &[0.5, 0.5, 0.0]);
+    assert!(at(0.7, 0.7).get("weights").is_empty());
+    // At a corner the normal is the corner's: (-1/3, -1/3, 1), brought to length 1.
+    let length = 11.0_f64.sqrt();
+    let corner = [-1.0, -1.0, 3.0].map(|x| x / length);
+    assert_near(at(0.0, 0.0).get("normal"), &corner);
+}
+
+/// Lambert's cosine, and Phong's power of the cosine between eye and reflected light.
+#[test]
+fn light_from_45_degrees_is_seen_matt_and_mirrored() {
+    let answer = ask("shading", &[3.0 * FRAC_PI_4, FRAC_PI_2, 2.0]);
+    let cosine = FRAC_1_SQRT_2;
+    assert_near(answer.get("cosine"), &[cosine]);
+    assert_near(answer.get("reflected"), &[cosine, cosine]);
+    assert_near(answer.get("diffuse"), &[0.5 * cosine]);
+    assert_near(answer.get("highlight"), &[0.5 * 0.5]);
+}
+
+/// A vertical edge through the middle; of four regular samples two are left of it.
+#[test]
+fn samples_estimate_a_covered_area() {
+    let answer = ask("samples", &[0.0, 0.0, 4.0, 1.0, 0.0]);
+    assert_near(answer.get("x"), &[0.25, 0.75, 0.25, 0.75]);
+    assert_near(answer.get("estimate"), &[0.5]);
+    assert_near(answer.get("error"), &[0.0]);
+}
+
+/// Independent samples err by 1/√n: 1024 by a 32nd of one. The error of a sum of squares
+/// over 400 pixels is itself uncertain by a few percent.
+#[test]
+fn the_error_of_random_samples_falls_with_the_root_of_their_number() {
+    let answer = ask("sample-errors", &[2.0]);
+    let errors = answer.get("errors");
+    let ratio = errors[0] / errors[5];
+    assert!((ratio / 32.0 - 1.0).abs() < 0.2, "{ratio}");
+}
+
+#[test]
+fn a_spot_lights_its_cone() {
+    let at = |x, y| ask("spot", &[0.0, 45.0, x, y]);
+    assert_near(at(1.0, 0.99).get("lit"), &[1.0]);
+    assert_near(at(1.0, 1.01).get("lit"), &[0.0]);
+    assert_near(at(0.0, 1.0).get("angle"), &[90.0]);
+}
+
+/// Level between two walls, above the ball: from wall to wall.
+#[test]
+fn a_ray_between_mirrors_goes_to_and_fro() {
+    let answer = ask("mirrors", &[0.0, 1.0, 0.0, 3.0, 0.5]);
+    let path = answer.get("path");
+    let expected = [0.0, 1.0, 2.0, 1.0, -2.0, 1.0, 2.0, 1.0];
+    assert_near(path, &expected);
+    assert_near(answer.get("left"), &[0.125]);
+}
+
+/// Scaled by 2 in x: at 45 degrees of the sphere the right normal leans towards y, by
+/// the inverse factor, and the wrong one towards x.
+#[test]
+fn normals_lean_by_the_inverse_factor() {
+    let half = FRAC_1_SQRT_2;
+    let answer = ask(
+        "normals",
+        &[2.0, 1.0, 0.0, 0.0, 0.0, 2.0 * half, 5.0, 2.0 * half, 0.0],
+    );
+    let five = 5.0_f64.sqrt();
+    assert_near(answer.get("normal"), &[1.0 / five, 2.0 / five]);
+    assert_near(answer.get("wrong_normal"), &[2.0 / five, 1.0 / five]);
+    assert_near(answer.get("t_world"), &[5.0 - half]);
+    assert_eq!(answer.get("t_world"), answer.get("t_object"));
+}
+
+#[test]
+fn the_order_of_a_chain_matters() {
+    let answer = ask("chain", &[90.0, 2.0, 0.0]);
+    assert_near(&answer.get("turned_first")[..2], &[2.0, 0.0]);
+    assert_near(&answer.get("moved_first")[..2], &[0.0, 2.0]);
+}
+
+/// An opening of 90 degrees in a picture of 4 to 3: the upper edge is as far up as
+/// ahead.
+#[test]
+fn the_corners_of_a_picture_span_its_opening() {
+    let answer = ask("camera", &[0.0, 0.0, 9.0, 0.0, 0.0, 0.0, 90.0]);
+    assert_near(answer.get("u"), &[1.0, 0.0, 0.0]);
+    assert_near(answer.get("w"), &[0.0, 0.0, 1.0]);
+    let [x, y, z] = answer.get("corners")[6..9] else {
+        panic!("four corners of three coordinates")
+    };
+    assert_near(&[x / -z, y / -z], &[4.0 / 3.0, 1.0]);
+}
+
+#[test]
+fn too_little_lift_and_too_much_are_wrong() {
+    let wrong = |power| ask("lift", &[power]).get("wrong_pixels")[0];
+    assert_eq!(wrong(-13.0), 0.0);
+    assert!(wrong(-18.0) > 10_000.0);
+    assert!(wrong(-0.5) > 100.0);
+}
+
+#[test]
+fn a_picture_has_the_hash_of_its_lock() {
+    let snapshot = include_str!("../../../a05-lighting/tests/snapshots/phong.snap");
+    let lock = snapshot.lines().find_map(|line| line.strip_prefix("hash "));
+    let answer = ask("render a05-lighting-phong", &[]);
+    assert_eq!(Some(&*answer.text), lock);
+    assert_eq!(answer.pixels.len(), 4 * 640 * 480);
+    let turned = [640.0, 480.0, 1.0, 0.0, 0.0, 6.0, 0.0, 0.1, 0.0, 1.0];
+    assert_ne!(Some(&*ask("render a05-lighting-phong", &turned).text), lock);
+}
+
+/// The camera of `phong` looks from (4, 4, 4) at the sphere around (1, 1, 1).
+#[test]
+fn a_probe_says_what_a_ray_meets() {
+    let settings = [641.0, 481.0, 1.0, 0.0, 0.0, 6.0, 0.0, 0.0, 0.0, 1.0];
+    let at = |column, row| {
+        let numbers = [&settings[..], &[column, row]].concat();
+        ask("probe a05-lighting-phong", &numbers)
+    };
+    let middle = at(320.0, 240.0);
+    assert_eq!(middle.text, "Sphere, Phong");
+    assert_near(middle.get("t"), &[3.0 * 3.0_f64.sqrt() - 0.5]);
+    assert_eq!(at(0.0, 480.0).text, "Plane, Phong");
+}
+
+/// As many cases as the stage has, and all hold.
+#[test]
+fn extreme_cases_hold() {
+    let answer = ask("extremes a02-math", &[]);
+    let cases = (a02_math::stage().extremes)(measure::Effort::Quick).len() as f64;
+    assert_eq!(answer.get("cases"), [cases]);
+    assert_eq!(answer.get("held"), [cases]);
+    assert_eq!(answer.text.split("\n\n").count() as f64, cases);
+}
+
+#[test]
+fn a_wrong_request_is_answered_by_a_sentence() {
+    let error = |request| call(request, &[]).unwrap_err();
+    assert_eq!(error("torus"), "there is no figure \"torus\"");
+    assert_eq!(error("spot"), "the figure spot takes 4 numbers, not 0");
+    assert_eq!(error("render nothing"), "there is no picture \"nothing\"");
+    let flat = call("slabs", &[0.0; 4]).unwrap_err();
+    assert!(flat.contains("direction"), "{flat}");
+}

@@ -1,0 +1,242 @@
+//! `Slabs`: one ray, or a bundle of rays, against the bounds of eight children.
+//!
+//! The slabs of a box are entered at `(plane - origin) / direction`. (Kay and Kajiya, Ray
+//! Tracing Complex Scenes, 1986.) Of a bundle, interval arithmetic bounds all rays at once:
+//! with the extreme origins and directions, no ray enters earlier or leaves later. (Boulos,
+//! Wald and Shirley, Geometric and Arithmetic Culling Methods for Entire Ray Packets, 2006.)
+
+use glam::DVec3;
+use wide::f32x8;
+
+use super::bvh::WIDTH;
+use crate::Ray;
+use crate::lanes::{Lanes, RayPacket, Vector3x4, is_set};
+use crate::shape::Bounds;
+
+/// The units of a tree: it measures from its centre in units of half its extent, so that
+/// every scene, tiny or huge, near or far, fills the range from -1 to 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Units {
+    centre: DVec3,
+    per_length: f64,
+}
+
+/// Bounds are widened by this share of the largest number, in the units of the tree, so
+/// that they hold every hit that a shape computes. The single precision of the slab
+/// test and of its ray moves a hit by less than a quarter of it, and the double
+/// precision of the shapes by far less.
+const SLACK: f64 = 1.0 / 1_048_576.0;
+
+/// Bounds in the units of a tree.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct TreeBounds {
+    pub min: [f32; 3],
+    pub max: [f32; 3],
+}
+
+impl TreeBounds {
+    pub const NOWHERE: Self = Self {
+        min: [f32::INFINITY; 3],
+        max: [f32::NEG_INFINITY; 3],
+    };
+
+    /// The bounds of both.
+    #[inline]
+    pub fn union(self, other: Self) -> Self {
+        // Comparisons that are one instruction each: no bound is NaN.
+        let least = |a: f32, b: f32| if a < b { a } else { b };
+        let greatest = |a: f32, b: f32| if a > b { a } else { b };
+        Self {
+            min: std::array::from_fn(|axis| least(self.min[axis], other.min[axis])),
+            max: std::array::from_fn(|axis| greatest(self.max[axis], other.max[axis])),
+        }
+    }
+
+    /// Twice the middle along each axis.
+    #[inline]
+    pub fn doubled_middle(self) -> [f32; 3] {
+        std::array::from_fn(|axis| self.min[axis] + self.max[axis])
+    }
+
+    /// Half the surface area of the box, in proportion to the number of rays that meet
+    /// it. 0 for the empty box.
+    pub fn half_area(self) -> f32 {
+        let [x, y, z] = std::array::from_fn(|axis| (self.max[axis] - self.min[axis]).max(0.0));
+        x * y + y * z + z * x
+    }
+
+    /// The mean width of the box.
+    pub fn mean_width(self) -> f32 {
+        (0..3)
+            .map(|axis| self.max[axis] - self.min[axis])
+            .sum::<f32>()
+            / 3.0
+    }
+}
+
+impl Units {
+    /// The units of a tree with these bounds.
+    pub fn new(all: Bounds) -> Self {
+        let extent = (0..3).map(|axis| all.max[axis] / 2.0 - all.min[axis] / 2.0);
+        Self {
+            centre: all.middle().into(),
+            per_length: 1.0 / extent.fold(f64::MIN_POSITIVE, f64::max),
+        }
+    }
+
+    /// Bounds in these units, rounded outwards.
+    pub fn bounds(&self, bounds: Bounds) -> TreeBounds {
+        let own = |x: f64, axis: usize| ((x - self.centre[axis]) * self.per_length) as f32;
+        TreeBounds {
+            min: std::array::from_fn(|axis| own(bounds.min[axis], axis).next_down()),
+            max: std::array::from_fn(|axis| own(bounds.max[axis], axis).next_up()),
+        }
+    }
+
+    /// A `t` in these units, rounded up.
+    #[inline]
+    pub fn beyond(&self, t: f64) -> f32 {
+        (t * self.per_length * (1.0 + SLACK)) as f32
+    }
+
+    /// A ray whose hits count beyond `min`. None if it starts too far away, or if its
+    /// direction is far from length 1.
+    #[inline]
+    pub fn ray(&self, ray: &Ray, min: f64) -> Option<Slabs<1>> {
+        let d = ray.direction;
+        let o = (ray.origin - self.centre) * self.per_length;
+        let largest = o.abs().max_element().max(1.0);
+        let is_within = largest <= 1e30 && has_length_1(d) && min >= 0.0;
+        is_within.then(|| {
+            let slack = 2.0 * largest * SLACK;
+            Slabs {
+                axes: [0, 1, 2].map(|axis| Slab::new([o[axis]], [d[axis]], slack)),
+                from: f32x8::splat((min * self.per_length * (1.0 - SLACK)) as f32),
+            }
+        })
+    }
+
+    /// The active of four rays, if they are coherent: they go the same way along each axis,
+    /// and up to the distance of 1 their places differ by less than `width`.
+    #[inline]
+    pub fn bundle(&self, rays: &RayPacket, active: u32, width: f32) -> Option<Slabs<2>> {
+        let in_units = |o: DVec3| (o - self.centre) * self.per_length;
+        let [o_min, o_max] = extremes(rays.origin, active).map(in_units);
+        let [d_min, d_max] = extremes(rays.direction, active);
+        let spread = (o_max - o_min) + (d_max - d_min);
+        let goes_one_way = d_min.is_negative_bitmask() == d_max.is_negative_bitmask();
+        let largest = o_min.abs().max(o_max.abs()).max_element().max(1.0);
+        // None of them is far from length 1, if one is not and they differ little.
+        let is_coherent = goes_one_way
+            && spread.max_element() < f64::from(width).min(0.1)
+            && largest <= 1e30
+            && (0.75..1.5).contains(&d_min.length_squared());
+        is_coherent.then(|| {
+            let slack = 2.0 * largest * SLACK;
+            let slab = |axis| {
+                let (origins, directions) = ([o_min, o_max], [d_min, d_max]);
+                let along = |ends: [DVec3; 2]| ends.map(|end| end[axis]);
+                Slab::new(along(origins), along(directions), slack)
+            };
+            Slabs {
+                axes: [slab(0), slab(1), slab(2)],
+                from: f32x8::ZERO,
+            }
+        })
+    }
+}
+
+/// The least and the greatest coordinates of the active of four vectors.
+#[inline]
+fn extremes(vectors: Vector3x4, active: u32) -> [DVec3; 2] {
+    let Vector3x4 { x, y, z } = vectors;
+    let mut vectors = Lanes::transpose([x, y, z, z]);
+    if active != 0b1111 {
+        let first = vectors[active.trailing_zeros() as usize % 4];
+        for (lane, vector) in vectors.iter_mut().enumerate() {
+            if !is_set(active, lane) {
+                *vector = first;
+            }
+        }
+    }
+    let [a, b, c, d] = vectors;
+    let least = a.fast_min(b).fast_min(c.fast_min(d));
+    let greatest = a.fast_max(b).fast_max(c.fast_max(d));
+    [least, greatest].map(|ends| {
+        let [x, y, z, _] = ends.to_array();
+        DVec3::new(x, y, z)
+    })
+}
+
+fn has_length_1(d: DVec3) -> bool {
+    (0.5..2.0).contains(&d.length_squared())
+}
+
+/// Rays, prepared for the slab test, with `N` extremes of their directions.
+#[derive(Debug)]
+pub(super) struct Slabs<const N: usize> {
+    axes: [Slab<N>; 3],
+    from: f32x8,
+}
+
+/// One axis of rays for the slab test.
+#[derive(Debug)]
+struct Slab<const N: usize> {
+    /// The index of the plane of the slab that the rays meet first.
+    side: usize,
+    near: f32x8,
+    far: f32x8,
+    inverses: [f32x8; N],
+}
+
+impl<const N: usize> Slab<N> {
+    /// From the extremes of origins and directions, in ascending order.
+    #[inline]
+    fn new(origins: [f64; N], directions: [f64; N], slack: f64) -> Self {
+        let (min, max) = (origins[0], origins[N - 1]);
+        // The direction -0 counts as downwards, like all others with a negative inverse.
+        let downwards = directions[0].is_sign_negative();
+        let (near, far) = if downwards {
+            (min - slack, max + slack)
+        } else {
+            (max + slack, min - slack)
+        };
+        Self {
+            side: usize::from(downwards),
+            near: f32x8::splat(near as f32),
+            far: f32x8::splat(far as f32),
+            // Rays parallel to the slab get a huge finite inverse, which avoids
+            // 0 * infinity.
+            inverses: directions.map(|d| f32x8::splat((1.0 / d as f32).clamp(-1e30, 1e30))),
+        }
+    }
+
+    /// The `t` at which the first ray enters eight slabs, and the last one leaves them.
+    #[inline]
+    fn enter(&self, planes: &[f32x8; 2]) -> (f32x8, f32x8) {
+        let near = planes[self.side] - self.near;
+        let far = planes[self.side ^ 1] - self.far;
+        let (mut first, mut last) = (near * self.inverses[0], far * self.inverses[0]);
+        for inverse in &self.inverses[1..] {
+            first = first.fast_min(near * *inverse);
+            last = last.fast_max(far * *inverse);
+        }
+        (first, last)
+    }
+}
+
+impl<const N: usize> Slabs<N> {
+    /// The `t` at which the first ray enters the children, and a bit for each that a ray may
+    /// meet.
+    #[inline]
+    pub fn enter(&self, [x, y, z]: &[[f32x8; 2]; 3], beyond: f32) -> ([f32; WIDTH], u32) {
+        let [sx, sy, sz] = &self.axes;
+        let ((nx, fx), (ny, fy), (nz, fz)) = (sx.enter(x), sy.enter(y), sz.enter(z));
+        let near = nx.fast_max(ny).fast_max(nz.fast_max(self.from));
+        let far = fx.fast_min(fy).fast_min(fz.fast_min(f32x8::splat(beyond)));
+        (near.to_array(), near.simd_le(far).to_bitmask())
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,120 @@
+//! `Sequence`: the places of a pixel's samples.
+//!
+//! Samples come in pairs, a place and its mirror image at the pixel's middle, so that light
+//! that changes evenly has its exact mean in each pair. The first places of the pairs are
+//! those of Sobol's sequence: of the first 2^k, each of 2^k equal strips of the pixel has
+//! one, upright or level, and so has each rectangle of that area that halving leads to. An
+//! edge is uncertain only in the few that it crosses. Owen's scrambling swaps halves, and
+//! halves of halves, at random: every place is equally likely, and every mean right on
+//! average.
+//!
+//! (Owen: Randomly Permuted (t,m,s)-Nets and (t,s)-Sequences, 1995. Burley: Practical
+//! Hash-based Owen Scrambling, JCGT 9(4), 2020, with the hash of Laine and Karras as
+//! N. Vegdahl improved it.)
+
+use super::random::PixelRandom;
+
+/// The places of the samples of a pixel, for as many as are wanted.
+pub struct Sequence {
+    seeds: [u32; 2],
+}
+
+impl Sequence {
+    /// The sequence that the random numbers of a pixel select.
+    pub fn new(random: PixelRandom) -> Self {
+        let seed = |n| (random.uniform(n) * TWO_TO_32) as u32;
+        Self {
+            seeds: [seed(0), seed(1)],
+        }
+    }
+
+    // ANCHOR: pair
+    /// The places of a pair in the pixel, each above 0 and below 1.
+    pub fn pair(&self, i: u32) -> [(f64, f64); 2] {
+        let x = scrambled(i, self.seeds[0]);
+        let y = scrambled(second(i), self.seeds[1]);
+        [(inside(x), inside(y)), (inside(!x), inside(!y))]
+    }
+    // ANCHOR_END: pair
+}
+
+const TWO_TO_32: f64 = 4_294_967_296.0;
+
+fn inside(digits: u32) -> f64 {
+    (f64::from(digits) + 0.5) / TWO_TO_32
+}
+
+/// The second coordinate of Sobol's point, its binary digits in reverse order. (The first
+/// has those of `i`.)
+const fn second(i: u32) -> u32 {
+    let (mut digits, mut bit, mut left) = (0, 1_u32 << 31, i);
+    while left > 0 {
+        if left & 1 == 1 {
+            digits ^= bit;
+        }
+        bit ^= bit >> 1;
+        left >>= 1;
+    }
+    digits.reverse_bits()
+}
+
+/// A coordinate whose digits are given in reverse order, scrambled: each digit is swapped or
+/// not, as the digits before it and the seed decide.
+const fn scrambled(reversed: u32, seed: u32) -> u32 {
+    let mut x = reversed;
+    x ^= x.wrapping_mul(0x3d20_adea);
+    x = x.wrapping_add(seed);
+    x = x.wrapping_mul((seed >> 16) | 1);
+    x ^= x.wrapping_mul(0x0552_6c56);
+    x ^= x.wrapping_mul(0x53a2_2864);
+    x.reverse_bits()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every rectangle with the sides 2^-a and 2^(a - k) holds one of the first 2^k points,
+    /// and one of the next.
+    #[test]
+    fn points_are_spread_over_all_rectangles_of_equal_area() {
+        for seed in 0..8 {
+            let sequence = Sequence::new(PixelRandom::new(seed, 3, 4));
+            for k in 0..8_u32 {
+                for a in 0..=k {
+                    for first in [0, 1 << k, 5 << k] {
+                        let mut held = vec![0; 1 << k];
+                        for i in 0..1 << k {
+                            let [(x, y), _] = sequence.pair(first + i);
+                            let column = (x * f64::from(1 << a)) as usize;
+                            let row = (y * f64::from(1 << (k - a))) as usize;
+                            held[(row << a) + column] += 1;
+                        }
+                        assert!(held.iter().all(|n| *n == 1), "{seed} {k} {a}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn pairs_are_mirrored_at_the_middle() {
+        let sequence = Sequence::new(PixelRandom::new(1, 2, 3));
+        for i in 0..100 {
+            let [(x, y), (left, up)] = sequence.pair(i);
+            assert_eq!([x + left, y + up], [1.0, 1.0]);
+            assert!(x > 0.0 && x < 1.0 && y > 0.0 && y < 1.0);
+        }
+    }
+
+    /// The mean of 4000 numbers from 0 to 1 has a standard deviation of 1/219.
+    #[test]
+    fn every_place_is_equally_likely() {
+        for i in [0, 1, 6] {
+            let places = (0..4000).map(|n| Sequence::new(PixelRandom::new(n, 0, 0)).pair(i)[0]);
+            let (x, y) = places.fold((0.0, 0.0), |sum, (x, y)| (sum.0 + x, sum.1 + y));
+            assert!((x / 4000.0 - 0.5).abs() < 0.02, "{x}");
+            assert!((y / 4000.0 - 0.5).abs() < 0.02, "{y}");
+        }
+    }
+}

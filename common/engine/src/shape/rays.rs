@@ -1,0 +1,53 @@
+//! `Rays`: rays about to be tested against shapes, in lanes: four rays for one shape, or
+//! one ray four times for four shapes.
+
+use std::cell::OnceCell;
+
+use super::ShearedRays;
+use crate::Ray;
+use crate::lanes::{Lanes, RayPacket, Vector3x4};
+
+/// Rays about to be tested, and the numbers of them that are computed only once.
+#[derive(Debug)]
+pub(crate) struct Rays {
+    /// The rays.
+    pub packet: RayPacket,
+    /// Hits count beyond this `t`.
+    pub min: Lanes,
+    active: u32,
+    sheared: OnceCell<ShearedRays>,
+}
+
+impl Rays {
+    /// The active of four rays, whose hits count ahead of their origins.
+    #[inline]
+    pub fn four(packet: &RayPacket, active: u32) -> Self {
+        Self {
+            packet: *packet,
+            min: Lanes::ZERO,
+            active,
+            sheared: OnceCell::new(),
+        }
+    }
+
+    /// One ray, four times, whose hits count beyond `min`.
+    #[inline]
+    pub fn one(ray: &Ray, min: f64) -> Self {
+        Self {
+            packet: RayPacket {
+                origin: Vector3x4::splat(ray.origin),
+                direction: Vector3x4::splat(ray.direction),
+            },
+            min: Lanes::splat(min),
+            active: 0b1111,
+            sheared: OnceCell::new(),
+        }
+    }
+
+    /// The rays as triangles need them.
+    #[inline]
+    pub fn sheared(&self) -> &ShearedRays {
+        let sheared = || ShearedRays::new(&self.packet, self.active);
+        self.sheared.get_or_init(sheared)
+    }
+}

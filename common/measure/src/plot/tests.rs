@@ -1,0 +1,84 @@
+use super::*;
+use crate::experiment::{Curve, Experiment, Point, Unit};
+
+/// The plots of curves with these points: work, and error. The times are the works.
+fn plots_of(unit: Unit<'static>, curves: &[&[(f64, f64)]]) -> Vec<(&'static str, String)> {
+    let curve = |points: &&[(f64, f64)]| Curve {
+        method: "a < b",
+        remark: "",
+        slope: None,
+        points: points
+            .iter()
+            .map(|(work, error)| Point::new(*work, *work, [*error], || 0.0))
+            .collect(),
+    };
+    let curves: Vec<_> = curves.iter().map(curve).collect();
+    let times = |curve: &Curve| curve.points.iter().map(|p| vec![p.work]).collect();
+    let experiment = Experiment {
+        name: "",
+        about: "Why?",
+        knob: "",
+        work: "steps",
+        error: "error",
+        unit,
+        exact: "",
+        seeds: &[],
+        against: Axis::Work,
+        curves: Box::new(|_| Vec::new()),
+    };
+    plots(&Measured {
+        experiment: &experiment,
+        seconds: curves.iter().map(times).collect(),
+        curves,
+    })
+}
+
+fn marks(svg: &str) -> usize {
+    svg.matches("class=\"mark\"").count()
+}
+
+/// Each point has a mark, and each curve another beside its name; errors that are no
+/// numbers have none.
+#[test]
+fn every_point_is_shown() {
+    let falling = [(1.0, 0.5), (10.0, 0.05), (100.0, 0.005)];
+    let other = [(1.0, f64::NAN), (10.0, 0.5), (100.0, 0.0)];
+    let plots = plots_of(Unit::Light, &[&falling, &other]);
+    assert_eq!(
+        plots.iter().map(|plot| plot.0).collect::<Vec<_>>(),
+        [".svg", "-time.svg"]
+    );
+    let svg = &plots[0].1;
+    assert_eq!(marks(svg), 3 + 2 + 2);
+    for text in [
+        "Why?",
+        "error (white = 1)",
+        "steps",
+        "a &lt; b",
+        "slope −1.000 ± 0.000",
+        "1/510",
+        ">0<",
+    ] {
+        assert!(svg.contains(text), "{text}: {svg}");
+    }
+    assert!(plots[1].1.contains("time (seconds)") && !plots[1].1.contains("slope"));
+}
+
+#[test]
+fn marks_and_plots_are_left_out_where_they_mean_nothing() {
+    let plots = plots_of(Unit::Other("radii"), &[&[(1.0, 0.5), (1.0, 0.1)]]);
+    assert_eq!(plots.len(), 1, "equal work takes equal time");
+    assert!(!plots[0].1.contains("1/510"));
+}
+
+/// A whole curve far below the others is written beside the plot. A curve that falls so
+/// far by itself is drawn.
+#[test]
+fn a_far_curve_does_not_flatten_the_others() {
+    let near = [(1.0, 0.5), (10.0, 0.1)];
+    let svg = &plots_of(Unit::Light, &[&near, &[(1.0, 2e-16)]])[0].1;
+    assert_eq!(marks(svg), 2 + 2);
+    assert!(svg.contains("↓ off the scale: 2·10⁻¹⁶"), "{svg}");
+    let svg = &plots_of(Unit::Light, &[&near, &[(1.0, 0.5), (2.0, 2e-16)]])[0].1;
+    assert_eq!(marks(svg), 4 + 2);
+}

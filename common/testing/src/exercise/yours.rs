@@ -1,0 +1,61 @@
+//! `judge`: shows students what their code lacks.
+
+use std::process::ExitCode;
+
+use super::Check;
+use super::check::{Findings, Pictures};
+use super::locked;
+
+/// Runs the check of a student's file, prints the findings, and exits with 0 if the code
+/// is right, with 1 if it is not, and with 3 if parts are still missing.
+#[must_use]
+pub fn judge(stage: &str, name: &str, check: fn(&mut Check)) -> ExitCode {
+    let pictures = Pictures {
+        left: locked::folder().map(|folder| folder.join(format!("{stage}-{name}.png"))),
+        shown: None,
+    };
+    let Findings { missing, wrong } = Findings::of(check, pictures);
+    if !missing.is_empty() {
+        println!("to do: {}", missing.join("; "));
+        return ExitCode::from(3);
+    }
+    for line in &wrong {
+        println!("{}", readable(line));
+    }
+    ExitCode::from(u8::from(!wrong.is_empty()))
+}
+
+/// Digits of a number behind the point in a message.
+const DIGITS: usize = 6;
+
+/// A message in several lines, with numbers that are not longer than needed: small
+/// differences are told by the error behind them.
+fn readable(message: &str) -> String {
+    let mut short = String::new();
+    let mut digits = None;
+    for c in message.chars() {
+        digits = match (digits, c) {
+            (None, '.') => Some(0),
+            (Some(count), '0'..='9') => Some(count + 1),
+            _ => None,
+        };
+        if digits.is_none_or(|count| count <= DIGITS) {
+            short.push(c);
+        }
+    }
+    short
+        .replace("; ", "\n    ")
+        .replace(": expected", "\n    expected")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::readable;
+
+    #[test]
+    fn a_message_has_lines_and_short_numbers() {
+        let message = "t; at 0.1234567, 2: expected 1.25, got 3.000000000004e-7, off by 1.0e-9";
+        let lines = "t\n    at 0.123456, 2\n    expected 1.25, got 3.000000e-7, off by 1.0e-9";
+        assert_eq!(readable(message), lines);
+    }
+}
