@@ -18,21 +18,14 @@ pub enum Verdict {
     Endless,
 }
 
-/// The files that a test program contains.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Code {
-    Students,
-    Starters,
-}
-
 /// The longest time that a check may take.
 const LONGEST: Duration = Duration::from_mins(1);
 
 /// Checks a student's file, prints the findings and records the progress. A `loud` build
 /// shows that it goes on.
 pub fn judge(exercise: Exercise, loud: bool) -> Result<Verdict, String> {
-    let verdict = match build(&[exercise], Code::Students, loud)? {
-        Some(program) => run(&program, exercise.name)?,
+    let verdict = match build(exercise, loud)? {
+        Some(program) => run(&program)?,
         None => Verdict::DoesNotCompile,
     };
     match verdict {
@@ -51,24 +44,17 @@ pub fn judge(exercise: Exercise, loud: bool) -> Result<Verdict, String> {
     Ok(verdict)
 }
 
-/// Builds the test program of exercises of one stage. None if it does not compile; Cargo
+/// Builds the test program of a stage for an exercise. None if it does not compile; Cargo
 /// has then printed why.
-pub fn build(exercises: &[Exercise], code: Code, loud: bool) -> Result<Option<PathBuf>, String> {
-    let stage = exercises.first().map_or("", |exercise| exercise.stage);
+fn build(exercise: Exercise, loud: bool) -> Result<Option<PathBuf>, String> {
     let mut cargo = Command::new("cargo");
     cargo
         .current_dir(ROOT)
-        .args(["rustc", "--package", stage, "--test", "exercises"])
+        .args(["rustc", "--package", exercise.stage, "--test", "exercises"])
         .args(["--profile", "test", "--message-format"])
         .arg("json-render-diagnostics")
         .args((!loud).then_some("--quiet"))
-        .args(["--", "--cfg", "learn"]);
-    if code == Code::Starters {
-        cargo.args(["--cfg", "starters"]);
-    }
-    for exercise in exercises {
-        cargo.args(["--cfg", exercise.name]);
-    }
+        .args(["--", "--cfg", "learn", "--cfg", exercise.name]);
     let output = cargo.stderr(Stdio::inherit()).output();
     let output = output.map_err(|error| format!("cargo does not start: {error}"))?;
     if !output.status.success() {
@@ -84,11 +70,10 @@ pub fn build(exercises: &[Exercise], code: Code, loud: bool) -> Result<Option<Pa
 }
 
 /// Runs the check of an exercise.
-pub fn run(program: &Path, name: &str) -> Result<Verdict, String> {
-    let mut command = Command::new(program);
-    command.arg(name).env("RUST_BACKTRACE", "0");
+fn run(program: &Path) -> Result<Verdict, String> {
     let failed = |error| format!("{}: {error}", program.display());
-    let mut child = command.spawn().map_err(failed)?;
+    let mut command = Command::new(program);
+    let mut child = command.env("RUST_BACKTRACE", "0").spawn().map_err(failed)?;
     let start = Instant::now();
     loop {
         if let Some(status) = child.try_wait().map_err(failed)? {

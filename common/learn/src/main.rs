@@ -17,7 +17,7 @@ use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgMatches, Command};
 
 use exercise::Course;
-use judgement::{Code, Verdict, judge};
+use judgement::{Verdict, judge};
 
 fn command(names: &[&'static str]) -> Command {
     let name = |required: bool| {
@@ -37,10 +37,6 @@ fn command(names: &[&'static str]) -> Command {
         .subcommand(sub("hint", "Shows the hints of an exercise").arg(name(false)))
         .subcommand(sub("check", "Checks an exercise once").arg(name(false)))
         .subcommand(sub("reset", "Begins an exercise anew, and keeps your file").arg(name(true)))
-        .subcommand(sub(
-            "starters",
-            "Proves that all starters compile and are to do",
-        ))
 }
 
 fn main() -> ExitCode {
@@ -73,25 +69,7 @@ fn run(course: &Course) -> Result<ExitCode, String> {
             return Ok(ExitCode::from(u8::from(verdict != Verdict::Done)));
         }
         Some(("reset", matches)) => files::reset(named(matches)?)?,
-        Some(("starters", _)) => prove_starters(course)?,
         _ => watch::watch(course, named(&matches)?)?,
     }
     Ok(ExitCode::SUCCESS)
-}
-
-/// Builds the starters of each stage together, and proves that each says what is missing.
-fn prove_starters(course: &Course) -> Result<(), String> {
-    for exercises in course.exercises.chunk_by(|a, b| a.stage == b.stage) {
-        let stage = exercises[0].stage;
-        let program = judgement::build(exercises, Code::Starters, true)?
-            .ok_or_else(|| format!("a starter of {stage} does not compile"))?;
-        for exercise in exercises {
-            match judgement::run(&program, exercise.name)? {
-                Verdict::ToDo => {}
-                _ => return Err(format!("the starter {} is not to do", exercise.name)),
-            }
-        }
-        println!("{stage}: {} starters are to do", exercises.len());
-    }
-    Ok(())
 }

@@ -39,16 +39,9 @@
 //! 5. Add a line to [`exercises!`](crate::exercises) in `tests/exercises/main.rs`.
 //! 6. Give it a section in the book's page, `book/src/aNN-exercises.md`: task, minutes
 //!    and hints, which `cargo learn` shows, too.
-//! 7. Prove it:
-//!
-//!    ```console
-//!    $ cargo test -p STAGE --test exercises -- NAME
-//!    $ cargo learn starters
-//!    ```
-//!
-//!    The first shows the messages that students read, and leaves the picture of the
-//!    solution in `out/exercises/`; the book has it as
-//!    `pictures/STAGE-exercise-NAME.png`.
+//! 7. Prove it with `cargo test -p STAGE --test exercises -- NAME`, which shows the
+//!    messages that students read, and leaves the picture of the solution in
+//!    `out/exercises/`; the book has it as `pictures/STAGE-exercise-NAME.png`.
 
 mod check;
 mod locked;
@@ -65,6 +58,8 @@ pub use yours::judge;
 pub struct Exercise {
     /// The name of its files, without `.rs`.
     pub name: &'static str,
+    /// The check of the starter, where parts of the code are missing.
+    pub starter: fn(&mut Check),
     /// The check of the solution.
     pub solution: fn(&mut Check),
     /// Usual wrong solutions, at least three.
@@ -93,7 +88,7 @@ pub struct Wrong {
 /// The test proves all checks, and does not read the students' files: a file that does
 /// not compile fails no test. `cargo learn` builds the test program with the
 /// configurations `learn` and `NAME` instead, and such a program judges the student's
-/// file of that name; with `starters`, the starter.
+/// file of that name.
 #[macro_export]
 macro_rules! exercises {
     ($($name:ident => $check:expr;)+) => {
@@ -104,14 +99,20 @@ macro_rules! exercises {
 
         /// The students' files, which rust-analyzer reads, too.
         #[cfg(any(learn, rust_analyzer))]
-        #[cfg_attr(starters, path = "../../exercises/starters")]
-        #[cfg_attr(not(starters), path = "../../exercises")]
+        #[path = "../../exercises"]
         #[allow(clippy::all, clippy::pedantic, missing_docs)]
         mod yours {
             $(
                 #[cfg(any($name, rust_analyzer))]
                 pub mod $name;
             )+
+        }
+
+        #[cfg(not(learn))]
+        #[path = "../../exercises/starters"]
+        #[allow(unused, clippy::all, clippy::pedantic, missing_docs)]
+        mod starters {
+            $(pub mod $name;)+
         }
 
         #[cfg(not(learn))]
@@ -129,16 +130,15 @@ macro_rules! exercises {
         fn main() -> std::process::ExitCode {
             $(
                 #[cfg($name)]
-                if std::env::args().any(|name| name == stringify!($name)) {
+                {
                     use yours::$name::*;
-                    return $crate::exercise::judge(
+                    $crate::exercise::judge(
                         env!("CARGO_PKG_NAME"),
                         stringify!($name),
                         $check,
-                    );
+                    )
                 }
             )+
-            panic!("no exercise is named");
         }
 
         #[cfg(not(learn))]
@@ -146,14 +146,21 @@ macro_rules! exercises {
             let exercises = [$(
                 $crate::exercise::Exercise {
                     name: stringify!($name),
+                    starter: {
+                        use starters::$name::*;
+                        $check
+                    },
                     solution: {
                         use solutions::$name::*;
                         $check
                     },
-                    wrong: wrong::$name::WRONG,
+                    wrong: const {
+                        assert!(wrong::$name::WRONG.len() >= 3, "at least three mistakes");
+                        wrong::$name::WRONG
+                    },
                 }
             ),+];
-            $crate::exercise::prove(env!("CARGO_PKG_NAME"), &exercises)
+            $crate::exercise::prove(env!("CARGO_PKG_NAME"), exercises)
         }
     };
 }

@@ -72,7 +72,7 @@ pub const WRONG: &[Wrong] = &[
     },
     Wrong {
         mistake: "the tangent, as in a camera with a flat picture",
-        says: "direction at (0.220, 0.000) heights from the middle of 101x101, opening 0.500",
+        says: "heights from the middle of 101x101, opening",
         check: |c| {
             own(c, |b, angle, size, x, y| {
                 let r = libm::hypot(x, y) / f64::from(size.height());

@@ -79,22 +79,22 @@ fn is_nearer(new: &Hit, old: &Hit) -> bool {
 pub const WRONG: &[Wrong] = &[
     Wrong {
         mistake: "all three coordinates compared, which rounding spoils",
-        says: "box from [-0.3, 0.1, -0.7] to [0.4, 1.2, 0.6]: expected 1, got none",
+        says: "to [0.4, 1.2, 0.6]: expected 1, got",
         check: |c| planes(c, |f| (0..3).all(|axis| f.is_between(axis, 0.0)), is_nearer),
     },
     Wrong {
         mistake: "the last plane instead of the nearest",
-        says: "to [0.4, 1.2, 0.6]: expected 1, got 1.16",
+        says: "to [0.4, 1.2, 0.6]: expected 1, got",
         check: |c| planes(c, Found::is_on_face, |_, _| true),
     },
     Wrong {
         mistake: "the first plane instead of the nearest",
-        says: "to [0.4, 1.2, 0.6]: expected 1, got 1.15",
+        says: "to [0.4, 1.2, 0.6]: expected 1, got",
         check: |c| planes(c, Found::is_on_face, |_, _| false),
     },
     Wrong {
         mistake: "the farthest hit",
-        says: "to [0.4, 1.2, 0.6]: expected 1, got 1.16",
+        says: "to [0.4, 1.2, 0.6]: expected 1, got",
         check: |c| planes(c, Found::is_on_face, |new, old| new.t > old.t),
     },
     Wrong {
@@ -124,7 +124,7 @@ pub const WRONG: &[Wrong] = &[
     },
     Wrong {
         mistake: "only one of the other axes compared",
-        says: "t, from outside, from [-2.110, 2.550, 0.830] along [1.810, -2.340, -1.270], box from [-0.3, 0.1, -0.7] to [0.4, 1.2, 0.6]: expected 1, got 0.57",
+        says: "to [0.4, 1.2, 0.6]: expected 1, got",
         check: |c| planes(c, |f| f.is_between((f.axis + 1) % 3, 0.0), is_nearer),
     },
     Wrong {

@@ -84,7 +84,7 @@ pub const WRONG: &[Wrong] = &[
     },
     Wrong {
         mistake: "a normal always up",
-        says: "in, index 2.39, normal [-0.361, 0.398, 0.843], direction [-0.075, -0.512, -0.856]: expected (0.187",
+        says: "in, index ",
         check: |c| {
             check(c, |d, _, index| {
                 refracted(d, Normal3::new(0.0, 1.0, 0.0), index)

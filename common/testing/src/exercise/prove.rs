@@ -1,114 +1,78 @@
-//! `prove`: proves the checks of a stage by solutions and usual mistakes.
+//! `prove`: proves the checks of a stage by starters, solutions and usual mistakes.
 
 use std::process::ExitCode;
 
-use super::check::{Findings, Pictures};
+use libtest_mimic::{Arguments, Failed, Trial};
+
+use super::check::{Check, Findings, Pictures};
 use super::{Exercise, Wrong, locked};
 
-/// Number of wrong solutions that each exercise has at least.
-const MIN_WRONG: usize = 3;
-
-/// Proves that the checks accept all solutions and refuse all wrong ones.
+/// Proves that starters are to do, and that checks accept all solutions and refuse all
+/// wrong ones.
 ///
-/// As for every test, a part of a name selects exercises, and the flags of `cargo test`
-/// are allowed. For a selected exercise, the messages of its wrong solutions are
-/// printed, and the picture of the solution is saved.
+/// The arguments are those of every test. With a part of a name, the messages of the wrong
+/// solutions are printed, and the pictures of the solutions are saved.
 #[must_use]
-pub fn prove(stage: &str, exercises: &[Exercise]) -> ExitCode {
-    let names = names(std::env::args().skip(1));
-    let named = !names.is_empty();
-    let is_wanted = |e: &&Exercise| !named || names.iter().any(|name| e.name.contains(name));
-    let wanted: Vec<_> = exercises.iter().filter(is_wanted).collect();
-    if std::env::args().any(|argument| argument == "--list") {
-        for exercise in wanted {
-            println!("{}: test", exercise.name);
-        }
-        return ExitCode::SUCCESS;
-    }
-
-    println!("\nsolutions and mistakes of {stage}; `cargo learn` checks your own code");
-    let (mut passed, mut failed) = (0, 0);
-    for exercise in wanted {
-        let mut problems = prove_solution(stage, exercise, named);
+pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>) -> ExitCode {
+    // Checks share the list of missing parts.
+    let arguments = Arguments {
+        test_threads: Some(1),
+        ..Arguments::from_args()
+    };
+    let named = arguments.filter.is_some();
+    let mut trials = Vec::new();
+    for exercise in exercises {
+        let name = exercise.name;
+        trials.push(Trial::test(format!("{name}::starter"), move || {
+            prove_starter(exercise.starter)
+        }));
+        trials.push(Trial::test(format!("{name}::solution"), move || {
+            prove_solution(stage, name, exercise.solution, named)
+        }));
         for wrong in exercise.wrong {
-            problems.extend(prove_wrong(wrong, named));
-        }
-        if exercise.wrong.len() < MIN_WRONG {
-            problems.push(format!("fewer than {MIN_WRONG} wrong solutions"));
-        }
-        let refused = exercise.wrong.len();
-        if problems.is_empty() {
-            println!("exercise {} ... ok, {refused} mistakes fail", exercise.name);
-            passed += 1 + refused;
-        } else {
-            println!("exercise {} ... FAILED", exercise.name);
-            println!("    {}", problems.join("\n    "));
-            failed += 1;
+            let title = format!("{name}::wrong: {}", wrong.mistake);
+            trials.push(Trial::test(title, move || prove_wrong(wrong, named)));
         }
     }
-    let word = if failed == 0 { "ok" } else { "FAILED" };
-    println!("\ntest result: {word}. {passed} passed; {failed} failed\n");
-    ExitCode::from(u8::from(failed > 0))
+    libtest_mimic::run(&arguments, trials).exit_code()
 }
 
-fn prove_solution(stage: &str, exercise: &Exercise, named: bool) -> Vec<String> {
-    let name = format!("{stage}-exercise-{}.png", exercise.name.replace('_', "-"));
-    let folder = locked::folder().filter(|_| named);
-    let shown = locked::in_book(&name);
+fn prove_starter(check: fn(&mut Check)) -> Result<(), Failed> {
+    let missing = Findings::of(check, Pictures::default()).missing;
+    let is_to_do = !missing.is_empty();
+    is_to_do.then_some(()).ok_or("nothing is missing".into())
+}
+
+fn prove_solution(
+    stage: &str,
+    name: &str,
+    check: fn(&mut Check),
+    save: bool,
+) -> Result<(), Failed> {
+    let file = format!("{stage}-exercise-{}.png", name.replace('_', "-"));
+    let shown = locked::in_book(&file);
     let pictures = Pictures {
-        left: folder.map(|folder| folder.join(name)),
+        left: locked::folder()
+            .filter(|_| save)
+            .map(|folder| folder.join(file)),
         shown: shown.exists().then_some(shown),
     };
-    let Findings { missing, wrong } = Findings::of(exercise.solution, pictures);
-    let said = missing.into_iter().chain(wrong);
-    said.map(|said| format!("the solution: {said}")).collect()
+    let Findings { missing, wrong } = Findings::of(check, pictures);
+    match [missing, wrong].concat().as_slice() {
+        [] => Ok(()),
+        problems => Err(problems.join("\n").into()),
+    }
 }
 
-/// The problem of a wrong solution, if the check accepts it or says nothing that helps.
-fn prove_wrong(wrong: &Wrong, show: bool) -> Option<String> {
-    let mistake = wrong.mistake;
+/// Fails if the check accepts a wrong solution or says nothing that helps.
+fn prove_wrong(wrong: &Wrong, show: bool) -> Result<(), Failed> {
     let messages = Findings::of(wrong.check, Pictures::default()).wrong;
     if show {
-        println!("wrong: {mistake}\n    {}", messages.join("\n    "));
+        println!("    {}", messages.join("\n    "));
     }
     if messages.iter().any(|message| message.contains(wrong.says)) {
-        None
-    } else if messages.is_empty() {
-        Some(format!("wrong, but accepted: {mistake}"))
-    } else {
-        let said = messages.join("\n        ");
-        Some(format!(
-            "wrong: {mistake}; no message says \"{}\", but\n        {said}",
-            wrong.says
-        ))
+        return Ok(());
     }
-}
-
-/// The names in the arguments. The flags of Rust's test harness and their values are
-/// not names.
-fn names(mut arguments: impl Iterator<Item = String>) -> Vec<String> {
-    let mut names = Vec::new();
-    while let Some(argument) = arguments.next() {
-        match argument.as_str() {
-            "--test-threads" | "--skip" | "--format" | "--color" | "--logfile"
-            | "--shuffle-seed" | "-Z" => {
-                arguments.next();
-            }
-            flag if flag.starts_with('-') => {}
-            _ => names.push(argument),
-        }
-    }
-    names
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn flags_of_the_test_harness_and_their_values_are_not_names() {
-        let names = |line: &str| names(line.split_whitespace().map(str::to_owned)).join(" ");
-        assert_eq!(names("--nocapture --test-threads 1 -q cube"), "cube");
-        assert_eq!(names("--exact sphere --skip cube --color=always"), "sphere");
-    }
+    let said = messages.join("\n");
+    Err(format!("no message says \"{}\", but\n{said}", wrong.says).into())
 }
