@@ -31,21 +31,32 @@ const DIGITS: usize = 6;
 /// A message in several lines, with numbers that are not longer than needed: small
 /// differences are told by the error behind them.
 fn readable(message: &str) -> String {
-    let mut short = String::new();
-    let mut digits = None;
-    for c in message.chars() {
-        digits = match (digits, c) {
-            (None, '.') => Some(0),
-            (Some(count), '0'..='9') => Some(count + 1),
-            _ => None,
-        };
-        if digits.is_none_or(|count| count <= DIGITS) {
-            short.push(c);
+    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | 'e');
+    let shortened = |piece: &str| {
+        let number = piece.trim_end_matches(|c| !is_part(c));
+        match number.parse() {
+            Ok(value) if number.len() > DIGITS + 2 => short(value) + &piece[number.len()..],
+            _ => piece.to_owned(),
         }
-    }
-    short
+    };
+    let message: String = message
+        .split_inclusive(|c| !is_part(c))
+        .map(shortened)
+        .collect();
+    message
         .replace("; ", "\n    ")
         .replace(": expected", "\n    expected")
+}
+
+fn short(value: f64) -> String {
+    if value.abs() < 1e-3 {
+        return format!("{value:.2e}");
+    }
+    let digits = format!("{value:.DIGITS$}");
+    digits
+        .trim_end_matches('0')
+        .trim_end_matches('.')
+        .to_owned()
 }
 
 #[cfg(test)]
@@ -54,8 +65,9 @@ mod tests {
 
     #[test]
     fn a_message_has_lines_and_short_numbers() {
-        let message = "t; at 0.1234567, 2: expected 1.25, got 3.000000000004e-7, off by 1.0e-9";
-        let lines = "t\n    at 0.123456, 2\n    expected 1.25, got 3.000000e-7, off by 1.0e-9";
+        let message =
+            "t; at 0.43789999999, 2: expected 1.25, got -3.000000000004e-7, off by 1.0e-9";
+        let lines = "t\n    at 0.4379, 2\n    expected 1.25, got -3.00e-7, off by 1.0e-9";
         assert_eq!(readable(message), lines);
     }
 }
