@@ -10,7 +10,7 @@ pub fn rotated(v: Vector3, axis: Vector3, angle: f64) -> Vector3 {
         return v;
     };
     let (sin, cos) = libm::sincos(angle);
-    // Rodrigues (1840): what lies along the axis stays, the rest turns.
+    // Rodrigues (1840): the part along the axis stays, the rest turns.
     let along = k * k.dot(v);
     along + (v - along) * cos + k.cross(v) * sin
 }

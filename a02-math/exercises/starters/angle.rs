@@ -9,7 +9,7 @@ use a02_math::{Direction, Vector3};
 /// the zero vector is 0.
 ///
 /// `a.dot(b)`, `a.cross(b)` and `a.magnitude()` are written; of the functions of angles,
-/// use those of `libm`: `libm::acos(x)`, `libm::atan2(y, x)`.
+/// use the functions of `libm`: `libm::acos(x)`, `libm::atan2(y, x)`.
 pub fn angle(a: Vector3, b: Vector3) -> f64 {
     testing::missing("the angle", 0.0)
 }

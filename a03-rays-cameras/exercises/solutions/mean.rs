@@ -3,7 +3,7 @@
 /// The mean of the numbers, as if their sum was rounded once; 0 if there is
 /// none.
 pub fn mean(numbers: &[f64]) -> f64 {
-    // Neumaier (1974): what an addition loses is added up on its own.
+    // Neumaier (1974): the rounding errors of the additions have a sum of their own.
     let (mut sum, mut lost) = (0.0_f64, 0.0);
     for &x in numbers {
         let next = sum + x;

@@ -11,7 +11,7 @@ use common::{Color, Error, Image, Settings};
 ///
 /// `Sampler::new(settings)` has `samples()`, the number of samples of a pixel, and
 /// `places(column, row)`, their places in it. `camera_coordinates(size, column, row,
-/// place)` makes `(x, y)` for `camera.ray_for(size, x, y)` of such a place.
+/// place)` makes `(x, y)` for `camera.ray_for(size, x, y)` of this place.
 pub fn picture(
     camera: &dyn Camera,
     radiance: &(dyn Fn(&Ray) -> Color + Sync),

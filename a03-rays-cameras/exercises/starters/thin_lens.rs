@@ -1,4 +1,4 @@
-//! A thin lens: what is in focus is sharp, and all else is not.
+//! A thin lens: objects in focus are sharp, and all others are not.
 
 use a02_math::Direction;
 use a03_rays_cameras::{Basis, Ray};

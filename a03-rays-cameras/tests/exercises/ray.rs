@@ -38,7 +38,7 @@ pub fn check(
         }
     }
     expect_scene(check, StripeRule::Direction, |settings, sky| {
-        // To a point that lies seven steps away, and from there what the eye sees.
+        // To a point seven steps away, and the view of the eye from there.
         let radiance = |ray: &Ray| {
             let point = at(ray, t_of(ray, ray.at(7.0)));
             sky.color_for(&Ray::derived(

@@ -1,4 +1,4 @@
-//! Whether a ray may meet what lies within a sphere: a cheap question to ask
+//! Whether a ray may meet the content of a sphere: a cheap question to ask
 //! before an expensive one.
 
 use a02_math::Point3;
@@ -7,7 +7,7 @@ use a03_rays_cameras::Ray;
 /// Whether the ray, from its origin on, comes to within `r` of `c`. Where the
 /// sphere is entered is not asked.
 pub fn may_meet(c: Point3, r: f64, ray: &Ray) -> bool {
-    // What is behind the origin is no part of the ray.
+    // Points behind the origin are no part of the ray.
     let nearest = ray.at(ray.t_of(c).max(0.0));
     (nearest - c).magnitude() <= r
 }

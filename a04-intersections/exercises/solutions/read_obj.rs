@@ -9,7 +9,7 @@ use a04_intersections::Triangle;
 /// line, as in `line 7: there is no corner 9`.
 ///
 /// Lines begin with `v`, three coordinates of a corner, or with `f`, the numbers
-/// of the corners of a face. What begins with anything else is passed over.
+/// of the corners of a face. Lines that begin with anything else are passed over.
 pub fn read_obj(text: &str) -> Result<Vec<Triangle>, String> {
     let (mut corners, mut triangles) = (Vec::new(), Vec::new());
     for (number, line) in (1..).zip(text.lines()) {
@@ -37,8 +37,8 @@ fn corner(words: SplitWhitespace) -> Result<Point3, String> {
     Ok(Point3::new(x, y, z))
 }
 
-/// The corner that a word of a face names, such as `7`, `7/1/2` or `-1`. Only
-/// the number before the first slash says which: counted from 1, or, if it is
+/// The corner that a word of a face names: `7`, `7/1/2` or `-1`. Only the number
+/// before the first slash counts: from the first corner, 1, or, if it is
 /// negative, back from the last corner read.
 fn named(word: &str, corners: &[Point3]) -> Result<Point3, String> {
     let name = word.split('/').next().unwrap_or_default();

@@ -9,7 +9,7 @@ use a04_intersections::{Geometry, Hit, Interval};
 use common::ArgumentError;
 
 /// A box between two opposite corners: every coordinate of `lbf`, the left, bottom, far
-/// one, is at most that of `run`, the right, upper, near one.
+/// one, is at most the same coordinate of `run`, the right, upper, near one.
 #[derive(Debug)]
 pub struct AxisAlignedBox {
     lbf: [f64; 3],

@@ -1,4 +1,4 @@
-//! Whether a ray may meet what lies within a sphere: a cheap question to ask
+//! Whether a ray may meet the content of a sphere: a cheap question to ask
 //! before an expensive one.
 
 use a02_math::Point3;

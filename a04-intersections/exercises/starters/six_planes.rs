@@ -36,7 +36,7 @@ impl SixPlanes {
 
 impl Geometry for SixPlanes {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        // Two mistakes are in here: find them by what they do to the picture.
+        // Two mistakes are in here: find them by their traces in the picture.
         testing::missing("a box whose faces have no holes", ());
         testing::missing("a box whose front hides its back", ());
 

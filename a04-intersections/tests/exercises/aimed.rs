@@ -79,7 +79,7 @@ impl Shown<'_> {
 }
 
 /// Compares a scene of this stage that contains the student's shape with its lock. Camera
-/// and world are those of `src/scenes.rs`.
+/// and world are from `src/scenes.rs`.
 pub fn expect_scene(
     check: &mut Check,
     name: &str,

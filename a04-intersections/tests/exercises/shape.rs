@@ -38,7 +38,7 @@ pub fn expect_hit(
     }
 }
 
-/// What is turned around the y axis by an angle of this sine and cosine.
+/// A vector turned around the y axis by an angle of this sine and cosine.
 pub fn turned((sin, cos): (f64, f64), x: f64, y: f64, z: f64) -> Vector3 {
     Vector3::new(cos * x + sin * z, y, cos * z - sin * x)
 }

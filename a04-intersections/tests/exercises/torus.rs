@@ -1,4 +1,4 @@
-//! Rays whose crossings with the torus are those of a line with a circle.
+//! Rays that cross the torus where a line crosses a circle.
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
@@ -8,7 +8,7 @@ use testing::exercise::Check;
 
 use crate::shape::{TURNS, expect_hit, show, turned};
 
-/// What either way can reach: steps and halving, or the quartic equation.
+/// The error that both ways keep: steps and halving, or the quartic equation.
 const BOUND: f64 = 1e-9;
 
 pub fn check<G: Geometry + 'static>(

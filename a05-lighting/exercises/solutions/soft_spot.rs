@@ -37,7 +37,7 @@ impl SoftSpot {
 impl Light for SoftSpot {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
         let light = self.source.illumination(point)?;
-        // The light's direction leads to the lamp, that of the spot away from it.
+        // The light's direction leads to the lamp, the spot's direction away from it.
         let angle = (-light.direction).angle(self.direction);
         let x = ((self.outer - angle) / (self.outer - self.inner)).clamp(0.0, 1.0);
         let share = x * x * (3.0 - 2.0 * x);

@@ -33,8 +33,8 @@ impl SpotLight {
 }
 
 impl Light for SpotLight {
-    /// The light that arrives at `point`, which is that of the source if the point lies
-    /// in the cone, and none otherwise.
+    /// The light that arrives at `point`, the light of the source if the point lies in
+    /// the cone, and none otherwise.
     ///
     /// `libm::cos(x)` is a cosine.
     fn illumination(&self, point: Point3) -> Option<Illumination> {

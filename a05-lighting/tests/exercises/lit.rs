@@ -100,7 +100,7 @@ pub const CORNER: Point3 = Point3::new(4.0, 4.0, 4.0);
 pub const INWARDS: Vector3 = Vector3::new(-1.0, -1.0, -1.0);
 
 /// Compares a scene of this stage that contains the student's code with its lock. Camera
-/// and world are those of `src/scenes.rs`.
+/// and world are from `src/scenes.rs`.
 pub fn expect_scene(
     check: &mut Check,
     name: &str,

@@ -31,7 +31,7 @@ impl Lighting for Lights<'_> {
     }
 }
 
-/// What an eye in a direction of length 1 sees of a material with a normal.
+/// The colour of a material with a normal for an eye in a direction of length 1.
 pub fn seen(material: &impl Material, normal: Normal3, eye: Vector3, lights: &Lights) -> [f64; 3] {
     let ray = Ray::derived(Point3::ORIGIN + eye, -eye);
     let t = eye.dot(eye);

@@ -1,5 +1,5 @@
-//! Parts of the way from the inner to the outer angle, and what
-//! `x² (3 - 2 x)` makes of them.
+//! Parts of the way from the inner to the outer angle, and their values of
+//! `x² (3 - 2 x)`.
 
 use a02_math::{Point3, Vector3};
 use a05_lighting::{Lambert, Light};

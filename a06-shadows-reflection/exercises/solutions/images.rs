@@ -5,7 +5,7 @@
 ///
 /// The lamp itself, which is `n` = 0 on both sides, stands at x = `lamp`.
 pub fn images(width: f64, lamp: f64, n: u32) -> [f64; 2] {
-    // What is seen in a mirror is the image in the other one, one step earlier.
+    // A mirror shows the image in the other one, one step earlier.
     let mut images = [lamp; 2];
     for _ in 0..n {
         let [left, right] = images;

@@ -1,4 +1,4 @@
-//! Fog that halves what is behind it, a whole number of times.
+//! Fog that halves the light from behind, a whole number of times.
 
 use std::f64::consts::LN_2;
 

@@ -91,7 +91,7 @@ pub fn check(
     });
 }
 
-/// What is seen through a ball of glass; none where no light gets out.
+/// The colour seen through a ball of glass; none where no light gets out.
 fn through(
     ball: &Sphere,
     ray: &Ray,

@@ -7,7 +7,7 @@ use a03_rays_cameras::{PerspectiveCamera, Ray, render};
 use common::Color;
 use testing::exercise::Check;
 
-/// Shows what rays from an eye bring back that looks at the point `at`.
+/// Shows the colours of rays from an eye that looks at the point `at`.
 pub fn show(check: &mut Check, eye: Point3, at: Point3, color: impl Fn(&Ray) -> Color + Sync) {
     check.picture(|settings| {
         let up = Vector3::new(0.0, 1.0, 0.0);

@@ -72,7 +72,7 @@ impl Lighting for Tracer<'_> {
     }
 }
 
-/// Compares a scene with its lock. Camera and world are those of `src/scenes.rs`.
+/// Compares a scene with its lock. Camera and world are from `src/scenes.rs`.
 pub fn expect_scene(
     check: &mut Check,
     name: &str,

@@ -18,7 +18,7 @@ pub fn ray_to_object(transform: &Transform, ray: &Ray) -> Ray {
 }
 
 /// A normal of the object in the space around it, of length 1, perpendicular to the
-/// transformed surface; none if there is no such direction.
+/// transformed surface; none if no direction is perpendicular.
 ///
 /// `matrix.transposed()` has rows and columns swapped.
 pub fn normal_from_object(transform: &Transform, n: Normal3) -> Option<Normal3> {

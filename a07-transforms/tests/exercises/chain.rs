@@ -1,5 +1,5 @@
-//! Chains of up to five steps: what they do to points, step by step, and that both
-//! matrices undo each other.
+//! Chains of up to five steps: their effect on points, step by step; both matrices undo
+//! each other.
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;

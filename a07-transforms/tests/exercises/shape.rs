@@ -18,8 +18,8 @@ pub const TURNS: [(f64, f64); 6] = [
     (8.0 / 17.0, 15.0 / 17.0),
 ];
 
-/// Shows a world to an eye that looks at the point `at`. What faces right, up
-/// or the eye is brighter than what faces away.
+/// Shows a world to an eye that looks at the point `at`. Surfaces that face
+/// right, up or the eye are brighter than others.
 pub fn show(
     check: &mut Check,
     world: Result<World<Color>, ArgumentError>,

@@ -94,7 +94,7 @@ pub fn hit_of_child(
     Some(Hit::new(hit.t, normal_from_object(hit.normal)?))
 }
 
-/// Compares a scene with its lock. Camera and world are those of `src/scenes.rs`.
+/// Compares a scene with its lock. Camera and world are from `src/scenes.rs`.
 pub fn expect_scene(
     check: &mut Check,
     name: &str,

@@ -1,4 +1,4 @@
-//! Curves that are nearly that of sRGB.
+//! Curves close to the curve of sRGB.
 
 use testing::exercise::Wrong;
 

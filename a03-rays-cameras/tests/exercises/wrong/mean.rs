@@ -4,7 +4,7 @@ use testing::exercise::Wrong;
 
 use crate::mean::check;
 
-/// The sum by Kahan (1965), which loses what a larger number pushes out.
+/// The sum by Kahan (1965), which loses the digits that a larger number pushes out.
 fn kahan(numbers: &[f64]) -> f64 {
     let (mut sum, mut lost) = (0.0, 0.0);
     for x in numbers {

@@ -1,4 +1,4 @@
-//! Readers that count from 0, skip what they do not know, or lose a triangle.
+//! Readers that count from 0, skip unknown lines, or lose a triangle.
 
 use a04_intersections::Triangle;
 use testing::exercise::Wrong;

@@ -9,7 +9,7 @@ use testing::exercise::{Check, Wrong};
 
 use crate::mirror;
 
-/// The colour of a surface from its own, its reflectance and that of the reflected ray;
+/// The colour of a surface from its own, its reflectance and the colour of the reflected ray;
 /// the direction of the reflected ray; and the colour of the deepest ray.
 struct Parts {
     sum: fn(Color, Color, Color) -> Color,
