@@ -125,19 +125,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_pixel_is_told_by_place_and_colour() {
-        let told = inspect(Some((3, 7)), Some(0x00_8001));
-        assert_eq!(told, "column 3, row 7: #008001 (0, 128, 1)");
-        assert_eq!(inspect(None, None), "point at the picture");
-        assert_eq!(inspect(Some((3, 7)), None), "point at the picture");
-    }
-
-    #[test]
-    fn progress_is_told_in_minutes_and_seconds() {
+    fn progress_is_shown_in_minutes_and_seconds() {
         let seconds = Duration::from_secs;
-        let told = progress(0.25, seconds(61), Some(seconds(183)));
-        assert_eq!(told, " 25 %  1:01 elapsed, 3:03 to go");
-        let told = progress(0.0, seconds(0), None);
-        assert_eq!(told, "  0 %  0:00 elapsed, ? to go");
+        let text = progress(0.25, seconds(61), Some(seconds(183)));
+        assert_eq!(text, " 25 %  1:01 elapsed, 3:03 to go");
+        let text = progress(0.0, seconds(0), None);
+        assert_eq!(text, "  0 %  0:00 elapsed, ? to go");
     }
 }

@@ -94,17 +94,6 @@ mod tests {
     }
 
     #[test]
-    fn an_area_holds_its_first_pixels_and_not_those_behind_its_last() {
-        let inside = |x, y| AREA.contains(x, y);
-        for y in 0..5 {
-            for x in 0..7 {
-                let expected = [2, 3, 4].contains(&x) && [1, 2].contains(&y);
-                assert_eq!(inside(x, y), expected, "{x} {y}");
-            }
-        }
-    }
-
-    #[test]
     fn an_area_is_filled_and_cut_off_at_the_borders() {
         let mut frame = frame(6, 4);
         frame.fill(AREA, 7);

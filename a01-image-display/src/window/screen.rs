@@ -204,6 +204,3 @@ fn explain(error: minifb::Error) -> NotShown {
         error => format!("the display refused the picture ({error})"),
     })
 }
-
-#[cfg(test)]
-mod tests;
