@@ -12,7 +12,7 @@ use common::picture_file;
 use crate::{assert_success, folder, in_shell, names, program, write_noise};
 
 /// How many programs are killed, unless `SAVING_KILLS` names another number.
-const KILLS: usize = 60;
+const KILLS: usize = 30;
 
 #[test]
 fn killed_at_any_time_it_leaves_the_old_or_the_new_picture() {

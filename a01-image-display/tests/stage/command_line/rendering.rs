@@ -47,9 +47,8 @@ fn one_scene_goes_to_the_file_that_is_named_and_replaces_it() {
 }
 
 #[test]
-fn several_scenes_go_to_the_folder_that_is_named() {
+fn several_scenes_go_to_a_folder_which_is_made() {
     let folder = folder();
-    fs::create_dir(folder.path().join("there")).unwrap();
     let (code, _, complaint) = run(&folder, "render painter diagonal -o there");
     assert_eq!((code, complaint.as_str()), (0, ""));
     let expected = PICTURES[..2].iter().map(|name| format!("there/{name}"));
