@@ -1,4 +1,4 @@
-//! Picture files: PNG, JPEG and BMP, whole, broken and made up.
+//! Picture files: PNG, JPEG and BMP, whole and broken.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::path::Path;
 use common::picture_file;
 use image::ImageReader;
 
-/// Larger pictures are within the limits, too, but would take all the time.
+/// Larger pictures that the limits allow are not opened: they would take all the time.
 const MOST_PIXELS: u64 = 1 << 12;
 
 /// Opens the bytes as a picture.
