@@ -1,4 +1,4 @@
-//! Every page is in the table of contents, and a page shows every picture.
+//! Every page is in the table of contents, and every picture is on a page.
 
 use crate::Files;
 use crate::files::{PAGES, SUMMARY};
@@ -24,7 +24,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_page_and_a_picture_that_nobody_reaches_are_found() {
+    fn an_unreached_page_and_an_unreached_picture_are_found() {
         let files = Files::of([
             (SUMMARY, "- [A](a.md)"),
             ("book/src/a.md", "[c](c.md) ![b](pictures/b.png)"),

@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::AddAssign;
 
 /// The samples and the error of a picture, or of several parts of it together. Errors are
-/// those of a channel from 0 to 1.
+/// for channels from 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sampled {
     /// Number of pixels.

@@ -171,7 +171,7 @@ fn bad_coordinates_draw_nothing_and_far_ones_are_clipped() {
 }
 
 #[test]
-fn letters_figures_and_signs_differ_and_the_rest_is_a_question_mark() {
+fn characters_differ_and_unknown_ones_are_question_marks() {
     let mut shapes = std::collections::HashSet::from([glyph('?'), glyph(' ')]);
     for character in "AZaz09+-*/=<>()[]{}|^~äöüßÄÖÜéñ±×÷°²³½Ωαγδθλμπρστφω≤≥".chars()
     {

@@ -21,7 +21,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_text_that_is_too_long_is_broken_at_spaces_where_there_are_some() {
+    fn a_long_text_is_broken_at_spaces_if_there_are_some() {
         for (text, columns, lines) in [
             ("", 5, &[""][..]),
             ("saved a.png", 11, &["saved a.png"]),

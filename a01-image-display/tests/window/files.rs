@@ -25,7 +25,7 @@ fn an_error_while_saving_is_shown_and_saving_can_be_repeated() {
 }
 
 #[test]
-fn a_file_that_cannot_be_opened_is_named_while_its_scene_is_shown() {
+fn a_bad_file_is_named_while_its_scene_is_shown() {
     let folder = tempfile::tempdir().unwrap();
     let card = fs::read(locked_file("show-image")).unwrap();
     fs::write(folder.path().join("half.png"), &card[..card.len() / 2]).unwrap();

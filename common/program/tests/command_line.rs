@@ -58,82 +58,34 @@ fn run_many() {
     tested.unwrap_or_else(|failure| panic!("{failure}"));
 }
 
-const COMMANDS: [&str; 16] = [
-    "",
-    "list",
-    "show traced",
-    "show opened --no-window",
-    "show cube",
-    "render painted",
-    "render traced painted",
-    "render --all",
-    "render traced --explain",
-    "render -- --all",
-    "report --quick",
-    "report scene traced",
-    "extremes A B01",
-    "render --help",
-    "rendr traced",
-    "-",
-];
+const COMMANDS: &str = "| list | show traced | show opened --no-window | show cube | render painted
+    | render traced painted | render --all | render traced --explain | render -- --all
+    | report --quick | report scene traced | extremes A B01 | render --help | rendr traced | -";
 
-const FLAGS: [&str; 14] = [
-    "--size",
-    "--samples",
-    "--sampling",
-    "--max-error",
-    "--seed",
-    "--depth",
-    "--threads",
-    "--transfer",
-    "--open",
-    "-o",
-    "--output",
-    "--fast",
-    "--no-omit",
-    "--no-window",
-];
+const FLAGS: &str = "--size --samples --sampling --max-error --seed --depth --threads
+    --transfer --open -o --output --fast --no-omit --no-window";
 
-const VALUES: [&str; 25] = [
-    "",
-    "0",
-    "1",
-    "4",
-    "-1",
-    "3x2",
-    "32768x32768",
-    "32769x1",
-    "1/510",
-    "1e-300",
-    "0/0",
-    "nan/0",
-    "inf",
-    "center",
-    "regular",
-    "random",
-    "stratified",
-    "srgb",
-    "a.png",
-    "..",
-    "here",
-    "\u{1F}a",
-    "1000001",
-    "18446744073709551615",
-    "4294967296",
-];
+const VALUES: &str = "0 1 4 -1 3x2 32768x32768 32769x1 1/510 1e-300 0/0 nan/0 inf center regular
+    random stratified srgb a.png .. here \u{1F}a 1000001 4294967296 18446744073709551615";
+
+/// One of these words.
+fn word(words: &'static str) -> impl Strategy<Value = String> {
+    select(words.split_whitespace().collect::<Vec<_>>()).prop_map_into()
+}
 
 /// A command with up to four flags, most of them known and with a value. No argument has
 /// a separator that could lead out of the folder.
 fn arguments() -> impl Strategy<Value = Vec<String>> {
-    let flag = prop_oneof![9 => select(&FLAGS[..]).prop_map_into(), 1 => "-{0,2}[^/\\\\:]{0,5}"];
-    let value = prop_oneof![9 => select(&VALUES[..]).prop_map_into(), 1 => "[^/\\\\:]{0,5}"];
+    let flag = prop_oneof![9 => word(FLAGS), 1 => "-{0,2}[^/\\\\:]{0,5}"];
+    let value = prop_oneof![9 => word(VALUES), 1 => "[^/\\\\:]{0,5}"];
     let pair = (flag, value, 0..3).prop_map(|(flag, value, form)| match form {
         0 => vec![flag],
         1 => vec![format!("{flag}={value}")],
         _ => vec![flag, value],
     });
     let flags = proptest::collection::vec(pair, 0..=4);
-    (select(&COMMANDS[..]), flags).prop_map(|(command, flags)| {
+    let commands: Vec<_> = COMMANDS.split('|').collect();
+    (select(commands), flags).prop_map(|(command, flags)| {
         let command = command.split_whitespace().map(str::to_owned);
         command.chain(flags.concat()).collect()
     })
@@ -167,7 +119,7 @@ fn clear(folder: &Path, place: &Path) {
     }
 }
 
-/// Paints the rows that are asked for, unless that takes long.
+/// Paints the rows of the settings, unless that takes long.
 fn paint(settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
     let samples = settings.size.pixels() as u64 * u64::from(settings.samples);
     if samples > 4096 {

@@ -154,7 +154,7 @@ fn headline(scene: &Scene, renderer: Renderer) -> String {
     }
 }
 
-/// Compares a picture with that of a file.
+/// Compares a picture with the one in a file.
 pub(crate) fn compare_with_file(expected: &Path, image: &Image) -> Result<(), String> {
     picture_file::open(expected)
         .map_err(|error| error.to_string())

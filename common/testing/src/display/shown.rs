@@ -77,7 +77,7 @@ impl Shown {
         Some([value("X")?, value("Y")?, value("WIDTH")?, value("HEIGHT")?])
     }
 
-    /// Gives the keyboard to the window, and waits until the program knows it.
+    /// Gives the keyboard to the window, and waits until the program has noticed.
     pub fn focus(&self) {
         let line = format!("windowfocus {}", self.window);
         wait_for("the keyboard", || {
