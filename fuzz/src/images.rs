@@ -9,12 +9,7 @@ use image::ImageReader;
 /// Larger pictures that the limits allow are not opened: they would take all the time.
 const MOST_PIXELS: u64 = 1 << 12;
 
-/// Opens the bytes as a picture.
-///
-/// # Panics
-///
-/// If an opened picture has a channel that is not between 0 and 1, or if a refusal
-/// gives no reason.
+/// Opens the bytes as a picture: the channels are from 0 to 1, or there is a reason.
 pub fn check(bytes: &[u8]) {
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format();
     let size = reader.ok().and_then(|reader| reader.into_dimensions().ok());

@@ -35,10 +35,6 @@ const ENDS: [f64; 24] = [
 ];
 
 /// Any number.
-///
-/// # Errors
-///
-/// If there are too few bytes; so for all functions here.
 pub fn number(u: &mut Unstructured) -> Result<f64> {
     Ok(match u.int_in_range(0..=7)? {
         0 => f64::from_bits(u.arbitrary()?),

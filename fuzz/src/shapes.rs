@@ -10,10 +10,6 @@ use common::ArgumentError;
 use crate::number::{normal, number, point, vector};
 
 /// The result of a constructor; an error must have a message.
-///
-/// # Panics
-///
-/// If it has none.
 pub fn accepted<T>(made: std::result::Result<T, ArgumentError>) -> Option<T> {
     made.inspect_err(|error| assert!(error.to_string().contains(" must be ")))
         .ok()

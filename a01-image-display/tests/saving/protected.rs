@@ -6,7 +6,7 @@ use std::os::unix::process::CommandExt;
 use std::path::Path;
 use std::process::Command;
 
-use crate::{allow, assert_refused, folder, names, program, skip};
+use crate::{allow, assert_refused, folder, program, skip};
 
 /// The program run by an ordinary user, because permissions do not stop the superuser.
 /// None if that user cannot start it.
@@ -23,48 +23,45 @@ fn as_user(folder: &Path, line: &str) -> Option<Command> {
 }
 
 #[test]
-fn a_folder_that_may_not_be_changed_is_named() {
+fn a_folder_or_file_that_may_not_be_changed_is_named() {
     let folder = folder();
     let saved = folder.path().join("saved.png");
     fs::write(&saved, "old").unwrap();
-    allow(&saved, 0o666);
-    allow(folder.path(), 0o555);
-    for (line, sentence) in [
-        ("render painter -o saved.png", "cannot write saved.png"),
-        ("render painter -o new.png", "cannot write new.png"),
-        ("render painter", "cannot write out"),
+    let no_file = "no file can be made in . (permission denied)";
+    let no_change = "the file of this name may not be changed; choose another";
+    let table = "./a01-image-display-save-diagonal.csv";
+    for (file, mode, line, path, reason) in [
         (
-            "report --quick -o .",
-            "cannot write ./a01-image-display-save-diagonal.csv",
+            0o666,
+            0o555,
+            "render painter -o saved.png",
+            "saved.png",
+            no_file,
+        ),
+        (
+            0o666,
+            0o555,
+            "render painter -o new.png",
+            "new.png",
+            no_file,
+        ),
+        (0o666, 0o555, "render painter", "out", no_file),
+        (0o666, 0o555, "report --quick -o .", table, no_file),
+        (
+            0o444,
+            0o777,
+            "render painter -o saved.png",
+            "saved.png",
+            no_change,
         ),
     ] {
+        allow(&saved, file);
+        allow(folder.path(), mode);
         let Some(mut program) = as_user(folder.path(), line) else {
             break;
         };
-        let reason = "no file can be made in . (permission denied)";
-        assert_refused(&mut program, &format!("error: {sentence}: {reason}"));
+        let sentence = format!("error: cannot write {path}: {reason}");
+        assert_refused(folder.path(), &mut program, &sentence);
     }
     allow(folder.path(), 0o755);
-    assert_eq!(names(folder.path()), ["saved.png"]);
-    assert!(fs::read(saved).unwrap() == b"old");
-}
-
-#[test]
-fn a_file_that_may_not_be_changed_is_kept() {
-    let folder = folder();
-    let saved = folder.path().join("saved.png");
-    fs::write(&saved, "old").unwrap();
-    allow(&saved, 0o444);
-    allow(folder.path(), 0o777);
-    let line = "render painter -o saved.png";
-    let Some(mut program) = as_user(folder.path(), line) else {
-        return;
-    };
-    let reason = "the file of this name may not be changed; choose another";
-    assert_refused(
-        &mut program,
-        &format!("error: cannot write saved.png: {reason}"),
-    );
-    assert_eq!(names(folder.path()), ["saved.png"]);
-    assert!(fs::read(saved).unwrap() == b"old");
 }

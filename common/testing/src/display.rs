@@ -16,11 +16,7 @@ pub use shown::Shown;
 /// After this time a test stops waiting and fails.
 const PATIENCE: Duration = Duration::from_mins(1);
 
-/// Waits until `find` returns a value.
-///
-/// # Panics
-///
-/// If it does not within a minute; the message contains `what`.
+/// Waits until `find` returns a value; fails after a minute, with `what` in the message.
 pub fn wait_for<T>(what: &str, mut find: impl FnMut() -> Option<T>) -> T {
     let start = Instant::now();
     loop {

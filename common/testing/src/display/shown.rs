@@ -27,10 +27,6 @@ impl Shown {
     /// gives it the keyboard. The environment contains no variables that lead to
     /// another display or to a file dialog. On a machine without Xvfb or xdotool none,
     /// and a sentence on stderr.
-    ///
-    /// # Panics
-    ///
-    /// If no window appears.
     pub fn start(program: &mut Command, screen: [u32; 2]) -> Option<Self> {
         let server = Server::open(screen)?;
         let temporary = tempfile::tempdir().expect("a folder");
@@ -107,11 +103,7 @@ impl Shown {
         self.server.look(self.area)
     }
 
-    /// Waits until the content of the window is as expected.
-    ///
-    /// # Panics
-    ///
-    /// If it is not within a minute; the message contains `what`.
+    /// Waits until the content of the window is as expected; `what` is for the message.
     pub fn wait_to_show(&self, what: &str, shows: impl Fn(&Picture) -> bool) {
         wait_for(what, || shows(&self.look()).then_some(()));
     }
@@ -158,10 +150,6 @@ impl Shown {
     }
 
     /// A number in `/proc/PID/status`, such as `Threads:` or `VmRSS:` in KiB.
-    ///
-    /// # Panics
-    ///
-    /// If the program has ended.
     #[must_use]
     pub fn status(&self, name: &str) -> u64 {
         let path = format!("/proc/{}/status", self.child.id());
@@ -172,10 +160,6 @@ impl Shown {
     }
 
     /// Processor time of the program so far, on all processors.
-    ///
-    /// # Panics
-    ///
-    /// If the program has ended.
     #[must_use]
     pub fn time(&self) -> Duration {
         let fields = fields_of(&self.child.id().to_string()).expect("a process");
@@ -184,12 +168,8 @@ impl Shown {
         Duration::from_millis(ticks.map(|ticks| 10 * ticks.expect("a number")).sum())
     }
 
-    /// Waits for the program's end, and returns its exit code and its output on
-    /// stderr.
-    ///
-    /// # Panics
-    ///
-    /// If the program does not end, or leaves a process or a temporary file behind.
+    /// Waits for the program's end, which leaves no process and no temporary file, and
+    /// returns its exit code and its output on stderr.
     #[must_use]
     pub fn wait_for_end(mut self) -> (Option<i32>, String) {
         let status = wait_for("the program's end", || {
@@ -209,10 +189,6 @@ impl Shown {
     }
 
     /// Whether the program is running.
-    ///
-    /// # Panics
-    ///
-    /// If its state cannot be read.
     #[must_use]
     pub fn is_running(&mut self) -> bool {
         let state = self.child.try_wait().expect("the program's state");
