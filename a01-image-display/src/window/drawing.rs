@@ -1,4 +1,4 @@
-//! How the window looks: the picture, the lines below it, the menu above.
+//! Draws the content of the window: the picture, the lines below it, the menu above.
 
 use std::time::Duration;
 
@@ -17,7 +17,7 @@ const DONE: u32 = 0x3D_5A80;
 const TEXT: u32 = 0xE0_E0E0;
 
 impl Screen {
-    /// Where the picture lies in the window as it is now.
+    /// The placement of the picture at the current size of the window.
     pub fn placement(&self) -> Placement {
         let (width, height) = self.window.get_size();
         let bar = if PLATFORM_HAS_MENU { 0 } else { LINE };
@@ -30,7 +30,7 @@ impl Screen {
         Placement::new(self.size, area, self.zoom)
     }
 
-    /// Draws everything into the frame.
+    /// Draws picture, texts and menu into the frame.
     pub fn draw(&mut self, live: Option<&LivePicture>, cursor: Option<(i32, i32)>) {
         if let Some(live) = live {
             self.size = live.size();

@@ -1,4 +1,4 @@
-//! `Frame`: the pixels of the window's inside.
+//! `Frame`: the pixels of the window.
 
 use crate::canvas::glyph;
 
@@ -30,7 +30,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Empties the frame, at the size that the window has now.
+    /// Fills the frame, at the current size of the window, with one colour.
     pub fn clear(&mut self, (width, height): (usize, usize), color: u32) {
         (self.width, self.height) = (width as i32, height as i32);
         self.pixels.clear();

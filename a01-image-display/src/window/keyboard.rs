@@ -47,7 +47,7 @@ impl InputCallback for Keyboard {
         }
         typed.down.push(key);
         let ctrl = typed.down.contains(&Key::LeftCtrl) || typed.down.contains(&Key::RightCtrl);
-        // A key that is held repeats itself; its command is obeyed once.
+        // A held key repeats itself; its command is executed once.
         let command = Command::of_key(key, ctrl).filter(|_| !was_down);
         typed.commands.extend(command);
     }

@@ -1,10 +1,10 @@
-//! `Placement`: where in the window the picture lies, and how large.
+//! `Placement`: position and scale of the picture in the window.
 
 use common::Size;
 
 use super::frame::Area;
 
-/// How large the picture is shown.
+/// The scale of the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Zoom {
     /// As large as fits: enlarged by a whole factor, or shrunk.
@@ -17,9 +17,9 @@ pub enum Zoom {
 /// A picture in its part of the window.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
-    /// Window pixels a picture pixel.
+    /// Window pixels per picture pixel.
     scale: f64,
-    /// Where the picture's upper left corner lies.
+    /// Position of the picture's upper left corner.
     corner: (f64, f64),
     picture: Size,
     area: Area,
@@ -41,7 +41,7 @@ impl Placement {
             }
             Zoom::Factor(factor, middle) => (factor.into(), middle),
         };
-        // Whole corners, so that at scale 1 a pixel is a pixel.
+        // Whole coordinates, so that at scale 1 the pixels coincide.
         let corner = |start: i32, side: i32, middle: f64| {
             (f64::from(start) + f64::from(side) / 2.0 - middle * scale).floor()
         };
@@ -56,12 +56,12 @@ impl Placement {
         }
     }
 
-    /// The part of the window that the picture may take.
+    /// The part of the window that is left for the picture.
     pub const fn area(&self) -> Area {
         self.area
     }
 
-    /// The place in the picture that is shown at a place of the window.
+    /// The point of the picture at a point of the window.
     fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
         let (left, top) = self.corner;
         ((x - left) / self.scale, (y - top) / self.scale)
@@ -86,8 +86,7 @@ impl Placement {
         self.zoomed(factor, cursor)
     }
 
-    /// Shrunk to the next smaller whole factor; as large as fits once that
-    /// shows more.
+    /// Shrunk to the next smaller whole factor; as large as fits if that is larger.
     pub fn zoomed_out(&self, cursor: Option<(i32, i32)>) -> Zoom {
         let factor = (self.scale.ceil() as u32).saturating_sub(1);
         let fit = Self::new(self.picture, self.area, Zoom::Fit);

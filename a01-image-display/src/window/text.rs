@@ -1,7 +1,7 @@
-//! `wrap`: breaks a text that is longer than the window is wide.
+//! `wrap`: breaks a text that is wider than the window.
 
-/// The lines of a text, each of at most this many characters, broken at spaces
-/// where there are some.
+/// The lines of a text, each of at most this many characters, broken at spaces if
+/// there are some.
 pub fn wrap(mut text: &str, columns: usize) -> Vec<&str> {
     let mut lines = Vec::new();
     while let Some((end, _)) = text.char_indices().nth(columns) {

@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 use crate::{assert_success, folder, names, program, write_noise};
 
 #[test]
-fn of_two_that_save_at_once_one_wins_and_its_picture_is_whole() {
+fn of_two_programs_that_save_at_once_one_picture_is_whole() {
     let folder = folder();
     let path = |name| folder.path().join(name);
     let lines = [(1, "a.png"), (2, "b.png")].map(|(seed, name)| {
@@ -29,9 +29,9 @@ fn of_two_that_save_at_once_one_wins_and_its_picture_is_whole() {
     assert_eq!(names(folder.path()), ["a.png", "b.png", "saved.png"]);
 }
 
-/// Neither complains that the other has made the folder in between.
+/// A program accepts that the other one has made the folder meanwhile.
 #[test]
-fn two_that_begin_at_once_share_the_folder_they_make() {
+fn two_programs_make_the_same_folder_at_once() {
     for _ in 0..40 {
         let folder = folder();
         let lines = ["render painter --size 8x8", "render diagonal --size 8x8"];

@@ -32,7 +32,7 @@ fn the_menu_works_by_keyboard() {
     }
     assert_eq!(menu.handle(Command::Choose), Some(Command::Close));
     assert_eq!(menu.handle(Command::Escape), Some(Command::Close));
-    // Another key is obeyed, and closes the menu.
+    // Another command is executed, and closes the menu.
     menu.handle(Command::Menu);
     assert_eq!(menu.handle(Command::Save), Some(Command::Save));
     assert_eq!(menu.selected(), None);

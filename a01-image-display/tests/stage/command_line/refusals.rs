@@ -92,7 +92,7 @@ fn pictures_that_cannot_be_opened_leave_no_file() {
             "render show-image -o old.png",
             "show show-image",
         ] {
-            // `show` reports it before it misses a window.
+            // `show` reports this and not a missing display.
             let sentence = format!("error: {sentence}");
             assert_refused(&folder, &format!("{command} --open {name}"), 1, &sentence);
         }
