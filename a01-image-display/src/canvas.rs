@@ -19,7 +19,7 @@ const HEAD_LENGTH: f64 = 6.0;
 /// Half of the width of an arrow's head, in widths of its line.
 const HEAD_HALF_WIDTH: f64 = 2.5;
 
-/// Length in pixels of the shortest head whose corners can be told apart.
+/// Length in pixels of the shortest head with visibly different corners.
 const SHORTEST_HEAD: f64 = 0.01;
 
 /// Largest magnitude of a coordinate that is drawn. There a pixel's distance is

@@ -1,60 +1,43 @@
-//! Every picture and every listing has a caption: the paragraph behind it, all
-//! of it emphasised. The book's style sheet counts on that. Pictures in a table are
-//! explained by its rows.
-
-use pulldown_cmark::{Event, Tag, TagEnd};
+//! Every picture and every listing has a caption: the paragraph behind it, all of it
+//! emphasised, as the book's style sheet expects. Pictures in a table need none.
 
 use crate::Files;
-use crate::files::resolve;
+use crate::files::{blocks, complaint, resolve};
 use crate::include::directives;
-use crate::page::Page;
 
-/// The pictures and listings without a caption, and the listings whose caption
-/// does not name their file.
+/// The pictures and listings without a caption, and the listings whose caption does
+/// not name their file.
 #[must_use]
 pub fn complaints(files: &Files) -> Vec<String> {
     let mut complaints = Vec::new();
-    for page in files.pages() {
-        let mut has_picture = false;
-        for (event, range) in page.events() {
-            let caption = caption(&page.text[range.end..]);
-            let wrong = match event {
-                Event::Start(Tag::Image { .. }) => {
-                    has_picture = true;
-                    None
-                }
-                Event::End(TagEnd::Table) => {
-                    has_picture = false;
-                    None
-                }
-                Event::End(TagEnd::Paragraph) if std::mem::take(&mut has_picture) => {
-                    let missing = "this picture has no *caption* behind it";
-                    caption.is_none().then(|| missing.into())
-                }
-                Event::Start(Tag::CodeBlock(_)) => {
-                    unnamed(page, &page.text[range.clone()], caption.unwrap_or_default())
-                }
-                _ => None,
+    for (page, text) in files.pages() {
+        let blocks = blocks(text);
+        for (index, &(at, block)) in blocks.iter().enumerate() {
+            let caption = blocks.get(index + 1).and_then(|(_, next)| emphasised(next));
+            let wrong = if block.starts_with("```") {
+                unnamed(page, block, caption.unwrap_or_default())
+            } else {
+                let has_picture = block.contains("![") && !block.starts_with('|');
+                let is_wrong = has_picture && caption.is_none();
+                is_wrong.then(|| "this picture has no *caption* behind it".to_owned())
             };
-            complaints.extend(wrong.map(|wrong| page.complain(range.start, &wrong)));
+            complaints.extend(wrong.map(|wrong| complaint(page, text, at, &wrong)));
         }
     }
     complaints
 }
 
-/// The paragraph that a text begins with, if all of it stands between stars.
-fn caption(behind: &str) -> Option<&str> {
-    let paragraph = behind.trim_start().split("\n\n").next()?.trim_end();
+/// The text of a paragraph that is emphasised as a whole.
+fn emphasised(paragraph: &str) -> Option<&str> {
     let inner = paragraph.strip_prefix('*')?.strip_suffix('*')?;
     (!inner.is_empty() && !inner.contains('*')).then_some(inner)
 }
 
-/// The file of a listing that its caption does not name.
-fn unnamed(page: Page, listing: &str, caption: &str) -> Option<String> {
+/// The complaint about a listing whose caption does not name its file.
+fn unnamed(page: &str, listing: &str, caption: &str) -> Option<String> {
     let targets = directives(listing).map(|(_, target)| target);
-    let paths = targets.filter_map(|target| resolve(page.path, target.split(':').next()?));
-    let mut unnamed = paths.filter(|path| !caption.contains(path));
-    let path = unnamed.next()?;
+    let mut paths = targets.filter_map(|target| resolve(page, target.split(':').next()?));
+    let path = paths.find(|path| !caption.contains(path))?;
     Some(format!("this listing has no caption *{path}* behind it"))
 }
 
@@ -71,30 +54,24 @@ mod tests {
     #[test]
     fn captions_are_right() {
         let text = format!("![a](a.png)\n\n*A, seen\nfrom `b`*\n\n{LISTING}\n*a/src/b.rs*\n");
-        assert_eq!(complaints_about(&text), [""; 0]);
         let table = "| a |\n|---|\n| ![b](c.png) |\n\nd\n";
-        assert_eq!(complaints_about(table), [""; 0]);
-        assert_eq!(complaints_about("```rust\nassert!(true);\n```\n"), [""; 0]);
-    }
-
-    #[test]
-    fn a_picture_without_a_caption_is_found() {
-        let expected = ["book/src/a.md:3: this picture has no *caption* behind it"];
-        for behind in ["text", "*emphasis* and text", "*one* and *two*", "**bold**"] {
-            let text = format!("# A\n\n![a](a.png)\n\n{behind}\n\n*more*\n");
-            assert_eq!(complaints_about(&text), expected);
+        let code = "```rust\nassert!(true);\n\nvec![0]\n```\n";
+        for right in [&text, table, code] {
+            assert_eq!(complaints_about(right), [""; 0]);
         }
     }
 
     #[test]
-    fn a_listing_without_its_file_is_found() {
-        assert_eq!(
-            complaints_about(&format!("{LISTING}\ntext\n")),
-            ["book/src/a.md:1: this listing has no caption *a/src/b.rs* behind it"]
-        );
-        assert_eq!(
-            complaints_about(&format!("{LISTING}\n*a/src/c.rs*\n")),
-            ["book/src/a.md:1: this listing has no caption *a/src/b.rs* behind it"]
-        );
+    fn missing_captions_are_found() {
+        for behind in ["text", "*emphasis* and text", "*one* and *two*", "**bold**"] {
+            let picture = complaints_about(&format!("# A\n\n![a](a.png)\n\n{behind}\n"));
+            let expected = "book/src/a.md:3: this picture has no *caption* behind it";
+            assert_eq!(picture, [expected]);
+        }
+        for behind in ["text", "*a/src/c.rs*"] {
+            let listing = complaints_about(&format!("{LISTING}\n{behind}\n"));
+            let expected = "book/src/a.md:1: this listing has no caption *a/src/b.rs* behind it";
+            assert_eq!(listing, [expected]);
+        }
     }
 }

@@ -1,6 +1,5 @@
-//! The list of the files that a stage adds to the stages below.
-//!
-//! A chapter includes it as `{{#include ../changes/STAGE.md}}`.
+//! The list of the files that a stage adds to the stages below, which the chapter of
+//! the stage includes.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -8,89 +7,62 @@ use std::{fs, io};
 
 use crate::Files;
 use crate::files::top;
-use crate::page::complaint;
 
-/// The stages whose list differs from their sources.
-#[must_use]
-pub fn complaints(files: &Files) -> Vec<String> {
-    let lists = files
-        .stages()
-        .map(|stage| (path(stage), list(files, stage)));
-    let stale = lists.filter(|(path, list)| files.text(path) != Some(list));
-    stale
-        .map(|(path, _)| complaint(&path, 1, "renew this list with `cargo run -p book`"))
-        .collect()
-}
-
-/// Writes the lists of all stages.
+/// Writes the lists of all stages into `book/generated/changes`.
 pub fn write(files: &Files) -> io::Result<()> {
+    let folder = top().join("book/generated/changes");
+    fs::create_dir_all(&folder)?;
     for stage in files.stages() {
-        fs::write(top().join(path(stage)), list(files, stage))?;
+        fs::write(folder.join(format!("{stage}.md")), list(files, stage))?;
     }
     Ok(())
-}
-
-fn path(stage: &str) -> String {
-    format!("book/changes/{stage}.md")
 }
 
 /// The stages that this stage uses, and a line for each of its files.
 fn list(files: &Files, stage: &str) -> String {
     let mut list = String::new();
-    let below = files.stages().take_while(|below| *below != stage);
-    let used: Vec<_> = below
-        .filter_map(|below| {
-            let names = names_used(files, stage, below);
+    for below in files.stages().take_while(|below| *below != stage) {
+        let names = names_used(files, stage, below);
+        if !names.is_empty() {
             let names: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
-            (!names.is_empty()).then(|| format!("- `{below}`: {}\n", names.join(", ")))
-        })
-        .collect();
-    if !used.is_empty() {
-        let _ = writeln!(list, "From the stages below it takes\n\n{}", used.concat());
+            let _ = writeln!(list, "- `{below}`: {}", names.join(", "));
+        }
+    }
+    if !list.is_empty() {
+        list = format!("From the stages below it takes\n\n{list}\n");
     }
     list.push_str("| file | lines, about | what it is |\n|---|---:|---|\n");
-    let folder = format!("{stage}/src/");
-    for (path, text) in files.below(&folder) {
-        let name = &path[folder.len()..];
-        let Some(room) = name.strip_suffix(".rs").filter(|room| is_listed(room)) else {
-            continue;
-        };
-        let inner = files.below(&folder).filter(|(path, _)| {
-            let below = path[folder.len()..].strip_prefix(room);
-            below.is_some_and(|below| below.starts_with('/'))
-        });
-        let lines =
-            text.lines().count() + inner.map(|(_, text)| text.lines().count()).sum::<usize>();
-        // Round numbers say as much, and stay true longer.
-        let about = lines.div_ceil(10) * 10;
-        let _ = writeln!(list, "| `{name}` | {about} | {} |", first_sentence(text));
+    for (room, text) in rooms(files, stage) {
+        let inner = files.below(format!("{stage}/src/{room}/"));
+        let inner: usize = inner.map(|(_, text)| text.lines().count()).sum();
+        let about = (text.lines().count() + inner).div_ceil(10) * 10;
+        let sentence = first_sentence(text);
+        let _ = writeln!(list, "| `{room}.rs` | {about} | {sentence} |");
     }
     list
 }
 
-/// Whether a file of this name, without its ending, has a line: all but the files
-/// that only gather others, and the files in folders, which are counted there.
-fn is_listed(room: &str) -> bool {
-    !matches!(room, "lib" | "main") && !room.contains('/')
-}
-
-/// Whether a file of this name, without its ending, belongs to the lesson.
-fn is_lesson(room: &str) -> bool {
-    is_listed(room) && !matches!(room, "stage" | "fast" | "lab")
+/// The names, without the ending, and the texts of the files of a stage, except those
+/// that only name others. The files in a folder belong to the file of its name.
+fn rooms<'a>(files: &'a Files, stage: &str) -> impl Iterator<Item = (&'a str, &'a str)> {
+    let folder = format!("{stage}/src/");
+    let start = folder.len();
+    let files = files
+        .below("")
+        .filter(move |(path, _)| path.starts_with(&folder));
+    files.filter_map(move |(path, text)| {
+        let room = path[start..].strip_suffix(".rs")?;
+        let is_listed = !matches!(room, "lib" | "main") && !room.contains('/');
+        is_listed.then_some((room, text))
+    })
 }
 
 /// The types, traits and constants that the lesson of a stage imports from one below.
 fn names_used<'a>(files: &'a Files, stage: &str, below: &str) -> BTreeSet<&'a str> {
     let import = format!("use {}::", below.replace('-', "_"));
     let mut names = BTreeSet::new();
-    let folder = format!("{stage}/src/");
-    for (path, text) in files.below(&folder) {
-        if !path[folder.len()..]
-            .strip_suffix(".rs")
-            .is_some_and(is_lesson)
-        {
-            continue;
-        }
+    let is_lesson = |room: &str| !matches!(room, "stage" | "fast" | "lab");
+    for (_, text) in rooms(files, stage).filter(|(room, _)| is_lesson(room)) {
         for rest in text.split(&import).skip(1) {
             let imported = rest.split(';').next().unwrap_or_default();
             let words = imported.split(|c: char| !c.is_alphanumeric() && c != '_');
@@ -105,10 +77,8 @@ fn first_sentence(text: &str) -> String {
     let lines = text.lines().map_while(|line| line.strip_prefix("//!"));
     let paragraph = lines.map(str::trim).take_while(|line| !line.is_empty());
     let paragraph = paragraph.collect::<Vec<_>>().join(" ");
-    let sentence = match paragraph.split_once(". ") {
-        Some((first, _)) => format!("{first}."),
-        None => paragraph,
-    };
+    let (first, _) = paragraph.split_once(". ").unwrap_or((&paragraph, ""));
+    let sentence = format!("{}.", first.trim_end_matches('.'));
     sentence
         .replace("[`", "`")
         .replace("`]", "`")
@@ -119,47 +89,24 @@ fn first_sentence(text: &str) -> String {
 mod tests {
     use super::*;
 
-    const BELOW: (&str, &str) = ("a01-low/Cargo.toml", "");
-    const STAGE: (&str, &str) = ("a02-high/Cargo.toml", "");
-    const SOURCE: (&str, &str) = (
-        "a02-high/src/ray.rs",
-        "//! `Ray`: a [`Line`] with\n//! a start. It has an end, too.\n//!\n//! More.\n\n\
-         use a01_low::{\n    Line,\n    Point,\n};\nuse a01_low::zero;\n",
-    );
-    const LIST: &str = "From the stages below it takes\n\n- `a01-low`: `Line`, `Point`, `zero`\n\n\
-        | file | lines, about | what it is |\n|---|---:|---|\n\
-        | `lab.rs` | 10 | The lab. |\n| `ray.rs` | 20 | `Ray`: a `Line` with a start. |\n";
-
     #[test]
-    fn the_list_is_that_of_the_sources() {
+    fn a_list_has_the_imports_and_files_of_a_stage() {
+        let ray = "//! `Ray`: a [`Line`] with\n//! a start. It has an end, too.\n//!\n//! More.\n\n\
+             use a01_low::{\n    Line,\n    Point,\n};\nuse a01_low::zero;\n";
         let files = Files::of([
-            BELOW,
-            STAGE,
-            SOURCE,
+            ("a01-low/src/lib.rs", ""),
+            ("a02-high/src/lib.rs", "//! All.\n"),
+            ("a02-high/src/ray.rs", ray),
             ("a02-high/src/ray/end.rs", "//! The end.\n"),
             (
                 "a02-high/src/lab.rs",
                 "//! The lab.\n\nuse a01_low::fast;\n",
             ),
-            ("a02-high/src/lib.rs", "//! All.\n"),
         ]);
-        assert_eq!(list(&files, "a02-high"), LIST);
-    }
-
-    #[test]
-    fn a_stale_list_is_found() {
-        let stale = LIST.replace("20", "30");
-        let low = "| file | lines, about | what it is |\n|---|---:|---|\n";
-        let files = Files::of([
-            BELOW,
-            STAGE,
-            SOURCE,
-            ("book/changes/a01-low.md", low),
-            ("book/changes/a02-high.md", &stale),
-        ]);
-        assert_eq!(
-            complaints(&files),
-            ["book/changes/a02-high.md:1: renew this list with `cargo run -p book`"]
-        );
+        let expected = "From the stages below it takes\n\n\
+            - `a01-low`: `Line`, `Point`, `zero`\n\n\
+            | file | lines, about | what it is |\n|---|---:|---|\n\
+            | `lab.rs` | 10 | The lab. |\n| `ray.rs` | 20 | `Ray`: a `Line` with a start. |\n";
+        assert_eq!(list(&files, "a02-high"), expected);
     }
 }

@@ -1,21 +1,18 @@
-//! `Files`: the repository, as far as the book speaks of it.
+//! `Files`: the text files of the repository, and the pages of the book.
 
 use std::collections::BTreeMap;
-use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
-use crate::page::Page;
-
-/// The paths of all files, from the top of the repository with `/` in between,
-/// each with its text; the text of pictures and other binary files is empty.
+/// The paths of all files, relative to the top of the repository, each with its text;
+/// the text of pictures and other binary files is empty.
 #[derive(Debug, Default)]
 pub struct Files(BTreeMap<String, String>);
 
-/// Where the book's pages lie.
+/// The folder of the book's pages.
 pub const PAGES: &str = "book/src/";
 
-/// The list of chapters, which is no page.
+/// The table of contents, which is no page.
 pub const SUMMARY: &str = "book/src/SUMMARY.md";
 
 /// The top of the repository.
@@ -24,7 +21,7 @@ pub fn top() -> PathBuf {
 }
 
 impl Files {
-    /// All files below the top, but those that are made by building.
+    /// All files below the top, except build products and hidden files.
     pub fn read() -> io::Result<Self> {
         let mut files = Self::default();
         files.read_folder(&top(), "")?;
@@ -35,19 +32,16 @@ impl Files {
         for entry in fs::read_dir(folder)? {
             let entry = entry?;
             let path = format!("{name}{}", entry.file_name().to_string_lossy());
-            if is_made(&path) {
+            if path.starts_with('.') || path == "target" || path == "out" {
                 continue;
             }
             if entry.file_type()?.is_dir() {
                 self.read_folder(&entry.path(), &format!("{path}/"))?;
                 continue;
             }
-            let text = if matches!(ending(&path), "md" | "rs" | "toml") {
-                fs::read_to_string(entry.path())?
-            } else {
-                String::new()
-            };
-            self.0.insert(path, text);
+            let is_text = [".md", ".rs"].iter().any(|ending| path.ends_with(ending));
+            let text = is_text.then(|| fs::read_to_string(entry.path()));
+            self.0.insert(path, text.transpose()?.unwrap_or_default());
         }
         Ok(())
     }
@@ -59,25 +53,25 @@ impl Files {
     }
 
     /// Paths and texts below a folder, whose name ends in `/`.
-    pub fn below<'a>(&'a self, folder: &str) -> impl Iterator<Item = (&'a str, &'a str)> {
+    pub fn below<'a>(
+        &'a self,
+        folder: impl Into<String>,
+    ) -> impl Iterator<Item = (&'a str, &'a str)> {
+        let folder = folder.into();
         let all = self.0.iter().map(|(path, text)| (&**path, &**text));
-        all.filter(move |(path, _)| path.starts_with(folder))
+        all.filter(move |(path, _)| path.starts_with(&folder))
     }
 
-    /// The pages of the book.
-    pub fn pages(&self) -> impl Iterator<Item = Page<'_>> {
+    /// Paths and texts of the book's pages.
+    pub fn pages(&self) -> impl Iterator<Item = (&str, &str)> {
         let all = self.below(PAGES);
-        all.filter(|(path, _)| ending(path) == "md" && *path != SUMMARY)
-            .map(|(path, text)| Page { path, text })
+        all.filter(|(path, _)| path.ends_with(".md") && *path != SUMMARY)
     }
 
     /// The folders of the stages, from the first to the last.
     pub fn stages(&self) -> impl Iterator<Item = &str> {
-        let manifests = self
-            .0
-            .keys()
-            .filter_map(|path| path.strip_suffix("/Cargo.toml"));
-        manifests.filter(|folder| folder.starts_with("a0") && !folder.contains('/'))
+        let roots = self.below("a0").map(|(path, _)| path);
+        roots.filter_map(|path| path.strip_suffix("/src/lib.rs"))
     }
 
     /// Files of a test.
@@ -87,17 +81,7 @@ impl Files {
     }
 }
 
-/// Whether a path belongs to build products or to other programs.
-fn is_made(path: &str) -> bool {
-    path.starts_with('.') || path == "target" || path == "out"
-}
-
-/// The text behind the last dot of a path.
-pub fn ending(path: &str) -> &str {
-    path.rsplit_once('.').map_or("", |(_, ending)| ending)
-}
-
-/// Where a path leads that is written in the file `from`; none if it leaves
+/// The path of a file that the page `from` names by a relative path; none outside of
 /// the repository.
 pub fn resolve(from: &str, path: &str) -> Option<String> {
     let mut folders: Vec<_> = from.split('/').collect();
@@ -105,13 +89,34 @@ pub fn resolve(from: &str, path: &str) -> Option<String> {
     for part in path.split('/') {
         match part {
             "." => {}
-            ".." => {
-                folders.pop()?;
-            }
+            ".." => drop(folders.pop()?),
             name => folders.push(name),
         }
     }
     Some(folders.join("/"))
+}
+
+/// A mistake at the byte `at` of a file; lines are counted from 1.
+pub fn complaint(path: &str, text: &str, at: usize, mistake: &str) -> String {
+    let line = text[..at].matches('\n').count() + 1;
+    format!("{path}:{line}: {mistake}")
+}
+
+/// The blocks of a page, each with its first byte: paragraphs, headings, tables and
+/// fenced code. Blank lines separate them, except those inside a fence.
+pub fn blocks(text: &str) -> Vec<(usize, &str)> {
+    let (mut blocks, mut start, mut at, mut is_fenced) = (Vec::new(), 0, 0, false);
+    for line in text.split_inclusive('\n') {
+        if line.trim().is_empty() && !is_fenced {
+            blocks.push((start, text[start..at].trim_end()));
+            start = at + line.len();
+        }
+        is_fenced ^= line.starts_with("```");
+        at += line.len();
+    }
+    blocks.push((start, text[start..].trim_end()));
+    blocks.retain(|(_, block)| !block.is_empty());
+    blocks
 }
 
 #[cfg(test)]
@@ -119,35 +124,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn paths_count_from_the_file_they_are_written_in() {
-        let from = "book/src/chapter.md";
-        let leads = |path| resolve(from, path);
-        assert_eq!(leads("a.md").as_deref(), Some("book/src/a.md"));
-        assert_eq!(
-            leads("./pictures/a.png").as_deref(),
-            Some("book/src/pictures/a.png")
-        );
-        assert_eq!(
-            leads("../../common/src/a.rs").as_deref(),
-            Some("common/src/a.rs")
-        );
-        assert_eq!(leads("../../../a.rs"), None);
-    }
-
-    #[test]
-    fn the_stages_are_those_of_the_workspace() {
-        let files = Files::read().unwrap();
-        let manifest = files.text("Cargo.toml").unwrap();
-        assert_eq!(files.stages().count(), 7);
-        for stage in files.stages() {
-            assert!(manifest.contains(&format!("\"{stage}\"")), "{stage}");
+    fn paths_are_relative_to_the_page() {
+        for (path, expected) in [
+            ("./pictures/a.png", Some("book/src/pictures/a.png")),
+            ("../../common/src/a.rs", Some("common/src/a.rs")),
+            ("../../../a.rs", None),
+        ] {
+            assert_eq!(resolve("book/src/a.md", path).as_deref(), expected);
         }
     }
 
     #[test]
-    fn what_is_made_is_not_read() {
-        assert!([".git", "target", "out"].into_iter().all(is_made));
-        let read = ["book", "README.md", "a01/out", "fuzz/target"];
-        assert!(!read.into_iter().any(is_made));
+    fn a_fence_is_one_block_with_its_blank_lines() {
+        let text = "# A\n\n\n```rust\na\n\nb\n```\n\n*c*\nd\n";
+        let expected = [(0, "# A"), (6, "```rust\na\n\nb\n```"), (24, "*c*\nd")];
+        assert_eq!(blocks(text), expected);
+        assert_eq!(complaint("a.md", text, 24, "no"), "a.md:10: no");
     }
 }

@@ -1,5 +1,5 @@
-//! Writes the list of the files that each stage adds to the stages below:
-//! `cargo run -p book`.
+//! Writes the lists of the files that each stage adds to the stages below; `book/build`
+//! runs it.
 
 use std::process::ExitCode;
 
@@ -10,7 +10,7 @@ fn main() -> ExitCode {
     match written {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("could not write what the stages add: {error}");
+            eprintln!("could not write the lists of the files of the stages: {error}");
             ExitCode::FAILURE
         }
     }

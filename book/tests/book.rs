@@ -1,6 +1,6 @@
 //! The book and the crates say the same.
 
-use book::{Files, caption, changes, chapter, include, link, picture, section};
+use book::{Files, caption, include, left_over, section};
 
 /// Fails with all complaints of a check about this repository.
 fn check(complaints: fn(&Files) -> Vec<String>) {
@@ -9,18 +9,8 @@ fn check(complaints: fn(&Files) -> Vec<String>) {
 }
 
 #[test]
-fn every_chapter_is_in_the_summary() {
-    check(chapter::complaints);
-}
-
-#[test]
-fn every_link_leads_somewhere() {
-    check(link::complaints);
-}
-
-#[test]
-fn every_picture_is_shown() {
-    check(picture::complaints);
+fn every_page_and_picture_is_reached() {
+    check(left_over::complaints);
 }
 
 #[test]
@@ -36,9 +26,4 @@ fn every_picture_and_listing_has_a_caption() {
 #[test]
 fn every_section_of_the_protocols_has_its_place() {
     check(section::complaints);
-}
-
-#[test]
-fn every_stage_says_what_it_adds() {
-    check(changes::complaints);
 }

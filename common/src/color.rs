@@ -130,7 +130,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_byte_survives_the_conversion_to_a_number_and_back() {
+    fn bytes_become_numbers_and_the_same_bytes_again() {
+        let packed = Color::from_packed(0xAB12_3456).to_bytes();
+        assert_eq!(packed, [0x12, 0x34, 0x56]);
         for byte in 0..=255 {
             let bytes = [byte, 255 - byte, byte / 2];
             assert_eq!(Color::from_bytes(bytes).to_bytes(), bytes);
@@ -147,15 +149,6 @@ mod tests {
         assert_eq!(byte(0.5), 128, "127.5 is rounded up");
         assert_eq!(byte(0.999_999), 255);
         assert_eq!(byte(0.5 / 255.0), 1, "half a grey level");
-    }
-
-    #[test]
-    fn packed_numbers_hold_red_first() {
-        assert_eq!(Color::from_packed(0x00FF_0000), Color::RED);
-        assert_eq!(
-            Color::from_packed(0xAB12_3456).to_bytes(),
-            [0x12, 0x34, 0x56]
-        );
     }
 
     #[test]

@@ -103,24 +103,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_plan_lists_needed_and_skipped_work() {
+    fn a_plan_has_a_line_for_needed_and_for_skipped_work() {
         let plan = Plan::default()
             .needing("lights: 2")
             .without("a ray", "it goes nowhere")
             .nearly_without("a mirror", "it is dark", Bound::Channel(0.002))
-            .nearly_without("a sample", "it is like others", Bound::Error(0.004))
-            .nearly_without("a turn", "it is small", Bound::Shift(3e-15));
-        let lines = [
-            "  needs     lights: 2",
-            "  left out  a ray: it goes nowhere (same bits)",
-            "  left out  a mirror: it is dark (off by less than 2.00e-3)",
-            "  left out  a sample: it is like others (rms error at most 4.00e-3, with 95 % confidence)",
-            "  left out  a turn: it is small (shapes move by less than 3.00e-15 of the scene)",
+            .to_string();
+        let lines: Vec<_> = plan.lines().collect();
+        let parts = [
+            &["lights: 2"][..],
+            &["a ray", "it goes nowhere"],
+            &["a mirror", "2.00e-3"],
         ];
-        assert_eq!(plan.to_string(), lines.join("\n"));
-        let all = Plan::default().needing("lights: 2").to_string();
-        assert_eq!(all, lines[0]);
-        let nothing = Plan::default().to_string();
-        assert!(nothing.contains("nothing to leave out"), "{nothing}");
+        assert_eq!(lines.len(), parts.len());
+        for (line, parts) in lines.iter().zip(parts) {
+            assert!(parts.iter().all(|part| line.contains(part)), "{line}");
+        }
+        assert_eq!(Plan::default().to_string().lines().count(), 1);
     }
 }

@@ -110,15 +110,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn samples_are_on_a_grid_or_random_or_both() {
-        let properties = |sampling: Sampling| (sampling.is_grid(), sampling.is_random());
-        assert_eq!(properties(Sampling::Center), (false, false));
-        assert_eq!(properties(Sampling::Regular), (true, false));
-        assert_eq!(properties(Sampling::Random), (false, true));
-        assert_eq!(properties(Sampling::Stratified), (true, true));
-    }
-
-    #[test]
     fn rows_outside_of_the_picture_are_dropped() {
         let rows = |rows| Settings {
             rows,

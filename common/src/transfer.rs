@@ -63,32 +63,22 @@ impl Transfer {
 mod tests {
     use super::*;
 
+    /// Middle grey becomes 2^(-1/2.2), and the sRGB value of linear 1/2. In the standard
+    /// the border between the two parts of sRGB belongs to the straight one.
     #[test]
-    fn black_stays_black_and_white_stays_white() {
-        for transfer in [Transfer::Linear, Transfer::Gamma, Transfer::Srgb] {
-            assert_eq!(transfer.encode(0.0), 0.0);
-            assert!((transfer.encode(1.0) - 1.0).abs() < 1e-15);
+    fn values_follow_the_standards() {
+        for (transfer, middle) in [
+            (Transfer::Linear, 0.5),
+            (Transfer::Gamma, 0.729_740_052_840_723_1),
+            (Transfer::Srgb, 0.735_356_983_052_449_5),
+        ] {
+            for (linear, expected) in [(0.0, 0.0), (0.5, middle), (1.0, 1.0)] {
+                let error = transfer.encode(linear) - expected;
+                assert!(error.abs() < 1e-12, "{transfer:?} {linear}: {error}");
+            }
         }
-    }
-
-    #[test]
-    fn middle_grey_follows_the_standards() {
-        // 2^(-1/2.2), and the sRGB value of linear 1/2.
-        assert!((Transfer::Gamma.encode(0.5) - 0.729_740_052_840_723_1).abs() < 1e-12);
-        assert!((Transfer::Srgb.encode(0.5) - 0.735_356_983_052_449_5).abs() < 1e-12);
-        assert_eq!(Transfer::Linear.encode(0.5), 0.5);
-    }
-
-    #[test]
-    fn the_two_parts_of_srgb_meet() {
-        let below = Transfer::Srgb.encode(0.003_130_8);
-        let above = Transfer::Srgb.encode(0.003_130_800_1);
-        assert!((above - below).abs() < 1e-6);
-    }
-
-    /// In the standard the border belongs to the straight part.
-    #[test]
-    fn at_the_border_srgb_is_straight() {
-        assert_eq!(Transfer::Srgb.encode(0.003_130_8), 12.92 * 0.003_130_8);
+        let [border, above] = [0.003_130_8, 0.003_130_800_1].map(|x| Transfer::Srgb.encode(x));
+        assert_eq!(border, 12.92 * 0.003_130_8);
+        assert!((above - border).abs() < 1e-6);
     }
 }

@@ -1,18 +1,16 @@
-//! Files of a few bytes, or a few megabytes, that promise or unpack to ever so
-//! much: none of them takes the memory. The only test of its process, which
-//! measures itself.
+//! Small files that announce a huge picture, or whose data unpack to hundreds of
+//! megabytes: opening one takes little memory. The only test of its process, because it
+//! measures the memory of the process.
 
 use std::path::Path;
 
 use common::{Color, picture_file};
 
-/// More than opening these files takes: 16 MiB of packed data beside the
-/// pixels, and copies of files, of which the largest have 1.7 MB. Unpacked they
-/// would have 256 MiB.
+/// A bound for opening these files: 16 MiB for metadata, and copies of files of at most
+/// 1.7 MB. Unpacked they have 256 MiB.
 const ENOUGH: u64 = 32 << 20;
 
-/// The largest number of bytes in memory that this process has had; none where
-/// there is nobody to ask.
+/// The peak of this process's memory in bytes; none on systems that do not report it.
 fn peak() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status
@@ -35,7 +33,7 @@ fn chunk(name: [u8; 4], data: &[u8]) -> Vec<u8> {
     [&length.to_be_bytes(), &named[..], &crc.to_be_bytes()].concat()
 }
 
-/// A grey PNG of this size with chunks before the pixels, and these for pixels.
+/// A grey PNG of this size with these chunks before the pixels.
 fn png(width: u32, height: u32, chunks: &[Vec<u8>], pixels: &[u8]) -> Vec<u8> {
     let [width, height] = [width, height].map(u32::to_be_bytes);
     let header = [&width[..], &height, &[8, 0, 0, 0, 0]].concat();
@@ -49,8 +47,8 @@ fn png(width: u32, height: u32, chunks: &[Vec<u8>], pixels: &[u8]) -> Vec<u8> {
     .concat()
 }
 
-/// A zlib stream (RFC 1950, 1951) of 1 + 258 `times` zeros, 13 bits for 258 of
-/// them: a literal, and then the byte before again and again.
+/// A zlib stream (RFC 1950, 1951) of 1 + 258 `times` zeros: a literal, and then 13 bits
+/// for each repetition of it.
 fn zeros(times: usize) -> Vec<u8> {
     let (literal, again, end) = ("00110000", "1100010100000", "0000000");
     let bits = ["110", literal, &again.repeat(times), end].concat();

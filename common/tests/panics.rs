@@ -1,5 +1,5 @@
-//! Panics of foreign code are silent, and all others print their message.
-//! The only test of its process, which listens to its panics.
+//! Panics of the JPEG decoder print nothing, and all others print their message.
+//! The only test of its process, because it replaces the panic hook.
 
 use std::io::Cursor;
 use std::panic;
@@ -8,18 +8,16 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use common::picture_file;
 
-static HEARD: AtomicUsize = AtomicUsize::new(0);
+static MESSAGES: AtomicUsize = AtomicUsize::new(0);
 
-/// A JPEG file that the decoder panics on. The second of three components is said
-/// to be the finest, two by three places to each of the others, and only the first
-/// one follows.
+/// A JPEG file at which the decoder panics. According to its header, the second of three
+/// components has two by three values for each of the others, but only the data of the
+/// first one follow.
 fn jpeg() -> Vec<u8> {
     let mut jpeg = Vec::new();
+    let target = &mut Cursor::new(&mut jpeg);
     let picture = image::RgbImage::new(20, 17);
-    let format = image::ImageFormat::Jpeg;
-    picture
-        .write_to(&mut Cursor::new(&mut jpeg), format)
-        .unwrap();
+    picture.write_to(target, image::ImageFormat::Jpeg).unwrap();
     let find = |bytes: &[u8], part: &[u8]| {
         let start = bytes.windows(part.len()).position(|window| window == part);
         start.expect("the part")
@@ -33,9 +31,9 @@ fn jpeg() -> Vec<u8> {
 }
 
 #[test]
-fn a_file_that_the_decoder_panics_on_is_refused_in_silence() {
+fn a_panic_of_the_decoder_prints_nothing() {
     panic::set_hook(Box::new(|_| {
-        HEARD.fetch_add(1, Ordering::Relaxed);
+        MESSAGES.fetch_add(1, Ordering::Relaxed);
     }));
     let jpeg = jpeg();
     for _ in 0..2 {
@@ -43,7 +41,7 @@ fn a_file_that_the_decoder_panics_on_is_refused_in_silence() {
         let expected = "cannot open odd.jpg: the file is damaged";
         assert_eq!(error.to_string(), expected);
     }
-    assert_eq!(HEARD.load(Ordering::Relaxed), 0);
+    assert_eq!(MESSAGES.load(Ordering::Relaxed), 0);
     assert!(panic::catch_unwind(|| panic!("ours")).is_err());
-    assert_eq!(HEARD.load(Ordering::Relaxed), 1);
+    assert_eq!(MESSAGES.load(Ordering::Relaxed), 1);
 }

@@ -1,4 +1,4 @@
-//! Picture files: PNG, JPEG and BMP, whole, broken and made up.
+//! Picture files: PNG, JPEG and BMP, whole and broken.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -6,15 +6,10 @@ use std::path::Path;
 use common::picture_file;
 use image::ImageReader;
 
-/// Larger pictures are within the limits, too, but would take all the time.
+/// Larger pictures that the limits allow are not opened: they would take all the time.
 const MOST_PIXELS: u64 = 1 << 12;
 
-/// Opens the bytes as a picture.
-///
-/// # Panics
-///
-/// If an opened picture has a channel that is not between 0 and 1, or if a refusal
-/// gives no reason.
+/// Opens the bytes as a picture: the channels are from 0 to 1, or there is a reason.
 pub fn check(bytes: &[u8]) {
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format();
     let size = reader.ok().and_then(|reader| reader.into_dimensions().ok());

@@ -1,5 +1,5 @@
-//! Numbers out of bytes: every bit pattern can come, and those that make a
-//! scene, or break a formula, come often.
+//! Numbers from bytes: every bit pattern is possible, and those are frequent that make
+//! a scene or break a formula.
 
 use a02_math::{Normal3, Point3, Vector3};
 use arbitrary::{Result, Unstructured};
@@ -45,7 +45,7 @@ pub fn number(u: &mut Unstructured) -> Result<f64> {
             f64::from_bits(((1023 + exponent) as u64) << 52)
         }
         3 => f64::from(u.arbitrary::<i16>()?) / 4096.0,
-        // Few enough to meet again: edges that touch, shapes within each other.
+        // So few that they repeat: edges that touch, shapes within each other.
         _ => f64::from(u.arbitrary::<i8>()?) / 8.0,
     })
 }
@@ -55,16 +55,19 @@ fn three(u: &mut Unstructured) -> Result<[f64; 3]> {
     Ok([number(u)?, number(u)?, number(u)?])
 }
 
+/// A point of three such numbers.
 pub fn point(u: &mut Unstructured) -> Result<Point3> {
     let [x, y, z] = three(u)?;
     Ok(Point3::new(x, y, z))
 }
 
+/// A vector of three such numbers.
 pub fn vector(u: &mut Unstructured) -> Result<Vector3> {
     let [x, y, z] = three(u)?;
     Ok(Vector3::new(x, y, z))
 }
 
+/// A normal of three such numbers.
 pub fn normal(u: &mut Unstructured) -> Result<Normal3> {
     vector(u).map(Vector3::as_normal)
 }

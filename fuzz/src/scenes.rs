@@ -24,11 +24,6 @@ use crate::number::{color, number, point, vector};
 use crate::shapes::{accepted, camera, shape};
 
 /// Renders the scene that the bytes make by all three renderers.
-///
-/// # Panics
-///
-/// If a pixel is no finite number or negative, if a renderer changes a bit, or if the
-/// engine cuts off more mirrored light than its threshold.
 pub fn check(bytes: &[u8]) {
     let (Ok(scene), Ok(same)) = (Scene::new(bytes), Scene::new(bytes)) else {
         return;

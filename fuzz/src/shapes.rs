@@ -1,5 +1,4 @@
-//! Shapes, cameras and transforms out of bytes, as far as their constructors
-//! let them pass.
+//! Shapes, cameras and transforms from bytes, if their constructors accept the numbers.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Camera, OrthographicCamera, PerspectiveCamera, PinholeCamera};
@@ -16,7 +15,7 @@ pub fn accepted<T>(made: std::result::Result<T, ArgumentError>) -> Option<T> {
         .ok()
 }
 
-/// Nodes within nodes go so deep.
+/// Depth of nodes within nodes.
 const LEVELS: u32 = 3;
 
 /// A shape; none if its constructor refuses the numbers.
@@ -54,7 +53,7 @@ fn shape_below(u: &mut Unstructured, levels: u32) -> Result<Option<Box<dyn Geome
     })
 }
 
-/// A chain of up to four steps, without those that are refused.
+/// A chain of up to four steps; refused steps are skipped.
 pub fn transform(u: &mut Unstructured) -> Result<Transform> {
     let mut transform = Transform::IDENTITY;
     for _ in 0..u.int_in_range(0..=4)? {
@@ -70,8 +69,8 @@ pub fn transform(u: &mut Unstructured) -> Result<Transform> {
     Ok(transform)
 }
 
-/// A camera of one of the three kinds. If the constructor refuses it, a sensible
-/// one, so that the rest of the bytes is used.
+/// A camera of one of the three kinds; a valid default if the constructor refuses the
+/// numbers, so that the rest of the bytes is used.
 pub fn camera(u: &mut Unstructured) -> Result<Box<dyn Camera>> {
     fn boxed<C: Camera + 'static>(
         made: std::result::Result<C, ArgumentError>,
@@ -100,6 +99,6 @@ pub fn camera(u: &mut Unstructured) -> Result<Box<dyn Camera>> {
         }
     };
     let eye = Point3::new(1.0, 2.0, 20.0);
-    let sensible = || PinholeCamera::new(eye, 1.0).map(|camera| Box::new(camera) as _);
-    Ok(camera.unwrap_or_else(|| sensible().expect("a camera")))
+    let default = || PinholeCamera::new(eye, 1.0).map(|camera| Box::new(camera) as _);
+    Ok(camera.unwrap_or_else(|| default().expect("a camera")))
 }

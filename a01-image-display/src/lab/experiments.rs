@@ -1,4 +1,4 @@
-//! Error against bytes: what does a saved picture lose as JPEG?
+//! Error against bytes: the error of a picture saved as JPEG.
 //!
 //! PNG keeps every byte of a picture. JPEG needs fewer bytes by removing details
 //! that are invisible in photographs, but visible in pictures of a ray tracer.

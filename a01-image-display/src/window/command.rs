@@ -58,32 +58,3 @@ impl Command {
         })
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_key_means_what_the_help_says() {
-        for (key, alone, with_ctrl) in [
-            (Key::S, Some(Command::Save), Some(Command::Save)),
-            (Key::O, None, Some(Command::Open)),
-            (Key::W, None, Some(Command::Close)),
-            (Key::Escape, Some(Command::Escape), Some(Command::Escape)),
-            (Key::Left, Some(Command::Previous), None),
-            (Key::Right, Some(Command::Next), None),
-            (Key::I, Some(Command::Inspect), None),
-            (Key::H, Some(Command::Help), None),
-            (Key::F1, Some(Command::Help), None),
-            (Key::F10, Some(Command::Menu), None),
-            (Key::Up, Some(Command::Up), None),
-            (Key::Down, Some(Command::Down), None),
-            (Key::Enter, Some(Command::Choose), None),
-            (Key::NumPadEnter, Some(Command::Choose), None),
-            (Key::X, None, None),
-        ] {
-            assert_eq!(Command::of_key(key, false), alone, "{key:?}");
-            assert_eq!(Command::of_key(key, true), with_ctrl, "{key:?}");
-        }
-    }
-}

@@ -1,4 +1,4 @@
-//! How the window looks: the picture, the lines below it, the menu above.
+//! Draws the content of the window: the picture, the lines below it, the menu above.
 
 use std::time::Duration;
 
@@ -17,7 +17,7 @@ const DONE: u32 = 0x3D_5A80;
 const TEXT: u32 = 0xE0_E0E0;
 
 impl Screen {
-    /// Where the picture lies in the window as it is now.
+    /// The placement of the picture at the current size of the window.
     pub fn placement(&self) -> Placement {
         let (width, height) = self.window.get_size();
         let bar = if PLATFORM_HAS_MENU { 0 } else { LINE };
@@ -30,7 +30,7 @@ impl Screen {
         Placement::new(self.size, area, self.zoom)
     }
 
-    /// Draws everything into the frame.
+    /// Draws picture, texts and menu into the frame.
     pub fn draw(&mut self, live: Option<&LivePicture>, cursor: Option<(i32, i32)>) {
         if let Some(live) = live {
             self.size = live.size();
@@ -125,19 +125,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_pixel_is_told_by_place_and_colour() {
-        let told = inspect(Some((3, 7)), Some(0x00_8001));
-        assert_eq!(told, "column 3, row 7: #008001 (0, 128, 1)");
-        assert_eq!(inspect(None, None), "point at the picture");
-        assert_eq!(inspect(Some((3, 7)), None), "point at the picture");
-    }
-
-    #[test]
-    fn progress_is_told_in_minutes_and_seconds() {
+    fn progress_is_shown_in_minutes_and_seconds() {
         let seconds = Duration::from_secs;
-        let told = progress(0.25, seconds(61), Some(seconds(183)));
-        assert_eq!(told, " 25 %  1:01 elapsed, 3:03 to go");
-        let told = progress(0.0, seconds(0), None);
-        assert_eq!(told, "  0 %  0:00 elapsed, ? to go");
+        let text = progress(0.25, seconds(61), Some(seconds(183)));
+        assert_eq!(text, " 25 %  1:01 elapsed, 3:03 to go");
+        let text = progress(0.0, seconds(0), None);
+        assert_eq!(text, "  0 %  0:00 elapsed, ? to go");
     }
 }

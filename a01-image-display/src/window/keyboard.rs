@@ -47,7 +47,7 @@ impl InputCallback for Keyboard {
         }
         typed.down.push(key);
         let ctrl = typed.down.contains(&Key::LeftCtrl) || typed.down.contains(&Key::RightCtrl);
-        // A key that is held repeats itself; its command is obeyed once.
+        // A held key repeats itself; its command is executed once.
         let command = Command::of_key(key, ctrl).filter(|_| !was_down);
         typed.commands.extend(command);
     }
@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_whose_release_is_not_told_does_not_stay_down() {
+    fn a_key_without_a_reported_release_does_not_stay_down() {
         let mut keyboard = Keyboard::default();
         keyboard.set_key_state(Key::LeftCtrl, true);
         keyboard.release_all();
@@ -96,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn characters_zoom_whatever_key_they_are_on() {
+    fn characters_zoom_on_every_keyboard() {
         let mut keyboard = Keyboard::default();
         for character in "+=-0x".chars() {
             keyboard.add_char(character.into());

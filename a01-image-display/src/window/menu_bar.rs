@@ -1,7 +1,7 @@
 //! `MenuBar`: the menu, drawn in the window.
 //!
-//! X11 and Wayland leave menus to the programs. Where the platform has a menu
-//! of its own, that is used and this one is not shown.
+//! X11 and Wayland leave menus to the programs. On other platforms the menu of the
+//! system replaces this one.
 
 use super::command::Command;
 use super::frame::{Area, Frame, LETTER};
@@ -22,7 +22,7 @@ const WIDTH: i32 = 200;
 pub struct Item {
     /// The text of the item.
     pub label: &'static str,
-    /// The key that does the same.
+    /// The key with the same command.
     key: &'static str,
     /// The command of the item.
     pub command: Command,
@@ -66,7 +66,7 @@ impl MenuBar {
         self.selected
     }
 
-    /// The items that there are for this scene.
+    /// The items for this scene.
     fn items(&self) -> Vec<Item> {
         let can_open = |item: &Item| self.can_open || item.command != Command::Open;
         ITEMS.into_iter().filter(can_open).collect()

@@ -1,10 +1,10 @@
-//! `Placement`: where in the window the picture lies, and how large.
+//! `Placement`: position and scale of the picture in the window.
 
 use common::Size;
 
 use super::frame::Area;
 
-/// How large the picture is shown.
+/// The scale of the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Zoom {
     /// As large as fits: enlarged by a whole factor, or shrunk.
@@ -17,9 +17,9 @@ pub enum Zoom {
 /// A picture in its part of the window.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
-    /// Window pixels a picture pixel.
+    /// Window pixels per picture pixel.
     scale: f64,
-    /// Where the picture's upper left corner lies.
+    /// Position of the picture's upper left corner.
     corner: (f64, f64),
     picture: Size,
     area: Area,
@@ -41,7 +41,7 @@ impl Placement {
             }
             Zoom::Factor(factor, middle) => (factor.into(), middle),
         };
-        // Whole corners, so that at scale 1 a pixel is a pixel.
+        // Whole coordinates, so that at scale 1 the pixels coincide.
         let corner = |start: i32, side: i32, middle: f64| {
             (f64::from(start) + f64::from(side) / 2.0 - middle * scale).floor()
         };
@@ -56,12 +56,12 @@ impl Placement {
         }
     }
 
-    /// The part of the window that the picture may take.
+    /// The part of the window that is left for the picture.
     pub const fn area(&self) -> Area {
         self.area
     }
 
-    /// The place in the picture that is shown at a place of the window.
+    /// The point of the picture at a point of the window.
     fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
         let (left, top) = self.corner;
         ((x - left) / self.scale, (y - top) / self.scale)
@@ -86,8 +86,7 @@ impl Placement {
         self.zoomed(factor, cursor)
     }
 
-    /// Shrunk to the next smaller whole factor; as large as fits once that
-    /// shows more.
+    /// Shrunk to the next smaller whole factor; as large as fits if that is larger.
     pub fn zoomed_out(&self, cursor: Option<(i32, i32)>) -> Zoom {
         let factor = (self.scale.ceil() as u32).saturating_sub(1);
         let fit = Self::new(self.picture, self.area, Zoom::Fit);
@@ -132,40 +131,41 @@ mod tests {
         Placement::new(Size::new(width, height).unwrap(), WINDOW, zoom)
     }
 
+    /// 640 / 100 = 6.4 and 480 / 100 = 4.8: four times, with borders. A picture of twice
+    /// the width is shrunk by half.
     #[test]
-    fn a_picture_that_fits_exactly_is_shown_pixel_for_pixel() {
-        let placement = placed(640, 480, Zoom::Fit);
-        for (x, y) in [(0, 0), (639, 479), (123, 45)] {
-            assert_eq!(placement.pixel(x, y + 18), Some((x as u32, y as u32)));
+    fn a_picture_is_as_large_as_fits_in_the_middle() {
+        let enlarged = Zoom::Factor(2, (320.0, 240.0));
+        for (size, zoom, x, y, expected) in [
+            ((640, 480), Zoom::Fit, 0, 0, Some((0, 0))),
+            ((640, 480), Zoom::Fit, 123, 45, Some((123, 45))),
+            ((640, 480), Zoom::Fit, 639, 479, Some((639, 479))),
+            ((640, 480), Zoom::Fit, 640, 0, None),
+            ((100, 100), Zoom::Fit, 120, 40, Some((0, 0))),
+            ((100, 100), Zoom::Fit, 119, 40, None),
+            ((100, 100), Zoom::Fit, 123, 43, Some((0, 0))),
+            ((100, 100), Zoom::Fit, 124, 44, Some((1, 1))),
+            ((100, 100), Zoom::Fit, 519, 439, Some((99, 99))),
+            ((100, 100), Zoom::Fit, 520, 439, None),
+            ((1280, 480), Zoom::Fit, 0, 119, None),
+            ((1280, 480), Zoom::Fit, 0, 120, Some((1, 1))),
+            ((1280, 480), Zoom::Fit, 639, 359, Some((1279, 479))),
+            ((1280, 480), Zoom::Fit, 639, 360, None),
+            // Never outside of its part of the window, below 18 rows for the menu.
+            ((640, 480), enlarged, 0, 0, Some((160, 120))),
+            ((640, 480), enlarged, 639, 479, Some((479, 359))),
+            ((640, 480), enlarged, 0, -1, None),
+            ((640, 480), enlarged, -1, 0, None),
+            ((640, 480), enlarged, 640, 0, None),
+            ((640, 480), enlarged, 0, 480, None),
+        ] {
+            let pixel = placed(size.0, size.1, zoom).pixel(x, y + 18);
+            assert_eq!(pixel, expected, "{size:?} {x} {y}");
         }
-        for (x, y) in [(0, 17), (-1, 18), (640, 18), (0, 498)] {
-            assert_eq!(placement.pixel(x, y), None);
-        }
     }
 
     #[test]
-    fn a_small_picture_is_enlarged_by_a_whole_factor_and_lies_in_the_middle() {
-        // 640 / 100 = 6.4 and 480 / 100 = 4.8: four times, with borders.
-        let placement = placed(100, 100, Zoom::Fit);
-        assert_eq!(placement.pixel(120, 18 + 40), Some((0, 0)));
-        assert_eq!(placement.pixel(119, 18 + 40), None);
-        assert_eq!(placement.pixel(123, 18 + 43), Some((0, 0)));
-        assert_eq!(placement.pixel(124, 18 + 44), Some((1, 1)));
-        assert_eq!(placement.pixel(519, 18 + 439), Some((99, 99)));
-        assert_eq!(placement.pixel(520, 18 + 439), None);
-    }
-
-    #[test]
-    fn a_large_picture_is_shrunk_and_keeps_its_proportions() {
-        let placement = placed(1280, 480, Zoom::Fit);
-        assert_eq!(placement.pixel(0, 18 + 119), None);
-        assert_eq!(placement.pixel(0, 18 + 120), Some((1, 1)));
-        assert_eq!(placement.pixel(639, 18 + 359), Some((1279, 479)));
-        assert_eq!(placement.pixel(639, 18 + 360), None);
-    }
-
-    #[test]
-    fn zooming_keeps_what_lies_under_the_cursor() {
+    fn zooming_keeps_the_pixel_under_the_cursor() {
         let cursor = (500, 100);
         let mut placement = placed(640, 480, Zoom::Fit);
         let under = placement.pixel(cursor.0, cursor.1);
@@ -191,17 +191,11 @@ mod tests {
     }
 
     #[test]
-    fn zooming_in_never_shrinks() {
+    fn zooming_in_ends_and_never_shrinks() {
         let zoom = placed(1, 1, Zoom::Fit).zoomed_in(None);
         assert!(matches!(zoom, Zoom::Factor(480, _)), "{zoom:?}");
-    }
-
-    #[test]
-    fn there_is_an_end_to_zooming_in() {
-        let mut zoom = Zoom::Fit;
-        for _ in 0..100 {
-            zoom = placed(640, 480, zoom).zoomed_in(None);
-        }
+        let zoom_in = |zoom, _| placed(640, 480, zoom).zoomed_in(None);
+        let zoom = (0..100).fold(Zoom::Fit, zoom_in);
         assert!(matches!(zoom, Zoom::Factor(GREATEST_FACTOR, _)), "{zoom:?}");
     }
 
@@ -233,14 +227,5 @@ mod tests {
         };
         let (middle_x, middle_y) = (to_x - 180.5 / 4.0, to_y + 157.5 / 4.0);
         assert!((x - middle_x).abs() < 1e-9 && (y - middle_y).abs() < 1e-9);
-    }
-
-    #[test]
-    fn an_enlarged_picture_stays_in_its_part_of_the_window() {
-        let placement = placed(640, 480, Zoom::Factor(2, (320.0, 240.0)));
-        assert!(placement.pixel(0, 18).is_some() && placement.pixel(639, 497).is_some());
-        for (x, y) in [(0, 17), (-1, 18), (640, 18), (0, 498)] {
-            assert_eq!(placement.pixel(x, y), None);
-        }
     }
 }

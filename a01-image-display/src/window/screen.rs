@@ -18,15 +18,15 @@ use super::placement::Zoom;
 use commands::{After, Mouse};
 use size::window_size;
 
-/// Looks a second at keys and mouse. A click that begins and ends between two
+/// Updates of keys and mouse per second. A click that begins and ends between two
 /// of them is lost.
 const UPDATES: usize = 250;
-/// The window is not drawn again before this time is over.
+/// The shortest time between two drawings of the window.
 const FRAME: Duration = Duration::from_millis(16);
 /// After this time the window is sent to the screen although nothing has
 /// changed: another window may have covered it.
 const REFRESH: Duration = Duration::from_millis(250);
-/// How long a notice stays.
+/// Time until a notice disappears.
 const NOTICE: Duration = Duration::from_secs(6);
 
 /// The open window and its picture.
@@ -41,8 +41,8 @@ pub struct Screen {
     pub(super) size: Size,
     /// The finished picture as it is shown.
     pub(super) pixels: Vec<u32>,
-    /// The finished picture as it is saved, or why there is none; nothing yet
-    /// while it is rendered.
+    /// The finished picture as it is saved, or the reason for its absence; none while it
+    /// is rendered.
     pub(super) outcome: Option<Result<Image, String>>,
     pub(super) zoom: Zoom,
     pub(super) inspects: bool,
@@ -97,7 +97,7 @@ impl Screen {
         })
     }
 
-    /// Shows, and obeys, until the window is closed.
+    /// Shows the picture and executes commands until the window is closed.
     pub fn run<'scope, 'a: 'scope>(
         &mut self,
         scope: &'scope Scope<'scope, '_>,
@@ -114,7 +114,7 @@ impl Screen {
             }
             for command in self.commands() {
                 drawn = None;
-                match self.obey(command, gallery) {
+                match self.execute(command, gallery) {
                     After::Nothing => {}
                     After::Close => return Ok(()),
                     After::Render => {
@@ -147,7 +147,7 @@ impl Screen {
         Ok(())
     }
 
-    /// Shows a finished picture, or why there is none.
+    /// Shows a finished picture, or an error.
     pub fn finish(&mut self, gallery: &Gallery, outcome: Result<Image, Error>) {
         self.pixels.clear();
         if let Ok(image) = &outcome {
@@ -204,6 +204,3 @@ fn explain(error: minifb::Error) -> NotShown {
         error => format!("the display refused the picture ({error})"),
     })
 }
-
-#[cfg(test)]
-mod tests;

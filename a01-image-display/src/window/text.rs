@@ -1,7 +1,7 @@
-//! `wrap`: breaks a text that is longer than the window is wide.
+//! `wrap`: breaks a text that is wider than the window.
 
-/// The lines of a text, each of at most this many characters, broken at spaces
-/// where there are some.
+/// The lines of a text, each of at most this many characters, broken at spaces if
+/// there are some.
 pub fn wrap(mut text: &str, columns: usize) -> Vec<&str> {
     let mut lines = Vec::new();
     while let Some((end, _)) = text.char_indices().nth(columns) {
@@ -21,29 +21,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_fits_stays_one_line() {
-        assert_eq!(wrap("saved a.png", 11), ["saved a.png"]);
-        assert_eq!(wrap("", 5), [""]);
-    }
-
-    #[test]
-    fn what_does_not_fit_is_broken_at_spaces() {
-        assert_eq!(wrap("saved a.png", 10), ["saved", "a.png"]);
-        assert_eq!(wrap("one two  six", 7), ["one two", "six"]);
-        assert_eq!(
-            wrap("a name/without/spaces", 8),
-            ["a", "name/wit", "hout/spa", "ces"]
-        );
-    }
-
-    #[test]
-    fn characters_count_not_bytes() {
-        assert_eq!(wrap("äöüß", 2), ["äö", "üß"]);
-        assert_eq!(wrap("→→→", 1), ["→", "→", "→"]);
-    }
-
-    #[test]
-    fn a_space_in_front_ends_no_line() {
-        assert_eq!(wrap(" abcdef", 3), [" ab", "cde", "f"]);
+    fn a_long_text_is_broken_at_spaces_if_there_are_some() {
+        for (text, columns, lines) in [
+            ("", 5, &[""][..]),
+            ("saved a.png", 11, &["saved a.png"]),
+            ("saved a.png", 10, &["saved", "a.png"]),
+            ("one two  six", 7, &["one two", "six"]),
+            ("a name/without", 8, &["a", "name/wit", "hout"]),
+            (" abcdef", 3, &[" ab", "cde", "f"]),
+            ("äöüß", 2, &["äö", "üß"]),
+        ] {
+            assert_eq!(wrap(text, columns), lines);
+        }
     }
 }

@@ -11,8 +11,8 @@ use common::picture_file;
 
 use crate::{assert_success, folder, in_shell, names, program, write_noise};
 
-/// How many programs are killed, unless `SAVING_KILLS` names another number.
-const KILLS: usize = 60;
+/// The number of killed programs; the environment variable `SAVING_KILLS` replaces it.
+const KILLS: usize = 30;
 
 #[test]
 fn killed_at_any_time_it_leaves_the_old_or_the_new_picture() {
@@ -76,7 +76,7 @@ fn killed_at_any_time_it_leaves_the_old_or_the_new_picture() {
 
 /// A limit for the length of files kills it when exactly that many bytes are written.
 #[test]
-fn what_a_killed_program_leaves_is_removed_by_a_later_one() {
+fn a_later_program_deletes_the_file_of_a_killed_one() {
     let folder = folder();
     let path = |name| folder.path().join(name);
     write_noise(&path("noise.png"), 300, 1);
@@ -107,14 +107,14 @@ fn wait_for_writing(folder: &Path, child: &mut Child) -> Instant {
     Instant::now()
 }
 
-/// The files that have not got their names.
+/// The temporary files.
 fn left_behind(folder: &Path) -> Vec<PathBuf> {
     let names = names(folder).into_iter();
     let unnamed = names.filter(|name| name.starts_with(".saving-"));
     unnamed.map(|name| folder.join(name)).collect()
 }
 
-/// How many bytes are in a file; none if it has just got its name.
+/// The length of a file; 0 if it has just been renamed.
 fn length(file: &Path) -> u64 {
     fs::metadata(file).map_or(0, |found| found.len())
 }

@@ -47,13 +47,21 @@ fn in_shell(script: &str, program: &Command) -> Command {
     shell
 }
 
-/// The program must end with the exit code 1 and one sentence that begins so.
-fn assert_refused(program: &mut Command, sentence: &str) {
+/// The program must end with the exit code 1 and one sentence with this start, and all
+/// files in the folder must be the same as before.
+fn assert_refused(folder: &Path, program: &mut Command, sentence: &str) {
+    let files = || {
+        let names = names(folder).into_iter();
+        let read = |name: String| (fs::read(folder.join(&name)).ok(), name);
+        names.map(read).collect::<Vec<_>>()
+    };
+    let before = files();
     let output = program.output().expect("the program runs");
     let complaint = String::from_utf8_lossy(&output.stderr);
     assert!(complaint.starts_with(sentence), "{complaint}");
     assert_eq!(complaint.matches("error: ").count(), 1, "{complaint}");
     assert_eq!(output.status.code(), Some(1), "{complaint}");
+    assert!(files() == before, "changed: {:?}", names(folder));
 }
 
 fn assert_success(program: &mut Command) {
@@ -71,7 +79,7 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Writes a picture without a pattern, so that no byte of it is saved.
+/// Writes a picture without a pattern, which compression makes no smaller.
 fn write_noise(path: &Path, side: u32, seed: u32) -> Image {
     let size = Size::new(side, side).expect("a size");
     let noise = Image::from_fn(size, |x, y| {

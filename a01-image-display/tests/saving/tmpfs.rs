@@ -3,17 +3,17 @@
 use std::path::Path;
 use std::process::Command;
 
-/// A disk that is there as long as this.
+/// A mounted disk, until it is dropped.
 pub struct Tmpfs<'a>(&'a Path);
 
 impl<'a> Tmpfs<'a> {
-    /// Puts a disk with these options, such as `size=4k`, over a folder.
+    /// Mounts a disk with these options, for example `size=4k`, on a folder.
     pub fn mount(folder: &'a Path, options: &str) -> Result<Self, String> {
         mount(folder, options)?;
         Ok(Self(folder))
     }
 
-    /// Gives it other options.
+    /// Mounts it again with other options.
     pub fn change(&self, options: &str) {
         mount(self.0, &format!("remount,{options}")).expect("other options");
     }

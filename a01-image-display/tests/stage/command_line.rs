@@ -36,7 +36,7 @@ fn program(folder: &TempDir, line: &str) -> Command {
     command
 }
 
-/// Whether the display cannot be taken from the program, but only declined.
+/// Whether the program finds a display without an environment variable.
 const ALWAYS_A_DISPLAY: bool = cfg!(any(windows, target_os = "macos"));
 
 /// Exit code, stdout and stderr of the program with these arguments.

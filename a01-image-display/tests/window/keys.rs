@@ -1,213 +1,142 @@
-//! Every key and its effect.
+//! The effect of each key.
 
-use std::fs;
 use std::time::{Duration, Instant};
 
-use testing::display::{Display, Picture, wait_for};
+use testing::display::{Picture, Shown};
 
-use super::{file_name, folder, locked, open, program, wait_for_notice, wait_for_picture};
+use super::{close, locked, wait_for_notice, wait_for_painter_in, wait_for_picture, with_window};
 
 const HELP: &str = "S save  Esc close  <- -> scenes  I inspect  + - 0 zoom  F10 menu  H help";
 
 #[test]
-fn s_and_ctrl_s_save() {
-    let Some(display) = Display::open(800, 600) else {
-        return;
-    };
-    let folder = folder();
-    let path = folder.path().join("out").join(file_name("painter"));
-    let mut window = display.start(&mut program(folder.path(), "show painter"));
-    wait_for_picture(&window, "painter");
-    for key in ["s", "ctrl+s"] {
-        window.press(key);
-        wait_for("the file", || path.exists().then_some(()));
-        assert_eq!(open(&path), locked("painter"), "{key}");
-        fs::remove_file(&path).unwrap();
-        wait_for_notice(&window, &format!("saved out/{}", file_name("painter")));
-    }
-    assert!(window.is_running());
-}
-
-#[test]
-fn escape_and_ctrl_w_close() {
-    let Some(display) = Display::open(800, 600) else {
-        return;
-    };
-    let folder = folder();
-    for key in ["Escape", "ctrl+w", "F10 ctrl+w"] {
-        let window = display.start(&mut program(folder.path(), ""));
-        // Without Ctrl, W is nobody's key.
+fn s_saves_and_ctrl_w_closes() {
+    with_window("show painter", |window, folder| {
+        // Without Ctrl, W has no effect.
         window.press("w");
-        wait_for_picture(&window, "diagonal");
-        window.press(key);
-        assert_eq!(window.wait_for_end(), (Some(0), String::new()), "{key}");
-    }
-    assert_eq!(folder.path().read_dir().unwrap().count(), 0, "no file");
+        wait_for_picture(&window, "painter");
+        for key in ["s", "ctrl+s"] {
+            window.press(key);
+            wait_for_painter_in(folder);
+            wait_for_notice(&window, "saved out/a01-image-display-painter.png");
+            std::fs::remove_dir_all(folder.join("out")).unwrap();
+        }
+        window.press("ctrl+w");
+        assert_eq!(window.wait_for_end(), (Some(0), String::new()));
+    });
 }
 
 #[test]
 fn the_arrows_go_round_the_scenes() {
-    let Some(display) = Display::open(800, 600) else {
-        return;
-    };
-    let folder = folder();
-    let window = display.start(&mut program(folder.path(), "show diagonal"));
-    for (key, scene) in [
-        ("Right", "painter"),
-        ("Right", "show-image"),
-        ("Right", "diagonal"),
-        ("Left", "show-image"),
-        ("Left", "painter"),
-    ] {
-        window.press(key);
-        wait_for_picture(&window, scene);
-        assert_eq!(window.title(), format!("a01-image-display: {scene}"));
-    }
-    window.press("s");
-    let path = folder.path().join("out").join(file_name("painter"));
-    wait_for("the file", || path.exists().then_some(()));
-    assert_eq!(open(&path), locked("painter"));
+    with_window("", |window, folder| {
+        for (key, scene) in [
+            ("Right", "painter"),
+            ("Right", "show-image"),
+            ("Right", "diagonal"),
+            ("Left", "show-image"),
+            ("Left", "painter"),
+        ] {
+            window.press(key);
+            wait_for_picture(&window, scene);
+            assert_eq!(window.title(), format!("a01-image-display: {scene}"));
+        }
+        window.press("s");
+        wait_for_painter_in(folder);
+    });
 }
 
 #[test]
-fn i_tells_column_row_and_colour_under_the_mouse() {
-    let Some(display) = Display::open(800, 600) else {
-        return;
-    };
-    let folder = folder();
-    let window = display.start(&mut program(folder.path(), "show painter"));
-    wait_for_picture(&window, "painter");
-    window.point_at(320, 0);
-    window.press("i");
-    wait_for_notice(&window, "point at the picture");
-    // The gradient's ends and the disc in the middle.
-    for (x, y, expected) in [
-        (0, 0, "column 0, row 0: #0000ff (0, 0, 255)"),
-        (639, 0, "column 639, row 0: #00ffff (0, 255, 255)"),
-        (320, 240, "column 320, row 240: #ff0000 (255, 0, 0)"),
-        (639, 479, "column 639, row 479: #00ff00 (0, 255, 0)"),
-    ] {
-        window.point_at(x, y + Picture::LINE);
-        wait_for_notice(&window, expected);
-    }
-    window.press("i");
-    wait_for_picture(&window, "painter");
+fn i_shows_column_row_and_colour_under_the_mouse() {
+    with_window("show painter", |window, _| {
+        window.point_at(320, 0);
+        window.press("i");
+        wait_for_notice(&window, "point at the picture");
+        // The gradient's ends and the disc in the middle.
+        for (x, y, expected) in [
+            (639, 0, "column 639, row 0: #00ffff (0, 255, 255)"),
+            (320, 240, "column 320, row 240: #ff0000 (255, 0, 0)"),
+            (639, 479, "column 639, row 479: #00ff00 (0, 255, 0)"),
+        ] {
+            window.point_at(x, y + Picture::LINE);
+            wait_for_notice(&window, expected);
+        }
+        window.press("i");
+        wait_for_picture(&window, "painter");
+    });
 }
 
 #[test]
 fn plus_minus_and_0_zoom() {
-    let Some(display) = Display::open(800, 600) else {
-        return;
-    };
-    let folder = folder();
     let picture = locked("painter");
-    let window = display.start(&mut program(folder.path(), "show painter"));
-    wait_for_picture(&window, "painter");
-    // Outside of the window, so that its middle stays in place.
-    window.point_at(700, 550);
-    window.settle();
-    let around_the_middle = |factor: u32| {
-        let at = |side: u32, at: u32| side / 2 * (factor - 1) + at;
-        Picture::from_fn(640, 480, |x, y| {
-            picture.at(at(640, x) / factor, at(480, y) / factor)
-        })
-    };
-    for (key, factor) in [
-        ("plus", 2),
-        ("plus", 3),
-        ("minus", 2),
-        ("equal", 3),
-        ("0", 1),
-        ("KP_Add", 2),
-        ("minus", 1),
-        ("minus", 1),
-    ] {
-        window.press(key);
-        let expected = around_the_middle(factor);
-        window.wait_to_show(key, |look| look.below_bar() == expected);
-    }
+    with_window("show painter", |window, _| {
+        // Outside of the window, so that its middle stays in place.
+        window.point_at(700, 550);
+        window.settle();
+        for (key, factor) in [
+            ("plus", 2),
+            ("equal", 3),
+            ("minus", 2),
+            ("0", 1),
+            ("KP_Add", 2),
+            ("minus", 1),
+        ] {
+            window.press(key);
+            let at = |side: u32, at: u32| (side / 2 * (factor - 1) + at) / factor;
+            let around_the_middle = |x, y| picture.at(at(640, x), at(480, y));
+            let expected = Picture::from_fn(640, 480, around_the_middle);
+            window.wait_to_show(key, |look| look.below_bar() == expected);
+        }
+    });
 }
 
 #[test]
 fn h_and_f1_show_and_hide_the_keys() {
-    let Some(display) = Display::open(800, 600) else {
-        return;
-    };
-    let folder = folder();
-    let window = display.start(&mut program(folder.path(), "show painter"));
-    wait_for_picture(&window, "painter");
-    for (show, hide) in [("h", "F1"), ("F1", "h")] {
-        window.press(show);
-        wait_for_notice(&window, HELP);
-        window.press(hide);
-        wait_for_picture(&window, "painter");
-    }
-}
-
-#[test]
-fn a_line_longer_than_the_window_is_broken() {
-    let Some(display) = Display::open(800, 600) else {
-        return;
-    };
-    let folder = folder();
-    let window = display.start(&mut program(folder.path(), "show diagonal --size 9x9"));
-    window.press("h");
-    window.wait_to_show("three lines of 28 characters", |look| {
-        look.notices()
-            == [
-                "S save  Esc close  <- ->",
-                "scenes  I inspect  + - 0",
-                "zoom  F10 menu  H help",
-            ]
+    with_window("show painter", |window, _| {
+        for (show, hide) in [("h", "F1"), ("F1", "h")] {
+            window.press(show);
+            wait_for_notice(&window, HELP);
+            window.press(hide);
+            wait_for_picture(&window, "painter");
+        }
+    });
+    with_window("show diagonal --size 9x9", |window, _| {
+        window.press("h");
+        window.wait_to_show("lines of at most 28 characters", |look| {
+            look.notices()
+                == [
+                    "S save  Esc close  <- ->",
+                    "scenes  I inspect  + - 0",
+                    "zoom  F10 menu  H help",
+                ]
+        });
     });
 }
 
+/// Keys begin to repeat after three seconds.
 #[test]
-fn a_key_that_is_held_does_once_what_it_does() {
-    let Some(display) = Display::open(800, 600) else {
-        return;
-    };
-    let folder = folder();
-    let window = display.start(&mut program(folder.path(), "show painter"));
-    wait_for_picture(&window, "painter");
-    window.act("keydown h");
-    wait_for_notice(&window, HELP);
-    // Keys begin to repeat after half a second or so.
-    let start = Instant::now();
-    while start.elapsed() < Duration::from_millis(1500) {
-        assert_eq!(window.look().notices(), [HELP]);
-    }
-    window.act("keyup h");
+fn a_held_key_acts_once() {
+    with_window("show painter", |window, _| {
+        window.act("keydown h");
+        wait_for_notice(&window, HELP);
+        let start = Instant::now();
+        while start.elapsed() < Duration::from_secs(4) {
+            let is_hidden = window.look().notices() != [HELP];
+            assert!(!is_hidden, "after {:?}", start.elapsed());
+        }
+    });
 }
 
 #[test]
 fn ctrl_does_not_stay_down_when_it_is_released_elsewhere() {
-    let Some(display) = Display::open(800, 600) else {
-        return;
-    };
-    let folder = folder();
-    let window = display.start(&mut program(folder.path(), "show painter"));
-    wait_for_picture(&window, "painter");
-    window.act("keydown ctrl");
-    window.hide();
-    window.settle();
-    window.act("keyup ctrl");
-    window.unhide();
-    window.press("h");
-    wait_for_notice(&window, HELP);
-}
-
-#[test]
-fn a_scene_without_a_file_asks_for_none() {
-    let Some(display) = Display::open(800, 600) else {
-        return;
-    };
-    let folder = folder();
-    let window = display.start(&mut program(folder.path(), "show painter"));
-    wait_for_picture(&window, "painter");
-    window.press("ctrl+o h");
-    let look = window.wait_to_show(HELP, |look| {
-        look.notices().last().is_some_and(|line| line == HELP)
+    with_window("show painter", |window: Shown, _| {
+        window.act("keydown ctrl windowunmap --sync WINDOW");
+        window.settle();
+        window.act("keyup ctrl windowmap --sync WINDOW");
+        window.focus();
+        window.press("h");
+        wait_for_notice(&window, HELP);
+        // The scene shows no file, so there is no hint about one.
+        window.press("ctrl+o h");
+        wait_for_picture(&window, "painter");
+        close(window);
     });
-    assert_eq!(look.notices(), [HELP]);
 }

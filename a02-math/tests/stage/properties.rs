@@ -15,7 +15,7 @@ const EPS: f64 = f64::EPSILON;
 
 fn config() -> ProptestConfig {
     ProptestConfig {
-        // A failure is printed, and comes again without a file that tells of it.
+        // A failure is printed, and repeats without a file that records it.
         failure_persistence: None,
         rng_seed: RngSeed::Fixed(0),
         ..ProptestConfig::default()

@@ -11,28 +11,6 @@ fn vectors(width: u32, height: u32) -> Image {
     stage.scenes[0].render(&settings, &()).unwrap()
 }
 
-/// The ink in a quarter of the picture, in pixels of pure black.
-fn ink(image: &Image, column: usize, row: usize) -> f64 {
-    let [width, height] = [image.size().width(), image.size().height()].map(|x| x as usize / 2);
-    let rows = image.rows().skip(row * height).take(height);
-    let pixels = rows.flat_map(|pixels| &pixels[column * width..][..width]);
-    pixels.map(|c| 1.0 - (c.r + c.g + c.b) / 3.0).sum()
-}
-
-/// Lines, heads and letters grow with the picture, so their area with its
-/// square. Tolerance: where the pieces overlap, their rims count more in the
-/// smaller picture.
-#[test]
-fn a_larger_picture_has_ink_in_proportion() {
-    let (small, large) = (vectors(640, 480), vectors(2560, 1920));
-    for row in 0..2 {
-        for column in 0..2 {
-            let ratio = ink(&large, column, row) / (16.0 * ink(&small, column, row));
-            assert!((ratio - 1.0).abs() < 0.02, "{column}, {row}: {ratio}");
-        }
-    }
-}
-
 /// All lines keep their places, up to rounding to whole pixels.
 #[test]
 fn a_larger_picture_shows_the_same_in_the_same_places() {

@@ -1,9 +1,9 @@
-//! Laws of all vectors, the extremely long and short among them.
+//! Laws of all vectors, also extremely long and short ones.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use a02_math::{Direction, Mat3x3, Normal3, Point3, Vector3};
-use approx::{assert_abs_diff_eq, assert_abs_diff_ne};
+use a02_math::{Direction, Mat3x3, Point3, Vector3};
+use approx::assert_abs_diff_eq;
 
 /// Directions in every octant, along the axes, and of very unequal coordinates.
 fn directions() -> Vec<Vector3> {
@@ -43,7 +43,7 @@ fn any_length_can_be_normalized() {
 }
 
 #[test]
-fn what_has_no_direction_cannot_be_normalized() {
+fn vectors_without_a_direction_cannot_be_normalized() {
     for x in [0.0, -0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let vector = Vector3::new(0.0, x, 0.0);
         assert_eq!(vector.normalized(), None);
@@ -56,30 +56,6 @@ fn what_has_no_direction_cannot_be_normalized() {
                 error.starts_with("gaze is") && error.contains("not all of them 0"),
                 "{error}"
             );
-        }
-    }
-}
-
-#[test]
-fn a_direction_of_length_1_keeps_its_direction() {
-    let unit = Vector3::new(0.0, 0.6, -0.8);
-    assert_eq!((unit * 4.0).unit("gaze").unwrap(), unit);
-    assert_eq!(
-        (unit * 4.0).as_normal().unit("n").unwrap(),
-        unit.as_normal()
-    );
-}
-
-/// Tolerance: relative to the lengths of the factors.
-#[test]
-fn the_cross_product_is_perpendicular_and_changes_its_sign() {
-    for a in directions() {
-        for b in directions() {
-            let (c, size) = (a.cross(b), a.magnitude() * b.magnitude());
-            let rounding = 4.0 * f64::EPSILON * size;
-            assert_abs_diff_eq!(c.dot(a), 0.0, epsilon = rounding * a.magnitude());
-            assert_abs_diff_eq!(c.dot(b), 0.0, epsilon = rounding * b.magnitude());
-            assert_eq!(b.cross(a), -c);
         }
     }
 }
@@ -100,7 +76,7 @@ fn reflecting_twice_changes_nothing_and_once_keeps_the_length() {
 }
 
 #[test]
-fn the_angle_sees_what_the_arc_cosine_cannot() {
+fn tiny_and_straight_angles_are_exact() {
     let x = Vector3::new(1.0, 0.0, 0.0);
     for angle in [1e-5, 1e-8, 1e-12, 1e-150] {
         // For angles this small, the sine is the angle and the cosine 1.
@@ -117,17 +93,13 @@ fn the_angle_sees_what_the_arc_cosine_cannot() {
     }
 }
 
+/// Tolerance: rounding of the projection, relative to the vector.
 #[test]
-fn a_projection_on_nothing_is_none() {
+fn the_rest_of_a_projection_is_perpendicular() {
     assert_eq!(
         Vector3::new(1.0, 2.0, 3.0).projected_on(Vector3::default()),
         None
     );
-}
-
-/// Tolerance: rounding of the projection, relative to the vector.
-#[test]
-fn what_a_projection_leaves_is_perpendicular() {
     for a in directions() {
         for b in directions() {
             let rest = a - a.projected_on(b).unwrap();
@@ -138,7 +110,7 @@ fn what_a_projection_leaves_is_perpendicular() {
 }
 
 #[test]
-fn points_know_the_range_of_their_coordinates() {
+fn coordinates_out_of_range_are_refused() {
     assert_eq!(Point3::new(1.0, -5.0, 2.0).largest_coordinate(), 5.0);
     assert!(Point3::new(0.0, -1e100, 1e100).checked("eye").is_ok());
     for bad in [f64::NAN, f64::INFINITY, 1e101] {
@@ -148,28 +120,9 @@ fn points_know_the_range_of_their_coordinates() {
 }
 
 #[test]
-fn signs_and_conversions_keep_the_numbers() {
-    let v = Vector3::new(1.0, -2.0, 3.0);
-    assert_eq!([v.x(), v.y(), v.z()], [1.0, -2.0, 3.0]);
-    assert_eq!(-v, Vector3::new(-1.0, 2.0, -3.0));
-    assert_eq!(-v.as_normal(), Normal3::new(-1.0, 2.0, -3.0));
-    assert_eq!(Vector3::from(v.as_normal()), v);
-}
-
-#[test]
 fn a_matrix_maps_the_axes_to_its_columns() {
     let m = Mat3x3::from_rows([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 10.0]]);
     assert_eq!(m * Vector3::new(1.0, 0.0, 0.0), Vector3::new(1.0, 4.0, 7.0));
     assert_eq!(m * Point3::new(0.0, 0.0, 1.0), Point3::new(3.0, 6.0, 10.0));
     assert_eq!(m.determinant(), -3.0);
-    assert_abs_diff_eq!(m * Mat3x3::IDENTITY, m);
-}
-
-#[test]
-fn matrices_are_equal_up_to_the_tolerance_and_no_farther() {
-    let ulp = f64::EPSILON;
-    let with = |corner| Mat3x3::from_rows([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, corner]]);
-    assert_abs_diff_eq!(with(1.0 + ulp), Mat3x3::IDENTITY);
-    assert_abs_diff_ne!(with(1.0 + 2.0 * ulp), Mat3x3::IDENTITY);
-    assert_abs_diff_eq!(with(1.0 + 2.0 * ulp), Mat3x3::IDENTITY, epsilon = 2.0 * ulp);
 }

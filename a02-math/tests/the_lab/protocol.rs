@@ -9,7 +9,7 @@ use a02_math::lab::protocol::{
 use a02_math::{Mat3x3, Normal3, Vector3};
 
 #[test]
-fn ordinary_vectors_give_what_the_formulas_say() {
+fn ordinary_vectors_have_the_printed_values() {
     let (a, b) = (Vector3::new(3.0, 4.0, 0.0), Vector3::new(0.0, 2.0, 0.0));
     assert_eq!(normalized(b), Vector3::new(0.0, 1.0, 0.0));
     assert_eq!(angle(a, b), 0.8);

@@ -141,7 +141,7 @@ fn refusal<T: std::fmt::Debug>(camera: Result<T, common::ArgumentError>) -> Stri
 }
 
 #[test]
-fn opening_angles_of_nothing_and_of_everything_are_refused() {
+fn opening_angles_out_of_range_are_refused() {
     for angle in [0.0, -FRAC_PI_4, PI, 4.0, f64::NAN, f64::INFINITY, 1e-101] {
         let said = refusal(PinholeCamera::new(Point3::ORIGIN, angle));
         assert!(said.contains("less than pi"), "{said}");
@@ -174,7 +174,7 @@ fn a_gaze_parallel_to_up_is_refused() {
 }
 
 #[test]
-fn what_is_no_place_or_direction_is_refused_by_name() {
+fn bad_points_and_directions_are_refused_by_name() {
     let nowhere = Point3::new(0.0, f64::NAN, 0.0);
     let zero = Vector3::default();
     let said = refusal(Basis::new(nowhere, AHEAD, UP));

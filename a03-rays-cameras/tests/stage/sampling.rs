@@ -32,14 +32,9 @@ const ALL: [Sampling; 4] = [
 ];
 
 #[test]
-fn the_center_and_a_grid_of_one_are_the_same() {
-    assert_eq!(places(Sampling::Center, 1), [(0.5, 0.5)]);
+fn center_and_regular_grids_have_exact_places() {
     assert_eq!(places(Sampling::Center, 9), [(0.5, 0.5)]);
     assert_eq!(places(Sampling::Regular, 1), [(0.5, 0.5)]);
-}
-
-#[test]
-fn a_regular_grid_of_four() {
     let expected = [(0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)];
     assert_eq!(places(Sampling::Regular, 4), expected);
 }
@@ -179,7 +174,7 @@ impl Progress for StopAfterThree {
 }
 
 #[test]
-fn a_rendering_that_is_not_wanted_any_more_ends_early() {
+fn a_stopped_rendering_ends_early() {
     let progress = StopAfterThree::default();
     let one_thread = rayon::ThreadPoolBuilder::new()
         .num_threads(1)
@@ -192,7 +187,7 @@ fn a_rendering_that_is_not_wanted_any_more_ends_early() {
 }
 
 #[test]
-fn stripes_alternate_and_are_as_many_as_asked_for() {
+fn stripes_alternate_and_have_the_given_number() {
     let size = Size::SECOND_COURSE;
     for alpha in [0.5, std::f64::consts::FRAC_PI_2, 2.5] {
         let camera = PinholeCamera::new(Point3::ORIGIN, alpha).unwrap();
@@ -229,7 +224,7 @@ fn the_stripes_of_the_wall_are_straight_and_equally_high() {
 /// On the boundary between two stripes, `d.y = c` and so the height on the
 /// picture is `c / sqrt(1 - c²)` times the distance from the eye.
 #[test]
-fn the_stripes_of_the_text_bend_along_a_hyperbola() {
+fn the_stripes_of_directions_bend_along_a_hyperbola() {
     let size = Size::new(400, 300).unwrap();
     let camera = PinholeCamera::new(Point3::ORIGIN, std::f64::consts::FRAC_PI_2).unwrap();
     let sky = StripedSky::new(&camera, size, 10, StripeRule::Direction).unwrap();

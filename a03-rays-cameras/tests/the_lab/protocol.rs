@@ -65,7 +65,7 @@ fn stripes_are_counted_from_the_top_to_the_horizon() {
 
 /// 51 / 3 = 17, 53 / 3 = 17 and two thirds; 9 of 10 places fill a grid.
 #[test]
-fn means_lose_what_is_left_over() {
+fn means_of_whole_numbers_lose_the_remainder() {
     assert_eq!(mean_byte(&[10, 20, 21]), 17);
     assert_eq!(mean_byte(&[10, 20, 23]), 17);
     assert_eq!(mean_over_grid(9, 2.0), 2.0);

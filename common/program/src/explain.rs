@@ -110,17 +110,6 @@ mod tests {
     }
 
     #[test]
-    fn the_renderer_that_skips_no_work_is_refused() {
-        let scene = scene().with_defaults(Settings {
-            renderer: Renderer::AllWork,
-            ..Settings::default()
-        });
-        let error = explain(&scene, &Options::default()).unwrap_err();
-        assert_eq!(error.exit_code(), 2);
-        assert!(error.to_string().contains("without --no-omit"), "{error}");
-    }
-
-    #[test]
     fn each_renderer_has_its_own_times() {
         let scene = scene();
         let settings = &scene.defaults;
@@ -133,9 +122,10 @@ mod tests {
     fn times_are_compared_unless_they_differ_by_noise() {
         let needed = vec![0.25; 6];
         let of = |all: [f64; 6]| comparison_of(&[needed.clone(), all.into()]);
-        let slower = "  time 0.250 s; everything takes 6.00 times as long (4.00 to 8.00)";
-        assert_eq!(of([1.5, 1.0, 2.0, 1.5, 1.5, 1.5]), slower);
-        let equal = "  time 0.250 s; everything: no difference beyond the noise of a factor of 2.0";
-        assert_eq!(of([0.125, 0.25, 0.25, 0.25, 0.25, 0.3125]), equal);
+        let slower = of([1.5, 1.0, 2.0, 1.5, 1.5, 1.5]);
+        let numbers = ["time 0.250 s", "6.00 times", "(4.00 to 8.00)"];
+        assert!(numbers.iter().all(|part| slower.contains(part)), "{slower}");
+        let equal = of([0.125, 0.25, 0.25, 0.25, 0.25, 0.3125]);
+        assert!(equal.contains("a factor of 2.0"), "{equal}");
     }
 }

@@ -1,89 +1,55 @@
 //! `Named`: values of a flag with their names on the command line.
 
-use clap::ValueEnum;
-use clap::builder::{EnumValueParser, PossibleValue, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use common::{Sampling, Transfer};
 
-/// A value that has a name on the command line.
-#[derive(Clone)]
-pub struct Named<T>(T);
+/// A type whose values have names on the command line.
+pub trait Named: Copy + Send + Sync + 'static {
+    /// The name, the value and its description in the help.
+    const NAMES: &'static [(&'static str, Self, &'static str)];
+}
 
 /// The parser of these names; `--help` and errors list them.
 #[must_use]
-pub fn by_name<T>() -> impl TypedValueParser<Value = T>
-where
-    Named<T>: ValueEnum + Send + Sync + 'static,
-    T: Clone + Send + Sync + 'static,
-{
-    EnumValueParser::<Named<T>>::new().map(|named| named.0)
+pub fn by_name<T: Named>() -> impl TypedValueParser<Value = T> {
+    let names = T::NAMES.iter();
+    let names = names.map(|(name, _, help)| PossibleValue::new(*name).help(*help));
+    PossibleValuesParser::new(names).try_map(|text| {
+        let mut names = T::NAMES.iter();
+        let found = names.find_map(|(name, value, _)| (*name == text).then_some(*value));
+        found.ok_or("there is no value of this name")
+    })
 }
 
-impl ValueEnum for Named<Sampling> {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[
-            Self(Sampling::Center),
-            Self(Sampling::Regular),
-            Self(Sampling::Random),
-            Self(Sampling::Stratified),
-        ]
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        let (name, help) = match self.0 {
-            Sampling::Center => ("center", "One sample in the middle"),
-            Sampling::Regular => (
-                "regular",
-                "A square grid, each sample in the middle of its cell",
-            ),
-            Sampling::Random => ("random", "Anywhere in the pixel"),
-            Sampling::Stratified => (
-                "stratified",
-                "A square grid, each sample anywhere in its cell",
-            ),
-        };
-        Some(PossibleValue::new(name).help(help))
-    }
+impl Named for Sampling {
+    const NAMES: &'static [(&'static str, Self, &'static str)] = &[
+        ("center", Self::Center, "One sample in the middle"),
+        (
+            "regular",
+            Self::Regular,
+            "A square grid, each sample in the middle of its cell",
+        ),
+        ("random", Self::Random, "Anywhere in the pixel"),
+        (
+            "stratified",
+            Self::Stratified,
+            "A square grid, each sample anywhere in its cell",
+        ),
+    ];
 }
 
-impl ValueEnum for Named<Transfer> {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[
-            Self(Transfer::Linear),
-            Self(Transfer::Gamma),
-            Self(Transfer::Srgb),
-        ]
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        let (name, help) = match self.0 {
-            Transfer::Linear => (
-                "linear",
-                "None: the value is written as it is, as in the course's pictures",
-            ),
-            Transfer::Gamma => ("gamma", "A plain power with exponent 1/2.2"),
-            Transfer::Srgb => (
-                "srgb",
-                "The curve of sRGB (IEC 61966-2-1), which screens expect",
-            ),
-        };
-        Some(PossibleValue::new(name).help(help))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_value_has_its_name() {
-        let sampling = |name| Named::<Sampling>::from_str(name, false).map(|named| named.0);
-        assert_eq!(sampling("center"), Ok(Sampling::Center));
-        assert_eq!(sampling("regular"), Ok(Sampling::Regular));
-        assert_eq!(sampling("random"), Ok(Sampling::Random));
-        assert_eq!(sampling("stratified"), Ok(Sampling::Stratified));
-        let transfer = |name| Named::<Transfer>::from_str(name, false).map(|named| named.0);
-        assert_eq!(transfer("linear"), Ok(Transfer::Linear));
-        assert_eq!(transfer("gamma"), Ok(Transfer::Gamma));
-        assert_eq!(transfer("srgb"), Ok(Transfer::Srgb));
-    }
+impl Named for Transfer {
+    const NAMES: &'static [(&'static str, Self, &'static str)] = &[
+        (
+            "linear",
+            Self::Linear,
+            "None: the value is written as it is, as in the course's pictures",
+        ),
+        ("gamma", Self::Gamma, "A plain power with exponent 1/2.2"),
+        (
+            "srgb",
+            Self::Srgb,
+            "The curve of sRGB (IEC 61966-2-1), which screens expect",
+        ),
+    ];
 }

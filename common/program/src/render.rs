@@ -171,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_in_bands_is_the_same_file_and_all_its_pixels_are_counted() {
+    fn a_picture_in_bands_is_the_same_file() {
         let folder = tempfile::tempdir().unwrap();
         let (stage, options) = (stage(), Options::default());
         // Bands of one row, of one row, of seven rows with two left over, and of all rows.
@@ -195,6 +195,7 @@ mod tests {
 
     #[test]
     fn bands_hold_every_row_once_and_no_more_pixels_than_allowed() {
+        assert!(bands(size(7, 5), 20).eq([0..2, 2..4, 4..5]));
         for (width, height) in [(1, 1), (32_768, 32_768), (640, 480), (1, 32_768), (7, 11)] {
             for most in [1, 20, 1 << 15, BAND] {
                 let mut next = 0;
@@ -206,11 +207,5 @@ mod tests {
                 assert_eq!(next, height);
             }
         }
-    }
-
-    #[test]
-    fn a_band_has_as_many_rows_as_allowed() {
-        let bands: Vec<_> = bands(size(7, 5), 20).collect();
-        assert_eq!(bands, [0..2, 2..4, 4..5]);
     }
 }

@@ -151,7 +151,7 @@ mod tests {
     #[test]
     fn reports_are_written_into_a_new_folder() {
         let folder = tempfile::tempdir().unwrap();
-        let output = folder.path().join("reports");
+        let output = folder.path().join("new/reports");
         report(&stage(), &names(&["two"]), true, Some(output.clone())).unwrap();
         let files = output.read_dir().unwrap();
         let mut files: Vec<_> = files.map(|file| file.unwrap().file_name()).collect();

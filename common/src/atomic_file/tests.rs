@@ -50,7 +50,7 @@ fn a_read_error_keeps_the_old_file() {
 }
 
 #[test]
-fn old_temporary_files_of_killed_programs_are_removed() {
+fn old_temporary_files_of_killed_programs_are_deleted() {
     let folder = tempfile::tempdir().unwrap();
     let left = |name: &str, age: u64| {
         let path = folder.path().join(name);
@@ -68,28 +68,6 @@ fn old_temporary_files_of_killed_programs_are_removed() {
     write(&folder.path().join("a.csv"), &b"new"[..]).unwrap();
     assert!(!old.exists());
     assert!(kept.iter().all(|path| path.exists()));
-}
-
-#[test]
-fn errors_name_a_remedy() {
-    let reason = |kind: ErrorKind| {
-        let error = cannot_write(Path::new("a"), &kind.into()).to_string();
-        let reason = error.strip_prefix("cannot write a: ").unwrap();
-        let (reason, _) = reason.split_once(" (").unwrap_or((reason, ""));
-        reason.to_owned()
-    };
-    let no_room = "there is no room left; make some, or write elsewhere";
-    assert_eq!(reason(ErrorKind::StorageFull), no_room);
-    assert_eq!(reason(ErrorKind::QuotaExceeded), no_room);
-    let too_large = "it is larger than a file may be there; write less, or elsewhere";
-    assert_eq!(reason(ErrorKind::FileTooLarge), too_large);
-    assert_eq!(reason(ErrorKind::BrokenPipe), "broken pipe");
-}
-
-#[test]
-fn a_name_without_folder_is_in_the_current_one() {
-    assert_eq!(folder_of(Path::new("a.png")), Path::new("."));
-    assert_eq!(folder_of(Path::new("out/a.png")), Path::new("out"));
 }
 
 #[cfg(unix)]

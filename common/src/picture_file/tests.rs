@@ -15,10 +15,6 @@ fn saved(folder: &Path) -> std::path::PathBuf {
     path
 }
 
-fn reason(path: &Path) -> String {
-    open(path).unwrap_err().to_string()
-}
-
 #[test]
 fn a_saved_picture_opens_again_and_no_other_file_is_left() {
     let folder = tempfile::tempdir().unwrap();
@@ -52,148 +48,64 @@ fn jpeg_and_bmp_open_under_any_name() {
 }
 
 #[test]
-fn transparent_pixels_are_black() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("clear.png");
-    let clear = image::RgbaImage::from_pixel(1, 1, image::Rgba([255, 255, 255, 0]));
-    clear.save(&path).unwrap();
-    assert_eq!(open(&path).unwrap().pixels(), [Color::BLACK]);
-}
-
-#[test]
-fn files_that_are_no_pictures_are_refused_with_the_reason() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("bad.png");
-    assert!(reason(&path).contains("bad.png"), "{}", reason(&path));
-
-    std::fs::write(&path, "").unwrap();
-    assert!(
-        reason(&path).contains("no PNG, JPEG or BMP"),
-        "{}",
-        reason(&path)
-    );
-    std::fs::write(&path, "this is text, not a picture").unwrap();
-    assert!(
-        reason(&path).contains("no PNG, JPEG or BMP"),
-        "{}",
-        reason(&path)
-    );
-    std::fs::write(&path, b"GIF89a\x01\0\x01\0\0\0\0;").unwrap();
-    assert!(
-        reason(&path).contains("no PNG, JPEG or BMP"),
-        "{}",
-        reason(&path)
-    );
-    assert!(open(folder.path()).is_err(), "a folder");
-}
-
-#[test]
-fn a_file_cut_anywhere_is_refused_and_does_not_panic() {
-    let folder = tempfile::tempdir().unwrap();
-    let whole = std::fs::read(saved(folder.path())).unwrap();
-    let path = folder.path().join("cut.png");
-    // The last twelve bytes only mark the end of the picture.
-    for length in 0..whole.len() - 12 {
-        std::fs::write(&path, &whole[..length]).unwrap();
-        assert!(open(&path).is_err(), "{length} bytes of {}", whole.len());
+fn transparent_pixels_are_blended_with_black() {
+    for opacity in [0, 128, 255] {
+        let mut png = Cursor::new(Vec::new());
+        let white = image::Rgba([255, 255, 255, opacity]);
+        let pixel = image::RgbaImage::from_pixel(1, 1, white);
+        pixel.write_to(&mut png, image::ImageFormat::Png).unwrap();
+        let opened = open_bytes(Path::new("a.png"), png.get_ref()).unwrap();
+        let expected = Color::gray(f64::from(opacity) / 255.0);
+        assert_eq!(opened.pixels(), [expected]);
     }
 }
 
 #[test]
-fn a_flipped_bit_in_the_pixels_is_noticed() {
+fn a_file_that_is_no_whole_picture_is_refused_with_the_reason() {
     let folder = tempfile::tempdir().unwrap();
-    let path = saved(folder.path());
-    let mut bytes = std::fs::read(&path).unwrap();
-    let data = bytes.windows(4).position(|name| name == b"IDAT").unwrap();
-    bytes[data + 12] ^= 1;
-    std::fs::write(&path, bytes).unwrap();
-    assert!(reason(&path).contains("damaged"), "{}", reason(&path));
+    let whole = std::fs::read(saved(folder.path())).unwrap();
+    let mut flipped = whole.clone();
+    let data = whole.windows(4).position(|name| name == b"IDAT").unwrap();
+    flipped[data + 12] ^= 1;
+    let none = "it is no PNG, JPEG or BMP picture";
+    for (bytes, reason) in [
+        (&b""[..], none),
+        (b"this is text, not a picture", none),
+        (b"GIF89a\x01\0\x01\0\0\0\0;", none),
+        (&flipped, "the file is damaged ("),
+        (&whole[..whole.len() / 2], "the file ends too early"),
+    ] {
+        let error = open_bytes(Path::new("bad.png"), bytes).unwrap_err();
+        let start = format!("cannot open bad.png: {reason}");
+        assert!(error.to_string().starts_with(&start), "{error}");
+    }
+    // The last twelve bytes only mark the end of the picture.
+    for length in 0..whole.len() - 12 {
+        let cut = open_bytes(Path::new("cut.png"), &whole[..length]);
+        assert!(cut.is_err(), "{length} bytes of {}", whole.len());
+    }
 }
 
 #[test]
-fn a_header_of_a_huge_picture_is_refused_before_memory_is_allocated() {
+fn a_file_that_cannot_be_read_is_refused_with_the_reason() {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("huge.bmp");
-    let mut bmp = Vec::new();
-    image::RgbImage::new(1, 1)
-        .write_to(&mut Cursor::new(&mut bmp), image::ImageFormat::Bmp)
-        .unwrap();
-    // Width and height in the header of a BMP file.
-    bmp[18..22].copy_from_slice(&30_000_u32.to_le_bytes());
-    bmp[22..26].copy_from_slice(&30_000_u32.to_le_bytes());
-    std::fs::write(&path, bmp).unwrap();
-    assert!(
-        reason(&path).contains("at most 8192x8192"),
-        "{}",
-        reason(&path)
-    );
-}
-
-/// The file is sparse: it has no content and occupies no space on the disk.
-#[test]
-#[cfg(unix)]
-fn a_file_that_is_too_long_is_not_read() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("long.jpg");
-    let mut file = File::create(&path).unwrap();
+    let path = |name: &str| folder.path().join(name);
+    saved(folder.path());
+    // A sparse file: it occupies no space on the disk.
+    let mut file = File::create(path("long.jpg")).unwrap();
     io::Write::write_all(&mut file, &[0xFF, 0xD8, 0xFF]).unwrap();
     file.set_len(LONGEST_FILE + 1).unwrap();
-    assert!(reason(&path).ends_with("it is longer than 1 GiB"));
-}
-
-#[test]
-fn a_picture_in_memory_opens_like_the_file() {
-    let folder = tempfile::tempdir().unwrap();
-    let bytes = std::fs::read(saved(folder.path())).unwrap();
-    let name = Path::new("card.png");
-    assert_eq!(open_bytes(name, &bytes).unwrap(), sample());
-    let error = open_bytes(name, &bytes[..40]).unwrap_err().to_string();
-    assert!(error.starts_with("cannot open card.png: "), "{error}");
-}
-
-#[test]
-fn errors_name_folders_and_missing_files() {
-    let folder = tempfile::tempdir().unwrap();
-    assert!(reason(folder.path()).ends_with("it is a folder, not a picture"));
-    assert!(reason(&folder.path().join("a.png")).ends_with("there is no such file"));
-}
-
-#[test]
-#[cfg(unix)]
-fn other_errors_of_the_system_are_reported() {
-    let folder = tempfile::tempdir().unwrap();
-    let inside_a_file = saved(folder.path()).join("a.png");
-    assert!(reason(&inside_a_file).contains("Not a directory"));
-}
-
-#[test]
-fn a_folder_that_is_missing_is_named_and_not_made() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("missing").join("a.png");
-    let size = Size::new(1, 1).unwrap();
-    let error = save_png(&path, size, &[0; 3]).unwrap_err().to_string();
-    assert!(error.contains("there is no folder"), "{error}");
-    assert!(!folder.path().join("missing").exists());
-}
-
-#[test]
-fn a_picture_that_cannot_be_renamed_leaves_no_file() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("a.png");
-    std::fs::create_dir(&path).unwrap();
-    let size = Size::new(1, 1).unwrap();
-    assert!(save_png(&path, size, &[0; 3]).is_err());
-    assert_eq!(folder.path().read_dir().unwrap().count(), 1);
-}
-
-/// The opacity of white is 128 of 255.
-#[test]
-fn half_transparent_pixels_are_half_as_bright() {
-    let mut png = Cursor::new(Vec::new());
-    let half = image::RgbaImage::from_pixel(1, 1, image::Rgba([255, 255, 255, 128]));
-    half.write_to(&mut png, image::ImageFormat::Png).unwrap();
-    let opened = open_bytes(Path::new("half.png"), &png.into_inner()).unwrap();
-    assert_eq!(opened.pixels(), [Color::gray(128.0 / 255.0)]);
+    for (path, reason) in [
+        (path("."), "it is a folder, not a picture"),
+        (path("a.png"), "there is no such file"),
+        (path("long.jpg"), "it is longer than 1 GiB"),
+        #[cfg(unix)]
+        (path("sample.png/a.png"), "Not a directory"),
+    ] {
+        let error = open(&path).unwrap_err().to_string();
+        let start = format!("cannot open {}: {reason}", path.display());
+        assert!(error.starts_with(&start), "{error}");
+    }
 }
 
 #[test]

@@ -2,7 +2,10 @@
 //! with locked ones, [`exercises!`] checks the exercises of the students, and
 //! `display` runs a program on a private X display.
 //!
-//! Only tests depend on this crate, so that no program contains test code.
+//! Only tests depend on this crate, so that no program contains test code. Its checks
+//! fail by a panic.
+
+#![allow(clippy::missing_panics_doc, reason = "every check of a test panics")]
 
 #[cfg(target_os = "linux")]
 pub mod display;

@@ -112,11 +112,6 @@ fn render(scene: &Scene, settings: &Settings) -> Image {
 
 /// Renders a scene with all renderers and compares the pictures with its lock: the
 /// first, by the lesson, with both halves, the others with the expected PNG.
-///
-/// # Panics
-///
-/// If a picture differs; the message contains the renderer, the difference and the
-/// paths of the pictures.
 pub fn check(stage: &Stage, test: &str, places: &Places) {
     let scene = stage.scene(&test.replace('_', "-")).expect("a scene");
     let expected = places.expected(&picture_name(stage, scene));
@@ -154,7 +149,7 @@ fn headline(scene: &Scene, renderer: Renderer) -> String {
     }
 }
 
-/// Compares a picture with that of a file.
+/// Compares a picture with the one in a file.
 pub(crate) fn compare_with_file(expected: &Path, image: &Image) -> Result<(), String> {
     picture_file::open(expected)
         .map_err(|error| error.to_string())
@@ -187,10 +182,6 @@ fn check_lesson(scene: &Scene, image: &Image, expected: &Path, places: &Places) 
 }
 
 /// Checks that the tests name all scenes of the stage.
-///
-/// # Panics
-///
-/// If a scene has no lock.
 pub fn check_complete(stage: &Stage, tests: &[&str]) {
     let locked: Vec<_> = tests.iter().map(|test| test.replace('_', "-")).collect();
     let scenes: Vec<_> = stage.scenes.iter().map(|scene| scene.name).collect();

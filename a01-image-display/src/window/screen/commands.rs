@@ -1,4 +1,4 @@
-//! The commands that a person types, chooses and clicks, and how the window obeys.
+//! The commands from keys, menu and mouse, and their execution.
 
 use minifb::MouseButton;
 use program::Gallery;
@@ -9,7 +9,7 @@ use crate::window::menu_bar::{ITEMS, PLATFORM_HAS_MENU};
 use crate::window::placement::Zoom;
 use crate::window::{NO_FILE, choose_file};
 
-/// The mouse at the last look.
+/// The mouse at the last update.
 #[derive(Default)]
 pub(super) struct Mouse {
     is_down: bool,
@@ -56,7 +56,7 @@ impl Screen {
         commands
     }
 
-    pub(super) fn obey(&mut self, command: Command, gallery: &mut Gallery) -> After {
+    pub(super) fn execute(&mut self, command: Command, gallery: &mut Gallery) -> After {
         match command {
             Command::Close => return After::Close,
             Command::Save => self.save(gallery),

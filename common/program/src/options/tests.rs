@@ -17,35 +17,34 @@ fn without_flags_the_scene_decides() {
 }
 
 #[test]
-fn the_number_of_samples_chooses_a_sampling_that_allows_it() {
-    let samples = |samples| Options {
-        samples: Some(samples),
-        ..Options::default()
-    };
-    let sampling = |n| samples(n).settings(&scene()).unwrap().sampling;
-    assert_eq!(sampling(1), Sampling::Center);
-    assert_eq!(sampling(16), Sampling::Stratified);
-
-    let mut center = samples(4);
-    center.sampling = Some(Sampling::Center);
-    let error = center.settings(&scene()).unwrap_err().to_string();
-    assert!(error.contains("one center"), "{error}");
-    let error = samples(10).settings(&scene()).unwrap_err().to_string();
-    assert!(error.contains("9 and 16"), "{error}");
-}
-
-#[test]
-fn center_sampling_means_one_sample() {
+fn number_and_places_of_the_samples_fit_each_other() {
     let scene = scene().with_defaults(Settings {
         samples: 100,
         sampling: Sampling::Stratified,
         ..Settings::default()
     });
-    let center = Options {
-        sampling: Some(Sampling::Center),
-        ..Options::default()
-    };
-    assert_eq!(center.settings(&scene).unwrap().samples, 1);
+    let (center, random) = (Some(Sampling::Center), Some(Sampling::Random));
+    for (samples, sampling, expected) in [
+        (None, None, Ok((100, Sampling::Stratified))),
+        (None, center, Ok((1, Sampling::Center))),
+        (Some(1), None, Ok((1, Sampling::Center))),
+        (Some(16), None, Ok((16, Sampling::Stratified))),
+        (Some(5), random, Ok((5, Sampling::Random))),
+        (Some(4), center, Err("one center")),
+        (Some(10), None, Err("9 and 16")),
+    ] {
+        let options = Options {
+            samples,
+            sampling,
+            ..Options::default()
+        };
+        let settings = options.settings(&scene);
+        match (settings, expected) {
+            (Ok(s), expected) => assert_eq!(Ok((s.samples, s.sampling)), expected),
+            (Err(error), Err(part)) => assert!(error.to_string().contains(part), "{error}"),
+            (Err(error), _) => panic!("{error}"),
+        }
+    }
 }
 
 #[test]
@@ -61,54 +60,51 @@ fn only_traced_pictures_may_be_larger_than_memory() {
     assert!(matches!(refused, Err(Error::TooLarge { .. })));
 }
 
+/// The number of samples need not be a square.
 #[test]
-fn with_a_bound_of_the_error_samples_are_the_most_of_a_pixel() {
-    let mut bounded = Options {
-        max_error: Some(0.002),
-        ..Options::default()
-    };
-    let settings = bounded.settings(&scene()).unwrap();
-    assert_eq!((settings.max_error, settings.samples), (Some(0.002), 1024));
-    // The number need not be a square.
-    bounded.samples = Some(5);
-    assert_eq!(bounded.settings(&scene()).unwrap().samples, 5);
-}
-
-#[test]
-fn an_error_is_read_as_a_number_or_a_fraction() {
-    assert_eq!(error_bound("0.25"), Ok(0.25));
-    assert_eq!(error_bound("1/510"), Ok(1.0 / 510.0));
-    assert_eq!(error_bound("1"), Ok(1.0));
-    for text in [
-        "", "0", "-1", "2", "1/0", "1/-2", "nan", "inf", "1/inf", "0/0", "1/2/3", "x",
-    ] {
-        assert!(error_bound(text).unwrap_err().contains("1/510"), "{text}");
+fn with_an_error_bound_samples_are_the_most_of_a_pixel() {
+    for (samples, most) in [(None, 1024), (Some(5), 5)] {
+        let options = Options {
+            max_error: Some(0.002),
+            samples,
+            ..Options::default()
+        };
+        let settings = options.settings(&scene()).unwrap();
+        assert_eq!((settings.max_error, settings.samples), (Some(0.002), most));
     }
 }
 
 #[test]
-fn random_samples_may_be_any_number() {
-    assert!(check_places(5, Sampling::Random).is_ok());
+fn an_error_is_read_as_a_number_or_a_fraction() {
+    for (text, error) in [("0.25", 0.25), ("1/510", 1.0 / 510.0), ("1", 1.0)] {
+        assert_eq!(error_bound(text), Ok(error));
+    }
+    for text in [
+        "", "0", "-1", "2", "1/0", "1/-2", "nan", "inf", "1/inf", "0/0", "1/2/3", "x",
+    ] {
+        assert!(error_bound(text).is_err(), "{text}");
+    }
 }
 
 #[test]
 fn a_flag_chooses_the_renderer_or_the_scene_does() {
-    let chosen = |renderer, fast, no_omit| {
+    for default in Renderer::ALL {
         let scene = scene().with_defaults(Settings {
-            renderer,
+            renderer: default,
             ..Settings::default()
         });
-        let flags = Options {
-            fast,
-            no_omit,
-            ..Options::default()
-        };
-        flags.settings(&scene).unwrap().renderer
-    };
-    for default in Renderer::ALL {
-        assert_eq!(chosen(default, false, false), default);
-        assert_eq!(chosen(default, true, false), Renderer::Engine);
-        assert_eq!(chosen(default, false, true), Renderer::AllWork);
+        for (fast, no_omit, chosen) in [
+            (false, false, default),
+            (true, false, Renderer::Engine),
+            (false, true, Renderer::AllWork),
+        ] {
+            let flags = Options {
+                fast,
+                no_omit,
+                ..Options::default()
+            };
+            assert_eq!(flags.settings(&scene).unwrap().renderer, chosen);
+        }
     }
 }
 
@@ -130,21 +126,16 @@ fn flags_that_change_nothing_are_named() {
         sampling: Sampling::Random,
         ..Settings::default()
     };
-    let of_samples = ["--samples", "--sampling", "--max-error", "--seed", "--fast"];
-    for (scene, before, after) in [
-        (
-            Scene::painted("", "", paint),
-            &[][..],
-            &["--depth", "--open"][..],
-        ),
-        (Scene::opened("", "", paint), &["--size"], &["--depth"]),
+    let painted = "--samples --sampling --max-error --seed --fast --depth --open";
+    let opened = "--size --samples --sampling --max-error --seed --fast --depth";
+    for (scene, settings, expected) in [
+        (Scene::painted("", "", paint), &random, painted),
+        (Scene::opened("", "", paint), &random, opened),
+        (scene(), &random, "--depth --open"),
+        (scene().reflecting(), &random, "--open"),
+        (scene(), &Settings::default(), "--seed --depth --open"),
     ] {
-        let expected = [before, &of_samples, after].concat();
-        assert_eq!(all.unused(scene.uses, &random), expected);
-        assert!(Options::default().unused(scene.uses, &random).is_empty());
+        assert_eq!(all.unused(scene.uses, settings).join(" "), expected);
+        assert!(Options::default().unused(scene.uses, settings).is_empty());
     }
-    assert_eq!(all.unused(scene().uses, &random), ["--depth", "--open"]);
-    assert_eq!(all.unused(scene().reflecting().uses, &random), ["--open"]);
-    let center = ["--seed", "--depth", "--open"];
-    assert_eq!(all.unused(scene().uses, &Settings::default()), center);
 }

@@ -30,10 +30,6 @@ fn scattered(scene: &Scene) -> Settings {
 /// Checks that the number of threads changes no bit: with one sample, with random
 /// samples, and with adaptive sampling. The error of the latter is a sum
 /// over pixels, and another order would change its last bits.
-///
-/// # Panics
-///
-/// If a picture or an error estimate differs.
 pub fn check_threads(stage: &Stage) {
     for scene in &stage.scenes {
         let adaptive = Settings {
@@ -60,10 +56,6 @@ pub fn check_threads(stage: &Stage) {
 }
 
 /// Checks that bands of rows equal those rows of the whole picture.
-///
-/// # Panics
-///
-/// If a band differs.
 pub fn check_rows(stage: &Stage) {
     for scene in stage.scenes.iter().filter(|scene| scene.uses.sampling) {
         let mut settings = Settings {
@@ -85,10 +77,6 @@ pub fn check_rows(stage: &Stage) {
 
 /// Checks that all renderers give the same picture, with one sample and with random
 /// samples and several reflections.
-///
-/// # Panics
-///
-/// If a picture differs from the one by the lesson.
 pub fn check_omissions(stage: &Stage) {
     for scene in &stage.scenes {
         for settings in [small(scene), scattered(scene)] {
@@ -112,10 +100,6 @@ pub fn check_omissions(stage: &Stage) {
 }
 
 /// Renders every scene at sizes that may lead to a division by zero.
-///
-/// # Panics
-///
-/// If a picture has a wrong size, or pixels that are NaN or infinite.
 pub fn check_narrow_sizes(stage: &Stage) {
     for scene in stage.scenes.iter().filter(|scene| scene.uses.size) {
         for (width, height) in [(1, 1), (1, 50), (50, 1)] {

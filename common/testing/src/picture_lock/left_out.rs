@@ -10,10 +10,6 @@ use super::invariance::small;
 
 /// Checks that the book's table of the skipped work has the counted numbers, for all
 /// traced scenes of the stage in pictures of 96x72 pixels.
-///
-/// # Panics
-///
-/// If it has others; the message contains the right rows.
 pub fn check_book(stage: &Stage, places: &Places) {
     let path = Path::new(places.stage).join("../book/src/left-out.md");
     let mut page = std::fs::read_to_string(&path).expect("the page");

@@ -10,10 +10,6 @@ use program::picture_name;
 use super::Places;
 
 /// Runs the program without a display and compares the PNG that it writes.
-///
-/// # Panics
-///
-/// If the program fails, or does not write its first picture and print the path.
 pub fn check_program(stage: &Stage, places: &Places) {
     let folder = tempfile::tempdir().expect("a folder");
     // On these systems the program always finds a display, but can be run without it.

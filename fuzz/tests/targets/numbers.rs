@@ -1,4 +1,4 @@
-//! Any numbers in every constructor, and single operations on the results.
+//! Arbitrary numbers in every constructor, and single operations on the results.
 
 use std::f64::consts::PI;
 
@@ -7,21 +7,23 @@ use a03_rays_cameras::{PinholeCamera, Ray, StripeRule, StripedSky};
 use a04_intersections::{Geometry, Interval};
 use arbitrary::{Result, Unstructured};
 use common::Size;
+use fuzz::number::{normal, number, point, vector};
+use fuzz::shapes::{accepted, camera, shape, transform};
+use proptest::collection::vec;
+use proptest::prelude::*;
 
-use crate::number::{normal, number, point, vector};
-use crate::shapes::{accepted, camera, shape, transform};
+proptest! {
+    #![proptest_config(super::config(50_000))]
 
-/// Makes the things that the bytes name, and asks each of them something.
-///
-/// # Panics
-///
-/// If a result contradicts its documentation.
-pub fn check(bytes: &[u8]) {
-    // Too few bytes end the check early.
-    let _ = ask(&mut Unstructured::new(bytes));
+    /// Every result of a constructor agrees with its documentation.
+    #[test]
+    fn numbers_do_no_harm(bytes in vec(any::<u8>(), 0..400)) {
+        // Too few bytes end the check early.
+        let _ = check(&mut Unstructured::new(&bytes));
+    }
 }
 
-fn ask(u: &mut Unstructured) -> Result<()> {
+fn check(u: &mut Unstructured) -> Result<()> {
     match u.int_in_range(0..=4)? {
         0 => vectors(vector(u)?, vector(u)?, normal(u)?),
         1 => cameras(u)?,
@@ -51,14 +53,9 @@ fn vectors(a: Vector3, b: Vector3, n: Normal3) {
     }
     let angle = a.angle(b);
     assert!((0.0..=PI).contains(&angle), "{angle}: {a:?} {b:?}");
-    let (ab, ba) = (a.cross(b), b.cross(a));
-    let same = |(x, y): (f64, f64)| x == y || x.is_nan() && y.is_nan();
-    let pairs = ab
-        .to_glam()
-        .to_array()
-        .into_iter()
-        .zip((-ba).to_glam().to_array());
-    assert!(pairs.into_iter().all(same), "{ab:?} {ba:?}");
+    let [ab, ba] = [a.cross(b), -b.cross(a)].map(|product| product.to_glam().to_array());
+    let is_same = |(x, y): (&f64, &f64)| x == y || x.is_nan() && y.is_nan();
+    assert!(ab.iter().zip(&ba).all(is_same), "{ab:?} {ba:?}");
     if let Some(shadow) = a.projected_on(b) {
         assert!(!b.dot(b).is_nan(), "{shadow:?}");
     }
@@ -66,15 +63,13 @@ fn vectors(a: Vector3, b: Vector3, n: Normal3) {
         .change_col_1(a)
         .change_col_2(b)
         .change_col_3(n.into());
-    // No sense in it, but no panic either.
+    // Their values have no meaning, but nothing panics.
     let _ = (columns.determinant(), columns * a, columns * columns);
 }
 
 fn cameras(u: &mut Unstructured) -> Result<()> {
-    let (camera, rule) = (
-        camera(u)?,
-        *u.choose(&[StripeRule::Direction, StripeRule::Wall])?,
-    );
+    let camera = camera(u)?;
+    let rule = *u.choose(&[StripeRule::Direction, StripeRule::Wall])?;
     let sides = [u.int_in_range(0..=40_000)?, u.int_in_range(0..=40_000)?];
     let Ok(size) = Size::new(sides[0], sides[1]) else {
         return Ok(());

@@ -1,0 +1,180 @@
+//! Random command lines: the program of a stage never panics, ends with an exit code
+//! that it documents, and leaves no file that is no whole picture.
+
+use std::ffi::OsString;
+use std::path::Path;
+use std::process::{Command, ExitCode};
+use std::{env, fs, thread};
+
+use common::{Color, Error, Image, Progress, Scene, Settings, Size, picture_file};
+use measure::Stage;
+use measure::extremes::{Bound, Case};
+use program::{Gallery, NotShown, Viewer, run_with};
+use proptest::prelude::*;
+use proptest::sample::select;
+use proptest::test_runner::{RngSeed, TestRunner};
+
+/// Set in the process that runs the programs: their messages are not output of a test,
+/// and they write into the current folder.
+const INSIDE: &str = "COMMAND_LINE_INSIDE";
+
+#[test]
+fn no_command_line_does_harm() {
+    if env::var_os(INSIDE).is_some() {
+        return run_many();
+    }
+    let mut test = Command::new(env::current_exe().expect("this test"));
+    let output = test.env(INSIDE, "").arg("--nocapture").output();
+    let output = output.expect("the test runs");
+    let text = String::from_utf8_lossy(&output.stderr);
+    let failure = ["minimal failing", "panicked at"].map(|start| text.find(start));
+    let failure = failure[0]
+        .or(failure[1])
+        .map_or(&*text, |start| &text[start..]);
+    assert!(output.status.success(), "{failure}");
+}
+
+fn run_many() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // A path may begin with `..`.
+    let place = folder.path().join("place");
+    fs::create_dir(&place).expect("a folder");
+    env::set_current_dir(&place).expect("a folder");
+    let config = ProptestConfig {
+        cases: 1000,
+        failure_persistence: None,
+        rng_seed: RngSeed::Fixed(0),
+        ..ProptestConfig::default()
+    };
+    let run = |arguments: Vec<String>| {
+        let line = ["a00".to_owned()].into_iter().chain(arguments);
+        let code = run_with(&stage(), Some(&Looker), line.map(with_bytes));
+        let documented = [0, 1, 2].map(ExitCode::from);
+        assert!(documented.contains(&code), "{code:?}");
+        clear(folder.path(), &place);
+        Ok(())
+    };
+    let tested = TestRunner::new(config).run(&arguments(), run);
+    tested.unwrap_or_else(|failure| panic!("{failure}"));
+}
+
+const COMMANDS: &str = "| list | show traced | show opened --no-window | show cube | render painted
+    | render traced painted | render --all | render traced --explain | render -- --all
+    | report --quick | report scene traced | extremes A B01 | render --help | rendr traced | -";
+
+const FLAGS: &str = "--size --samples --sampling --max-error --seed --depth --threads
+    --transfer --open -o --output --fast --no-omit --no-window";
+
+const VALUES: &str = "0 1 4 -1 3x2 32768x32768 32769x1 1/510 1e-300 0/0 nan/0 inf center regular
+    random stratified srgb a.png .. here \u{1F}a 1000001 4294967296 18446744073709551615";
+
+/// One of these words.
+fn word(words: &'static str) -> impl Strategy<Value = String> {
+    select(words.split_whitespace().collect::<Vec<_>>()).prop_map_into()
+}
+
+/// A command with up to four flags, most of them known and with a value. No argument has
+/// a separator that could lead out of the folder.
+fn arguments() -> impl Strategy<Value = Vec<String>> {
+    let flag = prop_oneof![9 => word(FLAGS), 1 => "-{0,2}[^/\\\\:]{0,5}"];
+    let value = prop_oneof![9 => word(VALUES), 1 => "[^/\\\\:]{0,5}"];
+    let pair = (flag, value, 0..3).prop_map(|(flag, value, form)| match form {
+        0 => vec![flag],
+        1 => vec![format!("{flag}={value}")],
+        _ => vec![flag, value],
+    });
+    let flags = proptest::collection::vec(pair, 0..=4);
+    let commands: Vec<_> = COMMANDS.split('|').collect();
+    (select(commands), flags).prop_map(|(command, flags)| {
+        let command = command.split_whitespace().map(str::to_owned);
+        command.chain(flags.concat()).collect()
+    })
+}
+
+/// The argument; the control character 0x1F becomes a byte that is no text.
+fn with_bytes(argument: String) -> OsString {
+    #[cfg(unix)]
+    return {
+        let bytes = argument.into_bytes().into_iter();
+        let bytes = bytes.map(|byte| if byte == 0x1F { 0xFF } else { byte });
+        std::os::unix::ffi::OsStringExt::from_vec(bytes.collect())
+    };
+    #[cfg(not(unix))]
+    return argument.into();
+}
+
+/// Deletes all files below, which must be whole pictures, and all folders but `place`.
+fn clear(folder: &Path, place: &Path) {
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            clear(&path, place);
+            if path != place {
+                fs::remove_dir(&path).expect("an empty folder");
+            }
+        } else {
+            picture_file::open(&path).expect("a whole picture");
+            fs::remove_file(&path).expect("a file");
+        }
+    }
+}
+
+/// Paints the rows of the settings, unless that takes long.
+fn paint(settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
+    let samples = settings.size.pixels() as u64 * u64::from(settings.samples);
+    if samples > 4096 {
+        return Err(Error::Stopped);
+    }
+    let rows = settings.rows();
+    let size = Size::new(settings.size.width(), rows.len() as u32)?;
+    let image = Image::from_fn(size, |x, y| Color::from_bytes([x as u8, y as u8, 0]))?;
+    for (y, row) in rows.zip(image.rows()) {
+        progress.row(y, &mut row.iter().copied());
+    }
+    Ok(image)
+}
+
+fn open(settings: &Settings, _: &dyn Progress) -> Result<Image, Error> {
+    match &settings.file {
+        Some(file) => picture_file::open(file),
+        None => Image::black(settings.size),
+    }
+}
+
+fn stage() -> Stage {
+    let defaults = Settings {
+        size: Size::new(3, 2).expect("a size"),
+        ..Settings::default()
+    };
+    let scenes = [
+        Scene::traced("traced", "rays", paint).reflecting(),
+        Scene::painted("painted", "no rays", paint),
+        Scene::opened("opened", "a file", open),
+    ];
+    Stage {
+        name: "a00",
+        about: "A stage for random command lines",
+        scenes: scenes
+            .map(|scene| scene.with_defaults(defaults.clone()))
+            .into(),
+        experiments: Vec::new,
+        extremes: |_| vec![Case::new("A01", "a number", 1.0, Bound::Equal, 1.0)],
+    }
+}
+
+/// A person who looks at each scene, saves it and closes the window.
+struct Looker;
+
+impl Viewer for Looker {
+    fn show(&self, gallery: &mut Gallery) -> Result<(), NotShown> {
+        let title = gallery.title();
+        loop {
+            let picture = thread::scope(|scope| gallery.render(scope)?.join())?;
+            gallery.save(&picture)?;
+            gallery.go_to_next();
+            if gallery.title() == title {
+                return Ok(());
+            }
+        }
+    }
+}
