@@ -102,7 +102,7 @@ fn a_spot_light_shines_up_to_its_half_angle() {
 /// Of two parallel vectors of length 1 the rounded product is as often above 1
 /// as below. Neither may darken the axis or light the place behind the light.
 #[test]
-fn rounding_neither_darkens_the_axis_nor_lights_the_opposite_side() {
+fn rounding_neither_darkens_the_axis_nor_lights_the_far_side() {
     for n in 0..20_000 {
         let random = PixelRandom::new(6, n, 0);
         let components = [0, 1, 2].map(|i| random.uniform(i) - 0.5);

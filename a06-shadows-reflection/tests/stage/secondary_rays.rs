@@ -32,7 +32,7 @@ impl Place {
     /// front, not quite grazing: neither acne, where a surface shades itself because its
     /// hit was rounded to a point below it, nor light that passes a ball at a distance of
     /// `s` / 10,000. From inside a closed shape the light is inside, too.
-    fn check(self, shape: impl Geometry + Clone, eye: Point3, light_width: f64) {
+    fn check(self, shape: &(impl Geometry + Clone), eye: Point3, light_width: f64) {
         let world = || World::new(Color::BLACK).unwrap().with(shape.clone(), ());
         let alone = world();
         let mut places = 0;
@@ -78,13 +78,13 @@ fn no_surface_shades_itself_and_nothing_close_is_skipped() {
         let room = room.unwrap();
 
         let (outside, inside) = (place.at(-6.0, 5.0, -4.0), place.at(-0.5, 0.1, 0.2));
-        place.check(ball, outside, 8.0);
-        place.check(Plane::new(middle, UP.as_normal()).unwrap(), outside, 8.0);
-        place.check(Plane::new(middle, tilted).unwrap(), outside, 8.0);
-        place.check(room, outside, 8.0);
-        place.check(Triangle::new(a, b, c).unwrap(), outside, 8.0);
-        place.check(ball, inside, 0.5);
-        place.check(room, inside, 0.5);
+        place.check(&ball, outside, 8.0);
+        place.check(&Plane::new(middle, UP.as_normal()).unwrap(), outside, 8.0);
+        place.check(&Plane::new(middle, tilted).unwrap(), outside, 8.0);
+        place.check(&room, outside, 8.0);
+        place.check(&Triangle::new(a, b, c).unwrap(), outside, 8.0);
+        place.check(&ball, inside, 0.5);
+        place.check(&room, inside, 0.5);
     }
 }
 

@@ -75,7 +75,7 @@ fn every_shape_before_a_light_casts_a_shadow_from_both_sides() {
 }
 
 #[test]
-fn objects_beside_behind_the_light_or_below_the_surface_cast_none() {
+fn objects_beside_or_behind_the_light_or_below_cast_no_shadow() {
     for (x, y, r) in [
         (2.0, 4.0, 1.0),
         (0.0, 8.0, 1.0),
