@@ -39,35 +39,41 @@ fn ahead(x: f64, y: f64) -> Ray {
 #[test]
 fn corners_and_edges_belong_to_it_and_both_sides_are_seen() {
     let (before, beyond) = (-5e-324, 3_f64.next_up());
-    for (x, y) in [
-        (1.0, 0.5),
-        (0.0, 0.0),
-        (3.0, 0.0),
-        (0.0, 3.0),
-        (1.5, 0.0),
-        (0.0, 1.5),
-        (1.5, 1.5),
-        (0.75, 2.25),
+    let [a, b, c] = CORNERS;
+    for (triangle, normal) in [
+        (triangle_of([a, b, c]), TOWARDS),
+        (triangle_of([a, c, b]), AHEAD),
     ] {
-        assert_hits(
-            &triangle(),
-            &[
-                ([x, y, 4.0], AHEAD, Some((4.0, TOWARDS))),
-                ([x, y, -2.0], TOWARDS, Some((2.0, TOWARDS))),
-                ([x, y, 4.0], TOWARDS, None),
-                ([x, y, 0.0], TOWARDS, None),
-            ],
-        );
-    }
-    for (x, y) in [
-        (before, 1.0),
-        (1.0, before),
-        (beyond, 0.0),
-        (0.0, beyond),
-        (1.5, 1.5_f64.next_up()),
-        (2.25, 0.75_f64.next_up()),
-    ] {
-        assert_hits(&triangle(), &[([x, y, 4.0], AHEAD, None)]);
+        for (x, y) in [
+            (1.0, 0.5),
+            (0.0, 0.0),
+            (3.0, 0.0),
+            (0.0, 3.0),
+            (1.5, 0.0),
+            (0.0, 1.5),
+            (1.5, 1.5),
+            (0.75, 2.25),
+        ] {
+            assert_hits(
+                &triangle,
+                &[
+                    ([x, y, 4.0], AHEAD, Some((4.0, normal))),
+                    ([x, y, -2.0], TOWARDS, Some((2.0, normal))),
+                    ([x, y, 4.0], TOWARDS, None),
+                    ([x, y, 0.0], TOWARDS, None),
+                ],
+            );
+        }
+        for (x, y) in [
+            (before, 1.0),
+            (1.0, before),
+            (beyond, 0.0),
+            (0.0, beyond),
+            (1.5, 1.5_f64.next_up()),
+            (2.25, 0.75_f64.next_up()),
+        ] {
+            assert_hits(&triangle, &[([x, y, 4.0], AHEAD, None)]);
+        }
     }
 }
 
