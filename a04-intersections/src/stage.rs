@@ -3,7 +3,7 @@
 
 use a03_rays_cameras::fast::{plan as plan_of_engine, render_by_engine, render_by_lesson};
 use a03_rays_cameras::{Ray, all_work};
-use common::{ArgumentError, Renderer, Scene, Settings};
+use common::{ArgumentError, Renderer, Scene};
 use measure::{Stage, tally};
 
 use crate::fast;
@@ -39,7 +39,12 @@ fn scene(
         if settings.renderer == Renderer::Engine {
             return render_by_engine(fast::scene(&world), &camera, settings, progress);
         }
-        let (camera, world) = counting((camera, world), settings)?;
+        let (camera, world) = tally::wrapped((camera, world), |(camera, world)| {
+            Ok((
+                a03_rays_cameras::counted::camera(camera, settings),
+                counted::world(world)?,
+            ))
+        })?;
         let radiance = |ray: &Ray| world.color_for(ray);
         if settings.renderer == Renderer::AllWork {
             all_work::render(&camera, radiance, settings, progress)
@@ -52,15 +57,4 @@ fn scene(
         let plan = explain::colors(&world, settings);
         Ok(plan_of_engine(plan, fast::scene(&world), &camera, settings))
     })
-}
-
-/// Camera and world with wrappers that count work, if the settings enable counting.
-fn counting((camera, world): View, settings: &Settings) -> Result<View, ArgumentError> {
-    if !tally::is_on() {
-        return Ok((camera, world));
-    }
-    Ok((
-        a03_rays_cameras::counted::camera(camera, settings),
-        counted::world(world)?,
-    ))
 }

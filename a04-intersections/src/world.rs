@@ -33,18 +33,6 @@ impl<S> World<S> {
         self
     }
 
-    /// Number of objects.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.objects.len()
-    }
-
-    /// Whether the world has no objects.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.objects.is_empty()
-    }
-
     /// The objects in the order of the list, as pairs of geometry and surface.
     pub fn objects(&self) -> impl Iterator<Item = (&dyn Geometry, &S)> {
         let objects = self.objects.iter();

@@ -3,7 +3,7 @@
 
 use a03_rays_cameras::Ray;
 use a03_rays_cameras::fast::{plan as plan_of_engine, render_by_engine, render_by_lesson};
-use common::{ArgumentError, Renderer, Scene, Settings};
+use common::{ArgumentError, Renderer, Scene};
 use measure::{Stage, tally};
 
 use crate::fast;
@@ -51,7 +51,12 @@ fn scene(
         } else {
             world
         };
-        let (camera, world) = counting((camera, world), settings)?;
+        let (camera, world) = tally::wrapped((camera, world), |(camera, world)| {
+            Ok((
+                a03_rays_cameras::counted::camera(camera, settings),
+                counted::world(world)?,
+            ))
+        })?;
         let radiance = |ray: &Ray| world.color_for(ray);
         if does_all_work {
             a03_rays_cameras::all_work::render(&camera, radiance, settings, progress)
@@ -64,15 +69,4 @@ fn scene(
         let plan = explain::scene(&world, settings);
         Ok(plan_of_engine(plan, fast::scene(&world), &camera, settings))
     })
-}
-
-/// Camera and world with wrappers that count work, if the settings enable counting.
-fn counting((camera, world): View, settings: &Settings) -> Result<View, ArgumentError> {
-    if !tally::is_on() {
-        return Ok((camera, world));
-    }
-    Ok((
-        a03_rays_cameras::counted::camera(camera, settings),
-        counted::world(world)?,
-    ))
 }

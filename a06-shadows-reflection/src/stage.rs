@@ -42,9 +42,14 @@ pub fn traced_scene(
 ) -> Scene {
     Scene::traced(name, about, move |settings, progress| {
         let (camera, world) = view(settings)?;
+        let counting = |view| {
+            tally::wrapped(view, |(camera, world)| {
+                Ok((counted::camera(camera, settings), counted::world(world)?))
+            })
+        };
         match settings.renderer {
             Renderer::Lesson => {
-                let (camera, world) = counting((camera, world), settings)?;
+                let (camera, world) = counting((camera, world))?;
                 let tracer = RecursiveTracer::new(&world);
                 let radiance = |ray: &Ray| tracer.trace(ray, settings.depth);
                 render_by_lesson(&camera, radiance, settings, progress)
@@ -54,7 +59,7 @@ pub fn traced_scene(
                 render_by_engine(scene, &camera, settings, progress)
             }
             Renderer::AllWork => {
-                let (camera, world) = counting((camera, all_work::world(world)?), settings)?;
+                let (camera, world) = counting((camera, all_work::world(world)?))?;
                 let tracer = NaiveTracer::new(&world);
                 let radiance = |ray: &Ray| tracer.trace(ray, settings.depth);
                 a03_rays_cameras::all_work::render(&camera, radiance, settings, progress)
@@ -67,12 +72,4 @@ pub fn traced_scene(
         let scene = fast::scene(&world, settings.depth, shapes);
         Ok(plan_of_engine(plan, scene, &camera, settings))
     })
-}
-
-/// Camera and world with wrappers that count work, if the settings enable counting.
-fn counting((camera, world): View, settings: &Settings) -> Result<View, ArgumentError> {
-    if !tally::is_on() {
-        return Ok((camera, world));
-    }
-    Ok((counted::camera(camera, settings), counted::world(world)?))
 }

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! Each step is taken for 65,536 different rays in a row, so that the processor
-//! cannot learn the outcomes by heart, and about half of the rays meet the shape:
+//! cannot learn the outcomes by heart, and about half of the rays hit the shape:
 //! a test that always fails is cheaper. Read the figures as ratios of one run;
 //! a factor that comes and goes with the next build comes from the layout of the
 //! program, not from its arithmetic.
@@ -22,7 +22,7 @@ use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, 
 use a05_lighting::{Lambert, LitWorld, Material, Phong, PointLight, SingleColor};
 use a06_shadows_reflection::Reflective;
 use a07_transforms::{Disc, Node, Transform};
-use common::{Color, Size};
+use common::{ArgumentError, Color, Size};
 use divan::Bencher;
 use divan::counter::ItemsCount;
 
@@ -31,21 +31,22 @@ fn main() {
 }
 
 const RAYS: usize = 65_536;
+const O: Point3 = Point3::ORIGIN;
+const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 
-/// Rays from all around towards the surroundings of the origin, so far beside
-/// it that a sphere of radius 1 is met by half of them.
+type Made<T> = Result<T, ArgumentError>;
+
+/// Rays from all around towards the surroundings of the origin, far enough beside
+/// it that a sphere of radius 1 is hit by half of them.
 fn rays() -> Vec<Ray> {
     let ray = |i: usize| {
         let random = PixelRandom::new(1, i as u32, 0);
         let at = |n| 2.0 * random.uniform(n) - 1.0;
         let from = Vector3::new(at(0), at(1), at(2)).normalized()?;
         let aim = Point3::new(at(3), at(4), at(5));
-        let origin = Point3::ORIGIN + from * 5.0;
-        Ray::new(
-            origin,
-            (aim - origin) + Vector3::new(at(6), at(7), at(8)) * 0.6,
-        )
-        .ok()
+        let origin = O + from * 5.0;
+        let aside = Vector3::new(at(6), at(7), at(8)) * 0.6;
+        Ray::new(origin, (aim - origin) + aside).ok()
     };
     (0..2 * RAYS).filter_map(ray).take(RAYS).collect()
 }
@@ -57,168 +58,87 @@ fn count(bencher: Bencher, step: impl Fn(&Ray) -> bool + Sync) {
         .bench(|| rays.iter().filter(|ray| step(black_box(ray))).count());
 }
 
-fn hits(bencher: Bencher, geometry: &dyn Geometry) {
+fn boxed(geometry: Made<impl Geometry>) -> Made<Box<dyn Geometry>> {
+    Ok(Box::new(geometry?))
+}
+
+fn geometry(name: &str) -> Made<Box<dyn Geometry>> {
+    let unit_sphere = || Sphere::new(O, 1.0);
+    match name {
+        "plane" => boxed(Plane::new(O, UP.as_normal())),
+        "box" => {
+            let (lbf, run) = (Point3::new(-0.8, -0.8, -0.8), Point3::new(0.8, 0.8, 0.8));
+            boxed(AxisAlignedBox::new(lbf, run))
+        }
+        "triangle" => boxed(Triangle::new(
+            Point3::new(-2.0, -1.5, 0.0),
+            Point3::new(2.0, -1.5, 0.3),
+            Point3::new(0.0, 2.0, -0.3),
+        )),
+        "disc" => boxed(Disc::new(O, Normal3::new(0.0, 1.0, 0.0), 1.5)),
+        "sphere" => boxed(unit_sphere()),
+        // A sphere under nodes that need more and more of a matrix.
+        node => {
+            let start = Transform::IDENTITY;
+            let transform = match node {
+                "identity" => start,
+                "translation" => start.translate(Point3::new(0.1, 0.2, 0.3))?,
+                _ => start.scale(1.2, 0.8, 1.0)?.rotate_y(0.3)?,
+            };
+            boxed(Ok(Node::new(transform).with(unit_sphere()?)))
+        }
+    }
+}
+
+#[divan::bench(args = ["plane", "sphere", "box", "triangle", "disc"])]
+fn shapes(bencher: Bencher, name: &str) {
+    let geometry = geometry(name).expect("a shape");
     count(bencher, |ray| geometry.hit(ray, Interval::AHEAD).is_some());
 }
 
-fn at(x: f64, y: f64, z: f64) -> Point3 {
-    Point3::new(x, y, z)
+#[divan::bench(args = ["identity", "translation", "stretched and turned"])]
+fn nodes(bencher: Bencher, name: &str) {
+    shapes(bencher, name);
 }
 
-const UP: Normal3 = Normal3::new(0.0, 1.0, 0.0);
-
-#[divan::bench_group]
-mod shapes {
-    use super::{Bencher, Disc, Plane, Point3, Triangle, UP, at, hits};
-
-    #[divan::bench]
-    fn plane(bencher: Bencher) {
-        hits(bencher, &Plane::new(Point3::ORIGIN, UP).unwrap());
-    }
-
-    #[divan::bench]
-    fn sphere(bencher: Bencher) {
-        hits(bencher, &super::sphere());
-    }
-
-    #[divan::bench]
-    fn axis_aligned_box(bencher: Bencher) {
-        hits(bencher, &super::aab());
-    }
-
-    #[divan::bench]
-    fn triangle(bencher: Bencher) {
-        let corners = (at(-2.0, -1.5, 0.0), at(2.0, -1.5, 0.3), at(0.0, 2.0, -0.3));
-        hits(
-            bencher,
-            &Triangle::new(corners.0, corners.1, corners.2).unwrap(),
-        );
-    }
-
-    #[divan::bench]
-    fn disc(bencher: Bencher) {
-        hits(bencher, &Disc::new(Point3::ORIGIN, UP, 1.5).unwrap());
-    }
+fn camera(name: &str) -> Made<Box<dyn Camera>> {
+    let gaze = Vector3::new(0.0, 0.0, -1.0);
+    Ok(match name {
+        "orthographic" => Box::new(OrthographicCamera::new(O, gaze, UP, 3.0)?),
+        "perspective" => Box::new(PerspectiveCamera::new(O, gaze, UP, FRAC_PI_4)?),
+        _ => Box::new(PinholeCamera::new(O, FRAC_PI_4)?),
+    })
 }
 
-fn sphere() -> Sphere {
-    Sphere::new(Point3::ORIGIN, 1.0).unwrap()
+#[divan::bench(args = ["orthographic", "perspective", "pinhole"])]
+fn cameras(bencher: Bencher, name: &str) {
+    let camera = camera(name).expect("a camera");
+    count(bencher, |ray| {
+        let (x, y) = (ray.origin().x() * 60.0, ray.origin().y() * 60.0);
+        camera.ray_for(Size::COURSE, x, y).direction().x() > 0.0
+    });
 }
 
-fn aab() -> AxisAlignedBox {
-    AxisAlignedBox::new(at(-0.8, -0.8, -0.8), at(0.8, 0.8, 0.8)).unwrap()
-}
-
-/// A sphere under nodes that need more and more of a matrix.
-#[divan::bench_group]
-mod nodes {
-    use super::{Bencher, Node, Transform, at, hits};
-
-    fn under(bencher: Bencher, transform: Transform) {
-        hits(bencher, &Node::new(transform).with(super::sphere()));
-    }
-
-    #[divan::bench]
-    fn identity(bencher: Bencher) {
-        under(bencher, Transform::IDENTITY);
-    }
-
-    #[divan::bench]
-    fn translation(bencher: Bencher) {
-        under(
-            bencher,
-            Transform::IDENTITY.translate(at(0.1, 0.2, 0.3)).unwrap(),
-        );
-    }
-
-    #[divan::bench]
-    fn stretched_and_turned(bencher: Bencher) {
-        let stretched = Transform::IDENTITY.scale(1.2, 0.8, 1.0).unwrap();
-        under(bencher, stretched.rotate_y(0.3).unwrap());
-    }
-}
-
-#[divan::bench_group]
-mod cameras {
-    use super::{
-        Bencher, Camera, FRAC_PI_4, OrthographicCamera, PerspectiveCamera, PinholeCamera, Point3,
-        Size, Vector3, count,
-    };
-
-    fn directions(bencher: Bencher, camera: &dyn Camera) {
-        let size = Size::COURSE;
-        count(bencher, |ray| {
-            let (x, y) = (ray.origin().x() * 60.0, ray.origin().y() * 60.0);
-            camera.ray_for(size, x, y).direction().x() > 0.0
-        });
-    }
-
-    const GAZE: Vector3 = Vector3::new(0.0, 0.0, -1.0);
-    const UPWARDS: Vector3 = Vector3::new(0.0, 1.0, 0.0);
-
-    #[divan::bench]
-    fn orthographic(bencher: Bencher) {
-        let camera = OrthographicCamera::new(Point3::ORIGIN, GAZE, UPWARDS, 3.0);
-        directions(bencher, &camera.unwrap());
-    }
-
-    #[divan::bench]
-    fn perspective(bencher: Bencher) {
-        let camera = PerspectiveCamera::new(Point3::ORIGIN, GAZE, UPWARDS, FRAC_PI_4);
-        directions(bencher, &camera.unwrap());
-    }
-
-    #[divan::bench]
-    fn pinhole(bencher: Bencher) {
-        directions(
-            bencher,
-            &PinholeCamera::new(Point3::ORIGIN, FRAC_PI_4).unwrap(),
-        );
-    }
+fn material(name: &str) -> Made<Box<dyn Material>> {
+    let (red, half) = (Color::RED, Color::gray(0.5));
+    Ok(match name {
+        "single color" => Box::new(SingleColor::new(red)?),
+        "Lambert" => Box::new(Lambert::new(red)?),
+        "Phong" => Box::new(Phong::new(red, Color::WHITE, 64.0)?),
+        _ => Box::new(Reflective::new(red, Color::WHITE, 64.0, half)?),
+    })
 }
 
 /// The colour of each hit of a sphere under one light.
-#[divan::bench_group]
-mod materials {
-    use super::{
-        Bencher, Color, Hit, Lambert, LitWorld, Material, Phong, Point3, PointLight, Ray,
-        Reflective, SingleColor, at, count,
-    };
-
-    fn colors(bencher: Bencher, material: &dyn Material) {
-        let light = PointLight::new(Color::WHITE, at(5.0, 8.0, 3.0)).unwrap();
-        let world = LitWorld::new(Color::BLACK, Color::gray(0.1)).unwrap();
-        let world = world.lit_by(Box::new(light));
-        let normal = |ray: &Ray| (ray.origin() - Point3::ORIGIN).normalized();
-        let hit = |ray: &Ray| Some(Hit::new(4.0, normal(ray)?.as_normal()));
-        count(bencher, |ray| {
-            hit(ray).is_some_and(|hit| material.color_for(ray, &hit, &world) != Color::BLACK)
-        });
-    }
-
-    const RED: Color = Color::RED;
-
-    #[divan::bench]
-    fn single_color(bencher: Bencher) {
-        colors(bencher, &SingleColor::new(RED).unwrap());
-    }
-
-    #[divan::bench]
-    fn lambert(bencher: Bencher) {
-        colors(bencher, &Lambert::new(RED).unwrap());
-    }
-
-    #[divan::bench]
-    fn phong(bencher: Bencher) {
-        colors(bencher, &Phong::new(RED, Color::WHITE, 64.0).unwrap());
-    }
-
-    #[divan::bench]
-    fn reflective(bencher: Bencher) {
-        let half = Color::gray(0.5);
-        colors(
-            bencher,
-            &Reflective::new(RED, Color::WHITE, 64.0, half).unwrap(),
-        );
-    }
+#[divan::bench(args = ["single color", "Lambert", "Phong", "Reflective"])]
+fn materials(bencher: Bencher, name: &str) {
+    let material = material(name).expect("a material");
+    let light = PointLight::new(Color::WHITE, Point3::new(5.0, 8.0, 3.0)).expect("a light");
+    let world = LitWorld::new(Color::BLACK, Color::gray(0.1)).expect("a world");
+    let world = world.lit_by(Box::new(light));
+    let normal = |ray: &Ray| (ray.origin() - O).normalized();
+    let hit = |ray: &Ray| Some(Hit::new(4.0, normal(ray)?.as_normal()));
+    count(bencher, |ray| {
+        hit(ray).is_some_and(|hit| material.color_for(ray, &hit, &world) != Color::BLACK)
+    });
 }

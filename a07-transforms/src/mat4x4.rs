@@ -75,15 +75,3 @@ impl Mul<Point3> for Mat4x4 {
         Point3::from_glam(self.0.transform_point3(point.to_glam()))
     }
 }
-
-impl approx::AbsDiffEq for Mat4x4 {
-    type Epsilon = f64;
-
-    fn default_epsilon() -> f64 {
-        f64::EPSILON
-    }
-
-    fn abs_diff_eq(&self, other: &Self, epsilon: f64) -> bool {
-        self.0.abs_diff_eq(other.0, epsilon)
-    }
-}

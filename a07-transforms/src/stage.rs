@@ -33,12 +33,11 @@ fn scene(
     view: fn() -> Result<View, ArgumentError>,
 ) -> Scene {
     // The engine has counters of its own.
-    let counted_view = move |settings: &Settings| {
-        let (camera, world) = view()?;
-        if tally::is_on() && settings.renderer != Renderer::Engine {
-            return Ok((camera, counted::world(world)?));
-        }
-        Ok((camera, world))
+    let counted_view = move |settings: &Settings| match settings.renderer {
+        Renderer::Engine => view(),
+        Renderer::Lesson | Renderer::AllWork => tally::wrapped(view()?, |(camera, world)| {
+            Ok((camera, counted::world(world)?))
+        }),
     };
     traced_scene(name, about, counted_view, shapes)
         .also_planned(move |_, plan| Ok(explain::nodes(plan, &view()?.1)))

@@ -9,7 +9,7 @@ use crate::World;
 /// Adds the objects of a world to a plan.
 #[must_use]
 pub fn objects<S>(plan: Plan, world: &World<S>) -> Plan {
-    plan.needing(format!("objects: {}", world.len()))
+    plan.needing(format!("objects: {}", world.objects().count()))
 }
 
 /// The plan of a world of colours.

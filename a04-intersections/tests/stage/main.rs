@@ -5,10 +5,11 @@
 
 mod axis_aligned_box;
 mod engine;
+mod every_shape;
 mod invariance;
 mod mesh;
 mod plane;
-mod properties;
 mod sphere;
+mod support;
 mod triangle;
 mod world;

@@ -2,9 +2,7 @@
 //!
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
-mod all_work;
-mod closed_forms;
-mod explain;
 mod lights;
+mod lit_world;
 mod materials;
-mod numbers;
+mod refusals;

@@ -1,9 +1,7 @@
 //! Materials: colours calculated by hand, and surfaces that must not shine.
 
 mod highlights;
-mod lit_world;
 mod matt;
-mod refusals;
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
@@ -20,33 +18,32 @@ const RIGHT: Vector3 = Vector3::new(0.6, 0.8, 0.0);
 /// Rounding of a few products.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Light that is all there, as it is given.
-struct Given {
-    ambient: Color,
-    lights: Vec<Illumination>,
-}
+/// An ambient light, and lights that all arrive.
+struct Given(Color, Vec<Illumination>);
 
 impl Lighting for Given {
     fn ambient(&self) -> Color {
-        self.ambient
+        self.0
     }
 
     fn for_each_light(&self, _: &Ray, _: &Hit, shade: &mut dyn FnMut(&Illumination)) {
-        self.lights.iter().for_each(shade);
+        self.1.iter().for_each(shade);
     }
 }
 
-/// Lights of these colours from these directions, and no ambient light.
-fn light_from(lights: &[(Color, Vector3)]) -> Given {
-    let from = |&(color, direction): &(Color, Vector3)| Illumination {
+/// An ambient light, and lights of these colours from these directions.
+fn light(ambient: Color, lights: &[(Color, Vector3)]) -> Given {
+    let light = |&(color, direction): &(Color, Vector3)| Illumination {
         color,
         direction,
         distance: 1.0,
     };
-    Given {
-        ambient: Color::BLACK,
-        lights: lights.iter().map(from).collect(),
-    }
+    Given(ambient, lights.iter().map(light).collect())
+}
+
+/// White light from this direction.
+fn white_from(direction: Vector3) -> Given {
+    light(Color::BLACK, &[(Color::WHITE, direction)])
 }
 
 /// The colour of a surface that faces upwards, seen from the direction `e`.

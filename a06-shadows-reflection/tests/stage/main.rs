@@ -3,11 +3,9 @@
 //!
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
-mod all_work;
 mod engine;
-mod eye_in_plane;
 mod mirrors;
-#[path = "../../../a05-lighting/tests/stage/numbers.rs"]
-mod numbers;
+mod renderers;
+mod secondary_rays;
 mod shadows;
 mod work;

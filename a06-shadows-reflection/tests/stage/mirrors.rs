@@ -1,22 +1,22 @@
-//! Mirrors: geometric series, depth, and mirror images.
-
-mod depth;
-mod images;
-mod surfaces;
+//! Mirrors: geometric series, depth, mirror images, and surfaces that do not mirror.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
-use a04_intersections::{Plane, Sphere};
-use a05_lighting::SingleColor;
-use a06_shadows_reflection::{RecursiveTracer, Reflective, ShadowedWorld, Surface};
+use a04_intersections::{Plane, Sphere, Triangle};
+use a05_lighting::{DirectionalLight, Lambert, Phong, SingleColor};
+use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface};
+use approx::assert_relative_eq;
 use common::Color;
+use testing::assert_refused;
 
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 const X: Vector3 = Vector3::new(1.0, 0.0, 0.0);
+const WHITE: Color = Color::WHITE;
+const BLACK: Color = Color::BLACK;
 
 /// A matt surface of this diffuse colour that also reflects.
 fn mirror(diffuse: Color, reflection: Color) -> Box<dyn Surface> {
-    Box::new(Reflective::new(diffuse, Color::BLACK, 64.0, reflection).unwrap())
+    Box::new(Reflective::new(diffuse, BLACK, 64.0, reflection).unwrap())
 }
 
 fn world(background: Color, ambient: Color) -> ShadowedWorld {
@@ -27,29 +27,199 @@ fn plane(through: Point3, n: Vector3) -> Plane {
     Plane::new(through, n.as_normal()).unwrap()
 }
 
+fn floor() -> Plane {
+    plane(Point3::ORIGIN, UP)
+}
+
 fn trace(world: &ShadowedWorld, ray: &Ray, depth: u32) -> Color {
     RecursiveTracer::new(world).trace(ray, depth)
 }
 
-fn balls(world: ShadowedWorld) -> ShadowedWorld {
-    let colors = [Color::RED, Color::GREEN, Color::BLUE, Color::YELLOW];
-    colors
-        .into_iter()
-        .enumerate()
-        .fold(world, |world, (n, color)| {
-            let x = n as f64 * 1.7 - 2.5;
-            let ball = Sphere::new(Point3::new(x, 1.5 + 0.3 * x, 0.4 * x), 0.8).unwrap();
-            world.with(ball, Box::new(SingleColor::new(color).unwrap()))
-        })
+fn from_above(direction: Vector3) -> Ray {
+    Ray::new(Point3::new(0.0, 3.0, 0.0), direction).unwrap()
 }
 
-fn views() -> Vec<Ray> {
-    let view = |n| {
-        let random = PixelRandom::new(15, n, 0);
-        let d = [0, 1, 2].map(|i| random.uniform(i) * 2.0 - 1.0);
-        let eye = Point3::new(1.0, 3.0, 8.0);
-        let aim = Vector3::from_glam(d.into()) * 5.0 - Vector3::new(1.0, 1.0, 9.0);
-        Ray::new(eye, aim).unwrap()
+/// The colour between two mirrors of the colour 1 that face each other at a distance, from
+/// half way between them.
+fn between_mirrors(k: f64, gap: f64, direction: Vector3, depth: u32) -> Color {
+    let wall = || mirror(WHITE, Color::gray(k));
+    let world = world(BLACK, WHITE)
+        .with(plane(Point3::ORIGIN, X), wall())
+        .with(plane(Point3::ORIGIN + X * gap, X), wall());
+    let ray = Ray::new(Point3::ORIGIN + X * (gap / 2.0), direction).unwrap();
+    trace(&world, &ray, depth)
+}
+
+/// 1 + k + k² + .. of `depth` terms is (1 - k^depth) / (1 - k), and `depth` if
+/// k is 1. Bound: one rounding each in the power and in the sum, depth eps. A
+/// gap below any fixed length that a reflected ray might skip is none the less
+/// a gap.
+#[test]
+fn two_mirrors_show_each_other_in_a_geometric_series() {
+    for k in [0.0, 0.5, 0.99, 1.0] {
+        for depth in [1, 2, 5, 50, 1000] {
+            let power: f64 = (0..depth).map(|_| k).product();
+            let expected = if k < 1.0 {
+                (1.0 - power) / (1.0 - k)
+            } else {
+                f64::from(depth)
+            };
+            let bound = f64::from(depth) * 2.0 * f64::EPSILON;
+            for gap in [5e-4, 1.0, 1e6] {
+                for direction in [X, -X, Vector3::new(3.0, -1.0, 2.0)] {
+                    let color = between_mirrors(k, gap, direction, depth);
+                    assert_relative_eq!(color.r, expected, max_relative = bound);
+                }
+            }
+        }
+    }
+}
+
+/// A function that calls itself a million times ends the program.
+#[test]
+fn a_depth_of_a_million_needs_no_stack() {
+    assert_eq!(between_mirrors(1.0, 1.0, X, 1_000_000), Color::gray(1e6));
+    // Powers of 1/2 become 0 on the way, and the sum 2.
+    assert_eq!(between_mirrors(0.5, 1.0, X, 1_000_000), Color::gray(2.0));
+}
+
+#[test]
+fn depth_counts_the_surfaces_that_a_ray_may_hit() {
+    let half = Color::gray(0.5);
+    let world = world(Color::BLUE, WHITE).with(floor(), mirror(half, half));
+    let with_sky = half + Color::BLUE * 0.5;
+    for (direction, depth, expected) in [
+        (-UP, 0, BLACK),
+        (-UP, 1, half),
+        (-UP, 2, with_sky),
+        (-UP, u32::MAX, with_sky),
+        (UP, 0, BLACK),
+        (UP, 1, Color::BLUE),
+    ] {
+        assert_eq!(trace(&world, &from_above(direction), depth), expected);
+    }
+}
+
+/// Each mirror takes its share of each channel: down to the floor, reflected to the wall,
+/// and from there to the sky.
+#[test]
+fn the_background_is_seen_through_mirrors() {
+    let (first, second) = (Color::new(0.5, 1.0, 0.25), Color::new(0.5, 0.0, 0.75));
+    let corner = world(Color::new(1.0, 1.0, 0.5), BLACK)
+        .with(floor(), mirror(WHITE, first))
+        .with(plane(Point3::ORIGIN + X * 5.0, X), mirror(WHITE, second));
+    let ray = from_above(X - UP);
+    assert_eq!(trace(&corner, &ray, 3), Color::new(0.25, 0.0, 0.09375));
+    assert_eq!(trace(&corner, &ray, 2), BLACK);
+}
+
+/// In the sum over the lights, three of them would reflect three times.
+#[test]
+fn mirrored_light_is_added_once_for_any_number_of_lights() {
+    for lights in 0..=3_u32 {
+        let floor =
+            world(Color::BLUE, Color::gray(0.25)).with(floor(), mirror(WHITE, Color::gray(0.5)));
+        let lit = (0..lights).fold(floor, |world, _| {
+            let light = DirectionalLight::new(Color::RED, -UP).unwrap();
+            world.lit_by(LightSource::new(light, true))
+        });
+        let expected = Color::new(0.25 + f64::from(lights), 0.25, 0.25 + 0.5);
+        assert_eq!(trace(&lit, &from_above(-UP), 5), expected);
+    }
+}
+
+/// A plane mirror shows the view of an eye behind it, without the mirror.
+#[test]
+fn a_plane_mirror_shows_the_mirrored_scene() {
+    let gray = Color::gray(0.5);
+    let balls = || {
+        let colors = [Color::RED, Color::GREEN, Color::BLUE, Color::YELLOW];
+        (0..4).fold(world(gray, BLACK), |world, n| {
+            let x = f64::from(n) * 1.7 - 2.5;
+            let ball = Sphere::new(Point3::new(x, 1.5 + 0.3 * x, 0.4 * x), 0.8).unwrap();
+            let color = SingleColor::new(colors[n as usize]).unwrap();
+            world.with(ball, Box::new(color))
+        })
     };
-    (0..2000).map(view).collect()
+    let (without, with_mirror) = (balls(), balls().with(floor(), mirror(BLACK, WHITE)));
+    let mut seen = std::collections::HashSet::new();
+    for n in 0..5000 {
+        let random = PixelRandom::new(13, n, 0);
+        let [x, z] = [0, 1].map(|i| 12.0 * random.uniform(i) - 6.0);
+        let place = Point3::new(x, 0.0, z);
+        let [ray, mirrored] = [2.0, -2.0].map(|y| {
+            let eye = Point3::new(0.5, y, 9.0);
+            Ray::new(eye, place - eye).unwrap()
+        });
+        // Otherwise a ball stands before the mirror, or below it.
+        if trace(&without, &ray, 1) == gray {
+            let color = trace(&with_mirror, &ray, 2);
+            assert_eq!(color, trace(&without, &mirrored, 1), "at {place:?}");
+            seen.insert(color.to_bytes());
+        }
+    }
+    assert_eq!(seen.len(), 5, "all balls and the background");
+}
+
+/// The normal leans by 30 degrees, so that a ray straight from above is reflected at
+/// 60 degrees, to a small ball. By the normal of the face it would go back up.
+#[test]
+fn a_curved_triangle_reflects_on_its_interpolated_normal() {
+    let leaning = Vector3::new(0.5, 0.75_f64.sqrt(), 0.0).as_normal();
+    let [a, b, c] = [(-1.0, 1.0), (1.0, 1.0), (0.0, -2.0)].map(|(x, z)| Point3::new(x, 0.0, z));
+    let triangle = Triangle::new(a, b, c).unwrap().with_normals([leaning; 3]);
+    let ball = Sphere::new(Point3::new(5.0 * 0.75_f64.sqrt(), 2.5, 0.0), 0.01).unwrap();
+    let world = world(BLACK, BLACK)
+        .with(triangle.unwrap(), mirror(BLACK, WHITE))
+        .with(ball, Box::new(SingleColor::new(Color::GREEN).unwrap()));
+    assert_eq!(trace(&world, &from_above(-UP), 2), Color::GREEN);
+}
+
+/// In its own light a mirror is the shiny surface under it; other surfaces do not mirror.
+#[test]
+fn only_reflective_surfaces_mirror() {
+    let (diffuse, specular) = (Color::new(0.2, 0.4, 0.6), Color::gray(0.5));
+    let tinted = Color::new(0.0, 0.5, 1.0);
+    let color = |surface: Box<dyn Surface>, reflection: Color| {
+        assert_eq!(surface.reflection(), reflection);
+        let sun = DirectionalLight::new(WHITE, -UP).unwrap();
+        let world = world(BLACK, Color::gray(0.25)).with(floor(), surface);
+        trace(
+            &world.lit_by(LightSource::new(sun, true)),
+            &from_above(X - UP * 3.0),
+            1,
+        )
+    };
+    let shiny = Phong::new(diffuse, specular, 8.0).unwrap();
+    let reflective = Reflective::new(diffuse, specular, 8.0, tinted).unwrap();
+    assert_eq!(
+        color(Box::new(reflective), tinted),
+        color(Box::new(shiny), BLACK)
+    );
+    color(Box::new(SingleColor::new(WHITE).unwrap()), BLACK);
+    color(Box::new(Lambert::new(WHITE).unwrap()), BLACK);
+}
+
+#[test]
+fn bad_arguments_are_refused_by_name() {
+    for number in [f64::NAN, f64::INFINITY, -0.5, 1.0_f64.next_up()] {
+        let bad = Color::new(1.0, 1.0, number);
+        let reflective = Reflective::new(WHITE, WHITE, 1.0, bad);
+        assert_refused(reflective, "reflection is", "from 0 to 1");
+        if number.is_nan() || number < 0.0 {
+            let allowed = "channels from 0 to 1e50";
+            assert_refused(
+                Reflective::new(bad, WHITE, 1.0, WHITE),
+                "diffuse is",
+                allowed,
+            );
+            assert_refused(
+                Reflective::new(WHITE, bad, 1.0, WHITE),
+                "specular is",
+                allowed,
+            );
+            let exponent = Reflective::new(WHITE, WHITE, number, WHITE);
+            assert_refused(exponent, "exponent is", "at least 0");
+        }
+    }
 }

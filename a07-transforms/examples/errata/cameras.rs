@@ -1,124 +1,102 @@
-//! The full angle taken for the half one, and stripes beside the horizon.
+//! The full angle taken for the half one, corners of pixels for their middles, and stripes
+//! beside the horizon.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use a02_math::Point3;
-use a03_rays_cameras::{Camera, PinholeCamera, Ray, StripeRule, StripedSky, protocol, render};
+use a03_rays_cameras::{Camera, PinholeCamera, Ray, StripeRule, StripedSky, protocol};
 use a04_intersections::{Sphere, World};
-use common::{Color, Error, Image, Progress, Scene, Settings, Size};
+use common::{ArgumentError, Color, Error, Scene, Settings, Size};
 
-use super::beside;
+use super::{View, beside};
 
-pub fn tangent() -> Scene {
-    let about = "the tangent of the full opening angle, and of half of it";
-    beside(
-        "tangent",
-        about,
-        |settings, progress| spheres(&PrintedCamera, settings, progress),
-        |settings, progress| {
-            let camera = PinholeCamera::new(Point3::ORIGIN, FRAC_PI_4)?;
-            spheres(&camera, settings, progress)
-        },
-    )
+fn pinhole(angle: f64) -> Result<PinholeCamera, ArgumentError> {
+    PinholeCamera::new(Point3::ORIGIN, angle)
 }
 
-/// The perspective camera as printed, at the origin and looking along -z.
-struct PrintedCamera;
+/// The direction of the ray through a place in a picture of this size.
+type Direction = fn(size: Size, x: f64, y: f64) -> a02_math::Vector3;
 
-impl Camera for PrintedCamera {
+/// A camera of the protocol at the origin, looking along -z, with an angle of 45 degrees.
+struct Printed(Direction);
+
+impl Camera for Printed {
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
-        let size = [size.width(), size.height()].map(f64::from);
-        let direction = protocol::perspective_direction(size, x, y, FRAC_PI_4);
-        Ray::derived(Point3::ORIGIN, direction)
+        Ray::derived(Point3::ORIGIN, (self.0)(size, x, y))
     }
 }
 
+fn sides(size: Size) -> [f64; 2] {
+    [size.width(), size.height()].map(f64::from)
+}
+
+pub fn tangent() -> Scene {
+    let about = "the tangent of the full opening angle, and of half of it";
+    let perspective: Direction =
+        |size, x, y| protocol::perspective_direction(sides(size), x, y, FRAC_PI_4);
+    beside(
+        "tangent",
+        about,
+        move |_| two_spheres(Printed(perspective)),
+        |_| two_spheres(pinhole(FRAC_PI_4)?),
+    )
+}
+
 /// The two spheres of scene 5.
-fn spheres(
-    camera: &impl Camera,
-    settings: &Settings,
-    progress: &dyn Progress,
-) -> Result<Image, Error> {
+fn two_spheres(camera: impl Camera + 'static) -> Result<View, Error> {
     let world = World::new(Color::BLACK)?
         .with(Sphere::new(Point3::new(-1.0, 0.0, -3.0), 0.5)?, Color::RED)
         .with(Sphere::new(Point3::new(1.0, 0.0, -6.0), 0.5)?, Color::RED);
-    render(camera, |ray| world.color_for(ray), settings, progress)
+    Ok(View::new(camera, move |ray| world.color_for(ray)))
 }
 
 const STRIPES: u32 = 10;
 
 pub fn stripes() -> Scene {
     let about = "ten stripes, counted by the height without and with its sign";
-    beside(
-        "stripes",
-        about,
-        |settings, progress| {
-            let camera = PinholeCamera::new(Point3::ORIGIN, FRAC_PI_2)?;
-            let edge = camera.generate_ray(settings.size, 0.5 * width(settings), 0.0);
-            let top = edge.direction().y();
-            let color = |ray: &Ray| {
-                let y = ray.direction().y();
-                let is_even = protocol::count_current_stripe(top, STRIPES, y).is_multiple_of(2);
-                Color::from_bytes(if is_even {
-                    [25, 25, 112]
-                } else {
-                    [50, 205, 50]
-                })
-            };
-            render(&camera, color, settings, progress)
-        },
-        |settings, progress| {
-            let camera = PinholeCamera::new(Point3::ORIGIN, FRAC_PI_2)?;
-            let sky = StripedSky::new(&camera, settings.size, STRIPES, StripeRule::Direction)?;
-            render(&camera, |ray| sky.color_for(ray), settings, progress)
-        },
-    )
-}
-
-fn width(settings: &Settings) -> f64 {
-    f64::from(settings.size.width())
+    let wrong = |settings: &Settings| {
+        let camera = pinhole(FRAC_PI_2)?;
+        let [width, _] = sides(settings.size);
+        let edge = camera.generate_ray(settings.size, 0.5 * width, 0.0);
+        let top = edge.direction().y();
+        Ok(View::new(camera, move |ray| {
+            let y = ray.direction().y();
+            let is_even = protocol::count_current_stripe(top, STRIPES, y).is_multiple_of(2);
+            Color::from_bytes(if is_even {
+                [25, 25, 112]
+            } else {
+                [50, 205, 50]
+            })
+        }))
+    };
+    beside("stripes", about, wrong, |settings| {
+        let camera = pinhole(FRAC_PI_2)?;
+        let sky = StripedSky::new(&camera, settings.size, STRIPES, StripeRule::Direction)?;
+        Ok(View::new(camera, move |ray| sky.color_for(ray)))
+    })
 }
 
 pub fn half_pixel() -> Scene {
     let about = "a ball on 24x18 pixels, through their corners and through their middles";
+    // Whole numbers are corners of pixels for the pinhole camera.
+    let corners: Direction = |size, x, y| {
+        let [w, h] = sides(size);
+        protocol::pinhole_direction([w, h], x, h - 1.0 - y, FRAC_PI_4)
+    };
     beside(
         "half-pixel",
         about,
-        |settings, progress| ball(&Corners, settings, progress),
-        |settings, progress| {
-            let camera = PinholeCamera::new(Point3::ORIGIN, FRAC_PI_4)?;
-            ball(&camera, settings, progress)
-        },
+        move |_| ball(Printed(corners)),
+        |_| ball(pinhole(FRAC_PI_4)?),
     )
 }
 
-/// The pinhole camera asked for whole numbers, which are corners of pixels.
-struct Corners;
-
-impl Camera for Corners {
-    fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
-        let [w, h] = [size.width(), size.height()].map(f64::from);
-        let direction = protocol::pinhole_direction([w, h], x, h - 1.0 - y, FRAC_PI_4);
-        Ray::derived(Point3::ORIGIN, direction)
-    }
-}
-
 /// A ball straight ahead on a few pixels, each shown as a square.
-fn ball(
-    camera: &impl Camera,
-    settings: &Settings,
-    progress: &dyn Progress,
-) -> Result<Image, Error> {
-    const SIDE: u32 = 15;
-    let [w, h] = [settings.size.width(), settings.size.height()].map(|n| n.div_ceil(SIDE));
-    let few = Settings {
-        size: Size::new(w, h)?,
-        ..settings.clone()
-    };
+fn ball(camera: impl Camera + 'static) -> Result<View, Error> {
     let world = World::new(Color::gray(0.1))?
         .with(Sphere::new(Point3::new(0.0, 0.0, -3.0), 0.45)?, Color::RED);
-    let image = render(camera, |ray| world.color_for(ray), &few, progress)?;
-    Image::from_fn(settings.size, |x, y| {
-        image.get(x / SIDE, y / SIDE).unwrap_or_default()
+    Ok(View {
+        pixel: 15,
+        ..View::new(camera, move |ray| world.color_for(ray))
     })
 }

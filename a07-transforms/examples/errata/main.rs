@@ -8,6 +8,7 @@ mod mirrors;
 mod nodes;
 mod shapes;
 
+use a03_rays_cameras::{Camera, Ray, render};
 use common::{Color, Error, Image, Progress, Scene, Settings, Size};
 use measure::{Effort, Stage};
 
@@ -43,13 +44,52 @@ pub fn stage() -> Stage {
     }
 }
 
-/// Renders the picture of a panel.
-type Panel = fn(&Settings, &dyn Progress) -> Result<Image, Error>;
+/// A camera, and the colour of each of its rays.
+struct View {
+    camera: Box<dyn Camera>,
+    color: Box<dyn Fn(&Ray) -> Color + Sync>,
+    /// The side of a pixel, which may be enlarged to a square.
+    pixel: u32,
+}
 
-/// Two panels of 360x270: the wrong one, and the right one.
-fn beside(name: &'static str, about: &'static str, wrong: Panel, right: Panel) -> Scene {
-    let panels = [("wrong", wrong), ("right", right)];
-    let panels = panels.map(|(name, panel)| Scene::traced(name, about, panel));
+impl View {
+    fn new(camera: impl Camera + 'static, color: impl Fn(&Ray) -> Color + Sync + 'static) -> Self {
+        Self {
+            camera: Box::new(camera),
+            color: Box::new(color),
+            pixel: 1,
+        }
+    }
+
+    fn render(&self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
+        let [w, h] = [settings.size.width(), settings.size.height()];
+        let few = Settings {
+            size: Size::new(w.div_ceil(self.pixel), h.div_ceil(self.pixel))?,
+            ..settings.clone()
+        };
+        let image = render(&self.camera, |ray| (self.color)(ray), &few, progress)?;
+        Image::from_fn(settings.size, |x, y| {
+            let square = image.get(x / self.pixel, y / self.pixel);
+            square.unwrap_or_default()
+        })
+    }
+}
+
+/// The view of a panel.
+type Panel = Box<dyn Fn(&Settings) -> Result<View, Error> + Send + Sync>;
+
+/// Two panels of 360x270: the wrong view, and the right one.
+fn beside<F, G>(name: &'static str, about: &'static str, wrong: F, right: G) -> Scene
+where
+    F: Fn(&Settings) -> Result<View, Error> + Send + Sync + 'static,
+    G: Fn(&Settings) -> Result<View, Error> + Send + Sync + 'static,
+{
+    let panels: [Panel; 2] = [Box::new(wrong), Box::new(right)];
+    let panels = panels.map(|view| {
+        Scene::traced(name, about, move |settings, progress| {
+            view(settings)?.render(settings, progress)
+        })
+    });
     let pictures = Scene::side_by_side(name, about, panels.into());
     let Ok(size) = Size::new(2 * 360 + Scene::GAP, 270) else {
         return pictures;

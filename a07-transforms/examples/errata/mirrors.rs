@@ -3,14 +3,14 @@
 use std::f64::consts::FRAC_PI_4;
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, Ray, render};
+use a03_rays_cameras::{PerspectiveCamera, Ray};
 use a04_intersections::{Plane, Sphere};
 use a05_lighting::PointLight;
 use a06_shadows_reflection::protocol::OneCounter;
 use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld};
-use common::{ArgumentError, Color, Error, Image, Progress, Scene, Settings};
+use common::{Color, Error, Scene, Settings};
 
-use super::beside;
+use super::{View, beside};
 
 /// How large the scene is: one of millimetres, measured in metres.
 const SIZE: f64 = 0.001;
@@ -19,39 +19,25 @@ pub fn offset() -> Scene {
     beside(
         "mirror",
         "three mirroring balls of radius 0.001: reflected at t - 0.001, and lifted",
-        |settings, progress| {
-            let world = balls()?;
-            let radiance = |ray: &Ray| {
-                let mut tracer = OneCounter {
-                    world: &world,
-                    recursion: settings.depth,
-                };
-                tracer.trace(ray)
-            };
-            view(radiance, settings, progress)
+        |settings| {
+            balls(settings, |world, ray, recursion| {
+                OneCounter { world, recursion }.trace(ray)
+            })
         },
-        |settings, progress| {
-            let world = balls()?;
-            let tracer = RecursiveTracer::new(&world);
-            view(|ray| tracer.trace(ray, settings.depth), settings, progress)
+        |settings| {
+            balls(settings, |world, ray, depth| {
+                RecursiveTracer::new(world).trace(ray, depth)
+            })
         },
     )
     .reflecting()
 }
 
-fn view(
-    radiance: impl Fn(&Ray) -> Color + Sync,
-    settings: &Settings,
-    progress: &dyn Progress,
-) -> Result<Image, Error> {
-    let eye = Point3::new(4.0 * SIZE, 4.0 * SIZE, 9.0 * SIZE);
-    let (gaze, up) = (Vector3::new(-4.0, -3.5, -9.0), Vector3::new(0.0, 1.0, 0.0));
-    let camera = PerspectiveCamera::new(eye, gaze, up, FRAC_PI_4)?;
-    render(&camera, radiance, settings, progress)
-}
-
 /// The spheres of the stage's first scene, closer together.
-fn balls() -> Result<ShadowedWorld, ArgumentError> {
+fn balls(
+    settings: &Settings,
+    trace: fn(&ShadowedWorld, &Ray, depth: u32) -> Color,
+) -> Result<View, Error> {
     let half = Color::gray(0.5);
     let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
     let mirror = Reflective::new(Color::gray(0.3), Color::BLACK, 64.0, half)?;
@@ -65,5 +51,9 @@ fn balls() -> Result<ShadowedWorld, ArgumentError> {
         let material = Reflective::new(color, Color::WHITE, 64.0, half)?;
         world = world.with(sphere, Box::new(material));
     }
-    Ok(world)
+    let eye = Point3::new(4.0 * SIZE, 4.0 * SIZE, 9.0 * SIZE);
+    let (gaze, up) = (Vector3::new(-4.0, -3.5, -9.0), Vector3::new(0.0, 1.0, 0.0));
+    let camera = PerspectiveCamera::new(eye, gaze, up, FRAC_PI_4)?;
+    let depth = settings.depth;
+    Ok(View::new(camera, move |ray| trace(&world, ray, depth)))
 }

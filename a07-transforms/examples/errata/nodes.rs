@@ -3,35 +3,29 @@
 use std::f64::consts::FRAC_PI_4;
 
 use a02_math::{Direction, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, Ray, render};
+use a03_rays_cameras::{PerspectiveCamera, Ray};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Sphere, World};
 use a07_transforms::protocol::{self, Chained};
 use a07_transforms::{Node, Transform};
-use common::{ArgumentError, Color, Error, Image, Progress, Scene, Settings};
+use common::{ArgumentError, Color, Error, Scene};
 
 use super::formula::Formula;
-use super::{beside, shade};
+use super::{View, beside, shade};
 
 type Made<T> = Result<T, ArgumentError>;
 
 /// A shape of one colour in light from above and from the left.
-fn view(
-    eye: f64,
-    shape: impl Geometry + 'static,
-    settings: &Settings,
-    progress: &dyn Progress,
-) -> Result<Image, Error> {
+fn view(eye: f64, shape: impl Geometry) -> Result<View, Error> {
     let world = World::new(Color::BLACK)?.with(shape, Color::YELLOW);
     let (e, g) = (Point3::new(eye, eye, eye), Vector3::new(-1.0, -1.0, -1.0));
     let camera = PerspectiveCamera::new(e, g, Vector3::new(0.0, 1.0, 0.0), FRAC_PI_4)?;
     let light = Vector3::new(1.0, 20.0, 20.0).unit("light")?;
-    let color = |ray: &Ray| {
+    Ok(View::new(camera, move |ray| {
         let hit = world.hit(ray, Interval::AHEAD);
         hit.map_or(Color::BLACK, |(hit, color)| {
             shade(*color, hit.normal.dot(light))
         })
-    };
-    render(&camera, color, settings, progress)
+    }))
 }
 
 fn unit_box() -> Made<AxisAlignedBox> {
@@ -39,22 +33,22 @@ fn unit_box() -> Made<AxisAlignedBox> {
 }
 
 /// The steps of the stage's box, outermost first.
-fn steps() -> Made<[Transform; 4]> {
-    let step = Transform::IDENTITY;
-    Ok([
-        step.scale(4.0, 1.0, 8.0)?,
-        step.rotate_z(-20_f64.to_radians())?,
-        step.rotate_y(-5_f64.to_radians())?,
-        step.rotate_x(-30_f64.to_radians())?,
-    ])
-}
+const STEPS: [fn(Transform) -> Made<Transform>; 4] = [
+    |transform| transform.scale(4.0, 1.0, 8.0),
+    |transform| transform.rotate_z(-20_f64.to_radians()),
+    |transform| transform.rotate_y(-5_f64.to_radians()),
+    |transform| transform.rotate_x(-30_f64.to_radians()),
+];
 
 pub fn order() -> Scene {
     beside(
         "transform",
         "the inverses multiplied in the order of the matrices, and in the opposite one",
-        |settings, progress| {
-            let chain = steps()?.iter().fold(Chained::IDENTITY, Chained::then);
+        |_| {
+            let mut chain = Chained::IDENTITY;
+            for step in STEPS {
+                chain = chain.then(&step(Transform::IDENTITY)?);
+            }
             let cube = unit_box()?;
             let shape = Formula(move |ray: &Ray, within| {
                 let object_ray = Ray::derived(chain.i * ray.origin(), chain.i * ray.direction());
@@ -62,30 +56,28 @@ pub fn order() -> Scene {
                 let normal = protocol::unnormalized_normal(chain.i, hit.normal).normalized()?;
                 Some(Hit::new(hit.t, normal.as_normal()))
             });
-            view(10.0, shape, settings, progress)
+            view(10.0, shape)
         },
-        |settings, progress| {
-            let transform = Transform::IDENTITY
-                .scale(4.0, 1.0, 8.0)?
-                .rotate_z(-20_f64.to_radians())?
-                .rotate_y(-5_f64.to_radians())?
-                .rotate_x(-30_f64.to_radians())?;
-            let node = Node::new(transform).with(unit_box()?);
-            view(10.0, node, settings, progress)
+        |_| {
+            let transform = STEPS
+                .iter()
+                .try_fold(Transform::IDENTITY, |chain, step| step(chain))?;
+            view(10.0, Node::new(transform).with(unit_box()?))
         },
     )
 }
 
-fn ellipsoid() -> Made<Transform> {
-    Transform::IDENTITY.scale(6.0, 1.2, 4.0)
+fn ellipsoid() -> Made<(Transform, Sphere)> {
+    let transform = Transform::IDENTITY.scale(6.0, 1.2, 4.0)?;
+    Ok((transform, Sphere::new(Point3::ORIGIN, 1.0)?))
 }
 
 pub fn normals() -> Scene {
     beside(
         "normal",
         "a normal multiplied by the transposed matrix, and by the transposed inverse",
-        |settings, progress| {
-            let (transform, ball) = (ellipsoid()?, Sphere::new(Point3::ORIGIN, 1.0)?);
+        |_| {
+            let (transform, ball) = ellipsoid()?;
             let shape = Formula(move |ray: &Ray, within| {
                 let hit = ball.hit(&transform.ray_to_object(ray), within)?;
                 let face = transform.normal_from_object(hit.face)?;
@@ -96,11 +88,11 @@ pub fn normals() -> Scene {
                     ..hit
                 })
             });
-            view(12.0, shape, settings, progress)
+            view(12.0, shape)
         },
-        |settings, progress| {
-            let node = Node::new(ellipsoid()?).with(Sphere::new(Point3::ORIGIN, 1.0)?);
-            view(12.0, node, settings, progress)
+        |_| {
+            let (transform, ball) = ellipsoid()?;
+            view(12.0, Node::new(transform).with(ball))
         },
     )
 }
@@ -114,16 +106,14 @@ pub fn last_wins() -> Scene {
     beside(
         "node",
         "a ball before a box: the last hit of the list, and the nearest",
-        |settings, progress| {
+        |_| {
             let children: Vec<Box<dyn Geometry>> = vec![Box::new(ball()?), Box::new(unit_box()?)];
-            let shape = Formula(move |ray: &Ray, _: Interval| protocol::last_hit(&children, ray));
-            view(2.2, shape, settings, progress)
+            let last_hit = move |ray: &Ray, _: Interval| protocol::last_hit(&children, ray);
+            view(2.2, Formula(last_hit))
         },
-        |settings, progress| {
-            let node = Node::new(Transform::IDENTITY)
-                .with(ball()?)
-                .with(unit_box()?);
-            view(2.2, node, settings, progress)
+        |_| {
+            let node = Node::new(Transform::IDENTITY);
+            view(2.2, node.with(ball()?).with(unit_box()?))
         },
     )
 }

@@ -9,7 +9,6 @@ mod disc;
 mod engine;
 mod mat4x4;
 mod node;
-mod own_objects;
-mod projected_areas;
-mod properties;
+#[path = "../../../a04-intersections/tests/stage/support.rs"]
+mod support;
 mod transform;

@@ -1,48 +1,256 @@
-//! Nodes: objects that are moved by moving the ray.
+//! Nodes: a transformed shape is the shape that lies there, in pictures of all renderers.
 
-mod children;
-mod shadows;
-mod shapes;
+use std::f64::consts::FRAC_PI_2;
 
-use a02_math::{Point3, Vector3};
+use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
-use a04_intersections::{Geometry, Hit, Interval, Sphere};
-use a07_transforms::Transform;
+use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
+use a05_lighting::{Illumination, Lambert, PointLight};
+use a06_shadows_reflection::{LightSource, ShadowedWorld, View, is_shadowed, traced_scene};
+use a07_transforms::{Node, Transform, fast};
+use approx::assert_abs_diff_eq;
+use common::{ArgumentError, Color, Renderer, Settings, Size};
 
-const AHEAD: Vector3 = Vector3::new(0.0, 0.0, -1.0);
+use super::support::{HERE, Place, hit, point, random_ray, random_shape, random_vector, ray};
 
 fn unit_sphere() -> Sphere {
     Sphere::new(Point3::ORIGIN, 1.0).unwrap()
 }
 
+fn cube() -> AxisAlignedBox {
+    AxisAlignedBox::new(point([-0.5; 3]), point([0.5; 3])).unwrap()
+}
+
 fn translated(x: f64, y: f64, z: f64) -> Transform {
-    let to = Point3::new(x, y, z);
-    Transform::IDENTITY.translate(to).unwrap()
+    Transform::IDENTITY.translate(Point3::new(x, y, z)).unwrap()
 }
 
-fn scaled(x: f64, y: f64, z: f64) -> Transform {
-    Transform::IDENTITY.scale(x, y, z).unwrap()
-}
-
-fn ahead() -> Ray {
-    Ray::new(Point3::ORIGIN, AHEAD).unwrap()
-}
-
-fn hit(geometry: &impl Geometry, ray: &Ray) -> Option<Hit> {
-    geometry.hit(ray, Interval::AHEAD)
-}
-
-/// Rays from a distance of some 10 towards and past the origin.
-fn rays(count: u32) -> impl Iterator<Item = Ray> {
-    (0..count).map(|n| {
+/// Rays from a distance of 10 towards and past the origin.
+fn rays() -> impl Iterator<Item = Ray> {
+    (0..3000).map(|n| {
         let random = PixelRandom::new(17, n, 0);
-        let vector = |first: u64, width: f64| {
-            let three = [0, 1, 2].map(|i| width * (random.uniform(first + i) - 0.5));
-            Vector3::from_glam(three.into())
-        };
-        let out = vector(0, 1.0).normalized().unwrap();
+        let out = random_vector(random, 0, 0.5).normalized().unwrap();
         let eye = Point3::ORIGIN + out * 10.0;
-        let aim = Point3::ORIGIN + vector(3, 8.0);
-        Ray::new(eye, aim - eye).unwrap()
+        Ray::new(eye, random_vector(random, 3, 4.0) - out * 10.0).unwrap()
     })
+}
+
+/// Moved by a whole number and stretched by powers of two nothing is rounded on the way
+/// into the nodes, so that `t` equals the `t` of a shape that lies there.
+#[test]
+fn nodes_with_exact_transforms_are_hit_at_the_same_t() {
+    for n in 0..8000 {
+        let (scale, shift) = (
+            libm::scalbn(1.0, (n % 7) as i32 - 3),
+            f64::from(n % 5) - 2.0,
+        );
+        let ray = random_ray(n, HERE);
+        let scaling = Transform::IDENTITY.scale(scale, scale, scale).unwrap();
+        let inner = Node::new(scaling).with(random_shape(n / 8, HERE));
+        let nested = Node::new(translated(shift, shift, shift)).with(inner);
+        let there = random_shape(n / 8, Place { scale, shift });
+        let within = Interval {
+            min: 2.0 * f64::from(n % 3),
+            ..Interval::AHEAD
+        };
+        let t = |shape: &dyn Geometry| Some(shape.hit(&ray, within)?.t);
+        assert_eq!(t(&nested), t(&*there), "{there:?} {ray:?}");
+    }
+}
+
+/// The same hits and misses. Bound: the error of each shape, 4 eps of the distance
+/// over the cosine, twice, as both are rounded, and as much again for the
+/// transform; in units of the smallest shape for the normals.
+fn assert_same(one: &dyn Geometry, other: &dyn Geometry) {
+    let mut hits = 0;
+    for ray in rays() {
+        let (one, other) = (hit(one, &ray), hit(other, &ray));
+        assert_eq!(one.is_some(), other.is_some(), "{ray:?}");
+        let (Some(one), Some(other)) = (one, other) else {
+            continue;
+        };
+        let cosine = one.face.dot(ray.direction()).abs();
+        let bound = 16.0 * f64::EPSILON * 20.0 / cosine;
+        assert_abs_diff_eq!(one.t, other.t, epsilon = bound);
+        assert_abs_diff_eq!(one.normal, other.normal, epsilon = bound);
+        assert_abs_diff_eq!(one.face, other.face, epsilon = bound);
+        hits += 1;
+    }
+    assert!(hits > 300, "{hits} hits");
+}
+
+#[test]
+fn a_transformed_shape_is_the_shape_that_lies_there() {
+    let place = translated(0.5, -0.25, 1.0);
+    let sphere = Sphere::new(Point3::new(0.5, -0.25, 1.0), 2.0).unwrap();
+    let doubled = place.scale(2.0, 2.0, 2.0).unwrap();
+    assert_same(&Node::new(doubled).with(unit_sphere()), &sphere);
+
+    // One factor mirrors.
+    let stretched = Node::new(place.scale(3.0, -2.0, 4.0).unwrap()).with(cube());
+    let (lbf, run) = (Point3::new(-1.0, -1.25, -1.0), Point3::new(2.0, 0.75, 3.0));
+    assert_same(&stretched, &AxisAlignedBox::new(lbf, run).unwrap());
+
+    // A quarter turn about z moves the normal from y to -x.
+    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0)).unwrap();
+    let turned = Node::new(place.rotate_z(FRAC_PI_2).unwrap()).with(floor);
+    let wall = Plane::new(Point3::new(0.5, 0.0, 0.0), Normal3::new(-1.0, 0.0, 0.0));
+    assert_same(&turned, &wall.unwrap());
+
+    let turned = place
+        .rotate_y(0.7)
+        .and_then(|turned| turned.scale(1.5, 2.0, 0.75));
+    let corners = [[-2.0, 0.0, 0.5], [1.0, -1.0, -1.0], [0.0, 2.0, 1.0]];
+    let triangle = |transform: Transform| {
+        let [a, b, c] = corners.map(|corner| transform.matrix() * point(corner));
+        Triangle::new(a, b, c).unwrap()
+    };
+    let node = Node::new(turned.clone().unwrap()).with(triangle(Transform::IDENTITY));
+    assert_same(&node, &triangle(turned.unwrap()));
+}
+
+/// On the ellipsoid of half axes (6, 1.2, 4), a ray through the middle ends at
+/// the distance 1 / sqrt(Σ (d / half axis)²) from it, and the normal is as p
+/// over the squares of the half axes. Seen from the object the eye is 10 / 1.2 away, and no
+/// normal leans more than 6 / 1.2 over: bound 4 eps 10 · 5².
+#[test]
+fn a_stretched_sphere_is_an_ellipsoid() {
+    let axes = Vector3::new(6.0, 1.2, 4.0).to_glam();
+    let stretched = Transform::IDENTITY.scale(axes.x, axes.y, axes.z).unwrap();
+    let ellipsoid = Node::new(stretched).with(unit_sphere());
+    for ray in rays().take(500) {
+        let ray = Ray::new(ray.origin(), Point3::ORIGIN - ray.origin()).unwrap();
+        let expected = 10.0 - 1.0 / (ray.direction().to_glam() / axes).length();
+        let found = hit(&ellipsoid, &ray).unwrap();
+        let normal = Normal3::from_glam(ray.at(found.t).to_glam() / (axes * axes));
+        let bound = 4.0 * f64::EPSILON * 250.0;
+        assert_abs_diff_eq!(found.t, expected, epsilon = bound);
+        assert_abs_diff_eq!(found.normal, normal.normalized().unwrap(), epsilon = bound);
+        assert_eq!(found.face, found.normal);
+    }
+}
+
+/// Radii at both ends of the allowed range, brought to 1.
+#[test]
+fn extreme_shapes_can_be_brought_to_a_common_size() {
+    for r in [1e-100, 1e-50, 1e50, 1e100] {
+        let sphere = Sphere::new(Point3::ORIGIN, r).unwrap();
+        let transform = translated(0.0, 0.0, -3.0).scale(1.0 / r, 1.0 / r, 1.0 / r);
+        let node = Node::new(transform.unwrap()).with(sphere);
+        let ahead = |x| hit(&node, &ray([x, 0.0, 0.0], [0.0, 0.0, -1.0]));
+        let found = ahead(0.0).unwrap();
+        assert_abs_diff_eq!(found.t, 2.0, epsilon = 32.0 * f64::EPSILON);
+        assert_eq!(found.normal, Normal3::new(0.0, 0.0, 1.0));
+        assert_eq!(ahead(1.001), None);
+    }
+}
+
+/// Each child stands twice in the list, and in a space of its own, where distances in
+/// lengths differ. The interval bounds the search, so that a child before it hides nothing.
+#[test]
+fn the_nearest_child_is_hit_in_any_order() {
+    let mut hits = 0;
+    for n in 0..2000 {
+        let (random, ray) = (PixelRandom::new(21, n, 0), random_ray(n, HERE));
+        let [min, length] = [4.0, 24.0].map(|width| width * random.uniform(width as u64));
+        let within = Interval {
+            min,
+            max: min + length,
+        };
+        let count = n % 8;
+        let child = |turn: u32| {
+            let (number, size) = (turn % count.div_ceil(2), 1.0 + f64::from(turn % 3));
+            let transform = Transform::IDENTITY.rotate_x(size).unwrap();
+            let shape = random_shape(10 * n + number, HERE);
+            Node::new(transform.scale(size, 1.0, size).unwrap()).with(shape)
+        };
+        let alone = |turn| Node::new(Transform::IDENTITY).with(child(turn));
+        let found = (0..count).filter_map(|turn| alone(turn).hit(&ray, within));
+        let nearest = found.min_by(|a, b| a.t.total_cmp(&b.t));
+        let all = Node::new(Transform::IDENTITY);
+        let all = (0..count).fold(all, |node, turn| node.with(child(turn)));
+        assert_eq!(all.hit(&ray, within), nearest);
+        hits += u32::from(nearest.is_some());
+    }
+    assert!((300..1700).contains(&hits), "{hits} hits");
+}
+
+/// Lit from outside, no place of a stretched and turned shape shades itself.
+#[test]
+fn transformed_shapes_do_not_shade_themselves() {
+    for s in [1e-6, 1.0, 1e9] {
+        let transform = translated(3.0 * s, -2.0 * s, 5.0 * s)
+            .rotate_x(0.4)
+            .and_then(|transform| transform.rotate_z(-0.7))
+            .and_then(|transform| transform.scale(3.0 * s, 0.6 * s, 2.0 * s))
+            .unwrap();
+        let middle = transform.matrix() * Point3::ORIGIN;
+        let eye = middle + Vector3::new(-6.0, 5.0, -4.0) * s;
+        for node in [
+            Node::new(transform).with(unit_sphere()),
+            Node::new(transform).with(cube()),
+        ] {
+            let world = World::new(Color::BLACK).unwrap().with(node, ());
+            let mut lit = 0;
+            for n in 0..8000 {
+                let aim = middle + random_vector(PixelRandom::new(18, n, 0), 0, 2.0 * s);
+                let ray = Ray::new(eye, aim - eye).unwrap();
+                let Some((hit, ())) = world.hit(&ray, Interval::AHEAD) else {
+                    continue;
+                };
+                let way = middle + Vector3::new(1.0, 8.0, 3.0) * s - ray.at(hit.t);
+                let light = Illumination {
+                    color: Color::WHITE,
+                    direction: way.normalized().unwrap(),
+                    distance: way.magnitude(),
+                };
+                if hit.normal.dot(light.direction) > 1e-3 {
+                    assert!(!is_shadowed(&world, &ray, &hit, &light), "{ray:?}");
+                    lit += 1;
+                }
+            }
+            assert!(lit > 300, "{lit} places are tested");
+        }
+    }
+}
+
+/// A shape of a student's own.
+#[derive(Debug)]
+struct Own(Sphere);
+
+impl Geometry for Own {
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        self.0.hit(ray, within)
+    }
+}
+
+fn own_shapes_in_a_node() -> Result<View, ArgumentError> {
+    let flat = Transform::IDENTITY.rotate_z(0.5)?.scale(2.0, 1.0, 0.5)?;
+    let node = Node::new(flat).with(Own(unit_sphere())).with(cube());
+    let lamp = PointLight::new(Color::WHITE, Point3::new(2.0, 6.0, 5.0))?;
+    let world = ShadowedWorld::empty(Color::BLACK, Color::gray(0.1))?
+        .with(node, Box::new(Lambert::new(Color::RED)?))
+        .lit_by(LightSource::new(lamp, true));
+    Ok((a06_shadows_reflection::diagonal_camera(5.0)?, world))
+}
+
+#[test]
+fn a_shape_of_ones_own_in_a_node_is_the_same_by_all_renderers() {
+    let scene = traced_scene(
+        "own",
+        "own shapes",
+        |_| own_shapes_in_a_node(),
+        fast::shapes,
+    );
+    let [lesson, engine, all] = Renderer::ALL.map(|renderer| {
+        let settings = Settings {
+            size: Size::new(48, 36).unwrap(),
+            renderer,
+            ..Settings::default()
+        };
+        scene.render(&settings, &()).unwrap()
+    });
+    assert!(engine == lesson && all == lesson);
+    let is_red = |color: &&Color| color.r > 0.2;
+    assert!(lesson.pixels().iter().filter(is_red).count() > 100);
 }

@@ -1,20 +1,237 @@
-//! Transforms: the steps, their order, their inverses, and normals.
+//! Transforms: the steps, their order, their inverses, normals, and refusals.
 
-mod normals;
-mod refusals;
-mod steps;
+use std::f64::consts::{FRAC_PI_2, PI};
 
-use a02_math::Point3;
-use a07_transforms::Transform;
+use a02_math::{Direction, Normal3, Point3, Vector3};
+use a03_rays_cameras::{PixelRandom, Ray};
+use a07_transforms::{Mat4x4, Transform};
+use approx::assert_abs_diff_eq;
+use common::ArgumentError;
+use testing::assert_refused;
+
+use super::support::{point, random_vector};
 
 /// Rounding of a sine, a cosine and their products.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
+const START: Transform = Transform::IDENTITY;
 
-fn translated(x: f64, y: f64, z: f64) -> Transform {
-    let to = Point3::new(x, y, z);
-    Transform::IDENTITY.translate(to).unwrap()
+/// A step of a transform.
+#[derive(Clone, Copy, Debug)]
+enum Step {
+    Translate(f64, f64, f64),
+    Scale(f64, f64, f64),
+    /// About the x, y or z axis.
+    Rotate(usize, f64),
+}
+use Step::{Rotate, Scale, Translate};
+
+impl Step {
+    fn after(self, transform: Transform) -> Result<Transform, ArgumentError> {
+        match self {
+            Translate(x, y, z) => transform.translate(Point3::new(x, y, z)),
+            Scale(x, y, z) => transform.scale(x, y, z),
+            Rotate(0, angle) => transform.rotate_x(angle),
+            Rotate(1, angle) => transform.rotate_y(angle),
+            Rotate(_, angle) => transform.rotate_z(angle),
+        }
+    }
+
+    fn random(random: PixelRandom) -> Self {
+        let [x, y, z] = random_vector(random, 0, 1.0).to_glam().to_array();
+        let factor = |x: f64| libm::pow(1000.0, x).copysign(x);
+        match (random.uniform(3) * 5.0) as usize {
+            3 => Translate(100.0 * x, 100.0 * y, 100.0 * z),
+            4 => Scale(factor(x), factor(y), factor(z)),
+            axis => Rotate(axis, 10.0 * x),
+        }
+    }
 }
 
-fn scaled(x: f64, y: f64, z: f64) -> Transform {
-    Transform::IDENTITY.scale(x, y, z).unwrap()
+fn chain(steps: &[Step]) -> Transform {
+    let chained = steps
+        .iter()
+        .try_fold(START, |chain, step| step.after(chain));
+    chained.unwrap()
+}
+
+/// The greatest difference of two matrices, relative to the entries of a third.
+fn difference(one: Mat4x4, other: Mat4x4, relative_to: Mat4x4) -> f64 {
+    let [one, other, of] = [one, other, relative_to].map(|m| m.rows().concat());
+    let pairs = one.iter().zip(&other).zip(&of);
+    let differences = pairs.map(|((a, b), of)| if a == b { 0.0 } else { (a - b).abs() / of });
+    differences.fold(0.0, f64::max)
+}
+
+/// A matrix without signs: rounding errors are relative to it.
+fn unsigned(matrix: Mat4x4) -> Mat4x4 {
+    Mat4x4::from_rows(matrix.rows().map(|row| row.map(f64::abs)))
+}
+
+/// Rotations from y towards z, from z towards x, from x towards y.
+#[test]
+fn each_step_moves_points_as_its_name_says() {
+    let p = Point3::new(1.0, 2.0, 3.0);
+    for (step, expected) in [
+        (Translate(1.5, -2.25, 0.75), [2.5, -0.25, 3.75]),
+        (Scale(1.5, -2.25, 0.75), [1.5, -4.5, 2.25]),
+    ] {
+        let transform = chain(&[step]);
+        assert_eq!(transform.matrix() * p, point(expected));
+        assert_eq!(transform.inverse() * point(expected), p);
+    }
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    for angle in [0.0, 1e-9, 0.5, -1.0, FRAC_PI_2, PI, 7.0, -100.0] {
+        for axis in 0..3 {
+            let [about, from, towards] =
+                [0, 1, 2].map(|n| Vector3::from_glam(axes[(axis + n) % 3].into()));
+            let matrix = chain(&[Rotate(axis, angle)]).matrix();
+            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+            assert_eq!(matrix * about, about);
+            let turned = from * cos + towards * sin;
+            assert_abs_diff_eq!(matrix * from, turned, epsilon = ROUNDING);
+            let turned = towards * cos - from * sin;
+            assert_abs_diff_eq!(matrix * towards, turned, epsilon = ROUNDING);
+        }
+    }
+}
+
+#[test]
+fn chained_calls_read_from_the_outside_inwards() {
+    let (move_it, turn_it) = (Translate(1.0, 2.0, 3.0), Rotate(1, FRAC_PI_2));
+    for (steps, expected) in [
+        // Turned to (0, 0, -1), and then moved.
+        ([move_it, turn_it], [1.0, 2.0, 2.0]),
+        // Moved to (2, 2, 3), and then turned.
+        ([turn_it, move_it], [3.0, 2.0, -2.0]),
+        // Doubled to (2, 0, 0), and then moved.
+        ([move_it, Scale(2.0, 2.0, 2.0)], [3.0, 2.0, 3.0]),
+    ] {
+        let x = Point3::new(1.0, 0.0, 0.0);
+        assert_abs_diff_eq!(
+            chain(&steps).matrix() * x,
+            point(expected),
+            epsilon = ROUNDING
+        );
+    }
+}
+
+/// The matrix is the product of the steps. Each step multiplies, which costs 2 eps on the
+/// way there and 2 eps on the way back, and is undone by its inverse but for 2 eps: the
+/// error of two squares of libm's sine and cosine, which are right to a unit in the last
+/// place. The last product costs 2 eps. All relative to the steps without their signs.
+#[test]
+fn the_inverse_of_a_chain_undoes_its_steps() {
+    for n in 0..500 {
+        // A hundred rotations, or any steps.
+        let is_long = n % 50 == 0;
+        let count = if is_long { 100 } else { n % 7 };
+        let steps: Vec<_> = (0..count)
+            .map(|i| match Step::random(PixelRandom::new(20, n, i)) {
+                Translate(..) | Scale(..) if is_long => Rotate(i as usize % 3, 1.0),
+                step => step,
+            })
+            .collect();
+        let one = Mat4x4::IDENTITY;
+        let (mut product, mut there, mut back) = (one, one, one);
+        for step in &steps {
+            let alone = chain(&[*step]);
+            product = product * alone.matrix();
+            there = there * unsigned(alone.matrix());
+            back = unsigned(alone.inverse()) * back;
+        }
+        let chain = chain(&steps);
+        let (m, i) = (chain.matrix(), chain.inverse());
+        assert_eq!(m, product);
+        let bound = (6.0 * steps.len() as f64 + 3.0) * f64::EPSILON;
+        assert!(difference(m * i, one, there * back) <= bound, "{steps:?}");
+        assert!(difference(i * m, one, back * there) <= bound, "{steps:?}");
+    }
+}
+
+#[test]
+fn a_ray_in_the_space_of_the_object_keeps_its_t() {
+    let transform = chain(&[Translate(1.0, 2.0, 4.0), Scale(2.0, 4.0, 0.5)]);
+    let ray = Ray::derived(Point3::new(3.0, 2.0, 5.0), Vector3::new(0.0, 0.0, -1.0));
+    let inside = transform.ray_to_object(&ray);
+    assert_eq!(inside.origin(), Point3::new(1.0, 0.0, 2.0));
+    assert_eq!(inside.direction(), Vector3::new(0.0, 0.0, -2.0));
+    for t in [0.5, 1.0, 7.0] {
+        assert_eq!(transform.matrix() * inside.at(t), ray.at(t));
+    }
+}
+
+fn unit(x: f64, y: f64, z: f64) -> Normal3 {
+    Normal3::new(x, y, z).normalized().unwrap()
+}
+
+#[test]
+fn normals_lean_away_from_the_axis_of_stretching() {
+    let diagonal = unit(1.0, 1.0, 0.0);
+    for (step, expected) in [
+        (Scale(1.0, 0.5, 1.0), unit(1.0, 2.0, 0.0)),
+        (Scale(1.0, 1e-8, 1.0), unit(1e-8, 1.0, 0.0)),
+        (Scale(1e-100, 1e-100, 1e-100), diagonal),
+        (Scale(1e100, 1e100, 1e100), diagonal),
+        (Translate(5.0, -7.0, 9.0), diagonal),
+        (Scale(-2.0, -1.0, -1.0), unit(-1.0, -2.0, 0.0)),
+    ] {
+        let normal = chain(&[step]).normal_from_object(diagonal).unwrap();
+        assert_abs_diff_eq!(normal, expected, epsilon = ROUNDING);
+    }
+    for no_direction in [Normal3::default(), Normal3::new(f64::NAN, 0.0, 0.0)] {
+        let transform = chain(&[Scale(1.0, 2.0, 3.0)]);
+        assert_eq!(transform.normal_from_object(no_direction), None);
+    }
+}
+
+/// Of a moved, turned and stretched object. Bound: 8 eps of the length of the
+/// tangent, times the ratio of the stretches, for the normal is only as long
+/// as its least stretched part.
+#[test]
+fn normals_stay_perpendicular_to_the_surface_and_outside() {
+    for n in 0..2000 {
+        let random = PixelRandom::new(16, n, 0);
+        let any = |i: u64| 4.0 * random.uniform(i) - 2.0;
+        let [x, y, z] = [0, 1, 2].map(|i| (0.1 + 9.9 * random.uniform(i)).copysign(any(3 + i)));
+        let transform = chain(&[Rotate(0, any(9)), Scale(x, y, z), Rotate(1, any(10))]);
+        let normal = unit(any(11), any(12), any(13));
+        let tangent = random_vector(random, 14, 2.0).cross(normal.into());
+        let moved = transform.matrix() * tangent;
+        let turned = transform.normal_from_object(normal).unwrap();
+        let bound = 8.0 * f64::EPSILON * 100.0 * moved.magnitude();
+        assert_abs_diff_eq!(turned.dot(moved), 0.0, epsilon = bound);
+        assert_abs_diff_eq!(turned.dot(turned), 1.0, epsilon = ROUNDING);
+        let outwards = transform.matrix() * Vector3::from(normal);
+        assert!(turned.dot(outwards) > 0.0);
+    }
+}
+
+#[test]
+fn bad_steps_are_refused_by_name() {
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for axis in 0..3 {
+            assert_refused(
+                Rotate(axis, bad).after(START),
+                "angle is",
+                "a finite number",
+            );
+        }
+        let translation = Translate(0.0, bad, 0.0).after(START);
+        assert_refused(translation, "translation is", "from -1e100 to 1e100");
+    }
+    for bad in [0.0, -0.0, f64::NAN, f64::INFINITY, 1e-101, -1e-101, 1e101] {
+        for (scale, name) in [
+            (Scale(bad, 1.0, 1.0), "scale x is"),
+            (Scale(1.0, bad, 1.0), "scale y is"),
+            (Scale(1.0, 1.0, bad), "scale z is"),
+        ] {
+            let allowed = "magnitude is from 1e-100 to 1e100";
+            assert_refused(scale.after(START), name, allowed);
+        }
+    }
+    for factor in [1e100, 1e-100, -1e-100] {
+        let scale = Scale(factor, factor, factor);
+        let twice = scale.after(chain(&[scale]));
+        assert_refused(twice, "transform is too large", "no number above 1e150");
+    }
 }

@@ -8,7 +8,7 @@
 use std::cell::Cell;
 use std::ops::{Add, Index};
 
-use common::Error;
+use common::{ArgumentError, Error};
 
 /// A kind of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,6 +86,14 @@ thread_local! {
 #[must_use]
 pub fn is_on() -> bool {
     IS_ON.get()
+}
+
+/// The value, wrapped to count its work if work is counted in this thread.
+pub fn wrapped<T>(
+    value: T,
+    wrap: impl FnOnce(T) -> Result<T, ArgumentError>,
+) -> Result<T, ArgumentError> {
+    if is_on() { wrap(value) } else { Ok(value) }
 }
 
 /// Counts one piece of work.

@@ -1,6 +1,7 @@
 //! Test tools of the stages: [`lock_pictures!`] compares the pictures of a stage
-//! with locked ones, [`exercises!`] checks the exercises of the students, and
-//! `display` runs a program on a private X display.
+//! with locked ones, [`exercises!`] checks the exercises of the students,
+//! [`assert_refused`] checks the error of a constructor, and `display` runs a program on
+//! a private X display.
 //!
 //! Only tests depend on this crate, so that no program contains test code. Its checks
 //! fail by a panic.
@@ -11,5 +12,7 @@
 pub mod display;
 pub mod exercise;
 pub mod picture_lock;
+mod refusal;
 
 pub use exercise::missing;
+pub use refusal::assert_refused;

@@ -1,0 +1,181 @@
+//! Small random worlds, with shapes, materials and lights of a student's own: engine and
+//! all work draw the lesson's pictures.
+
+use a02_math::{Direction, Normal3, Point3, Vector3};
+use a03_rays_cameras::{PerspectiveCamera, PixelRandom, Ray};
+use a04_intersections::fast::shapes;
+use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle};
+use a05_lighting::{
+    DirectionalLight, Illumination, Lambert, Light, Lighting, Material, Phong, PointLight,
+    SingleColor, SpotLight,
+};
+use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, Surface, View, traced_scene};
+use common::{ArgumentError, Color, Renderer, Sampling, Settings, Size};
+
+/// An endless upright cylinder around the y axis.
+#[derive(Debug)]
+struct Column(f64);
+
+impl Geometry for Column {
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        let (o, d) = (ray.origin(), ray.direction());
+        let a = d.x() * d.x() + d.z() * d.z();
+        let b = (o.x() * d.x() + o.z() * d.z()) / a;
+        let c = (o.x() * o.x() + o.z() * o.z() - self.0 * self.0) / a;
+        let root = (b * b - c).sqrt();
+        let mut roots = [-b - root, -b + root].into_iter();
+        let t = roots.find(|t| within.contains(*t))?;
+        let p = ray.at(t);
+        Some(Hit::new(t, Normal3::new(p.x(), 0.0, p.z()).normalized()?))
+    }
+}
+
+/// A lamp whose light fades with the square of the distance.
+#[derive(Debug)]
+struct FadingLamp(PointLight);
+
+impl Light for FadingLamp {
+    fn illumination(&self, point: Point3) -> Option<Illumination> {
+        let light = self.0.illumination(point)?;
+        let fading = 4.0 / (light.distance * light.distance);
+        Some(Illumination {
+            color: light.color * fading,
+            ..light
+        })
+    }
+}
+
+/// As bright in light from behind, in three steps.
+#[derive(Debug)]
+struct Translucent(Color);
+
+impl Material for Translucent {
+    fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
+        let mut color = lighting.ambient();
+        for normal in [hit.normal, -hit.normal] {
+            let side = Hit { normal, ..*hit };
+            lighting.for_each_light(ray, &side, &mut |light| {
+                let steps = (3.0 * normal.dot(light.direction)).ceil();
+                color += self.0 * light.color * steps;
+            });
+        }
+        color
+    }
+}
+
+impl Surface for Translucent {}
+
+/// Random numbers in a row.
+struct Numbers {
+    random: PixelRandom,
+    next: u64,
+}
+
+impl Numbers {
+    /// From 0 to 1.
+    fn number(&mut self) -> f64 {
+        self.next += 1;
+        self.random.uniform(self.next)
+    }
+
+    /// A number below `n`.
+    fn one_of(&mut self, n: u32) -> u32 {
+        (self.number() * f64::from(n)) as u32
+    }
+
+    /// From -2 to 2, in eighths.
+    fn vector(&mut self) -> Vector3 {
+        let [x, y, z] = [0; 3].map(|_| (33.0 * self.number()).floor() / 8.0 - 2.0);
+        Vector3::new(x, y, z)
+    }
+
+    fn point(&mut self) -> Point3 {
+        Point3::ORIGIN + self.vector()
+    }
+
+    /// Black in one of four.
+    fn color(&mut self) -> Color {
+        let [r, g, b] = [0; 3].map(|_| self.number());
+        Color::new(r, g, b) * f64::from(self.one_of(4).min(1))
+    }
+
+    fn geometry(&mut self) -> Result<Box<dyn Geometry>, ArgumentError> {
+        let (a, b, c) = (self.point(), self.point(), self.point());
+        Ok(match self.one_of(6) {
+            0 => Box::new(Plane::new(a, self.vector().as_normal())?),
+            1 => Box::new(Sphere::new(a, 0.2 + self.number())?),
+            2 => Box::new(AxisAlignedBox::new(a, b)?),
+            3 => Box::new(Column(self.number())),
+            _ => Box::new(Triangle::new(a, b, c)?),
+        })
+    }
+
+    fn surface(&mut self) -> Result<Box<dyn Surface>, ArgumentError> {
+        let (diffuse, specular, reflection) = (self.color(), self.color(), self.color());
+        let exponent = [0.0, 1.0, 2.5, 64.0][self.one_of(4) as usize];
+        Ok(match self.one_of(6) {
+            0 => Box::new(SingleColor::new(diffuse)?),
+            1 => Box::new(Lambert::new(diffuse)?),
+            2 => Box::new(Phong::new(diffuse, specular, exponent)?),
+            3 => Box::new(Translucent(diffuse)),
+            _ => Box::new(Reflective::new(diffuse, specular, exponent, reflection)?),
+        })
+    }
+
+    fn light(&mut self) -> Result<LightSource, ArgumentError> {
+        let (color, place, direction) = (self.color(), self.point(), self.vector());
+        let casts_shadows = self.one_of(4) > 0;
+        let point_light = PointLight::new(color, place)?;
+        Ok(match self.one_of(4) {
+            0 => LightSource::new(point_light, casts_shadows),
+            1 => LightSource::new(FadingLamp(point_light), casts_shadows),
+            2 => LightSource::new(DirectionalLight::new(color, direction)?, casts_shadows),
+            _ => LightSource::new(SpotLight::new(color, place, direction, 0.7)?, casts_shadows),
+        })
+    }
+}
+
+/// A triangle with the eye in its plane, and other objects.
+fn view(seed: u64) -> Result<View, ArgumentError> {
+    let random = PixelRandom::new(seed, 0, 0);
+    let mut numbers = Numbers { random, next: 0 };
+    let [a, b, c] = [0; 3].map(|_| numbers.point());
+    let mut world = ShadowedWorld::empty(numbers.color(), numbers.color())?
+        .with(Triangle::new(a, b, c)?, numbers.surface()?);
+    for _ in 0..numbers.one_of(7) {
+        world = world.with(numbers.geometry()?, numbers.surface()?);
+    }
+    for _ in 0..numbers.one_of(4) {
+        world = world.lit_by(numbers.light()?);
+    }
+    let eye = a + (b - a) * 2.5 + (c - a) * 1.25;
+    let middle = a + (b - a) * 0.25 + (c - a) * 0.5;
+    let camera = PerspectiveCamera::new(eye, middle - eye, (b - a).cross(c - a), 0.9)?;
+    Ok((Box::new(camera), world))
+}
+
+#[test]
+fn all_renderers_draw_the_same_pictures_of_random_worlds() {
+    let mut pictures = [0; 2];
+    for seed in (0..600).filter(|seed| view(*seed).is_ok()) {
+        let scene = traced_scene("random", "a random world", move |_| view(seed), shapes);
+        let [lesson, engine, all] = Renderer::ALL.map(|renderer| {
+            let settings = Settings {
+                size: Size::new(24, 19).unwrap(),
+                samples: 1 + seed as u32 % 2,
+                sampling: [Sampling::Center, Sampling::Random][seed as usize % 2],
+                renderer,
+                ..Settings::default()
+            };
+            scene.render(&settings, &()).unwrap()
+        });
+        assert!(engine == lesson, "the engine differs, seed {seed}");
+        assert!(all == lesson, "all work differs, seed {seed}");
+        let first = lesson.pixels()[0];
+        pictures[usize::from(lesson.pixels().iter().any(|color| *color != first))] += 1;
+    }
+    assert!(
+        pictures[1] > 400,
+        "{pictures:?} pictures of one colour and of many"
+    );
+}
