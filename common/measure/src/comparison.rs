@@ -123,10 +123,8 @@ mod tests {
         };
         let comparison = Comparison::new(&scene(), &settings).unwrap();
         assert_eq!(comparison.difference, 0.125);
-        assert_eq!(
-            comparison.row("name"),
-            "| name | 1 | **0** of 1 | | **1** of 4 | | | |"
-        );
+        let row = "| name | 1 | **0** of 1 | | **1** of 4 | | | |";
+        assert_eq!(comparison.row("name"), row);
         let table = "  work                     everything         needed    saved
   primary rays                      1              1    0.0 %
   shadow rays                       1              0  100.0 %

@@ -59,7 +59,7 @@ pub struct Experiment<'a> {
     pub error: &'a str,
     /// The unit of the error.
     pub unit: Unit<'a>,
-    /// The exact value: "against 30 digits", and what counts how.
+    /// The exact value: "against 30 digits", and the error of a miss.
     pub exact: &'a str,
     /// The seeds of its random numbers. Empty if it takes none.
     pub seeds: &'a [u64],
@@ -82,14 +82,12 @@ impl Experiment<'_> {
     #[must_use]
     pub fn can_be_seen(&self, curves: &[Curve]) -> bool {
         let falls = |curve: &Curve| {
-            let (points, by_work) = (&curve.points, |a: &&Point, b: &&Point| {
-                a.work.total_cmp(&b.work)
-            });
-            let ends = points
-                .iter()
-                .min_by(by_work)
-                .zip(points.iter().max_by(by_work));
-            ends.is_some_and(|(least, most)| most.rms < least.rms)
+            let by_work = |a: &&Point, b: &&Point| a.work.total_cmp(&b.work);
+            let points = curve.points.iter();
+            let (least, most) = (points.clone().min_by(by_work), points.max_by(by_work));
+            least
+                .zip(most)
+                .is_some_and(|(least, most)| most.rms < least.rms)
         };
         self.unit == Unit::Light && curves.iter().any(falls)
     }
@@ -251,20 +249,14 @@ pub fn checked(experiment: &Experiment, effort: Effort) -> String {
                 wrong.push(format!("{method}: {fit:?}, not {expected}"));
             }
         }
-        for Point {
-            knob, work, rms, ..
-        } in &curve.points
-        {
+        for point in &curve.points {
+            let (knob, work, rms) = (point.knob, point.work, point.rms);
             lines.push(format!("{method:24} {knob:>12} {work:>14} {rms:>9.1e}"));
         }
     }
-    assert!(lines.len() > 1, "{} has no points", experiment.name);
-    assert!(
-        wrong.is_empty(),
-        "{}: {}",
-        experiment.name,
-        wrong.join("; ")
-    );
+    let name = experiment.name;
+    assert!(lines.len() > 1, "{name} has no points");
+    assert!(wrong.is_empty(), "{name}: {}", wrong.join("; "));
     lines.join("\n")
 }
 

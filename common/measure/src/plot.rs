@@ -55,10 +55,8 @@ pub fn plots(measured: &Measured) -> Vec<(&'static str, String)> {
         let compiler = compiler.split(',').next().unwrap_or_default();
         let source = format!("medians, with intervals of 95 %; {machine}; {compiler}");
         let timed = series(measured, true);
-        plots.push((
-            "-time.svg",
-            draw(measured, "time (seconds)", &source, timed),
-        ));
+        let plot = draw(measured, "time (seconds)", &source, timed);
+        plots.push(("-time.svg", plot));
     }
     plots
 }
@@ -71,7 +69,7 @@ fn time_changes(measured: &Measured, c: usize) -> bool {
     let longer = times.iter().fold(0.0, |most, time| time.low.max(most));
     let shorter = times
         .iter()
-        .fold(f64::INFINITY, |least, time| time.high.min(least));
+        .fold(f64::MAX, |least, time| time.high.min(least));
     points.windows(2).any(|pair| pair[0].work != pair[1].work) && longer > 2.0 * shorter
 }
 
@@ -115,11 +113,8 @@ fn leave_out_far_curves(all: &mut [Series]) {
         return;
     };
     let is_below = at < sorted.len() - at;
-    let near = if is_below {
-        &sorted[at..]
-    } else {
-        &sorted[..at]
-    };
+    let (below, above) = sorted.split_at(at);
+    let near = if is_below { above } else { below };
     let is_far = |log: &f64| (*log < sorted[at]) == is_below;
     let is_torn = |one: &Series| {
         let logs = logs(one);

@@ -62,8 +62,8 @@ impl<'e, 'a> Measured<'e, 'a> {
         Median::of(self.seconds[curve][point].clone())
     }
 
-    /// The time of a point over that of the first method, where this has the same value
-    /// of the parameter.
+    /// The time of a point over the first method's time, if both have the same value of
+    /// the parameter.
     fn ratio(&self, curve: usize, point: usize) -> Option<Median> {
         let first = self.curves[0].points.get(point)?;
         let (own, first_seconds) = (&self.seconds[curve][point], &self.seconds[0].get(point)?);

@@ -164,11 +164,8 @@ mod tests {
         ];
         for (curve, (method, grays)) in curves.iter().zip(shown) {
             assert_eq!(curve.method, method);
-            for (point, (n, gray)) in curve
-                .points
-                .iter()
-                .zip([1.0, 4.0, 16.0, 64.0].into_iter().zip(grays))
-            {
+            let samples = [1.0, 4.0, 16.0, 64.0].into_iter().zip(grays);
+            for (point, (n, gray)) in curve.points.iter().zip(samples) {
                 let expected = [n, 160.0 * n, f64::abs(gray - 0.25)];
                 assert_eq!([point.knob, point.work, point.rms], expected, "{method}");
             }

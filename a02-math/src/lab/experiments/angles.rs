@@ -33,7 +33,8 @@ fn exact_products(a: Vector3, b: Vector3) -> f64 {
     libm::atan2(cross.magnitude(), a.dot(b))
 }
 
-const WHY_NOT: &str = "does not scale long and short vectors as ours does; not in the renderer: no picture shows an angle's last digits";
+const WHY_NOT: &str = "does not scale long and short vectors as ours does; \
+     not in the renderer: no picture shows an angle's last digits";
 
 pub fn experiment() -> Experiment<'static> {
     let methods: [(&str, &str, f64, Method); 4] = [

@@ -20,7 +20,7 @@ fn the_front_has_the_points_that_no_other_beats() {
 }
 
 #[test]
-fn half_a_grey_level_is_a_mark_for_light_that_more_work_improves() {
+fn half_a_grey_level_is_a_mark_for_light_that_work_improves() {
     let mut experiment = experiment();
     let falling = [curve(&[(1.0, 0.5), (9.0, 0.1)])];
     let rising = [curve(&[(1.0, 0.1), (9.0, 0.5)])];

@@ -38,16 +38,13 @@ impl Case {
     ) -> Self {
         let exact = exact.into();
         let is_number = matches!(exact, Outcome::Number(_) | Outcome::Triple(_));
+        let has_bound = is_number || bound == Bound::Finite;
         Self {
             id,
             what: what.into(),
             exact,
             // Nothing else has a distance.
-            bound: if is_number || bound == Bound::Finite {
-                bound
-            } else {
-                Bound::Equal
-            },
+            bound: if has_bound { bound } else { Bound::Equal },
             protocol: None,
             ours: ours.into(),
         }
