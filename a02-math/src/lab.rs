@@ -5,6 +5,7 @@
     reason = "called by the tables, the report and their tests"
 )]
 
+pub mod exact;
 pub mod experiments;
 pub mod extremes;
 pub mod protocol;

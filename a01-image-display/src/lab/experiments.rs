@@ -14,23 +14,15 @@ use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 use crate::stage;
 
 /// All experiments of the stage.
+#[rustfmt::skip]
 pub fn experiments() -> Vec<Experiment<'static>> {
     vec![
-        saving(
-            "save-diagonal",
-            "diagonal",
-            "What does a picture of one line lose as JPEG, and what does that save?",
-        ),
-        saving(
-            "save-painter",
-            "painter",
-            "What does a disc before a gradient lose as JPEG, and what does that save?",
-        ),
-        saving(
-            "save-show-image",
-            "show-image",
-            "What does the test card lose as JPEG, and what does that save?",
-        ),
+        saving("save-diagonal", "diagonal",
+            "What does a picture of one line lose as JPEG, and what does that save?"),
+        saving("save-painter", "painter",
+            "What does a disc before a gradient lose as JPEG, and what does that save?"),
+        saving("save-show-image", "show-image",
+            "What does the test card lose as JPEG, and what does that save?"),
     ]
 }
 
@@ -40,19 +32,12 @@ fn saving(name: &'static str, scene: &'static str, about: &'static str) -> Exper
         let Some(saved) = Picture::of(scene).map(Rc::new) else {
             return Vec::new();
         };
-        let curve = |method, remark, files: Vec<File>| Curve {
-            method,
-            remark,
-            slope: None,
-            points: files
-                .into_iter()
-                .filter_map(|file| saved.point(file))
-                .collect(),
-        };
         let qualities = [10, 25, 50, 75, 90, 95, 98, 99, 100].map(File::Jpeg);
+        let jpeg = qualities.into_iter().filter_map(|file| saved.point(file));
+        let png = saved.point(File::Png);
         vec![
-            curve("JPEG", LOSES, qualities.into()),
-            curve("PNG", "what the renderer writes", vec![File::Png]),
+            Curve::new("JPEG", jpeg).with_remark(LOSES),
+            Curve::new("PNG", png).with_remark("what the renderer writes"),
         ]
     };
     Experiment {

@@ -4,9 +4,9 @@
 //! exactly and only the method rounds.
 
 mod angles;
-mod exact;
 mod lengths;
 mod systems;
+mod whole_numbers;
 
 use measure::experiment::Experiment;
 

@@ -6,22 +6,39 @@ mod lengths;
 mod systems;
 
 use measure::Effort;
-use measure::extremes::Case;
+use measure::extremes::{Case, Outcome};
 
-use crate::Vector3;
+use crate::{Normal3, Point3, Vector3};
 
 /// All rows.
 pub fn cases(_: Effort) -> Vec<Case> {
-    let mut cases = lengths::cases();
-    cases.extend(angles::cases());
-    cases.extend(systems::cases());
-    cases
+    [lengths::cases(), angles::cases(), systems::cases()].concat()
 }
 
-const fn vector([x, y, z]: [f64; 3]) -> Vector3 {
+/// The vector with these coordinates.
+pub const fn vector([x, y, z]: [f64; 3]) -> Vector3 {
     Vector3::new(x, y, z)
 }
 
-fn triple(v: Vector3) -> [f64; 3] {
-    v.to_glam().to_array()
+/// The point with these coordinates.
+pub const fn point([x, y, z]: [f64; 3]) -> Point3 {
+    Point3::new(x, y, z)
+}
+
+impl From<Vector3> for Outcome {
+    fn from(v: Vector3) -> Self {
+        v.to_glam().to_array().into()
+    }
+}
+
+impl From<Normal3> for Outcome {
+    fn from(n: Normal3) -> Self {
+        n.to_glam().to_array().into()
+    }
+}
+
+impl From<Point3> for Outcome {
+    fn from(p: Point3) -> Self {
+        p.to_glam().to_array().into()
+    }
 }

@@ -1,7 +1,7 @@
 //! The formulas of the two texts.
 //!
-//! On whole numbers of ordinary size the formulas give what they say, so that
-//! nothing but the extreme cases makes them fail there.
+//! On whole numbers of ordinary size the formulas hold, so that only the extreme cases
+//! make them fail.
 
 use a02_math::lab::protocol::{
     angle, angle_by_arc_cosine, cramer, normalized, projected_on, reflected_on,

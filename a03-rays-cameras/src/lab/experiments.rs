@@ -11,36 +11,25 @@ mod summation;
 
 use common::Sampling;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 pub use coverage::{DISC, disc_coverage};
 use coverage::{irradiance, lit, stripes};
 use places::{Places, n_rooks, r2, with_sampler};
 pub use summation::Neumaier;
 
-/// All experiments of the stage.
+/// All experiments of the stage. Slopes at curved edges: Mitchell, Consequences of
+/// Stratified Sampling in Graphics, 1996. At level edges, a regular grid of n samples has
+/// only sqrt(n) heights, and n rooks have n.
+#[rustfmt::skip]
 pub fn experiments() -> Vec<Experiment<'static>> {
     vec![
-        samples(
-            "samples-curved-edge",
-            "Where should samples lie in a pixel that a disc's edge crosses?",
-            curved_edge,
-            // Mitchell, Consequences of Stratified Sampling in Graphics, 1996.
-            [Some(-0.5), Some(-0.75), Some(-0.75), Some(-0.5), None],
-        ),
-        samples(
-            "samples-level-edge",
-            "Where should samples lie in a pixel that a level edge crosses?",
-            level_edge,
-            // A regular grid of n has only sqrt(n) heights, n rooks have n.
-            [Some(-0.5), Some(-0.5), Some(-0.75), Some(-1.0), None],
-        ),
-        samples(
-            "samples-smooth-shading",
-            "Where should samples lie in a pixel of smooth shading?",
-            smooth_shading,
-            [Some(-0.5), Some(-1.0), Some(-1.0), None, None],
-        ),
+        samples("samples-curved-edge", "Where should samples lie in a pixel that a disc's edge crosses?",
+            curved_edge, [Some(-0.5), Some(-0.75), Some(-0.75), Some(-0.5), None]),
+        samples("samples-level-edge", "Where should samples lie in a pixel that a level edge crosses?",
+            level_edge, [Some(-0.5), Some(-0.5), Some(-0.75), Some(-1.0), None]),
+        samples("samples-smooth-shading", "Where should samples lie in a pixel of smooth shading?",
+            smooth_shading, [Some(-0.5), Some(-1.0), Some(-1.0), None, None]),
         adaptive::experiment(),
         summation::experiment(),
     ]
@@ -68,7 +57,7 @@ fn curved_edge() -> Task {
     let mut pixels = pixels(64, 64, disc_coverage);
     pixels.retain(is_edge);
     Task {
-        radiance: |x, y| if DISC.contains(x, y) { 1.0 } else { 0.0 },
+        radiance: |x, y| f64::from(u8::from(DISC.contains(x, y))),
         pixels,
     }
 }
@@ -77,7 +66,7 @@ fn level_edge() -> Task {
     let mut pixels = pixels(1, 1000, |_, y| stripes(y));
     pixels.retain(is_edge);
     Task {
-        radiance: |_, y| if coverage::in_stripe(y) { 1.0 } else { 0.0 },
+        radiance: |_, y| f64::from(u8::from(coverage::in_stripe(y))),
         pixels,
     }
 }
@@ -104,15 +93,9 @@ fn samples(
             ("n rooks", N_ROOKS, n_rooks),
             ("R2", R2, r2),
         ];
-        let curve = |((method, remark, places), slope): ((_, _, Places), Option<f64>)| Curve {
-            method,
-            remark,
-            slope: slope.map(|expected| Slope {
-                expected,
-                tolerance: 0.05,
-                between: (16.0, 4096.0),
-            }),
-            points: points(task, places, effort),
+        let curve = |((method, remark, places), slope): ((_, _, Places), Option<f64>)| {
+            let curve = Curve::new(method, points(task, places, effort));
+            curve.with_slope(slope, (16.0, 4096.0)).with_remark(remark)
         };
         methods.into_iter().zip(slopes).map(curve).collect()
     };

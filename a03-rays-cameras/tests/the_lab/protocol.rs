@@ -25,22 +25,16 @@ fn the_three_brackets_differ() {
 #[test]
 fn cameras_look_where_the_texts_say() {
     let half = libm::atan(0.5);
-    for (direction, expected) in [
-        (
-            perspective_direction([5.0, 4.0], 5.0, 4.0, half),
-            Vector3::new(3.0, 2.5, -4.0),
-        ),
-        (
-            pinhole_direction([5.0, 4.0], 4.5, 0.5, 2.0 * half),
-            Vector3::new(2.0, 1.5, -4.0),
-        ),
-        (
-            pinhole_direction_of_whole_sizes([7, 5], 5.5, 0.5, 2.0 * half),
-            Vector3::new(2.5, 1.5, -4.0),
-        ),
+    let perspective = perspective_direction([5.0, 4.0], 5.0, 4.0, half);
+    let pinhole = pinhole_direction([5.0, 4.0], 4.5, 0.5, 2.0 * half);
+    let halved = pinhole_direction_of_whole_sizes([7, 5], 5.5, 0.5, 2.0 * half);
+    for (direction, [x, y]) in [
+        (perspective, [3.0, 2.5]),
+        (pinhole, [2.0, 1.5]),
+        (halved, [2.5, 1.5]),
     ] {
-        let epsilon = 4.0 * f64::EPSILON;
-        assert_abs_diff_eq!(direction, normalized(expected), epsilon = epsilon);
+        let expected = normalized(Vector3::new(x, y, -4.0));
+        assert_abs_diff_eq!(direction, expected, epsilon = 4.0 * f64::EPSILON);
     }
 }
 
@@ -48,11 +42,8 @@ fn cameras_look_where_the_texts_say() {
 fn a_ray_ends_at_its_bound() {
     let x = Vector3::new(2.0, 0.0, 0.0);
     let at = |t| point_at(Point3::new(1.0, 0.0, 0.0), x, 30.0, t).map(Point3::x);
-    assert_eq!(
-        (at(0.0), at(4.0), at(30.0)),
-        (Some(1.0), Some(5.0), Some(31.0))
-    );
-    assert_eq!((at(-1.0), at(30.5)), (None, None));
+    assert_eq!([0.0, 4.0, 30.0].map(at), [1.0, 5.0, 31.0].map(Some));
+    assert_eq!([-1.0, 30.5].map(at), [None, None]);
 }
 
 /// Stripes of the height 1/2 between -1 and 1.

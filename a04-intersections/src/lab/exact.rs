@@ -3,9 +3,7 @@
 //!
 //! The tests compare it with values of mpmath at 200 digits.
 
-mod double_double;
-
-pub use double_double::{DoubleDouble, product_with_error, sum_with_error};
+pub use a02_math::lab::exact::DoubleDouble;
 
 use DoubleDouble as Number;
 

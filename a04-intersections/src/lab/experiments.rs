@@ -7,9 +7,9 @@ mod scattered;
 pub mod sphere_distance;
 mod sphere_mesh;
 
-pub use scattered::{Numbers, pair};
+pub use scattered::Numbers;
 
-use measure::experiment::{Experiment, Slope};
+use measure::experiment::Experiment;
 
 /// All experiments of this stage.
 pub fn experiments() -> Vec<Experiment<'static>> {
@@ -20,13 +20,4 @@ pub fn experiments() -> Vec<Experiment<'static>> {
         needle::experiment(),
         aimed_box::experiment(),
     ]
-}
-
-/// A slope with a tolerance of 0.05.
-const fn slope(expected: f64, between: (f64, f64)) -> Slope {
-    Slope {
-        expected,
-        tolerance: 0.05,
-        between,
-    }
 }

@@ -12,7 +12,7 @@ mod precision;
 mod sphere;
 mod triangle;
 
-use a02_math::{Point3, Vector3};
+pub use a02_math::lab::extremes::{point, vector};
 use a03_rays_cameras::Ray;
 use common::ArgumentError;
 use measure::Effort;
@@ -22,14 +22,15 @@ use crate::{Geometry, Interval};
 
 /// All cases of this stage.
 pub fn cases(effort: Effort) -> Vec<Case> {
-    let mut cases = sphere::cases();
-    cases.extend(plane::cases(effort));
-    cases.extend(axis_aligned_box::cases());
-    cases.extend(triangle::cases());
-    cases.extend(color::cases());
-    cases.extend(place::cases(effort));
-    cases.extend(leaks::cases(effort));
-    cases.extend(precision::cases(effort));
+    let fixed = [
+        sphere::cases,
+        axis_aligned_box::cases,
+        triangle::cases,
+        color::cases,
+    ];
+    let random = [plane::cases, place::cases, leaks::cases, precision::cases];
+    let mut cases = fixed.map(|cases| cases()).concat();
+    cases.extend(random.map(|cases| cases(effort)).concat());
     cases.sort_by_key(|case| case.id);
     cases
 }
@@ -39,17 +40,9 @@ const REFUSED: Outcome = Outcome::Refused;
 const EPSILON: f64 = f64::EPSILON;
 
 /// Three coordinates.
-type Triple = [f64; 3];
+pub type Triple = [f64; 3];
 /// An origin and a direction.
-type Line = (Triple, Triple);
-
-const fn point([x, y, z]: Triple) -> Point3 {
-    Point3::new(x, y, z)
-}
-
-const fn vector([x, y, z]: Triple) -> Vector3 {
-    Vector3::new(x, y, z)
-}
+pub type Line = (Triple, Triple);
 
 /// The ray as in a scene, with a direction of length 1.
 fn unit_ray((o, d): Line) -> Result<Ray, ArgumentError> {
@@ -57,7 +50,7 @@ fn unit_ray((o, d): Line) -> Result<Ray, ArgumentError> {
 }
 
 /// The ray as in the protocol: unchecked.
-const fn raw_ray((o, d): Line) -> Ray {
+pub const fn raw_ray((o, d): Line) -> Ray {
     Ray::derived(point(o), vector(d))
 }
 
@@ -66,8 +59,13 @@ fn any_ray(line: Line) -> Ray {
     unit_ray(line).unwrap_or(raw_ray(line))
 }
 
+/// Origin and direction as arrays, the arguments of formulas in both precisions.
+pub fn arrays(ray: &Ray) -> [Triple; 2] {
+    [ray.origin().to_glam(), ray.direction().to_glam()].map(|v| v.to_array())
+}
+
 /// The `t` of a ray's nearest hit of a shape.
-fn first(shape: &impl Geometry, ray: &Ray) -> Option<f64> {
+pub fn first(shape: &impl Geometry, ray: &Ray) -> Option<f64> {
     shape.hit(ray, Interval::AHEAD).map(|hit| hit.t)
 }
 

@@ -28,37 +28,27 @@ pub trait Real:
     fn rounded(number: f64) -> Self;
 }
 
-impl Real for f32 {
-    const EPSILON: f64 = Self::EPSILON as f64;
+macro_rules! real {
+    ($($float:ident)+) => {$(
+        impl Real for $float {
+            const EPSILON: f64 = Self::EPSILON as f64;
 
-    fn sqrt(self) -> Self {
-        self.sqrt()
-    }
+            fn sqrt(self) -> Self {
+                self.sqrt()
+            }
 
-    fn copysign(self, sign: Self) -> Self {
-        self.copysign(sign)
-    }
+            fn copysign(self, sign: Self) -> Self {
+                self.copysign(sign)
+            }
 
-    fn rounded(number: f64) -> Self {
-        number as Self
-    }
+            fn rounded(number: f64) -> Self {
+                number as Self
+            }
+        }
+    )+};
 }
 
-impl Real for f64 {
-    const EPSILON: f64 = Self::EPSILON;
-
-    fn sqrt(self) -> Self {
-        self.sqrt()
-    }
-
-    fn copysign(self, sign: Self) -> Self {
-        self.copysign(sign)
-    }
-
-    fn rounded(number: f64) -> Self {
-        number
-    }
-}
+real! { f32 f64 }
 
 /// The difference of two triples.
 pub fn difference<F: Real>(a: &[F; 3], b: &[F; 3]) -> [F; 3] {

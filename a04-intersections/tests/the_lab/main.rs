@@ -2,11 +2,21 @@
 //!
 //! `cargo test` runs them after the tests of the lesson, which they measure.
 
-mod double_double;
 mod exact;
-mod experiments;
-mod extremes;
-mod needle;
 mod protocol;
-mod real;
-mod sphere_distance;
+mod same_formulas;
+
+use measure::experiment::checked;
+use measure::{Effort, extremes};
+
+#[test]
+fn the_experiments_agree_with_theory_and_do_not_change() {
+    for experiment in (a04_intersections::stage().experiments)() {
+        insta::assert_snapshot!(experiment.name, checked(&experiment, Effort::Quick));
+    }
+}
+
+#[test]
+fn the_extremes_hold() {
+    extremes::check(&(a04_intersections::stage().extremes)(Effort::of_build()));
+}

@@ -10,9 +10,6 @@ use measure::extremes::Case;
 
 /// All rows of the table.
 pub fn cases(effort: Effort) -> Vec<Case> {
-    let mut cases = spots::cases(effort);
-    cases.extend(highlights::cases());
-    cases.extend(lights::cases());
-    cases.extend(materials::cases());
-    cases
+    let others = [highlights::cases(), lights::cases(), materials::cases()];
+    [spots::cases(effort), others.concat()].concat()
 }

@@ -10,9 +10,6 @@ use measure::extremes::Case;
 
 /// All rows of the table.
 pub fn cases(effort: Effort) -> Vec<Case> {
-    let mut cases = shadows::cases();
-    cases.extend(slopes::cases(effort));
-    cases.extend(mirrors::cases());
-    cases.extend(self_hits::cases(effort));
-    cases
+    let rows = [shadows::cases(), slopes::cases(effort), mirrors::cases()];
+    [rows.concat(), self_hits::cases(effort)].concat()
 }

@@ -26,42 +26,21 @@ fn floor(y: f64) -> World<()> {
     World::new(Color::BLACK).unwrap().with(plane, ())
 }
 
-/// From 0 to a light at 4: `t` is 0.25 at 1, and 4, a distance, at 16.
+/// From 0 to a light at 4: a point light is hidden by `t` below its distance, which is 0.25
+/// at 1, and 4 at 16. A spot light is hidden in the same way by objects behind the point.
+/// The ray of a directional light has no end.
 #[test]
-fn a_point_light_is_hidden_by_t_below_its_distance() {
-    for (y, lit) in [
-        (-1.0, true),
-        (0.004, true),
-        (0.005, false),
-        (1.0, false),
-        (15.0, false),
-        (16.0, true),
-    ] {
-        assert_eq!(
-            point_light_illuminates(at(4.0), at(0.0), &floor(y)),
-            lit,
-            "{y}"
-        );
-    }
-}
-
-/// The same below the point, where the ray goes.
-#[test]
-fn a_spot_light_is_dark_by_what_lies_behind_the_point() {
-    for (y, lit) in [(1.0, true), (-1.0, false), (-15.0, false), (-16.0, true)] {
-        assert_eq!(
-            spot_light_illuminates(at(4.0), at(0.0), &floor(y)),
-            lit,
-            "{y}"
-        );
-    }
-}
-
-#[test]
-fn a_directional_light_is_dark_below_anything() {
-    for (y, lit) in [(1.0, false), (1e9, false), (-1.0, true)] {
-        assert_eq!(directional_light_illuminates(-UP, at(0.0), &floor(y)), lit);
-    }
+fn lights_are_hidden_as_the_text_says() {
+    let point = |y| point_light_illuminates(at(4.0), at(0.0), &floor(y));
+    assert_eq!([-1.0, 0.004, 16.0].map(point), [true; 3]);
+    assert_eq!([0.005, 1.0, 15.0].map(point), [false; 3]);
+    let spot = |y| spot_light_illuminates(at(4.0), at(0.0), &floor(y));
+    assert_eq!(
+        [1.0, -1.0, -15.0, -16.0].map(spot),
+        [true, false, false, true]
+    );
+    let far = |y| directional_light_illuminates(-UP, at(0.0), &floor(y));
+    assert_eq!([1.0, 1e9, -1.0].map(far), [false, false, true]);
 }
 
 #[test]

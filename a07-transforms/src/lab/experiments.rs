@@ -2,12 +2,11 @@
 
 use std::rc::Rc;
 
-use a02_math::{Point3, Vector3};
+use a02_math::Vector3;
 use a03_rays_cameras::PixelRandom;
 use common::ArgumentError;
-use glam::{DMat4, DVec3};
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 use crate::lab::extremes::matrices::{off_identity, turn};
 use crate::lab::protocol::Chained;
@@ -57,15 +56,7 @@ impl Inverse {
 }
 
 fn inverted(m: Mat4x4) -> Mat4x4 {
-    let column = |axis| (m * Vector3::from_glam(axis)).to_glam().extend(0.0);
-    let inverse = DMat4::from_cols(
-        column(DVec3::X),
-        column(DVec3::Y),
-        column(DVec3::Z),
-        (m * Point3::ORIGIN).to_glam().extend(1.0),
-    )
-    .inverse();
-    Mat4x4::from_rows(inverse.transpose().to_cols_array_2d())
+    Mat4x4::from_rows(m.to_glam().inverse().transpose().to_cols_array_2d())
 }
 
 /// Uses a result, so that the compiler cannot remove a timed run.
@@ -88,47 +79,30 @@ fn nesting() -> Experiment<'static> {
             let steps = (0..30).filter_map(|i| turn(Transform::IDENTITY, i).ok());
             let steps: Rc<[Transform]> = steps.collect();
             let counts = &[1e2, 1e3, 1e4, 1e5, 1e6][..effort.choose(4, 5)];
-            let curve = |inverse: Inverse, products: f64, expected, remark| Curve {
-                method: inverse.method(),
-                remark,
-                slope: expected,
-                points: counts
-                    .iter()
-                    .map(|count| {
-                        let steps = Rc::clone(&steps);
-                        let build =
-                            move || inverse.build(steps.iter().cycle().take(*count as usize));
-                        let (m, i) = build();
-                        Point::new(*count, products * count, off_identity(m, i), move || {
-                            trace(build().1)
-                        })
+            let curve = |inverse: Inverse, products: f64| {
+                let points = counts.iter().map(|count| {
+                    let steps = Rc::clone(&steps);
+                    let build = move || inverse.build(steps.iter().cycle().take(*count as usize));
+                    let (m, i) = build();
+                    Point::new(*count, products * count, off_identity(m, i), move || {
+                        trace(build().1)
                     })
-                    .collect(),
-            };
-            let linear = Slope {
-                expected: 1.0,
-                tolerance: 0.05,
-                between: (1e2, 1e6),
+                });
+                Curve::new(inverse.method(), points)
             };
             vec![
-                curve(Inverse::Stored, 2.0, Some(linear), ""),
-                curve(
-                    Inverse::OfProduct,
-                    1.0,
-                    None,
+                curve(Inverse::Stored, 2.0).with_slope(1.0, (1e2, 1e6)),
+                curve(Inverse::OfProduct, 1.0).with_remark(
                     "not in the renderer: a scene nests a few turns, and where it stretches \
                      this loses twice the digits (see `condition`)",
                 ),
-                curve(
-                    Inverse::SameOrder,
-                    2.0,
-                    None,
-                    "the protocol's; no inverse at all",
-                ),
+                curve(Inverse::SameOrder, 2.0).with_remark(NO_INVERSE),
             ]
         }),
     }
 }
+
+const NO_INVERSE: &str = "the protocol's; no inverse at all";
 
 /// The rotations before and after a scaling.
 fn pair_of_turns(n: u32) -> Result<[Transform; 2], ArgumentError> {
@@ -146,57 +120,40 @@ fn condition() -> Experiment<'static> {
         name: "condition",
         about: "What does an uneven stretching by k cost in digits?",
         knob: "stretching k",
-        work: "4x4 products",
-        error: "rms error of the numbers of M I",
-        unit: Unit::Other("identity = 1"),
-        exact: "against those of the identity",
         seeds: &[10],
-        against: Axis::Knob,
         curves: Box::new(|effort: Effort| {
             let count = effort.choose(4_096, 65_536) as u32;
             let pairs: Rc<[_]> = (0..count).filter_map(|n| pair_of_turns(n).ok()).collect();
-            let point = |inverse: Inverse, products: f64, k: f64| {
-                let pairs = Rc::clone(&pairs);
-                let stretch = Transform::IDENTITY.scale(k, 1.0, 1.0);
-                let stretch = stretch.unwrap_or(Transform::IDENTITY);
-                let build =
-                    move |[a, b]: &[Transform; 2]| inverse.build([a, &stretch, b].into_iter());
-                let errors = pairs.iter().flat_map(|pair| {
-                    let (m, i) = build(pair);
-                    off_identity(m, i)
+            let curve = |inverse: Inverse, products: f64| {
+                let points = [1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7].map(|k| {
+                    let stretch = Transform::IDENTITY.scale(k, 1.0, 1.0);
+                    let stretch = stretch.unwrap_or(Transform::IDENTITY);
+                    let build =
+                        move |[a, b]: &[Transform; 2]| inverse.build([a, &stretch, b].into_iter());
+                    let errors = |pair: &_| {
+                        let (m, i) = build(pair);
+                        off_identity(m, i)
+                    };
+                    let mut point =
+                        Point::of_all(k, &pairs, errors, move |pair| trace(build(pair).1));
+                    point.work *= products;
+                    point
                 });
-                let errors: Vec<_> = errors.collect();
-                Point::new(k, products * f64::from(count), errors, move || {
-                    pairs.iter().map(|pair| trace(build(pair).1)).sum()
-                })
+                Curve::new(inverse.method(), points)
             };
-            let curve = |inverse: Inverse, products: f64, expected: Option<f64>, remark| Curve {
-                method: inverse.method(),
-                remark,
-                slope: expected.map(|expected| Slope {
-                    expected,
-                    tolerance: 0.05,
-                    between: (1e2, 1e7),
-                }),
-                points: [1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7]
-                    .map(|k| point(inverse, products, k))
-                    .into(),
-            };
+            let between = (1e2, 1e7);
             vec![
-                curve(
-                    Inverse::Stored,
-                    6.0,
-                    Some(1.0),
-                    "eps k is what rounding the numbers of an exact inverse costs, too",
-                ),
-                curve(Inverse::OfProduct, 3.0, Some(2.0), "eps k²"),
-                curve(
-                    Inverse::SameOrder,
-                    6.0,
-                    None,
-                    "the protocol's; no inverse at all",
-                ),
+                curve(Inverse::Stored, 6.0)
+                    .with_slope(1.0, between)
+                    .with_remark(
+                        "eps k is what rounding the numbers of an exact inverse costs, too",
+                    ),
+                curve(Inverse::OfProduct, 3.0)
+                    .with_slope(2.0, between)
+                    .with_remark("eps k²"),
+                curve(Inverse::SameOrder, 6.0).with_remark(NO_INVERSE),
             ]
         }),
+        ..nesting()
     }
 }

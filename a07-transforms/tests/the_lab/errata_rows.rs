@@ -5,8 +5,8 @@ use std::collections::HashSet;
 
 use measure::Effort;
 
-/// The ids of the rows of all stages.
-fn ids() -> Vec<&'static str> {
+#[test]
+fn ids_are_unique_and_the_errata_name_existing_rows() {
     let stages = [
         a01_image_display::stage(),
         a02_math::stage(),
@@ -19,27 +19,20 @@ fn ids() -> Vec<&'static str> {
     let rows = stages
         .iter()
         .flat_map(|stage| (stage.extremes)(Effort::Quick));
-    rows.map(|case| case.id).collect()
-}
-
-#[test]
-fn no_two_rows_of_all_stages_have_the_same_id() {
-    let ids = ids();
-    let mut seen = HashSet::new();
-    let twice: Vec<_> = ids.iter().filter(|id| !seen.insert(**id)).collect();
+    let mut ids = HashSet::new();
+    let twice: Vec<_> = rows
+        .map(|row| row.id)
+        .filter(|id| !ids.insert(*id))
+        .collect();
     assert!(twice.is_empty(), "{twice:?}");
     assert!(ids.len() > 300, "all stages have tables");
-}
 
-#[test]
-fn every_row_that_the_errata_name_is_in_a_table() {
-    let rows: HashSet<_> = ids().into_iter().collect();
     let page = include_str!("../../../book/src/errata.md");
     let spans = page.split('`').skip(1).step_by(2);
     let named: Vec<_> = spans.filter(|span| is_row(span)).collect();
     assert!(named.len() > 50, "the page names its rows in code spans");
     for row in named {
-        assert!(rows.contains(row), "there is no row {row}");
+        assert!(ids.contains(row), "there is no row {row}");
     }
 }
 

@@ -5,6 +5,7 @@
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
+use a04_intersections::lab::extremes::raw_ray;
 use a04_intersections::{Geometry, Sphere};
 use a07_transforms::Transform;
 use a07_transforms::protocol::{
@@ -27,60 +28,44 @@ fn the_inverse_of_a_chain_is_in_the_wrong_order() {
     let chained = Chained::IDENTITY
         .then(&step([4.0, 0.0, 0.0], [1.0; 3]))
         .then(&step([0.0; 3], [2.0; 3]));
-    let x = Point3::new(1.0, 0.0, 0.0);
-    assert_eq!(chained.m * x, Point3::new(6.0, 0.0, 0.0));
-    assert_eq!(
-        chained.i * Point3::new(6.0, 0.0, 0.0),
-        Point3::new(-1.0, 0.0, 0.0)
-    );
+    let [one, six, minus_one] = [1.0, 6.0, -1.0].map(|x| Point3::new(x, 0.0, 0.0));
+    assert_eq!((chained.m * one, chained.i * six), (six, minus_one));
 }
 
 /// Stretched three times along x, a surface that faces (4, 3) then faces
 /// (4, 9), which none of them finds.
 #[test]
 fn normals_are_moved_as_the_texts_say() {
-    let transform = step([1.0, 2.0, 0.0], [3.0, 1.0, 1.0]);
-    let (m, i) = (transform.matrix(), transform.inverse());
+    let m = step([1.0, 2.0, 0.0], [3.0, 1.0, 1.0]).matrix();
     let n = Normal3::new(0.8, 0.6, 0.0);
-    let towards = |x, y| Normal3::new(x, y, 0.0).normalized();
-    let close = |a: Option<Normal3>, b: Option<Normal3>| {
-        approx::assert_abs_diff_eq!(a.unwrap(), b.unwrap(), epsilon = 4.0 * f64::EPSILON);
-    };
-    close(normal_as_vector(m, n), towards(2.4, 0.6));
-    close(transposed_normal(m, n), towards(2.4, 0.6));
-    close(normal_as_point(m, n), towards(3.4, 2.6));
+    for (moved, x, y) in [
+        (normal_as_vector(m, n), 2.4, 0.6),
+        (transposed_normal(m, n), 2.4, 0.6),
+        (normal_as_point(m, n), 3.4, 2.6),
+    ] {
+        let expected = Normal3::new(x, y, 0.0).normalized();
+        let epsilon = 4.0 * f64::EPSILON;
+        approx::assert_abs_diff_eq!(moved.unwrap(), expected.unwrap(), epsilon = epsilon);
+    }
     // Twice as large, half as long.
-    assert_eq!(
-        unnormalized_normal(step([0.0; 3], [2.0; 3]).inverse(), UP),
-        Vector3::new(0.0, 0.5, 0.0)
-    );
-    assert_eq!(i * Vector3::new(3.0, 0.0, 0.0), Vector3::new(1.0, 0.0, 0.0));
-    assert_eq!(
-        scaled_direction([2.0, 4.0, 0.5], Vector3::new(3.0, 5.0, 7.0)),
-        Vector3::new(1.5, 1.25, 14.0)
-    );
+    let halved = unnormalized_normal(step([0.0; 3], [2.0; 3]).inverse(), UP);
+    assert_eq!(halved, Vector3::new(0.0, 0.5, 0.0));
+    let scaled = scaled_direction([2.0, 4.0, 0.5], Vector3::new(3.0, 5.0, 7.0));
+    assert_eq!(scaled, Vector3::new(1.5, 1.25, 14.0));
 }
 
 #[test]
-fn a_translation_in_the_last_row_moves_nothing() {
+fn translations_are_lost_and_factors_exchanged() {
     let matrix = translation_in_last_row(Point3::new(1.0, 2.0, 3.0));
     assert_eq!(matrix.rows()[3], [1.0, 2.0, 3.0, 1.0]);
-    assert_eq!(matrix * Point3::ORIGIN, Point3::ORIGIN);
+    let [a, b] = [([1.0, 2.0, 3.0], [2.0; 3]), ([5.0, 0.0, 0.0], [1.0; 3])];
+    let [a, b] = [a, b].map(|(to, by)| step(to, by).matrix());
+    assert_eq!(product(a, b), b * a);
+    assert_ne!(product(a, b), a * b);
 }
 
-#[test]
-fn factors_change_places() {
-    let (a, b) = (
-        step([1.0, 2.0, 3.0], [2.0; 3]),
-        step([5.0, 0.0, 0.0], [1.0; 3]),
-    );
-    assert_eq!(product(a.matrix(), b.matrix()), b.matrix() * a.matrix());
-    assert_ne!(product(a.matrix(), b.matrix()), a.matrix() * b.matrix());
-}
-
-/// Of a diagonal matrix one diagonal is left, of the one with each row moved
-/// one place to the right, too; mirrored, they count as negative. Of all
-/// others, as of the even exchange of two pairs, nothing is found.
+/// Diagonals count, shifted by some columns, too, and mirrored as negative; other
+/// products, an exchange of two columns for example, do not.
 #[test]
 fn sarrus_sees_eight_products_of_four_rows() {
     let places = |columns: [usize; 4]| {
@@ -110,29 +95,28 @@ fn of_several_hits_the_last_wins() {
         last_hit(&children, &ahead).map(|hit| hit.t)
     };
     assert_eq!(last(&[]), None);
-    assert_eq!(last(&[3.0, 2.0]), Some(2.0));
-    assert_eq!(last(&[2.0, 3.0]), Some(3.0));
-    assert_eq!(last(&[3.0, 2.0, 5.0]), Some(5.0));
-    assert_eq!(last(&[3.0, -9.0]), Some(3.0));
+    for (distances, t) in [
+        (&[3.0, 2.0][..], 2.0),
+        (&[2.0, 3.0], 3.0),
+        (&[3.0, 2.0, 5.0], 5.0),
+        (&[3.0, -9.0], 3.0),
+    ] {
+        assert_eq!(last(distances), Some(t));
+    }
 }
 
 /// 3² + 4² = 5², and the rim does not belong to it.
 #[test]
 fn a_disc_ends_before_its_rim() {
-    let at = |x: f64, z: f64| {
-        let ray = Ray::derived(Point3::new(x, 2.0, z), Vector3::new(0.0, -4.0, 0.0));
-        disc(Point3::ORIGIN, UP, 5.0, &ray)
-    };
+    let t = |o: [f64; 3], d: [f64; 3]| disc(Point3::ORIGIN, UP, 5.0, &raw_ray((o, d)));
+    let at = |z| t([3.0, 2.0, z], [0.0, -4.0, 0.0]);
+    assert_eq!([at(3.9), at(4.0), at(4.1)], [Some(0.5), None, None]);
+    assert_eq!(t([0.0, 2.0, 0.0], [0.0, 1.0, 0.0]), None, "behind");
+    assert_eq!(t([0.0; 3], [0.0, -1.0, 0.0]), None, "leaving");
+    assert_eq!(t([0.0; 3], [1.0, 0.0, 0.0]), None, "within");
     assert_eq!(
-        (at(3.0, 3.9), at(3.0, 4.0), at(3.0, 4.1)),
-        (Some(0.5), None, None)
+        t([0.0, -1.0, 0.0], [1.0, 1.0, 0.0]),
+        Some(1.0),
+        "from below"
     );
-    let aim = |y, d: [f64; 3]| {
-        let ray = Ray::derived(Point3::new(0.0, y, 0.0), Vector3::from_glam(d.into()));
-        disc(Point3::ORIGIN, UP, 5.0, &ray)
-    };
-    assert_eq!(aim(2.0, [0.0, 1.0, 0.0]), None, "behind");
-    assert_eq!(aim(0.0, [0.0, -1.0, 0.0]), None, "leaving");
-    assert_eq!(aim(0.0, [1.0, 0.0, 0.0]), None, "within");
-    assert_eq!(aim(-1.0, [1.0, 1.0, 0.0]), Some(1.0), "from below");
 }

@@ -24,18 +24,14 @@ impl Comparison {
     /// Renders a scene by the chosen renderer and by the one that skips no work, on
     /// the threads of the current pool.
     pub fn new(scene: &Scene, settings: &Settings) -> Result<Self, Error> {
-        let render = |settings: &Settings| {
-            let (image, tally) = counted(|| scene.render(settings, &()))?;
-            image.map(|image| (image, tally))
-        };
-        let (image, needed) = render(settings)?;
-        let (complete, all) = render(&complete(settings))?;
-        let difference = difference(&image, &complete);
+        let (image, needed) = counted(|| scene.render(settings, &()))?;
+        let (complete, all) = counted(|| scene.render(&complete(settings), &()))?;
+        let image = image?;
         Ok(Self {
+            difference: difference(&image, &complete?),
             image,
             needed,
             all,
-            difference,
         })
     }
 
@@ -67,21 +63,11 @@ pub fn complete(settings: &Settings) -> Settings {
 /// The largest difference of a channel; infinite where one is NaN.
 fn difference(a: &Image, b: &Image) -> f64 {
     let pairs = a.pixels().iter().zip(b.pixels());
-    let channels = pairs.flat_map(|(a, b)| {
-        let (a, b) = (a.channels(), b.channels());
-        std::array::from_fn::<_, 3, _>(|i| (a[i], b[i]))
-    });
-    let differences = channels.map(|(a, b)| {
-        if a.to_bits() == b.to_bits() {
-            0.0
-        } else {
-            let difference = (a - b).abs();
-            if difference.is_nan() {
-                f64::INFINITY
-            } else {
-                difference
-            }
-        }
+    let channels = pairs.flat_map(|(a, b)| a.channels().into_iter().zip(b.channels()));
+    let differences = channels.map(|(a, b)| match (a - b).abs() {
+        _ if a.to_bits() == b.to_bits() => 0.0,
+        nan if nan.is_nan() => f64::INFINITY,
+        difference => difference,
     });
     differences.fold(0.0, f64::max)
 }
@@ -137,17 +123,13 @@ mod tests {
         };
         let comparison = Comparison::new(&scene(), &settings).unwrap();
         assert_eq!(comparison.difference, 0.125);
-        assert_eq!(
-            comparison.row("name"),
-            "| name | 1 | **0** of 1 | | **1** of 4 | | | |"
-        );
-        let table = [
-            "  work                     everything         needed    saved",
-            "  primary rays                      1              1    0.0 %",
-            "  shadow rays                       1              0  100.0 %",
-            "  intersection tests                4              1   75.0 %",
-        ];
-        assert_eq!(comparison.to_string(), table.join("\n"));
+        let row = "| name | 1 | **0** of 1 | | **1** of 4 | | | |";
+        assert_eq!(comparison.row("name"), row);
+        let table = "  work                     everything         needed    saved
+  primary rays                      1              1    0.0 %
+  shadow rays                       1              0  100.0 %
+  intersection tests                4              1   75.0 %";
+        assert_eq!(comparison.to_string(), table);
     }
 
     #[test]

@@ -30,14 +30,3 @@ impl Effort {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn quick_effort_takes_the_first_number() {
-        assert_eq!(Effort::Quick.choose(3, 15), 3);
-        assert_eq!(Effort::Full.choose(3, 15), 15);
-    }
-}

@@ -6,6 +6,7 @@
 //! which is the same on every machine, and timed, which is not.
 
 use std::fmt;
+use std::rc::Rc;
 
 use crate::Effort;
 use crate::fit::Fit;
@@ -58,7 +59,7 @@ pub struct Experiment<'a> {
     pub error: &'a str,
     /// The unit of the error.
     pub unit: Unit<'a>,
-    /// The exact value: "against 30 digits", and what counts how.
+    /// The exact value: "against 30 digits", and the error of a miss.
     pub exact: &'a str,
     /// The seeds of its random numbers. Empty if it takes none.
     pub seeds: &'a [u64],
@@ -82,11 +83,11 @@ impl Experiment<'_> {
     pub fn can_be_seen(&self, curves: &[Curve]) -> bool {
         let falls = |curve: &Curve| {
             let by_work = |a: &&Point, b: &&Point| a.work.total_cmp(&b.work);
-            let ends = (
-                curve.points.iter().min_by(by_work),
-                curve.points.iter().max_by(by_work),
-            );
-            matches!(ends, (Some(least), Some(most)) if most.rms < least.rms)
+            let points = curve.points.iter();
+            let (least, most) = (points.clone().min_by(by_work), points.max_by(by_work));
+            least
+                .zip(most)
+                .is_some_and(|(least, most)| most.rms < least.rms)
         };
         self.unit == Unit::Light && curves.iter().any(falls)
     }
@@ -105,17 +106,43 @@ pub struct Curve<'a> {
     pub points: Vec<Point<'a>>,
 }
 
+impl<'a> Curve<'a> {
+    /// A method without a remark and without a slope in theory.
+    pub fn new(method: &'a str, points: impl IntoIterator<Item = Point<'a>>) -> Self {
+        Self {
+            method,
+            remark: "",
+            slope: None,
+            points: points.into_iter().collect(),
+        }
+    }
+
+    /// Adds a remark for the reader.
+    #[must_use]
+    pub fn with_remark(self, remark: &'a str) -> Self {
+        Self { remark, ..self }
+    }
+
+    /// Adds the slope of theory, if there is one, and the range in which it holds.
+    #[must_use]
+    pub fn with_slope(self, expected: impl Into<Option<f64>>, between: (f64, f64)) -> Self {
+        let slope = expected.into().map(|expected| Slope { expected, between });
+        Self { slope, ..self }
+    }
+}
+
 /// A slope of log error over log work, or over the log of the parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slope {
     /// The slope that theory gives.
     pub expected: f64,
-    /// The largest deviation of a measured slope.
-    pub tolerance: f64,
     /// The range of the axis in which points count: below it, theory may not hold
     /// yet, and above it, rounding errors may be larger.
     pub between: (f64, f64),
 }
+
+/// The largest deviation of a measured slope from theory.
+const SLOPE_TOLERANCE: f64 = 0.05;
 
 /// One measurement.
 pub struct Point<'a> {
@@ -158,6 +185,18 @@ impl<'a> Point<'a> {
         }
     }
 
+    /// A measurement over many tasks: the errors of each, and the work, which is to run all.
+    pub fn of_all<T: 'a, E: IntoIterator<Item = f64>>(
+        knob: f64,
+        tasks: &Rc<[T]>,
+        errors: impl Fn(&T) -> E,
+        run: impl Fn(&T) -> f64 + 'a,
+    ) -> Self {
+        let all = Rc::clone(tasks);
+        let run = move || all.iter().map(&run).sum();
+        Self::new(knob, tasks.len() as f64, tasks.iter().flat_map(errors), run)
+    }
+
     /// A method's own estimate of its error. It is shown beside the errors, and not
     /// compared with them.
     pub fn estimate(knob: f64, work: f64, error: f64, run: impl FnMut() -> f64 + 'a) -> Self {
@@ -184,63 +223,40 @@ pub fn pareto_front(curves: &[Curve]) -> Vec<Vec<bool>> {
     let beats = |a: &Point, b: &Point| {
         a.work <= b.work && a.rms <= b.rms && (a.work < b.work || a.rms < b.rms)
     };
-    let measured = || {
-        let all = curves.iter().flat_map(|curve| &curve.points);
-        all.filter(|point| !point.is_estimate)
-    };
-    let unbeaten =
-        |point: &Point| !point.is_estimate && !measured().any(|other| beats(other, point));
-    let front = curves
-        .iter()
-        .map(|curve| curve.points.iter().map(unbeaten).collect());
-    front.collect()
+    let all: Vec<_> = curves.iter().flat_map(|curve| &curve.points).collect();
+    let is_beaten = |point: &Point| all.iter().any(|one| !one.is_estimate && beats(one, point));
+    let unbeaten = |point: &Point| !point.is_estimate && !is_beaten(point);
+    let of_curve = |curve: &Curve| curve.points.iter().map(unbeaten).collect();
+    curves.iter().map(of_curve).collect()
 }
 
-/// Checks in a test that a stage has experiments, and that their measured slopes
-/// agree with theory.
+/// Checks in a test that the measured slopes agree with theory. Returns the counted work
+/// of every point, which is the same on every machine, and its error with two digits, for
+/// a snapshot.
 ///
 /// # Panics
 ///
-/// If a slope does not; the message lists all of them.
-pub fn check_slopes(experiments: &[Experiment], effort: Effort) {
-    assert!(!experiments.is_empty(), "there are no experiments");
+/// If there is no curve, or if a slope does not agree; the message lists all of them.
+#[must_use]
+pub fn checked(experiment: &Experiment, effort: Effort) -> String {
+    let mut lines = vec![format!("{} ({} counted)", experiment.name, experiment.work)];
     let mut wrong = Vec::new();
-    for experiment in experiments {
-        for curve in (experiment.curves)(effort) {
-            let Some(Slope {
-                expected,
-                tolerance,
-                ..
-            }) = curve.slope
-            else {
-                continue;
-            };
-            let agrees =
-                |fit: &Fit| fit.is_power_law() && (fit.slope - expected).abs() <= tolerance;
-            let fit = experiment.fit(&curve);
-            if !fit.is_some_and(|fit| agrees(&fit)) {
-                let (name, method) = (experiment.name, curve.method);
-                wrong.push(format!("{name}: {method}: {fit:?}, not {expected}"));
+    for curve in (experiment.curves)(effort) {
+        let (method, fit) = (curve.method, experiment.fit(&curve));
+        if let Some(Slope { expected, .. }) = curve.slope {
+            let off = |fit: Fit| (fit.slope - expected).abs();
+            if !fit.is_some_and(|fit| fit.is_power_law() && off(fit) <= SLOPE_TOLERANCE) {
+                wrong.push(format!("{method}: {fit:?}, not {expected}"));
             }
         }
-    }
-    assert!(wrong.is_empty(), "{}", wrong.join("; "));
-}
-
-/// The counted work of every point, for a snapshot, because it is the same on every
-/// machine. The errors are rounded to two digits.
-#[must_use]
-pub fn counted(experiment: &Experiment, effort: Effort) -> String {
-    let mut lines = vec![format!("{} ({} counted)", experiment.name, experiment.work)];
-    for curve in (experiment.curves)(effort) {
-        for Point {
-            knob, work, rms, ..
-        } in &curve.points
-        {
-            let method = curve.method;
+        for point in &curve.points {
+            let (knob, work, rms) = (point.knob, point.work, point.rms);
             lines.push(format!("{method:24} {knob:>12} {work:>14} {rms:>9.1e}"));
         }
     }
+    let name = experiment.name;
+    assert!(lines.len() > 1, "{name} has no points");
+    assert!(wrong.is_empty(), "{name}: {}", wrong.join("; "));
     lines.join("\n")
 }
 

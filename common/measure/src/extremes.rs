@@ -9,7 +9,9 @@ mod case;
 mod outcome;
 mod table;
 
-pub use bound::Bound;
-pub use case::{Case, Protocol};
-pub use outcome::Outcome;
+pub use bound::Bound::{self, Absolute, Equal, Finite, Ulps};
+pub use case::Case;
+pub use case::Protocol::{self, Fails, Holds};
+pub use outcome::Outcome::{self, Nothing, Refused};
+pub use outcome::tried;
 pub use table::{check, select};

@@ -137,17 +137,7 @@ impl Curve<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::experiment::Point;
-
-    fn curve(points: &[(f64, f64)]) -> Curve<'static> {
-        let point = |&(work, error): &(f64, f64)| Point::new(work, work, [error], || 0.0);
-        Curve {
-            method: "method",
-            remark: "",
-            slope: None,
-            points: points.iter().map(point).collect(),
-        }
-    }
+    use crate::example::curve;
 
     fn fit(points: &[(f64, f64)]) -> Option<Fit> {
         curve(points).fit(Axis::Work)

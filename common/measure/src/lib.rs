@@ -7,6 +7,8 @@
 
 pub mod comparison;
 mod effort;
+#[cfg(test)]
+mod example;
 pub mod experiment;
 pub mod extremes;
 pub mod fit;

@@ -10,6 +10,7 @@ mod svg;
 use crate::experiment::{Axis, HALF_GREY_LEVEL};
 use crate::provenance;
 use crate::report::Measured;
+use crate::timing::Median;
 use axis::{LogAxis, rounded};
 use svg::Svg;
 
@@ -54,10 +55,8 @@ pub fn plots(measured: &Measured) -> Vec<(&'static str, String)> {
         let compiler = compiler.split(',').next().unwrap_or_default();
         let source = format!("medians, with intervals of 95 %; {machine}; {compiler}");
         let timed = series(measured, true);
-        plots.push((
-            "-time.svg",
-            draw(measured, "time (seconds)", &source, timed),
-        ));
+        let plot = draw(measured, "time (seconds)", &source, timed);
+        plots.push(("-time.svg", plot));
     }
     plots
 }
@@ -67,11 +66,10 @@ pub fn plots(measured: &Measured) -> Vec<(&'static str, String)> {
 fn time_changes(measured: &Measured, c: usize) -> bool {
     let points = &measured.curves[c].points;
     let times: Vec<_> = (0..points.len()).map(|p| measured.time(c, p)).collect();
-    let longer = times.iter().map(|time| time.low).fold(0.0, f64::max);
+    let longer = times.iter().fold(0.0, |most, time| time.low.max(most));
     let shorter = times
         .iter()
-        .map(|time| time.high)
-        .fold(f64::INFINITY, f64::min);
+        .fold(f64::MAX, |least, time| time.high.min(least));
     points.windows(2).any(|pair| pair[0].work != pair[1].work) && longer > 2.0 * shorter
 }
 
@@ -80,21 +78,16 @@ fn series<'a>(measured: &Measured<'_, 'a>, is_timed: bool) -> Vec<Series<'a>> {
     let experiment = measured.experiment;
     let curves = measured.curves.iter().enumerate().map(|(c, curve)| {
         let points = curve.points.iter().enumerate().map(|(p, point)| {
-            let time = measured.time(c, p);
-            let x = if is_timed {
-                [time.low, time.value, time.high]
-            } else {
-                [point.on(experiment.against); 3]
-            };
-            (x, point.rms)
+            let Median { low, value, high } = measured.time(c, p);
+            let work = [point.on(experiment.against); 3];
+            (if is_timed { [low, value, high] } else { work }, point.rms)
         });
         let fit = experiment
             .fit(curve)
             .filter(|fit| !is_timed && fit.is_power_law());
-        let slope = fit.map(|fit| fit.slope_in_words());
         Series {
             name: curve.method,
-            remark: slope.unwrap_or_default().replace('-', "−"),
+            remark: fit.map_or(String::new(), |fit| fit.slope_in_words().replace('-', "−")),
             is_estimate: curve.points.iter().any(|point| point.is_estimate),
             points: points
                 .filter(|(x, error)| x[0] > 0.0 && error.is_finite())
@@ -108,11 +101,10 @@ fn series<'a>(measured: &Measured<'_, 'a>, is_timed: bool) -> Vec<Series<'a>> {
 /// one axis they would flatten the others. Their errors are written beside the plot.
 fn leave_out_far_curves(all: &mut [Series]) {
     let logs = |one: &Series| -> Vec<f64> {
-        let errors = one.points.iter().map(|point| point.1);
-        errors
-            .filter(|error| *error > 0.0)
-            .map(libm::log10)
-            .collect()
+        let errors = one.points.iter().map(|point| libm::log10(point.1));
+        let mut logs: Vec<_> = errors.filter(|log| log.is_finite()).collect();
+        logs.sort_by(f64::total_cmp);
+        logs
     };
     let mut sorted: Vec<_> = all.iter().flat_map(logs).collect();
     sorted.sort_by(f64::total_cmp);
@@ -121,11 +113,8 @@ fn leave_out_far_curves(all: &mut [Series]) {
         return;
     };
     let is_below = at < sorted.len() - at;
-    let near = if is_below {
-        &sorted[at..]
-    } else {
-        &sorted[..at]
-    };
+    let (below, above) = sorted.split_at(at);
+    let near = if is_below { above } else { below };
     let is_far = |log: &f64| (*log < sorted[at]) == is_below;
     let is_torn = |one: &Series| {
         let logs = logs(one);
@@ -134,21 +123,22 @@ fn leave_out_far_curves(all: &mut [Series]) {
     if gap < 2.0 * (near[near.len() - 1] - near[0]).max(1.0) || all.iter().any(is_torn) {
         return;
     }
-    for one in all.iter_mut().filter(|one| logs(one).iter().any(is_far)) {
+    for one in all {
         let logs = logs(one);
-        let ends = [
-            logs.iter().copied().fold(f64::MAX, f64::min),
-            logs.iter().copied().fold(f64::MIN, f64::max),
-        ];
-        let [low, high] = ends.map(|log| rounded(libm::pow(10.0, log)));
-        let arrow = if is_below { '↓' } else { '↑' };
-        let range = if low == high {
-            low
-        } else {
-            format!("{low} to {high}")
-        };
-        one.remark = format!("{arrow} off the scale: {range}");
-        one.points.clear();
+        if let [low, ..] = logs[..]
+            && let [.., high] = logs[..]
+            && is_far(&low)
+        {
+            let [low, high] = [low, high].map(|log| rounded(libm::pow(10.0, log)));
+            let arrow = if is_below { '↓' } else { '↑' };
+            let range = if low == high {
+                low
+            } else {
+                format!("{low} to {high}")
+            };
+            one.remark = format!("{arrow} off the scale: {range}");
+            one.points.clear();
+        }
     }
 }
 
@@ -157,9 +147,8 @@ fn draw(measured: &Measured, label: &str, source: &str, mut all: Vec<Series>) ->
     leave_out_far_curves(&mut all);
     let points = || all.iter().flat_map(|one| &one.points);
     let has_zeros = points().any(|(_, error)| *error == 0.0);
-    let level = experiment
-        .can_be_seen(&measured.curves)
-        .then_some(HALF_GREY_LEVEL);
+    let is_seen = experiment.can_be_seen(&measured.curves);
+    let level = is_seen.then_some(HALF_GREY_LEVEL);
     let bottom = if has_zeros { BOTTOM - STRIP } else { BOTTOM };
     let errors = points()
         .map(|(_, error)| *error)
@@ -218,12 +207,8 @@ fn draw(measured: &Measured, label: &str, source: &str, mut all: Vec<Series>) ->
         };
         let is_exact = last.is_some() && one.points.iter().all(|(_, error)| *error == 0.0);
         let remark = if is_exact { "no error" } else { &one.remark };
-        names.push((
-            last.map_or(off, |last| at(last)[1]),
-            one.name,
-            remark,
-            Some((index, class)),
-        ));
+        let end = last.map_or(off, |last| at(last)[1]);
+        names.push((end, one.name, remark, Some((index, class))));
     }
     draw_names(&mut svg, names);
     svg.finish()

@@ -41,12 +41,8 @@ fn date(seconds: u64) -> String {
     let day = day - (365 * year + year / 4 - year / 100);
     let month = (5 * day + 2) / 153;
     let day = day - (153 * month + 2) / 5 + 1;
-    let (month, next) = if month < 10 {
-        (month + 3, 0)
-    } else {
-        (month - 9, 1)
-    };
-    let year = year + era * 400 + next;
+    let year = year + era * 400 + month / 10;
+    let month = (month + 2) % 12 + 1;
     let (hour, minute) = (seconds / 3600 % 24, seconds / 60 % 60);
     format!("{year}-{month:02}-{day:02} {hour:02}:{minute:02} UTC")
 }
@@ -57,17 +53,13 @@ mod tests {
 
     #[test]
     fn seconds_become_dates() {
-        assert_eq!(date(0), "1970-01-01 00:00 UTC");
-        assert_eq!(date(951_782_400), "2000-02-29 00:00 UTC");
-        assert_eq!(date(1_709_164_799), "2024-02-28 23:59 UTC");
-        assert_eq!(date(4_107_542_400), "2100-03-01 00:00 UTC");
-    }
-
-    #[test]
-    fn a_report_names_machine_and_compiler() {
-        for (name, value) in lines() {
-            assert!(!value.is_empty() && !value.contains('\n'), "{name}");
+        for (seconds, expected) in [
+            (0, "1970-01-01 00:00 UTC"),
+            (951_782_400, "2000-02-29 00:00 UTC"),
+            (1_709_164_799, "2024-02-28 23:59 UTC"),
+            (4_107_542_400, "2100-03-01 00:00 UTC"),
+        ] {
+            assert_eq!(date(seconds), expected);
         }
-        assert!(lines()[1].1.starts_with("rustc "));
     }
 }

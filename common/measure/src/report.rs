@@ -62,8 +62,8 @@ impl<'e, 'a> Measured<'e, 'a> {
         Median::of(self.seconds[curve][point].clone())
     }
 
-    /// The time of a point over that of the first method, where this has the same value
-    /// of the parameter.
+    /// The time of a point over the first method's time, if both have the same value of
+    /// the parameter.
     fn ratio(&self, curve: usize, point: usize) -> Option<Median> {
         let first = self.curves[0].points.get(point)?;
         let (own, first_seconds) = (&self.seconds[curve][point], &self.seconds[0].get(point)?);
@@ -74,29 +74,23 @@ impl<'e, 'a> Measured<'e, 'a> {
     /// The table for the terminal.
     #[must_use]
     pub fn table(&self) -> String {
-        let Experiment {
-            name,
-            about,
-            knob,
-            work,
-            error,
-            unit,
-            exact,
-            against,
-            ..
-        } = self.experiment;
+        let e = self.experiment;
         let front = pareto_front(&self.curves);
-        let mut text = format!("{name}: {about}\n  {error} ({unit}), {exact}\n");
-        let (k, w) = (knob.chars().count().max(12), work.chars().count().max(14));
+        let (name, about, unit, exact) = (e.name, e.about, e.unit, e.exact);
+        let mut text = format!("{name}: {about}\n  {} ({unit}), {exact}\n", e.error);
+        let (k, w) = (
+            e.knob.chars().count().max(12),
+            e.work.chars().count().max(14),
+        );
         let _ = writeln!(
             text,
-            "  {:24} {knob:>k$} {work:>w$} {:>9} {:>9} {:>10}  time / first method",
-            "method", "error", "max", "time"
+            "  {:24} {:>k$} {:>w$}     error       max       time  time / first method",
+            "method", e.knob, e.work
         );
         for (c, curve) in self.curves.iter().enumerate() {
             for (p, point) in curve.points.iter().enumerate() {
                 let ratio = self.ratio(c, p).map(|ratio| format!("  {ratio}"));
-                let is_best = *against == Axis::Work && front[c][p];
+                let is_best = e.against == Axis::Work && front[c][p];
                 let _ = writeln!(
                     text,
                     "{} {:24} {:>k$} {:>w$} {:>9.1e} {:>9.1e} {:>10}{}",
@@ -130,10 +124,9 @@ impl<'e, 'a> Measured<'e, 'a> {
             parts.push(format!("{fit}{}", theory.unwrap_or_default()));
         }
         let is_estimate = curve.points.iter().any(|point| point.is_estimate);
-        if self.experiment.can_be_seen(&self.curves)
-            && !is_estimate
-            && let Some((work, beyond)) = curve.work_to_reach(HALF_GREY_LEVEL)
-        {
+        let has_mark = self.experiment.can_be_seen(&self.curves) && !is_estimate;
+        let mark = has_mark.then(|| curve.work_to_reach(HALF_GREY_LEVEL));
+        if let Some((work, beyond)) = mark.flatten() {
             let beyond = if beyond { ", extrapolated" } else { "" };
             let unit = self.experiment.work;
             parts.push(format!("1/510 takes {work:.0} {unit}{beyond}"));
@@ -148,41 +141,25 @@ impl<'e, 'a> Measured<'e, 'a> {
     /// origin.
     #[must_use]
     pub fn csv(&self) -> String {
-        let Experiment {
-            name,
-            about,
-            knob,
-            work,
-            error,
-            unit,
-            exact,
-            seeds,
-            ..
-        } = self.experiment;
-        let seeds: Vec<_> = seeds.iter().map(u64::to_string).collect();
-        let seeds = if seeds.is_empty() {
-            "no random numbers".to_owned()
-        } else {
-            seeds.join(" ")
+        let e = self.experiment;
+        let (name, about, unit, exact) = (e.name, e.about, e.unit, e.exact);
+        let seeds: Vec<_> = e.seeds.iter().map(u64::to_string).collect();
+        let seeds = match &seeds[..] {
+            [] => "no random numbers".to_owned(),
+            seeds => seeds.join(" "),
         };
         let rounds = self.seconds.iter().flatten().map(Vec::len).max();
-        let mut head = vec![
-            ("experiment", format!("{name}: {about}")),
-            ("error", format!("{error} ({unit}), {exact}")),
-            ("work", format!("counted: {work}")),
-            (
-                "seconds",
-                format!("median of {} rounds by turns", rounds.unwrap_or(0)),
-            ),
-            ("low and high", "interval of 95 % for the median".to_owned()),
-            ("seed", seeds),
-        ];
-        head.extend(provenance::lines());
-        let head = head
-            .iter()
-            .map(|(name, value)| format!("# {name}: {value}\n"));
-        let mut text: String = head.collect();
-        let (knob, work, error) = (quoted(knob), quoted(work), quoted(error));
+        let rounds = rounds.unwrap_or(0);
+        let mut text = format!(
+            "# experiment: {name}: {about}\n# error: {} ({unit}), {exact}\n\
+             # work: counted: {}\n# seconds: median of {rounds} rounds by turns\n\
+             # low and high: interval of 95 % for the median\n# seed: {seeds}\n",
+            e.error, e.work
+        );
+        for (name, value) in provenance::lines() {
+            let _ = writeln!(text, "# {name}: {value}");
+        }
+        let [knob, work, error] = [e.knob, e.work, e.error].map(quoted);
         let _ = writeln!(
             text,
             "experiment,method,{knob},{work},{error},max error,seconds,low,high,estimate,pareto"
@@ -209,15 +186,13 @@ impl<'e, 'a> Measured<'e, 'a> {
 
     /// Writes CSV and plots into a folder that exists, and returns their paths.
     pub fn write(&self, folder: &Path, stage: &str) -> Result<Vec<PathBuf>, Error> {
-        let mut files = vec![(TABLE, self.csv())];
-        files.extend(plot::plots(self));
-        let mut paths = Vec::new();
-        for (ending, text) in files {
+        let table = std::iter::once((TABLE, self.csv()));
+        let write = |(ending, text): (_, String)| {
             let path = file(self.experiment, folder, stage, ending);
             atomic_file::write(&path, text.as_bytes())?;
-            paths.push(path);
-        }
-        Ok(paths)
+            Ok(path)
+        };
+        table.chain(plot::plots(self)).map(write).collect()
     }
 }
 

@@ -78,33 +78,21 @@ fn curves(scene: &Scene, size: Size, effort: Effort) -> Vec<Curve<'_>> {
         ("regular", Sampling::Regular),
         ("stratified", Sampling::Stratified),
     ];
-    let curve = |(method, sampling)| Curve {
-        method,
-        remark: "",
-        slope: None,
-        points: sides
-            .iter()
-            .map(|side| {
-                let samples = side * side;
-                let image = picture(sampling, samples, 0);
-                let errors = image.iter().zip(&reference).map(|(a, b)| a - b);
-                let rays = size.pixels() as f64 * f64::from(samples);
-                let run = move || render(scene, size, sampling, samples, 0).map_or(0.0, |_| rays);
-                Point::new(samples.into(), rays, errors, run)
-            })
-            .collect(),
+    let curve = |(method, sampling)| {
+        let point = |side: &u32| {
+            let samples = side * side;
+            let image = picture(sampling, samples, 0);
+            let errors = image.iter().zip(&reference).map(|(a, b)| a - b);
+            let rays = size.pixels() as f64 * f64::from(samples);
+            let run = move || render(scene, size, sampling, samples, 0).map_or(0.0, |_| rays);
+            Point::new(samples.into(), rays, errors, run)
+        };
+        Curve::new(method, sides.iter().map(point))
     };
-    let mut curves: Vec<_> = methods.map(curve).into();
     let asked = [16.0, 8.0, 4.0, 2.0, 1.0, 0.5].map(|levels| levels * HALF_GREY_LEVEL);
-    let points = asked
-        .iter()
-        .map(|asked| adaptive(scene, size, *asked, &reference));
-    curves.push(Curve {
-        method: "adaptive",
-        remark: "",
-        slope: None,
-        points: points.collect(),
-    });
+    let adaptive = |asked| adaptive(scene, size, asked, &reference);
+    let mut curves: Vec<_> = methods.map(curve).into();
+    curves.push(Curve::new("adaptive", asked.map(adaptive)));
     curves
 }
 
@@ -135,32 +123,26 @@ mod tests {
 
     use super::*;
 
-    /// Its brightness is 1/n with n samples, twice or half of that with other
-    /// samplings, and equal to the requested error with adaptive sampling. The
-    /// brightness of the reference is a quarter.
+    /// The brightness of this scene is 1/n with n samples, twice or half of that with other
+    /// samplings, and the requested error with adaptive sampling; the reference's is 1/4.
     fn scene() -> Scene {
         let scene = Scene::traced("fading", "", |settings, progress| {
             assert_eq!(settings.size, Size::new(160, 1)?);
             let samples = f64::from(settings.samples);
-            let is_reference = settings.seed == REFERENCE;
-            let gray = match settings.max_error {
-                Some(asked) => {
-                    assert_eq!(samples, 1024.0);
-                    let pixels = settings.size.pixels() as u64;
+            let gray = match (settings.max_error, settings.sampling) {
+                (Some(asked), _) => {
                     progress.sampled(&Sampled {
-                        pixels,
-                        samples: 2 * pixels,
+                        pixels: 160,
+                        samples: 320,
                         most: 2,
                         ..Sampled::default()
                     });
                     asked
                 }
-                None if is_reference && settings.sampling == Sampling::Stratified => 0.25,
-                None => match settings.sampling {
-                    Sampling::Random => 1.0 / samples,
-                    Sampling::Regular => 2.0 / samples,
-                    _ => 0.5 / samples,
-                },
+                (None, Sampling::Stratified) if settings.seed == REFERENCE => 0.25,
+                (None, Sampling::Random) => 1.0 / samples,
+                (None, Sampling::Regular) => 2.0 / samples,
+                (None, _) => 0.5 / samples,
             };
             Image::from_fn(settings.size, |_, _| Color::gray(gray))
         });
@@ -173,32 +155,26 @@ mod tests {
     #[test]
     fn errors_and_rays_come_from_the_pictures() {
         let scene = scene();
-        let experiment = experiment(&scene).unwrap();
-        let mut curves = (experiment.curves)(Effort::Quick);
-        let measured = |curve: &Curve| {
-            let points = curve.points.iter();
-            points
-                .map(|point| [point.knob, point.work, point.rms])
-                .collect::<Vec<_>>()
-        };
+        let mut curves = (experiment(&scene).unwrap().curves)(Effort::Quick);
         // Brighter than 1 cannot be seen.
-        for (curve, grays) in curves.iter().zip([
-            [1.0, 0.25, 1.0 / 16.0, 1.0 / 64.0],
-            [1.0, 0.5, 0.125, 1.0 / 32.0],
-            [0.5, 0.125, 1.0 / 32.0, 1.0 / 128.0],
-        ]) {
-            let expected = [1.0, 4.0, 16.0, 64.0].into_iter().zip(grays);
-            let error = |gray: f64| (gray - 0.25).abs();
-            let expected: Vec<_> = expected.map(|(n, g)| [n, 160.0 * n, error(g)]).collect();
-            assert_eq!(measured(curve), expected, "{}", curve.method);
+        let shown = [
+            ("random", [1.0, 0.25, 1.0 / 16.0, 1.0 / 64.0]),
+            ("regular", [1.0, 0.5, 0.125, 1.0 / 32.0]),
+            ("stratified", [0.5, 0.125, 1.0 / 32.0, 1.0 / 128.0]),
+        ];
+        for (curve, (method, grays)) in curves.iter().zip(shown) {
+            assert_eq!(curve.method, method);
+            let samples = [1.0, 4.0, 16.0, 64.0].into_iter().zip(grays);
+            for (point, (n, gray)) in curve.points.iter().zip(samples) {
+                let expected = [n, 160.0 * n, f64::abs(gray - 0.25)];
+                assert_eq!([point.knob, point.work, point.rms], expected, "{method}");
+            }
         }
-        let asked = [16.0, 8.0, 4.0, 2.0, 1.0, 0.5].map(|levels| levels / 510.0);
-        for (point, asked) in measured(&curves[3]).iter().zip(asked) {
-            assert_eq!(point[..2], [2.0, 320.0]);
-            assert!((point[2] - (0.25 - asked)).abs() < 1e-12);
+        assert_eq!((curves.len(), curves[3].method), (4, "adaptive"));
+        for (point, levels) in curves[3].points.iter().zip([16.0, 8.0, 4.0, 2.0, 1.0, 0.5]) {
+            assert_eq!([point.knob, point.work], [2.0, 320.0]);
+            assert!((point.rms - (0.25 - levels / 510.0)).abs() < 1e-12);
         }
-        let methods: Vec<_> = curves.iter().map(|curve| curve.method).collect();
-        assert_eq!(methods, ["random", "regular", "stratified", "adaptive"]);
         for point in curves.iter_mut().flat_map(|curve| &mut curve.points) {
             assert_eq!((point.run)(), point.work);
         }

@@ -91,14 +91,12 @@ mod tests {
     #[test]
     fn quotients_within_noise_are_said_to_be_equal() {
         let quotient = |dividends: [f64; 3]| Median::of_quotients(&dividends, &[1.0, 2.0, 4.0]);
-        assert_eq!(
-            quotient([0.8, 2.1, 4.2]).to_string(),
-            "no difference beyond 25 %"
-        );
-        assert_eq!(
-            quotient([0.4, 2.1, 4.2]).to_string(),
-            "no difference beyond a factor of 2.5"
-        );
-        assert_eq!(quotient([2.0, 5.0, 8.0]).to_string(), "2.00 (2.00-2.50)");
+        for (dividends, text) in [
+            ([0.8, 2.1, 4.2], "no difference beyond 25 %"),
+            ([0.4, 2.1, 4.2], "no difference beyond a factor of 2.5"),
+            ([2.0, 5.0, 8.0], "2.00 (2.00-2.50)"),
+        ] {
+            assert_eq!(quotient(dividends).to_string(), text);
+        }
     }
 }

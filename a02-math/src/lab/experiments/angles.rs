@@ -3,9 +3,10 @@
 use std::rc::Rc;
 
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
-use super::exact::{WholeNumbers, sum_of_products};
+use super::whole_numbers::WholeNumbers;
+use crate::lab::exact::sum_of_products;
 use crate::lab::protocol;
 use crate::{Direction, Vector3};
 
@@ -32,7 +33,8 @@ fn exact_products(a: Vector3, b: Vector3) -> f64 {
     libm::atan2(cross.magnitude(), a.dot(b))
 }
 
-const WHY_NOT: &str = "does not scale long and short vectors as ours does; not in the renderer: no picture shows an angle's last digits";
+const WHY_NOT: &str = "does not scale long and short vectors as ours does; \
+     not in the renderer: no picture shows an angle's last digits";
 
 pub fn experiment() -> Experiment<'static> {
     let methods: [(&str, &str, f64, Method); 4] = [
@@ -41,22 +43,21 @@ pub fn experiment() -> Experiment<'static> {
         ("Kahan's formula", "", 1.0, kahan),
         ("exact products", WHY_NOT, 0.0, exact_products),
     ];
-    let curves = move |effort: Effort| {
+    let curves = move |effort| {
         let steps = [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40];
-        let tasks = steps.map(|bits| (bits, Rc::new(tasks(bits, effort))));
-        let curve = |(method, remark, expected, angle): (_, _, _, Method)| Curve {
-            method,
-            remark,
-            slope: Some(Slope {
-                expected,
-                tolerance: 0.05,
-                // For smaller angles the arc cosine is 0 or NaN.
-                between: (10.0, 1e6),
-            }),
-            points: tasks
-                .iter()
-                .map(|(bits, tasks)| point(*bits, tasks, angle))
-                .collect(),
+        let tasks = steps.map(|bits| (libm::scalbn(1.0, bits), tasks(bits, effort)));
+        let curve = |(method, remark, slope, angle): (_, _, f64, Method)| {
+            let error = |&(a, b, exact): &Task| {
+                let error = angle(a, b) / exact - 1.0;
+                [if error.is_nan() { 1.0 } else { error }]
+            };
+            let points = tasks.iter().map(|(knob, tasks)| {
+                Point::of_all(*knob, tasks, error, move |(a, b, _)| angle(*a, *b))
+            });
+            // For smaller angles the arc cosine is 0 or NaN.
+            Curve::new(method, points)
+                .with_slope(slope, (10.0, 1e6))
+                .with_remark(remark)
         };
         methods.map(curve).into()
     };
@@ -80,7 +81,7 @@ type Task = (Vector3, Vector3, f64);
 /// The second vector is a vector `a` of whole numbers plus a perpendicular vector
 /// times a power of two; the quotient of their lengths is the tangent, about
 /// 2^-`bits`. The sum fills 52 binary digits and is exact.
-fn tasks(bits: i32, effort: Effort) -> Vec<Task> {
+fn tasks(bits: i32, effort: Effort) -> Rc<[Task]> {
     let mut numbers = WholeNumbers::new(1);
     let digits = (bits - 4).max(5);
     let mut task = || {
@@ -100,16 +101,4 @@ fn tasks(bits: i32, effort: Effort) -> Vec<Task> {
         (a, a + across, libm::atan(tangent))
     };
     (0..effort.choose(4096, 65_536)).map(|_| task()).collect()
-}
-
-fn point(bits: i32, tasks: &Rc<Vec<Task>>, angle: Method) -> Point<'static> {
-    let error = |(a, b, exact): &Task| {
-        let error = angle(*a, *b) / exact - 1.0;
-        if error.is_nan() { 1.0 } else { error }
-    };
-    let errors: Vec<_> = tasks.iter().map(error).collect();
-    let tasks = Rc::clone(tasks);
-    let count = tasks.len() as f64;
-    let run = move || tasks.iter().map(|(a, b, _)| angle(*a, *b)).sum();
-    Point::new(libm::scalbn(1.0, bits), count, errors, run)
 }

@@ -5,8 +5,9 @@ use std::rc::Rc;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
-use super::exact::WholeNumbers;
+use super::whole_numbers::WholeNumbers;
 use crate::Vector3;
+use crate::lab::extremes::vector;
 use crate::lab::protocol;
 
 /// A method to bring a vector to length 1; the zero vector if it has no direction.
@@ -31,17 +32,19 @@ pub fn experiment() -> Experiment<'static> {
         ("divided by its length", "", protocol::normalized),
         ("always scaled", WHY_NOT, always_scaled),
     ];
-    let curves = move |effort: Effort| {
+    let curves = move |effort| {
         let halvings = [1, 10, 100, 500, 510, 520, 530, 540, 600, 1000];
-        let tasks = halvings.map(|halvings| (halvings, Rc::new(tasks(halvings, effort))));
-        let curve = |(method, remark, normalized)| Curve {
-            method,
-            remark,
-            slope: None,
-            points: tasks
-                .iter()
-                .map(|(halvings, tasks)| point(*halvings, tasks, normalized))
-                .collect(),
+        let tasks = halvings.map(|halvings| (halvings, tasks(halvings, effort)));
+        let curve = |(method, remark, normalized): (_, _, Method)| {
+            let errors = |(v, exact): &Task| {
+                let error = (normalized(*v) - *exact).to_glam().to_array();
+                error.map(|error| if error.is_finite() { error } else { 1.0 })
+            };
+            let points = tasks.iter().map(|(halvings, tasks)| {
+                let run = move |(v, _): &Task| normalized(*v).x();
+                Point::of_all((*halvings).into(), tasks, errors, run)
+            });
+            Curve::new(method, points).with_remark(remark)
         };
         methods.map(curve).into()
     };
@@ -72,30 +75,13 @@ const WHOLE: [[f64; 4]; 6] = [
 /// A vector and its exact direction.
 type Task = (Vector3, Vector3);
 
-fn tasks(halvings: i32, effort: Effort) -> Vec<Task> {
+fn tasks(halvings: i32, effort: Effort) -> Rc<[Task]> {
     let mut numbers = WholeNumbers::new(2);
     let mut task = || {
         let [x, y, z, length] = WHOLE[numbers.signed(20).abs() as usize % WHOLE.len()];
-        let mut signed = |x: f64| x.copysign(numbers.signed(1) - 0.5);
-        let [x, y, z] = [signed(x), signed(y), signed(z)];
-        let stretched = [x, y, z].map(|x| libm::scalbn(x, -halvings));
-        let exact = [x, y, z].map(|x| x / length);
-        (
-            Vector3::from_glam(stretched.into()),
-            Vector3::from_glam(exact.into()),
-        )
+        let numbers = [x, y, z].map(|x: f64| x.copysign(numbers.signed(1) - 0.5));
+        let halved = numbers.map(|x| libm::scalbn(x, -halvings));
+        (vector(halved), vector(numbers.map(|x| x / length)))
     };
     (0..effort.choose(4096, 65_536)).map(|_| task()).collect()
-}
-
-fn point(halvings: i32, tasks: &Rc<Vec<Task>>, normalized: Method) -> Point<'static> {
-    let errors = |(v, exact): &Task| {
-        let error = (normalized(*v) - *exact).to_glam().to_array();
-        error.map(|error| if error.is_finite() { error } else { 1.0 })
-    };
-    let errors: Vec<_> = tasks.iter().flat_map(errors).collect();
-    let tasks = Rc::clone(tasks);
-    let count = tasks.len() as f64;
-    let run = move || tasks.iter().map(|(v, _)| normalized(*v).x()).sum();
-    Point::new(halvings.into(), count, errors, run)
 }

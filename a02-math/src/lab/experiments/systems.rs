@@ -2,10 +2,13 @@
 
 use std::rc::Rc;
 
+use glam::DMat3;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
-use super::exact::{WholeNumbers, sum_of_products};
+use super::whole_numbers::WholeNumbers;
+use crate::lab::exact::sum_of_products;
+use crate::lab::extremes::vector;
 use crate::lab::protocol;
 use crate::{Direction, Mat3x3, Vector3};
 
@@ -54,12 +57,13 @@ pub fn refined(m: Mat3x3, b: Vector3) -> Vector3 {
 }
 
 fn rows(m: Mat3x3) -> [[f64; 3]; 3] {
-    let column = |i: usize| {
-        let unit = [0, 1, 2].map(|j| if i == j { 1.0 } else { 0.0 });
-        (m * Vector3::from_glam(unit.into())).to_glam().to_array()
-    };
-    let [x, y, z] = [column(0), column(1), column(2)];
-    [0, 1, 2].map(|row| [x[row], y[row], z[row]])
+    let columns = DMat3::IDENTITY
+        .to_cols_array_2d()
+        .map(|axis| m * vector(axis));
+    let columns = columns.map(Vector3::to_glam);
+    DMat3::from_cols(columns[0], columns[1], columns[2])
+        .transpose()
+        .to_cols_array_2d()
 }
 
 const WHY_NOT: &str =
@@ -71,21 +75,17 @@ pub fn experiment() -> Experiment<'static> {
         ("elimination", "", Some(1.0), eliminated),
         ("Cramer's rule, mended", WHY_NOT, None, refined),
     ];
-    let curves = move |effort: Effort| {
+    let curves = move |effort| {
         let steps = [0, 5, 10, 15, 20, 25, 30, 35, 40];
-        let tasks = steps.map(|bits| (bits, Rc::new(tasks(bits, effort))));
-        let curve = |(method, remark, expected, solve): (_, _, Option<f64>, Method)| Curve {
-            method,
-            remark,
-            slope: expected.map(|expected| Slope {
-                expected,
-                tolerance: 0.05,
-                between: (1e3, 1e12),
-            }),
-            points: tasks
-                .iter()
-                .map(|(bits, tasks)| point(*bits, tasks, solve))
-                .collect(),
+        let tasks = steps.map(|bits| (libm::scalbn(1.0, bits), tasks(bits, effort)));
+        let curve = |(method, remark, slope, solve): (_, _, Option<f64>, Method)| {
+            let errors = |(m, b, x): &Task| (solve(*m, *b) - *x).to_glam().to_array();
+            let points = tasks.iter().map(|(knob, tasks)| {
+                Point::of_all(*knob, tasks, errors, move |(m, b, _)| solve(*m, *b).x())
+            });
+            Curve::new(method, points)
+                .with_slope(slope, (1e3, 1e12))
+                .with_remark(remark)
         };
         methods.map(curve).into()
     };
@@ -108,7 +108,7 @@ type Task = (Mat3x3, Vector3, Vector3);
 
 /// Columns of whole numbers below 2^26. The third is the sum of the others plus
 /// numbers that are smaller by a power of two. The right sides are exact sums.
-fn tasks(bits: i32, effort: Effort) -> Vec<Task> {
+fn tasks(bits: i32, effort: Effort) -> Rc<[Task]> {
     let mut numbers = WholeNumbers::new(3);
     let mut task = || {
         let mut column = || {
@@ -135,13 +135,4 @@ fn tasks(bits: i32, effort: Effort) -> Vec<Task> {
         (m, m * x, x)
     };
     (0..effort.choose(4096, 65_536)).map(|_| task()).collect()
-}
-
-fn point(bits: i32, tasks: &Rc<Vec<Task>>, solve: Method) -> Point<'static> {
-    let errors = |(m, b, x): &Task| (solve(*m, *b) - *x).to_glam().to_array();
-    let errors: Vec<_> = tasks.iter().flat_map(errors).collect();
-    let tasks = Rc::clone(tasks);
-    let count = tasks.len() as f64;
-    let run = move || tasks.iter().map(|(m, b, _)| solve(*m, *b).x()).sum();
-    Point::new(libm::scalbn(1.0, bits), count, errors, run)
 }

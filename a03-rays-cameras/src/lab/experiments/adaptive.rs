@@ -6,7 +6,7 @@ use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Color, Error, Image, Sampled, Sampling, Settings, Size};
 use engine::adaptive;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Slope, Unit};
+use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Unit};
 
 use super::coverage::{DISC, disc_coverage};
 use crate::{Camera, Ray, render};
@@ -16,11 +16,7 @@ const SIDE: u32 = 64;
 /// Radiance of the disc at a position of the picture, relative to the middles of pixels;
 /// [`DISC`] is relative to their corners.
 fn disc(x: f64, y: f64) -> Color {
-    Color::gray(if DISC.contains(x + 0.5, y + 0.5) {
-        1.0
-    } else {
-        0.0
-    })
+    Color::gray(f64::from(u8::from(DISC.contains(x + 0.5, y + 0.5))))
 }
 
 /// A camera whose rays start at their position in the picture, in pixels.
@@ -86,41 +82,20 @@ fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
         ..Settings::default()
     };
     let sides = &[1, 2, 4, 8, 16, 32, 64][..effort.choose(5, 7)];
-    let bounds = [16.0, 8.0, 4.0, 2.0, 1.0, 0.5, 0.25].map(|levels| levels * HALF_GREY_LEVEL);
-    let bounds = &bounds[..effort.choose(6, 7)];
-    let adaptive = |as_promised: bool| {
-        let points = bounds.iter();
-        points
-            .filter_map(|max_error| adaptive(&settings, *max_error, as_promised))
-            .collect()
+    let bounds = &[16.0, 8.0, 4.0, 2.0, 1.0, 0.5, 0.25][..effort.choose(6, 7)];
+    let everywhere = sides.iter().filter_map(|side| stratified(&settings, *side));
+    let settings = &settings;
+    let adaptive = |as_promised| {
+        let bounds = bounds.iter().map(|levels| levels * HALF_GREY_LEVEL);
+        bounds.filter_map(move |bound| adaptive(settings, bound, as_promised))
     };
     Ok(vec![
-        Curve {
-            method: "stratified everywhere",
-            remark: "",
-            // Mitchell, Consequences of Stratified Sampling in Graphics, 1996.
-            slope: Some(Slope {
-                expected: -0.75,
-                tolerance: 0.05,
-                between: (1e4, 1e9),
-            }),
-            points: sides
-                .iter()
-                .filter_map(|side| stratified(&settings, *side))
-                .collect(),
-        },
-        Curve {
-            method: "adaptive",
-            remark: "",
-            slope: None,
-            points: adaptive(false),
-        },
-        Curve {
-            method: "adaptive, as promised",
-            remark: "the largest error that the renderer's check leaves possible, with 95 % confidence",
-            slope: None,
-            points: adaptive(true),
-        },
+        // Mitchell, Consequences of Stratified Sampling in Graphics, 1996.
+        Curve::new("stratified everywhere", everywhere).with_slope(-0.75, (1e4, 1e9)),
+        Curve::new("adaptive", adaptive(false)),
+        Curve::new("adaptive, as promised", adaptive(true)).with_remark(
+            "the largest error that the renderer's check leaves possible, with 95 % confidence",
+        ),
     ])
 }
 

@@ -1,7 +1,7 @@
 //! The rounding error of the sum over the samples of a pixel.
 
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 /// A sum that keeps the rounding errors in a second number (Neumaier,
 /// Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen, 1974).
@@ -55,20 +55,12 @@ fn channels() -> impl Iterator<Item = f64> {
 
 pub fn experiment() -> Experiment<'static> {
     let curves = |effort: Effort| {
-        let numbers = &[4_u32, 5, 6, 7][..effort.choose(3, 4)];
-        let numbers: Vec<_> = [1, 10, 100, 1000]
-            .into_iter()
-            .chain(numbers.iter().map(|i| 10_u32.pow(*i)))
-            .collect();
-        let curve = |(method, remark, expected, mean): (_, _, Option<f64>, Mean)| Curve {
-            method,
-            remark,
-            slope: expected.map(|expected| Slope {
-                expected,
-                tolerance: 0.05,
-                between: (100.0, 1e6),
-            }),
-            points: numbers.iter().map(|n| point(mean, *n)).collect(),
+        let powers = 0..=effort.choose(6, 7) as u32;
+        let curve = |(method, remark, slope, mean): (_, _, Option<f64>, Mean)| {
+            let points = powers.clone().map(|power| point(mean, 10_u32.pow(power)));
+            Curve::new(method, points)
+                .with_slope(slope, (100.0, 1e6))
+                .with_remark(remark)
         };
         [
             ("plain sum", "", Some(1.0), plain as Mean),

@@ -1,22 +1,17 @@
 //! Samples: their number, their positions, and their mean.
 
-use a02_math::{Point3, Vector3};
+use a02_math::Point3;
 use common::{Color, Error, Image, Sampling, Settings, Size};
-use measure::extremes::{Bound, Case, Outcome, Protocol};
+use measure::extremes::{Absolute, Case, Equal, Fails, Finite, Refused, Ulps, tried};
 
+use super::{AHEAD, UP};
 use crate::lab::experiments::{DISC, Neumaier, disc_coverage};
 use crate::{OrthographicCamera, PixelRandom, Ray, Sampler, protocol, render};
 
 /// Found by running the generator backwards from 64 set bits.
 const INDEX_OF_THE_GREATEST: u64 = 0x30fd_d71d_1ddc_283c;
 const GREATEST_BELOW_1: f64 = 1.0 - f64::EPSILON / 2.0;
-
-pub fn cases() -> Vec<Case> {
-    let mut cases = numbers_of_samples();
-    cases.extend(sizes_and_places());
-    cases.extend(means());
-    cases
-}
+const MILLION: u32 = 1_000_000;
 
 /// A picture of `radiance` with an orthographic camera.
 fn picture(
@@ -31,138 +26,69 @@ fn picture(
         samples,
         ..Settings::default()
     };
-    let (ahead, up) = (Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
-    let camera = OrthographicCamera::new(Point3::ORIGIN, ahead, up, 1.0)?;
+    let camera = OrthographicCamera::new(Point3::ORIGIN, AHEAD, UP, 1.0)?;
     render(&camera, radiance, &settings, &())
 }
 
-/// The pixel of a picture of 1x1 pixels.
-fn pixel(sampling: Sampling, samples: u32, radiance: fn(&Ray) -> Color) -> Result<f64, Error> {
-    picture((1, 1), sampling, samples, radiance).map(|image| image.pixels()[0].r)
-}
-
+/// The pixel of a white picture of 1x1 pixels.
 fn white(samples: u32) -> f64 {
-    pixel(Sampling::Stratified, samples, |_| Color::WHITE).unwrap_or(f64::NAN)
+    let image = picture((1, 1), Sampling::Stratified, samples, |_| Color::WHITE);
+    image.map_or(f64::NAN, |image| image.pixels()[0].r)
 }
 
-fn numbers_of_samples() -> Vec<Case> {
+/// Number of pixels of a slope that a regular grid of one sample changes.
+fn changed_by_a_grid() -> Result<usize, Error> {
+    let slope = |ray: &Ray| Color::gray(ray.origin().x() * 7.0 + ray.origin().y());
+    let sloping = |sampling| picture((32, 24), sampling, 1, slope);
+    let (middle, regular) = (sloping(Sampling::Center)?, sloping(Sampling::Regular)?);
+    let pairs = middle.pixels().iter().zip(regular.pixels());
+    Ok(pairs.filter(|(a, b)| a != b).count())
+}
+
+/// Number of places of one stratified sample that lie in its pixel.
+fn places_in_the_pixel() -> usize {
     let one = Settings {
         sampling: Sampling::Stratified,
         ..Settings::default()
     };
     let in_pixel = |(x, y): &(f64, f64)| (0.0..1.0).contains(x) && (0.0..1.0).contains(y);
-    let places = Sampler::new(&one).places(7, 8).filter(in_pixel).count();
-    let slope = |ray: &Ray| Color::gray(ray.origin().x() * 7.0 + ray.origin().y());
-    let sloping = |sampling| picture((32, 24), sampling, 1, slope);
-    let changed = sloping(Sampling::Center).and_then(|middle| {
-        let regular = sloping(Sampling::Regular)?;
-        let pairs = middle.pixels().iter().zip(regular.pixels());
-        Ok(pairs.filter(|(a, b)| a != b).count())
-    });
-    vec![
-        Case::new(
-            "Q01",
-            "one stratified sample: places in the pixel",
-            1_usize,
-            Bound::Equal,
-            places,
-        ),
-        Case::new(
-            "Q02",
-            "a white scene with 2, 3 and 5 samples, divided by the number asked for",
-            [1.0; 3],
-            Bound::Equal,
-            [2, 3, 5].map(white),
-        )
-        .protocol(
-            Protocol::Fails,
-            [2, 3, 5].map(|n| protocol::mean_over_grid(n, 1.0)),
-        ),
-        Case::new(
-            "Q03",
-            "a white scene with 0 samples, taken as 1",
-            1.0,
-            Bound::Finite,
-            white(0),
-        )
-        .protocol(Protocol::Fails, protocol::mean_over_grid(0, 1.0)),
-        Case::new(
-            "Q04",
-            "pixels that a regular grid of one sample changes",
-            0_usize,
-            Bound::Equal,
-            changed,
-        ),
-    ]
+    Sampler::new(&one).places(7, 8).filter(in_pixel).count()
 }
 
-fn sizes_and_places() -> Vec<Case> {
+#[rustfmt::skip]
+pub fn cases() -> Vec<Case> {
     let greatest = PixelRandom::new(0, 0, 0).uniform(INDEX_OF_THE_GREATEST);
-    vec![
-        Case::new(
-            "Q09",
-            "the greatest random number, 1 - 2^-53, against 32 bits of it",
-            GREATEST_BELOW_1,
-            Bound::Equal,
-            greatest,
-        )
-        .protocol(Protocol::Fails, f64::from(greatest as f32)),
-        Case::new(
-            "Q10",
-            "a picture of 65536x65536: pixels in 32 bits",
-            Outcome::Refused,
-            Bound::Equal,
-            Size::new(65_536, 65_536).map(Size::pixels),
-        )
-        .protocol(Protocol::Fails, f64::from(65_536_u32.wrapping_mul(65_536))),
-    ]
-}
-
-fn means() -> Vec<Case> {
-    const MILLION: u32 = 1_000_000;
-    let plain = pixel(Sampling::Random, MILLION, |_| Color::gray(0.1));
+    let plain = tried(|| {
+        let image = picture((1, 1), Sampling::Random, MILLION, |_| Color::gray(0.1))?;
+        Ok(image.pixels()[0].r)
+    });
     let mut neumaier = Neumaier::default();
     (0..MILLION).for_each(|_| neumaier.add(0.1));
-    let pixels = (0..64).flat_map(|y| (0..64).map(move |x| (x, y)));
-    let covered = pixels
-        .map(|(x, y)| disc_coverage(x.into(), y.into()))
-        .sum::<f64>();
-    let samples = [205, 205, 205, 204];
-    let mean = samples.map(|byte| Color::from_bytes([byte; 3]));
-    let mean = mean.into_iter().fold(Color::BLACK, |sum, c| sum + c) * 0.25;
+    let pixels = (0..64).flat_map(|y| (0..64).map(move |x| disc_coverage(x.into(), y.into())));
+    let bytes = [205, 205, 205, 204];
+    let mean = bytes.map(|byte| Color::from_bytes([byte; 3])).into_iter();
+    let mean = mean.fold(Color::BLACK, |sum, c| sum + c) * 0.25;
     vec![
-        Case::new(
-            "Q07",
-            format!(
-                "coverage of 64x64 pixels by a disc of radius {}, summed up",
-                DISC.radius
-            ),
-            1_294.618_916_617_818,
-            Bound::Absolute(1e-11),
-            covered,
-        ),
-        Case::new(
-            "Q08",
-            "the mean of a million samples of 0.1, as a pixel sums them",
-            0.1,
-            Bound::Absolute(f64::from(MILLION) * f64::EPSILON * 0.1),
-            plain.as_ref().ok().copied(),
-        ),
-        Case::new(
-            "Q12",
-            "the same by the plain sum, and by Neumaier's",
-            0.1,
-            Bound::Ulps(1.0),
-            neumaier.sum() / f64::from(MILLION),
-        )
-        .protocol(Protocol::Fails, plain),
-        Case::new(
-            "Q13",
-            "the byte of the samples 205, 205, 205 and 204, averaged as whole numbers",
-            204.75,
-            Bound::Absolute(0.5),
-            f64::from(mean.to_bytes()[0]),
-        )
-        .protocol(Protocol::Fails, f64::from(protocol::mean_byte(&samples))),
+        Case::new("Q01", "one stratified sample: places in the pixel", 1.0, Equal, places_in_the_pixel()),
+        Case::new("Q02", "a white scene with 2, 3 and 5 samples, divided by the number asked for",
+            [1.0; 3], Equal, [2, 3, 5].map(white))
+            .protocol(Fails, [2, 3, 5].map(|n| protocol::mean_over_grid(n, 1.0))),
+        Case::new("Q03", "a white scene with 0 samples, taken as 1", 1.0, Finite, white(0))
+            .protocol(Fails, protocol::mean_over_grid(0, 1.0)),
+        Case::new("Q04", "pixels that a regular grid of one sample changes", 0.0, Equal, changed_by_a_grid()),
+        Case::new("Q09", "the greatest random number, 1 - 2^-53, against 32 bits of it",
+            GREATEST_BELOW_1, Equal, greatest).protocol(Fails, f64::from(greatest as f32)),
+        Case::new("Q10", "a picture of 65536x65536: pixels in 32 bits",
+            Refused, Equal, Size::new(65_536, 65_536).map(Size::pixels))
+            .protocol(Fails, f64::from(65_536_u32.wrapping_mul(65_536))),
+        Case::new("Q07", format!("coverage of 64x64 pixels by a disc of radius {}, summed up", DISC.radius),
+            1_294.618_916_617_818, Absolute(1e-11), pixels.sum::<f64>()),
+        Case::new("Q08", "the mean of a million samples of 0.1, as a pixel sums them",
+            0.1, Absolute(f64::from(MILLION) * f64::EPSILON * 0.1), plain),
+        Case::new("Q12", "the same by the plain sum, and by Neumaier's",
+            0.1, Ulps(1.0), neumaier.sum() / f64::from(MILLION)).protocol(Fails, plain),
+        Case::new("Q13", "the byte of the samples 205, 205, 205 and 204, averaged as whole numbers",
+            204.75, Absolute(0.5), f64::from(mean.to_bytes()[0]))
+            .protocol(Fails, f64::from(protocol::mean_byte(&bytes))),
     ]
 }

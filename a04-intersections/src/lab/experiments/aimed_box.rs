@@ -8,6 +8,7 @@ use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 use super::Numbers;
+use crate::lab::extremes::arrays;
 use crate::lab::protocol::{self, Compared};
 use crate::{AxisAlignedBox, Geometry, Interval};
 
@@ -69,8 +70,8 @@ pub fn two(ray: &Ray) -> Option<f64> {
 
 /// Naive slabs: no margin for rounding, and NaN for a ray in the plane of a face.
 pub fn slabs(lbf: Point3, run: Point3, ray: &Ray) -> Option<f64> {
-    let [low, high, o] = [lbf, run, ray.origin()].map(|p| p.to_glam().to_array());
-    let d = ray.direction().to_glam().to_array();
+    let [low, high] = [lbf, run].map(|p| p.to_glam().to_array());
+    let [o, d] = arrays(ray);
     let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
     for axis in 0..3 {
         let inverse = 1.0 / d[axis];
@@ -79,38 +80,28 @@ pub fn slabs(lbf: Point3, run: Point3, ray: &Ray) -> Option<f64> {
         near = near.max(a.min(b));
         far = far.min(a.max(b));
     }
-    if near > far || far < 0.0 {
-        None
-    } else {
-        Some(if near >= 0.0 { near } else { far })
-    }
+    let is_hit = !(near > far || far < 0.0);
+    is_hit.then_some(if near >= 0.0 { near } else { far })
 }
 
 fn curve(
     method: &'static str,
-    aims: &[Rc<Vec<Aimed>>],
-    formula: impl Fn(&Ray) -> Option<f64> + Clone + 'static,
+    aims: &[Rc<[Aimed]>; 3],
+    formula: impl Fn(&Ray) -> Option<f64> + Copy + 'static,
 ) -> Curve<'static> {
-    let point = |(before, rays): (usize, &Rc<Vec<Aimed>>)| {
+    let points = aims.iter().zip([1.0, 2.0, 3.0]).map(|(rays, faces)| {
         let is_wrong = |aimed: &&Aimed| aimed.is_wrong(formula(&aimed.ray));
-        let tests = rays.len() as f64;
-        let share = rays.iter().filter(is_wrong).count() as f64 / tests;
-        let (formula, rays) = (formula.clone(), Rc::clone(rays));
-        let run = move || rays.iter().filter_map(|aimed| formula(&aimed.ray)).sum();
-        Point::new((before + 1) as f64, tests, [share], run)
-    };
-    Curve {
-        method,
-        remark: "",
-        slope: None,
-        points: aims.iter().enumerate().map(point).collect(),
-    }
+        let share = rays.iter().filter(is_wrong).count() as f64 / rays.len() as f64;
+        let aimed = Rc::clone(rays);
+        let run = move || aimed.iter().filter_map(|aimed| formula(&aimed.ray)).sum();
+        Point::new(faces, rays.len() as f64, [share], run)
+    });
+    Curve::new(method, points)
 }
 
 fn curves(effort: Effort) -> Vec<Curve<'static>> {
     let count = effort.choose(4096, 65_536);
-    let aim = |faces| Rc::new((0..count).map(|n| aimed(faces, n)).collect());
-    let aims: [Rc<Vec<Aimed>>; 3] = [1, 2, 3].map(aim);
+    let aims = [1, 2, 3].map(|faces| (0..count).map(|n| aimed(faces, n)).collect());
     // The arguments are constants that the constructor accepts.
     let ours = AxisAlignedBox::new(LBF, RUN).ok();
     let ours = move |ray: &Ray| ours?.hit(ray, Interval::AHEAD).map(|hit| hit.t);
@@ -118,10 +109,8 @@ fn curves(effort: Effort) -> Vec<Curve<'static>> {
         curve("protocol (three)", &aims, three),
         curve("protocol (two)", &aims, two),
         curve("naive slabs", &aims, |ray| slabs(LBF, RUN, ray)),
-        Curve {
-            remark: "also says which face was met, for the normal",
-            ..curve("slabs (ours)", &aims, ours)
-        },
+        curve("slabs (ours)", &aims, ours)
+            .with_remark("also says which face was met, for the normal"),
     ]
 }
 

@@ -2,7 +2,8 @@
 
 use std::collections::HashMap;
 
-use a02_math::Vector3;
+use a02_math::lab::extremes::vector;
+use a02_math::{Direction, Vector3};
 
 /// A mesh: corners, and faces with the indices of their corners.
 #[derive(Clone, Debug)]
@@ -17,21 +18,17 @@ impl Mesh {
     /// 20 · 4^`divisions` triangles with corners on the unit sphere.
     pub fn icosphere(divisions: u32) -> Self {
         let golden = f64::midpoint(1.0, 5_f64.sqrt());
+        let signs = [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)];
+        let corners = signs.into_iter().flat_map(|(one, more)| {
+            let (one, more) = (one, more * golden);
+            [[0.0, one, more], [one, more, 0.0], [more, 0.0, one]]
+        });
         let mut mesh = Self {
-            corners: Vec::new(),
+            corners: corners
+                .map(|corner| on_unit_sphere(vector(corner)))
+                .collect(),
             faces: Vec::new(),
         };
-        for (one, more) in [
-            (1.0, golden),
-            (-1.0, golden),
-            (1.0, -golden),
-            (-1.0, -golden),
-        ] {
-            for corner in [[0.0, one, more], [one, more, 0.0], [more, 0.0, one]] {
-                mesh.corners
-                    .push(on_unit_sphere(Vector3::from_glam(corner.into())));
-            }
-        }
         // The distance of neighbours on the unit sphere is 1.05, of others more.
         let corners = &mesh.corners;
         let is_edge = |i: usize, j: usize| (corners[i] - corners[j]).magnitude() < 1.1;
@@ -71,7 +68,6 @@ fn on_unit_sphere(v: Vector3) -> Vector3 {
 }
 
 fn outwards(corners: &[Vector3], [i, j, k]: [usize; 3]) -> [usize; 3] {
-    use a02_math::Direction;
     let [a, b, c] = [corners[i], corners[j], corners[k]];
     if (b - a).cross(c - a).dot(a) > 0.0 {
         [i, j, k]

@@ -5,9 +5,10 @@ use std::rc::Rc;
 use a02_math::{Direction, Point3};
 use a03_rays_cameras::Ray;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
-use super::{Numbers, slope};
+use super::Numbers;
+use crate::lab::extremes::arrays;
 use crate::lab::{exact, protocol};
 
 /// A triangle and rays towards it.
@@ -45,13 +46,16 @@ fn needle(n: usize, aspect: f64, rays: usize) -> Needle {
     }
 }
 
+/// The `t` of a ray at a triangle.
+type Formula = fn(&[Point3; 3], &Ray) -> Option<f64>;
+
 /// The relative errors of `t` for all rays whose exact barycentric coordinates
 /// are not near 0. A miss counts as 1.
-pub fn errors(needle: &Needle, formula: impl Fn(&[Point3; 3], &Ray) -> Option<f64>) -> Vec<f64> {
+pub fn errors(needle: &Needle, formula: Formula) -> Vec<f64> {
     let corners = needle.corners.map(|corner| corner.to_glam().to_array());
     let error = |ray: &Ray| {
-        let [o, d] = [ray.origin().to_glam(), ray.direction().to_glam()];
-        let [t, beta, gamma] = exact::triangle(&corners, &o.to_array(), &d.to_array());
+        let [o, d] = arrays(ray);
+        let [t, beta, gamma] = exact::triangle(&corners, &o, &d);
         let [beta, gamma] = [beta.value(), gamma.value()];
         let least = beta.min(gamma).min(1.0 - beta - gamma);
         let found = formula(&needle.corners, ray);
@@ -94,13 +98,8 @@ fn woop(
     let (x, y) = ((z + 1) % 3, (z + 2) % 3);
     let (shear_x, shear_y, scale_z) = (d[x] / d[z], d[y] / d[z], 1.0 / d[z]);
     let [a, b, c] = corners.map(|corner| {
-        let from_origin = (corner - ray.origin()).to_glam();
-        let depth = from_origin[z];
-        [
-            from_origin[x] - shear_x * depth,
-            from_origin[y] - shear_y * depth,
-            scale_z * depth,
-        ]
+        let p = (corner - ray.origin()).to_glam();
+        [p[x] - shear_x * p[z], p[y] - shear_y * p[z], scale_z * p[z]]
     });
     let u = difference_of_products(c[0], b[1], c[1], b[0]);
     let v = difference_of_products(a[0], c[1], a[1], c[0]);
@@ -135,77 +134,39 @@ pub fn compensated(corners: &[Point3; 3], ray: &Ray) -> Option<f64> {
     })
 }
 
-/// The aspect ratios and their triangles.
-type Views = Vec<(f64, Rc<Vec<Needle>>)>;
-
-fn curve(
-    method: &'static str,
-    views: &Views,
-    slope: Option<Slope>,
-    formula: impl Fn(&[Point3; 3], &Ray) -> Option<f64> + Copy + 'static,
-) -> Curve<'static> {
-    let point = |(aspect, needles): &(f64, Rc<Vec<Needle>>)| {
-        let errors = needles.iter().flat_map(|needle| errors(needle, formula));
-        let errors: Vec<_> = errors.collect();
-        let needles = Rc::clone(needles);
-        let tests = needles
-            .iter()
-            .map(|needle| needle.rays.len())
-            .sum::<usize>();
-        let run = move || {
-            let mut sum = 0.0;
-            for needle in needles.iter() {
-                for ray in &needle.rays {
-                    sum += formula(&needle.corners, ray).unwrap_or(0.0);
-                }
-            }
-            sum
-        };
-        Point::new(*aspect, tests as f64, errors, run)
-    };
-    Curve {
-        method,
-        remark: "",
-        slope,
-        points: views.iter().map(point).collect(),
-    }
-}
-
 fn curves(effort: Effort) -> Vec<Curve<'static>> {
     let rays = effort.choose(4096, 65_536);
     let aspects = (0..=9).map(|power| libm::pow(8.0, power.into()));
-    let views = aspects
+    let views: Vec<_> = aspects
         .map(|aspect| (aspect, Rc::new(needles(aspect, rays))))
         .collect();
-    let thin = (64.0, 2e8);
+    let curve = |method, slope: Option<f64>, formula: Formula| {
+        let points = views.iter().map(|(aspect, needles)| {
+            let errors = needles.iter().flat_map(|needle| errors(needle, formula));
+            let shot = Rc::clone(needles);
+            let run = move || {
+                let all = shot.iter().flat_map(|Needle { corners, rays }| {
+                    rays.iter()
+                        .map(move |ray| formula(corners, ray).unwrap_or(0.0))
+                });
+                all.sum()
+            };
+            let tests: usize = needles.iter().map(|needle| needle.rays.len()).sum();
+            Point::new(*aspect, tests as f64, errors, run)
+        });
+        Curve::new(method, points).with_slope(slope, (64.0, 2e8))
+    };
     vec![
-        curve(
-            "Cramer (protocol)",
-            &views,
-            Some(slope(1.0, thin)),
-            protocol::triangle,
+        curve("Cramer (protocol)", Some(1.0), protocol::triangle),
+        curve("Moeller-Trumbore", Some(1.0), moeller_trumbore),
+        curve("Woop (ours)", None, plain).with_remark(
+            "dearer than the others, but loses no ray between two triangles: \
+             see the extreme cases",
         ),
-        curve(
-            "Moeller-Trumbore",
-            &views,
-            Some(slope(1.0, thin)),
-            moeller_trumbore,
+        curve("Woop (compensated)", Some(0.0), compensated).with_remark(
+            "not in the renderer: only needles need it, and a build for any processor \
+             computes fused multiply-add by a function call",
         ),
-        Curve {
-            remark: "dearer than the others, but loses no ray between two triangles: \
-                     see the extreme cases",
-            ..curve("Woop (ours)", &views, None, plain)
-        },
-        Curve {
-            remark: "not in the renderer: only needles need it, and a build for any processor \
-                     computes fused multiply-add by a function call",
-            ..curve(
-                "Woop (compensated)",
-                &views,
-                Some(slope(0.0, thin)),
-                compensated,
-            )
-        },
     ]
 }
 

@@ -55,8 +55,3 @@ impl Numbers {
         }
     }
 }
-
-/// Origin and direction as arrays, the arguments of formulas in both precisions.
-pub fn pair(o: Vector3, d: Vector3) -> [[f64; 3]; 2] {
-    [o.to_glam().to_array(), d.to_glam().to_array()]
-}

@@ -1,12 +1,16 @@
 //! Accuracy of the formulas for far spheres and for huge spheres.
 
+use std::ops::Add;
 use std::rc::Rc;
 
-use a02_math::Vector3;
+use a02_math::lab::exact::{product_with_error, sum_with_error};
+use a02_math::{Point3, Vector3};
+use a03_rays_cameras::Ray;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
-use super::{Numbers, pair, slope};
+use super::Numbers;
+use crate::lab::extremes::arrays;
 use crate::lab::real::{Real, difference, dot};
 use crate::lab::{exact, protocol};
 
@@ -30,14 +34,14 @@ pub fn stable<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> Option<F> {
 /// sphere this is the difference of two huge numbers (Ogita, Rump and Oishi, "Accurate Sum and Dot
 /// Product", 2005).
 fn compensated(c: &[f64; 3], r: f64, o: &[f64; 3], d: &[f64; 3]) -> Option<f64> {
-    let (square, mut error) = exact::product_with_error(r, r);
+    let (square, mut error) = product_with_error(r, r);
     let mut power = -square;
     error = -error;
     let mut f = [0.0; 3];
     for axis in 0..3 {
-        let (high, low) = exact::sum_with_error(o[axis], -c[axis]);
-        let (square, lost) = exact::product_with_error(high, high);
-        let (sum, lost_too) = exact::sum_with_error(power, square);
+        let (high, low) = sum_with_error(o[axis], -c[axis]);
+        let (square, lost) = product_with_error(high, high);
+        let (sum, lost_too) = sum_with_error(power, square);
         error += lost + lost_too + 2.0 * high * low;
         power = sum;
         f[axis] = high;
@@ -49,11 +53,7 @@ fn compensated(c: &[f64; 3], r: f64, o: &[f64; 3], d: &[f64; 3]) -> Option<f64> 
 fn stable_roots<F: Real>(f: &[F; 3], r: F, d: &[F; 3], power: F) -> Option<F> {
     let (zero, a) = (F::from(0.0), dot(d, d));
     let middle = -dot(f, d) / a;
-    let l = [
-        f[0] + d[0] * middle,
-        f[1] + d[1] * middle,
-        f[2] + d[2] * middle,
-    ];
+    let l: [F; 3] = std::array::from_fn(|axis| f[axis] + d[axis] * middle);
     let discriminant = r * r - dot(&l, &l);
     if discriminant < zero {
         return None;
@@ -64,6 +64,12 @@ fn stable_roots<F: Real>(f: &[F; 3], r: F, d: &[F; 3], power: F) -> Option<F> {
     [near, far].into_iter().find(|t| *t > zero)
 }
 
+/// A ray with this direction, brought to length 1, in either precision.
+fn rounded<F: Real>(o: Vector3, d: Vector3) -> [[F; 3]; 2] {
+    let ray = Ray::derived(Point3::ORIGIN + o, d * (1.0 / d.magnitude()));
+    arrays(&ray).map(|triple| triple.map(F::rounded))
+}
+
 /// The unit sphere at the origin and rays from all around, at a distance, that
 /// aim at a disc of 1.2 radii.
 pub fn view_from<F: Real>(distance: f64, rays: usize) -> View<F> {
@@ -71,8 +77,7 @@ pub fn view_from<F: Real>(distance: f64, rays: usize) -> View<F> {
         let mut numbers = Numbers::new(11, n);
         let [back, aside] = numbers.perpendicular();
         let o = back * distance;
-        let d = aside * (1.2 * numbers.between(0.0, 1.0).sqrt()) - o;
-        pair(o, d * (1.0 / d.magnitude())).map(|triple| triple.map(F::rounded))
+        rounded(o, aside * (1.2 * numbers.between(0.0, 1.0).sqrt()) - o)
     };
     View {
         c: [F::from(0.0); 3],
@@ -89,8 +94,8 @@ fn view_of_ground<F: Real>(radius: f64, rays: usize) -> View<F> {
         let o = numbers.triple(-1.0, 1.0);
         let o = Vector3::new(o.x(), numbers.between(1.0, 2.0), o.z());
         let down = if numbers.below(4) == 0 { 1.0 } else { -1.0 };
-        let d = Vector3::new(numbers.between(-0.5, 0.5), down, numbers.between(-0.5, 0.5));
-        pair(o, d * (1.0 / d.magnitude())).map(|triple| triple.map(F::rounded))
+        let mut slope = || numbers.between(-0.5, 0.5);
+        rounded(o, Vector3::new(slope(), down, slope()))
     };
     View {
         c: [0.0, -radius, 0.0].map(F::rounded),
@@ -130,35 +135,54 @@ fn views<F: Real>(view: fn(f64, usize) -> View<F>, count: i32, effort: Effort) -
 fn curve<F: Real + 'static>(
     method: &'static str,
     views: &Views<F>,
-    slope: Slope,
+    slope: f64,
+    between: (f64, f64),
     formula: impl Fn(&[F; 3], F, &[F; 3], &[F; 3]) -> Option<F> + Copy + 'static,
 ) -> Curve<'static> {
-    let point = |(knob, view): &(f64, Rc<View<F>>)| {
-        let (errors, view) = (errors(view, formula), Rc::clone(view));
-        let rays = view.rays.len() as f64;
+    let points = views.iter().map(|(knob, view)| {
+        let shot = Rc::clone(view);
         let run = move || {
-            let mut sum = F::from(0.0);
-            for [o, d] in &view.rays {
-                if let Some(t) = formula(&view.c, view.r, o, d) {
-                    sum = sum + t;
-                }
-            }
-            sum.into()
+            let View { c, r, rays } = &*shot;
+            let hits = rays.iter().filter_map(|[o, d]| formula(c, *r, o, d));
+            hits.fold(F::from(0.0), Add::add).into()
         };
-        Point::new(*knob, rays, errors, run)
-    };
-    Curve {
-        method,
-        remark: "",
-        slope: Some(slope),
-        points: views.iter().map(point).collect(),
-    }
+        Point::new(*knob, view.rays.len() as f64, errors(view, formula), run)
+    });
+    Curve::new(method, points).with_slope(slope, between)
 }
 
 /// Remark on the formula that is more exact than needed.
 const TOO_EXACT: &str = "not in the renderer: it pays only near a sphere so huge that a plane is \
      cheaper, and from afar its digits are lost in t itself; without the processor's fused \
      multiply-add, as here by default, it is dearer than it must be";
+
+#[rustfmt::skip]
+fn far_curves(effort: Effort) -> Vec<Curve<'static>> {
+    let doubles = views::<f64>(view_from, 10, effort);
+    let singles = views::<f32>(view_from, 3, effort);
+    let (until_lost, everywhere, single) = ((8.0, 2e7), (8.0, 2e9), (8.0, 512.0));
+    vec![
+        curve("protocol", &doubles, 2.0, until_lost, protocol::sphere),
+        curve("stable (ours)", &doubles, 1.0, everywhere, stable),
+        curve("compensated", &doubles, 1.0, everywhere, compensated).with_remark(TOO_EXACT),
+        curve("protocol (single)", &singles, 2.0, single, protocol::sphere),
+        curve("stable (single)", &singles, 1.0, single, stable),
+    ]
+}
+
+#[rustfmt::skip]
+fn near_curves(effort: Effort) -> Vec<Curve<'static>> {
+    let doubles = views::<f64>(view_of_ground, 10, effort);
+    let singles = views::<f32>(view_of_ground, 6, effort);
+    let (single, double) = ((64.0, 3e5), (64.0, 2e9));
+    vec![
+        curve("protocol", &doubles, 1.0, double, protocol::sphere),
+        curve("stable (ours)", &doubles, 1.0, double, stable),
+        curve("compensated", &doubles, 0.0, double, compensated).with_remark(TOO_EXACT),
+        curve("protocol (single)", &singles, 1.0, single, protocol::sphere),
+        curve("stable (single)", &singles, 1.0, single, stable),
+    ]
+}
 
 /// A unit sphere at growing distances.
 pub fn far() -> Experiment<'static> {
@@ -172,36 +196,7 @@ pub fn far() -> Experiment<'static> {
         exact: "against 30 digits; a miss counts as 1; seven of ten rays hit",
         seeds: &[11],
         against: Axis::Knob,
-        curves: Box::new(|effort| {
-            let doubles = views::<f64>(view_from, 10, effort);
-            let singles = views::<f32>(view_from, 3, effort);
-            let (until_lost, everywhere) = ((8.0, 2e7), (8.0, 2e9));
-            vec![
-                curve(
-                    "protocol",
-                    &doubles,
-                    slope(2.0, until_lost),
-                    protocol::sphere,
-                ),
-                curve("stable (ours)", &doubles, slope(1.0, everywhere), stable),
-                Curve {
-                    remark: TOO_EXACT,
-                    ..curve("compensated", &doubles, slope(1.0, everywhere), compensated)
-                },
-                curve(
-                    "protocol (single)",
-                    &singles,
-                    slope(2.0, (8.0, 512.0)),
-                    protocol::sphere,
-                ),
-                curve(
-                    "stable (single)",
-                    &singles,
-                    slope(1.0, (8.0, 512.0)),
-                    stable,
-                ),
-            ]
-        }),
+        curves: Box::new(far_curves),
     }
 }
 
@@ -211,31 +206,10 @@ pub fn near() -> Experiment<'static> {
         name: "sphere-near",
         about: "How large may a sphere be whose surface is near the eye?",
         knob: "radius (eye heights)",
-        work: "rays",
-        error: "rms error of t",
         unit: Unit::Other("heights of the eye"),
         exact: "against 30 digits; three of four rays hit",
         seeds: &[12],
-        against: Axis::Knob,
-        curves: Box::new(|effort| {
-            let doubles = views::<f64>(view_of_ground, 10, effort);
-            let singles = views::<f32>(view_of_ground, 6, effort);
-            let (single, double) = ((64.0, 3e5), (64.0, 2e9));
-            vec![
-                curve("protocol", &doubles, slope(1.0, double), protocol::sphere),
-                curve("stable (ours)", &doubles, slope(1.0, double), stable),
-                Curve {
-                    remark: TOO_EXACT,
-                    ..curve("compensated", &doubles, slope(0.0, double), compensated)
-                },
-                curve(
-                    "protocol (single)",
-                    &singles,
-                    slope(1.0, single),
-                    protocol::sphere,
-                ),
-                curve("stable (single)", &singles, slope(1.0, single), stable),
-            ]
-        }),
+        curves: Box::new(near_curves),
+        ..far()
     }
 }

@@ -7,10 +7,9 @@ use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use common::{ArgumentError, Color};
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 use super::icosphere::Mesh;
-use super::slope;
 use crate::{Hit, Interval, Sphere, Triangle, World};
 
 /// The view: towards -w, u to the right and v upwards. Slanted, so that no face
@@ -31,10 +30,8 @@ fn rays(count: usize, least: f64, most: f64) -> Vec<(f64, Ray)> {
         let square = least + (most - least) * (n as f64 + 0.5) / count as f64;
         let (sin, cos) = libm::sincos(golden_angle * n as f64);
         let aside = U * (square.sqrt() * cos) + V * (square.sqrt() * sin);
-        (
-            square,
-            Ray::derived(Point3::ORIGIN + aside + W * BEFORE, -W),
-        )
+        let origin = Point3::ORIGIN + aside + W * BEFORE;
+        (square, Ray::derived(origin, -W))
     };
     (0..count).map(ray).collect()
 }
@@ -88,39 +85,33 @@ fn shading_rays(effort: Effort) -> Vec<(f64, Ray)> {
 fn shading(
     method: &'static str,
     balls: &[Rc<Ball>],
-    slope: Option<Slope>,
     effort: Effort,
     quantity: fn(Hit) -> f64,
 ) -> Curve<'static> {
-    let point = |ball: &Rc<Ball>| {
-        let (ball, rays) = (Rc::clone(ball), shading_rays(effort));
+    let points = balls.iter().map(|ball| {
+        let rays = shading_rays(effort);
+        let shot = Rc::clone(ball);
+        let at = move |ray: &Ray| {
+            shot.world
+                .hit(ray, Interval::AHEAD)
+                .map(|(hit, ())| quantity(hit))
+        };
         let error = |(square, ray): &(f64, Ray)| {
-            let hit = ball.world.hit(ray, Interval::AHEAD);
-            hit.map_or(1.0, |(hit, ())| quantity(hit) - (1.0 - square).sqrt())
+            let height = (1.0 - square).sqrt();
+            at(ray).map_or(1.0, |quantity| quantity - height)
         };
         let errors: Vec<_> = rays.iter().map(error).collect();
         let work = ball.objects * rays.len() as f64;
-        let (objects, shot) = (ball.objects, Rc::clone(&ball));
-        let run = move || {
-            let hits = rays
-                .iter()
-                .filter_map(|(_, ray)| shot.world.hit(ray, Interval::AHEAD));
-            hits.map(|(hit, ())| quantity(hit)).sum()
-        };
-        Point::new(objects, work, errors, run)
-    };
-    Curve {
-        method,
-        remark: "",
-        slope,
-        points: balls.iter().map(point).collect(),
-    }
+        let run = move || rays.iter().filter_map(|(_, ray)| at(ray)).sum();
+        Point::new(ball.objects, work, errors, run)
+    });
+    Curve::new(method, points)
 }
 
 /// Fraction of the sphere's disc that the mesh does not cover. It lies outside of
 /// the greatest ball inside of the mesh, so the rays are only there.
-fn silhouette(balls: &[Rc<Ball>], slope: Slope, effort: Effort) -> Curve<'static> {
-    let point = |ball: &Rc<Ball>| {
+fn silhouette(balls: &[Rc<Ball>], effort: Effort) -> Curve<'static> {
+    let points = balls.iter().map(|ball| {
         let ball = Rc::clone(ball);
         let rays = rays(effort.choose(2048, 4096), ball.inner, 1.0);
         let (objects, work) = (ball.objects, ball.objects * rays.len() as f64);
@@ -130,17 +121,8 @@ fn silhouette(balls: &[Rc<Ball>], slope: Slope, effort: Effort) -> Curve<'static
             (1.0 - ball.inner) * share
         };
         Point::new(objects, work, [missing()], missing)
-    };
-    Curve {
-        method: "silhouette",
-        remark: "",
-        slope: Some(slope),
-        points: balls.iter().map(point).collect(),
-    }
-}
-
-fn depth(hit: Hit) -> f64 {
-    BEFORE - hit.t
+    });
+    Curve::new("silhouette", points)
 }
 
 fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
@@ -149,30 +131,18 @@ fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
     let balls = balls.collect::<Result<Vec<_>, _>>()?;
     let sphere = [Rc::new(round()?)];
     let all = (0.0, f64::INFINITY);
+    let depth = |hit: Hit| BEFORE - hit.t;
     Ok(vec![
-        silhouette(&balls, slope(-1.0, all), effort),
-        shading("depth", &balls, Some(slope(-1.0, all)), effort, depth),
-        Curve {
-            remark: "normals interpolated between the corners double the slope for next to nothing",
-            ..shading(
-                "smooth Lambert",
-                &balls,
-                Some(slope(-1.0, all)),
-                effort,
-                |hit| hit.normal.dot(W),
-            )
-        },
-        shading(
-            "flat Lambert",
-            &balls,
-            Some(slope(-0.5, all)),
-            effort,
-            |hit| hit.face.dot(W),
-        ),
-        Curve {
-            remark: "one object instead of thousands, and exact: spheres are no meshes here",
-            ..shading("depth of the sphere", &sphere, None, effort, depth)
-        },
+        silhouette(&balls, effort).with_slope(-1.0, all),
+        shading("depth", &balls, effort, depth).with_slope(-1.0, all),
+        shading("smooth Lambert", &balls, effort, |hit| hit.normal.dot(W))
+            .with_slope(-1.0, all)
+            .with_remark(
+                "normals interpolated between the corners double the slope for next to nothing",
+            ),
+        shading("flat Lambert", &balls, effort, |hit| hit.face.dot(W)).with_slope(-0.5, all),
+        shading("depth of the sphere", &sphere, effort, depth)
+            .with_remark("one object instead of thousands, and exact: spheres are no meshes here"),
     ])
 }
 

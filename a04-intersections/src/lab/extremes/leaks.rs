@@ -1,11 +1,10 @@
 //! Rays that pass between triangles, or past the edges of a box.
 
-use a02_math::{Point3, Vector3};
+use a02_math::Point3;
 use a03_rays_cameras::Ray;
-use common::ArgumentError;
+use common::{ArgumentError, Error};
 use measure::Effort;
-use measure::extremes::Protocol::{Fails, Holds};
-use measure::extremes::{Bound, Case, Protocol};
+use measure::extremes::{Case, Equal, Fails, Holds, Protocol};
 
 use super::first;
 use crate::lab::experiments::Numbers;
@@ -15,7 +14,6 @@ use crate::{AxisAlignedBox, Triangle, protocol};
 
 /// A closed surface of 320 triangles whose corners are 1 to 2 away from its
 /// middle, so that all are different.
-#[derive(Clone)]
 struct Hull {
     middle: Point3,
     corners: Vec<[Point3; 3]>,
@@ -23,7 +21,7 @@ struct Hull {
 }
 
 /// The target of a ray from inside the hull.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 enum Aim {
     Anywhere,
     Corner,
@@ -34,14 +32,10 @@ enum Aim {
 impl Hull {
     fn new(middle: Point3) -> Result<Self, ArgumentError> {
         let mesh = Mesh::icosphere(2);
-        let move_out =
-            |(n, way): (usize, &Vector3)| middle + *way * Numbers::new(51, n).between(1.0, 2.0);
-        let places: Vec<_> = mesh.corners.iter().enumerate().map(move_out).collect();
-        let faces = mesh
-            .faces
-            .iter()
-            .map(|face| face.map(|corner| places[corner]));
-        let corners: Vec<[Point3; 3]> = faces.collect();
+        let place = |corner: usize| {
+            middle + mesh.corners[corner] * Numbers::new(51, corner).between(1.0, 2.0)
+        };
+        let corners: Vec<_> = mesh.faces.iter().map(|face| face.map(place)).collect();
         let triangles = corners.iter().map(|&[a, b, c]| Triangle::new(a, b, c));
         Ok(Self {
             middle,
@@ -66,17 +60,6 @@ impl Hull {
         Ray::new(eye, from + (to - from) * share - eye)
     }
 
-    /// Number of rays that miss all triangles, out of `rays`.
-    fn leaks(
-        &self,
-        aim: Aim,
-        rays: usize,
-        is_hit: impl Fn(&Self, &Ray) -> bool,
-    ) -> Result<usize, ArgumentError> {
-        let out = |n| Ok(usize::from(!is_hit(self, &self.ray(aim, n)?)));
-        (0..rays).map(out).sum()
-    }
-
     fn ours(&self, ray: &Ray) -> bool {
         self.triangles
             .iter()
@@ -90,14 +73,25 @@ impl Hull {
     }
 }
 
+/// Number of rays that miss all triangles of the hull around a point, out of `rays`.
+fn out(
+    middle: Point3,
+    aim: Aim,
+    rays: usize,
+    is_hit: fn(&Hull, &Ray) -> bool,
+) -> Result<usize, Error> {
+    let hull = Hull::new(middle)?;
+    let out = |n| Ok(usize::from(!is_hit(&hull, &hull.ray(aim, n)?)));
+    (0..rays).map(out).sum()
+}
+
+const HERE: Point3 = Point3::ORIGIN;
 /// A position far from the origin, where coordinates are coarse, from Embree's tests.
 const FAR: Point3 = Point3::new(148_376.0, 1_234.0, -223_423.0);
 const VERY_FAR: Point3 = Point3::new(1e9, -1e9, 1e9);
 
 fn leaks(id: &'static str, middle: Point3, aim: Aim, rays: usize, says: Protocol) -> Case {
-    let hull = Hull::new(middle);
-    let count = |is_hit: fn(&Hull, &Ray) -> bool| hull.clone()?.leaks(aim, rays, is_hit);
-    let place = if middle == Point3::ORIGIN {
+    let place = if middle == HERE {
         ""
     } else {
         " far from the origin"
@@ -109,28 +103,20 @@ fn leaks(id: &'static str, middle: Point3, aim: Aim, rays: usize, says: Protocol
         Aim::MiddleOfEdge => "at the middles of edges",
     };
     let what = format!("a closed mesh{place}, {rays} rays {at}: rays that get out");
-    Case::new(id, what, 0.0, Bound::Equal, count(Hull::ours)).protocol(says, count(Hull::theirs))
+    Case::new(id, what, 0.0, Equal, out(middle, aim, rays, Hull::ours))
+        .protocol(says, out(middle, aim, rays, Hull::theirs))
 }
 
 /// A row for three positions and three targets.
 fn million(rays: usize) -> Case {
-    let mut all = 0;
-    let mut count = || -> Result<usize, ArgumentError> {
-        let mut out = 0;
-        for middle in [Point3::ORIGIN, FAR, VERY_FAR] {
-            let hull = Hull::new(middle)?;
-            for aim in [Aim::Corner, Aim::Edge, Aim::MiddleOfEdge] {
-                out += hull.leaks(aim, rays, Hull::ours)?;
-                all += rays;
-            }
-        }
-        Ok(out)
-    };
-    let out = count();
+    let places = [HERE, FAR, VERY_FAR].into_iter();
+    let targets = [Aim::Corner, Aim::Edge, Aim::MiddleOfEdge];
+    let all = places.flat_map(|middle| targets.map(|aim| out(middle, aim, rays, Hull::ours)));
+    let rays = 9 * rays;
     let what = format!(
-        "closed meshes at three places, {all} rays at corners and edges: rays that get out"
+        "closed meshes at three places, {rays} rays at corners and edges: rays that get out"
     );
-    Case::new("S05", what, 0.0, Bound::Equal, out)
+    Case::new("S05", what, 0.0, Equal, all.sum::<Result<usize, _>>())
 }
 
 /// A formula for the nearest hit of the box.
@@ -139,14 +125,11 @@ type Formula = fn(&Ray) -> Option<f64>;
 /// Rows of the box with the protocol's three coordinates, two coordinates, and naive
 /// slabs.
 fn box_rows(ids: [&'static str; 3], faces: usize, rays: usize, says: [Protocol; 3]) -> [Case; 3] {
-    let count = |t: Formula| {
+    let count = |t: &dyn Fn(&Ray) -> Option<f64>| {
         let wrong = |aimed: &Aimed| aimed.is_wrong(t(&aimed.ray));
         (0..rays).map(|n| aimed(faces, n)).filter(wrong).count()
     };
-    let ours = AxisAlignedBox::new(LBF, RUN).map(|aab| {
-        let wrong = |aimed: &Aimed| aimed.is_wrong(first(&aab, &aimed.ray));
-        (0..rays).map(|n| aimed(faces, n)).filter(wrong).count()
-    });
+    let ours = AxisAlignedBox::new(LBF, RUN).map(|aab| count(&|ray| first(&aab, ray)));
     let aim = ["", "a face", "an edge", "a corner"][faces];
     let theirs: [(&str, Formula); 3] = [
         ("three coordinates compared", aimed_box::three),
@@ -156,29 +139,23 @@ fn box_rows(ids: [&'static str; 3], faces: usize, rays: usize, says: [Protocol; 
     std::array::from_fn(|i| {
         let (name, formula) = theirs[i];
         let what = format!("a box, {rays} rays at {aim}: lost or met elsewhere; {name}");
-        Case::new(ids[i], what, 0.0, Bound::Equal, ours.clone()).protocol(says[i], count(formula))
+        Case::new(ids[i], what, 0.0, Equal, ours.clone()).protocol(says[i], count(&formula))
     })
 }
 
+#[rustfmt::skip]
 pub fn cases(effort: Effort) -> Vec<Case> {
-    let rays = effort.choose(500, 50_000);
-    let here = Point3::ORIGIN;
+    let (rays, aimed) = (effort.choose(500, 50_000), effort.choose(2000, 100_000));
     let mut cases = vec![
-        leaks("S01", here, Aim::Corner, rays, Fails),
-        leaks("S02", here, Aim::Edge, rays, Fails),
-        leaks("S03", here, Aim::MiddleOfEdge, rays, Fails),
+        leaks("S01", HERE, Aim::Corner, rays, Fails),
+        leaks("S02", HERE, Aim::Edge, rays, Fails),
+        leaks("S03", HERE, Aim::MiddleOfEdge, rays, Fails),
         leaks("S04", FAR, Aim::Corner, rays, Fails),
         million(effort.choose(500, 120_000)),
-        leaks("S06", here, Aim::Anywhere, rays, Holds),
+        leaks("S06", HERE, Aim::Anywhere, rays, Holds),
     ];
-    let rays = effort.choose(2000, 100_000);
-    cases.extend(box_rows(
-        ["S07", "S07t", "S07s"],
-        1,
-        rays,
-        [Fails, Holds, Holds],
-    ));
-    cases.extend(box_rows(["S08", "S08t", "S08s"], 2, rays, [Fails; 3]));
-    cases.extend(box_rows(["S09", "S09t", "S09s"], 3, rays, [Fails; 3]));
+    cases.extend(box_rows(["S07", "S07t", "S07s"], 1, aimed, [Fails, Holds, Holds]));
+    cases.extend(box_rows(["S08", "S08t", "S08s"], 2, aimed, [Fails; 3]));
+    cases.extend(box_rows(["S09", "S09t", "S09s"], 3, aimed, [Fails; 3]));
     cases
 }

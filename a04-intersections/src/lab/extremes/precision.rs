@@ -3,10 +3,9 @@
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use measure::Effort;
-use measure::extremes::Protocol::{Fails, Holds};
-use measure::extremes::{Bound, Case, Protocol};
+use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Protocol};
 
-use super::{EPSILON, first};
+use super::{EPSILON, arrays, first, raw_ray};
 use crate::lab::experiments::Numbers;
 use crate::lab::experiments::needle::{errors, needles, plain};
 use crate::lab::experiments::sphere_distance::{stable, view_from};
@@ -28,27 +27,25 @@ fn wrong<F: Real>(distance: f64, rays: usize, is_hit: impl Fn(&[F; 3], &[F; 3]) 
     view.rays.iter().filter(is_wrong).count()
 }
 
+/// Whether the protocol finds a hit of the unit sphere.
+fn theirs<F: Real>(o: &[F; 3], d: &[F; 3]) -> bool {
+    protocol::sphere(&[0.0; 3].map(F::from), F::from(1.0), o, d).is_some()
+}
+
 fn double_precision(rays: usize) -> Case {
     let ours = Sphere::new(Point3::ORIGIN, 1.0).map(|sphere| {
         wrong::<f64>(1e8, rays, |o, d| {
-            let [o, d] = [o, d].map(|v| Vector3::from_glam((*v).into()));
-            first(&sphere, &Ray::derived(Point3::ORIGIN + o, d)).is_some()
+            first(&sphere, &raw_ray((*o, *d))).is_some()
         })
     });
-    let theirs = wrong::<f64>(1e8, rays, |o, d| {
-        protocol::sphere(&[0.0; 3], 1.0, o, d).is_some()
-    });
     let what = format!("{rays} rays at and past a sphere 1e8 radii away: wrong hits and misses");
-    Case::new("S10", what, 0.0, Bound::Equal, ours).protocol(Fails, theirs)
+    Case::new("S10", what, 0.0, Equal, ours).protocol(Fails, wrong::<f64>(1e8, rays, theirs))
 }
 
 fn single_precision(rays: usize) -> Case {
     let ours = wrong::<f32>(1e3, rays, |o, d| stable(&[0.0; 3], 1.0, o, d).is_some());
-    let theirs = wrong::<f32>(1e3, rays, |o, d| {
-        protocol::sphere(&[0.0; 3], 1.0, o, d).is_some()
-    });
     let what = format!("in single precision, {rays} rays, 1e3 radii away: wrong hits and misses");
-    Case::new("S11", what, 0.0, Bound::Equal, ours).protocol(Fails, theirs)
+    Case::new("S11", what, 0.0, Equal, ours).protocol(Fails, wrong::<f32>(1e3, rays, theirs))
 }
 
 /// The greatest error of a plane's `t`, relative to the theoretical bound: rounding
@@ -66,7 +63,7 @@ fn plane(id: &'static str, anchor: f64, rays: usize) -> Case {
                 continue;
             };
             let [a, n] = [a.to_glam(), normal.to_glam()].map(|v| v.to_array());
-            let [o, d] = [eye.to_glam(), ray.direction().to_glam()].map(|v| v.to_array());
+            let [o, d] = arrays(&ray);
             let error = exact::plane(&a, &n, &o, &d).error_of(t).abs();
             let cos = ray.direction().dot(normal).abs();
             greatest = greatest.max(error * cos / (EPSILON * (anchor + t)));
@@ -76,7 +73,7 @@ fn plane(id: &'static str, anchor: f64, rays: usize) -> Case {
     let ours = greatest(&|a, n, ray| first(&Plane::new(a, n.as_normal()).ok()?, ray));
     let theirs = greatest(&|a, n, ray| protocol::plane(a, n.as_normal(), ray));
     let what = format!("{rays} rays at a plane whose point is {anchor:e} away: error in roundings");
-    Case::new(id, what, 0.0, Bound::Absolute(2.0), ours).protocol(Holds, theirs)
+    Case::new(id, what, 0.0, Absolute(2.0), ours).protocol(Holds, theirs)
 }
 
 /// The median of the relative errors of `t`.
@@ -89,13 +86,13 @@ fn needle(id: &'static str, aspect: f64, rays: usize, bound: f64, says: Protocol
         all[all.len() / 2]
     };
     let what = format!("{rays} rays at triangles of aspect {aspect:e}: median relative error of t");
-    Case::new(id, what, 0.0, Bound::Absolute(bound), median(plain))
+    Case::new(id, what, 0.0, Absolute(bound), median(plain))
         .protocol(says, median(protocol::triangle))
 }
 
+#[rustfmt::skip]
 pub fn cases(effort: Effort) -> Vec<Case> {
-    let rays = effort.choose(1000, 3000);
-    let needles = effort.choose(1024, 4096);
+    let (rays, needles) = (effort.choose(1000, 3000), effort.choose(1024, 4096));
     vec![
         double_precision(effort.choose(1000, 4000)),
         single_precision(effort.choose(2000, 20_000)),

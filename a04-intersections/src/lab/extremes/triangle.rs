@@ -1,16 +1,21 @@
 //! Triangles hit at corners and edges; thin, tiny, huge and degenerate triangles.
 
 use a02_math::{Normal3, Point3};
+use a03_rays_cameras::Ray;
 use common::ArgumentError;
-use measure::extremes::Protocol::{Fails, Holds};
-use measure::extremes::{Bound, Case, Outcome, Protocol};
+use measure::extremes::{
+    Absolute, Bound, Case, Equal, Fails, Holds, Outcome, Protocol, Ulps, tried,
+};
 
-use super::{Line, MISS, REFUSED, Triple, any_ray, first, meeting, point, raw_ray, unit_ray};
+use super::{
+    Line, MISS, REFUSED, Triple, any_ray, arrays, first, meeting, point, raw_ray, unit_ray,
+};
 use crate::lab::experiments::Numbers;
 use crate::{Geometry, Interval, Triangle, protocol};
 
 type Corners = [Triple; 3];
 
+const DOWN: Triple = [0.0, 0.0, -1.0];
 /// The half of a unit square next to the origin.
 const HALF: Corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 /// The other half.
@@ -46,72 +51,24 @@ fn neighbours(
     line: Line,
     right: fn([bool; 2]) -> bool,
 ) -> Case {
-    let ours = || -> Result<bool, ArgumentError> {
-        let ray = unit_ray(line)?;
-        let [one, other] = [triangle(pair[0])?, triangle(pair[1])?];
-        Ok(right([one, other].map(|side| first(&side, &ray).is_some())))
-    };
+    let ours = right(pair.map(|corners| meeting(triangle(corners), line) != MISS));
     let theirs = right(pair.map(|corners| theirs(corners, line).is_some()));
-    Case::new(id, what, true, Bound::Equal, ours()).protocol(Holds, theirs)
+    Case::new(id, what, true, Equal, ours).protocol(Holds, theirs)
 }
 
 /// A triangle of this size, seen from the same distance, at β = γ = 1/4.
-fn sized(
-    id: &'static str,
-    size: f64,
-    exact: impl Into<Outcome>,
-    bound: Bound,
-    says: Protocol,
-) -> Case {
+fn sized(id: &'static str, size: f64, exact: impl Into<Outcome>, says: Protocol) -> Case {
     let corners = [[0.0; 3], [size, 0.0, 0.0], [0.0, size, 0.0]];
-    let line = ([0.25 * size, 0.25 * size, size], [0.0, 0.0, -1.0]);
+    let line = ([0.25 * size, 0.25 * size, size], DOWN);
     let what = format!("size and distance {size:e}");
-    case(id, &what, corners, line, exact, bound, says)
-}
-
-pub fn cases() -> Vec<Case> {
-    let mut cases = corners_and_edges();
-    cases.extend(needles());
-    cases.extend([
-        sized("D13", 1e-100, 1e-100, Bound::Ulps(2.0), Fails),
-        sized("D14", 1e-107, REFUSED, Bound::Equal, Fails),
-        sized("D15", 1e-110, REFUSED, Bound::Equal, Fails),
-        sized("D16", 1e-162, REFUSED, Bound::Equal, Fails),
-        sized("D17", 1e100, 1e100, Bound::Ulps(2.0), Holds),
-        sized("D18", 1e103, REFUSED, Bound::Equal, Fails),
-        sized("D19", 1e160, REFUSED, Bound::Equal, Fails),
-    ]);
-    cases.extend(no_meetings());
-    cases.push(by_the_word());
-    cases.push(interpolated());
-    cases
+    case(id, &what, corners, line, exact, Ulps(2.0), says)
 }
 
 #[rustfmt::skip]
-fn corners_and_edges() -> Vec<Case> {
-    let at = |x: f64, y: f64| ([x, y, 1.0], [0.0, 0.0, -1.0]);
+pub fn cases() -> Vec<Case> {
+    let at = |x: f64, y: f64| ([x, y, 1.0], DOWN);
     let moved = [[0.1, 0.2, 0.3], [1.1, 0.2, 0.3], [0.1, 1.2, 0.3]];
     let below = [HALF[1], HALF[0], [0.0, -1.0, 0.0]];
-    let alone = |[this, other]: [bool; 2]| !this && other;
-    vec![
-        case("D01", "at corner a", HALF, at(0.0, 0.0), 1.0, Bound::Equal, Fails),
-        case("D02", "at corner a, elsewhere", moved, at(0.1, 0.2), 0.7, Bound::Ulps(2.0), Fails),
-        case("D03", "at corner b", HALF, at(1.0, 0.0), 1.0, Bound::Equal, Holds),
-        case("D04", "in the middle of edge bc", HALF, at(0.5, 0.5), 1.0, Bound::Equal, Holds),
-        neighbours("D05", "at (0.1, 0.9), a rounding outside of edge bc: one of both neighbours is met",
-            [HALF, OTHER_HALF], at(0.1, 0.9), |[one, other]| one || other),
-        neighbours("D06", "1e-300 outside of edge ab: only the neighbour is met",
-            [HALF, below], at(0.5, -1e-300), alone),
-        case("D21", "5e-4 away",
-            HALF, ([0.25, 0.25, 5e-4], [0.0, 0.0, -1.0]), 5e-4, Bound::Equal, Fails),
-        long_direction(),
-        case("D25", "from within the plane, outwards",
-            HALF, ([0.25, 0.25, 0.0], [0.0, 0.0, -1.0]), MISS, Bound::Equal, Holds),
-    ]
-}
-
-#[rustfmt::skip]
-fn needles() -> [Case; 3] {
     let flat = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1e-8, 0.0]];
     // a + e and a + e / 2 + f / 1e8, with unit vectors along (1, 2, 3) and (3, 0, -1).
     let slanted = [
@@ -127,65 +84,57 @@ fn needles() -> [Case; 3] {
         [-1_495.805_74, 2_668.310_374, -2_081.240_348],
         [1_496.039_370_624_086_8, -2_667.843_112_758_087_5, 2_081.941_239_861_825],
     );
-    [
-        case("D07", "a needle of aspect 1e8 along an axis",
-            flat, ([0.335, 0.33e-8, 1.0], [0.0, 0.0, -1.0]), 1.0, Bound::Ulps(1.0), Holds),
-        case("D08", "a slanted needle of aspect 1e8",
-            slanted, near, 5.000_000_041_389_44, Bound::Absolute(5e-11), Fails),
-        case("D09", "the same from 3700 away",
-            slanted, far, 3_699.999_999_862_901_4, Bound::Absolute(3.7e-8), Fails),
-    ]
-}
-
-/// The protocol's least distance is in units of the direction's length.
-fn long_direction() -> Case {
-    let line = ([0.25, 0.25, 1.0], [0.0, 0.0, -1e4]);
-    let raw = protocol::triangle(&HALF.map(point), &raw_ray(line));
-    let what = "distance 1 along a direction of length 1e4";
-    Case::new(
-        "D22",
-        what,
-        1.0,
-        Bound::Ulps(2.0),
-        meeting(triangle(HALF), line),
-    )
-    .protocol(Fails, raw.map(|t| t * 1e4))
-}
-
-#[rustfmt::skip]
-fn no_meetings() -> Vec<Case> {
-    let down = [0.0, 0.0, -1.0];
     let on_a_line = [[0.0; 3], [1.0, 1.0, 0.0], [3.0, 3.0, 0.0]];
-    let one_third = [[0.1, 0.2, 0.3], [1.1, 2.2, 3.3], [0.4, 0.8, 1.2]];
+    let nearly = [[0.1, 0.2, 0.3], [1.1, 2.2, 3.3], [0.4, 0.8, 1.2]];
     // From the tests of pbrt-v4, where single precision once gave a hit.
-    let thin = [
-        [-1_113.454_59, -79.049_614, -56.243_190_8],
-        [-1_113.454_59, -87.092_269_9, -56.243_190_8],
-        [-1_113.454_59, -79.209_014_9, -56.243_190_8],
-    ];
+    let thin = [-79.049_614, -87.092_269_9, -79.209_014_9].map(|y| [-1_113.454_59, y, -56.243_190_8]);
     let past_it = ([-1_081.479_25, 99.999_954_2, 87.770_111_1], [-32.107_299_8, -183.355_865, -144.607_635]);
     let with = |x: f64| [[x, 0.0, 0.0], HALF[1], HALF[2]];
-    let within = ([-1.0, 0.25, 0.0], [1.0, 0.0, 0.0]);
-    let inside = ([0.25, 0.25, 1.0], down);
+    let inside = at(0.25, 0.25);
+    // The protocol's least distance is in units of the direction's length.
+    let long = ([0.25, 0.25, 1.0], [0.0, 0.0, -1e4]);
+    let raw = protocol::triangle(&HALF.map(point), &raw_ray(long));
     vec![
+        case("D01", "at corner a", HALF, at(0.0, 0.0), 1.0, Equal, Fails),
+        case("D02", "at corner a, elsewhere", moved, at(0.1, 0.2), 0.7, Ulps(2.0), Fails),
+        case("D03", "at corner b", HALF, at(1.0, 0.0), 1.0, Equal, Holds),
+        case("D04", "in the middle of edge bc", HALF, at(0.5, 0.5), 1.0, Equal, Holds),
+        neighbours("D05", "at (0.1, 0.9), a rounding outside of edge bc: one of both neighbours is met",
+            [HALF, OTHER_HALF], at(0.1, 0.9), |[one, other]| one || other),
+        neighbours("D06", "1e-300 outside of edge ab: only the neighbour is met",
+            [HALF, below], at(0.5, -1e-300), |[this, other]| !this && other),
+        case("D07", "a needle of aspect 1e8 along an axis", flat, at(0.335, 0.33e-8), 1.0, Ulps(1.0), Holds),
+        case("D08", "a slanted needle of aspect 1e8",
+            slanted, near, 5.000_000_041_389_44, Absolute(5e-11), Fails),
+        case("D09", "the same from 3700 away", slanted, far, 3_699.999_999_862_901_4, Absolute(3.7e-8), Fails),
         case("D10", "corners on a line, but for rounding",
-            one_third, ([0.6, 1.2, 5.0], down), REFUSED, Bound::Equal, Fails),
-        case("D11", "corners on a line",
-            on_a_line, ([0.5, 0.5, 1.0], down), REFUSED, Bound::Equal, Fails),
-        case("D12", "corners on a line, from pbrt's tests",
-            thin, past_it, REFUSED, Bound::Equal, Fails),
-        case("D20", "along the plane", HALF, within, MISS, Bound::Equal, Holds),
-        case("D23", "a corner of NaN", with(f64::NAN), inside, REFUSED, Bound::Equal, Fails),
-        case("D24", "an infinite corner",
-            with(f64::NEG_INFINITY), inside, REFUSED, Bound::Equal, Fails),
+            nearly, ([0.6, 1.2, 5.0], DOWN), REFUSED, Equal, Fails),
+        case("D11", "corners on a line", on_a_line, at(0.5, 0.5), REFUSED, Equal, Fails),
+        case("D12", "corners on a line, from pbrt's tests", thin, past_it, REFUSED, Equal, Fails),
+        sized("D13", 1e-100, 1e-100, Fails),
+        sized("D14", 1e-107, REFUSED, Fails),
+        sized("D15", 1e-110, REFUSED, Fails),
+        sized("D16", 1e-162, REFUSED, Fails),
+        sized("D17", 1e100, 1e100, Holds),
+        sized("D18", 1e103, REFUSED, Fails),
+        sized("D19", 1e160, REFUSED, Fails),
+        case("D20", "along the plane", HALF, ([-1.0, 0.25, 0.0], [1.0, 0.0, 0.0]), MISS, Equal, Holds),
+        case("D21", "5e-4 away", HALF, ([0.25, 0.25, 5e-4], DOWN), 5e-4, Equal, Fails),
+        Case::new("D22", "distance 1 along a direction of length 1e4",
+            1.0, Ulps(2.0), meeting(triangle(HALF), long)).protocol(Fails, raw.map(|t| t * 1e4)),
+        case("D23", "a corner of NaN", with(f64::NAN), inside, REFUSED, Equal, Fails),
+        case("D24", "an infinite corner", with(f64::NEG_INFINITY), inside, REFUSED, Equal, Fails),
+        case("D25", "from within the plane, outwards", HALF, ([0.25, 0.25, 0.0], DOWN), MISS, Equal, Holds),
         noise(),
+        interpolated(),
+        by_the_word(),
     ]
 }
 
 /// For corners on a line up to rounding, the determinant is only rounding error and
 /// not 0: the protocol computes hits of some of them, at arbitrary points.
 fn noise() -> Case {
-    let mut met = [0_usize; 2];
+    let [mut ours, mut theirs] = [0_usize; 2];
     for n in 0..1000 {
         let mut numbers = Numbers::new(32, n);
         let (a, along) = (numbers.triple(-1.0, 1.0), numbers.direction());
@@ -193,25 +142,30 @@ fn noise() -> Case {
         let corners = [a, a + along, a + along * share].map(|way| Point3::ORIGIN + way);
         let back = numbers.direction() * 3.0;
         let aim = corners[0] + along * numbers.between(0.2, 0.8);
-        let line = (
-            (aim + back).to_glam().to_array(),
-            (-back).to_glam().to_array(),
-        );
-        let ray = any_ray(line);
-        let [a, b, c] = corners;
-        let ours = Triangle::new(a, b, c).is_ok_and(|triangle| first(&triangle, &ray).is_some());
-        let theirs = protocol::triangle(&corners, &ray).is_some();
-        met[0] += usize::from(ours);
-        met[1] += usize::from(theirs);
+        let [o, d] = arrays(&Ray::derived(aim + back, -back));
+        let (ray, [a, b, c]) = (any_ray((o, d)), corners);
+        let is_met = Triangle::new(a, b, c).is_ok_and(|triangle| first(&triangle, &ray).is_some());
+        ours += usize::from(is_met);
+        theirs += usize::from(protocol::triangle(&corners, &ray).is_some());
     }
-    Case::new(
-        "D26",
-        "1000 times three corners on a line but for rounding: how many are met",
-        0.0,
-        Bound::Equal,
-        met[0],
-    )
-    .protocol(Fails, met[1])
+    let what = "1000 times three corners on a line but for rounding: how many are met";
+    Case::new("D26", what, 0.0, Equal, ours).protocol(Fails, theirs)
+}
+
+/// The mean of three normals is shorter than each of them.
+fn interpolated() -> Case {
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let normals = axes.map(|axis| Normal3::from_glam(axis.into()));
+    let third = 1.0 / 3.0;
+    let length = |normal: Normal3| normal.to_glam().length();
+    let ours = tried(|| {
+        let triangle = triangle(HALF)?.with_normals(normals)?;
+        let hit = triangle.hit(&unit_ray(([third, third, 1.0], DOWN))?, Interval::AHEAD);
+        Ok(hit.map(|hit| length(hit.normal)))
+    });
+    let theirs = length(protocol::interpolated_normal(normals, third, third));
+    let what = "three perpendicular normals: the length of their mean";
+    Case::new("D27", what, 1.0, Ulps(2.0), ours).protocol(Fails, theirs)
 }
 
 /// Points within a triangle, few of which have β + γ = 1.
@@ -221,35 +175,9 @@ fn by_the_word() -> Case {
         let beta = numbers.between(0.01, 0.98);
         (beta, numbers.between(0.005, 0.99 - beta))
     });
-    let met = |&(x, y): &(f64, f64)| {
-        meeting(triangle(HALF), ([x, y, 1.0], [0.0, 0.0, -1.0])) == 1.0.into()
-    };
+    let met = |&(x, y): &(f64, f64)| meeting(triangle(HALF), ([x, y, 1.0], DOWN)) == 1.0.into();
     let ours = points.clone().filter(met).count();
     let theirs = points.filter(|(x, y)| protocol::is_inside_by_the_text(*x, *y));
     let what = "1000 points within a triangle: how many are met, β + γ being asked to be 1";
-    Case::new("D28", what, 1000.0, Bound::Equal, ours).protocol(Fails, theirs.count())
-}
-
-/// The mean of three normals is shorter than each of them.
-fn interpolated() -> Case {
-    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let normals = axes.map(|axis| Normal3::from_glam(axis.into()));
-    let third = 1.0 / 3.0;
-    let length = |normal: Normal3| normal.to_glam().length();
-    let ours = || -> Result<_, ArgumentError> {
-        let triangle = triangle(HALF)?.with_normals(normals)?;
-        let ray = unit_ray(([third, third, 1.0], [0.0, 0.0, -1.0]))?;
-        Ok(triangle
-            .hit(&ray, Interval::AHEAD)
-            .map(|hit| length(hit.normal)))
-    };
-    let theirs = length(protocol::interpolated_normal(normals, third, third));
-    Case::new(
-        "D27",
-        "three perpendicular normals: the length of their mean",
-        1.0,
-        Bound::Ulps(2.0),
-        ours(),
-    )
-    .protocol(Fails, theirs)
+    Case::new("D28", what, 1000.0, Equal, ours).protocol(Fails, theirs.count())
 }

@@ -13,7 +13,7 @@ use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{OrthographicCamera, PixelRandom, render};
 use a04_intersections::Sphere;
 use common::{Color, Error, Settings, Size};
-use measure::experiment::{Axis, Curve, Experiment, Point, Slope, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 use crate::{DirectionalLight, Lambert, LitWorld};
 
@@ -50,15 +50,9 @@ pub fn experiment() -> Experiment<'static> {
                 let rays = f64::from(balls) * pixels * pixels;
                 Point::new(pixels, rays, errors, move || (0..balls).map(mean).sum())
             };
-            let curve = |(phase, method, expected)| Curve {
-                method,
-                remark: "",
-                slope: Some(Slope {
-                    expected,
-                    tolerance: 0.05,
-                    between: (0.0, f64::INFINITY),
-                }),
-                points: sizes.iter().map(|pixels| point(phase, *pixels)).collect(),
+            let curve = |(phase, method, slope)| {
+                let points = sizes.iter().map(|pixels| point(phase, *pixels));
+                Curve::new(method, points).with_slope(slope, (0.0, f64::INFINITY))
             };
             PHASES.map(curve).into()
         }),
@@ -74,20 +68,15 @@ fn mean(phase: f64, pixels: u32, ball: u32) -> Result<f64, Error> {
     let centre = Point3::new(random.uniform(0) * pixel, random.uniform(1) * pixel, 0.0);
     let radius = 0.8 + 0.3 * random.uniform(2);
     let light = Vector3::new(-libm::sin(phase), 0.0, -libm::cos(phase));
+    let white = Box::new(Lambert::new(Color::WHITE)?);
     let world = LitWorld::new(Color::BLACK, Color::BLACK)?
-        .with(
-            Sphere::new(centre, radius)?,
-            Box::new(Lambert::new(Color::WHITE)?),
-        )
+        .with(Sphere::new(centre, radius)?, white)
         .lit_by(Box::new(DirectionalLight::new(Color::WHITE, light)?));
 
     // The camera's `s` is the distance from the first row of pixels to the last.
-    let (e, g, t) = (
-        Point3::new(0.0, 0.0, 9.0),
-        Vector3::new(0.0, 0.0, -1.0),
-        Vector3::new(0.0, 1.0, 0.0),
-    );
-    let camera = OrthographicCamera::new(e, g, t, pixel * (across - 1.0))?;
+    let (gaze, up) = (Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
+    let s = pixel * (across - 1.0);
+    let camera = OrthographicCamera::new(Point3::new(0.0, 0.0, 9.0), gaze, up, s)?;
     let settings = Settings {
         size: Size::new(pixels, pixels)?,
         ..Settings::default()

@@ -5,6 +5,7 @@
 
 use std::f64::consts::PI;
 
+use a03_rays_cameras::lab::experiments::Neumaier;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
@@ -24,37 +25,39 @@ pub fn experiment() -> Experiment<'static> {
         against: Axis::Knob,
         curves: Box::new(|effort: Effort| {
             let sizes = &[64, 128, 256, 512, 1024, 2048, 4096][..effort.choose(4, 7)];
-            let curve = |method, remark, sum: fn(&mut dyn Iterator<Item = f64>) -> f64| Curve {
-                method,
-                remark,
-                slope: None,
-                points: sizes
-                    .iter()
-                    .map(|across| {
-                        let mean = move |p| mean(*across, p, sum);
-                        let errors = EXPONENTS.map(|p| mean(p) - 1.0 / (2.0 * (p + 1.0)));
-                        let across = f64::from(*across);
-                        Point::new(across, across * across, errors, move || mean(10.0))
-                    })
-                    .collect(),
+            let curve = |method, sum: Sum| {
+                let point = |&across: &u32| {
+                    let mean = move |p| mean(across, p, sum);
+                    let errors = EXPONENTS.map(|p| mean(p) - 1.0 / (2.0 * (p + 1.0)));
+                    let across = f64::from(across);
+                    Point::new(across, across * across, errors, move || mean(10.0))
+                };
+                Curve::new(method, sizes.iter().map(point))
             };
             vec![
-                curve("plain sum", "", |terms| terms.sum()),
-                curve(
-                    "Neumaier's sum",
+                curve("plain sum", |terms| terms.sum()),
+                curve("Neumaier's sum", neumaier).with_remark(
                     "not in the renderer: a pixel adds up few samples, and the rounding of \
                      thousands is far below what can be seen",
-                    neumaier,
                 ),
             ]
         }),
     }
 }
 
+/// A method to add up terms.
+type Sum = fn(&mut dyn Iterator<Item = f64>) -> f64;
+
+fn neumaier(terms: &mut dyn Iterator<Item = f64>) -> f64 {
+    let mut sum = Neumaier::default();
+    terms.for_each(|term| sum.add(term));
+    sum.sum()
+}
+
 /// The mean over the disc of a ball in a picture of `across` by `across`
 /// pixels. At the distance ρ from the middle, the cosine of the angle between the
 /// mirrored light and the eye is `1 - 2 ρ²`.
-fn mean(across: u32, exponent: f64, sum: fn(&mut dyn Iterator<Item = f64>) -> f64) -> f64 {
+fn mean(across: u32, exponent: f64, sum: Sum) -> f64 {
     let pixel = 2.0 / f64::from(across);
     let place = move |i: u32| (f64::from(i) + 0.5) * pixel - 1.0;
     let highlight = move |(x, y): (f64, f64)| {
@@ -68,20 +71,4 @@ fn mean(across: u32, exponent: f64, sum: fn(&mut dyn Iterator<Item = f64>) -> f6
     let places =
         (0..across).flat_map(|row| (0..across).map(move |column| (place(column), place(row))));
     sum(&mut places.map(highlight)) * pixel * pixel / PI
-}
-
-/// The sum of the terms, with a second sum of the rounding errors. (Neumaier,
-/// Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen, 1974)
-fn neumaier(terms: &mut dyn Iterator<Item = f64>) -> f64 {
-    let (mut sum, mut lost) = (0.0_f64, 0.0);
-    for term in terms {
-        let next = sum + term;
-        lost += if sum.abs() >= term.abs() {
-            (sum - next) + term
-        } else {
-            (term - next) + sum
-        };
-        sum = next;
-    }
-    sum + lost
 }

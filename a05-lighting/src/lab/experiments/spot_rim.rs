@@ -33,44 +33,32 @@ pub fn experiment() -> Experiment<'static> {
         curves: Box::new(|effort: Effort| {
             let count = effort.choose(4_096, 65_536) as u32;
             let knobs = [1e-2, 1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-11];
-            let point = |illuminates: Illuminates, knob: f64| {
-                let (light, points) = scene(knob, count).ok()?;
-                let wrong = |(point, lit): &&(Point3, bool)| illuminates(&light, *point) != *lit;
-                let share = points.iter().filter(wrong).count() as f64 / points.len() as f64;
-                Some(Point::new(knob, points.len() as f64, [share], move || {
-                    let lit = points
-                        .iter()
-                        .filter(|(point, _)| illuminates(&light, *point));
-                    lit.count() as f64
-                }))
-            };
-            let curve = |method, remark, illuminates: Illuminates| Curve {
-                method,
-                remark,
-                slope: None,
-                points: knobs
-                    .iter()
-                    .filter_map(|knob| point(illuminates, *knob))
-                    .collect(),
+            let curve = |method, illuminates: Illuminates| {
+                let points = knobs.iter().filter_map(|knob| {
+                    let (light, points) = scene(*knob, count).ok()?;
+                    let wrong =
+                        |(point, lit): &&(Point3, bool)| illuminates(&light, *point) != *lit;
+                    let all = points.len() as f64;
+                    let share = points.iter().filter(wrong).count() as f64 / all;
+                    Some(Point::new(*knob, all, [share], move || {
+                        let lit = points
+                            .iter()
+                            .filter(|(point, _)| illuminates(&light, *point));
+                        lit.count() as f64
+                    }))
+                });
+                Curve::new(method, points)
             };
             vec![
-                curve(
-                    "arc cosine (protocol)",
-                    "lights one in four points straight behind",
-                    |_, p| {
-                        protocol::spot_light_illuminates(Point3::ORIGIN, DIRECTION, HALF_ANGLE, p)
-                    },
-                ),
-                curve("cosines", "", by_cosines),
-                curve(
-                    "cosines, as rendered",
-                    "with the direction and the distance, which the material needs",
-                    Light::illuminates,
-                ),
-                curve(
-                    "arc tangent",
+                curve("arc cosine (protocol)", |_, p| {
+                    protocol::spot_light_illuminates(Point3::ORIGIN, DIRECTION, HALF_ANGLE, p)
+                })
+                .with_remark("lights one in four points straight behind"),
+                curve("cosines", by_cosines),
+                curve("cosines, as rendered", Light::illuminates)
+                    .with_remark("with the direction and the distance, which the material needs"),
+                curve("arc tangent", |_, p| DIRECTION.angle(p - Point3::ORIGIN) <= HALF_ANGLE).with_remark(
                     "not in the renderer: dearer than the cosines, and no eye sees a billionth of an angle",
-                    |_, p| DIRECTION.angle(p - Point3::ORIGIN) <= HALF_ANGLE,
                 ),
             ]
         }),

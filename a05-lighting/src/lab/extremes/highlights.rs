@@ -4,60 +4,11 @@ use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 use common::{ArgumentError, Color};
-use measure::extremes::Protocol::{Fails, Holds};
-use measure::extremes::{Bound, Case, Outcome, Protocol};
+use measure::extremes::{
+    Absolute, Bound, Case, Equal, Fails, Holds, Outcome, Protocol, Refused, Ulps,
+};
 
 use crate::{DirectionalLight, LitWorld, Material, Phong, protocol};
-
-pub fn cases() -> Vec<Case> {
-    let nan = Vector3::new(f64::NAN, 0.0, 1.0);
-    let ulps = Bound::Ulps(4.0);
-    let above = 1.0_f64.next_up();
-    vec![
-        power("F14", -0.3, 0.0, 0.0, Bound::Equal, Fails),
-        power("F15", 0.5, 0.0, 1.0, Bound::Equal, Holds),
-        power("F16", 1.0 - 1e-7, 1e6, 0.904_837_413_559_398_8, ulps, Holds),
-        power("F17", above, 1e17, 1.0, Bound::Equal, Fails),
-        power(
-            "F18",
-            above,
-            f64::INFINITY,
-            Outcome::Refused,
-            Bound::Equal,
-            Fails,
-        ),
-        power("F19", 0.0, -1.0, Outcome::Refused, Bound::Equal, Fails),
-        Case::new(
-            "F20",
-            "a ray of direction NaN, whose highlight has exponent 0",
-            Outcome::Refused,
-            Bound::Equal,
-            Ray::new(Point3::ORIGIN, nan).map(|_| true),
-        )
-        .protocol(Fails, protocol::highlight(f64::NAN, 0.0)),
-        // The exact values are powers of 1 - d for the given d; rounding the
-        // cosine costs up to eps P / 4 of them.
-        power(
-            "F21",
-            1.0 - 1e-7,
-            1e6,
-            0.904_837_413_511_772_2,
-            Bound::Absolute(1e-10),
-            Holds,
-        ),
-        power(
-            "F22",
-            1.0 - 1e-12,
-            1e12,
-            0.367_879_441_171_258_4,
-            Bound::Absolute(5e-5),
-            Holds,
-        ),
-        power("F34", 0.0, 0.0, 0.0, Bound::Equal, Fails),
-        power("F35", 0.5, f64::NAN, Outcome::Refused, Bound::Equal, Fails),
-        turned_away("F36"),
-    ]
-}
 
 /// Radiance of a white highlight under a light straight above, for this cosine of
 /// the angle between the mirrored light and the eye.
@@ -76,14 +27,32 @@ fn power(
     Case::new(id, what, exact, bound, ours).protocol(says, protocol::highlight(cosine, exponent))
 }
 
-/// Light from a little below the surface, which would mirror it to the eye.
-fn turned_away(id: &'static str) -> Case {
-    let light = Vector3::new(0.8, 0.0, -0.6);
-    let eye = Vector3::new(-0.8, 0.0, 0.6);
-    let what = "highlight of a light from behind the surface, exponent 2";
+#[rustfmt::skip]
+pub fn cases() -> Vec<Case> {
+    let nan = Vector3::new(f64::NAN, 0.0, 1.0);
+    let above = 1.0_f64.next_up();
+    // Light from a little below the surface, which would mirror it to the eye:
     // r = 2 (n · l) n - l = (-0.8, 0, -0.6), and r · e = 0.28.
-    Case::new(id, what, 0.0, Bound::Equal, highlight(light, eye, 2.0))
-        .protocol(Fails, protocol::highlight(0.28, 2.0))
+    let (below, eye) = (Vector3::new(0.8, 0.0, -0.6), Vector3::new(-0.8, 0.0, 0.6));
+    vec![
+        power("F14", -0.3, 0.0, 0.0, Equal, Fails),
+        power("F15", 0.5, 0.0, 1.0, Equal, Holds),
+        power("F16", 1.0 - 1e-7, 1e6, 0.904_837_413_559_398_8, Ulps(4.0), Holds),
+        power("F17", above, 1e17, 1.0, Equal, Fails),
+        power("F18", above, f64::INFINITY, Refused, Equal, Fails),
+        power("F19", 0.0, -1.0, Refused, Equal, Fails),
+        Case::new("F20", "a ray of direction NaN, whose highlight has exponent 0",
+            Refused, Equal, Ray::new(Point3::ORIGIN, nan).map(|_| true))
+            .protocol(Fails, protocol::highlight(f64::NAN, 0.0)),
+        // The exact values are powers of 1 - d for the given d; rounding the
+        // cosine costs up to eps P / 4 of them.
+        power("F21", 1.0 - 1e-7, 1e6, 0.904_837_413_511_772_2, Absolute(1e-10), Holds),
+        power("F22", 1.0 - 1e-12, 1e12, 0.367_879_441_171_258_4, Absolute(5e-5), Holds),
+        power("F34", 0.0, 0.0, 0.0, Equal, Fails),
+        power("F35", 0.5, f64::NAN, Refused, Equal, Fails),
+        Case::new("F36", "highlight of a light from behind the surface, exponent 2",
+            0.0, Equal, highlight(below, eye, 2.0)).protocol(Fails, protocol::highlight(0.28, 2.0)),
+    ]
 }
 
 /// The red of a surface (0, 0, 1) without a colour of its own.

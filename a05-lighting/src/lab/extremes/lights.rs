@@ -1,176 +1,84 @@
 //! Far lights, lights inside of objects, and lights without a position.
 
-use a02_math::{Normal3, Point3, Vector3};
+use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{Plane, Sphere};
 use common::{ArgumentError, Color};
-use measure::extremes::Protocol::{Fails, Holds};
-use measure::extremes::{Bound, Case, Outcome};
+use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Outcome, Refused, Ulps, tried};
 
 use crate::{DirectionalLight, Lambert, Light, LitWorld, PointLight, protocol};
 
-type Made<T> = Result<T, ArgumentError>;
-
-pub fn cases() -> Vec<Case> {
-    let up = Normal3::new(0.0, 1.0, 0.0);
-    let above = |y| Point3::new(0.0, y, 0.0);
-    vec![
-        sphere("I05", "seen from outside", 3.0, 0.25).protocol(
-            Holds,
-            0.25 + protocol::lambert(
-                Normal3::new(0.0, 0.0, 1.0),
-                Point3::ORIGIN,
-                Point3::new(0.0, 0.0, 1.0),
-            ),
-        ),
-        sphere("I06", "seen from inside", 0.5, 1.25).protocol(
-            Fails,
-            0.25 + protocol::lambert(
-                Normal3::new(0.0, 0.0, -1.0),
-                Point3::ORIGIN,
-                Point3::new(0.0, 0.0, -1.0),
-            ),
-        ),
-        from_inside("I19", 1_000),
-        Case::new(
-            "I07",
-            "point light at 1e200",
-            Outcome::Refused,
-            Bound::Equal,
-            PointLight::new(Color::WHITE, above(1e200)).map(|_| true),
-        )
-        .protocol(Fails, protocol::lambert(up, above(1e200), Point3::ORIGIN)),
-        floor(
-            "I20",
-            "point light at 1e100",
-            PointLight::new(Color::WHITE, above(1e100)),
-            1.25,
-        )
-        .protocol(
-            Holds,
-            0.25 + protocol::lambert(up, above(1e100), Point3::ORIGIN),
-        ),
-        floor(
-            "I21",
-            "point light at 1e-100",
-            PointLight::new(Color::WHITE, above(1e-100)),
-            1.25,
-        )
-        .protocol(
-            Holds,
-            0.25 + protocol::lambert(up, above(1e-100), Point3::ORIGIN),
-        ),
-        directional("I22"),
-        from_the_side("I23"),
-        Case::new(
-            "I24",
-            "directional light of direction 0",
-            Outcome::Refused,
-            Bound::Equal,
-            DirectionalLight::new(Color::WHITE, Vector3::default()).map(|_| true),
-        ),
-        Case::new(
-            "I25",
-            "point light of colour NaN",
-            Outcome::Refused,
-            Bound::Equal,
-            PointLight::new(Color::gray(f64::NAN), Point3::ORIGIN).map(|_| true),
-        ),
-    ]
+/// White light from a height above the origin.
+fn lamp(y: f64) -> Result<PointLight, ArgumentError> {
+    PointLight::new(Color::WHITE, Point3::new(0.0, y, 0.0))
 }
 
 /// The white unit sphere with a light at its centre, and ambient light of 1/4.
-fn light_inside() -> Made<LitWorld> {
-    let light = PointLight::new(Color::WHITE, Point3::ORIGIN)?;
-    Ok(LitWorld::new(Color::BLACK, Color::gray(0.25))?
-        .with(
-            Sphere::new(Point3::ORIGIN, 1.0)?,
-            Box::new(Lambert::new(Color::WHITE)?),
-        )
-        .lit_by(Box::new(light)))
+fn light_inside() -> Result<LitWorld, ArgumentError> {
+    let white = Box::new(Lambert::new(Color::WHITE)?);
+    let world = LitWorld::new(Color::BLACK, Color::gray(0.25))?;
+    Ok(world
+        .with(Sphere::new(Point3::ORIGIN, 1.0)?, white)
+        .lit_by(Box::new(lamp(0.0)?)))
 }
 
-/// Brightness of the sphere, seen from the distance `z`.
+/// Brightness of the sphere, seen from the distance `z`. The protocol's normal points
+/// to the eye.
 fn sphere(id: &'static str, what: &str, z: f64, exact: f64) -> Case {
     let ray = Ray::derived(Point3::new(0.0, 0.0, z), Vector3::new(0.0, 0.0, -1.0));
     let ours = light_inside().map(|world| world.color_for(&ray).r);
     let what = format!("light in the centre of a sphere {what}: brightness");
-    Case::new(id, what, exact, Bound::Absolute(4.0 * f64::EPSILON), ours)
+    let (side, says) = if z > 1.0 { (1.0, Holds) } else { (-1.0, Fails) };
+    let normal = Vector3::new(0.0, 0.0, side);
+    let theirs = protocol::lambert(normal.as_normal(), Point3::ORIGIN, Point3::ORIGIN + normal);
+    Case::new(id, what, exact, Absolute(4.0 * f64::EPSILON), ours).protocol(says, 0.25 + theirs)
 }
 
-/// Brightness of the sphere, seen from inside; the worst of many directions.
-fn from_inside(id: &'static str, count: u32) -> Case {
-    let worst = || {
-        let world = light_inside()?;
-        (0..count).try_fold(0.0, |worst: f64, i| {
-            let random = PixelRandom::new(6, i, 0);
-            let number = |n| random.uniform(n) - 0.5;
-            let eye = Point3::new(number(0), number(1), number(2));
-            let ray = Ray::new(eye, Vector3::new(number(3), number(4), number(5)))?;
-            let off = (world.color_for(&ray).r - 1.25).abs();
-            Ok::<_, ArgumentError>(if off > worst || off.is_nan() {
-                off
-            } else {
-                worst
-            })
-        })
-    };
-    let what = format!("the same from {count} eyes inside: greatest error");
-    Case::new(id, what, 0.0, Bound::Absolute(4.0 * f64::EPSILON), worst())
+/// The brightness of a white wall at the origin, seen from straight before it.
+fn brightness(n: Normal3, light: Result<impl Light + 'static, ArgumentError>) -> Outcome {
+    tried(|| {
+        let white = Box::new(Lambert::new(Color::WHITE)?);
+        let world = LitWorld::new(Color::BLACK, Color::gray(0.25))?
+            .with(Plane::new(Point3::ORIGIN, n)?, white)
+            .lit_by(Box::new(light?));
+        let n = Vector3::from(n);
+        Ok(world.color_for(&Ray::derived(Point3::ORIGIN + n, -n)).r)
+    })
 }
 
-/// The brightness of a white floor at the origin, seen from straight above.
-fn floor<L: Light + 'static>(id: &'static str, what: &str, light: Made<L>, exact: f64) -> Case {
-    let ours = brightness(Normal3::new(0.0, 1.0, 0.0), light);
-    Case::new(
-        id,
-        format!("{what}: brightness below"),
-        exact,
-        Bound::Ulps(1.0),
-        ours,
-    )
+#[rustfmt::skip]
+pub fn cases() -> Vec<Case> {
+    let (up, wall) = (Normal3::new(0.0, 1.0, 0.0), Normal3::new(1.0, 0.0, 0.0));
+    let theirs = |y| protocol::lambert(up, Point3::new(0.0, y, 0.0), Point3::ORIGIN);
+    let sun = |x, y| DirectionalLight::new(Color::WHITE, Vector3::new(x, y, 0.0));
+    let from_inside = (0..1000).map(|i| off_inside(i).unwrap_or(f64::NAN));
+    let nan = PointLight::new(Color::gray(f64::NAN), Point3::ORIGIN);
+    vec![
+        sphere("I05", "seen from outside", 3.0, 0.25),
+        sphere("I06", "seen from inside", 0.5, 1.25),
+        Case::new("I19", "the same from 1000 eyes inside: greatest error", 0.0, Absolute(4.0 * f64::EPSILON),
+            from_inside.fold(0.0, |a, b| if b > a || b.is_nan() { b } else { a })),
+        Case::new("I07", "point light at 1e200", Refused, Equal, lamp(1e200).map(|_| true))
+            .protocol(Fails, theirs(1e200)),
+        Case::new("I20", "point light at 1e100: brightness below", 1.25, Ulps(1.0), brightness(up, lamp(1e100)))
+            .protocol(Holds, 0.25 + theirs(1e100)),
+        Case::new("I21", "point light at 1e-100: brightness below", 1.25, Ulps(1.0), brightness(up, lamp(1e-100)))
+            .protocol(Holds, 0.25 + theirs(1e-100)),
+        Case::new("I22", "directional light at the origin: lit", true, Equal,
+            sun(0.0, -1.0).map(|light| light.illuminates(Point3::ORIGIN)))
+            .protocol(Fails, protocol::directional_light_illuminates(Point3::ORIGIN, Point3::ORIGIN)),
+        Case::new("I23", "directional light at a wall: brightness", 1.25, Equal, brightness(wall, sun(-1.0, 0.0)))
+            .protocol(Fails, 0.25 + wall.dot(protocol::DIRECTIONAL_LIGHT_FROM).max(0.0)),
+        Case::new("I24", "directional light of direction 0", Refused, Equal, sun(0.0, 0.0).map(|_| true)),
+        Case::new("I25", "point light of colour NaN", Refused, Equal, nan.map(|_| true)),
+    ]
 }
 
-fn brightness<L: Light + 'static>(n: Normal3, light: Made<L>) -> Made<f64> {
-    let world = LitWorld::new(Color::BLACK, Color::gray(0.25))?
-        .with(
-            Plane::new(Point3::ORIGIN, n)?,
-            Box::new(Lambert::new(Color::WHITE)?),
-        )
-        .lit_by(Box::new(light?));
-    let n = Vector3::from(n);
-    Ok(world.color_for(&Ray::derived(Point3::ORIGIN + n, -n)).r)
-}
-
-/// A directional light is the same at the origin as everywhere.
-fn directional(id: &'static str) -> Case {
-    let ours = DirectionalLight::new(Color::WHITE, Vector3::new(0.0, -1.0, 0.0))
-        .map(|light| light.illuminates(Point3::ORIGIN));
-    Case::new(
-        id,
-        "directional light at the origin: lit",
-        true,
-        Bound::Equal,
-        ours,
-    )
-    .protocol(
-        Fails,
-        protocol::directional_light_illuminates(Point3::ORIGIN, Point3::ORIGIN),
-    )
-}
-
-/// A wall with a light perpendicular to it.
-fn from_the_side(id: &'static str) -> Case {
-    use a02_math::Direction;
-    let wall = Normal3::new(1.0, 0.0, 0.0);
-    let light = DirectionalLight::new(Color::WHITE, Vector3::new(-1.0, 0.0, 0.0));
-    let theirs = 0.25 + wall.dot(protocol::DIRECTIONAL_LIGHT_FROM).max(0.0);
-    Case::new(
-        id,
-        "directional light at a wall: brightness",
-        1.25,
-        Bound::Equal,
-        brightness(wall, light),
-    )
-    .protocol(Fails, theirs)
+/// The error of the sphere's brightness, seen from inside; for one of many directions.
+fn off_inside(i: u32) -> Result<f64, ArgumentError> {
+    let random = PixelRandom::new(6, i, 0);
+    let number = |n| random.uniform(n) - 0.5;
+    let eye = Point3::new(number(0), number(1), number(2));
+    let ray = Ray::new(eye, Vector3::new(number(3), number(4), number(5)))?;
+    Ok((light_inside()?.color_for(&ray).r - 1.25).abs())
 }

@@ -11,7 +11,7 @@ use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::Plane;
 use common::{ArgumentError, Color};
-use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Slope, Unit};
+use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Unit};
 
 use crate::{RecursiveTracer, Reflective, ShadowedWorld};
 
@@ -41,28 +41,15 @@ pub fn experiment() -> Experiment<'static> {
                 let depth = depth(k, asked);
                 let (world, rays) = (Rc::clone(world), Rc::clone(&rays));
                 let trace = move |ray: &Ray| RecursiveTracer::new(&world).trace(ray, depth).r;
-                let errors: Vec<_> = rays
-                    .iter()
-                    .map(|ray| trace(ray) - 1.0 / (1.0 - k))
-                    .collect();
+                let error = |ray: &Ray| trace(ray) - 1.0 / (1.0 - k);
+                let errors: Vec<_> = rays.iter().map(error).collect();
                 let work = f64::from(depth) * rays.len() as f64;
                 Point::new(asked, work, errors, move || rays.iter().map(&trace).sum())
             };
             let curve = |(k, method)| {
-                let points = world(k).map(|world| {
-                    let world = Rc::new(world);
-                    asked.map(|asked| point(k, &world, asked)).into()
-                });
-                Curve {
-                    method,
-                    remark: "",
-                    slope: Some(Slope {
-                        expected: 1.0,
-                        tolerance: 0.05,
-                        between: (1e-10, 1e-1),
-                    }),
-                    points: points.unwrap_or_default(),
-                }
+                let world = world(k).map(Rc::new).into_iter();
+                let points = world.flat_map(|world| asked.map(|asked| point(k, &world, asked)));
+                Curve::new(method, points).with_slope(1.0, (1e-10, 1e-1))
             };
             CURVES.map(curve).into()
         }),
@@ -79,11 +66,8 @@ pub fn rays(count: usize) -> Rc<[Ray]> {
     let ray = |n: usize| {
         let random = PixelRandom::new(4, n as u32, 0);
         let aside = |i| 2.0 * random.uniform(i) - 1.0;
-        Ray::new(
-            Point3::new(0.0, 0.5, 0.0),
-            Vector3::new(aside(0), 1.0, aside(1)),
-        )
-        .ok()
+        let up = Vector3::new(aside(0), 1.0, aside(1));
+        Ray::new(Point3::new(0.0, 0.5, 0.0), up).ok()
     };
     (0..count).filter_map(ray).collect()
 }

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use a02_math::Vector3;
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
-use common::ArgumentError;
+use common::Error;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
@@ -66,29 +66,22 @@ pub fn experiment() -> Experiment<'static> {
         seeds: &[13],
         against: Axis::Knob,
         curves: Box::new(|effort| {
-            let scenes =
-                SIZES.map(|size| (size, scene(size, effort).unwrap_or_else(|_| [].into())));
-            let curve = |(method, policy, remark): (_, Policy, _)| Curve {
-                method,
-                remark,
-                slope: None,
-                points: scenes
-                    .iter()
-                    .map(|(size, trials)| {
-                        let trials = Rc::clone(trials);
-                        let count = |near| {
-                            let is_wrong = |trial: &&Trial| trial.is_wrong(policy, near);
-                            trials.iter().filter(is_wrong).count() as f64
-                        };
-                        let rays = trials.len() as f64;
-                        let shares = NEAR.map(|near| count(near) / rays);
-                        let mean = shares.iter().sum::<f64>() / shares.len() as f64;
-                        Point::new(*size, rays, [mean], move || {
-                            let shaded = trials.iter().filter(|t| t.shades_itself(policy));
-                            shaded.count() as f64
-                        })
+            let scenes = SIZES.map(|size| (size, scene(size, effort).unwrap_or_default()));
+            let curve = |(method, policy, remark): (_, Policy, _)| {
+                let points = scenes.iter().map(|(size, trials)| {
+                    let rays = trials.len() as f64;
+                    let share = |near| {
+                        let is_wrong = |trial: &&Trial| trial.is_wrong(policy, near);
+                        trials.iter().filter(is_wrong).count() as f64 / rays
+                    };
+                    let mean = NEAR.map(share).iter().sum::<f64>() / NEAR.len() as f64;
+                    let trials = Rc::clone(trials);
+                    Point::new(*size, rays, [mean], move || {
+                        let shaded = trials.iter().filter(|t| t.shades_itself(policy));
+                        shaded.count() as f64
                     })
-                    .collect(),
+                });
+                Curve::new(method, points).with_remark(remark)
             };
             POLICIES.map(curve).into()
         }),
@@ -96,10 +89,9 @@ pub fn experiment() -> Experiment<'static> {
 }
 
 /// Trials of one size, of all shapes.
-fn scene(size: f64, effort: Effort) -> Result<Rc<[Trial]>, ArgumentError> {
-    let mut all = Vec::new();
-    for (_, shape) in SHAPES {
-        all.extend(trials(shape, size, effort.choose(1_024, 16_384))?);
-    }
-    Ok(all.into())
+fn scene(size: f64, effort: Effort) -> Result<Rc<[Trial]>, Error> {
+    let count = effort.choose(1_024, 16_384);
+    let all = SHAPES.map(|(_, shape)| trials(shape, size, count));
+    let all = all.into_iter().collect::<Result<Vec<_>, _>>()?;
+    Ok(all.into_iter().flatten().collect())
 }

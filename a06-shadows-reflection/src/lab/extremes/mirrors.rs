@@ -10,78 +10,13 @@ use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{Geometry, Hit, Interval, Plane};
 use a05_lighting::{DirectionalLight, SingleColor};
-use common::{ArgumentError, Color};
-use measure::extremes::Protocol::{Fails, Holds};
-use measure::extremes::{Bound, Case};
+use common::{ArgumentError, Color, Error};
+use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Outcome, tried};
 
 use crate::lab::protocol::{self, OneCounter};
 use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld};
 
-type Made<T> = Result<T, ArgumentError>;
-
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
-
-pub fn cases() -> Vec<Case> {
-    let series = Mirrors {
-        gap: 1.0,
-        k: 0.5,
-        background: 0.0,
-    };
-    let tenth = Mirrors { k: 0.9, ..series };
-    let hundredth = Mirrors { k: 0.99, ..series };
-    let thin = Mirrors {
-        gap: 0.0005,
-        ..hundredth
-    };
-    let all = Mirrors { k: 1.0, ..series };
-    vec![
-        series.row("M01", 1, 1.0).protocol(Holds, series.theirs(1)),
-        series
-            .row("M13", 5, 1.9375)
-            .protocol(Holds, series.theirs(5)),
-        series
-            .row("M14", 10, 1.998_046_875)
-            .protocol(Holds, series.theirs(10)),
-        series
-            .row("M15", 50, 1.999_999_999_999_998_2)
-            .protocol(Holds, series.theirs(50)),
-        tenth
-            .row("M02", 10, 6.513_215_599_000_000_5)
-            .protocol(Holds, tenth.theirs(10)),
-        hundredth.row("M03", 1_000, 99.995_682_875_258_85),
-        all.row("M04", 1_000, 1_000.0),
-        Mirrors {
-            background: 8.0,
-            ..series
-        }
-        .at_the_limit("M05"),
-        thin.row("M06", 1_000, 99.995_682_875_258_85)
-            .protocol(Fails, thin.theirs(1_000)),
-        series.row("M07", 1_100, 2.0),
-        all.row("M08", 1_000_000, 1e6),
-        Mirrors { k: 0.0, ..series }.searches("M09", "two mirrors, k = 0, depth 10", 10),
-        series.searches("M19", "two mirrors, k = 1/2, depth 1", 1),
-        Mirrors { k: 0.0, ..series }.row("M18", 10, 1.0),
-        behind_lights("M10", 3),
-        behind_lights("I10", 0),
-        million_reflections("M11"),
-        Mirrors {
-            background: 0.25,
-            ..series
-        }
-        .two_pixels("M12"),
-        Mirrors {
-            gap: 1e-90,
-            ..hundredth
-        }
-        .row("M16", 1_000, 99.995_682_875_258_85),
-        Mirrors {
-            gap: 1e90,
-            ..hundredth
-        }
-        .row("M17", 1_000, 99.995_682_875_258_85),
-    ]
-}
 
 #[derive(Clone, Copy)]
 struct Mirrors {
@@ -90,15 +25,18 @@ struct Mirrors {
     background: f64,
 }
 
+/// Two mirrors 1 apart that reflect this share, before a black background.
+const fn mirrors(k: f64) -> Mirrors {
+    let (gap, background) = (1.0, 0.0);
+    Mirrors { gap, k, background }
+}
+
 impl Mirrors {
-    fn world(self, below: impl Geometry + 'static) -> Made<ShadowedWorld> {
+    fn world(self, below: impl Geometry + 'static) -> Result<ShadowedWorld, Error> {
         let mirror = || Reflective::new(Color::WHITE, Color::BLACK, 1.0, Color::gray(self.k));
-        let above = plane(self.gap)?;
-        Ok(
-            ShadowedWorld::empty(Color::gray(self.background), Color::WHITE)?
-                .with(below, Box::new(mirror()?))
-                .with(above, Box::new(mirror()?)),
-        )
+        let world = ShadowedWorld::empty(Color::gray(self.background), Color::WHITE)?;
+        let (below, above) = (world.with(below, Box::new(mirror()?)), plane(self.gap)?);
+        Ok(below.with(above, Box::new(mirror()?)))
     }
 
     /// The ray from the middle upwards.
@@ -106,87 +44,89 @@ impl Mirrors {
         Ray::derived(Point3::new(0.0, self.gap / 2.0, 0.0), UP)
     }
 
-    fn ours(self, depth: u32) -> Made<f64> {
-        let world = self.world(plane(0.0)?)?;
-        Ok(RecursiveTracer::new(&world).trace(&self.ray(), depth).r)
+    fn ours(self, depth: u32) -> Outcome {
+        tried(|| {
+            let world = self.world(plane(0.0)?)?;
+            Ok(RecursiveTracer::new(&world).trace(&self.ray(), depth).r)
+        })
     }
 
-    fn theirs(self, depth: u32) -> Made<f64> {
-        let world = self.world(plane(0.0)?)?;
-        let mut tracer = OneCounter {
-            world: &world,
-            recursion: depth,
-        };
-        Ok(tracer.trace(&self.ray()).r)
+    /// The last of some pixels by the protocol's tracer, which all show one mirror.
+    fn theirs(self, recursion: u32, pixels: usize) -> Outcome {
+        tried(|| {
+            let world = &self.world(plane(0.0)?)?;
+            let mut tracer = OneCounter { world, recursion };
+            Ok((0..pixels).map(|_| tracer.trace(&self.ray()).r).last())
+        })
     }
 
     fn row(self, id: &'static str, depth: u32, exact: f64) -> Case {
         let Self { gap, k, .. } = self;
         let what = format!("two mirrors {gap:e} apart, k = {k}, {depth} of them met");
-        let bound = Bound::Absolute(f64::from(depth) * f64::EPSILON * exact);
+        let bound = Absolute(f64::from(depth) * f64::EPSILON * exact);
         Case::new(id, what, exact, bound, self.ours(depth))
-    }
-
-    /// The last mirror does not reflect the background.
-    fn at_the_limit(self, id: &'static str) -> Case {
-        let what = "two mirrors, k = 1/2, before a background of 8, 3 of them met";
-        Case::new(id, what, 1.75, Bound::Equal, self.ours(3)).protocol(Fails, self.theirs(3))
-    }
-
-    /// Both pixels show one mirror.
-    fn two_pixels(self, id: &'static str) -> Case {
-        let both = || {
-            let world = self.world(plane(0.0)?)?;
-            let tracer = RecursiveTracer::new(&world);
-            let mut counter = OneCounter {
-                world: &world,
-                recursion: 1,
-            };
-            let ours = [0; 2].map(|_| tracer.trace(&self.ray(), 1).r);
-            Ok::<_, ArgumentError>((ours, [0; 2].map(|_| counter.trace(&self.ray()).r)))
-        };
-        let second = |pixels: [f64; 2]| pixels[1];
-        let what = "the second pixel of one tracer of depth 1: the mirror's own colour";
-        Case::new(
-            id,
-            what,
-            1.0,
-            Bound::Equal,
-            both().map(|both| second(both.0)),
-        )
-        .protocol(Fails, both().map(|both| second(both.1)))
     }
 
     /// One search finds the hit. A surface that does not mirror, or is the last,
     /// needs no reflected ray.
     fn searches(self, id: &'static str, what: &str, depth: u32) -> Case {
         let count = |trace: &dyn Fn(&ShadowedWorld, &Ray) -> Color| {
-            let (below, rays) = Counting::new(plane(0.0)?);
-            let world = self.world(below)?;
-            trace(&world, &self.ray());
-            Ok::<_, ArgumentError>(rays.load(Ordering::Relaxed))
+            tried(|| {
+                let (below, rays) = Counting::new(plane(0.0)?);
+                let world = self.world(below)?;
+                trace(&world, &self.ray());
+                Ok(rays.load(Ordering::Relaxed))
+            })
         };
         let ours = count(&|world, ray| RecursiveTracer::new(world).trace(ray, depth));
-        let theirs = count(&|world, ray| {
-            OneCounter {
-                world,
-                recursion: depth,
-            }
-            .trace(ray)
-        });
-        let what = format!("{what}: searches of the world");
-        Case::new(id, what, 1.0, Bound::Equal, ours).protocol(Fails, theirs)
+        let recursion = depth;
+        let theirs = count(&|world, ray| OneCounter { world, recursion }.trace(ray));
+        let what = format!("two mirrors, {what}, depth {depth}: searches of the world");
+        Case::new(id, what, 1.0, Equal, ours).protocol(Fails, theirs)
     }
 }
 
-fn plane(y: f64) -> Made<Plane> {
+fn plane(y: f64) -> Result<Plane, ArgumentError> {
     Plane::new(Point3::new(0.0, y, 0.0), UP.as_normal())
+}
+
+#[rustfmt::skip]
+pub fn cases() -> Vec<Case> {
+    const SUM_OF_1000: f64 = 99.995_682_875_258_85;
+    let [none, half, tenth, hundredth, all] = [0.0, 0.5, 0.9, 0.99, 1.0].map(mirrors);
+    let apart = |gap: f64| Mirrors { gap, ..hundredth };
+    let before = |background: f64| Mirrors { background, ..half };
+    vec![
+        half.row("M01", 1, 1.0).protocol(Holds, half.theirs(1, 1)),
+        half.row("M13", 5, 1.9375).protocol(Holds, half.theirs(5, 1)),
+        half.row("M14", 10, 1.998_046_875).protocol(Holds, half.theirs(10, 1)),
+        half.row("M15", 50, 1.999_999_999_999_998_2).protocol(Holds, half.theirs(50, 1)),
+        tenth.row("M02", 10, 6.513_215_599_000_000_5).protocol(Holds, tenth.theirs(10, 1)),
+        hundredth.row("M03", 1_000, SUM_OF_1000),
+        all.row("M04", 1_000, 1_000.0),
+        // The last mirror does not reflect the background.
+        Case::new("M05", "two mirrors, k = 1/2, before a background of 8, 3 of them met",
+            1.75, Equal, before(8.0).ours(3)).protocol(Fails, before(8.0).theirs(3, 1)),
+        apart(0.0005).row("M06", 1_000, SUM_OF_1000).protocol(Fails, apart(0.0005).theirs(1_000, 1)),
+        half.row("M07", 1_100, 2.0),
+        all.row("M08", 1_000_000, 1e6),
+        none.searches("M09", "k = 0", 10),
+        half.searches("M19", "k = 1/2", 1),
+        none.row("M18", 10, 1.0),
+        behind_lights("M10", 3),
+        behind_lights("I10", 0),
+        million_reflections("M11"),
+        Case::new("M12", "the second pixel of one tracer of depth 1: the mirror's own colour",
+            1.0, Equal, before(0.25).ours(1)).protocol(Fails, before(0.25).theirs(1, 2)),
+        apart(1e-90).row("M16", 1_000, SUM_OF_1000),
+        apart(1e90).row("M17", 1_000, SUM_OF_1000),
+    ]
 }
 
 /// A mirror without a colour of its own, k = 1/2, under a ceiling of colour 1
 /// that needs no light: it brings back 1/2 for any number of lights.
 fn behind_lights(id: &'static str, lights: usize) -> Case {
-    let ours = || {
+    let ours = tried(|| {
         let mirror = Reflective::new(Color::BLACK, Color::BLACK, 1.0, Color::gray(0.5))?;
         let mut world = ShadowedWorld::empty(Color::BLACK, Color::WHITE)?
             .with(plane(0.0)?, Box::new(mirror))
@@ -196,11 +136,11 @@ fn behind_lights(id: &'static str, lights: usize) -> Case {
             world = world.lit_by(LightSource::new(light, false));
         }
         let ray = Ray::derived(Point3::new(0.0, 0.5, 0.0), -UP);
-        Ok::<_, ArgumentError>(RecursiveTracer::new(&world).trace(&ray, 2).r)
-    };
+        Ok(RecursiveTracer::new(&world).trace(&ray, 2).r)
+    });
     let theirs = protocol::reflection_inside_sum(&vec![0.0; lights], 0.5, 1.0);
     let what = format!("half of what a mirror sees, under {lights} lights");
-    Case::new(id, what, 0.5, Bound::Equal, ours()).protocol(Fails, theirs)
+    Case::new(id, what, 0.5, Equal, ours).protocol(Fails, theirs)
 }
 
 fn million_reflections(id: &'static str) -> Case {
@@ -211,7 +151,7 @@ fn million_reflections(id: &'static str) -> Case {
         let normal = Normal3::new(number(0), number(1), number(2)).normalized();
         direction = direction.reflected_on(normal.unwrap_or(UP.as_normal()));
     }
-    let bound = Bound::Absolute(1e6 * f64::EPSILON);
+    let bound = Absolute(1e6 * f64::EPSILON);
     let what = "a direction of length 1 after 1e6 reflections: its length";
     Case::new(id, what, 1.0, bound, direction.dot(direction).sqrt())
 }

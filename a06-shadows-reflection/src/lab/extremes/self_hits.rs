@@ -6,22 +6,45 @@ use std::rc::Rc;
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
-use common::{ArgumentError, Color};
+use common::{Color, Error};
 use measure::Effort;
-use measure::extremes::Protocol::{Fails, Holds};
-use measure::extremes::{Bound, Case};
+use measure::extremes::{Case, Equal, Fails, Holds};
 
 use crate::secondary_ray;
 
-type Made<T> = Result<T, ArgumentError>;
-type Shape = fn(f64) -> Made<World<()>>;
+/// Lit points of a shape in a scene of a size.
+pub type Trials = Result<Vec<Trial>, Error>;
 
+/// The world of a shape of this size.
+type Shape = fn(f64) -> Result<World<()>, Error>;
+
+/// The shapes of this stage.
 pub const SHAPES: [(&str, Shape); 4] = [
-    ("a sphere", sphere),
-    ("a plane", plane),
-    ("a box", cube),
-    ("a triangle", triangle),
+    ("a sphere", |size| {
+        world(Sphere::new(at(size, 0.1, 0.2, 0.3), 0.7 * size)?)
+    }),
+    ("a plane", |size| {
+        let normal = Normal3::new(0.3, 1.0, 0.2);
+        world(Plane::new(at(size, 0.1, 0.2, 0.3), normal)?)
+    }),
+    ("a box", |size| {
+        let (lbf, run) = (at(size, -0.3, -0.5, -0.1), at(size, 0.6, 0.7, 0.8));
+        world(AxisAlignedBox::new(lbf, run)?)
+    }),
+    ("a triangle", |size| {
+        let (a, b) = (at(size, -0.9, -0.3, -0.5), at(size, 1.2, 0.1, -0.6));
+        world(Triangle::new(a, b, at(size, 0.3, 0.4, 1.3))?)
+    }),
 ];
+
+/// The world of one shape.
+pub fn world(shape: impl Geometry + 'static) -> Result<World<()>, Error> {
+    Ok(World::new(Color::BLACK)?.with(shape, ()))
+}
+
+fn at(size: f64, x: f64, y: f64, z: f64) -> Point3 {
+    Point3::new(x * size, y * size, z * size)
+}
 
 const IDS: [[&str; 5]; 4] = [
     ["S13", "S33", "S34", "S35", "S36"],
@@ -30,32 +53,33 @@ const IDS: [[&str; 5]; 4] = [
     ["S47", "S48", "S49", "S50", "S51"],
 ];
 
-/// Distance from the surface of an object before the light, in sizes of the scene.
-const NEAR: f64 = 1e-4;
-
 pub fn cases(effort: Effort) -> Vec<Case> {
     let count = effort.choose(2_000, 20_000);
     let mut cases = Vec::new();
     for ((name, shape), ids) in SHAPES.into_iter().zip(IDS) {
         for (id, size) in ids.into_iter().zip([1e-6, 1e-3, 1.0, 1e4, 1e9]) {
-            let wrong = |policy: Policy| {
-                let trials = trials(shape, size, count);
-                let is_wrong = |trial: &&Trial| trial.is_wrong(policy, NEAR);
-                trials.map(|trials| trials.iter().filter(is_wrong).count())
-            };
-            let what = format!(
-                "{name} of size {size:e}, {count} lit points: dark, or lit through an object"
-            );
-            let case = Case::new(id, what, 0.0, Bound::Equal, wrong(LIFTED));
-            cases.push(match size {
-                ..=1.0 => case.protocol(Fails, wrong(THOUSANDTH)),
-                ..=1e4 => case.protocol(Holds, wrong(THOUSANDTH)),
-                // Here the result depends on the rounding of single points.
-                _ => case,
-            });
+            let what = format!("{name} of size {size:e}, {count} lit points");
+            cases.push(row(id, &what, size, || trials(shape, size, count)));
         }
     }
     cases
+}
+
+/// The number of wrong decisions at the lit points of a shape, with an object before the
+/// light at a ten thousandth of the scene's size.
+pub fn row(id: &'static str, what: &str, size: f64, trials: impl Fn() -> Trials) -> Case {
+    let wrong = |policy: Policy| {
+        let is_wrong = |trial: &&Trial| trial.is_wrong(policy, 1e-4);
+        trials().map(|trials| trials.iter().filter(is_wrong).count())
+    };
+    let what = format!("{what}: dark, or lit through an object");
+    let case = Case::new(id, what, 0.0, Equal, wrong(LIFTED));
+    match size {
+        ..=1.0 => case.protocol(Fails, wrong(THOUSANDTH)),
+        ..=1e4 => case.protocol(Holds, wrong(THOUSANDTH)),
+        // Here the result depends on the rounding of single points.
+        _ => case,
+    }
 }
 
 /// A rule for rays that leave a hit: the ray and its least `t`.
@@ -107,68 +131,51 @@ fn beyond(min: f64) -> Interval {
 }
 
 /// Lit points of a shape, seen from 5 sizes away.
-pub fn trials(shape: Shape, size: f64, count: usize) -> Made<Vec<Trial>> {
+pub fn trials(shape: Shape, size: f64, count: usize) -> Trials {
     let world = Rc::new(shape(size)?);
+    let middle = at(size, 0.1, 0.2, 0.3);
+    seen(&world, 13, middle, size, [5.0, 0.7], count)
+}
+
+/// Lit points of a world, seen from one distance from the middle towards places within
+/// the other.
+pub fn seen(
+    world: &Rc<World<()>>,
+    seed: u64,
+    middle: Point3,
+    size: f64,
+    [distance, within]: [f64; 2],
+    count: usize,
+) -> Trials {
     let mut trials = Vec::with_capacity(count);
     let mut n = 0;
     while trials.len() < count {
-        let random = PixelRandom::new(13, n, 0);
+        let random = PixelRandom::new(seed, n, 0);
         n += 1;
-        let within = |from: u64| {
+        let way = |from: u64| {
             let number = |i| 2.0 * random.uniform(from + i) - 1.0;
             Vector3::new(number(0), number(1), number(2))
         };
-        let middle = Point3::new(0.1 * size, 0.2 * size, 0.3 * size);
-        let eye = middle + within(0).unit("eye")? * (5.0 * size);
-        let target = middle + within(3) * (0.7 * size);
+        let eye = middle + way(0).unit("eye")? * (distance * size);
+        let target = middle + way(3) * (within * size);
         let ray = Ray::new(eye, target - eye)?;
         let Some((hit, ())) = world.hit(&ray, Interval::AHEAD) else {
             continue;
         };
-        let light = within(6).unit("light")?;
+        let light = way(6).unit("light")?;
         let cosine = light.dot(hit.face);
         // At grazing angles either result is right.
-        if cosine.abs() < 1e-3 {
-            continue;
+        if cosine.abs() >= 1e-3 {
+            let light = light * 1.0_f64.copysign(cosine);
+            let world = Rc::clone(world);
+            trials.push(Trial {
+                world,
+                ray,
+                hit,
+                light,
+                size,
+            });
         }
-        let light = light * 1.0_f64.copysign(cosine);
-        let world = Rc::clone(&world);
-        trials.push(Trial {
-            world,
-            ray,
-            hit,
-            light,
-            size,
-        });
     }
     Ok(trials)
-}
-
-fn world(geometry: impl Geometry + 'static) -> Made<World<()>> {
-    Ok(World::new(Color::BLACK)?.with(geometry, ()))
-}
-
-fn at(size: f64, x: f64, y: f64, z: f64) -> Point3 {
-    Point3::new(x * size, y * size, z * size)
-}
-
-fn sphere(size: f64) -> Made<World<()>> {
-    world(Sphere::new(at(size, 0.1, 0.2, 0.3), 0.7 * size)?)
-}
-
-fn plane(size: f64) -> Made<World<()>> {
-    world(Plane::new(
-        at(size, 0.1, 0.2, 0.3),
-        Normal3::new(0.3, 1.0, 0.2),
-    )?)
-}
-
-fn cube(size: f64) -> Made<World<()>> {
-    let (lbf, run) = (at(size, -0.3, -0.5, -0.1), at(size, 0.6, 0.7, 0.8));
-    world(AxisAlignedBox::new(lbf, run)?)
-}
-
-fn triangle(size: f64) -> Made<World<()>> {
-    let (a, b) = (at(size, -0.9, -0.3, -0.5), at(size, 1.2, 0.1, -0.6));
-    world(Triangle::new(a, b, at(size, 0.3, 0.4, 1.3))?)
 }

@@ -36,11 +36,15 @@ impl Case {
         bound: Bound,
         ours: impl Into<Outcome>,
     ) -> Self {
+        let exact = exact.into();
+        let is_number = matches!(exact, Outcome::Number(_) | Outcome::Triple(_));
+        let has_bound = is_number || bound == Bound::Finite;
         Self {
             id,
             what: what.into(),
-            exact: exact.into(),
-            bound,
+            exact,
+            // Nothing else has a distance.
+            bound: if has_bound { bound } else { Bound::Equal },
             protocol: None,
             ours: ours.into(),
         }
@@ -69,13 +73,11 @@ impl Case {
         let Self {
             exact, ours, bound, ..
         } = self;
-        match exact.distance(*ours) {
-            Some(_) => {
-                let error = error(*exact, *ours);
-                format!("expected {exact}, got {ours}, off by {error} (bound: {bound})")
-            }
-            None => format!("expected {exact}, got {ours}"),
-        }
+        let off = exact.distance(*ours).map(|_| {
+            let error = error(*exact, *ours);
+            format!(", off by {error} (bound: {bound})")
+        });
+        format!("expected {exact}, got {ours}{}", off.unwrap_or_default())
     }
 }
 
@@ -106,6 +108,7 @@ impl fmt::Display for Case {
 
 #[cfg(test)]
 mod tests {
+    use super::Protocol::{Fails, Holds};
     use super::*;
 
     fn case(bound: Bound, ours: impl Into<Outcome>) -> Case {
@@ -115,66 +118,61 @@ mod tests {
     #[test]
     fn bounds_admit_outcomes_within_them() {
         let next = 1.0_f64.next_up();
-        assert!(case(Bound::Equal, 1.0).holds());
-        assert!(!case(Bound::Equal, next).holds());
-        assert!(case(Bound::Ulps(1.0), next).holds());
-        assert!(!case(Bound::Ulps(1.0), next.next_up()).holds());
-        assert!(case(Bound::Absolute(0.5), 1.5).holds());
-        assert!(!case(Bound::Absolute(0.5), 1.6).holds());
-        assert!(case(Bound::Finite, 1e300).holds());
-        assert!(case(Bound::Finite, Outcome::Nothing).holds());
+        let [ulp, half] = [Bound::Ulps(1.0), Bound::Absolute(0.5)];
+        assert!(case(Bound::Equal, 1.0).holds() && !case(Bound::Equal, next).holds());
+        assert!(case(ulp, next).holds() && !case(ulp, next.next_up()).holds());
+        assert!(case(half, 1.5).holds() && !case(half, 1.6).holds());
+        for outcome in [1e300.into(), Outcome::Nothing, [1.0, 2.0, 3.0].into()] {
+            assert!(case(Bound::Finite, outcome).holds());
+        }
         let nothing = |bound| Case::new("", "", Outcome::Nothing, bound, Outcome::Nothing);
-        assert!(nothing(Bound::Ulps(1.0)).holds() && nothing(Bound::Absolute(1.0)).holds());
+        assert!(nothing(ulp).holds() && nothing(half).holds());
+        let infinite = Case::new("A", "", f64::INFINITY, Bound::Equal, f64::INFINITY);
+        assert!(infinite.holds() && infinite.to_string().contains("error 0"));
     }
 
     #[test]
-    fn nan_and_infinity_are_within_no_bound() {
+    fn nan_infinity_and_other_outcomes_are_within_no_bound() {
         for bad in [f64::NAN, f64::INFINITY] {
-            for bound in [
+            let bounds = [
                 Bound::Equal,
                 Bound::Ulps(1e9),
                 Bound::Absolute(1e9),
                 Bound::Finite,
-            ] {
+            ];
+            for bound in bounds {
                 assert!(!case(bound, bad).holds(), "{bound:?} {bad}");
+                let triple = Case::new("A", "", [1.0; 3], bound, [1.0, bad, 1.0]);
+                assert!(!triple.holds(), "{bound:?} {bad}");
             }
         }
         for outcome in [Outcome::Nothing, Outcome::Refused, Outcome::Flag(true)] {
             assert!(!case(Bound::Absolute(1e9), outcome).holds());
         }
-        let triple = Case::new("A", "", [1.0; 3], Bound::Ulps(9.0), [1.0, f64::NAN, 1.0]);
-        assert!(!triple.holds());
     }
 
     #[test]
     fn the_protocol_must_fail_where_the_row_says_so() {
         let right = case(Bound::Equal, 1.0);
-        assert!(right.clone().protocol(Protocol::Fails, 2.0).holds());
-        assert!(!right.clone().protocol(Protocol::Fails, 1.0).holds());
-        assert!(right.clone().protocol(Protocol::Holds, 1.0).holds());
-        assert!(!right.protocol(Protocol::Holds, 2.0).holds());
-    }
-
-    #[test]
-    fn infinities_of_one_sign_are_equal() {
-        let infinite = Case::new("A", "", f64::INFINITY, Bound::Equal, f64::INFINITY);
-        assert!(infinite.holds());
-        assert!(infinite.to_string().contains("error 0"));
+        for (says, theirs, holds) in [
+            (Fails, 2.0, true),
+            (Fails, 1.0, false),
+            (Holds, 1.0, true),
+            (Holds, 2.0, false),
+        ] {
+            assert_eq!(right.clone().protocol(says, theirs).holds(), holds);
+        }
     }
 
     #[test]
     fn a_row_shows_its_error() {
-        let case = case(Bound::Ulps(2.0), 1.0_f64.next_up()).protocol(Protocol::Fails, 1.5);
-        assert_eq!(
-            case.to_string(),
-            "A01  ok      one\n     \
-             exact     1   (bound: 2 ulp)\n     \
-             protocol  1.5   error 5.0e-1, out of bound\n     \
-             ours      1.0000000000000002   error 1 ulp"
-        );
-        assert_eq!(
-            case.comparison(),
-            "expected 1, got 1.0000000000000002, off by 1 ulp (bound: 2 ulp)"
-        );
+        let case = case(Bound::Ulps(2.0), 1.0_f64.next_up()).protocol(Fails, 1.5);
+        let row = "A01  ok      one
+     exact     1   (bound: 2 ulp)
+     protocol  1.5   error 5.0e-1, out of bound
+     ours      1.0000000000000002   error 1 ulp";
+        assert_eq!(case.to_string(), row);
+        let line = "expected 1, got 1.0000000000000002, off by 1 ulp (bound: 2 ulp)";
+        assert_eq!(case.comparison(), line);
     }
 }

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use common::Error;
+
 /// The result of a computation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Outcome {
@@ -50,6 +52,12 @@ impl From<f64> for Outcome {
     }
 }
 
+impl From<usize> for Outcome {
+    fn from(count: usize) -> Self {
+        Self::Number(count as f64)
+    }
+}
+
 impl From<[f64; 3]> for Outcome {
     fn from(numbers: [f64; 3]) -> Self {
         Self::Triple(numbers)
@@ -59,12 +67,6 @@ impl From<[f64; 3]> for Outcome {
 impl From<bool> for Outcome {
     fn from(flag: bool) -> Self {
         Self::Flag(flag)
-    }
-}
-
-impl From<usize> for Outcome {
-    fn from(count: usize) -> Self {
-        Self::Number(count as f64)
     }
 }
 
@@ -78,6 +80,11 @@ impl<T: Into<Self>, E> From<Result<T, E>> for Outcome {
     fn from(outcome: Result<T, E>) -> Self {
         outcome.map_or(Self::Refused, Into::into)
     }
+}
+
+/// The outcome of a computation whose constructors may refuse their arguments.
+pub fn tried<T: Into<Outcome>>(compute: impl FnOnce() -> Result<T, Error>) -> Outcome {
+    compute().into()
 }
 
 impl fmt::Display for Outcome {
@@ -108,18 +115,18 @@ mod tests {
 
     #[test]
     fn numbers_are_shown_with_all_digits_and_few_zeros() {
-        let shown = [0.0, 1e-5, 9e-6, 0.1, 1e15, 1e16, -2.5, f64::INFINITY].map(short);
-        let expected = [
-            "0",
-            "0.00001",
-            "9e-6",
-            "0.1",
-            "1000000000000000",
-            "1e16",
-            "-2.5",
-            "inf",
+        let numbers = [
+            0.0,
+            1e-5,
+            9e-6,
+            0.1,
+            1e15,
+            1e16,
+            -2.5,
+            f64::INFINITY,
+            f64::NAN,
         ];
-        assert_eq!(shown, expected);
-        assert_eq!(short(f64::NAN), "NaN");
+        let shown = "0 0.00001 9e-6 0.1 1000000000000000 1e16 -2.5 inf NaN";
+        assert_eq!(numbers.map(short).join(" "), shown);
     }
 }

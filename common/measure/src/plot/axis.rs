@@ -51,27 +51,22 @@ impl LogAxis {
 
     /// The numbers with a label, and their labels.
     pub fn labels(&self) -> Vec<(f64, String)> {
-        let decades = self.to - self.from;
-        let (factors, step): (&[i32], _) = if decades < ONE_TWO_FIVE {
-            (&SPARSE, 1)
-        } else if decades < 2.0 {
-            (&[1, 2, 5], 1)
-        } else {
-            (&[1], self.step())
+        let (factors, step): (&[i32], _) = match self.to - self.from {
+            ..ONE_TWO_FIVE => (&SPARSE, 1),
+            ..2.0 => (&[1, 2, 5], 1),
+            _ => (&[1], self.step()),
         };
         let ticks: Vec<_> = self.multiples(factors, step).collect();
         let is_plain = ticks.iter().all(|(_, power)| (-3..=4).contains(power));
-        let label =
-            |&(factor, power): &(i32, i32)| (number(factor, power), label(factor, power, is_plain));
-        ticks.iter().map(label).collect()
+        let label = |(factor, power)| (number(factor, power), label(factor, power, is_plain));
+        ticks.into_iter().map(label).collect()
     }
 
     /// The numbers with a short mark and no label; none where powers of ten are left out.
     pub fn marks(&self) -> impl Iterator<Item = f64> {
-        let step = self.step();
-        let all = self.multiples(&ONE_TO_NINE, 1);
-        all.filter(move |_| step == 1)
-            .map(|(factor, power)| number(factor, power))
+        let factors: &[i32] = if self.step() == 1 { &ONE_TO_NINE } else { &[] };
+        let all = self.multiples(factors, 1);
+        all.map(|(factor, power)| number(factor, power))
     }
 
     /// Every how many powers of ten have a label.

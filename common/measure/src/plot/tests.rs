@@ -1,35 +1,17 @@
 use super::*;
-use crate::experiment::{Curve, Experiment, Point, Unit};
+use crate::example::{curve, experiment};
+use crate::experiment::{Experiment, Unit};
 
 /// The plots of curves with these points: work, and error. The times are the works.
 fn plots_of(unit: Unit<'static>, curves: &[&[(f64, f64)]]) -> Vec<(&'static str, String)> {
-    let curve = |points: &&[(f64, f64)]| Curve {
-        method: "a < b",
-        remark: "",
-        slope: None,
-        points: points
-            .iter()
-            .map(|(work, error)| Point::new(*work, *work, [*error], || 0.0))
-            .collect(),
-    };
-    let curves: Vec<_> = curves.iter().map(curve).collect();
-    let times = |curve: &Curve| curve.points.iter().map(|p| vec![p.work]).collect();
-    let experiment = Experiment {
-        name: "",
-        about: "Why?",
-        knob: "",
-        work: "steps",
-        error: "error",
-        unit,
-        exact: "",
-        seeds: &[],
-        against: Axis::Work,
-        curves: Box::new(|_| Vec::new()),
-    };
+    let times = |points: &&[(f64, f64)]| points.iter().map(|p| vec![p.0]).collect();
     plots(&Measured {
-        experiment: &experiment,
+        experiment: &Experiment {
+            unit,
+            ..experiment()
+        },
+        curves: curves.iter().map(|points| curve(points)).collect(),
         seconds: curves.iter().map(times).collect(),
-        curves,
     })
 }
 
@@ -43,25 +25,22 @@ fn marks(svg: &str) -> usize {
 fn every_point_is_shown() {
     let falling = [(1.0, 0.5), (10.0, 0.05), (100.0, 0.005)];
     let other = [(1.0, f64::NAN), (10.0, 0.5), (100.0, 0.0)];
-    let plots = plots_of(Unit::Light, &[&falling, &other]);
-    assert_eq!(
-        plots.iter().map(|plot| plot.0).collect::<Vec<_>>(),
-        [".svg", "-time.svg"]
-    );
-    let svg = &plots[0].1;
-    assert_eq!(marks(svg), 3 + 2 + 2);
-    for text in [
-        "Why?",
-        "error (white = 1)",
+    let [(".svg", work), ("-time.svg", time)] = &plots_of(Unit::Light, &[&falling, &other])[..]
+    else {
+        panic!("one plot against work and one against time");
+    };
+    assert_eq!(marks(work), 3 + 2 + 2);
+    let texts = [
+        "one over",
+        "rms error (white = 1)",
         "steps",
         "a &lt; b",
         "slope −1.000 ± 0.000",
-        "1/510",
-        ">0<",
-    ] {
-        assert!(svg.contains(text), "{text}: {svg}");
+    ];
+    for text in texts.into_iter().chain(["1/510", ">0<"]) {
+        assert!(work.contains(text), "{text}: {work}");
     }
-    assert!(plots[1].1.contains("time (seconds)") && !plots[1].1.contains("slope"));
+    assert!(time.contains("time (seconds)") && !time.contains("slope"));
 }
 
 #[test]

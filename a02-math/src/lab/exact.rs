@@ -1,14 +1,7 @@
-//! `DoubleDouble`: a number as the unevaluated sum of two doubles.
+//! Arithmetic with twice the digits of a double: sums and products with their rounding
+//! errors, and `DoubleDouble`, a number as the unevaluated sum of two doubles.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
-
-/// A sum of two doubles with about 31 digits. The second is at most half a unit in
-/// the last place of the first.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DoubleDouble {
-    high: f64,
-    low: f64,
-}
 
 /// The rounded sum and its rounding error (Knuth, The Art of Computer
 /// Programming, volume 2, section 4.2.2).
@@ -28,40 +21,56 @@ pub fn product_with_error(a: f64, b: f64) -> (f64, f64) {
     (product, a.mul_add(b, -product))
 }
 
+/// The sum of products, rounded as if computed with twice the digits (Ogita,
+/// Rump, Oishi: Accurate Sum and Dot Product, 2005).
+pub fn sum_of_products(pairs: &[(f64, f64)]) -> f64 {
+    let (mut total, mut lost) = (0.0, 0.0);
+    for (a, b) in pairs {
+        let (rounded, of_product) = product_with_error(*a, *b);
+        let (next, of_sum) = sum_with_error(total, rounded);
+        total = next;
+        lost += of_product + of_sum;
+    }
+    total + lost
+}
+
+/// A sum of two doubles with about 31 digits. The second is at most half a unit in
+/// the last place of the first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DoubleDouble(f64, f64);
+
 impl DoubleDouble {
     /// The sum of a double and a much smaller one.
     fn normalized(high: f64, low: f64) -> Self {
         let sum = high + low;
-        Self {
-            high: sum,
-            low: low - (sum - high),
-        }
+        Self(sum, low - (sum - high))
     }
 
     /// The nearest double.
     pub const fn value(self) -> f64 {
-        self.high
+        self.0
     }
 
     /// The difference of a double and this number.
     pub fn error_of(self, computed: f64) -> f64 {
-        (computed - self.high) - self.low
+        (computed - self.0) - self.1
     }
 
     /// The square root of a number that is not negative.
+    #[must_use]
     pub fn sqrt(self) -> Self {
-        let root = self.high.sqrt();
+        let root = self.0.sqrt();
         if root == 0.0 {
             return Self::from(0.0);
         }
         let rest = self - Self::from(root) * Self::from(root);
-        Self::normalized(root, rest.high / (2.0 * root))
+        Self::normalized(root, rest.0 / (2.0 * root))
     }
 }
 
 impl From<f64> for DoubleDouble {
-    fn from(high: f64) -> Self {
-        Self { high, low: 0.0 }
+    fn from(number: f64) -> Self {
+        Self(number, 0.0)
     }
 }
 
@@ -69,10 +78,7 @@ impl Neg for DoubleDouble {
     type Output = Self;
 
     fn neg(self) -> Self {
-        Self {
-            high: -self.high,
-            low: -self.low,
-        }
+        Self(-self.0, -self.1)
     }
 }
 
@@ -80,10 +86,10 @@ impl Add for DoubleDouble {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        let (high, error) = sum_with_error(self.high, other.high);
-        let (low, lowest) = sum_with_error(self.low, other.low);
+        let (high, error) = sum_with_error(self.0, other.0);
+        let (low, lowest) = sum_with_error(self.1, other.1);
         let sum = Self::normalized(high, error + low);
-        Self::normalized(sum.high, sum.low + lowest)
+        Self::normalized(sum.0, sum.1 + lowest)
     }
 }
 
@@ -99,9 +105,8 @@ impl Mul for DoubleDouble {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let (high, error) = product_with_error(self.high, other.high);
-        let low = error + (self.high * other.low + self.low * other.high);
-        Self::normalized(high, low)
+        let (high, error) = product_with_error(self.0, other.0);
+        Self::normalized(high, error + (self.0 * other.1 + self.1 * other.0))
     }
 }
 
@@ -109,11 +114,11 @@ impl Div for DoubleDouble {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
-        let first = self.high / other.high;
+        let first = self.0 / other.0;
         let rest = self - other * Self::from(first);
-        let second = rest.high / other.high;
+        let second = rest.0 / other.0;
         let rest = rest - other * Self::from(second);
         let quotient = Self::normalized(first, second);
-        Self::normalized(quotient.high, quotient.low + rest.high / other.high)
+        Self::normalized(quotient.0, quotient.1 + rest.0 / other.0)
     }
 }

@@ -1,9 +1,0 @@
-//! The stiff and extreme cases of this stage hold.
-
-use measure::Effort;
-
-#[test]
-fn extreme_cases_hold() {
-    let cases = (a02_math::stage().extremes)(Effort::of_build());
-    measure::extremes::check(&cases);
-}
