@@ -17,10 +17,10 @@ live.figure('color', {
     },
     values: { product: 'light, ours', byte: 'byte', clamped: 'limited at once', clamped_byte: 'byte', whole: 'whole numbers', whole_byte: 'byte', cut_byte: 'ours, cut off instead of rounded' },
     draw(pen, _, { byte, clamped_byte, whole_byte }) {
-        [['ours', byte], ['limited', clamped_byte], ['whole', whole_byte]].forEach(([name, [grey]], i) => {
+        [['ours', byte], ['limited at once', clamped_byte], ['whole numbers', whole_byte]].forEach(([name, [grey]], i) => {
             const [x, y] = pen.to([i + 0.1, 0.5]);
             pen.shapes.push(`<rect style="fill: rgb(${grey} ${grey} ${grey})" x="${x}" y="${y}" width="${0.8 * pen.scale}" height="${0.5 * pen.scale}"/>`);
-            pen.text([i + 0.5, 0.52], `${name}: ${grey}`, '', 'middle');
+            pen.text([i + 0.5, 0.52], name, '', 'middle');
         });
     },
 });

@@ -33,8 +33,8 @@ live.figure('slabs', {
         }
         x_slab.forEach((t) => pen.dot(at(t), 'a'));
         y_slab.forEach((t) => pen.dot(at(t), 'c'));
-        pen.text([-0.95, 1.6], 'slab in x', 'a');
-        pen.text([-2.95, 0.42], 'slab in y', 'c');
+        pen.text([-0.95, 1.5], 'slab in x', 'a');
+        pen.text([-2.95, 0.3], 'slab in y', 'c');
         pen.text([ox, oy], 'o');
 
         // White paper below the bars hides the ends of slabs and ray.

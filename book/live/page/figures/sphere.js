@@ -4,7 +4,7 @@ live.figure('sphere', {
     title: 'Drag the ray and the sphere, then move the origin far away',
     hint: 'The roots t₀ and t₁, counted from the origin of the ray, by the code of this stage and by the protocol’s formula, whose rings in the drawing then leave the dots of ours. Errors are against a computation with 30 digits, in radii. Our discriminant r² − l·l is shown times 4a, which makes it b² − 4ac.',
     question: {
-        text: 'A double has 16 digits. From how far away does the protocol’s formula no longer see the sphere where it is?',
+        text: 'A double has 16 digits. From how far away does the protocol’s formula no longer find the sphere where it is?',
         choices: ['a million radii', 'a hundred million radii', 'never'],
         right: 1,
         because: 'b² and 4ac are as large as the squared distance. At 10⁸ radii that is 10¹⁶, and they agree in all 16 digits: their difference, which decides hit or miss, is rounding. Slide the distance up and watch both errors and discriminants.',
