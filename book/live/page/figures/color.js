@@ -4,10 +4,10 @@ live.figure('color', {
     title: 'Light on a surface',
     hint: 'Three greys of the same light on the same surface: by Color, limited to 1 before the product as in the program behind the protocol, and as a product of bytes as in the protocol’s text. The last number is the byte of our product without rounding, by a cast.',
     question: {
-        text: 'Three lamps of brightness 1 light a surface that sends back one quarter. Which byte should the pixel have?',
-        choices: ['64', '191', '255'],
+        text: 'Two lamps of brightness 1 light a surface that sends back one half. A program that limits light to 1 at once paints it…',
+        choices: ['as bright as it is', 'half as bright', 'a third as bright'],
         right: 1,
-        because: 'the light is 3, and a quarter of it is 0.75; 0.75 times 255, rounded, is 191. Limited to 1 at once, the light of two lamps is lost: the byte is 64.',
+        because: 'the light is 2, and half of it is 1, the byte 255. Limited to 1 before the product, one half is left, the byte 128.',
     },
     area: { x: [0, 3], y: [-0.05, 0.85] },
     state: { light: 3, share: 0.25 },
