@@ -1,8 +1,8 @@
-// Folds the sections behind the lesson: what the protocol got wrong, what can go wrong,
-// what it costs. A link into a fold opens it, and so does a search in the page.
+// Folds the sections behind the lesson: numbers for tests, mistakes of the protocol, cases
+// that break, costs, and changes. A link into a fold opens it.
 const folds = ['numbers-to-test-your-own-code-with', 'the-protocols-problem', 'what-can-go-wrong', 'what-it-costs', 'what-changed-since-the-last-stage'];
 
-// What is printed is printed whole.
+// The printed book shows all sections.
 for (const id of location.pathname.endsWith('print.html') ? [] : folds) {
     const heading = document.querySelector(`main > h2#${id}`);
     if (!heading) {

@@ -1,4 +1,4 @@
-// Asks the WebAssembly module: the one place that knows of its memory.
+// Sends requests to the WebAssembly module: the only code that touches its memory.
 //
 // A request is a name and numbers. The answer has a text, the pixels of a picture,
 // and lists of numbers by name.

@@ -3,12 +3,12 @@
 //
 //     live.figure('sphere', {
 //         below: 'sphere-quadratic',           the diagram's file
-//         title, hint,                         what it is, and what to try
-//         question: { text, choices, right, because },   asked before the numbers show
-//         area: { x: [-3, 3], y: [-2, 2] },    what the drawing shows; y is upwards
+//         title, hint,                         headings: an action, and explanations
+//         question: { text, choices, right, because },   comes before the numbers
+//         area: { x: [-3, 3], y: [-2, 2] },    the visible part; y is upwards
 //         state: { x: 0, y: 0.5 },             the numbers, in the module's order
 //         sliders: { x: { label, min, max, step } },
-//         handles: [{ label, at(state), move(state, x, y) }],
+//         handles: [{ label, at(state), move(state, x, y) }],   or live.follow
 //         values: { 'ours.0': 't₀, ours' },    numbers of the answer that are shown
 //         draw(pen, state, answer),
 //     });

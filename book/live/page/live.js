@@ -1,5 +1,5 @@
-// What the live pictures and the figures share: the module, loaded at the first
-// question, and a way to ask it without falling behind the reader.
+// Shared by live pictures and figures: the module, loaded at the first request, and
+// requests that do not fall behind the reader.
 const live = {
     // The module lies beside this script.
     folder: new URL('.', document.currentScript.src),
@@ -51,7 +51,7 @@ live.ask = async (request, numbers = []) => {
 };
 
 // `work`, called with the newest arguments only while an earlier call still runs: a
-// drag asks more often than answers come. Resolves when nothing is left to do.
+// drag sends requests faster than answers come. Resolves when nothing is left to do.
 live.newest = (work) => {
     let waiting;
     let running;

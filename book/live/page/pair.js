@@ -1,5 +1,5 @@
-// Pictures of the errata: the wrong panel over the right one, with a slider between
-// them. The picture holds both side by side, with a gap.
+// Pictures of the errata, and of the cracks: the wrong panel over the right one, with a
+// slider between them. The picture holds both side by side, with a gap.
 live.Pair = class {
     static gap = 8;
 
@@ -34,7 +34,7 @@ live.Pair = class {
 
 live.pairs = [];
 if (live.works) {
-    for (const image of document.querySelectorAll('main img[src*="/errata-"]:not(.img-wrapper > img)')) {
+    for (const image of document.querySelectorAll('main :is(img[src*="/errata-"], img[src$="/go-wrong-cracks.png"]):not(.img-wrapper > img)')) {
         const paragraph = image.closest('p');
         const caption = paragraph.nextElementSibling;
         live.pairs.push(new live.Pair(image, caption?.matches('p') ? caption : paragraph));

@@ -273,7 +273,7 @@ live.Picture = class {
         panel.append(live.element('button', { type: 'button', onclick: () => this.startAgain() }, 'reset'));
         this.probed = live.element('output', { className: 'live-probe' });
         this.probed.value = turns[0]
-            ? 'Drag to turn, wheel to zoom; arrow keys, + and - do the same. Point at a pixel to see what its ray met.'
+            ? 'Drag to turn, wheel to zoom; arrow keys, + and - do the same. Point at a pixel to see the surface that its ray met.'
             : 'Point at a pixel to see its bytes.';
         this.status.after(panel, this.probed);
         this.showSettings();

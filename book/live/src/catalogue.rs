@@ -11,7 +11,7 @@ mod errata;
 #[allow(dead_code, reason = "the example's own main")]
 pub mod go_wrong;
 
-/// The stages, and the pictures of the errata and of what can go wrong as two more.
+/// The stages, and two more: the pictures of the errata, and of mistakes that `go-wrong` shows.
 pub fn stages() -> [Stage; 9] {
     [
         a01_image_display::stage(),

@@ -2,9 +2,11 @@
 //!
 //! A figure sends the numbers of its sliders and handles in a fixed order.
 
+mod angle;
 mod barycentric;
 mod camera;
 mod chain;
+mod color;
 mod lift;
 mod mirrors;
 mod normals;
@@ -13,6 +15,7 @@ mod shading;
 mod slabs;
 mod sphere;
 mod spot;
+mod vectors;
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
@@ -24,9 +27,13 @@ use crate::Answer;
 /// Answers for the figure of this name.
 pub fn answer(figure: &str, numbers: &[f64]) -> Result<Answer, String> {
     match figure {
+        "color" => Ok(color::answer(expect(figure, numbers)?)),
+        "vectors" => Ok(vectors::answer(expect(figure, numbers)?)),
+        "angle" => Ok(angle::answer(expect(figure, numbers)?)),
         "sphere" => sphere::answer(expect(figure, numbers)?),
         "camera" => camera::answer(expect(figure, numbers)?),
         "lift" => lift::answer(expect(figure, numbers)?),
+        "lambert" => shading::lambert(expect(figure, numbers)?),
         "shading" => shading::answer(expect(figure, numbers)?),
         "samples" => Ok(samples::answer(expect(figure, numbers)?)),
         "sample-errors" => Ok(samples::errors(expect(figure, numbers)?)),
@@ -34,7 +41,7 @@ pub fn answer(figure: &str, numbers: &[f64]) -> Result<Answer, String> {
         "barycentric" => barycentric::answer(expect(figure, numbers)?),
         "spot" => spot::answer(expect(figure, numbers)?),
         "mirrors" => mirrors::answer(expect(figure, numbers)?),
-        "normals" => normals::answer(expect(figure, numbers)?),
+        "spaces" | "normals" => normals::answer(expect(figure, numbers)?),
         "chain" => chain::answer(expect(figure, numbers)?),
         _ => return Err(format!("there is no figure \"{figure}\"")),
     }

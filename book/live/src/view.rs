@@ -1,5 +1,5 @@
 //! `View`: camera and world of a traced picture, so that a page can turn the camera
-//! and say what a ray meets.
+//! and name the surface that a ray meets.
 
 use std::fmt::Debug;
 

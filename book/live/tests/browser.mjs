@@ -94,10 +94,11 @@ async function tryPictures(page) {
     return states.map(([name]) => name);
 }
 
-// The pairs of a page: the slider shows more or less of the wrong picture.
+// The pairs of a page: the slider shows more or less of the wrong picture. Returns their
+// names.
 async function tryPairs(page) {
-    const pairs = await chromium.value('live.pairs.length');
-    for (let index = 0; index < pairs; index += 1) {
+    const pairs = await chromium.value(`live.pairs.map(({ image }) => /([^/]+)\\.png$/.exec(image.src)[1])`);
+    for (const index of pairs.keys()) {
         const pair = `live.pairs[${index}]`;
         const seen = [];
         for (const value of [0, 50, 100]) {
@@ -109,7 +110,7 @@ async function tryPairs(page) {
     return pairs;
 }
 
-// What is wider than the page scrolls: tables, listings and formulas.
+// Tables, listings and formulas wider than the page scroll.
 async function tryWidths(page, width) {
     const cut = await chromium.value(`(() => {
         const scrolls = (element) => element && element !== document.body
@@ -144,7 +145,7 @@ async function tryTools() {
     await shot('measure', 'live.measure.svg.closest("figure")');
 }
 
-// Five settings of a figure: as it opens, and spread over what its sliders reach.
+// Five settings of a figure: as it opens, and spread over the ranges of its sliders.
 const settings = (figure) => `(() => {
     const { state, sliders = {}, area } = ${figure}.figure;
     return [0, 1, 2, 3, 4].map((round) => {
@@ -182,15 +183,31 @@ async function tryValues(name, figure) {
     }
 }
 
+// A question hides the numbers until the reader has chosen an answer.
+async function tryQuestion(name, figure) {
+    const asked = () => chromium.value(`${figure}.root.dataset.asked !== undefined`);
+    if (!(await asked())) {
+        expect(false, `${name}: has no question before the answer`);
+        return;
+    }
+    await chromium.click(`${figure}.root.querySelector('.live-question button')`);
+    expect(!(await asked()), `${name}: an answer to its question does not show the numbers`);
+    const verdict = await chromium.value(`${figure}.root.querySelector('.live-question output').value`);
+    expect(/^(Yes|No): /.test(verdict), `${name}: an answer to its question gets no verdict`);
+}
+
 async function tryFigure(name) {
     const figure = `live.figures['${name}']`;
     await chromium.middle(`${figure}.root`);
     await chromium.until(`${figure}.root.dataset.drawn`);
     const state = () => chromium.value(`JSON.stringify(${figure}.state)`);
+    await tryQuestion(name, figure);
     const handles = await chromium.value(`${figure}.handles?.length ?? 0`);
     for (let index = 0; index < handles; index += 1) {
         const circle = `${figure}.handles[${index}].circle`;
         const label = `${name}, ${await chromium.value(`${figure}.handles[${index}].label`)}`;
+        const [x, y] = await chromium.middle(circle);
+        expect(await chromium.value(`document.elementFromPoint(${x}, ${y}) === ${circle}`), `${label}: lies below something else`);
         let before = await state();
         await chromium.drag(circle, 12, -9);
         expect((await state()) !== before, `${label}: does not answer a drag`);
@@ -202,8 +219,12 @@ async function tryFigure(name) {
     }
     const sliders = await chromium.value(`[...${figure}.root.querySelectorAll('.live-controls input')].length`);
     if (sliders) {
-        const before = await state();
-        await chromium.value(`${figure}.root.querySelector('.live-controls input').focus()`);
+        const slider = `${figure}.root.querySelector('.live-controls input')`;
+        let before = await state();
+        await chromium.drag(slider, 25, 0);
+        expect((await state()) !== before, `${name}: its slider does not answer a drag`);
+        before = await state();
+        await chromium.value(`${slider}.focus()`);
         // At either end of the slider one of these moves it.
         await chromium.arrow('ArrowLeft', 37);
         await chromium.arrow('ArrowRight', 39);
@@ -222,10 +243,10 @@ async function tryAll() {
     const found = new Set();
     let locks = {};
     const figures = [];
-    let pairs = 0;
+    const pairs = [];
     for (const page of pages) {
         (await tryPictures(page)).forEach((name) => found.add(name));
-        pairs += await tryPairs(page);
+        pairs.push(...(await tryPairs(page)));
         await tryWidths(page, 1280);
         locks = await chromium.value('live.locks');
         for (const name of await chromium.value('Object.keys(live.figures)')) {
@@ -236,7 +257,11 @@ async function tryAll() {
     for (const name of Object.keys(locks)) {
         expect(found.has(name), `no page shows ${name} live`);
     }
-    console.log(`${found.size} live pictures have the locked bytes; ${pairs} pairs slide; ${figures.length} figures answer: ${figures.map(([, name]) => name).join(', ')}`);
+    const shown = new Set(pairs);
+    for (const name of Object.keys(locks).filter((name) => /^errata-|^go-wrong-cracks$/.test(name))) {
+        expect(shown.has(name), `no page has a slider for the pair ${name}`);
+    }
+    console.log(`${found.size} live pictures have the locked bytes; ${pairs.length} pairs slide; ${figures.length} figures answer: ${figures.map(([, name]) => name).join(', ')}`);
 
     await tryTools();
 

@@ -19,7 +19,7 @@ export class Chromium {
         this.ended = new Promise((resolve) => this.process.on('exit', resolve));
         this.waiting = new Map();
         this.last = 0;
-        // Errors of the page: exceptions and what it logs as one.
+        // Errors of the page: exceptions, and messages of the kind error.
         this.errors = [];
         let rest = '';
         this.process.stdio[4].on('data', (data) => {
@@ -101,8 +101,8 @@ export class Chromium {
         })()`);
     }
 
-    mouse(type, x, y) {
-        const button = type === 'mouseMoved' ? {} : { button: 'left', clickCount: 1 };
+    mouse(type, x, y, pressed = {}) {
+        const button = type === 'mouseMoved' ? pressed : { button: 'left', clickCount: 1 };
         return this.send('Input.dispatchMouseEvent', { type, x, y, ...button });
     }
 
@@ -116,8 +116,9 @@ export class Chromium {
         const [x, y] = await this.middle(element);
         await this.mouse('mouseMoved', x, y);
         await this.mouse('mousePressed', x, y);
-        await this.mouse('mouseMoved', x + right / 2, y + down / 2);
-        await this.mouse('mouseMoved', x + right, y + down);
+        const pressed = { button: 'left', buttons: 1 };
+        await this.mouse('mouseMoved', x + right / 2, y + down / 2, pressed);
+        await this.mouse('mouseMoved', x + right, y + down, pressed);
         await this.mouse('mouseReleased', x + right, y + down);
     }
 

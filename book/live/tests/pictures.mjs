@@ -33,7 +33,7 @@ let locks = 0;
 for (const stage of readdirSync(top).filter((name) => name.startsWith('a0'))) {
     const folder = `${top}${stage}/tests/snapshots`;
     for (const file of readdirSync(folder).filter((name) => name.endsWith('.snap'))) {
-        // The last stage also has the locks of the errata and of what can go wrong.
+        // The last stage also has the locks of the errata and of go-wrong.
         const names = [stage, 'errata', 'go-wrong'].map((group) => `${group}-${file.slice(0, -5)}`);
         const picture = names.find((name) => pictures.has(name));
         locks += 1;

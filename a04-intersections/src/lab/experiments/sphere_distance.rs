@@ -49,12 +49,18 @@ fn compensated(c: &[f64; 3], r: f64, o: &[f64; 3], d: &[f64; 3]) -> Option<f64> 
     stable_roots(&f, r, d, power + error)
 }
 
-/// The least positive root, given `power` = `f · f - r²`.
-fn stable_roots<F: Real>(f: &[F; 3], r: F, d: &[F; 3], power: F) -> Option<F> {
-    let (zero, a) = (F::from(0.0), dot(d, d));
+/// The renderer's `d · d`, the `t` nearest to the centre, and its discriminant `r² - l · l`.
+pub fn stable_terms<F: Real>(f: &[F; 3], r: F, d: &[F; 3]) -> [F; 3] {
+    let a = dot(d, d);
     let middle = -dot(f, d) / a;
     let l: [F; 3] = std::array::from_fn(|axis| f[axis] + d[axis] * middle);
-    let discriminant = r * r - dot(&l, &l);
+    [a, middle, r * r - dot(&l, &l)]
+}
+
+/// The least positive root, given `power` = `f · f - r²`.
+fn stable_roots<F: Real>(f: &[F; 3], r: F, d: &[F; 3], power: F) -> Option<F> {
+    let zero = F::from(0.0);
+    let [a, middle, discriminant] = stable_terms(f, r, d);
     if discriminant < zero {
         return None;
     }

@@ -1,10 +1,10 @@
-// The weights of a triangle's corners, and the normal that they mix.
+// The shares of a triangle's corners, and the normal that they mix.
 live.figure('barycentric', {
     below: 'barycentric.svg',
     title: 'Drag the point and the corners',
-    hint: 'The weights are those with which Triangle::hit mixes the normals of the corners; the arrow is the mixed normal, seen from above.',
+    hint: 'Triangle::hit mixes the normals of the corners by these shares; the arrow is the mixed normal, seen from above. The normals of the corners lean outwards.',
     question: {
-        text: 'The point lies in the middle of the edge from a to b. The weight of c is…',
+        text: 'The point lies in the middle of the edge from a to b. The share of c is…',
         choices: ['1/3', '0', '1/2'],
         right: 1,
         because: 'the part of the triangle opposite of c has no area there.',
@@ -18,7 +18,7 @@ live.figure('barycentric', {
         live.handle('the point', 'x', 'y'),
     ],
     values: {
-        'weights.0': 'a: 1 - β - γ', 'weights.1': 'b: β', 'weights.2': 'c: γ',
+        'weights.0': 'α, of a', 'weights.1': 'β, of b', 'weights.2': 'γ, of c',
         'normal.0': 'normal x', 'normal.1': 'y', 'normal.2': 'z',
     },
     draw(pen, { ax, ay, bx, by, cx, cy, x, y }, { normal, weights }) {

@@ -1,6 +1,6 @@
 // The order of a chain: turned and moved, or moved and turned.
 live.figure('chain', {
-    below: 'a07-transforms-box-transformations.png',
+    below: 'chain-order.svg',
     title: 'The order of a chain',
     hint: 'Both flags get the same rotation and the same translation. Calls of Transform read from the outside inwards: translate(…).rotate_z(…) turns first.',
     question: {

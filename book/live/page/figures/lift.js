@@ -7,10 +7,10 @@ live.figure('lift', {
         text: 'Without any lift, the shadow ray starts at the computed hit, which rounding has moved off its surface. How many pixels will be wrong?',
         choices: ['a few', 'half of the floor', 'most of the picture'],
         right: 2,
-        because: 'wherever rounding leaves the surface ahead of its own shadow ray, it shadows itself: acne. Slide the lift up: from 10 to the -14 no pixel is wrong, and from a thousandth on shadows come off their objects.',
+        because: 'wherever rounding leaves the surface ahead of its own shadow ray, it shadows itself: acne. Slide the lift down to the left end to see it. From 10 to the -14 up no pixel is wrong, until shadows come off their objects, from a thousandth on.',
     },
     picture: [240, 240],
-    state: { power: -18 },
+    state: { power: -13 },
     sliders: { power: { label: 'lift: 10 to the', min: -18, max: 0, step: 0.25 } },
     values: { lift: 'lift', wrong_pixels: 'wrong pixels of 57600' },
 });

@@ -2,7 +2,7 @@
 live.figure('mirrors', {
     below: 'reflection.svg',
     title: 'Follow a ray, bounce by bounce',
-    hint: 'World::hit, reflected_on and secondary_ray, in the order of the tracer’s loop. What a surface adds to the pixel is multiplied by the shares of all mirrors before it.',
+    hint: 'World::hit, reflected_on and secondary_ray, in the order of the tracer’s loop. The light that a surface adds to the pixel is multiplied by the shares of all mirrors before it.',
     question: {
         text: 'Each mirror reflects one half. After how many surfaces is a white lamp at the end below one step of a byte, 1/255?',
         choices: ['3', '8', '255'],

@@ -12,7 +12,7 @@
             right: 1,
             because: 'the error of a mean of n independent samples falls with the root of n. On a grid of cells, only the cells at the edge err, so it falls faster: by n to the -3/4.',
         },
-        area: { x: [-0.1, 2.4], y: [-0.15, 1.1] },
+        area: { x: [-0.1, 2.4], y: [-0.18, 1.22] },
         state: { angle: 20, offset: 0.1, samples: 16, sampling: 2, seed: 0 },
         sliders: {
             samples: { label: 'samples', min: 1, max: 256, step: 1 },

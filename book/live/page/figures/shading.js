@@ -1,10 +1,10 @@
 // Lambert and Phong: the light that a point of the floor sends to each direction.
 live.figure('shading', {
-    below: 'lambert-cosine.svg',
+    below: 'phong-lobe.svg',
     title: 'Drag the light and the eye',
     hint: 'The curve is the brightness for an eye in each direction: the matt half circle, and the highlight’s lobe around the reflected light. Both reflectances are 0.5.',
     question: {
-        text: 'The light moves down to the horizon. What happens to the height of the highlight’s lobe?',
+        text: 'The light moves down to the horizon. How does the height of the highlight’s lobe change?',
         choices: ['it shrinks with the cosine', 'it keeps its height'],
         right: 1,
         because: 'Lambert’s part has the factor n·l; Phong’s highlight has only (e·r) to the power p, and no cosine of the light.',

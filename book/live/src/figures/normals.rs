@@ -1,7 +1,7 @@
 //! A transformed sphere: the ray in both spaces, and its normal moved rightly and
 //! wrongly.
 
-use a02_math::{Normal3, Point3};
+use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Interval, Sphere};
 use a07_transforms::{Node, Transform, protocol};
@@ -25,21 +25,28 @@ pub fn answer([sx, sy, angle, tx, ty, ox, oy, x, y]: [f64; 9]) -> Answered {
         .with("matrix", matrix.concat())
         .with("direction", flat(ray.direction()))
         .with("object_origin", place(object_ray.origin()))
-        .with("object_direction", flat(object_ray.direction()));
+        .with("object_direction", flat(object_ray.direction()))
+        .with("length", [object_ray.direction().magnitude()]);
     let Some(inside) = sphere.hit(&object_ray, Interval::AHEAD) else {
-        return Ok(answer);
+        return Ok(answer.with("t_world", []));
     };
     let flat_normal =
         |normal: Option<Normal3>| normal.map(|n| flat(n).to_vec()).unwrap_or_default();
     let outside = Node::new(transform).with(sphere).hit(&ray, Interval::AHEAD);
+    let right = outside.map(|hit| hit.normal);
     let moved = protocol::normal_as_vector(transform.matrix(), inside.normal);
+    let apart = right.zip(moved).map(|pair| {
+        let (right, moved): (Vector3, Vector3) = (pair.0.into(), pair.1.into());
+        right.angle(moved).to_degrees()
+    });
     Ok(answer
+        .with("apart", apart.map(|angle| vec![angle]).unwrap_or_default())
         .with("t_object", [inside.t])
         .with(
             "t_world",
             outside.map(|hit| vec![hit.t]).unwrap_or_default(),
         )
         .with("object_normal", flat(inside.normal))
-        .with("normal", flat_normal(outside.map(|hit| hit.normal)))
+        .with("normal", flat_normal(right))
         .with("wrong_normal", flat_normal(moved)))
 }

@@ -25,6 +25,20 @@ impl Lighting for Lamp {
     }
 }
 
+const DIFFUSE: f64 = 0.5;
+
+/// Number: the angle of the light, in radians from the right, above a level matt floor.
+pub fn lambert([light]: [f64; 1]) -> Answered {
+    let answer = answer([light, 0.0, 1.0])?;
+    let cosine = answer.get("cosine")[0];
+    Ok(Answer::default()
+        .with("angle", [libm::acos(cosine).to_degrees()])
+        .with("cosine", [cosine])
+        // A beam that is 1 wide.
+        .with("lit", [1.0 / cosine.max(0.0)])
+        .with("diffuse", [answer.get("diffuse")[0] / DIFFUSE]))
+}
+
 /// Directions of the lobe, over the half circle above the floor.
 const DIRECTIONS: u32 = 180;
 
@@ -39,7 +53,7 @@ pub fn answer([light, eye, exponent]: [f64; 3]) -> Answered {
         direction: l,
         distance: 1.0,
     });
-    let matt = Lambert::new(Color::gray(0.5))?;
+    let matt = Lambert::new(Color::gray(DIFFUSE))?;
     let shiny = Phong::new(Color::BLACK, Color::gray(0.5), exponent)?;
     let seen = |material: &dyn Material, eye: f64| {
         let to_eye = direction(eye);

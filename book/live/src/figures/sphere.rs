@@ -4,33 +4,39 @@ use a02_math::Point3;
 use a03_rays_cameras::Ray;
 use a04_intersections::Sphere;
 use a04_intersections::lab::exact;
+use a04_intersections::lab::experiments::sphere_distance::stable_terms;
 use a04_intersections::protocol;
 
-use super::{Answered, both_hits, direction, flat, place};
+use super::{Answered, both_hits, direction, flat, place, point};
 use crate::Answer;
 
-/// Numbers: a point of the ray near the sphere, the ray's angle, and the distance of its
-/// origin from that point as a power of ten, in radii. The sphere has radius 1 and its
-/// centre at the origin.
-pub fn answer([x, y, angle, power]: [f64; 4]) -> Answered {
+/// Numbers: a point of the ray near the sphere, the ray's angle, the distance of its
+/// origin from that point as a power of ten, in radii, and the centre of the sphere,
+/// whose radius is 1.
+///
+/// All discriminants are in the units of the protocol's, `b² - 4 a c`.
+pub fn answer([x, y, angle, power, cx, cy]: [f64; 6]) -> Answered {
     let d = direction(angle);
-    let o = super::point(x, y) + d * -libm::pow(10.0, power);
-    let ray = Ray::new(o, d)?;
-    let ours = both_hits(&Sphere::new(Point3::ORIGIN, 1.0)?, &ray);
+    let ray = Ray::new(point(x, y) + d * -libm::pow(10.0, power), d)?;
+    let centre = point(cx, cy);
+    let ours = both_hits(&Sphere::new(centre, 1.0)?, &ray);
 
-    let (c, o, d) = ([0.0; 3], array(&ray).0, array(&ray).1);
+    let [c, o] = [centre, ray.origin()].map(|p: Point3| p.to_glam().to_array());
+    let d = ray.direction().to_glam().to_array();
     let [a, b, discriminant] = protocol::sphere_terms(&c, 1.0, &o, &d);
     let root = discriminant.sqrt();
     let theirs = match discriminant {
         0.0.. => vec![(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)],
         _ => Vec::new(),
     };
+    let f = (ray.origin() - centre).to_glam().to_array();
+    let [.., our_discriminant] = stable_terms(&f, 1.0, &d);
+
     let meeting = exact::sphere(&c, 1.0, &o, &d);
     let roots = meeting
         .roots
         .map(|roots| roots.map(exact::DoubleDouble::value));
     let exact = roots.map_or(Vec::new(), Vec::from);
-    // In units of the protocol's discriminant, (2 a)^2 of half the chord squared.
     let beside = meeting.distance;
     let exact_discriminant = 4.0 * a * (1.0 - beside) * (1.0 + beside);
 
@@ -46,11 +52,7 @@ pub fn answer([x, y, angle, power]: [f64; 4]) -> Answered {
         .with("protocol", theirs)
         .with("protocol_discriminant", [discriminant])
         .with("ours", ours)
+        .with("our_discriminant", [4.0 * a * our_discriminant])
         .with("exact", exact)
         .with("exact_discriminant", [exact_discriminant]))
-}
-
-fn array(ray: &Ray) -> ([f64; 3], [f64; 3]) {
-    let (o, d) = (ray.origin(), ray.direction());
-    (o.to_glam().to_array(), d.to_glam().to_array())
 }

@@ -1,8 +1,10 @@
 //! The numbers of figures against closed forms, and pictures against their locks.
 
-use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
 
 use live::{Answer, call};
+
+mod arithmetic;
 
 fn ask(request: &str, numbers: &[f64]) -> Answer {
     call(request, numbers).unwrap()
@@ -17,35 +19,79 @@ fn assert_near(found: &[f64], expected: &[f64]) {
 }
 
 /// A ray at half the radius meets the sphere half a chord, √(3/4), before and behind
-/// its middle.
+/// its middle, wherever both are moved together.
 #[test]
 fn a_sphere_is_hit_half_a_chord_around_the_middle() {
-    let answer = ask("sphere", &[0.0, 0.5, 0.0, 1.0]);
     let half = 0.75_f64.sqrt();
-    for name in ["ours", "protocol", "exact"] {
-        assert_near(answer.get(name), &[10.0 - half, 10.0 + half]);
+    for [cx, cy] in [
+        [0.0, 0.0],
+        [0.5, 0.0],
+        [0.0, -0.25],
+        [-1.0, 1.0],
+        [2.0, 0.5],
+    ] {
+        let answer = ask("sphere", &[cx, cy + 0.5, 0.0, 1.0, cx, cy]);
+        for name in ["ours", "protocol", "exact"] {
+            assert_near(answer.get(name), &[10.0 - half, 10.0 + half]);
+        }
+        for name in ["our", "protocol", "exact"].map(|by| format!("{by}_discriminant")) {
+            assert_near(answer.get(&name), &[4.0 * 0.75]);
+        }
     }
-    assert_near(answer.get("exact_discriminant"), &[4.0 * 0.75]);
 }
 
 /// From 10^8 radii the squares agree in all digits: the protocol's error is as large as
-/// the sphere, and ours one rounding of the distance.
+/// the sphere, and ours one rounding of the distance. Our discriminant errs by a few
+/// roundings of the distance, theirs by some of its square.
 #[test]
 fn from_far_away_only_the_protocols_formula_fails() {
-    let answer = ask("sphere", &[0.0, 0.5, 0.1, 8.0]);
-    assert!(answer.get("protocol_error")[0] > 0.1);
-    assert!(answer.get("our_error")[0] <= 2.0 * 1e8 * f64::EPSILON);
-    assert!(ask("sphere", &[0.0, 1.5, 0.0, 1.0]).get("ours").is_empty());
+    for (power, distance) in [(2.0, 1e2), (4.0, 1e4), (6.0, 1e6), (7.0, 1e7), (8.0, 1e8)] {
+        let answer = ask("sphere", &[0.0, 0.5, 0.1, power, 0.0, 0.0]);
+        assert!(answer.get("our_error")[0] <= 2.0 * distance * f64::EPSILON);
+        let [exact, ours, protocol] =
+            ["exact", "our", "protocol"].map(|by| answer.get(&format!("{by}_discriminant"))[0]);
+        assert!((ours - exact).abs() <= 32.0 * distance * f64::EPSILON);
+        assert!((protocol - exact).abs() <= 32.0 * distance * distance * f64::EPSILON);
+        if distance == 1e8 {
+            assert!((protocol - exact).abs() > 1.0);
+            assert!(answer.get("protocol_error")[0] > 0.1);
+        }
+    }
+    assert!(
+        ask("sphere", &[0.0, 1.5, 0.0, 1.0, 0.0, 0.0])
+            .get("ours")
+            .is_empty()
+    );
 }
 
-/// From (-2, 0) along x: into the slab in x after 1, out after 3.
+/// The discriminant that the figure shows is the one from which the lesson's far root
+/// is computed.
+#[test]
+fn our_discriminant_is_that_of_the_lesson() {
+    for power in [0.0, 1.0, 3.0, 6.0, 8.0] {
+        let answer = ask("sphere", &[0.25, 0.5, 0.0, power, 0.0, 0.125]);
+        // Along x, the ray is nearest to the centre, at 0, when it has undone its origin.
+        let middle = -answer.get("origin")[0];
+        let half = (answer.get("our_discriminant")[0] / 4.0).sqrt();
+        assert_eq!(answer.get("ours")[1], middle + half);
+    }
+}
+
+/// From (-2, 0, 0) along x: into the slab in x after 1, out after 3. From (-3, 0, -4)
+/// towards the middle, 5 away, a quarter of the way in z is 5/4 of `t`.
 #[test]
 fn slabs_are_entered_and_left() {
-    let answer = ask("slabs", &[-2.0, 0.0, 0.0, 0.0]);
+    let answer = ask("slabs", &[-2.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
     assert_near(answer.get("x_slab"), &[1.0, 3.0]);
     assert_near(answer.get("both"), &[1.0, 3.0]);
-    assert_near(answer.get("normal"), &[-1.0, 0.0]);
-    assert!(ask("slabs", &[-2.0, 1.0, 0.0, 1.0]).get("hit").is_empty());
+    assert_near(answer.get("normal"), &[-1.0, 0.0, 0.0]);
+    let beside = ask("slabs", &[-2.0, 1.0, 0.0, 1.0, 0.0, 0.0]);
+    assert!(beside.get("hit").is_empty());
+    let slanted = ask("slabs", &[-3.0, 0.0, 0.0, 0.0, -4.0, 0.0]);
+    assert_near(slanted.get("x_slab"), &[5.0 - 5.0 / 3.0, 5.0 + 5.0 / 3.0]);
+    assert_near(slanted.get("z_slab"), &[3.75, 6.25]);
+    assert_near(slanted.get("both"), &[3.75, 6.25]);
+    assert_near(slanted.get("normal"), &[0.0, 0.0, -1.0]);
 }
 
 #[test]
@@ -69,6 +115,18 @@ fn light_from_45_degrees_is_seen_matt_and_mirrored() {
     assert_near(answer.get("reflected"), &[cosine, cosine]);
     assert_near(answer.get("diffuse"), &[0.5 * cosine]);
     assert_near(answer.get("highlight"), &[0.5 * 0.5]);
+}
+
+/// From 60 degrees off the normal, a beam lights twice its width, half as brightly.
+#[test]
+fn a_slanted_beam_is_spread() {
+    for (light, cosine) in [(FRAC_PI_2, 1.0), (PI / 6.0, 0.5), (5.0 * PI / 6.0, 0.5)] {
+        let answer = ask("lambert", &[light]);
+        assert_near(answer.get("cosine"), &[cosine]);
+        assert_near(answer.get("lit"), &[1.0 / cosine]);
+        assert_near(answer.get("diffuse"), &[cosine]);
+    }
+    assert_near(ask("lambert", &[-0.5]).get("diffuse"), &[0.0]);
 }
 
 /// A vertical edge through the middle; of four regular samples two are left of it.
@@ -120,6 +178,14 @@ fn normals_lean_by_the_inverse_factor() {
     let five = 5.0_f64.sqrt();
     assert_near(answer.get("normal"), &[1.0 / five, 2.0 / five]);
     assert_near(answer.get("wrong_normal"), &[2.0 / five, 1.0 / five]);
+    // The cosine between both is 4/5.
+    assert_near(&[libm::cos(answer.get("apart")[0].to_radians())], &[0.8]);
+    // Along y the space is as it was; along x, half as long.
+    assert_near(answer.get("length"), &[1.0]);
+    let along_x = ask("spaces", &[2.0, 1.0, 0.0, 0.0, 0.0, 5.0, 0.0, 0.0, 0.0]);
+    assert_near(along_x.get("length"), &[0.5]);
+    assert_near(along_x.get("t_world"), &[3.0]);
+    assert_near(along_x.get("t_object"), &[3.0]);
     assert_near(answer.get("t_world"), &[5.0 - half]);
     assert_eq!(answer.get("t_world"), answer.get("t_object"));
 }
@@ -154,7 +220,7 @@ fn too_little_lift_and_too_much_are_wrong() {
 
 #[test]
 fn a_picture_has_the_hash_of_its_lock() {
-    let snapshot = include_str!("../../../a05-lighting/tests/snapshots/phong.snap");
+    let snapshot = include_str!("../../../../a05-lighting/tests/snapshots/phong.snap");
     let lock = snapshot.lines().find_map(|line| line.strip_prefix("hash "));
     let answer = ask("render a05-lighting-phong", &[]);
     assert_eq!(Some(&*answer.text), lock);
@@ -193,6 +259,6 @@ fn a_wrong_request_is_answered_by_a_sentence() {
     assert_eq!(error("torus"), "there is no figure \"torus\"");
     assert_eq!(error("spot"), "the figure spot takes 4 numbers, not 0");
     assert_eq!(error("render nothing"), "there is no picture \"nothing\"");
-    let flat = call("slabs", &[0.0; 4]).unwrap_err();
+    let flat = call("slabs", &[0.0; 6]).unwrap_err();
     assert!(flat.contains("direction"), "{flat}");
 }
