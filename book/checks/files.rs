@@ -39,7 +39,7 @@ impl Files {
                 self.read_folder(&entry.path(), &format!("{path}/"))?;
                 continue;
             }
-            let is_text = [".md", ".rs"].iter().any(|ending| path.ends_with(ending));
+            let is_text = matches!(ending(&path), "md" | "rs");
             let text = is_text.then(|| fs::read_to_string(entry.path()));
             self.0.insert(path, text.transpose()?.unwrap_or_default());
         }
@@ -53,10 +53,7 @@ impl Files {
     }
 
     /// Paths and texts below a folder, whose name ends in `/`.
-    pub fn below<'a>(
-        &'a self,
-        folder: impl Into<String>,
-    ) -> impl Iterator<Item = (&'a str, &'a str)> {
+    pub fn below(&self, folder: impl Into<String>) -> impl Iterator<Item = (&str, &str)> {
         let folder = folder.into();
         let all = self.0.iter().map(|(path, text)| (&**path, &**text));
         all.filter(move |(path, _)| path.starts_with(&folder))
@@ -65,7 +62,7 @@ impl Files {
     /// Paths and texts of the book's pages.
     pub fn pages(&self) -> impl Iterator<Item = (&str, &str)> {
         let all = self.below(PAGES);
-        all.filter(|(path, _)| path.ends_with(".md") && *path != SUMMARY)
+        all.filter(|(path, _)| ending(path) == "md" && *path != SUMMARY)
     }
 
     /// The folders of the stages, from the first to the last.
@@ -79,6 +76,11 @@ impl Files {
     pub(crate) fn of<const N: usize>(files: [(&str, &str); N]) -> Self {
         Self(files.map(|(path, text)| (path.into(), text.into())).into())
     }
+}
+
+/// The part of a path behind its last dot.
+pub fn ending(path: &str) -> &str {
+    path.rsplit_once('.').map_or("", |(_, ending)| ending)
 }
 
 /// The path of a file that the page `from` names by a relative path; none outside of

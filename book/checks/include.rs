@@ -4,7 +4,7 @@
 use std::collections::HashSet;
 
 use crate::Files;
-use crate::files::{complaint, resolve};
+use crate::files::{complaint, ending, resolve};
 
 /// The includes that show nothing, and the anchors that no page includes.
 #[must_use]
@@ -27,7 +27,7 @@ pub fn complaints(files: &Files) -> Vec<String> {
         }
     }
     // The files of this folder contain the words without being anchors.
-    let sources = files.below("").filter(|(path, _)| path.ends_with(".rs"));
+    let sources = files.below("").filter(|(path, _)| ending(path) == "rs");
     for (path, text) in sources.filter(|(path, _)| !path.starts_with("book/")) {
         for (at, _) in text.match_indices(OPEN) {
             let name = name(&text[at + OPEN.len()..]);

@@ -1,10 +1,14 @@
 //! The book and the crates say the same.
 
+use std::sync::LazyLock;
+
 use book::{Files, caption, include, left_over, section};
+
+static FILES: LazyLock<Files> = LazyLock::new(|| Files::read().expect("the repository"));
 
 /// Fails with all complaints of a check about this repository.
 fn check(complaints: fn(&Files) -> Vec<String>) {
-    let complaints = complaints(&Files::read().unwrap());
+    let complaints = complaints(&FILES);
     assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
 }
 

@@ -18,95 +18,67 @@ const fn n(x: f64, y: f64, z: f64) -> Normal3 {
     Normal3::new(x, y, z)
 }
 
-fn one_to_nine() -> Mat3x3 {
-    Mat3x3::from_rows([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]])
-}
-
 #[test]
-fn check_01_a_normal_times_a_number() {
+fn checks_1_to_8_of_the_course_sums_and_products() {
     assert_eq!(n(1.0, 2.0, 3.0) * 0.5, n(0.5, 1.0, 1.5));
-}
-
-#[test]
-fn check_02_a_normal_plus_a_normal() {
     assert_eq!(n(1.0, 2.0, 3.0) + n(3.0, 2.0, 1.0), n(4.0, 4.0, 4.0));
-}
-
-#[test]
-fn check_03_dot_products_of_normals_and_vectors() {
-    let (along, across) = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0));
-    for ((x, y, z), expected) in [(along, 1.0), (across, 0.0)] {
-        assert_eq!(n(1.0, 0.0, 0.0).dot(v(x, y, z)), expected);
-        assert_eq!(v(1.0, 0.0, 0.0).dot(n(x, y, z)), expected);
-        assert_eq!(v(1.0, 0.0, 0.0).dot(v(x, y, z)), expected);
+    for ((x, y, z), dot) in [((1.0, 0.0, 0.0), 1.0), ((0.0, 1.0, 0.0), 0.0)] {
+        assert_eq!(n(1.0, 0.0, 0.0).dot(v(x, y, z)), dot);
+        assert_eq!(v(1.0, 0.0, 0.0).dot(n(x, y, z)), dot);
+        assert_eq!(v(1.0, 0.0, 0.0).dot(v(x, y, z)), dot);
     }
-}
-
-#[test]
-fn check_04_a_point_minus_a_point_is_a_vector() {
     assert_eq!(p(1.0, 1.0, 1.0) - p(2.0, 2.0, 0.0), v(-1.0, -1.0, 1.0));
-}
-
-#[test]
-fn check_05_a_point_minus_a_vector_is_a_point() {
     assert_eq!(p(1.0, 1.0, 1.0) - v(4.0, 3.0, 2.0), p(-3.0, -2.0, -1.0));
-}
-
-#[test]
-fn check_06_a_point_plus_a_vector_is_a_point() {
     assert_eq!(p(1.0, 1.0, 1.0) + v(4.0, 3.0, 2.0), p(5.0, 4.0, 3.0));
-}
-
-#[test]
-fn check_07_the_magnitude() {
     assert_eq!(v(1.0, 1.0, 1.0).magnitude(), 3.0_f64.sqrt());
-}
-
-#[test]
-fn check_08_a_vector_plus_and_minus_a_normal() {
     assert_eq!(v(1.0, 1.0, 1.0) + n(4.0, 3.0, 2.0), v(5.0, 4.0, 3.0));
     assert_eq!(v(1.0, 1.0, 1.0) - n(4.0, 3.0, 2.0), v(-3.0, -2.0, -1.0));
 }
 
 #[test]
-fn check_09_reflection_on_the_y_axis() {
-    let reflected = v(-0.707, 0.707, 0.0).reflected_on(n(0.0, 1.0, 0.0));
-    assert_eq!(reflected, v(0.707, 0.707, 0.0));
+fn checks_9_and_10_of_the_course_reflection_on_an_axis() {
+    for (vector, normal, reflected) in [
+        (
+            v(-0.707, 0.707, 0.0),
+            n(0.0, 1.0, 0.0),
+            v(0.707, 0.707, 0.0),
+        ),
+        (
+            v(0.707, 0.707, 0.0),
+            n(1.0, 0.0, 0.0),
+            v(0.707, -0.707, 0.0),
+        ),
+    ] {
+        assert_eq!(vector.reflected_on(normal), reflected);
+    }
 }
 
 #[test]
-fn check_10_reflection_on_the_x_axis() {
-    let reflected = v(0.707, 0.707, 0.0).reflected_on(n(1.0, 0.0, 0.0));
-    assert_eq!(reflected, v(0.707, -0.707, 0.0));
-}
-
-#[test]
-fn check_11_the_identity_changes_nothing() {
+fn checks_11_to_14_of_the_course_matrices() {
+    let m = Mat3x3::from_rows([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]]);
     assert_eq!(Mat3x3::IDENTITY * p(3.0, 2.0, 1.0), p(3.0, 2.0, 1.0));
     assert_eq!(Mat3x3::IDENTITY * v(3.0, 2.0, 1.0), v(3.0, 2.0, 1.0));
-}
-
-#[test]
-fn check_12_a_matrix_times_the_identity() {
-    assert_eq!(one_to_nine() * Mat3x3::IDENTITY, one_to_nine());
-}
-
-#[test]
-fn check_13_a_matrix_times_a_matrix() {
+    assert_eq!(m * Mat3x3::IDENTITY, m);
     let mirror = Mat3x3::from_rows([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]);
     let mirrored = Mat3x3::from_rows([[3.0, 2.0, 1.0], [6.0, 5.0, 4.0], [9.0, 8.0, 7.0]]);
-    assert_eq!(one_to_nine() * mirror, mirrored);
-}
-
-#[test]
-fn check_14_a_column_replaced() {
+    assert_eq!(m * mirror, mirrored);
     let eight = v(8.0, 8.0, 8.0);
-    let first = Mat3x3::from_rows([[8.0, 2.0, 3.0], [8.0, 5.0, 6.0], [8.0, 8.0, 9.0]]);
-    let second = Mat3x3::from_rows([[1.0, 8.0, 3.0], [4.0, 8.0, 6.0], [7.0, 8.0, 9.0]]);
-    let third = Mat3x3::from_rows([[1.0, 2.0, 8.0], [4.0, 5.0, 8.0], [7.0, 8.0, 8.0]]);
-    assert_eq!(one_to_nine().change_col_1(eight), first);
-    assert_eq!(one_to_nine().change_col_2(eight), second);
-    assert_eq!(one_to_nine().change_col_3(eight), third);
+    for (changed, rows) in [
+        (
+            m.change_col_1(eight),
+            [[8.0, 2.0, 3.0], [8.0, 5.0, 6.0], [8.0, 8.0, 9.0]],
+        ),
+        (
+            m.change_col_2(eight),
+            [[1.0, 8.0, 3.0], [4.0, 8.0, 6.0], [7.0, 8.0, 9.0]],
+        ),
+        (
+            m.change_col_3(eight),
+            [[1.0, 2.0, 8.0], [4.0, 5.0, 8.0], [7.0, 8.0, 8.0]],
+        ),
+    ] {
+        assert_eq!(changed, Mat3x3::from_rows(rows));
+    }
 }
 
 /// Cramer's rule, with the example that the protocol's authors worked from.
@@ -128,11 +100,13 @@ fn cramers_example_has_the_solution_1_1_minus_14() {
 const V: Vector3 = v(2.0, 2.5, 10.0);
 
 #[test]
-fn second_course_sum_difference_and_multiple() {
+fn second_course_sums_multiples_and_equality() {
     assert_eq!(V.magnitude(), 10.5);
     assert_eq!(V + v(2.0, 3.5, 2.0), v(4.0, 6.0, 12.0));
     assert_eq!(V - v(2.0, 3.5, 2.0), v(0.0, -1.0, 8.0));
     assert_eq!(V * 3.0, v(6.0, 7.5, 30.0));
+    assert_eq!(V.normalized(), Some(v(2.0 / 10.5, 2.5 / 10.5, 10.0 / 10.5)));
+    assert_ne!(V, v(2.0, 2.5, 10.0 + 2e-15));
 }
 
 #[test]
@@ -158,11 +132,4 @@ fn second_course_projection() {
     let onto = v(-2.0, -7.0, 3.0);
     let projection = V.projected_on(onto).unwrap();
     assert_abs_diff_eq!(projection, onto * (8.5 / 62.0), epsilon = f64::EPSILON);
-}
-
-#[test]
-fn second_course_normalized_and_equal() {
-    assert_eq!(V.normalized(), Some(v(2.0 / 10.5, 2.5 / 10.5, 10.0 / 10.5)));
-    assert_eq!(V, v(2.0, 2.5, 10.0));
-    assert_ne!(V, v(2.0, 2.5, 10.0 + 2e-15));
 }

@@ -37,13 +37,7 @@ mod tests {
 
     #[test]
     fn only_named_cases_are_counted() {
-        let mut stage = Stage {
-            name: "a00",
-            about: "",
-            scenes: Vec::new(),
-            experiments: Vec::new,
-            extremes: |_| Vec::new(),
-        };
+        let mut stage = crate::stage_of(Vec::new());
         let failed = |stage: &Stage, names: &[&str]| {
             let names: Vec<_> = names.iter().map(|name| (*name).to_owned()).collect();
             show_extremes(stage, &names)

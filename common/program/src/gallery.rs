@@ -177,13 +177,7 @@ mod tests {
 
     fn stage() -> Stage {
         let scene = |name| Scene::painted(name, "", |settings, _| Image::black(settings.size));
-        Stage {
-            name: "a00",
-            about: "",
-            scenes: ["one", "two", "three"].map(scene).into(),
-            experiments: Vec::new,
-            extremes: |_| Vec::new(),
-        }
+        crate::stage_of(["one", "two", "three"].map(scene).into())
     }
 
     #[test]
@@ -211,10 +205,7 @@ mod tests {
             }
             Image::black(settings.size)
         };
-        let stage = Stage {
-            scenes: vec![Scene::traced("endless", "", wait)],
-            ..stage()
-        };
+        let stage = crate::stage_of(vec![Scene::traced("endless", "", wait)]);
         let gallery = Gallery::new(&stage, &stage.scenes[0], Options::default());
         std::thread::scope(|scope| {
             let rendering = gallery.render(scope).unwrap();

@@ -27,3 +27,15 @@ pub use run::{run, run_with};
 pub use target::picture_name;
 pub use terminal_progress::TerminalProgress;
 pub use viewer::{NotShown, Viewer};
+
+/// A stage for tests, with these scenes only.
+#[cfg(test)]
+fn stage_of(scenes: Vec<common::Scene>) -> measure::Stage {
+    measure::Stage {
+        name: "a00",
+        about: "",
+        scenes,
+        experiments: Vec::new,
+        extremes: |_| Vec::new(),
+    }
+}

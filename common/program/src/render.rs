@@ -158,16 +158,10 @@ mod tests {
             }
             Ok(image)
         });
-        Stage {
-            name: "a00",
-            about: "",
-            scenes: vec![scene.with_defaults(Settings {
-                size: size(20, 23),
-                ..Settings::default()
-            })],
-            experiments: Vec::new,
-            extremes: |_| Vec::new(),
-        }
+        crate::stage_of(vec![scene.with_defaults(Settings {
+            size: size(20, 23),
+            ..Settings::default()
+        })])
     }
 
     #[test]

@@ -123,11 +123,8 @@ mod tests {
     fn stage() -> Stage {
         let disc = Scene::painted("disc", "", |settings, _| Image::black(settings.size));
         Stage {
-            name: "a00",
-            about: "",
-            scenes: vec![disc],
             experiments,
-            extremes: |_| Vec::new(),
+            ..crate::stage_of(vec![disc])
         }
     }
 

@@ -70,15 +70,8 @@ mod tests {
             size,
             ..Settings::default()
         };
-        let stage = Stage {
-            name: "a00",
-            about: "",
-            scenes: ["one", "two"]
-                .map(|name| scene(name).with_defaults(defaults.clone()))
-                .into(),
-            experiments: Vec::new,
-            extremes: |_| Vec::new(),
-        };
+        let scene = |name| scene(name).with_defaults(defaults.clone());
+        let stage = crate::stage_of(["one", "two"].map(scene).into());
         let options = Showing {
             no_window: false,
             options: Options::default(),
