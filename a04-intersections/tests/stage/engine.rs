@@ -2,6 +2,7 @@
 
 mod compare;
 mod edges;
+mod in_plane;
 mod scenes;
 
 use a02_math::{Point3, Vector3};

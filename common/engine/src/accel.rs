@@ -43,18 +43,27 @@ impl<'a> Accelerator<'a> {
         let is_few = shapes.len() <= FEW;
         let is_scanned = |bounds: Bounds| is_few || !bounds.are_finite();
         let (mut all, mut scanned) = (Bounds::NOWHERE, Vec::new());
+        let mut depth_error = 0.0;
         for (shape, bounds) in shapes.bounds() {
             if is_scanned(bounds) {
                 scanned.push(shape);
             } else {
                 all = all.union(bounds);
+                depth_error += shapes.depth_error(shape);
             }
         }
-        let units = Units::new(all);
-        let mut items = Vec::with_capacity(shapes.len() - scanned.len());
+        let count = shapes.len() - scanned.len();
+        // A tree that expects larger errors looks into bounds behind the nearest hit. So it
+        // expects the mean of all shapes; bounds of those with larger ones are widened.
+        let units = Units::new(
+            all,
+            depth_error / count.max(1) as f64,
+            shapes.triangles.places.is_empty(),
+        );
+        let mut items = Vec::with_capacity(count);
         let in_tree = shapes.bounds().filter(|(_, bounds)| !is_scanned(*bounds));
         items.extend(in_tree.map(|(shape, bounds)| Item {
-            bounds: units.bounds(bounds),
+            bounds: units.bounds(bounds, shapes.depth_error(shape)),
             shape,
         }));
         let name = |items: &mut [Item]| {
@@ -88,7 +97,7 @@ impl<'a> Accelerator<'a> {
 /// Shapes that are named in turn, as few leaves.
 fn leaves(shapes: &[ShapeId]) -> Vec<Leaf> {
     let runs = shapes.chunk_by(|a, b| a.kind == b.kind);
-    let fours = runs.flat_map(|run| run.chunks(bvh::LEAF));
+    let fours = runs.flat_map(|run| run.chunks(run[0].kind.most_in_leaf()));
     let leaf = |four: &[ShapeId]| Leaf {
         kind: four[0].kind,
         count: four.len() as u8,

@@ -6,7 +6,7 @@ use common::Size;
 use glam::DVec3;
 
 use crate::Ray;
-use crate::lanes::{Lanes, Vector3x4};
+use crate::lanes::{Lanes, RayPacket, Vector3x4};
 use crate::vector::normalized;
 
 /// The ray through the place (x, y) of a picture of this size: whole numbers are the
@@ -57,29 +57,37 @@ pub struct Basis {
 }
 
 impl Camera<'_> {
-    /// Adds the rays through some places to `rays`.
-    pub(crate) fn rays(&self, size: Size, places: &[(f64, f64)], rays: &mut Vec<Ray>) {
+    /// Adds the rays through four places to `packets`, and so on; the last place repeats.
+    pub(crate) fn rays(&self, size: Size, places: &[(f64, f64)], packets: &mut Vec<RayPacket>) {
         let [width, height] = [size.width(), size.height()].map(f64::from);
+        let fours = places
+            .chunks(4)
+            .map(|four| [0, 1, 2, 3].map(|i| four[i.min(four.len() - 1)]));
         match self {
             Self::Perspective {
                 basis,
                 half_tangent,
             } => {
                 let middle = ((width - 1.0) / 2.0, (height - 1.0) / 2.0);
-                basis.perspective_rays(middle, (height / 2.0) / half_tangent, places, rays);
+                let z = (height / 2.0) / half_tangent;
+                packets.extend(fours.map(|four| basis.perspective_rays(middle, z, four)));
             }
             Self::Orthographic { basis, scale } => {
                 let aspect = width / height;
-                rays.extend(places.iter().map(|(x, y)| {
-                    let right = aspect * scale * from_middle(*x, width);
-                    let up = scale * from_middle(*y, height);
+                let ray = |(x, y)| {
+                    let right = aspect * scale * from_middle(x, width);
+                    let up = scale * from_middle(y, height);
                     Ray {
                         origin: basis.e + basis.u * right + basis.v * up,
                         direction: -basis.w,
                     }
-                }));
+                };
+                packets.extend(fours.map(|four| RayPacket::new(four.map(ray).each_ref())));
             }
-            Self::Other(ray_for) => rays.extend(places.iter().map(|(x, y)| ray_for(size, *x, *y))),
+            Self::Other(ray_for) => {
+                let ray = |(x, y)| ray_for(size, x, y);
+                packets.extend(fours.map(|four| RayPacket::new(four.map(ray).each_ref())));
+            }
         }
     }
 }
@@ -90,33 +98,27 @@ fn from_middle(p: f64, n: f64) -> f64 {
 }
 
 impl Basis {
-    /// The rays from the eye through places of a picture with this middle, at the
-    /// distance `z`, four at a time.
+    /// The rays from the eye through four places of a picture with this middle, at the
+    /// distance `z`.
+    #[inline]
     fn perspective_rays(
         &self,
         (middle_x, middle_y): (f64, f64),
         z: f64,
-        places: &[(f64, f64)],
-        rays: &mut Vec<Ray>,
-    ) {
-        let ray = |direction: DVec3| Ray {
-            origin: self.e,
-            direction,
-        };
-        let one = |(x, y): &(f64, f64)| ray(self.direction(x - middle_x, y - middle_y, z));
+        places: [(f64, f64); 4],
+    ) -> RayPacket {
         let [u, v, w] = [self.u, self.v, self.w].map(Vector3x4::splat);
-        let (fours, rest) = places.as_chunks::<4>();
-        for four in fours {
-            let x = Lanes::new(four.map(|(x, _)| x)) - Lanes::splat(middle_x);
-            let y = Lanes::new(four.map(|(_, y)| y)) - Lanes::splat(middle_y);
-            let (unit, is_unit) = (u * x + v * y - w * Lanes::splat(z)).normalized();
-            if is_unit.all() {
-                rays.extend(unit.to_lanes().map(ray));
-            } else {
-                rays.extend(four.iter().map(one));
-            }
+        let x = Lanes::new(places.map(|(x, _)| x)) - Lanes::splat(middle_x);
+        let y = Lanes::new(places.map(|(_, y)| y)) - Lanes::splat(middle_y);
+        let (mut direction, is_unit) = (u * x + v * y - w * Lanes::splat(z)).normalized();
+        if !is_unit.all() {
+            let one = |(x, y)| self.direction(x - middle_x, y - middle_y, z);
+            direction = Vector3x4::new(places.map(one));
         }
-        rays.extend(rest.iter().map(one));
+        RayPacket {
+            origin: Vector3x4::splat(self.e),
+            direction,
+        }
     }
 
     /// The direction `x u + y v - z w` of length 1.

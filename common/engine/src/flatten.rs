@@ -8,7 +8,7 @@
 use common::argument::LARGEST_LENGTH;
 use glam::{DMat4, DVec3};
 
-use crate::shape::{Step, Transform, Transformed};
+use crate::shape::{Transform, Transformed};
 
 /// More than the error of both ways for each transform passed, relative to the largest
 /// number on the way.
@@ -36,10 +36,10 @@ const LARGEST_ENTRY: f64 = 1e50 * LARGEST_LENGTH;
 /// largest distance of eye and objects from the origin. Returns the bound of the
 /// displacement.
 pub(crate) fn flatten(shape: &mut Transformed, max_distance: f64, max_error: f64) -> Option<f64> {
-    if shape.steps.len() < 2 {
+    if shape.steps().len() < 2 {
         return None;
     }
-    let (transform, displacement) = product(&shape.steps, max_distance);
+    let (transform, displacement) = product(shape.steps(), max_distance);
     let entries = [transform.matrix, transform.inverse].map(|m| m.to_cols_array());
     let is_within = entries
         .as_flattened()
@@ -47,7 +47,7 @@ pub(crate) fn flatten(shape: &mut Transformed, max_distance: f64, max_error: f64
         .all(|x| x.abs() <= LARGEST_ENTRY);
     let is_near = displacement < max_error * PIXEL * max_distance;
     (is_within && is_near).then(|| {
-        shape.steps = vec![Step::new(&transform)];
+        shape.flatten(transform);
         displacement
     })
 }
@@ -59,13 +59,13 @@ pub(crate) fn flatten(shape: &mut Transformed, max_distance: f64, max_error: f64
 /// of the object, and lengths there are at most `outwards` times as long outside. A ray
 /// o + t d errs at a place x by the error of o and t times the error of d; together o
 /// and x - o are no longer than three times the largest distance.
-fn product(steps: &[Step], max_distance: f64) -> (Transform, f64) {
+fn product(steps: &[Transform], max_distance: f64) -> (Transform, f64) {
     let mut all = Transform {
         matrix: DMat4::IDENTITY,
         inverse: DMat4::IDENTITY,
     };
     let (mut inwards, mut far, mut outwards) = (1.0, 0.0, 1.0);
-    for Step { transform, .. } in steps {
+    for transform in steps {
         all = Transform {
             matrix: all.matrix * transform.matrix,
             inverse: transform.inverse * all.inverse,

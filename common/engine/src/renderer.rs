@@ -8,6 +8,7 @@ use rayon::slice::ParallelSliceMut;
 use crate::accel::Accelerator;
 use crate::adaptive;
 use crate::flatten::flatten;
+use crate::lanes::RayPacket;
 use crate::shade::RadianceBound;
 use crate::trace::Tracer;
 use crate::{BATCH, Camera, Ray, Sampler, Scene, camera_place, image_of_rows};
@@ -74,7 +75,11 @@ impl<'a> Renderer<'a> {
 
     /// Computes the light along some rays. `light` has one element for each ray.
     pub fn trace(&self, rays: &[Ray], light: &mut [Color]) {
-        self.tracer.trace(rays, light);
+        let packet = |four: &[Ray]| {
+            RayPacket::new([0, 1, 2, 3].map(|lane: usize| &four[lane.min(four.len() - 1)]))
+        };
+        let packets: Vec<_> = rays.chunks(4).map(packet).collect();
+        self.tracer.trace(&packets, light);
     }
 
     /// Renders a picture, or the rows of it that the settings select.
@@ -148,18 +153,6 @@ impl<'a> Renderer<'a> {
             plan = plan.without(
                 format!("light on {unlit} of {} surfaces", surfaces.len()),
                 "their colour does not depend on it",
-            );
-        }
-        let transformed = accelerator.shapes.transformed.shapes.iter();
-        let steps = transformed.flat_map(|shape| &shape.steps);
-        let simple = steps
-            .clone()
-            .filter(|step| step.is_scale_translate())
-            .count();
-        if simple > 0 {
-            plan = plan.without(
-                format!("the matrix of {simple} of {} transforms", steps.count()),
-                "they turn nothing",
             );
         }
         if let (displacement, count @ 1..) = self.flattened {
@@ -249,11 +242,11 @@ impl View<'_, '_> {
     }
 
     /// The light at some places in the coordinates of the camera.
-    fn look(&self, places: &[(f64, f64)], rays: &mut Vec<Ray>, light: &mut [Color]) {
+    fn look(&self, places: &[(f64, f64)], rays: &mut Vec<RayPacket>, light: &mut [Color]) {
         rays.clear();
         let Renderer { camera, tracer, .. } = self.renderer;
         camera.rays(self.settings.size, places, rays);
-        tally::count_all(Work::PrimaryRay, rays.len() as u64);
+        tally::count_all(Work::PrimaryRay, places.len() as u64);
         tracer.trace(rays, light);
     }
 }

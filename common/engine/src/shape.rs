@@ -10,11 +10,14 @@ mod primitive;
 mod rays;
 mod sheared_ray;
 mod sphere;
+mod transform;
 mod transformed;
 mod transformed_bounds;
 mod triangle;
 
 use std::fmt;
+
+use glam::DVec3;
 
 use crate::lanes::{Lanes, PacketHit};
 use crate::{Hit, Interval, Ray};
@@ -28,8 +31,8 @@ pub(crate) use primitive::{Primitive, one_by_one};
 pub(crate) use rays::Rays;
 pub(crate) use sheared_ray::{ShearedRay, ShearedRays};
 pub use sphere::Sphere;
+pub use transform::Transform;
 pub(crate) use transformed::Transformed;
-pub use transformed::{Step, Transform};
 pub(crate) use triangle::Corners;
 pub use triangle::Triangle;
 
@@ -77,55 +80,75 @@ impl<'a> Shape<'a> {
     pub fn transformed(self, transform: &Transform) -> Self {
         Self::Transformed(match self {
             Self::Transformed(shape) => shape.under(transform),
-            shape => Transformed::new(transform, shape),
+            shape => Transformed::new(vec![*transform], Box::new(shape)),
         })
-    }
-
-    pub(crate) fn bounds(&self) -> Bounds {
-        match self {
-            Self::Sphere(shape) => shape.bounds(),
-            Self::Plane(shape) => shape.bounds(),
-            Self::Box(shape) => shape.bounds(),
-            Self::Triangle(shape) => shape.bounds(),
-            Self::Disc(shape) => shape.bounds(),
-            Self::Transformed(shape) => shape.bounds(),
-            Self::Other(shape) => shape.bounds(),
-        }
-    }
-
-    pub(crate) fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        match self {
-            Self::Sphere(shape) => shape.hit(ray, within),
-            Self::Plane(shape) => shape.hit(ray, within),
-            Self::Box(shape) => shape.hit(ray, within),
-            Self::Triangle(shape) => shape.hit(ray, within),
-            Self::Disc(shape) => shape.hit(ray, within),
-            Self::Transformed(shape) => shape.hit(ray, within),
-            Self::Other(shape) => shape.hit(ray, within),
-        }
     }
 }
 
-impl Primitive for &Other<'_> {
-    type Four = [Self; 4];
+/// Evaluates an expression for the primitive of a shape.
+macro_rules! with_primitive {
+    ($shape:expr, |$primitive:ident| $body:expr) => {
+        match $shape {
+            Shape::Sphere($primitive) => $body,
+            Shape::Plane($primitive) => $body,
+            Shape::Box($primitive) => $body,
+            Shape::Triangle($primitive) => {
+                let $primitive = *$primitive;
+                $body
+            }
+            Shape::Disc($primitive) => $body,
+            Shape::Transformed($primitive) => $body,
+            Shape::Other($primitive) => $body,
+        }
+    };
+}
 
-    fn bounds(self) -> Bounds {
-        Bounds::EVERYWHERE
+impl Shape<'_> {
+    fn reach(&self, along: DVec3) -> f64 {
+        with_primitive!(self, |primitive| primitive.reach(along))
     }
+
+    fn depth_error(&self) -> f64 {
+        with_primitive!(self, |primitive| primitive.depth_error())
+    }
+
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        with_primitive!(self, |primitive| primitive.hit(ray, within))
+    }
+
+    #[inline]
+    fn meet(&self, rays: &Rays, wanted: u32) -> Lanes {
+        with_primitive!(self, |primitive| meet(primitive, rays, wanted))
+    }
+
+    fn hits(&self, rays: &Rays, t: Lanes, wanted: u32) -> PacketHit {
+        with_primitive!(self, |primitive| primitive.hits(rays, t, wanted))
+    }
+}
+
+/// Where four rays meet one shape.
+#[inline]
+fn meet<P: Primitive>(shape: P, rays: &Rays, wanted: u32) -> Lanes {
+    P::meet(&P::four([shape; 4]), rays, wanted)
+}
+
+impl Primitive for &Other<'_> {
+    /// A leaf holds one of them only.
+    type Four = Self;
 
     fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {
         (self.0)(ray, within)
     }
 
-    fn four(shapes: [Self; 4]) -> Self::Four {
-        shapes
+    fn four([shape, ..]: [Self; 4]) -> Self {
+        shape
     }
 
-    fn meet(shapes: &Self::Four, rays: &Rays, wanted: u32) -> Lanes {
-        one_by_one(*shapes, rays, wanted).t
+    fn meet(shape: &Self, rays: &Rays, wanted: u32) -> Lanes {
+        one_by_one(*shape, rays, wanted).t
     }
 
     fn hits(self, rays: &Rays, _: Lanes, wanted: u32) -> PacketHit {
-        one_by_one([self; 4], rays, wanted)
+        one_by_one(self, rays, wanted)
     }
 }

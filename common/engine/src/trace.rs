@@ -8,7 +8,7 @@ use measure::tally::{self, Work};
 use crate::accel::{Accelerator, NearestHits, Occluder};
 use crate::lanes::{ColorPacket, Lanes, RayPacket, is_set, mask};
 use crate::shade::{PhongPacket, RadianceBound};
-use crate::{Light, Phong, Ray, Shading, Surface};
+use crate::{Light, Phong, Shading, Surface};
 use offset_ray::offset_rays;
 
 /// Objects cast a shadow on this share of the way to a light: a lamp may be fixed to an
@@ -37,22 +37,14 @@ const BLACK: Phong = Phong {
 };
 
 impl Tracer<'_> {
-    /// The light along some rays; the fastest if they are neighbours.
-    pub fn trace(&self, rays: &[Ray], light: &mut [Color]) {
+    /// The light along the rays of some packets, as many as there are elements of `light`;
+    /// the fastest if they are neighbours.
+    pub fn trace(&self, packets: &[RayPacket], light: &mut [Color]) {
         let mut occluders = vec![None; self.lights.len()];
-        let mut trace = |rays, active| self.trace_packet(rays, active, &mut occluders).to_lanes();
-        let (fours, rest) = rays.as_chunks();
-        let (light_of_fours, light_of_rest) = light.as_chunks_mut();
-        for (four, light) in fours.iter().zip(light_of_fours) {
-            let packet = RayPacket::new(four.each_ref());
-            *light = trace(packet, 0b1111);
-        }
-        if let [first, ..] = rest {
-            let ray = |lane: usize| rest.get(lane).unwrap_or(first);
-            let packet = RayPacket::new([ray(0), ray(1), ray(2), ray(3)]);
-            let active = (1 << rest.len()) - 1;
-            let four = trace(packet, active);
-            light_of_rest.copy_from_slice(&four[..rest.len()]);
+        for (packet, light) in packets.iter().zip(light.chunks_mut(4)) {
+            let active = (1 << light.len()) - 1;
+            let four = self.trace_packet(*packet, active, &mut occluders);
+            light.copy_from_slice(&four.to_lanes()[..light.len()]);
         }
     }
 

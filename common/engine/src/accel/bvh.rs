@@ -16,8 +16,6 @@ use super::slabs::{Slabs, Units};
 
 /// Children of a node.
 pub(super) const WIDTH: usize = 8;
-/// Most shapes of a leaf: the formulas of so many are computed at once.
-pub(super) const LEAF: usize = 4;
 /// Most levels of a tree; see `bvh_build`.
 pub(super) const LEVELS: usize = 32;
 
@@ -87,8 +85,8 @@ impl Bvh {
         let mut open = ArrayVec::<(f32, Child), { (WIDTH - 1) * LEVELS + 1 }>::new();
         let root = self.nodes.len() as u32 - 1;
         open.push((f32::NEG_INFINITY, Child::Node(root)));
-        while let Some((near, child)) = open.pop() {
-            if near > beyond {
+        while let Some((first_hit, child)) = open.pop() {
+            if first_hit > beyond {
                 continue;
             }
             let index = match child {
@@ -99,14 +97,14 @@ impl Bvh {
                 }
             };
             let node = &self.nodes[index as usize];
-            let (near, mut met) = slabs.enter(&node.planes, beyond);
+            let (first_hit, mut met) = slabs.enter(&node.planes, beyond);
             let first = open.len();
             while met != 0 {
                 let lane = met.trailing_zeros() as usize % WIDTH;
                 met &= met - 1;
                 // The stack returns the nearest child first.
                 let mut place = open.len();
-                open.push((near[lane], node.children[lane]));
+                open.push((first_hit[lane], node.children[lane]));
                 while place > first && open[place - 1].0 < open[place].0 {
                     open.swap(place - 1, place);
                     place -= 1;

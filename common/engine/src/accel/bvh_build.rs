@@ -7,7 +7,7 @@ use arrayvec::ArrayVec;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use wide::f32x8;
 
-use super::bvh::{Bvh, Child, LEAF, LEVELS, Leaf, Node, WIDTH};
+use super::bvh::{Bvh, Child, LEVELS, Leaf, Node, WIDTH};
 use super::cut::{by_kind, cheapest, halves};
 use super::shapes::ShapeId;
 use super::slabs::{TreeBounds, Units};
@@ -103,10 +103,17 @@ fn leaf(first: usize, group: &[Item]) -> Option<Leaf> {
 }
 
 fn is_leaf(group: &[Item]) -> bool {
-    group.len() <= LEAF
-        && group
-            .windows(2)
-            .all(|two| two[0].shape.kind == two[1].shape.kind)
+    is_small(group) && is_of_one_kind(group)
+}
+
+/// Whether there are no more shapes than fit into a leaf of the kind of the first.
+fn is_small(group: &[Item]) -> bool {
+    group.len() <= group[0].shape.kind.most_in_leaf()
+}
+
+fn is_of_one_kind(group: &[Item]) -> bool {
+    let mut others = group.iter();
+    others.all(|item| item.shape.kind == group[0].shape.kind)
 }
 
 pub(super) fn bounds(items: &[Item]) -> TreeBounds {
@@ -139,7 +146,7 @@ fn divide(group: Group, level: usize) -> Vec<Group> {
             break;
         };
         let (_, (first, group)) = groups.swap_remove(index);
-        let left = if group.len() <= LEAF && !is_leaf(group) {
+        let left = if is_small(group) && !is_of_one_kind(group) {
             by_kind(group)
         } else if halve {
             halves(group)

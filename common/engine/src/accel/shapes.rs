@@ -40,6 +40,15 @@ impl Kind {
         Self::Transformed,
         Self::Other,
     ];
+
+    /// The most shapes of a leaf: as many as are tested at once, or one if its test takes
+    /// far longer than that of its bounds.
+    pub const fn most_in_leaf(self) -> usize {
+        match self {
+            Self::Transformed | Self::Other => 1,
+            _ => 4,
+        }
+    }
 }
 
 /// A kind, and an index among the shapes of that kind.
@@ -129,6 +138,15 @@ impl<'a> Shapes<'a> {
     pub fn len(&self) -> usize {
         let len = |kind: &Kind| with_list!(self, kind, |list| list.places.len());
         Kind::ALL.iter().map(len).sum()
+    }
+
+    /// How far away from its bounds a hit of a shape may be. Triangles have no such error
+    /// along the axis on which a ray goes farthest, unless they are transformed.
+    pub fn depth_error(&self, shape: ShapeId) -> f64 {
+        match shape.kind {
+            Kind::Transformed => self.transformed.get(shape.index).depth_error(),
+            _ => 0.0,
+        }
     }
 
     /// All shapes and their bounds.

@@ -19,6 +19,10 @@ use crate::shape::Bounds;
 pub(super) struct Units {
     centre: DVec3,
     per_length: f64,
+    /// How far away from its bounds a shape may be hit, as a length.
+    depth_error: f64,
+    /// Whether shapes are only hit within their bounds.
+    is_exact: bool,
 }
 
 /// Bounds are widened by this share of the largest number, in the units of the tree, so
@@ -75,17 +79,22 @@ impl TreeBounds {
 }
 
 impl Units {
-    /// The units of a tree with these bounds.
-    pub fn new(all: Bounds) -> Self {
+    /// The units of a tree with these bounds, whose shapes may be hit this far away from
+    /// theirs, and along two axes anywhere unless they are exact.
+    pub fn new(all: Bounds, depth_error: f64, is_exact: bool) -> Self {
         let extent = (0..3).map(|axis| all.max[axis] / 2.0 - all.min[axis] / 2.0);
         Self {
             centre: all.middle().into(),
             per_length: 1.0 / extent.fold(f64::MIN_POSITIVE, f64::max),
+            depth_error,
+            is_exact,
         }
     }
 
-    /// Bounds in these units, rounded outwards.
-    pub fn bounds(&self, bounds: Bounds) -> TreeBounds {
+    /// The bounds of a shape that may be hit this far away from them, in these units, rounded
+    /// outwards.
+    pub fn bounds(&self, bounds: Bounds, depth_error: f64) -> TreeBounds {
+        let bounds = bounds.wider((depth_error - self.depth_error).max(0.0));
         let own = |x: f64, axis: usize| ((x - self.centre[axis]) * self.per_length) as f32;
         TreeBounds {
             min: std::array::from_fn(|axis| own(bounds.min[axis], axis).next_down()),
@@ -93,10 +102,16 @@ impl Units {
         }
     }
 
-    /// A `t` in these units, rounded up.
+    /// Where rays enter the last bounds that may hold hits before `t`, in these units.
     #[inline]
     pub fn beyond(&self, t: f64) -> f32 {
-        (t * self.per_length * (1.0 + SLACK)) as f32
+        ((t + self.depth_error) * self.per_length * (1.0 + SLACK)) as f32
+    }
+
+    /// Where rays leave the first bounds that may hold hits beyond `t`, in these units.
+    #[inline]
+    fn from(&self, t: f64) -> f32 {
+        ((t * (1.0 - SLACK) - self.depth_error * (1.0 + SLACK)) * self.per_length) as f32
     }
 
     /// A ray whose hits count beyond `min`. None if it starts too far away, or if its
@@ -111,7 +126,8 @@ impl Units {
             let slack = 2.0 * largest * SLACK;
             Slabs {
                 axes: [0, 1, 2].map(|axis| Slab::new([o[axis]], [d[axis]], slack)),
-                from: f32x8::splat((min * self.per_length * (1.0 - SLACK)) as f32),
+                from: f32x8::splat(self.from(min)),
+                main: (!self.is_exact).then(|| d.abs().max_position()),
             }
         })
     }
@@ -131,19 +147,35 @@ impl Units {
             && spread.max_element() < f64::from(width).min(0.1)
             && largest <= 1e30
             && (0.75..1.5).contains(&d_min.length_squared());
-        is_coherent.then(|| {
-            let slack = 2.0 * largest * SLACK;
-            let slab = |axis| {
-                let (origins, directions) = ([o_min, o_max], [d_min, d_max]);
-                let along = |ends: [DVec3; 2]| ends.map(|end| end[axis]);
-                Slab::new(along(origins), along(directions), slack)
-            };
-            Slabs {
-                axes: [slab(0), slab(1), slab(2)],
-                from: f32x8::ZERO,
-            }
+        if !is_coherent {
+            return None;
+        }
+        let main = if self.is_exact {
+            None
+        } else {
+            Some(farthest(d_min.abs(), d_max.abs())?)
+        };
+        let slack = 2.0 * largest * SLACK;
+        let slab = |axis| {
+            let (origins, directions) = ([o_min, o_max], [d_min, d_max]);
+            let along = |ends: [DVec3; 2]| ends.map(|end| end[axis]);
+            Slab::new(along(origins), along(directions), slack)
+        };
+        Some(Slabs {
+            axes: [slab(0), slab(1), slab(2)],
+            from: f32x8::splat(self.from(0.0)),
+            main,
         })
     }
+}
+
+/// The axis along which all vectors between two go farthest, if there is one.
+#[inline]
+fn farthest(a: DVec3, b: DVec3) -> Option<usize> {
+    let (least, most) = (a.min(b), a.max(b));
+    let axis = least.max_position();
+    let is_farthest = |other| other == axis || most[other] < least[axis];
+    (0..3).all(is_farthest).then_some(axis)
 }
 
 /// The least and the greatest coordinates of the active of four vectors.
@@ -177,6 +209,9 @@ fn has_length_1(d: DVec3) -> bool {
 pub(super) struct Slabs<const N: usize> {
     axes: [Slab<N>; 3],
     from: f32x8,
+    /// The axis along which all rays go farthest, unless shapes are only hit within their
+    /// bounds.
+    main: Option<usize>,
 }
 
 /// One axis of rays for the slab test.
@@ -226,15 +261,31 @@ impl<const N: usize> Slab<N> {
 }
 
 impl<const N: usize> Slabs<N> {
-    /// The `t` at which the first ray enters the children, and a bit for each that a ray may
-    /// meet.
+    /// The `t` before which no ray hits the shapes of the children, and a bit for each child
+    /// that a ray may meet.
+    ///
+    /// A ray in the plane of a triangle may hit it outside of its bounds, if it passes
+    /// through them: rounding alone weighs the depths of the corners, which the formula
+    /// measures along the axis on which the ray goes farthest. So the hit lies between the
+    /// bounds along this axis, whereas the other two only say whether the ray passes through
+    /// them.
     #[inline]
     pub fn enter(&self, [x, y, z]: &[[f32x8; 2]; 3], beyond: f32) -> ([f32; WIDTH], u32) {
         let [sx, sy, sz] = &self.axes;
-        let ((nx, fx), (ny, fy), (nz, fz)) = (sx.enter(x), sy.enter(y), sz.enter(z));
-        let near = nx.fast_max(ny).fast_max(nz.fast_max(self.from));
-        let far = fx.fast_min(fy).fast_min(fz.fast_min(f32x8::splat(beyond)));
-        (near.to_array(), near.simd_le(far).to_bitmask())
+        let (x, y, z) = (sx.enter(x), sy.enter(y), sz.enter(z));
+        let near = x.0.fast_max(y.0).fast_max(z.0);
+        let far = x.1.fast_min(y.1).fast_min(z.1);
+        let (first, last) = match self.main {
+            None => (near, far),
+            Some(0) => x,
+            Some(1) => y,
+            Some(_) => z,
+        };
+        let is_within = first.simd_le(f32x8::splat(beyond)) & last.simd_ge(self.from);
+        (
+            first.to_array(),
+            (near.simd_le(far) & is_within).to_bitmask(),
+        )
     }
 }
 

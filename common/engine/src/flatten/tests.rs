@@ -36,10 +36,10 @@ impl Exact {
 }
 
 /// Three coordinates moved by all inverses, `w` being 1 for a point and 0 for a vector.
-fn exact(steps: &[Step], x: DVec3, w: f64) -> [Exact; 3] {
+fn exact(steps: &[Transform], x: DVec3, w: f64) -> [Exact; 3] {
     let start = x.to_array().map(|x| Exact(x, 0.0));
     steps.iter().fold(start, |x, step| {
-        let rows = step.transform.inverse.transpose().to_cols_array_2d();
+        let rows = step.inverse.transpose().to_cols_array_2d();
         rows.first_chunk::<3>().unwrap().map(|row| {
             let terms = (0..3).map(|j| x[j].times(row[j]));
             terms.fold(Exact(w * row[3], 0.0), Exact::plus)
@@ -48,7 +48,7 @@ fn exact(steps: &[Step], x: DVec3, w: f64) -> [Exact; 3] {
 }
 
 /// The distance of a moved ray at `t` from its exact place, in the outer space.
-fn error(steps: &[Step], ray: &Ray, moved: &Ray, t: f64) -> f64 {
+fn error(steps: &[Transform], ray: &Ray, moved: &Ray, t: f64) -> f64 {
     let part = |x: DVec3, exact: [Exact; 3]| {
         let x = x.to_array();
         std::array::from_fn::<_, 3, _>(|i| Exact(x[i] - exact[i].0, -exact[i].1))
@@ -57,21 +57,21 @@ fn error(steps: &[Step], ray: &Ray, moved: &Ray, t: f64) -> f64 {
     let d = part(moved.direction, exact(steps, ray.direction, 0.0));
     let x = std::array::from_fn::<_, 3, _>(|i| o[i].plus(d[i].times(t)).0);
     let outwards = steps.iter().rev();
-    let moved = |x, step: &Step| step.transform.matrix.transform_vector3(x);
+    let moved = |x, step: &Transform| step.matrix.transform_vector3(x);
     outwards.fold(DVec3::from(x), moved).length()
 }
 
-fn step(matrix: DMat4, inverse: DMat4) -> Step {
-    Step::new(&Transform { matrix, inverse })
+fn step(matrix: DMat4, inverse: DMat4) -> Transform {
+    Transform { matrix, inverse }
 }
 
-fn moved(x: f64) -> Step {
+fn moved(x: f64) -> Transform {
     let by = |x| DMat4::from_translation(DVec3::new(x, 0.0, 0.0));
     step(by(x), by(-x))
 }
 
 /// A random translation, rotation and uneven scaling.
-fn anywhere(random: PixelRandom, level: u64) -> Step {
+fn anywhere(random: PixelRandom, level: u64) -> Transform {
     let number = |n| 2.0 * random.uniform(10 * level + n) - 1.0;
     let factor = |n| libm::exp2(number(n));
     let to = DVec3::new(number(0), 3.0 * number(1), number(2));
@@ -114,7 +114,7 @@ fn displacements_stay_below_the_bound() {
         };
         let (flat, bound) = product(&steps, far);
         let in_turn = steps.iter().fold(ray, |ray, step| step.ray(&ray));
-        let at_once = Step::new(&flat).ray(&ray);
+        let at_once = flat.ray(&ray);
         let error = |moved| error(&steps, &ray, moved, (x - o).length());
         let errors = error(&in_turn) + error(&at_once);
         assert!(errors < bound, "{errors} of {bound}, {levels} levels");
@@ -141,15 +141,13 @@ fn the_displacement_comes_from_two_roundings_of_both_ways() {
     }
 }
 
-fn nested(steps: &[Step]) -> Transformed<'static> {
+fn nested(steps: &[Transform]) -> Transformed<'static> {
     let sphere = Sphere {
         center: DVec3::ZERO,
         radius: 1.0,
     };
     let inwards = steps.iter().rev();
-    let shape = inwards.fold(Shape::Sphere(sphere), |shape, step| {
-        shape.transformed(&step.transform)
-    });
+    let shape = inwards.fold(Shape::Sphere(sphere), Shape::transformed);
     match shape {
         Shape::Transformed(shape) => shape,
         _ => unreachable!("there are steps"),
@@ -164,7 +162,7 @@ fn only_products_within_the_bound_are_taken() {
         let mut shape = nested(&[moved(far), moved(-far)]);
         let flattened = flatten(&mut shape, 10.0, 1.0 / 510.0);
         assert_eq!(flattened.is_some(), is_flat, "{far}");
-        assert_eq!(shape.steps.len(), if is_flat { 1 } else { 2 });
+        assert_eq!(shape.steps().len(), if is_flat { 1 } else { 2 });
     }
     let scaled = |s| DMat4::from_scale(DVec3::splat(s));
     let small = step(scaled(1e-100), scaled(1e100));

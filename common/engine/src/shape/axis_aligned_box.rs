@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Bounds, Primitive, Rays};
+use super::{Primitive, Rays};
 use crate::lanes::{Lanes, PacketHit, Vector3x4, copysign, first_beyond, select, without};
 use crate::{Hit, Interval, Ray};
 
@@ -31,11 +31,12 @@ pub(crate) struct Boxes {
 impl Primitive for &AxisAlignedBox {
     type Four = Boxes;
 
-    fn bounds(self) -> Bounds {
-        Bounds {
-            min: self.min,
-            max: self.max,
-        }
+    fn reach(self, along: DVec3) -> f64 {
+        let farther = |axis: usize| {
+            let (min, max) = (self.min[axis] * along[axis], self.max[axis] * along[axis]);
+            min.max(max)
+        };
+        farther(0) + farther(1) + farther(2)
     }
 
     fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {

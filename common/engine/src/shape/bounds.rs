@@ -30,17 +30,26 @@ impl Bounds {
         Self::of_all(points.map(|p| Self { min: p, max: p }))
     }
 
+    /// The bounds of a shape that reaches this far along an axis, with the sign 1, and
+    /// against it, with the sign -1: the latter is counted against the axis, too.
+    /// Rounded outwards.
+    pub fn reached(reach: impl Fn(usize, f64) -> f64) -> Self {
+        Self {
+            min: [0, 1, 2].map(|axis| (-reach(axis, -1.0)).next_down()),
+            max: [0, 1, 2].map(|axis| reach(axis, 1.0).next_up()),
+        }
+    }
+
     /// The bounds of several.
     pub fn of_all(several: impl IntoIterator<Item = Self>) -> Self {
         several.into_iter().fold(Self::NOWHERE, Self::union)
     }
 
-    /// The same bounds, moved outwards by at least `width` on all sides: sums are
-    /// rounded outwards.
+    /// The same bounds, moved outwards by this width on all sides.
     pub fn wider(self, width: f64) -> Self {
         Self {
-            min: self.min.map(|x| (x - width).next_down()),
-            max: self.max.map(|x| (x + width).next_up()),
+            min: self.min.map(|x| x - width),
+            max: self.max.map(|x| x + width),
         }
     }
 
@@ -125,9 +134,22 @@ mod tests {
         assert_eq!(Bounds::of_all([other, BOX]), both);
         assert_eq!(BOX.union(Bounds::NOWHERE), BOX);
         let wider = Bounds {
-            min: [0.5, -2.5, 2.5].map(f64::next_down),
-            max: [3.5, 3.5, 9.5].map(f64::next_up),
+            min: [0.5, -2.5, 2.5],
+            max: [3.5, 3.5, 9.5],
         };
         assert_eq!(BOX.wider(0.5), wider);
+    }
+
+    #[test]
+    fn bounds_are_as_far_as_a_shape_reaches_rounded_outwards() {
+        let reached = Bounds::reached(|axis, sign| {
+            let side = if sign < 0.0 { BOX.min } else { BOX.max };
+            side[axis] * sign
+        });
+        let wider = Bounds {
+            min: BOX.min.map(f64::next_down),
+            max: BOX.max.map(f64::next_up),
+        };
+        assert_eq!(reached, wider);
     }
 }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::plane::Planes;
-use super::{Bounds, Plane, Primitive, Rays};
+use super::{Plane, Primitive, Rays};
 use crate::lanes::{Lanes, PacketHit, without};
 use crate::{Hit, Interval, Ray};
 
@@ -28,13 +28,10 @@ pub(crate) struct Discs {
 impl Primitive for &Disc {
     type Four = Discs;
 
-    /// Along an axis the disc reaches as far as the sine of the angle between axis
-    /// and normal: the length of the normal's other two coordinates.
-    fn bounds(self) -> Bounds {
-        let DVec3 { x, y, z } = self.plane.normal;
-        let reach = [(y, z), (z, x), (x, y)].map(|(a, b)| self.radius * (a * a + b * b).sqrt());
-        let (center, reach) = (self.plane.point, DVec3::from(reach));
-        Bounds::around([center + reach, center - reach]).wider(self.radius * ROUNDING)
+    /// The disc reaches as far from its centre as the sine of the angle to the normal.
+    fn reach(self, along: DVec3) -> f64 {
+        let sine = self.plane.normal.cross(along).length() + along.length() * ROUNDING;
+        self.plane.point.dot(along) + self.radius * sine
     }
 
     fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {

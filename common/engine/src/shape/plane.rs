@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Bounds, Primitive, Rays};
+use super::{Primitive, Rays};
 use crate::lanes::{Lanes, PacketHit, Vector3x4, beyond};
 use crate::{Hit, Interval, Ray};
 
@@ -23,10 +23,6 @@ pub(crate) struct Planes {
 
 impl Primitive for &Plane {
     type Four = Planes;
-
-    fn bounds(self) -> Bounds {
-        Bounds::EVERYWHERE
-    }
 
     fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {
         let t = (self.point - ray.origin).dot(self.normal) / ray.direction.dot(self.normal);

@@ -44,6 +44,17 @@ impl Rays {
         }
     }
 
+    /// The same rays in another space.
+    #[inline]
+    pub fn moved(&self, packet: RayPacket) -> Self {
+        Self {
+            packet,
+            min: self.min,
+            active: self.active,
+            sheared: OnceCell::new(),
+        }
+    }
+
     /// The rays as triangles need them.
     #[inline]
     pub fn sheared(&self) -> &ShearedRays {

@@ -5,7 +5,7 @@
 
 use glam::DVec3;
 
-use super::{Bounds, Primitive, Rays};
+use super::{Primitive, Rays};
 use crate::lanes::{
     Lanes, NOWHERE, PacketHit, Vector3x4, copysign, first_beyond, is_square_of_a_length, select,
     without,
@@ -35,8 +35,8 @@ pub(crate) struct Spheres {
 impl Primitive for &Sphere {
     type Four = Spheres;
 
-    fn bounds(self) -> Bounds {
-        Bounds::around([self.center]).wider(self.radius)
+    fn reach(self, along: DVec3) -> f64 {
+        self.center.dot(along) + self.radius * along.length()
     }
 
     fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {

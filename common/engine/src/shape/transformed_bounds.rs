@@ -1,48 +1,58 @@
-//! `transformed_bounds`: the bounds of a shape under a transform.
+//! `transformed_bounds`: the bounds of a shape under a chain of transforms.
 //!
-//! Hits are computed with rays that are transformed by the inverse `i`. The matrix `m`
-//! is the inverse of `i` only up to rounding. So the corners transformed by `m` are
-//! bounds only after they have been widened by the rounding error.
+//! Hits are computed with rays that are transformed by the inverses, one after the other.
+//! The product `m` of the matrices is the inverse of the product `i` of the inverses only
+//! up to rounding. So the shape transformed by `m` has its bounds only after they have been
+//! widened by the rounding error.
+
+use glam::{DMat4, DVec3};
 
 use super::{Bounds, Transform};
 
-/// Largest coordinates of `m` times those of `i`, the condition of the transform,
+/// Largest coordinates of `m` times those of `i`, the condition of the transforms,
 /// above which rounding moves hits too far for bounds to be of use.
 const WORST_CONDITION: f64 = 1_048_576.0;
 
-/// More than the rounding of a few products and sums, and of the formula of the
-/// shape, relative to the largest number in them: 4096 units.
+/// More than the rounding of a few products and sums for each transform, and of the
+/// formula of the shape, relative to the largest number in them: 4096 units.
 const ROUNDING: f64 = 4096.0 * f64::EPSILON;
 
-/// The bounds of a shape that has these bounds before it is transformed.
-pub(super) fn transformed_bounds(bounds: Bounds, transform: &Transform) -> Bounds {
-    if !bounds.are_finite() {
-        return Bounds::EVERYWHERE;
-    }
-    let rows = |matrix: glam::DMat4| matrix.transpose().to_cols_array_2d();
-    let (m, i) = (rows(transform.matrix), rows(transform.inverse));
-    let corners = bounds.corners();
-    let around = Bounds::around(corners.map(|corner| transform.matrix.transform_point3(corner)));
+/// The bounds of a shape under transforms, the outermost first. `reach` says how far the
+/// shape itself reaches along a vector.
+pub(super) fn transformed_bounds(steps: &[Transform], reach: impl Fn(DVec3) -> f64) -> Bounds {
+    let matrices = || steps.iter().map(|step| step.matrix);
+    let inverses = || steps.iter().rev().map(|step| step.inverse);
+    let rows = |matrix: DMat4| matrix.transpose().to_cols_array_2d();
+    let (m, i) = (rows(matrices().product()), rows(inverses().product()));
+    // No sum on the way is larger than that of the magnitudes.
+    let abs_m = rows(matrices().map(magnitudes).product());
+    let abs_i = rows(inverses().map(magnitudes).product());
+
+    let around = Bounds::reached(|axis, sign| {
+        let [x, y, z, w] = m[axis];
+        reach(DVec3::new(x, y, z) * sign) + w * sign
+    });
     let largest = |axis: usize| around.min[axis].abs().max(around.max[axis].abs());
     let x = [largest(0), largest(1), largest(2), 1.0];
+    let rounding = ROUNDING * steps.len() as f64;
 
     let mut moved = around;
-    for (row, m) in m.iter().enumerate().take(3) {
-        // With p = i x + δ for a hit at x, the corners know m p, which is off by
+    for row in 0..3 {
+        // With p = i x + δ for a hit at x, the shape knows m p, which is off by
         // (m i - 1) x + m δ. The formula of a shape mixes the coordinates, so that
         // each may have the error of the largest.
-        let mut width = ROUNDING * m[3].abs();
-        let reach: f64 = m[..3].iter().map(|entry| entry.abs()).sum();
+        let mut width = rounding * abs_m[row][3];
+        let reach: f64 = abs_m[row][..3].iter().sum();
         for column in 0..4 {
-            let products = (0..4).map(|k| m[k] * i[k][column]);
-            let largest = (0..3).fold(0.0, |largest, k| i[k][column].abs().max(largest));
+            let products = (0..4).map(|k| m[row][k] * i[k][column]);
+            let largest = (0..3).fold(0.0, |largest, k| abs_i[k][column].max(largest));
             let condition = reach * largest;
             if column < 3 && condition > WORST_CONDITION {
                 return Bounds::EVERYWHERE;
             }
             let one = f64::from(u8::from(row == column));
             let off = (products.sum::<f64>() - one).abs();
-            width += (off + ROUNDING * condition) * x[column];
+            width += (off + rounding * condition) * x[column];
         }
         moved.min[row] -= width;
         moved.max[row] += width;
@@ -52,6 +62,11 @@ pub(super) fn transformed_bounds(bounds: Bounds, transform: &Transform) -> Bound
     } else {
         Bounds::EVERYWHERE
     }
+}
+
+/// The magnitudes of all entries.
+fn magnitudes(matrix: DMat4) -> DMat4 {
+    DMat4::from_cols_array(&matrix.to_cols_array().map(f64::abs))
 }
 
 #[cfg(test)]

@@ -36,6 +36,16 @@ impl Triangle {
         normalized(mean).unwrap_or(self.face)
     }
 
+    /// Whether the triangle is no needle. Rounding lets rays hit a needle far beyond its
+    /// sharp tip.
+    fn is_wide(&self) -> bool {
+        let [a, b, c] = self.corners;
+        let edges = [b - a, c - a, c - b].map(DVec3::length);
+        let longest = edges.into_iter().fold(0.0, f64::max);
+        let doubled_area = (b - a).cross(c - a).length();
+        doubled_area > NEEDLE * longest * longest
+    }
+
     fn is_flat(&self) -> bool {
         let [a, b, c] = self.normals;
         a == b && b == c
@@ -48,14 +58,25 @@ pub(crate) type Corners = [[Lanes; 3]; 3];
 impl Primitive for Triangle {
     type Four = Corners;
 
-    /// All of space for a needle, because rounding lets rays hit it far beyond its sharp
-    /// tip.
+    fn reach(self, along: DVec3) -> f64 {
+        if !self.is_wide() {
+            return f64::INFINITY;
+        }
+        let [a, b, c] = self.corners.map(|corner| corner.dot(along));
+        a.max(b).max(c)
+    }
+
+    /// A ray in the plane of the triangle passes by the corners on both sides, but rounding
+    /// alone weighs their depths. These are measured along the axis on which the ray goes
+    /// farthest, where it advances by at least 1/√3 of its length.
+    fn depth_error(self) -> f64 {
+        let Bounds { min, max } = Bounds::around(self.corners);
+        let extent = |axis: usize| max[axis] - min[axis];
+        extent(0).max(extent(1)).max(extent(2)) * 3_f64.sqrt()
+    }
+
     fn bounds(self) -> Bounds {
-        let [a, b, c] = self.corners;
-        let edges = [b - a, c - a, c - b].map(DVec3::length);
-        let longest = edges.into_iter().fold(0.0, f64::max);
-        let doubled_area = (b - a).cross(c - a).length();
-        if doubled_area > NEEDLE * longest * longest {
+        if self.is_wide() {
             Bounds::around(self.corners)
         } else {
             Bounds::EVERYWHERE

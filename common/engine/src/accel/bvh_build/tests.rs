@@ -51,7 +51,7 @@ fn a_node_has_room_for_eight() {
 #[test]
 fn each_shape_is_in_one_leaf_of_its_kind_within_all_bounds_above() {
     for count in [1, 7, 100, 10_000] {
-        let units = Units::new(UNITS);
+        let units = Units::new(UNITS, 0.0, true);
         let shape = |i: u32| {
             let random = PixelRandom::new(1, i, 0);
             // Every seventh at the same place.

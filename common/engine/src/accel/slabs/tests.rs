@@ -6,10 +6,15 @@ use super::*;
 
 /// The centre is the origin and the unit 2, so that all numbers are exact.
 fn units() -> Units {
-    Units::new(Bounds {
+    units_of(true)
+}
+
+fn units_of(is_exact: bool) -> Units {
+    let bounds = Bounds {
         min: [-2.0; 3],
         max: [2.0; 3],
-    })
+    };
+    Units::new(bounds, 0.0, is_exact)
 }
 
 fn ray(x: f64, direction: [f64; 3]) -> Ray {
@@ -79,7 +84,7 @@ fn a_bundle_bounds_its_rays() {
         let corners = std::array::from_fn::<_, WIDTH, _>(|k| {
             let middle = 2.0 * vector(40 + 6 * k as u64);
             let half = 0.9 * vector(43 + 6 * k as u64).abs();
-            units().bounds(Bounds::around([middle - half, middle + half]))
+            units().bounds(Bounds::around([middle - half, middle + half]), 0.0)
         });
         let planes = [0, 1, 2].map(|axis| {
             [
@@ -103,6 +108,58 @@ fn a_bundle_bounds_its_rays() {
         together > 500 && met > 500 && passed > 500,
         "{together}, {met}, {passed}"
     );
+}
+
+/// The ray goes farthest along x. It enters the box there at 1/2 and leaves it at 2; along y
+/// from 1 to 3/2.
+#[test]
+fn triangles_may_be_hit_anywhere_along_the_axis_on_which_a_ray_goes_farthest() {
+    let bounds = units().bounds(
+        Bounds {
+            min: [0.4, 0.6, -1.0],
+            max: [1.6, 0.9, 1.0],
+        },
+        0.0,
+    );
+    let planes = [0, 1, 2].map(|axis| {
+        [
+            f32x8::splat(bounds.min[axis]),
+            f32x8::splat(bounds.max[axis]),
+        ]
+    });
+    for is_exact in [true, false] {
+        let units = units_of(is_exact);
+        for (min, max, is_met) in [
+            (0.0, 0.4, false),
+            (0.0, 0.6, !is_exact),
+            (0.0, 1.1, true),
+            (1.4, 9.0, true),
+            (1.9, 9.0, !is_exact),
+            (2.1, 9.0, false),
+        ] {
+            let ray = ray(0.0, [0.8, 0.6, 0.0]);
+            let (_, alone) = (units.ray(&ray, min).unwrap()).enter(&planes, units.beyond(max));
+            assert_eq!(alone != 0, is_met, "{min}, {max}, exact: {is_exact}");
+            if min == 0.0 {
+                let packet = RayPacket::new([&ray; 4]);
+                let bundle = units.bundle(&packet, 0b1111, 1.0).unwrap();
+                let (_, together) = bundle.enter(&planes, units.beyond(max));
+                assert_eq!(together, alone);
+            }
+        }
+    }
+}
+
+/// One of these two directions goes farthest along x, and one along y.
+#[test]
+fn triangles_need_a_bundle_that_goes_farthest_along_one_axis() {
+    let near = [[0.71, 0.7, 0.0], [0.7, 0.71, 0.0]].map(|direction| ray(0.0, direction));
+    let [a, b] = near.each_ref();
+    let packet = RayPacket::new([a, b, a, b]);
+    let is_bundle = |is_exact, active| units_of(is_exact).bundle(&packet, active, 1.0).is_some();
+    assert!(is_bundle(true, 0b1111));
+    assert!(!is_bundle(false, 0b1111));
+    assert!(is_bundle(false, 0b0101));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::f64::consts::FRAC_PI_4;
 use glam::{DMat4, DVec3};
 
 use super::*;
-use crate::shape::{AxisAlignedBox, Plane, Primitive, Shape, Sphere};
+use crate::shape::{AxisAlignedBox, Disc, Plane, Primitive, Shape, Sphere};
 use crate::{Interval, Ray};
 
 /// From -1 to 1 along each axis.
@@ -20,6 +20,13 @@ fn transform(matrix: DMat4) -> Transform {
     Transform { matrix, inverse }
 }
 
+fn bounds(shape: &Shape) -> Bounds {
+    match shape {
+        Shape::Transformed(shape) => shape.bounds(),
+        _ => unreachable!("it has a transform"),
+    }
+}
+
 fn translated(x: f64, y: f64, z: f64) -> DMat4 {
     DMat4::from_translation(DVec3::new(x, y, z))
 }
@@ -31,7 +38,7 @@ fn scaled(x: f64, y: f64, z: f64) -> DMat4 {
 /// The bounds hold the box, with room for the 4096 units of rounding that a hit may be
 /// off; and with no more than a hundred times as much.
 fn assert_fits(matrix: DMat4, min: [f64; 3], max: [f64; 3]) {
-    let bounds = Shape::Box(CUBE).transformed(&transform(matrix)).bounds();
+    let bounds = bounds(&Shape::Box(CUBE).transformed(&transform(matrix)));
     let largest = min.iter().chain(&max).fold(0.0, |a: f64, x| a.max(x.abs()));
     let room = 4096.0 * f64::EPSILON * largest;
     for axis in 0..3 {
@@ -65,13 +72,69 @@ fn a_rotated_cube_has_the_bounds_of_its_corners() {
     assert_fits(moved, [5.0 - root, -1.0, -root], [5.0 + root, 1.0, root]);
 }
 
+/// Bounds of bounds would grow with each transform: four eighths of a turn make a half.
+#[test]
+fn nested_transforms_have_the_bounds_of_their_product() {
+    let eighth = transform(DMat4::from_rotation_z(FRAC_PI_4));
+    let cube = (0..4).fold(Shape::Box(CUBE), |shape, _| shape.transformed(&eighth));
+    let bounds = bounds(&cube);
+    for axis in 0..3 {
+        for x in [-bounds.min[axis], bounds.max[axis]] {
+            // Four transforms have four times the room of one.
+            assert!((x - 1.0).abs() < 4e-10, "axis {axis}: {x}");
+        }
+    }
+}
+
+/// A sphere that is stretched by a, b and c, and then turned by an eighth about the z axis,
+/// reaches √((a² + b²)/2), the same, and c.
+#[test]
+fn an_ellipsoid_has_its_own_bounds_and_not_those_of_a_box() {
+    let sphere = Sphere {
+        center: DVec3::ZERO,
+        radius: 1.0,
+    };
+    let ellipsoid = Shape::Sphere(sphere)
+        .transformed(&transform(scaled(7.0, 1.0, 2.0)))
+        .transformed(&transform(DMat4::from_rotation_z(FRAC_PI_4)));
+    let bounds = bounds(&ellipsoid);
+    for (axis, reach) in [5.0, 5.0, 2.0].into_iter().enumerate() {
+        for x in [-bounds.min[axis], bounds.max[axis]] {
+            let beyond = x - reach;
+            assert!((0.0..1e-9).contains(&beyond), "axis {axis}: {beyond:e}");
+        }
+    }
+}
+
+/// A disc reaches along an axis as far as the sine of the angle between axis and normal:
+/// with the normal (3, 4, 0) / 5 that is 4/5, 3/5 and 1.
+#[test]
+fn a_disc_has_its_own_bounds() {
+    let plane = Plane {
+        point: DVec3::new(1.0, 2.0, 3.0),
+        normal: DVec3::new(0.6, 0.8, 0.0),
+    };
+    let radius = 10.0;
+    let disc = Shape::Disc(Disc { plane, radius });
+    let stretched = disc.transformed(&transform(scaled(2.0, 1.0, -1.0)));
+    let bounds = bounds(&stretched);
+    for (axis, (min, max)) in [(-14.0, 18.0), (-4.0, 8.0), (-13.0, 7.0)]
+        .into_iter()
+        .enumerate()
+    {
+        for beyond in [min - bounds.min[axis], bounds.max[axis] - max] {
+            assert!((0.0..1e-9).contains(&beyond), "axis {axis}: {beyond:e}");
+        }
+    }
+}
+
 /// Rounding moves a hit by up to 2^20 units in a space that is stretched 2^20 times as
 /// far in one direction as in another; beyond that no bounds are sure.
 #[test]
 fn very_unequal_stretching_has_no_bounds() {
     let bounds = |stretch: f64| {
         let transform = transform(scaled(stretch, 1.0, 1.0));
-        transformed_bounds(CUBE.bounds(), &transform)
+        transformed_bounds(&[transform], |along| CUBE.reach(along))
     };
     assert!(bounds(1_048_576.0).are_finite());
     assert_eq!(bounds(1_048_577.0), Bounds::EVERYWHERE);
@@ -84,7 +147,7 @@ fn an_endless_shape_has_no_bounds() {
         normal: DVec3::Y,
     };
     let moved = Shape::Plane(plane).transformed(&transform(translated(1.0, 2.0, 3.0)));
-    assert_eq!(moved.bounds(), Bounds::EVERYWHERE);
+    assert_eq!(bounds(&moved), Bounds::EVERYWHERE);
 }
 
 /// Rays from all around towards points on and near a turned ellipsoid within another
@@ -101,7 +164,7 @@ fn hits_lie_within_the_bounds() {
         let shape = Shape::Sphere(sphere)
             .transformed(&transform(inner))
             .transformed(&transform(outer));
-        let bounds = shape.bounds();
+        let bounds = bounds(&shape);
         assert!(bounds.are_finite());
         let mut hits = 0;
         for i in 0..4000 {
@@ -122,9 +185,9 @@ fn hits_lie_within_the_bounds() {
             hits += 1;
             let p = ray.at(hit.t);
             let error = 64.0 * f64::EPSILON * hit.t.max(p.abs().max_element());
-            let bounds = bounds.wider(error);
             for (axis, x) in p.to_array().into_iter().enumerate() {
-                let inside = (bounds.min[axis]..=bounds.max[axis]).contains(&x);
+                let (min, max) = (bounds.min[axis] - error, bounds.max[axis] + error);
+                let inside = (min..=max).contains(&x);
                 assert!(inside, "{ray:?}");
             }
         }
