@@ -2,10 +2,13 @@
 //! highlights, until the picture is as exact as it was asked to be.
 //!
 //! 1. Each pixel gets a few samples, more if the picture is small: enough that an object
-//!    so large that it matters is met.
-//! 2. Where samples differ, more are taken (`doubt`, `allocation`).
-//! 3. New samples check the picture (`check`): all pixels that looked even, and some of the
-//!    others. If it may be farther off than allowed, 2 and 3 are repeated with a lower aim.
+//!    so large that it matters is met (`search`).
+//! 2. Where samples differ, a goal is set for the number of samples (`doubt`, `allocation`),
+//!    and half of them are taken.
+//! 3. The other half checks the picture: no decision has seen these samples (`check`). If the
+//!    picture may be farther off than allowed, 2 and 3 are repeated with a lower aim.
+//!
+//! All samples are part of the picture.
 //!
 //! (To take more samples where the first differ is Whitted's way, An Improved Illumination
 //! Model for Shaded Display, 1980; to estimate errors by two independent halves that of
@@ -17,19 +20,19 @@ mod doubt;
 mod picture;
 mod pixel;
 pub(crate) mod random;
+mod search;
 mod sequence;
 
-use std::ops::RangeInclusive;
-
 use common::{Color, Error, Image, Progress, Sampled, Settings};
-use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use rayon::slice::{ParallelSlice, ParallelSliceMut};
 
 use crate::image_of_rows;
-use allocation::Allocation;
+use allocation::{Allocation, Wish};
 use check::Estimate;
 use picture::Picture;
 use pixel::Pixel;
+use search::Search;
 
 /// Light at places of a picture, in the coordinates of the camera: whole numbers are the
 /// middles of pixels, and y counts upwards.
@@ -38,13 +41,10 @@ pub trait Radiance: Sync {
     fn light(&self, places: &[(f64, f64)], light: &mut Vec<Color>);
 }
 
-/// Light of one place after the other, from a function.
-struct OneByOne<F>(F);
-
-impl<F: Fn(f64, f64) -> Color + Sync> Radiance for OneByOne<F> {
+impl<F: Fn(f64, f64) -> Color + Sync> Radiance for F {
     fn light(&self, places: &[(f64, f64)], light: &mut Vec<Color>) {
         light.clear();
-        light.extend(places.iter().map(|(x, y)| (self.0)(*x, *y)));
+        light.extend(places.iter().map(|(x, y)| self(*x, *y)));
     }
 }
 
@@ -52,7 +52,7 @@ impl<F: Fn(f64, f64) -> Color + Sync> Radiance for OneByOne<F> {
 /// place, until its root mean square error is at most `max_error`, with 95 % confidence.
 ///
 /// `progress` is told how far off the picture is, which may be more than `max_error` if that
-/// would need more samples of a pixel than the settings allow. At least four are taken.
+/// would need more samples of a pixel than the settings allow. Four are always allowed.
 ///
 /// # Errors
 ///
@@ -64,7 +64,6 @@ pub fn render_image(
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Image, Error> {
-    let light = OneByOne(light);
     image_of_rows(settings, |pixels, copy| {
         render(max_error, settings, &light, progress, pixels, copy)
     })
@@ -72,15 +71,17 @@ pub fn render_image(
 
 /// Channels of a pixel: squared errors are added up over them.
 const CHANNELS: f64 = 3.0;
-/// The rule of three: of events of which none was seen, at most three were to be expected,
-/// with 95 % confidence.
-const UNSEEN: f64 = 3.0;
-/// The share of the allowed squared error that the expected one aims at. The rest is for what
-/// the check cannot exclude.
-const AIM: f64 = 0.4;
+/// The share of the allowed squared error that the expected one aims at, beside objects that
+/// no sample met. The rest is for what the check cannot exclude.
+const AIM: f64 = 0.7;
+/// Samples of doubted pixels, for each sample that every pixel needs: for little, they make
+/// the picture more exact than it has to be.
+const FREE: f64 = 0.25;
 /// The most often that a picture is checked, and refined before each check.
 const ROUNDS: u32 = 10;
 const STEPS: u32 = 12;
+/// Another step is not worth its time for fewer than one pixel of this many.
+const FEW: usize = 300;
 /// The first samples tell too little to take more than this many times as many.
 const GROWTH: u32 = 4;
 
@@ -117,109 +118,87 @@ fn converge<R: Radiance>(
 ) -> Result<Sampled, Error> {
     let pixels = picture.pixels().len();
     let allowed = max_error * max_error * CHANNELS * pixels as f64;
-    let mut base = first_pairs(allowed).min(most / 2);
-    picture.take(|_| base);
-
-    let (mut aim, mut even, mut idle) = (AIM * allowed, None, 0);
     let mut sampled = Sampled {
         pixels: pixels as u64,
         ..Sampled::default()
     };
-    for round in 1..=ROUNDS {
-        let least = if even.is_some() { base } else { 2 * base };
-        let (any, of_few) = refine(picture, base..=least, most, aim)?;
-        let of_even = even.unwrap_or_else(|| check::double(picture, base));
-        idle = if any || base < least { 0 } else { idle + 1 };
-        base = least;
-        let (of_edges, samples) = audit(picture, base, round);
+    let mut search = Search::new(allowed, most);
+    if search.middles {
+        picture.take_middles();
+        sampled.samples += sampled.pixels;
+    } else {
+        picture.take(|_, _| search.pairs.div_ceil(2));
+    }
+    search.widen(picture.brightest());
+
+    let mut aim = AIM * (allowed - search.unseen(1.0)).max(0.1 * allowed);
+    let (mut unknown, mut idle) = (Estimate::default(), 0);
+    for _ in 0..ROUNDS {
+        let wish = Wish {
+            least: search.pairs,
+            most,
+            aim,
+            free: FREE * search.samples() * pixels as f64,
+        };
+        let goal = refine(picture, wish)?;
+        let found = check::check(picture, &search, goal);
         picture.check_stopped()?;
 
-        let mut error = of_even;
-        error += of_edges;
-        let unseen = unseen(base, picture) + (of_few - error.sum).max(0.0);
-        sampled.samples += samples;
-        sampled.audited += error.pixels;
+        unknown += found.unknown;
+        let mut error = found.known;
+        error += unknown;
+        let brightest = picture.brightest();
+        let unseen = search.unseen(brightest);
+        sampled.audited += found.checked;
         sampled.squared_error = error.sum / CHANNELS;
         sampled.variance = error.variance / (CHANNELS * CHANNELS);
         sampled.unseen = unseen / CHANNELS;
+        idle = if found.checked > 0 { 0 } else { idle + 1 };
         if !sampled.misses(Some(max_error)) || idle == 2 {
             break;
         }
-        // Pixels that looked even are checked again only if much of the error may be theirs.
-        let is_small = of_even.sum + 2.0 * of_even.variance.sqrt() + unseen < 0.6 * allowed;
-        even = (is_small || 2 * base >= most).then_some(of_even);
-        let slowest = if idle > 0 { 0.25 } else { 0.7 };
-        aim *= (AIM * allowed / error.sum.max(0.0)).clamp(0.125, slowest);
+        let left = (allowed - unseen).max(0.1 * allowed);
+        aim *= (AIM * left / error.largest()).clamp(0.125, 0.7);
+        if search.widen_after(&unknown, brightest) {
+            unknown = Estimate::default();
+        }
     }
-    let pairs = || picture.pixels().iter().map(Pixel::pairs);
+    let pairs = || picture.pixels().par_iter().map(Pixel::pairs);
     sampled.samples += pairs().map(|pairs| u64::from(2 * pairs)).sum::<u64>();
     sampled.most = 2 * pairs().max().unwrap_or(0);
     Ok(sampled)
 }
 
-/// The pairs that each pixel begins with: a quarter of the samples with which [`unseen`] is a
-/// third of what is allowed in a picture without glare, because the check doubles their number.
-fn first_pairs(allowed: f64) -> u32 {
-    let samples = (3.0 * CHANNELS * UNSEEN / allowed).sqrt();
-    (samples / 4.0).ceil().max(1.0) as u32
-}
-
-/// The squared error of objects that no sample met, with 95 % confidence: three pixels in
-/// which one more sample might have been off by as much as the brightest pixel is, but at
-/// least by 1, and the mean by its `n`-th part.
-fn unseen<R: Radiance>(pairs: u32, picture: &Picture<R>) -> f64 {
-    let channels = picture.pixels().iter().map(|pixel| pixel.mean().channels());
-    let brightest = channels
-        .flatten()
-        .filter(|c| c.is_finite())
-        .fold(1.0, f64::max);
-    let off = brightest / f64::from(2 * pairs);
-    CHANNELS * UNSEEN * off * off
-}
-
-/// Takes more samples of doubted pixels, until the expected squared errors add up to `aim`.
-/// Pixels with `bases.start()` pairs look even; the check will leave them with `bases.end()`,
-/// and all others have more. Returns whether samples were taken, and the expected squared
-/// errors of a few pixels.
+/// Takes half of the samples that the wish gives to each doubted pixel. The other half is
+/// for the check. Returns the number of pairs that a pixel is to have then, as a function of
+/// its index and itself.
 fn refine<R: Radiance>(
     picture: &mut Picture<R>,
-    bases: RangeInclusive<u32>,
-    most: u32,
-    aim: f64,
-) -> Result<(bool, f64), Error> {
-    let (base, least) = bases.into_inner();
-    let (mut any, mut of_few) = (false, 0.0);
-    for _ in 0..STEPS {
-        let doubts = doubt::doubts(picture.pixels(), picture.width());
-        let allocation = Allocation::new(&doubts, least, most, aim);
-        of_few = allocation.of_few();
-        let more = |(pixel, doubt): (&Pixel, &f32)| {
-            let (pairs, wanted) = (pixel.pairs(), allocation.pairs(*doubt));
-            if wanted > least && wanted > pairs {
-                wanted.min(GROWTH * pairs)
-            } else if pairs > base && pairs <= least {
-                (2 * least).min(most)
-            } else {
-                0
-            }
+    wish: Wish,
+) -> Result<impl Fn(usize, &Pixel) -> u32 + Sync + use<R>, Error> {
+    let Wish { least, most, .. } = wish;
+    let (mut steps, mut spreads) = (0..STEPS, Vec::new());
+    let (doubts, allocation) = loop {
+        let doubts = doubt::doubts(picture.pixels(), picture.width(), &mut spreads);
+        let allocation = Allocation::new(&doubts, wish);
+        let half = |i: usize, pixel: &Pixel| {
+            let goal = allocation.pairs(doubts[i]);
+            let half = if goal > least { goal / 2 } else { 0 };
+            half.min(GROWTH * pixel.pairs().max(1))
         };
-        let wanted: Vec<_> = picture.pixels().iter().zip(&doubts).map(more).collect();
-        if wanted.iter().all(|pairs| *pairs == 0) {
-            break;
-        }
-        any = true;
-        picture.take(|i| wanted[i]);
+        let taken = picture.take(half);
         picture.check_stopped()?;
-    }
-    Ok((any, of_few))
-}
-
-/// Checks so many of the pixels with more than `base` pairs that it takes an eighth of the
-/// picture's samples, or 256 pixels. Returns the number of samples as well.
-fn audit<R: Radiance>(picture: &Picture<R>, base: u32, round: u32) -> (Estimate, u64) {
-    let pairs = || picture.pixels().iter().map(|p| u64::from(p.pairs()));
-    let of_edges = || pairs().filter(|pairs| *pairs > base.into());
-    let share = pairs().sum::<u64>() as f64 / 8.0 / of_edges().sum::<u64>() as f64;
-    let probability = share.max(256.0 / of_edges().count() as f64).min(1.0);
-    check::audit(picture, base, probability, round)
+        // A few more pixels are left to the check.
+        if taken <= doubts.len() / FEW || steps.next().is_none() {
+            break (doubts, allocation);
+        }
+    };
+    Ok(move |i: usize, pixel: &Pixel| {
+        let (pairs, mut goal) = (pixel.pairs(), allocation.pairs(doubts[i]));
+        if pairs >= goal && pairs > pixel.checked() {
+            // It has more samples by now than it needs, but they are not checked yet.
+            goal = 2 * pairs;
+        }
+        goal.min((2 * pairs).max(least + 1)).min(most)
+    })
 }

@@ -7,6 +7,8 @@ mod kinds;
 mod random;
 #[path = "../benches/error_bound/scenes.rs"]
 mod scenes;
+#[path = "../benches/error_bound/stratified.rs"]
+mod stratified;
 #[path = "../benches/error_bound/trial.rs"]
 mod trial;
 #[path = "../benches/error_bound/tuned.rs"]

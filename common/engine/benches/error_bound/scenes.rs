@@ -1,5 +1,5 @@
-//! Kinds of pictures of scenes, rendered by the engine; nobody looked at them until the
-//! sampler was finished.
+//! Kinds of pictures of scenes, rendered by the engine; some were kept aside while the
+//! sampler was tuned.
 
 use common::{Color, Settings};
 use engine::{

@@ -4,17 +4,15 @@ use std::sync::{Mutex, PoisonError};
 
 use common::{Color, Error, Image, Sampled, Settings, Size};
 use engine::adaptive::render_image;
-use engine::camera_place;
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use crate::kinds::{Kind, Light, Numbers};
-use crate::random::PixelRandom;
+use crate::stratified::{shown, stratified};
 
 /// A variant of a kind at a size, with two independent pictures of many samples.
 pub struct Subject {
     light: Light,
     size: Size,
-    references: [Vec<Color>; 2],
+    references: [Image; 2],
 }
 
 /// What came of one rendering.
@@ -40,7 +38,8 @@ impl Subject {
     /// With 2 x `side` x `side` stratified samples a pixel.
     pub fn new(kind: &Kind, variant: u32, size: Size, side: u32) -> Self {
         let light = (kind.make)(Numbers::new(kind.name, variant));
-        let references = [1, 2].map(|seed| stratified(&light, size, side, seed));
+        let look = |x, y| look(&light, size, x, y);
+        let references = [1, 2].map(|seed| stratified(look, size, side, seed));
         Self {
             light,
             size,
@@ -48,22 +47,30 @@ impl Subject {
         }
     }
 
-    /// The root mean square error of some pixels. The product of the differences from two
+    /// The mean square error of a picture. The product of the differences from two
     /// independent references has no share of their noise, on average.
-    fn error(&self, pixels: &[Color]) -> f64 {
-        let [first, second] = &self.references;
-        let products = pixels.iter().zip(first).zip(second).map(|((pixel, a), b)| {
+    fn square_error(&self, image: &Image) -> f64 {
+        let [first, second] = self.references.each_ref().map(Image::pixels);
+        let pixels = image.pixels().iter().zip(first).zip(second);
+        let products = pixels.map(|((pixel, a), b)| {
             let (a, b) = (*a - shown(*pixel), *b - shown(*pixel));
             a.r * b.r + a.g * b.g + a.b * b.b
         });
-        let sum: f64 = products.sum();
-        (sum.max(0.0) / (3 * pixels.len()) as f64).sqrt()
+        products.sum::<f64>().max(0.0) / (3 * first.len()) as f64
     }
 
-    /// The errors of stratified sampling, for numbers of samples.
+    /// The root mean square errors of stratified sampling, for numbers of samples. Where
+    /// few samples leave much to chance, it is the mean of several pictures.
     pub fn uniform(&self) -> Vec<(f64, f64)> {
-        let sides = [1, 2, 3, 4, 6, 9, 13].into_iter();
-        let error = |side| self.error(&stratified(&self.light, self.size, side, 3));
+        let sides = [1, 2, 3, 4, 6, 9, 13, 19].into_iter();
+        let error = |side: u32| {
+            let pictures = (16 / side).clamp(1, 4);
+            let errors = (3..3 + u64::from(pictures)).map(|seed| {
+                let look = |x, y| look(&self.light, self.size, x, y);
+                self.square_error(&stratified(look, self.size, side, seed))
+            });
+            (errors.sum::<f64>() / f64::from(pictures)).sqrt()
+        };
         sides
             .map(|side| (f64::from(side * side), error(side)))
             .collect()
@@ -82,7 +89,7 @@ impl Subject {
         let light = |x, y| look(&self.light, self.size, x, y);
         let image: Image = render_image(bound, light, &settings, &sampled)?;
         let sampled = sampled.into_inner().unwrap_or_else(PoisonError::into_inner);
-        let error = self.error(image.pixels());
+        let error = self.square_error(&image).sqrt();
         Ok(Trial {
             error: error / bound,
             is_said: sampled.misses(Some(bound)),
@@ -93,45 +100,26 @@ impl Subject {
 }
 
 /// The samples per pixel for an error, between the measured ones as a power law, and beyond
-/// the last with the exponent of theory, -3/4.
+/// the last with the exponent of theory, -3/4, or the measured one if the error falls faster.
 fn samples_for(error: f64, uniform: &[(f64, f64)]) -> f64 {
     let enough = uniform.iter().position(|(_, of)| *of <= error);
-    match (enough, uniform) {
-        (Some(0), _) | (_, []) => 1.0,
-        (Some(i), _) => {
-            let ((fewer, above), (more, below)) = (uniform[i - 1], uniform[i]);
-            let share = libm::log(above / error) / libm::log(above / below.max(1e-12));
-            fewer * libm::pow(more / fewer, share)
-        }
-        (None, [.., (samples, last)]) => samples * libm::pow(last / error, 4.0 / 3.0),
+    let last = uniform.len().saturating_sub(1);
+    let end = enough.unwrap_or(last);
+    if end == 0 || uniform.is_empty() {
+        return 1.0;
     }
-}
-
-fn shown(color: Color) -> Color {
-    color.map(|channel| channel.clamp(0.0, 1.0))
+    let ((fewer, above), (more, below)) = (uniform[end - 1], uniform[end]);
+    let exponent = libm::log(above / below.max(1e-12)) / libm::log(more / fewer);
+    let exponent = if enough.is_some() {
+        exponent
+    } else {
+        exponent.max(0.75)
+    };
+    more * libm::pow(below / error, 1.0 / exponent)
 }
 
 /// The light at a place in the coordinates of the camera.
 fn look(light: &Light, size: Size, x: f64, y: f64) -> Color {
     let width = f64::from(size.width());
     light((x + 0.5) / width, (y + 0.5) / width)
-}
-
-/// The pixels with `side` x `side` stratified samples each.
-fn stratified(light: &Light, size: Size, side: u32, seed: u64) -> Vec<Color> {
-    let pixel = |i| {
-        let (column, row) = (i % size.width(), i / size.width());
-        let random = PixelRandom::new(0x5EED + seed, column, row);
-        let mut sum = Color::BLACK;
-        for i in 0..side * side {
-            let in_cell = |cell: u32, n| (f64::from(cell) + random.uniform(n)) / f64::from(side);
-            let n = 2 * u64::from(i);
-            let place = (in_cell(i % side, n), in_cell(i / side, n + 1));
-            let (x, y) = camera_place(size, (column, row), place);
-            sum += look(light, size, x, y);
-        }
-        shown(sum * (1.0 / f64::from(side * side)))
-    };
-    let pixels = 0..size.width() * size.height();
-    pixels.into_par_iter().map(pixel).collect()
 }

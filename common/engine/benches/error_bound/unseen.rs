@@ -1,16 +1,18 @@
-//! Kinds of pictures that nobody looked at until the sampler was finished.
+//! More kinds of pictures; some were kept aside while the sampler was tuned.
 
 use common::Color;
 
 use crate::kinds::{Kind, Light, Numbers, PIXEL};
 
-pub const UNSEEN: [Kind; 6] = [
+pub const UNSEEN: [Kind; 8] = [
     kind("foliage", foliage),
     kind("narrowing rings", rings),
     kind("crossing wires", wires),
     kind("glaring highlights", highlights),
     kind("glints on waves", glints),
     kind("a lone box", lone),
+    kind("gravel", gravel),
+    kind("stars at dusk", stars),
 ];
 
 const fn kind(name: &'static str, make: fn(Numbers) -> Light) -> Kind {
@@ -115,5 +117,49 @@ fn lone(mut numbers: Numbers) -> Light {
     Box::new(move |x, y| {
         let is_inside = (x - left).abs().max((y - low).abs()) < half;
         if is_inside { color } else { Color::BLACK }
+    })
+}
+
+/// Stones of all sizes: each place shows the stone whose middle is nearest, and the joint
+/// where two are about as near.
+fn gravel(mut numbers: Numbers) -> Light {
+    let stones = numbers.list(10.0, 120.0, |numbers| (numbers.place(), numbers.color()));
+    let joint = numbers.between(0.2, 2.0) * PIXEL;
+    Box::new(move |x, y| {
+        let (mut nearest, mut next, mut seen) = (f64::INFINITY, f64::INFINITY, Color::BLACK);
+        for ((left, low), color) in &stones {
+            let distance = ((x - left) * (x - left) + (y - low) * (y - low)).sqrt();
+            if distance < nearest {
+                (next, nearest, seen) = (nearest, distance, *color);
+            } else {
+                next = next.min(distance);
+            }
+        }
+        if next - nearest < joint {
+            Color::gray(0.1)
+        } else {
+            seen * (1.0 - 2.0 * nearest)
+        }
+    })
+}
+
+/// Small discs, most of them far smaller than a pixel, before light that changes evenly.
+fn stars(mut numbers: Numbers) -> Light {
+    let (zenith, horizon) = (numbers.between(0.0, 0.1), numbers.color());
+    let stars = numbers.list(1.0, 60.0, |numbers| {
+        let share = numbers.between(0.2, 1.0);
+        (
+            numbers.place(),
+            0.6 * PIXEL * share * share,
+            numbers.color(),
+        )
+    });
+    Box::new(move |x, y| {
+        for ((left, low), radius, color) in &stars {
+            if (x - left) * (x - left) + (y - low) * (y - low) < radius * radius {
+                return *color;
+            }
+        }
+        Color::gray(zenith) + horizon * (0.5 * (1.0 - y / 0.75) * (1.0 - y / 0.75))
     })
 }

@@ -65,15 +65,28 @@ pub fn render_to(
         let renderer = Renderer::new(scene(description), camera(&description.camera), settings);
         let build = started.elapsed().as_secs_f64();
 
-        let started = Instant::now();
+        let (started, before) = (Instant::now(), processor_seconds());
         let samples = Samples::new(settings);
         let bytes = |colors: &[Color], rgb: &mut [u8]| Transfer::Linear.write_rgb8(colors, rgb);
         renderer.render_rows(&samples, settings, &(), &mut rgb, bytes)?;
         let trace = started.elapsed().as_secs_f64();
+        if let (1, Some(before), Some(after)) = (threads, before, processor_seconds()) {
+            eprintln!(
+                "using 1 thread(s) with {} CPU-seconds total",
+                after - before
+            );
+        }
         Ok::<_, common::Error>(Times { build, trace })
     })?;
     picture_file::save_png(path, settings.size, &rgb)?;
     Ok(times)
+}
+
+/// The time that this thread had a processor, where the system reports it (Linux).
+fn processor_seconds() -> Option<f64> {
+    let statistics = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+    let nanoseconds: f64 = statistics.split(' ').next()?.parse().ok()?;
+    Some(1e-9 * nanoseconds)
 }
 
 fn camera(camera: &Camera) -> engine::Camera<'static> {

@@ -24,65 +24,77 @@ fn doubt_of(class: usize) -> f64 {
     f32::from_bits((class as u32) << DIGITS | 1 << (DIGITS - 1)).into()
 }
 
+/// How many samples are wanted.
+#[derive(Clone, Copy, Debug)]
+pub struct Wish {
+    /// The pairs that each pixel has at least and at most.
+    pub least: u32,
+    pub most: u32,
+    /// The sum of the expected squared errors is to be at most this.
+    pub aim: f64,
+    /// This many samples more than the least are free: they make the error smaller than
+    /// the aim.
+    pub free: f64,
+}
+
+/// No smaller a sum of squared errors than this share of the aim is worth free samples.
+const FINEST: f64 = 1.0 / 16.0;
+
 /// The pairs of samples for each class of doubts.
 pub struct Allocation {
-    pairs: Vec<u32>,
-    /// The expected squared errors, added up over the pixels, and the squares of these.
-    error: f64,
-    squares: f64,
+    wish: Wish,
+    /// The first class with twice as many samples as the least. All below have the least.
+    first: usize,
 }
 
 impl Allocation {
-    /// The allocation with which the expected squared errors add up to at most `aim`, if that
-    /// can be. No pixel has fewer pairs than `least` or more than `most`.
-    pub fn new(doubts: &[f32], least: u32, most: u32, aim: f64) -> Self {
+    /// The allocation for these doubts that comes up to the wish, if that can be.
+    pub fn new(doubts: &[f32], wish: Wish) -> Self {
         let counts = counts(doubts);
-        let mut allocation = Self {
-            pairs: vec![least; CLASSES],
-            error: 0.0,
-            squares: 0.0,
+        let expect = |first| Self { wish, first }.expect(&counts);
+        // With each smaller `first` the error falls, and the number of samples grows.
+        let is_too_little = |first: usize| {
+            let (error, _) = expect(first);
+            let (_, samples) = expect(first - 1);
+            error > wish.aim || (samples <= wish.free && error > FINEST * wish.aim)
         };
-        allocation.expect(&counts);
-        let first = counts.iter().rposition(|count| *count > 0).unwrap_or(0);
-        // One class after the other takes twice as many samples, and those above take more.
-        for even in (0..=first).rev() {
-            if allocation.error <= aim {
-                break;
+        let (mut enough, mut too_little) = (1, CLASSES + 1);
+        while too_little - enough > 1 {
+            let middle = usize::midpoint(enough, too_little);
+            if is_too_little(middle) {
+                too_little = middle;
+            } else {
+                enough = middle;
             }
-            for (class, pairs) in allocation.pairs.iter_mut().enumerate().skip(even) {
-                let doublings = (class - even).div_ceil(PER_DOUBLING).min(31) as u32;
-                *pairs = least.saturating_mul(1 << doublings).min(most);
-            }
-            allocation.expect(&counts);
         }
-        allocation
+        Self {
+            wish,
+            first: enough,
+        }
     }
 
-    /// Adds up the expected errors.
-    fn expect(&mut self, counts: &[u64]) {
-        (self.error, self.squares) = (0.0, 0.0);
+    /// The sum of the expected squared errors, and the number of samples beyond the least.
+    fn expect(&self, counts: &[u64]) -> (f64, f64) {
+        let (mut sum, mut beyond) = (0.0, 0.0);
         for (class, count) in counts.iter().enumerate().filter(|(_, count)| **count > 0) {
-            let samples = 2.0 * f64::from(self.pairs[class]);
-            let error = 2.0 * doubt_of(class) / (samples * samples.sqrt());
-            self.error += *count as f64 * error;
-            self.squares += *count as f64 * error * error;
+            let (pairs, count) = (self.pairs_of(class), *count as f64);
+            let samples = 2.0 * f64::from(pairs);
+            sum += count * 2.0 * doubt_of(class) / (samples * samples.sqrt());
+            beyond += count * 2.0 * f64::from(pairs - self.wish.least);
         }
+        (sum, beyond)
     }
 
-    /// The expected squared errors of the eight pixels that count most, about: so few may
-    /// pass a check by luck.
-    pub fn of_few(&self) -> f64 {
-        const FEW: f64 = 8.0;
-        if self.squares > 0.0 {
-            self.error.min(FEW * self.squares / self.error)
-        } else {
-            0.0
-        }
+    fn pairs_of(&self, class: usize) -> u32 {
+        let Wish { least, most, .. } = self.wish;
+        let above = (class + 1).saturating_sub(self.first);
+        let doublings = above.div_ceil(PER_DOUBLING).min(31) as u32;
+        least.saturating_mul(1 << doublings).min(most).max(least)
     }
 
     /// The pairs that a pixel of this doubt is to have.
     pub fn pairs(&self, doubt: f32) -> u32 {
-        self.pairs[class(doubt)]
+        self.pairs_of(class(doubt))
     }
 }
 
@@ -104,46 +116,35 @@ fn counts(doubts: &[f32]) -> Vec<u64> {
 mod tests {
     use super::*;
 
-    /// Doubts of 1/1024 to 1, a thousand of each.
-    fn doubts() -> Vec<f32> {
+    /// Doubts of 1/1024 to 1, a thousand of each; the expected error, and the most pairs.
+    fn result(most: u32, aim: f64, free: f64) -> (f64, u32) {
+        let wish = Wish {
+            least: 3,
+            most,
+            aim,
+            free,
+        };
         let powers = (0..=10).map(|i| 1.0 / (1 << i) as f32);
-        powers.flat_map(|doubt| [doubt; 1000]).collect()
-    }
-
-    fn error(doubts: &[f32], allocation: &Allocation) -> f64 {
+        let doubts: Vec<_> = powers.flat_map(|doubt| [doubt; 1000]).collect();
+        let allocation = Allocation::new(&doubts, wish);
+        assert_eq!(allocation.pairs(0.0), 3);
         let error = |doubt: &f32| {
             let samples = f64::from(2 * allocation.pairs(*doubt));
             2.0 * f64::from(*doubt) / (samples * samples.sqrt())
         };
-        doubts.iter().map(error).sum()
+        (doubts.iter().map(error).sum(), allocation.pairs(1.0))
     }
 
     /// A class is an eighth wide on both sides of its middle.
     #[test]
     fn the_expected_error_comes_near_the_aim() {
-        for aim in [1000.0, 100.0, 1.0, 0.01] {
-            let doubts = doubts();
-            let allocation = Allocation::new(&doubts, 1, 1 << 20, aim);
-            let error = error(&doubts, &allocation);
+        for aim in [100.0, 1.0, 0.01] {
+            let (error, _) = result(1 << 20, aim, 0.0);
             assert!(error < aim * 1.13 && error > aim / 2.0, "{error} of {aim}");
+            let (smaller, _) = result(1 << 20, aim, 1e9);
+            assert!(smaller < aim / 12.0, "{smaller} of {aim}");
         }
-    }
-
-    #[test]
-    fn samples_grow_with_the_power_two_fifths_of_the_doubt() {
-        let allocation = Allocation::new(&doubts(), 1, 1 << 20, 1.0);
-        let pairs = |doubt: f32| f64::from(allocation.pairs(doubt));
-        assert_eq!(pairs(1.0), 4.0 * pairs(1.0 / 32.0));
-        assert_eq!(pairs(1.0 / 32.0), 4.0 * pairs(1.0 / 1024.0));
-    }
-
-    #[test]
-    fn pairs_stay_between_least_and_most() {
-        let all = doubts();
-        let enough = Allocation::new(&all, 3, 100, 1e9);
-        assert!(all.iter().all(|doubt| enough.pairs(*doubt) == 3));
-        let never = Allocation::new(&all, 3, 100, 1e-9);
-        assert!(all.iter().all(|doubt| never.pairs(*doubt) == 100));
-        assert_eq!(never.pairs(0.0), 3);
+        assert_eq!(result(100, 1e9, 0.0).1, 3);
+        assert_eq!(result(100, 1e-9, 0.0).1, 100);
     }
 }

@@ -1,32 +1,31 @@
-//! The check: how far off is the picture? The samples that tell this are new ones, which its
-//! refinement has not seen.
+//! The check: new samples, which no decision has seen, show how far off the picture is.
 
 use std::ops::AddAssign;
 
 use super::Radiance;
 use super::picture::Picture;
-use super::pixel::{Pixel, dot};
-use super::random::PixelRandom;
+use super::pixel::Pixel;
+use super::search::Search;
 
-/// A sum of squared errors, estimated with the errors of some pixels.
+/// An estimated sum of squared errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Estimate {
-    /// The estimated sum, over all pixels and channels. It may be below 0.
+    /// The sum over all pixels and channels.
     pub sum: f64,
     /// The variance of `sum`, or more: the sum of the squares of its terms.
     pub variance: f64,
-    /// The number of pixels that were checked.
-    pub pixels: u64,
 }
 
 impl Estimate {
-    fn add(&mut self, term: f64) {
-        self.pixels += 1;
-        // A pixel that is NaN has no error; another message counts these.
-        if term.is_finite() {
-            self.sum += term;
-            self.variance += term * term;
-        }
+    /// Adds the estimated squared error of a pixel.
+    pub fn add(&mut self, term: f64) {
+        self.sum += term;
+        self.variance += term * term;
+    }
+
+    /// The sum and two standard deviations, which it stays below with 95 % confidence.
+    pub fn largest(&self) -> f64 {
+        self.sum + 2.0 * self.variance.sqrt()
     }
 }
 
@@ -34,80 +33,63 @@ impl AddAssign for Estimate {
     fn add_assign(&mut self, other: Self) {
         self.sum += other.sum;
         self.variance += other.variance;
-        self.pixels += other.pixels;
     }
 }
 
-/// The rows' estimates, added up in their order.
-fn total(rows: Vec<Estimate>) -> Estimate {
-    let mut total = Estimate::default();
-    for row in rows {
-        total += row;
-    }
-    total
+/// The result of a check.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Found {
+    /// The number of pixels that were checked.
+    pub checked: u64,
+    /// The error of the pixels as the last check of each estimates it.
+    pub known: Estimate,
+    /// The error of pixels that look even, but were not drawn; and the error that was found
+    /// in pixels that had looked even before. It is likely in others as well.
+    pub unknown: Estimate,
 }
 
-/// Doubles the samples of all pixels that have `base` pairs.
-///
-/// The mean of two independent means is off by half of their difference, in the mean square.
-/// Here old and new samples keep away from each other, so that it is off by less.
-pub fn double<R: Radiance>(picture: &mut Picture<R>, base: u32) -> Estimate {
-    total(picture.change_rows(|picture, row, pixels| {
-        let is_even = |pixel: &Pixel| pixel.pairs() == base;
-        let columns = (0..).zip(&*pixels).filter(|(_, pixel)| is_even(pixel));
-        let wanted: Vec<_> = columns
-            .map(|(column, _)| (column, base..2 * base))
-            .collect();
-        let fresh = picture.sample(row, picture.seed(), wanted.iter().cloned());
-        let mut estimate = Estimate::default();
-        for (old, new) in pixels.iter_mut().zip(&fresh) {
-            if new.pairs() == base {
-                // ANCHOR: even
-                let apart = old.shown() - new.shown();
-                estimate.add(0.25 * dot(apart, apart));
-                old.merge(new);
-                // ANCHOR_END: even
+/// Takes the samples that each pixel lacks, and compares them with those before. The goal is
+/// the number of pairs that a pixel is to have, as a function of its index and itself. A pixel
+/// that needs no more than the search does looks even.
+pub fn check<R: Radiance>(
+    picture: &mut Picture<R>,
+    search: &Search,
+    goal: impl Fn(usize, &Pixel) -> u32 + Sync,
+) -> Found {
+    let least = search.pairs;
+    let unseen = search.unseen(picture.brightest());
+    let rows = picture.change_rows(|picture, row, pixels| {
+        let mut found = Found::default();
+        let mut lacking = Vec::new();
+        for (column, pixel) in pixels.iter().enumerate() {
+            let goal = goal(row * pixels.len() + column, pixel);
+            if goal > least && pixel.checked() <= least {
+                found.unknown.add(pixel.off().min(unseen));
+            }
+            let (column, lacks) = (column as u32, pixel.pairs()..goal);
+            if !lacks.is_empty() && (goal > least || picture.lot(column, row) < search.share) {
+                lacking.push((column, lacks));
             }
         }
-        estimate
-    }))
-}
-
-/// Draws pixels with more than `base` pairs, each with this probability, and compares them
-/// with two new means, each of half as many samples. The product of both differences is the
-/// squared error, on average. These samples are thrown away, and counted in the second
-/// result.
-pub fn audit<R: Radiance>(
-    picture: &Picture<R>,
-    base: u32,
-    probability: f64,
-    round: u32,
-) -> (Estimate, u64) {
-    let seed = |half| {
-        let random = PixelRandom::new(picture.seed(), round, half);
-        (random.uniform(0) * (1_u64 << 53) as f64) as u64
-    };
-    let rows = picture.each_row(|row, pixels| {
-        let drawn = |(column, pixel): &(u32, &Pixel)| {
-            let random = PixelRandom::new(seed(0), *column, row as u32);
-            pixel.pairs() > base && random.uniform(0) < probability
-        };
-        let drawn: Vec<_> = (0..).zip(pixels).filter(drawn).collect();
-        let halves = [seed(1), seed(2)].map(|seed| {
-            let half = |(column, pixel): &(u32, &Pixel)| (*column, 0..pixel.pairs() / 2);
-            picture.sample(row, seed, drawn.iter().map(half))
-        });
-        let (mut estimate, mut samples) = (Estimate::default(), 0);
-        for (column, pixel) in drawn {
-            let [first, second] = halves.each_ref().map(|half| &half[column as usize]);
-            // ANCHOR: audit
-            let off = |fresh: &Pixel| fresh.shown() - pixel.shown();
-            estimate.add(dot(off(first), off(second)) / probability);
-            // ANCHOR_END: audit
-            samples += u64::from(2 * (first.pairs() + second.pairs()));
+        let fresh = picture.sample(row, lacking.into_iter());
+        for (column, fresh) in &fresh {
+            let pixel = &mut pixels[*column as usize];
+            let was_middle = pixel.pairs() == 0;
+            pixel.check(fresh);
+            if was_middle && pixel.pairs() <= least {
+                let others = 1.0 / search.share - 1.0;
+                found.unknown.add(pixel.off() * others);
+            }
         }
-        (estimate, samples)
+        found.checked = fresh.len() as u64;
+        pixels.iter().for_each(|pixel| found.known.add(pixel.off()));
+        found
     });
-    let samples = rows.iter().map(|(_, samples)| samples).sum();
-    (total(rows.into_iter().map(|(e, _)| e).collect()), samples)
+    let mut total = Found::default();
+    for row in rows {
+        total.checked += row.checked;
+        total.known += row.known;
+        total.unknown += row.unknown;
+    }
+    total
 }

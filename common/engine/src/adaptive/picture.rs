@@ -4,9 +4,9 @@ use std::mem;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use common::{Error, Progress, Settings, Size};
+use common::{Color, Error, Progress, Settings, Size};
 use rayon::iter::{IndexedParallelIterator, ParallelExtend, ParallelIterator};
-use rayon::slice::{ParallelSlice, ParallelSliceMut};
+use rayon::slice::ParallelSliceMut;
 
 use super::Radiance;
 use super::pixel::Pixel;
@@ -25,6 +25,8 @@ pub struct Picture<'a, R> {
     pixels: Vec<Pixel>,
     /// The number of rows painted so far.
     painted: AtomicU32,
+    /// The bits of the brightest channel of a sample. Bits of numbers above 0 grow with them.
+    brightest: AtomicU32,
 }
 
 impl<'a, R: Radiance> Picture<'a, R> {
@@ -46,6 +48,7 @@ impl<'a, R: Radiance> Picture<'a, R> {
             progress,
             pixels,
             painted: AtomicU32::new(0),
+            brightest: AtomicU32::new(1_f32.to_bits()),
         })
     }
 
@@ -59,35 +62,65 @@ impl<'a, R: Radiance> Picture<'a, R> {
         self.settings.size.width() as usize
     }
 
-    /// The number that selects the samples of the picture.
-    pub fn seed(&self) -> u64 {
-        self.settings.seed
+    /// The row of the whole picture that a row of these pixels is.
+    fn row(&self, row: usize) -> u32 {
+        self.settings.rows().start + row as u32
+    }
+
+    /// A random number of a pixel, for other ends than the places of its samples.
+    pub fn lot(&self, column: u32, row: usize) -> f64 {
+        PixelRandom::new(!self.settings.seed, column, self.row(row)).uniform(0)
+    }
+
+    /// The brightest channel of a sample, but at least 1.
+    pub fn brightest(&self) -> f64 {
+        f32::from_bits(self.brightest.load(Ordering::Relaxed)).into()
+    }
+
+    fn look(&self, places: &[(f64, f64)], light: &mut Vec<Color>) {
+        if self.progress.stopped() {
+            light.clear();
+            return;
+        }
+        self.radiance.light(places, light);
+        let channels = light.iter().flat_map(|light| light.channels());
+        let finite = channels.filter(|channel| channel.is_finite());
+        let brightest = finite.fold(0.0, f64::max) as f32;
+        self.brightest
+            .fetch_max(brightest.to_bits(), Ordering::Relaxed);
     }
 
     /// Takes as many pairs of samples as are wanted of each pixel altogether: a function of
-    /// its index.
-    pub fn take(&mut self, wanted: impl Fn(usize) -> u32 + Sync) {
+    /// its index and itself. Returns the number of pixels that have more by that.
+    pub fn take(&mut self, wanted: impl Fn(usize, &Pixel) -> u32 + Sync) -> usize {
+        let rows = self.change_rows(|picture, row, pixels| {
+            let pixels_here = pixels.iter().zip(row * pixels.len()..);
+            let more = pixels_here.map(|(pixel, i)| pixel.pairs()..wanted(i, pixel));
+            let fresh = picture.sample(row, (0..).zip(more));
+            for (column, fresh) in &fresh {
+                pixels[*column as usize].merge(fresh);
+            }
+            fresh.len()
+        });
+        rows.into_iter().sum()
+    }
+
+    /// Takes a sample in the middle of each pixel.
+    pub fn take_middles(&mut self) {
         self.change_rows(|picture, row, pixels| {
-            let first = row * pixels.len();
-            let more = pixels.iter().zip(first..);
-            let more = more.map(|(pixel, i)| pixel.pairs()..wanted(i));
-            let fresh = picture.sample(row, picture.seed(), (0..).zip(more));
-            for (pixel, fresh) in pixels.iter_mut().zip(&fresh) {
-                if fresh.pairs() > 0 {
-                    pixel.merge(fresh);
-                }
+            let (size, row, mut light) = (picture.settings.size, picture.row(row), Vec::new());
+            let place = |column| camera_place(size, (column, row), (0.5, 0.5));
+            picture.look(
+                &(0..size.width()).map(place).collect::<Vec<_>>(),
+                &mut light,
+            );
+            for (pixel, light) in pixels.iter_mut().zip(light) {
+                *pixel = Pixel::of_middle(light);
             }
         });
     }
 
-    /// The results of a function of each row and its pixels.
-    pub fn each_row<T: Send>(&self, f: impl Fn(usize, &[Pixel]) -> T + Sync) -> Vec<T> {
-        let rows = self.pixels.par_chunks_exact(self.width()).enumerate();
-        let rows = rows.with_max_len(1);
-        rows.map(|(row, pixels)| f(row, pixels)).collect()
-    }
-
-    /// Like `each_row`, with a function that changes the pixels.
+    /// The results of a function that changes the pixels, for each row.
     pub fn change_rows<T: Send>(
         &mut self,
         f: impl Fn(&Self, usize, &mut [Pixel]) -> T + Sync,
@@ -104,29 +137,29 @@ impl<'a, R: Radiance> Picture<'a, R> {
         results
     }
 
-    /// New samples of the pixels of a row: of some columns, the pairs with these numbers in
-    /// the pixel's sequence.
+    /// New samples of the pixels of a row: of some columns, from left to right, the pairs
+    /// with these numbers in the pixel's sequence.
     pub fn sample(
         &self,
         row: usize,
-        seed: u64,
         wanted: impl Iterator<Item = (u32, Range<u32>)>,
-    ) -> Vec<Pixel> {
-        let row = self.settings.rows().start + row as u32;
-        let mut pixels = vec![Pixel::NONE; self.width()];
+    ) -> Vec<(u32, Pixel)> {
+        let row = self.row(row);
         let (mut columns, mut places, mut light) = (Vec::new(), Vec::new(), Vec::new());
+        let mut pixels: Vec<(u32, Pixel)> = Vec::new();
         let mut look = |columns: &mut Vec<u32>, places: &mut Vec<_>| {
-            if !self.progress.stopped() {
-                self.radiance.light(places, &mut light);
-                for (column, pair) in columns.iter().zip(light.chunks_exact(2)) {
-                    pixels[*column as usize].add([pair[0], pair[1]]);
+            self.look(places, &mut light);
+            for (column, pair) in columns.drain(..).zip(light.chunks_exact(2)) {
+                let pair = Pixel::of_pair([pair[0], pair[1]]);
+                match pixels.last_mut() {
+                    Some((last, pixel)) if *last == column => pixel.merge(&pair),
+                    _ => pixels.push((column, pair)),
                 }
             }
-            columns.clear();
             places.clear();
         };
         for (column, numbers) in wanted.filter(|(_, numbers)| !numbers.is_empty()) {
-            let sequence = Sequence::new(PixelRandom::new(seed, column, row));
+            let sequence = Sequence::new(PixelRandom::new(self.settings.seed, column, row));
             for i in numbers {
                 let place = |place| camera_place(self.settings.size, (column, row), place);
                 places.extend(sequence.pair(i).map(place));

@@ -2,7 +2,7 @@
 
 use common::Color;
 
-/// The pairs of samples of a pixel.
+/// The samples of a pixel: one in its middle, or pairs.
 #[derive(Clone, Copy, Debug)]
 pub struct Pixel {
     /// The sum over all samples.
@@ -10,7 +10,11 @@ pub struct Pixel {
     /// The squared distance of the sum of each pair from the mean of these sums, added up
     /// over pairs and channels.
     scatter: f32,
+    /// The squared error that the last check estimated, added up over the channels.
+    off: f32,
     pairs: u32,
+    /// The number of pairs after the last check.
+    checked: u32,
 }
 
 impl Pixel {
@@ -18,30 +22,73 @@ impl Pixel {
     pub const NONE: Self = Self {
         sum: Color::BLACK,
         scatter: 0.0,
+        off: 0.0,
         pairs: 0,
+        checked: 0,
     };
 
-    /// Adds the light of a pair of samples.
-    pub fn add(&mut self, [a, b]: [Color; 2]) {
-        self.merge(&Self {
-            sum: a + b,
-            scatter: 0.0,
-            pairs: 1,
-        });
+    /// The light of a sample in the middle.
+    pub const fn of_middle(light: Color) -> Self {
+        Self {
+            sum: light,
+            ..Self::NONE
+        }
     }
 
-    /// Adds other samples of this pixel. (The scatter as in Chan, Golub, `LeVeque`: Algorithms
-    /// for Computing the Sample Variance, 1983.)
+    /// The light of a pair of samples.
+    pub fn of_pair([a, b]: [Color; 2]) -> Self {
+        Self {
+            sum: a + b,
+            pairs: 1,
+            ..Self::NONE
+        }
+    }
+
+    /// Adds other pairs of this pixel, which replace a sample in the middle. (The scatter as
+    /// in Chan, Golub, `LeVeque`: Algorithms for Computing the Sample Variance, 1983.)
     pub fn merge(&mut self, other: &Self) {
-        if self.pairs > 0 {
+        if self.pairs == 0 {
+            self.sum = other.sum;
+        } else {
             let [here, there] = [f64::from(self.pairs), f64::from(other.pairs)];
             let apart = other.sum * (1.0 / there) - self.sum * (1.0 / here);
             let between = dot(apart, apart) * (here * there / (here + there));
             self.scatter += between as f32;
+            self.sum += other.sum;
         }
-        self.sum += other.sum;
         self.scatter += other.scatter;
         self.pairs += other.pairs;
+    }
+
+    // ANCHOR: check
+    /// Adds pairs that no decision has seen, and estimates the squared error by them.
+    ///
+    /// Let `a` and `1 - a` be the shares of old and new samples. If their means are independent,
+    /// the mean of all is off by `a (1 - a)` times the squared difference of both, on average.
+    /// The samples here keep away from each other, so it is off by less.
+    pub fn check(&mut self, fresh: &Self) {
+        let apart = self.shown() - fresh.shown();
+        let a = f64::from(self.pairs) / f64::from(self.pairs + fresh.pairs);
+        let shares = if a > 0.0 { a * (1.0 - a) } else { 1.0 };
+        self.merge(fresh);
+        self.checked = self.pairs;
+        self.off = (shares * dot(apart, apart)) as f32;
+    }
+    // ANCHOR_END: check
+
+    /// The squared error that the last check estimated, added up over the channels.
+    pub fn off(&self) -> f64 {
+        // A pixel that is NaN has no error; another message counts these.
+        if self.off.is_finite() {
+            self.off.into()
+        } else {
+            0.0
+        }
+    }
+
+    /// The number of pairs after the last check.
+    pub const fn checked(&self) -> u32 {
+        self.checked
     }
 
     /// The number of pairs.
@@ -51,6 +98,9 @@ impl Pixel {
 
     /// The mean light of the samples.
     pub fn mean(&self) -> Color {
+        if self.pairs == 0 {
+            return self.sum;
+        }
         self.sum.map(|sum| sum / f64::from(2 * self.pairs))
     }
 
@@ -76,41 +126,30 @@ pub fn dot(a: Color, b: Color) -> f64 {
 mod tests {
     use super::*;
 
-    const PAIRS: [[f64; 2]; 4] = [[1.0, 2.0], [0.5, 0.5], [0.0, 4.0], [3.0, 1.0]];
-
-    fn pixel(pairs: &[[f64; 2]]) -> Pixel {
-        let mut pixel = Pixel::NONE;
-        for [a, b] in pairs {
-            pixel.add([Color::new(*a, 0.0, 2.0), Color::new(*b, 0.0, 2.0)]);
-        }
-        pixel
-    }
-
     /// The sums 3, 1, 4 and 4 have the mean 3 and the squared distances 0, 4, 1 and 1.
     #[test]
     fn mean_and_variance_are_those_of_the_pairs() {
-        assert_eq!(pixel(&PAIRS[..1]).variance(), None);
-        let all = pixel(&PAIRS);
+        let mut all = Pixel::NONE;
+        for pair in [[1.0, 2.0], [0.5, 0.5], [0.0, 4.0], [3.0, 1.0]] {
+            let pair = pair.map(|light| Color::new(light, 0.0, 2.0));
+            all.merge(&Pixel::of_pair(pair));
+        }
         assert_eq!(all.mean(), Color::new(1.5, 0.0, 2.0));
         assert_eq!(all.shown(), Color::new(1.0, 0.0, 1.0));
         assert_eq!(all.pairs(), 4);
         assert!((all.variance().unwrap() - 1.0).abs() < 1e-6);
     }
 
+    /// The means 1/4 and 3/4 differ by a half. With shares of a half each, the squared error
+    /// is a quarter of the squared difference; with 3/4 and 1/4, it is 3/16 of it.
     #[test]
-    fn merged_samples_are_those_of_one_pixel() {
-        let (mut first, second) = (pixel(&PAIRS[..1]), pixel(&PAIRS[1..]));
-        first.merge(&second);
-        let all = pixel(&PAIRS);
-        assert_eq!((first.mean(), first.pairs()), (all.mean(), 4));
-        assert!((first.variance().unwrap() - 1.0).abs() < 1e-6);
-    }
-
-    /// The first place of a pair and its mirror image see light that changes evenly at equal
-    /// distances above and below its mean.
-    #[test]
-    fn light_that_changes_evenly_has_no_variance() {
-        let even = [[0.2, 0.6], [0.1, 0.7], [0.35, 0.45]];
-        assert!(pixel(&even).variance().unwrap() < 1e-12);
+    fn a_check_estimates_the_error_of_all_samples_together() {
+        let [low, high] = [0.25, 0.75].map(|light| [Color::new(light, 0.0, 0.0); 2]);
+        for (pairs, off) in [(1, 1.0 / 16.0), (3, 3.0 / 64.0)] {
+            let mut pixel = Pixel::NONE;
+            (0..pairs).for_each(|_| pixel.merge(&Pixel::of_pair(low)));
+            pixel.check(&Pixel::of_pair(high));
+            assert_eq!((pixel.off(), pixel.pairs()), (off, pairs + 1));
+        }
     }
 }
