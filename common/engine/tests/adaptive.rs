@@ -117,7 +117,7 @@ fn a_band_of_rows_keeps_the_bound() {
     }
 }
 
-/// Pairs of samples on both sides of the middle see light that changes evenly at its mean.
+/// The middle sees light that changes evenly at its mean, and so does the pair that checks it.
 #[test]
 fn smooth_light_takes_the_fewest_samples() {
     let slope: Light = |x, y| 0.1 + 0.002 * x + 0.003 * y;
@@ -127,14 +127,12 @@ fn smooth_light_takes_the_fewest_samples() {
     });
     let exact = exact.unwrap();
     let (image, sampled) = adaptive(slope, &settings(1.0 / 64.0));
-    // One in the middle, and a pair that checks it.
     assert_eq!((sampled.most, sampled.samples), (2, 3 * sampled.pixels));
     assert!(root_mean_square(&image, &exact) < 1e-12);
 }
 
-/// A lone square of 0.3 x 0.3 pixels makes the error 0.09 / 69 of the picture. Three pixels in
-/// which one of `n` samples may be wrong make half of the square of that if `n` is the root
-/// of 6, divided by 0.09. That number is needed even where there is nothing.
+/// A lone square of 0.3 x 0.3 pixels makes the error 0.09 / 69. Three pixels in which one of
+/// the root of 6 / 0.09 samples may be wrong make half of its square, even if all is empty.
 #[test]
 fn an_empty_picture_is_searched_for_small_objects() {
     let size = settings(1.0).size;

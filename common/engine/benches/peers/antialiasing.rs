@@ -59,6 +59,7 @@ const CONTESTANTS: [Contestant; 2] = [
             "--max-error 0.015 --samples 1024",
             "--max-error 0.02 --samples 1024",
             "--max-error 0.03 --samples 1024",
+            "--max-error 0.04 --samples 1024",
             "--max-error 0.05 --samples 1024",
         ],
     },

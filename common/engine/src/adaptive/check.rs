@@ -82,7 +82,9 @@ pub fn check<R: Radiance>(
             }
         }
         found.checked = fresh.len() as u64;
-        pixels.iter().for_each(|pixel| found.known.add(pixel.off()));
+        for pixel in pixels {
+            found.known.add(pixel.off());
+        }
         found
     });
     let mut total = Found::default();
