@@ -124,7 +124,7 @@ fn the_plan_names_the_work_that_is_left_out() {
             assert!(is_named || found[0] == found[1], "{work:?}: {plan}");
         }
     }
-    // What the mirror needs is no omission.
+    // The work that the mirror needs is no omission.
     assert!(!plan(mirror).contains("reflected rays"));
 }
 

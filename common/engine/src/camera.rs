@@ -6,7 +6,7 @@ use common::Size;
 use glam::DVec3;
 
 use crate::Ray;
-use crate::lanes::{Lanes, RayPacket, Vector3x4};
+use crate::lanes::{Lanes, RayPacket, Vector3x4, in_fours};
 use crate::vector::normalized;
 
 /// The ray through the place (x, y) of a picture of this size: whole numbers are the
@@ -60,9 +60,7 @@ impl Camera<'_> {
     /// Adds the rays through four places to `packets`, and so on; the last place repeats.
     pub(crate) fn rays(&self, size: Size, places: &[(f64, f64)], packets: &mut Vec<RayPacket>) {
         let [width, height] = [size.width(), size.height()].map(f64::from);
-        let fours = places
-            .chunks(4)
-            .map(|four| [0, 1, 2, 3].map(|i| four[i.min(four.len() - 1)]));
+        let fours = in_fours(places);
         match self {
             Self::Perspective {
                 basis,

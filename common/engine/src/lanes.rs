@@ -20,6 +20,15 @@ pub use wide::f64x4 as Lanes;
 /// The `t` of no hit.
 pub const NOWHERE: Lanes = Lanes::new([f64::NAN; 4]);
 
+/// The values four by four; in the last four the last value repeats.
+#[inline]
+pub fn in_fours<T: Copy>(values: &[T]) -> impl Iterator<Item = [T; 4]> {
+    let lane_of = |four: &[T], lane: usize| four[lane.min(four.len() - 1)];
+    values
+        .chunks(4)
+        .map(move |four| [0, 1, 2, 3].map(|lane| lane_of(four, lane)))
+}
+
 /// `yes` in the lanes of the mask, and `no` in the others.
 #[inline]
 pub fn select(mask: Lanes, yes: Lanes, no: Lanes) -> Lanes {

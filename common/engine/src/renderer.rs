@@ -8,7 +8,7 @@ use rayon::slice::ParallelSliceMut;
 use crate::accel::Accelerator;
 use crate::adaptive;
 use crate::flatten::flatten;
-use crate::lanes::RayPacket;
+use crate::lanes::{RayPacket, in_fours};
 use crate::shade::RadianceBound;
 use crate::trace::Tracer;
 use crate::{BATCH, Camera, Ray, Sampler, Scene, camera_place, image_of_rows};
@@ -75,10 +75,8 @@ impl<'a> Renderer<'a> {
 
     /// Computes the light along some rays. `light` has one element for each ray.
     pub fn trace(&self, rays: &[Ray], light: &mut [Color]) {
-        let packet = |four: &[Ray]| {
-            RayPacket::new([0, 1, 2, 3].map(|lane: usize| &four[lane.min(four.len() - 1)]))
-        };
-        let packets: Vec<_> = rays.chunks(4).map(packet).collect();
+        let fours = in_fours(rays);
+        let packets: Vec<_> = fours.map(|four| RayPacket::new(four.each_ref())).collect();
         self.tracer.trace(&packets, light);
     }
 

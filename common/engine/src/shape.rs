@@ -80,7 +80,7 @@ impl<'a> Shape<'a> {
     pub fn transformed(self, transform: &Transform) -> Self {
         Self::Transformed(match self {
             Self::Transformed(shape) => shape.under(transform),
-            shape => Transformed::new(vec![*transform], Box::new(shape)),
+            shape => Transformed::new(transform, Box::new(shape)),
         })
     }
 }

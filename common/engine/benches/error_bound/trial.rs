@@ -15,7 +15,7 @@ pub struct Subject {
     references: [Image; 2],
 }
 
-/// What came of one rendering.
+/// The result of one rendering.
 pub struct Trial {
     /// The true root mean square error, as a share of the bound.
     pub error: f64,

@@ -23,17 +23,18 @@ pub struct Transformed<'a> {
 }
 
 impl<'a> Transformed<'a> {
-    pub(super) fn new(steps: Vec<Transform>, shape: Box<Shape<'a>>) -> Self {
+    pub(super) fn new(transform: &Transform, shape: Box<Shape<'a>>) -> Self {
         Self {
-            keeps_normals: steps.iter().all(Transform::keeps_normals),
-            steps,
+            steps: vec![*transform],
             shape,
+            keeps_normals: transform.keeps_normals(),
         }
     }
 
     pub(super) fn under(mut self, transform: &Transform) -> Self {
+        self.keeps_normals &= transform.keeps_normals();
         self.steps.insert(0, *transform);
-        Self::new(self.steps, self.shape)
+        self
     }
 
     /// The transforms, from the outermost to the innermost.
