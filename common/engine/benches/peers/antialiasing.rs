@@ -1,4 +1,4 @@
-//! Smooth edges: how near each program comes to its own picture of 256 samples a
+//! Smooth edges: how near each program comes to its own picture of 1,024 samples a
 //! pixel, and in which time.
 //!
 //! The error that nobody sees, 1/510, is 0.50 of 255. Rounding a picture to bytes
@@ -158,7 +158,7 @@ fn rows(
     };
     let mut contestants = Vec::new();
     for contestant in CONTESTANTS.iter().filter(|c| c.tracer.installed()) {
-        if let Some(reference) = reference(contestant, &job(double(size)?), limit)? {
+        if let Some(reference) = reference(contestant, &job(finer(size)?), limit)? {
             contestant.tracer.write_scene(&job(size))?;
             contestants.push((contestant, reference));
         }
@@ -195,28 +195,34 @@ fn rows(
     Ok(rows)
 }
 
-fn double(size: Size) -> Result<Size, ArgumentError> {
-    Size::new(2 * size.width(), 2 * size.height())
+/// Width and height of a reference, in those of the picture.
+const FINER: u32 = 4;
+
+fn finer(size: Size) -> Result<Size, ArgumentError> {
+    Size::new(FINER * size.width(), FINER * size.height())
 }
 
-/// The picture of 256 samples a pixel. POV-Ray takes at most 81, so the picture is
-/// rendered with 64 samples at the double size, and the mean of four pixels is one.
+/// The picture of 1,024 samples a pixel. POV-Ray takes at most 81, so the picture is
+/// rendered with 64 samples at a finer size, and the mean of sixteen pixels is one.
 fn reference(
     contestant: &Contestant,
-    double: &Job,
+    fine: &Job,
     limit: Duration,
 ) -> Result<Option<Image>, Box<dyn Error>> {
     let tracer = contestant.tracer;
-    tracer.write_scene(double)?;
-    if trace(tracer, double, contestant.reference, limit)?.is_none() {
+    tracer.write_scene(fine)?;
+    if trace(tracer, fine, contestant.reference, limit)?.is_none() {
         return Ok(None);
     }
-    let large = picture_file::open(&double.file(tracer, "png"))?;
-    let size = Size::new(double.size.width() / 2, double.size.height() / 2)?;
+    let large = picture_file::open(&fine.file(tracer, "png"))?;
+    let size = Size::new(fine.size.width() / FINER, fine.size.height() / FINER)?;
     let mean = |x, y| {
-        let four = [(0, 0), (1, 0), (0, 1), (1, 1)];
-        let pixels = four.map(|(dx, dy)| large.get(2 * x + dx, 2 * y + dy).unwrap_or_default());
-        pixels.into_iter().fold(Color::BLACK, Color::add) * 0.25
+        let offsets = (0..FINER * FINER).map(|i| (i % FINER, i / FINER));
+        let pixels = offsets.map(|(dx, dy)| large.get(FINER * x + dx, FINER * y + dy));
+        let sum = pixels
+            .map(Option::unwrap_or_default)
+            .fold(Color::BLACK, Color::add);
+        sum * (1.0 / f64::from(FINER * FINER))
     };
     Ok(Some(Image::from_fn(size, mean)?))
 }
