@@ -33,13 +33,8 @@ fn work_on(course: &[Exercise], e: &Exercise, typed: &Receiver<String>) -> Resul
     files::begin(e)?;
     let file = files::yours(e);
     println!("\n{}\n", progress::bars(course));
-    println!(
-        "{}, {} minutes, in {}\n\n{}\n",
-        e.title,
-        e.minutes,
-        file.display(),
-        e.task
-    );
+    let (title, minutes, place, task) = (e.title, e.minutes, file.display(), &e.task);
+    println!("{title}, {minutes} minutes, in {place}\n\n{task}\n");
     let mut hints = e.hints.iter().cycle();
     let mut checked = None;
     loop {

@@ -21,23 +21,18 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
     };
     let shows = arguments.filter.is_some();
     let mut trials = Vec::new();
-    for Exercise {
-        name,
-        starter,
-        solution,
-        wrong,
-    } in exercises
-    {
+    for exercise in exercises {
+        let (name, wrong) = (exercise.name, exercise.wrong);
+        assert!(wrong.len() >= 3, "{name} has at least three usual mistakes");
         let picture = format!("{stage}-exercise-{}.png", name.replace('_', "-"));
-        let title = |of: &str| format!("{name}::{of}");
-        trials.push(Trial::test(title("starter"), move || {
-            prove_starter(starter)
+        trials.push(Trial::test(format!("{name}::starter"), move || {
+            prove_starter(exercise.starter)
         }));
-        trials.push(Trial::test(title("solution"), move || {
-            prove_solution(solution, &picture, shows)
+        trials.push(Trial::test(format!("{name}::solution"), move || {
+            prove_solution(exercise.solution, &picture, shows)
         }));
         trials.extend(wrong.iter().map(|wrong| {
-            let title = title(&format!("wrong: {}", wrong.mistake));
+            let title = format!("{name}::wrong: {}", wrong.mistake);
             Trial::test(title, move || prove_wrong(wrong, shows))
         }));
     }
@@ -75,8 +70,8 @@ fn prove_wrong(wrong: &Wrong, show: bool) -> Result<(), Failed> {
         println!("    {messages}");
     }
     let says = wrong.says;
-    let is_said = messages.contains(says);
-    is_said
-        .then_some(())
-        .ok_or_else(|| format!("no message says \"{says}\", but\n    {messages}").into())
+    if messages.contains(says) {
+        return Ok(());
+    }
+    Err(format!("no message says \"{says}\", but\n    {messages}").into())
 }
