@@ -1,10 +1,6 @@
 //! Proves the exercises of this stage, which the book sets.
 
-#![allow(
-    unexpected_cfgs,
-    reason = "`cargo learn` selects an exercise by its name"
-)]
-#![cfg_attr(learn, allow(unused))]
+#![allow(unexpected_cfgs, reason = "names of exercises")]
 
 mod aimed;
 #[cfg(not(learn))]

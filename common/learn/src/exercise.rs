@@ -1,16 +1,12 @@
-//! `Exercise`: what the book's pages say about the exercises.
+//! `Exercise`: a section of the book's pages `aNN-exercises.md`.
 
 use std::fs;
-use std::path::Path;
 
-/// The workspace.
-pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-
-/// The part of a page with the exercises in which the reader writes the tracer.
-const CORE_PATH: &str = "Build along";
+/// Number of stages; each has a page.
+const STAGES: u32 = 7;
 
 /// A section of a page. Its texts live as long as the program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Debug, PartialEq, Eq)]
 pub struct Exercise {
     /// The name of its files, without `.rs`.
     pub name: &'static str,
@@ -18,87 +14,63 @@ pub struct Exercise {
     pub stage: &'static str,
     pub title: &'static str,
     pub minutes: u32,
-    /// Whether it belongs to the core path.
+    /// Whether it belongs to the core path, in which the reader writes the tracer.
     pub is_core: bool,
-    /// The text before the command and the hints, without pictures.
-    pub task: &'static str,
-    pub hints: &'static [String],
+    /// The text before the command, without pictures.
+    pub task: String,
+    pub hints: Vec<String>,
     /// The file with the solution, or the lesson.
     pub solution: &'static str,
 }
 
 /// The exercises of all stages, in the order of the book.
-pub struct Course {
-    pub exercises: Vec<Exercise>,
-}
-
-impl Course {
-    pub fn read() -> Result<Self, String> {
-        let entries = fs::read_dir(ROOT).map_err(|error| format!("{ROOT}: {error}"))?;
-        let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
-        let mut stages: Vec<_> = names.filter(|name| name.starts_with("a0")).collect();
-        stages.sort();
-        let mut exercises = Vec::new();
-        for stage in stages {
-            let number = stage.split('-').next().unwrap_or_default();
-            let page = Path::new(ROOT).join(format!("book/src/{number}-exercises.md"));
-            let text = fs::read_to_string(&page)
-                .map_err(|error| format!("{}: {error}", page.display()))?;
-            let text = text.replace("\r\n", "\n").leak();
-            let found = sections(stage.leak(), text);
-            exercises.extend(found.map_err(|problem| format!("{}: {problem}", page.display()))?);
-        }
-        Ok(Self { exercises })
+pub fn read_all() -> Result<Vec<Exercise>, String> {
+    let mut exercises = Vec::new();
+    for stage in 1..=STAGES {
+        let page = format!("book/src/a{stage:02}-exercises.md");
+        let text = fs::read_to_string(&page).map_err(|error| format!("{page}: {error}"))?;
+        let text = text.replace("\r\n", "\n").leak();
+        exercises.extend(sections(text).map_err(|problem| format!("{page}: {problem}"))?);
     }
-
-    pub fn named(&self, name: &str) -> Result<Exercise, String> {
-        let mut exercises = self.exercises.iter().copied();
-        let found = exercises.find(|exercise| exercise.name == name);
-        found.ok_or_else(|| format!("there is no exercise {name}"))
-    }
+    Ok(exercises)
 }
 
 /// The exercises of a page.
-fn sections(stage: &'static str, page: &'static str) -> Result<Vec<Exercise>, String> {
+fn sections(page: &'static str) -> Result<Vec<Exercise>, String> {
     let mut exercises = Vec::new();
     for part in page.split("\n## ").skip(1) {
-        let mut sections = part.split("\n### ");
-        let is_core = sections.next().and_then(|part| part.lines().next()) == Some(CORE_PATH);
-        for section in sections {
-            let (title, text) = section.split_once('\n').unwrap_or((section, ""));
-            exercises.push(exercise(stage, title, text, is_core).ok_or_else(|| {
-                format!("\"{title}\" lacks its file, minutes, command, hint or solution")
+        let is_core = part.starts_with("Build along\n");
+        for section in part.split("\n### ").skip(1) {
+            exercises.push(exercise(section, is_core).ok_or_else(|| {
+                let title = section.lines().next().unwrap_or_default();
+                format!("\"{title}\" lacks its minutes, file, task, command, hint or solution")
             })?);
         }
     }
     Ok(exercises)
 }
 
-fn exercise(
-    stage: &'static str,
-    title: &'static str,
-    text: &'static str,
-    is_core: bool,
-) -> Option<Exercise> {
-    let (before, after) = text.split_once(" minutes")?;
-    let minutes = before.rsplit(['*', ' ', '\n']).next()?.parse().ok()?;
-    let file = format!("{stage}/exercises/");
-    let (name, _) = after.split_once(&*file)?.1.split_once(".rs")?;
-    let (head, _) = text.split_once(&format!("```text\ncargo learn {name}\n```"))?;
-    let (_, task) = head.split_once("*\n\n")?;
-    let (_, solution) = text.split_once("\nSolution: ")?;
+/// Takes a section apart, from its title to its solution.
+fn exercise(section: &'static str, is_core: bool) -> Option<Exercise> {
+    let (title, rest) = section.split_once("\n\n*")?;
+    let (minutes, rest) = rest.split_once(" minutes, in\n`")?;
+    let (file, rest) = rest.split_once(".rs`*\n\n")?;
+    let (stage, name) = file.split_once("/exercises/")?;
+    let (task, rest) = rest.split_once(&format!("```text\ncargo learn {name}\n```\n"))?;
+    let (hints, solution) = rest.split_once("\nSolution: ")?;
+
     let is_text = |paragraph: &&str| !paragraph.starts_with("![") && !paragraph.starts_with('*');
     let task: Vec<_> = task.trim().split("\n\n").filter(is_text).collect();
-    let hints: Option<Vec<_>> = text.split("<details>").skip(1).map(hint).collect();
+    let hints: Option<Vec<_>> = hints.split("<details>").skip(1).map(hint).collect();
     Some(Exercise {
         name,
         stage,
         title,
-        minutes,
+        minutes: minutes.parse().ok()?,
         is_core,
-        task: task.join("\n\n").leak(),
-        hints: hints.filter(|hints| !hints.is_empty())?.leak(),
-        solution: solution.split([',', '\n']).next()?.trim(),
+        task: task.join("\n\n"),
+        hints: hints.filter(|hints| !hints.is_empty())?,
+        solution: solution.split([',', '\n']).next()?,
     })
 }
 
@@ -113,7 +85,10 @@ fn hint(details: &str) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
+    use crate::{enter_workspace, files};
 
     const PAGE: &str = "# Exercises
 
@@ -141,7 +116,7 @@ Once.
 
 </details>
 
-Solution: the lesson.
+Solution: `square.rs`, in the chapter
 ";
 
     #[test]
@@ -152,61 +127,48 @@ Solution: the lesson.
             title: "The square",
             minutes: 10,
             is_core: true,
-            task: "Multiply x by itself.",
-            hints: vec!["\nHint\n\nOnce.\n".to_owned()].leak(),
-            solution: "the lesson.",
+            task: "Multiply x by itself.".to_owned(),
+            hints: vec!["\nHint\n\nOnce.\n".to_owned()],
+            solution: "`square.rs`",
         };
-        assert_eq!(sections("a01", PAGE), Ok(vec![expected]));
+        assert_eq!(sections(PAGE), Ok(vec![expected]));
     }
 
     #[test]
     fn a_section_that_lacks_something_is_named() {
-        for lacking in [
-            "10 minutes",
-            "a01/exercises/",
-            "cargo learn",
-            "<details>",
-            "Once.",
-            "Solution",
-        ] {
-            let page = PAGE.replacen(lacking, "", 1).leak();
-            assert!(
-                sections("a01", page)
-                    .unwrap_err()
-                    .contains("\"The square\""),
-                "{lacking}"
-            );
-        }
-    }
-
-    /// No test would compile it.
-    #[test]
-    fn hints_are_words_and_not_code() {
-        for exercise in Course::read().unwrap().exercises {
-            let has_code = exercise.hints.iter().any(|hint| hint.contains("```rust"));
-            assert!(!has_code, "{}", exercise.name);
+        for lacking in "10,a01/exercises/,cargo learn,<details>,Once.,Solution".split(',') {
+            let found = sections(PAGE.replacen(lacking, "", 1).leak());
+            let problem = found.expect_err(lacking);
+            assert!(problem.contains("\"The square\""), "{problem}");
         }
     }
 
     #[test]
     fn every_page_has_its_starters_and_no_others() {
-        let mut course = Course::read().unwrap();
-        let named = |e: &Exercise| Path::new(e.stage).join("exercises/starters").join(e.name);
-        let mut named: Vec<_> = course.exercises.iter().map(named).collect();
-        let mut files = Vec::new();
-        course.exercises.dedup_by_key(|exercise| exercise.stage);
-        for exercise in &course.exercises {
-            let folder = Path::new(exercise.stage).join("exercises/starters");
-            for entry in fs::read_dir(Path::new(ROOT).join(&folder)).unwrap() {
-                files.push(folder.join(entry.unwrap().path().file_stem().unwrap()));
-            }
+        enter_workspace().unwrap();
+        let exercises = read_all().unwrap();
+        let names: BTreeSet<_> = exercises.iter().map(|e| e.name).collect();
+        assert_eq!(names.len(), exercises.len(), "names are unique");
+
+        let stages: BTreeSet<_> = exercises.iter().map(|e| e.stage).collect();
+        let folders = stages
+            .iter()
+            .map(|stage| format!("{stage}/exercises/starters"));
+        let found: BTreeSet<_> = folders
+            .flat_map(|folder| fs::read_dir(folder).unwrap())
+            .map(|entry| entry.unwrap().path())
+            .collect();
+        let named: BTreeSet<_> = exercises.iter().map(files::starter).collect();
+        assert_eq!(named, found);
+    }
+
+    /// No test would compile it.
+    #[test]
+    fn hints_are_words_and_not_code() {
+        enter_workspace().unwrap();
+        for exercise in read_all().unwrap() {
+            let has_code = exercise.hints.iter().any(|hint| hint.contains("```rust"));
+            assert!(!has_code, "{}", exercise.name);
         }
-        named.sort();
-        files.sort();
-        assert_eq!(named, files);
-        let mut names: Vec<_> = named.iter().map(|path| path.file_name()).collect();
-        names.sort();
-        names.dedup();
-        assert_eq!(names.len(), files.len(), "names are unique");
     }
 }

@@ -11,53 +11,63 @@ mod judgement;
 mod progress;
 mod watch;
 
+use std::env;
 use std::process::ExitCode;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgMatches, Command};
 
-use exercise::Course;
-use judgement::{Verdict, judge};
+use exercise::Exercise;
 
-fn command(names: &[&'static str]) -> Command {
-    let name = |required: bool| {
-        Arg::new("name")
-            .help("An exercise [default: the next that is not done]")
-            .value_name("EXERCISE")
-            .value_parser(PossibleValuesParser::new(names))
-            .hide_possible_values(true)
-            .required(required)
-    };
+/// All paths are relative to the workspace.
+fn enter_workspace() -> Result<(), String> {
+    let workspace = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    env::set_current_dir(workspace).map_err(|error| format!("{workspace}: {error}"))
+}
+
+fn command(course: &[Exercise]) -> Command {
+    let name = Arg::new("name")
+        .help("An exercise")
+        .value_name("EXERCISE")
+        .value_parser(PossibleValuesParser::new(course.iter().map(|e| e.name)))
+        .hide_possible_values(true);
+    let or_next = name
+        .clone()
+        .help("An exercise [default: the next that is not done]");
     let sub = |name, about| Command::new(name).about(about);
     Command::new("cargo learn")
+        .bin_name("cargo learn")
         .about("Leads through the exercises of all stages, and checks them on save")
         .args_conflicts_with_subcommands(true)
-        .arg(name(false))
+        .arg(&or_next)
         .subcommand(sub("list", "Lists all exercises, done and open"))
-        .subcommand(sub("hint", "Shows the hints of an exercise").arg(name(false)))
-        .subcommand(sub("check", "Checks an exercise once").arg(name(false)))
-        .subcommand(sub("reset", "Begins an exercise anew, and keeps your file").arg(name(true)))
+        .subcommand(sub("hint", "Shows the hints of an exercise").arg(&or_next))
+        .subcommand(sub("check", "Checks an exercise once").arg(&or_next))
+        .subcommand(
+            sub("reset", "Begins an exercise anew, and keeps your file").arg(name.required(true)),
+        )
 }
 
 fn main() -> ExitCode {
-    match Course::read().and_then(|course| run(&course)) {
-        Ok(code) => code,
-        Err(problem) => {
-            eprintln!("cargo learn: {problem}");
-            ExitCode::FAILURE
-        }
-    }
+    run().unwrap_or_else(|problem| {
+        eprintln!("cargo learn: {problem}");
+        ExitCode::FAILURE
+    })
 }
 
-fn run(course: &Course) -> Result<ExitCode, String> {
-    let names: Vec<_> = course.exercises.iter().map(|e| e.name).collect();
-    let matches = command(&names).get_matches();
-    let named = |matches: &ArgMatches| match matches.get_one::<String>("name") {
-        Some(name) => course.named(name),
-        None => progress::next(course),
+fn run() -> Result<ExitCode, String> {
+    enter_workspace()?;
+    let course = exercise::read_all()?;
+    let matches = command(&course).get_matches();
+    let named = |matches: &ArgMatches| {
+        let name = matches.get_one::<String>("name");
+        let named = course
+            .iter()
+            .find(|e| name.is_some_and(|name| e.name == name));
+        named.map_or_else(|| progress::next(&course, None), Ok)
     };
     match matches.subcommand() {
-        Some(("list", _)) => progress::list(course),
+        Some(("list", _)) => progress::list(&course),
         Some(("hint", matches)) => {
             let exercise = named(matches)?;
             println!("{}\n{}", exercise.title, exercise.hints.join("\n"));
@@ -65,11 +75,12 @@ fn run(course: &Course) -> Result<ExitCode, String> {
         Some(("check", matches)) => {
             let exercise = named(matches)?;
             files::begin(exercise)?;
-            let verdict = judge(exercise, true)?;
-            return Ok(ExitCode::from(u8::from(verdict != Verdict::Done)));
+            if !judgement::judge(exercise, true)? {
+                return Ok(ExitCode::FAILURE);
+            }
         }
         Some(("reset", matches)) => files::reset(named(matches)?)?,
-        _ => watch::watch(course, named(&matches)?)?,
+        _ => watch::watch(&course, named(&matches)?)?,
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -1,84 +1,66 @@
-//! The exercises that are done, in a file of the workspace that no commit contains.
+//! The exercises that are done, by name, in a file that no commit contains.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::fs::{self, File};
+use std::io::Write;
 
-use crate::exercise::{Course, Exercise, ROOT};
+use crate::exercise::Exercise;
 use crate::files;
+
+const FILE: &str = ".learn";
 
 /// Length of a bar in characters.
 const BAR: usize = 30;
 
-fn file() -> PathBuf {
-    Path::new(ROOT).join(".learn")
-}
-
-/// The names of the exercises that are done.
-fn done() -> Vec<String> {
-    let text = fs::read_to_string(file()).unwrap_or_default();
-    text.lines().map(str::to_owned).collect()
-}
-
-pub fn is_done(exercise: Exercise) -> bool {
-    done().iter().any(|name| name == exercise.name)
+pub fn is_done(exercise: &Exercise) -> bool {
+    let done = fs::read_to_string(FILE).unwrap_or_default();
+    done.lines().any(|name| name == exercise.name)
 }
 
 /// Records that an exercise is done.
-pub fn record(exercise: Exercise) -> Result<(), String> {
+pub fn record(exercise: &Exercise) -> Result<(), String> {
     if is_done(exercise) {
         return Ok(());
     }
-    let text = format!(
-        "{}\n",
-        [done(), vec![exercise.name.to_owned()]].concat().join("\n")
-    );
-    fs::write(file(), text).map_err(|error| format!("{}: {error}", file().display()))
+    let file = File::options().append(true).create(true).open(FILE);
+    file.and_then(|mut file| writeln!(file, "{}", exercise.name))
+        .map_err(|error| format!("{FILE}: {error}"))
 }
 
-/// The next exercise that is not done: first those of the core path.
-pub fn next(course: &Course) -> Result<Exercise, String> {
-    let open = |core| move |e: &Exercise| e.is_core == core && !is_done(*e);
-    let exercises = || course.exercises.iter().copied();
-    let next = exercises()
-        .find(open(true))
-        .or_else(|| exercises().find(open(false)));
+/// The next open exercise: a later one on the same path as the `last`, or the first of the
+/// core path, or the first of the others.
+pub fn next<'a>(course: &'a [Exercise], last: Option<&Exercise>) -> Result<&'a Exercise, String> {
+    let on_path = |is_core| move |e: &&Exercise| e.is_core == is_core;
+    let later = course.iter().skip_while(|e| Some(*e) != last).skip(1);
+    let later = later.filter(on_path(last.is_some_and(|e| e.is_core)));
+    let core = course.iter().filter(on_path(true));
+    let next = later.chain(core).chain(course).find(|e| !is_done(e));
     next.ok_or_else(|| "all exercises are done".to_owned())
 }
 
 /// A bar for the core path and one for the further exercises.
-pub fn bars(course: &Course) -> String {
-    let bar = |words: &str, core: bool| {
-        let all: Vec<_> = course
-            .exercises
-            .iter()
-            .filter(|e| e.is_core == core)
-            .collect();
-        let done = all.iter().filter(|e| is_done(***e)).count();
-        let full = BAR * done / all.len().max(1);
-        let (full, empty) = ("#".repeat(full), ".".repeat(BAR - full));
-        format!("{words} [{full}{empty}] {done} of {}", all.len())
+pub fn bars(course: &[Exercise]) -> String {
+    let bar = |words, is_core| {
+        let path = course.iter().filter(|e| e.is_core == is_core);
+        let (done, all) = (path.clone().filter(|e| is_done(e)).count(), path.count());
+        let full = "#".repeat(BAR * done / all.max(1));
+        format!("{words} [{full:.<BAR$}] {done} of {all}")
     };
     format!("{}\n{}", bar("core path", true), bar("further  ", false))
 }
 
 /// Prints all exercises.
-pub fn list(course: &Course) {
-    for exercises in course.exercises.chunk_by(|a, b| a.stage == b.stage) {
+pub fn list(course: &[Exercise]) {
+    for exercises in course.chunk_by(|a, b| a.stage == b.stage) {
         println!("{}", exercises[0].stage);
-        for exercise in exercises {
-            let mark = match (is_done(*exercise), files::is_begun(*exercise)) {
-                (true, _) => "done ",
+        for e in exercises {
+            let mark = match (is_done(e), files::is_begun(e)) {
+                (true, _) => "done",
                 (_, true) => "begun",
-                _ => "     ",
+                _ => "",
             };
-            let path = if exercise.is_core { "core" } else { "    " };
-            let Exercise {
-                name,
-                title,
-                minutes,
-                ..
-            } = exercise;
-            println!("  {mark}  {path}  {name:18} {title}, {minutes} minutes");
+            let path = if e.is_core { "core" } else { "" };
+            let (name, title, minutes) = (e.name, e.title, e.minutes);
+            println!("  {mark:5}  {path:4}  {name:18} {title}, {minutes} minutes");
         }
     }
     println!("\n{}", bars(course));

@@ -3,39 +3,19 @@
 //!
 //! # How to add an exercise
 //!
+//! `triangle_area` of `a02-math` is an example of each file.
+//!
 //! 1. Write the starter, `exercises/starters/NAME.rs`: it compiles, and calls
 //!    [`missing`] in the place of the code that is left to the student. `cargo learn`
 //!    copies it to `exercises/NAME.rs`, which no commit of the workbook contains.
-//!
-//!    ```ignore
-//!    pub fn square(x: f64) -> f64 {
-//!        testing::missing("the square of x", 0.0)
-//!    }
-//!    ```
 //! 2. Write the solution, `exercises/solutions/NAME.rs`. On the core path, where the
 //!    student writes a part of the lesson, it is a `pub use` of the lesson's type, or a
 //!    function that calls the lesson.
 //! 3. Write the check, `tests/exercises/NAME.rs`. It takes the student's code as an
 //!    argument. Expected values come from closed forms, never from the solution.
-//!
-//!    ```ignore
-//!    pub fn check(check: &mut Check, square: impl Fn(f64) -> f64) {
-//!        check.expect("the square of -3", 9.0, Bound::Equal, square(-3.0));
-//!    }
-//!    ```
 //! 4. Write the usual mistakes, `tests/exercises/wrong/NAME.rs`: at least three
 //!    solutions, as short as can be, that the check must refuse with a message
 //!    that helps.
-//!
-//!    ```ignore
-//!    pub const WRONG: &[Wrong] = &[
-//!        Wrong {
-//!            mistake: "twice instead of squared",
-//!            says: "the square of -3: expected 9, got -6",
-//!            check: |check| square::check(check, |x| 2.0 * x),
-//!        },
-//!    ];
-//!    ```
 //! 5. Add a line to [`exercises!`](crate::exercises) in `tests/exercises/main.rs`.
 //! 6. Give it a section in the book's page, `book/src/aNN-exercises.md`: task, minutes
 //!    and hints, which `cargo learn` shows, too.
@@ -44,15 +24,17 @@
 //!    `out/exercises/`; the book has it as `pictures/STAGE-exercise-NAME.png`.
 
 mod check;
-mod locked;
+mod findings;
+mod judge;
+mod picture;
 mod prove;
 mod random;
-mod yours;
 
-pub use check::{Check, missing};
+pub use check::Check;
+pub use findings::missing;
+pub use judge::judge;
 pub use prove::prove;
 pub use random::Random;
-pub use yours::judge;
 
 /// An exercise with the proofs of its check; [`exercises!`](crate::exercises) makes it.
 pub struct Exercise {
@@ -92,75 +74,46 @@ pub struct Wrong {
 #[macro_export]
 macro_rules! exercises {
     ($($name:ident => $check:expr;)+) => {
-        $(
-            #[cfg(any(not(learn), $name))]
-            mod $name;
-        )+
+        $(#[cfg(any(not(learn), $name))] mod $name;)+
 
         /// The students' files, which rust-analyzer reads, too.
         #[cfg(any(learn, rust_analyzer))]
         #[path = "../../exercises"]
         #[allow(clippy::all, clippy::pedantic, missing_docs)]
         mod yours {
-            $(
-                #[cfg(any($name, rust_analyzer))]
-                pub mod $name;
-            )+
+            $(#[cfg(any($name, rust_analyzer))] pub mod $name;)+
         }
 
         #[cfg(not(learn))]
         #[path = "../../exercises/starters"]
         #[allow(unused, clippy::all, clippy::pedantic, missing_docs)]
-        mod starters {
-            $(pub mod $name;)+
-        }
+        mod starters { $(pub mod $name;)+ }
 
         #[cfg(not(learn))]
         #[path = "../../exercises/solutions"]
-        mod solutions {
-            $(pub mod $name;)+
-        }
+        mod solutions { $(pub mod $name;)+ }
 
         #[cfg(not(learn))]
-        mod wrong {
-            $(pub mod $name;)+
-        }
+        mod wrong { $(pub mod $name;)+ }
 
-        #[cfg(learn)]
         fn main() -> std::process::ExitCode {
+            let stage = env!("CARGO_PKG_NAME");
             $(
                 #[cfg($name)]
-                {
+                return $crate::exercise::judge(stage, stringify!($name), {
                     use yours::$name::*;
-                    $crate::exercise::judge(
-                        env!("CARGO_PKG_NAME"),
-                        stringify!($name),
-                        $check,
-                    )
-                }
+                    $check
+                });
             )+
-        }
-
-        #[cfg(not(learn))]
-        fn main() -> std::process::ExitCode {
-            let exercises = [$(
+            #[cfg(not(learn))]
+            $crate::exercise::prove(stage, [$(
                 $crate::exercise::Exercise {
                     name: stringify!($name),
-                    starter: {
-                        use starters::$name::*;
-                        $check
-                    },
-                    solution: {
-                        use solutions::$name::*;
-                        $check
-                    },
-                    wrong: const {
-                        assert!(wrong::$name::WRONG.len() >= 3, "at least three mistakes");
-                        wrong::$name::WRONG
-                    },
+                    starter: { use starters::$name::*; $check },
+                    solution: { use solutions::$name::*; $check },
+                    wrong: wrong::$name::WRONG,
                 }
-            ),+];
-            $crate::exercise::prove(env!("CARGO_PKG_NAME"), exercises)
+            ),+])
         }
     };
 }

@@ -20,7 +20,6 @@ use program::picture_name;
 use description::describe;
 use difference::compare;
 
-pub(crate) use description::hash;
 pub(crate) use difference::leave_pictures;
 pub use invariance::{check_narrow_sizes, check_omissions, check_rows, check_threads};
 pub use left_out::check_book;

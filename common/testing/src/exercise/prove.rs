@@ -4,8 +4,8 @@ use std::process::ExitCode;
 
 use libtest_mimic::{Arguments, Failed, Trial};
 
-use super::check::{Check, Findings, Pictures};
-use super::{Exercise, Wrong, locked};
+use super::findings::Findings;
+use super::{Check, Exercise, Wrong, picture};
 
 /// Proves that starters are to do, and that checks accept all solutions and refuse all
 /// wrong ones.
@@ -19,46 +19,45 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
         test_threads: Some(1),
         ..Arguments::from_args()
     };
-    let named = arguments.filter.is_some();
+    let shows = arguments.filter.is_some();
     let mut trials = Vec::new();
     for exercise in exercises {
-        let name = exercise.name;
+        let (name, wrong) = (exercise.name, exercise.wrong);
+        assert!(wrong.len() >= 3, "{name} has at least three usual mistakes");
+        let picture = format!("{stage}-exercise-{}.png", name.replace('_', "-"));
         trials.push(Trial::test(format!("{name}::starter"), move || {
             prove_starter(exercise.starter)
         }));
         trials.push(Trial::test(format!("{name}::solution"), move || {
-            prove_solution(stage, name, exercise.solution, named)
+            prove_solution(exercise.solution, &picture, shows)
         }));
-        for wrong in exercise.wrong {
+        trials.extend(wrong.iter().map(|wrong| {
             let title = format!("{name}::wrong: {}", wrong.mistake);
-            trials.push(Trial::test(title, move || prove_wrong(wrong, named)));
-        }
+            Trial::test(title, move || prove_wrong(wrong, shows))
+        }));
     }
     libtest_mimic::run(&arguments, trials).exit_code()
 }
 
 fn prove_starter(check: fn(&mut Check)) -> Result<(), Failed> {
-    let missing = Findings::of(check, Pictures::default()).missing;
-    let is_to_do = !missing.is_empty();
+    let is_to_do = !Findings::of(check, false).missing.is_empty();
     is_to_do.then_some(()).ok_or("nothing is missing".into())
 }
 
-fn prove_solution(
-    stage: &str,
-    name: &str,
-    check: fn(&mut Check),
-    save: bool,
-) -> Result<(), Failed> {
-    let file = format!("{stage}-exercise-{}.png", name.replace('_', "-"));
-    let shown = locked::in_book(&file);
-    let pictures = Pictures {
-        left: locked::folder()
-            .filter(|_| save)
-            .map(|folder| folder.join(file)),
-        shown: shown.exists().then_some(shown),
-    };
-    let Findings { missing, wrong } = Findings::of(check, pictures);
-    match [missing, wrong].concat().as_slice() {
+/// Fails if the check refuses the solution, or if its picture is not the book's.
+fn prove_solution(check: fn(&mut Check), name: &str, save: bool) -> Result<(), Failed> {
+    let found = Findings::of(check, true);
+    let mut problems = [found.missing, found.wrong].concat();
+    if let Some(image) = found.picture {
+        if save {
+            picture::save(&image, name);
+        }
+        let shown = picture::in_book(name);
+        if shown.exists() {
+            problems.extend(picture::compare(&shown, &image, true).err());
+        }
+    }
+    match problems.as_slice() {
         [] => Ok(()),
         problems => Err(problems.join("\n").into()),
     }
@@ -66,13 +65,13 @@ fn prove_solution(
 
 /// Fails if the check accepts a wrong solution or says nothing that helps.
 fn prove_wrong(wrong: &Wrong, show: bool) -> Result<(), Failed> {
-    let messages = Findings::of(wrong.check, Pictures::default()).wrong;
+    let messages = Findings::of(wrong.check, false).wrong.join("\n    ");
     if show {
-        println!("    {}", messages.join("\n    "));
+        println!("    {messages}");
     }
-    if messages.iter().any(|message| message.contains(wrong.says)) {
+    let says = wrong.says;
+    if messages.contains(says) {
         return Ok(());
     }
-    let said = messages.join("\n");
-    Err(format!("no message says \"{}\", but\n{said}", wrong.says).into())
+    Err(format!("no message says \"{says}\", but\n    {messages}").into())
 }

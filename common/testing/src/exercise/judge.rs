@@ -1,28 +1,39 @@
 //! `judge`: shows students what their code lacks.
 
-use std::process::ExitCode;
+use std::process::{ExitCode, exit};
+use std::thread;
+use std::time::Duration;
 
-use super::Check;
-use super::check::{Findings, Pictures};
-use super::locked;
+use super::findings::Findings;
+use super::{Check, picture};
+
+/// The longest time that a check may take.
+const LONGEST: Duration = Duration::from_mins(1);
+
+/// The exit code where nothing is judged.
+const NOT_JUDGED: u8 = 3;
 
 /// Runs the check of a student's file, prints the findings, and exits with 0 if the code
-/// is right, with 1 if it is not, and with 3 if parts are still missing.
+/// is right, with 1 if it is not, and with 3 if parts are still missing or it does not end.
 #[must_use]
-pub fn judge(stage: &str, name: &str, check: fn(&mut Check)) -> ExitCode {
-    let pictures = Pictures {
-        left: locked::folder().map(|folder| folder.join(format!("{stage}-{name}.png"))),
-        shown: None,
-    };
-    let Findings { missing, wrong } = Findings::of(check, pictures);
-    if !missing.is_empty() {
-        println!("to do: {}", missing.join("; "));
-        return ExitCode::from(3);
+pub fn judge(stage: &str, name: &'static str, check: fn(&mut Check)) -> ExitCode {
+    thread::spawn(move || {
+        thread::sleep(LONGEST);
+        println!("{name}: no end after {} seconds", LONGEST.as_secs());
+        exit(NOT_JUDGED.into())
+    });
+    let found = Findings::of(check, true);
+    if let Some(image) = found.picture {
+        picture::save(&image, &format!("{stage}-{name}.png"));
     }
-    for line in &wrong {
+    if !found.missing.is_empty() {
+        println!("to do: {}", found.missing.join("; "));
+        return ExitCode::from(NOT_JUDGED);
+    }
+    for line in &found.wrong {
         println!("{}", readable(line));
     }
-    ExitCode::from(u8::from(!wrong.is_empty()))
+    ExitCode::from(u8::from(!found.wrong.is_empty()))
 }
 
 /// Digits of a number behind the point in a message.
@@ -34,15 +45,13 @@ fn readable(message: &str) -> String {
     let is_part = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | 'e');
     let shortened = |piece: &str| {
         let number = piece.trim_end_matches(|c| !is_part(c));
-        match number.parse() {
+        match number.parse::<f64>() {
             Ok(value) if number.len() > DIGITS + 2 => short(value) + &piece[number.len()..],
             _ => piece.to_owned(),
         }
     };
-    let message: String = message
-        .split_inclusive(|c| !is_part(c))
-        .map(shortened)
-        .collect();
+    let pieces = message.split_inclusive(|c| !is_part(c));
+    let message: String = pieces.map(shortened).collect();
     message
         .replace("; ", "\n    ")
         .replace(": expected", "\n    expected")

@@ -1,0 +1,44 @@
+//! The pictures of students' code: saved to be looked at, and compared with the book's.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use common::{Image, Transfer, picture_file};
+
+use crate::picture_lock::{compare_with_file, leave_pictures};
+
+/// The workspace.
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
+/// The folder for the pictures of exercises. If it cannot be made, saving fails.
+fn folder() -> PathBuf {
+    let folder = Path::new(ROOT).join("out/exercises");
+    let _ = fs::create_dir_all(&folder);
+    folder.canonicalize().unwrap_or(folder)
+}
+
+/// The picture of this name in the book.
+pub fn in_book(name: &str) -> PathBuf {
+    Path::new(ROOT).join("book/src/pictures").join(name)
+}
+
+/// Saves a picture, and prints where it lies.
+pub fn save(image: &Image, name: &str) {
+    let path = folder().join(name);
+    match picture_file::save_png(&path, image.size(), &image.to_rgb8(Transfer::Linear)) {
+        Ok(()) => println!("picture: {}", path.display()),
+        Err(error) => println!("a picture: {error}"),
+    }
+}
+
+/// Compares a picture with the expected one in a file. The error describes the difference,
+/// which is saved if somebody looks at it.
+pub fn compare(expected: &Path, image: &Image, is_watched: bool) -> Result<(), String> {
+    compare_with_file(expected, image).map_err(|difference| {
+        if is_watched {
+            leave_pictures(&folder(), expected, image, &difference)
+        } else {
+            difference
+        }
+    })
+}
