@@ -15,7 +15,7 @@ use std::env;
 use std::process::ExitCode;
 
 use clap::builder::PossibleValuesParser;
-use clap::{Arg, ArgMatches, Command};
+use clap::{Arg, Command};
 
 use exercise::Exercise;
 
@@ -59,28 +59,29 @@ fn run() -> Result<ExitCode, String> {
     enter_workspace()?;
     let course = exercise::read_all()?;
     let matches = command(&course).get_matches();
-    let named = |matches: &ArgMatches| {
-        let name = matches.get_one::<String>("name");
-        let named = course
-            .iter()
-            .find(|e| name.is_some_and(|name| e.name == name));
-        named.map_or_else(|| progress::next(&course, None), Ok)
+    let (command, matches) = matches.subcommand().unwrap_or(("watch", &matches));
+    if command == "list" {
+        progress::list(&course);
+        return Ok(ExitCode::SUCCESS);
+    }
+    let exercise = match matches.get_one::<String>("name") {
+        Some(name) => course.iter().find(|e| e.name == name),
+        None => progress::next(&course, None),
     };
-    match matches.subcommand() {
-        Some(("list", _)) => progress::list(&course),
-        Some(("hint", matches)) => {
-            let exercise = named(matches)?;
-            println!("{}\n{}", exercise.title, exercise.hints.join("\n"));
-        }
-        Some(("check", matches)) => {
-            let exercise = named(matches)?;
+    let Some(exercise) = exercise else {
+        println!("all exercises are done; with a name, one is shown again");
+        return Ok(ExitCode::SUCCESS);
+    };
+    match command {
+        "hint" => println!("{}\n{}", exercise.title, exercise.hints.join("\n")),
+        "reset" => files::reset(exercise)?,
+        "check" => {
             files::begin(exercise)?;
             if !judgement::judge(exercise, true)? {
                 return Ok(ExitCode::FAILURE);
             }
         }
-        Some(("reset", matches)) => files::reset(named(matches)?)?,
-        _ => watch::watch(&course, named(&matches)?)?,
+        _ => watch::watch(&course, exercise)?,
     }
     Ok(ExitCode::SUCCESS)
 }

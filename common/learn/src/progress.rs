@@ -27,14 +27,13 @@ pub fn record(exercise: &Exercise) -> Result<(), String> {
 }
 
 /// The next open exercise: a later one on the same path as the `last`, or the first of the
-/// core path, or the first of the others.
-pub fn next<'a>(course: &'a [Exercise], last: Option<&Exercise>) -> Result<&'a Exercise, String> {
+/// core path, or the first of the others. None if all are done.
+pub fn next<'a>(course: &'a [Exercise], last: Option<&Exercise>) -> Option<&'a Exercise> {
     let on_path = |is_core| move |e: &&Exercise| e.is_core == is_core;
     let later = course.iter().skip_while(|e| Some(*e) != last).skip(1);
     let later = later.filter(on_path(last.is_some_and(|e| e.is_core)));
     let core = course.iter().filter(on_path(true));
-    let next = later.chain(core).chain(course).find(|e| !is_done(e));
-    next.ok_or_else(|| "all exercises are done".to_owned())
+    later.chain(core).chain(course).find(|e| !is_done(e))
 }
 
 /// A bar for the core path and one for the further exercises.

@@ -13,7 +13,7 @@ const PAUSE: Duration = Duration::from_millis(100);
 
 const KEYS: &str = "save the file to check it; or h and Enter: hint, n: next, l: list, q: quit";
 
-/// Shows one exercise after the other until the student quits.
+/// Shows one exercise after the other until the student quits or all are done.
 pub fn watch(course: &[Exercise], first: &Exercise) -> Result<(), String> {
     let (sender, typed) = channel();
     thread::spawn(move || {
@@ -22,7 +22,11 @@ pub fn watch(course: &[Exercise], first: &Exercise) -> Result<(), String> {
     });
     let mut exercise = first;
     while work_on(course, exercise, &typed)? {
-        exercise = progress::next(course, Some(exercise))?;
+        let Some(next) = progress::next(course, Some(exercise)) else {
+            println!("\n{}\n\nall exercises are done", progress::bars(course));
+            break;
+        };
+        exercise = next;
     }
     Ok(())
 }
