@@ -1,7 +1,7 @@
 //! The exercises that are done, by name, in a file that no commit contains.
 
 use std::fs::{self, File};
-use std::io::Write;
+use std::io::{self, Write};
 
 use crate::exercise::Exercise;
 use crate::files;
@@ -47,20 +47,22 @@ pub fn bars(course: &[Exercise]) -> String {
     format!("{}\n{}", bar("core path", true), bar("further  ", false))
 }
 
-/// Prints all exercises.
+/// Prints all exercises. The reader of a pipe may close it early.
 pub fn list(course: &[Exercise]) {
+    let row = |e: &Exercise| {
+        let mark = match (is_done(e), files::is_begun(e)) {
+            (true, _) => "done",
+            (_, true) => "begun",
+            _ => "",
+        };
+        let path = if e.is_core { "core" } else { "" };
+        let (name, title, minutes) = (e.name, e.title, e.minutes);
+        format!("  {mark:5}  {path:4}  {name:18} {title}, {minutes} minutes")
+    };
+    let mut lines = Vec::new();
     for exercises in course.chunk_by(|a, b| a.stage == b.stage) {
-        println!("{}", exercises[0].stage);
-        for e in exercises {
-            let mark = match (is_done(e), files::is_begun(e)) {
-                (true, _) => "done",
-                (_, true) => "begun",
-                _ => "",
-            };
-            let path = if e.is_core { "core" } else { "" };
-            let (name, title, minutes) = (e.name, e.title, e.minutes);
-            println!("  {mark:5}  {path:4}  {name:18} {title}, {minutes} minutes");
-        }
+        lines.push(exercises[0].stage.to_owned());
+        lines.extend(exercises.iter().map(row));
     }
-    println!("\n{}", bars(course));
+    let _ = writeln!(io::stdout(), "{}\n\n{}", lines.join("\n"), bars(course));
 }
