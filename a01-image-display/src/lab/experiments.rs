@@ -5,15 +5,14 @@
 
 use std::rc::Rc;
 
-use common::{Image, Size, Transfer};
+use common::Transfer;
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder, ImageResult};
+use image::{ImageResult, RgbImage};
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 use crate::stage;
 
-/// All experiments of the stage.
 #[rustfmt::skip]
 pub fn experiments() -> Vec<Experiment<'static>> {
     vec![
@@ -29,15 +28,14 @@ pub fn experiments() -> Vec<Experiment<'static>> {
 /// An experiment that saves the picture of a scene at all qualities.
 fn saving(name: &'static str, scene: &'static str, about: &'static str) -> Experiment<'static> {
     let curves = move |_| {
-        let Some(saved) = Picture::of(scene).map(Rc::new) else {
+        let Some(picture) = picture(scene).map(Rc::new) else {
             return Vec::new();
         };
-        let qualities = [10, 25, 50, 75, 90, 95, 98, 99, 100].map(File::Jpeg);
-        let jpeg = qualities.into_iter().filter_map(|file| saved.point(file));
-        let png = saved.point(File::Png);
+        let qualities = [10, 25, 50, 75, 90, 95, 98, 99, 100].map(Some);
+        let jpeg = qualities.iter().filter_map(|jpeg| point(&picture, *jpeg));
         vec![
             Curve::new("JPEG", jpeg).with_remark(LOSES),
-            Curve::new("PNG", png).with_remark("what the renderer writes"),
+            Curve::new("PNG", point(&picture, None)).with_remark("what the renderer writes"),
         ]
     };
     Experiment {
@@ -57,54 +55,34 @@ fn saving(name: &'static str, scene: &'static str, about: &'static str) -> Exper
 const LOSES: &str =
     "not in the renderer: even its best quality changes bytes, most of all beside edges";
 
-#[derive(Clone, Copy)]
-enum File {
-    /// JPEG with a quality from 1 to 100.
-    Jpeg(u8),
-    Png,
+fn picture(scene: &str) -> Option<RgbImage> {
+    let stage = stage();
+    let scene = stage.scene(scene).ok()?;
+    let image = scene.render(&scene.defaults, &()).ok()?;
+    let (size, rgb) = (image.size(), image.to_rgb8(Transfer::Linear));
+    RgbImage::from_raw(size.width(), size.height(), rgb)
 }
 
-/// Red, green and blue bytes of a picture.
-struct Picture {
-    size: Size,
-    rgb: Vec<u8>,
-}
-
-impl Picture {
-    fn of(scene: &str) -> Option<Self> {
-        let stage = stage();
-        let scene = stage.scene(scene).ok()?;
-        let image: Image = scene.render(&scene.defaults, &()).ok()?;
-        Some(Self {
-            size: image.size(),
-            rgb: image.to_rgb8(Transfer::Linear),
-        })
-    }
-
-    fn encoded(&self, file: File) -> ImageResult<Vec<u8>> {
-        let mut bytes = Vec::new();
-        let (width, height) = (self.size.width(), self.size.height());
-        let rgb = ExtendedColorType::Rgb8;
-        match file {
-            File::Jpeg(quality) => JpegEncoder::new_with_quality(&mut bytes, quality)
-                .write_image(&self.rgb, width, height, rgb)?,
-            File::Png => PngEncoder::new(&mut bytes).write_image(&self.rgb, width, height, rgb)?,
+/// A picture file: JPEG with a quality from 1 to 100, or PNG.
+fn encoded(picture: &RgbImage, jpeg: Option<u8>) -> ImageResult<Vec<u8>> {
+    let mut bytes = Vec::new();
+    match jpeg {
+        Some(quality) => {
+            picture.write_with_encoder(JpegEncoder::new_with_quality(&mut bytes, quality))?;
         }
-        Ok(bytes)
+        None => picture.write_with_encoder(PngEncoder::new(&mut bytes))?,
     }
+    Ok(bytes)
+}
 
-    /// The measurement of a file, which is decoded again.
-    fn point(self: &Rc<Self>, file: File) -> Option<Point<'static>> {
-        let bytes = self.encoded(file).ok()?;
-        let opened = image::load_from_memory(&bytes).ok()?.into_rgb8();
-        let pairs = self.rgb.iter().zip(opened.as_raw());
-        let errors = pairs.map(|(a, b)| (f64::from(*a) - f64::from(*b)) / 255.0);
-        let quality = match file {
-            File::Jpeg(quality) => quality.into(),
-            File::Png => 100.0,
-        };
-        let saved = Rc::clone(self);
-        let run = move || saved.encoded(file).map_or(0.0, |bytes| bytes.len() as f64);
-        Some(Point::new(quality, bytes.len() as f64, errors, run))
-    }
+/// The measurement of a file, which is decoded again.
+fn point(picture: &Rc<RgbImage>, jpeg: Option<u8>) -> Option<Point<'static>> {
+    let bytes = encoded(picture, jpeg).ok()?;
+    let opened = image::load_from_memory(&bytes).ok()?.into_rgb8();
+    let pairs = picture.as_raw().iter().zip(opened.as_raw());
+    let errors = pairs.map(|(a, b)| (f64::from(*a) - f64::from(*b)) / 255.0);
+    let quality = jpeg.map_or(100.0, f64::from);
+    let saved = Rc::clone(picture);
+    let run = move || encoded(&saved, jpeg).map_or(0.0, |bytes| bytes.len() as f64);
+    Some(Point::new(quality, bytes.len() as f64, errors, run))
 }

@@ -12,7 +12,6 @@ use measure::experiment::Experiment;
 
 pub use systems::refined;
 
-/// All experiments of the stage.
 pub fn experiments() -> Vec<Experiment<'static>> {
     vec![
         angles::experiment(),

@@ -10,17 +10,14 @@ use measure::extremes::{Case, Outcome};
 
 use crate::{Normal3, Point3, Vector3};
 
-/// All rows.
 pub fn cases(_: Effort) -> Vec<Case> {
     [lengths::cases(), angles::cases(), systems::cases()].concat()
 }
 
-/// The vector with these coordinates.
 pub const fn vector([x, y, z]: [f64; 3]) -> Vector3 {
     Vector3::new(x, y, z)
 }
 
-/// The point with these coordinates.
 pub const fn point([x, y, z]: [f64; 3]) -> Point3 {
     Point3::new(x, y, z)
 }

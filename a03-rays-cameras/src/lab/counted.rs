@@ -13,7 +13,6 @@ struct Counted {
 }
 
 /// Wraps this camera to count the work of a rendering with these settings.
-#[must_use]
 pub fn camera(camera: Box<dyn Camera>, settings: &Settings) -> Box<dyn Camera> {
     Box::new(Counted {
         camera,

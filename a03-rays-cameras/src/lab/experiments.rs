@@ -15,7 +15,7 @@ use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 pub use coverage::{DISC, disc_coverage};
 use coverage::{irradiance, lit, stripes};
-use places::{Places, n_rooks, r2, with_sampler};
+use places::{Places, n_rooks, r2, sampled};
 pub use summation::Neumaier;
 
 /// All experiments of the stage. Slopes at curved edges: Mitchell, Consequences of
@@ -43,31 +43,24 @@ struct Task {
     pixels: Vec<(u32, u32, f64)>,
 }
 
-/// Whether a part of the pixel is light and a part is dark.
-fn is_edge((_, _, mean): &(u32, u32, f64)) -> bool {
-    (1e-9..1.0 - 1e-9).contains(mean)
-}
-
 fn pixels(width: u32, height: u32, mean: fn(f64, f64) -> f64) -> Vec<(u32, u32, f64)> {
     let row = |y: u32| (0..width).map(move |x| (x, y, mean(x.into(), y.into())));
-    (0..height).flat_map(row).collect()
+    let is_constant = |mean: f64| !(1e-9..1.0 - 1e-9).contains(&mean);
+    let all = (0..height).flat_map(row);
+    all.filter(|(_, _, mean)| !is_constant(*mean)).collect()
 }
 
 fn curved_edge() -> Task {
-    let mut pixels = pixels(64, 64, disc_coverage);
-    pixels.retain(is_edge);
     Task {
-        radiance: |x, y| f64::from(u8::from(DISC.contains(x, y))),
-        pixels,
+        radiance: |x, y| DISC.contains(x, y).into(),
+        pixels: pixels(64, 64, disc_coverage),
     }
 }
 
 fn level_edge() -> Task {
-    let mut pixels = pixels(1, 1000, |_, y| stripes(y));
-    pixels.retain(is_edge);
     Task {
-        radiance: |_, y| f64::from(u8::from(coverage::in_stripe(y))),
-        pixels,
+        radiance: |_, y| coverage::in_stripe(y).into(),
+        pixels: pixels(1, 1000, |_, y| stripes(y)),
     }
 }
 
@@ -87,9 +80,11 @@ fn samples(
 ) -> Experiment<'static> {
     let curves = move |effort: Effort| {
         let methods: [(&str, &str, Places); 5] = [
-            ("random", "", with_sampler(Sampling::Random)),
-            ("regular", "", with_sampler(Sampling::Regular)),
-            ("stratified", "", with_sampler(Sampling::Stratified)),
+            ("random", "", |x, y, n| sampled(Sampling::Random, x, y, n)),
+            ("regular", "", |x, y, n| sampled(Sampling::Regular, x, y, n)),
+            ("stratified", "", |x, y, n| {
+                sampled(Sampling::Stratified, x, y, n)
+            }),
             ("n rooks", N_ROOKS, n_rooks),
             ("R2", R2, r2),
         ];
@@ -121,16 +116,13 @@ fn points(task: fn() -> Task, places: Places, effort: Effort) -> Vec<Point<'stat
     let numbers = &[1_u32, 4, 16, 64, 256, 1024, 4096][..effort.choose(6, 7)];
     let point = |&n: &u32| {
         let Task { radiance, pixels } = task();
-        let mean = move |(x, y): (u32, u32)| {
+        let mean = move |x: u32, y: u32| {
             let at = |(dx, dy): (f64, f64)| radiance(f64::from(x) + dx, f64::from(y) + dy);
-            let places = places(x, y, n);
-            places.map(at).sum::<f64>() / f64::from(n)
+            places(x, y, n).map(at).sum::<f64>() / f64::from(n)
         };
-        let errors: Vec<_> = pixels
-            .iter()
-            .map(|(x, y, exact)| mean((*x, *y)) - exact)
-            .collect();
-        let run = move || pixels.iter().map(|(x, y, _)| mean((*x, *y))).sum();
+        let error = |(x, y, exact): &(u32, u32, f64)| mean(*x, *y) - exact;
+        let errors: Vec<_> = pixels.iter().map(error).collect();
+        let run = move || pixels.iter().map(|(x, y, _)| mean(*x, *y)).sum();
         Point::new(n.into(), n.into(), errors, run)
     };
     numbers.iter().map(point).collect()

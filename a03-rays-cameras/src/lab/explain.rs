@@ -6,7 +6,6 @@ use common::{Bound, Plan, Settings};
 use crate::Sampler;
 
 /// The plan of the rays from the camera.
-#[must_use]
 pub fn samples(settings: &Settings) -> Plan {
     if let Some(error) = settings.max_error {
         let need = format!("primary rays: as many as an error of {error} takes");
@@ -28,7 +27,6 @@ pub fn samples(settings: &Settings) -> Plan {
 }
 
 /// The plan of the striped sky.
-#[must_use]
 pub fn sky(settings: &Settings) -> Plan {
     samples(settings).without(
         "intersections, lights and mirrors",

@@ -10,7 +10,6 @@ use a02_math::Vector3;
 use measure::Effort;
 use measure::extremes::Case;
 
-/// All rows.
 pub fn cases(_: Effort) -> Vec<Case> {
     let subjects = [
         cameras::cases,

@@ -1,18 +1,8 @@
 //! The formulas of this stage as the two texts print them, mistakes included:
 //! only for comparison, and to render pictures of the mistakes.
 
-#![expect(
-    clippy::must_use_candidate,
-    reason = "for tables and pictures of mistakes"
-)]
-
-use a02_math::{Direction, Point3, Vector3};
-
-/// A vector divided by its length: wrong if the square of the length underflows
-/// or overflows.
-pub fn normalized(v: Vector3) -> Vector3 {
-    v * (1.0 / v.dot(v).sqrt())
-}
+pub use a02_math::lab::protocol::normalized;
+use a02_math::{Point3, Vector3};
 
 /// The axes u, v, w of a camera, unchecked: NaN if gaze and up vector are
 /// parallel, or if one of them is very long or short.

@@ -11,7 +11,6 @@ use crate::{Geometry, Hit, Interval, World};
 struct Counted(Box<dyn Geometry>);
 
 /// Wraps this geometry to count intersection tests.
-#[must_use]
 pub fn geometry(geometry: Box<dyn Geometry>) -> Box<dyn Geometry> {
     Box::new(Counted(geometry))
 }

@@ -7,13 +7,11 @@ pub use a02_math::lab::exact::DoubleDouble;
 
 use DoubleDouble as Number;
 
+use super::real::dot;
+
 /// The exact difference of two triples.
 fn difference(a: &[f64; 3], b: &[f64; 3]) -> [Number; 3] {
     std::array::from_fn(|i| Number::from(a[i]) - Number::from(b[i]))
-}
-
-fn dot(a: &[Number; 3], b: &[Number; 3]) -> Number {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 fn cross(a: &[Number; 3], b: &[Number; 3]) -> [Number; 3] {

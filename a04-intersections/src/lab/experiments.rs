@@ -11,7 +11,6 @@ pub use scattered::Numbers;
 
 use measure::experiment::Experiment;
 
-/// All experiments of this stage.
 pub fn experiments() -> Vec<Experiment<'static>> {
     vec![
         sphere_distance::far(),

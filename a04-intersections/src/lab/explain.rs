@@ -7,13 +7,11 @@ use common::{Color, Plan, Settings};
 use crate::World;
 
 /// Adds the objects of a world to a plan.
-#[must_use]
 pub fn objects<S>(plan: Plan, world: &World<S>) -> Plan {
     plan.needing(format!("objects: {}", world.objects().count()))
 }
 
 /// The plan of a world of colours.
-#[must_use]
 pub fn colors(world: &World<Color>, settings: &Settings) -> Plan {
     objects(explain::samples(settings), world).without(
         "lights and mirrors",

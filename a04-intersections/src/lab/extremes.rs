@@ -20,7 +20,6 @@ use measure::extremes::{Case, Outcome};
 
 use crate::{Geometry, Interval};
 
-/// All cases of this stage.
 pub fn cases(effort: Effort) -> Vec<Case> {
     let fixed = [
         sphere::cases,
@@ -39,7 +38,6 @@ const MISS: Outcome = Outcome::Nothing;
 const REFUSED: Outcome = Outcome::Refused;
 const EPSILON: f64 = f64::EPSILON;
 
-/// Three coordinates.
 pub type Triple = [f64; 3];
 /// An origin and a direction.
 pub type Line = (Triple, Triple);

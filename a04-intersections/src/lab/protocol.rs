@@ -1,11 +1,6 @@
 //! The formulas as the protocol prints them, mistakes included. They are
 //! measured and compared; only pictures of the mistakes are rendered with them.
 
-#![expect(
-    clippy::must_use_candidate,
-    reason = "for tables and pictures of mistakes"
-)]
-
 use a02_math::{Direction, Mat3x3, Normal3, Point3};
 use a03_rays_cameras::Ray;
 

@@ -50,12 +50,10 @@ macro_rules! real {
 
 real! { f32 f64 }
 
-/// The difference of two triples.
 pub fn difference<F: Real>(a: &[F; 3], b: &[F; 3]) -> [F; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// The dot product of two triples.
-pub fn dot<F: Real>(a: &[F; 3], b: &[F; 3]) -> F {
+pub fn dot<F: Copy + Add<Output = F> + Mul<Output = F>>(a: &[F; 3], b: &[F; 3]) -> F {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

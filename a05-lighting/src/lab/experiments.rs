@@ -7,7 +7,6 @@ mod spot_rim;
 
 use measure::experiment::Experiment;
 
-/// All experiments of the stage.
 pub fn experiments() -> Vec<Experiment<'static>> {
     vec![
         lambert_phase::experiment(),

@@ -11,7 +11,6 @@ use crate::lab::highlight::as_phong;
 use crate::{LitWorld, SingleColor};
 
 /// The plan of a scene of this stage.
-#[must_use]
 pub fn scene(world: &LitWorld, settings: &Settings) -> Plan {
     let plan = objects(samples(settings), world.objects());
     let materials: Vec<_> = world.objects().objects().map(|(_, m)| &**m as _).collect();
@@ -23,7 +22,6 @@ pub fn scene(world: &LitWorld, settings: &Settings) -> Plan {
 }
 
 /// Adds the shading of these materials to a plan; `shiny` of them have a highlight.
-#[must_use]
 pub fn shading(plan: Plan, lights: usize, materials: &[&dyn Any], shiny: usize) -> Plan {
     let mut plan = plan.needing(format!("lights: {lights}"));
     if lights == 0 {

@@ -8,7 +8,6 @@ mod spots;
 use measure::Effort;
 use measure::extremes::Case;
 
-/// All rows of the table.
 pub fn cases(effort: Effort) -> Vec<Case> {
     let others = [highlights::cases(), lights::cases(), materials::cases()];
     [spots::cases(effort), others.concat()].concat()

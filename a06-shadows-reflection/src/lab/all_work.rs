@@ -66,14 +66,11 @@ pub struct NaiveTracer<'a> {
 }
 
 impl<'a> NaiveTracer<'a> {
-    /// A tracer of this world.
-    #[must_use]
     pub const fn new(world: &'a ShadowedWorld) -> Self {
         Self { world }
     }
 
     /// The colour that a ray brings back if it may hit `depth` surfaces in turn.
-    #[must_use]
     pub fn trace(&self, ray: &Ray, depth: u32) -> Color {
         let mut ray = *ray;
         let mut color = Color::BLACK;

@@ -21,7 +21,6 @@ thread_local! {
 }
 
 /// Wraps this camera to count the work of a rendering with these settings.
-#[must_use]
 pub fn camera(camera: Box<dyn Camera>, settings: &Settings) -> Box<dyn Camera> {
     Box::new(MarkedCamera(a03_rays_cameras::counted::camera(
         camera, settings,

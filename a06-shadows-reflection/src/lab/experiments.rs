@@ -5,7 +5,6 @@ mod shadow_epsilon;
 
 use measure::experiment::Experiment;
 
-/// All experiments of the stage.
 pub fn experiments() -> Vec<Experiment<'static>> {
     vec![recursion_depth::experiment(), shadow_epsilon::experiment()]
 }

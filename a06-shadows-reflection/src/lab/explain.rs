@@ -12,7 +12,6 @@ use crate::lab::shiny::as_phong;
 use crate::{LightSource, ShadowedWorld, Surface};
 
 /// The plan of a scene of the recursive tracer.
-#[must_use]
 pub fn traced(world: &ShadowedWorld, settings: &Settings) -> Plan {
     let surfaces: Vec<&dyn Surface> = world.objects().objects().map(|(_, s)| &**s).collect();
     let materials: Vec<&dyn Any> = surfaces.iter().map(|surface| *surface as _).collect();

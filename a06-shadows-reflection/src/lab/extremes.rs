@@ -8,7 +8,6 @@ mod slopes;
 use measure::Effort;
 use measure::extremes::Case;
 
-/// All rows of the table.
 pub fn cases(effort: Effort) -> Vec<Case> {
     let rows = [shadows::cases(), slopes::cases(effort), mirrors::cases()];
     [rows.concat(), self_hits::cases(effort)].concat()

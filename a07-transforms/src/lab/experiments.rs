@@ -12,47 +12,44 @@ use crate::lab::extremes::matrices::{off_identity, turn};
 use crate::lab::protocol::Chained;
 use crate::{Mat4x4, Transform};
 
-/// All experiments of the stage.
 pub fn experiments() -> Vec<Experiment<'static>> {
     vec![nesting(), condition()]
 }
 
-/// Methods for the inverse of a product of steps.
-#[derive(Clone, Copy)]
-enum Inverse {
-    /// Our method: the inverses of the steps, multiplied in the opposite order.
-    Stored,
-    /// The inverse of the finished product, by glam: adjugate over determinant.
-    OfProduct,
-    /// The protocol's method: the inverses multiplied in the same order.
-    SameOrder,
-}
+/// A matrix and its inverse by a method, from the steps of a chain.
+type Build = fn(&mut dyn Iterator<Item = &Transform>) -> (Mat4x4, Mat4x4);
 
-impl Inverse {
-    const fn method(self) -> &'static str {
-        match self {
-            Self::Stored => "inverses, opposite order",
-            Self::OfProduct => "inverse of the product",
-            Self::SameOrder => "inverses, same order",
-        }
-    }
+/// The methods, with the number of products for a step.
+const METHODS: [(&str, f64, Build); 3] = [
+    // Ours: the inverses of the steps, multiplied in the opposite order.
+    ("inverses, opposite order", 2.0, |steps| {
+        let one = (Mat4x4::IDENTITY, Mat4x4::IDENTITY);
+        steps.fold(one, |(m, i), step| (m * step.matrix(), step.inverse() * i))
+    }),
+    // By glam: adjugate over determinant.
+    ("inverse of the product", 1.0, |steps| {
+        let m = steps.fold(Mat4x4::IDENTITY, |m, step| m * step.matrix());
+        (m, inverted(m))
+    }),
+    // The protocol's: the inverses multiplied in the same order.
+    ("inverses, same order", 2.0, |steps| {
+        let Chained { m, i } = steps.fold(Chained::IDENTITY, Chained::then);
+        (m, i)
+    }),
+];
 
-    fn build<'s>(self, steps: impl Iterator<Item = &'s Transform>) -> (Mat4x4, Mat4x4) {
-        let one = Mat4x4::IDENTITY;
-        match self {
-            Self::Stored => steps.fold((one, one), |(m, i), step| {
-                (m * step.matrix(), step.inverse() * i)
-            }),
-            Self::OfProduct => {
-                let m = steps.fold(one, |m, step| m * step.matrix());
-                (m, inverted(m))
-            }
-            Self::SameOrder => {
-                let Chained { m, i } = steps.fold(Chained::IDENTITY, Chained::then);
-                (m, i)
-            }
-        }
-    }
+/// A curve for each of the methods, with its slope and remark.
+fn curves(
+    curve: impl Fn(&'static str, f64, Build) -> Curve<'static>,
+    theory: [(Option<f64>, &'static str); 3],
+    between: (f64, f64),
+) -> Vec<Curve<'static>> {
+    let curves = METHODS.into_iter().zip(theory);
+    let curves = curves.map(|((method, products, build), (slope, remark))| {
+        let curve = curve(method, products, build);
+        curve.with_slope(slope, between).with_remark(remark)
+    });
+    curves.collect()
 }
 
 fn inverted(m: Mat4x4) -> Mat4x4 {
@@ -79,25 +76,20 @@ fn nesting() -> Experiment<'static> {
             let steps = (0..30).filter_map(|i| turn(Transform::IDENTITY, i).ok());
             let steps: Rc<[Transform]> = steps.collect();
             let counts = &[1e2, 1e3, 1e4, 1e5, 1e6][..effort.choose(4, 5)];
-            let curve = |inverse: Inverse, products: f64| {
+            let curve = |method, products, build: Build| {
                 let points = counts.iter().map(|count| {
                     let steps = Rc::clone(&steps);
-                    let build = move || inverse.build(steps.iter().cycle().take(*count as usize));
+                    let build = move || build(&mut steps.iter().cycle().take(*count as usize));
                     let (m, i) = build();
-                    Point::new(*count, products * count, off_identity(m, i), move || {
-                        trace(build().1)
-                    })
+                    let run = move || trace(build().1);
+                    Point::new(*count, products * count, off_identity(m, i), run)
                 });
-                Curve::new(inverse.method(), points)
+                Curve::new(method, points)
             };
-            vec![
-                curve(Inverse::Stored, 2.0).with_slope(1.0, (1e2, 1e6)),
-                curve(Inverse::OfProduct, 1.0).with_remark(
-                    "not in the renderer: a scene nests a few turns, and where it stretches \
-                     this loses twice the digits (see `condition`)",
-                ),
-                curve(Inverse::SameOrder, 2.0).with_remark(NO_INVERSE),
-            ]
+            let of_product = "not in the renderer: a scene nests a few turns, and where it \
+                 stretches this loses twice the digits (see `condition`)";
+            let theory = [(Some(1.0), ""), (None, of_product), (None, NO_INVERSE)];
+            curves(curve, theory, (1e2, 1e6))
         }),
     }
 }
@@ -124,35 +116,28 @@ fn condition() -> Experiment<'static> {
         curves: Box::new(|effort: Effort| {
             let count = effort.choose(4_096, 65_536) as u32;
             let pairs: Rc<[_]> = (0..count).filter_map(|n| pair_of_turns(n).ok()).collect();
-            let curve = |inverse: Inverse, products: f64| {
+            let curve = |method, products, build: Build| {
                 let points = [1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7].map(|k| {
                     let stretch = Transform::IDENTITY.scale(k, 1.0, 1.0);
                     let stretch = stretch.unwrap_or(Transform::IDENTITY);
-                    let build =
-                        move |[a, b]: &[Transform; 2]| inverse.build([a, &stretch, b].into_iter());
-                    let errors = |pair: &_| {
-                        let (m, i) = build(pair);
-                        off_identity(m, i)
-                    };
-                    let mut point =
-                        Point::of_all(k, &pairs, errors, move |pair| trace(build(pair).1));
-                    point.work *= products;
-                    point
+                    let build = move |[a, b]: &[_; 2]| build(&mut [a, &stretch, b].into_iter());
+                    let errors = pairs
+                        .iter()
+                        .map(build)
+                        .flat_map(|(m, i)| off_identity(m, i));
+                    let (all, work) = (Rc::clone(&pairs), 3.0 * products * f64::from(count));
+                    let run = move || all.iter().map(|pair| trace(build(pair).1)).sum();
+                    Point::new(k, work, errors, run)
                 });
-                Curve::new(inverse.method(), points)
+                Curve::new(method, points)
             };
-            let between = (1e2, 1e7);
-            vec![
-                curve(Inverse::Stored, 6.0)
-                    .with_slope(1.0, between)
-                    .with_remark(
-                        "eps k is what rounding the numbers of an exact inverse costs, too",
-                    ),
-                curve(Inverse::OfProduct, 3.0)
-                    .with_slope(2.0, between)
-                    .with_remark("eps k²"),
-                curve(Inverse::SameOrder, 6.0).with_remark(NO_INVERSE),
-            ]
+            let stored = "eps k is what rounding the numbers of an exact inverse costs, too";
+            let theory = [
+                (Some(1.0), stored),
+                (Some(2.0), "eps k²"),
+                (None, NO_INVERSE),
+            ];
+            curves(curve, theory, (1e2, 1e7))
         }),
         ..nesting()
     }

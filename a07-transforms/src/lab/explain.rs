@@ -9,7 +9,6 @@ use common::Plan;
 use crate::Node;
 
 /// Adds the nodes of a world to a plan.
-#[must_use]
 pub fn nodes(plan: Plan, world: &ShadowedWorld) -> Plan {
     let objects = world.objects().objects();
     let outer = objects.filter_map(|(geometry, _)| as_node(geometry));

@@ -10,7 +10,6 @@ use a04_intersections::lab::extremes::raw_ray;
 use measure::Effort;
 use measure::extremes::Case;
 
-/// All rows of the table.
 pub fn cases(effort: Effort) -> Vec<Case> {
     let fixed = [matrices::cases(), normals::cases(), nodes::cases(effort)];
     [

@@ -1,11 +1,6 @@
 //! The formulas of the protocol as it prints them, mistakes included. They
 //! are only for comparison, and to render pictures of the mistakes.
 
-#![expect(
-    clippy::must_use_candidate,
-    reason = "for tables and pictures of mistakes"
-)]
-
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval};

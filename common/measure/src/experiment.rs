@@ -81,13 +81,9 @@ impl Experiment<'_> {
     /// method exists whose error falls as its work grows.
     #[must_use]
     pub fn can_be_seen(&self, curves: &[Curve]) -> bool {
-        let falls = |curve: &Curve| {
-            let by_work = |a: &&Point, b: &&Point| a.work.total_cmp(&b.work);
-            let points = curve.points.iter();
-            let (least, most) = (points.clone().min_by(by_work), points.max_by(by_work));
-            least
-                .zip(most)
-                .is_some_and(|(least, most)| most.rms < least.rms)
+        let falls = |curve: &Curve| match &curve.points[..] {
+            [coarse, .., fine] => coarse.work < fine.work && fine.rms < coarse.rms,
+            _ => false,
         };
         self.unit == Unit::Light && curves.iter().any(falls)
     }
@@ -115,6 +111,22 @@ impl<'a> Curve<'a> {
             slope: None,
             points: points.into_iter().collect(),
         }
+    }
+
+    /// A method for sets of tasks, each with its value of the parameter. The work is the
+    /// number of tasks; `errors` are those of a set, and `run` does one task.
+    pub fn of_tasks<T: 'a>(
+        method: &'a str,
+        sets: &[(f64, Rc<[T]>)],
+        errors: impl Fn(&[T]) -> Vec<f64>,
+        run: impl Fn(&T) -> f64 + Copy + 'a,
+    ) -> Self {
+        let points = sets.iter().map(|(knob, tasks)| {
+            let all = Rc::clone(tasks);
+            let run = move || all.iter().map(run).sum();
+            Point::new(*knob, tasks.len() as f64, errors(tasks), run)
+        });
+        Self::new(method, points)
     }
 
     /// Adds a remark for the reader.
@@ -185,18 +197,6 @@ impl<'a> Point<'a> {
         }
     }
 
-    /// A measurement over many tasks: the errors of each, and the work, which is to run all.
-    pub fn of_all<T: 'a, E: IntoIterator<Item = f64>>(
-        knob: f64,
-        tasks: &Rc<[T]>,
-        errors: impl Fn(&T) -> E,
-        run: impl Fn(&T) -> f64 + 'a,
-    ) -> Self {
-        let all = Rc::clone(tasks);
-        let run = move || all.iter().map(&run).sum();
-        Self::new(knob, tasks.len() as f64, tasks.iter().flat_map(errors), run)
-    }
-
     /// A method's own estimate of its error. It is shown beside the errors, and not
     /// compared with them.
     pub fn estimate(knob: f64, work: f64, error: f64, run: impl FnMut() -> f64 + 'a) -> Self {
@@ -214,6 +214,12 @@ impl<'a> Point<'a> {
             Axis::Knob => self.knob,
         }
     }
+}
+
+/// The share of tasks with a wrong answer, as the only error of their set.
+pub fn share<T>(tasks: &[T], is_wrong: impl Fn(&&T) -> bool) -> Vec<f64> {
+    let wrong = tasks.iter().filter(is_wrong).count();
+    vec![wrong as f64 / tasks.len() as f64]
 }
 
 /// The Pareto front, by curve and point: true for a point if no other has both

@@ -10,8 +10,8 @@ mod outcome;
 mod table;
 
 pub use bound::Bound::{self, Absolute, Equal, Finite, Ulps};
-pub use case::Case;
 pub use case::Protocol::{self, Fails, Holds};
+pub use case::{Case, Id};
 pub use outcome::Outcome::{self, Nothing, Refused};
 pub use outcome::tried;
 pub use table::{check, select};

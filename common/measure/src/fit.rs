@@ -31,17 +31,13 @@ impl Fit {
     /// one above the other. (N. R. Draper and H. Smith, Applied Regression Analysis,
     /// 1998, chapter 1)
     fn through(points: &[(f64, f64)]) -> Option<Self> {
-        let logs = points
-            .iter()
-            .map(|(x, y)| (libm::log10(*x), libm::log10(*y)));
-        let logs: Vec<_> = logs.collect();
+        let log = |(x, y): &(f64, f64)| (libm::log10(*x), libm::log10(*y));
+        let logs: Vec<_> = points.iter().map(log).collect();
         let count = logs.len() as f64;
         let sum = |f: &dyn Fn(&(f64, f64)) -> f64| logs.iter().map(f).sum::<f64>();
         let (x, y) = (sum(&|p| p.0) / count, sum(&|p| p.1) / count);
-        let (along, up) = (
-            sum(&|p| (p.0 - x) * (p.0 - x)),
-            sum(&|p| (p.1 - y) * (p.1 - y)),
-        );
+        let along = sum(&|p| (p.0 - x) * (p.0 - x));
+        let up = sum(&|p| (p.1 - y) * (p.1 - y));
         if logs.len() < 3 || along < 1e-9 {
             return None;
         }

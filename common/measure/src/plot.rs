@@ -12,7 +12,7 @@ use crate::provenance;
 use crate::report::Measured;
 use crate::timing::Median;
 use axis::{LogAxis, rounded};
-use svg::Svg;
+use svg::{Svg, color};
 
 /// The size of the picture, and the sides of the plot in it, in pixels.
 const SIZE: [f64; 2] = [780.0, 468.0];
@@ -36,7 +36,7 @@ struct Series<'a> {
     /// A remark beside the plot, the slope for example.
     remark: String,
     is_estimate: bool,
-    /// Points: the ends of an interval with the middle between them, and the error.
+    /// The points: the ends of an interval with the middle between them, and the error.
     points: Vec<([f64; 3], f64)>,
 }
 
@@ -65,11 +65,9 @@ pub fn plots(measured: &Measured) -> Vec<(&'static str, String)> {
 /// factor of two, beyond its noise.
 fn time_changes(measured: &Measured, c: usize) -> bool {
     let points = &measured.curves[c].points;
-    let times: Vec<_> = (0..points.len()).map(|p| measured.time(c, p)).collect();
-    let longer = times.iter().fold(0.0, |most, time| time.low.max(most));
-    let shorter = times
-        .iter()
-        .fold(f64::MAX, |least, time| time.high.min(least));
+    let times = (0..points.len()).map(|p| measured.time(c, p));
+    let longer = times.clone().map(|time| time.low).fold(0.0, f64::max);
+    let shorter = times.map(|time| time.high).fold(f64::MAX, f64::min);
     points.windows(2).any(|pair| pair[0].work != pair[1].work) && longer > 2.0 * shorter
 }
 
@@ -129,14 +127,11 @@ fn leave_out_far_curves(all: &mut [Series]) {
             && let [.., high] = logs[..]
             && is_far(&low)
         {
-            let [low, high] = [low, high].map(|log| rounded(libm::pow(10.0, log)));
             let arrow = if is_below { '↓' } else { '↑' };
-            let range = if low == high {
-                low
-            } else {
-                format!("{low} to {high}")
-            };
-            one.remark = format!("{arrow} off the scale: {range}");
+            let ends = [low, high].map(|log| rounded(libm::pow(10.0, log)));
+            let mut range = ends.to_vec();
+            range.dedup();
+            one.remark = format!("{arrow} off the scale: {}", range.join(" to "));
             one.points.clear();
         }
     }
@@ -150,9 +145,8 @@ fn draw(measured: &Measured, label: &str, source: &str, mut all: Vec<Series>) ->
     let is_seen = experiment.can_be_seen(&measured.curves);
     let level = is_seen.then_some(HALF_GREY_LEVEL);
     let bottom = if has_zeros { BOTTOM - STRIP } else { BOTTOM };
-    let errors = points()
-        .map(|(_, error)| *error)
-        .filter(|error| *error > 0.0);
+    let errors = points().map(|(_, error)| *error);
+    let errors = errors.filter(|error| *error > 0.0);
     let y = LogAxis::new(errors.chain(level), (bottom, TOP));
     let x = LogAxis::new(points().flat_map(|(x, _)| *x), (LEFT, RIGHT));
 
@@ -177,38 +171,33 @@ fn draw(measured: &Measured, label: &str, source: &str, mut all: Vec<Series>) ->
     }
     let mut names = Vec::new();
     let rounding = Some(ROUNDING).filter(|rounding| y.holds(*rounding));
-    for (level, name, remark) in [
-        (level, "half a grey level", "1/510"),
-        (rounding, "rounding of 1", "2⁻⁵²"),
-    ] {
-        if let Some(level) = level {
-            svg.line("level", &[[LEFT, y.at(level)], [RIGHT, y.at(level)]]);
-            names.push((y.at(level), name, remark, None));
-        }
+    let half = level.map(|level| (level, "half a grey level", "1/510"));
+    let rounding = rounding.map(|level| (level, "rounding of 1", "2⁻⁵²"));
+    for (level, name, remark) in half.into_iter().chain(rounding) {
+        svg.line("level", &[[LEFT, y.at(level)], [RIGHT, y.at(level)]]);
+        names.push((y.at(level), name, remark, "level".to_owned(), None));
     }
     for (index, one) in all.iter().enumerate() {
-        let class = if one.is_estimate { "estimate" } else { "" };
+        let dashes = if one.is_estimate { "estimate" } else { "" };
+        let class = format!("curve {} {dashes}", color(index));
         let at = |(x_of, error): &([f64; 3], f64)| [x.at(x_of[1]), height(*error)];
         // No line leads to an error of 0, which lies infinitely far below.
         for part in one.points.split(|(_, error)| *error == 0.0) {
             let part: Vec<_> = part.iter().map(at).collect();
-            svg.curve(class, index, 2.0, &part);
+            svg.line(&class, &part);
         }
         for point in &one.points {
             let [low, _, high] = point.0.map(|number| x.at(number));
-            svg.curve("", index, 1.0, &[[low, at(point)[1]], [high, at(point)[1]]]);
+            svg.line(&color(index), &[[low, at(point)[1]], [high, at(point)[1]]]);
             svg.mark(index, at(point));
         }
         let last = one.points.iter().max_by(|a, b| a.0[1].total_cmp(&b.0[1]));
-        let off = if one.remark.starts_with('↑') {
-            TOP
-        } else {
-            bottom
-        };
+        let is_above = one.remark.starts_with('↑');
+        let off = if is_above { TOP } else { bottom };
         let is_exact = last.is_some() && one.points.iter().all(|(_, error)| *error == 0.0);
         let remark = if is_exact { "no error" } else { &one.remark };
         let end = last.map_or(off, |last| at(last)[1]);
-        names.push((end, one.name, remark, Some((index, class))));
+        names.push((end, one.name, remark, class, Some(index)));
     }
     draw_names(&mut svg, names);
     svg.finish()
@@ -233,8 +222,8 @@ fn draw_axes(svg: &mut Svg, x: &LogAxis, y: &LogAxis, bottom: f64) {
     svg.line("", &[[LEFT, BOTTOM], [RIGHT, BOTTOM]]);
 }
 
-/// A name with its height, its remark, and the number and class of its curve.
-type Name<'a> = (f64, &'a str, &'a str, Option<(usize, &'a str)>);
+/// A name with its height, its remark, and the class of its line; the number of its curve.
+type Name<'a> = (f64, &'a str, &'a str, String, Option<usize>);
 
 /// Draws names beside the plot, each as near to its height as the others allow.
 fn draw_names(svg: &mut Svg, mut names: Vec<Name>) {
@@ -245,16 +234,12 @@ fn draw_names(svg: &mut Svg, mut names: Vec<Name>) {
         least = name.0 + NAME;
     }
     let mut most = BOTTOM;
-    for (height, name, remark, curve) in names.into_iter().rev() {
+    for (height, name, remark, class, curve) in names.into_iter().rev() {
         let at = height.min(most);
         most = at - NAME;
-        let sample = [[RIGHT + 12.0, at], [RIGHT + 34.0, at]];
-        match curve {
-            None => svg.line("level", &sample),
-            Some((index, class)) => {
-                svg.curve(class, index, 2.0, &sample);
-                svg.mark(index, [RIGHT + 23.0, at]);
-            }
+        svg.line(&class, &[[RIGHT + 12.0, at], [RIGHT + 34.0, at]]);
+        if let Some(index) = curve {
+            svg.mark(index, [RIGHT + 23.0, at]);
         }
         svg.text("", [RIGHT + 41.0, at + 4.5], name);
         svg.text("small", [RIGHT + 41.0, at + 18.0], remark);

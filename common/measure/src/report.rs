@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use common::{Error, atomic_file};
 
-use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, pareto_front};
+use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Slope, pareto_front};
 use crate::timing::Median;
 use crate::{Effort, plot, provenance};
 
@@ -78,10 +78,8 @@ impl<'e, 'a> Measured<'e, 'a> {
         let front = pareto_front(&self.curves);
         let (name, about, unit, exact) = (e.name, e.about, e.unit, e.exact);
         let mut text = format!("{name}: {about}\n  {} ({unit}), {exact}\n", e.error);
-        let (k, w) = (
-            e.knob.chars().count().max(12),
-            e.work.chars().count().max(14),
-        );
+        let width = |name: &str, least: usize| name.chars().count().max(least);
+        let (k, w) = (width(e.knob, 12), width(e.work, 14));
         let _ = writeln!(
             text,
             "  {:24} {:>k$} {:>w$}     error       max       time  time / first method",
@@ -118,10 +116,11 @@ impl<'e, 'a> Measured<'e, 'a> {
     fn summary(&self, curve: &Curve) -> String {
         let mut parts = Vec::new();
         if let Some(fit) = self.experiment.fit(curve) {
-            let theory = curve
-                .slope
-                .map(|slope| format!(" (theory {})", slope.expected));
-            parts.push(format!("{fit}{}", theory.unwrap_or_default()));
+            let theory = |slope: Slope| format!(" (theory {})", slope.expected);
+            parts.push(format!(
+                "{fit}{}",
+                curve.slope.map_or(String::new(), theory)
+            ));
         }
         let is_estimate = curve.points.iter().any(|point| point.is_estimate);
         let has_mark = self.experiment.can_be_seen(&self.curves) && !is_estimate;

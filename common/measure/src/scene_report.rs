@@ -18,8 +18,12 @@ pub fn experiment(scene: &Scene) -> Result<Experiment<'_>, Error> {
         )));
     }
     // A scene that cannot be rendered fails here already.
-    let size = small(scene.defaults.size)?;
-    render(scene, size, Sampling::Center, 1, 0)?;
+    let settings = Settings {
+        size: small(scene.defaults.size)?,
+        seed: 0,
+        ..scene.defaults.clone()
+    };
+    scene.render(&taking(&settings, Sampling::Center, 1), &())?;
     Ok(Experiment {
         name: scene.name,
         about: "What do more samples buy, and where should they lie?",
@@ -30,7 +34,7 @@ pub fn experiment(scene: &Scene) -> Result<Experiment<'_>, Error> {
         exact: "against many stratified samples of another seed",
         seeds: &[0, REFERENCE],
         against: Axis::Work,
-        curves: Box::new(move |effort| curves(scene, size, effort)),
+        curves: Box::new(move |effort| curves(scene, &settings, effort)),
     })
 }
 
@@ -40,25 +44,17 @@ fn small(size: Size) -> Result<Size, Error> {
     Ok(Size::new(160, height)?)
 }
 
-fn render(
-    scene: &Scene,
-    size: Size,
-    sampling: Sampling,
-    samples: u32,
-    seed: u64,
-) -> Result<Image, Error> {
-    let settings = Settings {
-        size,
-        samples,
+/// The settings with so many samples a pixel, placed in this way.
+fn taking(settings: &Settings, sampling: Sampling, samples: u32) -> Settings {
+    Settings {
         sampling,
-        seed,
-        ..scene.defaults.clone()
-    };
-    scene.render(&settings, &())
+        samples,
+        ..settings.clone()
+    }
 }
 
-/// The channels as a screen shows them, clamped to 1.
-fn channels(image: Option<Image>) -> Vec<f64> {
+/// The channels as a screen shows them, clamped to 1; none of a failed rendering.
+fn channels(image: Result<Image, Error>) -> Vec<f64> {
     let pixels = image.map_or(Vec::new(), |image| image.pixels().to_vec());
     let shown = |color: common::Color| color.map(|c| c.clamp(0.0, 1.0)).channels();
     pixels.into_iter().flat_map(shown).collect()
@@ -67,54 +63,57 @@ fn channels(image: Option<Image>) -> Vec<f64> {
 /// The seed of the reference: no curve uses it.
 const REFERENCE: u64 = 0x5EED;
 
-fn curves(scene: &Scene, size: Size, effort: Effort) -> Vec<Curve<'_>> {
+fn curves<'a>(scene: &'a Scene, settings: &Settings, effort: Effort) -> Vec<Curve<'a>> {
     let sides = &[1_u32, 2, 4, 8, 16][..effort.choose(4, 5)];
     let many = effort.choose(32, 64).pow(2) as u32;
-    let picture =
-        move |sampling, samples, seed| channels(render(scene, size, sampling, samples, seed).ok());
-    let reference = picture(Sampling::Stratified, many, REFERENCE);
+    let reference = Settings {
+        seed: REFERENCE,
+        ..taking(settings, Sampling::Stratified, many)
+    };
+    let reference = channels(scene.render(&reference, &()));
+    let errors = |image| {
+        let channels = channels(image);
+        let pairs = channels.iter().zip(&reference);
+        pairs.map(|(a, b)| a - b).collect::<Vec<_>>()
+    };
+    let pixels = settings.size.pixels() as f64;
+    let curve = |(method, sampling)| {
+        let point = |side: &u32| {
+            let settings = taking(settings, sampling, side * side);
+            let samples = f64::from(settings.samples);
+            let errors = errors(scene.render(&settings, &()));
+            let run = move || {
+                scene
+                    .render(&settings, &())
+                    .map_or(0.0, |_| samples * pixels)
+            };
+            Point::new(samples, samples * pixels, errors, run)
+        };
+        Curve::new(method, sides.iter().map(point))
+    };
+    // Adaptive sampling for an error in half grey levels.
+    let adaptive = |levels: f64| {
+        let settings = Settings {
+            max_error: Some(levels * HALF_GREY_LEVEL),
+            ..taking(settings, settings.sampling, 1024)
+        };
+        let render = move || {
+            let sampled = Mutex::new(Sampled::default());
+            let image = scene.render(&settings, &sampled);
+            let sampled = sampled.into_inner().unwrap_or_else(PoisonError::into_inner);
+            (image, sampled.samples as f64)
+        };
+        let (image, rays) = render();
+        Point::new(rays / pixels, rays, errors(image), move || render().1)
+    };
     let methods = [
         ("random", Sampling::Random),
         ("regular", Sampling::Regular),
         ("stratified", Sampling::Stratified),
     ];
-    let curve = |(method, sampling)| {
-        let point = |side: &u32| {
-            let samples = side * side;
-            let image = picture(sampling, samples, 0);
-            let errors = image.iter().zip(&reference).map(|(a, b)| a - b);
-            let rays = size.pixels() as f64 * f64::from(samples);
-            let run = move || render(scene, size, sampling, samples, 0).map_or(0.0, |_| rays);
-            Point::new(samples.into(), rays, errors, run)
-        };
-        Curve::new(method, sides.iter().map(point))
-    };
-    let asked = [16.0, 8.0, 4.0, 2.0, 1.0, 0.5].map(|levels| levels * HALF_GREY_LEVEL);
-    let adaptive = |asked| adaptive(scene, size, asked, &reference);
-    let mut curves: Vec<_> = methods.map(curve).into();
-    curves.push(Curve::new("adaptive", asked.map(adaptive)));
-    curves
-}
-
-/// Adaptive sampling, with the requested error as the parameter.
-fn adaptive<'a>(scene: &'a Scene, size: Size, asked: f64, reference: &[f64]) -> Point<'a> {
-    let render = move || {
-        let settings = Settings {
-            size,
-            samples: 1024,
-            max_error: Some(asked),
-            ..scene.defaults.clone()
-        };
-        let sampled = Mutex::new(Sampled::default());
-        let image = scene.render(&settings, &sampled).ok();
-        let sampled = sampled.into_inner().unwrap_or_else(PoisonError::into_inner);
-        (image, sampled.samples as f64)
-    };
-    let (image, rays) = render();
-    let image = channels(image);
-    let errors = image.iter().zip(reference).map(|(a, b)| a - b);
-    let mean = rays / size.pixels() as f64;
-    Point::new(mean, rays, errors, move || render().1)
+    let adaptive = [16.0, 8.0, 4.0, 2.0, 1.0, 0.5].map(adaptive);
+    let adaptive = Curve::new("adaptive", adaptive);
+    methods.map(curve).into_iter().chain([adaptive]).collect()
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Unit};
 
 use super::whole_numbers::WholeNumbers;
 use crate::lab::exact::sum_of_products;
@@ -45,17 +45,15 @@ pub fn experiment() -> Experiment<'static> {
     ];
     let curves = move |effort| {
         let steps = [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40];
-        let tasks = steps.map(|bits| (libm::scalbn(1.0, bits), tasks(bits, effort)));
+        let sets = steps.map(|bits| (libm::scalbn(1.0, bits), tasks(bits, effort)));
         let curve = |(method, remark, slope, angle): (_, _, f64, Method)| {
             let error = |&(a, b, exact): &Task| {
                 let error = angle(a, b) / exact - 1.0;
-                [if error.is_nan() { 1.0 } else { error }]
+                if error.is_nan() { 1.0 } else { error }
             };
-            let points = tasks.iter().map(|(knob, tasks)| {
-                Point::of_all(*knob, tasks, error, move |(a, b, _)| angle(*a, *b))
-            });
+            let errors = |tasks: &[Task]| tasks.iter().map(error).collect();
             // For smaller angles the arc cosine is 0 or NaN.
-            Curve::new(method, points)
+            Curve::of_tasks(method, &sets, errors, move |(a, b, _)| angle(*a, *b))
                 .with_slope(slope, (10.0, 1e6))
                 .with_remark(remark)
         };

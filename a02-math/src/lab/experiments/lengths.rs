@@ -3,12 +3,11 @@
 use std::rc::Rc;
 
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Unit};
 
 use super::whole_numbers::WholeNumbers;
 use crate::Vector3;
-use crate::lab::extremes::vector;
-use crate::lab::protocol;
+use crate::lab::{extremes::vector, protocol};
 
 /// A method to bring a vector to length 1; the zero vector if it has no direction.
 type Method = fn(Vector3) -> Vector3;
@@ -34,17 +33,15 @@ pub fn experiment() -> Experiment<'static> {
     ];
     let curves = move |effort| {
         let halvings = [1, 10, 100, 500, 510, 520, 530, 540, 600, 1000];
-        let tasks = halvings.map(|halvings| (halvings, tasks(halvings, effort)));
+        let sets = halvings.map(|halvings| (halvings.into(), tasks(halvings, effort)));
         let curve = |(method, remark, normalized): (_, _, Method)| {
-            let errors = |(v, exact): &Task| {
+            let error = |(v, exact): &Task| {
                 let error = (normalized(*v) - *exact).to_glam().to_array();
                 error.map(|error| if error.is_finite() { error } else { 1.0 })
             };
-            let points = tasks.iter().map(|(halvings, tasks)| {
-                let run = move |(v, _): &Task| normalized(*v).x();
-                Point::of_all((*halvings).into(), tasks, errors, run)
-            });
-            Curve::new(method, points).with_remark(remark)
+            let errors = |tasks: &[Task]| tasks.iter().flat_map(error).collect();
+            Curve::of_tasks(method, &sets, errors, move |(v, _)| normalized(*v).x())
+                .with_remark(remark)
         };
         methods.map(curve).into()
     };

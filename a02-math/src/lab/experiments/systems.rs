@@ -1,10 +1,11 @@
 //! Three equations with three unknowns, from easy to nearly unsolvable.
 
+use std::array;
 use std::rc::Rc;
 
 use glam::DMat3;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Unit};
 
 use super::whole_numbers::WholeNumbers;
 use crate::lab::exact::sum_of_products;
@@ -16,11 +17,9 @@ type Method = fn(Mat3x3, Vector3) -> Vector3;
 
 /// Elimination with the largest number of a column as the pivot.
 fn eliminated(m: Mat3x3, b: Vector3) -> Vector3 {
-    let ([x, y, z], b) = (rows(m), b.to_glam().to_array());
-    let mut rows = [x, y, z].map(|[p, q, r]| [p, q, r, 0.0]);
-    for (row, b) in rows.iter_mut().zip(b) {
-        row[3] = b;
-    }
+    let [p, q, r] = rows(m);
+    let row = |[x, y, z]: [f64; 3], b| [x, y, z, b];
+    let mut rows = [row(p, b.x()), row(q, b.y()), row(r, b.z())];
     for column in 0..3 {
         for below in column + 1..3 {
             if rows[below][column].abs() > rows[column][column].abs() {
@@ -57,13 +56,9 @@ pub fn refined(m: Mat3x3, b: Vector3) -> Vector3 {
 }
 
 fn rows(m: Mat3x3) -> [[f64; 3]; 3] {
-    let columns = DMat3::IDENTITY
-        .to_cols_array_2d()
-        .map(|axis| m * vector(axis));
-    let columns = columns.map(Vector3::to_glam);
-    DMat3::from_cols(columns[0], columns[1], columns[2])
-        .transpose()
-        .to_cols_array_2d()
+    let axes = DMat3::IDENTITY.to_cols_array_2d();
+    let [x, y, z] = axes.map(|axis| (m * vector(axis)).to_glam());
+    DMat3::from_cols(x, y, z).transpose().to_cols_array_2d()
 }
 
 const WHY_NOT: &str =
@@ -77,13 +72,11 @@ pub fn experiment() -> Experiment<'static> {
     ];
     let curves = move |effort| {
         let steps = [0, 5, 10, 15, 20, 25, 30, 35, 40];
-        let tasks = steps.map(|bits| (libm::scalbn(1.0, bits), tasks(bits, effort)));
+        let sets = steps.map(|bits| (libm::scalbn(1.0, bits), tasks(bits, effort)));
         let curve = |(method, remark, slope, solve): (_, _, Option<f64>, Method)| {
-            let errors = |(m, b, x): &Task| (solve(*m, *b) - *x).to_glam().to_array();
-            let points = tasks.iter().map(|(knob, tasks)| {
-                Point::of_all(*knob, tasks, errors, move |(m, b, _)| solve(*m, *b).x())
-            });
-            Curve::new(method, points)
+            let error = |(m, b, x): &Task| (solve(*m, *b) - *x).to_glam().to_array();
+            let errors = |tasks: &[Task]| tasks.iter().flat_map(error).collect();
+            Curve::of_tasks(method, &sets, errors, move |(m, b, _)| solve(*m, *b).x())
                 .with_slope(slope, (1e3, 1e12))
                 .with_remark(remark)
         };
@@ -111,10 +104,7 @@ type Task = (Mat3x3, Vector3, Vector3);
 fn tasks(bits: i32, effort: Effort) -> Rc<[Task]> {
     let mut numbers = WholeNumbers::new(3);
     let mut task = || {
-        let mut column = || {
-            let mut number = || numbers.signed(24);
-            Vector3::new(number(), number(), number())
-        };
+        let mut column = || vector(array::from_fn(|_| numbers.signed(24)));
         let (a, b, rest) = loop {
             let (a, b, rest) = (column(), column(), column());
             let volume = a.cross(b).dot(rest);
@@ -126,8 +116,7 @@ fn tasks(bits: i32, effort: Effort) -> Rc<[Task]> {
         // Rounded to 20 binary digits behind the point, so that sums are exact.
         let cut = |x: f64| libm::scalbn(libm::scalbn(x, 20 - bits).round(), -20);
         let c = a + b + Vector3::from_glam(rest.to_glam().map(cut));
-        let mut unknown = || 2.0 * numbers.signed(1) + 1.0;
-        let x = Vector3::new(unknown(), unknown(), unknown());
+        let x = vector(array::from_fn(|_| 2.0 * numbers.signed(1) + 1.0));
         let m = Mat3x3::IDENTITY
             .change_col_1(a)
             .change_col_2(b)

@@ -2,23 +2,18 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use measure::extremes::{Case, Equal, Fails, Ulps};
+use measure::extremes::{Case, Equal, Fails, Id, Ulps};
 
 use super::vector;
 use crate::lab::protocol;
 
 /// The angle between two vectors, against the protocol's arc cosine.
-fn angle(id: &'static str, what: &str, [a, b]: [[f64; 3]; 2], exact: f64) -> Case {
+fn angle(id: Id, what: &str, [a, b]: [[f64; 3]; 2], exact: f64) -> Case {
     let (a, b) = (vector(a), vector(b));
     let bound = if exact == 0.0 { Equal } else { Ulps(4.0) };
-    Case::new(
-        id,
-        format!("angle between {what}"),
-        exact,
-        bound,
-        a.angle(b),
-    )
-    .protocol(Fails, protocol::angle_by_arc_cosine(a, b))
+    let what = format!("angle between {what}");
+    Case::new(id, what, exact, bound, a.angle(b))
+        .protocol(Fails, protocol::angle_by_arc_cosine(a, b))
 }
 
 #[rustfmt::skip]

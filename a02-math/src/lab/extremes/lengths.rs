@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-use measure::extremes::{Absolute, Bound, Case, Fails, Outcome, Ulps};
+use measure::extremes::{Absolute, Bound, Case, Fails, Id, Outcome, Ulps};
 
 use super::vector;
 use crate::lab::protocol;
@@ -11,7 +11,7 @@ use crate::{Direction, Normal3, Vector3};
 /// A few rounding errors of numbers near 1.
 const ROUNDING: Bound = Absolute(4.0 * f64::EPSILON);
 
-fn normalized(id: &'static str, what: &str, v: Vector3, exact: impl Into<Outcome>) -> Case {
+fn normalized(id: Id, what: &str, v: Vector3, exact: impl Into<Outcome>) -> Case {
     let what = format!("normalise {what}");
     Case::new(id, what, exact, Ulps(1.0), v.normalized()).protocol(Fails, protocol::normalized(v))
 }
@@ -45,7 +45,7 @@ pub fn cases() -> Vec<Case> {
 /// The two directions that glam finds perpendicular to a third, after Duff et
 /// al.: Building an Orthonormal Basis, Revisited, 2017. They hold where an
 /// older formula fails: near -z.
-fn perpendicular(id: &'static str, what: &str, n: [f64; 3]) -> Case {
+fn perpendicular(id: Id, what: &str, n: [f64; 3]) -> Case {
     let defect = vector(n).normalized().map(|n| {
         let (b, c) = n.to_glam().any_orthonormal_pair();
         let (b, c) = (Vector3::from_glam(b), Vector3::from_glam(c));

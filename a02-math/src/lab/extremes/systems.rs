@@ -1,19 +1,13 @@
 //! Linear systems by Cramer's rule, whose accuracy the determinant limits.
 
-use measure::extremes::{Absolute, Case, Fails, Holds, Protocol, Ulps};
+use measure::extremes::{Absolute, Case, Fails, Holds, Id, Protocol, Ulps};
 
 use super::vector;
 use crate::lab::experiments::refined;
 use crate::lab::protocol;
 use crate::{Mat3x3, Vector3};
 
-fn solved(
-    id: &'static str,
-    what: &str,
-    exact: [f64; 3],
-    (m, b): (Mat3x3, Vector3),
-    says: Protocol,
-) -> Case {
+fn solved(id: Id, what: &str, exact: [f64; 3], (m, b): (Mat3x3, Vector3), says: Protocol) -> Case {
     let bound = Ulps(4.0);
     Case::new(id, what, exact, bound, refined(m, b)).protocol(says, protocol::cramer(m, b))
 }

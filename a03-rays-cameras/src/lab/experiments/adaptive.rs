@@ -16,7 +16,7 @@ const SIDE: u32 = 64;
 /// Radiance of the disc at a position of the picture, relative to the middles of pixels;
 /// [`DISC`] is relative to their corners.
 fn disc(x: f64, y: f64) -> Color {
-    Color::gray(f64::from(u8::from(DISC.contains(x + 0.5, y + 0.5))))
+    Color::gray(DISC.contains(x + 0.5, y + 0.5).into())
 }
 
 /// A camera whose rays start at their position in the picture, in pixels.
@@ -43,11 +43,10 @@ fn with_max_error(max_error: f64, settings: &Settings) -> Option<(Image, f64, f6
 }
 
 fn errors(image: &Image) -> impl Iterator<Item = f64> {
-    let rows = (0..SIDE).rev().zip(image.rows());
-    rows.flat_map(|(y, row)| {
-        let row = (0_u32..).zip(row);
-        row.map(move |(x, color)| color.r - disc_coverage(x.into(), y.into()))
-    })
+    let row = |y: u32| (0..SIDE).map(move |x| disc_coverage(x.into(), y.into()));
+    let means = (0..SIDE).rev().flat_map(row);
+    let pixels = image.pixels().iter().zip(means);
+    pixels.map(|(color, mean)| color.r - mean)
 }
 
 fn stratified(settings: &Settings, side: u32) -> Option<Point<'static>> {

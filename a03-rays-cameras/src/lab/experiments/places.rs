@@ -10,21 +10,13 @@ type Iter = Box<dyn Iterator<Item = (f64, f64)>>;
 pub type Places = fn(u32, u32, u32) -> Iter;
 
 /// The renderer's own sampling.
-pub fn with_sampler(sampling: Sampling) -> Places {
-    fn places(sampling: Sampling, x: u32, y: u32, samples: u32) -> Iter {
-        let settings = Settings {
-            sampling,
-            samples,
-            ..Settings::default()
-        };
-        Box::new(Sampler::new(&settings).places(x, y))
-    }
-    match sampling {
-        Sampling::Random => |x, y, n| places(Sampling::Random, x, y, n),
-        Sampling::Regular => |x, y, n| places(Sampling::Regular, x, y, n),
-        Sampling::Stratified => |x, y, n| places(Sampling::Stratified, x, y, n),
-        Sampling::Center => |x, y, n| places(Sampling::Center, x, y, n),
-    }
+pub fn sampled(sampling: Sampling, x: u32, y: u32, samples: u32) -> Iter {
+    let settings = Settings {
+        sampling,
+        samples,
+        ..Settings::default()
+    };
+    Box::new(Sampler::new(&settings).places(x, y))
 }
 
 /// `n` rooks on a board of n by n squares that do not threaten each other: one

@@ -2,13 +2,13 @@
 //! long or short.
 
 use a02_math::{Direction, Point3, Vector3};
-use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Outcome, Refused};
+use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Outcome, Refused};
 
 use super::{AHEAD, UP};
 use crate::{Basis, protocol};
 
 /// The axis u of a camera. The protocol does not check gaze and up vector.
-fn u(id: &'static str, what: &str, gaze: Vector3, up: Vector3, exact: impl Into<Outcome>) -> Case {
+fn u(id: Id, what: &str, gaze: Vector3, up: Vector3, exact: impl Into<Outcome>) -> Case {
     let ours = Basis::new(Point3::ORIGIN, gaze, up).map(|basis| basis.u);
     let [theirs, ..] = protocol::axes(gaze, up);
     Case::new(id, what, exact, Equal, ours).protocol(Fails, theirs)

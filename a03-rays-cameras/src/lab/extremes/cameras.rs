@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Size};
 use measure::extremes::{
-    Bound, Case, Equal, Fails, Holds, Outcome, Protocol, Refused, Ulps, tried,
+    Bound, Case, Equal, Fails, Holds, Id, Outcome, Protocol, Refused, Ulps, tried,
 };
 
 use super::{AHEAD, UP};
@@ -23,7 +23,7 @@ fn direction(([w, h], x, y): Pixel, angle: f64) -> Result<Vector3, ArgumentError
 
 /// A row whose angle is half of the opening: with it the text's formula is right.
 fn half(
-    id: &'static str,
+    id: Id,
     what: &str,
     pixel: Pixel,
     angle: f64,
@@ -39,7 +39,7 @@ fn half(
 /// The offset of the origin of a column's ray in the orthographic camera, in widths of
 /// the picture.
 fn bracket(
-    id: &'static str,
+    id: Id,
     what: &str,
     (column, width): (f64, u32),
     exact: f64,

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
 use a02_math::Point3;
 use common::{ArgumentError, Size};
-use measure::extremes::{Case, Equal, Fails};
+use measure::extremes::{Case, Equal, Fails, Id};
 
 use crate::protocol::count_current_stripe;
 use crate::{PinholeCamera, StripeRule, StripedSky};
@@ -13,7 +13,7 @@ use crate::{PinholeCamera, StripeRule, StripedSky};
 type Counts = Result<(usize, usize), ArgumentError>;
 
 /// A row with two counts; the protocol's is wrong.
-fn row(id: &'static str, what: &str, exact: usize, counts: Counts) -> Case {
+fn row(id: Id, what: &str, exact: usize, counts: Counts) -> Case {
     let (theirs, ours) = counts.unwrap_or((exact, usize::MAX));
     Case::new(id, what, exact, Equal, ours).protocol(Fails, theirs)
 }
@@ -74,50 +74,35 @@ fn wrong_rows() -> Counts {
     Ok((theirs, ours))
 }
 
-/// The stripes of 10 at some places of a row, the protocol's and ours.
-fn stripes_of_row(
-    row: u32,
-    rule: StripeRule,
-    columns: &[f64],
-) -> Result<[Vec<u32>; 2], ArgumentError> {
+/// The stripes of 10 at these columns of each row, the protocol's and ours.
+fn rows(rule: StripeRule, columns: &[f64]) -> Result<Vec<Vec<(u32, u32)>>, ArgumentError> {
     let size = Size::SECOND_COURSE;
     let (camera, sky, top) = sky(size, FRAC_PI_2, 10, rule)?;
-    let rays = columns
-        .iter()
-        .map(|x| camera.generate_ray(size, *x, f64::from(row) + 0.5));
-    let counted = rays
-        .clone()
-        .map(|ray| count_current_stripe(top, 10, ray.direction().y()));
-    Ok([
-        counted.collect(),
-        rays.map(|ray| sky.stripe(&ray)).collect(),
-    ])
+    let stripes = |x: f64, y: u32| {
+        let ray = camera.generate_ray(size, x, f64::from(y) + 0.5);
+        let counted = count_current_stripe(top, 10, ray.direction().y());
+        (counted, sky.stripe(&ray))
+    };
+    let row = |y| columns.iter().map(|x| stripes(*x, y)).collect();
+    Ok((0..size.height()).map(row).collect())
 }
 
 /// Number of runs of one stripe from the top of the picture to its bottom.
 fn stripes_in_the_middle() -> Counts {
-    let (mut theirs, mut ours) = (Vec::new(), Vec::new());
-    for row in 0..Size::SECOND_COURSE.height() {
-        let [counted, stripes] = stripes_of_row(row, StripeRule::Direction, &[240.0])?;
-        theirs.extend(counted);
-        ours.extend(stripes);
-    }
+    let stripes = rows(StripeRule::Direction, &[240.0])?.concat();
+    let (mut theirs, mut ours): (Vec<_>, Vec<_>) = stripes.into_iter().unzip();
     theirs.dedup();
     ours.dedup();
     Ok((theirs.len(), ours.len()))
 }
 
 fn rows_of_several_stripes() -> Counts {
-    let columns: Vec<_> = (0..Size::SECOND_COURSE.width())
-        .map(|x| f64::from(x) + 0.5)
-        .collect();
-    let (mut theirs, mut ours) = (0, 0);
-    for row in 0..Size::SECOND_COURSE.height() {
-        let stripes = stripes_of_row(row, StripeRule::Wall, &columns)?;
-        let [several, too] =
-            stripes.map(|row| usize::from(row.iter().any(|stripe| *stripe != row[0])));
-        theirs += several;
-        ours += too;
-    }
-    Ok((theirs, ours))
+    let columns = 0..Size::SECOND_COURSE.width();
+    let columns: Vec<_> = columns.map(|x| f64::from(x) + 0.5).collect();
+    let rows = rows(StripeRule::Wall, &columns)?;
+    let count = |stripe: fn(&(u32, u32)) -> u32| {
+        let sees_more = |row: &&Vec<_>| row.iter().any(|at| stripe(at) != stripe(&row[0]));
+        rows.iter().filter(sees_more).count()
+    };
+    Ok((count(|at| at.0), count(|at| at.1)))
 }

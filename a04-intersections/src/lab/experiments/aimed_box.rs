@@ -5,7 +5,7 @@ use std::rc::Rc;
 use a02_math::Point3;
 use a03_rays_cameras::Ray;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Unit, share};
 
 use super::Numbers;
 use crate::lab::extremes::arrays;
@@ -14,14 +14,12 @@ use crate::{AxisAlignedBox, Geometry, Interval};
 
 /// The corners of the box: numbers that no double holds exactly.
 pub const LBF: Point3 = Point3::new(0.1, 0.2, 0.3);
-/// The opposite corner.
 pub const RUN: Point3 = Point3::new(0.7, 1.1, 0.9);
 
 /// A ray towards a visible point of the box.
 pub struct Aimed {
     /// The ray, from beyond the right, upper, near corner.
     pub ray: Ray,
-    /// Distance of the point.
     pub distance: f64,
 }
 
@@ -86,22 +84,18 @@ pub fn slabs(lbf: Point3, run: Point3, ray: &Ray) -> Option<f64> {
 
 fn curve(
     method: &'static str,
-    aims: &[Rc<[Aimed]>; 3],
+    aims: &[(f64, Rc<[Aimed]>)],
     formula: impl Fn(&Ray) -> Option<f64> + Copy + 'static,
 ) -> Curve<'static> {
-    let points = aims.iter().zip([1.0, 2.0, 3.0]).map(|(rays, faces)| {
-        let is_wrong = |aimed: &&Aimed| aimed.is_wrong(formula(&aimed.ray));
-        let share = rays.iter().filter(is_wrong).count() as f64 / rays.len() as f64;
-        let aimed = Rc::clone(rays);
-        let run = move || aimed.iter().filter_map(|aimed| formula(&aimed.ray)).sum();
-        Point::new(faces, rays.len() as f64, [share], run)
-    });
-    Curve::new(method, points)
+    let wrong = |aims: &[_]| share(aims, |aimed: &&Aimed| aimed.is_wrong(formula(&aimed.ray)));
+    let run = move |aimed: &Aimed| formula(&aimed.ray).unwrap_or_default();
+    Curve::of_tasks(method, aims, wrong, run)
 }
 
 fn curves(effort: Effort) -> Vec<Curve<'static>> {
     let count = effort.choose(4096, 65_536);
-    let aims = [1, 2, 3].map(|faces| (0..count).map(|n| aimed(faces, n)).collect());
+    let aims = |faces| (0..count).map(|n| aimed(faces, n)).collect();
+    let aims = [(1.0, aims(1)), (2.0, aims(2)), (3.0, aims(3))];
     // The arguments are constants that the constructor accepts.
     let ours = AxisAlignedBox::new(LBF, RUN).ok();
     let ours = move |ray: &Ray| ours?.hit(ray, Interval::AHEAD).map(|hit| hit.t);
@@ -114,7 +108,6 @@ fn curves(effort: Effort) -> Vec<Curve<'static>> {
     ]
 }
 
-/// Errors of box tests against the target of the rays.
 pub fn experiment() -> Experiment<'static> {
     Experiment {
         name: "box-aimed",

@@ -8,7 +8,6 @@ use a02_math::{Direction, Vector3};
 /// A mesh: corners, and faces with the indices of their corners.
 #[derive(Clone, Debug)]
 pub struct Mesh {
-    /// Positions of the corners.
     pub corners: Vec<Vector3>,
     /// Indices of three corners, counterclockwise seen from outside.
     pub faces: Vec<[usize; 3]>,
@@ -45,7 +44,6 @@ impl Mesh {
         mesh
     }
 
-    /// Divides every face into four.
     fn divide(&mut self) {
         let mut middles = HashMap::new();
         let corners = &mut self.corners;

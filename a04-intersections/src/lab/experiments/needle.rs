@@ -5,17 +5,15 @@ use std::rc::Rc;
 use a02_math::{Direction, Point3};
 use a03_rays_cameras::Ray;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Unit};
 
 use super::Numbers;
 use crate::lab::extremes::arrays;
 use crate::lab::{exact, protocol};
 
-/// A triangle and rays towards it.
+/// A triangle, and rays of which half hit it, far from grazing.
 pub struct Needle {
-    /// Its corners.
     pub corners: [Point3; 3],
-    /// Rays, of which half hit the triangle, far from grazing.
     pub rays: Vec<Ray>,
 }
 
@@ -51,17 +49,21 @@ type Formula = fn(&[Point3; 3], &Ray) -> Option<f64>;
 
 /// The relative errors of `t` for all rays whose exact barycentric coordinates
 /// are not near 0. A miss counts as 1.
-pub fn errors(needle: &Needle, formula: Formula) -> Vec<f64> {
-    let corners = needle.corners.map(|corner| corner.to_glam().to_array());
-    let error = |ray: &Ray| {
+pub fn errors(needles: &[Needle], formula: Formula) -> Vec<f64> {
+    let error = move |corners: &[Point3; 3], ray: &Ray| {
         let [o, d] = arrays(ray);
-        let [t, beta, gamma] = exact::triangle(&corners, &o, &d);
+        let exact = corners.map(|corner| corner.to_glam().to_array());
+        let [t, beta, gamma] = exact::triangle(&exact, &o, &d);
         let [beta, gamma] = [beta.value(), gamma.value()];
         let least = beta.min(gamma).min(1.0 - beta - gamma);
-        let found = formula(&needle.corners, ray);
+        let found = formula(corners, ray);
         (least > 0.05).then(|| found.map_or(1.0, |found| t.error_of(found) / t.value()))
     };
-    needle.rays.iter().filter_map(error).collect()
+    let all = needles.iter().flat_map(|Needle { corners, rays }| {
+        let rays = rays.iter();
+        rays.filter_map(move |ray| error(corners, ray))
+    });
+    all.collect()
 }
 
 /// The test of Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle
@@ -137,24 +139,20 @@ pub fn compensated(corners: &[Point3; 3], ray: &Ray) -> Option<f64> {
 fn curves(effort: Effort) -> Vec<Curve<'static>> {
     let rays = effort.choose(4096, 65_536);
     let aspects = (0..=9).map(|power| libm::pow(8.0, power.into()));
-    let views: Vec<_> = aspects
-        .map(|aspect| (aspect, Rc::new(needles(aspect, rays))))
-        .collect();
+    let views = aspects.map(|aspect| (aspect, needles(aspect, rays).into()));
+    let views: Vec<(f64, Rc<[Needle]>)> = views.collect();
     let curve = |method, slope: Option<f64>, formula: Formula| {
-        let points = views.iter().map(|(aspect, needles)| {
-            let errors = needles.iter().flat_map(|needle| errors(needle, formula));
-            let shot = Rc::clone(needles);
-            let run = move || {
-                let all = shot.iter().flat_map(|Needle { corners, rays }| {
-                    rays.iter()
-                        .map(move |ray| formula(corners, ray).unwrap_or(0.0))
-                });
-                all.sum()
-            };
-            let tests: usize = needles.iter().map(|needle| needle.rays.len()).sum();
-            Point::new(*aspect, tests as f64, errors, run)
-        });
-        Curve::new(method, points).with_slope(slope, (64.0, 2e8))
+        let errors = |needles: &[_]| errors(needles, formula);
+        let run = move |Needle { corners, rays }: &Needle| {
+            let hits = rays.iter().filter_map(|ray| formula(corners, ray));
+            hits.sum()
+        };
+        let mut curve = Curve::of_tasks(method, &views, errors, run);
+        // The tasks are triangles, the work is tests.
+        for point in &mut curve.points {
+            point.work = rays as f64;
+        }
+        curve.with_slope(slope, (64.0, 2e8))
     };
     vec![
         curve("Cramer (protocol)", Some(1.0), protocol::triangle),
@@ -170,7 +168,6 @@ fn curves(effort: Effort) -> Vec<Curve<'static>> {
     ]
 }
 
-/// Triangle tests against the ratio of length to height.
 pub fn experiment() -> Experiment<'static> {
     Experiment {
         name: "triangle-needle",

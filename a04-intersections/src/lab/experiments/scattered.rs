@@ -29,13 +29,11 @@ impl Numbers {
         self.between(0.0, count as f64) as usize
     }
 
-    /// Three numbers of an interval.
     pub fn triple(&mut self, least: f64, most: f64) -> Vector3 {
         let [x, y, z] = std::array::from_fn(|_| self.between(least, most));
         Vector3::new(x, y, z)
     }
 
-    /// A vector of length 1.
     pub fn direction(&mut self) -> Vector3 {
         loop {
             let inside = self.triple(-1.0, 1.0);

@@ -14,13 +14,10 @@ use crate::lab::extremes::arrays;
 use crate::lab::real::{Real, difference, dot};
 use crate::lab::{exact, protocol};
 
-/// A sphere and rays towards it.
+/// Centre and radius of a sphere, and rays towards it, as origins and directions.
 pub struct View<F> {
-    /// Its centre.
     pub c: [F; 3],
-    /// Its radius.
     pub r: F,
-    /// Origins and directions.
     pub rays: Vec<[[F; 3]; 2]>,
 }
 
@@ -133,9 +130,8 @@ type Views<F> = Vec<(f64, Rc<View<F>>)>;
 fn views<F: Real>(view: fn(f64, usize) -> View<F>, count: i32, effort: Effort) -> Views<F> {
     let rays = effort.choose(4096, 65_536);
     let knobs = (1..=count).map(|power| libm::pow(8.0, power.into()));
-    knobs
-        .map(|knob| (knob, Rc::new(view(knob, rays))))
-        .collect()
+    let views = knobs.map(|knob| (knob, Rc::new(view(knob, rays))));
+    views.collect()
 }
 
 fn curve<F: Real + 'static>(
@@ -190,7 +186,6 @@ fn near_curves(effort: Effort) -> Vec<Curve<'static>> {
     ]
 }
 
-/// A unit sphere at growing distances.
 pub fn far() -> Experiment<'static> {
     Experiment {
         name: "sphere-far",
@@ -206,7 +201,6 @@ pub fn far() -> Experiment<'static> {
     }
 }
 
-/// A sphere as a ground, with a growing radius.
 pub fn near() -> Experiment<'static> {
     Experiment {
         name: "sphere-near",

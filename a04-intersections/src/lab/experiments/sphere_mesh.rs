@@ -39,7 +39,6 @@ fn rays(count: usize, least: f64, most: f64) -> Vec<(f64, Ray)> {
 /// A unit sphere in a world of its own.
 struct Ball {
     world: World<()>,
-    /// Number of objects.
     objects: f64,
     /// Squared radius of the greatest ball inside of the mesh.
     inner: f64,
@@ -74,14 +73,9 @@ fn angular(divisions: u32) -> Result<Ball, ArgumentError> {
     })
 }
 
-/// Rays for depth and normals: within nine tenths of the radius, because near the
-/// rim both change too fast for a comparison.
-fn shading_rays(effort: Effort) -> Vec<(f64, Ray)> {
-    rays(effort.choose(2048, 4096), 0.0, 0.81)
-}
-
-/// A curve over all meshes. `quantity` has an exact value, given the height of
-/// the sphere over the plane through its centre.
+/// A curve over all meshes. The exact value of `quantity` is the height of the sphere
+/// over the plane through its centre. The rays pass within nine tenths of the radius,
+/// because near the rim depth and normals change too fast for a comparison.
 fn shading(
     method: &'static str,
     balls: &[Rc<Ball>],
@@ -89,16 +83,14 @@ fn shading(
     quantity: fn(Hit) -> f64,
 ) -> Curve<'static> {
     let points = balls.iter().map(|ball| {
-        let rays = shading_rays(effort);
+        let rays = rays(effort.choose(2048, 4096), 0.0, 0.81);
         let shot = Rc::clone(ball);
         let at = move |ray: &Ray| {
-            shot.world
-                .hit(ray, Interval::AHEAD)
-                .map(|(hit, ())| quantity(hit))
+            let nearest = shot.world.hit(ray, Interval::AHEAD);
+            nearest.map(|(hit, ())| quantity(hit))
         };
         let error = |(square, ray): &(f64, Ray)| {
-            let height = (1.0 - square).sqrt();
-            at(ray).map_or(1.0, |quantity| quantity - height)
+            at(ray).map_or(1.0, |quantity| quantity - (1.0 - square).sqrt())
         };
         let errors: Vec<_> = rays.iter().map(error).collect();
         let work = ball.objects * rays.len() as f64;

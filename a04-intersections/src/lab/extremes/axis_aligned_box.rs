@@ -3,7 +3,7 @@
 //! The protocol's row compares all coordinates of the computed point. Rows with
 //! the same number and an s show naive slabs instead.
 
-use measure::extremes::{Bound, Case, Equal, Fails, Finite, Holds, Outcome, Protocol, Ulps};
+use measure::extremes::{Bound, Case, Equal, Fails, Finite, Holds, Id, Outcome, Protocol, Ulps};
 
 use super::{Line, MISS, REFUSED, Triple, any_ray, meeting, point};
 use crate::AxisAlignedBox;
@@ -20,7 +20,7 @@ fn ours((lbf, run): Corners, line: Line) -> Outcome {
 }
 
 fn case(
-    id: &'static str,
+    id: Id,
     what: &str,
     corners: Corners,
     line: Line,
@@ -34,13 +34,7 @@ fn case(
 }
 
 /// Naive slabs instead of the protocol's planes: wrong in every row that uses them.
-fn naive(
-    id: &'static str,
-    what: &str,
-    corners: Corners,
-    line: Line,
-    exact: impl Into<Outcome>,
-) -> Case {
+fn naive(id: Id, what: &str, corners: Corners, line: Line, exact: impl Into<Outcome>) -> Case {
     let theirs = slabs(point(corners.0), point(corners.1), &any_ray(line));
     let what = format!("{what}: naive slabs");
     Case::new(id, what, exact, Equal, ours(corners, line)).protocol(Fails, theirs)

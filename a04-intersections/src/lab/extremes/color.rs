@@ -1,11 +1,11 @@
 //! Conversion of channels to bytes.
 
 use common::{Color, Transfer};
-use measure::extremes::{Bound, Case, Fails, Holds, Protocol};
+use measure::extremes::{Bound, Case, Fails, Holds, Id, Protocol};
 
 use crate::lab::protocol;
 
-fn case(id: &'static str, channel: f64, exact: f64, says: Protocol) -> Case {
+fn case(id: Id, channel: f64, exact: f64, says: Protocol) -> Case {
     let ours = Transfer::Linear.bytes(Color::gray(channel))[0];
     let what = format!("a channel of {channel} as a byte");
     Case::new(id, what, exact, Bound::Equal, f64::from(ours))

@@ -4,7 +4,7 @@ use a02_math::Point3;
 use a03_rays_cameras::Ray;
 use common::{ArgumentError, Error};
 use measure::Effort;
-use measure::extremes::{Case, Equal, Fails, Holds, Protocol};
+use measure::extremes::{Case, Equal, Fails, Holds, Id, Protocol};
 
 use super::first;
 use crate::lab::experiments::Numbers;
@@ -20,14 +20,14 @@ struct Hull {
     triangles: Vec<Triangle>,
 }
 
-/// The target of a ray from inside the hull.
-#[derive(Clone, Copy)]
-enum Aim {
-    Anywhere,
-    Corner,
-    Edge,
-    MiddleOfEdge,
-}
+/// The target of a ray from inside the hull, as the share of an edge that ends there, or
+/// none for a ray in any direction; and its description.
+type Aim = (fn(&mut Numbers) -> Option<f64>, &'static str);
+
+const CORNER: Aim = (|_| Some(0.0), "at corners");
+const EDGE: Aim = (|numbers| Some(numbers.between(0.0, 1.0)), "at edges");
+const MIDDLE_OF_EDGE: Aim = (|_| Some(0.5), "at the middles of edges");
+const ANYWHERE: Aim = (|_| None, "anywhere, which proves nothing");
 
 impl Hull {
     fn new(middle: Point3) -> Result<Self, ArgumentError> {
@@ -45,31 +45,27 @@ impl Hull {
     }
 
     /// The `n`-th ray from near the middle, where all triangles are visible.
-    fn ray(&self, aim: Aim, n: usize) -> Result<Ray, ArgumentError> {
+    fn ray(&self, (aim, _): Aim, n: usize) -> Result<Ray, ArgumentError> {
         let mut numbers = Numbers::new(52, n);
         let eye = self.middle + numbers.triple(-0.1, 0.1);
         let face = self.corners[numbers.below(self.corners.len())];
         let side = numbers.below(3);
         let (from, to) = (face[side], face[(side + 1) % 3]);
-        let share = match aim {
-            Aim::Anywhere => return Ray::new(eye, numbers.direction()),
-            Aim::Corner => 0.0,
-            Aim::Edge => numbers.between(0.0, 1.0),
-            Aim::MiddleOfEdge => 0.5,
+        let way = match aim(&mut numbers) {
+            Some(share) => from + (to - from) * share - eye,
+            None => numbers.direction(),
         };
-        Ray::new(eye, from + (to - from) * share - eye)
+        Ray::new(eye, way)
     }
 
     fn ours(&self, ray: &Ray) -> bool {
-        self.triangles
-            .iter()
-            .any(|triangle| first(triangle, ray).is_some())
+        let mut triangles = self.triangles.iter();
+        triangles.any(|triangle| first(triangle, ray).is_some())
     }
 
     fn theirs(&self, ray: &Ray) -> bool {
-        self.corners
-            .iter()
-            .any(|corners| protocol::triangle(corners, ray).is_some())
+        let mut corners = self.corners.iter();
+        corners.any(|corners| protocol::triangle(corners, ray).is_some())
     }
 }
 
@@ -90,18 +86,9 @@ const HERE: Point3 = Point3::ORIGIN;
 const FAR: Point3 = Point3::new(148_376.0, 1_234.0, -223_423.0);
 const VERY_FAR: Point3 = Point3::new(1e9, -1e9, 1e9);
 
-fn leaks(id: &'static str, middle: Point3, aim: Aim, rays: usize, says: Protocol) -> Case {
-    let place = if middle == HERE {
-        ""
-    } else {
-        " far from the origin"
-    };
-    let at = match aim {
-        Aim::Anywhere => "anywhere, which proves nothing",
-        Aim::Corner => "at corners",
-        Aim::Edge => "at edges",
-        Aim::MiddleOfEdge => "at the middles of edges",
-    };
+fn leaks(id: Id, middle: Point3, aim: Aim, rays: usize, says: Protocol) -> Case {
+    let ((_, at), is_far) = (aim, middle == FAR);
+    let place = if is_far { " far from the origin" } else { "" };
     let what = format!("a closed mesh{place}, {rays} rays {at}: rays that get out");
     Case::new(id, what, 0.0, Equal, out(middle, aim, rays, Hull::ours))
         .protocol(says, out(middle, aim, rays, Hull::theirs))
@@ -110,7 +97,7 @@ fn leaks(id: &'static str, middle: Point3, aim: Aim, rays: usize, says: Protocol
 /// A row for three positions and three targets.
 fn million(rays: usize) -> Case {
     let places = [HERE, FAR, VERY_FAR].into_iter();
-    let targets = [Aim::Corner, Aim::Edge, Aim::MiddleOfEdge];
+    let targets = [CORNER, EDGE, MIDDLE_OF_EDGE];
     let all = places.flat_map(|middle| targets.map(|aim| out(middle, aim, rays, Hull::ours)));
     let rays = 9 * rays;
     let what = format!(
@@ -125,8 +112,8 @@ type Formula = fn(&Ray) -> Option<f64>;
 /// Rows of the box with the protocol's three coordinates, two coordinates, and naive
 /// slabs.
 fn box_rows(ids: [&'static str; 3], faces: usize, rays: usize, says: [Protocol; 3]) -> [Case; 3] {
-    let count = |t: &dyn Fn(&Ray) -> Option<f64>| {
-        let wrong = |aimed: &Aimed| aimed.is_wrong(t(&aimed.ray));
+    let count = |formula: &dyn Fn(&Ray) -> Option<f64>| {
+        let wrong = |aimed: &Aimed| aimed.is_wrong(formula(&aimed.ray));
         (0..rays).map(|n| aimed(faces, n)).filter(wrong).count()
     };
     let ours = AxisAlignedBox::new(LBF, RUN).map(|aab| count(&|ray| first(&aab, ray)));
@@ -147,12 +134,12 @@ fn box_rows(ids: [&'static str; 3], faces: usize, rays: usize, says: [Protocol; 
 pub fn cases(effort: Effort) -> Vec<Case> {
     let (rays, aimed) = (effort.choose(500, 50_000), effort.choose(2000, 100_000));
     let mut cases = vec![
-        leaks("S01", HERE, Aim::Corner, rays, Fails),
-        leaks("S02", HERE, Aim::Edge, rays, Fails),
-        leaks("S03", HERE, Aim::MiddleOfEdge, rays, Fails),
-        leaks("S04", FAR, Aim::Corner, rays, Fails),
+        leaks("S01", HERE, CORNER, rays, Fails),
+        leaks("S02", HERE, EDGE, rays, Fails),
+        leaks("S03", HERE, MIDDLE_OF_EDGE, rays, Fails),
+        leaks("S04", FAR, CORNER, rays, Fails),
         million(effort.choose(500, 120_000)),
-        leaks("S06", HERE, Aim::Anywhere, rays, Holds),
+        leaks("S06", HERE, ANYWHERE, rays, Holds),
     ];
     cases.extend(box_rows(["S07", "S07t", "S07s"], 1, aimed, [Fails, Holds, Holds]));
     cases.extend(box_rows(["S08", "S08t", "S08s"], 2, aimed, [Fails; 3]));

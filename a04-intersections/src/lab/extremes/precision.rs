@@ -3,7 +3,7 @@
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use measure::Effort;
-use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Protocol};
+use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Protocol};
 
 use super::{EPSILON, arrays, first, raw_ray};
 use crate::lab::experiments::Numbers;
@@ -34,9 +34,8 @@ fn theirs<F: Real>(o: &[F; 3], d: &[F; 3]) -> bool {
 
 fn double_precision(rays: usize) -> Case {
     let ours = Sphere::new(Point3::ORIGIN, 1.0).map(|sphere| {
-        wrong::<f64>(1e8, rays, |o, d| {
-            first(&sphere, &raw_ray((*o, *d))).is_some()
-        })
+        let is_hit = |o: &_, d: &_| first(&sphere, &raw_ray((*o, *d))).is_some();
+        wrong::<f64>(1e8, rays, is_hit)
     });
     let what = format!("{rays} rays at and past a sphere 1e8 radii away: wrong hits and misses");
     Case::new("S10", what, 0.0, Equal, ours).protocol(Fails, wrong::<f64>(1e8, rays, theirs))
@@ -50,7 +49,7 @@ fn single_precision(rays: usize) -> Case {
 
 /// The greatest error of a plane's `t`, relative to the theoretical bound: rounding
 /// errors of the lengths over the cosine.
-fn plane(id: &'static str, anchor: f64, rays: usize) -> Case {
+fn plane(id: Id, anchor: f64, rays: usize) -> Case {
     let greatest = |of: &dyn Fn(Point3, Vector3, &Ray) -> Option<f64>| {
         let mut greatest = 0.0_f64;
         for n in 0..rays {
@@ -59,14 +58,13 @@ fn plane(id: &'static str, anchor: f64, rays: usize) -> Case {
             let a = Point3::ORIGIN + within * anchor;
             let eye = Point3::ORIGIN + normal * numbers.between(1.0, 5.0);
             let ray = Ray::derived(eye, numbers.direction());
-            let Some(t) = of(a, normal, &ray) else {
-                continue;
-            };
-            let [a, n] = [a.to_glam(), normal.to_glam()].map(|v| v.to_array());
-            let [o, d] = arrays(&ray);
-            let error = exact::plane(&a, &n, &o, &d).error_of(t).abs();
-            let cos = ray.direction().dot(normal).abs();
-            greatest = greatest.max(error * cos / (EPSILON * (anchor + t)));
+            if let Some(t) = of(a, normal, &ray) {
+                let [a, n] = [a.to_glam(), normal.to_glam()].map(|v| v.to_array());
+                let [o, d] = arrays(&ray);
+                let error = exact::plane(&a, &n, &o, &d).error_of(t).abs();
+                let cos = ray.direction().dot(normal).abs();
+                greatest = greatest.max(error * cos / (EPSILON * (anchor + t)));
+            }
         }
         greatest
     };
@@ -77,13 +75,12 @@ fn plane(id: &'static str, anchor: f64, rays: usize) -> Case {
 }
 
 /// The median of the relative errors of `t`.
-fn needle(id: &'static str, aspect: f64, rays: usize, bound: f64, says: Protocol) -> Case {
+fn needle(id: Id, aspect: f64, rays: usize, bound: f64, says: Protocol) -> Case {
     let needles = needles(aspect, rays);
     let median = |formula: fn(&[Point3; 3], &Ray) -> Option<f64>| {
-        let all = needles.iter().flat_map(|needle| errors(needle, formula));
-        let mut all: Vec<f64> = all.map(f64::abs).collect();
-        all.sort_by(f64::total_cmp);
-        all[all.len() / 2]
+        let mut all = errors(&needles, formula);
+        all.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+        all[all.len() / 2].abs()
     };
     let what = format!("{rays} rays at triangles of aspect {aspect:e}: median relative error of t");
     Case::new(id, what, 0.0, Absolute(bound), median(plain))

@@ -3,12 +3,11 @@
 use a02_math::{Direction, Point3};
 use common::Color;
 use measure::extremes::{
-    Absolute, Bound, Case, Equal, Fails, Finite, Holds, Outcome, Protocol, Ulps, tried,
+    Absolute, Bound, Case, Equal, Fails, Finite, Holds, Id, Outcome, Protocol, Ulps, tried,
 };
 
-use super::{
-    EPSILON, Line, MISS, REFUSED, Triple, any_ray, arrays, meeting, point, raw_ray, unit_ray,
-};
+use super::{EPSILON, Line, MISS, REFUSED, Triple};
+use super::{any_ray, arrays, first, meeting, point, raw_ray, unit_ray, vector};
 use crate::{Geometry, Interval, Sphere, World, protocol};
 
 /// Centre and radius.
@@ -24,7 +23,7 @@ fn stable(length: f64, cos: f64) -> Bound {
 }
 
 fn case(
-    id: &'static str,
+    id: Id,
     what: &str,
     (c, r): Ball,
     line: Line,
@@ -33,18 +32,12 @@ fn case(
     says: Protocol,
 ) -> Case {
     let [o, d] = arrays(&any_ray(line));
-    Case::new(
-        id,
-        what,
-        exact,
-        bound,
-        meeting(Sphere::new(point(c), r), line),
-    )
-    .protocol(says, protocol::sphere(&c, r, &o, &d))
+    let ours = meeting(Sphere::new(point(c), r), line);
+    Case::new(id, what, exact, bound, ours).protocol(says, protocol::sphere(&c, r, &o, &d))
 }
 
 /// The unit sphere from 3 away along a direction of another length: distances.
-fn long_or_short(id: &'static str, length: f64) -> Case {
+fn long_or_short(id: Id, length: f64) -> Case {
     let line = ([0.0, 0.0, 3.0], [0.0, 0.0, -length]);
     let raw = protocol::sphere(&[0.0; 3], 1.0, &line.0, &line.1);
     let ours = meeting(Sphere::new(Point3::ORIGIN, 1.0), line);
@@ -53,16 +46,11 @@ fn long_or_short(id: &'static str, length: f64) -> Case {
 }
 
 /// A ray that no scene contains, passed directly to the unit sphere.
-fn unchecked(id: &'static str, what: &str, line: Line, says: Protocol) -> Case {
-    let ours = Sphere::new(Point3::ORIGIN, 1.0).map(|s| super::first(&s, &raw_ray(line)));
-    Case::new(
-        id,
-        format!("{what}, past the constructor"),
-        MISS,
-        Equal,
-        ours,
-    )
-    .protocol(says, protocol::sphere(&[0.0; 3], 1.0, &line.0, &line.1))
+fn unchecked(id: Id, what: &str, line: Line, says: Protocol) -> Case {
+    let ours = Sphere::new(Point3::ORIGIN, 1.0).map(|s| first(&s, &raw_ray(line)));
+    let what = format!("{what}, past the constructor");
+    Case::new(id, what, MISS, Equal, ours)
+        .protocol(says, protocol::sphere(&[0.0; 3], 1.0, &line.0, &line.1))
 }
 
 #[rustfmt::skip]
@@ -142,15 +130,12 @@ fn facing_from_inside() -> Case {
     let line = ([0.0; 3], [0.0, 0.0, 1.0]);
     let ours = tried(|| {
         let world = World::new(Color::BLACK)?.with(Sphere::new(Point3::ORIGIN, 1.0)?, ());
-        let ray = unit_ray(line)?;
-        let hit = world.hit(&ray, Interval::AHEAD);
-        Ok(hit.map(|(hit, ())| hit.normal.dot(ray.direction())))
+        let hit = world.hit(&unit_ray(line)?, Interval::AHEAD);
+        Ok(hit.map(|(hit, ())| hit.normal.dot(vector(line.1))))
     });
     let outwards = Sphere::new(Point3::ORIGIN, 1.0).map(|sphere| {
-        let ray = raw_ray(line);
-        sphere
-            .hit(&ray, Interval::AHEAD)
-            .map(|hit| hit.normal.dot(ray.direction()))
+        let hit = sphere.hit(&raw_ray(line), Interval::AHEAD);
+        hit.map(|hit| hit.normal.dot(vector(line.1)))
     });
     let what = "seen from inside: cosine between normal and direction";
     Case::new("A40", what, -1.0, Equal, ours).protocol(Fails, outwards)

@@ -4,7 +4,7 @@ use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
 use common::ArgumentError;
 use measure::extremes::{
-    Absolute, Bound, Case, Equal, Fails, Holds, Outcome, Protocol, Ulps, tried,
+    Absolute, Bound, Case, Equal, Fails, Holds, Id, Outcome, Protocol, Ulps, tried,
 };
 
 use super::{
@@ -31,7 +31,7 @@ fn theirs(corners: Corners, line: Line) -> Option<f64> {
 }
 
 fn case(
-    id: &'static str,
+    id: Id,
     what: &str,
     corners: Corners,
     line: Line,
@@ -45,7 +45,7 @@ fn case(
 
 /// Whether the ray hits the first and the second of two neighbours.
 fn neighbours(
-    id: &'static str,
+    id: Id,
     what: &str,
     pair: [Corners; 2],
     line: Line,
@@ -57,7 +57,7 @@ fn neighbours(
 }
 
 /// A triangle of this size, seen from the same distance, at β = γ = 1/4.
-fn sized(id: &'static str, size: f64, exact: impl Into<Outcome>, says: Protocol) -> Case {
+fn sized(id: Id, size: f64, exact: impl Into<Outcome>, says: Protocol) -> Case {
     let corners = [[0.0; 3], [size, 0.0, 0.0], [0.0, size, 0.0]];
     let line = ([0.25 * size, 0.25 * size, size], DOWN);
     let what = format!("size and distance {size:e}");

@@ -6,10 +6,8 @@
 use std::f64::consts::PI;
 
 use a03_rays_cameras::lab::experiments::Neumaier;
-use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
-/// The exponents.
 const EXPONENTS: [f64; 8] = [8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0];
 
 pub fn experiment() -> Experiment<'static> {
@@ -23,7 +21,7 @@ pub fn experiment() -> Experiment<'static> {
         exact: "against 1 / (2 (P + 1)) for the exponents P = 8 to 15",
         seeds: &[],
         against: Axis::Knob,
-        curves: Box::new(|effort: Effort| {
+        curves: Box::new(|effort| {
             let sizes = &[64, 128, 256, 512, 1024, 2048, 4096][..effort.choose(4, 7)];
             let curve = |method, sum: Sum| {
                 let point = |&across: &u32| {
@@ -60,15 +58,10 @@ fn neumaier(terms: &mut dyn Iterator<Item = f64>) -> f64 {
 fn mean(across: u32, exponent: f64, sum: Sum) -> f64 {
     let pixel = 2.0 / f64::from(across);
     let place = move |i: u32| (f64::from(i) + 0.5) * pixel - 1.0;
-    let highlight = move |(x, y): (f64, f64)| {
+    let highlight = move |x: f64, y: f64| {
         let cosine = 1.0 - 2.0 * (x * x + y * y);
-        if cosine > 0.0 {
-            libm::pow(cosine, exponent)
-        } else {
-            0.0
-        }
+        libm::pow(cosine.max(0.0), exponent)
     };
-    let places =
-        (0..across).flat_map(|row| (0..across).map(move |column| (place(column), place(row))));
-    sum(&mut places.map(highlight)) * pixel * pixel / PI
+    let row = |y: u32| (0..across).map(move |x| highlight(place(x), place(y)));
+    sum(&mut (0..across).flat_map(row)) * pixel * pixel / PI
 }

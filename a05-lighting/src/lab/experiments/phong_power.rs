@@ -4,7 +4,6 @@
 //! even if the power is exact; only methods that use 1 - cosine can do better.
 
 use a02_math::lab::exact::DoubleDouble;
-use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 use crate::power::squaring;
@@ -46,7 +45,7 @@ pub fn experiment() -> Experiment<'static> {
         exact: "against powers with 19 digits or more",
         seeds: &[],
         against: Axis::Knob,
-        curves: Box::new(|effort: Effort| {
+        curves: Box::new(|effort| {
             let count = effort.choose(4_096, 65_536);
             let curve = |method, slope: Option<f64>, power: Power| {
                 let points = [1e2, 1e4, 1e6, 1e9, 1e12].map(|exponent| {

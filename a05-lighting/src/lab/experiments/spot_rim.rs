@@ -8,8 +8,7 @@ use std::rc::Rc;
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::PixelRandom;
 use common::{ArgumentError, Color};
-use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Unit, share};
 
 use crate::{Light, SpotLight, protocol};
 
@@ -30,24 +29,14 @@ pub fn experiment() -> Experiment<'static> {
         exact: "against the side on which a point was put; one in eight lies behind",
         seeds: &[12],
         against: Axis::Knob,
-        curves: Box::new(|effort: Effort| {
+        curves: Box::new(|effort| {
             let count = effort.choose(4_096, 65_536) as u32;
             let knobs = [1e-2, 1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-11];
+            let tasks = knobs.map(|knob| (knob, tasks(knob, count).unwrap_or_default()));
             let curve = |method, illuminates: Illuminates| {
-                let points = knobs.iter().filter_map(|knob| {
-                    let (light, points) = scene(*knob, count).ok()?;
-                    let wrong =
-                        |(point, lit): &&(Point3, bool)| illuminates(&light, *point) != *lit;
-                    let all = points.len() as f64;
-                    let share = points.iter().filter(wrong).count() as f64 / all;
-                    Some(Point::new(*knob, all, [share], move || {
-                        let lit = points
-                            .iter()
-                            .filter(|(point, _)| illuminates(&light, *point));
-                        lit.count() as f64
-                    }))
-                });
-                Curve::new(method, points)
+                let lit = move |task: &Task| illuminates(&task.light, task.point);
+                let wrong = |tasks: &[_]| share(tasks, |task| lit(task) != task.is_lit);
+                Curve::of_tasks(method, &tasks, wrong, move |task| lit(task).into())
             };
             vec![
                 curve("arc cosine (protocol)", |_, p| {
@@ -72,11 +61,15 @@ fn by_cosines(_: &SpotLight, point: Point3) -> bool {
     to_point.dot(DIRECTION) >= COS_HALF_ANGLE * lengths
 }
 
-/// Points, and whether the light shines on them.
-type Points = Rc<[(Point3, bool)]>;
+/// A light at the origin, and a point on which it shines or not.
+struct Task {
+    light: SpotLight,
+    point: Point3,
+    is_lit: bool,
+}
 
-/// A light at the origin and points near the rim of its cone.
-fn scene(knob: f64, count: u32) -> Result<(SpotLight, Points), ArgumentError> {
+/// Points near the rim of the light's cone.
+fn tasks(knob: f64, count: u32) -> Result<Rc<[Task]>, ArgumentError> {
     let light = SpotLight::new(Color::WHITE, Point3::ORIGIN, DIRECTION, HALF_ANGLE)?;
     let w = DIRECTION.unit("direction")?;
     let u = w.cross(Vector3::new(0.0, 1.0, 0.0)).unit("u")?;
@@ -94,5 +87,10 @@ fn scene(knob: f64, count: u32) -> Result<(SpotLight, Points), ArgumentError> {
         let way = w * libm::cos(angle) + aside * libm::sin(angle);
         (Point3::ORIGIN + way * distance, inside)
     });
-    Ok((light, points.collect()))
+    let task = |(point, is_lit)| Task {
+        light,
+        point,
+        is_lit,
+    };
+    Ok(points.map(task).collect())
 }

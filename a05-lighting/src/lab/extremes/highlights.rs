@@ -4,16 +4,15 @@ use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 use common::{ArgumentError, Color};
-use measure::extremes::{
-    Absolute, Bound, Case, Equal, Fails, Holds, Outcome, Protocol, Refused, Ulps,
-};
+use measure::extremes::{Absolute, Bound, Equal, Id, Refused, Ulps};
+use measure::extremes::{Case, Fails, Holds, Outcome, Protocol};
 
 use crate::{DirectionalLight, LitWorld, Material, Phong, protocol};
 
 /// Radiance of a white highlight under a light straight above, for this cosine of
 /// the angle between the mirrored light and the eye.
 fn power(
-    id: &'static str,
+    id: Id,
     cosine: f64,
     exponent: f64,
     exact: impl Into<Outcome>,

@@ -1,10 +1,11 @@
 //! Far lights, lights inside of objects, and lights without a position.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::{PixelRandom, Ray};
-use a04_intersections::{Plane, Sphere};
+use a03_rays_cameras::Ray;
+use a04_intersections::lab::experiments::Numbers;
+use a04_intersections::{Geometry, Plane, Sphere};
 use common::{ArgumentError, Color};
-use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Outcome, Refused, Ulps, tried};
+use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Outcome, Refused, Ulps, tried};
 
 use crate::{DirectionalLight, Lambert, Light, LitWorld, PointLight, protocol};
 
@@ -13,18 +14,21 @@ fn lamp(y: f64) -> Result<PointLight, ArgumentError> {
     PointLight::new(Color::WHITE, Point3::new(0.0, y, 0.0))
 }
 
-/// The white unit sphere with a light at its centre, and ambient light of 1/4.
-fn light_inside() -> Result<LitWorld, ArgumentError> {
+/// A white shape with a light, and ambient light of 1/4.
+fn world(shape: impl Geometry, light: impl Light) -> Result<LitWorld, ArgumentError> {
     let white = Box::new(Lambert::new(Color::WHITE)?);
     let world = LitWorld::new(Color::BLACK, Color::gray(0.25))?;
-    Ok(world
-        .with(Sphere::new(Point3::ORIGIN, 1.0)?, white)
-        .lit_by(Box::new(lamp(0.0)?)))
+    Ok(world.with(shape, white).lit_by(Box::new(light)))
+}
+
+/// The unit sphere with a light at its centre.
+fn light_inside() -> Result<LitWorld, ArgumentError> {
+    world(Sphere::new(Point3::ORIGIN, 1.0)?, lamp(0.0)?)
 }
 
 /// Brightness of the sphere, seen from the distance `z`. The protocol's normal points
 /// to the eye.
-fn sphere(id: &'static str, what: &str, z: f64, exact: f64) -> Case {
+fn sphere(id: Id, what: &str, z: f64, exact: f64) -> Case {
     let ray = Ray::derived(Point3::new(0.0, 0.0, z), Vector3::new(0.0, 0.0, -1.0));
     let ours = light_inside().map(|world| world.color_for(&ray).r);
     let what = format!("light in the centre of a sphere {what}: brightness");
@@ -35,12 +39,9 @@ fn sphere(id: &'static str, what: &str, z: f64, exact: f64) -> Case {
 }
 
 /// The brightness of a white wall at the origin, seen from straight before it.
-fn brightness(n: Normal3, light: Result<impl Light + 'static, ArgumentError>) -> Outcome {
+fn brightness(n: Normal3, light: Result<impl Light, ArgumentError>) -> Outcome {
     tried(|| {
-        let white = Box::new(Lambert::new(Color::WHITE)?);
-        let world = LitWorld::new(Color::BLACK, Color::gray(0.25))?
-            .with(Plane::new(Point3::ORIGIN, n)?, white)
-            .lit_by(Box::new(light?));
+        let world = world(Plane::new(Point3::ORIGIN, n)?, light?)?;
         let n = Vector3::from(n);
         Ok(world.color_for(&Ray::derived(Point3::ORIGIN + n, -n)).r)
     })
@@ -75,10 +76,9 @@ pub fn cases() -> Vec<Case> {
 }
 
 /// The error of the sphere's brightness, seen from inside; for one of many directions.
-fn off_inside(i: u32) -> Result<f64, ArgumentError> {
-    let random = PixelRandom::new(6, i, 0);
-    let number = |n| random.uniform(n) - 0.5;
-    let eye = Point3::new(number(0), number(1), number(2));
-    let ray = Ray::new(eye, Vector3::new(number(3), number(4), number(5)))?;
+fn off_inside(i: usize) -> Result<f64, ArgumentError> {
+    let mut numbers = Numbers::new(6, i);
+    let mut vector = || numbers.triple(-0.5, 0.5);
+    let ray = Ray::new(Point3::ORIGIN + vector(), vector())?;
     Ok((light_inside()?.color_for(&ray).r - 1.25).abs())
 }

@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 use a02_math::lab::extremes::{point, vector};
 use a02_math::lab::protocol::angle_by_arc_cosine;
 use a02_math::{Point3, Vector3};
-use a03_rays_cameras::PixelRandom;
+use a04_intersections::lab::experiments::Numbers;
 use common::Color;
 use measure::Effort;
-use measure::extremes::{Case, Equal, Fails, Holds, Outcome, Protocol, Refused, Ulps};
+use measure::extremes::{Case, Equal, Fails, Holds, Id, Outcome, Protocol, Refused, Ulps};
 
 use crate::{Light, SpotLight, protocol};
 
@@ -23,7 +23,7 @@ fn theirs(direction: Vector3, half_angle: f64, point: Point3) -> Outcome {
 }
 
 fn spot(
-    id: &'static str,
+    id: Id,
     what: &str,
     (direction, half_angle): ([f64; 3], f64),
     at: [f64; 3],
@@ -71,7 +71,5 @@ pub fn cases(effort: Effort) -> Vec<Case> {
 
 /// A direction of any length below √3.
 fn random_direction(i: usize) -> Vector3 {
-    let random = PixelRandom::new(9, i as u32, 0);
-    let number = |n| 2.0 * random.uniform(n) - 1.0;
-    Vector3::new(number(0), number(1), number(2))
+    Numbers::new(9, i).triple(-1.0, 1.0)
 }

@@ -8,8 +8,9 @@
 use std::rc::Rc;
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{PixelRandom, Ray};
+use a03_rays_cameras::Ray;
 use a04_intersections::Plane;
+use a04_intersections::lab::experiments::Numbers;
 use common::{ArgumentError, Color};
 use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Unit};
 
@@ -64,9 +65,9 @@ pub fn depth(k: f64, asked: f64) -> u32 {
 /// Rays that start between the mirrors and go upwards, at various slopes.
 pub fn rays(count: usize) -> Rc<[Ray]> {
     let ray = |n: usize| {
-        let random = PixelRandom::new(4, n as u32, 0);
-        let aside = |i| 2.0 * random.uniform(i) - 1.0;
-        let up = Vector3::new(aside(0), 1.0, aside(1));
+        let mut numbers = Numbers::new(4, n);
+        let mut aside = || numbers.between(-1.0, 1.0);
+        let up = Vector3::new(aside(), 1.0, aside());
         Ray::new(Point3::new(0.0, 0.5, 0.0), up).ok()
     };
     (0..count).filter_map(ray).collect()

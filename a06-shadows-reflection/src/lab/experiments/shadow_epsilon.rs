@@ -7,7 +7,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 use common::Error;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Unit, share};
 
 use crate::lab::extremes::self_hits::{
     LIFTED, Policy, SHAPES, THOUSANDTH, Trial, from_point, trials,
@@ -68,20 +68,12 @@ pub fn experiment() -> Experiment<'static> {
         curves: Box::new(|effort| {
             let scenes = SIZES.map(|size| (size, scene(size, effort).unwrap_or_default()));
             let curve = |(method, policy, remark): (_, Policy, _)| {
-                let points = scenes.iter().map(|(size, trials)| {
-                    let rays = trials.len() as f64;
-                    let share = |near| {
-                        let is_wrong = |trial: &&Trial| trial.is_wrong(policy, near);
-                        trials.iter().filter(is_wrong).count() as f64 / rays
-                    };
-                    let mean = NEAR.map(share).iter().sum::<f64>() / NEAR.len() as f64;
-                    let trials = Rc::clone(trials);
-                    Point::new(*size, rays, [mean], move || {
-                        let shaded = trials.iter().filter(|t| t.shades_itself(policy));
-                        shaded.count() as f64
-                    })
-                });
-                Curve::new(method, points).with_remark(remark)
+                let wrong = |trials: &[Trial]| {
+                    let shares = NEAR.map(|near| share(trials, |t| t.is_wrong(policy, near)));
+                    vec![shares.concat().iter().sum::<f64>() / NEAR.len() as f64]
+                };
+                let run = move |trial: &Trial| f64::from(trial.shades_itself(policy));
+                Curve::of_tasks(method, &scenes, wrong, run).with_remark(remark)
             };
             POLICIES.map(curve).into()
         }),
@@ -91,7 +83,7 @@ pub fn experiment() -> Experiment<'static> {
 /// Trials of one size, of all shapes.
 fn scene(size: f64, effort: Effort) -> Result<Rc<[Trial]>, Error> {
     let count = effort.choose(1_024, 16_384);
-    let all = SHAPES.map(|(_, shape)| trials(shape, size, count));
+    let all = SHAPES.map(|(.., shape)| trials(shape, size, count));
     let all = all.into_iter().collect::<Result<Vec<_>, _>>()?;
     Ok(all.into_iter().flatten().collect())
 }

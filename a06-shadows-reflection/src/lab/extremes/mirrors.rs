@@ -6,12 +6,13 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::{PixelRandom, Ray};
+use a02_math::{Direction, Point3, Vector3};
+use a03_rays_cameras::Ray;
+use a04_intersections::lab::experiments::Numbers;
 use a04_intersections::{Geometry, Hit, Interval, Plane};
 use a05_lighting::{DirectionalLight, SingleColor};
 use common::{ArgumentError, Color, Error};
-use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Outcome, tried};
+use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Outcome, tried};
 
 use crate::lab::protocol::{self, OneCounter};
 use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld};
@@ -39,7 +40,6 @@ impl Mirrors {
         Ok(below.with(above, Box::new(mirror()?)))
     }
 
-    /// The ray from the middle upwards.
     fn ray(self) -> Ray {
         Ray::derived(Point3::new(0.0, self.gap / 2.0, 0.0), UP)
     }
@@ -60,7 +60,7 @@ impl Mirrors {
         })
     }
 
-    fn row(self, id: &'static str, depth: u32, exact: f64) -> Case {
+    fn row(self, id: Id, depth: u32, exact: f64) -> Case {
         let Self { gap, k, .. } = self;
         let what = format!("two mirrors {gap:e} apart, k = {k}, {depth} of them met");
         let bound = Absolute(f64::from(depth) * f64::EPSILON * exact);
@@ -69,7 +69,7 @@ impl Mirrors {
 
     /// One search finds the hit. A surface that does not mirror, or is the last,
     /// needs no reflected ray.
-    fn searches(self, id: &'static str, what: &str, depth: u32) -> Case {
+    fn searches(self, id: Id, what: &str, depth: u32) -> Case {
         let count = |trace: &dyn Fn(&ShadowedWorld, &Ray) -> Color| {
             tried(|| {
                 let (below, rays) = Counting::new(plane(0.0)?);
@@ -125,7 +125,7 @@ pub fn cases() -> Vec<Case> {
 
 /// A mirror without a colour of its own, k = 1/2, under a ceiling of colour 1
 /// that needs no light: it brings back 1/2 for any number of lights.
-fn behind_lights(id: &'static str, lights: usize) -> Case {
+fn behind_lights(id: Id, lights: usize) -> Case {
     let ours = tried(|| {
         let mirror = Reflective::new(Color::BLACK, Color::BLACK, 1.0, Color::gray(0.5))?;
         let mut world = ShadowedWorld::empty(Color::BLACK, Color::WHITE)?
@@ -143,13 +143,11 @@ fn behind_lights(id: &'static str, lights: usize) -> Case {
     Case::new(id, what, 0.5, Equal, ours).protocol(Fails, theirs)
 }
 
-fn million_reflections(id: &'static str) -> Case {
+fn million_reflections(id: Id) -> Case {
     let mut direction = UP;
     for i in 0..1_000_000 {
-        let random = PixelRandom::new(11, i, 0);
-        let number = |n| 2.0 * random.uniform(n) - 1.0;
-        let normal = Normal3::new(number(0), number(1), number(2)).normalized();
-        direction = direction.reflected_on(normal.unwrap_or(UP.as_normal()));
+        let normal = Numbers::new(11, i).triple(-1.0, 1.0).normalized();
+        direction = direction.reflected_on(normal.unwrap_or(UP).as_normal());
     }
     let bound = Absolute(1e6 * f64::EPSILON);
     let what = "a direction of length 1 after 1e6 reflections: its length";

@@ -4,11 +4,12 @@
 use std::rc::Rc;
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::{PixelRandom, Ray};
+use a03_rays_cameras::Ray;
+use a04_intersections::lab::experiments::Numbers;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
 use common::{Color, Error};
 use measure::Effort;
-use measure::extremes::{Case, Equal, Fails, Holds};
+use measure::extremes::{Case, Equal, Fails, Holds, Id};
 
 use crate::secondary_ray;
 
@@ -18,26 +19,25 @@ pub type Trials = Result<Vec<Trial>, Error>;
 /// The world of a shape of this size.
 type Shape = fn(f64) -> Result<World<()>, Error>;
 
-/// The shapes of this stage.
-pub const SHAPES: [(&str, Shape); 4] = [
-    ("a sphere", |size| {
+/// The shapes of this stage, with the ids of their rows.
+pub const SHAPES: [(&str, [&str; 5], Shape); 4] = [
+    ("a sphere", ["S13", "S33", "S34", "S35", "S36"], |size| {
         world(Sphere::new(at(size, 0.1, 0.2, 0.3), 0.7 * size)?)
     }),
-    ("a plane", |size| {
+    ("a plane", ["S37", "S38", "S39", "S40", "S41"], |size| {
         let normal = Normal3::new(0.3, 1.0, 0.2);
         world(Plane::new(at(size, 0.1, 0.2, 0.3), normal)?)
     }),
-    ("a box", |size| {
+    ("a box", ["S42", "S43", "S44", "S45", "S46"], |size| {
         let (lbf, run) = (at(size, -0.3, -0.5, -0.1), at(size, 0.6, 0.7, 0.8));
         world(AxisAlignedBox::new(lbf, run)?)
     }),
-    ("a triangle", |size| {
+    ("a triangle", ["S47", "S48", "S49", "S50", "S51"], |size| {
         let (a, b) = (at(size, -0.9, -0.3, -0.5), at(size, 1.2, 0.1, -0.6));
         world(Triangle::new(a, b, at(size, 0.3, 0.4, 1.3))?)
     }),
 ];
 
-/// The world of one shape.
 pub fn world(shape: impl Geometry + 'static) -> Result<World<()>, Error> {
     Ok(World::new(Color::BLACK)?.with(shape, ()))
 }
@@ -46,20 +46,13 @@ fn at(size: f64, x: f64, y: f64, z: f64) -> Point3 {
     Point3::new(x * size, y * size, z * size)
 }
 
-const IDS: [[&str; 5]; 4] = [
-    ["S13", "S33", "S34", "S35", "S36"],
-    ["S37", "S38", "S39", "S40", "S41"],
-    ["S42", "S43", "S44", "S45", "S46"],
-    ["S47", "S48", "S49", "S50", "S51"],
-];
-
 pub fn cases(effort: Effort) -> Vec<Case> {
     let count = effort.choose(2_000, 20_000);
     let mut cases = Vec::new();
-    for ((name, shape), ids) in SHAPES.into_iter().zip(IDS) {
+    for (name, ids, shape) in SHAPES {
         for (id, size) in ids.into_iter().zip([1e-6, 1e-3, 1.0, 1e4, 1e9]) {
             let what = format!("{name} of size {size:e}, {count} lit points");
-            cases.push(row(id, &what, size, || trials(shape, size, count)));
+            cases.push(row(id, &what, size, &trials(shape, size, count)));
         }
     }
     cases
@@ -67,10 +60,11 @@ pub fn cases(effort: Effort) -> Vec<Case> {
 
 /// The number of wrong decisions at the lit points of a shape, with an object before the
 /// light at a ten thousandth of the scene's size.
-pub fn row(id: &'static str, what: &str, size: f64, trials: impl Fn() -> Trials) -> Case {
+pub fn row(id: Id, what: &str, size: f64, trials: &Trials) -> Case {
     let wrong = |policy: Policy| {
         let is_wrong = |trial: &&Trial| trial.is_wrong(policy, 1e-4);
-        trials().map(|trials| trials.iter().filter(is_wrong).count())
+        let trials = trials.as_ref();
+        trials.map(|trials| trials.iter().filter(is_wrong).count())
     };
     let what = format!("{what}: dark, or lit through an object");
     let case = Case::new(id, what, 0.0, Equal, wrong(LIFTED));
@@ -150,29 +144,24 @@ pub fn seen(
     let mut trials = Vec::with_capacity(count);
     let mut n = 0;
     while trials.len() < count {
-        let random = PixelRandom::new(seed, n, 0);
+        let mut numbers = Numbers::new(seed, n);
         n += 1;
-        let way = |from: u64| {
-            let number = |i| 2.0 * random.uniform(from + i) - 1.0;
-            Vector3::new(number(0), number(1), number(2))
-        };
-        let eye = middle + way(0).unit("eye")? * (distance * size);
-        let target = middle + way(3) * (within * size);
+        let mut way = || numbers.triple(-1.0, 1.0);
+        let eye = middle + way().unit("eye")? * (distance * size);
+        let target = middle + way() * (within * size);
         let ray = Ray::new(eye, target - eye)?;
         let Some((hit, ())) = world.hit(&ray, Interval::AHEAD) else {
             continue;
         };
-        let light = way(6).unit("light")?;
+        let light = way().unit("light")?;
         let cosine = light.dot(hit.face);
         // At grazing angles either result is right.
         if cosine.abs() >= 1e-3 {
-            let light = light * 1.0_f64.copysign(cosine);
-            let world = Rc::clone(world);
             trials.push(Trial {
-                world,
+                world: Rc::clone(world),
                 ray,
                 hit,
-                light,
+                light: light * 1.0_f64.copysign(cosine),
                 size,
             });
         }

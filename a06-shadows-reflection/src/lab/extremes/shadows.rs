@@ -7,7 +7,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Plane, Sphere, World};
 use a05_lighting::{Lambert, PointLight, SpotLight};
 use common::{ArgumentError, Color, Error};
-use measure::extremes::{Case, Equal, Fails, Holds, Protocol, tried};
+use measure::extremes::{Case, Equal, Fails, Holds, Id, Protocol, tried};
 
 use super::mirrors::Counting;
 use crate::protocol::{lambert, point_light_illuminates, spot_light_illuminates};
@@ -36,12 +36,11 @@ fn point_light(position: Point3) -> Result<LightSource, ArgumentError> {
 }
 
 /// The colour of the floor at the origin, seen from straight above.
-fn brightness(id: &'static str, what: &str, light: Point3, exact: f64) -> Case {
+fn brightness(id: Id, what: &str, light: Point3, exact: f64) -> Case {
     let ours = tried(|| {
         let ray = Ray::derived(Point3::new(0.0, 1.0, 0.0), DOWN);
-        Ok(RecursiveTracer::new(&world(floor()?, point_light(light)?)?)
-            .trace(&ray, 1)
-            .r)
+        let world = world(floor()?, point_light(light)?)?;
+        Ok(RecursiveTracer::new(&world).trace(&ray, 1).r)
     });
     Case::new(id, format!("{what}: brightness below"), exact, Equal, ours)
 }
@@ -52,7 +51,7 @@ fn look() -> Ray {
 }
 
 /// Number of rays tested against the floor, without the camera's ray.
-fn shadow_rays(id: &'static str, what: &str, light: Point3) -> Case {
+fn shadow_rays(id: Id, what: &str, light: Point3) -> Case {
     let ours = tried(|| {
         let (floor, rays) = Counting::new(floor()?);
         let world = world(floor, point_light(light)?)?;
@@ -67,7 +66,7 @@ type Illuminates = fn(Point3, Point3, &World<()>) -> bool;
 
 /// Whether the light shines on the origin of the floor, with a ball at some height.
 fn between(
-    id: &'static str,
+    id: Id,
     what: &str,
     light: Result<LightSource, ArgumentError>,
     ball: f64,
@@ -80,10 +79,8 @@ fn between(
         Ok(RecursiveTracer::new(&world).trace(&look(), 1).r > 0.25)
     });
     let theirs = tried(|| {
-        let world = World::new(Color::BLACK)?
-            .with(floor()?, ())
-            .with(ball()?, ());
-        Ok(illuminates(LAMP, Point3::ORIGIN, &world))
+        let world = World::new(Color::BLACK)?.with(floor()?, ());
+        Ok(illuminates(LAMP, Point3::ORIGIN, &world.with(ball()?, ())))
     });
     Case::new(id, format!("{what}: lit"), exact, Equal, ours).protocol(says, theirs)
 }

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use a02_math::{Point3, Vector3};
 use common::ArgumentError;
 use glam::DMat4;
-use measure::extremes::{Absolute, Case, Equal, Fails, Refused, tried};
+use measure::extremes::{Absolute, Case, Equal, Fails, Id, Refused, tried};
 
 use crate::lab::protocol::{self, Chained};
 use crate::{Mat4x4, Transform};
@@ -32,7 +32,7 @@ impl Both {
     }
 }
 
-fn identity(id: &'static str, what: &str, bound: f64, both: &Result<Both, ArgumentError>) -> Case {
+fn identity(id: Id, what: &str, bound: f64, both: &Result<Both, ArgumentError>) -> Case {
     let what = format!("{what}: the greatest number of |M I - 1|");
     let both = both.as_ref();
     let theirs = both.map(|Both { theirs, .. }| defect(theirs.m, theirs.i));
@@ -40,19 +40,14 @@ fn identity(id: &'static str, what: &str, bound: f64, both: &Result<Both, Argume
     Case::new(id, what, 0.0, Absolute(bound), ours).protocol(Fails, theirs)
 }
 
-fn refused(id: &'static str, what: &str, ours: Step) -> Case {
+fn refused(id: Id, what: &str, ours: Step) -> Case {
     Case::new(id, what, Refused, Equal, ours.map(|_| true))
 }
 
-fn origin(id: &'static str, what: &str, exact: [f64; 3], ours: Step) -> Case {
+fn origin(id: Id, what: &str, exact: [f64; 3], ours: Step) -> Case {
     let what = format!("{what}: where the origin goes");
-    Case::new(
-        id,
-        what,
-        exact,
-        Equal,
-        ours.map(|t| t.matrix() * Point3::ORIGIN),
-    )
+    let ours = ours.map(|t| t.matrix() * Point3::ORIGIN);
+    Case::new(id, what, exact, Equal, ours)
 }
 
 #[rustfmt::skip]
@@ -128,8 +123,7 @@ fn stretched(k: f64) -> Result<Both, ArgumentError> {
 
 /// The entries of `m i - 1`, without the last row, which is exact.
 pub fn off_identity(m: Mat4x4, i: Mat4x4) -> [f64; 12] {
-    let product = m * i;
-    let rows: [[f64; 4]; 4] = product.rows();
+    let rows = (m * i).rows();
     std::array::from_fn(|n| {
         let (column, row) = (n / 3, n % 3);
         rows[row][column] - if row == column { 1.0 } else { 0.0 }

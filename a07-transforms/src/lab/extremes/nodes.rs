@@ -8,20 +8,13 @@ use a04_intersections::lab::extremes::{Line, first};
 use a04_intersections::{AxisAlignedBox, Geometry, Sphere};
 use common::{ArgumentError, Error};
 use measure::Effort;
-use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Protocol, tried};
+use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Protocol, tried};
 
 use super::raw_ray;
 use crate::{Node, Transform, protocol};
 
 /// The `t` of the first hit of a node.
-fn t(
-    id: &'static str,
-    what: &str,
-    line: Line,
-    exact: f64,
-    bound: f64,
-    node: Result<Node, Error>,
-) -> Case {
+fn t(id: Id, what: &str, line: Line, exact: f64, bound: f64, node: Result<Node, Error>) -> Case {
     let ours = node.map(|node| first(&node, &raw_ray(line)));
     Case::new(id, format!("{what}: t"), exact, Absolute(bound), ours)
 }
@@ -75,7 +68,7 @@ fn small_and_large() -> Result<Node, Error> {
 
 /// Rays along the normal of a face that a quarter turn has made almost parallel to
 /// an axis: π/2 is not exact in 53 binary digits.
-fn rotated_box(id: &'static str, rays: usize) -> Case {
+fn rotated_box(id: Id, rays: usize) -> Case {
     let wrong = tried(|| {
         let quarter = Transform::IDENTITY.rotate_z(FRAC_PI_2)?;
         let node = Node::new(quarter).with(unit_box()?);
@@ -92,7 +85,7 @@ fn rotated_box(id: &'static str, rays: usize) -> Case {
 }
 
 /// The nearer of two spheres of a node, whose nearest points have these distances.
-fn order(id: &'static str, what: &str, distances: [f64; 2], says: Protocol) -> Case {
+fn order(id: Id, what: &str, distances: [f64; 2], says: Protocol) -> Case {
     let line = ([0.0; 3], [0.0, 0.0, -1.0]);
     let spheres = || distances.map(|t| Sphere::new(Point3::new(0.0, 0.0, -t - 1.0), 1.0));
     let theirs = tried(|| {

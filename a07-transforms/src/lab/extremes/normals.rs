@@ -5,13 +5,13 @@ use std::f64::consts::FRAC_PI_2;
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a04_intersections::{Interval, Sphere, World};
 use common::{ArgumentError, Color};
-use measure::extremes::{Absolute, Case, Equal, Fails, tried};
+use measure::extremes::{Absolute, Case, Equal, Fails, Id, tried};
 
 use super::raw_ray;
 use crate::{Mat4x4, Node, Transform, protocol};
 
 fn normal(
-    id: &'static str,
+    id: Id,
     what: &str,
     n: Normal3,
     transform: Result<Transform, ArgumentError>,
@@ -54,7 +54,7 @@ pub fn cases() -> Vec<Case> {
 }
 
 /// A mirrored sphere still faces the eye.
-fn mirrored(id: &'static str) -> Case {
+fn mirrored(id: Id) -> Case {
     let ours = tried(|| {
         let mirror = Transform::IDENTITY.scale(-1.0, 1.0, 1.0)?;
         let sphere = Node::new(mirror).with(Sphere::new(Point3::new(-2.0, 0.0, 0.0), 1.0)?);

@@ -28,7 +28,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     for (name, shape, ids) in SHAPES {
         for (id, size) in ids.into_iter().zip([1e-6, 1.0, 1e4, 1e9]) {
             let what = format!("{name} under a node of size {size:e}, {count} lit points");
-            cases.push(row(id, &what, size, || trials(shape, size, count)));
+            cases.push(row(id, &what, size, &trials(shape, size, count)));
         }
     }
     cases

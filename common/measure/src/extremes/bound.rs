@@ -21,19 +21,15 @@ pub enum Bound {
 
 impl Bound {
     pub(super) fn admits(self, exact: Outcome, outcome: Outcome) -> bool {
-        let distance = exact.distance(outcome);
-        let equal = exact == outcome;
+        let within = |bound: f64| {
+            let distance = exact.distance(&outcome);
+            exact == outcome || distance.is_some_and(|distance| distance <= bound)
+        };
         match self {
-            Self::Equal => equal,
-            Self::Ulps(ulps) => {
-                equal || distance.is_some_and(|d| d <= ulps * ulp(exact.magnitude()))
-            }
-            Self::Absolute(bound) => equal || distance.is_some_and(|d| d <= bound),
-            Self::Finite => match outcome {
-                Outcome::Number(number) => number.is_finite(),
-                Outcome::Triple(numbers) => numbers.iter().all(|number| number.is_finite()),
-                _ => true,
-            },
+            Self::Equal => exact == outcome,
+            Self::Ulps(ulps) => within(ulps * ulp(exact.magnitude())),
+            Self::Absolute(bound) => within(bound),
+            Self::Finite => outcome.numbers().iter().all(|number| number.is_finite()),
         }
     }
 }
@@ -56,17 +52,11 @@ fn ulp(number: f64) -> f64 {
 
 /// The error of an outcome, for a reader.
 pub(super) fn error(exact: Outcome, outcome: Outcome) -> String {
-    match exact.distance(outcome) {
-        Some(0.0) => "0".to_owned(),
-        Some(distance) => {
-            let ulps = distance / ulp(exact.magnitude());
-            if ulps < 1e4 {
-                format!("{ulps:.0} ulp")
-            } else {
-                format!("{distance:.1e}")
-            }
-        }
-        None if exact == outcome => "0".to_owned(),
+    let ulps = |distance: f64| distance / ulp(exact.magnitude());
+    match exact.distance(&outcome) {
+        _ if exact == outcome => "0".to_owned(),
+        Some(distance) if ulps(distance) < 1e4 => format!("{:.0} ulp", ulps(distance)),
+        Some(distance) => format!("{distance:.1e}"),
         None => "wrong".to_owned(),
     }
 }

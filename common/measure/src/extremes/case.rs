@@ -5,11 +5,14 @@ use std::fmt;
 use super::bound::error;
 use super::{Bound, Outcome};
 
+/// The name of a row: a letter for the subject and a number.
+pub type Id = &'static str;
+
 /// A row of the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
-    /// A letter for the subject and a number.
-    pub id: &'static str,
+    /// Its name.
+    pub id: Id,
     /// The quantity that is computed, and its arguments.
     pub what: String,
     exact: Outcome,
@@ -30,15 +33,14 @@ pub enum Protocol {
 impl Case {
     /// A row that compares `ours` with an `exact` outcome from elsewhere.
     pub fn new(
-        id: &'static str,
+        id: Id,
         what: impl Into<String>,
         exact: impl Into<Outcome>,
         bound: Bound,
         ours: impl Into<Outcome>,
     ) -> Self {
         let exact = exact.into();
-        let is_number = matches!(exact, Outcome::Number(_) | Outcome::Triple(_));
-        let has_bound = is_number || bound == Bound::Finite;
+        let has_bound = !exact.numbers().is_empty() || bound == Bound::Finite;
         Self {
             id,
             what: what.into(),
@@ -48,6 +50,13 @@ impl Case {
             protocol: None,
             ours: ours.into(),
         }
+    }
+
+    /// A row of wrong results in number: ours, which must be none, and the protocol's.
+    pub fn wrong<E>(id: Id, what: impl Into<String>, counts: Result<[usize; 2], E>) -> Self {
+        let refused = [Outcome::Refused; 2];
+        let [ours, theirs] = counts.map_or(refused, |counts| counts.map(Outcome::from));
+        Self::new(id, what, 0.0, Bound::Equal, ours).protocol(Protocol::Fails, theirs)
     }
 
     /// Adds the outcome of the protocol's formula.
@@ -70,39 +79,30 @@ impl Case {
     /// The exact outcome, ours, and the error of ours, in one line.
     #[must_use]
     pub fn comparison(&self) -> String {
-        let Self {
-            exact, ours, bound, ..
-        } = self;
-        let off = exact.distance(*ours).map(|_| {
-            let error = error(*exact, *ours);
-            format!(", off by {error} (bound: {bound})")
-        });
-        format!("expected {exact}, got {ours}{}", off.unwrap_or_default())
+        let (exact, ours, bound) = (self.exact, self.ours, self.bound);
+        let off = match exact.distance(&ours) {
+            Some(_) => format!(", off by {} (bound: {bound})", error(exact, ours)),
+            None => String::new(),
+        };
+        format!("expected {exact}, got {ours}{off}")
     }
 }
 
 impl fmt::Display for Case {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            id,
-            what,
-            exact,
-            bound,
-            protocol,
-            ours,
-        } = self;
+        let (exact, ours, bound) = (self.exact, self.ours, self.bound);
         let verdict = if self.holds() { "ok" } else { "FAILED" };
-        writeln!(f, "{id}  {verdict:6}  {what}")?;
+        writeln!(f, "{}  {verdict:6}  {}", self.id, self.what)?;
         writeln!(f, "     exact     {exact}   (bound: {bound})")?;
-        if let Some((outcome, says)) = protocol {
+        if let Some((theirs, says)) = self.protocol {
             let says = match says {
                 Protocol::Holds => "",
                 Protocol::Fails => ", out of bound",
             };
-            let error = error(*exact, *outcome);
-            writeln!(f, "     protocol  {outcome}   error {error}{says}")?;
+            let error = error(exact, theirs);
+            writeln!(f, "     protocol  {theirs}   error {error}{says}")?;
         }
-        write!(f, "     ours      {ours}   error {}", error(*exact, *ours))
+        write!(f, "     ours      {ours}   error {}", error(exact, ours))
     }
 }
 
@@ -133,14 +133,9 @@ mod tests {
 
     #[test]
     fn nan_infinity_and_other_outcomes_are_within_no_bound() {
-        for bad in [f64::NAN, f64::INFINITY] {
-            let bounds = [
-                Bound::Equal,
-                Bound::Ulps(1e9),
-                Bound::Absolute(1e9),
-                Bound::Finite,
-            ];
-            for bound in bounds {
+        let [ulps, far] = [Bound::Ulps(1e9), Bound::Absolute(1e9)];
+        for bound in [Bound::Equal, ulps, far, Bound::Finite] {
+            for bad in [f64::NAN, f64::INFINITY] {
                 assert!(!case(bound, bad).holds(), "{bound:?} {bad}");
                 let triple = Case::new("A", "", [1.0; 3], bound, [1.0, bad, 1.0]);
                 assert!(!triple.holds(), "{bound:?} {bad}");
@@ -154,14 +149,9 @@ mod tests {
     #[test]
     fn the_protocol_must_fail_where_the_row_says_so() {
         let right = case(Bound::Equal, 1.0);
-        for (says, theirs, holds) in [
-            (Fails, 2.0, true),
-            (Fails, 1.0, false),
-            (Holds, 1.0, true),
-            (Holds, 2.0, false),
-        ] {
-            assert_eq!(right.clone().protocol(says, theirs).holds(), holds);
-        }
+        let holds = |says, theirs| right.clone().protocol(says, theirs).holds();
+        assert!(holds(Fails, 2.0) && !holds(Fails, 1.0));
+        assert!(holds(Holds, 1.0) && !holds(Holds, 2.0));
     }
 
     #[test]

@@ -33,11 +33,10 @@ pub fn select(cases: Vec<Case>, names: &[String]) -> Result<Vec<Case>, Error> {
 /// If the table fails the check; the message shows all rows that do not hold.
 pub fn check(cases: &[Case]) {
     assert!(!cases.is_empty(), "there are no cases");
-    let failed: Vec<_> = cases.iter().filter(|case| !case.holds()).collect();
-    for case in &failed {
-        eprintln!("{case}");
-    }
-    assert!(failed.is_empty(), "{} cases fail", failed.len());
+    let failed = cases.iter().filter(|case| !case.holds());
+    let failed: Vec<_> = failed.map(Case::to_string).collect();
+    let (count, rows) = (failed.len(), failed.join("\n"));
+    assert!(failed.is_empty(), "{count} cases fail\n{rows}");
     let mut ids: Vec<_> = cases.iter().map(|case| case.id).collect();
     ids.sort_unstable();
     let twice: Vec<_> = ids.windows(2).filter(|pair| pair[0] == pair[1]).collect();

@@ -1,6 +1,6 @@
 //! `Svg`: a picture of lines, marks and text in colours for light and dark pages.
 
-use std::fmt::{Display, Write};
+use std::fmt::Write;
 
 /// Colours that colour-blind people can distinguish, too (Okabe and Ito, Color Universal
 /// Design, 2008); the book's diagrams choose between light and dark in the same way.
@@ -13,7 +13,9 @@ svg{--paper:#181a1b;--ink:#e1e1e1;--pale:#a0a0a0;--grid:#393c3e;--c0:#56b4e9;--c
 rect{fill:var(--paper)}text{fill:var(--ink)}.title{font-weight:600;font-size:16px}
 .small{font-size:11.5px;fill:var(--pale)}.middle{text-anchor:middle}.end{text-anchor:end}
 path{fill:none;stroke:var(--ink)}.grid{stroke:var(--grid)}.level{stroke-dasharray:2 3}
-.estimate{stroke-dasharray:6 4}path.mark{fill:var(--paper)}
+.c0{stroke:var(--c0)}.c1{stroke:var(--c1)}.c2{stroke:var(--c2)}.c3{stroke:var(--c3)}
+.c4{stroke:var(--c4)}.c5{stroke:var(--c5)}.c6{stroke:var(--c6)}.curve{stroke-width:2}
+.estimate{stroke-dasharray:6 4}.mark{fill:var(--paper);stroke-width:1.8}
 ";
 
 /// The marks of the curves, around (0, 0): open, so that equal points of several curves
@@ -35,11 +37,13 @@ impl Svg {
     /// An empty picture with a title for readers that do not see it.
     pub fn new([width, height]: [f64; 2], title: &str) -> Self {
         let title = escaped(title);
+        let size = format!(r#"width="{width}" height="{height}""#);
         Self(format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" \
-             width=\"{width}\" height=\"{height}\" role=\"img\">\n\
-             <title>{title}</title>\n<style>{STYLE}</style>\n\
-             <rect width=\"{width}\" height=\"{height}\"/>\n"
+            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" {size} role="img">
+<title>{title}</title>
+<style>{STYLE}</style>
+<rect {size}/>
+"#
         ))
     }
 
@@ -47,52 +51,34 @@ impl Svg {
     pub fn text(&mut self, class: &str, [x, y]: [f64; 2], text: &str) {
         if !text.is_empty() {
             let text = escaped(text);
-            self.add(format_args!(
-                "<text class=\"{class}\" x=\"{x:.1}\" y=\"{y:.1}\">{text}</text>"
-            ));
+            let place = format_args!(r#"x="{x:.1}" y="{y:.1}""#);
+            let _ = writeln!(self.0, r#"<text class="{class}" {place}>{text}</text>"#);
         }
     }
 
     /// A line through points.
     pub fn line(&mut self, class: &str, points: &[[f64; 2]]) {
-        self.add(format_args!(
-            "<path class=\"{class}\" d=\"{}\"/>",
-            path(points)
-        ));
-    }
-
-    /// A line through points in the colour of a curve.
-    pub fn curve(&mut self, class: &str, index: usize, width: f64, points: &[[f64; 2]]) {
-        let (color, path) = (index % MARKS.len(), path(points));
-        self.add(format_args!(
-            "<path class=\"{class}\" style=\"stroke:var(--c{color});stroke-width:{width}\" \
-             d=\"{path}\"/>"
-        ));
+        let points = points.iter().map(|[x, y]| format!("{x:.1} {y:.1}"));
+        let path = points.collect::<Vec<_>>().join("L");
+        let _ = writeln!(self.0, r#"<path class="{class}" d="M{path}"/>"#);
     }
 
     /// The mark of a curve.
-    pub fn mark(&mut self, index: usize, [x, y]: [f64; 2]) {
-        let (color, mark) = (index % MARKS.len(), MARKS[index % MARKS.len()]);
-        self.add(format_args!(
-            "<path class=\"mark\" style=\"stroke:var(--c{color});stroke-width:1.8\" \
-             transform=\"translate({x:.1} {y:.1})\" d=\"{mark}\"/>"
-        ));
+    pub fn mark(&mut self, curve: usize, [x, y]: [f64; 2]) {
+        let (color, mark) = (color(curve), MARKS[curve % MARKS.len()]);
+        let place = format_args!(r#"transform="translate({x:.1} {y:.1})""#);
+        let _ = writeln!(self.0, r#"<path class="mark {color}" {place} d="{mark}"/>"#);
     }
 
     /// The finished file.
-    pub fn finish(mut self) -> String {
-        self.0.push_str("</svg>\n");
-        self.0
-    }
-
-    fn add(&mut self, element: impl Display) {
-        let _ = writeln!(self.0, "{element}");
+    pub fn finish(self) -> String {
+        self.0 + "</svg>\n"
     }
 }
 
-fn path(points: &[[f64; 2]]) -> String {
-    let points = points.iter().map(|[x, y]| format!("{x:.1} {y:.1}"));
-    format!("M{}", points.collect::<Vec<_>>().join("L"))
+/// The class of the colour of a curve.
+pub fn color(curve: usize) -> String {
+    format!("c{}", curve % MARKS.len())
 }
 
 fn escaped(text: &str) -> String {
