@@ -35,10 +35,7 @@ fn wrong_arguments_are_refused_with_the_right_ones() {
         ("show", "<SCENE"),
         ("render", "<SCENE"),
         ("render painter --fast --no-omit", "cannot be used with"),
-        (
-            "render painter --explain --no-omit",
-            "give --explain without --no-omit",
-        ),
+        ("render painter --explain --no-omit", "cannot be used with"),
         ("render diagonal -o name.jpg", folder_or_file),
         (
             "render --all -o one.png",
