@@ -1,4 +1,5 @@
-//! Discs: their rim, and the arguments that their constructor refuses.
+//! Discs: their rim, and the arguments that their constructor refuses. A unit in the last
+//! place outside of the rim, and rays within the plane, are the extreme cases B14 and B18.
 
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::PixelRandom;
@@ -43,17 +44,7 @@ fn the_rim_belongs_to_the_disc_and_nothing_beyond() {
         let beyond = [1.1 * x, 2.0, 1.1 * z];
         assert_hits(&disc(r), &[(beyond, DOWN, None)]);
     }
-    for (r, x, z) in [
-        (5.0, 5_f64.next_up(), 0.0),
-        (5.0, 0.0, -5_f64.next_up()),
-        (1.0, 1.0, 1.6e-8),
-    ] {
-        assert_hits(&disc(r), &[([x, 2.0, z], DOWN, None)]);
-    }
-    for zero in [0.0, -0.0] {
-        let parallel = |y| ([-9.0, y, 0.0], [1.0, zero, 0.0], None);
-        assert_hits(&disc(5.0), &[0.0, 1.0].map(parallel));
-    }
+    assert_hits(&disc(1.0), &[([1.0, 2.0, 1.6e-8], DOWN, None)]);
     // `t` counts in lengths of the direction, and the end of an interval does not belong
     // to it.
     let (disc, ray) = (disc(5.0), ray(UP, [0.0, -4.0, 0.0]));

@@ -227,18 +227,6 @@ fn of_two_at_the_same_place_the_first_of_the_list_counts() {
     }
 }
 
-/// Shapes with the same middle cannot be divided by a plane.
-#[test]
-fn spheres_in_one_place_are_met_as_in_the_list() {
-    let centre = Point3::new(1.0, 2.0, 3.0);
-    let sphere = |i: u32| Sphere::new(centre, 1.0 + f64::from(i % 50) / 50.0).unwrap();
-    let spheres: Vec<_> = (0..100).map(sphere).collect();
-    let mut numbers = Numbers::new(12);
-    let mut near = |reach: f64| centre + numbers.vector() * reach;
-    let rays = many(1000, || towards(near(5.0), near(2.0)));
-    assert!(hits(&spheres, &rays) > 400);
-}
-
 /// Rounding alone decides whether and where these rays hit, also outside of the bounds of
 /// a triangle. With more than sixteen triangles the engine builds a tree.
 #[test]
