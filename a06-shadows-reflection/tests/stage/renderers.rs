@@ -154,7 +154,7 @@ fn view(seed: u64) -> Result<(PerspectiveCamera, ShadowedWorld), ArgumentError> 
     let mut world = ShadowedWorld::empty(numbers.color(), numbers.color())?
         .with(Triangle::new(a, b, c)?, numbers.surface()?);
     // One of ten has enough objects for a tree of several levels.
-    let objects = if seed % 10 == 0 {
+    let objects = if seed.is_multiple_of(10) {
         100
     } else {
         numbers.one_of(7)
@@ -210,7 +210,7 @@ fn the_engine_traces_any_number_of_rays_to_any_depth() {
     for (seed, (camera, world)) in (0..100).filter_map(|seed| Some((seed, view(seed).ok()?))) {
         let random = PixelRandom::new(seed, 1, 0);
         let mut numbers = Numbers { random, next: 0 };
-        let count = if seed % 10 == 0 {
+        let count = if seed.is_multiple_of(10) {
             1000
         } else {
             seed as usize % 10

@@ -28,6 +28,7 @@ impl Shown {
     /// pixels; waits for its window and gives it the keyboard. The environment contains no
     /// variables that lead to another display or to a file dialog. On a machine without
     /// Xvfb or xdotool none, and a sentence on stderr.
+    #[must_use]
     pub fn start(program: &str, line: &str, folder: &Path, screen: [u32; 2]) -> Option<Self> {
         let server = Server::open(screen)?;
         let temporary = tempfile::tempdir().expect("a folder");
