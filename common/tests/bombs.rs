@@ -2,9 +2,13 @@
 //! megabytes: opening one takes little memory. The only test of its process, because it
 //! measures the memory of the process.
 
+use std::io::Cursor;
 use std::path::Path;
 
 use common::{Color, picture_file};
+use image::{ImageFormat, RgbImage};
+use png::Encoder;
+use png::chunk::ChunkType;
 
 /// A bound for opening these files: 16 MiB for metadata, and copies of files of at most
 /// 1.7 MB. Unpacked they have 256 MiB.
@@ -13,38 +17,24 @@ const ENOUGH: u64 = 32 << 20;
 /// The peak of this process's memory in bytes; none on systems that do not report it.
 fn peak() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status
-        .lines()
-        .find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let mut lines = status.lines();
+    let line = lines.find_map(|line| line.strip_prefix("VmHWM:"))?;
     let kibibytes: u64 = line.trim().strip_suffix(" kB")?.parse().ok()?;
     Some(kibibytes << 10)
 }
 
-/// The check sum of a PNG chunk (ISO 3309).
-fn crc(bytes: &[u8]) -> u32 {
-    let bit = |crc: u32, _| crc >> 1 ^ (0xEDB8_8320 & (crc & 1).wrapping_neg());
-    let byte = |crc: u32, byte: &u8| (0..8).fold(crc ^ u32::from(*byte), bit);
-    !bytes.iter().fold(!0, byte)
-}
-
-fn chunk(name: [u8; 4], data: &[u8]) -> Vec<u8> {
-    let named = [&name, data].concat();
-    let (length, crc) = (data.len() as u32, crc(&named));
-    [&length.to_be_bytes(), &named[..], &crc.to_be_bytes()].concat()
-}
-
 /// A grey PNG of this size with these chunks before the pixels.
-fn png(width: u32, height: u32, chunks: &[Vec<u8>], pixels: &[u8]) -> Vec<u8> {
-    let [width, height] = [width, height].map(u32::to_be_bytes);
-    let header = [&width[..], &height, &[8, 0, 0, 0, 0]].concat();
-    [
-        b"\x89PNG\r\n\x1A\n".to_vec(),
-        chunk(*b"IHDR", &header),
-        chunks.concat(),
-        chunk(*b"IDAT", pixels),
-        chunk(*b"IEND", &[]),
-    ]
-    .concat()
+fn png(width: u32, height: u32, chunks: &[([u8; 4], Vec<u8>)], pixels: &[u8]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut file = Encoder::new(&mut bytes, width, height)
+        .write_header()
+        .unwrap();
+    for (name, data) in chunks {
+        file.write_chunk(ChunkType(*name), data).unwrap();
+    }
+    file.write_chunk(png::chunk::IDAT, pixels).unwrap();
+    file.finish().unwrap();
+    bytes
 }
 
 /// A zlib stream (RFC 1950, 1951) of 1 + 258 `times` zeros: a literal, and then 13 bits
@@ -64,30 +54,23 @@ fn zeros(times: usize) -> Vec<u8> {
     [0x78, 0x01].into_iter().chain(packed).chain(sum).collect()
 }
 
-/// A BMP header of 24 bits a pixel and this size, and one pixel.
+/// The BMP file of one pixel, with another size in its header.
 fn bmp(width: i32, height: i32) -> Vec<u8> {
-    let [width, height] = [width, height].map(i32::to_le_bytes);
-    let file = [0, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0];
-    let rest = [[0; 12], [0; 12]].concat();
-    [
-        b"BM",
-        &file[..],
-        &[40, 0, 0, 0],
-        &width,
-        &height,
-        &[1, 0, 24, 0],
-        &rest[4..],
-        &[0; 8],
-    ]
-    .concat()
+    let mut bytes = Cursor::new(Vec::new());
+    let pixel = RgbImage::new(1, 1);
+    pixel.write_to(&mut bytes, ImageFormat::Bmp).unwrap();
+    let mut bytes = bytes.into_inner();
+    bytes[18..22].copy_from_slice(&width.to_le_bytes());
+    bytes[22..26].copy_from_slice(&height.to_le_bytes());
+    bytes
 }
 
 /// The beginning of a JPEG file: one component of 8 bits, and this size.
 fn jpeg(width: u16, height: u16) -> Vec<u8> {
     let [width, height] = [width, height].map(u16::to_be_bytes);
     let frame = [
-        &[0xFF, 0xC0, 0, 11, 8][..],
-        &height,
+        &[0xFF, 0xC0, 0, 11, 8],
+        &height[..],
         &width,
         &[1, 1, 0x11, 0],
     ]
@@ -100,16 +83,12 @@ fn jpeg(width: u16, height: u16) -> Vec<u8> {
 #[test]
 fn no_file_takes_memory_that_its_picture_does_not_need() {
     let (bomb, dot) = (zeros((256 << 20) / 258), zeros(1));
-    let packed = |name: [u8; 4], head: &[u8]| vec![chunk(name, &[head, &bomb].concat())];
     let grey = |side, pixels: &[u8]| png(side, side, &[], pixels);
-    let with = |chunks: Vec<_>| png(1, 1, &chunks, &dot);
+    let packed = |name, head: &[u8]| png(1, 1, &[(name, [head, &bomb].concat())], &dot);
     let (too_many, too_large) = ("from 1 to 32768 pixels a side", "at most 8192x8192 in all");
     let before = peak();
     for (bytes, reason) in [
-        (
-            grey(0x7FFF_FFFF, &dot),
-            "more memory than the largest pictures",
-        ),
+        (grey(0x7FFF_FFFF, &dot), "more memory than the largest"),
         (grey(32_768, &dot), too_large),
         (grey(8192, &dot), "not have enough data"),
         (bmp(i32::MAX, i32::MAX), "too large"),
@@ -130,9 +109,9 @@ fn no_file_takes_memory_that_its_picture_does_not_need() {
     // Data packed beside the pixels, or after them, does not count as pixels.
     for bytes in [
         grey(1, &bomb),
-        with(packed(*b"iCCP", b"profile\0\0")),
-        with(packed(*b"zTXt", b"text\0\0")),
-        with(packed(*b"iTXt", b"text\0\x01\0\0\0")),
+        packed(*b"iCCP", b"profile\0\0"),
+        packed(*b"zTXt", b"text\0\0"),
+        packed(*b"iTXt", b"text\0\x01\0\0\0"),
     ] {
         let image = picture_file::open_bytes(Path::new("good"), &bytes).unwrap();
         assert_eq!(image.pixels(), [Color::BLACK]);

@@ -7,31 +7,12 @@ use common::Color;
 
 /// Ends of the ranges that constructors and number formats have, and numbers
 /// beyond.
+#[rustfmt::skip]
 const ENDS: [f64; 24] = [
-    0.0,
-    -0.0,
-    1.0,
-    -1.0,
-    1e-100,
-    1e100,
-    -1e100,
-    1e-7,
-    1e-12,
-    1e50,
-    1e-50,
-    1e150,
-    1e-150,
-    1e160,
-    1e-160,
-    std::f64::consts::PI,
-    std::f64::consts::FRAC_PI_2,
-    1.0 - f64::EPSILON / 2.0,
-    1.0 + f64::EPSILON,
-    f64::MIN_POSITIVE,
-    f64::MAX,
-    5e-324,
-    f64::INFINITY,
-    f64::NAN,
+    0.0, -0.0, 1.0, -1.0, 1.0 - f64::EPSILON / 2.0, 1.0 + f64::EPSILON,
+    1e-100, 1e100, -1e100, 1e-7, 1e-12, 1e50, 1e-50, 1e150, 1e-150, 1e160, 1e-160,
+    std::f64::consts::PI, std::f64::consts::FRAC_PI_2,
+    f64::MIN_POSITIVE, f64::MAX, 5e-324, f64::INFINITY, f64::NAN,
 ];
 
 /// Any number.

@@ -3,14 +3,11 @@
 
 #![cfg(unix)]
 
-mod full_disk;
-mod killed;
+mod limited;
 mod protected;
-mod tmpfs;
 mod together;
 
 use std::fs;
-use std::io::Write;
 use std::path::Path;
 use std::process::Command;
 
@@ -34,17 +31,6 @@ fn program(folder: &Path, line: &str) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_a01-image-display"));
     command.args(line.split_whitespace()).current_dir(folder);
     command
-}
-
-/// Runs a shell script whose `"$@"` starts the program.
-fn in_shell(script: &str, program: &Command) -> Command {
-    let mut shell = Command::new("sh");
-    shell.args(["-c", script, "sh"]).arg(program.get_program());
-    shell.args(program.get_args());
-    if let Some(folder) = program.get_current_dir() {
-        shell.current_dir(folder);
-    }
-    shell
 }
 
 /// The program must end with the exit code 1 and one sentence with this start, and all
@@ -80,7 +66,7 @@ fn names(folder: &Path) -> Vec<String> {
 }
 
 /// Writes a picture without a pattern, which compression makes no smaller.
-fn write_noise(path: &Path, side: u32, seed: u32) -> Image {
+fn write_noise(path: &Path, side: u32, seed: u32) {
     let size = Size::new(side, side).expect("a size");
     let noise = Image::from_fn(size, |x, y| {
         let mixed = (x ^ y.rotate_left(16) ^ seed).wrapping_mul(0x9E37_79B1);
@@ -88,16 +74,6 @@ fn write_noise(path: &Path, side: u32, seed: u32) -> Image {
         let [_, red, green, blue] = (mixed ^ mixed >> 13).to_le_bytes();
         Color::from_bytes([red, green, blue])
     });
-    let noise = noise.expect("a picture");
-    picture_file::save_png(path, size, &noise.to_rgb8(Transfer::Linear)).expect("it is saved");
-    noise
-}
-
-/// Prints that a test cannot run here, and why; it passes.
-fn skip(what: &str, reason: &str) {
-    let _ = writeln!(
-        std::io::stderr(),
-        "not tested: {what}, for {}",
-        reason.trim()
-    );
+    let rgb = noise.expect("a picture").to_rgb8(Transfer::Linear);
+    picture_file::save_png(path, size, &rgb).expect("it is saved");
 }

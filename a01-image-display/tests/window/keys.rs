@@ -1,7 +1,5 @@
 //! The effect of each key.
 
-use std::time::{Duration, Instant};
-
 use testing::display::{Picture, Shown};
 
 use super::{close, locked, wait_for_notice, wait_for_painter_in, wait_for_picture, with_window};
@@ -108,20 +106,6 @@ fn h_and_f1_show_and_hide_the_keys() {
                     "zoom  F10 menu  H help",
                 ]
         });
-    });
-}
-
-/// Keys begin to repeat after three seconds.
-#[test]
-fn a_held_key_acts_once() {
-    with_window("show painter", |window, _| {
-        window.act("keydown h");
-        wait_for_notice(&window, HELP);
-        let start = Instant::now();
-        while start.elapsed() < Duration::from_secs(4) {
-            let is_hidden = window.look().notices() != [HELP];
-            assert!(!is_hidden, "after {:?}", start.elapsed());
-        }
     });
 }
 

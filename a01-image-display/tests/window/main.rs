@@ -10,7 +10,6 @@ mod menu;
 mod pictures;
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use common::picture_file;
 use testing::display::{Picture, Shown, wait_for};
@@ -25,9 +24,8 @@ fn with_window(line: &str, test: impl FnOnce(Shown, &Path)) {
 }
 
 fn with_window_in(folder: &Path, line: &str, screen: [u32; 2], test: impl FnOnce(Shown)) {
-    let mut program = Command::new(env!("CARGO_BIN_EXE_a01-image-display"));
-    program.args(line.split_whitespace()).current_dir(folder);
-    if let Some(window) = Shown::start(&mut program, screen) {
+    let program = env!("CARGO_BIN_EXE_a01-image-display");
+    if let Some(window) = Shown::start(program, line, folder, screen) {
         test(window);
     }
 }

@@ -1,10 +1,11 @@
-//! Tests of the rays, cameras and samples of this stage.
+//! Tests of the rays, cameras, samples and stripes of this stage.
 //!
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
 mod cameras;
 mod rays;
 mod sampling;
+mod stripes;
 #[cfg(all(target_os = "linux", feature = "window"))]
 mod window;
 mod work;

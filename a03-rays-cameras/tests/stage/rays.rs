@@ -3,12 +3,11 @@
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use approx::assert_abs_diff_eq;
+use testing::assert_refused;
 
 fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
-    let [x, y, z] = direction;
-    let direction = Vector3::new(x, y, z);
-    let [x, y, z] = origin;
-    Ray::new(Point3::new(x, y, z), direction).unwrap()
+    let origin = Point3::from_glam(origin.into());
+    Ray::new(origin, Vector3::from_glam(direction.into())).unwrap()
 }
 
 /// Tolerance: half of the last digit that the course gives.
@@ -29,10 +28,9 @@ fn a_bounded_ray_has_both_its_ends_and_nothing_beyond() {
     for outside in [-10.0, -5e-324, 30.000_000_000_000_004, 50.0, f64::NAN] {
         assert_eq!(bounded.at(outside), None);
     }
-    assert!(ray([0.0; 3], [1.0; 3]).bounded(f64::INFINITY).is_ok());
     for bad in [-1.0, f64::NAN] {
-        let error = ray([0.0; 3], [1.0; 3]).bounded(bad).unwrap_err();
-        assert!(error.to_string().starts_with("upper bound is"), "{error}");
+        let bounded = ray([0.0; 3], [1.0; 3]).bounded(bad);
+        assert_refused(bounded, "upper bound is", "at least 0");
     }
 }
 
@@ -67,11 +65,11 @@ fn a_ray_is_never_degenerate() {
     }
     let x = Vector3::new(1.0, 0.0, 0.0);
     for bad in [0.0, f64::NAN, f64::INFINITY] {
-        let error = Ray::new(Point3::ORIGIN, x * bad).unwrap_err();
-        assert!(error.to_string().starts_with("direction is"), "{error}");
+        let ray = Ray::new(Point3::ORIGIN, x * bad);
+        assert_refused(ray, "direction is", "not all of them 0");
     }
     for bad in [1e101, f64::NAN, f64::NEG_INFINITY] {
-        let error = Ray::new(Point3::new(0.0, bad, 0.0), x).unwrap_err();
-        assert!(error.to_string().starts_with("origin is"), "{error}");
+        let ray = Ray::new(Point3::new(0.0, bad, 0.0), x);
+        assert_refused(ray, "origin is", "from -1e100 to 1e100");
     }
 }

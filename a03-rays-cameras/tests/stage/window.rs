@@ -2,7 +2,6 @@
 //! nothing is tested, and a line says so.
 
 use std::path::Path;
-use std::process::Command;
 
 use common::{Sampling, Settings, Size};
 use testing::display::{Picture, Shown, wait_for};
@@ -13,11 +12,8 @@ const LONG: &str = "show striped-sky --samples 1000000 --sampling random --threa
 /// Runs a test with the program and its current folder, which is empty.
 fn with_window(line: &str, test: impl FnOnce(Shown, &Path)) {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut program = Command::new(env!("CARGO_BIN_EXE_a03-rays-cameras"));
-    program
-        .args(line.split_whitespace())
-        .current_dir(folder.path());
-    if let Some(window) = Shown::start(&mut program, [800, 600]) {
+    let program = env!("CARGO_BIN_EXE_a03-rays-cameras");
+    if let Some(window) = Shown::start(program, line, folder.path(), [800, 600]) {
         test(window, folder.path());
     }
 }

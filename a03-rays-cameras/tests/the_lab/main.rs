@@ -4,17 +4,4 @@
 
 mod protocol;
 
-use measure::experiment::checked;
-use measure::{Effort, extremes};
-
-#[test]
-fn the_experiments_agree_with_theory_and_do_not_change() {
-    for experiment in (a03_rays_cameras::stage().experiments)() {
-        insta::assert_snapshot!(experiment.name, checked(&experiment, Effort::Quick));
-    }
-}
-
-#[test]
-fn the_extremes_hold() {
-    extremes::check(&(a03_rays_cameras::stage().extremes)(Effort::of_build()));
-}
+testing::check_lab! { a03_rays_cameras::stage() }

@@ -2,34 +2,29 @@
 
 mod compare;
 mod edges;
-mod in_plane;
 mod scenes;
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
+use a04_intersections::fast::shapes;
 use a04_intersections::{Geometry, Hit, Interval, Sphere, World};
 use common::Color;
 
-use compare::{compare, prepared};
-use scenes::{Numbers, Place, rays, world};
+use super::support::Numbers;
+use compare::compare;
+use scenes::{Place, rays, world};
 
-fn check(seed: u64, shapes: usize, count: usize, place: Place) {
-    let (eye, lamp) = (
-        place.point(Vector3::new(3.0, 2.0, 4.0)),
-        place.point(Vector3::new(-1.0, 5.0, 2.0)),
-    );
+fn check(seed: u64, shape_count: usize, count: usize, place: Place) {
+    let eye = place.point(Vector3::new(3.0, 2.0, 4.0));
+    let lamp = place.point(Vector3::new(-1.0, 5.0, 2.0));
     let inside = place.point(Vector3::new(0.1, 0.2, -0.1));
     let sun = Vector3::new(-1.0, -2.0, 0.5).unit("sun").unwrap();
-    let world = world(seed, shapes, place);
-    let engine = prepared(&world);
-    let hits = [(eye, lamp), (lamp, eye), (inside, inside)].map(|(eye, lamp)| {
-        compare(
-            &world,
-            &engine,
-            &rays(seed + 1, count, place, eye, lamp, sun),
-        )
-    });
-    assert!(hits.iter().all(|hits| *hits > count), "{hits:?}");
+    let world = world(seed, shape_count, place);
+    for (eye, lamp) in [(eye, lamp), (lamp, eye), (inside, inside)] {
+        let rays = rays(seed + 1, count, place, eye, lamp, sun);
+        let hits = compare(&world, shapes, &rays);
+        assert!(hits > count, "{hits}");
+    }
 }
 
 const HERE: Place = Place {
@@ -46,15 +41,12 @@ fn few_and_many_shapes_are_met_as_in_the_list() {
 
 #[test]
 fn the_size_of_a_scene_does_not_matter_nor_its_place() {
-    for (seed, size) in [1e-95, 1e-40, 1e-6, 1e6, 1e40, 1e95]
-        .into_iter()
-        .enumerate()
-    {
-        check(seed as u64, 100, 300, Place { size, ..HERE });
+    for (seed, size) in (0..).zip([1e-95, 1e-40, 1e-6, 1e6, 1e40, 1e95]) {
+        check(seed, 100, 300, Place { size, ..HERE });
     }
-    for (seed, far) in [1e3, 1e6, 1e9, 1e13].into_iter().enumerate() {
+    for (seed, far) in (0..).zip([1e3, 1e6, 1e9, 1e13]) {
         let middle = Vector3::new(far, -far, far);
-        check(seed as u64, 100, 300, Place { middle, ..HERE });
+        check(seed, 100, 300, Place { middle, ..HERE });
     }
 }
 
@@ -81,13 +73,9 @@ fn unknown_shapes_are_met_as_in_the_list() {
         };
     }
     let eye = Point3::new(25.0, 5.0, 30.0);
-    let engine = prepared(&world);
     let mut numbers = Numbers::new(3);
-    let rays: Vec<_> = (0..20_000)
-        .map(|_| {
-            let aim = Point3::new(25.0 + 26.0 * numbers.next(), 0.7 * numbers.next(), 0.0);
-            (Ray::new(eye, aim - eye).unwrap(), Interval::AHEAD)
-        })
-        .collect();
-    assert!(compare(&world, &engine, &rays) > 1000);
+    let mut aim = || Point3::new(25.0 + 26.0 * numbers.next(), 0.7 * numbers.next(), 0.0);
+    let towards = |aim: Point3| (Ray::new(eye, aim - eye).unwrap(), Interval::AHEAD);
+    let rays: Vec<_> = (0..20_000).map(|_| towards(aim())).collect();
+    assert!(compare(&world, shapes, &rays) > 1000);
 }

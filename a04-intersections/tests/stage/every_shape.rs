@@ -1,7 +1,9 @@
 //! Laws of every shape: open intervals, the ends of the allowed range, rays of no
-//! numbers, and arguments that are refused.
+//! numbers, and arguments that are refused. That scale and place of a scene change no bit
+//! are the extreme cases S12 and I11.
 
 use a02_math::{Normal3, Point3};
+use a03_rays_cameras::Ray;
 use a04_intersections::{AxisAlignedBox, Geometry, Interval, Plane, Sphere, Triangle};
 use approx::assert_relative_eq;
 use testing::assert_refused;
@@ -26,7 +28,7 @@ fn shapes(size: f64) -> [Box<dyn Geometry>; 4] {
 fn the_ends_of_an_interval_do_not_belong_to_it() {
     let mut second_hits = 0;
     for n in 0..8000 {
-        let (shape, ray) = (random_shape(n / 8, HERE), random_ray(n, HERE));
+        let (shape, ray) = (random_shape(n / 8, HERE), random_ray(n));
         let Some(first) = hit(&*shape, &ray) else {
             continue;
         };
@@ -64,6 +66,21 @@ fn the_smallest_and_largest_shapes_are_hit() {
             let expected = 2.0 * (size / length);
             assert_relative_eq!(found.t, expected, max_relative = 8.0 * f64::EPSILON);
             assert_eq!((found.normal, found.face), (Z, Z));
+        }
+    }
+}
+
+/// A direction twice as long halves `t` exactly.
+#[test]
+fn a_direction_of_another_length_changes_t_alone() {
+    for n in 0..8000 {
+        let (shape, ray) = (random_shape(n / 8, HERE), random_ray(n));
+        let found = |ray: &Ray| hit(&*shape, ray).map(|hit| (hit.t, hit.normal, hit.face));
+        for exponent in [-300, -1, 1, 300] {
+            let length = libm::scalbn(1.0, exponent);
+            let scaled = found(&Ray::derived(ray.origin(), ray.direction() * length));
+            let scaled = scaled.map(|(t, normal, face)| (t * length, normal, face));
+            assert_eq!(scaled, found(&ray), "{shape:?} {ray:?} 2^{exponent}");
         }
     }
 }

@@ -37,8 +37,8 @@ pub fn random_vector(random: PixelRandom, first: u64, width: f64) -> Vector3 {
     vector([0, 1, 2].map(|i| width * (2.0 * random.uniform(first + i) - 1.0)))
 }
 
-/// Units and place of a random shape and a random ray: their coordinates are multiplied
-/// by the scale, and the shift is added.
+/// Units and place of a random shape: its coordinates are multiplied by the scale, and the
+/// shift is added.
 #[derive(Clone, Copy)]
 pub struct Place {
     pub scale: f64,
@@ -50,29 +50,48 @@ pub const HERE: Place = Place {
     shift: 0.0,
 };
 
+/// A point of eighths from -2 to 2.
+pub fn eighths(random: PixelRandom, first: u64) -> Point3 {
+    point([0, 1, 2].map(|i| (33.0 * random.uniform(first + i)).floor() / 8.0 - 2.0))
+}
+
 /// Random numbers in a row.
-struct Numbers(PixelRandom, u64);
+pub struct Numbers(PixelRandom, u64);
 
 impl Numbers {
+    pub const fn new(seed: u64) -> Self {
+        Self(PixelRandom::new(seed, 0, 0), 0)
+    }
+
     /// From 0 to 1.
     fn uniform(&mut self) -> f64 {
         self.1 += 1;
         self.0.uniform(self.1)
     }
 
+    /// From -1 to 1.
+    pub fn next(&mut self) -> f64 {
+        2.0 * self.uniform() - 1.0
+    }
+
+    /// Three numbers from -1 to 1.
+    pub fn vector(&mut self) -> Vector3 {
+        vector([0; 3].map(|_| self.next()))
+    }
+
     /// Half of the vectors from -1 to 1 in eighths, so that rays go along axes, through
     /// edges and through corners; half from -8 to 8 in multiples of 2^-20.
-    fn vector(&mut self) -> Vector3 {
+    fn rounded_vector(&mut self) -> Vector3 {
         let (width, steps) = if self.uniform() < 0.5 {
             (1.0, 8.0)
         } else {
             (8.0, 1_048_576.0)
         };
-        vector([0; 3].map(|_| (steps * width * (2.0 * self.uniform() - 1.0)).round() / steps))
+        vector([0; 3].map(|_| (steps * width * self.next()).round() / steps))
     }
 
     fn point(&mut self, place: Place) -> Point3 {
-        let coordinates = self.vector().to_glam() * place.scale + place.shift;
+        let coordinates = self.rounded_vector().to_glam() * place.scale + place.shift;
         Point3::from_glam(coordinates)
     }
 }
@@ -84,7 +103,7 @@ pub fn random_shape(n: u32, place: Place) -> Box<dyn Geometry> {
         let [a, b, c] = [0; 3].map(|_| numbers.point(place));
         match n % 4 {
             0 => {
-                if let Ok(plane) = Plane::new(a, numbers.vector().as_normal()) {
+                if let Ok(plane) = Plane::new(a, numbers.rounded_vector().as_normal()) {
                     return Box::new(plane);
                 }
             }
@@ -99,13 +118,12 @@ pub fn random_shape(n: u32, place: Place) -> Box<dyn Geometry> {
     }
 }
 
-/// The ray with this number. Its direction does not depend on the place.
-pub fn random_ray(n: u32, place: Place) -> Ray {
+/// The ray with this number.
+pub fn random_ray(n: u32) -> Ray {
     let mut numbers = Numbers(PixelRandom::new(6, n, 0), 0);
     loop {
-        let from = numbers.vector();
-        let origin = Point3::from_glam(from.to_glam() * place.scale + place.shift);
-        if let Ok(ray) = Ray::new(origin, numbers.vector() - from) {
+        let (from, to) = (numbers.rounded_vector(), numbers.rounded_vector());
+        if let Ok(ray) = Ray::new(Point3::ORIGIN + from, to - from) {
             return ray;
         }
     }

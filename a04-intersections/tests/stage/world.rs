@@ -46,7 +46,7 @@ fn an_interval_is_open_and_holds_no_nan() {
 fn a_world_is_hit_where_the_nearest_of_its_shapes_is() {
     let mut hits = 0;
     for n in 0..3000 {
-        let (random, ray) = (PixelRandom::new(3, n, 0), random_ray(n, HERE));
+        let (random, ray) = (PixelRandom::new(3, n, 0), random_ray(n));
         let [min, length] = [4.0, 24.0].map(|width| width * random.uniform(width as u64));
         let within = Interval {
             min,

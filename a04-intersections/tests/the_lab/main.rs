@@ -6,17 +6,4 @@ mod exact;
 mod protocol;
 mod same_formulas;
 
-use measure::experiment::checked;
-use measure::{Effort, extremes};
-
-#[test]
-fn the_experiments_agree_with_theory_and_do_not_change() {
-    for experiment in (a04_intersections::stage().experiments)() {
-        insta::assert_snapshot!(experiment.name, checked(&experiment, Effort::Quick));
-    }
-}
-
-#[test]
-fn the_extremes_hold() {
-    extremes::check(&(a04_intersections::stage().extremes)(Effort::of_build()));
-}
+testing::check_lab! { a04_intersections::stage() }

@@ -3,7 +3,6 @@
 //!
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
-mod engine;
 mod mirrors;
 mod renderers;
 mod secondary_rays;

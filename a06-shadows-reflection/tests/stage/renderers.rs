@@ -1,15 +1,18 @@
-//! Small random worlds, with shapes, materials and lights of a student's own: engine and
-//! all work draw the lesson's pictures.
+//! Random worlds, with shapes, materials and lights of a student's own: engine and all
+//! work draw the lesson's pictures, to the last bit.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, PixelRandom, Ray};
+use a03_rays_cameras::{PerspectiveCamera, PixelRandom, Ray, fast};
 use a04_intersections::fast::shapes;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle};
 use a05_lighting::{
     DirectionalLight, Illumination, Lambert, Light, Lighting, Material, Phong, PointLight,
     SingleColor, SpotLight,
 };
-use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, Surface, View, traced_scene};
+use a06_shadows_reflection::fast::scene;
+use a06_shadows_reflection::{
+    LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, View, traced_scene,
+};
 use common::{ArgumentError, Color, Renderer, Sampling, Settings, Size};
 
 /// An endless upright cylinder around the y axis.
@@ -30,13 +33,13 @@ impl Geometry for Column {
     }
 }
 
-/// A lamp whose light fades with the square of the distance.
+/// A lamp whose light fades with the square of the distance, up to a wall.
 #[derive(Debug)]
 struct FadingLamp(PointLight);
 
 impl Light for FadingLamp {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
-        let light = self.0.illumination(point)?;
+        let light = self.0.illumination(point).filter(|_| point.x() < 1.3)?;
         let fading = 4.0 / (light.distance * light.distance);
         Some(Illumination {
             color: light.color * fading,
@@ -63,7 +66,11 @@ impl Material for Translucent {
     }
 }
 
-impl Surface for Translucent {}
+impl Surface for Translucent {
+    fn reflection(&self) -> Color {
+        self.0 * 0.5
+    }
+}
 
 /// Random numbers in a row.
 struct Numbers {
@@ -101,11 +108,15 @@ impl Numbers {
 
     fn geometry(&mut self) -> Result<Box<dyn Geometry>, ArgumentError> {
         let (a, b, c) = (self.point(), self.point(), self.point());
-        Ok(match self.one_of(6) {
+        Ok(match self.one_of(7) {
             0 => Box::new(Plane::new(a, self.vector().as_normal())?),
             1 => Box::new(Sphere::new(a, 0.2 + self.number())?),
             2 => Box::new(AxisAlignedBox::new(a, b)?),
             3 => Box::new(Column(self.number())),
+            4 => {
+                let normals = [0; 3].map(|_| self.vector().as_normal());
+                Box::new(Triangle::new(a, b, c)?.with_normals(normals)?)
+            }
             _ => Box::new(Triangle::new(a, b, c)?),
         })
     }
@@ -136,14 +147,22 @@ impl Numbers {
 }
 
 /// A triangle with the eye in its plane, and other objects.
-fn view(seed: u64) -> Result<View, ArgumentError> {
+fn view(seed: u64) -> Result<(PerspectiveCamera, ShadowedWorld), ArgumentError> {
     let random = PixelRandom::new(seed, 0, 0);
     let mut numbers = Numbers { random, next: 0 };
     let [a, b, c] = [0; 3].map(|_| numbers.point());
     let mut world = ShadowedWorld::empty(numbers.color(), numbers.color())?
         .with(Triangle::new(a, b, c)?, numbers.surface()?);
-    for _ in 0..numbers.one_of(7) {
-        world = world.with(numbers.geometry()?, numbers.surface()?);
+    // One of ten has enough objects for a tree of several levels.
+    let objects = if seed.is_multiple_of(10) {
+        100
+    } else {
+        numbers.one_of(7)
+    };
+    for _ in 0..objects {
+        if let Ok(geometry) = numbers.geometry() {
+            world = world.with(geometry, numbers.surface()?);
+        }
     }
     for _ in 0..numbers.one_of(4) {
         world = world.lit_by(numbers.light()?);
@@ -151,14 +170,18 @@ fn view(seed: u64) -> Result<View, ArgumentError> {
     let eye = a + (b - a) * 2.5 + (c - a) * 1.25;
     let middle = a + (b - a) * 0.25 + (c - a) * 0.5;
     let camera = PerspectiveCamera::new(eye, middle - eye, (b - a).cross(c - a), 0.9)?;
-    Ok((Box::new(camera), world))
+    Ok((camera, world))
 }
 
 #[test]
 fn all_renderers_draw_the_same_pictures_of_random_worlds() {
     let mut pictures = [0; 2];
     for seed in (0..600).filter(|seed| view(*seed).is_ok()) {
-        let scene = traced_scene("random", "a random world", move |_| view(seed), shapes);
+        let view = move |_: &Settings| -> Result<View, ArgumentError> {
+            let (camera, world) = view(seed)?;
+            Ok((Box::new(camera), world))
+        };
+        let scene = traced_scene("random", "a random world", view, shapes);
         let [lesson, engine, all] = Renderer::ALL.map(|renderer| {
             let settings = Settings {
                 size: Size::new(24, 19).unwrap(),
@@ -178,4 +201,35 @@ fn all_renderers_draw_the_same_pictures_of_random_worlds() {
         pictures[1] > 400,
         "{pictures:?} pictures of one colour and of many"
     );
+}
+
+/// Rays of no bundle: the engine groups them by fours.
+#[test]
+fn the_engine_traces_any_number_of_rays_to_any_depth() {
+    let mut lit = 0;
+    for (seed, (camera, world)) in (0..100).filter_map(|seed| Some((seed, view(seed).ok()?))) {
+        let random = PixelRandom::new(seed, 1, 0);
+        let mut numbers = Numbers { random, next: 0 };
+        let count = if seed.is_multiple_of(10) {
+            1000
+        } else {
+            seed as usize % 10
+        };
+        let ray = |_| Ray::new(numbers.point(), numbers.vector()).ok();
+        let rays: Vec<_> = (0..count).filter_map(ray).collect();
+        let of_engine: Vec<_> = rays.iter().map(engine::Ray::from).collect();
+        for depth in [0, 1, 3, 8] {
+            let scene = scene(&world, depth, shapes);
+            let renderer =
+                engine::Renderer::new(scene, fast::camera(&camera), &Settings::default());
+            let mut light = vec![Color::WHITE; rays.len()];
+            renderer.trace(&of_engine, &mut light);
+            let tracer = RecursiveTracer::new(&world);
+            for (ray, light) in rays.iter().zip(light) {
+                assert_eq!(light, tracer.trace(ray, depth), "{ray:?}, seed {seed}");
+                lit += usize::from(light != Color::BLACK);
+            }
+        }
+    }
+    assert!(lit > 10_000, "{lit}");
 }

@@ -1,11 +1,10 @@
-//! Shadows: the objects and lights that cast one, and those that do not.
-
-use std::f64::consts::FRAC_PI_4;
+//! Shadows: the objects and lights that cast one, and those that do not. Spot lights, and
+//! lights in a surface and just above it, are the extreme cases I01 to I18.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle};
-use a05_lighting::{DirectionalLight, Lambert, Light, PointLight, SpotLight};
+use a05_lighting::{DirectionalLight, Lambert, Light, PointLight};
 use a06_shadows_reflection::{LightSource, RecursiveTracer, ShadowedWorld, Surface};
 use approx::assert_abs_diff_eq;
 use common::Color;
@@ -103,25 +102,6 @@ fn each_light_has_its_own_shadow() {
             .lit_by(casting(sun(Color::GREEN)))
             .lit_by(LightSource::new(sun(Color::BLUE), false));
         assert_eq!(seen(&world), AMBIENT + expected);
-    }
-}
-
-#[test]
-fn a_spot_light_casts_shadows_in_its_cone() {
-    for (x, ball, expected) in [(0.0, 3.0, AMBIENT), (0.0, -3.0, LIT), (7.0, -3.0, AMBIENT)] {
-        let spot = SpotLight::new(Color::WHITE, Point3::new(x, 6.0, 0.0), -UP, FRAC_PI_4);
-        let world = floor(sphere(0.0, ball, 1.0)).lit_by(casting(spot.unwrap()));
-        assert_eq!(seen(&world), expected, "at {x} with a ball at {ball}");
-    }
-}
-
-/// Much closer than any fixed length that a shadow ray might skip.
-#[test]
-fn a_light_just_above_a_surface_lights_it() {
-    for height in [1e-3, 1e-6, 1e-9] {
-        let lamp = casting(point_light(Color::WHITE, height));
-        let world = floor(sphere(0.0, -3.0, 1.0)).lit_by(lamp);
-        assert_eq!(seen(&world), LIT, "at {height}");
     }
 }
 

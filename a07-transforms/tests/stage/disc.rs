@@ -1,4 +1,5 @@
-//! Discs: their rim, and the arguments that their constructor refuses.
+//! Discs: their rim, and the arguments that their constructor refuses. A unit in the last
+//! place outside of the rim, and rays within the plane, are the extreme cases B14 and B18.
 
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::PixelRandom;
@@ -6,7 +7,7 @@ use a04_intersections::{Geometry, Interval, Plane};
 use a07_transforms::Disc;
 use testing::assert_refused;
 
-use super::support::{HERE, assert_hits, hit, point, random_ray, random_vector, ray};
+use super::support::{assert_hits, hit, point, random_ray, random_vector, ray};
 
 const UPWARDS: Normal3 = Normal3::new(0.0, 1.0, 0.0);
 const UP: [f64; 3] = [0.0, 1.0, 0.0];
@@ -43,17 +44,7 @@ fn the_rim_belongs_to_the_disc_and_nothing_beyond() {
         let beyond = [1.1 * x, 2.0, 1.1 * z];
         assert_hits(&disc(r), &[(beyond, DOWN, None)]);
     }
-    for (r, x, z) in [
-        (5.0, 5_f64.next_up(), 0.0),
-        (5.0, 0.0, -5_f64.next_up()),
-        (1.0, 1.0, 1.6e-8),
-    ] {
-        assert_hits(&disc(r), &[([x, 2.0, z], DOWN, None)]);
-    }
-    for zero in [0.0, -0.0] {
-        let parallel = |y| ([-9.0, y, 0.0], [1.0, zero, 0.0], None);
-        assert_hits(&disc(5.0), &[0.0, 1.0].map(parallel));
-    }
+    assert_hits(&disc(1.0), &[([1.0, 2.0, 1.6e-8], DOWN, None)]);
     // `t` counts in lengths of the direction, and the end of an interval does not belong
     // to it.
     let (disc, ray) = (disc(5.0), ray(UP, [0.0, -4.0, 0.0]));
@@ -66,27 +57,18 @@ fn the_rim_belongs_to_the_disc_and_nothing_beyond() {
 fn a_disc_is_its_plane_within_the_radius() {
     let mut hits = [0; 2];
     for n in 0..8000 {
-        let (random, ray) = (PixelRandom::new(19, n, 0), random_ray(n, HERE));
+        let (random, ray) = (PixelRandom::new(19, n, 0), random_ray(n));
         let c = Point3::ORIGIN + random_vector(random, 0, 4.0);
-        let (normal, r) = (
-            random_vector(random, 3, 100.0).as_normal(),
-            8.0 * random.uniform(6),
-        );
-        let (disc, plane) = (
-            Disc::new(c, normal, r).unwrap(),
-            Plane::new(c, normal).unwrap(),
-        );
-        let Some(expected) = hit(&plane, &ray) else {
+        let normal = random_vector(random, 3, 100.0).as_normal();
+        let r = 8.0 * random.uniform(6);
+        let disc = Disc::new(c, normal, r).unwrap();
+        let Some(expected) = hit(&Plane::new(c, normal).unwrap(), &ray) else {
             continue;
         };
         let p = ray.at(expected.t);
-        let off = [
-            expected.t,
-            ray.origin().largest_coordinate(),
-            p.largest_coordinate(),
-        ];
+        let coordinates = ray.origin().largest_coordinate() + p.largest_coordinate();
         let distance = (p - c).magnitude();
-        if (distance - r).abs() > 8.0 * f64::EPSILON * off.iter().sum::<f64>() {
+        if (distance - r).abs() > 8.0 * f64::EPSILON * (expected.t + coordinates) {
             let is_within = distance < r;
             assert_eq!(hit(&disc, &ray), is_within.then_some(expected));
             hits[usize::from(is_within)] += 1;

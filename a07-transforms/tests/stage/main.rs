@@ -4,11 +4,14 @@
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
 mod adaptive;
+#[path = "../../../a04-intersections/tests/stage/engine/compare.rs"]
+mod compare;
 mod dahlia;
 mod disc;
 mod engine;
 mod mat4x4;
 mod node;
 #[path = "../../../a04-intersections/tests/stage/support.rs"]
+#[expect(dead_code, reason = "stage 4 uses more of it")]
 mod support;
 mod transform;

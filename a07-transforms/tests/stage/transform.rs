@@ -1,10 +1,11 @@
-//! Transforms: the steps, their order, their inverses, normals, and refusals.
+//! Transforms: the steps, their order, normals, and refusals. That the inverse of a chain
+//! undoes its steps is shown by the extreme cases G01 to G06.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
-use a07_transforms::{Mat4x4, Transform};
+use a07_transforms::Transform;
 use approx::assert_abs_diff_eq;
 use common::ArgumentError;
 use testing::assert_refused;
@@ -35,16 +36,6 @@ impl Step {
             Rotate(_, angle) => transform.rotate_z(angle),
         }
     }
-
-    fn random(random: PixelRandom) -> Self {
-        let [x, y, z] = random_vector(random, 0, 1.0).to_glam().to_array();
-        let factor = |x: f64| libm::pow(1000.0, x).copysign(x);
-        match (random.uniform(3) * 5.0) as usize {
-            3 => Translate(100.0 * x, 100.0 * y, 100.0 * z),
-            4 => Scale(factor(x), factor(y), factor(z)),
-            axis => Rotate(axis, 10.0 * x),
-        }
-    }
 }
 
 fn chain(steps: &[Step]) -> Transform {
@@ -52,19 +43,6 @@ fn chain(steps: &[Step]) -> Transform {
         .iter()
         .try_fold(START, |chain, step| step.after(chain));
     chained.unwrap()
-}
-
-/// The greatest difference of two matrices, relative to the entries of a third.
-fn difference(one: Mat4x4, other: Mat4x4, relative_to: Mat4x4) -> f64 {
-    let [one, other, of] = [one, other, relative_to].map(|m| m.rows().concat());
-    let pairs = one.iter().zip(&other).zip(&of);
-    let differences = pairs.map(|((a, b), of)| if a == b { 0.0 } else { (a - b).abs() / of });
-    differences.fold(0.0, f64::max)
-}
-
-/// A matrix without signs: rounding errors are relative to it.
-fn unsigned(matrix: Mat4x4) -> Mat4x4 {
-    Mat4x4::from_rows(matrix.rows().map(|row| row.map(f64::abs)))
 }
 
 /// Rotations from y towards z, from z towards x, from x towards y.
@@ -115,39 +93,6 @@ fn chained_calls_read_from_the_outside_inwards() {
     }
 }
 
-/// The matrix is the product of the steps. Each step multiplies, which costs 2 eps on the
-/// way there and 2 eps on the way back, and is undone by its inverse but for 2 eps: the
-/// error of two squares of libm's sine and cosine, which are right to a unit in the last
-/// place. The last product costs 2 eps. All relative to the steps without their signs.
-#[test]
-fn the_inverse_of_a_chain_undoes_its_steps() {
-    for n in 0..500 {
-        // A hundred rotations, or any steps.
-        let is_long = n % 50 == 0;
-        let count = if is_long { 100 } else { n % 7 };
-        let steps: Vec<_> = (0..count)
-            .map(|i| match Step::random(PixelRandom::new(20, n, i)) {
-                Translate(..) | Scale(..) if is_long => Rotate(i as usize % 3, 1.0),
-                step => step,
-            })
-            .collect();
-        let one = Mat4x4::IDENTITY;
-        let (mut product, mut there, mut back) = (one, one, one);
-        for step in &steps {
-            let alone = chain(&[*step]);
-            product = product * alone.matrix();
-            there = there * unsigned(alone.matrix());
-            back = unsigned(alone.inverse()) * back;
-        }
-        let chain = chain(&steps);
-        let (m, i) = (chain.matrix(), chain.inverse());
-        assert_eq!(m, product);
-        let bound = (6.0 * steps.len() as f64 + 3.0) * f64::EPSILON;
-        assert!(difference(m * i, one, there * back) <= bound, "{steps:?}");
-        assert!(difference(i * m, one, back * there) <= bound, "{steps:?}");
-    }
-}
-
 #[test]
 fn a_ray_in_the_space_of_the_object_keeps_its_t() {
     let transform = chain(&[Translate(1.0, 2.0, 4.0), Scale(2.0, 4.0, 0.5)]);
@@ -169,7 +114,6 @@ fn normals_lean_away_from_the_axis_of_stretching() {
     let diagonal = unit(1.0, 1.0, 0.0);
     for (step, expected) in [
         (Scale(1.0, 0.5, 1.0), unit(1.0, 2.0, 0.0)),
-        (Scale(1.0, 1e-8, 1.0), unit(1e-8, 1.0, 0.0)),
         (Scale(1e-100, 1e-100, 1e-100), diagonal),
         (Scale(1e100, 1e100, 1e100), diagonal),
         (Translate(5.0, -7.0, 9.0), diagonal),

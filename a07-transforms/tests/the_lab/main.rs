@@ -5,17 +5,4 @@
 mod errata_rows;
 mod protocol;
 
-use measure::experiment::checked;
-use measure::{Effort, extremes};
-
-#[test]
-fn the_experiments_agree_with_theory_and_do_not_change() {
-    for experiment in (a07_transforms::stage().experiments)() {
-        insta::assert_snapshot!(experiment.name, checked(&experiment, Effort::Quick));
-    }
-}
-
-#[test]
-fn the_extremes_hold() {
-    extremes::check(&(a07_transforms::stage().extremes)(Effort::of_build()));
-}
+testing::check_lab! { a07_transforms::stage() }

@@ -3,7 +3,7 @@
 
 use std::time::Instant;
 
-use common::{Error, Image, Renderer, Scene, Settings};
+use common::{Error, Image, Scene, Settings};
 use measure::comparison::{Comparison, complete};
 use measure::timing::Median;
 
@@ -14,7 +14,6 @@ use crate::print::print;
 /// the picture.
 pub fn explain(scene: &Scene, options: &Options) -> Result<Image, Error> {
     let settings = options.settings(scene)?;
-    check(&settings)?;
     print(&format!("{}  {}", scene.name, settings.size));
     print(&scene.plan(&settings)?.to_string());
     let threads = options.thread_pool()?;
@@ -33,18 +32,6 @@ pub fn explain(scene: &Scene, options: &Options) -> Result<Image, Error> {
         }
         Ok(comparison.image)
     })
-}
-
-/// Refuses the renderer that skips no work: there is nothing to compare it with.
-pub fn check(settings: &Settings) -> Result<(), Error> {
-    match settings.renderer {
-        Renderer::Lesson | Renderer::Engine => Ok(()),
-        Renderer::AllWork => Err(Error::Usage(
-            "--explain compares a renderer with --no-omit, which leaves nothing out; \
-             give --explain without --no-omit, or with --fast"
-                .to_owned(),
-        )),
-    }
 }
 
 /// The time of the chosen renderer, and how many times as long the one takes that skips
@@ -82,7 +69,7 @@ mod tests {
     use std::thread::sleep;
     use std::time::Duration;
 
-    use common::{Color, Size};
+    use common::{Color, Renderer, Size};
 
     use super::*;
 

@@ -61,7 +61,7 @@ pub enum Command {
         output: Option<PathBuf>,
 
         /// List the work that the renderer leaves out, and the time that this saves
-        #[arg(long)]
+        #[arg(long, conflicts_with = "no_omit")]
         explain: bool,
 
         #[command(flatten)]

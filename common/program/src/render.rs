@@ -8,7 +8,7 @@ use common::{Error, Scene, Settings, Size};
 use measure::Stage;
 
 use crate::TerminalProgress;
-use crate::explain::{self, explain};
+use crate::explain::explain;
 use crate::options::Options;
 use crate::print::{print, warn};
 use crate::target::Target;
@@ -24,10 +24,7 @@ pub fn render_to_files(
 ) -> Result<(), Error> {
     let target = Target::new(output, scenes.len())?;
     for scene in scenes {
-        let settings = options.settings(scene)?;
-        if explained {
-            explain::check(&settings)?;
-        }
+        options.settings(scene)?;
         target.check(stage, scene)?;
     }
     for scene in scenes {

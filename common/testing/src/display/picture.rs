@@ -30,12 +30,6 @@ impl Picture {
     pub fn at(&self, x: u32, y: u32) -> u32 {
         self.pixels[(y * self.width + x) as usize]
     }
-
-    /// A part of the picture.
-    #[must_use]
-    pub fn part(&self, x: u32, y: u32, width: u32, height: u32) -> Self {
-        Self::from_fn(width, height, |column, row| self.at(x + column, y + row))
-    }
 }
 
 /// The text of the window: letters of eight by eight pixels.
@@ -87,7 +81,8 @@ impl Picture {
     /// The part below the menu bar.
     #[must_use]
     pub fn below_bar(&self) -> Self {
-        self.part(0, Self::LINE, self.width, self.height - Self::LINE)
+        let height = self.height - Self::LINE;
+        Self::from_fn(self.width, height, |x, y| self.at(x, Self::LINE + y))
     }
 }
 

@@ -3,6 +3,7 @@
 use std::fs;
 use std::io::Read;
 use std::os::unix::process::CommandExt;
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
@@ -23,14 +24,17 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// Starts a program on a screen of this many pixels, waits for its window and
-    /// gives it the keyboard. The environment contains no variables that lead to
-    /// another display or to a file dialog. On a machine without Xvfb or xdotool none,
-    /// and a sentence on stderr.
-    pub fn start(program: &mut Command, screen: [u32; 2]) -> Option<Self> {
+    /// Starts a program in a folder with the arguments of a line, on a screen of this many
+    /// pixels; waits for its window and gives it the keyboard. The environment contains no
+    /// variables that lead to another display or to a file dialog. On a machine without
+    /// Xvfb or xdotool none, and a sentence on stderr.
+    #[must_use]
+    pub fn start(program: &str, line: &str, folder: &Path, screen: [u32; 2]) -> Option<Self> {
         let server = Server::open(screen)?;
         let temporary = tempfile::tempdir().expect("a folder");
-        let child = program
+        let child = Command::new(program)
+            .args(line.split_whitespace())
+            .current_dir(folder)
             .env_remove("WAYLAND_DISPLAY")
             .env_remove("WAYLAND_SOCKET")
             .env_remove("XDG_RUNTIME_DIR")
