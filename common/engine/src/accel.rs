@@ -11,6 +11,7 @@ mod packet;
 mod shapes;
 mod single;
 mod slabs;
+mod units;
 
 use common::Plan;
 
@@ -20,7 +21,7 @@ use bvh_build::Item;
 pub(crate) use packet::{NearestHits, Occluder};
 use shapes::ShapeId;
 pub(crate) use shapes::Shapes;
-use slabs::Units;
+use units::Units;
 
 /// Up to this many shapes are all tested.
 const FEW: usize = 16;

@@ -12,7 +12,8 @@ use arrayvec::ArrayVec;
 use wide::f32x8;
 
 use super::shapes::{Kind, ShapeId};
-use super::slabs::{Slabs, Units};
+use super::slabs::Slabs;
+use super::units::Units;
 
 /// Children of a node.
 pub(super) const WIDTH: usize = 8;

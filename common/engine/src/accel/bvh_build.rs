@@ -10,7 +10,7 @@ use wide::f32x8;
 use super::bvh::{Bvh, Child, LEVELS, Leaf, Node, WIDTH};
 use super::cut::{by_kind, cheapest, halves};
 use super::shapes::ShapeId;
-use super::slabs::{TreeBounds, Units};
+use super::units::{TreeBounds, Units};
 
 /// A shape to be put into a tree.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 //! (Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, 2007)
 
 use super::bvh_build::Item;
-use super::slabs::TreeBounds;
+use super::units::TreeBounds;
 
 /// Bins along an axis.
 const BINS: usize = 16;

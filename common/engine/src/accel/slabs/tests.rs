@@ -1,6 +1,8 @@
 //! Tests of `slabs`.
 
+use crate::accel::units::TreeBounds;
 use crate::adaptive::random::PixelRandom;
+use crate::shape::Bounds;
 
 use super::*;
 
