@@ -7,7 +7,7 @@ use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::lab::experiments::Numbers;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
-use common::{Color, Error};
+use common::{ArgumentError, Color, Error};
 use measure::Effort;
 use measure::extremes::{Case, Equal, Fails, Holds, Id};
 
@@ -131,6 +131,9 @@ pub fn trials(shape: Shape, size: f64, count: usize) -> Trials {
     seen(&world, 13, middle, size, [5.0, 0.7], count)
 }
 
+/// Rays for each point at most: a wrong formula may hit nothing.
+const MOST_RAYS: usize = 1_000;
+
 /// Lit points of a world, seen from one distance from the middle towards places within
 /// the other.
 pub fn seen(
@@ -142,10 +145,11 @@ pub fn seen(
     count: usize,
 ) -> Trials {
     let mut trials = Vec::with_capacity(count);
-    let mut n = 0;
-    while trials.len() < count {
+    for n in 0..MOST_RAYS * count {
+        if trials.len() == count {
+            return Ok(trials);
+        }
         let mut numbers = Numbers::new(seed, n);
-        n += 1;
         let mut way = || numbers.triple(-1.0, 1.0);
         let eye = middle + way().unit("eye")? * (distance * size);
         let target = middle + way() * (within * size);
@@ -166,5 +170,6 @@ pub fn seen(
             });
         }
     }
-    Ok(trials)
+    let hits = format!("hit at {} lit points", trials.len());
+    Err(ArgumentError::new("the shape", hits, "one that most rays hit").into())
 }
