@@ -49,7 +49,8 @@ fn a_file_that_becomes_too_long_keeps_the_old_one() {
     }
 }
 
-/// What it leaves is deleted by a later one, as the tests of `common::atomic_file` show.
+/// The unfinished file that it leaves is deleted by the next program, as the tests of
+/// `common::atomic_file` show.
 #[test]
 fn a_killed_program_keeps_the_old_picture() {
     let folder = folder();
