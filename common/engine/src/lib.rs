@@ -20,6 +20,7 @@ mod shade;
 mod shape;
 mod trace;
 mod vector;
+mod view;
 
 use common::{Color, Error, Image, Settings, Size};
 
@@ -30,9 +31,6 @@ pub use sampler::{Sampler, camera_place};
 pub use scene::Scene;
 pub use shade::{Illumination, Light, LightFn, LightKind, Phong, ShadeFn, Shading, Surface};
 pub use shape::{AxisAlignedBox, Disc, HitFn, Plane, Shape, Sphere, Transform, Triangle};
-
-/// Rays per batch, approximately.
-const BATCH: usize = 64;
 
 /// The image of the rows that the settings select: `render` fills its pixels, with a
 /// function that copies a finished row.

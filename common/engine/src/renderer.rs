@@ -1,9 +1,6 @@
 //! `Renderer`: a scene and a camera, prepared for rendering.
 
 use common::{Bound, Color, Error, Image, Plan, Progress, Settings};
-use measure::tally::{self, Work};
-use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
-use rayon::slice::ParallelSliceMut;
 
 use crate::accel::Accelerator;
 use crate::adaptive;
@@ -11,7 +8,8 @@ use crate::flatten::flatten;
 use crate::lanes::{RayPacket, in_fours};
 use crate::shade::RadianceBound;
 use crate::trace::Tracer;
-use crate::{BATCH, Camera, Ray, Sampler, Scene, camera_place, image_of_rows};
+use crate::view::View;
+use crate::{Camera, Ray, Sampler, Scene, image_of_rows};
 
 /// The share of the allowed error for reflections that are cut off. The samples may use
 /// all of it, because the sum of both squares is hardly larger.
@@ -20,7 +18,7 @@ const OF_MIRRORS: f64 = 1.0 / 8.0;
 /// A scene and a camera, prepared for rendering.
 #[derive(Debug)]
 pub struct Renderer<'a> {
-    camera: Camera<'a>,
+    pub(crate) camera: Camera<'a>,
     pub(crate) tracer: Tracer<'a>,
     /// Upper bound of the displacement of flattened shapes, as a share of the scene, and
     /// their number.
@@ -117,16 +115,7 @@ impl<'a> Renderer<'a> {
         if let Some(max_error) = settings.max_error {
             return adaptive::render(max_error, settings, &view, progress, kept, keep);
         }
-        let (rows, width) = (settings.rows(), settings.size.width() as usize);
-        let shares = kept.par_chunks_mut(kept.len() / rows.len());
-        // Each row is a task, because one may take far longer than another.
-        (rows.into_par_iter().zip(shares).with_max_len(1)).for_each(|(row, kept)| {
-            let mut pixels = vec![Color::BLACK; width];
-            if view.paint(sampler, row, &mut pixels) {
-                keep(&pixels, kept);
-                progress.row(row, &mut pixels.into_iter());
-            }
-        });
+        view.render_rows(sampler, kept, keep);
         if progress.stopped() {
             return Err(Error::Stopped);
         }
@@ -184,74 +173,4 @@ fn max_distance(
     let bounded = bounds.filter(|(_, bounds)| bounds.are_finite());
     let corners = bounded.flat_map(|(_, bounds)| bounds.corners());
     corners.map(glam::DVec3::length).fold(eye, f64::max)
-}
-
-/// A picture being rendered.
-struct View<'v, 'a> {
-    renderer: &'v Renderer<'a>,
-    settings: &'v Settings,
-    progress: &'v dyn Progress,
-}
-
-impl View<'_, '_> {
-    /// Paints a row: the mean over the samples of each pixel, for a batch of pixels at a
-    /// time. False if the rendering was stopped.
-    fn paint(&self, sampler: &impl Sampler, row: u32, pixels: &mut [Color]) -> bool {
-        let samples = sampler.samples();
-        let at_once = BATCH.div_ceil(samples as usize);
-        let place = |column, i| {
-            camera_place(
-                self.settings.size,
-                (column, row),
-                sampler.place(i, column, row),
-            )
-        };
-        let (mut places, mut rays, mut light) = (Vec::new(), Vec::new(), Vec::new());
-        let mut first = 0;
-        for pixels in pixels.chunks_mut(at_once) {
-            let columns = first..first + pixels.len() as u32;
-            first = columns.end;
-            for start in (0..samples).step_by(BATCH) {
-                if self.progress.stopped() {
-                    return false;
-                }
-                places.clear();
-                if samples == 1 {
-                    places.extend(columns.clone().map(|column| place(column, 0)));
-                    self.look(&places, &mut rays, pixels);
-                    continue;
-                }
-                let batch = start..samples.min(start + BATCH as u32);
-                let of_pixel = |column| batch.clone().map(move |i| place(column, i));
-                places.extend(columns.clone().flat_map(of_pixel));
-                light.resize(places.len(), Color::BLACK);
-                self.look(&places, &mut rays, &mut light);
-                for (pixel, light) in pixels.iter_mut().zip(light.chunks(batch.len())) {
-                    *pixel = light.iter().fold(*pixel, |sum, light| sum + *light);
-                }
-            }
-            if samples > 1 {
-                for pixel in pixels {
-                    *pixel = pixel.map(|channel| channel / f64::from(samples));
-                }
-            }
-        }
-        true
-    }
-
-    /// The light at some places in the coordinates of the camera.
-    fn look(&self, places: &[(f64, f64)], rays: &mut Vec<RayPacket>, light: &mut [Color]) {
-        rays.clear();
-        let Renderer { camera, tracer, .. } = self.renderer;
-        camera.rays(self.settings.size, places, rays);
-        tally::count_all(Work::PrimaryRay, places.len() as u64);
-        tracer.trace(rays, light);
-    }
-}
-
-impl adaptive::Radiance for View<'_, '_> {
-    fn light(&self, places: &[(f64, f64)], light: &mut Vec<Color>) {
-        light.resize(places.len(), Color::BLACK);
-        self.look(places, &mut Vec::new(), light);
-    }
 }

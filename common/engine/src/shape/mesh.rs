@@ -1,20 +1,23 @@
-//! `Mesh`: triangles that share their corners and normals.
+//! `Mesh`: triangles that share their normals.
+
+use glam::DVec3;
 
 use super::pool::Pool;
 use super::{Corners, Triangle};
-use crate::lanes::{Lanes, Vector3x4};
+use crate::lanes::Lanes;
 
-/// Triangles, whose vectors are stored once.
+/// Triangles. Each normal is stored once, but corners as often as they are shared: most tests
+/// read nothing else, and the four triangles of a leaf lie side by side.
 #[derive(Debug, Default)]
 pub(crate) struct Mesh {
+    corners: Vec<[DVec3; 3]>,
+    normals: Vec<Normals>,
     vectors: Pool,
-    triangles: Vec<Indexed>,
 }
 
-/// A triangle, by the indices of its vectors.
+/// The normals of a triangle, by their indices.
 #[derive(Clone, Copy, Debug)]
-struct Indexed {
-    corners: [u32; 3],
+struct Normals {
     normals: [u32; 3],
     face: u32,
 }
@@ -22,51 +25,53 @@ struct Indexed {
 impl Mesh {
     pub fn push(&mut self, triangle: &Triangle) {
         let mut add = |vector| self.vectors.add(vector);
-        self.triangles.push(Indexed {
-            corners: triangle.corners.map(&mut add),
+        self.normals.push(Normals {
             normals: triangle.normals.map(&mut add),
             face: add(triangle.face),
         });
+        self.corners.push(triangle.corners);
     }
 
     #[inline]
     pub fn get(&self, index: usize) -> Triangle {
-        let triangle = &self.triangles[index];
+        let Normals { normals, face } = self.normals[index];
         let vector = |index| self.vectors.get(index);
         Triangle {
-            corners: triangle.corners.map(vector),
-            normals: triangle.normals.map(vector),
-            face: vector(triangle.face),
+            corners: self.corners[index],
+            normals: normals.map(vector),
+            face: vector(face),
         }
     }
 
     /// The corners of a triangle, four times.
     #[inline]
     pub fn corners_of(&self, index: usize) -> Corners {
-        self.triangles[index].corners.map(|corner| {
-            let corner = self.vectors.get(corner);
-            [corner.x, corner.y, corner.z].map(Lanes::splat)
-        })
+        self.corners[index].map(|corner| [corner.x, corner.y, corner.z].map(Lanes::splat))
     }
 
-    /// The corners of four triangles side by side.
+    /// The corners of four triangles side by side. Four numbers that lie together are read at
+    /// once.
     #[inline]
-    pub fn corners_of_four(&self, [a, b, c, d]: [usize; 4]) -> Corners {
-        let four = [a, b, c, d].map(|index| &self.triangles[index].corners);
-        [0, 1, 2].map(|corner| {
-            let vectors = four.map(|corners| self.vectors.get(corners[corner]));
-            let Vector3x4 { x, y, z } = Vector3x4::new(vectors);
-            [x, y, z]
-        })
+    pub fn corners_of_four(&self, four: [usize; 4]) -> Corners {
+        let four = four.map(|index| &self.corners[index]);
+        let rows = |row: fn(&[DVec3; 3]) -> [f64; 4]| {
+            Lanes::transpose(four.map(|corners| Lanes::new(row(corners))))
+        };
+        let [ax, ay, az, bx] = rows(|[a, b, _]| [a.x, a.y, a.z, b.x]);
+        let [by, bz, cx, cy] = rows(|[_, b, c]| [b.y, b.z, c.x, c.y]);
+        let cz = Lanes::new(four.map(|[_, _, c]| c.z));
+        [[ax, ay, az], [bx, by, bz], [cx, cy, cz]]
     }
 
     pub fn swap(&mut self, a: usize, b: usize) {
-        self.triangles.swap(a, b);
+        self.corners.swap(a, b);
+        self.normals.swap(a, b);
     }
 
     /// Releases the memory that only `push` needs.
     pub fn finish(&mut self) {
         self.vectors.finish();
-        self.triangles.shrink_to_fit();
+        self.corners.shrink_to_fit();
+        self.normals.shrink_to_fit();
     }
 }

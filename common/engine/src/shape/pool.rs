@@ -1,6 +1,6 @@
 //! `Pool`: vectors, each stored once.
 //!
-//! The triangles of a mesh share corners and normals, but a scene names them triangle by
+//! The triangles of a mesh share normals, but a scene names them triangle by
 //! triangle. A hash table finds those that are there already.
 
 use glam::DVec3;

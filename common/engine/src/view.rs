@@ -1,0 +1,122 @@
+//! `View`: a picture being rendered, two rows at a time.
+//!
+//! Four rays through a square of pixels stay closer together than four of a row, so that they
+//! more often meet the same shapes.
+
+use common::{Color, Progress, Settings};
+use measure::tally::{self, Work};
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::slice::ParallelSliceMut;
+
+use crate::lanes::RayPacket;
+use crate::{Renderer, Sampler, adaptive, camera_place};
+
+/// Rays per batch, approximately.
+const BATCH: usize = 64;
+
+/// Rows of a strip, which are painted together.
+const STRIP: usize = 2;
+
+/// A picture being rendered.
+pub(crate) struct View<'v, 'a> {
+    pub renderer: &'v Renderer<'a>,
+    pub settings: &'v Settings,
+    pub progress: &'v dyn Progress,
+}
+
+impl View<'_, '_> {
+    /// Hands each row to `keep`, with its share of `kept`, until the rendering is stopped.
+    pub fn render_rows<T: Send>(
+        &self,
+        sampler: &impl Sampler,
+        kept: &mut [T],
+        keep: impl Fn(&[Color], &mut [T]) + Sync,
+    ) {
+        let (rows, width) = (self.settings.rows(), self.settings.size.width());
+        let share = kept.len() / rows.len();
+        let orders = [1, 2].map(|height| squares(width, height));
+        let strips = kept.par_chunks_mut(STRIP * share).enumerate();
+        // Each strip is a task, because one may take far longer than another.
+        strips.with_max_len(1).for_each(|(strip, kept)| {
+            let first = rows.start + (STRIP * strip) as u32;
+            let order = &orders[kept.len() / share - 1];
+            let mut pixels = vec![Color::BLACK; order.len()];
+            if self.paint(sampler, first, order, &mut pixels) {
+                let painted = pixels.chunks(width as usize).zip(kept.chunks_mut(share));
+                for (row, (pixels, kept)) in (first..).zip(painted) {
+                    keep(pixels, kept);
+                    self.progress.row(row, &mut pixels.iter().copied());
+                }
+            }
+        });
+    }
+
+    /// Paints the rows from `first` on: the mean over the samples of each pixel, for a batch
+    /// of pixels at a time, in this order. False if the rendering was stopped.
+    fn paint(
+        &self,
+        sampler: &impl Sampler,
+        first: u32,
+        order: &[(u32, u32)],
+        pixels: &mut [Color],
+    ) -> bool {
+        let (samples, size) = (sampler.samples(), self.settings.size);
+        let at_once = BATCH.div_ceil(samples as usize);
+        let (mut places, mut rays, mut light) = (Vec::new(), Vec::new(), Vec::new());
+        for some in order.chunks(at_once) {
+            for start in (0..samples).step_by(BATCH) {
+                if self.progress.stopped() {
+                    return false;
+                }
+                let batch = start..samples.min(start + BATCH as u32);
+                places.clear();
+                for &(column, row) in some {
+                    let pixel = (column, first + row);
+                    for i in batch.clone() {
+                        let place = sampler.place(i, pixel.0, pixel.1);
+                        places.push(camera_place(size, pixel, place));
+                    }
+                }
+                light.resize(places.len(), Color::BLACK);
+                self.look(&places, &mut rays, &mut light);
+                for ((column, row), light) in some.iter().zip(light.chunks(batch.len())) {
+                    let pixel = &mut pixels[(row * size.width() + column) as usize];
+                    *pixel = light.iter().fold(*pixel, |sum, light| sum + *light);
+                }
+            }
+        }
+        if samples > 1 {
+            for pixel in pixels {
+                *pixel = pixel.map(|channel| channel / f64::from(samples));
+            }
+        }
+        true
+    }
+
+    /// The light at some places in the coordinates of the camera.
+    fn look(&self, places: &[(f64, f64)], rays: &mut Vec<RayPacket>, light: &mut [Color]) {
+        rays.clear();
+        let Renderer { camera, tracer, .. } = self.renderer;
+        camera.rays(self.settings.size, places, rays);
+        tally::count_all(Work::PrimaryRay, places.len() as u64);
+        tracer.trace(rays, light);
+    }
+}
+
+impl adaptive::Radiance for View<'_, '_> {
+    fn light(&self, places: &[(f64, f64)], light: &mut Vec<Color>) {
+        light.resize(places.len(), Color::BLACK);
+        self.look(places, &mut Vec::new(), light);
+    }
+}
+
+/// The columns and rows of a strip of this height, square by square.
+fn squares(width: u32, height: u32) -> Vec<(u32, u32)> {
+    let lefts = (0..width).step_by(STRIP);
+    let rows = lefts.flat_map(|left| (0..height).map(move |row| (left, row)));
+    let pixels = rows.flat_map(|(left, row)| {
+        let columns = left..width.min(left + STRIP as u32);
+        columns.map(move |column| (column, row))
+    });
+    pixels.collect()
+}
