@@ -14,6 +14,7 @@ use wide::f32x8;
 use super::shapes::{Kind, ShapeId};
 use super::slabs::Slabs;
 use super::units::Units;
+use crate::lanes::bits;
 
 /// Children of a node.
 pub(super) const WIDTH: usize = 8;
@@ -73,6 +74,42 @@ impl Leaf {
     }
 }
 
+/// A child that is still to be visited: the bits of the `t` before which no ray hits its shapes,
+/// and below them its place among the children of all nodes, which has 32 bits up to 137 GB of
+/// nodes. Bits of numbers from 0 on grow with them, so the lesser of two is the nearer one.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Open(u64);
+
+impl Open {
+    #[inline]
+    fn new(first_hit: f32, node: u32, lane: usize) -> Self {
+        let child = node * WIDTH as u32 + lane as u32;
+        Self(u64::from(first_hit.to_bits()) << 32 | u64::from(child))
+    }
+
+    #[inline]
+    fn first_hit(self) -> f32 {
+        f32::from_bits((self.0 >> 32) as u32)
+    }
+
+    /// The index of its node, and of the child in it.
+    #[inline]
+    fn child(self) -> (usize, usize) {
+        let child = self.0 as u32 as usize;
+        (child / WIDTH, child % WIDTH)
+    }
+}
+
+/// Puts the last element where it belongs among the others, which are in descending order.
+/// Without a branch, because no processor can predict which child is nearer.
+#[inline]
+fn nearest_last(open: &mut [Open]) {
+    for i in (1..open.len()).rev() {
+        let (a, b) = (open[i - 1], open[i]);
+        (open[i - 1], open[i]) = (a.max(b), a.min(b));
+    }
+}
+
 impl Bvh {
     /// Visits the leaves that rays may meet before `beyond`, in the units of the tree, near
     /// ones first. `visit` returns `beyond` updated, or breaks off.
@@ -83,36 +120,35 @@ impl Bvh {
         mut beyond: f32,
         mut visit: impl FnMut(Leaf) -> ControlFlow<(), f32>,
     ) -> ControlFlow<()> {
-        let mut open = ArrayVec::<(f32, Child), { (WIDTH - 1) * LEVELS + 1 }>::new();
-        let root = self.nodes.len() as u32 - 1;
-        open.push((f32::NEG_INFINITY, Child::Node(root)));
-        while let Some((first_hit, child)) = open.pop() {
-            if first_hit > beyond {
-                continue;
+        let mut open = ArrayVec::<Open, { (WIDTH - 1) * LEVELS + 1 }>::new();
+        let mut child = Child::Node(self.nodes.len() as u32 - 1);
+        loop {
+            match child {
+                Child::Leaf(leaf) => beyond = visit(leaf)?,
+                Child::Node(index) => {
+                    let node = &self.nodes[index as usize];
+                    let (first_hit, met) = slabs.enter(&node.planes, beyond);
+                    if met.is_power_of_two() {
+                        child = node.children[met.trailing_zeros() as usize % WIDTH];
+                        continue;
+                    }
+                    let first = open.len();
+                    for lane in bits(met) {
+                        open.push(Open::new(first_hit[lane % WIDTH], index, lane));
+                        nearest_last(&mut open[first..]);
+                    }
+                }
             }
-            let index = match child {
-                Child::Node(index) => index,
-                Child::Leaf(leaf) => {
-                    beyond = visit(leaf)?;
-                    continue;
+            child = loop {
+                let Some(nearest) = open.pop() else {
+                    return ControlFlow::Continue(());
+                };
+                if nearest.first_hit() <= beyond {
+                    let (node, lane) = nearest.child();
+                    break self.nodes[node].children[lane];
                 }
             };
-            let node = &self.nodes[index as usize];
-            let (first_hit, mut met) = slabs.enter(&node.planes, beyond);
-            let first = open.len();
-            while met != 0 {
-                let lane = met.trailing_zeros() as usize % WIDTH;
-                met &= met - 1;
-                // The stack returns the nearest child first.
-                let mut place = open.len();
-                open.push((first_hit[lane], node.children[lane]));
-                while place > first && open[place - 1].0 < open[place].0 {
-                    open.swap(place - 1, place);
-                    place -= 1;
-                }
-            }
         }
-        ControlFlow::Continue(())
     }
 
     /// Visits all leaves.

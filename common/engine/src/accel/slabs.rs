@@ -161,8 +161,8 @@ impl<const N: usize> Slab<N> {
 }
 
 impl<const N: usize> Slabs<N> {
-    /// The `t` before which no ray hits the shapes of the children, and a bit for each child
-    /// that a ray may meet.
+    /// The `t`, at least 0, before which no ray hits the shapes of the children, and a bit for
+    /// each child that a ray may meet.
     ///
     /// A ray in the plane of a triangle may hit it outside of its bounds, if it passes
     /// through them: rounding alone weighs the depths of the corners, which the formula
@@ -183,7 +183,7 @@ impl<const N: usize> Slabs<N> {
         };
         let is_within = first.simd_le(f32x8::splat(beyond)) & last.simd_ge(self.from);
         (
-            first.to_array(),
+            first.fast_max(f32x8::ZERO).to_array(),
             (near.simd_le(far) & is_within).to_bitmask(),
         )
     }
