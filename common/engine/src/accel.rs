@@ -13,18 +13,26 @@ mod single;
 mod slabs;
 mod units;
 
+use std::ops::ControlFlow;
+
 use common::Plan;
 
+use crate::lanes::RayPacket;
 use crate::shape::Bounds;
-use bvh::{Bvh, Leaf};
+use bvh::Bvh;
+pub(crate) use bvh::Leaf;
 use bvh_build::Item;
 pub(crate) use packet::{NearestHits, Occluder};
 use shapes::ShapeId;
 pub(crate) use shapes::Shapes;
 use units::Units;
 
-/// Up to this many shapes are all tested.
+/// Up to this many shapes are sooner tested than searched for.
 const FEW: usize = 16;
+
+/// Rays are searched for together while they are no farther apart than this many leaves are
+/// wide.
+const COHERENT: f32 = 2.0;
 
 /// The shapes of a scene, prepared for many rays.
 #[derive(Debug)]
@@ -35,25 +43,27 @@ pub(crate) struct Accelerator<'a> {
     scanned: Vec<Leaf>,
     /// The others.
     tree: Option<Bvh>,
+    /// Those of `scanned` without finite bounds.
+    unbounded: Vec<Leaf>,
+    /// Those of `scanned` with finite bounds.
+    few: Option<Bvh>,
 }
 
 impl<'a> Accelerator<'a> {
     /// The accelerator of these shapes.
     pub fn new(mut shapes: Shapes<'a>) -> Self {
         shapes.finish();
-        let is_few = shapes.len() <= FEW;
-        let is_scanned = |bounds: Bounds| is_few || !bounds.are_finite();
-        let (mut all, mut scanned) = (Bounds::NOWHERE, Vec::new());
+        let (mut all, mut unbounded) = (Bounds::NOWHERE, Vec::new());
         let mut depth_error = 0.0;
         for (shape, bounds) in shapes.bounds() {
-            if is_scanned(bounds) {
-                scanned.push(shape);
-            } else {
+            if bounds.are_finite() {
                 all = all.union(bounds);
                 depth_error += shapes.depth_error(shape);
+            } else {
+                unbounded.push(shape);
             }
         }
-        let count = shapes.len() - scanned.len();
+        let count = shapes.len() - unbounded.len();
         // A tree that expects larger errors looks into bounds behind the nearest hit. So it
         // expects the mean of all shapes; bounds of those with larger ones are widened.
         let units = Units::new(
@@ -62,30 +72,50 @@ impl<'a> Accelerator<'a> {
             shapes.triangles.places.is_empty(),
         );
         let mut items = Vec::with_capacity(count);
-        let in_tree = shapes.bounds().filter(|(_, bounds)| !is_scanned(*bounds));
-        items.extend(in_tree.map(|(shape, bounds)| Item {
+        let bounded = shapes.bounds().filter(|(_, bounds)| bounds.are_finite());
+        items.extend(bounded.map(|(shape, bounds)| Item {
             bounds: units.bounds(bounds, shapes.depth_error(shape)),
             shape,
         }));
         let name = |items: &mut [Item]| {
-            let in_tree = items.iter_mut().map(|item| &mut item.shape);
-            shapes.reorder(in_tree.chain(&mut scanned));
+            let bounded = items.iter_mut().map(|item| &mut item.shape);
+            shapes.reorder(bounded.chain(&mut unbounded));
         };
         let tree = if items.is_empty() {
             None
         } else {
             Some(Bvh::new(units, items, name))
         };
+        let unbounded = leaves(unbounded);
+        let (scanned, few, tree) = if shapes.len() <= FEW {
+            (leaves(shapes.ids()), tree, None)
+        } else {
+            (unbounded.clone(), None, tree)
+        };
         Self {
-            scanned: leaves(&scanned),
             shapes,
+            scanned,
             tree,
+            unbounded,
+            few,
         }
+    }
+
+    /// The only shapes that these rays may meet, if the shapes are few and the rays coherent.
+    pub fn near(&self, rays: &[RayPacket]) -> Option<Vec<Leaf>> {
+        let tree = self.few.as_ref()?;
+        let all = tree.units.bundle_of(rays, COHERENT * tree.leaf_width)?;
+        let mut near = self.unbounded.clone();
+        let _ = tree.search(&all, f32::INFINITY, |leaf| {
+            near.push(leaf);
+            ControlFlow::Continue(f32::INFINITY)
+        });
+        Some(near)
     }
 
     /// Adds to a plan the tests that are skipped.
     pub fn plan(&self, plan: Plan) -> Plan {
-        if self.tree.is_none() {
+        if self.tree.is_none() && self.few.is_none() {
             return plan;
         }
         plan.without(
@@ -95,8 +125,9 @@ impl<'a> Accelerator<'a> {
     }
 }
 
-/// Shapes that are named in turn, as few leaves.
-fn leaves(shapes: &[ShapeId]) -> Vec<Leaf> {
+/// Shapes of consecutive names, in as few leaves as possible.
+fn leaves(shapes: impl IntoIterator<Item = ShapeId>) -> Vec<Leaf> {
+    let shapes: Vec<_> = shapes.into_iter().collect();
     let runs = shapes.chunk_by(|a, b| a.kind == b.kind);
     let fours = runs.flat_map(|run| run.chunks(run[0].kind.most_in_leaf()));
     let leaf = |four: &[ShapeId]| Leaf {

@@ -22,7 +22,7 @@ impl Renderer<'_> {
     #[must_use]
     pub fn hit_together(&self, rays: [&Ray; 4], active: u32) -> [Option<(Hit, u32)>; 4] {
         let packet = RayPacket::new(rays);
-        let hits = self.tracer.accelerator.hit_packet(&packet, active);
+        let hits = self.tracer.accelerator.hit_packet(&packet, active, None);
         let of_lanes = hits.hit.to_hits();
         [0, 1, 2, 3]
             .map(|lane| is_set(hits.hit_mask, lane).then(|| (of_lanes[lane], hits.surfaces[lane])))

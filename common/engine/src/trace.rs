@@ -5,7 +5,7 @@ mod offset_ray;
 use common::Color;
 use measure::tally::{self, Work};
 
-use crate::accel::{Accelerator, NearestHits, Occluder};
+use crate::accel::{Accelerator, Leaf, NearestHits, Occluder};
 use crate::lanes::{ColorPacket, Lanes, RayPacket, is_set, mask};
 use crate::shade::{PhongPacket, RadianceBound};
 use crate::{Light, Phong, Shading, Surface};
@@ -41,19 +41,22 @@ impl Tracer<'_> {
     /// the fastest if they are neighbours.
     pub fn trace(&self, packets: &[RayPacket], light: &mut [Color]) {
         let mut occluders = vec![None; self.lights.len()];
+        let near = self.accelerator.near(packets);
         for (packet, light) in packets.iter().zip(light.chunks_mut(4)) {
             let active = (1 << light.len()) - 1;
-            let four = self.trace_packet(*packet, active, &mut occluders);
+            let four = self.trace_packet(*packet, active, near.as_deref(), &mut occluders);
             light.copy_from_slice(&four.to_lanes()[..light.len()]);
         }
     }
 
-    /// The light along the active of four rays.
+    /// The light along the active of four rays. `near` are the only shapes that they may meet
+    /// before they are mirrored, if these are known.
     // ANCHOR: trace-packet
     fn trace_packet(
         &self,
         mut rays: RayPacket,
         mut active: u32,
+        mut near: Option<&[Leaf]>,
         occluders: &mut [Occluder],
     ) -> ColorPacket {
         let background = ColorPacket::splat(self.background);
@@ -63,7 +66,7 @@ impl Tracer<'_> {
             if bounce > 0 {
                 tally::count_all(Work::ReflectedRay, active.count_ones().into());
             }
-            let hits = self.accelerator.hit_packet(&rays, active);
+            let hits = self.accelerator.hit_packet(&rays, active, near.take());
             let missed = active & !hits.hit_mask;
             if missed != 0 {
                 color = color + (mirrored * background).masked(mask(missed));

@@ -47,7 +47,7 @@ pub(super) enum Child {
 
 /// Shapes of one kind that lie side by side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Leaf {
+pub(crate) struct Leaf {
     pub kind: Kind,
     /// From 1 to 4.
     pub count: u8,

@@ -5,17 +5,14 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
-use super::Accelerator;
 use super::bvh::{Bvh, Leaf};
 use super::shapes::{Kind, ShapeId, with_list};
 use super::single::Nearest;
 use super::slabs::Slabs;
+use super::{Accelerator, COHERENT};
 use crate::Interval;
 use crate::lanes::{Lanes, PacketHit, RayPacket, Vector3x4, bits, mask, select};
 use crate::shape::{Primitive, Rays};
-
-/// Rays stay together while they are no farther apart than this many leaves are wide.
-const COHERENT: f32 = 2.0;
 
 /// The nearest hits of four rays.
 #[derive(Clone, Copy, Debug)]
@@ -33,8 +30,14 @@ pub(crate) struct NearestHits {
 pub(crate) type Occluder = Option<ShapeId>;
 
 impl Accelerator<'_> {
-    /// The nearest hits of the active rays.
-    pub fn hit_packet(&self, packet: &RayPacket, active: u32) -> NearestHits {
+    /// The nearest hits of the active rays. `near` are the only shapes that they may meet, if
+    /// these are known.
+    pub fn hit_packet(
+        &self,
+        packet: &RayPacket,
+        active: u32,
+        near: Option<&[Leaf]>,
+    ) -> NearestHits {
         let rays = Rays::four(packet, active);
         let mut nearest = Nearest4::new();
         let test = |leaf: Leaf, nearest: &mut Nearest4| {
@@ -42,7 +45,7 @@ impl Accelerator<'_> {
                 list.nearest_of_four(leaf, &rays, active, nearest);
             });
         };
-        for leaf in &self.scanned {
+        for leaf in near.unwrap_or(&self.scanned) {
             test(*leaf, &mut nearest);
         }
         if let Some(tree) = &self.tree {

@@ -149,13 +149,16 @@ impl<'a> Shapes<'a> {
         }
     }
 
-    /// All shapes and their bounds.
-    pub fn bounds(&self) -> impl Iterator<Item = (ShapeId, Bounds)> {
+    /// All shapes.
+    pub fn ids(&self) -> impl Iterator<Item = ShapeId> {
         let len = |kind| with_list!(self, kind, |list| list.places.len() as u32);
         let kinds = Kind::ALL.into_iter();
-        let ids =
-            kinds.flat_map(move |kind| (0..len(kind)).map(move |index| ShapeId { kind, index }));
-        ids.map(|id| {
+        kinds.flat_map(move |kind| (0..len(kind)).map(move |index| ShapeId { kind, index }))
+    }
+
+    /// All shapes and their bounds.
+    pub fn bounds(&self) -> impl Iterator<Item = (ShapeId, Bounds)> {
+        self.ids().map(|id| {
             let bounds = with_list!(self, id.kind, |list| list.get(id.index).bounds());
             (id, bounds)
         })

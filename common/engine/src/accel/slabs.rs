@@ -36,9 +36,34 @@ impl Units {
     /// and up to the distance of 1 their places differ by less than `width`.
     #[inline]
     pub fn bundle(&self, rays: &RayPacket, active: u32, width: f32) -> Option<Slabs<2>> {
+        let origins = extremes(rays.origin, active);
+        self.between(origins, extremes(rays.direction, active), width)
+    }
+
+    /// Like `bundle`, for all rays of one packet or more.
+    pub fn bundle_of(&self, rays: &[RayPacket], width: f32) -> Option<Slabs<2>> {
+        let ends = |of: fn(&RayPacket) -> Vector3x4| {
+            let least = rays.iter().map(of).reduce(Vector3x4::least)?;
+            let greatest = rays.iter().map(of).reduce(Vector3x4::greatest)?;
+            Some([extremes(least, 0b1111)[0], extremes(greatest, 0b1111)[1]])
+        };
+        self.between(
+            ends(|rays| rays.origin)?,
+            ends(|rays| rays.direction)?,
+            width,
+        )
+    }
+
+    /// Rays between these least and greatest origins and directions, if they are coherent.
+    #[expect(
+        clippy::inline_always,
+        reason = "the result is half a kilobyte, which would be copied"
+    )]
+    #[inline(always)]
+    fn between(&self, origins: [DVec3; 2], directions: [DVec3; 2], width: f32) -> Option<Slabs<2>> {
         let in_units = |o: DVec3| (o - self.centre) * self.per_length;
-        let [o_min, o_max] = extremes(rays.origin, active).map(in_units);
-        let [d_min, d_max] = extremes(rays.direction, active);
+        let [o_min, o_max] = origins.map(in_units);
+        let [d_min, d_max] = directions;
         let spread = (o_max - o_min) + (d_max - d_min);
         let goes_one_way = d_min.is_negative_bitmask() == d_max.is_negative_bitmask();
         let largest = o_min.abs().max(o_max.abs()).max_element().max(1.0);

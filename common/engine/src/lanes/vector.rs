@@ -76,6 +76,26 @@ impl Vector3x4 {
         x.fast_max(y).fast_max(z)
     }
 
+    /// The lesser of the coordinates of each.
+    #[inline]
+    pub fn least(self, other: Self) -> Self {
+        Self {
+            x: self.x.fast_min(other.x),
+            y: self.y.fast_min(other.y),
+            z: self.z.fast_min(other.z),
+        }
+    }
+
+    /// The greater of the coordinates of each.
+    #[inline]
+    pub fn greatest(self, other: Self) -> Self {
+        Self {
+            x: self.x.fast_max(other.x),
+            y: self.y.fast_max(other.y),
+            z: self.z.fast_max(other.z),
+        }
+    }
+
     /// The vectors of `self` in the lanes of the mask, and of `other` in the others.
     #[inline]
     pub fn or(self, mask: Lanes, other: Self) -> Self {
