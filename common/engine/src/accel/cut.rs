@@ -5,7 +5,7 @@
 use super::bvh_build::Item;
 use super::units::TreeBounds;
 
-/// Bins along an axis.
+/// The most bins along an axis. Fewer shapes are put into as many bins as there are shapes.
 const BINS: usize = 16;
 
 /// Puts the shapes of the first kind before the others, and returns how many there are.
@@ -32,10 +32,12 @@ pub(super) fn halves(shapes: &mut [Item]) -> usize {
 /// those on the lower side before the others, and returns how many there are. None if all
 /// middles are the same point.
 pub(super) fn cheapest(shapes: &mut [Item]) -> Option<usize> {
-    let binning = Binning::new(middles(shapes));
+    let binning = Binning::new(middles(shapes), shapes.len().min(BINS));
     let bins = binning.fill(shapes);
     let (_, axis, cut) = (0..3)
-        .flat_map(|axis| costs(&bins[axis]).map(move |(cost, cut)| (cost, axis, cut)))
+        .flat_map(|axis| {
+            costs(&bins[axis][..binning.count]).map(move |(cost, cut)| (cost, axis, cut))
+        })
         .min_by(|a, b| a.0.total_cmp(&b.0))?;
     let (mut left, mut right) = (0, shapes.len());
     while left < right {
@@ -88,19 +90,21 @@ impl Bin {
 
 /// How middles are divided into bins.
 struct Binning {
+    count: usize,
     from: [f32; 3],
     per_unit: [f32; 3],
 }
 
 impl Binning {
-    fn new(middles: TreeBounds) -> Self {
+    fn new(middles: TreeBounds, count: usize) -> Self {
         Self {
+            count,
             from: middles.min,
             per_unit: std::array::from_fn(|axis| {
                 let extent = middles.max[axis] - middles.min[axis];
                 // All in the first bin, if there is no extent.
                 if extent > 0.0 {
-                    BINS as f32 / extent
+                    count as f32 / extent
                 } else {
                     0.0
                 }
@@ -114,7 +118,7 @@ impl Binning {
         let middle = item.bounds.doubled_middle();
         std::array::from_fn(|axis| {
             let place = (middle[axis] - self.from[axis]) * self.per_unit[axis];
-            (place as usize).min(BINS - 1)
+            (place as usize).min(self.count - 1)
         })
     }
 
@@ -133,14 +137,14 @@ impl Binning {
 
 /// The expected number of tests after each cut that leaves shapes on both sides, and the
 /// first bin above it.
-fn costs(bins: &[Bin; BINS]) -> impl Iterator<Item = (f32, usize)> {
+fn costs(bins: &[Bin]) -> impl Iterator<Item = (f32, usize)> {
     let mut above = [EMPTY; BINS];
-    above[BINS - 1] = bins[BINS - 1];
-    for bin in (1..BINS - 1).rev() {
+    above[bins.len() - 1] = bins[bins.len() - 1];
+    for bin in (1..bins.len() - 1).rev() {
         above[bin] = bins[bin].union(above[bin + 1]);
     }
     let mut below = EMPTY;
-    (1..BINS).filter_map(move |cut| {
+    (1..bins.len()).filter_map(move |cut| {
         below = below.union(bins[cut - 1]);
         let above = above[cut];
         (below.count > 0 && above.count > 0).then(|| (below.cost() + above.cost(), cut))
