@@ -43,10 +43,15 @@ pub(crate) struct Accelerator<'a> {
     scanned: Vec<Leaf>,
     /// The others.
     tree: Option<Bvh>,
-    /// Those of `scanned` without finite bounds.
+    /// The `scanned` ones once more, for many rays at once, if they are few.
+    few: Option<Few>,
+}
+
+/// A few shapes.
+#[derive(Debug)]
+struct Few {
     unbounded: Vec<Leaf>,
-    /// Those of `scanned` with finite bounds.
-    few: Option<Bvh>,
+    bounded: Bvh,
 }
 
 impl<'a> Accelerator<'a> {
@@ -87,26 +92,27 @@ impl<'a> Accelerator<'a> {
             Some(Bvh::new(units, items, name))
         };
         let unbounded = leaves(unbounded);
-        let (scanned, few, tree) = if shapes.len() <= FEW {
-            (leaves(shapes.ids()), tree, None)
+        let (scanned, tree, few) = if shapes.len() <= FEW {
+            let few = tree.map(|bounded| Few { unbounded, bounded });
+            (leaves(shapes.ids()), None, few)
         } else {
-            (unbounded.clone(), None, tree)
+            (unbounded, tree, None)
         };
         Self {
             shapes,
             scanned,
             tree,
-            unbounded,
             few,
         }
     }
 
     /// The only shapes that these rays may meet, if the shapes are few and the rays coherent.
     pub fn near(&self, rays: &[RayPacket]) -> Option<Vec<Leaf>> {
-        let tree = self.few.as_ref()?;
-        let all = tree.units.bundle_of(rays, COHERENT * tree.leaf_width)?;
-        let mut near = self.unbounded.clone();
-        let _ = tree.search(&all, f32::INFINITY, |leaf| {
+        let Few { unbounded, bounded } = self.few.as_ref()?;
+        let width = COHERENT * bounded.leaf_width;
+        let all = bounded.units.bundle_of(rays, width)?;
+        let mut near = unbounded.clone();
+        let _ = bounded.search(&all, f32::INFINITY, |leaf| {
             near.push(leaf);
             ControlFlow::Continue(f32::INFINITY)
         });

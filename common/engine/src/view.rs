@@ -34,7 +34,8 @@ impl View<'_, '_> {
     ) {
         let (rows, width) = (self.settings.rows(), self.settings.size.width());
         let share = kept.len() / rows.len();
-        let orders = [1, 2].map(|height| squares(width, height));
+        // The last strip may have fewer rows.
+        let orders: [_; STRIP] = std::array::from_fn(|i| squares(width, i as u32 + 1));
         let strips = kept.par_chunks_mut(STRIP * share).enumerate();
         // Each strip is a task, because one may take far longer than another.
         strips.with_max_len(1).for_each(|(strip, kept)| {
