@@ -201,9 +201,12 @@ async function tryFigure(name) {
     await chromium.middle(`${figure}.root`);
     await chromium.until(`${figure}.root.dataset.drawn`);
     const state = () => chromium.value(`JSON.stringify(${figure}.state)`);
+    // An answer that is still on its way moves handles when it comes.
+    const settled = () => chromium.value(`${figure}.set({}).then(() => 0)`);
     await tryQuestion(name, figure);
     const handles = await chromium.value(`${figure}.handles?.length ?? 0`);
     for (let index = 0; index < handles; index += 1) {
+        await settled();
         const circle = `${figure}.handles[${index}].circle`;
         const label = `${name}, ${await chromium.value(`${figure}.handles[${index}].label`)}`;
         const [x, y] = await chromium.middle(circle);
@@ -219,6 +222,7 @@ async function tryFigure(name) {
     }
     const sliders = await chromium.value(`[...${figure}.root.querySelectorAll('.live-controls input')].length`);
     if (sliders) {
+        await settled();
         const slider = `${figure}.root.querySelector('.live-controls input')`;
         let before = await state();
         await chromium.drag(slider, 25, 0);
