@@ -7,51 +7,38 @@ mod bvh;
 mod bvh_build;
 mod cut;
 mod list;
-mod packet;
+mod nearest;
+mod search;
+mod shadow;
 mod shapes;
 mod single;
 mod slabs;
 mod units;
 
-use std::ops::ControlFlow;
-
 use common::Plan;
 
-use crate::lanes::RayPacket;
 use crate::shape::Bounds;
-use bvh::Bvh;
-pub(crate) use bvh::Leaf;
+use bvh::{Bvh, Leaf};
 use bvh_build::Item;
-pub(crate) use packet::{NearestHits, Occluder};
+pub(crate) use nearest::{NearestHits, NearestSearch};
+pub(crate) use shadow::{Occluder, ShadowSearch};
 use shapes::ShapeId;
 pub(crate) use shapes::Shapes;
 use units::Units;
 
-/// Up to this many shapes are sooner tested than searched for.
+/// Up to this many shapes are few: one ray sooner tests them than it searches for them.
 const FEW: usize = 16;
-
-/// Rays are searched for together while they are no farther apart than this many leaves are
-/// wide.
-const COHERENT: f32 = 2.0;
 
 /// The shapes of a scene, prepared for many rays.
 #[derive(Debug)]
 pub(crate) struct Accelerator<'a> {
     pub shapes: Shapes<'a>,
-    /// The shapes that every ray is tested against: those without finite bounds, or all, if
-    /// they are few.
-    scanned: Vec<Leaf>,
+    /// The shapes without finite bounds, which every ray is tested against.
+    unbounded: Vec<Leaf>,
     /// The others.
     tree: Option<Bvh>,
-    /// The `scanned` ones once more, for many rays at once, if they are few.
-    few: Option<Few>,
-}
-
-/// A few shapes.
-#[derive(Debug)]
-struct Few {
-    unbounded: Vec<Leaf>,
-    bounded: Bvh,
+    /// All shapes, if they are few; otherwise none.
+    few: Vec<Leaf>,
 }
 
 impl<'a> Accelerator<'a> {
@@ -91,37 +78,22 @@ impl<'a> Accelerator<'a> {
         } else {
             Some(Bvh::new(units, items, name))
         };
-        let unbounded = leaves(unbounded);
-        let (scanned, tree, few) = if shapes.len() <= FEW {
-            let few = tree.map(|bounded| Few { unbounded, bounded });
-            (leaves(shapes.ids()), None, few)
+        let few = if shapes.len() <= FEW {
+            leaves(shapes.ids())
         } else {
-            (unbounded, tree, None)
+            Vec::new()
         };
         Self {
-            shapes,
-            scanned,
+            unbounded: leaves(unbounded),
             tree,
             few,
+            shapes,
         }
-    }
-
-    /// The only shapes that these rays may meet, if the shapes are few and the rays coherent.
-    pub fn near(&self, rays: &[RayPacket]) -> Option<Vec<Leaf>> {
-        let Few { unbounded, bounded } = self.few.as_ref()?;
-        let width = COHERENT * bounded.leaf_width;
-        let all = bounded.units.bundle_of(rays, width)?;
-        let mut near = unbounded.clone();
-        let _ = bounded.search(&all, f32::INFINITY, |leaf| {
-            near.push(leaf);
-            ControlFlow::Continue(f32::INFINITY)
-        });
-        Some(near)
     }
 
     /// Adds to a plan the tests that are skipped.
     pub fn plan(&self, plan: Plan) -> Plan {
-        if self.tree.is_none() && self.few.is_none() {
+        if self.tree.is_none() {
             return plan;
         }
         plan.without(

@@ -37,14 +37,20 @@ use search::Search;
 /// Light at places of a picture, in the coordinates of the camera: whole numbers are the
 /// middles of pixels, and y counts upwards.
 pub trait Radiance: Sync {
+    /// Memory that one call after the other uses.
+    type Memory: Default;
+
     /// The light at some places.
-    fn light(&self, places: &[(f64, f64)], light: &mut Vec<Color>);
+    fn light<'m>(&self, places: &[(f64, f64)], memory: &'m mut Self::Memory) -> &'m [Color];
 }
 
 impl<F: Fn(f64, f64) -> Color + Sync> Radiance for F {
-    fn light(&self, places: &[(f64, f64)], light: &mut Vec<Color>) {
+    type Memory = Vec<Color>;
+
+    fn light<'m>(&self, places: &[(f64, f64)], light: &'m mut Vec<Color>) -> &'m [Color] {
         light.clear();
         light.extend(places.iter().map(|(x, y)| self(*x, *y)));
+        light
     }
 }
 

@@ -1,5 +1,6 @@
 //! Hits of rays without light: for one ray, and for four rays together.
 
+use crate::accel::{NearestSearch, ShadowSearch};
 use crate::lanes::{Lanes, RayPacket, is_set};
 use crate::{Hit, Interval, Ray, Renderer};
 
@@ -22,7 +23,9 @@ impl Renderer<'_> {
     #[must_use]
     pub fn hit_together(&self, rays: [&Ray; 4], active: u32) -> [Option<(Hit, u32)>; 4] {
         let packet = RayPacket::new(rays);
-        let hits = self.tracer.accelerator.hit_packet(&packet, active, None);
+        let mut search = [NearestSearch::new(&packet, active)];
+        self.tracer.accelerator.search(&mut search, &mut ());
+        let hits = self.tracer.accelerator.hits(&search[0]);
         let of_lanes = hits.hit.to_hits();
         [0, 1, 2, 3]
             .map(|lane| is_set(hits.hit_mask, lane).then(|| (of_lanes[lane], hits.surfaces[lane])))
@@ -33,7 +36,8 @@ impl Renderer<'_> {
     #[must_use]
     pub fn is_hit_together(&self, rays: [&Ray; 4], max: [f64; 4], active: u32) -> u32 {
         let (packet, max) = (RayPacket::new(rays), Lanes::new(max));
-        let accelerator = &self.tracer.accelerator;
-        accelerator.is_hit_packet(&packet, max, active, &mut None)
+        let mut search = [ShadowSearch::new(&packet, max, active)];
+        self.tracer.accelerator.search(&mut search, &mut None);
+        active & !search[0].open
     }
 }

@@ -7,7 +7,7 @@ use crate::adaptive;
 use crate::flatten::flatten;
 use crate::lanes::{RayPacket, in_fours};
 use crate::shade::RadianceBound;
-use crate::trace::Tracer;
+use crate::trace::{Batch, Tracer};
 use crate::view::View;
 use crate::{Camera, Ray, Sampler, Scene, image_of_rows};
 
@@ -75,7 +75,7 @@ impl<'a> Renderer<'a> {
     pub fn trace(&self, rays: &[Ray], light: &mut [Color]) {
         let fours = in_fours(rays);
         let packets: Vec<_> = fours.map(|four| RayPacket::new(four.each_ref())).collect();
-        self.tracer.trace(&packets, light);
+        self.tracer.trace(&packets, light, &mut Batch::default());
     }
 
     /// Renders a picture, or the rows of it that the settings select.

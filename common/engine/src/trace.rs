@@ -1,19 +1,27 @@
-//! `Tracer`: follows four rays at a time from mirror to mirror, until none goes on.
+//! `Tracer`: follows the rays of a batch from mirror to mirror, until none goes on.
+//!
+//! All rays take each step together: first all find their hits, then all hits their light, one
+//! source after the other, and then all are mirrored. So neighbours can share a search, to a
+//! lamp and behind a mirror, too. (Laine, Karras and Aila, Megakernels Considered Harmful, 2013:
+//! wavefronts.)
 
+mod batch;
+mod lighting;
 mod offset_ray;
 
 use common::Color;
 use measure::tally::{self, Work};
 
-use crate::accel::{Accelerator, Leaf, NearestHits, Occluder};
-use crate::lanes::{ColorPacket, Lanes, RayPacket, is_set, mask};
-use crate::shade::{PhongPacket, RadianceBound};
-use crate::{Light, Phong, Shading, Surface};
+use crate::accel::{Accelerator, NearestHits, NearestSearch};
+use crate::lanes::{ColorPacket, RayPacket, bits, mask};
+use crate::shade::RadianceBound;
+use crate::{Light, Surface};
+pub(crate) use batch::Batch;
+use batch::{Path, Vertex};
 use offset_ray::offset_rays;
 
-/// Objects cast a shadow on this share of the way to a light: a lamp may be fixed to an
-/// object, which must not keep its light away.
-const BEFORE_THE_LIGHT: f64 = 1.0 - 1.0 / 16_777_216.0;
+/// Rays of a batch, at most.
+pub(crate) const BATCH: usize = 64;
 
 /// A scene that is ready for rays.
 #[derive(Debug)]
@@ -29,65 +37,88 @@ pub(crate) struct Tracer<'a> {
     pub cutoff: Option<RadianceBound>,
 }
 
-/// A surface that sends back no light, for lanes that are shaded otherwise.
-const BLACK: Phong = Phong {
-    diffuse: Color::BLACK,
-    specular: Color::BLACK,
-    exponent: 0.0,
-};
-
 impl Tracer<'_> {
     /// The light along the rays of some packets, as many as there are elements of `light`;
     /// the fastest if they are neighbours.
-    pub fn trace(&self, packets: &[RayPacket], light: &mut [Color]) {
-        let mut occluders = vec![None; self.lights.len()];
-        let near = self.accelerator.near(packets);
-        for (packet, light) in packets.iter().zip(light.chunks_mut(4)) {
-            let active = (1 << light.len()) - 1;
-            let four = self.trace_packet(*packet, active, near.as_deref(), &mut occluders);
-            light.copy_from_slice(&four.to_lanes()[..light.len()]);
+    pub fn trace(&self, packets: &[RayPacket], light: &mut [Color], batch: &mut Batch) {
+        for (packets, light) in packets.chunks(BATCH / 4).zip(light.chunks_mut(BATCH)) {
+            self.trace_batch(packets, light, batch);
         }
     }
 
-    /// The light along the active of four rays. `near` are the only shapes that they may meet
-    /// before they are mirrored, if these are known.
-    // ANCHOR: trace-packet
-    fn trace_packet(
-        &self,
-        mut rays: RayPacket,
-        mut active: u32,
-        mut near: Option<&[Leaf]>,
-        occluders: &mut [Occluder],
-    ) -> ColorPacket {
-        let background = ColorPacket::splat(self.background);
-        let mut color = ColorPacket::splat(Color::BLACK);
-        let mut mirrored = ColorPacket::splat(Color::WHITE);
+    // ANCHOR: trace-batch
+    fn trace_batch(&self, rays: &[RayPacket], light: &mut [Color], batch: &mut Batch) {
+        batch.start(rays, light.len(), self.lights.len());
         for bounce in 0..self.depth {
+            let active = batch.active();
+            if active == 0 {
+                break;
+            }
             if bounce > 0 {
-                tally::count_all(Work::ReflectedRay, active.count_ones().into());
+                tally::count_all(Work::ReflectedRay, active);
             }
-            let hits = self.accelerator.hit_packet(&rays, active, near.take());
-            let missed = active & !hits.hit_mask;
-            if missed != 0 {
-                color = color + (mirrored * background).masked(mask(missed));
+            self.find_vertices(batch);
+            self.light(batch);
+            for vertex in &batch.vertices {
+                self.mirror(&mut batch.paths[vertex.path], vertex);
             }
-            active = hits.hit_mask;
-            if active == 0 {
-                break;
-            }
-            let (own, reflection) = self.shade(&rays, &hits, occluders);
-            color = color + (mirrored * own).masked(mask(active));
-            mirrored = mirrored * reflection;
-            active &= !self.ends(mirrored, active);
-            if active == 0 {
-                break;
-            }
-            let direction = (-rays.direction).reflected_on(hits.hit.normal);
-            rays = offset_rays(&rays, &hits.hit, direction);
         }
-        color
+        for (path, light) in batch.paths.iter().zip(light.chunks_mut(4)) {
+            light.copy_from_slice(&path.color.to_lanes()[..light.len()]);
+        }
     }
-    // ANCHOR_END: trace-packet
+    // ANCHOR_END: trace-batch
+
+    /// Finds the vertices of the paths that go on, and adds the background to those that end.
+    fn find_vertices(&self, batch: &mut Batch) {
+        let Batch {
+            paths,
+            nearest,
+            vertices,
+            ..
+        } = batch;
+        let going = paths.iter().filter(|path| path.active != 0);
+        nearest.clear();
+        nearest.extend(going.map(|path| NearestSearch::new(&path.rays, path.active)));
+        self.accelerator.search(nearest, &mut ());
+
+        let background = ColorPacket::splat(self.background);
+        let going = paths.iter_mut().enumerate();
+        let going = going.filter(|(_, path)| path.active != 0);
+        vertices.clear();
+        for ((i, path), search) in going.zip(nearest) {
+            let hit_mask = search.hit_mask();
+            let missed = path.active & !hit_mask;
+            if missed != 0 {
+                path.color = path.color + (path.mirrored * background).masked(mask(missed));
+            }
+            path.active = hit_mask;
+            if hit_mask != 0 {
+                vertices.push(self.vertex(i, self.accelerator.hits(search)));
+            }
+        }
+    }
+
+    /// Adds the own light of the surfaces to the path, and mirrors its rays.
+    fn mirror(&self, path: &mut Path, Vertex { hits, color, .. }: &Vertex) {
+        path.color = path.color + (path.mirrored * *color).masked(mask(path.active));
+        path.mirrored = path.mirrored * self.reflection(hits);
+        path.active &= !self.ends(path.mirrored, path.active);
+        if path.active != 0 {
+            let direction = (-path.rays.direction).reflected_on(hits.hit.normal);
+            path.rays = offset_rays(&path.rays, &hits.hit, direction);
+        }
+    }
+
+    /// The share of light that the surfaces mirror.
+    #[inline]
+    fn reflection(&self, hits: &NearestHits) -> ColorPacket {
+        let reflection = |index: u32| self.surfaces[index as usize].reflection;
+        if hits.is_one_surface() {
+            return ColorPacket::splat(reflection(hits.surfaces[0]));
+        }
+        ColorPacket::new(hits.surfaces.map(reflection))
+    }
 
     /// A bit for each active ray that is not followed further.
     #[inline]
@@ -95,109 +126,10 @@ impl Tracer<'_> {
         let mut ends = mirrored.are_black();
         if let Some(cutoff) = self.cutoff {
             let mirrored = mirrored.to_lanes();
-            for lane in (0..4).filter(|lane| is_set(active, *lane)) {
+            for lane in bits(active) {
                 ends |= u32::from(cutoff.cuts(mirrored[lane])) << lane;
             }
         }
         ends
-    }
-
-    /// The own light of the surfaces, and the share that they mirror.
-    #[inline]
-    fn shade(
-        &self,
-        rays: &RayPacket,
-        hits: &NearestHits,
-        occluders: &mut [Occluder],
-    ) -> (ColorPacket, ColorPacket) {
-        let surface = |index: u32| &self.surfaces[index as usize];
-        let [a, b, c, d] = hits.surfaces;
-        if a == b && a == c && a == d {
-            let surface = surface(a);
-            let reflection = ColorPacket::splat(surface.reflection);
-            if let Shading::Phong(phong) = &surface.shading {
-                let own = self.shade_phong(rays, hits, &PhongPacket::splat(phong), occluders);
-                return (own, reflection);
-            }
-            return (
-                self.shade_mixed(rays, hits, [surface; 4], occluders),
-                reflection,
-            );
-        }
-        let surfaces = hits.surfaces.map(surface);
-        let reflection = ColorPacket::new(surfaces.map(|surface| surface.reflection));
-        let own = match surfaces.map(|surface| &surface.shading) {
-            [
-                Shading::Phong(a),
-                Shading::Phong(b),
-                Shading::Phong(c),
-                Shading::Phong(d),
-            ] => self.shade_phong(rays, hits, &PhongPacket::new([a, b, c, d]), occluders),
-            _ => self.shade_mixed(rays, hits, surfaces, occluders),
-        };
-        (own, reflection)
-    }
-
-    /// The own light of surfaces that are not all Phong's.
-    #[inline(never)]
-    fn shade_mixed(
-        &self,
-        rays: &RayPacket,
-        hits: &NearestHits,
-        surfaces: [&Surface; 4],
-        occluders: &mut [Occluder],
-    ) -> ColorPacket {
-        let phong = surfaces.map(|surface| match &surface.shading {
-            Shading::Phong(phong) => phong,
-            _ => &BLACK,
-        });
-        let mut colors = self
-            .shade_phong(rays, hits, &PhongPacket::new(phong), occluders)
-            .to_lanes();
-        let (rays, of_lanes) = (rays.to_rays(), hits.hit.to_hits());
-        for lane in (0..4).filter(|lane| is_set(hits.hit_mask, *lane)) {
-            match &surfaces[lane].shading {
-                Shading::Phong(_) => {}
-                Shading::SingleColor(color) => colors[lane] = *color,
-                Shading::Other(color) => colors[lane] = color(&rays[lane], &of_lanes[lane]),
-            }
-        }
-        ColorPacket::new(colors)
-    }
-
-    /// The own light of Phong's surfaces: ambient light, and the light of each source
-    /// that no object keeps away.
-    #[inline]
-    fn shade_phong(
-        &self,
-        rays: &RayPacket,
-        hits: &NearestHits,
-        phong: &PhongPacket,
-        occluders: &mut [Occluder],
-    ) -> ColorPacket {
-        let hit = &hits.hit;
-        let mut color = phong.ambient(self.ambient);
-        let responding = phong.responds_to_light & hits.hit_mask;
-        let points = rays.at(hit.t);
-        for (source, occluder) in self.lights.iter().zip(occluders) {
-            if responding == 0 {
-                break;
-            }
-            let light = source.illuminate(points, responding);
-            let facing = hit.normal.dot(light.direction).simd_gt(Lanes::ZERO);
-            let mut lit = light.lit & facing.to_bitmask();
-            if source.casts_shadows && lit != 0 {
-                tally::count_all(Work::ShadowRay, lit.count_ones().into());
-                let to_light = offset_rays(rays, hit, light.direction);
-                let before = light.distance * Lanes::splat(BEFORE_THE_LIGHT);
-                lit &= !self
-                    .accelerator
-                    .is_hit_packet(&to_light, before, lit, occluder);
-            }
-            if lit != 0 {
-                color = color + phong.shade(rays.direction, hit.normal, &light, lit);
-            }
-        }
-        color
     }
 }

@@ -8,11 +8,10 @@ use measure::tally::{self, Work};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
+use crate::adaptive::Radiance;
 use crate::lanes::RayPacket;
-use crate::{Renderer, Sampler, adaptive, camera_place};
-
-/// Rays per batch, approximately.
-const BATCH: usize = 64;
+use crate::trace::{BATCH, Batch};
+use crate::{Renderer, Sampler, camera_place};
 
 /// Rows of a strip, which are painted together.
 const STRIP: usize = 2;
@@ -62,25 +61,24 @@ impl View<'_, '_> {
         pixels: &mut [Color],
     ) -> bool {
         let (samples, size) = (sampler.samples(), self.settings.size);
-        let at_once = BATCH.div_ceil(samples as usize);
-        let (mut places, mut rays, mut light) = (Vec::new(), Vec::new(), Vec::new());
+        let at_once = (BATCH / samples as usize).max(1);
+        let (mut places, mut memory) = (Vec::new(), Memory::default());
         for some in order.chunks(at_once) {
             for start in (0..samples).step_by(BATCH) {
                 if self.progress.stopped() {
                     return false;
                 }
-                let batch = start..samples.min(start + BATCH as u32);
+                let now = start..samples.min(start + BATCH as u32);
                 places.clear();
                 for &(column, row) in some {
                     let pixel = (column, first + row);
-                    for i in batch.clone() {
+                    for i in now.clone() {
                         let place = sampler.place(i, pixel.0, pixel.1);
                         places.push(camera_place(size, pixel, place));
                     }
                 }
-                light.resize(places.len(), Color::BLACK);
-                self.look(&places, &mut rays, &mut light);
-                for ((column, row), light) in some.iter().zip(light.chunks(batch.len())) {
+                let light = self.light(&places, &mut memory);
+                for ((column, row), light) in some.iter().zip(light.chunks(now.len())) {
                     let pixel = &mut pixels[(row * size.width() + column) as usize];
                     *pixel = light.iter().fold(*pixel, |sum, light| sum + *light);
                 }
@@ -93,21 +91,28 @@ impl View<'_, '_> {
         }
         true
     }
-
-    /// The light at some places in the coordinates of the camera.
-    fn look(&self, places: &[(f64, f64)], rays: &mut Vec<RayPacket>, light: &mut [Color]) {
-        rays.clear();
-        let Renderer { camera, tracer, .. } = self.renderer;
-        camera.rays(self.settings.size, places, rays);
-        tally::count_all(Work::PrimaryRay, places.len() as u64);
-        tracer.trace(rays, light);
-    }
 }
 
-impl adaptive::Radiance for View<'_, '_> {
-    fn light(&self, places: &[(f64, f64)], light: &mut Vec<Color>) {
+/// Memory that one batch after the other uses.
+#[derive(Default)]
+pub(crate) struct Memory {
+    rays: Vec<RayPacket>,
+    batch: Batch,
+    light: Vec<Color>,
+}
+
+impl Radiance for View<'_, '_> {
+    type Memory = Memory;
+
+    fn light<'m>(&self, places: &[(f64, f64)], memory: &'m mut Memory) -> &'m [Color] {
+        let Renderer { camera, tracer, .. } = self.renderer;
+        let Memory { rays, batch, light } = memory;
+        rays.clear();
+        camera.rays(self.settings.size, places, rays);
+        tally::count_all(Work::PrimaryRay, places.len() as u64);
         light.resize(places.len(), Color::BLACK);
-        self.look(places, &mut Vec::new(), light);
+        tracer.trace(rays, light, batch);
+        light
     }
 }
 

@@ -3,7 +3,7 @@
 use measure::tally::{self, Work};
 
 use super::bvh::Leaf;
-use super::packet::Nearest4;
+use super::search::Search;
 use super::single::Nearest;
 use crate::lanes::{Lanes, bits};
 use crate::shape::{Corners, Mesh, Primitive, Rays, Triangle};
@@ -172,51 +172,21 @@ impl<L: List> Listed<L> {
         (hit != 0).then(|| hit.trailing_zeros())
     }
 
-    /// Looks for nearer hits of the active of four rays in a leaf.
+    /// Tests the shapes of a leaf in some searches.
     #[inline(never)]
-    pub(super) fn nearest_of_four(
-        &self,
-        leaf: Leaf,
-        rays: &Rays,
-        active: u32,
-        nearest: &mut Nearest4,
-    ) {
-        let tests = u32::from(leaf.count) * active.count_ones();
-        tally::count_all(Work::IntersectionTest, tests.into());
+    pub(super) fn test<S: Search>(&self, leaf: Leaf, searches: &mut [S], shared: &mut S::Shared) {
         for i in 0..u32::from(leaf.count) {
             let index = (leaf.first + i) as usize;
-            let shape = self.shapes.splat(index);
-            let t = <L::Shape<'_> as Primitive>::meet(&shape, rays, active);
-            if t.simd_le(nearest.t).to_bitmask() & active != 0 {
-                nearest.take(t, self.places[index].order, leaf.shape(i), active);
-            }
-        }
-    }
-
-    /// A bit for each active ray that meets a shape of a leaf before `max`, and the last
-    /// shape that is met.
-    #[inline(never)]
-    pub(super) fn any_of_four(
-        &self,
-        leaf: Leaf,
-        rays: &Rays,
-        max: Lanes,
-        active: u32,
-    ) -> (u32, u32) {
-        let (mut open, mut last) = (active, 0);
-        for i in 0..u32::from(leaf.count) {
-            tally::count_all(Work::IntersectionTest, open.count_ones().into());
-            let shape = self.shapes.splat((leaf.first + i) as usize);
-            let t = <L::Shape<'_> as Primitive>::meet(&shape, rays, open);
-            let hit = t.simd_lt(max).to_bitmask() & open;
-            if hit != 0 {
-                (open, last) = (open & !hit, i);
-                if open == 0 {
-                    break;
+            let (shape, order) = (self.shapes.splat(index), self.places[index].order);
+            for search in &mut *searches {
+                let open = search.open();
+                if open != 0 {
+                    tally::count_all(Work::IntersectionTest, open.count_ones().into());
+                    let t = <L::Shape<'_> as Primitive>::meet(&shape, search.rays(), open);
+                    search.take(t, order, leaf.shape(i), shared);
                 }
             }
         }
-        (active & !open, last)
     }
 }
 

@@ -14,10 +14,12 @@ impl Accelerator<'_> {
     pub fn hit(&self, ray: &Ray, within: Interval) -> Option<(Hit, u32)> {
         let rays = Rays::one(ray, within.min);
         let mut nearest = Nearest::before(within.max);
-        for leaf in &self.scanned {
+        for leaf in self.scanned() {
             self.nearest_in(*leaf, &rays, &mut nearest);
         }
-        self.search_nearest(ray, &rays, within.min, &mut nearest);
+        if self.few.is_empty() {
+            self.search_nearest(ray, &rays, within.min, &mut nearest);
+        }
         let shape = nearest.shape?;
         let hit = with_list!(self.shapes, shape.kind, |list| {
             list.get(shape.index).hit(ray, within)
@@ -28,9 +30,18 @@ impl Accelerator<'_> {
     /// Whether anything is hit within the interval.
     pub fn is_hit(&self, ray: &Ray, within: Interval) -> bool {
         let rays = Rays::one(ray, within.min);
-        let mut scanned = self.scanned.iter();
+        let mut scanned = self.scanned().iter();
         scanned.any(|leaf| self.any_in(*leaf, &rays, within.max).is_some())
-            || self.search_any(ray, &rays, within).is_some()
+            || self.few.is_empty() && self.search_any(ray, &rays, within).is_some()
+    }
+
+    /// The shapes that a ray alone is tested against without a search.
+    fn scanned(&self) -> &[Leaf] {
+        if self.few.is_empty() {
+            &self.unbounded
+        } else {
+            &self.few
+        }
     }
 
     /// Looks for a nearer hit in the tree.

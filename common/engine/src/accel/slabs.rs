@@ -11,7 +11,7 @@ use wide::f32x8;
 use super::bvh::WIDTH;
 use super::units::{SLACK, Units};
 use crate::Ray;
-use crate::lanes::{Lanes, RayPacket, Vector3x4, is_set};
+use crate::lanes::{Lanes, RayPacket, Vector3x4, mask};
 
 impl Units {
     /// A ray whose hits count beyond `min`. None if it starts too far away, or if its
@@ -32,26 +32,29 @@ impl Units {
         })
     }
 
-    /// The active of four rays, if they are coherent: they go the same way along each axis,
-    /// and up to the distance of 1 their places differ by less than `width`.
+    /// The active rays of some packets, if they are coherent: they go the same way along each
+    /// axis, and up to the distance of 1 their places differ by less than `width`.
     #[inline]
-    pub fn bundle(&self, rays: &RayPacket, active: u32, width: f32) -> Option<Slabs<2>> {
-        let origins = extremes(rays.origin, active);
-        self.between(origins, extremes(rays.direction, active), width)
-    }
-
-    /// Like `bundle`, for all rays of one packet or more.
-    pub fn bundle_of(&self, rays: &[RayPacket], width: f32) -> Option<Slabs<2>> {
-        let ends = |of: fn(&RayPacket) -> Vector3x4| {
-            let least = rays.iter().map(of).reduce(Vector3x4::least)?;
-            let greatest = rays.iter().map(of).reduce(Vector3x4::greatest)?;
-            Some([extremes(least, 0b1111)[0], extremes(greatest, 0b1111)[1]])
-        };
-        self.between(
-            ends(|rays| rays.origin)?,
-            ends(|rays| rays.direction)?,
-            width,
-        )
+    pub fn bundle<'r>(
+        &self,
+        packets: impl Iterator<Item = (&'r RayPacket, u32)>,
+        width: f32,
+    ) -> Option<Slabs<2>> {
+        let mut origins = [
+            Vector3x4::splat(DVec3::INFINITY),
+            Vector3x4::splat(DVec3::NEG_INFINITY),
+        ];
+        let mut directions = origins;
+        for (rays, active) in packets {
+            let mask = mask(active);
+            let add = |[least, greatest]: &mut [Vector3x4; 2], vectors: Vector3x4| {
+                *least = least.least(vectors).or(mask, *least);
+                *greatest = greatest.greatest(vectors).or(mask, *greatest);
+            };
+            add(&mut origins, rays.origin);
+            add(&mut directions, rays.direction);
+        }
+        self.between(extremes(origins), extremes(directions), width)
     }
 
     /// Rays between these least and greatest origins and directions, if they are coherent.
@@ -103,22 +106,13 @@ fn farthest(a: DVec3, b: DVec3) -> Option<usize> {
     (0..3).all(is_farthest).then_some(axis)
 }
 
-/// The least and the greatest coordinates of the active of four vectors.
+/// The least coordinates of the first four vectors, and the greatest of the others.
 #[inline]
-fn extremes(vectors: Vector3x4, active: u32) -> [DVec3; 2] {
-    let Vector3x4 { x, y, z } = vectors;
-    let mut vectors = Lanes::transpose([x, y, z, z]);
-    if active != 0b1111 {
-        let first = vectors[active.trailing_zeros() as usize % 4];
-        for (lane, vector) in vectors.iter_mut().enumerate() {
-            if !is_set(active, lane) {
-                *vector = first;
-            }
-        }
-    }
-    let [a, b, c, d] = vectors;
+fn extremes([least, greatest]: [Vector3x4; 2]) -> [DVec3; 2] {
+    let lanes = |Vector3x4 { x, y, z }: Vector3x4| Lanes::transpose([x, y, z, z]);
+    let ([a, b, c, d], [e, f, g, h]) = (lanes(least), lanes(greatest));
     let least = a.fast_min(b).fast_min(c.fast_min(d));
-    let greatest = a.fast_max(b).fast_max(c.fast_max(d));
+    let greatest = e.fast_max(f).fast_max(g.fast_max(h));
     [least, greatest].map(|ends| {
         let [x, y, z, _] = ends.to_array();
         DVec3::new(x, y, z)

@@ -77,17 +77,18 @@ impl<'a, R: Radiance> Picture<'a, R> {
         f32::from_bits(self.brightest.load(Ordering::Relaxed)).into()
     }
 
-    fn look(&self, places: &[(f64, f64)], light: &mut Vec<Color>) {
+    /// The light at some places; none once the picture is not wanted any more.
+    fn look<'m>(&self, places: &[(f64, f64)], memory: &'m mut R::Memory) -> &'m [Color] {
         if self.progress.stopped() {
-            light.clear();
-            return;
+            return &[];
         }
-        self.radiance.light(places, light);
+        let light = self.radiance.light(places, memory);
         let channels = light.iter().flat_map(|light| light.channels());
         let finite = channels.filter(|channel| channel.is_finite());
         let brightest = finite.fold(0.0, f64::max) as f32;
         self.brightest
             .fetch_max(brightest.to_bits(), Ordering::Relaxed);
+        light
     }
 
     /// Takes as many pairs of samples as are wanted of each pixel altogether: a function of
@@ -108,14 +109,12 @@ impl<'a, R: Radiance> Picture<'a, R> {
     /// Takes a sample in the middle of each pixel.
     pub fn take_middles(&mut self) {
         self.change_rows(|picture, row, pixels| {
-            let (size, row, mut light) = (picture.settings.size, picture.row(row), Vec::new());
+            let (size, row) = (picture.settings.size, picture.row(row));
             let place = |column| camera_place(size, (column, row), (0.5, 0.5));
-            picture.look(
-                &(0..size.width()).map(place).collect::<Vec<_>>(),
-                &mut light,
-            );
-            for (pixel, light) in pixels.iter_mut().zip(light) {
-                *pixel = Pixel::of_middle(light);
+            let places: Vec<_> = (0..size.width()).map(place).collect();
+            let mut memory = R::Memory::default();
+            for (pixel, light) in pixels.iter_mut().zip(picture.look(&places, &mut memory)) {
+                *pixel = Pixel::of_middle(*light);
             }
         });
     }
@@ -145,10 +144,11 @@ impl<'a, R: Radiance> Picture<'a, R> {
         wanted: impl Iterator<Item = (u32, Range<u32>)>,
     ) -> Vec<(u32, Pixel)> {
         let row = self.row(row);
-        let (mut columns, mut places, mut light) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut columns, mut places) = (Vec::new(), Vec::new());
+        let mut memory = R::Memory::default();
         let mut pixels: Vec<(u32, Pixel)> = Vec::new();
         let mut look = |columns: &mut Vec<u32>, places: &mut Vec<_>| {
-            self.look(places, &mut light);
+            let light = self.look(places, &mut memory);
             for (column, pair) in columns.drain(..).zip(light.chunks_exact(2)) {
                 let pair = Pixel::of_pair([pair[0], pair[1]]);
                 match pixels.last_mut() {

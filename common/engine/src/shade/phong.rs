@@ -92,20 +92,19 @@ impl PhongPacket {
         direction: Vector3x4,
         normal: Vector3x4,
         light: &IlluminationPacket,
-        lit: u32,
     ) -> ColorPacket {
         let slant = normal.dot(light.direction).max(Lanes::ZERO);
         let share = self.diffuse * light.color * slant;
 
         let cosine = (-direction).dot(light.direction.reflected_on(normal));
         let is_mirrored = slant.simd_gt(Lanes::ZERO) & cosine.simd_gt(Lanes::ZERO);
-        let shining = is_mirrored.to_bitmask() & self.has_highlight & lit;
+        let shining = is_mirrored.to_bitmask() & self.has_highlight & light.lit;
         if shining == 0 {
-            return share.masked(mask(lit));
+            return share.masked(mask(light.lit));
         }
         tally::count_all(Work::Power, shining.count_ones().into());
         let powers = powers(cosine.fast_min(Lanes::ONE), self.exponents, shining);
         let highlight = self.specular * light.color * powers;
-        (share + highlight.masked(mask(shining))).masked(mask(lit))
+        (share + highlight.masked(mask(shining))).masked(mask(light.lit))
     }
 }

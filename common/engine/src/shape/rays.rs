@@ -14,7 +14,8 @@ pub(crate) struct Rays {
     pub packet: RayPacket,
     /// Hits count beyond this `t`.
     pub min: Lanes,
-    active: u32,
+    /// A bit for each ray that is tested.
+    pub active: u32,
     sheared: OnceCell<ShearedRays>,
 }
 

@@ -2,6 +2,7 @@
 
 use crate::accel::units::TreeBounds;
 use crate::adaptive::random::PixelRandom;
+use crate::lanes::is_set;
 use crate::shape::Bounds;
 
 use super::*;
@@ -73,19 +74,22 @@ fn a_bundle_bounds_its_rays() {
         let number = |n: u64| 2.0 * random.uniform(n) - 1.0;
         let vector = |n: u64| DVec3::new(number(n), number(n + 1), number(n + 2));
         let (origin, way) = (3.0 * vector(0), vector(3));
-        let rays = [0, 1, 2, 3].map(|lane| Ray {
+        let rays = [0, 1, 2, 3, 4, 5, 6, 7].map(|lane| Ray {
             origin: origin + 0.05 * vector(6 + 6 * lane),
             direction: (way + 0.02 * vector(9 + 6 * lane)).normalize(),
         });
-        let active = 1 + i % 15;
-        let packet = RayPacket::new(rays.each_ref());
-        let Some(bundle) = units().bundle(&packet, active, 1.0) else {
+        // Of one packet or of two.
+        let active = 1 + i % 255;
+        let [a, b, c, d, e, f, g, h] = rays.each_ref();
+        let packets = [RayPacket::new([a, b, c, d]), RayPacket::new([e, f, g, h])];
+        let packets = packets.iter().zip([active & 0b1111, active >> 4]);
+        let Some(bundle) = units().bundle(packets, 1.0) else {
             continue;
         };
         together += 1;
         let corners = std::array::from_fn::<_, WIDTH, _>(|k| {
-            let middle = 2.0 * vector(40 + 6 * k as u64);
-            let half = 0.9 * vector(43 + 6 * k as u64).abs();
+            let middle = 2.0 * vector(60 + 6 * k as u64);
+            let half = 0.9 * vector(63 + 6 * k as u64).abs();
             units().bounds(Bounds::around([middle - half, middle + half]), 0.0)
         });
         let planes = [0, 1, 2].map(|axis| {
@@ -95,7 +99,7 @@ fn a_bundle_bounds_its_rays() {
             ]
         });
         let (first, of_bundle) = bundle.enter(&planes, f32::INFINITY);
-        for lane in (0..4).filter(|lane| is_set(active, *lane)) {
+        for lane in (0..8).filter(|lane| is_set(active, *lane)) {
             let slabs = units().ray(&rays[lane], 0.0).unwrap();
             let (near, of_ray) = slabs.enter(&planes, f32::INFINITY);
             assert_eq!(of_ray & !of_bundle, 0);
@@ -144,7 +148,7 @@ fn triangles_may_be_hit_anywhere_along_the_axis_on_which_a_ray_goes_farthest() {
             assert_eq!(alone != 0, is_met, "{min}, {max}, exact: {is_exact}");
             if min == 0.0 {
                 let packet = RayPacket::new([&ray; 4]);
-                let bundle = units.bundle(&packet, 0b1111, 1.0).unwrap();
+                let bundle = units.bundle([(&packet, 0b1111)].into_iter(), 1.0).unwrap();
                 let (_, together) = bundle.enter(&planes, units.beyond(max));
                 assert_eq!(together, alone);
             }
@@ -158,7 +162,10 @@ fn triangles_need_a_bundle_that_goes_farthest_along_one_axis() {
     let near = [[0.71, 0.7, 0.0], [0.7, 0.71, 0.0]].map(|direction| ray(0.0, direction));
     let [a, b] = near.each_ref();
     let packet = RayPacket::new([a, b, a, b]);
-    let is_bundle = |is_exact, active| units_of(is_exact).bundle(&packet, active, 1.0).is_some();
+    let is_bundle = |is_exact, active| {
+        let rays = [(&packet, active)].into_iter();
+        units_of(is_exact).bundle(rays, 1.0).is_some()
+    };
     assert!(is_bundle(true, 0b1111));
     assert!(!is_bundle(false, 0b1111));
     assert!(is_bundle(false, 0b0101));
@@ -169,7 +176,9 @@ fn rays_that_go_apart_are_no_bundle() {
     let is_bundle = |directions: [[f64; 3]; 2], origins: [f64; 2], active| {
         let rays = [0, 1].map(|i| ray(origins[i], directions[i]));
         let packet = RayPacket::new([&rays[0], &rays[1], &rays[0], &rays[1]]);
-        units().bundle(&packet, active, 0.25).is_some()
+        units()
+            .bundle([(&packet, active)].into_iter(), 0.25)
+            .is_some()
     };
     let aside = [1.0, 0.0, 0.0625];
     assert!(is_bundle([TO_THE_RIGHT, aside], [0.0; 2], 0b1111));

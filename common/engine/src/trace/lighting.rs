@@ -1,0 +1,133 @@
+//! The light at the vertices of a batch: ambient light, and the light of each source that no
+//! object keeps away.
+
+use common::Color;
+use measure::tally::{self, Work};
+
+use super::batch::{Batch, Vertex};
+use super::{Tracer, offset_rays};
+use crate::accel::{NearestHits, ShadowSearch};
+use crate::lanes::{ColorPacket, Lanes, RayPacket, bits};
+use crate::shade::PhongPacket;
+use crate::{Phong, Shading};
+
+/// Objects cast a shadow on this share of the way to a light: a lamp may be fixed to an
+/// object, which must not keep its light away.
+const BEFORE_THE_LIGHT: f64 = 1.0 - 1.0 / 16_777_216.0;
+
+/// A surface that sends back no light, for lanes that are shaded otherwise.
+const BLACK: Phong = Phong {
+    diffuse: Color::BLACK,
+    specular: Color::BLACK,
+    exponent: 0.0,
+};
+
+impl Tracer<'_> {
+    /// The vertex of a path, under ambient light.
+    #[inline]
+    pub(super) fn vertex(&self, path: usize, hits: NearestHits) -> Vertex {
+        let material = self.material(&hits);
+        Vertex {
+            path,
+            color: material.ambient(self.ambient),
+            material,
+            hits,
+        }
+    }
+
+    /// Phong's materials of the surfaces; the others are black.
+    #[inline]
+    fn material(&self, hits: &NearestHits) -> PhongPacket {
+        let material = |index| match self.shading(index) {
+            Shading::Phong(phong) => phong,
+            _ => &BLACK,
+        };
+        if hits.is_one_surface() {
+            return PhongPacket::splat(material(hits.surfaces[0]));
+        }
+        PhongPacket::new(hits.surfaces.map(material))
+    }
+
+    #[inline]
+    fn shading(&self, surface: u32) -> &Shading<'_> {
+        &self.surfaces[surface as usize].shading
+    }
+
+    /// Adds the light of all sources to the vertices.
+    pub(super) fn light(&self, batch: &mut Batch) {
+        for i in 0..self.lights.len() {
+            self.light_of(i, batch);
+        }
+        for vertex in &mut batch.vertices {
+            self.shade_others(&batch.paths[vertex.path].rays, vertex);
+        }
+    }
+
+    /// Adds the light of source `i`.
+    fn light_of(&self, i: usize, batch: &mut Batch) {
+        let source = &self.lights[i];
+        let Batch {
+            paths,
+            vertices,
+            light,
+            shadows,
+            occluders,
+            ..
+        } = batch;
+        light.clear();
+        shadows.clear();
+        for (at, vertex) in vertices.iter().enumerate() {
+            let (rays, hit) = (&paths[vertex.path].rays, &vertex.hits.hit);
+            let responding = vertex.material.responds_to_light & vertex.hits.hit_mask;
+            if responding == 0 {
+                continue;
+            }
+            let mut of_source = source.illuminate(rays.at(hit.t), responding);
+            let facing = hit.normal.dot(of_source.direction).simd_gt(Lanes::ZERO);
+            of_source.lit &= facing.to_bitmask();
+            if of_source.lit == 0 {
+                continue;
+            }
+            if source.casts_shadows {
+                tally::count_all(Work::ShadowRay, of_source.lit.count_ones().into());
+                let to_light = offset_rays(rays, hit, of_source.direction);
+                let before = of_source.distance * Lanes::splat(BEFORE_THE_LIGHT);
+                shadows.push(ShadowSearch::new(&to_light, before, of_source.lit));
+            }
+            light.push((at, of_source));
+        }
+        self.accelerator.search(shadows, &mut occluders[i]);
+        for ((_, light), shadow) in light.iter_mut().zip(shadows) {
+            light.lit = shadow.open;
+        }
+        for (at, light) in light {
+            let vertex = &mut vertices[*at];
+            if light.lit != 0 {
+                let (direction, normal) =
+                    (paths[vertex.path].rays.direction, vertex.hits.hit.normal);
+                let shaded = vertex.material.shade(direction, normal, light);
+                vertex.color = vertex.color + shaded;
+            }
+        }
+    }
+
+    /// Replaces the light of surfaces that are not Phong's.
+    #[inline]
+    fn shade_others(&self, rays: &RayPacket, vertex: &mut Vertex) {
+        let hits = &vertex.hits;
+        let is_phong = |surface: &u32| matches!(self.shading(*surface), Shading::Phong(_));
+        if hits.surfaces.iter().all(is_phong) {
+            return;
+        }
+        let mut colors = vertex.color.to_lanes();
+        let (rays, of_lanes) = (rays.to_rays(), hits.hit.to_hits());
+        for lane in bits(hits.hit_mask) {
+            match self.shading(hits.surfaces[lane]) {
+                Shading::Phong(_) => {}
+                Shading::SingleColor(color) => colors[lane] = *color,
+                Shading::Other(color) => colors[lane] = color(&rays[lane], &of_lanes[lane]),
+            }
+        }
+        vertex.color = ColorPacket::new(colors);
+    }
+}
