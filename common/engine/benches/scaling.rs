@@ -7,9 +7,9 @@
 //!
 //! From ten spheres in a cube to a million, which fill a ninth of it. Times in
 //! nanoseconds: building the scene with its tree, divided by the number of objects; the
-//! nearest hit of a ray from the eye, and of a ray from anywhere to anywhere, such as a
-//! reflected one; and the same in a plain list, up to a thousand objects. The least of
-//! several rounds counts.
+//! nearest hit of a ray from the eye, alone and as a pixel of a picture of 1280x960, and of a
+//! ray from anywhere to anywhere, such as a reflected one; and the same in a plain list, up to
+//! a thousand objects. The least of several rounds counts.
 
 #[path = "../src/adaptive/random.rs"]
 mod random;
@@ -21,14 +21,15 @@ use std::path::Path;
 use std::time::Instant;
 
 use clap::Parser;
-use common::{Color, Settings};
+use common::{Color, Settings, Size};
 use engine::{
-    Basis, Camera, Hit, Interval, Phong, Ray, Renderer, Scene, Shading, Shape, Sphere, Surface,
+    Basis, Camera, Hit, Interval, Ray, Renderer, Sampler, Scene, Shading, Shape, Sphere, Surface,
 };
 use glam::DVec3;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 use measure::report::Measured;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::random::PixelRandom;
 
@@ -38,8 +39,9 @@ const LONGEST_LIST: usize = 1_000;
 const RAYS: u32 = 65_536;
 const EYE: DVec3 = DVec3::new(0.0, 2.0, 5.0);
 
-const NAMES: [&str; 4] = [
+const NAMES: [&str; 5] = [
     "building, an object",
+    "a pixel of a picture",
     "a ray from the eye",
     "a ray from anywhere",
     "a ray through a list",
@@ -67,13 +69,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     if !options.bench {
         return Ok(());
     }
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(options.threads)
-        .build()?;
+    let threads = |count| ThreadPoolBuilder::new().num_threads(count).build();
+    let (builders, one) = (threads(options.threads)?, threads(1)?);
     let mut least = [[f64::INFINITY; NAMES.len()]; COUNTS.len()];
     for _ in 0..options.rounds {
         for (count, least) in COUNTS.into_iter().zip(&mut least) {
-            for (now, least) in nanoseconds(count, &pool).into_iter().zip(least) {
+            for (now, least) in nanoseconds(count, [&builders, &one])?
+                .into_iter()
+                .zip(least)
+            {
                 *least = least.min(now);
             }
         }
@@ -86,13 +90,17 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// A figure for each of [`NAMES`]; infinite if it is not measured.
-fn nanoseconds(count: usize, pool: &rayon::ThreadPool) -> [f64; NAMES.len()] {
-    let (renderer, build) = pool.install(|| {
+fn nanoseconds(
+    count: usize,
+    [builders, one]: [&ThreadPool; 2],
+) -> Result<[f64; NAMES.len()], common::Error> {
+    let (renderer, build) = builders.install(|| {
         let started = Instant::now();
         let renderer = prepare(spheres(count).map(Shape::Sphere));
         (renderer, since(started) / count as f64)
     });
 
+    let pixel = one.install(|| picture(&renderer))?;
     let (from_eye, anywhere) = (rays(true), rays(false));
     let [from_eye_time, anywhere_time] =
         [from_eye, anywhere.clone()].map(|rays| hit(&renderer, &rays));
@@ -100,7 +108,34 @@ fn nanoseconds(count: usize, pool: &rayon::ThreadPool) -> [f64; NAMES.len()] {
         ..=LONGEST_LIST => hit(&prepare(spheres(count).map(unknown)), &anywhere),
         _ => f64::INFINITY,
     };
-    [build, from_eye_time, anywhere_time, list]
+    Ok([build, pixel, from_eye_time, anywhere_time, list])
+}
+
+/// The time of each pixel of a picture.
+fn picture(renderer: &Renderer) -> Result<f64, common::Error> {
+    let settings = Settings {
+        size: Size::new(1280, 960)?,
+        ..Settings::default()
+    };
+    let mut rows = vec![(); settings.rows().len()];
+    let started = Instant::now();
+    renderer.render_rows(&Middle, &settings, &(), &mut rows, |colors, _| {
+        black_box(colors);
+    })?;
+    Ok(since(started) / settings.size.pixels() as f64)
+}
+
+/// One sample in the middle of each pixel.
+struct Middle;
+
+impl Sampler for Middle {
+    fn samples(&self) -> u32 {
+        1
+    }
+
+    fn place(&self, _: u32, _: u32, _: u32) -> (f64, f64) {
+        (0.5, 0.5)
+    }
 }
 
 fn since(started: Instant) -> f64 {
@@ -190,28 +225,22 @@ fn spheres(count: usize) -> impl Iterator<Item = Sphere> {
     })
 }
 
-/// A scene seen from the eye, of mirrors, so that its trees are built with it.
+/// The shapes, which fill a picture from the eye.
 fn prepare(shapes: impl Iterator<Item = Shape<'static>>) -> Renderer<'static> {
-    let mut scene = Scene::new(Color::BLACK, Color::BLACK, 2);
-    let surface = scene.add_surface(Surface {
-        shading: Shading::Phong(Phong {
-            diffuse: Color::WHITE,
-            specular: Color::BLACK,
-            exponent: 0.0,
-        }),
-        reflection: Color::WHITE,
-    });
+    let mut scene = Scene::new(Color::BLACK, Color::BLACK, 1);
+    let surface = scene.add_surface(Surface::matt(Shading::SingleColor(Color::WHITE)));
     for shape in shapes {
         scene.add_shape(shape, surface);
     }
+    let (u, w) = (DVec3::X, EYE.normalize());
     let camera = Camera::Perspective {
         basis: Basis {
             e: EYE,
-            u: DVec3::X,
-            v: DVec3::Y,
-            w: DVec3::Z,
+            u,
+            v: w.cross(u),
+            w,
         },
-        half_tangent: 1.0,
+        half_tangent: 0.25,
     };
     Renderer::new(scene, camera, &Settings::default())
 }

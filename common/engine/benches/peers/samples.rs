@@ -29,6 +29,14 @@ impl Samples {
         }
     }
 
+    /// Not inlined, so that samples in the middle of a pixel do not pay for it.
+    #[inline(never)]
+    fn jitter(&self, i: u32, column: u32, row: u32) -> (f64, f64) {
+        let random = PixelRandom::new(self.seed, column, row);
+        let first = 2 * u64::from(i);
+        (random.uniform(first), random.uniform(first + 1))
+    }
+
     fn in_cell(&self, i: u32, (dx, dy): (f64, f64)) -> (f64, f64) {
         let cells = f64::from(self.cells);
         let (column, row) = (i % self.cells, i / self.cells);
@@ -43,16 +51,11 @@ impl Sampler for Samples {
     }
 
     fn place(&self, i: u32, column: u32, row: u32) -> (f64, f64) {
-        let jitter = || {
-            let random = PixelRandom::new(self.seed, column, row);
-            let first = 2 * u64::from(i);
-            (random.uniform(first), random.uniform(first + 1))
-        };
         match self.sampling {
             Sampling::Center => (0.5, 0.5),
             Sampling::Regular => self.in_cell(i, (0.5, 0.5)),
-            Sampling::Random => jitter(),
-            Sampling::Stratified => self.in_cell(i, jitter()),
+            Sampling::Random => self.jitter(i, column, row),
+            Sampling::Stratified => self.in_cell(i, self.jitter(i, column, row)),
         }
     }
 }
