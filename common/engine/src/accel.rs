@@ -3,6 +3,7 @@
 //! Every candidate is tested with its own formula, and only shapes are skipped that
 //! the ray cannot hit. So the result is bit-identical to that of a linear scan.
 
+mod bundle;
 mod bvh;
 mod bvh_build;
 mod cut;
@@ -18,6 +19,7 @@ mod units;
 use common::Plan;
 
 use crate::shape::Bounds;
+pub(crate) use bundle::SEARCHES;
 use bvh::{Bvh, Leaf};
 use bvh_build::Item;
 pub(crate) use nearest::{NearestHits, NearestSearch};

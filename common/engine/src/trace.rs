@@ -12,7 +12,7 @@ mod offset_ray;
 use common::Color;
 use measure::tally::{self, Work};
 
-use crate::accel::{Accelerator, NearestHits, NearestSearch};
+use crate::accel::{Accelerator, NearestHits, NearestSearch, SEARCHES};
 use crate::lanes::{ColorPacket, RayPacket, bits, mask};
 use crate::shade::RadianceBound;
 use crate::{Light, Surface};
@@ -21,7 +21,7 @@ use batch::{Path, Vertex};
 use offset_ray::offset_rays;
 
 /// Rays of a batch, at most.
-pub(crate) const BATCH: usize = 64;
+pub(crate) const BATCH: usize = 4 * SEARCHES;
 
 /// A scene that is ready for rays.
 #[derive(Debug)]

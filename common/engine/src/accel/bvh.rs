@@ -54,6 +54,15 @@ pub(crate) struct Leaf {
     pub first: u32,
 }
 
+impl Node {
+    /// The bounds of one child, in all lanes.
+    #[inline]
+    pub fn planes_of(&self, child: usize) -> [[f32x8; 2]; 3] {
+        let lane = |planes: &f32x8| f32x8::splat(planes.as_array()[child]);
+        self.planes.each_ref().map(|ends| ends.each_ref().map(lane))
+    }
+}
+
 impl Leaf {
     /// A leaf of one shape.
     pub const fn of(shape: ShapeId) -> Self {
@@ -112,24 +121,28 @@ fn nearest_last(open: &mut [Open]) {
 
 impl Bvh {
     /// Visits the leaves that rays may meet before `beyond`, in the units of the tree, near
-    /// ones first. `visit` returns `beyond` updated, or breaks off.
+    /// ones first, each with its node and its number there. `visit` returns `beyond` updated, or
+    /// breaks off.
     #[inline]
     pub fn search<const N: usize>(
         &self,
         slabs: &Slabs<N>,
         mut beyond: f32,
-        mut visit: impl FnMut(Leaf) -> ControlFlow<(), f32>,
+        mut visit: impl FnMut(Leaf, &Node, usize) -> ControlFlow<(), f32>,
     ) -> ControlFlow<()> {
         let mut open = ArrayVec::<Open, { (WIDTH - 1) * LEVELS + 1 }>::new();
         let mut child = Child::Node(self.nodes.len() as u32 - 1);
+        // Its node, and its number there; the root has none.
+        let mut place = (0, 0);
         loop {
             match child {
-                Child::Leaf(leaf) => beyond = visit(leaf)?,
+                Child::Leaf(leaf) => beyond = visit(leaf, &self.nodes[place.0], place.1)?,
                 Child::Node(index) => {
                     let node = &self.nodes[index as usize];
-                    let (first_hit, met) = slabs.enter(&node.planes, beyond);
+                    let (first_hit, met) = slabs.enter(&node.planes, f32x8::splat(beyond));
                     if met.is_power_of_two() {
-                        child = node.children[met.trailing_zeros() as usize % WIDTH];
+                        place = (index as usize, met.trailing_zeros() as usize % WIDTH);
+                        child = node.children[place.1];
                         continue;
                     }
                     let first = open.len();
@@ -144,8 +157,8 @@ impl Bvh {
                     return ControlFlow::Continue(());
                 };
                 if nearest.first_hit() <= beyond {
-                    let (node, lane) = nearest.child();
-                    break self.nodes[node].children[lane];
+                    place = nearest.child();
+                    break self.nodes[place.0].children[place.1];
                 }
             };
         }

@@ -172,13 +172,20 @@ impl<L: List> Listed<L> {
         (hit != 0).then(|| hit.trailing_zeros())
     }
 
-    /// Tests the shapes of a leaf in some searches.
+    /// Tests the shapes of a leaf in some of these searches, a bit for each.
     #[inline(never)]
-    pub(super) fn test<S: Search>(&self, leaf: Leaf, searches: &mut [S], shared: &mut S::Shared) {
+    pub(super) fn test<S: Search>(
+        &self,
+        leaf: Leaf,
+        searches: &mut [S],
+        some: u32,
+        shared: &mut S::Shared,
+    ) {
         for i in 0..u32::from(leaf.count) {
             let index = (leaf.first + i) as usize;
             let (shape, order) = (self.shapes.splat(index), self.places[index].order);
-            for search in &mut *searches {
+            for search in bits(some) {
+                let search = &mut searches[search];
                 let open = search.open();
                 if open != 0 {
                     tally::count_all(Work::IntersectionTest, open.count_ones().into());

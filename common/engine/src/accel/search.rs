@@ -8,19 +8,19 @@
 use std::ops::ControlFlow;
 use std::slice;
 
+use arrayvec::ArrayVec;
+use wide::f32x8;
+
 use super::Accelerator;
+use super::bundle::SEARCHES;
 use super::bvh::Leaf;
 use super::shapes::{Kind, ShapeId, with_list};
-use crate::lanes::{Lanes, mask, select};
+use crate::lanes::{Lanes, bits, mask, select};
 use crate::shape::Rays;
 
-/// Four rays go through the tree together while they are no farther apart than this many
-/// leaves are wide.
-const FOUR: f32 = 2.0;
-
-/// More than four rays go together while they are no farther apart than this: each is tested
-/// against all shapes near any of them.
-const MORE: f32 = 0.5;
+/// Rays go through the tree together while they are no farther apart than this many leaves are
+/// wide.
+const APART: f32 = 2.0;
 
 /// Few shapes are sooner tested than searched for in up to this many searches.
 const ALONE: usize = 4;
@@ -51,63 +51,94 @@ pub(crate) trait Search {
 }
 
 impl Accelerator<'_> {
-    /// Carries out these searches, many at once while their rays are close to each other.
+    /// Carries out these searches, at most [`SEARCHES`], many at once while their rays are close
+    /// to each other.
     pub fn search<S: Search>(&self, searches: &mut [S], shared: &mut S::Shared) {
         for search in &mut *searches {
             search.guess(self, shared);
         }
-        if searches.iter().all(|search| search.open() == 0) {
+        self.search_on(searches, shared);
+    }
+
+    fn search_on<S: Search>(&self, searches: &mut [S], shared: &mut S::Shared) {
+        let Some(first) = searches.iter().position(|search| search.open() != 0) else {
             return;
-        }
+        };
         if searches.len() <= ALONE && !self.few.is_empty() {
-            return self.test(&self.few, searches, shared);
+            return self.test_all(&self.few, searches, shared);
         }
         let Some(tree) = &self.tree else {
-            return self.test(&self.unbounded, searches, shared);
+            return self.test_all(&self.unbounded, searches, shared);
         };
-        let width = if searches.len() == 1 { FOUR } else { MORE };
-        let rays = searches.iter();
-        let rays = rays.map(|search| (&search.rays().packet, search.open()));
-        if let Some(bundle) = tree.units.bundle(rays, width * tree.leaf_width) {
-            self.test(&self.unbounded, searches, shared);
-            let first = tree.units.beyond(beyond(searches));
-            let _ = tree.search(&bundle, first, |leaf| {
-                self.test(&[leaf], searches, shared);
-                let beyond = beyond(searches);
+        let bundle = {
+            // A search that is over must not keep the others apart.
+            let rays = searches.iter().map(|search| match search.open() {
+                0 => &searches[first].rays().packet,
+                _ => &search.rays().packet,
+            });
+            let rays: ArrayVec<_, SEARCHES> = rays.collect();
+            let are_told_apart = rays.len() > 1 && self.few.is_empty();
+            tree.units
+                .bundle(&rays, APART * tree.leaf_width, are_told_apart)
+        };
+        if let Some(bundle) = bundle {
+            self.test_all(&self.unbounded, searches, shared);
+            let mut beyond = [f32::NEG_INFINITY; SEARCHES];
+            for (beyond, search) in beyond.iter_mut().zip(&*searches) {
+                *beyond = tree.units.beyond(search.beyond());
+            }
+            let _ = tree.search(&bundle.all, greatest(&beyond), |leaf, node, child| {
+                let some = bundle.meeting(node, child, &beyond);
+                self.test(leaf, searches, some, shared);
+                for i in bits(some) {
+                    beyond[i] = tree.units.beyond(searches[i].beyond());
+                }
+                let beyond = greatest(&beyond);
                 if beyond < 0.0 {
                     return ControlFlow::Break(());
                 }
-                ControlFlow::Continue(tree.units.beyond(beyond))
+                ControlFlow::Continue(beyond)
             });
         } else if let [search] = searches {
-            self.test(&self.unbounded, slice::from_mut(search), shared);
+            self.test_all(&self.unbounded, slice::from_mut(search), shared);
             search.search_one_by_one(self, shared);
         } else {
             let (some, others) = searches.split_at_mut(searches.len() / 2);
-            self.search(some, shared);
-            self.search(others, shared);
+            self.search_on(some, shared);
+            self.search_on(others, shared);
         }
     }
 
     /// Tests shapes in all of these searches.
-    pub(super) fn test<S: Search>(
+    pub(super) fn test_all<S: Search>(
         &self,
         leaves: &[Leaf],
         searches: &mut [S],
         shared: &mut S::Shared,
     ) {
         for leaf in leaves {
+            self.test(*leaf, searches, (1 << searches.len()) - 1, shared);
+        }
+    }
+
+    /// Tests shapes in some of these searches, a bit for each.
+    #[inline]
+    fn test<S: Search>(&self, leaf: Leaf, searches: &mut [S], some: u32, shared: &mut S::Shared) {
+        if some != 0 {
             with_list!(self.shapes, leaf.kind, |list| list
-                .test(*leaf, searches, shared));
+                .test(leaf, searches, some, shared));
         }
     }
 }
 
 /// The greatest of all.
 #[inline]
-fn beyond(searches: &[impl Search]) -> f64 {
-    let all = searches.iter().map(Search::beyond);
-    all.fold(f64::NEG_INFINITY, f64::max)
+fn greatest(beyond: &[f32; SEARCHES]) -> f32 {
+    let (eights, _) = beyond.as_chunks::<8>();
+    let all = f32x8::new(eights[0]).fast_max(f32x8::new(eights[1]));
+    all.to_array()
+        .into_iter()
+        .fold(f32::NEG_INFINITY, |a, b| if a > b { a } else { b })
 }
 
 /// The largest of the active lanes; negative if none is active.

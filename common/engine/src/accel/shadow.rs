@@ -71,7 +71,7 @@ impl Search for ShadowSearch {
             && let Some(shape) = *occluder
         {
             self.tested = *occluder;
-            accelerator.test(&[Leaf::of(shape)], slice::from_mut(self), occluder);
+            accelerator.test_all(&[Leaf::of(shape)], slice::from_mut(self), occluder);
         }
     }
 

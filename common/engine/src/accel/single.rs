@@ -95,10 +95,10 @@ impl Bvh {
         ray: &Ray,
         min: f64,
         beyond: f32,
-        visit: impl FnMut(Leaf) -> ControlFlow<(), f32>,
+        mut visit: impl FnMut(Leaf) -> ControlFlow<(), f32>,
     ) -> ControlFlow<()> {
         match self.units.ray(ray, min) {
-            Some(slabs) => self.search(&slabs, beyond, visit),
+            Some(slabs) => self.search(&slabs, beyond, |leaf, _, _| visit(leaf)),
             None => self.search_all(visit),
         }
     }

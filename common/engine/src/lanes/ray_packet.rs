@@ -4,7 +4,7 @@
 //! together (Wald, Slusallek, Benthin and Wagner, Interactive Rendering with Coherent
 //! Ray Tracing, 2001).
 
-use super::{Lanes, Vector3x4, select};
+use super::{Lanes, Vector3x4, mask, select};
 use crate::{Hit, Ray};
 
 /// Four rays.
@@ -34,6 +34,22 @@ impl RayPacket {
             origin: origins[lane],
             direction: directions[lane],
         })
+    }
+
+    /// These rays with the first active one in place of those that are not.
+    #[inline]
+    pub fn filled(self, active: u32) -> Self {
+        if active == 0b1111 {
+            return self;
+        }
+        let first = active.trailing_zeros() as usize % 4;
+        let fill = |vectors: Vector3x4| {
+            vectors.or(mask(active), Vector3x4::splat(vectors.to_lanes()[first]))
+        };
+        Self {
+            origin: fill(self.origin),
+            direction: fill(self.direction),
+        }
     }
 
     /// The points `origin + t direction`.

@@ -20,11 +20,12 @@ pub(crate) struct Rays {
 }
 
 impl Rays {
-    /// The active of four rays, whose hits count ahead of their origins.
+    /// The active of four rays, whose hits count ahead of their origins. An active one stands in
+    /// for each of the others.
     #[inline]
     pub fn four(packet: &RayPacket, active: u32) -> Self {
         Self {
-            packet: *packet,
+            packet: packet.filled(active),
             min: Lanes::ZERO,
             active,
             sheared: OnceCell::new(),
