@@ -2,7 +2,7 @@
 //!
 //! `cargo test` runs them after the pictures of the stage.
 
-use testing::picture_lock::{Places, check, check_complete};
+use testing::picture_lock::Places;
 
 #[path = "../examples/errata/main.rs"]
 #[expect(dead_code, reason = "the example's own main")]
@@ -11,35 +11,15 @@ mod errata;
 #[expect(dead_code, reason = "the example's own main")]
 mod go_wrong;
 
-const PLACES: Places = Places {
-    stage: env!("CARGO_MANIFEST_DIR"),
-    scratch: env!("CARGO_TARGET_TMPDIR"),
-    program: env!("CARGO_BIN_EXE_a07-transforms"),
-};
+const PLACES: Places = testing::places!();
 
-macro_rules! lock {
-    ($complete:ident: $stage:expr; $($scene:ident)+) => {
-        $(
-            #[test]
-            fn $scene() {
-                check(&$stage, stringify!($scene), &PLACES);
-            }
-        )+
-
-        #[test]
-        fn $complete() {
-            check_complete(&$stage, &[$(stringify!($scene)),+]);
-        }
-    };
-}
-
-lock! {
+testing::lock_scenes! {
     every_mistake_is_locked: errata::stage();
     tangent half_pixel stripes box_faces far_sphere highlight point_light point_light_slope spot_light
     directional_light mirror transform normal node
 }
 
-lock! {
+testing::lock_scenes! {
     everything_that_goes_wrong_is_locked: go_wrong::stage();
     lift gamma cracks
 }

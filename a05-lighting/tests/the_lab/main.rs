@@ -4,35 +4,19 @@
 
 mod protocol;
 
-use measure::experiment::checked;
-use measure::{Effort, extremes};
+use measure::experiment::Curve;
 
-#[test]
-fn the_experiments_agree_with_theory_and_do_not_change() {
-    for experiment in (a05_lighting::stage().experiments)() {
-        let counted = checked(&experiment, Effort::Quick);
-        if experiment.name != "spot-rim" {
-            insta::assert_snapshot!(experiment.name, counted);
-        }
-    }
+testing::check_lab! {
+    a05_lighting::stage(); "spot-rim" => only_the_arc_cosine_is_wrong_a_billionth_beside_the_rim
 }
 
 /// How many points beside the rim are judged wrongly depends on rounding, and is not
 /// locked; where the errors begin is.
-#[test]
-fn only_the_arc_cosine_is_wrong_a_billionth_beside_the_rim() {
-    let experiments = (a05_lighting::stage().experiments)();
-    let rim = experiments.iter().find(|e| e.name == "spot-rim").unwrap();
-    let curves = (rim.curves)(Effort::Quick);
+fn only_the_arc_cosine_is_wrong_a_billionth_beside_the_rim(curves: &[Curve]) {
     let (protocol, others) = curves.split_first().unwrap();
     assert!(protocol.points.iter().all(|point| point.max > 0.01));
     for curve in others {
         let mut far = curve.points.iter().filter(|point| point.knob >= 1e-9);
         assert!(far.all(|point| point.max == 0.0), "{}", curve.method);
     }
-}
-
-#[test]
-fn the_extremes_hold() {
-    extremes::check(&(a05_lighting::stage().extremes)(Effort::of_build()));
 }

@@ -25,8 +25,7 @@ pub use invariance::{check_narrow_sizes, check_omissions, check_rows, check_thre
 pub use left_out::check_book;
 pub use program_run::check_program;
 
-/// The paths of the test crate and its files; [`lock_pictures!`](crate::lock_pictures)
-/// fills them in.
+/// The paths of the test crate and its files; [`places!`](crate::places) fills them in.
 pub struct Places {
     /// The folder of the stage's crate.
     pub stage: &'static str,
@@ -44,6 +43,37 @@ impl Places {
     }
 }
 
+/// The paths of the crate that calls it.
+#[macro_export]
+macro_rules! places {
+    () => {
+        $crate::picture_lock::Places {
+            stage: env!("CARGO_MANIFEST_DIR"),
+            scratch: env!("CARGO_TARGET_TMPDIR"),
+            program: env!(concat!("CARGO_BIN_EXE_", env!("CARGO_PKG_NAME"))),
+        }
+    };
+}
+
+/// Writes a lock for each scene of a stage, with its name, and a test that no scene is
+/// left out. The caller has a constant `PLACES`.
+#[macro_export]
+macro_rules! lock_scenes {
+    ($complete:ident: $stage:expr; $($scene:ident)+) => {
+        $(
+            #[test]
+            fn $scene() {
+                $crate::picture_lock::check(&$stage, stringify!($scene), &PLACES);
+            }
+        )+
+
+        #[test]
+        fn $complete() {
+            $crate::picture_lock::check_complete(&$stage, &[$(stringify!($scene)),+]);
+        }
+    };
+}
+
 /// Writes the tests of a stage's pictures: a lock for each scene, with its name, and
 /// tests of all scenes.
 ///
@@ -53,23 +83,9 @@ impl Places {
 #[macro_export]
 macro_rules! lock_pictures {
     ($stage:expr; $($scene:ident)+) => {
-        const PLACES: $crate::picture_lock::Places = $crate::picture_lock::Places {
-            stage: env!("CARGO_MANIFEST_DIR"),
-            scratch: env!("CARGO_TARGET_TMPDIR"),
-            program: env!(concat!("CARGO_BIN_EXE_", env!("CARGO_PKG_NAME"))),
-        };
+        const PLACES: $crate::picture_lock::Places = $crate::places!();
 
-        $(
-            #[test]
-            fn $scene() {
-                $crate::picture_lock::check(&$stage, stringify!($scene), &PLACES);
-            }
-        )+
-
-        #[test]
-        fn every_scene_is_locked() {
-            $crate::picture_lock::check_complete(&$stage, &[$(stringify!($scene)),+]);
-        }
+        $crate::lock_scenes! { every_scene_is_locked: $stage; $($scene)+ }
 
         #[test]
         fn one_thread_and_eight_give_the_same_bytes() {

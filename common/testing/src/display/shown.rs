@@ -57,7 +57,8 @@ impl Shown {
             area: [0; 4],
         };
         shown.window = wait_for("a window", || {
-            assert!(shown.is_running(), "no window: {}", shown.stderr());
+            let end = shown.child.try_wait().expect("the program's state");
+            assert!(end.is_none(), "no window: {}", shown.stderr());
             let found = shown.server.xdotool("search --onlyvisible --name .")?;
             found.lines().next().map(str::to_owned)
         });
@@ -190,13 +191,6 @@ impl Shown {
         let files = fs::read_dir(self.temporary.path()).expect("a folder");
         assert_eq!(files.count(), 0, "temporary files are left");
         (status.code(), self.stderr())
-    }
-
-    /// Whether the program is running.
-    #[must_use]
-    pub fn is_running(&mut self) -> bool {
-        let state = self.child.try_wait().expect("the program's state");
-        state.is_none()
     }
 
     /// The output on stderr of the program, which must have ended.

@@ -9,7 +9,7 @@ const COLUMNS: usize = 48;
 pub fn describe(size: Size, rgb: &[u8]) -> String {
     let mut lines = vec![
         format!("size {size}"),
-        hash(rgb),
+        format!("hash {:016x}", fnv1a(rgb)),
         "brightness and hue (capital: bright)".to_owned(),
     ];
     let (width, height) = (size.width() as usize, size.height() as usize);
@@ -30,11 +30,6 @@ pub fn describe(size: Size, rgb: &[u8]) -> String {
         ));
     }
     lines.join("\n")
-}
-
-/// The line of a lock with the hash of the picture's bytes.
-pub fn hash(rgb: &[u8]) -> String {
-    format!("hash {:016x}", fnv1a(rgb))
 }
 
 /// The mean of each channel over columns `x` and rows `y`, from 0 to 255.
