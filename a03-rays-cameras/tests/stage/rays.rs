@@ -34,29 +34,6 @@ fn a_bounded_ray_has_both_its_ends_and_nothing_beyond() {
     }
 }
 
-/// Tolerance: a few roundings, relative to coordinates of about 10.
-#[test]
-fn t_is_the_distance_and_t_of_finds_it_again() {
-    let ray = ray([1.0, -2.0, 3.0], [4.0, 4.0, 7.0]);
-    assert_eq!(
-        ray.direction(),
-        Vector3::new(4.0 / 9.0, 4.0 / 9.0, 7.0 / 9.0)
-    );
-    for t in [0.0, 0.5, 9.0, -3.0] {
-        assert_abs_diff_eq!(ray.t_of(ray.at(t)), t, epsilon = 1e-14);
-    }
-    assert_abs_diff_eq!(ray.at(9.0), Point3::new(5.0, 2.0, 10.0), epsilon = 1e-14);
-    // A point beside the ray: the foot of the perpendicular.
-    let beside = ray.at(2.0) + Vector3::new(1.0, -1.0, 0.0);
-    assert_abs_diff_eq!(ray.t_of(beside), 2.0, epsilon = 1e-14);
-}
-
-#[test]
-fn t_of_counts_in_lengths_of_the_direction() {
-    let stretched = Ray::derived(Point3::ORIGIN, Vector3::new(0.0, 4.0, 0.0));
-    assert_eq!(stretched.t_of(Point3::new(0.0, 8.0, 0.0)), 2.0);
-}
-
 #[test]
 fn a_ray_is_never_degenerate() {
     for length in [1e-300, 1.0, 1e300] {
