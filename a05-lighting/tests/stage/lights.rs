@@ -1,10 +1,10 @@
-//! Lights: direction, distance and colour at a point, and points outside of a beam.
+//! Point and spot lights: direction, distance and colour at a point, and points outside of a beam.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI};
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::PixelRandom;
-use a05_lighting::{DirectionalLight, Illumination, Light, PointLight, SpotLight};
+use a05_lighting::{Illumination, Light, PointLight, SpotLight};
 use approx::assert_abs_diff_eq;
 use common::Color;
 
@@ -56,21 +56,6 @@ fn a_light_does_not_shine_on_its_own_place() {
         assert!(!light.illuminates(PLACE));
         let beside = Point3::new(2.0, 4.0_f64.next_up(), 4.0);
         assert_eq!(light.direction_from(beside), Some(DOWN));
-    }
-}
-
-#[test]
-fn a_directional_light_shines_everywhere_from_the_same_side() {
-    for length in [1e-200, 1.0, 1e200] {
-        let light = DirectionalLight::new(ORANGE, DOWN * length).unwrap();
-        let expected = Illumination {
-            color: ORANGE,
-            direction: -DOWN,
-            distance: f64::INFINITY,
-        };
-        for point in [Point3::ORIGIN, Point3::new(1e100, -5.0, -1e100)] {
-            assert_eq!(light.illumination(point), Some(expected));
-        }
     }
 }
 

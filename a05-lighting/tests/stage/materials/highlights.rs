@@ -61,20 +61,6 @@ fn powers_are_exact_where_they_can_be() {
     }
 }
 
-#[test]
-fn highlights_add_up_and_the_surface_does_not_tint_them() {
-    let lights = [(Color::GREEN, RIGHT), (Color::gray(0.5), LEFT)];
-    let lighting = light(Color::new(0.125, 1.0, 1.0), &lights);
-    let highlight = 0.8 * 0.8;
-    let expected = Color::new(
-        0.125 + 0.5 * 0.8 + 0.5 * highlight,
-        1.5 * highlight,
-        0.5 * highlight,
-    );
-    let shiny = phong(Color::RED, Color::WHITE, 2.0);
-    assert_close(seen_from(UP, &shiny, &lighting), expected);
-}
-
 /// 0 to the power of 0 is 1: it must not light a surface that faces away, neither
 /// perpendicular to the mirror direction (-0.6, 0.8) nor beyond. A light below the surface
 /// or exactly in its plane would be mirrored towards eyes just above it.

@@ -1,30 +1,16 @@
 //! Matt surfaces, and surfaces of a single colour.
 
 use a02_math::Vector3;
-use a03_rays_cameras::Ray;
-use a04_intersections::Hit;
-use a05_lighting::{Illumination, Lighting, SingleColor};
+use a05_lighting::SingleColor;
 use common::Color;
 
 use super::{LEFT, RIGHT, UP, assert_close, lambert, light, phong, seen_from, white_from};
 
-/// Light that no material may use.
-struct Unused;
-
-impl Lighting for Unused {
-    fn ambient(&self) -> Color {
-        panic!("the ambient light is used")
-    }
-
-    fn for_each_light(&self, _: &Ray, _: &Hit, _: &mut dyn FnMut(&Illumination)) {
-        panic!("the lights are used")
-    }
-}
-
 #[test]
 fn a_single_color_uses_no_light() {
     let material = SingleColor::new(Color::MAGENTA).unwrap();
-    assert_eq!(seen_from(LEFT, &material, &Unused), Color::MAGENTA);
+    let lighting = light(Color::WHITE, &[(Color::WHITE, UP)]);
+    assert_eq!(seen_from(LEFT, &material, &lighting), Color::MAGENTA);
 }
 
 #[test]
