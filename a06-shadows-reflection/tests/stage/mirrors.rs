@@ -1,5 +1,6 @@
-//! Mirrors: depth, mirror images, and surfaces that do not mirror. Two mirrors that face
-//! each other, and mirrors under several lights, are the extreme cases M01 to M19.
+//! Mirrors: mirror images, and surfaces that do not mirror. Two mirrors that face each
+//! other, and mirrors under several lights, are the extreme cases M01 to M19; depth and
+//! background are the exercise `mirror`.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
@@ -37,36 +38,6 @@ fn trace(world: &ShadowedWorld, ray: &Ray, depth: u32) -> Color {
 
 fn from_above(direction: Vector3) -> Ray {
     Ray::new(Point3::new(0.0, 3.0, 0.0), direction).unwrap()
-}
-
-#[test]
-fn depth_counts_the_surfaces_that_a_ray_may_hit() {
-    let half = Color::gray(0.5);
-    let world = world(Color::BLUE, WHITE).with(floor(), mirror(half, half));
-    let with_sky = half + Color::BLUE * 0.5;
-    for (direction, depth, expected) in [
-        (-UP, 0, BLACK),
-        (-UP, 1, half),
-        (-UP, 2, with_sky),
-        (-UP, u32::MAX, with_sky),
-        (UP, 0, BLACK),
-        (UP, 1, Color::BLUE),
-    ] {
-        assert_eq!(trace(&world, &from_above(direction), depth), expected);
-    }
-}
-
-/// Each mirror takes its share of each channel: down to the floor, reflected to the wall,
-/// and from there to the sky.
-#[test]
-fn the_background_is_seen_through_mirrors() {
-    let (first, second) = (Color::new(0.5, 1.0, 0.25), Color::new(0.5, 0.0, 0.75));
-    let corner = world(Color::new(1.0, 1.0, 0.5), BLACK)
-        .with(floor(), mirror(WHITE, first))
-        .with(plane(Point3::ORIGIN + X * 5.0, X), mirror(WHITE, second));
-    let ray = from_above(X - UP);
-    assert_eq!(trace(&corner, &ray, 3), Color::new(0.25, 0.0, 0.09375));
-    assert_eq!(trace(&corner, &ray, 2), BLACK);
 }
 
 /// A plane mirror shows the view of an eye behind it, without the mirror.
