@@ -37,19 +37,6 @@ pub fn random_vector(random: PixelRandom, first: u64, width: f64) -> Vector3 {
     vector([0, 1, 2].map(|i| width * (2.0 * random.uniform(first + i) - 1.0)))
 }
 
-/// Units and place of a random shape: its coordinates are multiplied by the scale, and the
-/// shift is added.
-#[derive(Clone, Copy)]
-pub struct Place {
-    pub scale: f64,
-    pub shift: f64,
-}
-
-pub const HERE: Place = Place {
-    scale: 1.0,
-    shift: 0.0,
-};
-
 /// A point of eighths from -2 to 2.
 pub fn eighths(random: PixelRandom, first: u64) -> Point3 {
     point([0, 1, 2].map(|i| (33.0 * random.uniform(first + i)).floor() / 8.0 - 2.0))
@@ -89,25 +76,20 @@ impl Numbers {
         };
         vector([0; 3].map(|_| (steps * width * self.next()).round() / steps))
     }
-
-    fn point(&mut self, place: Place) -> Point3 {
-        let coordinates = self.rounded_vector().to_glam() * place.scale + place.shift;
-        Point3::from_glam(coordinates)
-    }
 }
 
 /// The shape with this number: planes, spheres, boxes and triangles in turn.
-pub fn random_shape(n: u32, place: Place) -> Box<dyn Geometry> {
+pub fn random_shape(n: u32) -> Box<dyn Geometry> {
     let mut numbers = Numbers(PixelRandom::new(5, n, 0), 0);
     loop {
-        let [a, b, c] = [0; 3].map(|_| numbers.point(place));
+        let [a, b, c] = [0; 3].map(|_| Point3::ORIGIN + numbers.rounded_vector());
         match n % 4 {
             0 => {
                 if let Ok(plane) = Plane::new(a, numbers.rounded_vector().as_normal()) {
                     return Box::new(plane);
                 }
             }
-            1 => return Box::new(Sphere::new(a, (0.1 + numbers.uniform()) * place.scale).unwrap()),
+            1 => return Box::new(Sphere::new(a, 0.1 + numbers.uniform()).unwrap()),
             2 => return Box::new(AxisAlignedBox::new(a, b).unwrap()),
             _ => {
                 if let Ok(triangle) = Triangle::new(a, b, c) {

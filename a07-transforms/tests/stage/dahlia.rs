@@ -1,9 +1,8 @@
-//! The picture at the top of the README: some of its rows, and the same bytes by all
-//! renderers.
+//! The picture at the top of the README: one of its rows.
 
 use std::path::Path;
 
-use common::{Renderer, Settings, Size, Transfer, picture_file};
+use common::{Settings, Transfer, picture_file};
 
 #[path = "../../examples/dahlia.rs"]
 #[expect(dead_code, reason = "the example's own main")]
@@ -28,23 +27,4 @@ fn a_row_of_the_picture_is_right() {
     let start = ROW as usize * width;
     let is_same = row.to_rgb8(Transfer::Srgb) == expected[start..start + width];
     assert!(is_same, "row {ROW} differs from {}", path.display());
-}
-
-#[test]
-fn all_renderers_draw_the_same_flower() {
-    let stage = example::stage();
-    let [lesson, engine, all] = Renderer::ALL.map(|renderer| {
-        let settings = Settings {
-            size: Size::new(48, 32).unwrap(),
-            samples: 1,
-            renderer,
-            ..Settings::default()
-        };
-        stage.scenes[0].render(&settings, &()).unwrap()
-    });
-    assert!(lesson == engine, "the engine draws another flower");
-    assert!(
-        lesson == all,
-        "the renderer of all work draws another flower"
-    );
 }

@@ -9,7 +9,7 @@ use a04_intersections::{AxisAlignedBox, Geometry, Interval, Plane, Sphere, Trian
 use a07_transforms::{Node, Transform};
 use approx::assert_abs_diff_eq;
 
-use super::support::{HERE, Place, hit, point, random_ray, random_shape, random_vector, ray};
+use super::support::{hit, point, random_ray, random_shape, random_vector, ray};
 
 fn unit_sphere() -> Sphere {
     Sphere::new(Point3::ORIGIN, 1.0).unwrap()
@@ -31,29 +31,6 @@ fn rays() -> impl Iterator<Item = Ray> {
         let eye = Point3::ORIGIN + out * 10.0;
         Ray::new(eye, random_vector(random, 3, 4.0) - out * 10.0).unwrap()
     })
-}
-
-/// Moved by a whole number and stretched by powers of two nothing is rounded on the way
-/// into the nodes, so that `t` equals the `t` of a shape that lies there.
-#[test]
-fn nodes_with_exact_transforms_are_hit_at_the_same_t() {
-    for n in 0..8000 {
-        let (scale, shift) = (
-            libm::scalbn(1.0, (n % 7) as i32 - 3),
-            f64::from(n % 5) - 2.0,
-        );
-        let ray = random_ray(n);
-        let scaling = Transform::IDENTITY.scale(scale, scale, scale).unwrap();
-        let inner = Node::new(scaling).with(random_shape(n / 8, HERE));
-        let nested = Node::new(translated(shift, shift, shift)).with(inner);
-        let there = random_shape(n / 8, Place { scale, shift });
-        let within = Interval {
-            min: 2.0 * f64::from(n % 3),
-            ..Interval::AHEAD
-        };
-        let t = |shape: &dyn Geometry| Some(shape.hit(&ray, within)?.t);
-        assert_eq!(t(&nested), t(&*there), "{there:?} {ray:?}");
-    }
 }
 
 /// The same hits and misses. Bound: the error of each shape, 4 eps of the distance
@@ -138,7 +115,7 @@ fn the_nearest_child_is_hit_in_any_order() {
         let child = |turn: u32| {
             let (number, size) = (turn % count.div_ceil(2), 1.0 + f64::from(turn % 3));
             let transform = Transform::IDENTITY.rotate_x(size).unwrap();
-            let shape = random_shape(10 * n + number, HERE);
+            let shape = random_shape(10 * n + number);
             Node::new(transform.scale(size, 1.0, size).unwrap()).with(shape)
         };
         let alone = |turn| Node::new(Transform::IDENTITY).with(child(turn));
