@@ -7,7 +7,6 @@ mod axis_aligned_box;
 mod engine;
 mod every_shape;
 mod mesh;
-mod plane;
 mod sphere;
 mod support;
 mod triangle;

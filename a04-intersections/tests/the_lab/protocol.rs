@@ -27,25 +27,11 @@ fn a_box_is_met_beyond_the_nearest_distance() {
 
 #[test]
 fn by_the_text_only_one_edge_is_inside() {
-    let inside = [(0.5, 0.5), (0.25, 0.75)];
-    let outside = [
-        (0.25, 0.25),
-        (0.0, 1.0),
-        (1.0, 0.0),
-        (-1.0, 2.0),
-        (2.0, -1.0),
-        (2.0, 0.5),
-    ];
-    assert!(
-        inside
-            .iter()
-            .all(|(beta, gamma)| is_inside_by_the_text(*beta, *gamma))
-    );
-    assert!(
-        !outside
-            .iter()
-            .any(|(beta, gamma)| is_inside_by_the_text(*beta, *gamma))
-    );
+    assert!(is_inside_by_the_text(0.5, 0.5) && is_inside_by_the_text(0.25, 0.75));
+    let outside = [[0.25, 0.25], [0.0, 1.0], [1.0, 0.0]].into_iter();
+    for [beta, gamma] in outside.chain([[-1.0, 2.0], [2.0, -1.0], [2.0, 0.5]]) {
+        assert!(!is_inside_by_the_text(beta, gamma));
+    }
 }
 
 /// The corner a lies at the origin: the ray over (β, γ) meets it there.
