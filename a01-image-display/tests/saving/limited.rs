@@ -29,20 +29,13 @@ fn a_file_that_becomes_too_long_keeps_the_old_one() {
     let table = "./a01-image-display-save-diagonal.csv";
     fs::write(path("saved.png"), "old").unwrap();
     fs::write(path(table), "old").unwrap();
+    let render = |file| format!("render show-image --open {file} -o saved.png");
     for (line, name, blocks) in [
-        (
-            "render show-image --open small.png -o saved.png",
-            "saved.png",
-            64,
-        ),
-        (
-            "render show-image --open large.png -o saved.png",
-            "saved.png",
-            64,
-        ),
-        ("report save-diagonal --quick -o .", table, 0),
+        (render("small.png"), "saved.png", 64),
+        (render("large.png"), "saved.png", 64),
+        ("report save-diagonal --quick -o .".to_owned(), table, 0),
     ] {
-        let mut limited = limited("trap '' XFSZ", blocks, &program(folder.path(), line));
+        let mut limited = limited("trap '' XFSZ", blocks, &program(folder.path(), &line));
         let reason = "it is larger than a file may be there; write less, or elsewhere (";
         let sentence = format!("error: cannot write {name}: {reason}");
         assert_refused(folder.path(), &mut limited, &sentence);

@@ -50,12 +50,6 @@ fn assert_refused(folder: &Path, program: &mut Command, sentence: &str) {
     assert!(files() == before, "changed: {:?}", names(folder));
 }
 
-fn assert_success(program: &mut Command) {
-    let output = program.output().expect("the program runs");
-    let complaint = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{complaint}");
-}
-
 /// The names in a folder, sorted.
 fn names(folder: &Path) -> Vec<String> {
     let entries = folder.read_dir().expect("a folder");

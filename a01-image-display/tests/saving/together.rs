@@ -3,7 +3,7 @@
 use std::fs;
 use std::process::{Command, Stdio};
 
-use crate::{assert_success, folder, names, program, write_noise};
+use crate::{folder, names, program, write_noise};
 
 #[test]
 fn of_two_programs_that_save_at_once_one_picture_is_whole() {
@@ -14,7 +14,7 @@ fn of_two_programs_that_save_at_once_one_picture_is_whole() {
         format!("render show-image --open {name} -o saved.png")
     });
     let whole = lines.each_ref().map(|line| {
-        assert_success(&mut program(folder.path(), line));
+        run_at_once([program(folder.path(), line)]);
         fs::read(path("saved.png")).unwrap()
     });
     assert!(whole[0] != whole[1]);
@@ -41,8 +41,8 @@ fn two_programs_make_the_same_folder_at_once() {
     }
 }
 
-/// Both must succeed.
-fn run_at_once(mut programs: [Command; 2]) {
+/// All must succeed.
+fn run_at_once<const N: usize>(mut programs: [Command; N]) {
     let started = programs.each_mut().map(|program| {
         let silent = program.stdout(Stdio::null()).stderr(Stdio::piped());
         silent.spawn().expect("the program runs")

@@ -38,14 +38,6 @@ fn the_menu_works_by_keyboard() {
     assert_eq!(menu.selected(), None);
 }
 
-#[test]
-fn only_a_scene_that_shows_a_file_has_an_item_to_open_one() {
-    let commands = |menu: &MenuBar| menu.items().iter().map(|i| i.command).collect::<Vec<_>>();
-    let all = [Command::Save, Command::Open, Command::Close];
-    assert_eq!(commands(&of_three()), all);
-    assert_eq!(commands(&MenuBar::default()), [all[0], all[2]]);
-}
-
 /// Lines are 18 pixels high, the title 48 wide and the items 200.
 #[test]
 fn the_mouse_selects_up_to_the_borders() {
