@@ -5,9 +5,9 @@
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::protocol::{
-    bracket_of_the_code, bracket_of_the_course, bracket_of_the_formula, count_current_stripe,
-    mean_byte, mean_over_grid, normalized, perspective_direction, pinhole_direction,
-    pinhole_direction_of_whole_sizes, point_at,
+    bracket_of_the_code, bracket_of_the_course, bracket_of_the_formula, mean_byte, mean_over_grid,
+    normalized, perspective_direction, pinhole_direction, pinhole_direction_of_whole_sizes,
+    point_at,
 };
 use approx::assert_abs_diff_eq;
 
@@ -44,14 +44,6 @@ fn a_ray_ends_at_its_bound() {
     let at = |t| point_at(Point3::new(1.0, 0.0, 0.0), x, 30.0, t).map(Point3::x);
     assert_eq!([0.0, 4.0, 30.0].map(at), [1.0, 5.0, 31.0].map(Some));
     assert_eq!([-1.0, 30.5].map(at), [None, None]);
-}
-
-/// Stripes of the height 1/2 between -1 and 1.
-#[test]
-fn stripes_are_counted_from_the_top_to_the_horizon() {
-    let heights = [1.5, 1.0, 0.75, 0.5, 0.25, 0.0, -0.25, -0.75];
-    let counts = heights.map(|y| count_current_stripe(1.0, 4, y));
-    assert_eq!(counts, [0, 1, 1, 2, 2, 3, 2, 1]);
 }
 
 /// 51 / 3 = 17, 53 / 3 = 17 and two thirds; 9 of 10 places fill a grid.
