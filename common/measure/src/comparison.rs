@@ -37,7 +37,6 @@ impl Comparison {
 
     /// A row of a Markdown table: for each kind of work the count of the chosen
     /// renderer, and the full count if that is another.
-    #[must_use]
     pub fn row(&self, name: &str) -> String {
         let mut row = format!("| {name} |");
         for work in Work::ALL {
@@ -52,7 +51,6 @@ impl Comparison {
 }
 
 /// The settings with the renderer that skips no work.
-#[must_use]
 pub fn complete(settings: &Settings) -> Settings {
     Settings {
         renderer: Renderer::AllWork,

@@ -12,7 +12,6 @@ pub enum Effort {
 
 impl Effort {
     /// Full effort in a release build; quick in a debug build, which is slower.
-    #[must_use]
     pub const fn of_build() -> Self {
         if cfg!(debug_assertions) {
             Self::Quick
@@ -22,7 +21,6 @@ impl Effort {
     }
 
     /// The number for this effort.
-    #[must_use]
     pub const fn choose(self, quick: usize, full: usize) -> usize {
         match self {
             Self::Quick => quick,

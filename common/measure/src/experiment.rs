@@ -71,7 +71,6 @@ pub struct Experiment<'a> {
 
 impl Experiment<'_> {
     /// The line through the errors of a curve. None for shares.
-    #[must_use]
     pub fn fit(&self, curve: &Curve) -> Option<Fit> {
         let fit = curve.fit(self.against)?;
         (self.unit != Unit::Share).then_some(fit)
@@ -79,7 +78,6 @@ impl Experiment<'_> {
 
     /// Whether half a grey level is a mark for these errors: they are of light, and a
     /// method exists whose error falls as its work grows.
-    #[must_use]
     pub fn can_be_seen(&self, curves: &[Curve]) -> bool {
         let falls = |curve: &Curve| match &curve.points[..] {
             [coarse, .., fine] => coarse.work < fine.work && fine.rms < coarse.rms,
@@ -130,13 +128,11 @@ impl<'a> Curve<'a> {
     }
 
     /// Adds a remark for the reader.
-    #[must_use]
     pub fn with_remark(self, remark: &'a str) -> Self {
         Self { remark, ..self }
     }
 
     /// Adds the slope of theory, if there is one, and the range in which it holds.
-    #[must_use]
     pub fn with_slope(self, expected: impl Into<Option<f64>>, between: (f64, f64)) -> Self {
         let slope = expected.into().map(|expected| Slope { expected, between });
         Self { slope, ..self }
@@ -207,7 +203,6 @@ impl<'a> Point<'a> {
     }
 
     /// The coordinate on an axis.
-    #[must_use]
     pub const fn on(&self, axis: Axis) -> f64 {
         match axis {
             Axis::Work => self.work,
@@ -224,7 +219,6 @@ pub fn share<T>(tasks: &[T], is_wrong: impl Fn(&&T) -> bool) -> Vec<f64> {
 
 /// The Pareto front, by curve and point: true for a point if no other has both
 /// less work and a smaller error. Estimates take no part.
-#[must_use]
 pub fn pareto_front(curves: &[Curve]) -> Vec<Vec<bool>> {
     let beats = |a: &Point, b: &Point| {
         a.work <= b.work && a.rms <= b.rms && (a.work < b.work || a.rms < b.rms)
@@ -243,7 +237,6 @@ pub fn pareto_front(curves: &[Curve]) -> Vec<Vec<bool>> {
 /// # Panics
 ///
 /// If there is no curve, or if a slope does not agree; the message lists all of them.
-#[must_use]
 pub fn checked(experiment: &Experiment, effort: Effort) -> String {
     let mut lines = vec![format!("{} ({} counted)", experiment.name, experiment.work)];
     let mut wrong = Vec::new();

@@ -57,13 +57,11 @@ impl Fit {
 
     /// Whether the points follow a power law: over a decade or more, they stray from the
     /// line by less than a factor of the square root of two.
-    #[must_use]
     pub fn is_power_law(&self) -> bool {
         self.decades >= LEAST_DECADES && self.scatter <= MOST_SCATTER
     }
 
     /// The slope with its standard error.
-    #[must_use]
     pub fn slope_in_words(&self) -> String {
         // Not "-0.000".
         let slope = libm::round(self.slope * 1e3) / 1e3 + 0.0;
@@ -89,7 +87,6 @@ impl fmt::Display for Fit {
 impl Curve<'_> {
     /// The line of the points in the range in which theory expects the slope; of all
     /// points where it expects none. Errors of 0 have no logarithm and take no part.
-    #[must_use]
     pub fn fit(&self, axis: Axis) -> Option<Fit> {
         let everywhere = (0.0, f64::INFINITY);
         let (from, to) = self.slope.map_or(everywhere, |slope| slope.between);
@@ -108,7 +105,6 @@ impl Curve<'_> {
     /// interpolated on the straight line through both. Beyond the last point it is
     /// extrapolated if the points before it follow a falling power law, and the flag is
     /// true.
-    #[must_use]
     pub fn work_to_reach(&self, target: f64) -> Option<(f64, bool)> {
         let reached = self.points.iter().position(|point| point.rms <= target);
         match reached {

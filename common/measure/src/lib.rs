@@ -5,6 +5,12 @@
 //! the scenes of a stage with its experiments and extreme cases, for the program
 //! and for the tests.
 
+#![expect(
+    clippy::must_use_candidate,
+    clippy::return_self_not_must_use,
+    reason = "called by the laboratories, the program and the tests"
+)]
+
 pub mod comparison;
 mod effort;
 #[cfg(test)]

@@ -5,7 +5,6 @@ use std::thread::available_parallelism;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// The lines of the head of a report, each a name with its value.
-#[must_use]
 pub fn lines() -> [(&'static str, String); 4] {
     let cores = available_parallelism().map_or(1, usize::from);
     let now = SystemTime::now().duration_since(UNIX_EPOCH);

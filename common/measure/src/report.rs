@@ -72,7 +72,6 @@ impl<'e, 'a> Measured<'e, 'a> {
     }
 
     /// The table for the terminal.
-    #[must_use]
     pub fn table(&self) -> String {
         let e = self.experiment;
         let front = pareto_front(&self.curves);
@@ -138,7 +137,6 @@ impl<'e, 'a> Measured<'e, 'a> {
 
     /// All measurements as comma-separated values, below lines with `#` about their
     /// origin.
-    #[must_use]
     pub fn csv(&self) -> String {
         let e = self.experiment;
         let (name, about, unit, exact) = (e.name, e.about, e.unit, e.exact);

@@ -42,7 +42,6 @@ impl Work {
     ];
 
     /// The name for a reader, in the plural.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::PrimaryRay => "primary rays",
@@ -83,7 +82,6 @@ thread_local! {
 
 /// Whether work is counted in this thread.
 #[inline]
-#[must_use]
 pub fn is_on() -> bool {
     IS_ON.get()
 }

@@ -23,7 +23,6 @@ impl Median {
     /// between the k-th of them from below and from above holds it with 95 % or more, for
     /// the largest such k (H. A. David and H. N. Nagaraja, Order Statistics, 2003,
     /// section 7.1). Of less than six measurements it has all.
-    #[must_use]
     pub fn of(mut measured: Vec<f64>) -> Self {
         measured.sort_by(f64::total_cmp);
         let count = measured.len();
@@ -43,14 +42,12 @@ impl Median {
     }
 
     /// The median of the quotients of measurements that were taken by turns.
-    #[must_use]
     pub fn of_quotients(dividends: &[f64], divisors: &[f64]) -> Self {
         let pairs = dividends.iter().zip(divisors);
         Self::of(pairs.map(|(a, b)| a / b).collect())
     }
 
     /// The noise in words if a quotient does not differ from 1 beyond it.
-    #[must_use]
     pub fn noise(&self) -> Option<String> {
         let factor = self.high.max(1.0 / self.low);
         let is_noise = self.low <= 1.0 && self.high >= 1.0;

@@ -60,7 +60,6 @@ impl Case {
     }
 
     /// Adds the outcome of the protocol's formula.
-    #[must_use]
     pub fn protocol(mut self, says: Protocol, outcome: impl Into<Outcome>) -> Self {
         self.protocol = Some((outcome.into(), says));
         self
@@ -68,7 +67,6 @@ impl Case {
 
     /// Whether our outcome is within the bound, and the protocol's is or is not, as
     /// expected.
-    #[must_use]
     pub fn holds(&self) -> bool {
         let as_said = self.protocol.is_none_or(|(outcome, says)| {
             self.bound.admits(self.exact, outcome) == (says == Protocol::Holds)
@@ -77,7 +75,6 @@ impl Case {
     }
 
     /// The exact outcome, ours, and the error of ours, in one line.
-    #[must_use]
     pub fn comparison(&self) -> String {
         let (exact, ours, bound) = (self.exact, self.ours, self.bound);
         let off = match exact.distance(&ours) {
