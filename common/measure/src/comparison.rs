@@ -39,7 +39,7 @@ impl Comparison {
     /// renderer, and the full count if that is another.
     pub fn row(&self, name: &str) -> String {
         let mut row = format!("| {name} |");
-        for work in Work::ALL {
+        for (work, _) in Work::ALL {
             let _ = match (self.needed[work], self.all[work]) {
                 (0, 0) => write!(row, " |"),
                 (needed, all) if needed == all => write!(row, " {all} |"),
@@ -78,11 +78,10 @@ impl fmt::Display for Comparison {
             "  {:20} {:>14} {:>14} {:>8}",
             "work", "everything", "needed", "saved"
         )?;
-        for work in Work::ALL {
+        for (work, name) in Work::ALL {
             let (needed, all) = (self.needed[work], self.all[work]);
             if all.max(needed) > 0 {
                 let saved = 100.0 * (all as f64 - needed as f64) / all.max(1) as f64;
-                let name = work.name();
                 write!(f, "\n  {name:20} {all:>14} {needed:>14} {saved:>6.1} %")?;
             }
         }

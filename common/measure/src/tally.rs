@@ -6,7 +6,7 @@
 //! test of a flag.
 
 use std::cell::Cell;
-use std::ops::{Add, Index};
+use std::ops::Index;
 
 use common::{ArgumentError, Error};
 
@@ -30,29 +30,16 @@ pub enum Work {
 }
 
 impl Work {
-    /// All kinds.
-    pub const ALL: [Self; 7] = [
-        Self::PrimaryRay,
-        Self::ShadowRay,
-        Self::ReflectedRay,
-        Self::IntersectionTest,
-        Self::MovedRay,
-        Self::Power,
-        Self::RandomNumber,
+    /// All kinds, with their names for a reader, in the plural.
+    pub const ALL: [(Self, &str); 7] = [
+        (Self::PrimaryRay, "primary rays"),
+        (Self::ShadowRay, "shadow rays"),
+        (Self::ReflectedRay, "reflected rays"),
+        (Self::IntersectionTest, "intersection tests"),
+        (Self::MovedRay, "moved rays"),
+        (Self::Power, "powers"),
+        (Self::RandomNumber, "random numbers"),
     ];
-
-    /// The name for a reader, in the plural.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::PrimaryRay => "primary rays",
-            Self::ShadowRay => "shadow rays",
-            Self::ReflectedRay => "reflected rays",
-            Self::IntersectionTest => "intersection tests",
-            Self::MovedRay => "moved rays",
-            Self::Power => "powers",
-            Self::RandomNumber => "random numbers",
-        }
-    }
 }
 
 /// How often each kind of work was done.
@@ -64,14 +51,6 @@ impl Index<Work> for Tally {
 
     fn index(&self, work: Work) -> &u64 {
         &self.0[work as usize]
-    }
-}
-
-impl Add for Tally {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Self(std::array::from_fn(|i| self.0[i] + other.0[i]))
     }
 }
 
@@ -119,8 +98,8 @@ pub fn counted<T: Send>(task: impl FnOnce() -> T + Send) -> Result<(T, Tally), E
         .build()?;
     let result = pool.install(task);
     let tallies = pool.broadcast(|_| TALLY.get());
-    let total = tallies.into_iter().fold(Tally::default(), Add::add);
-    Ok((result, total))
+    let sum = |work| tallies.iter().map(|tally| tally.0[work]).sum();
+    Ok((result, Tally(std::array::from_fn(sum))))
 }
 
 #[cfg(test)]
