@@ -33,12 +33,11 @@ impl<'e, 'a> Measured<'e, 'a> {
         mut progress: impl FnMut(usize, usize),
     ) -> Self {
         let mut curves = (experiment.curves)(effort);
-        let rounds = effort.choose(9, 15);
-        let points = |curves: &[Curve]| curves.iter().map(|c| c.points.len()).sum::<usize>();
-        let (mut done, all) = (0, rounds * points(&curves));
-        progress(done, all);
         let none = |curve: &Curve| vec![Vec::new(); curve.points.len()];
         let mut seconds: Vec<Vec<Vec<f64>>> = curves.iter().map(none).collect();
+        let rounds = effort.choose(9, 15);
+        let (mut done, all) = (0, rounds * seconds.iter().map(Vec::len).sum::<usize>());
+        progress(done, all);
         for _ in 0..rounds {
             for (curve, seconds) in curves.iter_mut().zip(&mut seconds) {
                 for (point, seconds) in curve.points.iter_mut().zip(seconds) {
@@ -116,10 +115,8 @@ impl<'e, 'a> Measured<'e, 'a> {
         let mut parts = Vec::new();
         if let Some(fit) = self.experiment.fit(curve) {
             let theory = |slope: Slope| format!(" (theory {})", slope.expected);
-            parts.push(format!(
-                "{fit}{}",
-                curve.slope.map_or(String::new(), theory)
-            ));
+            let theory = curve.slope.map_or(String::new(), theory);
+            parts.push(format!("{fit}{theory}"));
         }
         let is_estimate = curve.points.iter().any(|point| point.is_estimate);
         let has_mark = self.experiment.can_be_seen(&self.curves) && !is_estimate;
