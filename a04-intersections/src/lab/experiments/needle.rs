@@ -11,25 +11,23 @@ use super::Numbers;
 use crate::lab::extremes::arrays;
 use crate::lab::{exact, protocol};
 
-/// A triangle, and rays of which half hit it, far from grazing.
-pub struct Needle {
-    pub corners: [Point3; 3],
-    pub rays: Vec<Ray>,
+/// The corners of a triangle, and a ray. Half of the rays hit, far from grazing.
+pub type Needle = ([Point3; 3], Ray);
+
+/// Rays from 2 to 5 lengths away towards sixteen triangles with this ratio of length to
+/// height, in various orientations.
+pub fn needles(aspect: f64, rays: usize) -> Rc<[Needle]> {
+    let each = rays / 16;
+    (0..16).flat_map(|n| needle(n, aspect, each)).collect()
 }
 
-/// Sixteen triangles with this ratio of length to height, in various orientations,
-/// and rays from 2 to 5 lengths away.
-pub fn needles(aspect: f64, rays: usize) -> Vec<Needle> {
-    (0..16).map(|n| needle(n, aspect, rays / 16)).collect()
-}
-
-fn needle(n: usize, aspect: f64, rays: usize) -> Needle {
+fn needle(n: usize, aspect: f64, rays: usize) -> impl Iterator<Item = Needle> {
     let mut numbers = Numbers::new(13, n);
     let [along, across] = numbers.perpendicular();
     let a = Point3::ORIGIN + numbers.triple(-1.0, 1.0);
     let middle = along * numbers.between(0.3, 0.7);
     let corners = [a, a + along, a + middle + across * (1.0 / aspect)];
-    let ray = |m| {
+    let ray = move |m| {
         let mut numbers = Numbers::new(14 + n as u64, m);
         let (beta, gamma) = (numbers.between(0.0, 1.0), numbers.between(0.0, 1.0));
         let aim = along * beta + (middle + across * (1.0 / aspect)) * gamma;
@@ -38,10 +36,7 @@ fn needle(n: usize, aspect: f64, rays: usize) -> Needle {
         let (origin, way) = (a + aim + back, -back);
         Ray::derived(origin, way * (1.0 / way.magnitude()))
     };
-    Needle {
-        corners,
-        rays: (0..rays).map(ray).collect(),
-    }
+    (0..rays).map(move |m| (corners, ray(m)))
 }
 
 /// The `t` of a ray at a triangle.
@@ -50,7 +45,7 @@ type Formula = fn(&[Point3; 3], &Ray) -> Option<f64>;
 /// The relative errors of `t` for all rays whose exact barycentric coordinates
 /// are not near 0. A miss counts as 1.
 pub fn errors(needles: &[Needle], formula: Formula) -> Vec<f64> {
-    let error = move |corners: &[Point3; 3], ray: &Ray| {
+    let error = |(corners, ray): &Needle| {
         let [o, d] = arrays(ray);
         let exact = corners.map(|corner| corner.to_glam().to_array());
         let [t, beta, gamma] = exact::triangle(&exact, &o, &d);
@@ -59,11 +54,7 @@ pub fn errors(needles: &[Needle], formula: Formula) -> Vec<f64> {
         let found = formula(corners, ray);
         (least > 0.05).then(|| found.map_or(1.0, |found| t.error_of(found) / t.value()))
     };
-    let all = needles.iter().flat_map(|Needle { corners, rays }| {
-        let rays = rays.iter();
-        rays.filter_map(move |ray| error(corners, ray))
-    });
-    all.collect()
+    needles.iter().filter_map(error).collect()
 }
 
 /// The test of Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle
@@ -139,20 +130,13 @@ pub fn compensated(corners: &[Point3; 3], ray: &Ray) -> Option<f64> {
 fn curves(effort: Effort) -> Vec<Curve<'static>> {
     let rays = effort.choose(4096, 65_536);
     let aspects = (0..=9).map(|power| libm::pow(8.0, power.into()));
-    let views = aspects.map(|aspect| (aspect, needles(aspect, rays).into()));
-    let views: Vec<(f64, Rc<[Needle]>)> = views.collect();
+    let sets: Vec<_> = aspects
+        .map(|aspect| (aspect, needles(aspect, rays)))
+        .collect();
     let curve = |method, slope: Option<f64>, formula: Formula| {
         let errors = |needles: &[_]| errors(needles, formula);
-        let run = move |Needle { corners, rays }: &Needle| {
-            let hits = rays.iter().filter_map(|ray| formula(corners, ray));
-            hits.sum()
-        };
-        let mut curve = Curve::of_tasks(method, &views, errors, run);
-        // The tasks are triangles, the work is tests.
-        for point in &mut curve.points {
-            point.work = rays as f64;
-        }
-        curve.with_slope(slope, (64.0, 2e8))
+        let run = move |(corners, ray): &Needle| formula(corners, ray).unwrap_or_default();
+        Curve::of_tasks(method, &sets, errors, run).with_slope(slope, (64.0, 2e8))
     };
     vec![
         curve("Cramer (protocol)", Some(1.0), protocol::triangle),

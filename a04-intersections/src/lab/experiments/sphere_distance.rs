@@ -1,24 +1,24 @@
 //! Accuracy of the formulas for far spheres and for huge spheres.
 
-use std::ops::Add;
 use std::rc::Rc;
 
 use a02_math::lab::exact::{product_with_error, sum_with_error};
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Unit};
 
 use super::Numbers;
 use crate::lab::extremes::arrays;
 use crate::lab::real::{Real, difference, dot};
 use crate::lab::{exact, protocol};
 
-/// Centre and radius of a sphere, and rays towards it, as origins and directions.
-pub struct View<F> {
+/// A ray towards a sphere: the sphere's centre and radius, and the ray's origin and direction.
+pub struct Shot<F> {
     pub c: [F; 3],
     pub r: F,
-    pub rays: Vec<[[F; 3]; 2]>,
+    pub o: [F; 3],
+    pub d: [F; 3],
 }
 
 /// The formula of the renderer, in either precision.
@@ -67,90 +67,78 @@ fn stable_roots<F: Real>(f: &[F; 3], r: F, d: &[F; 3], power: F) -> Option<F> {
     [near, far].into_iter().find(|t| *t > zero)
 }
 
-/// A ray with this direction, brought to length 1, in either precision.
-fn rounded<F: Real>(o: Vector3, d: Vector3) -> [[F; 3]; 2] {
-    let ray = Ray::derived(Point3::ORIGIN + o, d * (1.0 / d.magnitude()));
-    arrays(&ray).map(|triple| triple.map(F::rounded))
+/// A ray with this direction, brought to length 1, towards a sphere, in either precision.
+fn rounded<F: Real>(c: [f64; 3], r: f64, o: Vector3, d: Vector3) -> Shot<F> {
+    let [o, d] = arrays(&Ray::derived(Point3::ORIGIN + o, d * (1.0 / d.magnitude())));
+    let [c, o, d] = [c, o, d].map(|triple| triple.map(F::rounded));
+    let r = F::rounded(r);
+    Shot { c, r, o, d }
 }
 
 /// The unit sphere at the origin and rays from all around, at a distance, that
 /// aim at a disc of 1.2 radii.
-pub fn view_from<F: Real>(distance: f64, rays: usize) -> View<F> {
-    let ray = |n| {
+pub fn shots_from<F: Real>(distance: f64, rays: usize) -> Rc<[Shot<F>]> {
+    let shot = |n| {
         let mut numbers = Numbers::new(11, n);
         let [back, aside] = numbers.perpendicular();
         let o = back * distance;
-        rounded(o, aside * (1.2 * numbers.between(0.0, 1.0).sqrt()) - o)
+        let d = aside * (1.2 * numbers.between(0.0, 1.0).sqrt()) - o;
+        rounded([0.0; 3], 1.0, o, d)
     };
-    View {
-        c: [F::from(0.0); 3],
-        r: F::from(1.0),
-        rays: (0..rays).map(ray).collect(),
-    }
+    (0..rays).map(shot).collect()
 }
 
 /// A sphere of this radius whose top is the origin, as a ground, and rays from
 /// one to two units above it, three of four of them downwards.
-fn view_of_ground<F: Real>(radius: f64, rays: usize) -> View<F> {
-    let ray = |n| {
+fn shots_at_ground<F: Real>(radius: f64, rays: usize) -> Rc<[Shot<F>]> {
+    let shot = |n| {
         let mut numbers = Numbers::new(12, n);
         let o = numbers.triple(-1.0, 1.0);
         let o = Vector3::new(o.x(), numbers.between(1.0, 2.0), o.z());
         let down = if numbers.below(4) == 0 { 1.0 } else { -1.0 };
         let mut slope = || numbers.between(-0.5, 0.5);
-        rounded(o, Vector3::new(slope(), down, slope()))
+        let d = Vector3::new(slope(), down, slope());
+        rounded([0.0, -radius, 0.0], radius, o, d)
     };
-    View {
-        c: [0.0, -radius, 0.0].map(F::rounded),
-        r: F::rounded(radius),
-        rays: (0..rays).map(ray).collect(),
-    }
+    (0..rays).map(shot).collect()
 }
 
 /// The errors of `t` for all rays that hit the sphere, except near its rim, where
 /// rounding of the ray itself has an effect. A miss counts as 1.
 fn errors<F: Real>(
-    view: &View<F>,
+    shots: &[Shot<F>],
     formula: impl Fn(&[F; 3], F, &[F; 3], &[F; 3]) -> Option<F>,
 ) -> Vec<f64> {
-    let (c, r) = (view.c.map(Into::into), view.r.into());
-    let error = |[o, d]: &[[F; 3]; 2]| {
-        let exact = exact::sphere(&c, r, &o.map(Into::into), &d.map(Into::into));
+    let error = |Shot { c, r, o, d }: &Shot<F>| {
+        let [centre, origin, direction] = [c, o, d].map(|triple| triple.map(Into::into));
+        let radius = (*r).into();
+        let exact = exact::sphere(&centre, radius, &origin, &direction);
         let [near, _] = exact.roots?;
-        let counts = exact.distance < 0.9 * r && near.value() > 0.0;
-        let found = formula(&view.c, view.r, o, d);
+        let counts = exact.distance < 0.9 * radius && near.value() > 0.0;
+        let found = formula(c, *r, o, d);
         counts.then(|| found.map_or(1.0, |t| near.error_of(t.into())))
     };
-    view.rays.iter().filter_map(error).collect()
+    shots.iter().filter_map(error).collect()
 }
 
-/// Parameters and their views, for one precision.
-type Views<F> = Vec<(f64, Rc<View<F>>)>;
+/// Parameters and their rays, for one precision.
+type Sets<F> = Vec<(f64, Rc<[Shot<F>]>)>;
 
-fn views<F: Real>(view: fn(f64, usize) -> View<F>, count: i32, effort: Effort) -> Views<F> {
+fn sets<F: Real>(shots: fn(f64, usize) -> Rc<[Shot<F>]>, count: i32, effort: Effort) -> Sets<F> {
     let rays = effort.choose(4096, 65_536);
     let knobs = (1..=count).map(|power| libm::pow(8.0, power.into()));
-    let views = knobs.map(|knob| (knob, Rc::new(view(knob, rays))));
-    views.collect()
+    knobs.map(|knob| (knob, shots(knob, rays))).collect()
 }
 
 fn curve<F: Real + 'static>(
     method: &'static str,
-    views: &Views<F>,
+    sets: &Sets<F>,
     slope: f64,
     between: (f64, f64),
     formula: impl Fn(&[F; 3], F, &[F; 3], &[F; 3]) -> Option<F> + Copy + 'static,
 ) -> Curve<'static> {
-    let points = views.iter().map(|(knob, view)| {
-        let shot = Rc::clone(view);
-        let run = move || {
-            let View { c, r, rays } = &*shot;
-            let hits = rays.iter().filter_map(|[o, d]| formula(c, *r, o, d));
-            hits.fold(F::from(0.0), Add::add).into()
-        };
-        Point::new(*knob, view.rays.len() as f64, errors(view, formula), run)
-    });
-    Curve::new(method, points).with_slope(slope, between)
+    let run = move |Shot { c, r, o, d }: &_| formula(c, *r, o, d).map_or(0.0, Into::into);
+    Curve::of_tasks(method, sets, |shots| errors(shots, formula), run).with_slope(slope, between)
 }
 
 /// Remark on the formula that is more exact than needed.
@@ -160,8 +148,8 @@ const TOO_EXACT: &str = "not in the renderer: it pays only near a sphere so huge
 
 #[rustfmt::skip]
 fn far_curves(effort: Effort) -> Vec<Curve<'static>> {
-    let doubles = views::<f64>(view_from, 10, effort);
-    let singles = views::<f32>(view_from, 3, effort);
+    let doubles = sets::<f64>(shots_from, 10, effort);
+    let singles = sets::<f32>(shots_from, 3, effort);
     let (until_lost, everywhere, single) = ((8.0, 2e7), (8.0, 2e9), (8.0, 512.0));
     vec![
         curve("protocol", &doubles, 2.0, until_lost, protocol::sphere),
@@ -174,8 +162,8 @@ fn far_curves(effort: Effort) -> Vec<Curve<'static>> {
 
 #[rustfmt::skip]
 fn near_curves(effort: Effort) -> Vec<Curve<'static>> {
-    let doubles = views::<f64>(view_of_ground, 10, effort);
-    let singles = views::<f32>(view_of_ground, 6, effort);
+    let doubles = sets::<f64>(shots_at_ground, 10, effort);
+    let singles = sets::<f32>(shots_at_ground, 6, effort);
     let (single, double) = ((64.0, 3e5), (64.0, 2e9));
     vec![
         curve("protocol", &doubles, 1.0, double, protocol::sphere),

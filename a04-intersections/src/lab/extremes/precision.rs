@@ -8,7 +8,7 @@ use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Protocol};
 use super::{EPSILON, arrays, first, raw_ray};
 use crate::lab::experiments::Numbers;
 use crate::lab::experiments::needle::{errors, needles, plain};
-use crate::lab::experiments::sphere_distance::{stable, view_from};
+use crate::lab::experiments::sphere_distance::{Shot, shots_from, stable};
 use crate::lab::real::Real;
 use crate::lab::{exact, protocol};
 use crate::{Plane, Sphere};
@@ -17,14 +17,14 @@ use crate::{Plane, Sphere};
 /// among rays that pass its rim at more than four rounding errors of the distance.
 fn wrong<F: Real>(distance: f64, rays: usize, is_hit: impl Fn(&[F; 3], &[F; 3]) -> bool) -> usize {
     let margin = 4.0 * F::EPSILON * distance;
-    let view = view_from::<F>(distance, rays);
-    let is_wrong = |[o, d]: &&[[F; 3]; 2]| {
+    let is_wrong = |Shot { o, d, .. }: &&Shot<F>| {
         let [origin, direction] = [o, d].map(|v| v.map(Into::into));
         let exact = exact::sphere(&[0.0; 3], 1.0, &origin, &direction);
         let is_clear = (exact.distance - 1.0).abs() > margin;
         is_clear && is_hit(o, d) != exact.roots.is_some()
     };
-    view.rays.iter().filter(is_wrong).count()
+    let shots = shots_from(distance, rays);
+    shots.iter().filter(is_wrong).count()
 }
 
 /// Whether the protocol finds a hit of the unit sphere.
