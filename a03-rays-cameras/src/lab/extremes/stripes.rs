@@ -4,29 +4,24 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
 use a02_math::Point3;
 use common::{ArgumentError, Size};
-use measure::extremes::{Case, Equal, Fails, Id};
+use measure::extremes::{Case, Equal, Fails};
 
 use crate::protocol::count_current_stripe;
-use crate::{PinholeCamera, StripeRule, StripedSky};
+use crate::{PinholeCamera, Ray, StripeRule, StripedSky};
 
-/// Two counts, the protocol's and ours.
-type Counts = Result<(usize, usize), ArgumentError>;
-
-/// A row with two counts; the protocol's is wrong.
-fn row(id: Id, what: &str, exact: usize, counts: Counts) -> Case {
-    let (theirs, ours) = counts.unwrap_or((exact, usize::MAX));
-    Case::new(id, what, exact, Equal, ours).protocol(Fails, theirs)
-}
+/// Two counts, ours and the protocol's.
+type Counts = Result<[usize; 2], ArgumentError>;
 
 #[rustfmt::skip]
 pub fn cases() -> Vec<Case> {
+    let [ours, theirs] = stripes_in_the_middle().unwrap_or_default();
     vec![
-        row("Q05", "N stripes at full angle pi/3, N = 2..=1000: N with a wrong one at the horizon",
-            0, horizon()),
-        row("Q06", "N straight stripes on N rows, N = 2..=200: rows of a wrong stripe", 0, wrong_rows()),
-        row("Q14", "10 stripes, 480x270, full angle pi/2: stripes down the middle column",
-            10, stripes_in_the_middle()),
-        row("Q15", "the same, straight stripes: rows that see more than one", 0, rows_of_several_stripes()),
+        Case::wrong("Q05", "N stripes at full angle pi/3, N = 2..=1000: N with a wrong one at the horizon",
+            horizon()),
+        Case::wrong("Q06", "N straight stripes on N rows, N = 2..=200: rows of a wrong stripe", wrong_rows()),
+        Case::new("Q14", "10 stripes, 480x270, full angle pi/2: stripes down the middle column",
+            10.0, Equal, ours).protocol(Fails, theirs),
+        Case::wrong("Q15", "the same, straight stripes: rows that see more than one", rows_of_several_stripes()),
     ]
 }
 
@@ -45,21 +40,21 @@ fn sky(
 /// The stripe that begins at the horizon: of N stripes, the protocol counts the
 /// N / 2 above the horizon and the stripe at the horizon itself.
 fn horizon() -> Counts {
-    let (mut theirs, mut ours) = (0, 0);
+    let mut wrong = [0; 2];
     for stripes in 2..=1000 {
         let size = Size::SECOND_COURSE;
         let (camera, sky, top) = sky(size, FRAC_PI_3, stripes, StripeRule::Direction)?;
         let level = camera.generate_ray(size, 240.0, 135.0);
         let counted = count_current_stripe(top, stripes, level.direction().y());
-        theirs += usize::from(counted != stripes / 2 + 1);
-        ours += usize::from(sky.stripe(&level) != stripes / 2);
+        wrong[0] += usize::from(sky.stripe(&level) != stripes / 2);
+        wrong[1] += usize::from(counted != stripes / 2 + 1);
     }
-    Ok((theirs, ours))
+    Ok(wrong)
 }
 
 /// The protocol counts both halves of the picture from their edges.
 fn wrong_rows() -> Counts {
-    let (mut theirs, mut ours) = (0, 0);
+    let mut wrong = [0; 2];
     for stripes in 2..=200 {
         let size = Size::new(1, stripes)?;
         let (camera, sky, _) = sky(size, FRAC_PI_2, stripes, StripeRule::Wall)?;
@@ -67,42 +62,39 @@ fn wrong_rows() -> Counts {
             let ray = camera.generate_ray(size, 0.5, f64::from(row) + 0.5);
             let height = ray.direction().y() / ray.direction().z().abs();
             let counted = count_current_stripe(1.0, stripes, height);
-            theirs += usize::from(counted != row + 1);
-            ours += usize::from(sky.stripe(&ray) != stripes - 1 - row);
+            wrong[0] += usize::from(sky.stripe(&ray) != stripes - 1 - row);
+            wrong[1] += usize::from(counted != row + 1);
         }
     }
-    Ok((theirs, ours))
+    Ok(wrong)
 }
 
-/// The stripes of 10 at these columns of each row, the protocol's and ours.
-fn rows(rule: StripeRule, columns: &[f64]) -> Result<Vec<Vec<(u32, u32)>>, ArgumentError> {
+/// The stripes of 10 at these columns of each row, ours and the protocol's.
+fn rows(rule: StripeRule, columns: &[f64]) -> Result<[Vec<Vec<u32>>; 2], ArgumentError> {
     let size = Size::SECOND_COURSE;
     let (camera, sky, top) = sky(size, FRAC_PI_2, 10, rule)?;
-    let stripes = |x: f64, y: u32| {
-        let ray = camera.generate_ray(size, x, f64::from(y) + 0.5);
-        let counted = count_current_stripe(top, 10, ray.direction().y());
-        (counted, sky.stripe(&ray))
-    };
-    let row = |y| columns.iter().map(|x| stripes(*x, y)).collect();
-    Ok((0..size.height()).map(row).collect())
+    let count = |ray: &Ray| count_current_stripe(top, 10, ray.direction().y());
+    let stripes: [&dyn Fn(&Ray) -> u32; 2] = [&|ray| sky.stripe(ray), &count];
+    Ok(stripes.map(|stripe| {
+        let at = |x: f64, y: u32| stripe(&camera.generate_ray(size, x, f64::from(y) + 0.5));
+        let row = |y| columns.iter().map(|x| at(*x, y)).collect();
+        (0..size.height()).map(row).collect()
+    }))
 }
 
 /// Number of runs of one stripe from the top of the picture to its bottom.
 fn stripes_in_the_middle() -> Counts {
-    let stripes = rows(StripeRule::Direction, &[240.0])?.concat();
-    let (mut theirs, mut ours): (Vec<_>, Vec<_>) = stripes.into_iter().unzip();
-    theirs.dedup();
-    ours.dedup();
-    Ok((theirs.len(), ours.len()))
+    Ok(rows(StripeRule::Direction, &[240.0])?.map(|rows| {
+        let mut stripes = rows.concat();
+        stripes.dedup();
+        stripes.len()
+    }))
 }
 
 fn rows_of_several_stripes() -> Counts {
     let columns = 0..Size::SECOND_COURSE.width();
     let columns: Vec<_> = columns.map(|x| f64::from(x) + 0.5).collect();
+    let sees_more = |row: &&Vec<u32>| row.iter().any(|stripe| *stripe != row[0]);
     let rows = rows(StripeRule::Wall, &columns)?;
-    let count = |stripe: fn(&(u32, u32)) -> u32| {
-        let sees_more = |row: &&Vec<_>| row.iter().any(|at| stripe(at) != stripe(&row[0]));
-        rows.iter().filter(sees_more).count()
-    };
-    Ok((count(|at| at.0), count(|at| at.1)))
+    Ok(rows.map(|rows| rows.iter().filter(sees_more).count()))
 }
