@@ -3,21 +3,15 @@
 use std::sync::Mutex;
 
 use a02_math::{Point3, Vector3};
-use common::{ArgumentError, Color, Error, Image, Sampled, Sampling, Settings, Size};
-use engine::adaptive;
+use common::{ArgumentError, Color, Image, Sampled, Sampling, Settings, Size};
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Unit};
 
 use super::coverage::{DISC, disc_coverage};
-use crate::{Camera, Ray, render};
+use crate::fast::render_by_lesson;
+use crate::{Camera, Ray};
 
 const SIDE: u32 = 64;
-
-/// Radiance of the disc at a position of the picture, relative to the middles of pixels;
-/// [`DISC`] is relative to their corners.
-fn disc(x: f64, y: f64) -> Color {
-    Color::gray(DISC.contains(x + 0.5, y + 0.5).into())
-}
 
 /// A camera whose rays start at their position in the picture, in pixels.
 struct Places;
@@ -28,18 +22,16 @@ impl Camera for Places {
     }
 }
 
-fn with_samples_everywhere(settings: &Settings) -> Result<Image, Error> {
-    let light = |ray: &Ray| disc(ray.origin().x(), ray.origin().y());
-    render(&Places, light, settings, &())
-}
-
-/// A picture of the disc, the number of its samples, and the largest error that its check
-/// leaves possible.
-fn with_max_error(max_error: f64, settings: &Settings) -> Option<(Image, f64, f64)> {
+/// A picture of the disc, and how its pixels were sampled.
+fn picture(settings: &Settings) -> Option<(Image, Sampled)> {
+    // The camera's places are relative to the middles of pixels, the disc to their corners.
+    let disc = |ray: &Ray| {
+        let place = ray.origin();
+        Color::gray(DISC.contains(place.x() + 0.5, place.y() + 0.5).into())
+    };
     let sampled = Mutex::new(Sampled::default());
-    let image = adaptive::render_image(max_error, disc, settings, &sampled).ok()?;
-    let sampled = sampled.into_inner().ok()?;
-    Some((image, sampled.samples as f64, sampled.error()[1]))
+    let image = render_by_lesson(&Places, disc, settings, &sampled).ok()?;
+    Some((image, sampled.into_inner().ok()?))
 }
 
 fn errors(image: &Image) -> impl Iterator<Item = f64> {
@@ -55,19 +47,21 @@ fn stratified(settings: &Settings, side: u32) -> Option<Point<'static>> {
         sampling: Sampling::Stratified,
         ..settings.clone()
     };
-    let image = with_samples_everywhere(&settings).ok()?;
+    let (image, _) = picture(&settings)?;
     let samples = f64::from(settings.samples) * f64::from(SIDE * SIDE);
-    let run = move || with_samples_everywhere(&settings).map_or(0.0, |_| samples);
+    let run = move || picture(&settings).map_or(0.0, |_| samples);
     Some(Point::new(samples, samples, errors(&image), run))
 }
 
 fn adaptive(settings: &Settings, max_error: f64, as_promised: bool) -> Option<Point<'static>> {
     let settings = Settings {
         samples: 1 << 16,
+        max_error: Some(max_error),
         ..settings.clone()
     };
-    let (image, samples, largest) = with_max_error(max_error, &settings)?;
-    let run = move || with_max_error(max_error, &settings).map_or(0.0, |(_, samples, _)| samples);
+    let (image, sampled) = picture(&settings)?;
+    let (samples, [_, largest]) = (sampled.samples as f64, sampled.error());
+    let run = move || picture(&settings).map_or(0.0, |(_, sampled)| sampled.samples as f64);
     Some(if as_promised {
         Point::estimate(samples, samples, largest, run)
     } else {
