@@ -16,7 +16,7 @@ use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 pub use coverage::{DISC, disc_coverage};
 use coverage::{irradiance, lit, stripes};
 use places::{Places, n_rooks, r2, sampled};
-pub use summation::Neumaier;
+pub use summation::neumaier;
 
 /// All experiments of the stage. Slopes at curved edges: Mitchell, Consequences of
 /// Stratified Sampling in Graphics, 1996. At level edges, a regular grid of n samples has

@@ -3,28 +3,20 @@
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
-/// A sum that keeps the rounding errors in a second number (Neumaier,
+/// The sum that keeps the rounding errors in a second number (Neumaier,
 /// Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen, 1974).
-#[derive(Clone, Copy, Default)]
-pub struct Neumaier {
-    sum: f64,
-    lost: f64,
-}
-
-impl Neumaier {
-    pub fn add(&mut self, x: f64) {
-        let sum = self.sum + x;
-        self.lost += if self.sum.abs() >= x.abs() {
-            (self.sum - sum) + x
+pub fn neumaier(terms: impl Iterator<Item = f64>) -> f64 {
+    let (mut sum, mut lost) = (0.0_f64, 0.0);
+    for x in terms {
+        let next = sum + x;
+        lost += if sum.abs() >= x.abs() {
+            (sum - next) + x
         } else {
-            (x - sum) + self.sum
+            (x - next) + sum
         };
-        self.sum = sum;
+        sum = next;
     }
-
-    pub fn sum(self) -> f64 {
-        self.sum + self.lost
-    }
+    sum + lost
 }
 
 /// The mean of `n` terms that are all `x`.
@@ -35,9 +27,7 @@ fn plain(x: f64, n: u32) -> f64 {
 }
 
 fn compensated(x: f64, n: u32) -> f64 {
-    let mut sum = Neumaier::default();
-    (0..n).for_each(|_| sum.add(x));
-    sum.sum() / f64::from(n)
+    neumaier((0..n).map(|_| x)) / f64::from(n)
 }
 
 /// Single precision: the sum stays constant once a term is less than half a unit

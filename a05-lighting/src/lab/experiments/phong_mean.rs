@@ -5,7 +5,7 @@
 
 use std::f64::consts::PI;
 
-use a03_rays_cameras::lab::experiments::Neumaier;
+use a03_rays_cameras::lab::experiments::neumaier;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 const EXPONENTS: [f64; 8] = [8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0];
@@ -34,7 +34,7 @@ pub fn experiment() -> Experiment<'static> {
             };
             vec![
                 curve("plain sum", |terms| terms.sum()),
-                curve("Neumaier's sum", neumaier).with_remark(
+                curve("Neumaier's sum", |terms| neumaier(terms)).with_remark(
                     "not in the renderer: a pixel adds up few samples, and the rounding of \
                      thousands is far below what can be seen",
                 ),
@@ -45,12 +45,6 @@ pub fn experiment() -> Experiment<'static> {
 
 /// A method to add up terms.
 type Sum = fn(&mut dyn Iterator<Item = f64>) -> f64;
-
-fn neumaier(terms: &mut dyn Iterator<Item = f64>) -> f64 {
-    let mut sum = Neumaier::default();
-    terms.for_each(|term| sum.add(term));
-    sum.sum()
-}
 
 /// The mean over the disc of a ball in a picture of `across` by `across`
 /// pixels. At the distance ρ from the middle, the cosine of the angle between the
