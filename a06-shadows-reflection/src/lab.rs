@@ -11,4 +11,3 @@ pub mod experiments;
 pub mod explain;
 pub mod extremes;
 pub mod protocol;
-mod shiny;

@@ -2,7 +2,6 @@
 //! material computes the light of all lights, and every light on a Phong material
 //! a power.
 
-use std::cell::Cell;
 use std::hint::black_box;
 
 use a03_rays_cameras::Ray;
@@ -11,7 +10,7 @@ use common::{ArgumentError, Color};
 use measure::tally::{self, Work};
 
 use crate::lab::decorated::decorated;
-use crate::lab::highlight::{as_phong, takes_power};
+use crate::lab::highlight::{Watched, as_phong, takes_power};
 use crate::power::power;
 use crate::{Illumination, Lighting, LitWorld, Material, Phong};
 
@@ -44,41 +43,20 @@ pub fn shade(
     lighting: &dyn Lighting,
     color_for: impl FnOnce(&dyn Lighting) -> Color,
 ) -> Color {
-    let all = AllLights {
-        phong,
-        lighting,
-        is_used: Cell::new(false),
+    let watch = |ray: &Ray, hit: &Hit, light: &Illumination| {
+        if let Some(phong) = phong {
+            tally::count(Work::Power);
+            if !takes_power(phong, ray, hit, light) {
+                // An unused number, which the compiler would remove.
+                black_box(power(black_box(0.5), phong.exponent));
+            }
+        }
+        true
     };
+    let all = Watched::new(lighting, watch);
     let color = color_for(&all);
-    if !all.is_used.get() {
+    if !all.is_used() {
         all.for_each_light(ray, hit, &mut |_| ());
     }
     color
-}
-
-/// A wrapper of a light that also computes the powers that a material skips.
-struct AllLights<'a> {
-    phong: Option<&'a Phong>,
-    lighting: &'a dyn Lighting,
-    is_used: Cell<bool>,
-}
-
-impl Lighting for AllLights<'_> {
-    fn ambient(&self) -> Color {
-        self.lighting.ambient()
-    }
-
-    fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
-        self.is_used.set(true);
-        self.lighting.for_each_light(ray, hit, &mut |light| {
-            if let Some(phong) = self.phong {
-                tally::count(Work::Power);
-                if !takes_power(phong, ray, hit, light) {
-                    // An unused number, which the compiler would remove.
-                    black_box(power(black_box(0.5), phong.exponent));
-                }
-            }
-            shade(light);
-        });
-    }
 }

@@ -6,8 +6,8 @@ use common::{ArgumentError, Color};
 use measure::tally::{self, Work};
 
 use crate::lab::decorated::decorated;
-use crate::lab::highlight::{as_phong, takes_power};
-use crate::{Illumination, Lighting, LitWorld, Material, Phong};
+use crate::lab::highlight::{Watched, as_phong, takes_power};
+use crate::{Lighting, LitWorld, Material, Phong};
 
 /// Wraps the objects of a world to count intersection tests and powers.
 pub fn world(world: LitWorld) -> Result<LitWorld, ArgumentError> {
@@ -34,29 +34,10 @@ pub fn counted_powers(
     lighting: &dyn Lighting,
     color_for: impl FnOnce(&dyn Lighting) -> Color,
 ) -> Color {
-    match phong {
-        Some(phong) => color_for(&CountedLights { phong, lighting }),
-        None => color_for(lighting),
-    }
-}
-
-/// The light for a Phong material, with its powers counted.
-struct CountedLights<'a> {
-    phong: &'a Phong,
-    lighting: &'a dyn Lighting,
-}
-
-impl Lighting for CountedLights<'_> {
-    fn ambient(&self) -> Color {
-        self.lighting.ambient()
-    }
-
-    fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
-        self.lighting.for_each_light(ray, hit, &mut |light| {
-            if takes_power(self.phong, ray, hit, light) {
-                tally::count(Work::Power);
-            }
-            shade(light);
-        });
-    }
+    color_for(&Watched::new(lighting, |ray, hit, light| {
+        if phong.is_some_and(|phong| takes_power(phong, ray, hit, light)) {
+            tally::count(Work::Power);
+        }
+        true
+    }))
 }

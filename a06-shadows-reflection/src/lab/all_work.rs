@@ -5,10 +5,11 @@
 use a02_math::Direction;
 use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, Interval};
+use a05_lighting::lab::highlight::Watched;
 use a05_lighting::{Illumination, Light, Lighting, Material, all_work, decorated::decorated};
 use common::{ArgumentError, Color};
 
-use crate::lab::shiny::as_phong;
+use crate::lab::explain::as_phong;
 use crate::shadow::BEFORE_THE_LIGHT;
 use crate::{ShadowedWorld, Surface, secondary_ray};
 
@@ -28,7 +29,12 @@ struct AllWork(Box<dyn Surface>);
 impl Material for AllWork {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         all_work::shade(as_phong(&*self.0), ray, hit, lighting, |lighting| {
-            self.0.color_for(ray, hit, &FromTheFront(lighting))
+            // The lesson passes no light from behind the surface to materials.
+            let from_front = Watched::new(lighting, |_, hit, light| {
+                let is_behind = hit.normal.dot(light.direction) <= 0.0;
+                !is_behind
+            });
+            self.0.color_for(ray, hit, &from_front)
         })
     }
 }
@@ -36,25 +42,6 @@ impl Material for AllWork {
 impl Surface for AllWork {
     fn reflection(&self) -> Color {
         self.0.reflection()
-    }
-}
-
-/// A wrapper of the lighting without light from behind the surface, which the
-/// lesson does not pass to materials.
-struct FromTheFront<'a>(&'a dyn Lighting);
-
-impl Lighting for FromTheFront<'_> {
-    fn ambient(&self) -> Color {
-        self.0.ambient()
-    }
-
-    fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
-        self.0.for_each_light(ray, hit, &mut |light| {
-            let is_behind = hit.normal.dot(light.direction) <= 0.0;
-            if !is_behind {
-                shade(light);
-            }
-        });
     }
 }
 

@@ -10,7 +10,7 @@ use a05_lighting::{Lighting, Material, SingleColor};
 use common::{ArgumentError, Color, Settings, Size};
 use measure::tally::{self, Work};
 
-use crate::lab::shiny::as_phong;
+use crate::lab::explain::as_phong;
 use crate::{ShadowedWorld, Surface};
 
 thread_local! {

@@ -5,11 +5,11 @@ use std::any::Any;
 
 use a03_rays_cameras::explain::samples;
 use a04_intersections::explain::objects;
+use a05_lighting::Phong;
 use a05_lighting::explain::shading;
 use common::{Color, Plan, Settings};
 
-use crate::lab::shiny::as_phong;
-use crate::{LightSource, ShadowedWorld, Surface};
+use crate::{LightSource, Reflective, ShadowedWorld, Surface};
 
 /// The plan of a scene of the recursive tracer.
 pub fn traced(world: &ShadowedWorld, settings: &Settings) -> Plan {
@@ -53,4 +53,12 @@ fn reflections(plan: Plan, surfaces: &[&dyn Surface]) -> Plan {
         format!("reflected rays from {black} of {all} objects"),
         "they do not mirror",
     )
+}
+
+/// The Phong material of a surface, if it has one.
+pub fn as_phong(surface: &dyn Any) -> Option<&Phong> {
+    match surface.downcast_ref() {
+        Some(Reflective { shiny, .. }) => Some(shiny),
+        None => surface.downcast_ref(),
+    }
 }
