@@ -3,10 +3,9 @@
 //! Where nothing is extreme the formulas are right, so that only the extreme
 //! cases make them fail.
 
-use a02_math::{Normal3, Point3, Vector3};
+use a02_math::{Point3, Vector3};
 use a05_lighting::protocol::{
-    angle, clamped_product, directional_light_illuminates, highlight, integer_product, lambert,
-    phong, spot_light_illuminates,
+    angle, clamped_product, directional_light_illuminates, integer_product, spot_light_illuminates,
 };
 
 const BELOW: Vector3 = Vector3::new(0.0, -2.0, 0.0);
@@ -24,25 +23,9 @@ fn a_spot_light_ends_where_the_arc_cosine_says() {
 
 #[test]
 fn a_directional_light_is_dark_near_its_position_only() {
-    for (x, lit) in [
-        (0.0, false),
-        (0.000_01, false),
-        (0.000_011, true),
-        (5.0, true),
-    ] {
-        let point = Point3::new(x, 0.0, 0.0);
-        assert_eq!(directional_light_illuminates(Point3::ORIGIN, point), lit);
-    }
-}
-
-#[test]
-fn shades_of_quarters_are_exact() {
-    let position = Point3::new(3.0, 4.0, 0.0);
-    let n = Normal3::new(0.0, 1.0, 0.0);
-    assert_eq!(lambert(n, position, Point3::ORIGIN), 0.8);
-    assert_eq!(highlight(0.5, 3.0), 0.125);
-    assert_eq!(phong(0.5, 0.25, 2.0, 0.75, 0.5), 1.375);
-    assert_eq!(phong(0.5, 0.25, 2.0, -0.75, 0.5), 0.625);
+    let lit = |x| directional_light_illuminates(Point3::ORIGIN, Point3::new(x, 0.0, 0.0));
+    assert_eq!([0.0, 0.000_01].map(lit), [false; 2]);
+    assert_eq!([0.000_011, 5.0].map(lit), [true; 2]);
 }
 
 /// 127 · 127 = 63 · 255 + 64.

@@ -3,7 +3,6 @@
 //! `cargo test` runs them after the tests of the lesson, which they measure.
 
 mod protocol;
-mod recursion_depth;
 
 use measure::experiment::Curve;
 
