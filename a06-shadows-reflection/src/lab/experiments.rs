@@ -1,6 +1,6 @@
 //! Error against run time for mirrors and shadows.
 
-pub mod recursion_depth;
+mod recursion_depth;
 mod shadow_epsilon;
 
 use measure::experiment::Experiment;

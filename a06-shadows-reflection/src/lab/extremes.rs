@@ -1,6 +1,6 @@
 //! The stiff and extreme cases of this stage.
 
-mod mirrors;
+pub mod mirrors;
 pub mod self_hits;
 mod shadows;
 mod slopes;

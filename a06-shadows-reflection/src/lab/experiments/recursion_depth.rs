@@ -7,16 +7,15 @@
 
 use std::rc::Rc;
 
-use a02_math::{Normal3, Point3, Vector3};
+use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::Plane;
 use a04_intersections::lab::experiments::Numbers;
-use common::{ArgumentError, Color};
 use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Unit};
 
-use crate::{RecursiveTracer, Reflective, ShadowedWorld};
+use crate::lab::extremes::mirrors::mirrors;
+use crate::{RecursiveTracer, ShadowedWorld};
 
-pub const CURVES: [(f64, &str); 5] = [
+const CURVES: [(f64, &str); 5] = [
     (0.5, "k = 0.5"),
     (0.8, "k = 0.8"),
     (0.9, "k = 0.9"),
@@ -48,7 +47,7 @@ pub fn experiment() -> Experiment<'static> {
                 Point::new(asked, work, errors, move || rays.iter().map(&trace).sum())
             };
             let curve = |(k, method)| {
-                let world = world(k).map(Rc::new).into_iter();
+                let world = mirrors(k).world().map(Rc::new).into_iter();
                 let points = world.flat_map(|world| asked.map(|asked| point(k, &world, asked)));
                 Curve::new(method, points).with_slope(1.0, (1e-10, 1e-1))
             };
@@ -58,12 +57,12 @@ pub fn experiment() -> Experiment<'static> {
 }
 
 /// The least depth D with `k^D / (1 - k)` not above the allowed error.
-pub fn depth(k: f64, asked: f64) -> u32 {
+fn depth(k: f64, asked: f64) -> u32 {
     (libm::log(asked * (1.0 - k)) / libm::log(k)).ceil() as u32
 }
 
 /// Rays that start between the mirrors and go upwards, at various slopes.
-pub fn rays(count: usize) -> Rc<[Ray]> {
+fn rays(count: usize) -> Rc<[Ray]> {
     let ray = |n: usize| {
         let mut numbers = Numbers::new(4, n);
         let mut aside = || numbers.between(-1.0, 1.0);
@@ -71,12 +70,4 @@ pub fn rays(count: usize) -> Rc<[Ray]> {
         Ray::new(Point3::new(0.0, 0.5, 0.0), up).ok()
     };
     (0..count).filter_map(ray).collect()
-}
-
-pub fn world(k: f64) -> Result<ShadowedWorld, ArgumentError> {
-    let mirror = || Reflective::new(Color::WHITE, Color::BLACK, 1.0, Color::gray(k));
-    let plane = |y| Plane::new(Point3::new(0.0, y, 0.0), Normal3::new(0.0, 1.0, 0.0));
-    Ok(ShadowedWorld::empty(Color::BLACK, Color::WHITE)?
-        .with(plane(0.0)?, Box::new(mirror()?))
-        .with(plane(1.0)?, Box::new(mirror()?)))
 }

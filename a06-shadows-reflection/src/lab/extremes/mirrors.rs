@@ -20,20 +20,24 @@ use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld};
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 
 #[derive(Clone, Copy)]
-struct Mirrors {
+pub struct Mirrors {
     gap: f64,
     k: f64,
     background: f64,
 }
 
 /// Two mirrors 1 apart that reflect this share, before a black background.
-const fn mirrors(k: f64) -> Mirrors {
+pub const fn mirrors(k: f64) -> Mirrors {
     let (gap, background) = (1.0, 0.0);
     Mirrors { gap, k, background }
 }
 
 impl Mirrors {
-    fn world(self, below: impl Geometry + 'static) -> Result<ShadowedWorld, Error> {
+    pub fn world(self) -> Result<ShadowedWorld, Error> {
+        self.world_over(plane(0.0)?)
+    }
+
+    fn world_over(self, below: impl Geometry + 'static) -> Result<ShadowedWorld, Error> {
         let mirror = || Reflective::new(Color::WHITE, Color::BLACK, 1.0, Color::gray(self.k));
         let world = ShadowedWorld::empty(Color::gray(self.background), Color::WHITE)?;
         let (below, above) = (world.with(below, Box::new(mirror()?)), plane(self.gap)?);
@@ -46,7 +50,7 @@ impl Mirrors {
 
     fn ours(self, depth: u32) -> Outcome {
         tried(|| {
-            let world = self.world(plane(0.0)?)?;
+            let world = self.world()?;
             Ok(RecursiveTracer::new(&world).trace(&self.ray(), depth).r)
         })
     }
@@ -54,7 +58,7 @@ impl Mirrors {
     /// The last of some pixels by the protocol's tracer, which all show one mirror.
     fn theirs(self, recursion: u32, pixels: usize) -> Outcome {
         tried(|| {
-            let world = &self.world(plane(0.0)?)?;
+            let world = &self.world()?;
             let mut tracer = OneCounter { world, recursion };
             Ok((0..pixels).map(|_| tracer.trace(&self.ray()).r).last())
         })
@@ -72,8 +76,8 @@ impl Mirrors {
     fn searches(self, id: Id, what: &str, depth: u32) -> Case {
         let count = |trace: &dyn Fn(&ShadowedWorld, &Ray) -> Color| {
             tried(|| {
-                let (below, rays) = Counting::new(plane(0.0)?);
-                let world = self.world(below)?;
+                let rays = Arc::default();
+                let world = self.world_over(Counting(plane(0.0)?, Arc::clone(&rays)))?;
                 trace(&world, &self.ray());
                 Ok(rays.load(Ordering::Relaxed))
             })
@@ -154,24 +158,13 @@ fn million_reflections(id: Id) -> Case {
     Case::new(id, what, 1.0, bound, direction.dot(direction).sqrt())
 }
 
-/// A geometry that counts the rays tested against it.
+/// A plane that counts the rays tested against it.
 #[derive(Debug)]
-pub struct Counting<G> {
-    geometry: G,
-    rays: Arc<AtomicUsize>,
-}
+pub struct Counting(pub Plane, pub Arc<AtomicUsize>);
 
-impl<G> Counting<G> {
-    pub fn new(geometry: G) -> (Self, Arc<AtomicUsize>) {
-        let rays = Arc::new(AtomicUsize::new(0));
-        let counter = Arc::clone(&rays);
-        (Self { geometry, rays }, counter)
-    }
-}
-
-impl<G: Geometry> Geometry for Counting<G> {
+impl Geometry for Counting {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        self.rays.fetch_add(1, Ordering::Relaxed);
-        self.geometry.hit(ray, within)
+        self.1.fetch_add(1, Ordering::Relaxed);
+        self.0.hit(ray, within)
     }
 }

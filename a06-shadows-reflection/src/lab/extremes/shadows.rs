@@ -1,5 +1,6 @@
 //! Lights in unusual positions, and the protocol's shadow rays.
 
+use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use a02_math::{Normal3, Point3, Vector3};
@@ -53,7 +54,8 @@ fn look() -> Ray {
 /// Number of rays tested against the floor, without the camera's ray.
 fn shadow_rays(id: Id, what: &str, light: Point3) -> Case {
     let ours = tried(|| {
-        let (floor, rays) = Counting::new(floor()?);
+        let rays = Arc::default();
+        let floor = Counting(floor()?, Arc::clone(&rays));
         let world = world(floor, point_light(light)?)?;
         let _ = RecursiveTracer::new(&world).trace(&look(), 1);
         Ok(rays.load(Ordering::Relaxed) - 1)
