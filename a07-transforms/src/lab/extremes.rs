@@ -11,11 +11,6 @@ use measure::Effort;
 use measure::extremes::Case;
 
 pub fn cases(effort: Effort) -> Vec<Case> {
-    let fixed = [matrices::cases(), normals::cases(), nodes::cases(effort)];
-    [
-        discs::cases(effort),
-        fixed.concat(),
-        self_hits::cases(effort),
-    ]
-    .concat()
+    let first = [discs::cases(effort), matrices::cases(), normals::cases()].concat();
+    [first, nodes::cases(effort), self_hits::cases(effort)].concat()
 }

@@ -81,13 +81,10 @@ fn curves<'a>(scene: &'a Scene, settings: &Settings, effort: Effort) -> Vec<Curv
         let point = |side: &u32| {
             let settings = taking(settings, sampling, side * side);
             let samples = f64::from(settings.samples);
+            let rays = samples * pixels;
             let errors = errors(scene.render(&settings, &()));
-            let run = move || {
-                scene
-                    .render(&settings, &())
-                    .map_or(0.0, |_| samples * pixels)
-            };
-            Point::new(samples, samples * pixels, errors, run)
+            let run = move || scene.render(&settings, &()).map_or(0.0, |_| rays);
+            Point::new(samples, rays, errors, run)
         };
         Curve::new(method, sides.iter().map(point))
     };
