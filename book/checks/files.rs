@@ -31,8 +31,10 @@ impl Files {
     fn read_folder(&mut self, folder: &Path, name: &str) -> io::Result<()> {
         for entry in fs::read_dir(folder)? {
             let entry = entry?;
-            let path = format!("{name}{}", entry.file_name().to_string_lossy());
-            if path.starts_with('.') || path == "target" || path == "out" {
+            let file = entry.file_name();
+            let file = file.to_string_lossy();
+            let path = format!("{name}{file}");
+            if file.starts_with('.') || file == "target" || path == "out" {
                 continue;
             }
             if entry.file_type()?.is_dir() {
@@ -79,6 +81,7 @@ impl Files {
 }
 
 /// The part of a path behind its last dot.
+#[must_use]
 pub fn ending(path: &str) -> &str {
     path.rsplit_once('.').map_or("", |(_, ending)| ending)
 }

@@ -10,4 +10,4 @@ pub mod include;
 pub mod left_over;
 pub mod section;
 
-pub use files::Files;
+pub use files::{Files, ending};

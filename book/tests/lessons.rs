@@ -1,7 +1,8 @@
 //! The files of the lessons hold the lesson and nothing else, and are short.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+use book::{Files, ending};
 
 /// The most lines of all lessons, of one lesson file, and of any Rust file.
 const OF_ALL: usize = 3_600;
@@ -15,46 +16,25 @@ const FOREIGN: &str =
     "engine lab laboratory packet packets lane lanes simd tally counting plan plans
     planned omit omits omitted omission omissions renderer prepared black_box max_error";
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
+static FILES: LazyLock<Files> = LazyLock::new(|| Files::read().expect("the repository"));
 
-/// The Rust files in a folder; also in those below it if `deep`.
-fn rust_files(folder: &Path, deep: bool) -> Vec<PathBuf> {
-    let mut files = Vec::new();
-    for entry in fs::read_dir(folder).expect("a folder") {
-        let path = entry.expect("an entry").path();
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        if path.is_dir() && deep && name != "target" && !name.starts_with('.') {
-            files.extend(rust_files(&path, true));
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            files.push(path);
-        }
-    }
-    files
-}
-
-fn text(path: &Path) -> String {
-    fs::read_to_string(path).expect("a text")
+/// Paths and texts of all Rust files.
+fn rust_files() -> impl Iterator<Item = (&'static str, &'static str)> {
+    FILES.below("").filter(|(path, _)| ending(path) == "rs")
 }
 
 /// The files that join a stage with its program, its lab, the engine and the window.
 const JOINTS: &str = "lib.rs main.rs stage.rs fast.rs lab.rs window.rs canvas.rs";
 
 /// The lesson files of all stages: `src/*.rs` without the joints.
-fn lessons() -> Vec<PathBuf> {
-    let mut files = Vec::new();
-    for entry in fs::read_dir(root()).expect("the workspace") {
-        let path = entry.expect("an entry").path();
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        if name.starts_with("a0") {
-            files.extend(rust_files(&path.join("src"), false));
-        }
-    }
-    files.retain(|path| {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        !JOINTS.split(' ').any(|joint| joint == name)
-    });
+fn lessons() -> Vec<(&'static str, &'static str)> {
+    let is_lesson = |path: &str| {
+        path.split_once("/src/").is_some_and(|(stage, name)| {
+            let is_joint = JOINTS.split(' ').any(|joint| joint == name);
+            stage.starts_with("a0") && !name.contains('/') && !is_joint
+        })
+    };
+    let files: Vec<_> = rust_files().filter(|(path, _)| is_lesson(path)).collect();
     assert!(files.len() > 40, "only {} lesson files", files.len());
     files
 }
@@ -63,11 +43,11 @@ fn lessons() -> Vec<PathBuf> {
 fn lessons_name_nothing_but_the_lesson() {
     let foreign: Vec<_> = FOREIGN.split_whitespace().collect();
     let mut found = Vec::new();
-    for path in lessons() {
-        for (number, line) in (1..).zip(text(&path).lines()) {
+    for (path, text) in lessons() {
+        for (number, line) in (1..).zip(text.lines()) {
             let words = line.split(|c: char| !(c.is_alphanumeric() || c == '_'));
             for word in words.filter(|word| foreign.contains(&&*word.to_lowercase())) {
-                found.push(format!("{}:{number}: {word}", path.display()));
+                found.push(format!("{path}:{number}: {word}"));
             }
         }
     }
@@ -78,16 +58,16 @@ fn lessons_name_nothing_but_the_lesson() {
 fn lessons_are_short() {
     let mut all = 0;
     let mut long = Vec::new();
-    for path in lessons() {
-        let lines = text(&path).lines().count();
+    for (path, text) in lessons() {
+        let lines = text.lines().count();
         all += lines;
-        let most = if path.ends_with("render.rs") {
+        let most = if path.ends_with("/render.rs") {
             OF_RENDER
         } else {
             OF_A_LESSON
         };
         if lines > most {
-            long.push(format!("{}: {lines} lines, at most {most}", path.display()));
+            long.push(format!("{path}: {lines} lines, at most {most}"));
         }
     }
     assert!(long.is_empty(), "{}", long.join("\n"));
@@ -97,10 +77,10 @@ fn lessons_are_short() {
 #[test]
 fn no_file_is_long() {
     let mut long = Vec::new();
-    for path in rust_files(&root(), true) {
-        let lines = text(&path).lines().count();
+    for (path, text) in rust_files() {
+        let lines = text.lines().count();
         if lines > OF_A_FILE {
-            long.push(format!("{}: {lines} lines", path.display()));
+            long.push(format!("{path}: {lines} lines"));
         }
     }
     assert!(long.is_empty(), "{}", long.join("\n"));
