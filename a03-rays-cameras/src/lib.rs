@@ -31,7 +31,7 @@ pub use random::PixelRandom;
 pub use ray::Ray;
 pub use render::{camera_coordinates, render};
 pub use sampler::Sampler;
-pub use stage::stage;
+pub use stage::{render_view, stage};
 pub use striped_sky::{StripeRule, StripedSky};
 
 /// Tests the code in this stage's chapter.

@@ -1,7 +1,7 @@
 //! `stage`: joins the scenes, renderers, experiments and extreme cases of this
 //! stage for its program.
 
-use common::{Error, Image, Progress, Renderer, Sampling, Scene, Settings, Size};
+use common::{Color, Error, Image, Progress, Renderer, Sampling, Scene, Settings, Size};
 use measure::{Stage, tally};
 
 use crate::fast::render_by_lesson;
@@ -27,27 +27,40 @@ pub fn stage() -> Stage {
 }
 
 fn scene(name: &'static str, about: &'static str, rule: StripeRule) -> Scene {
-    let paint = move |settings: &Settings, progress: &dyn Progress| -> Result<Image, Error> {
+    let paint = move |settings: &Settings, progress: &dyn Progress| {
         let (camera, sky) = striped_sky(settings.size, rule)?;
-        let mut camera: Box<dyn Camera> = Box::new(camera);
-        if tally::is_on() {
-            camera = counted::camera(camera, settings);
-        }
-        let radiance = |ray: &Ray| sky.color_for(ray);
-        match settings.renderer {
-            // The engine has no type for the sky.
-            Renderer::Lesson | Renderer::Engine => {
-                render_by_lesson(&camera, radiance, settings, progress)
-            }
-            Renderer::AllWork => all_work::render(&camera, radiance, settings, progress),
-        }
+        // The engine has no type for the sky.
+        render_view(
+            Box::new(camera),
+            |ray| sky.color_for(ray),
+            settings,
+            progress,
+        )
     };
     Scene::traced(name, about, paint)
-        .planned(|settings| Ok(explain::sky(settings)))
+        .planned(|settings, _| Ok(explain::sky(settings)))
         .with_defaults(Settings {
             size: Size::SECOND_COURSE,
             samples: 100,
             sampling: Sampling::Stratified,
             ..Settings::default()
         })
+}
+
+/// Renders a picture by the lesson, or with all work if the settings select that; and
+/// counts the rays of the camera if work is counted.
+pub fn render_view(
+    mut camera: Box<dyn Camera>,
+    radiance: impl Fn(&Ray) -> Color + Sync,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<Image, Error> {
+    if tally::is_on() {
+        camera = counted::camera(camera, settings);
+    }
+    if settings.renderer == Renderer::AllWork {
+        all_work::render(&camera, radiance, settings, progress)
+    } else {
+        render_by_lesson(&camera, radiance, settings, progress)
+    }
 }

@@ -1,8 +1,8 @@
 //! `stage`: joins the scenes, renderers, experiments and extreme cases of this
 //! stage for its program.
 
-use a03_rays_cameras::fast::{plan as plan_of_engine, render_by_engine, render_by_lesson};
-use a03_rays_cameras::{Ray, all_work};
+use a03_rays_cameras::fast::{plan as plan_of_engine, render_by_engine};
+use a03_rays_cameras::render_view;
 use common::{ArgumentError, Renderer, Scene};
 use measure::{Stage, tally};
 
@@ -39,20 +39,10 @@ fn scene(
         if settings.renderer == Renderer::Engine {
             return render_by_engine(fast::scene(&world), &camera, settings, progress);
         }
-        let (camera, world) = tally::wrapped((camera, world), |(camera, world)| {
-            Ok((
-                a03_rays_cameras::counted::camera(camera, settings),
-                counted::world(world)?,
-            ))
-        })?;
-        let radiance = |ray: &Ray| world.color_for(ray);
-        if settings.renderer == Renderer::AllWork {
-            all_work::render(&camera, radiance, settings, progress)
-        } else {
-            render_by_lesson(&camera, radiance, settings, progress)
-        }
+        let world = tally::wrapped(world, counted::world)?;
+        render_view(camera, |ray| world.color_for(ray), settings, progress)
     })
-    .planned(move |settings| {
+    .planned(move |settings, _| {
         let (camera, world) = view()?;
         let plan = explain::colors(&world, settings);
         Ok(plan_of_engine(plan, fast::scene(&world), &camera, settings))

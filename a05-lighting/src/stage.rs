@@ -1,8 +1,8 @@
 //! `stage`: joins the scenes, renderers, experiments and extreme cases of this
 //! stage for its program.
 
-use a03_rays_cameras::Ray;
-use a03_rays_cameras::fast::{plan as plan_of_engine, render_by_engine, render_by_lesson};
+use a03_rays_cameras::fast::{plan as plan_of_engine, render_by_engine};
+use a03_rays_cameras::render_view;
 use common::{ArgumentError, Renderer, Scene};
 use measure::{Stage, tally};
 
@@ -45,26 +45,14 @@ fn scene(
         if settings.renderer == Renderer::Engine {
             return render_by_engine(fast::scene(&world), &camera, settings, progress);
         }
-        let does_all_work = settings.renderer == Renderer::AllWork;
-        let world = if does_all_work {
-            all_work::world(world)?
-        } else {
-            world
+        let world = match settings.renderer {
+            Renderer::AllWork => all_work::world(world)?,
+            _ => world,
         };
-        let (camera, world) = tally::wrapped((camera, world), |(camera, world)| {
-            Ok((
-                a03_rays_cameras::counted::camera(camera, settings),
-                counted::world(world)?,
-            ))
-        })?;
-        let radiance = |ray: &Ray| world.color_for(ray);
-        if does_all_work {
-            a03_rays_cameras::all_work::render(&camera, radiance, settings, progress)
-        } else {
-            render_by_lesson(&camera, radiance, settings, progress)
-        }
+        let world = tally::wrapped(world, counted::world)?;
+        render_view(camera, |ray| world.color_for(ray), settings, progress)
     })
-    .planned(move |settings| {
+    .planned(move |settings, _| {
         let (camera, world) = view()?;
         let plan = explain::scene(&world, settings);
         Ok(plan_of_engine(plan, fast::scene(&world), &camera, settings))

@@ -66,7 +66,7 @@ pub fn traced_scene(
             }
         }
     })
-    .planned(move |settings| {
+    .planned(move |settings, _| {
         let (camera, world) = view(settings)?;
         let plan = explain::traced(&world, settings);
         let scene = fast::scene(&world, settings.depth, shapes);

@@ -40,5 +40,5 @@ fn scene(
         }),
     };
     traced_scene(name, about, counted_view, shapes)
-        .also_planned(move |_, plan| Ok(explain::nodes(plan, &view()?.1)))
+        .planned(move |_, plan| Ok(explain::nodes(plan, &view()?.1)))
 }

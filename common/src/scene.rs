@@ -6,7 +6,7 @@ type Paint = dyn Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + S
 type Planned = dyn Fn(&Settings) -> Result<Plan, Error> + Send + Sync;
 
 /// The [`Settings`] that a scene uses. The others do not change its picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[expect(clippy::struct_excessive_bools, reason = "four independent properties")]
 pub struct UsedSettings {
     /// The size of the picture.
@@ -42,9 +42,7 @@ impl Scene {
     ) -> Self {
         let uses = UsedSettings {
             size: true,
-            sampling: false,
-            depth: false,
-            file: false,
+            ..UsedSettings::default()
         };
         Self {
             name,
@@ -80,19 +78,30 @@ impl Scene {
     }
 
     /// Scenes side by side in one picture, for comparison: each has an equal share of
-    /// the width, with a gap of [`Scene::GAP`] pixels between them.
+    /// the width, with a gap of 8 pixels between them, and by default this width and height.
     #[must_use]
-    pub fn side_by_side(name: &'static str, about: &'static str, panels: Vec<Self>) -> Self {
+    pub fn side_by_side(
+        name: &'static str,
+        about: &'static str,
+        panels: Vec<Self>,
+        (width, height): (u32, u32),
+    ) -> Self {
+        const GAP: u32 = 8;
+        let count = panels.len().max(1) as u32;
+        let gaps = GAP * (count - 1);
+        let defaults = Settings {
+            size: Size::new(count * width + gaps, height).unwrap_or(Size::COURSE),
+            ..Settings::default()
+        };
         let paint = move |settings: &Settings, progress: &dyn Progress| {
-            let (size, count) = (settings.size, panels.len().max(1) as u32);
-            let gaps = Self::GAP * (count - 1);
+            let size = settings.size;
             let width = size.width().saturating_sub(gaps) / count;
             let panel = Settings {
                 size: Size::new(width, size.height())?,
                 ..settings.clone()
             };
             let mut image = Image::black(size)?.map(|_| Color::WHITE);
-            for (left, scene) in (0..).step_by((width + Self::GAP) as usize).zip(&panels) {
+            for (left, scene) in (0..).step_by((width + GAP) as usize).zip(&panels) {
                 if progress.stopped() {
                     return Err(Error::Stopped);
                 }
@@ -103,11 +112,8 @@ impl Scene {
             }
             Ok(image)
         };
-        Self::traced(name, about, paint)
+        Self::traced(name, about, paint).with_defaults(defaults)
     }
-
-    /// The gap between pictures side by side, in pixels.
-    pub const GAP: u32 = 8;
 
     /// The same scene, with surfaces that reflect rays.
     #[must_use]
@@ -123,24 +129,15 @@ impl Scene {
         self
     }
 
-    /// The same scene, with `plan` for its plan, which is made before the first ray.
+    /// The same scene, with `extend` to extend its plan, which is empty at first and made
+    /// before the first ray.
     #[must_use]
     pub fn planned(
         mut self,
-        plan: impl Fn(&Settings) -> Result<Plan, Error> + Send + Sync + 'static,
-    ) -> Self {
-        self.plan = Box::new(plan);
-        self
-    }
-
-    /// The same scene, with `more` to extend its plan.
-    #[must_use]
-    pub fn also_planned(
-        mut self,
-        more: impl Fn(&Settings, Plan) -> Result<Plan, Error> + Send + Sync + 'static,
+        extend: impl Fn(&Settings, Plan) -> Result<Plan, Error> + Send + Sync + 'static,
     ) -> Self {
         let plan = self.plan;
-        self.plan = Box::new(move |settings| more(settings, plan(settings)?));
+        self.plan = Box::new(move |settings| extend(settings, plan(settings)?));
         self
     }
 
@@ -159,38 +156,11 @@ impl Scene {
 mod tests {
     use super::*;
 
-    /// 100 pixels less two gaps of 8 leave 28 for each of three.
-    #[test]
-    fn scenes_side_by_side_share_the_width_without_the_gaps() {
-        let colors = [Color::RED, Color::GREEN, Color::BLUE];
-        let panel = |color: Color| {
-            Scene::painted("panel", "", move |settings, _| {
-                Image::from_fn(settings.size, |_, _| color)
-            })
-        };
-        let scene = Scene::side_by_side("three", "", colors.map(panel).into());
-        let settings = Settings {
-            size: Size::new(100, 2).unwrap(),
-            ..Settings::default()
-        };
-        let image = scene.render(&settings, &()).unwrap();
-        for x in 0..100 {
-            let expected = if x % 36 < 28 {
-                colors[x as usize / 36]
-            } else {
-                Color::WHITE
-            };
-            for y in 0..2 {
-                assert_eq!(image.get(x, y), Some(expected), "{x}, {y}");
-            }
-        }
-    }
-
     #[test]
     fn a_plan_is_made_and_extended() {
         let scene = Scene::painted("panel", "", |settings, _| Image::black(settings.size))
-            .planned(|settings| Ok(Plan::default().needing(settings.size.to_string())))
-            .also_planned(|_, plan| Ok(plan.without("a ray", "it goes nowhere")));
+            .planned(|settings, plan| Ok(plan.needing(settings.size.to_string())))
+            .planned(|_, plan| Ok(plan.without("a ray", "it goes nowhere")));
         let plan = scene.plan(&Settings::default()).unwrap();
         let expected = Plan::default()
             .needing("640x480")

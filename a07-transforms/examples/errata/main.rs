@@ -90,14 +90,7 @@ where
             view(settings)?.render(settings, progress)
         })
     });
-    let pictures = Scene::side_by_side(name, about, panels.into());
-    let Ok(size) = Size::new(2 * 360 + Scene::GAP, 270) else {
-        return pictures;
-    };
-    pictures.with_defaults(Settings {
-        size,
-        ..Settings::default()
-    })
+    Scene::side_by_side(name, about, panels.into(), (360, 270))
 }
 
 /// A matt surface in a light from one direction, and a little from everywhere.

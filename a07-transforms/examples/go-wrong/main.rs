@@ -7,7 +7,7 @@ use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Ray, render};
 use a04_intersections::{AxisAlignedBox, Hit, Interval, Plane, Sphere, World};
 use a06_shadows_reflection::secondary_ray;
-use common::{Color, Error, Image, Progress, Scene, Settings, Size, Transfer};
+use common::{Color, Error, Image, Progress, Scene, Settings, Transfer};
 use measure::{Effort, Stage};
 
 #[cfg(not(target_family = "wasm"))]
@@ -27,18 +27,8 @@ pub fn stage() -> Stage {
     }
 }
 
-/// Square panels of 240 pixels.
-fn panels(name: &'static str, about: &'static str, panels: Vec<Scene>) -> Scene {
-    let count = panels.len() as u32;
-    let pictures = Scene::side_by_side(name, about, panels);
-    let Ok(size) = Size::new(240 * count + Scene::GAP * (count - 1), 240) else {
-        return pictures;
-    };
-    pictures.with_defaults(Settings {
-        size,
-        ..Settings::default()
-    })
-}
+/// Width and height of each picture, in pixels.
+const PANEL: (u32, u32) = (240, 240);
 
 /// Where a shadow ray begins.
 type Lifted = fn(&Ray, &Hit) -> Ray;
@@ -57,7 +47,7 @@ fn lift() -> Scene {
         })
     };
     let about = "a shadow ray that is lifted not at all, by 64 roundings, and by 0.2";
-    panels("lift", about, lifts.map(panel).into())
+    Scene::side_by_side("lift", about, lifts.map(panel).into(), PANEL)
 }
 
 /// The shadow ray of a hit, lifted by a length.
@@ -117,5 +107,5 @@ fn gamma() -> Scene {
         })
     };
     let about = "the same light in bytes: linear, by gamma 2.2, by the curve of sRGB";
-    panels("gamma", about, transfers.map(panel).into())
+    Scene::side_by_side("gamma", about, transfers.map(panel).into(), PANEL)
 }

@@ -19,7 +19,7 @@ pub fn cracks() -> Scene {
         Err(_) => Box::new(|_| false),
     };
     let panels = vec![panel("protocol", theirs), panel("ours", ours)];
-    super::panels("cracks", about, panels)
+    Scene::side_by_side("cracks", about, panels, super::PANEL)
 }
 
 /// Whether rays meet a triangle.
