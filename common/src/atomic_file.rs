@@ -22,9 +22,8 @@ const LEFT_BEHIND: Duration = Duration::from_hours(1);
 /// killed. If `path` is a symbolic link, it stays, and its target is written.
 pub fn write(path: &Path, content: impl Read) -> Result<(), Error> {
     let (file, end) = unnamed(path, content)?;
-    let named = file.persist(end);
-    named.map_err(|error| cannot_write(path, &error.error))?;
-    Ok(())
+    let named = file.persist(end).map(drop);
+    named.map_err(|error| cannot_write(path, &error.error))
 }
 
 /// Like [`write()`], but if there already is a file of this name, keeps it and returns
@@ -41,8 +40,7 @@ pub fn write_new(path: &Path, content: impl Read) -> Result<bool, Error> {
 /// An error if a file cannot be written; for a check before there is anything to
 /// write. Leaves no file behind.
 pub fn check_writable(path: &Path) -> Result<(), Error> {
-    temporary_file(path)?;
-    Ok(())
+    temporary_file(path).map(drop)
 }
 
 /// The error that `path` cannot be written, with a remedy.

@@ -150,23 +150,4 @@ mod tests {
         assert_eq!(byte(0.999_999), 255);
         assert_eq!(byte(0.5 / 255.0), 1, "half a grey level");
     }
-
-    #[test]
-    fn arithmetic_goes_channel_by_channel() {
-        let (a, b) = (Color::new(1.0, 2.0, 4.0), Color::new(3.0, 5.0, 7.0));
-        assert_eq!(a + b, Color::new(4.0, 7.0, 11.0));
-        assert_eq!(b - a, Color::new(2.0, 3.0, 3.0));
-        assert_eq!(a * b, Color::new(3.0, 10.0, 28.0));
-        assert_eq!(a * 0.5, Color::new(0.5, 1.0, 2.0));
-        let mut sum = a;
-        sum += b;
-        assert_eq!(sum, a + b);
-    }
-
-    #[test]
-    fn a_color_with_one_bad_channel_is_not_finite() {
-        assert!(Color::WHITE.is_finite());
-        assert!(!Color::new(0.0, f64::NAN, 0.0).is_finite());
-        assert!(!Color::new(0.0, 0.0, f64::INFINITY).is_finite());
-    }
 }

@@ -168,15 +168,6 @@ mod tests {
     }
 
     #[test]
-    fn a_pasted_picture_is_cut_off_at_the_border() {
-        let mut image = numbered();
-        image.paste(2, 1, &numbered().map(|_| Color::WHITE));
-        assert_eq!(image.get(2, 1), Some(Color::WHITE));
-        image.set(2, 1, Color::new(2.0, 1.0, 0.0));
-        assert_eq!(image, numbered());
-    }
-
-    #[test]
     fn a_picture_holds_8192_times_8192_pixels_and_not_one_more_row() {
         let size = |width, height| Size::new(width, height).unwrap();
         for largest in [size(8192, 8192), size(32_768, 2048)] {
@@ -194,13 +185,5 @@ mod tests {
         let gray = Image::from_fn(Size::new(1, 1).unwrap(), |_, _| Color::gray(0.25)).unwrap();
         assert_eq!(gray.to_rgb8(Transfer::Linear), [64; 3]);
         assert_eq!(gray.to_rgb8(Transfer::Srgb), [137; 3]);
-    }
-
-    #[test]
-    fn pixels_that_are_not_finite_are_counted() {
-        let mut image = numbered();
-        assert_eq!(image.count_non_finite(), 0);
-        image.set(1, 1, Color::gray(f64::NAN));
-        assert_eq!(image.count_non_finite(), 1);
     }
 }

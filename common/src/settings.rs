@@ -21,6 +21,9 @@ pub enum Sampling {
 }
 
 impl Sampling {
+    /// All kinds of places.
+    pub const ALL: [Self; 4] = [Self::Center, Self::Regular, Self::Random, Self::Stratified];
+
     /// Whether samples lie on a square grid, so that their number is a square.
     #[must_use]
     pub const fn is_grid(self) -> bool {
@@ -102,21 +105,5 @@ impl Default for Settings {
             renderer: Renderer::Lesson,
             file: None,
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rows_outside_of_the_picture_are_dropped() {
-        let rows = |rows| Settings {
-            rows,
-            ..Settings::default()
-        };
-        assert_eq!(rows(None).rows(), 0..480);
-        assert_eq!(rows(Some(5..9)).rows(), 5..9);
-        assert_eq!(rows(Some(470..490)).rows(), 470..480);
     }
 }
