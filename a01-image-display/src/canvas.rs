@@ -116,13 +116,6 @@ impl Canvas {
         }
     }
 
-    /// Width and height of a text in pixels.
-    #[must_use]
-    pub fn text_size(scale: u32, text: &str) -> (f64, f64) {
-        let side = f64::from(scale) * f64::from(GLYPH);
-        (side * text.chars().count() as f64, side)
-    }
-
     /// The finished picture.
     #[must_use]
     pub fn into_image(self) -> Image {

@@ -206,7 +206,6 @@ fn every_dot_of_a_letter_is_a_square_at_its_place() {
             }
         }
     }
-    assert_eq!(Canvas::text_size(3, "|?"), (48.0, 24.0));
     let mut none = canvas(20, 20);
     none.text((0.0, 0.0), 0, Color::WHITE, "none");
     none.text((0.0, 0.0), 1, Color::WHITE, "");

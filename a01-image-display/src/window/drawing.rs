@@ -5,8 +5,8 @@ use std::time::Duration;
 use program::LivePicture;
 
 use super::command;
-use super::frame::{Area, LETTER};
-use super::menu_bar::{LINE, PLATFORM_HAS_MENU};
+use super::frame::{Area, LETTER, LINE};
+use super::menu_bar::PLATFORM_HAS_MENU;
 use super::placement::Placement;
 use super::screen::Screen;
 use super::text;
@@ -64,13 +64,14 @@ impl Screen {
         let mut bottom = y + height;
         if let Some(live) = live {
             bottom -= LINE;
-            self.draw_progress(live, bottom);
+            let text = progress(live.share(), live.elapsed(), live.remaining());
+            self.draw_line(&text, bottom, live.share());
         }
         let columns = (width / LETTER - 2).max(1) as usize;
         for text in texts {
             for line in text::wrap(&text, columns).into_iter().rev() {
                 bottom -= LINE;
-                self.draw_line(line, bottom);
+                self.draw_line(line, bottom, 0.0);
             }
         }
         if !PLATFORM_HAS_MENU {
@@ -78,30 +79,13 @@ impl Screen {
         }
     }
 
-    fn draw_line(&mut self, text: &str, y: i32) {
-        let area = Area {
-            x: 0,
-            y,
-            width: self.placement().area().width,
-            height: LINE,
-        };
-        self.frame.fill(area, STRIP);
+    /// Writes a line; this share of its background, from 0 to 1, has the colour of finished work.
+    fn draw_line(&mut self, text: &str, y: i32, share: f64) {
+        let width = self.placement().area().width;
+        let done = f64::from(width) * share;
+        self.frame.fill(Area::line(y, width), STRIP);
+        self.frame.fill(Area::line(y, done as i32), DONE);
         self.frame.text(LETTER, y + 5, TEXT, text);
-    }
-
-    fn draw_progress(&mut self, live: &LivePicture, y: i32) {
-        let share = live.share();
-        let text = progress(share, live.elapsed(), live.remaining());
-        self.draw_line("", y);
-        let width = f64::from(self.placement().area().width) * share;
-        let done = Area {
-            x: 0,
-            y,
-            width: width as i32,
-            height: LINE,
-        };
-        self.frame.fill(done, DONE);
-        self.frame.text(LETTER, y + 5, TEXT, &text);
     }
 }
 

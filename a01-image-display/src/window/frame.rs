@@ -5,6 +5,9 @@ use crate::canvas::glyph;
 /// Width and height of a character.
 pub const LETTER: i32 = 8;
 
+/// Height of the menu bar, of the items of the menu and of the lines below the picture.
+pub const LINE: i32 = 18;
+
 /// A part of the window, in pixels from its upper left corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Area {
@@ -15,6 +18,16 @@ pub struct Area {
 }
 
 impl Area {
+    /// A line of text below the row `y`, from the left edge of the window.
+    pub const fn line(y: i32, width: i32) -> Self {
+        Self {
+            x: 0,
+            y,
+            width,
+            height: LINE,
+        }
+    }
+
     /// Whether a place lies inside.
     pub const fn contains(self, x: i32, y: i32) -> bool {
         self.x <= x && x < self.x + self.width && self.y <= y && y < self.y + self.height

@@ -4,13 +4,10 @@
 //! system replaces this one.
 
 use super::command::Command;
-use super::frame::{Area, Frame, LETTER};
+use super::frame::{Area, Frame, LETTER, LINE};
 
 /// Whether the platform draws menus.
 pub const PLATFORM_HAS_MENU: bool = cfg!(any(windows, target_os = "macos"));
-
-/// Height of the bar and of every line of the menu.
-pub const LINE: i32 = 18;
 
 const BAR: u32 = 0x2B_2B2B;
 const SELECTED: u32 = 0x3D_5A80;
@@ -73,21 +70,11 @@ impl MenuBar {
     }
 
     const fn title() -> Area {
-        Area {
-            x: 0,
-            y: 0,
-            width: 6 * LETTER,
-            height: LINE,
-        }
+        Area::line(0, 6 * LETTER)
     }
 
     const fn item(index: usize) -> Area {
-        Area {
-            x: 0,
-            y: LINE * (1 + index as i32),
-            width: WIDTH,
-            height: LINE,
-        }
+        Area::line(LINE * (1 + index as i32), WIDTH)
     }
 
     /// Handles a command that concerns the menu, and returns any other command.
@@ -137,11 +124,7 @@ impl MenuBar {
 
     /// Draws the bar, and the menu if it is open.
     pub fn draw(&self, frame: &mut Frame, width: i32, title: &str) {
-        let bar = Area {
-            width,
-            ..Self::title()
-        };
-        frame.fill(bar, BAR);
+        frame.fill(Area::line(0, width), BAR);
         if self.selected.is_some() {
             frame.fill(Self::title(), SELECTED);
         }

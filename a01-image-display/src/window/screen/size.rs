@@ -2,7 +2,8 @@
 
 use common::Size;
 
-use crate::window::menu_bar::{LINE, PLATFORM_HAS_MENU};
+use crate::window::frame::LINE;
+use crate::window::menu_bar::PLATFORM_HAS_MENU;
 
 /// Width and height that fit on nearly every screen; minifb does not know the size of
 /// this one.
