@@ -22,10 +22,9 @@ mod viewer;
 
 pub use gallery::{Gallery, Rendering};
 pub use live_picture::LivePicture;
-pub use named::{Named, by_name};
+pub use named::{Named, SAMPLINGS, by_name};
 pub use run::{run, run_with};
 pub use target::picture_name;
-pub use terminal_progress::TerminalProgress;
 pub use viewer::{NotShown, Viewer};
 
 /// A stage for tests, with these scenes only.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use common::{Error, Image, Renderer, Sampling, Scene, Settings, Size, Transfer, UsedSettings};
 
-use crate::named::by_name;
+use crate::named::{SAMPLINGS, TRANSFERS, by_name};
 
 /// The flags that replace a scene's defaults.
 #[derive(Clone, Debug, Default, clap::Args)]
@@ -18,7 +18,7 @@ pub struct Options {
     samples: Option<u32>,
 
     /// Where samples lie [default: center for one sample, else stratified]
-    #[arg(long, value_name = "HOW", value_parser = by_name::<Sampling>())]
+    #[arg(long, value_name = "HOW", value_parser = by_name(SAMPLINGS))]
     sampling: Option<Sampling>,
 
     /// Take samples where they are needed, until new samples show with 95 % confidence
@@ -41,7 +41,7 @@ pub struct Options {
     threads: Option<u16>,
 
     /// Curve between light and the values in the file
-    #[arg(long, value_name = "CURVE", value_parser = by_name::<Transfer>(), default_value = "linear")]
+    #[arg(long, value_name = "CURVE", value_parser = by_name(TRANSFERS), default_value = "linear")]
     pub transfer: Transfer,
 
     /// Render with the fast renderer; the picture is the same

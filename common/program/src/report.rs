@@ -90,8 +90,6 @@ fn chosen(
 
 #[cfg(test)]
 mod tests {
-    use std::ffi::OsString;
-
     use common::{Image, Scene};
     use measure::experiment::{Axis, Curve, Point, Unit};
 
@@ -153,11 +151,7 @@ mod tests {
         let files = output.read_dir().unwrap();
         let mut files: Vec<_> = files.map(|file| file.unwrap().file_name()).collect();
         files.sort();
-        let endings = [".csv", ".svg"];
-        assert_eq!(
-            files,
-            endings.map(|ending| OsString::from(format!("a00-two{ending}")))
-        );
+        assert_eq!(files, ["a00-two.csv", "a00-two.svg"]);
     }
 
     #[test]
@@ -170,6 +164,5 @@ mod tests {
         assert_eq!(refused(&["scene"]), "report scene takes a scene: disc");
         assert!(refused(&["scene", "disc"]).starts_with("disc is not sampled"));
         assert!(refused(&["scene", "one"]).contains("no scene \"one\""));
-        assert!(refused(&["disc"]).contains("no experiment \"disc\""));
     }
 }

@@ -14,7 +14,6 @@ pub struct TerminalProgress {
 
 impl TerminalProgress {
     /// A bar for a picture of this size, labelled with the name of its scene.
-    #[must_use]
     pub fn new(scene: &'static str, size: Size) -> Self {
         let bar = terminal_bar(scene, size.height().into());
         bar.enable_steady_tick(Duration::from_millis(200));
@@ -25,7 +24,6 @@ impl TerminalProgress {
     }
 
     /// The statistics of adaptive sampling so far, if there was any.
-    #[must_use]
     pub fn samples(&self) -> Option<Sampled> {
         let sampled = *self.sampled.lock().unwrap_or_else(PoisonError::into_inner);
         (sampled.pixels > 0).then_some(sampled)

@@ -60,7 +60,7 @@ use std::time::Duration;
 
 use clap::Parser;
 use common::{ArgumentError, Sampling, Settings, Size};
-use program::by_name;
+use program::{SAMPLINGS, by_name};
 
 use crate::description::Description;
 use crate::ours::Ours;
@@ -99,7 +99,7 @@ struct Options {
     #[arg(long, hide = true, default_value_t = 1)]
     samples: u32,
     /// Where the samples of `--render` lie.
-    #[arg(long, hide = true, default_value = "center", value_parser = by_name::<Sampling>())]
+    #[arg(long, hide = true, default_value = "center", value_parser = by_name(SAMPLINGS))]
     sampling: Sampling,
     /// The error that `--render` may have; it then takes at most the samples.
     #[arg(long, hide = true)]
