@@ -1,7 +1,5 @@
 //! The program of this stage: shows its scenes or writes them as PNG.
 
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
+fn main() -> std::process::ExitCode {
     program::run(&a01_image_display::stage(), a01_image_display::viewer())
 }

@@ -18,20 +18,21 @@ fn perspective(e: Point3, g: Vector3) -> Result<Box<dyn Camera>, ArgumentError> 
     Ok(Box::new(PerspectiveCamera::new(e, g, UP, FRAC_PI_4)?))
 }
 
+/// A world before the camera that most scenes have.
+fn view(world: World<Color>) -> Result<View, ArgumentError> {
+    Ok((perspective(Point3::ORIGIN, AHEAD)?, world))
+}
+
 /// A green plane, up to the horizon.
 pub fn scene_1() -> Result<View, ArgumentError> {
-    let camera = perspective(Point3::ORIGIN, AHEAD)?;
     let plane = Plane::new(Point3::new(0.0, -1.0, 0.0), Normal3::new(0.0, 1.0, 0.0))?;
-    let world = World::new(Color::BLACK)?.with(plane, Color::GREEN);
-    Ok((camera, world))
+    view(World::new(Color::BLACK)?.with(plane, Color::GREEN))
 }
 
 /// A red sphere.
 pub fn scene_2() -> Result<View, ArgumentError> {
-    let camera = perspective(Point3::ORIGIN, AHEAD)?;
     let sphere = Sphere::new(Point3::new(0.0, 0.0, -3.0), 0.5)?;
-    let world = World::new(Color::BLACK)?.with(sphere, Color::RED);
-    Ok((camera, world))
+    view(World::new(Color::BLACK)?.with(sphere, Color::RED))
 }
 
 /// A blue box, seen from above one of its corners.
@@ -44,20 +45,18 @@ pub fn scene_3() -> Result<View, ArgumentError> {
 
 /// A magenta triangle.
 pub fn scene_4() -> Result<View, ArgumentError> {
-    let camera = perspective(Point3::ORIGIN, AHEAD)?;
     let triangle = Triangle::new(
         Point3::new(-0.5, 0.5, -3.0),
         Point3::new(0.5, 0.5, -3.0),
         Point3::new(0.5, -0.5, -3.0),
     )?
     .with_normals([Normal3::new(0.0, 0.0, 1.0); 3])?;
-    let world = World::new(Color::BLACK)?.with(triangle, Color::MAGENTA);
-    Ok((camera, world))
+    view(World::new(Color::BLACK)?.with(triangle, Color::MAGENTA))
 }
 
 /// Two red spheres, one farther away.
 pub fn scene_5() -> Result<View, ArgumentError> {
-    Ok((perspective(Point3::ORIGIN, AHEAD)?, two_spheres()?))
+    view(two_spheres()?)
 }
 
 /// The two spheres of `scene_5` without perspective.

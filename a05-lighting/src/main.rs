@@ -1,7 +1,5 @@
 //! Shows the pictures of assignment 5.
 
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
+fn main() -> std::process::ExitCode {
     program::run(&a05_lighting::stage(), a01_image_display::viewer())
 }

@@ -1,8 +1,6 @@
 //! Shows the pictures of assignment 6.
 
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
+fn main() -> std::process::ExitCode {
     program::run(
         &a06_shadows_reflection::stage(),
         a01_image_display::viewer(),
