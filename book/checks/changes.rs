@@ -47,10 +47,7 @@ fn list(files: &Files, stage: &str) -> String {
 fn rooms<'a>(files: &'a Files, stage: &str) -> impl Iterator<Item = (&'a str, &'a str)> {
     let folder = format!("{stage}/src/");
     let start = folder.len();
-    let files = files
-        .below("")
-        .filter(move |(path, _)| path.starts_with(&folder));
-    files.filter_map(move |(path, text)| {
+    files.below(folder).filter_map(move |(path, text)| {
         let room = path[start..].strip_suffix(".rs")?;
         let is_listed = !matches!(room, "lib" | "main") && !room.contains('/');
         is_listed.then_some((room, text))

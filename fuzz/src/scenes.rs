@@ -17,7 +17,6 @@ use a07_transforms::Node;
 use a07_transforms::fast::shapes;
 use arbitrary::{Result, Unstructured};
 use common::{ArgumentError, Color, Error, Image, Sampling, Settings, Size};
-
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::number::{color, number, point, vector};
@@ -183,18 +182,11 @@ fn settings(u: &mut Unstructured) -> Result<Settings> {
     let error = error.transpose()?;
     Ok(Settings {
         size: Size::new(width, height).expect("a size"),
-        rows: None,
         samples: u.int_in_range(1..=4)?,
-        sampling: *u.choose(&[
-            Sampling::Center,
-            Sampling::Regular,
-            Sampling::Random,
-            Sampling::Stratified,
-        ])?,
+        sampling: *u.choose(&Sampling::ALL)?,
         max_error: error.map(|error| f64::from(error) / 512.0),
         seed: u.arbitrary::<u8>()?.into(),
         depth: u.int_in_range(1..=8)?,
-        file: None,
         ..Settings::default()
     })
 }

@@ -79,18 +79,14 @@ pub fn camera(u: &mut Unstructured) -> Result<Box<dyn Camera>> {
     }
     let camera = match u.int_in_range(0..=3)? {
         0 => boxed(PinholeCamera::new(point(u)?, number(u)?)),
-        1 => boxed(OrthographicCamera::new(
-            point(u)?,
-            vector(u)?,
-            vector(u)?,
-            number(u)?,
-        )),
-        2 => boxed(PerspectiveCamera::new(
-            point(u)?,
-            vector(u)?,
-            vector(u)?,
-            number(u)?,
-        )),
+        1 => {
+            let (e, g, up, s) = (point(u)?, vector(u)?, vector(u)?, number(u)?);
+            boxed(OrthographicCamera::new(e, g, up, s))
+        }
+        2 => {
+            let (e, g, up, angle) = (point(u)?, vector(u)?, vector(u)?, number(u)?);
+            boxed(PerspectiveCamera::new(e, g, up, angle))
+        }
         // Towards the origin, where small numbers put shapes.
         _ => {
             let e = point(u)?;
