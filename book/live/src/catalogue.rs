@@ -1,6 +1,6 @@
 //! The pictures of the book that its pages can render, by the names of their files.
 
-use common::Scene;
+use common::{Error, Scene};
 use measure::Stage;
 
 // The pictures of the errata are examples of the last stage.
@@ -40,12 +40,10 @@ pub fn names() -> Vec<String> {
 }
 
 /// The scene whose picture has this name.
-pub fn scene(picture: &str) -> Result<Scene, String> {
-    let mut scenes = stages().into_iter().flat_map(|stage| {
-        let named = move |scene| (name(stage.name, &scene), scene);
-        stage.scenes.into_iter().map(named)
+pub fn scene(picture: &str) -> Result<Scene, Error> {
+    let found = stages().into_iter().find_map(|stage| {
+        let mut scenes = stage.scenes.into_iter();
+        scenes.find(|scene| name(stage.name, scene) == picture)
     });
-    let found = scenes.find(|(name, _)| name == picture);
-    let missing = || format!("there is no picture \"{picture}\"");
-    found.map(|(_, scene)| scene).ok_or_else(missing)
+    found.ok_or_else(|| Error::Usage(format!("there is no picture \"{picture}\"")))
 }

@@ -1,14 +1,15 @@
 //! The extreme cases of a stage, computed on the page: exact, the protocol's, ours.
 
+use common::Error;
 use measure::Effort;
 
-use crate::{Answer, catalogue};
+use crate::{Answer, Answered, catalogue};
 
 /// All cases of a stage as text, one below the other with an empty line between them,
 /// and how many there are and hold. With as few rays as the quick reports take.
-pub fn extremes(stage: &str) -> Result<Answer, String> {
+pub fn extremes(stage: &str) -> Answered {
     let mut stages = catalogue::stages().into_iter();
-    let missing = || format!("there is no stage \"{stage}\"");
+    let missing = || Error::Usage(format!("there is no stage \"{stage}\""));
     let stage = stages
         .find(|known| known.name == stage)
         .ok_or_else(missing)?;

@@ -22,10 +22,10 @@ use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Interval};
 use common::Error;
 
-use crate::Answer;
+use crate::Answered;
 
 /// Answers for the figure of this name.
-pub fn answer(figure: &str, numbers: &[f64]) -> Result<Answer, String> {
+pub fn answer(figure: &str, numbers: &[f64]) -> Answered {
     match figure {
         "color" => Ok(color::answer(expect(figure, numbers)?)),
         "vectors" => Ok(vectors::answer(expect(figure, numbers)?)),
@@ -43,24 +43,16 @@ pub fn answer(figure: &str, numbers: &[f64]) -> Result<Answer, String> {
         "mirrors" => mirrors::answer(expect(figure, numbers)?),
         "spaces" | "normals" => normals::answer(expect(figure, numbers)?),
         "chain" => chain::answer(expect(figure, numbers)?),
-        _ => return Err(format!("there is no figure \"{figure}\"")),
+        _ => Err(Error::Usage(format!("there is no figure \"{figure}\""))),
     }
-    .map_err(|error| error.to_string())
 }
 
 /// The numbers of a figure, if there are as many as it takes.
-fn expect<const N: usize>(figure: &str, numbers: &[f64]) -> Result<[f64; N], String> {
-    let wrong = |_| {
-        format!(
-            "the figure {figure} takes {N} numbers, not {}",
-            numbers.len()
-        )
-    };
-    numbers.try_into().map_err(wrong)
+fn expect<const N: usize>(figure: &str, numbers: &[f64]) -> Result<[f64; N], Error> {
+    let given = numbers.len();
+    let wrong = format!("the figure {figure} takes {N} numbers, not {given}");
+    numbers.try_into().map_err(|_| Error::Usage(wrong))
 }
-
-/// The result of a figure.
-type Answered = Result<Answer, Error>;
 
 /// A point of a flat figure.
 const fn point(x: f64, y: f64) -> Point3 {

@@ -14,18 +14,24 @@ mod picture;
 mod turned;
 mod view;
 
+use common::Error;
+
 pub use answer::Answer;
+
+/// The answer to a request, or the reason why there is none.
+type Answered = Result<Answer, Error>;
 
 /// Answers a request of a page: `render PICTURE`, `probe PICTURE` or `about PICTURE`,
 /// with the settings as numbers, `extremes STAGE`, `pictures`, or the name of a figure
 /// with its numbers. An error is a sentence for the reader.
 pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
-    match request.split_once(' ') {
+    let answer = match request.split_once(' ') {
         Some(("render", name)) => picture::render(name, numbers),
         Some(("probe", name)) => picture::probe(name, numbers),
         Some(("about", name)) => picture::about(name),
         Some(("extremes", stage)) => extremes::extremes(stage),
         None if request == "pictures" => Ok(Answer::text(catalogue::names().join("\n"))),
         _ => figures::answer(request, numbers),
-    }
+    };
+    answer.map_err(|error| error.to_string())
 }

@@ -2,28 +2,26 @@
 
 use a02_math::Vector3;
 use a03_rays_cameras::{Camera, camera_coordinates, render as render_by_lesson};
-use common::{Color, Image, Renderer, Sampling, Scene, Settings, Size, Transfer, fnv1a};
+use common::{Color, Error, Image, Renderer, Sampling, Scene, Settings, Size, Transfer, fnv1a};
 
-use crate::Answer;
-use crate::catalogue;
 use crate::turned::{Turn, Turned};
 use crate::view::{View, view};
+use crate::{Answer, Answered, catalogue};
 
-pub const SAMPLINGS: [Sampling; 4] = [
-    Sampling::Center,
-    Sampling::Regular,
-    Sampling::Random,
-    Sampling::Stratified,
-];
+/// The place of the samples that a page gives as a number: their place in the list of all.
+pub fn sampling(number: f64) -> Sampling {
+    let found = Sampling::ALL.get(number as usize);
+    found.copied().unwrap_or_default()
+}
 
-/// The description of a picture by a page: width, height, samples, the number of their place in
-/// [`SAMPLINGS`], seed, depth, 1 for the engine, yaw, pitch and zoom.
-fn settings(scene: &Scene, numbers: &[f64]) -> Result<(Settings, Turn), String> {
+/// The description of a picture by a page: width, height, samples, the number of their
+/// place, seed, depth, 1 for the engine, yaw, pitch and zoom.
+fn settings(scene: &Scene, numbers: &[f64]) -> Result<(Settings, Turn), Error> {
     let &[
         width,
         height,
         samples,
-        sampling,
+        place,
         seed,
         depth,
         engine,
@@ -35,14 +33,10 @@ fn settings(scene: &Scene, numbers: &[f64]) -> Result<(Settings, Turn), String> 
     else {
         return Ok((scene.defaults.clone(), Turn::NONE));
     };
-    let size = Size::new(width as u32, height as u32).map_err(|error| error.to_string())?;
     let settings = Settings {
-        size,
+        size: Size::new(width as u32, height as u32)?,
         samples: samples as u32,
-        sampling: SAMPLINGS
-            .get(sampling as usize)
-            .copied()
-            .unwrap_or_default(),
+        sampling: sampling(place),
         seed: seed as u64,
         depth: depth as u32,
         renderer: if engine == 1.0 {
@@ -56,8 +50,8 @@ fn settings(scene: &Scene, numbers: &[f64]) -> Result<(Settings, Turn), String> 
 }
 
 /// The view of a picture, with its camera turned.
-fn turned(picture: &str, settings: &Settings, turn: Turn) -> Result<Option<View>, String> {
-    let view = view(picture, settings).map_err(|error| error.to_string())?;
+fn turned(picture: &str, settings: &Settings, turn: Turn) -> Result<Option<View>, Error> {
+    let view = view(picture, settings)?;
     Ok(view.map(|view| {
         if turn == Turn::NONE {
             return view;
@@ -73,7 +67,7 @@ fn turned(picture: &str, settings: &Settings, turn: Turn) -> Result<Option<View>
 /// Renders a picture: its pixels, its size and, as text, the hash that the tests lock.
 ///
 /// With the camera of the scene, the stage renders it as its program does.
-pub fn render(picture: &str, numbers: &[f64]) -> Result<Answer, String> {
+pub fn render(picture: &str, numbers: &[f64]) -> Answered {
     let scene = catalogue::scene(picture)?;
     let (settings, turn) = settings(&scene, numbers)?;
     let view = match turn {
@@ -87,9 +81,7 @@ pub fn render(picture: &str, numbers: &[f64]) -> Result<Answer, String> {
             render_by_lesson(&view.camera, radiance, &settings, &())
         }
     };
-    image
-        .map(|image| pixels(&image))
-        .map_err(|error| error.to_string())
+    image.map(|image| pixels(&image))
 }
 
 /// The pixels, size and hash of a picture.
@@ -106,7 +98,7 @@ pub fn pixels(image: &Image) -> Answer {
 
 /// Looks along the ray through the middle of a pixel, whose column and row follow the
 /// settings: its linear colour, and if it meets a surface, `t`, point and normal.
-pub fn probe(picture: &str, numbers: &[f64]) -> Result<Answer, String> {
+pub fn probe(picture: &str, numbers: &[f64]) -> Answered {
     let scene = catalogue::scene(picture)?;
     let (settings, turn) = settings(&scene, numbers)?;
     let (Some(view), [.., column, row]) = (turned(picture, &settings, turn)?, numbers) else {
@@ -136,12 +128,11 @@ pub fn probe(picture: &str, numbers: &[f64]) -> Result<Answer, String> {
 }
 
 /// The settings that a picture has by default, and those that change it.
-pub fn about(picture: &str) -> Result<Answer, String> {
+pub fn about(picture: &str) -> Answered {
     let scene = catalogue::scene(picture)?;
     let defaults = &scene.defaults;
-    let sampling = SAMPLINGS
-        .iter()
-        .position(|place| *place == defaults.sampling);
+    let mut places = Sampling::ALL.iter();
+    let sampling = places.position(|place| *place == defaults.sampling);
     let turns = view(picture, defaults).is_ok_and(|view| view.is_some());
     let flag = |is_set| f64::from(u8::from(is_set));
     let (width, height) = (defaults.size.width(), defaults.size.height());

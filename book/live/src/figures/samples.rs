@@ -2,10 +2,9 @@
 //! estimate, and its error as their number grows.
 
 use a03_rays_cameras::{PixelRandom, Sampler};
-use common::{Sampling, Settings};
+use common::Settings;
 
-use crate::Answer;
-use crate::picture::SAMPLINGS;
+use crate::{Answer, picture};
 
 /// A straight edge through a pixel: left of it is covered. The pixel is a unit square
 /// with its centre at the origin.
@@ -55,17 +54,10 @@ impl Edge {
 fn sampler(samples: f64, sampling: f64, seed: f64) -> Sampler {
     Sampler::new(&Settings {
         samples: samples as u32,
-        sampling: place(sampling),
+        sampling: picture::sampling(sampling),
         seed: seed as u64,
         ..Settings::default()
     })
-}
-
-fn place(sampling: f64) -> Sampling {
-    SAMPLINGS
-        .get(sampling as usize)
-        .copied()
-        .unwrap_or_default()
 }
 
 /// Numbers: the edge's angle in degrees and its distance from the pixel's centre, the
