@@ -23,8 +23,8 @@ impl Answer {
 
     /// The same answer with one more list of numbers.
     #[must_use]
-    pub fn with(mut self, name: &'static str, numbers: impl Into<Vec<f64>>) -> Self {
-        self.numbers.push((name, numbers.into()));
+    pub fn with(mut self, name: &'static str, numbers: impl IntoIterator<Item = f64>) -> Self {
+        self.numbers.push((name, numbers.into_iter().collect()));
         self
     }
 

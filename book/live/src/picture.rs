@@ -109,22 +109,16 @@ pub fn probe(picture: &str, numbers: &[f64]) -> Answered {
     let (x, y) = camera_coordinates(settings.size, column, row, (0.5, 0.5));
     let ray = view.camera.ray_for(settings.size, x, y);
     let Color { r, g, b } = view.radiance(settings.depth)(&ray);
-    let answer = Answer::default().with("color", [r, g, b]);
     let Some(met) = view.meet(&ray) else {
-        return Ok(Answer {
-            text: "the background".to_owned(),
-            ..answer
-        });
+        return Ok(Answer::text("the background").with("color", [r, g, b]));
     };
     let normal = Vector3::from(met.hit.normal).to_glam().to_array();
     let point = ray.at(met.hit.t).to_glam().to_array();
-    Ok(Answer {
-        text: met.names,
-        ..answer
-    }
-    .with("t", [met.hit.t])
-    .with("point", point)
-    .with("normal", normal))
+    Ok(Answer::text(met.names)
+        .with("color", [r, g, b])
+        .with("t", [met.hit.t])
+        .with("point", point)
+        .with("normal", normal))
 }
 
 /// The settings that a picture has by default, and those that change it.

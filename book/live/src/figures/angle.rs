@@ -23,11 +23,10 @@ fn angles(tangent: f64) -> [f64; 4] {
 pub fn answer([power]: [f64; 1]) -> Answer {
     let tangent = libm::pow(10.0, power);
     let [ours, by_cosine, our_error, cosine_error] = angles(tangent);
-    let powers: Vec<_> = (-POWERS..=0).map(|n| f64::from(n) / 4.0).collect();
-    let errors: Vec<_> = powers
-        .iter()
-        .map(|power| angles(libm::pow(10.0, *power))[3])
-        .collect();
+    let powers = (-POWERS..=0).map(|n| f64::from(n) / 4.0);
+    let errors = powers
+        .clone()
+        .map(|power| angles(libm::pow(10.0, power))[3]);
     Answer::default()
         .with("tangent", [tangent])
         .with("ours", [ours])

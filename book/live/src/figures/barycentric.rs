@@ -33,6 +33,6 @@ pub fn answer([ax, ay, bx, by, cx, cy, x, y]: [f64; 8]) -> Answered {
         (upwards + (corner - middle) * LEAN).as_normal()
     }))?;
     Ok(Answer::default()
-        .with("weights", weights.map(Vec::from).unwrap_or_default())
-        .with("normal", normal.map(Vec::from).unwrap_or_default()))
+        .with("weights", weights.into_iter().flatten())
+        .with("normal", normal.into_iter().flatten()))
 }

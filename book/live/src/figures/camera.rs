@@ -32,10 +32,9 @@ pub fn answer([x, y, z, around, upwards, roll, opening]: [f64; 7]) -> Answered {
         (last_x, last_y),
         (-0.5, last_y),
     ];
-    let corners: Vec<_> = corners
-        .into_iter()
-        .flat_map(|(x, y)| camera.ray_for(size, x, y).direction().to_glam().to_array())
-        .collect();
+    let corners = corners.into_iter();
+    let corners =
+        corners.flat_map(|(x, y)| camera.ray_for(size, x, y).direction().to_glam().to_array());
     let basis = camera.basis();
     let [u, v, w] = [basis.u, basis.v, basis.w].map(|axis| axis.to_glam().to_array());
 

@@ -13,11 +13,9 @@ pub fn answer([angle, x, y]: [f64; 3]) -> Answered {
     let (angle, by) = (angle.to_radians(), point(x, y));
     let turned_first = Transform::IDENTITY.translate(by)?.rotate_z(angle)?;
     let moved_first = Transform::IDENTITY.rotate_z(angle)?.translate(by)?;
-    let flag = |transform: Transform| -> Vec<f64> {
+    let flag = |transform: Transform| {
         let corners = FLAG.into_iter();
-        corners
-            .flat_map(|(x, y)| place(transform.matrix() * point(x, y)))
-            .collect()
+        corners.flat_map(move |(x, y)| place(transform.matrix() * point(x, y)))
     };
     Ok(Answer::default()
         .with("turned_first", flag(turned_first))

@@ -1,7 +1,7 @@
 //! A transformed sphere: the ray in both spaces, and its normal moved rightly and
 //! wrongly.
 
-use a02_math::{Normal3, Point3, Vector3};
+use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Interval, Sphere};
 use a07_transforms::{Node, Transform, protocol};
@@ -30,8 +30,6 @@ pub fn answer([sx, sy, angle, tx, ty, ox, oy, x, y]: [f64; 9]) -> Answered {
     let Some(inside) = sphere.hit(&object_ray, Interval::AHEAD) else {
         return Ok(answer.with("t_world", []));
     };
-    let flat_normal =
-        |normal: Option<Normal3>| normal.map(|n| flat(n).to_vec()).unwrap_or_default();
     let outside = Node::new(transform).with(sphere).hit(&ray, Interval::AHEAD);
     let right = outside.map(|hit| hit.normal);
     let moved = protocol::normal_as_vector(transform.matrix(), inside.normal);
@@ -40,13 +38,10 @@ pub fn answer([sx, sy, angle, tx, ty, ox, oy, x, y]: [f64; 9]) -> Answered {
         right.angle(moved).to_degrees()
     });
     Ok(answer
-        .with("apart", apart.map(|angle| vec![angle]).unwrap_or_default())
+        .with("apart", apart)
         .with("t_object", [inside.t])
-        .with(
-            "t_world",
-            outside.map(|hit| vec![hit.t]).unwrap_or_default(),
-        )
+        .with("t_world", outside.map(|hit| hit.t))
         .with("object_normal", flat(inside.normal))
-        .with("normal", flat_normal(right))
-        .with("wrong_normal", flat_normal(moved)))
+        .with("normal", right.into_iter().flat_map(flat))
+        .with("wrong_normal", moved.into_iter().flat_map(flat)))
 }

@@ -61,10 +61,9 @@ pub fn answer([light, eye, exponent]: [f64; 3]) -> Answered {
         material.color_for(&ray, &hit, &lamp).r
     };
     let (diffuse, highlight) = (seen(&matt, eye), seen(&shiny, eye));
-    let lobe: Vec<_> = (0..=DIRECTIONS)
+    let lobe = (0..=DIRECTIONS)
         .map(|i| PI * f64::from(i) / f64::from(DIRECTIONS))
-        .map(|eye| seen(&matt, eye) + seen(&shiny, eye))
-        .collect();
+        .map(|eye| seen(&matt, eye) + seen(&shiny, eye));
     Ok(Answer::default()
         .with("diffuse", [diffuse])
         .with("highlight", [highlight])

@@ -19,16 +19,13 @@ pub fn answer([ox, oy, x, y, oz, z]: [f64; 6]) -> Answered {
         |x: f64, y: f64, z: f64| AxisAlignedBox::new(Point3::new(-x, -y, -z), Point3::new(x, y, z));
     let whole = slab(1.0, 0.7, 1.0)?;
     let hit = whole.hit(&ray, Interval::AHEAD);
+    let normal = hit.map(|hit| hit.normal.to_glam().to_array());
     Ok(Answer::default()
         .with("direction", flat(ray.direction()))
         .with("x_slab", both_hits(&slab(1.0, FAR, FAR)?, &ray))
         .with("y_slab", both_hits(&slab(FAR, 0.7, FAR)?, &ray))
         .with("z_slab", both_hits(&slab(FAR, FAR, 1.0)?, &ray))
         .with("both", both_hits(&whole, &ray))
-        .with("hit", hit.map(|hit| vec![hit.t]).unwrap_or_default())
-        .with(
-            "normal",
-            hit.map(|hit| hit.normal.to_glam().to_array().to_vec())
-                .unwrap_or_default(),
-        ))
+        .with("hit", hit.map(|hit| hit.t))
+        .with("normal", normal.into_iter().flatten()))
 }

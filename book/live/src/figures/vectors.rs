@@ -11,12 +11,11 @@ pub fn answer([ax, ay, bx, by]: [f64; 4]) -> Answer {
     let (a, b) = (Vector3::new(ax, ay, 0.0), Vector3::new(bx, by, 0.0));
     let projection = a.projected_on(b);
     let reflected = b.normalized().map(|n| a.reflected_on(n.as_normal()));
-    let pair = |v: Option<Vector3>| v.map(|v| flat(v).to_vec()).unwrap_or_default();
     Answer::default()
         .with("dot", [a.dot(b)])
         .with("cosine", [a.dot(b) / (a.magnitude() * b.magnitude())])
         .with("area", [a.parallelogram_area(b)])
         .with("angle", [a.angle(b).to_degrees()])
-        .with("projection", pair(projection))
-        .with("reflected", pair(reflected))
+        .with("projection", projection.into_iter().flat_map(flat))
+        .with("reflected", reflected.into_iter().flat_map(flat))
 }
