@@ -77,17 +77,19 @@ impl Scene {
         scene
     }
 
-    /// Scenes side by side in one picture, for comparison: each has an equal share of
-    /// the width, with a gap of 8 pixels between them, and by default this width and height.
-    #[must_use]
-    pub fn side_by_side(
+    /// Pictures side by side, for comparison: each has an equal share of the width, with
+    /// a gap of 8 pixels between them, and by default this width and height.
+    pub fn side_by_side<P, const N: usize>(
         name: &'static str,
         about: &'static str,
-        panels: Vec<Self>,
+        panels: [P; N],
         (width, height): (u32, u32),
-    ) -> Self {
+    ) -> Self
+    where
+        P: Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync + 'static,
+    {
         const GAP: u32 = 8;
-        let count = panels.len().max(1) as u32;
+        let count = N.max(1) as u32;
         let gaps = GAP * (count - 1);
         let defaults = Settings {
             size: Size::new(count * width + gaps, height).unwrap_or(Size::COURSE),
@@ -101,11 +103,11 @@ impl Scene {
                 ..settings.clone()
             };
             let mut image = Image::black(size)?.map(|_| Color::WHITE);
-            for (left, scene) in (0..).step_by((width + GAP) as usize).zip(&panels) {
+            for (left, paint) in (0..).step_by((width + GAP) as usize).zip(&panels) {
                 if progress.stopped() {
                     return Err(Error::Stopped);
                 }
-                image.paste(left, 0, &scene.render(&panel, &())?);
+                image.paste(left, 0, &paint(&panel, &())?);
             }
             for (y, row) in (0..).zip(image.rows()) {
                 progress.row(y, &mut row.iter().copied());

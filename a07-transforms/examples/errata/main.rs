@@ -86,11 +86,11 @@ where
 {
     let panels: [Panel; 2] = [Box::new(wrong), Box::new(right)];
     let panels = panels.map(|view| {
-        Scene::traced(name, about, move |settings, progress| {
+        move |settings: &Settings, progress: &dyn Progress| {
             view(settings)?.render(settings, progress)
-        })
+        }
     });
-    Scene::side_by_side(name, about, panels.into(), (360, 270))
+    Scene::side_by_side(name, about, panels, (360, 270))
 }
 
 /// A matt surface in a light from one direction, and a little from everywhere.

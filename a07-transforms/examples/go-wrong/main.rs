@@ -34,20 +34,16 @@ const PANEL: (u32, u32) = (240, 240);
 type Lifted = fn(&Ray, &Hit) -> Ray;
 
 fn lift() -> Scene {
-    let lifts: [(_, Lifted); 3] = [
-        ("not at all", |ray, hit| by(0.0, ray, hit)),
-        ("by 64 roundings", |ray, hit| {
-            secondary_ray(ray, hit, sunwards())
-        }),
-        ("by 0.2", |ray, hit| by(0.2, ray, hit)),
-    ];
-    let panel = |(about, lifted)| {
-        Scene::traced("lift", about, move |settings, progress| {
-            shadows(lifted, settings, progress)
-        })
-    };
     let about = "a shadow ray that is lifted not at all, by 64 roundings, and by 0.2";
-    Scene::side_by_side("lift", about, lifts.map(panel).into(), PANEL)
+    let lifts: [Lifted; 3] = [
+        |ray, hit| by(0.0, ray, hit),
+        |ray, hit| secondary_ray(ray, hit, sunwards()),
+        |ray, hit| by(0.2, ray, hit),
+    ];
+    let panels = lifts.map(|lifted| {
+        move |settings: &Settings, progress: &dyn Progress| shadows(lifted, settings, progress)
+    });
+    Scene::side_by_side("lift", about, panels, PANEL)
 }
 
 /// The shadow ray of a hit, lifted by a length.
@@ -93,19 +89,15 @@ pub fn shadows(
 }
 
 fn gamma() -> Scene {
-    let transfers = [
-        ("as it is", Transfer::Linear),
-        ("gamma 2.2", Transfer::Gamma),
-        ("srgb", Transfer::Srgb),
-    ];
-    let panel = |(about, transfer)| {
-        Scene::traced("gamma", about, move |settings, progress| {
+    let about = "the same light in bytes: linear, by gamma 2.2, by the curve of sRGB";
+    let transfers = [Transfer::Linear, Transfer::Gamma, Transfer::Srgb];
+    let panels = transfers.map(|transfer| {
+        move |settings: &Settings, progress: &dyn Progress| {
             let stage = a05_lighting::stage();
             let image = stage.scene("lambert")?.render(settings, progress)?;
             // The file is written as it is, so the curve comes first.
-            Ok(image.map(|color| color.map(|channel| Transfer::encode(transfer, channel))))
-        })
-    };
-    let about = "the same light in bytes: linear, by gamma 2.2, by the curve of sRGB";
-    Scene::side_by_side("gamma", about, transfers.map(panel).into(), PANEL)
+            Ok(image.map(|color| color.map(|channel| transfer.encode(channel))))
+        }
+    });
+    Scene::side_by_side("gamma", about, panels, PANEL)
 }

@@ -8,17 +8,14 @@ use common::{Color, Error, Image, Progress, Scene, Settings, Size};
 
 pub fn cracks() -> Scene {
     let about = "a wall of triangles: by Cramer's rule, and by the test without gaps";
-    let panel = |name, test| {
-        Scene::traced(name, about, move |settings, progress| {
-            wall(test, settings, progress)
-        })
-    };
     let theirs: Test = |corners| Box::new(move |ray| protocol::triangle(&corners, ray).is_some());
     let ours: Test = |[a, b, c]| match Triangle::new(a, b, c) {
         Ok(triangle) => Box::new(move |ray| triangle.hit(ray, Interval::AHEAD).is_some()),
         Err(_) => Box::new(|_| false),
     };
-    let panels = vec![panel("protocol", theirs), panel("ours", ours)];
+    let panels = [theirs, ours].map(|test| {
+        move |settings: &Settings, progress: &dyn Progress| wall(test, settings, progress)
+    });
     Scene::side_by_side("cracks", about, panels, super::PANEL)
 }
 
