@@ -49,15 +49,11 @@ pub const ITEMS: [Item; 3] = [
 pub struct MenuBar {
     /// The selected item, while the menu is open.
     selected: Option<usize>,
-    can_open: bool,
+    /// Whether the scene shows a file that can be chosen.
+    pub can_open: bool,
 }
 
 impl MenuBar {
-    /// Whether the scene shows a file that can be chosen.
-    pub const fn set_can_open(&mut self, can_open: bool) {
-        self.can_open = can_open;
-    }
-
     /// The selected item, while the menu is open.
     pub const fn selected(&self) -> Option<usize> {
         self.selected

@@ -75,7 +75,7 @@ impl Screen {
         let keyboard = Keyboard::default();
         window.set_input_callback(Box::new(keyboard.clone()));
         let mut menu = MenuBar::default();
-        menu.set_can_open(gallery.opens_files());
+        menu.can_open = gallery.opens_files();
         if PLATFORM_HAS_MENU {
             add_platform_menu(&mut window);
         }

@@ -3,9 +3,10 @@
 use super::*;
 
 fn of_three() -> MenuBar {
-    let mut menu = MenuBar::default();
-    menu.set_can_open(true);
-    menu
+    MenuBar {
+        can_open: true,
+        ..MenuBar::default()
+    }
 }
 
 #[test]

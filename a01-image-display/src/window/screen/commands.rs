@@ -89,7 +89,7 @@ impl Screen {
     fn change_to(&mut self, gallery: &Gallery) -> After {
         self.title = gallery.title();
         self.window.set_title(&self.title);
-        self.menu.set_can_open(gallery.opens_files());
+        self.menu.can_open = gallery.opens_files();
         self.zoom = Zoom::Fit;
         self.notice = None;
         self.outcome = None;
