@@ -21,10 +21,8 @@ pub fn explain(scene: &Scene, options: &Options) -> Result<Image, Error> {
         let comparison = Comparison::new(scene, &settings)?;
         if scene.uses.sampling {
             print(&comparison.to_string());
-            print(&comparison_of(&times(
-                scene,
-                [&settings, &complete(&settings)],
-            )?));
+            let times = times(scene, [&settings, &complete(&settings)])?;
+            print(&comparison_of(&times));
             let difference = comparison.difference;
             print(&format!(
                 "  largest difference of a channel {difference:.1e}"
