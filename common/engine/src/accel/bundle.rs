@@ -56,7 +56,11 @@ impl Units {
     ) -> Option<Bundle> {
         let (origins, directions) = ends_of_all(searches);
         let origins = origins.map(|o| (o - self.centre) * self.per_length);
-        if !are_coherent(origins, directions, width) {
+        let largest = {
+            let [min, max] = origins;
+            min.abs().max(max.abs()).max_element().max(1.0)
+        };
+        if !(largest <= 1e30 && are_coherent(origins, directions, width)) {
             return None;
         }
         let main = if self.is_exact {
@@ -64,7 +68,7 @@ impl Units {
         } else {
             Some(farthest(directions.map(DVec3::abs))?)
         };
-        let slack = slack(largest(origins));
+        let slack = slack(largest);
         let from = f32x8::splat(self.from(0.0));
         let slab = |axis: usize| {
             let along = |v: DVec3| v[axis];
@@ -135,13 +139,8 @@ fn ends_of_all(searches: &[&RayPacket]) -> ([DVec3; 2], [DVec3; 2]) {
     (extremes(origins), extremes(directions))
 }
 
-/// The greatest coordinate of any origin, and at least 1.
-#[inline]
-fn largest([min, max]: [DVec3; 2]) -> f64 {
-    min.abs().max(max.abs()).max_element().max(1.0)
-}
-
-/// Whether rays with these extremes are close to each other, and fit into single precision.
+/// Whether rays with these extremes are close to each other, and have directions of about
+/// length 1.
 #[inline]
 fn are_coherent(origins: [DVec3; 2], directions: [DVec3; 2], width: f32) -> bool {
     let ([o_min, o_max], [d_min, d_max]) = (origins, directions);
@@ -149,7 +148,6 @@ fn are_coherent(origins: [DVec3; 2], directions: [DVec3; 2], width: f32) -> bool
     // None of them is far from length 1, if one is not and they differ little.
     d_min.is_negative_bitmask() == d_max.is_negative_bitmask()
         && spread.max_element() < f64::from(width).min(0.1)
-        && largest(origins) <= 1e30
         && (0.75..1.5).contains(&d_min.length_squared())
 }
 
@@ -166,10 +164,7 @@ fn farthest([a, b]: [DVec3; 2]) -> Option<usize> {
 #[inline]
 fn extremes([least, greatest]: [Vector3x4; 2]) -> [DVec3; 2] {
     let lanes = |Vector3x4 { x, y, z }: Vector3x4| Lanes::transpose([x, y, z, z]);
-    let ([a, b, c, d], [e, f, g, h]) = (lanes(least), lanes(greatest));
-    let least = a.fast_min(b).fast_min(c.fast_min(d));
-    let greatest = e.fast_max(f).fast_max(g.fast_max(h));
-    [least, greatest].map(|ends| {
+    [least_of(lanes(least)), greatest_of(lanes(greatest))].map(|ends| {
         let [x, y, z, _] = ends.to_array();
         DVec3::new(x, y, z)
     })
@@ -179,11 +174,8 @@ fn extremes([least, greatest]: [Vector3x4; 2]) -> [DVec3; 2] {
 #[inline]
 fn across(vectors: &[Vector3x4; 4]) -> [Vector3x4; 2] {
     let along = |lanes: [Lanes; 4]| {
-        let [a, b, c, d] = Lanes::transpose(lanes);
-        [
-            a.fast_min(b).fast_min(c.fast_min(d)),
-            a.fast_max(b).fast_max(c.fast_max(d)),
-        ]
+        let lanes = Lanes::transpose(lanes);
+        [least_of(lanes), greatest_of(lanes)]
     };
     let [x, y, z] = AXES.map(|axis| along(vectors.each_ref().map(axis)));
     [0, 1].map(|end| Vector3x4 {
@@ -191,6 +183,16 @@ fn across(vectors: &[Vector3x4; 4]) -> [Vector3x4; 2] {
         y: y[end],
         z: z[end],
     })
+}
+
+#[inline]
+fn least_of([a, b, c, d]: [Lanes; 4]) -> Lanes {
+    a.fast_min(b).fast_min(c.fast_min(d))
+}
+
+#[inline]
+fn greatest_of([a, b, c, d]: [Lanes; 4]) -> Lanes {
+    a.fast_max(b).fast_max(c.fast_max(d))
 }
 
 /// Twice four numbers side by side.

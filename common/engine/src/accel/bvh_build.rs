@@ -73,7 +73,8 @@ fn add_node(nodes: &Mutex<Vec<Node>>, group: Group, level: usize) -> u32 {
     nodes.len() as u32 - 1
 }
 
-fn node(children: &[(TreeBounds, Child)]) -> Node {
+/// A node with these children.
+pub(super) fn node(children: &[(TreeBounds, Child)]) -> Node {
     let mut planes = [[[f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]]; 3];
     for (lane, (bounds, _)) in children.iter().enumerate() {
         for (axis, [min, max]) in planes.iter_mut().enumerate() {

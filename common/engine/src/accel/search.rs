@@ -60,6 +60,7 @@ impl Accelerator<'_> {
         self.search_on(searches, shared);
     }
 
+    /// Goes on with the searches that their guesses have not ended.
     fn search_on<S: Search>(&self, searches: &mut [S], shared: &mut S::Shared) {
         let Some(first) = searches.iter().position(|search| search.open() != 0) else {
             return;

@@ -2,6 +2,7 @@
 
 use crate::Ray;
 use crate::accel::bvh::{Child, Leaf, WIDTH};
+use crate::accel::bvh_build;
 use crate::accel::shapes::Kind;
 use crate::accel::slabs::tests::{TO_THE_RIGHT, ray, units, units_of};
 use crate::adaptive::random::PixelRandom;
@@ -10,23 +11,15 @@ use crate::shape::Bounds;
 
 use super::*;
 
-/// Eight boxes.
+/// A node with a leaf in each of eight boxes.
 fn node(bounds: &[Bounds; WIDTH]) -> Node {
-    let corners = bounds.map(|bounds| units().bounds(bounds, 0.0));
     let leaf = Leaf {
         kind: Kind::Sphere,
         count: 1,
         first: 0,
     };
-    Node {
-        planes: [0, 1, 2].map(|axis| {
-            [
-                f32x8::new(corners.map(|bounds| bounds.min[axis])),
-                f32x8::new(corners.map(|bounds| bounds.max[axis])),
-            ]
-        }),
-        children: [Child::Leaf(leaf); WIDTH],
-    }
+    let child = |bounds| (units().bounds(bounds, 0.0), Child::Leaf(leaf));
+    bvh_build::node(&bounds.map(child))
 }
 
 /// A bundle meets each box that one of its rays meets, and no later; and each search is told of
