@@ -13,3 +13,4 @@ pub mod explain;
 pub mod extremes;
 pub mod highlight;
 pub mod protocol;
+pub mod watched;

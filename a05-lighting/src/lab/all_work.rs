@@ -10,7 +10,8 @@ use common::{ArgumentError, Color};
 use measure::tally::{self, Work};
 
 use crate::lab::decorated::decorated;
-use crate::lab::highlight::{Watched, as_phong, takes_power};
+use crate::lab::highlight::{as_phong, takes_power};
+use crate::lab::watched::Watched;
 use crate::power::power;
 use crate::{Illumination, Lighting, LitWorld, Material, Phong};
 

@@ -6,7 +6,8 @@ use common::{ArgumentError, Color};
 use measure::tally::{self, Work};
 
 use crate::lab::decorated::decorated;
-use crate::lab::highlight::{Watched, as_phong, takes_power};
+use crate::lab::highlight::{as_phong, takes_power};
+use crate::lab::watched::Watched;
 use crate::{Lighting, LitWorld, Material, Phong};
 
 /// Wraps the objects of a world to count intersection tests and powers.

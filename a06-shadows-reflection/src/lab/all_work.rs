@@ -5,7 +5,7 @@
 use a02_math::Direction;
 use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, Interval};
-use a05_lighting::lab::highlight::Watched;
+use a05_lighting::lab::watched::Watched;
 use a05_lighting::{Illumination, Light, Lighting, Material, all_work, decorated::decorated};
 use common::{ArgumentError, Color};
 
