@@ -23,8 +23,8 @@ fn a_secondary_ray_starts_on_the_side_to_which_it_goes() {
         (Point3::new(3.0, 0.0, 0.0), Point3::new(-2.0, 0.0, 0.0), 5.0),
         (Point3::new(3.0, 0.0, 0.0), Point3::new(8.0, 0.0, 0.0), 8.0),
         (
-            Point3::new(-9.0, 4.0, 0.0),
-            Point3::new(-9.0, -1.0, 0.0),
+            Point3::new(-9.0, 0.0, 0.0),
+            Point3::new(-4.0, 0.0, 0.0),
             9.0,
         ),
     ] {
