@@ -201,14 +201,14 @@ fn compare(options: &Options) -> Result<(), Box<dyn Error>> {
     println!("{}", table::HEADER);
     let mut comparisons = Vec::new();
     for description in &descriptions {
-        for &threads in &options.threads {
-            let job = Job {
-                description,
-                folder,
-                size,
-                threads,
-            };
-            let comparison = measurement::compare(tracers, &job, rounds, limit)?;
+        let job = |&threads| Job {
+            description,
+            folder,
+            size,
+            threads,
+        };
+        let jobs: Vec<_> = options.threads.iter().map(job).collect();
+        for comparison in measurement::compare(tracers, &jobs, rounds, limit)? {
             println!("{}", table::row(&comparison));
             comparisons.push(comparison);
         }

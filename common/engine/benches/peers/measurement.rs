@@ -43,38 +43,45 @@ impl Comparison<'_> {
     }
 }
 
-/// Lets all tracers render in turn, round after round.
+/// Lets all tracers do all jobs in turn, round after round.
 pub fn compare<'a>(
     tracers: [&dyn Tracer; 3],
-    job: &Job<'a>,
+    jobs: &[Job<'a>],
     rounds: u32,
     limit: Duration,
-) -> io::Result<Comparison<'a>> {
-    let mut takes_part = [false; 3];
-    for (tracer, takes_part) in tracers.iter().zip(&mut takes_part) {
-        *takes_part = tracer.installed() && can_express(*tracer, job)?;
+) -> io::Result<Vec<Comparison<'a>>> {
+    let mut takes_part = vec![[false; 3]; jobs.len()];
+    for (job, takes_part) in jobs.iter().zip(&mut takes_part) {
+        for (tracer, takes_part) in tracers.iter().zip(takes_part) {
+            *takes_part = tracer.installed() && can_express(*tracer, job)?;
+        }
     }
-    let mut measured = [None; 3];
+    let mut measured = vec![[None; 3]; jobs.len()];
     for _ in 0..rounds {
-        for ((tracer, best), takes_part) in tracers.iter().zip(&mut measured).zip(&mut takes_part) {
-            if *takes_part {
-                let now = render(*tracer, job, limit)?;
-                *takes_part = now.is_some();
-                *best = merge(*best, now);
+        for (i, job) in jobs.iter().enumerate() {
+            for (j, tracer) in tracers.iter().enumerate() {
+                if takes_part[i][j] {
+                    let now = render(*tracer, job, limit)?;
+                    takes_part[i][j] = now.is_some();
+                    measured[i][j] = merge(measured[i][j], now);
+                }
             }
         }
     }
-    let [ours, ..] = tracers.map(|tracer| job.file(tracer, "png"));
-    let difference = |i: usize| {
-        measured[0].and(measured[i])?;
-        Difference::between(&ours, &job.file(tracers[i], "png")).ok()
-    };
-    Ok(Comparison {
-        description: job.description,
-        threads: job.threads,
-        measured,
-        differences: [0, 1, 2].map(difference),
-    })
+    let comparisons = jobs.iter().zip(measured).map(|(job, measured)| {
+        let [ours, ..] = tracers.map(|tracer| job.file(tracer, "png"));
+        let difference = |i: usize| {
+            measured[0].and(measured[i])?;
+            Difference::between(&ours, &job.file(tracers[i], "png")).ok()
+        };
+        Comparison {
+            description: job.description,
+            threads: job.threads,
+            measured,
+            differences: [0, 1, 2].map(difference),
+        }
+    });
+    Ok(comparisons.collect())
 }
 
 fn can_express(tracer: &dyn Tracer, job: &Job) -> io::Result<bool> {

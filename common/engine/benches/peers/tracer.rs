@@ -20,7 +20,8 @@ pub struct Job<'a> {
 impl Job<'_> {
     /// A file of this job and this tracer.
     pub fn file(&self, tracer: &dyn Tracer, extension: &str) -> PathBuf {
-        let name = format!("{}-{}", self.description.name, tracer.name());
+        let (scene, threads) = (self.description.name, self.threads);
+        let name = format!("{scene}-{}-{threads}", tracer.name());
         self.folder.join(name).with_extension(extension)
     }
 }
