@@ -1,8 +1,8 @@
 //! `Bundle`: searches whose rays are close to each other, so that they go through a tree together.
 //!
-//! A node is entered if any of the rays may meet it; the shapes of a leaf are tested in those
-//! searches whose own rays may meet it. (Overbeck, Ramamoorthi and Mark, Large Ray Packets for
-//! Real-time Whitted Ray Tracing, 2008.)
+//! A node is entered if any of the rays may meet it. The shapes of a leaf are tested in all
+//! searches, and after the first few leaves only in those whose own rays may meet it. (Overbeck,
+//! Ramamoorthi and Mark, Large Ray Packets for Real-time Whitted Ray Tracing, 2008.)
 
 use arrayvec::ArrayVec;
 use glam::DVec3;
@@ -20,22 +20,20 @@ pub(crate) const SEARCHES: usize = 16;
 pub(super) struct Bundle {
     /// All rays, for the eight children of a node.
     pub all: Slabs<2>,
-    /// A bit for each search.
-    every: u32,
-    /// The rays of eight searches, one search in each lane, for one child of a node. None if they
-    /// are not told apart.
-    eights: ArrayVec<Slabs<2>, { SEARCHES / 8 }>,
+    /// How much wider its slabs are, in the units of the tree.
+    slack: f64,
 }
 
-impl Bundle {
+/// The searches of a bundle, told apart: the rays of eight searches, one search in each lane, for
+/// one child of a node.
+pub(super) struct Members(ArrayVec<Slabs<2>, { SEARCHES / 8 }>);
+
+impl Members {
     /// A bit for each search whose rays may meet a child of a node before its `beyond`.
     #[inline]
     pub fn meeting(&self, node: &Node, child: usize, beyond: &[f32; SEARCHES]) -> u32 {
-        if self.eights.is_empty() {
-            return self.every;
-        }
         let planes = node.planes_of(child);
-        let eights = self.eights.iter().zip(beyond.as_chunks().0);
+        let eights = self.0.iter().zip(beyond.as_chunks().0);
         (0..).zip(eights).fold(0, |meeting, (i, (eight, beyond))| {
             let (_, met) = eight.enter(&planes, f32x8::new(*beyond));
             meeting | met << (8 * i)
@@ -46,14 +44,8 @@ impl Bundle {
 impl Units {
     /// A bundle of searches with these rays, if all of them are coherent: they go the same way
     /// along each axis, and up to the distance of 1 their places differ by less than `width`.
-    /// Searches that are to be told apart take longer to bundle, and are tested less often.
     #[inline]
-    pub fn bundle(
-        &self,
-        searches: &[&RayPacket],
-        width: f32,
-        are_told_apart: bool,
-    ) -> Option<Bundle> {
+    pub fn bundle(&self, searches: &[&RayPacket], width: f32) -> Option<Bundle> {
         let (origins, directions) = ends_of_all(searches);
         let origins = origins.map(|o| (o - self.centre) * self.per_length);
         let largest = {
@@ -81,48 +73,47 @@ impl Units {
             from,
             main,
         };
-        let each = |searches: &[&RayPacket]| {
-            let fours = [0, 4].map(|first| self.four(searches, first));
-            let slab = |axis: fn(&Vector3x4) -> Lanes| {
-                let [origins, directions] = [0, 1].map(|i| {
-                    let [a, b] = fours.each_ref().map(|four| four[i].each_ref().map(axis));
-                    [0, 1].map(|end| eight(a[end], b[end]))
-                });
-                Slab::new(origins, directions, f64x8::splat(slack), rounded)
-            };
-            Slabs {
-                axes: AXES.map(slab),
-                from,
-                main,
-            }
-        };
-        let mut eights = ArrayVec::new();
-        if are_told_apart {
-            eights.extend(searches.chunks(8).map(each));
-        }
-        Some(Bundle {
-            all,
-            every: (1 << searches.len()) - 1,
-            eights,
-        })
+        Some(Bundle { all, slack })
     }
 
-    /// The least and the greatest coordinates, in each lane, of the origins of a search's rays, in
-    /// these units, and of their directions. Four searches from `first` on, the last one again
-    /// where there are no more.
+    /// The searches of a bundle, which have these rays. Not inlined, because most bundles end before
+    /// their searches are told apart.
+    #[inline(never)]
+    pub fn members(&self, bundle: &Bundle, searches: &[&RayPacket]) -> Members {
+        let eights = searches.chunks(8).map(|searches| {
+            let fours = [0, 4].map(|first| self.four(searches, first));
+            let slab = |axis: usize| {
+                let [origins, directions] = [0, 1].map(|i| {
+                    let [a, b] = fours.map(|four| four[i][axis]);
+                    [0, 1].map(|end| eight(a[end], b[end]))
+                });
+                Slab::new(origins, directions, f64x8::splat(bundle.slack), rounded)
+            };
+            Slabs {
+                axes: [0, 1, 2].map(slab),
+                ..bundle.all
+            }
+        });
+        Members(eights.collect())
+    }
+
+    /// The least and the greatest coordinates along each axis, in each lane, of the origins of a
+    /// search's rays, in these units, and of their directions. Four searches from `first` on, the
+    /// last one again where there are no more.
     #[inline]
-    fn four(&self, searches: &[&RayPacket], first: usize) -> [[Vector3x4; 2]; 2] {
+    fn four(&self, searches: &[&RayPacket], first: usize) -> [[[Lanes; 2]; 3]; 2] {
         let four = [0, 1, 2, 3].map(|i| searches[(first + i).min(searches.len() - 1)]);
-        let in_units = |o| (o - Vector3x4::splat(self.centre)) * Lanes::splat(self.per_length);
+        let origins = across(&four.map(|rays| rays.origin));
+        let in_units = |axis: usize| {
+            let centre = Lanes::splat(self.centre[axis]);
+            origins[axis].map(|o| (o - centre) * Lanes::splat(self.per_length))
+        };
         [
-            across(&four.map(|rays| rays.origin)).map(in_units),
+            [0, 1, 2].map(in_units),
             across(&four.map(|rays| rays.direction)),
         ]
     }
 }
-
-/// The coordinate along each axis.
-const AXES: [fn(&Vector3x4) -> Lanes; 3] = [|v| v.x, |v| v.y, |v| v.z];
 
 /// The least and the greatest coordinates of all origins and of all directions.
 #[inline]
@@ -170,19 +161,15 @@ fn extremes([least, greatest]: [Vector3x4; 2]) -> [DVec3; 2] {
     })
 }
 
-/// The least and the greatest coordinates in each of four times four vectors, lane by lane.
+/// The least and the greatest coordinates along each axis in each of four times four vectors, lane
+/// by lane.
 #[inline]
-fn across(vectors: &[Vector3x4; 4]) -> [Vector3x4; 2] {
-    let along = |lanes: [Lanes; 4]| {
-        let lanes = Lanes::transpose(lanes);
+fn across(vectors: &[Vector3x4; 4]) -> [[Lanes; 2]; 3] {
+    let along = |axis: fn(&Vector3x4) -> Lanes| {
+        let lanes = Lanes::transpose(vectors.each_ref().map(axis));
         [least_of(lanes), greatest_of(lanes)]
     };
-    let [x, y, z] = AXES.map(|axis| along(vectors.each_ref().map(axis)));
-    [0, 1].map(|end| Vector3x4 {
-        x: x[end],
-        y: y[end],
-        z: z[end],
-    })
+    [along(|v| v.x), along(|v| v.y), along(|v| v.z)]
 }
 
 #[inline]

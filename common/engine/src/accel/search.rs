@@ -12,15 +12,18 @@ use arrayvec::ArrayVec;
 use wide::f32x8;
 
 use super::Accelerator;
-use super::bundle::SEARCHES;
-use super::bvh::Leaf;
+use super::bundle::{Bundle, Members, SEARCHES};
+use super::bvh::{Bvh, Leaf};
 use super::shapes::{Kind, ShapeId, with_list};
-use crate::lanes::{Lanes, bits, mask, select};
+use crate::lanes::{Lanes, RayPacket, bits, mask, select};
 use crate::shape::Rays;
 
 /// Rays go through the tree together while they are no farther apart than this many leaves are
 /// wide.
 const APART: f32 = 2.0;
+
+/// After this many leaves the searches of a bundle are told apart. Many bundles meet no further one.
+const TOLD_APART_AFTER: u32 = 2;
 
 /// Few shapes are sooner tested than searched for in up to this many searches.
 const ALONE: usize = 4;
@@ -62,44 +65,20 @@ impl Accelerator<'_> {
 
     /// Goes on with the searches that their guesses have not ended.
     fn search_on<S: Search>(&self, searches: &mut [S], shared: &mut S::Shared) {
-        let Some(first) = searches.iter().position(|search| search.open() != 0) else {
+        if searches.iter().all(|search| search.open() == 0) {
             return;
-        };
+        }
         if searches.len() <= ALONE && !self.few.is_empty() {
             return self.test_all(&self.few, searches, shared);
         }
         let Some(tree) = &self.tree else {
             return self.test_all(&self.unbounded, searches, shared);
         };
-        let bundle = {
-            // A search that is over must not keep the others apart.
-            let rays = searches.iter().map(|search| match search.open() {
-                0 => &searches[first].rays().packet,
-                _ => &search.rays().packet,
-            });
-            let rays: ArrayVec<_, SEARCHES> = rays.collect();
-            let are_told_apart = rays.len() > 1 && self.few.is_empty();
-            tree.units
-                .bundle(&rays, APART * tree.leaf_width, are_told_apart)
-        };
+        let bundle =
+            rays_of(searches).and_then(|rays| tree.units.bundle(&rays, APART * tree.leaf_width));
         if let Some(bundle) = bundle {
             self.test_all(&self.unbounded, searches, shared);
-            let mut beyond = [f32::NEG_INFINITY; SEARCHES];
-            for (beyond, search) in beyond.iter_mut().zip(&*searches) {
-                *beyond = tree.units.beyond(search.beyond());
-            }
-            let _ = tree.search(&bundle.all, greatest(&beyond), |leaf, node, child| {
-                let some = bundle.meeting(node, child, &beyond);
-                self.test(leaf, searches, some, shared);
-                for i in bits(some) {
-                    beyond[i] = tree.units.beyond(searches[i].beyond());
-                }
-                let beyond = greatest(&beyond);
-                if beyond < 0.0 {
-                    return ControlFlow::Break(());
-                }
-                ControlFlow::Continue(beyond)
-            });
+            self.search_together(tree, &bundle, searches, shared);
         } else if let [search] = searches {
             self.test_all(&self.unbounded, slice::from_mut(search), shared);
             search.search_one_by_one(self, shared);
@@ -108,6 +87,39 @@ impl Accelerator<'_> {
             self.search_on(some, shared);
             self.search_on(others, shared);
         }
+    }
+
+    /// Carries out the searches of a bundle, which go through the tree together.
+    fn search_together<S: Search>(
+        &self,
+        tree: &Bvh,
+        bundle: &Bundle,
+        searches: &mut [S],
+        shared: &mut S::Shared,
+    ) {
+        let mut beyond = [f32::NEG_INFINITY; SEARCHES];
+        for (beyond, search) in beyond.iter_mut().zip(&*searches) {
+            *beyond = tree.units.beyond(search.beyond());
+        }
+        let every = (1 << searches.len()) - 1;
+        let (mut leaves, mut members) = (0, None);
+        let _ = tree.search(&bundle.all, greatest(&beyond), |leaf, node, child| {
+            if leaves == TOLD_APART_AFTER && searches.len() > 1 {
+                members = rays_of(searches).map(|rays| tree.units.members(bundle, &rays));
+            }
+            leaves += 1;
+            let meeting = |members: &Members| members.meeting(node, child, &beyond);
+            let some = members.as_ref().map_or(every, meeting);
+            self.test(leaf, searches, some, shared);
+            for i in bits(some) {
+                beyond[i] = tree.units.beyond(searches[i].beyond());
+            }
+            let beyond = greatest(&beyond);
+            if beyond < 0.0 {
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(beyond)
+        });
     }
 
     /// Tests shapes in all of these searches.
@@ -130,6 +142,18 @@ impl Accelerator<'_> {
                 .test(leaf, searches, some, shared));
         }
     }
+}
+
+/// The rays of these searches, if any is open. One that is over must not keep the others apart, so
+/// it is given the rays of the first open one.
+#[inline]
+fn rays_of<S: Search>(searches: &[S]) -> Option<ArrayVec<&RayPacket, SEARCHES>> {
+    let first = searches.iter().find(|search| search.open() != 0)?;
+    let rays = searches.iter().map(|search| match search.open() {
+        0 => &first.rays().packet,
+        _ => &search.rays().packet,
+    });
+    Some(rays.collect())
 }
 
 /// The greatest of all.

@@ -48,9 +48,10 @@ fn a_bundle_bounds_its_rays() {
             .map(|search| RayPacket::new(rays(search).each_ref()).filled(active(search)))
             .collect();
         let searches: Vec<_> = searches.iter().collect();
-        let Some(bundle) = units().bundle(&searches, 1.0, true) else {
+        let Some(bundle) = units().bundle(&searches, 1.0) else {
             continue;
         };
+        let members = units().members(&bundle, &searches);
         together += 1;
         let boxes = std::array::from_fn(|k| {
             let middle = 2.0 * vector(6 + 6 * k as u64);
@@ -61,7 +62,7 @@ fn a_bundle_bounds_its_rays() {
         let anywhere = f32x8::splat(f32::INFINITY);
         let (first, of_bundle) = bundle.all.enter(&node.planes, anywhere);
         let meeting: [u32; WIDTH] =
-            std::array::from_fn(|k| bundle.meeting(&node, k, &[f32::INFINITY; SEARCHES]));
+            std::array::from_fn(|k| members.meeting(&node, k, &[f32::INFINITY; SEARCHES]));
         for search in 0..count {
             let rays = rays(search);
             for lane in (0..4).filter(|lane| is_set(active(search), *lane)) {
@@ -94,12 +95,14 @@ fn searches_meet_only_boxes_before_their_ends() {
     };
     let node = node(&[1.0, 3.0, 5.0, 7.0, 9.0, 11.0, 13.0, 15.0].map(ahead));
     let packet = RayPacket::new([&ray(0.0, TO_THE_RIGHT); 4]);
-    let bundle = units().bundle(&[&packet; 10], 1.0, true).unwrap();
+    let searches = [&packet; 10];
+    let bundle = units().bundle(&searches, 1.0).unwrap();
+    let members = units().members(&bundle, &searches);
     let mut beyond = [f32::NEG_INFINITY; SEARCHES];
     for (i, t) in [4.0, 6.0, 0.5, f64::INFINITY].into_iter().enumerate() {
         beyond[3 * i] = units().beyond(t);
     }
-    let meeting = [0, 1, 2, 3].map(|child| bundle.meeting(&node, child, &beyond));
+    let meeting = [0, 1, 2, 3].map(|child| members.meeting(&node, child, &beyond));
     assert_eq!(
         meeting,
         [
@@ -119,7 +122,7 @@ fn triangles_need_a_bundle_that_goes_farthest_along_one_axis() {
     let packet = RayPacket::new([a, b, a, b]);
     let is_bundle = |is_exact, active| {
         let rays = packet.filled(active);
-        units_of(is_exact).bundle(&[&rays], 1.0, false).is_some()
+        units_of(is_exact).bundle(&[&rays], 1.0).is_some()
     };
     assert!(is_bundle(true, 0b1111));
     assert!(!is_bundle(false, 0b1111));
@@ -132,7 +135,7 @@ fn rays_that_go_apart_are_no_bundle() {
         let rays = [0, 1].map(|i| ray(origins[i], directions[i]));
         let packet = RayPacket::new([&rays[0], &rays[1], &rays[0], &rays[1]]);
         let rays = packet.filled(active);
-        units().bundle(&[&rays], 0.25, false).is_some()
+        units().bundle(&[&rays], 0.25).is_some()
     };
     let aside = [1.0, 0.0, 0.0625];
     assert!(is_bundle([TO_THE_RIGHT, aside], [0.0; 2], 0b1111));

@@ -97,7 +97,7 @@ fn triangles_may_be_hit_anywhere_along_the_axis_on_which_a_ray_goes_farthest() {
             assert_eq!(alone != 0, is_met, "{min}, {max}, exact: {is_exact}");
             if min == 0.0 {
                 let packet = RayPacket::new([&ray; 4]);
-                let bundle = units.bundle(&[&packet], 1.0, false).unwrap();
+                let bundle = units.bundle(&[&packet], 1.0).unwrap();
                 let (_, together) = bundle.all.enter(&planes, beyond);
                 assert_eq!(together, alone);
             }
