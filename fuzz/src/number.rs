@@ -36,19 +36,19 @@ fn three(u: &mut Unstructured) -> Result<[f64; 3]> {
     Ok([number(u)?, number(u)?, number(u)?])
 }
 
-/// A point of three such numbers.
+/// A point of three of these numbers.
 pub fn point(u: &mut Unstructured) -> Result<Point3> {
     let [x, y, z] = three(u)?;
     Ok(Point3::new(x, y, z))
 }
 
-/// A vector of three such numbers.
+/// A vector of three of these numbers.
 pub fn vector(u: &mut Unstructured) -> Result<Vector3> {
     let [x, y, z] = three(u)?;
     Ok(Vector3::new(x, y, z))
 }
 
-/// A normal of three such numbers.
+/// A normal of three of these numbers.
 pub fn normal(u: &mut Unstructured) -> Result<Normal3> {
     vector(u).map(Vector3::as_normal)
 }

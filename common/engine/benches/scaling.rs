@@ -8,7 +8,7 @@
 //! From ten spheres in a cube to a million, which fill a ninth of it. Times in
 //! nanoseconds: building the scene with its tree, divided by the number of objects; the
 //! nearest hit of a ray from the eye, alone and as a pixel of a picture of 1280x960, and of a
-//! ray from anywhere to anywhere, such as a reflected one; and the same in a plain list, up to
+//! ray from anywhere to anywhere, as reflected ones are; and the same in a plain list, up to
 //! a thousand objects. The least of several rounds counts.
 
 #[path = "../src/adaptive/random.rs"]

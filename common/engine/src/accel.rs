@@ -1,7 +1,7 @@
 //! `Accelerator`: finds the shapes that a ray can hit, without testing all of them.
 //!
 //! Every candidate is tested with its own formula, and only shapes are skipped that
-//! the ray cannot hit. So the result is bit-identical to that of a linear scan.
+//! the ray cannot hit. So the result has the bits of a test of all shapes.
 
 mod bundle;
 mod bvh;

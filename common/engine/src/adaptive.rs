@@ -11,8 +11,8 @@
 //! All samples are part of the picture.
 //!
 //! (To take more samples where the first differ is Whitted's way, An Improved Illumination
-//! Model for Shaded Display, 1980; to estimate errors by two independent halves that of
-//! Rousselle, Knaus, Zwicker, Adaptive Rendering with Non-Local Means Filtering, 2012.)
+//! Model for Shaded Display, 1980; to estimate errors by two independent halves, the way
+//! of Rousselle, Knaus, Zwicker, Adaptive Rendering with Non-Local Means Filtering, 2012.)
 
 mod allocation;
 mod check;
@@ -78,7 +78,7 @@ pub fn render_image(
 /// Channels of a pixel: squared errors are added up over them.
 const CHANNELS: f64 = 3.0;
 /// The share of the allowed squared error that the expected one aims at, beside objects that
-/// no sample met. The rest is for what the check cannot exclude.
+/// no sample met. The rest is for errors that the check cannot exclude.
 const AIM: f64 = 0.7;
 /// Samples of doubted pixels, for each sample that every pixel needs: for little, they make
 /// the picture more exact than it has to be.

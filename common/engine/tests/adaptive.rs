@@ -170,7 +170,7 @@ fn a_lone_object_that_matters_is_found() {
     assert!(missed.count() <= 1);
 }
 
-/// The rate is that of theory for stratified samples, or better.
+/// The rate is at least the one that theory gives stratified samples.
 #[test]
 fn the_error_of_a_level_edge_falls_on_to_an_eighth_of_a_grey_level() {
     let edge: Light = |x, y| f64::from(u8::from(y > 29.637 + 1e-4 * x));

@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use common::ArgumentError;
 
 /// Checks that arguments are refused, by a message that begins with the argument's `name`
-/// and says what is `allowed`.
+/// and gives the `allowed` values.
 ///
 /// # Panics
 ///

@@ -6,8 +6,8 @@
 //! $ cargo bench -p engine --bench peers -- torus cloud --quick  two of them, small, one round
 //! ```
 //!
-//! Where a program is missing, its columns stay empty. `--help` lists what can
-//! be changed. Scenes, pictures and logs stay in `target/tmp/peers/`.
+//! Where a program is missing, its columns stay empty. `--help` lists the
+//! options. Scenes, pictures and logs stay in `target/tmp/peers/`.
 //!
 //! All three programs take one sample in the middle of each pixel, and cast a
 //! shadow ray wherever a light may shine: Tachyon has no light without shadows. No
@@ -20,8 +20,8 @@
 //! are the ones that each program prints about itself. Building makes the structures
 //! for rays that depend on the objects alone, so that a second picture of the same
 //! world would not need it again; for the engine that includes making its scene.
-//! Tracing is the rest, without reading the scene and writing the file: with it counts
-//! what depends on eye, lights and picture. The total is both together. (POV-Ray
+//! Tracing is the rest, without reading the scene and writing the file; all work that
+//! depends on eye, lights or picture is part of it. The total is both together. (POV-Ray
 //! builds the structure of a mesh while it reads, so that its time is in no column.)
 //! Memory is the peak of the whole process, seen from outside. Ratios say how
 //! many times as long, or as much, the other program takes: above 1 ours is
@@ -171,7 +171,7 @@ fn named(names: &[String]) -> Result<Vec<Description>, Box<dyn Error>> {
     Ok(all)
 }
 
-/// Prints a row for each scene and number of threads, and what follows from all.
+/// Prints a row for each scene and number of threads, and then the targets.
 fn compare(options: &Options) -> Result<(), Box<dyn Error>> {
     let (smooth, names): (Vec<_>, Vec<_>) = options
         .scenes

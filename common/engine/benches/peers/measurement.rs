@@ -21,7 +21,7 @@ pub struct Measurement {
 /// One of the figures.
 pub type Figure = fn(&Measurement) -> f64;
 
-/// A scene rendered by all tracers on so many threads.
+/// A scene rendered by all tracers on a number of threads.
 pub struct Comparison<'a> {
     pub description: &'a Description,
     pub threads: u16,

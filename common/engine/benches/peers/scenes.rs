@@ -1,4 +1,4 @@
-//! The scenes, by kind, and what they share.
+//! The scenes, by kind, and the camera that they share.
 
 mod meshes;
 mod solids;

@@ -42,7 +42,7 @@ impl Kind {
     ];
 
     /// The most shapes of a leaf: as many as are tested at once, or one if its test takes
-    /// far longer than that of its bounds.
+    /// far longer than the test of its bounds.
     pub const fn most_in_leaf(self) -> usize {
         match self {
             Self::Transformed | Self::Other => 1,
@@ -140,7 +140,7 @@ impl<'a> Shapes<'a> {
         Kind::ALL.iter().map(len).sum()
     }
 
-    /// How far away from its bounds a hit of a shape may be. Triangles have no such error
+    /// How far away from its bounds a hit of a shape may be. Triangles have no error
     /// along the axis on which a ray goes farthest, unless they are transformed.
     pub fn depth_error(&self, shape: ShapeId) -> f64 {
         match shape.kind {

@@ -61,8 +61,8 @@ pub fn doubts(pixels: &[Pixel], width: usize, spreads: &mut Vec<f32>) -> Vec<f32
     doubts
 }
 
-/// How far the light is from halfway between that of two opposite neighbours, squared; at
-/// the border from that of the only one.
+/// How far the light is from the mean of two opposite neighbours, squared; at the border from the
+/// light of the only neighbour.
 fn bend(middle: Color, before: Option<&Pixel>, after: Option<&Pixel>) -> f32 {
     let expected = match (before, after) {
         (Some(before), Some(after)) => (before.mean() + after.mean()) * 0.5,

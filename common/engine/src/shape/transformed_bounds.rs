@@ -24,7 +24,7 @@ pub(super) fn transformed_bounds(steps: &[Transform], reach: impl Fn(DVec3) -> f
     let inverses = || steps.iter().rev().map(|step| step.inverse);
     let rows = |matrix: DMat4| matrix.transpose().to_cols_array_2d();
     let (m, i) = (rows(matrices().product()), rows(inverses().product()));
-    // No sum on the way is larger than that of the magnitudes.
+    // No sum on the way is larger than the sum of the magnitudes.
     let abs_m = rows(matrices().map(magnitudes).product());
     let abs_i = rows(inverses().map(magnitudes).product());
 

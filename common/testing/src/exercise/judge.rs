@@ -1,4 +1,4 @@
-//! `judge`: shows students what their code lacks.
+//! `judge`: shows students the faults of their code.
 
 use std::process::{ExitCode, exit};
 use std::thread;
