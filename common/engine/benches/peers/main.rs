@@ -4,6 +4,7 @@
 //! $ apt-get install povray tachyon
 //! $ cargo bench -p engine --bench peers                           all scenes
 //! $ cargo bench -p engine --bench peers -- torus cloud --quick  two of them, small, one round
+//! $ cargo bench -p engine --bench peers -- --alone --rounds 20  the gain of the second thread
 //! ```
 //!
 //! Where a program is missing, its columns stay empty. `--help` lists the
@@ -70,6 +71,7 @@ use crate::tracer::{Job, Times, Tracer};
 
 /// Compares the engine with POV-Ray and Tachyon.
 #[derive(Parser)]
+#[expect(clippy::struct_excessive_bools, reason = "independent flags")]
 struct Options {
     /// The scenes to render; all if none is named. "aa" smooths their edges.
     scenes: Vec<String>,
@@ -79,6 +81,9 @@ struct Options {
     /// One round only, and smaller pictures.
     #[arg(long)]
     quick: bool,
+    /// Leave out the other programs.
+    #[arg(long)]
+    alone: bool,
     /// Numbers of threads, each for itself.
     #[arg(long, value_delimiter = ',', default_value = "1,2")]
     #[arg(value_parser = clap::value_parser!(u16).range(1..))]
@@ -180,11 +185,13 @@ fn compare(options: &Options) -> Result<(), Box<dyn Error>> {
         .partition(|name| name == "aa");
     let descriptions = named(&names)?;
     let tracers: [&dyn Tracer; 3] = [&Ours, &PovRay, &Tachyon];
-    for missing in tracers.iter().filter(|tracer| !tracer.installed()) {
-        eprintln!(
-            "{} is not installed: its figures are left out",
-            missing.name()
-        );
+    let mut present = [true, !options.alone, !options.alone];
+    for (tracer, present) in tracers.iter().zip(&mut present) {
+        if *present && !tracer.installed() {
+            *present = false;
+            let name = tracer.name();
+            eprintln!("{name} is not installed: its figures are left out");
+        }
     }
     let folder = &Path::new(env!("CARGO_TARGET_TMPDIR")).join("peers");
     fs::create_dir_all(folder)?;
@@ -208,7 +215,7 @@ fn compare(options: &Options) -> Result<(), Box<dyn Error>> {
             threads,
         };
         let jobs: Vec<_> = options.threads.iter().map(job).collect();
-        for comparison in measurement::compare(tracers, &jobs, rounds, limit)? {
+        for comparison in measurement::compare(tracers, present, &jobs, rounds, limit)? {
             println!("{}", table::row(&comparison));
             comparisons.push(comparison);
         }

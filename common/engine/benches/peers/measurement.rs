@@ -43,17 +43,18 @@ impl Comparison<'_> {
     }
 }
 
-/// Lets all tracers do all jobs in turn, round after round.
+/// Lets all tracers that are present do all jobs in turn, round after round.
 pub fn compare<'a>(
     tracers: [&dyn Tracer; 3],
+    present: [bool; 3],
     jobs: &[Job<'a>],
     rounds: u32,
     limit: Duration,
 ) -> io::Result<Vec<Comparison<'a>>> {
-    let mut takes_part = vec![[false; 3]; jobs.len()];
+    let mut takes_part = vec![present; jobs.len()];
     for (job, takes_part) in jobs.iter().zip(&mut takes_part) {
         for (tracer, takes_part) in tracers.iter().zip(takes_part) {
-            *takes_part = tracer.installed() && can_express(*tracer, job)?;
+            *takes_part = *takes_part && can_express(*tracer, job)?;
         }
     }
     let mut measured = vec![[None; 3]; jobs.len()];

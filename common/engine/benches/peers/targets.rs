@@ -56,7 +56,8 @@ pub fn summary(comparisons: &[Comparison]) -> String {
     for target in &TARGETS {
         for threads in &threads {
             let of_threads = comparisons.iter().filter(|c| c.threads == *threads);
-            let judged = of_threads.map(|c| (c, misses(target, c)));
+            let compared = of_threads.filter(|c| (1..3).any(|i| c.ratio(i, TRACE).is_some()));
+            let judged = compared.map(|c| (c, misses(target, c)));
             let name = format!("{}, threads: {threads}", target.name);
             line(&mut text, &name, judged);
         }
@@ -71,7 +72,7 @@ pub fn summary(comparisons: &[Comparison]) -> String {
     text
 }
 
-/// A line that counts the scenes without a miss, and lists the others.
+/// A line that counts the scenes without a miss, and lists the others; none without scenes.
 fn line<'a>(
     text: &mut String,
     name: &str,
@@ -84,6 +85,9 @@ fn line<'a>(
             Some(miss) => missed.push(format!("{} ({miss})", comparison.description.name)),
             None => reached += 1,
         }
+    }
+    if all == 0 {
+        return;
     }
     let _ = write!(text, "- {name}: {reached} of {all}");
     if !missed.is_empty() {
