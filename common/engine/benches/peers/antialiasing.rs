@@ -115,20 +115,21 @@ struct Row {
     error: f64,
 }
 
-/// Prints a table of all programs and ways for each scene, and how the fastest ways to an
-/// error that nobody sees compare.
+/// Prints a table of the programs that take part, and their ways, for each scene, and how the
+/// fastest ways to an error that nobody sees compare.
 pub fn compare(
     descriptions: &[Description],
     folder: &Path,
     size: Size,
     rounds: u32,
     limit: Duration,
+    takes_part: &dyn Fn(&dyn Tracer) -> bool,
 ) -> Result<(), Box<dyn Error>> {
     println!("| scene | program | samples                            | trace ms | error of 255 |");
     println!("|-------|---------|------------------------------------|----------|--------------|");
     for description in descriptions {
         let name = description.name;
-        let rows = rows(description, folder, size, rounds, limit)?;
+        let rows = rows(description, folder, size, rounds, limit, takes_part)?;
         for row in &rows {
             let (program, arguments) = (row.tracer.name(), row.arguments);
             let (time, error) = (1e3 * row.seconds, row.error);
@@ -159,6 +160,7 @@ fn rows(
     size: Size,
     rounds: u32,
     limit: Duration,
+    takes_part: &dyn Fn(&dyn Tracer) -> bool,
 ) -> Result<Vec<Row>, Box<dyn Error>> {
     let job = |size| Job {
         description,
@@ -167,7 +169,7 @@ fn rows(
         threads: 1,
     };
     let mut contestants = Vec::new();
-    for contestant in CONTESTANTS.iter().filter(|c| c.tracer.installed()) {
+    for contestant in CONTESTANTS.iter().filter(|c| takes_part(c.tracer)) {
         let [width, height] = [size.width(), size.height()].map(|side| contestant.finer * side);
         let fine = job(Size::new(width, height)?);
         if let Some(reference) = reference(contestant, &fine, limit)? {

@@ -185,11 +185,11 @@ fn compare(options: &Options) -> Result<(), Box<dyn Error>> {
         .partition(|name| name == "aa");
     let descriptions = named(&names)?;
     let tracers: [&dyn Tracer; 3] = [&Ours, &PovRay, &Tachyon];
-    let mut present = [true, !options.alone, !options.alone];
-    for (tracer, present) in tracers.iter().zip(&mut present) {
-        if *present && !tracer.installed() {
-            *present = false;
-            let name = tracer.name();
+    let is_wanted = |tracer: &dyn Tracer| !options.alone || tracer.name() == Ours.name();
+    let takes_part = |tracer: &dyn Tracer| is_wanted(tracer) && tracer.installed();
+    for missing in tracers {
+        if is_wanted(missing) && !missing.installed() {
+            let name = missing.name();
             eprintln!("{name} is not installed: its figures are left out");
         }
     }
@@ -202,9 +202,10 @@ fn compare(options: &Options) -> Result<(), Box<dyn Error>> {
         options.rounds.max(1)
     };
     if !smooth.is_empty() {
-        return antialiasing::compare(&descriptions, folder, size, rounds, limit);
+        return antialiasing::compare(&descriptions, folder, size, rounds, limit, &takes_part);
     }
 
+    let present = tracers.map(takes_part);
     println!("{}", table::HEADER);
     let mut comparisons = Vec::new();
     for description in &descriptions {

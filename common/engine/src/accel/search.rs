@@ -22,7 +22,8 @@ use crate::shape::Rays;
 /// wide.
 const APART: f32 = 2.0;
 
-/// After this many leaves the searches of a bundle are told apart. Many bundles meet no further one.
+/// After this many leaves the searches of a bundle are told apart. Preparing that takes time, and
+/// many bundles meet no more leaves.
 const TOLD_APART_AFTER: u32 = 2;
 
 /// Few shapes are sooner tested than searched for in up to this many searches.
