@@ -3,8 +3,8 @@
 use std::any::Any;
 
 use a02_math::{Point3, Vector3};
+use common::tally::{self, Work};
 use common::{Color, Error, Image, Plan, Progress, Renderer, Settings};
-use measure::tally::{self, Work};
 
 use crate::{Basis, Camera, OrthographicCamera, PerspectiveCamera, Ray, Sampler, render};
 

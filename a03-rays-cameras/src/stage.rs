@@ -1,8 +1,9 @@
 //! `stage`: joins the scenes, renderers, experiments and extreme cases of this
 //! stage for its program.
 
+use common::tally;
 use common::{Color, Error, Image, Progress, Renderer, Sampling, Scene, Settings, Size};
-use measure::{Stage, tally};
+use measure::Stage;
 
 use crate::fast::render_by_lesson;
 use crate::lab::{all_work, counted, experiments, explain, extremes};

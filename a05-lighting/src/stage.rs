@@ -3,8 +3,9 @@
 
 use a03_rays_cameras::fast::{plan as plan_of_engine, render_by_engine};
 use a03_rays_cameras::render_view;
+use common::tally;
 use common::{ArgumentError, Renderer, Scene};
-use measure::{Stage, tally};
+use measure::Stage;
 
 use crate::fast;
 use crate::lab::{all_work, counted, experiments, explain, extremes};

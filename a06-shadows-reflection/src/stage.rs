@@ -4,8 +4,9 @@
 use a03_rays_cameras::Ray;
 use a03_rays_cameras::fast::{plan as plan_of_engine, render_by_engine, render_by_lesson};
 use a04_intersections::fast::{Translate, shapes};
+use common::tally;
 use common::{ArgumentError, Renderer, Scene, Settings};
-use measure::{Stage, tally};
+use measure::Stage;
 
 use crate::lab::all_work::{self, NaiveTracer};
 use crate::lab::{counted, experiments, explain, extremes};

@@ -2,8 +2,9 @@
 //! stage for its program.
 
 use a06_shadows_reflection::{View, traced_scene};
+use common::tally;
 use common::{ArgumentError, Renderer, Scene, Settings};
-use measure::{Stage, tally};
+use measure::Stage;
 
 use crate::fast::shapes;
 use crate::lab::{counted, experiments, explain, extremes};

@@ -19,6 +19,7 @@ mod sampled;
 mod scene;
 mod settings;
 mod size;
+pub mod tally;
 mod transfer;
 
 pub use argument::ArgumentError;

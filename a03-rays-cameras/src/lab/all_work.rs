@@ -2,8 +2,8 @@
 
 use std::hint::black_box;
 
+use common::tally::{self, Work};
 use common::{Color, Error, Image, Progress, Settings};
-use measure::tally::{self, Work};
 
 use crate::fast::render_by_lesson;
 use crate::{Camera, PixelRandom, Ray};

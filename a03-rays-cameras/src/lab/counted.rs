@@ -1,7 +1,7 @@
 //! Counts primary rays and random numbers, by a wrapper around the camera.
 
+use common::tally::{self, Work};
 use common::{Settings, Size};
-use measure::tally::{self, Work};
 
 use crate::{Camera, Ray};
 

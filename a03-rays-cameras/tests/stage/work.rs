@@ -1,8 +1,8 @@
 //! The work of the scenes of this stage, in the lesson and with nothing left out.
 
 use a03_rays_cameras::stage;
+use common::tally::{Work, counted};
 use common::{Renderer, Sampling, Settings, Size};
-use measure::tally::{Work, counted};
 
 fn settings(sampling: Sampling, renderer: Renderer) -> Settings {
     Settings {

@@ -2,7 +2,7 @@
 
 use a03_rays_cameras::Ray;
 use common::ArgumentError;
-use measure::tally::{self, Work};
+use common::tally::{self, Work};
 
 use crate::{Geometry, Hit, Interval, World};
 

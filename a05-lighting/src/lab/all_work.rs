@@ -6,8 +6,8 @@ use std::hint::black_box;
 
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
+use common::tally::{self, Work};
 use common::{ArgumentError, Color};
-use measure::tally::{self, Work};
 
 use crate::lab::decorated::decorated;
 use crate::lab::highlight::{as_phong, takes_power};

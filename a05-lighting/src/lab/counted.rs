@@ -2,8 +2,8 @@
 
 use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, counted};
+use common::tally::{self, Work};
 use common::{ArgumentError, Color};
-use measure::tally::{self, Work};
 
 use crate::lab::decorated::decorated;
 use crate::lab::highlight::{as_phong, takes_power};

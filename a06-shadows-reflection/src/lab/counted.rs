@@ -7,8 +7,8 @@ use a03_rays_cameras::{Camera, Ray};
 use a04_intersections::{Geometry, Hit, Interval, counted};
 use a05_lighting::counted::counted_powers;
 use a05_lighting::{Lighting, Material, SingleColor};
+use common::tally::{self, Work};
 use common::{ArgumentError, Color, Settings, Size};
-use measure::tally::{self, Work};
 
 use crate::lab::explain::as_phong;
 use crate::{ShadowedWorld, Surface};

@@ -13,8 +13,8 @@ use a06_shadows_reflection::{
     LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, counted, diagonal_camera,
     traced_scene,
 };
+use common::tally::{self, Tally, Work};
 use common::{Color, Settings, Size};
-use measure::tally::{self, Tally, Work};
 
 const RAYS: u32 = 50;
 

@@ -8,7 +8,7 @@ use a04_intersections::{Geometry, Hit, Interval, counted};
 use a05_lighting::decorated::decorated;
 use a06_shadows_reflection::ShadowedWorld;
 use common::ArgumentError;
-use measure::tally::{self, Work};
+use common::tally::{self, Work};
 
 use crate::Node;
 use crate::lab::explain::as_node;

@@ -10,7 +10,7 @@ mod lighting;
 mod offset_ray;
 
 use common::Color;
-use measure::tally::{self, Work};
+use common::tally::{self, Work};
 
 use crate::accel::{Accelerator, NearestHits, NearestSearch, SEARCHES};
 use crate::lanes::{ColorPacket, RayPacket, bits, mask};

@@ -3,8 +3,8 @@
 //! Four rays through a square of pixels stay closer together than four of a row, so that they
 //! more often meet the same shapes.
 
+use common::tally::{self, Work};
 use common::{Color, Progress, Settings};
-use measure::tally::{self, Work};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 

@@ -5,7 +5,7 @@ use std::fmt::{self, Write};
 
 use common::{Error, Image, Renderer, Scene, Settings};
 
-use crate::tally::{Tally, Work, counted};
+use common::tally::{Tally, Work, counted};
 
 /// The work that the chosen renderer saves in a scene.
 #[derive(Debug)]
@@ -94,7 +94,7 @@ mod tests {
     use common::{Color, Size};
 
     use super::*;
-    use crate::tally::{count, count_all};
+    use common::tally::{count, count_all};
 
     /// The renderer that skips no work takes one more ray and three more tests, and its
     /// picture is brighter by 1/8.

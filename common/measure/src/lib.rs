@@ -23,7 +23,6 @@ mod provenance;
 pub mod report;
 pub mod scene_report;
 mod stage;
-pub mod tally;
 pub mod timing;
 
 pub use effort::Effort;

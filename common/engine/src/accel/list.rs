@@ -1,6 +1,6 @@
 //! `Listed`: shapes of one kind side by side in memory, and the tests of a leaf of them.
 
-use measure::tally::{self, Work};
+use common::tally::{self, Work};
 
 use super::bvh::Leaf;
 use super::search::Search;

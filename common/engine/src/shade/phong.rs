@@ -3,7 +3,7 @@
 //! (Phong, Illumination for Computer Generated Pictures, 1975.)
 
 use common::Color;
-use measure::tally::{self, Work};
+use common::tally::{self, Work};
 
 use super::IlluminationPacket;
 use super::power::powers;

@@ -4,7 +4,7 @@
 //! product would round otherwise. Only the bounds come from the product. `flatten` takes
 //! it for rays, too, where a picture may have an error.
 
-use measure::tally::{self, Work};
+use common::tally::{self, Work};
 
 use super::transform::norm;
 use super::transformed_bounds::transformed_bounds;

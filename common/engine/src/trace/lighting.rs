@@ -2,7 +2,7 @@
 //! object keeps away.
 
 use common::Color;
-use measure::tally::{self, Work};
+use common::tally::{self, Work};
 
 use super::batch::{Batch, Vertex};
 use super::{Tracer, offset_rays};

@@ -8,7 +8,7 @@
 use std::cell::Cell;
 use std::ops::Index;
 
-use common::{ArgumentError, Error};
+use crate::{ArgumentError, Error};
 
 /// A kind of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
