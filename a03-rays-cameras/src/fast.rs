@@ -81,7 +81,7 @@ pub fn render_by_lesson(
         return render(camera, radiance, settings, progress);
     };
     let light = |x, y| radiance(&camera.ray_for(settings.size, x, y));
-    engine::adaptive::render_image(max_error, light, settings, progress)
+    engine::adaptive::render_image(max_error, &light, settings, progress)
 }
 
 /// Renders a picture with the engine.

@@ -46,7 +46,7 @@ const PETALS: u32 = 220;
 const GOLDEN_ANGLE: f64 = PI * 0.763_932_022_500_210_3;
 
 /// The flower, dew drops, and two lamps.
-fn dahlia() -> Result<View, ArgumentError> {
+pub fn dahlia() -> Result<View, ArgumentError> {
     let warm = PointLight::new(
         Color::new(1.0, 0.93, 0.82) * 0.85,
         Point3::new(3.5, 9.0, 7.0),

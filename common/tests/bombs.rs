@@ -7,8 +7,6 @@ use std::path::Path;
 
 use common::{Color, picture_file};
 use image::{ImageFormat, RgbImage};
-use png::Encoder;
-use png::chunk::ChunkType;
 
 /// A bound for opening these files: 16 MiB for metadata, and copies of files of at most
 /// 1.7 MB. Unpacked they have 256 MiB.
@@ -25,16 +23,28 @@ fn peak() -> Option<u64> {
 
 /// A grey PNG of this size with these chunks before the pixels.
 fn png(width: u32, height: u32, chunks: &[([u8; 4], Vec<u8>)], pixels: &[u8]) -> Vec<u8> {
-    let mut bytes = Vec::new();
-    let mut file = Encoder::new(&mut bytes, width, height)
-        .write_header()
-        .unwrap();
+    let [width, height] = [width, height].map(u32::to_be_bytes);
+    let header = [&width[..], &height, &[8, 0, 0, 0, 0]].concat();
+    let mut file = b"\x89PNG\r\n\x1A\n".to_vec();
+    write_chunk(&mut file, *b"IHDR", &header);
     for (name, data) in chunks {
-        file.write_chunk(ChunkType(*name), data).unwrap();
+        write_chunk(&mut file, *name, data);
     }
-    file.write_chunk(png::chunk::IDAT, pixels).unwrap();
-    file.finish().unwrap();
-    bytes
+    write_chunk(&mut file, *b"IDAT", pixels);
+    write_chunk(&mut file, *b"IEND", &[]);
+    file
+}
+
+/// Length, name, data and check sum (PNG specification, 5.3).
+fn write_chunk(file: &mut Vec<u8>, name: [u8; 4], data: &[u8]) {
+    let named = [&name, data].concat();
+    let shift = |sum: u32| (sum >> 1) ^ ((sum & 1) * 0xEDB8_8320);
+    let sum = named.iter().fold(!0, |sum, byte| {
+        (0..8).fold(sum ^ u32::from(*byte), |sum, _| shift(sum))
+    });
+    file.extend((data.len() as u32).to_be_bytes());
+    file.extend(named);
+    file.extend((!sum).to_be_bytes());
 }
 
 /// A zlib stream (RFC 1950, 1951) of 1 + 258 `times` zeros: a literal, and then 13 bits

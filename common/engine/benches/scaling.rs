@@ -117,11 +117,8 @@ fn picture(renderer: &Renderer) -> Result<f64, common::Error> {
         size: Size::new(1280, 960)?,
         ..Settings::default()
     };
-    let mut rows = vec![(); settings.rows().len()];
     let started = Instant::now();
-    renderer.render_rows(&Middle, &settings, &(), &mut rows, |colors, _| {
-        black_box(colors);
-    })?;
+    black_box(renderer.render(&Middle, &settings, &())?);
     Ok(since(started) / settings.size.pixels() as f64)
 }
 

@@ -9,7 +9,7 @@ use crate::lanes::{RayPacket, in_fours};
 use crate::shade::RadianceBound;
 use crate::trace::{Batch, Tracer};
 use crate::view::View;
-use crate::{Camera, Ray, Sampler, Scene, image_of_rows};
+use crate::{Camera, Ray, Sampler, Scene};
 
 /// The share of the allowed error for reflections that are cut off. The samples may use
 /// all of it, because the sum of both squares is hardly larger.
@@ -78,7 +78,7 @@ impl<'a> Renderer<'a> {
         self.tracer.trace(&packets, light, &mut Batch::default());
     }
 
-    /// Renders a picture, or the rows of it that the settings select.
+    /// Renders a picture.
     ///
     /// [`Error::Stopped`] if `progress` stops the rendering, [`Error::Memory`] if the
     /// picture does not fit into memory.
@@ -88,38 +88,15 @@ impl<'a> Renderer<'a> {
         settings: &Settings,
         progress: &dyn Progress,
     ) -> Result<Image, Error> {
-        image_of_rows(settings, |pixels, copy| {
-            self.render_rows(sampler, settings, progress, pixels, copy)
-        })
-    }
-
-    /// Like `render`, but hands each finished row to `keep`, with its share of `kept`,
-    /// instead of building an [`Image`]. All rows have equal shares.
-    ///
-    /// # Panics
-    ///
-    /// If `kept` has fewer elements than the picture has rows.
-    pub fn render_rows<T: Send>(
-        &self,
-        sampler: &impl Sampler,
-        settings: &Settings,
-        progress: &dyn Progress,
-        kept: &mut [T],
-        keep: impl Fn(&[Color], &mut [T]) + Sync,
-    ) -> Result<(), Error> {
         let view = View {
             renderer: self,
             settings,
             progress,
         };
-        if let Some(max_error) = settings.max_error {
-            return adaptive::render(max_error, settings, &view, progress, kept, keep);
+        match settings.max_error {
+            Some(max_error) => adaptive::render_image(max_error, &view, settings, progress),
+            None => view.render(sampler),
         }
-        view.render_rows(sampler, kept, keep);
-        if progress.stopped() {
-            return Err(Error::Stopped);
-        }
-        Ok(())
     }
 
     /// Adds to a plan the work that the engine skips.

@@ -1,3 +1,5 @@
+use common::Image;
+
 use super::*;
 
 fn scene() -> Scene {
@@ -45,19 +47,6 @@ fn number_and_places_of_the_samples_fit_each_other() {
             (Err(error), _) => panic!("{error}"),
         }
     }
-}
-
-#[test]
-fn only_traced_pictures_may_be_larger_than_memory() {
-    let large = Options {
-        size: Some(Size::new(16_384, 16_384).unwrap()),
-        ..Options::default()
-    };
-    let paint = |settings: &Settings, _: &dyn common::Progress| Image::black(settings.size);
-    assert!(large.settings(&scene()).is_ok());
-    assert!(large.settings(&Scene::opened("test", "", paint)).is_ok());
-    let refused = large.settings(&Scene::painted("test", "", paint));
-    assert!(matches!(refused, Err(Error::TooLarge { .. })));
 }
 
 /// The number of samples need not be a square.
