@@ -6,10 +6,9 @@
     reason = "called by the tables, the report and their tests"
 )]
 
-pub mod counted;
 pub mod exact;
 pub mod experiments;
-pub mod explain;
 pub mod extremes;
 pub mod protocol;
 pub mod real;
+pub mod watched;

@@ -12,9 +12,8 @@ const OF_A_FILE: usize = 300;
 const OF_RENDER: usize = 80;
 
 /// Words that belong to the folders beside the lessons, or to speed.
-const FOREIGN: &str =
-    "engine lab laboratory packet packets lane lanes simd tally counting plan plans
-    planned omit omits omitted omission omissions renderer prepared black_box max_error";
+const FOREIGN: &str = "engine lab laboratory packet packets lane lanes simd tally counting
+    omit omits omitted omission omissions renderer prepared black_box max_error";
 
 static FILES: LazyLock<Files> = LazyLock::new(|| Files::read().expect("the repository"));
 
@@ -24,7 +23,8 @@ fn rust_files() -> impl Iterator<Item = (&'static str, &'static str)> {
 }
 
 /// The files that join a stage with its program, its lab, the engine and the window.
-const JOINTS: &str = "lib.rs main.rs stage.rs fast.rs lab.rs window.rs canvas.rs";
+const JOINTS: &str =
+    "lib.rs main.rs stage.rs view.rs traced_scene.rs fast.rs lab.rs window.rs canvas.rs";
 
 /// The lesson files of all stages: `src/*.rs` without the joints.
 fn lessons() -> Vec<(&'static str, &'static str)> {

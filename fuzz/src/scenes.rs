@@ -5,18 +5,13 @@
 
 use std::any::Any;
 
-use a03_rays_cameras::fast::{camera as camera_of_engine, render_by_engine, render_by_lesson};
-use a03_rays_cameras::{Camera, Ray};
+use a03_rays_cameras::{Camera, Ray, View};
 use a04_intersections::Geometry;
 use a05_lighting::{DirectionalLight, Lambert, Light, Phong, PointLight, SingleColor, SpotLight};
-use a06_shadows_reflection::all_work::{self, NaiveTracer};
-use a06_shadows_reflection::{
-    LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, fast,
-};
-use a07_transforms::Node;
-use a07_transforms::fast::shapes;
+use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, Surface};
+use a07_transforms::{Node, traced};
 use arbitrary::{Result, Unstructured};
-use common::{ArgumentError, Color, Error, Image, Sampling, Settings, Size};
+use common::{ArgumentError, Color, Image, Renderer, Sampling, Settings, Size};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::number::{color, number, point, vector};
@@ -24,83 +19,98 @@ use crate::shapes::{accepted, camera, shape};
 
 /// Renders the scene that the bytes make by all three renderers.
 pub fn check(bytes: &[u8]) {
-    let (Ok(scene), Ok(same)) = (Scene::new(bytes), Scene::new(bytes)) else {
+    let Ok(scene) = Scene::new(bytes) else {
         return;
     };
-    let picture = scene.by_lesson(&scene.settings);
+    let picture = scene.picture(Renderer::Lesson, None);
     scene.check_pixels(&picture, 0.0);
-    scene.check_same(&scene.by_engine(&scene.settings), &picture);
-    scene.check_same(&same.by_all_work(), &picture);
-    scene.check_adaptive();
+    for renderer in [Renderer::Engine, Renderer::AllWork] {
+        scene.check_same(&scene.picture(renderer, None), &picture);
+    }
+    if let Some(max_error) = scene.max_error {
+        for renderer in [Renderer::Lesson, Renderer::Engine] {
+            // Light that was added to a pixel and taken off again is rounded.
+            scene.check_pixels(&scene.picture(renderer, Some(max_error)), -1e-9);
+        }
+    }
     scene.check_cutoff();
 }
 
-struct Scene {
+struct Scene<'a> {
+    bytes: &'a [u8],
     /// Without an error: all renderers make the same picture.
     settings: Settings,
     max_error: Option<f64>,
     /// Mirrored light below this may be cut off.
     cutoff: f64,
-    camera: Box<dyn Camera>,
-    world: ShadowedWorld,
 }
 
-impl std::fmt::Debug for Scene {
+impl std::fmt::Debug for Scene<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let rays = self.rays().collect::<Vec<_>>();
-        write!(f, "{:#?}\n{:#?}\n{rays:#?}", self.settings, self.world)
+        let View { camera, world } = self.view();
+        let size = self.settings.size;
+        let (columns, rows) = (0..size.width(), 0..size.height());
+        let places = rows.flat_map(|y| columns.clone().map(move |x| (x, y)));
+        let rays = places.map(|(x, y)| camera.ray_for(size, x.into(), y.into()));
+        let rays = rays.collect::<Vec<_>>();
+        write!(f, "{:#?}\n{world:#?}\n{rays:#?}", self.settings)
     }
 }
 
-/// On this thread: to wake another takes longer than so small a picture.
-fn alone(render: impl FnOnce() -> std::result::Result<Image, Error> + Send) -> Image {
-    thread_local! {
-        static ALONE: ThreadPool = ThreadPoolBuilder::new()
-            .num_threads(1)
-            .use_current_thread()
-            .build()
-            .expect("a pool of this thread");
-    }
-    ALONE.with(|pool| pool.install(render)).expect("a picture")
-}
-
-impl Scene {
-    /// The same bytes make the same scene.
-    fn new(bytes: &[u8]) -> Result<Self> {
+impl<'a> Scene<'a> {
+    fn new(bytes: &'a [u8]) -> Result<Self> {
         let u = &mut Unstructured::new(bytes);
         let settings = settings(u)?;
-        Ok(Self {
+        let scene = Self {
+            bytes,
             max_error: settings.max_error,
             settings: Settings {
                 max_error: None,
                 ..settings
             },
             cutoff: f64::from(u.arbitrary::<u8>()?) / 512.0,
-            camera: camera(u)?,
-            world: world(u)?,
-        })
+        };
+        (camera(u)?, world(u)?);
+        Ok(scene)
     }
 
-    fn by_lesson(&self, settings: &Settings) -> Image {
-        let (camera, tracer) = (&*self.camera, RecursiveTracer::new(&self.world));
-        let radiance = |ray: &Ray| tracer.trace(ray, settings.depth);
-        alone(|| render_by_lesson(camera, radiance, settings, &()))
+    /// The same bytes make the same view.
+    fn view(&self) -> View<ShadowedWorld> {
+        let made = || {
+            let u = &mut Unstructured::new(self.bytes);
+            (settings(u)?, u.arbitrary::<u8>()?);
+            let camera = camera(u)?;
+            let world = world(u)?;
+            Ok::<_, arbitrary::Error>(View { camera, world })
+        };
+        made().expect("it was made before")
     }
 
-    fn by_engine(&self, settings: &Settings) -> Image {
-        let camera = &*self.camera;
-        alone(|| {
-            let scene = fast::scene(&self.world, settings.depth, shapes);
-            render_by_engine(scene, camera, settings, &())
-        })
+    fn picture(&self, renderer: Renderer, max_error: Option<f64>) -> Image {
+        self.render(self.view(), renderer, max_error)
     }
 
-    fn by_all_work(self) -> Image {
-        let (camera, settings) = (&*self.camera, &self.settings);
-        let world = all_work::world(self.world).expect("a world of the same colours");
-        let tracer = NaiveTracer::new(&world);
-        let radiance = |ray: &Ray| tracer.trace(ray, settings.depth);
-        alone(|| a03_rays_cameras::all_work::render(camera, radiance, settings, &()))
+    /// Renders on this thread: to wake another takes longer than so small a picture.
+    fn render(
+        &self,
+        view: View<ShadowedWorld>,
+        renderer: Renderer,
+        max_error: Option<f64>,
+    ) -> Image {
+        thread_local! {
+            static ALONE: ThreadPool = ThreadPoolBuilder::new()
+                .num_threads(1)
+                .use_current_thread()
+                .build()
+                .expect("a pool of this thread");
+        }
+        let settings = Settings {
+            renderer,
+            max_error,
+            ..self.settings.clone()
+        };
+        let render = || traced(view).render(&settings, &());
+        ALONE.with(|pool| pool.install(render)).expect("a picture")
     }
 
     fn check_pixels(&self, picture: &Image, least: f64) {
@@ -118,55 +128,39 @@ impl Scene {
         }
     }
 
-    fn check_adaptive(&self) {
-        let Some(max_error) = self.max_error else {
-            return;
-        };
-        let settings = Settings {
-            max_error: Some(max_error),
-            ..self.settings.clone()
-        };
-        // Light that was added to a pixel and taken off again is rounded.
-        self.check_pixels(&self.by_lesson(&settings), -1e-9);
-        self.check_pixels(&self.by_engine(&settings), -1e-9);
-    }
-
-    /// Bound: the threshold, and the rounding of as many sums as there are surfaces and
-    /// lights.
+    /// Compares the engine with and without an allowed error, where all rays of a pixel are the
+    /// same, so that only the cutoff of reflections differs. Bound: the threshold, and the
+    /// rounding of the sums over surfaces, lights and samples.
     fn check_cutoff(&self) {
-        let objects = &mut self.world.objects().objects();
+        let view = self.view();
+        let objects = &mut view.world.objects().objects();
         // Flattened transforms also move shapes.
         if objects.any(|(geometry, _)| is_node(geometry)) {
             return;
         }
-        let prepared = |max_error| {
-            let scene = fast::scene(&self.world, self.settings.depth, shapes);
-            let settings = Settings {
-                max_error,
-                ..self.settings.clone()
-            };
-            engine::Renderer::new(scene, camera_of_engine(&*self.camera), &settings)
-        };
         // Mirrors may take an eighth of the error.
-        let max_error = 8.0 * self.cutoff;
-        let rays: Vec<_> = self.rays().map(|ray| engine::Ray::from(&ray)).collect();
-        let [whole, cut] = [None, Some(max_error)].map(|max_error| {
-            let mut light = vec![Color::BLACK; rays.len()];
-            prepared(max_error).trace(&rays, &mut light);
-            light
+        let [whole, cut] = [None, Some(8.0 * self.cutoff)].map(|max_error| {
+            let View { camera, world } = self.view();
+            let view = View::new(Middles(camera), world);
+            self.render(view, Renderer::Engine, max_error)
         });
-        let channels = |light: Vec<Color>| light.into_iter().flat_map(Color::channels);
-        for (whole, cut) in channels(whole).zip(channels(cut)) {
-            let bound = self.cutoff * (1.0 + 1e-12) + 100.0 * f64::EPSILON * whole;
+        for (whole, cut) in channels(&whole).zip(channels(&cut)) {
+            let bound = self.cutoff * (1.0 + 1e-12) + 1000.0 * f64::EPSILON * whole;
             assert!((whole - cut).abs() <= bound, "{whole}, {cut}: {self:?}");
         }
     }
+}
 
-    /// The rays through the middles of the pixels.
-    fn rays(&self) -> impl Iterator<Item = Ray> {
-        let size = self.settings.size;
-        let places = (0..size.height()).flat_map(move |y| (0..size.width()).map(move |x| (x, y)));
-        places.map(move |(x, y)| self.camera.ray_for(size, x.into(), y.into()))
+fn channels(image: &Image) -> impl Iterator<Item = f64> {
+    image.pixels().iter().flat_map(|color| color.channels())
+}
+
+/// A camera whose rays all go through the middles of pixels.
+struct Middles(Box<dyn Camera>);
+
+impl Camera for Middles {
+    fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
+        self.0.ray_for(size, libm::round(x), libm::round(y))
     }
 }
 

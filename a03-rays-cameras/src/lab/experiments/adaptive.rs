@@ -8,8 +8,7 @@ use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Unit};
 
 use super::coverage::{DISC, disc_coverage};
-use crate::fast::render_by_lesson;
-use crate::{Camera, Ray};
+use crate::{Camera, Ray, View};
 
 const SIDE: u32 = 64;
 
@@ -30,7 +29,10 @@ fn picture(settings: &Settings) -> Option<(Image, Sampled)> {
         Color::gray(DISC.contains(place.x() + 0.5, place.y() + 0.5).into())
     };
     let sampled = Mutex::new(Sampled::default());
-    let image = render_by_lesson(&Places, disc, settings, &sampled).ok()?;
+    let image = View::new(Places, disc)
+        .boxed()
+        .render(settings, &sampled)
+        .ok()?;
     Some((image, sampled.into_inner().ok()?))
 }
 

@@ -10,7 +10,7 @@ use crate::fisheye::check;
 /// A camera of a function of basis, opening, size, and place from the middle.
 struct Own<F>(Basis, f64, F);
 
-impl<F: Fn(&Basis, f64, Size, f64, f64) -> Ray + Sync + 'static> Camera for Own<F> {
+impl<F: Fn(&Basis, f64, Size, f64, f64) -> Ray + Send + Sync + 'static> Camera for Own<F> {
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
         let Self(basis, angle, ray) = self;
         let [width, height] = [size.width(), size.height()].map(f64::from);

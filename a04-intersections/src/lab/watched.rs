@@ -1,32 +1,35 @@
 //! Counts intersection tests, by a wrapper around each geometry.
 
 use a03_rays_cameras::Ray;
-use common::ArgumentError;
 use common::tally::{self, Work};
 
 use crate::{Geometry, Hit, Interval, World};
 
 /// A geometry that counts the rays tested against it.
 #[derive(Debug)]
-struct Counted(Box<dyn Geometry>);
+struct Watched(Box<dyn Geometry>);
 
 /// Wraps this geometry to count intersection tests.
 pub fn geometry(geometry: Box<dyn Geometry>) -> Box<dyn Geometry> {
-    Box::new(Counted(geometry))
+    Box::new(Watched(geometry))
 }
 
-impl Geometry for Counted {
+impl Geometry for Watched {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         tally::count(Work::IntersectionTest);
         self.0.hit(ray, within)
     }
 }
 
-/// Wraps the geometries of a world to count intersection tests.
-pub fn world<S>(world: World<S>) -> Result<World<S>, ArgumentError> {
-    let empty = World::new(world.background())?;
-    let objects = world.into_objects().into_iter();
-    Ok(objects.fold(empty, |world, (geometry, surface)| {
-        world.with(Counted(geometry), surface)
-    }))
+/// The world with its geometries and surfaces replaced by these functions of them.
+pub fn world<S, T>(
+    world: World<S>,
+    geometry: impl Fn(Box<dyn Geometry>) -> Box<dyn Geometry>,
+    surface: impl Fn(S) -> T,
+) -> World<T> {
+    let objects = world.objects.into_iter();
+    World {
+        background: world.background,
+        objects: objects.map(|(g, s)| (geometry(g), surface(s))).collect(),
+    }
 }
