@@ -91,6 +91,7 @@ thread_local! {
 
 /// Whether work is counted in this thread.
 #[inline]
+#[must_use]
 pub fn is_on() -> bool {
     IS_ON.get()
 }

@@ -70,7 +70,8 @@ impl<'a> Scene<'a> {
             },
             cutoff: f64::from(u.arbitrary::<u8>()?) / 512.0,
         };
-        (camera(u)?, world(u)?);
+        camera(u)?;
+        world(u)?;
         Ok(scene)
     }
 
@@ -78,7 +79,8 @@ impl<'a> Scene<'a> {
     fn view(&self) -> View<ShadowedWorld> {
         let made = || {
             let u = &mut Unstructured::new(self.bytes);
-            (settings(u)?, u.arbitrary::<u8>()?);
+            settings(u)?;
+            u.arbitrary::<u8>()?;
             let camera = camera(u)?;
             let world = world(u)?;
             Ok::<_, arbitrary::Error>(View { camera, world })

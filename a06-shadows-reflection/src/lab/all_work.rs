@@ -22,7 +22,7 @@ impl<'a> NaiveTracer<'a> {
     }
 
     /// The colour that a ray brings back if it may hit `depth` surfaces in turn.
-    pub fn trace(&self, ray: &Ray, depth: u32) -> Color {
+    pub fn trace(self, ray: &Ray, depth: u32) -> Color {
         let mut ray = *ray;
         let mut color = Color::BLACK;
         let mut mirrored = Color::WHITE;
@@ -30,7 +30,7 @@ impl<'a> NaiveTracer<'a> {
             let Some((hit, surface)) = self.world.objects().hit(&ray, Interval::AHEAD) else {
                 return color + mirrored * self.world.objects().background();
             };
-            color += mirrored * surface.color_for(&ray, &hit, self);
+            color += mirrored * surface.color_for(&ray, &hit, &self);
             mirrored = mirrored * surface.reflection();
             let direction = (-ray.direction()).reflected_on(hit.normal);
             ray = secondary_ray(&ray, &hit, direction);

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use a03_rays_cameras::{Camera, Sampler, camera_coordinates};
+use a03_rays_cameras::{Camera, Sampler, View, camera_coordinates};
 use a06_shadows_reflection::RecursiveTracer;
 use common::{Color, Transfer, picture_file};
 
@@ -19,7 +19,7 @@ fn a_row_of_the_picture_is_right() {
     let picture = picture_file::open(&path).unwrap();
     let settings = &example::stage().scenes[0].defaults;
     assert_eq!(picture.size(), settings.size);
-    let (camera, world) = example::dahlia().unwrap();
+    let View { camera, world } = example::dahlia().unwrap();
     let (tracer, sampler) = (RecursiveTracer::new(&world), Sampler::new(settings));
     for column in 0..settings.size.width() {
         let light = sampler.places(column, ROW).map(|place| {
