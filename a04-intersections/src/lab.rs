@@ -11,4 +11,5 @@ pub mod experiments;
 pub mod extremes;
 pub mod protocol;
 pub mod real;
+pub mod support;
 pub mod watched;

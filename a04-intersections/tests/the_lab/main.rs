@@ -4,6 +4,6 @@
 
 mod exact;
 mod protocol;
-mod same_formulas;
+mod same_formula;
 
 testing::check_lab! { a04_intersections::stage() }

@@ -8,9 +8,8 @@ use a03_rays_cameras::Ray;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Unit};
 
-use super::Numbers;
-use crate::lab::extremes::arrays;
 use crate::lab::real::{Real, difference, dot};
+use crate::lab::support::{Numbers, arrays};
 use crate::lab::{exact, protocol};
 
 /// A ray towards a sphere: the sphere's centre and radius, and the ray's origin and direction.
@@ -56,15 +55,14 @@ pub fn stable_terms<F: Real>(f: &[F; 3], r: F, d: &[F; 3]) -> [F; 3] {
 
 /// The least positive root, given `power` = `f · f - r²`.
 fn stable_roots<F: Real>(f: &[F; 3], r: F, d: &[F; 3], power: F) -> Option<F> {
-    let zero = F::from(0.0);
     let [a, middle, discriminant] = stable_terms(f, r, d);
-    if discriminant < zero {
+    if discriminant < F::zero() {
         return None;
     }
     let t1 = middle + (discriminant / a).sqrt().copysign(middle);
     let t0 = power / (a * t1);
     let (near, far) = if t0 < t1 { (t0, t1) } else { (t1, t0) };
-    [near, far].into_iter().find(|t| *t > zero)
+    [near, far].into_iter().find(|t| *t > F::zero())
 }
 
 /// A ray with this direction, brought to length 1, towards a sphere, in either precision.
@@ -103,22 +101,15 @@ fn shots_at_ground<F: Real>(radius: f64, rays: usize) -> Rc<[Shot<F>]> {
     (0..rays).map(shot).collect()
 }
 
-/// The errors of `t` for all rays that hit the sphere, except near its rim, where
-/// rounding of the ray itself has an effect. A miss counts as 1.
-fn errors<F: Real>(
-    shots: &[Shot<F>],
-    formula: impl Fn(&[F; 3], F, &[F; 3], &[F; 3]) -> Option<F>,
-) -> Vec<f64> {
-    let error = |Shot { c, r, o, d }: &Shot<F>| {
-        let [centre, origin, direction] = [c, o, d].map(|triple| triple.map(Into::into));
-        let radius = (*r).into();
-        let exact = exact::sphere(&centre, radius, &origin, &direction);
-        let [near, _] = exact.roots?;
-        let counts = exact.distance < 0.9 * radius && near.value() > 0.0;
-        let found = formula(c, *r, o, d);
-        counts.then(|| found.map_or(1.0, |t| near.error_of(t.into())))
-    };
-    shots.iter().filter_map(error).collect()
+/// The error of a `t`, except near the rim of the sphere, where rounding of the ray itself
+/// has an effect. A miss counts as 1.
+fn error<F: Real>(Shot { c, r, o, d }: &Shot<F>, found: Option<F>) -> Option<f64> {
+    let [centre, origin, direction] = [c, o, d].map(|triple| triple.map(Into::into));
+    let radius = (*r).into();
+    let exact = exact::sphere(&centre, radius, &origin, &direction);
+    let [near, _] = exact.roots?;
+    let counts = exact.distance < 0.9 * radius && near.value() > 0.0;
+    counts.then(|| found.map_or(1.0, |t| near.error_of(t.into())))
 }
 
 /// Parameters and their rays, for one precision.
@@ -130,15 +121,17 @@ fn sets<F: Real>(shots: fn(f64, usize) -> Rc<[Shot<F>]>, count: i32, effort: Eff
     knobs.map(|knob| (knob, shots(knob, rays))).collect()
 }
 
+/// The `t` of the sphere of centre and radius for the ray of origin and direction.
+type Formula<F> = fn(&[F; 3], F, &[F; 3], &[F; 3]) -> Option<F>;
+
 fn curve<F: Real + 'static>(
     method: &'static str,
     sets: &Sets<F>,
-    slope: f64,
-    between: (f64, f64),
-    formula: impl Fn(&[F; 3], F, &[F; 3], &[F; 3]) -> Option<F> + Copy + 'static,
+    (slope, between): (f64, (f64, f64)),
+    formula: Formula<F>,
 ) -> Curve<'static> {
-    let run = move |Shot { c, r, o, d }: &_| formula(c, *r, o, d).map_or(0.0, Into::into);
-    Curve::of_tasks(method, sets, |shots| errors(shots, formula), run).with_slope(slope, between)
+    let answer = move |Shot { c, r, o, d }: &_| formula(c, *r, o, d);
+    Curve::of_tasks(method, sets, answer, error).with_slope(slope, between)
 }
 
 /// Remark on the formula that is more exact than needed.
@@ -152,11 +145,11 @@ fn far_curves(effort: Effort) -> Vec<Curve<'static>> {
     let singles = sets::<f32>(shots_from, 3, effort);
     let (until_lost, everywhere, single) = ((8.0, 2e7), (8.0, 2e9), (8.0, 512.0));
     vec![
-        curve("protocol", &doubles, 2.0, until_lost, protocol::sphere),
-        curve("stable (ours)", &doubles, 1.0, everywhere, stable),
-        curve("compensated", &doubles, 1.0, everywhere, compensated).with_remark(TOO_EXACT),
-        curve("protocol (single)", &singles, 2.0, single, protocol::sphere),
-        curve("stable (single)", &singles, 1.0, single, stable),
+        curve("protocol", &doubles, (2.0, until_lost), protocol::sphere),
+        curve("stable (ours)", &doubles, (1.0, everywhere), stable),
+        curve("compensated", &doubles, (1.0, everywhere), compensated).with_remark(TOO_EXACT),
+        curve("protocol (single)", &singles, (2.0, single), protocol::sphere),
+        curve("stable (single)", &singles, (1.0, single), stable),
     ]
 }
 
@@ -166,11 +159,11 @@ fn near_curves(effort: Effort) -> Vec<Curve<'static>> {
     let singles = sets::<f32>(shots_at_ground, 6, effort);
     let (single, double) = ((64.0, 3e5), (64.0, 2e9));
     vec![
-        curve("protocol", &doubles, 1.0, double, protocol::sphere),
-        curve("stable (ours)", &doubles, 1.0, double, stable),
-        curve("compensated", &doubles, 0.0, double, compensated).with_remark(TOO_EXACT),
-        curve("protocol (single)", &singles, 1.0, single, protocol::sphere),
-        curve("stable (single)", &singles, 1.0, single, stable),
+        curve("protocol", &doubles, (1.0, double), protocol::sphere),
+        curve("stable (ours)", &doubles, (1.0, double), stable),
+        curve("compensated", &doubles, (0.0, double), compensated).with_remark(TOO_EXACT),
+        curve("protocol (single)", &singles, (1.0, single), protocol::sphere),
+        curve("stable (single)", &singles, (1.0, single), stable),
     ]
 }
 

@@ -6,9 +6,9 @@ use common::Error;
 use measure::Effort;
 use measure::extremes::{Case, Equal, Holds, Id};
 
-use super::{any_ray, arrays, first, meeting};
-use crate::lab::experiments::Numbers;
+use super::meeting;
 use crate::lab::protocol::{self, Compared};
+use crate::lab::support::{Numbers, any_ray, arrays, first};
 use crate::{AxisAlignedBox, Plane, Sphere, Triangle};
 
 /// Coordinates are multiples of this: they are exact after a translation by 2^30.

@@ -7,10 +7,10 @@ use measure::Effort;
 use measure::extremes::{Absolute, Bound, Equal, Finite, Ulps};
 use measure::extremes::{Case, Fails, Holds, Id, Outcome, Protocol};
 
-use super::{EPSILON, Line, MISS, REFUSED, Triple};
-use super::{any_ray, first, meeting, point, raw_ray, vector};
-use crate::lab::experiments::Numbers;
-use crate::{Geometry, Interval, Plane, protocol};
+use super::{EPSILON, MISS, REFUSED, meeting};
+use crate::lab::protocol;
+use crate::lab::support::{Line, Numbers, Triple, any_ray, first, point, raw_ray, vector};
+use crate::{Geometry, Interval, Plane};
 
 const UP: Triple = [0.0, 1.0, 0.0];
 

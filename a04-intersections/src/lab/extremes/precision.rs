@@ -5,18 +5,18 @@ use a03_rays_cameras::Ray;
 use measure::Effort;
 use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Protocol};
 
-use super::{EPSILON, arrays, first, raw_ray};
-use crate::lab::experiments::Numbers;
-use crate::lab::experiments::needle::{errors, needles, plain};
+use super::EPSILON;
+use crate::lab::experiments::needle::{Needle, cramer, error, needles, ours};
 use crate::lab::experiments::sphere_distance::{Shot, shots_from, stable};
 use crate::lab::real::Real;
+use crate::lab::support::{Numbers, arrays, first, raw_ray};
 use crate::lab::{exact, protocol};
 use crate::{Plane, Sphere};
 
 /// Number of rays with a wrong decision between hit and miss of a unit sphere,
 /// among rays that pass its rim at more than four rounding errors of the distance.
 fn wrong<F: Real>(distance: f64, rays: usize, is_hit: impl Fn(&[F; 3], &[F; 3]) -> bool) -> usize {
-    let margin = 4.0 * F::EPSILON * distance;
+    let margin = 4.0 * F::epsilon().into() * distance;
     let is_wrong = |Shot { o, d, .. }: &&Shot<F>| {
         let [origin, direction] = [o, d].map(|v| v.map(Into::into));
         let exact = exact::sphere(&[0.0; 3], 1.0, &origin, &direction);
@@ -29,7 +29,7 @@ fn wrong<F: Real>(distance: f64, rays: usize, is_hit: impl Fn(&[F; 3], &[F; 3]) 
 
 /// Whether the protocol finds a hit of the unit sphere.
 fn theirs<F: Real>(o: &[F; 3], d: &[F; 3]) -> bool {
-    protocol::sphere(&[0.0; 3].map(F::from), F::from(1.0), o, d).is_some()
+    protocol::sphere(&[F::zero(); 3], F::one(), o, d).is_some()
 }
 
 fn double_precision(rays: usize) -> Case {
@@ -77,14 +77,16 @@ fn plane(id: Id, anchor: f64, rays: usize) -> Case {
 /// The median of the relative errors of `t`.
 fn needle(id: Id, aspect: f64, rays: usize, bound: f64, says: Protocol) -> Case {
     let needles = needles(aspect, rays);
-    let median = |formula: fn(&[Point3; 3], &Ray) -> Option<f64>| {
-        let mut all = errors(&needles, formula);
-        all.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
-        all[all.len() / 2].abs()
+    let median = |formula: fn(&Needle) -> Option<f64>| {
+        let errors = needles
+            .iter()
+            .filter_map(|needle| error(needle, formula(needle)));
+        let mut errors: Vec<_> = errors.map(f64::abs).collect();
+        errors.sort_by(f64::total_cmp);
+        errors[errors.len() / 2]
     };
     let what = format!("{rays} rays at triangles of aspect {aspect:e}: median relative error of t");
-    Case::new(id, what, 0.0, Absolute(bound), median(plain))
-        .protocol(says, median(protocol::triangle))
+    Case::new(id, what, 0.0, Absolute(bound), median(ours)).protocol(says, median(cramer))
 }
 
 #[rustfmt::skip]

@@ -6,9 +6,10 @@ use measure::extremes::{
     Absolute, Bound, Case, Equal, Fails, Finite, Holds, Id, Outcome, Protocol, Ulps, tried,
 };
 
-use super::{EPSILON, Line, MISS, REFUSED, Triple};
-use super::{any_ray, arrays, first, meeting, point, raw_ray, unit_ray, vector};
-use crate::{Geometry, Interval, Sphere, World, protocol};
+use super::{EPSILON, MISS, REFUSED, meeting};
+use crate::lab::protocol;
+use crate::lab::support::{Line, Triple, any_ray, arrays, first, point, raw_ray, unit_ray, vector};
+use crate::{Geometry, Interval, Sphere, World};
 
 /// Centre and radius.
 type Ball = (Triple, f64);

@@ -7,11 +7,12 @@ use measure::extremes::{
     Absolute, Bound, Case, Equal, Fails, Holds, Id, Outcome, Protocol, Ulps, tried,
 };
 
-use super::{
-    Line, MISS, REFUSED, Triple, any_ray, arrays, first, meeting, point, raw_ray, unit_ray,
+use super::{MISS, REFUSED, meeting};
+use crate::lab::protocol;
+use crate::lab::support::{
+    Line, Numbers, Triple, any_ray, arrays, first, point, raw_ray, unit_ray,
 };
-use crate::lab::experiments::Numbers;
-use crate::{Geometry, Interval, Triangle, protocol};
+use crate::{Geometry, Interval, Triangle};
 
 type Corners = [Triple; 3];
 

@@ -1,9 +1,42 @@
-//! Random numbers and directions that are the same in every run.
+//! Rays, hits and random numbers for experiments and extreme cases.
 
 use a02_math::Vector3;
-use a03_rays_cameras::PixelRandom;
+pub use a02_math::lab::extremes::{point, vector};
+use a03_rays_cameras::{PixelRandom, Ray};
+use common::ArgumentError;
 
-/// A generator of random numbers.
+use crate::{Geometry, Interval};
+
+pub type Triple = [f64; 3];
+/// An origin and a direction.
+pub type Line = (Triple, Triple);
+
+/// The ray as in a scene, with a direction of length 1.
+pub fn unit_ray((o, d): Line) -> Result<Ray, ArgumentError> {
+    Ray::new(point(o), vector(d))
+}
+
+/// The ray as in the protocol: unchecked.
+pub const fn raw_ray((o, d): Line) -> Ray {
+    Ray::derived(point(o), vector(d))
+}
+
+/// The ray as in a scene, or unchecked if `Ray::new` refuses it.
+pub fn any_ray(line: Line) -> Ray {
+    unit_ray(line).unwrap_or(raw_ray(line))
+}
+
+/// Origin and direction as arrays, the arguments of formulas in both precisions.
+pub fn arrays(ray: &Ray) -> [Triple; 2] {
+    [ray.origin().to_glam(), ray.direction().to_glam()].map(|v| v.to_array())
+}
+
+/// The `t` of a ray's nearest hit of a shape.
+pub fn first(shape: &impl Geometry, ray: &Ray) -> Option<f64> {
+    shape.hit(ray, Interval::AHEAD).map(|hit| hit.t)
+}
+
+/// Random numbers and directions that are the same in every run.
 pub struct Numbers {
     random: PixelRandom,
     drawn: u64,
@@ -30,8 +63,7 @@ impl Numbers {
     }
 
     pub fn triple(&mut self, least: f64, most: f64) -> Vector3 {
-        let [x, y, z] = std::array::from_fn(|_| self.between(least, most));
-        Vector3::new(x, y, z)
+        vector(std::array::from_fn(|_| self.between(least, most)))
     }
 
     pub fn direction(&mut self) -> Vector3 {
