@@ -139,16 +139,16 @@ impl<'a> Curve<'a> {
     }
 
     /// Like [`of_tasks`](Self::of_tasks), with the share of wrong answers as the error.
-    pub fn of_decisions<T: 'a, A>(
+    pub fn of_decisions<T: 'a, A, S: Into<f64>>(
         method: &'a str,
         sets: &[(f64, Rc<[T]>)],
         answer: impl Fn(&T) -> A + Copy + 'a,
-        is_wrong: impl Fn(&T, A) -> bool,
+        is_wrong: impl Fn(&T, A) -> S,
     ) -> Self {
-        let error = |task: &T, answer| [f64::from(is_wrong(task, answer))];
+        let error = |task: &T, answer| [is_wrong(task, answer).into().sqrt()];
         let mut curve = Self::of_tasks(method, sets, answer, error);
         for point in &mut curve.points {
-            // Of errors that are 0 or 1, the mean is that of the squares.
+            // The mean of the squares is the share.
             point.rms *= point.rms;
             point.max = point.rms;
         }

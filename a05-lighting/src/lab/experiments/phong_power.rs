@@ -53,7 +53,7 @@ pub fn experiment() -> Experiment<'static> {
                     let error = |(d, exact)| (power(d, exponent) - exact) / exact;
                     let run = move || {
                         let inputs = distances.iter().cycle().take(count);
-                        inputs.map(|(d, _)| power(*d, exponent)).sum()
+                        inputs.map(|(d, _)| power(*d, exponent)).sum::<f64>()
                     };
                     Point::new(exponent, count as f64, distances.map(error), run)
                 });

@@ -2,12 +2,13 @@
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::lab::experiments::Numbers;
+use a04_intersections::lab::support::Numbers;
 use a04_intersections::{Geometry, Plane, Sphere};
 use common::{ArgumentError, Color};
 use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Outcome, Refused, Ulps, tried};
 
-use crate::{DirectionalLight, Lambert, Light, LitWorld, PointLight, protocol};
+use crate::lab::protocol;
+use crate::{DirectionalLight, Lambert, Light, LitWorld, PointLight};
 
 /// White light from a height above the origin.
 fn lamp(y: f64) -> Result<PointLight, ArgumentError> {

@@ -5,20 +5,24 @@ use std::f64::consts::PI;
 use a02_math::lab::extremes::{point, vector};
 use a02_math::lab::protocol::angle_by_arc_cosine;
 use a02_math::{Point3, Vector3};
-use a04_intersections::lab::experiments::Numbers;
+use a04_intersections::lab::support::Numbers;
 use common::Color;
 use measure::Effort;
 use measure::extremes::{Case, Equal, Fails, Holds, Id, Outcome, Protocol, Refused, Ulps};
 
-use crate::{Light, SpotLight, protocol};
+use crate::lab::protocol;
+use crate::{Light, SpotLight};
 
-/// Whether a spot light at the origin shines on a point.
-fn ours(direction: Vector3, half_angle: f64, point: Point3) -> Outcome {
+/// Direction and half angle of a spot light at the origin.
+type Cone = (Vector3, f64);
+
+/// Whether a spot light shines on a point.
+fn ours((direction, half_angle): Cone, point: Point3) -> Outcome {
     let light = SpotLight::new(Color::WHITE, Point3::ORIGIN, direction, half_angle);
     light.map(|light| light.illuminates(point)).into()
 }
 
-fn theirs(direction: Vector3, half_angle: f64, point: Point3) -> Outcome {
+fn theirs((direction, half_angle): Cone, point: Point3) -> Outcome {
     protocol::spot_light_illuminates(Point3::ORIGIN, direction, half_angle, point).into()
 }
 
@@ -30,10 +34,15 @@ fn spot(
     exact: impl Into<Outcome>,
     says: Protocol,
 ) -> Case {
-    let (direction, at) = (vector(direction), point(at));
-    let ours = ours(direction, half_angle, at);
-    Case::new(id, format!("spot, {what}: lit"), exact, Equal, ours)
-        .protocol(says, theirs(direction, half_angle, at))
+    let (cone, at) = ((vector(direction), half_angle), point(at));
+    Case::new(
+        id,
+        format!("spot, {what}: lit"),
+        exact,
+        Equal,
+        ours(cone, at),
+    )
+    .protocol(says, theirs(cone, at))
 }
 
 #[rustfmt::skip]
@@ -41,13 +50,14 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     let count = effort.choose(10_000, 100_000);
     let (ones, ahead) = ([1.0; 3], [0.0, 0.0, -1.0]);
     let beside = |angle: f64| [libm::sin(angle), 0.0, -libm::cos(angle)];
-    let behind = |is_lit: fn(Vector3, f64, Point3) -> Outcome| {
-        let lit = |v: &Vector3| is_lit(*v, 0.1, Point3::ORIGIN - *v * 3.0) == true.into();
-        (0..count).map(random_direction).filter(lit).count()
+    // Directions of any length below √3.
+    let number = |is_counted: &dyn Fn(Vector3) -> bool| {
+        let directions = (0..count).map(|i| Numbers::new(9, i).triple(-1.0, 1.0));
+        directions.filter(|v| is_counted(*v)).count()
     };
-    let not_numbers = |angle: fn(Vector3, Vector3) -> f64| {
-        (0..count).map(random_direction).filter(|v| angle(*v, *v * 3.0).is_nan()).count()
-    };
+    let behind = |is_lit: fn(Cone, Point3) -> Outcome|
+        number(&|v| is_lit((v, 0.1), Point3::ORIGIN - v * 3.0) == true.into());
+    let not_numbers = |angle: fn(Vector3, Vector3) -> f64| number(&|v| angle(v, v * 3.0).is_nan());
     let (x, diagonal) = (Vector3::new(2.0, 0.0, 0.0), Vector3::new(1.0, 1.0, 0.0));
     vec![
         spot("F06", "a point on the axis", (ones, 0.1), ones, true, Holds),
@@ -67,9 +77,4 @@ pub fn cases(effort: Effort) -> Vec<Case> {
         Case::new("F39", "angle between (2, 0, 0) and (1, 1, 0)", PI / 4.0, Ulps(1.0), x.angle(diagonal))
             .protocol(Fails, protocol::angle(x, diagonal)),
     ]
-}
-
-/// A direction of any length below √3.
-fn random_direction(i: usize) -> Vector3 {
-    Numbers::new(9, i).triple(-1.0, 1.0)
 }

@@ -9,19 +9,11 @@ use std::rc::Rc;
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::lab::experiments::Numbers;
+use a04_intersections::lab::support::Numbers;
 use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Unit};
 
 use crate::lab::extremes::mirrors::mirrors;
 use crate::{RecursiveTracer, ShadowedWorld};
-
-const CURVES: [(f64, &str); 5] = [
-    (0.5, "k = 0.5"),
-    (0.8, "k = 0.8"),
-    (0.9, "k = 0.9"),
-    (0.95, "k = 0.95"),
-    (0.99, "k = 0.99"),
-];
 
 pub fn experiment() -> Experiment<'static> {
     Experiment {
@@ -44,14 +36,22 @@ pub fn experiment() -> Experiment<'static> {
                 let error = |ray: &Ray| trace(ray) - 1.0 / (1.0 - k);
                 let errors: Vec<_> = rays.iter().map(error).collect();
                 let work = f64::from(depth) * rays.len() as f64;
-                Point::new(asked, work, errors, move || rays.iter().map(&trace).sum())
+                Point::new(asked, work, errors, move || {
+                    rays.iter().map(&trace).sum::<f64>()
+                })
             };
-            let curve = |(k, method)| {
+            let curve = |method, k| {
                 let world = mirrors(k).world().map(Rc::new).into_iter();
                 let points = world.flat_map(|world| asked.map(|asked| point(k, &world, asked)));
                 Curve::new(method, points).with_slope(1.0, (1e-10, 1e-1))
             };
-            CURVES.map(curve).into()
+            vec![
+                curve("k = 0.5", 0.5),
+                curve("k = 0.8", 0.8),
+                curve("k = 0.9", 0.9),
+                curve("k = 0.95", 0.95),
+                curve("k = 0.99", 0.99),
+            ]
         }),
     }
 }

@@ -7,7 +7,7 @@ use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 use common::Error;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Unit, share};
+use measure::experiment::{Axis, Curve, Experiment, Unit};
 
 use crate::lab::extremes::self_hits::{
     LIFTED, Policy, SHAPES, THOUSANDTH, Trial, from_point, trials,
@@ -18,34 +18,6 @@ const SIZES: [f64; 8] = [1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e9];
 /// Distances of an object before the light, in sizes of the scene, for one half of
 /// the rays each.
 const NEAR: [f64; 2] = [1e-4, 1e-10];
-
-const POLICIES: [(&str, Policy, &str); 5] = [
-    (
-        "above 1e-3 (protocol)",
-        THOUSANDTH,
-        "a length, and too much for all but the largest scene",
-    ),
-    (
-        "above 0",
-        |ray, hit, light| (from_point(ray, hit, light), 0.0),
-        "whether a surface shades itself is luck of rounding",
-    ),
-    (
-        "above 1e-6",
-        |ray, hit, light| (from_point(ray, hit, light), 1e-6),
-        "the same walls elsewhere",
-    ),
-    (
-        "above 1e-9 of the largest",
-        relative,
-        "the same at every size, but blind to what is nearer",
-    ),
-    (
-        "lifted along the normal",
-        LIFTED,
-        "ours; never wrong, which a logarithm cannot show",
-    ),
-];
 
 /// A bound in proportion to the largest number of the hit.
 fn relative(ray: &Ray, hit: &Hit, light: Vector3) -> (Ray, f64) {
@@ -67,15 +39,31 @@ pub fn experiment() -> Experiment<'static> {
         against: Axis::Knob,
         curves: Box::new(|effort| {
             let scenes = SIZES.map(|size| (size, scene(size, effort).unwrap_or_default()));
-            let curve = |(method, policy, remark): (_, Policy, _)| {
-                let wrong = |trials: &[Trial]| {
-                    let shares = NEAR.map(|near| share(trials, |t| t.is_wrong(policy, near)));
-                    vec![shares.concat().iter().sum::<f64>() / NEAR.len() as f64]
+            let curve = |method, policy: Policy| {
+                let is_dark = move |trial: &Trial| trial.shades_itself(policy);
+                let wrong = |trial: &Trial, _| {
+                    let wrong = NEAR.map(|near| f64::from(trial.is_wrong(policy, near)));
+                    wrong.iter().sum::<f64>() / NEAR.len() as f64
                 };
-                let run = move |trial: &Trial| f64::from(trial.shades_itself(policy));
-                Curve::of_tasks(method, &scenes, wrong, run).with_remark(remark)
+                Curve::of_decisions(method, &scenes, is_dark, wrong)
             };
-            POLICIES.map(curve).into()
+            vec![
+                curve("above 1e-3 (protocol)", THOUSANDTH)
+                    .with_remark("a length, and too much for all but the largest scene"),
+                curve("above 0", |ray, hit, light| {
+                    (from_point(ray, hit, light), 0.0)
+                })
+                .with_remark("whether a surface shades itself is luck of rounding"),
+                curve("above 1e-6", |ray, hit, light| {
+                    (from_point(ray, hit, light), 1e-6)
+                })
+                .with_remark("the same walls elsewhere"),
+                curve("above 1e-9 of the largest", relative)
+                    .with_remark("the same at every size, but blind to what is nearer"),
+                curve("lifted along the normal", LIFTED)
+                    .with_bound(0.0, 0.0..=f64::INFINITY)
+                    .with_remark("ours; never wrong, which a logarithm cannot show"),
+            ]
         }),
     }
 }

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::lab::experiments::Numbers;
+use a04_intersections::lab::support::Numbers;
 use a04_intersections::{Geometry, Hit, Interval, Plane};
 use a05_lighting::{DirectionalLight, SingleColor};
 use common::{ArgumentError, Color, Error};

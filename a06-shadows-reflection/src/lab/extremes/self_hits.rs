@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::lab::experiments::Numbers;
+use a04_intersections::lab::support::Numbers;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
 use common::{ArgumentError, Color, Error};
 use measure::Effort;
@@ -100,27 +100,27 @@ pub struct Trial {
 }
 
 impl Trial {
+    /// The ray to the light, and its interval.
+    fn to_light(&self, policy: Policy) -> (Ray, Interval) {
+        let (ray, min) = policy(&self.ray, &self.hit, self.light);
+        let max = f64::INFINITY;
+        (ray, Interval { min, max })
+    }
+
     /// Whether the shape, which is convex, shadows itself.
     pub fn shades_itself(&self, policy: Policy) -> bool {
-        let (to_light, min) = policy(&self.ray, &self.hit, self.light);
-        self.world.is_hit(&to_light, beyond(min))
+        let (to_light, within) = self.to_light(policy);
+        self.world.is_hit(&to_light, within)
     }
 
     /// Whether a policy is wrong: the shape shadows itself, or the object at the
     /// distance `near` before the light is missed.
     pub fn is_wrong(&self, policy: Policy, near: f64) -> bool {
-        let (to_light, min) = policy(&self.ray, &self.hit, self.light);
+        let (to_light, within) = self.to_light(policy);
         let before = self.ray.at(self.hit.t) + self.light * (near * self.size);
         let occluder = Plane::new(before, self.light.as_normal());
-        let is_found = occluder.is_ok_and(|plane| plane.hit(&to_light, beyond(min)).is_some());
+        let is_found = occluder.is_ok_and(|plane| plane.hit(&to_light, within).is_some());
         self.shades_itself(policy) || !is_found
-    }
-}
-
-fn beyond(min: f64) -> Interval {
-    Interval {
-        min,
-        max: f64::INFINITY,
     }
 }
 

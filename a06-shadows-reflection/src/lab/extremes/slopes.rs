@@ -3,7 +3,7 @@
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::lab::experiments::Numbers;
+use a04_intersections::lab::support::Numbers;
 use a04_intersections::{Geometry, Interval, Plane, Sphere, World};
 use a05_lighting::{DirectionalLight, Light, PointLight};
 use common::{ArgumentError, Color, Error};
