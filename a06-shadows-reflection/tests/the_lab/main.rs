@@ -2,6 +2,4 @@
 //!
 //! `cargo test` runs them after the tests of the lesson, which they measure.
 
-mod protocol;
-
 testing::check_lab! { a06_shadows_reflection::stage() }

@@ -6,7 +6,6 @@ mod nodes;
 mod normals;
 mod self_hits;
 
-use a04_intersections::lab::extremes::raw_ray;
 use measure::Effort;
 use measure::extremes::Case;
 

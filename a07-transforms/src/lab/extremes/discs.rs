@@ -4,16 +4,15 @@ use std::f64::consts::SQRT_2;
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::lab::experiments::Numbers;
-use a04_intersections::lab::extremes::{Line, first};
+use a04_intersections::lab::support::{Line, Numbers, first, raw_ray};
 use a04_intersections::{Geometry, Interval};
 use a06_shadows_reflection::secondary_ray;
 use common::ArgumentError;
 use measure::Effort;
 use measure::extremes::{Case, Fails, Holds, Id, Nothing, Outcome, Protocol, Refused, Ulps};
 
-use super::raw_ray;
-use crate::{Disc, protocol};
+use crate::Disc;
+use crate::lab::protocol;
 
 const UP: Normal3 = Normal3::new(0.0, 1.0, 0.0);
 

@@ -4,14 +4,14 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use a02_math::Point3;
 use a03_rays_cameras::PixelRandom;
-use a04_intersections::lab::extremes::{Line, first};
+use a04_intersections::lab::support::{Line, first, raw_ray};
 use a04_intersections::{AxisAlignedBox, Geometry, Sphere};
 use common::{ArgumentError, Error};
 use measure::Effort;
 use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Protocol, tried};
 
-use super::raw_ray;
-use crate::{Node, Transform, protocol};
+use crate::lab::protocol;
+use crate::{Node, Transform};
 
 /// The `t` of the first hit of a node.
 fn t(id: Id, what: &str, line: Line, exact: f64, bound: f64, node: Result<Node, Error>) -> Case {

@@ -3,12 +3,13 @@
 use std::f64::consts::FRAC_PI_2;
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
+use a04_intersections::lab::support::raw_ray;
 use a04_intersections::{Interval, Sphere, World};
 use common::{ArgumentError, Color};
 use measure::extremes::{Absolute, Case, Equal, Fails, Id, tried};
 
-use super::raw_ray;
-use crate::{Mat4x4, Node, Transform, protocol};
+use crate::lab::protocol;
+use crate::{Mat4x4, Node, Transform};
 
 fn normal(
     id: Id,
