@@ -6,7 +6,7 @@ use a02_math::Point3;
 use common::{ArgumentError, Size};
 use measure::extremes::{Case, Equal, Fails};
 
-use crate::protocol::count_current_stripe;
+use crate::lab::protocol::count_current_stripe;
 use crate::{PinholeCamera, Ray, StripeRule, StripedSky};
 
 /// Two counts, ours and the protocol's.
