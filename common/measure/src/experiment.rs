@@ -131,7 +131,7 @@ impl<'a> Curve<'a> {
             let run = move || {
                 run.iter()
                     .map(answer)
-                    .for_each(|answer| drop(black_box(answer)))
+                    .for_each(|answer| drop(black_box(answer)));
             };
             Point::new(*knob, tasks.len() as f64, all, run)
         });
@@ -281,8 +281,7 @@ pub fn check(experiment: &Experiment, effort: Effort) {
                 .bound
                 .as_ref()
                 .filter(|(_, range)| range.contains(knob));
-            // Not `>`, because NaN is wrong, too.
-            if bound.is_some_and(|(most, _)| !(rms <= most)) {
+            if bound.is_some_and(|(most, _)| rms.is_nan() || rms > most) {
                 wrong.push(format!("{} at {knob}: {rms:e}", curve.method));
             }
         }
