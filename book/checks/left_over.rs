@@ -2,7 +2,7 @@
 //! a page names exists.
 
 use crate::Files;
-use crate::files::{PAGES, SUMMARY, blocks, complaint};
+use crate::files::{PAGES, SUMMARY, blocks, complaint, ending};
 
 /// The pages and pictures that no reader reaches, and the names of files that do not exist.
 #[must_use]
@@ -34,7 +34,7 @@ pub fn complaints(files: &Files) -> Vec<String> {
 /// Whether a code span is the path of a source file from the top of the repository.
 fn is_file(span: &str) -> bool {
     let tops = ["a0", "book/", "common/", "fuzz/"];
-    span.ends_with(".rs") && span.contains("/src/") && tops.iter().any(|top| span.starts_with(top))
+    ending(span) == "rs" && span.contains("/src/") && tops.iter().any(|top| span.starts_with(top))
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 
 use measure::Effort;
+use measure::extremes::greatest;
 use measure::extremes::{Absolute, Bound, Case, Equal, Fails, Holds, Id, Outcome, Protocol, Ulps};
 
 use crate::lab::experiments::refined;
@@ -74,10 +75,8 @@ fn perpendicular(id: Id, what: &str, n: [f64; 3]) -> Case {
     let defect = vector(n).normalized().map(|n| {
         let (b, c) = n.to_glam().any_orthonormal_pair();
         let (b, c) = (Vector3::from_glam(b), Vector3::from_glam(c));
-        let angles = [n.dot(b), n.dot(c), b.dot(c)];
         let lengths = [b.magnitude() - 1.0, c.magnitude() - 1.0];
-        let defects = angles.into_iter().chain(lengths).map(f64::abs);
-        defects.fold(0.0, f64::max)
+        greatest([n.dot(b), n.dot(c), b.dot(c)].into_iter().chain(lengths))
     });
     let what = format!("glam's directions across {what}: defect");
     Case::new(id, what, 0.0, ROUNDING, defect)

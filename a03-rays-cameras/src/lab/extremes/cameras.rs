@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
 use a02_math::{Direction, Point3, Vector3};
 use common::{ArgumentError, Size};
 use measure::extremes::{Absolute, Bound, Case, Equal, Fails, Holds, Id, Outcome, Protocol};
-use measure::extremes::{Refused, Ulps, tried};
+use measure::extremes::{Refused, Ulps, greatest, tried};
 
 use super::{AHEAD, UP};
 use crate::lab::protocol;
@@ -122,9 +122,8 @@ fn u(id: Id, what: &str, gaze: Vector3, up: Vector3, exact: impl Into<Outcome>) 
 
 /// Greatest deviation of the axes from being perpendicular and of length 1.
 fn defect(Basis { u, v, w, .. }: Basis) -> f64 {
-    let angles = [u.dot(v), v.dot(w), w.dot(u)].into_iter();
     let lengths = [u, v, w].map(|axis| axis.dot(axis) - 1.0);
-    angles.chain(lengths).map(f64::abs).fold(0.0, f64::max)
+    greatest([u.dot(v), v.dot(w), w.dot(u)].into_iter().chain(lengths))
 }
 
 #[rustfmt::skip]

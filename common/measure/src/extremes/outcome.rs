@@ -86,6 +86,24 @@ pub fn tried<T: Into<Outcome>>(compute: impl FnOnce() -> Result<T, Error>) -> Ou
     compute().into()
 }
 
+/// Of some trials, the number for which each of two decisions is wrong, ours and the
+/// protocol's.
+pub fn wrong<T, E>(
+    trials: impl IntoIterator<Item = T>,
+    are_wrong: impl Fn(T) -> Result<[bool; 2], E>,
+) -> Result<[usize; 2], E> {
+    trials.into_iter().try_fold([0; 2], |counts: [usize; 2], trial| {
+        let are_wrong = are_wrong(trial)?;
+        Ok([0, 1].map(|i| counts[i] + usize::from(are_wrong[i])))
+    })
+}
+
+/// The greatest magnitude of some numbers; NaN if one is NaN.
+pub fn greatest(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    let magnitudes = numbers.into_iter().map(f64::abs);
+    magnitudes.fold(0.0, |a, b| if b > a || b.is_nan() { b } else { a })
+}
+
 impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
