@@ -7,7 +7,7 @@ use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::lab::support::Numbers;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
-use common::{ArgumentError, Color, Error};
+use common::{Color, Error, argument};
 use measure::Effort;
 use measure::extremes::{Case, Equal, Fails, Holds, Id};
 
@@ -144,32 +144,34 @@ pub fn seen(
     [distance, within]: [f64; 2],
     count: usize,
 ) -> Trials {
-    let mut trials = Vec::with_capacity(count);
-    for n in 0..MOST_RAYS * count {
-        if trials.len() == count {
-            return Ok(trials);
-        }
+    let trial = |n| {
         let mut numbers = Numbers::new(seed, n);
         let mut way = || numbers.triple(-1.0, 1.0);
         let eye = middle + way().unit("eye")? * (distance * size);
         let target = middle + way() * (within * size);
         let ray = Ray::new(eye, target - eye)?;
         let Some((hit, ())) = world.hit(&ray, Interval::AHEAD) else {
-            continue;
+            return Ok(None);
         };
         let light = way().unit("light")?;
         let cosine = light.dot(hit.face);
         // At grazing angles either result is right.
-        if cosine.abs() >= 1e-3 {
-            trials.push(Trial {
-                world: Rc::clone(world),
-                ray,
-                hit,
-                light: light * 1.0_f64.copysign(cosine),
-                size,
-            });
-        }
-    }
-    let hits = format!("hit at {} lit points", trials.len());
-    Err(ArgumentError::new("the shape", hits, "one that most rays hit").into())
+        Ok((cosine.abs() >= 1e-3).then(|| Trial {
+            world: Rc::clone(world),
+            ray,
+            hit,
+            light: light * 1.0_f64.copysign(cosine),
+            size,
+        }))
+    };
+    let trials = (0..MOST_RAYS * count).filter_map(|n| trial(n).transpose());
+    let trials = trials.take(count).collect::<Result<Vec<_>, Error>>()?;
+    let hits = trials.len() as f64;
+    argument::check(
+        "lit points",
+        hits,
+        trials.len() == count,
+        "as many as asked for",
+    )?;
+    Ok(trials)
 }
