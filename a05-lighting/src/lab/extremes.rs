@@ -2,11 +2,10 @@
 
 mod lights;
 mod materials;
-mod spots;
 
 use measure::Effort;
 use measure::extremes::Case;
 
 pub fn cases(effort: Effort) -> Vec<Case> {
-    [spots::cases(effort), lights::cases(), materials::cases()].concat()
+    [lights::cases(effort), materials::cases()].concat()
 }
