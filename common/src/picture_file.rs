@@ -99,36 +99,19 @@ fn explain(error: &ImageError) -> String {
     }
 }
 
-/// Writes a PNG file of red, green and blue bytes, row after row from the top.
-///
-/// Other programs always find the old file or the complete new one. A symbolic link
-/// stays, and its target is written.
+/// Writes a PNG file of red, green and blue bytes, row after row from the top. Other
+/// programs always find the old file or the complete new one.
 ///
 /// # Panics
 ///
 /// If `rgb` does not hold three bytes for every pixel of `size`.
 pub fn save_png(path: &Path, size: Size, rgb: &[u8]) -> Result<(), Error> {
-    atomic_file::write(path, &*encoded(path, size, rgb)?)
-}
-
-/// Like [`save_png`], but if there already is a file of this name, keeps it and
-/// returns false.
-///
-/// # Panics
-///
-/// As [`save_png`].
-pub fn save_new_png(path: &Path, size: Size, rgb: &[u8]) -> Result<bool, Error> {
-    atomic_file::write_new(path, &*encoded(path, size, rgb)?)
-}
-
-/// The content of a PNG file.
-fn encoded(path: &Path, size: Size, rgb: &[u8]) -> Result<Vec<u8>, Error> {
     let mut png = Vec::new();
     let (fast, adaptive) = (CompressionType::Fast, FilterType::Adaptive);
     PngEncoder::new_with_quality(&mut png, fast, adaptive)
         .write_image(rgb, size.width(), size.height(), ExtendedColorType::Rgb8)
         .map_err(|error| atomic_file::cannot_write(path, &io::Error::other(error)))?;
-    Ok(png)
+    atomic_file::write(path, &png)
 }
 
 #[cfg(test)]

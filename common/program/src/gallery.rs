@@ -109,10 +109,14 @@ fn save_beside_others(folder: &Path, name: &str, size: Size, rgb: &[u8]) -> Resu
     };
     let mut path = folder.join(format!("{name}.png"));
     let mut number = 1;
-    while !picture_file::save_new_png(&path, size, rgb)? && !is_same(&path) {
+    while path.exists() {
+        if is_same(&path) {
+            return Ok(path);
+        }
         number += 1;
         path = folder.join(format!("{name}-{number}.png"));
     }
+    picture_file::save_png(&path, size, rgb)?;
     Ok(path)
 }
 

@@ -94,10 +94,7 @@ pub fn make_default_folder() -> Result<&'static Path, Error> {
 pub fn make_folder(folder: &Path) -> Result<(), Error> {
     match std::fs::create_dir_all(folder) {
         // If a file has this name, the error comes from writing into it.
-        Err(error) if !folder.exists() => {
-            atomic_file::check_writable(folder)?;
-            Err(atomic_file::cannot_write(folder, &error))
-        }
+        Err(error) if !folder.exists() => Err(atomic_file::cannot_write(folder, &error)),
         _ => Ok(()),
     }
 }

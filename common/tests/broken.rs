@@ -1,12 +1,18 @@
-//! Small files that announce a huge picture, or whose data unpack to hundreds of
-//! megabytes: opening one takes little memory. The only test of its process, because it
-//! measures the memory of the process.
+//! Damaged files, small files that announce a huge picture, and those whose data unpack
+//! to hundreds of megabytes: opening one prints nothing and takes little memory.
+//!
+//! A process of its own, because the test replaces the panic hook and measures the memory.
 
 use std::io::Cursor;
+use std::panic;
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use common::{Color, picture_file};
 use image::{ImageFormat, RgbImage};
+
+/// Messages of panics.
+static MESSAGES: AtomicUsize = AtomicUsize::new(0);
 
 /// A bound for opening these files: 16 MiB for metadata, and copies of files of at most
 /// 1.7 MB. Unpacked they have 256 MiB.
@@ -90,12 +96,37 @@ fn jpeg(width: u16, height: u16) -> Vec<u8> {
     [&[0xFF, 0xD8][..], &quantized, &frame, &scan].concat()
 }
 
+/// A JPEG file at which the decoder panics. According to its header, the second of three
+/// components has two by three values for each of the others, but only the data of the
+/// first one follow.
+fn damaged_jpeg() -> Vec<u8> {
+    let mut jpeg = Vec::new();
+    let picture = RgbImage::new(20, 17);
+    let target = &mut Cursor::new(&mut jpeg);
+    picture.write_to(target, ImageFormat::Jpeg).unwrap();
+    let find = |bytes: &[u8], part: &[u8]| {
+        let start = bytes.windows(part.len()).position(|window| window == part);
+        start.expect("the part")
+    };
+    let components = find(&jpeg, &[3, 1, 0x11, 0, 2, 0x11, 1, 3, 0x11, 1]);
+    jpeg[components + 5] = 0x23;
+    let scan = [0xFF, 0xDA, 0, 12, 3, 1, 0, 2, 0x11, 3, 0x11];
+    let start = find(&jpeg, &scan);
+    jpeg.splice(start..start + scan.len(), [0xFF, 0xDA, 0, 8, 1, 1, 0]);
+    jpeg
+}
+
 #[test]
-fn no_file_takes_memory_that_its_picture_does_not_need() {
+fn a_broken_file_prints_nothing_and_takes_little_memory() {
+    let loud = panic::take_hook();
+    panic::set_hook(Box::new(move |info| {
+        MESSAGES.fetch_add(1, Ordering::Relaxed);
+        loud(info);
+    }));
     let (bomb, dot) = (zeros((256 << 20) / 258), zeros(1));
     let grey = |side, pixels: &[u8]| png(side, side, &[], pixels);
     let packed = |name, head: &[u8]| png(1, 1, &[(name, [head, &bomb].concat())], &dot);
-    let (too_many, too_large) = ("from 1 to 32768 pixels a side", "at most 8192x8192 in all");
+    let too_large = "at most 8192x8192 in all";
     let before = peak();
     for (bytes, reason) in [
         (grey(0x7FFF_FFFF, &dot), "more memory than the largest"),
@@ -103,14 +134,15 @@ fn no_file_takes_memory_that_its_picture_does_not_need() {
         (grey(8192, &dot), "not have enough data"),
         (bmp(i32::MAX, i32::MAX), "too large"),
         (bmp(i32::MAX, i32::MIN), "too large"),
-        (bmp(65_535, 1), too_many),
+        (bmp(65_535, 1), too_large),
         (bmp(30_000, 30_000), too_large),
         (bmp(8192, 8192), "ends too early"),
         (bmp(8192, -8192), "ends too early"),
         (bmp(-1, 1), "Negative width"),
-        (jpeg(65_535, 65_535), too_many),
+        (jpeg(65_535, 65_535), too_large),
         (jpeg(32_768, 32_768), too_large),
         (jpeg(8192, 8192), "damaged"),
+        (damaged_jpeg(), "cannot open bad: the file is damaged"),
     ] {
         let opened = picture_file::open_bytes(Path::new("bad"), &bytes);
         let said = opened.map(|image| image.size()).unwrap_err().to_string();
@@ -130,4 +162,7 @@ fn no_file_takes_memory_that_its_picture_does_not_need() {
         let taken = after - before;
         assert!(taken < ENOUGH, "{taken} bytes");
     }
+    assert_eq!(MESSAGES.load(Ordering::Relaxed), 0);
+    assert!(panic::catch_unwind(|| panic!("ours")).is_err());
+    assert_eq!(MESSAGES.load(Ordering::Relaxed), 1);
 }
