@@ -1,13 +1,16 @@
 //! `Window`: shows the scenes of a stage while they are rendered.
 
 mod command;
+mod commands;
 mod drawing;
 mod frame;
 mod keyboard;
+mod log;
 mod menu_bar;
 mod placement;
 mod screen;
 mod text;
+mod window_size;
 
 use common::{Image, Size};
 use program::{Gallery, NotShown, Viewer};

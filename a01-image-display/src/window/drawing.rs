@@ -1,12 +1,14 @@
 //! Draws the content of the window: the picture, the lines below it, the menu above.
 
+use std::mem;
 use std::time::Duration;
 
+use common::fnv1a;
 use program::LivePicture;
 
 use super::command;
 use super::frame::{Area, LETTER, LINE};
-use super::menu_bar::PLATFORM_HAS_MENU;
+use super::menu_bar::{self, PLATFORM_HAS_MENU};
 use super::placement::Placement;
 use super::screen::Screen;
 use super::text;
@@ -16,76 +18,128 @@ const STRIP: u32 = 0x2B_2B2B;
 const DONE: u32 = 0x3D_5A80;
 const TEXT: u32 = 0xE0_E0E0;
 
+/// The visible state of the window. If it changes, the window is drawn again.
+#[derive(PartialEq)]
+pub struct Look {
+    pub window: (usize, usize),
+    placement: Placement,
+    menu: Option<usize>,
+    /// The texts below the picture, and the share of the background, from 0 to 1, that has
+    /// the colour of finished work.
+    texts: Vec<(String, f64)>,
+}
+
 impl Screen {
     /// The placement of the picture at the current size of the window.
     pub fn placement(&self) -> Placement {
         let (width, height) = self.window.get_size();
-        let bar = if PLATFORM_HAS_MENU { 0 } else { LINE };
         let area = Area {
             x: 0,
-            y: bar,
+            y: menu_bar::HEIGHT,
             width: width as i32,
-            height: (height as i32 - bar).max(1),
+            height: (height as i32 - menu_bar::HEIGHT).max(1),
         };
         Placement::new(self.size, area, self.zoom)
     }
 
-    /// Draws picture, texts and menu into the frame.
-    pub fn draw(&mut self, live: Option<&LivePicture>, cursor: Option<(i32, i32)>) {
-        if let Some(live) = live {
-            self.size = live.size();
-        }
+    /// The current look, with the picture that is being rendered, if there is one.
+    pub fn look(&self, live: Option<&LivePicture>) -> Look {
         let placement = self.placement();
-        let (pixels, row_length) = (&self.pixels, self.size.width());
-        let color = |(column, row): (u32, u32)| {
-            let index = (row * row_length + column) as usize;
-            live.map_or_else(|| pixels.get(index).copied(), |live| live.pixel(index))
-        };
-        self.frame.clear(self.window.get_size(), BACKGROUND);
-        self.frame.paint(placement.area(), |x, y| {
-            placement.pixel(x, y).and_then(color)
-        });
-
         let mut texts = Vec::new();
         if self.helps {
-            texts.push(command::HELP.to_owned());
+            texts.push((command::HELP.to_owned(), 0.0));
         }
         if self.inspects {
+            let cursor = self.input.cursor;
             let at = cursor.and_then(|(x, y)| placement.pixel(x, y));
-            texts.push(inspect(at, at.and_then(color)));
+            let color = at.and_then(|at| self.color(live, at));
+            texts.push((inspect(at, color), 0.0));
         }
         if let Some(Err(error)) = &self.outcome {
-            texts.push(error.clone());
+            texts.push((error.clone(), 0.0));
         }
-        texts.extend(self.notice().map(str::to_owned));
-        let Area {
-            y, width, height, ..
-        } = placement.area();
-        let mut bottom = y + height;
+        texts.extend(self.notice().map(|notice| (notice.to_owned(), 0.0)));
         if let Some(live) = live {
-            bottom -= LINE;
             let text = progress(live.share(), live.elapsed(), live.remaining());
-            self.draw_line(&text, bottom, live.share());
+            texts.push((text, live.share()));
         }
-        let columns = (width / LETTER - 2).max(1) as usize;
-        for text in texts {
-            for line in text::wrap(&text, columns).into_iter().rev() {
-                bottom -= LINE;
-                self.draw_line(line, bottom, 0.0);
-            }
-        }
-        if !PLATFORM_HAS_MENU {
-            self.menu.draw(&mut self.frame, width, &self.title);
+        Look {
+            window: self.window.get_size(),
+            placement,
+            menu: self.menu.selected(),
+            texts,
         }
     }
 
-    /// Writes a line; this share of its background, from 0 to 1, has the colour of finished work.
-    fn draw_line(&mut self, text: &str, y: i32, share: f64) {
-        let width = self.placement().area().width;
-        let done = f64::from(width) * share;
-        self.frame.fill(Area::line(y, width), STRIP);
-        self.frame.fill(Area::line(y, done as i32), DONE);
-        self.frame.text(LETTER, y + 5, TEXT, text);
+    /// The colour of the picture at this column and row.
+    fn color(&self, live: Option<&LivePicture>, (column, row): (u32, u32)) -> Option<u32> {
+        let index = (row * self.size.width() + column) as usize;
+        match live {
+            Some(live) => live.pixel(index),
+            None => self.pixels.get(index).copied(),
+        }
+    }
+
+    /// Draws picture, texts and menu into the frame.
+    pub fn draw(&mut self, live: Option<&LivePicture>, look: &Look) {
+        let mut frame = mem::take(&mut self.frame);
+        frame.clear(look.window, BACKGROUND);
+        let area = look.placement.area();
+        frame.paint(area, |x, y| {
+            let at = look.placement.pixel(x, y)?;
+            self.color(live, at)
+        });
+        self.drawn_picture = None;
+        if self.log.is_open() && live.is_none() {
+            let shown = frame.pixels().iter().skip((area.y * area.width) as usize);
+            let bytes = shown.flat_map(|color| color.to_le_bytes());
+            self.drawn_picture = Some(fnv1a(&bytes.collect::<Vec<_>>()));
+        }
+
+        let columns = (area.width / LETTER - 2).max(1) as usize;
+        let mut y = area.y + area.height;
+        for (text, share) in look.texts.iter().rev() {
+            for line in text::wrap(text, columns).into_iter().rev() {
+                y -= LINE;
+                let done = f64::from(area.width) * share;
+                frame.fill(Area::line(y, area.width), STRIP);
+                frame.fill(Area::line(y, done as i32), DONE);
+                frame.text(LETTER, y + 5, TEXT, line);
+            }
+        }
+        if !PLATFORM_HAS_MENU {
+            self.menu.draw(&mut frame, area.width, &self.title);
+        }
+        self.frame = frame;
+    }
+
+    /// Writes the state of the window, after a look is drawn, to the log.
+    pub fn write_state(&mut self, look: &Look) {
+        if !self.log.is_open() {
+            return;
+        }
+        let (width, height) = look.window;
+        let picture = match self.drawn_picture {
+            Some(hash) => format!("picture {hash:016x}"),
+            None => "unfinished".to_owned(),
+        };
+        let menu = match look.menu {
+            Some(item) => format!("menu item {item}"),
+            None => "no menu".to_owned(),
+        };
+        let focus = if self.input.is_active {
+            "active"
+        } else {
+            "inactive"
+        };
+        let button = if self.input.is_down { "down" } else { "up" };
+        let (x, y) = self.input.cursor.unwrap_or((-1, -1));
+        let texts: Vec<_> = look.texts.iter().map(|(text, _)| text.as_str()).collect();
+        self.log.write(format!(
+            "{}; {width}x{height}; {picture}; {menu}; {focus}; mouse {button} at {x} {y}; texts: {}",
+            self.title,
+            texts.join(" | ")
+        ));
     }
 }
 

@@ -1,23 +1,29 @@
 //! The commands from keys, menu and mouse, and their execution.
 
-use minifb::MouseButton;
+use std::mem;
+
+use minifb::{MouseButton, MouseMode};
 use program::Gallery;
 
-use super::Screen;
-use crate::window::command::Command;
-use crate::window::menu_bar::{ITEMS, PLATFORM_HAS_MENU};
-use crate::window::placement::Zoom;
-use crate::window::{NO_FILE, choose_file};
+use super::command::Command;
+use super::menu_bar::{ITEMS, PLATFORM_HAS_MENU};
+use super::placement::Zoom;
+use super::screen::Screen;
+use super::{NO_FILE, choose_file};
 
-/// The mouse at the last update.
+/// Mouse and keyboard at the last update.
 #[derive(Default)]
-pub(super) struct Mouse {
-    is_down: bool,
-    cursor: Option<(i32, i32)>,
+pub struct Input {
+    /// Whether the window has the keyboard.
+    pub is_active: bool,
+    /// Whether the left button of the mouse is down.
+    pub is_down: bool,
+    /// The pixel of the window under the mouse.
+    pub cursor: Option<(i32, i32)>,
 }
 
 /// The work that remains after a command.
-pub(super) enum After {
+pub enum After {
     Nothing,
     Render,
     Close,
@@ -25,38 +31,38 @@ pub(super) enum After {
 
 impl Screen {
     /// The commands since the last call, by key, menu and click.
-    pub(super) fn commands(&mut self) -> Vec<Command> {
+    pub fn commands(&mut self) -> Vec<Command> {
+        let cursor = self.window.get_mouse_pos(MouseMode::Discard);
+        let input = Input {
+            is_active: self.window.is_active(),
+            is_down: self.window.get_mouse_down(MouseButton::Left),
+            cursor: cursor.map(|(x, y)| (x as i32, y as i32)),
+        };
+        let before = mem::replace(&mut self.input, input);
         // Releases of keys are not reported while another window has the keyboard.
-        let is_active = self.window.is_active();
-        if self.is_active && !is_active {
+        if before.is_active && !self.input.is_active {
             self.keyboard.release_all();
         }
-        self.is_active = is_active;
         let mut commands = Vec::new();
         for typed in self.keyboard.take() {
             commands.extend(self.menu.handle(typed));
         }
         let chosen = self.window.is_menu_pressed().and_then(|id| ITEMS.get(id));
-        commands.extend(chosen.map(|item| item.command));
-
-        let mouse = Mouse {
-            is_down: self.window.get_mouse_down(MouseButton::Left),
-            cursor: self.cursor(),
-        };
-        if let Some((x, y)) = mouse.cursor.filter(|_| !PLATFORM_HAS_MENU) {
+        commands.extend(chosen.map(|(.., command)| *command));
+        if let (Some((x, y)), false) = (self.input.cursor, PLATFORM_HAS_MENU) {
             // A mouse that rests leaves the menu to the keys.
-            if mouse.cursor != self.mouse.cursor {
+            if self.input.cursor != before.cursor {
                 self.menu.hover(x, y);
             }
-            if mouse.is_down && !self.mouse.is_down {
+            if self.input.is_down && !before.is_down {
                 commands.extend(self.menu.click(x, y));
             }
         }
-        self.mouse = mouse;
         commands
     }
 
-    pub(super) fn execute(&mut self, command: Command, gallery: &mut Gallery) -> After {
+    pub fn execute(&mut self, command: Command, gallery: &mut Gallery) -> After {
+        let (placement, cursor) = (self.placement(), self.input.cursor);
         match command {
             Command::Close => return After::Close,
             Command::Save => self.save(gallery),
@@ -77,8 +83,8 @@ impl Screen {
             }
             Command::Inspect => self.inspects = !self.inspects,
             Command::Help => self.helps = !self.helps,
-            Command::ZoomIn => self.zoom = self.placement().zoomed_in(self.cursor()),
-            Command::ZoomOut => self.zoom = self.placement().zoomed_out(self.cursor()),
+            Command::ZoomIn => self.zoom = placement.zoomed_in(cursor),
+            Command::ZoomOut => self.zoom = placement.zoomed_out(cursor),
             Command::ZoomReset => self.zoom = Zoom::Fit,
             // The menu has handled the rest.
             _ => {}
@@ -97,14 +103,13 @@ impl Screen {
     }
 
     fn save(&mut self, gallery: &Gallery) {
-        let notice = match &self.outcome {
+        self.notify(match &self.outcome {
             None => "the picture is not finished yet".to_owned(),
             Some(Err(_)) => "there is no picture to save".to_owned(),
             Some(Ok(image)) => match gallery.save(image) {
                 Ok(path) => format!("saved {}", path.display()),
                 Err(error) => format!("error: {error}"),
             },
-        };
-        self.notify(notice);
+        });
     }
 }

@@ -2,8 +2,7 @@
 
 use common::Size;
 
-use crate::window::frame::LINE;
-use crate::window::menu_bar::PLATFORM_HAS_MENU;
+use super::menu_bar;
 
 /// Width and height that fit on nearly every screen; minifb does not know the size of
 /// this one.
@@ -13,11 +12,11 @@ const SMALLEST: (f64, f64) = (240.0, 120.0);
 
 /// The picture's width and height, shrunk where a side is too long for the screen, and
 /// the height of the menu bar.
-pub(super) fn window_size(picture: Size) -> (usize, usize) {
+pub fn window_size(picture: Size) -> (usize, usize) {
     let (width, height) = (f64::from(picture.width()), f64::from(picture.height()));
     let fit = (LARGEST.0 / width).min(LARGEST.1 / height).min(1.0);
     let side = |side: f64, smallest: f64| (side * fit).round().max(smallest) as usize;
-    let bar = if PLATFORM_HAS_MENU { 0 } else { LINE as usize };
+    let bar = menu_bar::HEIGHT as usize;
     (side(width, SMALLEST.0), side(height, SMALLEST.1) + bar)
 }
 
@@ -25,7 +24,6 @@ pub(super) fn window_size(picture: Size) -> (usize, usize) {
 mod tests {
     use super::*;
 
-    /// Where the platform has no menu, the bar has 18 rows.
     #[test]
     fn a_window_fits_the_screen_and_is_never_too_small() {
         for (picture, expected) in [
@@ -38,8 +36,8 @@ mod tests {
             ((241, 119), (241, 120)),
         ] {
             let (width, height) = window_size(Size::new(picture.0, picture.1).unwrap());
-            let bar = if PLATFORM_HAS_MENU { 0 } else { 18 };
-            assert_eq!((width, height - bar), expected, "{picture:?}");
+            let height = height - menu_bar::HEIGHT as usize;
+            assert_eq!((width, height), expected, "{picture:?}");
         }
     }
 }
