@@ -10,7 +10,6 @@ mod menu_bar;
 mod placement;
 mod screen;
 mod text;
-mod window_size;
 
 use common::{Image, Size};
 use program::{Gallery, NotShown, Viewer};

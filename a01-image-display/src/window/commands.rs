@@ -12,7 +12,7 @@ use super::screen::Screen;
 use super::{NO_FILE, choose_file};
 
 /// Mouse and keyboard at the last update.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub struct Input {
     /// Whether the window has the keyboard.
     pub is_active: bool,
@@ -20,13 +20,6 @@ pub struct Input {
     pub is_down: bool,
     /// The pixel of the window under the mouse.
     pub cursor: Option<(i32, i32)>,
-}
-
-/// The work that remains after a command.
-pub enum After {
-    Nothing,
-    Render,
-    Close,
 }
 
 impl Screen {
@@ -61,45 +54,44 @@ impl Screen {
         commands
     }
 
-    pub fn execute(&mut self, command: Command, gallery: &mut Gallery) -> After {
-        let (placement, cursor) = (self.placement(), self.input.cursor);
+    /// Executes a command other than `Close`. True if another picture is to be rendered.
+    pub fn execute(&mut self, command: Command, gallery: &mut Gallery) -> bool {
         match command {
-            Command::Close => return After::Close,
-            Command::Save => self.save(gallery),
-            Command::Open if gallery.opens_files() => match choose_file() {
-                Some(file) => {
-                    gallery.open(file);
-                    return self.change_to(gallery);
-                }
-                None => self.notify(NO_FILE.to_owned()),
-            },
-            Command::Next => {
-                gallery.go_to_next();
-                return self.change_to(gallery);
+            Command::Next => gallery.go_to_next(),
+            Command::Previous => gallery.go_to_previous(),
+            Command::Open if gallery.opens_files() => {
+                let Some(file) = choose_file() else {
+                    self.notify(NO_FILE.to_owned());
+                    return false;
+                };
+                gallery.open(file);
             }
-            Command::Previous => {
-                gallery.go_to_previous();
-                return self.change_to(gallery);
+            _ => {
+                self.change_view(command, gallery);
+                return false;
             }
-            Command::Inspect => self.inspects = !self.inspects,
-            Command::Help => self.helps = !self.helps,
-            Command::ZoomIn => self.zoom = placement.zoomed_in(cursor),
-            Command::ZoomOut => self.zoom = placement.zoomed_out(cursor),
-            Command::ZoomReset => self.zoom = Zoom::Fit,
-            // The menu has handled the rest.
-            _ => {}
         }
-        After::Nothing
-    }
-
-    fn change_to(&mut self, gallery: &Gallery) -> After {
         self.title = gallery.title();
         self.window.set_title(&self.title);
         self.menu.can_open = gallery.opens_files();
         self.zoom = Zoom::Fit;
         self.notice = None;
         self.outcome = None;
-        After::Render
+        true
+    }
+
+    /// Executes a command for the picture that is shown. The menu has handled the others.
+    fn change_view(&mut self, command: Command, gallery: &Gallery) {
+        let (placement, cursor) = (self.placement(), self.input.cursor);
+        match command {
+            Command::Save => self.save(gallery),
+            Command::Inspect => self.inspects = !self.inspects,
+            Command::Help => self.helps = !self.helps,
+            Command::ZoomIn => self.zoom = placement.zoomed_in(cursor),
+            Command::ZoomOut => self.zoom = placement.zoomed_out(cursor),
+            Command::ZoomReset => self.zoom = Zoom::Fit,
+            _ => {}
+        }
     }
 
     fn save(&mut self, gallery: &Gallery) {

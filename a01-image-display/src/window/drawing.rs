@@ -3,7 +3,6 @@
 use std::mem;
 use std::time::Duration;
 
-use common::fnv1a;
 use program::LivePicture;
 
 use super::command;
@@ -19,26 +18,24 @@ const DONE: u32 = 0x3D_5A80;
 const TEXT: u32 = 0xE0_E0E0;
 
 /// The visible state of the window. If it changes, the window is drawn again.
-#[derive(PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Look {
+    title: String,
     pub window: (usize, usize),
     placement: Placement,
     menu: Option<usize>,
-    /// The texts below the picture, and the share of the background, from 0 to 1, that has
-    /// the colour of finished work.
-    texts: Vec<(String, f64)>,
+    /// The texts below the picture.
+    texts: Vec<String>,
+    /// The part of the last text's background that shows finished work, from 0 to 1.
+    done: f64,
 }
 
 impl Screen {
     /// The placement of the picture at the current size of the window.
     pub fn placement(&self) -> Placement {
         let (width, height) = self.window.get_size();
-        let area = Area {
-            x: 0,
-            y: menu_bar::HEIGHT,
-            width: width as i32,
-            height: (height as i32 - menu_bar::HEIGHT).max(1),
-        };
+        let height = (height as i32 - menu_bar::HEIGHT).max(1);
+        let area = Area::new(0, menu_bar::HEIGHT, width as i32, height);
         Placement::new(self.size, area, self.zoom)
     }
 
@@ -47,27 +44,25 @@ impl Screen {
         let placement = self.placement();
         let mut texts = Vec::new();
         if self.helps {
-            texts.push((command::HELP.to_owned(), 0.0));
+            texts.push(command::HELP.to_owned());
         }
         if self.inspects {
             let cursor = self.input.cursor;
             let at = cursor.and_then(|(x, y)| placement.pixel(x, y));
-            let color = at.and_then(|at| self.color(live, at));
-            texts.push((inspect(at, color), 0.0));
+            texts.push(inspect(at, at.and_then(|at| self.color(live, at))));
         }
         if let Some(Err(error)) = &self.outcome {
-            texts.push((error.clone(), 0.0));
+            texts.push(error.clone());
         }
-        texts.extend(self.notice().map(|notice| (notice.to_owned(), 0.0)));
-        if let Some(live) = live {
-            let text = progress(live.share(), live.elapsed(), live.remaining());
-            texts.push((text, live.share()));
-        }
+        texts.extend(self.notice().map(str::to_owned));
+        texts.extend(live.map(|live| progress(live.share(), live.elapsed(), live.remaining())));
         Look {
+            title: self.title.clone(),
             window: self.window.get_size(),
             placement,
             menu: self.menu.selected(),
             texts,
+            done: live.map_or(0.0, LivePicture::share),
         }
     }
 
@@ -89,57 +84,24 @@ impl Screen {
             let at = look.placement.pixel(x, y)?;
             self.color(live, at)
         });
-        self.drawn_picture = None;
-        if self.log.is_open() && live.is_none() {
-            let shown = frame.pixels().iter().skip((area.y * area.width) as usize);
-            let bytes = shown.flat_map(|color| color.to_le_bytes());
-            self.drawn_picture = Some(fnv1a(&bytes.collect::<Vec<_>>()));
-        }
+        let shown = frame.pixels().iter().skip((area.y * area.width) as usize);
+        self.log.set_picture(live.is_none().then_some(shown));
 
         let columns = (area.width / LETTER - 2).max(1) as usize;
-        let mut y = area.y + area.height;
-        for (text, share) in look.texts.iter().rev() {
+        let (mut y, mut done) = (area.y + area.height, f64::from(area.width) * look.done);
+        for text in look.texts.iter().rev() {
             for line in text::wrap(text, columns).into_iter().rev() {
                 y -= LINE;
-                let done = f64::from(area.width) * share;
                 frame.fill(Area::line(y, area.width), STRIP);
                 frame.fill(Area::line(y, done as i32), DONE);
                 frame.text(LETTER, y + 5, TEXT, line);
             }
+            done = 0.0;
         }
         if !PLATFORM_HAS_MENU {
-            self.menu.draw(&mut frame, area.width, &self.title);
+            self.menu.draw(&mut frame, area.width, &look.title);
         }
         self.frame = frame;
-    }
-
-    /// Writes the state of the window, after a look is drawn, to the log.
-    pub fn write_state(&mut self, look: &Look) {
-        if !self.log.is_open() {
-            return;
-        }
-        let (width, height) = look.window;
-        let picture = match self.drawn_picture {
-            Some(hash) => format!("picture {hash:016x}"),
-            None => "unfinished".to_owned(),
-        };
-        let menu = match look.menu {
-            Some(item) => format!("menu item {item}"),
-            None => "no menu".to_owned(),
-        };
-        let focus = if self.input.is_active {
-            "active"
-        } else {
-            "inactive"
-        };
-        let button = if self.input.is_down { "down" } else { "up" };
-        let (x, y) = self.input.cursor.unwrap_or((-1, -1));
-        let texts: Vec<_> = look.texts.iter().map(|(text, _)| text.as_str()).collect();
-        self.log.write(format!(
-            "{}; {width}x{height}; {picture}; {menu}; {focus}; mouse {button} at {x} {y}; texts: {}",
-            self.title,
-            texts.join(" | ")
-        ));
     }
 }
 

@@ -3,9 +3,15 @@
 use std::fs::File;
 use std::io::Write;
 
+use common::fnv1a;
+
+use super::commands::Input;
+use super::drawing::Look;
+
 /// The file that the environment variable `WORKBOOK_WINDOW_LOG` names, if it is set.
 pub struct Log {
     file: Option<File>,
+    picture: Option<u64>,
     last: String,
 }
 
@@ -14,21 +20,27 @@ impl Log {
         let path = std::env::var_os("WORKBOOK_WINDOW_LOG");
         Self {
             file: path.and_then(|path| File::create(path).ok()),
+            picture: None,
             last: String::new(),
         }
     }
 
-    pub const fn is_open(&self) -> bool {
-        self.file.is_some()
+    /// Remembers the hash of a finished picture, as it is drawn.
+    pub fn set_picture<'a>(&mut self, pixels: Option<impl Iterator<Item = &'a u32>>) {
+        if self.file.is_some() {
+            let bytes = pixels.map(|pixels| pixels.flat_map(|color| color.to_le_bytes()));
+            self.picture = bytes.map(|bytes| fnv1a(&bytes.collect::<Vec<_>>()));
+        }
     }
 
-    /// Writes a state unless it is the last one.
-    pub fn write(&mut self, state: String) {
-        if let Some(file) = &mut self.file
-            && state != self.last
-        {
-            let _ = writeln!(file, "{state}");
-            self.last = state;
+    /// Writes a state, unless it is the last one.
+    pub fn write(&mut self, look: &Look, input: &Input) {
+        if let Some(file) = &mut self.file {
+            let state = format!("{look:?} {input:?} picture: {:?}", self.picture);
+            if state != self.last {
+                let _ = writeln!(file, "{state}");
+                self.last = state;
+            }
         }
     }
 }

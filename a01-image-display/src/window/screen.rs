@@ -7,14 +7,14 @@ use common::{Error, Image, Size};
 use minifb::{Menu, ScaleMode, WindowOptions};
 use program::{Gallery, NotShown, Rendering};
 
-use super::commands::{After, Input};
+use super::command::Command;
+use super::commands::Input;
 use super::drawing::Look;
 use super::frame::Frame;
 use super::keyboard::Keyboard;
 use super::log::Log;
-use super::menu_bar::{ITEMS, MenuBar, PLATFORM_HAS_MENU};
+use super::menu_bar::{self, ITEMS, MenuBar, PLATFORM_HAS_MENU};
 use super::placement::Zoom;
-use super::window_size::window_size;
 
 /// Updates of keys and mouse per second. A click that begins and ends between two
 /// of them is lost.
@@ -47,8 +47,6 @@ pub struct Screen {
     pub notice: Option<(String, Instant)>,
     drawn: Option<Look>,
     pub log: Log,
-    /// The hash of the finished picture as it is drawn, for the log.
-    pub drawn_picture: Option<u64>,
 }
 
 impl Screen {
@@ -86,7 +84,6 @@ impl Screen {
             notice: None,
             drawn: None,
             log: Log::open(),
-            drawn_picture: None,
         })
     }
 
@@ -103,16 +100,15 @@ impl Screen {
                 self.finish(gallery, over.join());
             }
             for command in self.commands() {
-                match self.execute(command, gallery) {
-                    After::Nothing => {}
-                    After::Close => return Ok(()),
-                    After::Render => {
-                        // The old rendering, if there is one, stops.
-                        rendering = None;
-                        match gallery.render(scope) {
-                            Ok(new) => rendering = Some(new),
-                            Err(error) => self.finish(gallery, Err(error)),
-                        }
+                if command == Command::Close {
+                    return Ok(());
+                }
+                if self.execute(command, gallery) {
+                    // The old rendering, if there is one, stops.
+                    rendering = None;
+                    match gallery.render(scope) {
+                        Ok(new) => rendering = Some(new),
+                        Err(error) => self.finish(gallery, Err(error)),
                     }
                 }
             }
@@ -125,7 +121,7 @@ impl Screen {
             if drawn_at.elapsed() < if is_drawn { REFRESH } else { FRAME } {
                 self.window.update();
                 if is_drawn {
-                    self.write_state(&look);
+                    self.log.write(&look, &self.input);
                 }
                 continue;
             }
@@ -167,6 +163,17 @@ impl Screen {
         let (notice, since) = self.notice.as_ref()?;
         (since.elapsed() <= NOTICE).then_some(notice)
     }
+}
+
+/// The size in which the window opens: the picture's, shrunk where a side is too long for
+/// nearly every screen, with room for the menu and for the mouse. minifb does not know the
+/// size of this screen.
+fn window_size(picture: Size) -> (usize, usize) {
+    let (width, height) = (f64::from(picture.width()), f64::from(picture.height()));
+    let fit = (1280.0 / width).min(720.0 / height).min(1.0);
+    let side = |side: f64, smallest: f64| (side * fit).round().max(smallest) as usize;
+    let bar = menu_bar::HEIGHT as usize;
+    (side(width, 240.0), side(height, 120.0) + bar)
 }
 
 fn explain(error: minifb::Error) -> NotShown {

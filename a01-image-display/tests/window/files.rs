@@ -35,7 +35,10 @@ fn a_bad_file_is_named_while_its_scene_is_shown() {
             "error: cannot open half.png: the file ends too early; it may be only half copied";
         wait_for_text(&window, error);
         window.press("s");
-        wait_for_text(&window, &format!("{error} | there is no picture to save"));
+        wait_for_text(
+            &window,
+            &format!("{error}\", \"there is no picture to save"),
+        );
         wait_for_text(&window, error);
         window.press("Left");
         wait_for_picture(&window, "painter");

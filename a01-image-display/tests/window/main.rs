@@ -42,14 +42,14 @@ fn packed(image: &Image, x: u32, y: u32) -> u32 {
 /// text.
 fn wait_for_picture(window: &Display, scene: &str) {
     let locked = locked(scene);
-    let title = format!("a01-image-display: {scene}; ");
+    let title = format!("title: \"a01-image-display: {scene}\"");
     let shown = picture(640, 480, |x, y| packed(&locked, x, y));
-    window.wait_for(&[&title, &shown, "texts: ."]);
+    window.wait_for(&[&title, &shown, "texts: []"]);
 }
 
 /// Waits until this is the only text at the bottom of the window.
 fn wait_for_text(window: &Display, text: &str) {
-    window.wait_for(&[&format!("texts: {text}.")]);
+    window.wait_for(&[&format!("texts: [\"{text}\"]")]);
 }
 
 /// Waits until the painter's picture is saved in this folder.

@@ -9,15 +9,19 @@ fn the_menu_works_by_keyboard() {
     with_window("show painter", |window, folder| {
         for (keys, selected) in [("F10", 0), ("Down", 1), ("Down", 0), ("Up", 1)] {
             window.press(keys);
-            window.wait_for(&[&format!("; menu item {selected}; ")]);
+            window.wait_for(&[&format!("menu: Some({selected})")]);
         }
-        window.press("Escape");
-        window.wait_for(&["; no menu; "]);
-        window.press("F10 Return");
+        for (close, open) in [("Escape", "F10"), ("F10", "F10"), ("h", "F10")] {
+            window.press(close);
+            window.wait_for(&["menu: None"]);
+            window.press(open);
+            window.wait_for(&["menu: Some(0)"]);
+        }
+        window.press("Return");
         wait_for_painter_in(folder);
         // The next scene shows a file, so there is an item more.
         window.press("Right F10 Up");
-        window.wait_for(&["; menu item 2; "]);
+        window.wait_for(&["menu: Some(2)"]);
         window.press("Return");
         window.wait_for_end();
     });
@@ -32,15 +36,15 @@ fn the_menu_works_by_mouse() {
         let click = |x, y| {
             window.point_at(x, y);
             window.act("mousedown 1");
-            window.wait_for(&["mouse down"]);
+            window.wait_for(&["is_down: true"]);
             window.act("mouseup 1");
-            window.wait_for(&["mouse up"]);
+            window.wait_for(&["is_down: false"]);
         };
         for beside in [(20, 9), (400, 300)] {
             click(20, 9);
-            window.wait_for(&["; menu item 0; "]);
+            window.wait_for(&["menu: Some(0)"]);
             click(beside.0, beside.1);
-            window.wait_for(&["; no menu; "]);
+            window.wait_for(&["menu: None"]);
         }
         assert!(!folder.join("out").exists());
         click(20, 9);
@@ -50,10 +54,10 @@ fn the_menu_works_by_mouse() {
         // A mouse that moves selects; one that rests leaves the menu to the keys.
         window.point_at(60, line(2));
         window.press("F10");
-        window.wait_for(&["; menu item 0; "]);
+        window.wait_for(&["menu: Some(0)"]);
         for (y, selected) in [(2, 1), (1, 0), (2, 1)] {
             window.point_at(61, line(y));
-            window.wait_for(&[&format!("; menu item {selected}; ")]);
+            window.wait_for(&[&format!("menu: Some({selected})")]);
         }
         window.act("mousedown 1");
         window.wait_for_end();

@@ -24,12 +24,27 @@ fn a_file_is_shown_pixel_for_pixel() {
 }
 
 #[test]
+fn a_window_fits_the_screen_and_is_never_too_small() {
+    for (picture, width, height) in [
+        ("640x480", 640, 480),
+        ("3000x2000", 1080, 720),
+        ("1281x1", 1280, 120),
+        ("1x1", 240, 120),
+    ] {
+        with_window(&format!("show painter --size {picture}"), |window, _| {
+            let height = height + BAR;
+            window.wait_for(&[&format!("window: ({width}, {height})")]);
+        });
+    }
+}
+
+#[test]
 fn a_resized_window_enlarges_and_shrinks_the_picture() {
     let painter = locked("painter");
     with_window("show painter", |window, _| {
         let resize = |width, height| {
             window.act(&format!("windowsize WINDOW {width} {height}"));
-            window.wait_for(&[&format!("; {width}x{height}; ")]);
+            window.wait_for(&[&format!("window: ({width}, {height})")]);
         };
         // Twice 640x480 fits, and 100 pixels to the right and 40 below are left.
         resize(1380, 1000 + BAR);
@@ -48,7 +63,7 @@ fn a_resized_window_enlarges_and_shrinks_the_picture() {
         let half = |x, y| packed(&painter, 2 * x + 1, 2 * y + 1);
         window.wait_for(&[&picture(320, 240, half)]);
         window.press("h i F10");
-        window.wait_for(&["; menu item 0; "]);
+        window.wait_for(&["menu: Some(0)"]);
         for (width, height) in [(1, 1), (1, 600), (800, 1), (7, 19)] {
             resize(width, height);
         }

@@ -7,7 +7,6 @@ use std::fs;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
-use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use common::fnv1a;
@@ -15,9 +14,6 @@ use tempfile::{NamedTempFile, TempPath};
 
 /// After this time a test stops waiting and fails.
 const PATIENCE: Duration = Duration::from_mins(1);
-
-/// One display at a time, so that tests do not slow one another down.
-static TURN: Mutex<()> = Mutex::new(());
 
 /// Height of the window's menu bar.
 pub const BAR: u32 = 18;
@@ -29,7 +25,6 @@ pub struct Display {
     program: Child,
     log: TempPath,
     window: String,
-    _turn: MutexGuard<'static, ()>,
 }
 
 impl Display {
@@ -46,7 +41,6 @@ impl Display {
                 return None;
             }
         }
-        let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
         // A server fails if another one takes the same number at the same moment.
         let (server, name) = wait_for("a server", server);
         let log = NamedTempFile::new().expect("a file").into_temp_path();
@@ -64,17 +58,15 @@ impl Display {
             .stderr(Stdio::piped())
             .spawn()
             .expect("the program starts");
+        let window = String::new();
         let mut display = Self {
             server,
             name,
             program,
             log,
-            window: String::new(),
-            _turn: turn,
+            window,
         };
         display.window = wait_for("a window", || {
-            let end = display.program.try_wait().expect("the program's state");
-            assert!(end.is_none(), "no window: {}", display.stderr());
             let found = display.xdotool("search --onlyvisible --name .")?;
             found.lines().next().map(str::to_owned)
         });
@@ -105,7 +97,7 @@ impl Display {
     pub fn focus(&self) {
         wait_for("the keyboard", || {
             self.act("windowfocus WINDOW");
-            self.state().contains("; active; ").then_some(())
+            self.state().contains("is_active: true").then_some(())
         });
     }
 
@@ -117,7 +109,7 @@ impl Display {
     /// Moves the mouse to a pixel of the window.
     pub fn point_at(&self, x: u32, y: u32) {
         self.act(&format!("mousemove --window WINDOW {x} {y}"));
-        self.wait_for(&[&format!("at {x} {y}; ")]);
+        self.wait_for(&[&format!("cursor: Some(({x}, {y}))")]);
     }
 
     /// The current state of the window, as it writes it into its log.
@@ -128,11 +120,10 @@ impl Display {
         complete.lines().last().unwrap_or_default().to_owned()
     }
 
-    /// Waits until the state of the window contains all of these parts. The end of the
-    /// line, and so of the texts in the window, is a `.`.
+    /// Waits until the state of the window contains all of these parts.
     pub fn wait_for(&self, parts: &[&str]) {
         wait_for(&format!("{parts:?}"), || {
-            let state = self.state() + ".";
+            let state = self.state();
             parts.iter().all(|part| state.contains(part)).then_some(())
         });
     }
@@ -148,16 +139,11 @@ impl Display {
         let status = wait_for("the program's end", || {
             self.program.try_wait().expect("the program's state")
         });
-        assert_eq!((status.code(), self.stderr()), (Some(0), String::new()));
-    }
-
-    /// The output on stderr of the program, which must have ended.
-    fn stderr(&mut self) -> String {
         let mut stderr = String::new();
         if let Some(mut pipe) = self.program.stderr.take() {
             pipe.read_to_string(&mut stderr).expect("text");
         }
-        stderr
+        assert_eq!((status.code(), stderr.as_str()), (Some(0), ""));
     }
 }
 
@@ -199,8 +185,7 @@ fn server() -> Option<(Child, String)> {
 pub fn picture(width: u32, height: u32, color: impl Fn(u32, u32) -> u32) -> String {
     let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
     let bytes = places.flat_map(|(x, y)| color(x, y).to_le_bytes());
-    let hash = fnv1a(&bytes.collect::<Vec<_>>());
-    format!("; {width}x{}; picture {hash:016x}; ", height + BAR)
+    format!("picture: Some({})", fnv1a(&bytes.collect::<Vec<_>>()))
 }
 
 /// Waits until `find` returns a value; fails after a minute, with `what` in the message.
