@@ -120,20 +120,20 @@ impl Screen {
             let is_drawn = self.drawn.as_ref() == Some(&look);
             if drawn_at.elapsed() < if is_drawn { REFRESH } else { FRAME } {
                 self.window.update();
-                if is_drawn {
-                    self.log.write(&look, &self.input);
+            } else {
+                if !is_drawn {
+                    self.draw(live, &look);
                 }
-                continue;
+                let (width, height) = look.window;
+                self.window
+                    .update_with_buffer(self.frame.pixels(), width, height)
+                    .map_err(explain)?;
+                drawn_at = Instant::now();
+                self.drawn = Some(look);
             }
-            if !is_drawn {
-                self.draw(live, &look);
+            if let Some(drawn) = &self.drawn {
+                self.log.write(drawn, &self.input);
             }
-            let (width, height) = look.window;
-            self.window
-                .update_with_buffer(self.frame.pixels(), width, height)
-                .map_err(explain)?;
-            drawn_at = Instant::now();
-            self.drawn = Some(look);
         }
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! The effect of each key.
 
-use testing::display::{BAR, picture};
+use crate::display::{BAR, picture};
 
 use super::{close, locked, packed};
 use super::{wait_for_painter_in, wait_for_picture, wait_for_text, with_window};

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use testing::display::wait_for;
+use crate::display::wait_for;
 
 use super::{wait_for_picture, with_window};
 

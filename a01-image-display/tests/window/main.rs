@@ -3,21 +3,26 @@
 
 #![cfg(all(target_os = "linux", feature = "window"))]
 
+mod display;
 mod files;
 mod keys;
 mod lifetime;
 mod menu;
 mod pictures;
+mod rendering;
 
 use std::path::{Path, PathBuf};
 
+use crate::display::{Display, picture, wait_for};
 use common::{Image, Transfer, picture_file};
-use testing::display::{Display, picture, wait_for};
 
 /// Runs a test with the program and with its current folder, which is empty.
 fn with_window(line: &str, test: impl FnOnce(Display, &Path)) {
+    with_window_of(env!("CARGO_BIN_EXE_a01-image-display").as_ref(), line, test);
+}
+
+fn with_window_of(program: &Path, line: &str, test: impl FnOnce(Display, &Path)) {
     let folder = tempfile::tempdir().expect("a folder");
-    let program = env!("CARGO_BIN_EXE_a01-image-display");
     if let Some(window) = Display::start(program, line, folder.path()) {
         test(window, folder.path());
     }

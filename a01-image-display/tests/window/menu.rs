@@ -1,6 +1,6 @@
 //! The menu, by keyboard and by mouse.
 
-use testing::display::BAR;
+use crate::display::BAR;
 
 use super::{wait_for_painter_in, wait_for_picture, with_window};
 

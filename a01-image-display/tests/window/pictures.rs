@@ -1,7 +1,7 @@
 //! The size of the window, and the part of a picture that it shows.
 
+use crate::display::{BAR, picture};
 use common::{Color, Image, Size, Transfer, picture_file};
-use testing::display::{BAR, picture};
 
 use super::{locked, locked_file, packed, wait_for_picture, with_window};
 

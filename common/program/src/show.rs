@@ -47,40 +47,28 @@ pub fn show(
 
 #[cfg(test)]
 mod tests {
-    use common::{Image, Settings, Size};
+    use common::Image;
 
     use super::*;
     use crate::options::Options;
 
-    /// A viewer that opens no window and returns the result of this function.
-    struct Blind(fn() -> Result<(), NotShown>);
+    struct Failing;
 
-    impl Viewer for Blind {
-        fn show(&self, gallery: &mut Gallery) -> Result<(), NotShown> {
-            assert_eq!(gallery.title(), "a00: two");
-            (self.0)()
+    impl Viewer for Failing {
+        fn show(&self, _: &mut Gallery) -> Result<(), NotShown> {
+            Err(Error::Stopped.into())
         }
     }
 
-    fn shown(size: Size, sees: fn() -> Result<(), NotShown>) -> Result<(), Error> {
-        let scene = |name| Scene::traced(name, "", |settings, _| Image::black(settings.size));
-        let defaults = Settings {
-            size,
-            ..Settings::default()
-        };
-        let scene = |name| scene(name).with_defaults(defaults.clone());
-        let stage = crate::stage_of(["one", "two"].map(scene).into());
+    #[test]
+    fn an_error_of_the_window_is_returned() {
+        let scene = Scene::painted("one", "", |settings, _| Image::black(settings.size));
+        let stage = crate::stage_of(vec![scene]);
         let options = Showing {
             no_window: false,
             options: Options::default(),
         };
-        show(&stage, &stage.scenes[1], Some(&Blind(sees)), &options)
-    }
-
-    #[test]
-    fn errors_of_the_window_are_returned() {
-        assert!(shown(Size::COURSE, || Ok(())).is_ok());
-        let failed = shown(Size::COURSE, || Err(Error::Stopped.into()));
-        assert!(matches!(failed, Err(Error::Stopped)));
+        let shown = show(&stage, &stage.scenes[0], Some(&Failing), &options);
+        assert!(matches!(shown, Err(Error::Stopped)));
     }
 }

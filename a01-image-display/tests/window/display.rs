@@ -32,8 +32,7 @@ impl Display {
     /// 1600x1300 pixels, and gives its window the keyboard. The environment leads to no
     /// other display and to no file dialog. On a machine without Xvfb or xdotool none, and
     /// a sentence on stderr.
-    #[must_use]
-    pub fn start(program: &str, line: &str, folder: &Path) -> Option<Self> {
+    pub fn start(program: &Path, line: &str, folder: &Path) -> Option<Self> {
         for (tool, argument) in [("Xvfb", "-help"), ("xdotool", "version")] {
             if let Err(error) = Command::new(tool).arg(argument).output() {
                 // The output of `eprintln!` is shown for failing tests only.
@@ -55,6 +54,7 @@ impl Display {
             .env("PATH", "")
             .env("WORKBOOK_WINDOW_LOG", &log)
             .stdin(Stdio::null())
+            .stdout(Stdio::null())
             .stderr(Stdio::piped())
             .spawn()
             .expect("the program starts");
@@ -113,7 +113,6 @@ impl Display {
     }
 
     /// The current state of the window, as it writes it into its log.
-    #[must_use]
     pub fn state(&self) -> String {
         let log = fs::read_to_string(&self.log).expect("the log");
         let complete = log.rsplit_once('\n').map_or("", |(lines, _)| lines);
@@ -129,7 +128,6 @@ impl Display {
     }
 
     /// The id of the program's process.
-    #[must_use]
     pub fn process(&self) -> u32 {
         self.program.id()
     }
