@@ -7,7 +7,7 @@ use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Protocol, great
 
 use super::EPSILON;
 use crate::lab::experiments::needle::{Needle, cramer, error, needles, ours};
-use crate::lab::experiments::sphere_distance::{Shot, shots_from, stable};
+use crate::lab::experiments::sphere_distance::{FROM_AFAR, Shot, shots, stable};
 use crate::lab::real::Real;
 use crate::lab::support::{Numbers, arrays, first, raw_ray};
 use crate::lab::{exact, protocol};
@@ -23,7 +23,7 @@ fn wrong<F: Real>(distance: f64, rays: usize, is_hit: impl Fn(&[F; 3], &[F; 3]) 
         let is_clear = (exact.distance - 1.0).abs() > margin;
         is_clear && is_hit(o, d) != exact.roots.is_some()
     };
-    let shots = shots_from(distance, rays);
+    let shots = shots(FROM_AFAR, distance, rays);
     shots.iter().filter(is_wrong).count()
 }
 
