@@ -2,7 +2,6 @@
 
 #![expect(
     clippy::must_use_candidate,
-    clippy::return_self_not_must_use,
     reason = "called by the tables, the report and their tests"
 )]
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use a02_math::{Direction, Mat3x3, Normal3, Vector3};
+use a02_math::{Mat3x3, Normal3, Vector3};
 use a03_rays_cameras::{PinholeCamera, Ray, StripeRule, StripedSky};
 use a04_intersections::{Geometry, Interval};
 use arbitrary::{Result, Unstructured};
