@@ -107,12 +107,8 @@ mod tests {
             seeds: &[],
             against: Axis::Work,
             curves: Box::new(|_| {
-                vec![Curve {
-                    method: "",
-                    remark: "",
-                    slope: None,
-                    points: vec![Point::new(1.0, 1.0, [1.0], || 0.0)],
-                }]
+                let point = Point::new(1.0, 1.0, [1.0], || 0.0);
+                vec![Curve::new("", [point])]
             }),
         };
         vec![experiment("one"), experiment("two")]
