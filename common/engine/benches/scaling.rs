@@ -186,6 +186,7 @@ fn experiment(least: &[[f64; NAMES.len()]]) -> Experiment<'_> {
             method: NAMES[i],
             remark: "",
             slope: None,
+            bound: None,
             points: measured
                 .map(|(count, ns)| Point::new(count as f64, 1.0, [ns], || 0.0))
                 .collect(),
