@@ -19,7 +19,6 @@ mod sampler;
 pub mod scenes;
 mod stage;
 mod striped_sky;
-mod traced_scene;
 mod view;
 
 pub use bounded_ray::BoundedRay;
@@ -35,8 +34,7 @@ pub use render::{camera_coordinates, render};
 pub use sampler::Sampler;
 pub use stage::{scenes as traced_scenes, stage};
 pub use striped_sky::{StripeRule, StripedSky};
-pub use traced_scene::TracedScene;
-pub use view::{TracedWorld, View};
+pub use view::{TracedScene, TracedWorld, View};
 
 /// Tests the code in this stage's chapter.
 #[cfg(doctest)]

@@ -23,8 +23,7 @@ fn rust_files() -> impl Iterator<Item = (&'static str, &'static str)> {
 }
 
 /// The files that join a stage with its program, its lab, the engine and the window.
-const JOINTS: &str =
-    "lib.rs main.rs stage.rs view.rs traced_scene.rs fast.rs lab.rs window.rs canvas.rs";
+const JOINTS: &str = "lib.rs main.rs stage.rs view.rs fast.rs lab.rs window.rs canvas.rs";
 
 /// The lesson files of all stages: `src/*.rs` without the joints.
 fn lessons() -> Vec<(&'static str, &'static str)> {
