@@ -82,22 +82,3 @@ impl Frame {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_area_is_filled_and_cut_off_at_the_borders() {
-        let mut frame = Frame::default();
-        for (x, y, expected) in [
-            (1, 1, [1, 1, 1, 1, 7, 7]),
-            (-1, -1, [7, 1, 1, 1, 1, 1]),
-            (2, 1, [1, 1, 1, 1, 1, 7]),
-        ] {
-            frame.clear((3, 2), 1);
-            frame.fill(Area::new(x, y, 2, 2), 7);
-            assert_eq!(frame.pixels(), expected, "{x} {y}");
-        }
-    }
-}

@@ -125,30 +125,6 @@ mod tests {
         Placement::new(Size::new(width, height).unwrap(), area, zoom)
     }
 
-    /// 640 / 100 = 6.4 and 480 / 100 = 4.8: four times, with borders. A picture of twice
-    /// the width is shrunk by half.
-    #[test]
-    fn a_picture_is_as_large_as_fits_in_the_middle() {
-        let enlarged = Zoom::Factor(2, (320.0, 240.0));
-        for (size, zoom, x, y, expected) in [
-            ((100, 100), Zoom::Fit, 119, 40, None),
-            ((100, 100), Zoom::Fit, 519, 439, Some((99, 99))),
-            ((100, 100), Zoom::Fit, 520, 439, None),
-            ((1280, 480), Zoom::Fit, 0, 119, None),
-            ((1280, 480), Zoom::Fit, 639, 359, Some((1279, 479))),
-            // Never outside of its part of the window, below 18 rows for the menu.
-            ((640, 480), enlarged, 0, 0, Some((160, 120))),
-            ((640, 480), enlarged, 639, 479, Some((479, 359))),
-            ((640, 480), enlarged, 0, -1, None),
-            ((640, 480), enlarged, -1, 0, None),
-            ((640, 480), enlarged, 640, 0, None),
-            ((640, 480), enlarged, 0, 480, None),
-        ] {
-            let pixel = placed(size.0, size.1, zoom).pixel(x, y + 18);
-            assert_eq!(pixel, expected, "{size:?} {x} {y}");
-        }
-    }
-
     #[test]
     fn zooming_keeps_the_pixel_under_the_cursor_or_the_middle() {
         // Beside the picture, the cursor does not count.
