@@ -1,9 +1,9 @@
 //! `Window`: shows the scenes of a stage while they are rendered.
 
 mod command;
-mod commands;
 mod drawing;
 mod frame;
+mod input;
 mod keyboard;
 mod log;
 mod menu_bar;

@@ -5,8 +5,8 @@ use std::io::Write;
 
 use common::fnv1a;
 
-use super::commands::Input;
 use super::drawing::Look;
+use super::input::Input;
 
 /// The file that the environment variable `WORKBOOK_WINDOW_LOG` names, if it is set.
 pub struct Log {

@@ -8,9 +8,9 @@ use minifb::{Menu, ScaleMode, WindowOptions};
 use program::{Gallery, NotShown, Rendering};
 
 use super::command::Command;
-use super::commands::Input;
 use super::drawing::Look;
 use super::frame::Frame;
+use super::input::Input;
 use super::keyboard::Keyboard;
 use super::log::Log;
 use super::menu_bar::{self, ITEMS, MenuBar, PLATFORM_HAS_MENU};

@@ -5,7 +5,7 @@
 
 use std::fs;
 use std::io::{self, BufRead, BufReader, Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -127,9 +127,9 @@ impl Display {
         });
     }
 
-    /// The id of the program's process.
-    pub fn process(&self) -> u32 {
-        self.program.id()
+    /// The folder of the program's process in `/proc`.
+    pub fn process(&self) -> PathBuf {
+        Path::new("/proc").join(self.program.id().to_string())
     }
 
     /// Waits for the program's end, which must be one without an error.

@@ -2,7 +2,7 @@
 
 use crate::display::{BAR, picture};
 
-use super::{close, locked, packed};
+use super::{close, locked, packed, press_and_wait};
 use super::{wait_for_painter_in, wait_for_picture, wait_for_text, with_window};
 
 const HELP: &str = "S save  Esc close  <- -> scenes  I inspect  + - 0 zoom  F10 menu  H help";
@@ -90,12 +90,11 @@ fn plus_minus_and_0_zoom() {
 #[test]
 fn h_and_f1_show_and_hide_the_keys() {
     with_window("show painter", |window, _| {
-        for key in ["h", "F1"] {
-            window.press(key);
-            wait_for_text(&window, HELP);
-            window.press(key);
-            wait_for_picture(&window, "painter");
-        }
+        let no_text = "texts: []";
+        press_and_wait(
+            &window,
+            &[("h", HELP), ("F1", no_text), ("F1", HELP), ("h", no_text)],
+        );
     });
 }
 

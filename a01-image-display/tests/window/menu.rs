@@ -2,21 +2,26 @@
 
 use crate::display::BAR;
 
-use super::{wait_for_painter_in, wait_for_picture, with_window};
+use super::{press_and_wait, wait_for_painter_in, wait_for_picture, with_window};
 
 #[test]
 fn the_menu_works_by_keyboard() {
     with_window("show painter", |window, folder| {
-        for (keys, selected) in [("F10", 0), ("Down", 1), ("Down", 0), ("Up", 1)] {
-            window.press(keys);
-            window.wait_for(&[&format!("menu: Some({selected})")]);
-        }
-        for (close, open) in [("Escape", "F10"), ("F10", "F10"), ("h", "F10")] {
-            window.press(close);
-            window.wait_for(&["menu: None"]);
-            window.press(open);
-            window.wait_for(&["menu: Some(0)"]);
-        }
+        let (first, last, closed) = ("menu: Some(0)", "menu: Some(1)", "menu: None");
+        press_and_wait(
+            &window,
+            &[
+                ("F10", first),
+                ("Down", last),
+                ("Down", first),
+                ("Up", last),
+            ],
+        );
+        press_and_wait(
+            &window,
+            &[("Escape", closed), ("F10", first), ("F10", closed)],
+        );
+        press_and_wait(&window, &[("F10", first), ("h", closed), ("F10", first)]);
         window.press("Return");
         wait_for_painter_in(folder);
         // The next scene shows a file, so there is an item more.

@@ -1,17 +1,17 @@
-//! The window while a rendering goes on.
+//! The window while a rendering goes on, and afterwards.
 
-use std::env;
 use std::path::Path;
 use std::process::ExitCode;
 use std::thread::sleep;
-use std::time::Duration;
+use std::time::{Duration, Instant};
+use std::{env, fs};
 
 use a01_image_display::viewer;
 use common::{Color, Error, Image, Progress, Scene, Settings};
 use measure::Stage;
 
 use crate::display::{Display, picture, wait_for};
-use crate::{packed, with_window_of};
+use crate::{packed, wait_for_picture, with_window, with_window_of};
 
 /// A row each five milliseconds.
 fn slow(settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
@@ -57,6 +57,10 @@ fn with_rendering(test: impl FnOnce(Display, &Path)) {
     with_window_of(&program, line, test);
 }
 
+fn threads(window: &Display) -> usize {
+    window.process().join("task").read_dir().unwrap().count()
+}
+
 #[test]
 fn closing_ends_a_rendering_which_is_not_saved() {
     with_rendering(|window, folder| {
@@ -72,10 +76,8 @@ fn closing_ends_a_rendering_which_is_not_saved() {
 #[test]
 fn the_picture_grows_and_another_scene_takes_its_place() {
     with_rendering(|window, _| {
-        let threads = Path::new("/proc").join(window.process().to_string());
-        let threads = || threads.join("task").read_dir().unwrap().count();
         window.wait_for(&[" to go\"]"]);
-        let of_one_rendering = threads();
+        let of_one_rendering = threads(&window);
         window.press("Right");
         wait_for("finished rows beside unfinished ones", || {
             let state = window.state();
@@ -95,9 +97,29 @@ fn the_picture_grows_and_another_scene_takes_its_place() {
             window.wait_for(&[&format!("\"stage: {scene}\""), "picture: None"]);
         }
         wait_for("the end of the first renderings", || {
-            (threads() == of_one_rendering).then_some(())
+            (threads(&window) == of_one_rendering).then_some(())
         });
         window.press("Escape");
         window.wait_for_end();
+    });
+}
+
+#[test]
+fn a_finished_window_has_one_thread_and_hardly_computes() {
+    with_window("show painter", |window, _| {
+        wait_for_picture(&window, "painter");
+        wait_for("the end of other threads", || {
+            (threads(&window) == 1).then_some(())
+        });
+        // Nanoseconds that the thread had a processor.
+        let time = || {
+            let statistics = fs::read_to_string(window.process().join("schedstat")).unwrap();
+            let nanoseconds = statistics.split(' ').next().unwrap().parse();
+            Duration::from_nanos(nanoseconds.unwrap())
+        };
+        let (start, before) = (Instant::now(), time());
+        std::thread::sleep(Duration::from_secs(3));
+        let (time, elapsed) = (time().abs_diff(before), start.elapsed());
+        assert!(time < elapsed / 10, "{time:?} in {elapsed:?}");
     });
 }

@@ -1,4 +1,4 @@
-//! The commands from keys, menu and mouse, and their execution.
+//! `Input`: mouse and keyboard, the commands that they give, and their execution.
 
 use std::mem;
 
