@@ -104,28 +104,11 @@ mod tests {
 
     #[test]
     fn wrong_sizes_are_refused_with_the_reason() {
-        for text in [
-            "",
-            "640",
-            "x",
-            "640x",
-            "640x-1",
-            "axb",
-            "640x480x3",
-            "99999999999x1",
-        ] {
+        for text in "640 x 640x 640x-1 axb 640x480x3 99999999999x1".split(' ') {
             let error = text.parse::<Size>().unwrap_err().to_string();
             assert!(error.contains("WIDTHxHEIGHT"), "{error}");
         }
-        for text in [
-            "0x0",
-            "0x480",
-            "640x0",
-            "32769x1",
-            "1x32769",
-            "8192x8193",
-            "65536x65536",
-        ] {
+        for text in "0x0 0x480 640x0 32769x1 1x32769 8192x8193 65536x65536".split(' ') {
             let error = text.parse::<Size>().unwrap_err().to_string();
             assert!(error.contains("from 1 to 32768"), "{error}");
         }

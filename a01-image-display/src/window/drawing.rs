@@ -84,8 +84,8 @@ impl Screen {
             let at = look.placement.pixel(x, y)?;
             self.color(live, at)
         });
-        let shown = frame.pixels().iter().skip((area.y * area.width) as usize);
-        self.log.set_picture(live.is_none().then_some(shown));
+        let shown = frame.pixels().get((area.y * area.width) as usize..);
+        self.log.set_picture(shown.filter(|_| live.is_none()));
 
         let columns = (area.width / LETTER - 2).max(1) as usize;
         let (mut y, mut done) = (area.y + area.height, f64::from(area.width) * look.done);

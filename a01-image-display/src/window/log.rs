@@ -25,12 +25,12 @@ impl Log {
         }
     }
 
-    /// Remembers the hash of a finished picture, as it is drawn.
-    pub fn set_picture<'a>(&mut self, pixels: Option<impl Iterator<Item = &'a u32>>) {
-        if self.file.is_some() {
-            let bytes = pixels.map(|pixels| pixels.flat_map(|color| color.to_le_bytes()));
-            self.picture = bytes.map(|bytes| fnv1a(&bytes.collect::<Vec<_>>()));
-        }
+    /// Remembers the hash of a finished picture as it is drawn; none of an unfinished one.
+    pub fn set_picture(&mut self, pixels: Option<&[u32]>) {
+        self.picture = pixels.filter(|_| self.file.is_some()).map(|pixels| {
+            let bytes = pixels.iter().flat_map(|color| color.to_le_bytes());
+            fnv1a(&bytes.collect::<Vec<_>>())
+        });
     }
 
     /// Writes a state, unless it is the last one.
