@@ -24,6 +24,8 @@ pub struct Look {
     pub window: (usize, usize),
     placement: Placement,
     menu: Option<usize>,
+    /// Finished rows of a picture that is being rendered.
+    rows: Option<u32>,
     /// The texts below the picture.
     texts: Vec<String>,
     /// The part of the last text's background that shows finished work, from 0 to 1.
@@ -61,6 +63,7 @@ impl Screen {
             window: self.window.get_size(),
             placement,
             menu: self.menu.selected(),
+            rows: live.map(LivePicture::rows),
             texts,
             done: live.map_or(0.0, LivePicture::share),
         }
