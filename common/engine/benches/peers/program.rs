@@ -1,0 +1,152 @@
+//! Programs run as child processes, by turns, and their times, memory and pictures.
+
+use std::fs::File;
+use std::io::{self, BufWriter, ErrorKind, Write};
+use std::path::PathBuf;
+use std::process::Command;
+
+use common::{Error, Image, Size, picture_file};
+
+use crate::language::{Language, POV_RAY, TACHYON};
+use crate::scene::Scene;
+
+/// A program that renders.
+pub struct Program {
+    pub name: &'static str,
+    /// Its file and its language; none for this benchmark itself.
+    other: Option<(&'static str, Language)>,
+    /// The arguments, for the name of the files without an ending.
+    arguments: fn(&Run, &str) -> String,
+    /// What stands before the seconds to build and to trace in its output.
+    labels: [&'static str; 2],
+}
+
+/// Ours is the first.
+pub static PROGRAMS: [Program; 3] = [
+    Program {
+        name: "ours",
+        other: None,
+        arguments: |run, file| {
+            let (scene, size, threads) = (run.scene.name, run.size, run.threads);
+            format!("{scene} --render {file}.png --size {size} --threads {threads}")
+        },
+        labels: ["build:", "trace:"],
+    },
+    Program {
+        name: "POV-Ray",
+        other: Some(("povray", POV_RAY)),
+        // 8 bits a channel, linear, one sample in each pixel, no window.
+        arguments: |run, file| {
+            let (width, height, threads) = (run.size.width(), run.size.height(), run.threads);
+            let options = "+FN8 File_Gamma=1 -A -D -V";
+            format!("+I{file}.scene +O{file}.png +W{width} +H{height} +WT{threads} {options}")
+        },
+        labels: ["Bounding Time:", "Trace Time:"],
+    },
+    Program {
+        name: "Tachyon",
+        other: Some(("tachyon", TACHYON)),
+        arguments: |run, file| {
+            let options = "-format PNG -fullshade -shade_phong +V -numthreads";
+            format!("{file}.scene -o {file}.png {options} {}", run.threads)
+        },
+        labels: ["Preprocessing Time:", "Ray Tracing Time:"],
+    },
+];
+
+/// The figures of a run.
+pub const BUILD: usize = 0;
+pub const TRACE: usize = 1;
+pub const TOTAL: usize = 2;
+pub const MEMORY: usize = 3;
+
+/// The folder of scenes and pictures.
+pub fn folder() -> PathBuf {
+    [env!("CARGO_TARGET_TMPDIR"), "peers"].iter().collect()
+}
+
+/// A scene rendered by a program, several times.
+pub struct Run {
+    pub program: &'static Program,
+    pub scene: &'static Scene,
+    pub size: Size,
+    pub threads: u16,
+    /// The least seconds to build the structures that rays are traced in, to trace the picture
+    /// and to do both, and the least peak of memory in bytes; NaN where there are none.
+    pub best: [f64; 4],
+}
+
+impl Run {
+    /// The name of its files, without an ending.
+    fn name(&self) -> String {
+        let (scene, program, threads) = (self.scene.name, self.program.name, self.threads);
+        format!("{scene}-{program}-{threads}")
+    }
+
+    /// The picture that was rendered.
+    pub fn picture(&self) -> Result<Image, Error> {
+        picture_file::open(&folder().join(self.name() + ".png"))
+    }
+
+    /// Writes the scene. False if the language has no words for it.
+    fn write_scene(&self) -> io::Result<bool> {
+        let Some((_, language)) = self.program.other else {
+            return Ok(true);
+        };
+        let mut out = BufWriter::new(File::create(folder().join(self.name() + ".scene"))?);
+        match language.write(&mut out, self.scene.items(self.size)) {
+            Err(error) if error.kind() == ErrorKind::Unsupported => Ok(false),
+            written => written.and_then(|()| out.flush()).map(|()| true),
+        }
+    }
+
+    fn render(&mut self) -> io::Result<()> {
+        let file = match self.program.other {
+            Some((file, _)) => file.into(),
+            None => std::env::current_exe()?,
+        };
+        let arguments = (self.program.arguments)(self, &self.name());
+        let mut command = Command::new("time");
+        command.args(["-f", "memory: %M KiB"]).arg(file);
+        command.args(arguments.split_whitespace());
+        let output = command.current_dir(folder()).output()?;
+        let log = [output.stdout, output.stderr].concat();
+        let log = String::from_utf8_lossy(&log);
+        let [build, trace] = self
+            .program
+            .labels
+            .map(|label| number(&log, label, "seconds"));
+        if trace.is_nan() {
+            eprintln!("{} failed: {log}", self.program.name);
+        }
+        let memory = 1024.0 * number(&log, "memory:", "KiB");
+        let now = [build, trace, build + trace, memory];
+        self.best = std::array::from_fn(|i| self.best[i].min(now[i]));
+        Ok(())
+    }
+}
+
+/// Lets all runs that are possible take turns, round after round; only ours if we are alone.
+pub fn by_turns(runs: &mut [Run], rounds: u32, alone: bool) -> io::Result<()> {
+    let mut possible = Vec::new();
+    for run in runs {
+        let is_wanted = !alone || run.program.other.is_none();
+        if is_wanted && run.write_scene()? {
+            possible.push(run);
+        }
+    }
+    for _ in 0..rounds {
+        possible.iter_mut().try_for_each(|run| run.render())?;
+    }
+    Ok(())
+}
+
+/// The number before the last unit in the line with this label; NaN if there is none.
+fn number(log: &str, label: &str, unit: &str) -> f64 {
+    let number = || {
+        let (_, after) = log.rsplit_once(label)?;
+        let (before, _) = after.lines().next()?.rsplit_once(unit)?;
+        before.trim().rsplit([' ', '(']).next()?.parse().ok()
+    };
+    number().unwrap_or(f64::NAN)
+}
