@@ -29,7 +29,6 @@ use rayon::ThreadPoolBuilder;
 
 use crate::support::{Grid, Numbers, print_head, print_row};
 
-const ROUNDS: u32 = 5;
 const COUNTS: [u32; 6] = [10, 100, 1_000, 10_000, 100_000, 1_000_000];
 /// Longer lists take too long.
 const LONGEST_LIST: u32 = 1_000;
@@ -46,8 +45,7 @@ const NAMES: [&str; 5] = [
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let arguments: Vec<_> = std::env::args().collect();
-    let is_given = |name: &str| arguments.iter().any(|argument| argument == name);
+    let is_given = |name: &str| std::env::args().any(|argument| argument == name);
     // Given by `cargo bench`, but not by `cargo test`.
     if !is_given("--bench") {
         return Ok(());
@@ -55,59 +53,41 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut least = [[f64::NAN; NAMES.len()]; COUNTS.len()];
     let threads = 1 + usize::from(is_given("--two"));
     let threads = ThreadPoolBuilder::new().num_threads(threads).build()?;
-    for _ in 0..ROUNDS {
+    for _ in 0..5 {
         for (count, least) in COUNTS.into_iter().zip(&mut least) {
             let now = threads.install(|| nanoseconds(count))?;
             *least = std::array::from_fn(|i| least[i].min(now[i]));
         }
     }
-    print_head(
-        "objects",
-        &["build", "pixel", "from eye", "anywhere", "list"],
-    );
+    print_head("objects", &NAMES);
     for (count, least) in COUNTS.iter().zip(least) {
         print_row(&count.to_string(), least);
     }
-    if is_given("--book") {
-        plot(&least)
-    } else {
-        Ok(())
-    }
+    is_given("--book").then(|| plot(&least)).unwrap_or(Ok(()))
 }
 
 /// A time for each of [`NAMES`]; NaN if it is not measured.
 fn nanoseconds(count: u32) -> Result<[f64; NAMES.len()], common::Error> {
     // Spheres as dense for any number of them: a ray passes by a few until it hits one.
     let radius = 0.6 / libm::cbrt(count.into());
-    let spheres = (0..count).map(|i| Sphere {
-        center: Numbers::new(1, i).in_cube(1.0),
-        radius,
-    });
-    let (u, w) = (DVec3::X, EYE.normalize());
+    let center = |i| Numbers::new(1, i).in_cube(1.0);
+    let spheres = (0..count).map(|i| (center(i), radius));
+    let (e, u, w) = (EYE, DVec3::X, EYE.normalize());
+    let v = w.cross(u);
     let looking = Camera::Perspective {
-        basis: Basis {
-            e: EYE,
-            u,
-            v: w.cross(u),
-            w,
-        },
+        basis: Basis { e, u, v, w },
         half_tangent: 0.25,
     };
     let started = Instant::now();
-    let picture = prepare(spheres.clone().map(Shape::Sphere), looking);
+    let picture = prepare(spheres.clone().map(known), looking);
     let build = since(started) / f64::from(count);
-    let of_rays = |from_eye| pixel(&prepare(spheres.clone().map(Shape::Sphere), rays(from_eye)));
+    let of_rays = |from_eye| pixel(&prepare(spheres.clone().map(known), rays(from_eye)));
     let list = match count {
         ..=LONGEST_LIST => pixel(&prepare(spheres.clone().map(unknown), rays(false)))?,
         _ => f64::NAN,
     };
-    Ok([
-        build,
-        pixel(&picture)?,
-        of_rays(true)?,
-        of_rays(false)?,
-        list,
-    ])
+    let [from_eye, anywhere] = [of_rays(true)?, of_rays(false)?];
+    Ok([build, pixel(&picture)?, from_eye, anywhere, list])
 }
 
 fn since(started: Instant) -> f64 {
@@ -157,9 +137,13 @@ fn rays(from_eye: bool) -> Camera<'static> {
     }))
 }
 
+fn known((center, radius): (DVec3, f64)) -> Shape<'static> {
+    Shape::Sphere(Sphere { center, radius })
+}
+
 /// A sphere as a shape of a type that the engine does not know, so that it is tested for
 /// every ray.
-fn unknown(Sphere { center, radius }: Sphere) -> Shape<'static> {
+fn unknown((center, radius): (DVec3, f64)) -> Shape<'static> {
     Shape::other(move |ray, within| {
         let f = ray.origin - center;
         let middle = -f.dot(ray.direction);

@@ -19,7 +19,7 @@ const PIXEL: f64 = 1.0 / 160.0;
 const SMALL: [f64; 2] = [0.1 * PIXEL, 0.8 * PIXEL];
 
 /// All kinds.
-pub const KINDS: [Kind; 20] = [
+pub const KINDS: [Kind; 19] = [
     ("needles", |numbers, settings| {
         let ranges = [[3.0, 15.0], [0.2, 1.0], [0.001, 0.01]];
         let needle = |u: f64, v: f64| when(u > 0.0 && v.abs() < 1.0 - u);
@@ -122,11 +122,10 @@ pub const KINDS: [Kind; 20] = [
             stone.unwrap_or(Color::gray(0.1))
         })
     }),
+    ("spheres", |numbers, settings| seen(2, numbers, settings)),
     ("mirrors", |numbers, settings| seen(0, numbers, settings)),
-    ("swarm", |numbers, settings| seen(4, numbers, settings)),
     ("nodes", |numbers, settings| seen(9, numbers, settings)),
     ("lamps", |numbers, settings| seen(10, numbers, settings)),
-    ("hairs", |numbers, settings| seen(13, numbers, settings)),
 ];
 
 /// A scene of the benchmark `peers`, seen from a random place.

@@ -78,7 +78,9 @@ struct Options {
     bench: bool,
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+type Outcome = Result<(), Box<dyn Error>>;
+
+fn main() -> Outcome {
     let options = Options::parse();
     let names = &options.scenes;
     let is_named = |scene: &&Scene| names.is_empty() || names.iter().any(|n| n == scene.name);
@@ -95,7 +97,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Prints a row for each scene and number of threads, and then the targets.
-fn compare(options: &Options, scenes: &[&'static Scene]) -> Result<(), Box<dyn Error>> {
+fn compare(options: &Options, scenes: &[&'static Scene]) -> Outcome {
     fs::create_dir_all(program::folder())?;
     report::head();
     let mut comparisons = Vec::new();
@@ -128,13 +130,7 @@ fn compare(options: &Options, scenes: &[&'static Scene]) -> Result<(), Box<dyn E
 }
 
 /// Renders a scene into a file, with a square of samples in each pixel, and prints the times.
-fn render(
-    scene: &Scene,
-    side: u32,
-    size: Size,
-    threads: u16,
-    file: &Path,
-) -> Result<(), Box<dyn Error>> {
+fn render(scene: &Scene, side: u32, size: Size, threads: u16, file: &Path) -> Outcome {
     let settings = Settings {
         size,
         ..Settings::default()
