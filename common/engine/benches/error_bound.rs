@@ -14,16 +14,7 @@
 
 #[path = "error_bound/kinds.rs"]
 mod kinds;
-#[path = "peers/objects.rs"]
-mod objects;
-#[allow(dead_code, reason = "names for the reader of a table")]
-#[path = "peers/scene.rs"]
-mod scene;
-#[path = "peers/scenes.rs"]
-mod scenes;
 mod support;
-#[path = "peers/world.rs"]
-mod world;
 
 use std::sync::{Mutex, PoisonError};
 
@@ -64,21 +55,20 @@ fn main() -> Result<(), Error> {
     let errors = ["pictures", "silent", "said", "largest", "median"];
     print_head("kind", &[&errors[..], &["samples", "strat."]].concat());
     let names = &options.kinds;
-    let is_named = |kind: &&Kind| names.iter().any(|name| kind.0.contains(name.as_str()));
+    let is_named = |(kind, _): &Kind| names.iter().any(|name| kind.contains(name.as_str()));
     let mut all = Vec::new();
-    for kind in KINDS
-        .iter()
-        .filter(|kind| names.is_empty() || is_named(kind))
-    {
+    for kind in &KINDS {
+        if !names.is_empty() && !is_named(kind) {
+            continue;
+        }
         let first = all.len();
         for size in &options.sizes {
             for variant in 0..3 {
                 let subject = Subject::new(kind, variant, *size, options.side)?;
-                for (bound, seed) in BOUNDS
-                    .iter()
-                    .flat_map(|b| (0..options.seeds).map(|s| (*b, s)))
-                {
-                    all.push(subject.trial(bound, seed)?);
+                for bound in BOUNDS {
+                    for seed in 0..options.seeds {
+                        all.push(subject.trial(bound, seed)?);
+                    }
                 }
             }
         }
@@ -111,25 +101,22 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// The result of one rendering.
+/// The true root mean square error of a picture as a share of the bound, whether its report
+/// says that it may be above, and samples of a pixel: its own and those of stratified sampling.
 struct Trial {
-    /// The true root mean square error, as a share of the bound.
     error: f64,
-    /// Whether the report says that the error may be above the bound.
     is_said: bool,
-    /// Samples per pixel, and those of stratified sampling to the same true error.
     samples: f64,
     stratified: f64,
 }
 
-/// A variant of a kind at a size.
+/// A variant of a kind at a size, two independent pictures of many samples, and the errors of
+/// stratified sampling against the samples of a pixel.
 struct Subject {
     kind: &'static Kind,
     variant: u32,
     settings: Settings,
-    /// Two independent pictures of many samples.
     references: [Image; 2],
-    /// The errors of stratified sampling against the samples of a pixel.
     stratified: Curve<'static>,
 }
 
@@ -143,7 +130,7 @@ impl Subject {
         let renderer = prepare(kind, variant, &settings);
         let picture = |side, seed: u64| {
             let seed = Some(0x5EED + seed);
-            renderer.render(&Grid { side, seed }, &settings, &())
+            renderer.render(&Grid(side, seed), &settings, &())
         };
         let references = [picture(side, 1)?, picture(side, 2)?];
         let mut points = Vec::new();
@@ -174,11 +161,7 @@ impl Subject {
         };
         let renderer = prepare(self.kind, self.variant, &settings);
         let sampled = Mutex::new(Sampled::default());
-        let middle = Grid {
-            side: 1,
-            seed: None,
-        };
-        let image = renderer.render(&middle, &settings, &sampled)?;
+        let image = renderer.render(&Grid(1, None), &settings, &sampled)?;
         let sampled = sampled.into_inner().unwrap_or_else(PoisonError::into_inner);
         let error = error(&self.references, &image);
         let stratified = self.stratified.work_to_reach(error);

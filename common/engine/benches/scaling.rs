@@ -30,8 +30,6 @@ use rayon::ThreadPoolBuilder;
 use crate::support::{Grid, Numbers, print_head, print_row};
 
 const COUNTS: [u32; 6] = [10, 100, 1_000, 10_000, 100_000, 1_000_000];
-/// Longer lists take too long.
-const LONGEST_LIST: u32 = 1_000;
 /// Width and height of the pictures.
 const SIDE: u32 = 512;
 const EYE: DVec3 = DVec3::new(0.0, 2.0, 5.0);
@@ -63,7 +61,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (count, least) in COUNTS.iter().zip(least) {
         print_row(&count.to_string(), least);
     }
-    is_given("--book").then(|| plot(&least)).unwrap_or(Ok(()))
+    if is_given("--book") {
+        plot(&least)
+    } else {
+        Ok(())
+    }
 }
 
 /// A time for each of [`NAMES`]; NaN if it is not measured.
@@ -83,7 +85,7 @@ fn nanoseconds(count: u32) -> Result<[f64; NAMES.len()], common::Error> {
     let build = since(started) / f64::from(count);
     let of_rays = |from_eye| pixel(&prepare(spheres.clone().map(known), rays(from_eye)));
     let list = match count {
-        ..=LONGEST_LIST => pixel(&prepare(spheres.clone().map(unknown), rays(false)))?,
+        ..=1_000 => pixel(&prepare(spheres.clone().map(unknown), rays(false)))?,
         _ => f64::NAN,
     };
     let [from_eye, anywhere] = [of_rays(true)?, of_rays(false)?];
@@ -100,13 +102,9 @@ fn pixel(renderer: &Renderer) -> Result<f64, common::Error> {
         size: Size::new(SIDE, SIDE)?,
         ..Settings::default()
     };
-    let middle = Grid {
-        side: 1,
-        seed: None,
-    };
-    black_box(renderer.render(&middle, &settings, &())?);
+    black_box(renderer.render(&Grid(1, None), &settings, &())?);
     let started = Instant::now();
-    black_box(renderer.render(&middle, &settings, &())?);
+    black_box(renderer.render(&Grid(1, None), &settings, &())?);
     Ok(since(started) / settings.size.pixels() as f64)
 }
 

@@ -4,9 +4,9 @@ use common::{Color, Settings};
 use engine::{Camera, Hit, Ray, Renderer, Scene, Shading, Shape, Surface};
 use glam::{DVec3, dvec3};
 
-use crate::scenes::SCENES;
 use crate::support::Numbers;
-use crate::{scene, world};
+use crate::support::scenes::SCENES;
+use crate::support::{scene, world};
 
 /// The name of a kind, and a function that makes the variant of these numbers.
 pub type Kind = (
@@ -19,7 +19,7 @@ const PIXEL: f64 = 1.0 / 160.0;
 const SMALL: [f64; 2] = [0.1 * PIXEL, 0.8 * PIXEL];
 
 /// All kinds.
-pub const KINDS: [Kind; 19] = [
+pub const KINDS: [Kind; 17] = [
     ("needles", |numbers, settings| {
         let ranges = [[3.0, 15.0], [0.2, 1.0], [0.001, 0.01]];
         let needle = |u: f64, v: f64| when(u > 0.0 && v.abs() < 1.0 - u);
@@ -30,18 +30,14 @@ pub const KINDS: [Kind; 19] = [
         let spot = |u, v| disc(u, v).map(|light| light - 0.5 * (u * u + v * v));
         things(numbers, settings, ranges, spot)
     }),
-    ("small far spheres", |numbers, settings| {
-        things(numbers, settings, [[5.0, 120.0], SMALL, [1.0; 2]], ball)
-    }),
     ("flat ellipsoids", |numbers, settings| {
         let ranges = [[2.0, 20.0], [0.02, 0.3], [0.002, 0.03]];
         things(numbers, settings, ranges, ball)
     }),
     ("foliage", |numbers, settings| {
         let ranges = [[30.0, 90.0], [0.003, 0.08], [0.05, 0.5]];
-        things(numbers, settings, ranges, |u, v| {
-            when(u.abs() + v.abs() < 1.0)
-        })
+        let leaf = |u: f64, v: f64| when(u.abs() + v.abs() < 1.0);
+        things(numbers, settings, ranges, leaf)
     }),
     ("crossing wires", |numbers, settings| {
         let ranges = [[2.0, 10.0], [1.0; 2], [0.0003, 0.0025]];
@@ -60,9 +56,8 @@ pub const KINDS: [Kind; 19] = [
         let square = |u: f64, v: f64| when(u.abs().max(v.abs()) < 1.0);
         things(numbers, settings, [[1.0; 2], SMALL, [1.0; 2]], square)
     }),
-    ("stars", |numbers, settings| {
-        let ranges = [[1.0, 60.0], [0.0, 0.5 * PIXEL], [1.0; 2]];
-        things(numbers, settings, ranges, disc)
+    ("stars and far spheres", |numbers, settings| {
+        things(numbers, settings, [[1.0, 120.0], SMALL, [1.0; 2]], ball)
     }),
     ("checkered floor to the horizon", |numbers, settings| {
         let (height, near) = (numbers.between(0.2, 0.5), numbers.between(0.05, 0.5));
@@ -103,23 +98,6 @@ pub const KINDS: [Kind; 19] = [
         picture(settings, move |x, y| {
             let squared = (x - left) * (x - left) + (y - low) * (y - low);
             Color::gray(0.5 + 0.5 * libm::cos(rate * squared))
-        })
-    }),
-    // Each place shows the stone whose middle is nearest, and the joint where two are.
-    ("gravel", |numbers, settings| {
-        let stones = numbers.list([10.0, 120.0], |numbers| (numbers.place(), numbers.color()));
-        let joint = numbers.between(0.2, 2.0) * PIXEL;
-        picture(settings, move |x, y| {
-            let (mut nearest, mut next) = ((f64::INFINITY, Color::BLACK), f64::INFINITY);
-            for ((left, low), color) in &stones {
-                let distance = libm::sqrt((x - left) * (x - left) + (y - low) * (y - low));
-                next = next.min(distance.max(nearest.0));
-                if distance < nearest.0 {
-                    nearest = (distance, *color);
-                }
-            }
-            let stone = when(next - nearest.0 > joint).map(|_| nearest.1);
-            stone.unwrap_or(Color::gray(0.1))
         })
     }),
     ("spheres", |numbers, settings| seen(2, numbers, settings)),

@@ -1,39 +1,29 @@
 //! The engine beside the ray tracers that a student could install.
 //!
 //! ```console
-//! $ apt-get install povray tachyon
+//! $ apt-get install povray tachyon time
 //! $ cargo bench -p engine --bench peers                                all scenes
 //! $ cargo bench -p engine --bench peers -- torus cloud --size 640x480  two of them, small
 //! $ cargo bench -p engine --bench peers -- --alone --rounds 20  the gain of the second thread
 //! ```
 //!
-//! Where a program is missing, its columns stay empty, and those of Tachyon in the scene
-//! `nodes`, because it has no nodes. Scenes, pictures and logs stay in `target/tmp/peers/`.
+//! The columns of a missing program have no numbers, nor those of Tachyon in the scene
+//! `nodes`, because it has none. Scenes and pictures stay in `target/tmp/peers/`.
 //!
 //! All programs take one sample in the middle of each pixel, and cast a shadow ray wherever
 //! a light may shine. They run with their default options, apart from those that make their
-//! pictures equal. They take turns, and of all rounds the shortest time counts. Times
-//! are the ones that each program prints about itself. Building makes the structures
-//! for rays that depend on the objects alone, so that a second picture of the same
-//! world would not need it again; for the engine that includes making its scene.
-//! Tracing is the rest, without reading the scene and writing the file; all work that
-//! depends on eye, lights or picture is part of it. The total is both together. (POV-Ray
-//! builds the structure of a mesh while it reads, so that its time is in no column.)
-//! Memory is the peak of the whole process, seen from outside. Ratios say how
-//! many times as long, or as much, the other program takes: above 1 ours is
-//! better. The last columns say which share of pixels differs from ours by more
-//! than 8 of 255, and the mean difference, so that nobody compares different
-//! work. Behind the table stand the targets, and the scenes that miss them.
+//! pictures equal. They take turns, and of all rounds the shortest time counts. Times are the
+//! ones that each program prints about itself. Building makes the structures for rays that
+//! depend on the objects alone; for the engine that includes making its scene. Tracing is the
+//! rest, without reading the scene and writing the file. (POV-Ray builds the structure of a
+//! mesh while it reads, so that its time is in no column.) Memory is the peak of the process.
+//! Behind the table stand the targets, and the scenes that miss them.
 
 mod language;
-mod objects;
 mod program;
 mod report;
-mod scene;
-mod scenes;
-#[path = "../support.rs"]
+#[path = "../support/mod.rs"]
 mod support;
-mod world;
 
 use std::error::Error;
 use std::fs;
@@ -45,9 +35,9 @@ use common::{Settings, Size, Transfer, picture_file};
 use rayon::ThreadPoolBuilder;
 
 use crate::program::{PROGRAMS, Run, by_turns};
-use crate::scene::Scene;
-use crate::scenes::SCENES;
-use crate::support::Grid;
+use crate::support::scene::Scene;
+use crate::support::scenes::SCENES;
+use crate::support::{Grid, world};
 
 /// Compares the engine with POV-Ray and Tachyon.
 #[derive(Parser)]
@@ -62,7 +52,6 @@ struct Options {
     alone: bool,
     /// Numbers of threads, each for itself.
     #[arg(long, value_delimiter = ',', default_value = "1,2")]
-    #[arg(value_parser = clap::value_parser!(u16).range(1..))]
     threads: Vec<u16>,
     /// Width and height of the pictures.
     #[arg(long, default_value = "1280x960")]
@@ -142,7 +131,7 @@ fn render(scene: &Scene, side: u32, size: Size, threads: u16, file: &Path) -> Ou
         println!("build: {} seconds", started.elapsed().as_secs_f64());
 
         let started = Instant::now();
-        let image = renderer.render(&Grid { side, seed: None }, &settings, &())?;
+        let image = renderer.render(&Grid(side, None), &settings, &())?;
         let rgb = image.to_rgb8(Transfer::Linear);
         println!("trace: {} seconds", started.elapsed().as_secs_f64());
         Ok::<_, common::Error>(rgb)

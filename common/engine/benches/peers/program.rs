@@ -1,20 +1,20 @@
 //! Programs run as child processes, by turns, and their times, memory and pictures.
 
 use std::fs::File;
-use std::io::{self, BufWriter, ErrorKind, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 use std::process::Command;
 
 use common::{Error, Image, Size, picture_file};
 
-use crate::language::{Language, POV_RAY, TACHYON};
-use crate::scene::Scene;
+use crate::language::{self, POV_RAY, TACHYON};
+use crate::support::scene::Scene;
 
 /// A program that renders.
 pub struct Program {
     pub name: &'static str,
     /// Its file and its language; none for this benchmark itself.
-    other: Option<(&'static str, Language)>,
+    other: Option<(&'static str, &'static str)>,
     /// The arguments, with words in brackets.
     arguments: &'static str,
     /// What stands before the seconds to build and to trace in its output.
@@ -80,16 +80,13 @@ impl Run {
         picture_file::open(&folder().join(self.name() + ".png"))
     }
 
-    /// Writes the scene. False if the language has no words for it.
-    fn write_scene(&self) -> io::Result<bool> {
+    fn write_scene(&self) -> io::Result<()> {
         let Some((_, language)) = self.program.other else {
-            return Ok(true);
+            return Ok(());
         };
         let mut out = BufWriter::new(File::create(folder().join(self.name() + ".scene"))?);
-        match language.write(&mut out, self.scene.items(self.size)) {
-            Err(error) if error.kind() == ErrorKind::Unsupported => Ok(false),
-            written => written.and_then(|()| out.flush()).map(|()| true),
-        }
+        language::write(&mut out, language, self.scene.items(self.size))?;
+        out.flush()
     }
 
     fn render(&mut self) -> io::Result<()> {
@@ -128,10 +125,13 @@ impl Run {
 /// Lets all runs that are possible take turns, round after round; only ours if we are alone.
 pub fn by_turns(runs: &mut [Run], rounds: u32, alone: bool) -> io::Result<()> {
     let mut possible = Vec::new();
-    for run in runs {
-        let is_wanted = !alone || run.program.other.is_none();
-        if is_wanted && run.write_scene()? {
-            possible.push(run);
+    let wanted = runs
+        .iter_mut()
+        .filter(|run| !alone || run.program.other.is_none());
+    for run in wanted {
+        match run.write_scene() {
+            Ok(()) => possible.push(run),
+            Err(error) => eprintln!("{}: {error}", run.name()),
         }
     }
     for _ in 0..rounds {

@@ -13,16 +13,12 @@ fn ratio(runs: &Comparison, program: usize, figure: usize) -> f64 {
 
 /// Prints the head of the table of all figures.
 pub fn head() {
-    println!("Behind our figures: those of POV-Ray and of Tachyon as multiples of ours, and the");
-    println!(
-        "share of pixels that differ from ours by more than 8 of 255, with the mean difference"
-    );
-    let [ours, both] = [["build ms", "trace ms", "MiB"], ["differ %", "mean", ""]];
-    let ratios = ["trace", "trace", "total", "total", "memory", "memory"];
-    print_head(
-        "scene",
-        &[&["threads"], &ours[..], &ratios, &both[..2], &both[..2]].concat(),
-    );
+    println!("Figures of POV-Ray and Tachyon are multiples of ours; pixels differ from ours if");
+    println!("a channel does by more than 8 of 255, and the mean is that of all channels.\n");
+    let ours = ["threads", "build ms", "trace ms", "MiB"];
+    let others = ["trace", "trace", "total", "total", "memory", "memory"];
+    let pictures = ["differ %", "mean", "differ %", "mean"];
+    print_head("scene", &[&ours[..], &others, &pictures].concat());
 }
 
 /// Prints our figures, and how many times as much the two others take.
@@ -74,12 +70,11 @@ pub fn book(comparisons: &[Comparison]) {
 }
 
 /// The least that POV-Ray's and Tachyon's figures should be, as multiples of ours.
-const TARGETS: [(&str, usize, [f64; 2]); 5] = [
+const TARGETS: [(&str, usize, [f64; 2]); 4] = [
     ("trace time", TRACE, [5.0, 1.5]),
     ("trace time", TRACE, [10.0, 3.0]),
     ("total time", TOTAL, [1.0, 1.0]),
     ("memory", MEMORY, [1.0, 1.0]),
-    ("memory", MEMORY, [0.77, 0.77]),
 ];
 const GAIN_OF_TWO_THREADS: f64 = 1.9;
 

@@ -1,8 +1,12 @@
-//! Parts that the benchmarks share: random numbers, samples of a pixel, and rows of tables.
+//! Parts that the benchmarks share: scenes, random numbers, samples of a pixel, rows of tables.
 #![allow(dead_code, reason = "no benchmark uses all of them")]
 
-#[path = "../src/adaptive/random.rs"]
+mod objects;
+#[path = "../../src/adaptive/random.rs"]
 mod random;
+pub mod scene;
+pub mod scenes;
+pub mod world;
 
 use engine::Sampler;
 use glam::DVec3;
@@ -42,30 +46,26 @@ impl Numbers {
     }
 }
 
-/// Samples on a square grid in each pixel.
-pub struct Grid {
-    /// Cells in each direction, at least one.
-    pub side: u32,
-    /// With a seed, each sample lies anywhere in its cell, otherwise in the middle.
-    pub seed: Option<u64>,
-}
+/// Samples on a square grid in each pixel, with this number of cells in each direction. With
+/// a seed, each sample lies anywhere in its cell, otherwise in the middle.
+pub struct Grid(pub u32, pub Option<u64>);
 
 impl Sampler for Grid {
     fn samples(&self) -> u32 {
-        self.side * self.side
+        self.0 * self.0
     }
 
     fn place(&self, i: u32, column: u32, row: u32) -> (f64, f64) {
-        let (dx, dy) = match self.seed {
-            None if self.side == 1 => return (0.5, 0.5),
+        let (dx, dy) = match self.1 {
+            None if self.0 == 1 => return (0.5, 0.5),
             None => (0.5, 0.5),
             Some(seed) => {
                 let (random, first) = (PixelRandom::new(seed, column, row), 2 * u64::from(i));
                 (random.uniform(first), random.uniform(first + 1))
             }
         };
-        let in_cell = |cell: u32, d: f64| (f64::from(cell) + d) / f64::from(self.side);
-        (in_cell(i % self.side, dx), in_cell(i / self.side, dy))
+        let in_cell = |cell: u32, d: f64| (f64::from(cell) + d) / f64::from(self.0);
+        (in_cell(i % self.0, dx), in_cell(i / self.0, dy))
     }
 }
 

@@ -10,7 +10,6 @@ use glam::{DVec3, dvec3};
 /// A scene in numbers.
 pub struct Scene {
     pub name: &'static str,
-    /// For the reader of the table.
     pub about: &'static str,
     /// The place of the camera, and the direction in which it looks.
     pub view: [DVec3; 2],
@@ -91,10 +90,8 @@ const COLORS: [DVec3; 7] = [
 
 /// The index of the grey, which is also the number of colours before it.
 pub const GREY: usize = 6;
-
 /// The share of each colour that is seen without any light.
 pub const AMBIENT: f64 = 0.1;
-
 /// Half the vertical opening angle of all cameras, in radians.
 pub const HALF_ANGLE: f64 = std::f64::consts::FRAC_PI_8;
 

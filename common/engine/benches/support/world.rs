@@ -7,7 +7,7 @@ use engine::{
 };
 use glam::{DMat4, DVec3};
 
-use crate::scene::{AMBIENT, HALF_ANGLE, Item, Kind, Scene};
+use super::scene::{AMBIENT, HALF_ANGLE, Item, Kind, Scene};
 
 /// A scene with its structure for rays.
 pub fn prepare(scene: &Scene, settings: &Settings) -> Renderer<'static> {
@@ -30,9 +30,10 @@ pub fn prepare(scene: &Scene, settings: &Settings) -> Renderer<'static> {
             let inverse = matrix.inverse();
             transforms.push(Transform { matrix, inverse });
         } else if let Some(kind) = light(&item) {
+            let casts_shadows = true;
             world.add_light(Light {
                 kind,
-                casts_shadows: true,
+                casts_shadows,
             });
         } else if let Some(shape) = shape(&item) {
             let transforms = transforms.drain(..);
@@ -71,30 +72,22 @@ fn light(item: &Item) -> Option<LightKind<'static>> {
 fn shape(item: &Item) -> Option<Shape<'static>> {
     let [a, b, c, d, e, f, _] = item.vectors;
     let plane = |point, normal| Plane { point, normal };
-    let triangle = |normals: Option<[DVec3; 3]>| {
-        let face = (b - a).cross(c - a).normalize();
-        Shape::Triangle(Triangle {
-            corners: [a, b, c],
-            normals: normals.unwrap_or([face; 3]),
-            face,
-        })
+    let sphere = |center, radius| Sphere { center, radius };
+    let solid = |min, max| AxisAlignedBox { min, max };
+    let disc = |plane, radius| Disc { plane, radius };
+    let face = (b - a).cross(c - a).normalize();
+    let triangle = |normals| Triangle {
+        corners: [a, b, c],
+        normals,
+        face,
     };
     Some(match item.kind {
         Kind::Plane => Shape::Plane(plane(DVec3::ZERO, a)),
-        Kind::Sphere => Shape::Sphere(Sphere {
-            center: a,
-            radius: b.x,
-        }),
-        Kind::Cube => Shape::Box(AxisAlignedBox {
-            min: a.to_array(),
-            max: b.to_array(),
-        }),
-        Kind::Disc => Shape::Disc(Disc {
-            plane: plane(a, b),
-            radius: c.x,
-        }),
-        Kind::Triangle => triangle(None),
-        Kind::Smooth => triangle(Some([d, e, f])),
+        Kind::Sphere => Shape::Sphere(sphere(a, b.x)),
+        Kind::Cube => Shape::Box(solid(a.to_array(), b.to_array())),
+        Kind::Disc => Shape::Disc(disc(plane(a, b), c.x)),
+        Kind::Triangle => Shape::Triangle(triangle([face; 3])),
+        Kind::Smooth => Shape::Triangle(triangle([d, e, f])),
         _ => return None,
     })
 }

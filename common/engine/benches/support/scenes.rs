@@ -2,11 +2,11 @@
 
 use glam::{DVec3, dvec3};
 
-use crate::objects::{
+use super::objects::{
     branches, cube, floor, hairs, lamp, leaving_room, random, ring, scattered, sphere, spot, sun,
     surface, waves,
 };
-use crate::scene::{GREY, Item, Kind, Scene, item};
+use super::scene::{GREY, Item, Kind, Scene, item};
 
 /// The scene from which the others differ.
 const SPHERES: Scene = Scene {
@@ -18,11 +18,6 @@ const SPHERES: Scene = Scene {
     shares: [0.5, 0.0],
     objects: || scattered(1_000, 0.3, 0.8),
 };
-
-const IN_THE_CLOUD: DVec3 = DVec3::ZERO;
-const LAMP_IN_THE_CLOUD: DVec3 = dvec3(1.0, 1.5, -2.0);
-const AMONG_BOXES: DVec3 = dvec3(0.0, 3.0, 9.0);
-const LAMP_AMONG_BOXES: DVec3 = dvec3(2.0, 6.0, 4.0);
 
 /// All scenes, in the order of the tables.
 pub const SCENES: [Scene; 14] = [
@@ -90,20 +85,20 @@ pub const SCENES: [Scene; 14] = [
     Scene {
         name: "cloud",
         about: "60,000 mirrors around eye and lamp, two deep",
-        view: [IN_THE_CLOUD, dvec3(0.0, 0.0, -1.0)],
-        lights: || vec![lamp(LAMP_IN_THE_CLOUD)],
+        view: [DVec3::ZERO, dvec3(0.0, 0.0, -1.0)],
+        lights: || vec![lamp(dvec3(1.0, 1.5, -2.0))],
         depth: 2,
         shares: [0.5, 0.5],
         objects: || {
             let spheres = scattered(60_000, 0.05, 0.15);
-            leaving_room([IN_THE_CLOUD, LAMP_IN_THE_CLOUD], spheres)
+            leaving_room([DVec3::ZERO, dvec3(1.0, 1.5, -2.0)], spheres)
         },
     },
     Scene {
         name: "boxes",
         about: "800 mirroring boxes above a mirror, four deep",
-        view: [AMONG_BOXES, dvec3(0.0, -0.5, -9.0)],
-        lights: || vec![lamp(LAMP_AMONG_BOXES)],
+        view: [dvec3(0.0, 3.0, 9.0), dvec3(0.0, -0.5, -9.0)],
+        lights: || vec![lamp(dvec3(2.0, 6.0, 4.0))],
         depth: 4,
         shares: [0.5, 0.5],
         objects: || {
@@ -111,8 +106,8 @@ pub const SCENES: [Scene; 14] = [
                 let center = numbers.in_box(dvec3(-10.0, 0.5, -10.0), dvec3(10.0, 7.0, 10.0));
                 cube(center, numbers.between(0.15, 0.45), 0)
             });
-            let objects = Box::new(cubes.chain([floor()]));
-            leaving_room([AMONG_BOXES, LAMP_AMONG_BOXES], objects)
+            let cubes = leaving_room([dvec3(0.0, 3.0, 9.0), dvec3(2.0, 6.0, 4.0)], cubes);
+            Box::new(cubes.chain([floor()]))
         },
     },
     Scene {

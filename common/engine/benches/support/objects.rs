@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use glam::{DMat4, DVec3, dvec3};
 
-use crate::scene::{GREY, Item, Items, Kind, item};
-use crate::support::Numbers;
+use super::Numbers;
+use super::scene::{GREY, Item, Items, Kind, item};
 
 pub fn lamp(position: DVec3) -> Item {
     item(Kind::Point, &[DVec3::ONE, position], 0)
@@ -13,9 +13,11 @@ pub fn lamp(position: DVec3) -> Item {
 
 pub fn sun(color: DVec3, direction: DVec3) -> Item {
     let direction = direction.normalize();
-    // Outside of everything.
-    let position = direction * -1000.0;
-    item(Kind::Directional, &[color, position, direction], 0)
+    item(
+        Kind::Directional,
+        &[color, direction * -1000.0, direction],
+        0,
+    )
 }
 
 /// A cone from above towards the middle of the floor.
@@ -54,15 +56,14 @@ pub fn scattered(count: u32, smallest: f64, largest: f64) -> Items {
     })
 }
 
-/// The objects without the spheres and cubes that are too near to an eye or a lamp.
+/// The spheres and cubes that are not too near to an eye or a lamp.
 pub fn leaving_room(places: [DVec3; 2], objects: Items) -> Items {
     const ROOM: f64 = 0.25;
     Box::new(objects.filter(move |object| {
         let [a, b, ..] = object.vectors;
         let (center, radius) = match object.kind {
-            Kind::Sphere => (a, b.x),
             Kind::Cube => (a.midpoint(b), a.distance(b) / 2.0),
-            _ => return true,
+            _ => (a, b.x),
         };
         let mut distances = places.iter().map(|place| place.distance(center));
         distances.all(|distance| distance > radius + ROOM)
