@@ -105,7 +105,8 @@ impl Run {
         let mut command = Command::new("time");
         command.args(["-f", "memory: %M KiB"]).arg(file);
         command.args(arguments.split_whitespace());
-        let output = command.current_dir(folder()).output()?;
+        let missing = |error| io::Error::other(format!("GNU time: {error}"));
+        let output = command.current_dir(folder()).output().map_err(missing)?;
         let log = [output.stdout, output.stderr].concat();
         let log = String::from_utf8_lossy(&log);
         let [build, trace] = self
