@@ -1,6 +1,6 @@
 //! `Cylinder`: a tube around the y axis.
 
-use a02_math::Normal3;
+use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval};
 use common::{ArgumentError, argument};
@@ -29,4 +29,16 @@ impl Geometry for Cylinder {
 
         testing::missing("the crossing that counts, and the normal there", None)
     }
+}
+
+testing::examples! {
+    let tube = Cylinder::new(1.0, 2.0).unwrap();
+    let hit = |y, z, dz| {
+        let ray = Ray::derived(Point3::new(0.0, y, z), Vector3::new(0.0, -1.0, dz));
+        tube.hit(&ray, Interval::AHEAD).map(|hit| (hit.t, hit.normal.z()))
+    };
+    assert_eq!(hit(3.0, 3.0, -1.0), Some((2.0, 1.0)), "at the near wall");
+    assert_eq!(hit(5.0, 3.0, -1.0), Some((4.0, -1.0)), "over the rim, at the far wall");
+    assert_eq!(hit(1.0, 0.0, -1.0), Some((1.0, -1.0)), "from inside, at the bottom");
+    assert_eq!(hit(1.0, 0.0, 0.0), None, "down through the tube");
 }

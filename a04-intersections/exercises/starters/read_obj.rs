@@ -41,3 +41,15 @@ fn named(word: &str, corners: &[Point3]) -> Result<Point3, String> {
 fn face(words: SplitWhitespace, corners: &[Point3]) -> Result<Vec<Triangle>, String> {
     testing::missing("the triangles of a face", Ok(Vec::new()))
 }
+
+testing::examples! {
+    let corners = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 5e-1 -3\n";
+    let read = |line: &str| read_obj(&format!("{corners}{line}\n"));
+    let [a, b] = [Point3::ORIGIN, Point3::new(4.0, 0.0, 0.0)];
+    let triangle = Triangle::new(a, b, Point3::new(0.0, 0.5, -3.0)).unwrap();
+    assert_eq!(read("# no face"), Ok(vec![]));
+    assert_eq!(read("f 1 2 4"), Ok(vec![triangle]));
+    assert_eq!(read("f 1/7 2/8 -1"), Ok(vec![triangle]));
+    assert_eq!(read("f 1 2 3 4").map(|triangles| triangles.len()), Ok(2));
+    assert!(read("f 1 2 9").unwrap_err().starts_with("line 5: "));
+}

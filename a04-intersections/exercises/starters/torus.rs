@@ -4,6 +4,7 @@ use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval};
 use common::{ArgumentError, argument};
+use testing::assert_close;
 
 /// All points at the distance `r` from a circle of the radius `ring`, which lies
 /// around the origin in the plane y = 0.
@@ -50,4 +51,16 @@ impl Geometry for Torus {
         let normal = self.way_from_circle(ray.at(t))?.normalized()?.as_normal();
         within.contains(t).then(|| Hit::new(t, normal))
     }
+}
+
+testing::examples! {
+    let torus = Torus::new(2.0, 0.5).unwrap();
+    let hit = |x, y, dy| {
+        let ray = Ray::derived(Point3::new(x, y, 0.0), Vector3::new(0.0, dy, 0.0));
+        torus.hit(&ray, Interval::AHEAD).map(|hit| [hit.t, hit.normal.y()])
+    };
+    assert_close(hit(2.0, 5.0, -1.0), Some([4.5, 1.0]));
+    assert_close(hit(2.0, 5.0, -2.0), Some([2.25, 1.0]));
+    assert_close(hit(2.0, 0.0, -1.0), Some([0.5, -1.0]));
+    assert_eq!(hit(0.0, 5.0, -1.0), None, "through the hole");
 }

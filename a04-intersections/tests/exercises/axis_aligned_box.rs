@@ -1,98 +1,125 @@
-//! Boxes anywhere, met on each face from outside and from inside, missed beside the edges,
-//! and by rays parallel to faces.
+//! Boxes anywhere, compared with the lesson's.
 
-use a02_math::{Normal3, Point3, Vector3};
+use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Interval, World};
-use common::{ArgumentError, Color};
-use testing::exercise::{Check, Random};
+use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, scenes::scene_3};
+use common::ArgumentError;
+use testing::exercise::{Check, Variant, random, right, wrong};
 
-use crate::aimed::{Shown, expect_scene, perspective, point};
+use crate::shape::{compare, own, point, scene};
+
+/// On a face, from inside, away, past an edge, just touching an edge, and beside it.
+const SIMPLE: [[[f64; 3]; 2]; 6] = [
+    [[0.0, 1.0, 5.0], [0.0, 0.0, -1.0]],
+    [[0.5, 1.0, 0.0], [1.0, 0.0, 0.0]],
+    [[0.0, 1.0, 5.0], [0.0, 0.0, 1.0]],
+    [[0.0, 4.0, 3.0], [0.0, -1.0, -1.0]],
+    [[2.0, 1.0, 0.0], [-1.0, 0.0, 1.0]],
+    [[3.0, 1.0, 0.0], [-1.0, 0.0, 1.0]],
+];
 
 pub fn check<G: Geometry>(
     check: &mut Check,
     new: impl Fn(Point3, Point3) -> Result<G, ArgumentError>,
 ) {
-    let mut random = Random::new(43);
-    for _ in 0..10 {
-        let lbf = point(&mut random, 5.0);
-        let extent = [(); 3].map(|()| random.between(0.5, 5.0));
-        let run = lbf + Vector3::from_glam(extent.into());
-        let Ok(aab) = new(lbf, run) else { continue };
-        let words = format!("box from {} to {:.2}", lbf.to_glam(), run.to_glam());
-        let aab = Shown { shape: &aab, words };
-        for axis in 0..3 {
-            for sign in [-1.0, 1.0] {
-                expect_face(check, &mut random, &aab, lbf, extent, axis, sign);
-            }
-        }
+    let mut compare = |lbf: [f64; 3], run: [f64; 3], simple: &[_]| {
+        let words = format!("box from {lbf:?} to {run:?}");
+        let middle = [0, 1, 2].map(|axis| f64::midpoint(lbf[axis], run[axis]));
+        let [a, b] = [point(lbf), point(run)];
+        compare(
+            check,
+            &words,
+            (middle, 1.0),
+            AxisAlignedBox::new(a, b),
+            new(a, b),
+            simple,
+        );
+    };
+    compare([-1.0, 0.0, -1.0], [1.0, 2.0, 1.0], &SIMPLE);
+    for (lbf, size) in random(|r| (r.triple(5.0), r.triple(2.5))).take(20) {
+        compare(
+            lbf,
+            [0, 1, 2].map(|axis| lbf[axis] + size[axis].abs() + 0.1),
+            &[],
+        );
     }
-    expect_scene(check, "scene-3", || {
-        let camera = perspective(Point3::new(3.0, 3.0, 3.0), Vector3::new(-3.0, -3.0, -3.0))?;
-        let (lbf, run) = (Point3::new(-0.5, 0.0, -0.5), Point3::new(0.5, 1.0, 0.5));
-        Ok((
-            camera,
-            World::new(Color::BLACK)?.with(new(lbf, run)?, Color::BLUE),
-        ))
+    let [lbf, run] = [point([-0.5, 0.0, -0.5]), point([0.5, 1.0, 0.5])];
+    scene(check, "scene-3", scene_3, new(lbf, run));
+}
+
+/// The last entry into a slab and the first exit, each a `t` and its axis. Slabs along which
+/// the direction is at most `parallel` are entered nowhere, but the ray may be outside.
+fn span([lbf, run]: [Point3; 2], ray: &Ray, parallel: f64) -> Option<[(f64, usize); 2]> {
+    let [o, d] = [ray.origin().to_glam(), ray.direction().to_glam()];
+    let (lbf, run) = (lbf.to_glam(), run.to_glam());
+    let (mut near, mut far) = ((f64::NEG_INFINITY, 0), (f64::INFINITY, 0));
+    for axis in 0..3 {
+        if d[axis].abs() <= parallel {
+            ((lbf[axis]..=run[axis]).contains(&o[axis])).then_some(())?;
+            continue;
+        }
+        let [a, b] = [lbf, run].map(|corner| (corner[axis] - o[axis]) / d[axis]);
+        near = if a.min(b) > near.0 {
+            (a.min(b), axis)
+        } else {
+            near
+        };
+        far = if a.max(b) < far.0 {
+            (a.max(b), axis)
+        } else {
+            far
+        };
+    }
+    Some([near, far])
+}
+
+fn variant(
+    c: &mut Check,
+    parallel: f64,
+    choose: fn([f64; 2], Interval) -> Option<usize>,
+    side: f64,
+) {
+    check(c, move |lbf, run| {
+        own(move |ray: &Ray, within| {
+            let ends = span([lbf, run], ray, parallel)?;
+            let which = choose(ends.map(|(t, _)| t), within)?;
+            let ((t, axis), mut normal) = (ends[which], [0.0; 3]);
+            let outwards = ray.direction().to_glam()[axis].signum() * [-1.0, side][which];
+            normal[axis] = outwards;
+            Some(Hit::new(t, Normal3::from_glam(normal.into())))
+        })
     });
 }
 
-/// Rays to the face of an axis on the side of a sign.
-fn expect_face(
-    check: &mut Check,
-    random: &mut Random,
-    aab: &Shown,
-    lbf: Point3,
-    extent: [f64; 3],
-    axis: usize,
-    sign: f64,
-) {
-    // The point at these shares of the edges from `lbf`; the axis of the face comes first.
-    let place = |share: [f64; 3]| {
-        let mut step = [0.0; 3];
-        for (i, share) in share.into_iter().enumerate() {
-            let axis = (axis + i) % 3;
-            step[axis] = share * extent[axis];
-        }
-        lbf + Vector3::from_glam(step.into())
-    };
-    let [outside, face, inside] = [1.5, 0.5, -0.3].map(|height| 0.5 + sign * height);
-    let mut normal = [0.0; 3];
-    normal[axis] = sign;
-    let n = Normal3::from_glam(normal.into());
-    let mut share = || random.between(0.1, 0.9);
-    let at = place([face, share(), share()]);
-    let from = place([outside, share(), share()]);
-    aab.expect_nearest(check, "from outside", from, at, n);
-    aab.expect_nearest(
-        check,
-        "from inside",
-        place([inside, share(), share()]),
-        at,
-        n,
-    );
-    aab.expect_none(check, "the box lies behind", from, from - at);
-
-    let (v, w) = (share(), share());
-    let (before, at) = (place([outside, v, w]), place([face, v, w]));
-    aab.expect_nearest(check, "parallel to four faces", before, at, n);
-    // Through the box, from face to face: twice the way as far as to the first.
-    let second = Interval {
-        min: 1.0 + 1e-6,
-        max: f64::INFINITY,
-    };
-    let ray = Ray::derived(before, at - before);
-    let what = "the far face, as the interval begins after the near one";
-    aab.expect(check, what, &ray, second, Some((2.0, -n)));
-    for (what, beside) in [("just beside an edge", 1e-6), ("beside the box", 0.3)] {
-        for share in [-beside, 1.0 + beside] {
-            let (from, to) = (place([outside, share, w]), place([face, share, w]));
-            aab.expect_none(check, &format!("{what}, parallel to it"), from, to - from);
-        }
-        let (from, to) = (
-            place([face + sign * beside, -2.0, w]),
-            place([face + sign * beside, 3.0, w]),
-        );
-        aab.expect_none(check, &format!("{what}, over the face"), from, to - from);
-    }
+fn first(ends: [f64; 2], within: Interval) -> Option<usize> {
+    (0..2).find(|end| ends[0] <= ends[1] && within.contains(ends[*end]))
 }
+
+pub const VARIANTS: &[Variant] = &[
+    right("parallel slabs apart", |c| variant(c, 0.0, first, 1.0)),
+    wrong("from inside, the exit is the hit", |c| {
+        variant(
+            c,
+            0.0,
+            |ends, i| first(ends, i).filter(|end| *end == 0),
+            1.0,
+        );
+    }),
+    wrong(
+        "edges belong to the box: entry and exit may be equal",
+        |c| {
+            variant(
+                c,
+                0.0,
+                |ends, i| first(ends, i).filter(|_| ends[0] < ends[1]),
+                1.0,
+            );
+        },
+    ),
+    wrong("a small coordinate of the direction is not parallel", |c| {
+        variant(c, 1e-5, first, 1.0)
+    }),
+    wrong("from inside, the normal points out of the box, too", |c| {
+        variant(c, 0.0, first, -1.0)
+    }),
+];

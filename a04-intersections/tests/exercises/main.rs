@@ -2,13 +2,12 @@
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
-mod aimed;
-#[cfg(not(learn))]
-#[path = "wrong/own.rs"]
-mod own;
+#[path = "../../../a03-rays-cameras/tests/exercises/camera.rs"]
+mod camera;
 mod shape;
 
 testing::exercises! {
+    use a02_math, a03_rays_cameras, a04_intersections, common;
     orthographic => |check| orthographic::check(check, OrthographicCamera::new);
     plane => |check| plane::check(check, Plane::new);
     axis_aligned_box => |check| axis_aligned_box::check(check, AxisAlignedBox::new);

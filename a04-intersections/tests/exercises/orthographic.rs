@@ -1,64 +1,81 @@
-//! Parallel cameras at any place, that look into any direction, with any scale.
+//! Parallel cameras anywhere, compared with the lesson's.
 
 use a02_math::{Point3, Vector3};
-use a03_rays_cameras::Camera;
-use a04_intersections::{Sphere, World};
-use common::{ArgumentError, Color, Size};
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
+use a03_rays_cameras::{Basis, Camera, OrthographicCamera, Ray, render};
+use a04_intersections::{scenes::scene_6, stage};
+use common::{ArgumentError, Size};
+use testing::exercise::{Check, Variant, right, wrong};
 
-use crate::aimed::{expect_scene, frame, point};
-
-/// Some roundings of coordinates up to 100.
-const BOUND: Bound = Bound::Absolute(1e-11);
+use crate::camera::compare;
 
 pub fn check<C: Camera>(
     check: &mut Check,
     new: impl Fn(Point3, Vector3, Vector3, f64) -> Result<C, ArgumentError>,
 ) {
-    let mut random = Random::new(40);
-    for _ in 0..20 {
-        let (e, [u, v, w], s) = (
-            point(&mut random, 9.0),
-            frame(&mut random),
-            random.between(0.5, 9.0),
-        );
-        let Ok(camera) = new(e, -w, v, s) else {
-            continue;
-        };
-        let (width, height) = (2 + random.below(90), 2 + random.below(90));
-        let Ok(size) = Size::new(width, height) else {
-            continue;
-        };
-        let [columns, rows] = [width, height].map(f64::from);
-        let (right, up) = (random.between(-0.5, 0.5), random.between(-0.5, 0.5));
-        for (place, right, up) in [
-            ("through the middle", 0.0, 0.0),
-            ("through the middle of the lowest row", 0.0, -0.5),
-            ("through the middle of the highest row", 0.0, 0.5),
-            ("through the middle of the last column", 0.5, 0.0),
-            ("anywhere", right, up),
-        ] {
-            let (x, y) = ((right + 0.5) * (columns - 1.0), (up + 0.5) * (rows - 1.0));
-            let exact = e + u * (right * s * columns / rows) + v * (up * s);
-            let ray = camera.ray_for(size, x, y);
-            let words = format!(
-                "eye {}, gaze {:.3}, up {:.3}, s = {s}, picture of {size}, x = {x}, y = {y}",
-                e.to_glam(),
-                (-w).to_glam(),
-                v.to_glam()
-            );
-            let [exact, got] = [exact, ray.origin()].map(|p| p.to_glam().to_array());
-            check.expect(format!("the origin {place}; {words}"), exact, BOUND, got);
-            let [exact, got] = [-w, ray.direction()].map(|d| d.to_glam().to_array());
-            check.expect(format!("the direction; {words}"), exact, BOUND, got);
-        }
-    }
-    expect_scene(check, "scene-6", || {
-        let (g, up) = (Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
-        let world = World::new(Color::BLACK)?
-            .with(Sphere::new(Point3::new(-1.0, 0.0, -3.0), 0.5)?, Color::RED)
-            .with(Sphere::new(Point3::new(1.0, 0.0, -6.0), 0.5)?, Color::RED);
-        Ok((Box::new(new(Point3::ORIGIN, g, up, 3.0)?), world))
+    compare(check, "s =", 9.0, OrthographicCamera::new, &new);
+    check.scene(&stage(), "scene-6", |settings| {
+        let (_, world) = scene_6()?;
+        let [g, up] = [Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0)];
+        let camera = new(Point3::ORIGIN, g, up, 3.0)?;
+        render(&camera, |ray: &Ray| world.color_for(ray), settings, &())
     });
 }
+
+/// A camera whose rays follow from its axes, the scale, and each of width and height with a
+/// place along it.
+struct Own(Basis, f64, Rays);
+
+type Rays = fn(Basis, f64, [f64; 2], [f64; 2]) -> Ray;
+
+impl Camera for Own {
+    fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
+        let [w, h] = [size.width(), size.height()].map(f64::from);
+        (self.2)(self.0, self.1, [w, x], [h, y])
+    }
+}
+
+fn own(c: &mut Check, rays: Rays) {
+    check(c, |e, g, t, s| Ok(Own(Basis::new(e, g, t)?, s, rays)));
+}
+
+fn ray(basis: Basis, right: f64, up: f64) -> Ray {
+    Ray::derived(basis.e + basis.u * right + basis.v * up, -basis.w)
+}
+
+/// Offset of a pixel from the middle, as a fraction of the whole.
+fn offset([n, p]: [f64; 2]) -> f64 {
+    p / (n - 1.0) - 0.5
+}
+
+pub const VARIANTS: &[Variant] = &[
+    right("steps of a pixel from the lower left", |c| {
+        own(c, |basis, s, [w, x], [h, y]| {
+            let [right, up] = [s * w / h / (w - 1.0), s / (h - 1.0)];
+            let corner = ray(basis, -right * (w - 1.0) / 2.0, -s / 2.0).origin();
+            Ray::derived(
+                corner + basis.u * (x * right) + basis.v * (y * up),
+                -basis.w,
+            )
+        });
+    }),
+    wrong(
+        "a picture that is wider than high shows more to the sides",
+        |c| {
+            own(c, |basis, s, x, y| ray(basis, s * offset(x), s * offset(y)));
+        },
+    ),
+    wrong(
+        "from the first middle of a pixel to the last are n - 1 steps",
+        |c| {
+            own(c, |basis, s, [w, x], [h, y]| {
+                ray(basis, s * w / h * (x / w - 0.5), s * (y / h - 0.5))
+            });
+        },
+    ),
+    wrong("the origins differ, not the directions", |c| {
+        own(c, |basis, s, x, y| {
+            let through = ray(basis, s * x[0] / y[0] * offset(x), s * offset(y)).origin();
+            Ray::derived(basis.e, through - basis.e - basis.w)
+        });
+    }),
+];

@@ -1,73 +1,93 @@
-//! Planes anywhere, met from both sides, missed behind the ray, and along the plane.
+//! Planes anywhere, compared with the lesson's.
 
-use a02_math::{Normal3, Point3, Vector3};
+use a02_math::{Direction, Normal3, Point3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Interval};
-use common::{ArgumentError, Color};
-use testing::exercise::{Check, Random};
+use a04_intersections::{Geometry, Hit, Plane, scenes::scene_1};
+use common::ArgumentError;
+use testing::exercise::{Check, Variant, random, right, wrong};
 
-use crate::aimed::{Shown, alone, expect_scene, frame, point};
+use crate::shape::{compare, own, point, scene, vector};
+
+/// Down to the floor, up from it, up to it, parallel to it, and in it.
+const SIMPLE: [[[f64; 3]; 2]; 5] = [
+    [[0.0, 0.0, 0.0], [0.0, -0.5, 0.0]],
+    [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+    [[0.0, -3.0, 0.0], [0.0, 1.0, 1.0]],
+    [[0.0, 0.0, 0.0], [3.0, 0.0, 1.0]],
+    [[4.0, -1.0, 2.0], [3.0, 0.0, 1.0]],
+];
 
 pub fn check<G: Geometry>(
     check: &mut Check,
     new: impl Fn(Point3, Normal3) -> Result<G, ArgumentError>,
 ) {
-    let (floor, up) = (Point3::new(0.0, -1.0, 0.0), Normal3::new(0.0, 1.0, 0.0));
-    if let Ok(plane) = new(floor, up) {
-        let words = "plane through [0, -1, 0] with normal [0, 1, 0]".to_owned();
-        let plane = Shown {
-            shape: &plane,
-            words,
-        };
-        let ray = Ray::derived(Point3::ORIGIN, Vector3::new(0.0, -0.5, 0.0));
-        plane.expect(
-            check,
-            "straight down",
-            &ray,
-            Interval::AHEAD,
-            Some((2.0, up)),
+    let mut compare = |a: [f64; 3], n: [f64; 3], simple: &[_]| {
+        let (words, normal) = (
+            format!("plane through {a:?}, normal {n:?}"),
+            vector(n).as_normal(),
         );
+        let (lesson, yours) = (Plane::new(point(a), normal), new(point(a), normal));
+        compare(check, &words, (a, 3.0), lesson, yours, simple);
+    };
+    compare([0.0, -1.0, 0.0], [0.0, 1.0, 0.0], &SIMPLE);
+    for (a, n) in random(|r| (r.triple(5.0), r.triple(5.0))).take(20) {
+        compare(a, n, &[]);
     }
-    let mut random = Random::new(42);
-    for _ in 0..20 {
-        let (a, [n, side, other]) = (point(&mut random, 5.0), frame(&mut random));
-        let length = random.between(0.2, 5.0);
-        let Ok(plane) = new(a, n.as_normal() * length) else {
-            continue;
-        };
-        let words = format!(
-            "plane through {} with normal {:.3}",
-            a.to_glam(),
-            (n * length).to_glam()
-        );
-        let plane = Shown {
-            shape: &plane,
-            words,
-        };
-        let at = a + side * random.between(-5.0, 5.0) + other * random.between(-5.0, 5.0);
-        let aside = side * random.between(-2.0, 2.0);
-        let front = at + n * random.between(0.5, 4.0) + aside;
-        let back = at - n * random.between(0.5, 4.0) + aside;
-        plane.expect_nearest(
-            check,
-            "from the side of the normal",
-            front,
-            at,
-            n.as_normal(),
-        );
-        plane.expect_nearest(check, "from the far side", back, at, n.as_normal());
-        plane.expect_none(check, "the plane lies behind", front, front - at);
-    }
-    // Exactly parallel: the coordinates are whole.
-    if let Ok(plane) = new(floor, up) {
-        let words = "plane through [0, -1, 0] with normal [0, 1, 0]".to_owned();
-        let plane = Shown {
-            shape: &plane,
-            words,
-        };
-        let along = Vector3::new(3.0, 0.0, 1.0);
-        plane.expect_none(check, "parallel to the plane", Point3::ORIGIN, along);
-        plane.expect_none(check, "in the plane", Point3::new(4.0, -1.0, 2.0), along);
-    }
-    expect_scene(check, "scene-1", || alone(new(floor, up)?, Color::GREEN));
+    let up = Normal3::new(0.0, 1.0, 0.0);
+    scene(check, "scene-1", scene_1, new(point([0.0, -1.0, 0.0]), up));
 }
+
+/// A `t` from the distance of the origin along the normal, the approach in one step along the
+/// ray, and the length of that step; NaN is no hit.
+fn variant(c: &mut Check, t: fn(f64, f64, f64) -> f64) {
+    check(c, move |a, n| {
+        let n = n.unit("n")?;
+        own(move |ray: &Ray, within| {
+            // In the form n · p + k = 0.
+            let k = -n.dot(a - Point3::ORIGIN);
+            let (ahead, d) = (-n.dot(ray.origin() - Point3::ORIGIN) - k, ray.direction());
+            let t = t(ahead, n.dot(d), d.magnitude());
+            within.contains(t).then(|| Hit::new(t, n))
+        })
+    });
+}
+
+pub const VARIANTS: &[Variant] = &[
+    right("the plane as n · p + k = 0", |c| {
+        variant(c, |ahead, approach, _| ahead / approach)
+    }),
+    wrong(
+        "a ray is parallel where d · n is 0; small says nothing, as d has any length",
+        |c| {
+            variant(c, |ahead, approach, _| {
+                if approach.abs() > 1e-6 {
+                    ahead / approach
+                } else {
+                    f64::NAN
+                }
+            });
+        },
+    ),
+    wrong("a plane is seen from its far side, too", |c| {
+        variant(c, |ahead, approach, _| {
+            if approach < 0.0 {
+                ahead / approach
+            } else {
+                f64::NAN
+            }
+        });
+    }),
+    wrong("t counts steps of the direction, not lengths", |c| {
+        variant(c, |ahead, approach, length| ahead / approach * length);
+    }),
+    wrong("the normal of a shape does not turn to the ray", |c| {
+        check(c, |a, n| {
+            let plane = Plane::new(a, n)?;
+            own(move |ray: &Ray, within| {
+                let Hit { t, normal, .. } = plane.hit(ray, within)?;
+                let sign = -normal.dot(ray.direction()).signum();
+                Some(Hit::new(t, normal * sign))
+            })
+        });
+    }),
+];

@@ -1,35 +1,49 @@
-//! Rays aimed at points of all six faces of many boxes, from outside and from inside,
-//! and past their edges.
+//! Boxes of six planes anywhere, compared with the solution.
 
-use a02_math::{Normal3, Point3, Vector3};
+use a02_math::Point3;
 use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Interval};
+use a04_intersections::{Geometry, Hit, Interval, Plane};
 use common::ArgumentError;
-use testing::exercise::{Check, Random};
+use testing::exercise::{Check, Variant, random, right, wrong};
 
-use crate::shape::{expect_hit, show};
+use crate::shape::{compare, own, point, show, vector};
+use crate::solutions::six_planes::SixPlanes;
 
-/// Some roundings of coordinates up to 20.
-const BOUND: f64 = 1e-12;
+/// On a face, from inside, away, on an edge, and beside it.
+const SIMPLE: [[[f64; 3]; 2]; 5] = [
+    [[0.0, 1.0, 5.0], [0.0, 0.0, -1.0]],
+    [[0.5, 1.0, 0.0], [1.0, 0.0, 0.0]],
+    [[0.0, 1.0, 5.0], [0.0, 0.0, 1.0]],
+    [[1.0, 1.0, 5.0], [0.0, 0.0, -1.0]],
+    [[1.5, 1.0, 5.0], [0.0, 0.0, -1.0]],
+];
 
-pub fn check<G: Geometry + 'static>(
+pub fn check<G: Geometry>(
     check: &mut Check,
     new: impl Fn(Point3, Point3) -> Result<G, ArgumentError>,
 ) {
-    // No number of these is exact in binary.
-    let (lbf, run) = ([-0.3, 0.1, -0.7], [0.4, 1.2, 0.6]);
-    let Ok(shape) = new(point(lbf), point(run)) else {
-        return;
+    let mut compare = |lbf: [f64; 3], run: [f64; 3], simple: &[_]| {
+        let words = format!("box from {lbf:?} to {run:?}");
+        let middle = [0, 1, 2].map(|axis| f64::midpoint(lbf[axis], run[axis]));
+        let [a, b] = [point(lbf), point(run)];
+        compare(
+            check,
+            &words,
+            (middle, 1.0),
+            SixPlanes::new(a, b),
+            new(a, b),
+            simple,
+        );
     };
-    let mut random = Random::new(3);
-    expect_faces(check, &shape, lbf, run, &mut random);
-    for _ in 0..8 {
-        let lbf = [(); 3].map(|()| random.between(-5.0, 4.0));
-        let run = lbf.map(|low| low + random.between(0.1, 6.0));
-        if let Ok(shape) = new(point(lbf), point(run)) {
-            expect_faces(check, &shape, lbf, run, &mut random);
-        }
+    compare([-1.0, 0.0, -1.0], [1.0, 2.0, 1.0], &SIMPLE);
+    for (lbf, size) in random(|r| (r.triple(5.0), r.triple(2.5))).take(10) {
+        compare(
+            lbf,
+            [0, 1, 2].map(|axis| lbf[axis] + size[axis].abs() + 0.1),
+            &[],
+        );
     }
+    let shape = new(point([-0.3, 0.1, -0.7]), point([0.4, 1.2, 0.6]));
     show(
         check,
         shape,
@@ -38,78 +52,84 @@ pub fn check<G: Geometry + 'static>(
     );
 }
 
-fn expect_faces(
-    check: &mut Check,
-    shape: &impl Geometry,
-    lbf: [f64; 3],
-    run: [f64; 3],
-    random: &mut Random,
+/// A box of which `is_on_face` judges three flags: whether the hit of a plane is between the
+/// corners along its own axis, and along both others, up to an epsilon.
+fn variant(
+    c: &mut Check,
+    beside: f64,
+    is_on_face: fn(bool, [bool; 2]) -> bool,
+    replaces: fn(&Hit, &Hit) -> bool,
 ) {
-    let name = format!("box from {lbf:?} to {run:?}");
-    let mut expect = |from: [f64; 3], way: Vector3, within, exact, place: &str| {
-        let ray = Ray::derived(point(from), way);
-        let what = format!(
-            "{place}, from {from:.3?} along {:.3}, {name}",
-            way.to_glam()
-        );
-        expect_hit(check, &what, exact, BOUND, shape.hit(&ray, within));
-    };
-    for axis in 0..3 {
-        let others = [(axis + 1) % 3, (axis + 2) % 3];
-        for (side, near, far) in [(-1.0, lbf, run), (1.0, run, lbf)] {
-            let normal = |side: f64| {
+    check(c, move |lbf, run| {
+        own(move |ray: &Ray, within| {
+            let mut found: Option<Hit> = None;
+            for (axis, corner, outwards) in
+                (0..3).flat_map(|axis| [(axis, lbf, -1.0), (axis, run, 1.0)])
+            {
                 let mut normal = [0.0; 3];
-                normal[axis] = side;
-                Normal3::from_glam(normal.into())
-            };
-            for (i, j) in (1..10).flat_map(|i| (1..10).map(move |j| (i, j))) {
-                let mut at = near;
-                for (other, share) in others.into_iter().zip([i, j]) {
-                    at[other] += (far[other] - near[other]) * (f64::from(share) / 10.0);
-                }
-                let (mut outside, mut inside) = (at, at);
-                for k in 0..3 {
-                    outside[k] += random.between(-3.0, 3.0);
-                    inside[k] = lbf[k] + (run[k] - lbf[k]) * random.between(0.05, 0.95);
-                }
-                outside[axis] = near[axis] + side * random.between(0.2, 5.0);
-                for (from, place) in [(outside, "from outside"), (inside, "from inside")] {
-                    // One step of this ray leads to the face.
-                    let way = point(at) - point(from);
-                    expect(from, way, Interval::AHEAD, Some((1.0, normal(side))), place);
+                normal[axis] = outwards;
+                let plane = Plane::new(corner, vector(normal).as_normal()).ok()?;
+                let Some(hit) = plane.hit(ray, within) else {
+                    continue;
+                };
+                let [p, lbf, run] = [ray.at(hit.t), lbf, run].map(Point3::to_glam);
+                let is_between =
+                    |axis| lbf[axis] - beside <= p[axis] && p[axis] <= run[axis] + beside;
+                let others = [is_between((axis + 1) % 3), is_between((axis + 2) % 3)];
+                if is_on_face(is_between(axis), others)
+                    && found.is_none_or(|old| replaces(&hit, &old))
+                {
+                    found = Some(hit);
                 }
             }
-
-            // Straight through, one away from the near face.
-            let way = Vector3::from(normal(-side));
-            let mut from = [0, 1, 2].map(|k| lbf[k] + (run[k] - lbf[k]) * 0.3);
-            from[axis] = near[axis] + side;
-            let to_far = 1.0 + (run[axis] - lbf[axis]);
-            let front = Some((1.0, normal(side)));
-            let back = Some((to_far, normal(-side)));
-            let behind = Interval {
-                min: 1.01,
-                max: 99.0,
-            };
-            expect(from, way, behind, back, "the near face not in the interval");
-            let before = Interval::before(0.99);
-            expect(from, way, before, None, "the interval ends before it");
-            expect(from, -way, Interval::AHEAD, None, "away from it");
-            for other in others {
-                for (border, out) in [(lbf[other], -1.0), (run[other], 1.0)] {
-                    from[other] = border;
-                    expect(from, way, Interval::AHEAD, front, "just on its edge");
-                    from[other] = border + out * 1e-7;
-                    expect(from, way, Interval::AHEAD, None, "just beside it");
-                    from[other] = border - out * 1e-7;
-                    expect(from, way, Interval::AHEAD, front, "just inside its edge");
-                }
-                from[other] = lbf[other] + (run[other] - lbf[other]) * 0.3;
-            }
-        }
-    }
+            found
+        })
+    });
 }
 
-fn point(xyz: [f64; 3]) -> Point3 {
-    Point3::from_glam(xyz.into())
-}
+pub const VARIANTS: &[Variant] = &[
+    right("each plane anew", |c| {
+        variant(c, 0.0, |_, others| others == [true; 2], |a, b| a.t < b.t)
+    }),
+    wrong(
+        "rounding puts a hit beside its own plane: compare the other two axes",
+        |c| {
+            variant(
+                c,
+                0.0,
+                |own, others| own && others == [true; 2],
+                |a, b| a.t < b.t,
+            );
+        },
+    ),
+    wrong(
+        "the nearest plane hides the others, not the last one",
+        |c| {
+            variant(c, 0.0, |_, others| others == [true; 2], |_, _| true);
+        },
+    ),
+    wrong(
+        "an epsilon closes the holes, and lets the faces stick out",
+        |c| {
+            variant(
+                c,
+                1e-4,
+                |own, others| own && others == [true; 2],
+                |a, b| a.t < b.t,
+            );
+        },
+    ),
+    wrong(
+        "each plane has its own hit in the interval, which has to choose first",
+        |c| {
+            check(c, |lbf, run| {
+                let shape = SixPlanes::new(lbf, run)?;
+                own(move |ray: &Ray, i: Interval| {
+                    shape
+                        .hit(ray, Interval::AHEAD)
+                        .filter(|hit| i.contains(hit.t))
+                })
+            });
+        },
+    ),
+];

@@ -1,87 +1,77 @@
-//! Spheres anywhere, met from outside, from inside, behind the ray, and along the rim.
+//! Spheres anywhere, compared with the lesson's.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
+use a02_math::{Direction, Point3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Interval};
-use common::{ArgumentError, Color};
-use testing::exercise::{Check, Random};
+use a04_intersections::{Geometry, Hit, Interval, Sphere, scenes::scene_2};
+use common::ArgumentError;
+use testing::exercise::{Check, Variant, random, right, wrong};
 
-use crate::aimed::{Shown, alone, expect_scene, frame, point};
+use crate::shape::{compare, own, point, scene};
+
+/// Straight ahead, twice as fast, from inside, away from it, touching it, and beside it.
+const SIMPLE: [[[f64; 3]; 2]; 6] = [
+    [[0.0, 0.0, 0.0], [0.0, 0.0, -1.0]],
+    [[0.0, 0.0, 0.0], [0.0, 0.0, -2.0]],
+    [[0.0, 0.0, -3.0], [0.0, 0.0, -1.0]],
+    [[0.0, 0.0, -4.0], [0.0, 0.0, -1.0]],
+    [[0.5, 0.0, 0.0], [0.0, 0.0, -1.0]],
+    [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0]],
+];
 
 pub fn check<G: Geometry>(
     check: &mut Check,
     new: impl Fn(Point3, f64) -> Result<G, ArgumentError>,
 ) {
-    let centre = Point3::new(0.0, 0.0, -3.0);
-    if let Ok(sphere) = new(centre, 0.5) {
-        let words = "sphere around [0, 0, -3] of radius 0.5".to_owned();
-        let sphere = Shown {
-            shape: &sphere,
-            words,
-        };
-        let (d, n) = (Vector3::new(0.0, 0.0, -1.0), Normal3::new(0.0, 0.0, 1.0));
-        let ray = Ray::derived(Point3::ORIGIN, d);
-        sphere.expect(
-            check,
-            "straight ahead",
-            &ray,
-            Interval::AHEAD,
-            Some((2.5, n)),
-        );
+    let mut compare = |c: [f64; 3], r, simple: &[_]| {
+        let (words, centre) = (format!("sphere around {c:?} of radius {r}"), point(c));
+        let (lesson, yours) = (Sphere::new(centre, r), new(centre, r));
+        compare(check, &words, (c, r), lesson, yours, simple);
+    };
+    compare([0.0, 0.0, -3.0], 0.5, &SIMPLE);
+    for (c, r) in random(|r| (r.triple(5.0), r.between(0.2, 4.0))).take(20) {
+        compare(c, r, &[]);
     }
-    let mut random = Random::new(41);
-    for _ in 0..20 {
-        let (c, r) = (point(&mut random, 5.0), random.between(0.2, 4.0));
-        let Ok(sphere) = new(c, r) else { continue };
-        let words = format!("sphere around {} of radius {r}", c.to_glam());
-        let sphere = Shown {
-            shape: &sphere,
-            words,
-        };
-
-        let [n, side, _] = frame(&mut random);
-        let at = c + n * r;
-        let outside = at + n * random.between(0.5, 4.0) + side * random.between(-2.0, 2.0);
-        let inside = c + side * (r * random.between(-0.9, 0.9));
-        let normal = n.as_normal();
-        sphere.expect_nearest(check, "from outside", outside, at, normal);
-        sphere.expect_nearest(check, "from inside", inside, at, normal);
-        sphere.expect_none(check, "the sphere lies behind", outside, outside - at);
-
-        // The chord from `at` ends after -2 r (n · d) / (d · d) more steps.
-        let ray = Ray::derived(outside, at - outside);
-        let d = ray.direction();
-        let far = 1.0 - 2.0 * r * n.dot(d) / d.dot(d);
-        let out = (ray.at(far) - c) * (1.0 / r);
-        let second = Interval {
-            min: 1.0 + 1e-6,
-            max: f64::INFINITY,
-        };
-        let exact = Some((far, out.as_normal()));
-        sphere.expect(
-            check,
-            "the far side, as the interval begins after the near one",
-            &ray,
-            second,
-            exact,
-        );
-
-        let past = |share: f64| at + n * (r * share) + side * 3.0;
-        sphere.expect_none(check, "a millionth beside the rim", past(1e-6), -side);
-        // r² - (r (1 - δ))² = r² δ (2 - δ)
-        let half_chord = r * (1e-6_f64 * (2.0 - 1e-6)).sqrt();
-        let exact = 3.0 - half_chord;
-        let hit = sphere
-            .shape
-            .hit(&Ray::derived(past(-1e-6), -side), Interval::AHEAD);
-        let words = &sphere.words;
-        let what = format!("t, a millionth inside the rim; {words}");
-        check.expect(
-            what,
-            exact,
-            measure::extremes::Bound::Absolute(1e-6),
-            hit.map(|hit| hit.t),
-        );
-    }
-    expect_scene(check, "scene-2", || alone(new(centre, 0.5)?, Color::RED));
+    scene(check, "scene-2", scene_2, new(point([0.0, 0.0, -3.0]), 0.5));
 }
+
+/// The textbook's `a t² + 2 b t + k = 0`, and a choice of its root.
+fn textbook(c: &mut Check, choose: fn([f64; 3], Interval) -> Option<f64>) {
+    check(c, move |c, r| {
+        own(move |ray: &Ray, within| {
+            let (f, d) = (ray.origin() - c, ray.direction());
+            let t = choose([d.dot(d), f.dot(d), f.dot(f) - r * r], within)?;
+            Some(Hit::new(t, ((ray.at(t) - c) * (1.0 / r)).as_normal()))
+        })
+    });
+}
+
+fn roots([a, b, k]: [f64; 3]) -> Option<[f64; 2]> {
+    let discriminant = b * b - a * k;
+    let root = (discriminant >= 0.0).then(|| discriminant.sqrt())?;
+    Some([(-b - root) / a, (-b + root) / a])
+}
+
+pub const VARIANTS: &[Variant] = &[
+    right("the textbook's discriminant", |c| {
+        textbook(c, |abk, i| roots(abk)?.into_iter().find(|t| i.contains(*t)));
+    }),
+    wrong("from inside, only the far root lies ahead", |c| {
+        textbook(c, |abk, i| Some(roots(abk)?[0]).filter(|t| i.contains(*t)));
+    }),
+    wrong("a ray that touches hits: its discriminant is 0", |c| {
+        textbook(c, |abk, i| {
+            let [near, far] = roots(abk)?;
+            [near, far]
+                .into_iter()
+                .find(|t| near < far && i.contains(*t))
+        });
+    }),
+    wrong("the interval says which t is valid, not an epsilon", |c| {
+        textbook(c, |abk, _| roots(abk)?.into_iter().find(|t| *t > 1e-4));
+    }),
+    wrong("the direction may have any length, so a is not 1", |c| {
+        textbook(c, |[_, b, k], i| {
+            roots([1.0, b, k])?.into_iter().find(|t| i.contains(*t))
+        });
+    }),
+];

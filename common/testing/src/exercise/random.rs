@@ -3,6 +3,12 @@
 use proptest::prelude::RngExt;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
+/// A hundred random inputs, the same in every run.
+pub fn random<I>(mut input: impl FnMut(&mut Random) -> I) -> impl Iterator<Item = I> {
+    let mut random = Random::new(1);
+    (0..100).map(move |_| input(&mut random))
+}
+
 /// A source of random numbers, which a seed determines.
 #[derive(Clone, Debug)]
 pub struct Random(TestRng);
@@ -30,6 +36,11 @@ impl Random {
     /// Three numbers from `-most` to `most` in steps of a hundredth.
     pub fn triple(&mut self, most: f64) -> [f64; 3] {
         [(); 3].map(|()| self.between(-most, most))
+    }
+
+    /// A power of ten from 1e-6 to 1e6: a length.
+    pub fn scale(&mut self) -> f64 {
+        10.0_f64.powi(self.below(13) as i32 - 6)
     }
 
     /// The coordinates of a direction, which are fractions. Its length is 1 by Lebesgue's
