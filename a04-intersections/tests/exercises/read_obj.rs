@@ -57,26 +57,21 @@ pub fn check(check: &mut Check, read_obj: impl Fn(&str) -> Result<Vec<Triangle>,
 
 /// The corners of the triangles, or the beginning of the error.
 fn answer(read: Result<Vec<Triangle>, String>) -> Answer {
-    match read {
-        Ok(triangles) => triangles.iter().fold(
-            Answer::named("triangles", triangles.len()),
-            |answer, triangle| {
+    Answer::words(match read {
+        Ok(triangles) => {
+            let corners = triangles.iter().map(|triangle| {
                 let text = format!("{triangle:?}");
-                let corners = text.split("normals").next().unwrap_or_default();
-                let numbers = corners.split(|c: char| !"0123456789.-e".contains(c));
-                answer.and(
-                    "corners",
-                    numbers
-                        .filter_map(|n| n.parse::<f64>().ok())
-                        .collect::<Vec<_>>(),
-                )
-            },
+                let corners = text.split("DVec3").skip(1).take(3);
+                let corners = corners.map(|corner| corner.split_inclusive(')').next());
+                corners.flatten().collect::<Vec<_>>().join("-")
+            });
+            format!("triangles: {}", corners.collect::<Vec<_>>().join("; "))
+        }
+        Err(error) => format!(
+            "an error at {}",
+            error.split(':').next().unwrap_or_default()
         ),
-        Err(error) => Answer::words(format!(
-            "the error \"{}: ...\"",
-            error.split(": ").next().unwrap_or_default()
-        )),
-    }
+    })
 }
 
 /// A random face among random corners, which are named in all ways.

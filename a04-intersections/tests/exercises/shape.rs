@@ -8,7 +8,7 @@ use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Ray, render};
 use a04_intersections::{Geometry, Hit, Interval, World, scenes::View, stage};
 use common::{ArgumentError, Color};
-use testing::exercise::{Answer, Check, Random};
+use testing::exercise::{Answer, Check, Input, Random, random};
 
 /// Origin and direction of a ray, and the ends of the interval.
 pub type RayWithin = ([f64; 3], [f64; 3], f64, f64);
@@ -56,79 +56,90 @@ pub fn answer(hit: Option<Hit>) -> Answer {
     })
 }
 
-/// Compares a shape, described in words, with the lesson's: first with `simple` rays of
-/// origin and direction, then with rays around a point that is about as far as `reach` from
-/// the borders of the shape.
-pub fn compare<E>(
+/// Compares shapes with the lesson's, whose words have `{}` in the place of each parameter:
+/// the `first` one with rays of origin and direction, which are `simple`, and ten of `any`
+/// parameters with rays from everywhere.
+pub fn compare<P: Input, L: Geometry, Y: Geometry>(
     check: &mut Check,
     words: &str,
-    (middle, reach): ([f64; 3], f64),
-    lesson: Result<impl Geometry, E>,
-    yours: Result<impl Geometry, E>,
-    simple: &[[[f64; 3]; 2]],
+    (first, simple): (P, &[[[f64; 3]; 2]]),
+    any: impl FnMut(&mut Random) -> P,
+    lesson: impl Fn(P) -> Result<L, ArgumentError>,
+    yours: impl Fn(P) -> Result<Y, ArgumentError>,
 ) {
-    let (Ok(lesson), Ok(yours)) = (lesson, yours) else {
-        return;
+    let rays = |shape: &P| lesson(shape.clone()).map_or(Vec::new(), |shape| rays(&shape));
+    let with = |shape: P| {
+        rays(&shape)
+            .into_iter()
+            .map(move |ray| (shape.clone(), ray))
     };
-    let words = format!("{words}; {RAY}");
-    let simple = simple.iter().map(|[o, d]| (*o, *d, 0.0, f64::INFINITY));
-    let rays = rays(&lesson, point(middle), reach);
+    let ahead = simple.iter().map(|[o, d]| (*o, *d, 0.0, f64::INFINITY));
     check.compare(
-        &words,
-        simple,
-        rays,
-        |input| hit(&lesson, input),
-        |input| hit(&yours, input),
+        &format!("{words}; {RAY}"),
+        ahead.map(|ray| (first.clone(), ray)),
+        with(first.clone()).chain(random(any).take(10).flat_map(with)),
+        |(shape, ray)| lesson(shape).map(|shape| hit(&shape, ray)).ok(),
+        |(shape, ray)| yours(shape).map(|shape| hit(&shape, ray)).ok(),
     );
 }
 
+/// The hit of a ray, as an answer.
 pub fn hit(shape: &dyn Geometry, input: RayWithin) -> Answer {
     let (ray, within) = ray_within(input);
     answer(shape.hit(&ray, within))
 }
 
-/// Rays around a point of a shape; where its borders are, follows from its hits.
-pub fn rays(lesson: &dyn Geometry, middle: Point3, reach: f64) -> Vec<RayWithin> {
-    let (mut random, mut rays) = (Random::new(1), Vec::new());
-    for i in 0..40 {
-        let mut place = |most| middle + vector(random.triple(most)) * reach;
-        let (to, aside, from) = (place(1.0), place(3.0), place([3.0, 0.5, 3.0, 1e3][i % 4]));
-        let length = if i < 10 { 1.0 } else { random.scale() };
+/// Rays from everywhere, most of which hit the shape: from outside, inside and far away; with
+/// directions of all lengths; in intervals that end just before and after a hit; and just
+/// inside and outside of a border.
+pub fn rays(lesson: &dyn Geometry) -> Vec<RayWithin> {
+    let (mut random, mut rays, mut hits) = (Random::new(1), Vec::new(), 0);
+    for i in 0..3000 {
+        let [from, to, aside] = [(); 3].map(|()| point(random.triple(6.0)));
+        let from = if i % 4 == 3 {
+            to + (from - to) * 100.0
+        } else {
+            from
+        };
+        let length = if hits < 5 { 1.0 } else { random.scale() };
         let towards = |to: Point3| Ray::derived(from, (to - from) * length);
         let mut add = |ray: Ray, min, max| {
             let [o, d] = [ray.origin().to_glam(), ray.direction().to_glam()];
             rays.push((o.to_array(), d.to_array(), min, max));
         };
-        let ray = towards(to);
-        add(ray, 0.0, f64::INFINITY);
-        add(Ray::derived(from, -ray.direction()), 0.0, f64::INFINITY);
-        let hit = |ray: &Ray| lesson.hit(ray, Interval::AHEAD);
-        let Some(Hit { t, .. }) = hit(&ray) else {
+        let (ray, hit) = (towards(to), |ray| lesson.hit(&ray, Interval::AHEAD));
+        let Some(Hit { t, .. }) = hit(ray) else {
+            if i < 30 {
+                add(ray, 0.0, f64::INFINITY);
+            }
             continue;
         };
+        add(ray, 0.0, f64::INFINITY);
+        add(Ray::derived(from, -ray.direction()), 0.0, f64::INFINITY);
         for end in [t * (1.0 - 1e-6), t * (1.0 + 1e-6)] {
             add(ray, 0.0, end);
             add(ray, end, f64::INFINITY);
         }
         // It begins just behind the surface, often inside.
-        add(
-            Ray::derived(ray.at(t * 1.001), ray.direction()),
-            0.0,
-            f64::INFINITY,
-        );
-        // Towards a border between a point that is hit and one that is not.
+        let behind = Ray::derived(ray.at(t * 1.001), ray.direction());
+        add(behind, 0.0, f64::INFINITY);
+        // Between a point that is hit and one that is not, there is a border.
         let between = |share: f64| towards(to + (aside - to) * share);
-        let (mut hits, mut misses) = (0.0, 1.0);
-        while hit(&between(1.0)).is_none() && misses - hits > 1e-12 {
-            let share = f64::midpoint(hits, misses);
-            *(if hit(&between(share)).is_some() {
-                &mut hits
+        let (mut inner, mut outer) = (0.0, 1.0);
+        for _ in 0..40 {
+            let share = f64::midpoint(inner, outer);
+            if hit(between(share)).is_some() {
+                inner = share;
             } else {
-                &mut misses
-            }) = share;
+                outer = share;
+            }
         }
-        add(between(hits - 1e-6), 0.0, f64::INFINITY);
-        add(between(misses + 1e-6), 0.0, f64::INFINITY);
+        add(between(inner - 1e-6), 0.0, f64::INFINITY);
+        add(between(outer + 1e-6), 0.0, f64::INFINITY);
+        hits += 1;
+        if hits == 30 {
+            break;
+        }
     }
     rays
 }

@@ -4,7 +4,7 @@ use a02_math::Point3;
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval, Plane};
 use common::ArgumentError;
-use testing::exercise::{Check, Variant, random, right, wrong};
+use testing::exercise::{Check, Variant, right, wrong};
 
 use crate::shape::{compare, own, point, show, vector};
 use crate::solutions::six_planes::SixPlanes;
@@ -22,27 +22,17 @@ pub fn check<G: Geometry>(
     check: &mut Check,
     new: impl Fn(Point3, Point3) -> Result<G, ArgumentError>,
 ) {
-    let mut compare = |lbf: [f64; 3], run: [f64; 3], simple: &[_]| {
-        let words = format!("box from {lbf:?} to {run:?}");
-        let middle = [0, 1, 2].map(|axis| f64::midpoint(lbf[axis], run[axis]));
-        let [a, b] = [point(lbf), point(run)];
-        compare(
-            check,
-            &words,
-            (middle, 1.0),
-            SixPlanes::new(a, b),
-            new(a, b),
-            simple,
-        );
-    };
-    compare([-1.0, 0.0, -1.0], [1.0, 2.0, 1.0], &SIMPLE);
-    for (lbf, size) in random(|r| (r.triple(5.0), r.triple(2.5))).take(10) {
-        compare(
-            lbf,
-            [0, 1, 2].map(|axis| lbf[axis] + size[axis].abs() + 0.1),
-            &[],
-        );
-    }
+    compare(
+        check,
+        "box from {} to {}",
+        (([-1.0, 0.0, -1.0], [1.0, 2.0, 1.0]), &SIMPLE),
+        |r| {
+            let lbf = r.triple(5.0);
+            (lbf, lbf.map(|low| low + r.between(0.1, 3.0)))
+        },
+        |(lbf, run)| SixPlanes::new(point(lbf), point(run)),
+        |(lbf, run)| new(point(lbf), point(run)),
+    );
     let shape = new(point([-0.3, 0.1, -0.7]), point([0.4, 1.2, 0.6]));
     show(
         check,

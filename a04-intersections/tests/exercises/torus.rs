@@ -6,7 +6,7 @@ use a04_intersections::{Geometry, Hit, Interval};
 use common::ArgumentError;
 use testing::exercise::{Check, Variant, right, wrong};
 
-use crate::shape::{RAY, hit, own, point, rays, show, vector};
+use crate::shape::{RAY, hit, own, rays, show, vector};
 use crate::solutions::torus::Torus;
 
 pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(f64, f64) -> Result<G, ArgumentError>) {
@@ -20,8 +20,9 @@ pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(f64, f64) -> Result<G,
         let simple = xs.map(|x| ([x, 8.0, 0.0], [0.0, -1.0, 0.0], 0.0, f64::INFINITY));
         let inside = ([ring, 0.0, 0.0], [-1.0, 0.0, 0.0], 0.0, f64::INFINITY);
         // An interval may begin anywhere, but not as near to a surface as a smallest step.
-        let rays = rays(&solution, point([ring, 0.0, 0.0]), 2.0 * r);
-        let rays = rays.into_iter().filter(|(_, _, min, _)| *min == 0.0);
+        let rays = rays(&solution)
+            .into_iter()
+            .filter(|(_, _, min, _)| *min == 0.0);
         let simple = simple.into_iter().chain([inside]);
         check.compare(
             &words,

@@ -86,6 +86,7 @@ fn hint(details: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeSet;
+    use std::path::PathBuf;
 
     use super::*;
     use crate::{enter_workspace, files};
@@ -144,7 +145,7 @@ Solution: `square.rs`, in the chapter
     }
 
     #[test]
-    fn every_page_has_its_starters_and_no_others() {
+    fn every_page_has_its_solutions_and_no_others() {
         enter_workspace().unwrap();
         let exercises = read_all().unwrap();
         let names: BTreeSet<_> = exercises.iter().map(|e| e.name).collect();
@@ -153,13 +154,27 @@ Solution: `square.rs`, in the chapter
         let stages: BTreeSet<_> = exercises.iter().map(|e| e.stage).collect();
         let folders = stages
             .iter()
-            .map(|stage| format!("{stage}/exercises/starters"));
+            .map(|stage| format!("{stage}/exercises/solutions"));
         let found: BTreeSet<_> = folders
             .flat_map(|folder| fs::read_dir(folder).unwrap())
             .map(|entry| entry.unwrap().path())
             .collect();
-        let named: BTreeSet<_> = exercises.iter().map(files::starter).collect();
+        let solution = |e: &Exercise| format!("{}/exercises/solutions/{}.rs", e.stage, e.name);
+        let named: BTreeSet<PathBuf> = exercises.iter().map(|e| solution(e).into()).collect();
         assert_eq!(named, found);
+    }
+
+    /// And starters have no solutions.
+    #[test]
+    fn starters_lack_something_and_have_examples() {
+        enter_workspace().unwrap();
+        for exercise in read_all().unwrap() {
+            let starter = files::starter(&exercise).unwrap();
+            for part in ["testing::missing(", "testing::examples!"] {
+                assert!(starter.contains(part), "{}: {part}", exercise.name);
+            }
+            assert!(!starter.contains("missing!("), "{}", exercise.name);
+        }
     }
 
     /// No test would compile it.

@@ -5,13 +5,16 @@
 //!
 //! `sphere` and `signed_distance` of `a04-intersections` are examples of each file.
 //!
-//! 1. Write the starter, `exercises/starters/NAME.rs`: it compiles, calls [`missing`] in
-//!    the place of the code that is left to the student, and ends with three to six
-//!    [`examples!`](crate::examples) from closed forms. `cargo learn` copies it to
+//! 1. Where the student writes a part of the lesson, write the starter,
+//!    `exercises/starters/NAME.rs`: it compiles, calls [`missing`] in the place of the code
+//!    that is left to the student, and ends with three to six
+//!    [`examples!`](crate::examples) from closed forms. The solution,
+//!    `exercises/solutions/NAME.rs`, is a `pub use` of the lesson's type, or a function
+//!    that calls the lesson.
+//! 2. Elsewhere write only the solution, also with examples. What is left to the student
+//!    stands in `missing!("what is missing", a value for now, {` and ends with a line `})`,
+//!    which the starter does without. `cargo learn` copies or makes the starter as
 //!    `exercises/NAME.rs`, which no commit of the workbook contains.
-//! 2. Write the solution, `exercises/solutions/NAME.rs`. On the core path, where the
-//!    student writes a part of the lesson, it is a `pub use` of the lesson's type, or a
-//!    function that calls the lesson.
 //! 3. Write the check, `tests/exercises/NAME.rs`: a function that takes the student's
 //!    code, and compares it with the lesson, or with the solution where the lesson has
 //!    none, by [`Check::compare`]. `VARIANTS` in the same file are other right solutions
@@ -105,13 +108,15 @@ macro_rules! examples {
 }
 
 /// Writes the modules and the `main` of a stage's `tests/exercises/main.rs`. The first
-/// line names the crates whose items the examples use. A further line is the name of an
-/// exercise and a check, which sees the public items of its file.
+/// line names the crates whose items the examples use. The next ones are exercises with a
+/// starter of their own, and exercises whose starter is the solution without its code:
+/// each the name and a check, which sees the public items of the file.
 ///
 /// ```ignore
 /// testing::exercises! {
 ///     use a02_math;
-///     square => |check| square::check(check, square);
+///     starters { square => |check| square::check(check, square); }
+///     solutions { cube => |check| cube::check(check, cube); }
 /// }
 /// ```
 ///
@@ -121,67 +126,101 @@ macro_rules! examples {
 /// file of that name.
 #[macro_export]
 macro_rules! exercises {
-    (use $($lesson:ident),+; $($names:tt)+) => {
-        #[cfg(not(learn))]
-        #[allow(unused_imports)]
-        mod lessons { $(pub use $lesson::*;)+ }
-
-        $crate::exercises! { $($names)+ }
-    };
-    ($($name:ident => $check:expr;)+) => {
-        $(#[cfg(any(not(learn), $name))] mod $name;)+
+    (
+        use $($lesson:ident),+;
+        starters { $($own:ident => $own_check:expr;)+ }
+        solutions { $($cut:ident => $cut_check:expr;)* }
+    ) => {
+        $(#[cfg(any(not(learn), $own))] mod $own;)+
+        $(#[cfg(any(not(learn), $cut))] mod $cut;)+
 
         /// The students' files, which rust-analyzer reads, too.
         #[cfg(any(learn, rust_analyzer))]
         #[path = "../../exercises"]
         #[allow(clippy::all, clippy::pedantic, missing_docs)]
         mod yours {
-            $(#[cfg(any($name, rust_analyzer))] pub mod $name;)+
+            $(#[cfg(any($own, rust_analyzer))] pub mod $own;)+
+            $(#[cfg(any($cut, rust_analyzer))] pub mod $cut;)+
         }
 
         #[cfg(not(learn))]
-        #[path = "../../exercises/starters"]
+        #[path = "../../exercises"]
         #[allow(unused, clippy::all, clippy::pedantic, missing_docs)]
-        mod starters { $(pub mod $name;)+ }
+        mod starters {
+            macro_rules! missing {
+                ($what:expr, $for_now:expr, $code:expr) => { testing::missing($what, $for_now) };
+            }
+            #[path = "starters"]
+            pub mod own { $(pub mod $own;)+ }
+            #[path = "solutions"]
+            pub mod cut { $(pub mod $cut;)+ }
+        }
 
         #[path = "../../exercises/solutions"]
-        mod solutions { $(#[cfg(any(not(learn), $name))] pub mod $name;)+ }
+        mod solutions {
+            macro_rules! missing {
+                ($what:expr, $for_now:expr, $code:expr) => { $code };
+            }
+            $(#[cfg(any(not(learn), $own))] pub mod $own;)+
+            $(#[cfg(any(not(learn), $cut))] pub mod $cut;)+
+        }
 
-        /// The examples of the starters, with the code of the solutions.
+        /// The examples of starters, with the code of the solutions.
         #[cfg(not(learn))]
         #[allow(unused_imports, clippy::all, clippy::pedantic)]
         mod proved {
-            $(pub fn $name() {
-                use super::{lessons::*, solutions::$name::*};
-                use $crate::assert_close;
-                super::starters::$name::body!();
+            mod lessons { $(pub use $lesson::*;)+ }
+
+            $(pub fn $own() {
+                use {super::solutions::$own::*, $crate::assert_close, lessons::*};
+                super::starters::own::$own::body!();
             })+
         }
 
         fn main() -> std::process::ExitCode {
+            use $crate::exercise::{Code, Exercise, judge, prove};
             let stage = env!("CARGO_PKG_NAME");
             $(
-                #[cfg($name)]
-                return $crate::exercise::judge(stage, stringify!($name), {
-                    use yours::$name::*;
-                    $crate::exercise::Code { examples, check: $check }
+                #[cfg($own)]
+                return judge(stage, stringify!($own), {
+                    use yours::$own::*;
+                    Code { examples, check: $own_check }
+                });
+            )+
+            $(
+                #[cfg($cut)]
+                return judge(stage, stringify!($cut), {
+                    use yours::$cut::*;
+                    Code { examples, check: $cut_check }
                 });
             )+
             #[cfg(not(learn))]
-            $crate::exercise::prove(stage, [$(
-                $crate::exercise::Exercise {
-                    name: stringify!($name),
+            prove(stage, [
+                $(Exercise {
+                    name: stringify!($own),
                     starter: {
-                        use starters::$name::*;
-                        $crate::exercise::Code { examples, check: $check }
+                        use starters::own::$own::*;
+                        Code { examples, check: $own_check }
                     },
                     solution: {
-                        use solutions::$name::*;
-                        $crate::exercise::Code { examples: proved::$name, check: $check }
+                        use solutions::$own::*;
+                        Code { examples: proved::$own, check: $own_check }
                     },
-                    variants: $name::VARIANTS,
-                }
-            ),+])
+                    variants: $own::VARIANTS,
+                },)+
+                $(Exercise {
+                    name: stringify!($cut),
+                    starter: {
+                        use starters::cut::$cut::*;
+                        Code { examples, check: $cut_check }
+                    },
+                    solution: {
+                        use solutions::$cut::*;
+                        Code { examples, check: $cut_check }
+                    },
+                    variants: $cut::VARIANTS,
+                }),+
+            ])
         }
     };
 }

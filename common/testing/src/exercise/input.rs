@@ -5,7 +5,7 @@ pub trait Input: Clone {
     /// Calls a function with each number that may be moved.
     fn for_each_number(&mut self, f: &mut dyn FnMut(&mut f64));
 
-    /// The argument in words; of a tuple, each of its arguments.
+    /// The argument in words; of a tuple, those of each.
     fn words(&self) -> Vec<String>;
 
     /// This input with each of its numbers a little larger and a little smaller, by
@@ -40,38 +40,33 @@ impl Input for f64 {
 
 /// A number with as many digits as a reader needs to follow it.
 pub(super) fn shown(number: f64) -> String {
-    let exact = format!("{number:?}");
+    // Without the sign of -0.
+    let exact = format!("{:?}", number + 0.0);
     match number.abs() {
         _ if exact.len() < 12 => exact.trim_end_matches(".0").to_owned(),
-        1e-3..1e6 => format!("{number:.9}"),
+        1e-3..1e6 => format!("{number:.9}")
+            .trim_end_matches(['0', '.'])
+            .to_owned(),
         _ => format!("{number:.9e}"),
     }
 }
 
-fn listed(items: impl IntoIterator<Item = impl Input>) -> Vec<String> {
-    let items = items.into_iter().map(|item| item.words().join(", "));
-    vec![format!("[{}]", items.collect::<Vec<_>>().join(", "))]
+macro_rules! lists {
+    ($($list:ty, $($n:ident)?;)+) => { $(
+        impl<T: Input $(, const $n: usize)?> Input for $list {
+            fn for_each_number(&mut self, f: &mut dyn FnMut(&mut f64)) {
+                self.iter_mut().for_each(|item| item.for_each_number(f));
+            }
+
+            fn words(&self) -> Vec<String> {
+                let items: Vec<_> = self.iter().flat_map(Input::words).collect();
+                vec![format!("[{}]", items.join(", "))]
+            }
+        }
+    )+ };
 }
 
-impl<T: Input, const N: usize> Input for [T; N] {
-    fn for_each_number(&mut self, f: &mut dyn FnMut(&mut f64)) {
-        self.iter_mut().for_each(|item| item.for_each_number(f));
-    }
-
-    fn words(&self) -> Vec<String> {
-        listed(self.clone())
-    }
-}
-
-impl<T: Input> Input for Vec<T> {
-    fn for_each_number(&mut self, f: &mut dyn FnMut(&mut f64)) {
-        self.iter_mut().for_each(|item| item.for_each_number(f));
-    }
-
-    fn words(&self) -> Vec<String> {
-        listed(self.clone())
-    }
-}
+lists! { [T; N], N; Vec<T>, ; }
 
 /// Arguments that are not moved.
 macro_rules! fixed {
@@ -99,7 +94,7 @@ macro_rules! tuples {
 
             fn words(&self) -> Vec<String> {
                 let ($($item,)+) = self;
-                vec![$($item.words().join(", ")),+]
+                [$($item.words()),+].concat()
             }
         }
     )+ };

@@ -1,8 +1,9 @@
 //! `judge`: shows students the faults of their code.
 
+use std::panic::{self, Location};
 use std::process::{ExitCode, exit};
+use std::thread;
 use std::time::Duration;
-use std::{panic, thread};
 
 use super::findings::Findings;
 use super::{Check, Code, picture};
@@ -23,7 +24,11 @@ pub fn judge(stage: &str, name: &'static str, code: Code) -> ExitCode {
         println!("{name}: no end after {} seconds", LONGEST.as_secs());
         exit(NOT_JUDGED.into())
     });
-    panic::set_hook(Box::new(|message| println!("{message}")));
+    panic::set_hook(Box::new(move |panic| {
+        let line = panic.location().map_or(0, Location::line);
+        let message = panic.payload_as_str().unwrap_or_default();
+        println!("{name}.rs, line {line}: {message}");
+    }));
     let Findings {
         missing,
         wrong,

@@ -38,33 +38,9 @@ impl Random {
         [(); 3].map(|()| self.between(-most, most))
     }
 
-    /// A power of ten from 1e-6 to 1e6: a length.
+    /// A power of ten, from 1e-12 to 1e12: the length of a direction.
     pub fn scale(&mut self) -> f64 {
-        10.0_f64.powi(self.below(13) as i32 - 6)
-    }
-
-    /// The coordinates of a direction, which are fractions. Its length is 1 by Lebesgue's
-    /// identity `(m² + n² - p²)² + (2 m p)² + (2 n p)² = (m² + n² + p²)²`.
-    pub fn unit(&mut self) -> [f64; 3] {
-        let [m, n, p] = [(); 3].map(|()| f64::from(self.below(9)) - 4.5);
-        let [x, y, z] = [2.0 * m * p, m * m + n * n - p * p, 2.0 * n * p];
-        [x, y, z].map(|coordinate| coordinate / (m * m + n * n + p * p))
-    }
-
-    /// Three directions of length 1, perpendicular to each other, which form a right-handed
-    /// system.
-    pub fn frame(&mut self) -> [[f64; 3]; 3] {
-        let (a, b) = (self.unit(), self.unit());
-        let cross = |[ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]| {
-            [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
-        };
-        let c = cross(a, b);
-        let length = c.iter().map(|x| x * x).sum::<f64>().sqrt();
-        if length < 0.1 {
-            return self.frame();
-        }
-        let c = c.map(|coordinate| coordinate / length);
-        [a, cross(c, a), c]
+        10.0_f64.powi(self.below(25) as i32 - 12)
     }
 }
 
@@ -80,8 +56,5 @@ mod tests {
             assert!(drawn.contains(&exact), "{exact}");
         }
         assert!(drawn.iter().all(|n| (-0.02..=0.01).contains(n)));
-        for [x, y, z] in (0..1000).map(|_| random.unit()) {
-            assert!((x * x + y * y + z * z - 1.0).abs() < 1e-15);
-        }
     }
 }
