@@ -93,7 +93,8 @@ pub const VARIANTS: &[Variant] = &[
             variant(c, both, is_on_wall, |p, _| {
                 (p - Point3::ORIGIN)
                     .normalized()
-                    .map_or(Normal3::new(0.0, 0.0, 0.0), |n| n.as_normal())
+                    .unwrap_or_default()
+                    .as_normal()
             });
         },
     ),

@@ -3,9 +3,9 @@
 use a02_math::Point3;
 use a04_intersections::{Triangle, World};
 use common::Color;
-use testing::exercise::{Answer, Check, Random, Variant, random, right, wrong};
+use testing::exercise::{Answer, Check, Random, Variant, random, wrong};
 
-use crate::shape::show_world;
+use crate::shape::{by_normal, show_world};
 use crate::solutions::read_obj::read_obj as solution;
 
 /// Lines after three corners.
@@ -49,10 +49,7 @@ pub fn check(check: &mut Check, read_obj: impl Fn(&str) -> Result<Vec<Triangle>,
         house.fold(world, |world, triangle| world.with(triangle, ()))
     });
     let (eye, at) = (Point3::new(4.0, 3.0, 5.0), Point3::new(0.0, 0.8, -0.2));
-    show_world(check, world, eye, at, |_, normal| {
-        let [r, g, b] = normal.to_glam().abs().to_array();
-        Color::new(r, g, b)
-    });
+    show_world(check, world, eye, at, |(), _, normal| by_normal(normal));
 }
 
 /// The corners of the triangles, or the beginning of the error.
@@ -77,22 +74,15 @@ fn answer(read: Result<Vec<Triangle>, String>) -> Answer {
 /// A random face among random corners, which are named in all ways.
 fn mesh(random: &mut Random) -> String {
     let count = 6 + random.below(7);
-    let mut text = String::new();
-    for _ in 0..count {
-        let [x, y, z] = random.triple(9.0);
-        text += &format!("v {x} {y} {z}\n");
-    }
-    text += "f";
-    let first = random.below(count);
-    for corner in (0..3 + random.below(4)).map(|i| (first + i) % count) {
-        text += &match random.below(4) {
-            0 => format!(" {}", i64::from(corner) - i64::from(count)),
-            1 => format!(" {}/{}", corner + 1, 1 + random.below(9)),
-            2 => format!(" {}//{}", corner + 1, 1 + random.below(9)),
-            _ => format!(" {}", corner + 1),
-        };
-    }
-    text + "\nv 0 0 0\n"
+    let corners = (0..count).map(|_| random.triple(9.0).map(|x| x.to_string()).join(" "));
+    let corners: String = corners.map(|xyz| format!("v {xyz}\n")).collect();
+    let (first, sides) = (random.below(count), 3 + random.below(4));
+    let names = (first..first + sides).map(|corner| match (corner % count, random.below(3)) {
+        (corner, 0) => format!(" {}", i64::from(corner) - i64::from(count)),
+        (corner, 1) => format!(" {}/7/8", corner + 1),
+        (corner, _) => format!(" {}", corner + 1),
+    });
+    format!("{corners}f{}\nv 0 0 0\n", names.collect::<String>())
 }
 
 /// The solution of a text whose faces are changed.
@@ -109,17 +99,6 @@ fn with_faces(c: &mut Check, change: fn(&[&str]) -> String) {
 }
 
 pub const VARIANTS: &[Variant] = &[
-    right("each triangle as a face of its own", |c| {
-        with_faces(c, |names| match names {
-            [first, rest @ ..] if rest.len() > 2 => {
-                let faces = rest
-                    .windows(2)
-                    .map(|pair| format!("f {first} {} {} ", pair[0], pair[1]));
-                faces.collect::<Vec<_>>().join("\n") + "\n"
-            }
-            names => format!("f {}\n", names.join(" ")),
-        });
-    }),
     wrong("a face of five corners has three triangles", |c| {
         with_faces(c, |names| {
             format!("f {}\n", names[..names.len().min(3)].join(" "))

@@ -19,6 +19,7 @@ pub const RAY: &str = "ray from {} along {}, t from {} to {}";
 /// A shape whose hits a function finds.
 pub struct Own<F>(pub F);
 
+#[expect(clippy::unnecessary_wraps, reason = "a constructor returns a result")]
 pub fn own<F: Fn(&Ray, Interval) -> Option<Hit>>(hit: F) -> Result<Own<F>, ArgumentError> {
     Ok(Own(hit))
 }
@@ -172,27 +173,29 @@ pub fn show(
     at: Point3,
 ) {
     let world = World::new(Color::gray(0.1)).and_then(|world| Ok(world.with(shape?, ())));
-    show_world(check, world, eye, at, |_, normal| {
-        let [r, g, b] = normal.to_glam().abs().to_array();
-        Color::new(r, g, b)
-    });
+    show_world(check, world, eye, at, |(), _, normal| by_normal(normal));
 }
 
-/// Shows a world to an eye that looks at the point `at`, coloured by place and
+pub fn by_normal(normal: Normal3) -> Color {
+    let [r, g, b] = normal.to_glam().abs().to_array();
+    Color::new(r, g, b)
+}
+
+/// Shows a world to an eye that looks at the point `at`, coloured by surface, place and
 /// normal.
-pub fn show_world(
+pub fn show_world<S: Sync>(
     check: &mut Check,
-    world: Result<World<()>, ArgumentError>,
+    world: Result<World<S>, ArgumentError>,
     eye: Point3,
     at: Point3,
-    color: impl Fn(Point3, Normal3) -> Color + Sync,
+    color: impl Fn(&S, Point3, Normal3) -> Color + Sync,
 ) {
     check.picture(|settings| {
         let world = world?;
         let up = Vector3::new(0.0, 1.0, 0.0);
         let camera = PerspectiveCamera::new(eye, at - eye, up, FRAC_PI_4)?;
         let paint = |ray: &Ray| match world.hit(ray, Interval::AHEAD) {
-            Some((hit, ())) => color(ray.at(hit.t), hit.normal),
+            Some((hit, surface)) => color(surface, ray.at(hit.t), hit.normal),
             None => world.background(),
         };
         render(&camera, paint, settings, &())

@@ -35,9 +35,9 @@ fn without_code(solution: &str) -> String {
             let rest = lines
                 .find_map(|line| line.strip_prefix(&end))
                 .unwrap_or_default();
-            starter += &format!("{before}testing::missing({arguments}){rest}\n");
+            starter += &[before, "testing::missing(", arguments, ")", rest, "\n"].concat();
         } else {
-            starter += &format!("{line}\n");
+            starter += &[line, "\n"].concat();
         }
     }
     starter

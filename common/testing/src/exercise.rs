@@ -131,8 +131,16 @@ macro_rules! exercises {
         starters { $($own:ident => $own_check:expr;)+ }
         solutions { $($cut:ident => $cut_check:expr;)* }
     ) => {
-        $(#[cfg(any(not(learn), $own))] mod $own;)+
-        $(#[cfg(any(not(learn), $cut))] mod $cut;)+
+        $(
+            #[cfg(any(not(learn), $own))]
+            #[allow(clippy::semicolon_if_nothing_returned)]
+            mod $own;
+        )+
+        $(
+            #[cfg(any(not(learn), $cut))]
+            #[allow(clippy::semicolon_if_nothing_returned)]
+            mod $cut;
+        )*
 
         /// The students' files, which rust-analyzer reads, too.
         #[cfg(any(learn, rust_analyzer))]
@@ -140,7 +148,7 @@ macro_rules! exercises {
         #[allow(clippy::all, clippy::pedantic, missing_docs)]
         mod yours {
             $(#[cfg(any($own, rust_analyzer))] pub mod $own;)+
-            $(#[cfg(any($cut, rust_analyzer))] pub mod $cut;)+
+            $(#[cfg(any($cut, rust_analyzer))] pub mod $cut;)*
         }
 
         #[cfg(not(learn))]
@@ -153,7 +161,7 @@ macro_rules! exercises {
             #[path = "starters"]
             pub mod own { $(pub mod $own;)+ }
             #[path = "solutions"]
-            pub mod cut { $(pub mod $cut;)+ }
+            pub mod cut { $(pub mod $cut;)* }
         }
 
         #[path = "../../exercises/solutions"]
@@ -162,7 +170,7 @@ macro_rules! exercises {
                 ($what:expr, $for_now:expr, $code:expr) => { $code };
             }
             $(#[cfg(any(not(learn), $own))] pub mod $own;)+
-            $(#[cfg(any(not(learn), $cut))] pub mod $cut;)+
+            $(#[cfg(any(not(learn), $cut))] pub mod $cut;)*
         }
 
         /// The examples of starters, with the code of the solutions.
@@ -193,7 +201,7 @@ macro_rules! exercises {
                     use yours::$cut::*;
                     Code { examples, check: $cut_check }
                 });
-            )+
+            )*
             #[cfg(not(learn))]
             prove(stage, [
                 $(Exercise {
@@ -219,7 +227,7 @@ macro_rules! exercises {
                         Code { examples, check: $cut_check }
                     },
                     variants: $cut::VARIANTS,
-                }),+
+                },)*
             ])
         }
     };

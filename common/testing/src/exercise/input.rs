@@ -55,7 +55,9 @@ macro_rules! lists {
     ($($list:ty, $($n:ident)?;)+) => { $(
         impl<T: Input $(, const $n: usize)?> Input for $list {
             fn for_each_number(&mut self, f: &mut dyn FnMut(&mut f64)) {
-                self.iter_mut().for_each(|item| item.for_each_number(f));
+                for item in self.iter_mut() {
+                    item.for_each_number(f);
+                }
             }
 
             fn words(&self) -> Vec<String> {
