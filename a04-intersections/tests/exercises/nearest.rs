@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use a02_math::{Direction, Normal3, Point3};
 use a03_rays_cameras::{Ray, render};
-use a04_intersections::{Hit, Interval, Sphere, Triangle, World, scenes::scene_5, stage};
+use a04_intersections::{Hit, Interval, Sphere, World, scenes::scene_5, stage};
 use common::{ArgumentError, Color};
 use testing::exercise::{Answer, Check, Variant, right, wrong};
 
-use crate::shape::{Own, RAY, answer, ray_within, rays};
+use crate::shape::{Own, RAY, answer, ray_within, rays, smooth_triangle};
 
 pub fn check(
     check: &mut Check,
@@ -69,10 +69,7 @@ pub fn check(
 
 /// Spheres, and a triangle whose corners have normals aslant, each with its number.
 fn world(zs: [f64; 3]) -> Result<World<usize>, ArgumentError> {
-    let corners = [(-2.0, -2.0), (2.0, -2.0), (0.0, 2.0)];
-    let [a, b, c] = corners.map(|(x, y)| Point3::new(x, y, 1.0));
-    let smooth = Triangle::new(a, b, c)?.with_normals([Normal3::new(4.0, 0.0, 1.0); 3])?;
-    let mut world = World::new(Color::BLACK)?.with(smooth, 0);
+    let mut world = World::new(Color::BLACK)?.with(smooth_triangle(1.0)?, 0);
     for (number, z) in (1..).zip(zs) {
         world = world.with(Sphere::new(Point3::new(0.0, 0.0, z), 1.0)?, number);
     }

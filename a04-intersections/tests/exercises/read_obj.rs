@@ -75,7 +75,7 @@ fn answer(read: Result<Vec<Triangle>, String>) -> Answer {
 fn mesh(random: &mut Random) -> String {
     let count = 6 + random.below(7);
     let corners = (0..count).map(|_| random.triple(9.0).map(|x| x.to_string()).join(" "));
-    let corners: String = corners.map(|xyz| format!("v {xyz}\n")).collect();
+    let corners: String = corners.map(|xyz| ["v ", &xyz, "\n"].concat()).collect();
     let (first, sides) = (random.below(count), 3 + random.below(4));
     let names = (first..first + sides).map(|corner| match (corner % count, random.below(3)) {
         (corner, 0) => format!(" {}", i64::from(corner) - i64::from(count)),

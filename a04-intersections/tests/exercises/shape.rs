@@ -6,7 +6,7 @@ use std::fmt;
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Ray, render};
-use a04_intersections::{Geometry, Hit, Interval, World, scenes::View, stage};
+use a04_intersections::{Geometry, Hit, Interval, Triangle, World, scenes::View, stage};
 use common::{ArgumentError, Color};
 use testing::exercise::{Answer, Check, Input, Random, random};
 
@@ -34,6 +34,13 @@ impl<F: Fn(&Ray, Interval) -> Option<Hit> + Send + Sync + 'static> Geometry for 
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         self.0(ray, within)
     }
+}
+
+/// A triangle at this height over z = 0 whose corners have a normal that is not its face's.
+pub fn smooth_triangle(z: f64) -> Result<Triangle, ArgumentError> {
+    let corners = [(-2.0, -2.0), (2.0, -2.0), (0.0, 2.0)];
+    let [a, b, c] = corners.map(|(x, y)| Point3::new(x, y, z));
+    Triangle::new(a, b, c)?.with_normals([Normal3::new(4.0, 1.0, 1.0); 3])
 }
 
 pub fn point(xyz: [f64; 3]) -> Point3 {

@@ -1,93 +1,110 @@
-//! Points of a leaning ball and a leaning box, whose normals are known.
+//! A smooth triangle and a ball that lean, compared with the solution.
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, World};
-use common::Color;
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
+use common::{ArgumentError, Color};
+use testing::exercise::{Check, Variant, right, wrong};
 
-use crate::shape::{TURNS, show};
+use crate::shape::{Own, compare, smooth_triangle};
+use crate::solutions::sheared::Sheared;
+use crate::steps::show;
 
-pub fn check<B: Geometry + 'static, A: Geometry + 'static>(
-    check: &mut Check,
-    ball: impl Fn(Sphere, f64) -> B,
-    aab: impl Fn(AxisAlignedBox, f64) -> A,
-) {
-    let Ok(sphere) = Sphere::new(Point3::ORIGIN, 1.0) else {
-        return;
-    };
-    let mut random = Random::new(4);
-    let more: Vec<_> = (0..8).map(|_| random.between(-3.0, 3.0)).collect();
-    for by in [0.75, 0.0, -2.0].into_iter().chain(more) {
-        let leaning = ball(sphere, by);
-        for (sin, cos) in TURNS {
-            for (high, around) in [(0.6, 0.8), (-0.8, 0.6), (0.0, 1.0), (1.0, 0.0)] {
-                let (x, y, z) = (cos * around, high, sin * around);
-                let place = Point3::new(x + by * y, y, z);
-                // The gradient of (x - by y)² + y² + z² = 1.
-                let gradient = Vector3::new(x, y - by * x, z);
-                let Some(exact) = gradient.normalized() else {
-                    return;
-                };
-                // Nothing of a convex body lies before it.
-                for length in [2.0, 0.5] {
-                    let ray = Ray::derived(place + exact * 2.0, exact * -length);
-                    let got = leaning.hit(&ray, Interval::AHEAD);
-                    let what = format!(
-                        "a ball sheared by {by}, at {:.3}, direction of length {length}",
-                        place.to_glam()
-                    );
-                    expect(check, &what, 2.0 / length, exact, got);
-                }
-            }
-        }
-    }
+type Shape = Box<dyn Geometry>;
 
-    let corner = Point3::new(1.0, 2.0, 1.0);
-    if let Ok(cube) = AxisAlignedBox::new(Point3::new(-1.0, 0.0, -1.0), corner) {
-        let leaning = aab(cube, 0.75);
-        // The right face has gone through (1, 0) and (2.5, 2).
-        let exact = Vector3::new(0.8, -0.6, 0.0);
-        let place = Point3::new(1.75, 1.0, 0.2);
-        let ray = Ray::derived(place + exact, -exact);
-        let got = leaning.hit(&ray, Interval::AHEAD);
-        expect(check, "the right face of a leaning box", 1.0, exact, got);
-        // The top is where it was, but farther right.
-        let up = Vector3::new(0.0, 1.0, 0.0);
-        let ray = Ray::derived(Point3::new(2.4, 5.0, 0.0), -up);
-        let got = leaning.hit(&ray, Interval::AHEAD);
-        expect(check, "the top of a leaning box", 3.0, up, got);
-    }
+/// At the triangle, at the ball from both sides, and past both.
+const SIMPLE: [[[f64; 3]; 2]; 4] = [
+    [[0.0, 0.0, 5.0], [0.0, 0.0, -1.0]],
+    [[0.0, 0.0, -5.0], [0.0, 0.0, 1.0]],
+    [[0.5, 4.0, 0.0], [0.0, -2.0, 0.0]],
+    [[5.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+];
 
+/// A ball, or a triangle whose corners have normals aslant.
+fn upright(is_ball: bool) -> Result<Shape, ArgumentError> {
+    let ball = Sphere::new(Point3::ORIGIN, 1.0)?;
+    Ok(if is_ball {
+        Box::new(ball)
+    } else {
+        Box::new(smooth_triangle(0.0)?)
+    })
+}
+
+pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Shape, f64) -> G) {
+    compare(
+        check,
+        "a shape (a ball: {}) sheared by {}",
+        ((true, 0.5), &SIMPLE),
+        |r| (r.below(2) == 0, r.between(-3.0, 3.0)),
+        |(is_ball, by)| Ok(Sheared::new(upright(is_ball)?, by)),
+        |(is_ball, by)| Ok(new(upright(is_ball)?, by)),
+    );
     let world = || {
         let (lbf, run) = (Point3::new(-2.3, 0.0, -0.7), Point3::new(-1.0, 2.0, 0.7));
         let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
         let round = Sphere::new(Point3::new(0.9, 1.0, 0.0), 1.0)?;
+        let leaning = new(Box::new(AxisAlignedBox::new(lbf, run)?), 0.6);
         Ok(World::new(Color::gray(0.08))?
             .with(floor, Color::gray(0.6))
-            .with(
-                aab(AxisAlignedBox::new(lbf, run)?, 0.6),
-                Color::new(0.4, 0.7, 1.0),
-            )
-            .with(ball(round, 0.6), Color::new(1.0, 0.5, 0.3)))
+            .with(leaning, Color::new(0.4, 0.7, 1.0))
+            .with(new(Box::new(round), 0.6), Color::new(1.0, 0.5, 0.3)))
     };
     let (eye, at) = (Point3::new(0.3, 2.6, 7.5), Point3::new(0.3, 0.8, 0.0));
     show(check, world(), eye, at);
 }
 
-fn expect(check: &mut Check, what: &str, t: f64, normal: Vector3, got: Option<Hit>) {
-    let bound = Bound::Absolute(1e-12);
-    check.expect(format!("t, {what}"), Some(t), bound, got.map(|hit| hit.t));
-    if let Some(hit) = got {
-        for (of, got) in [("normal", hit.normal), ("face", hit.face)] {
-            let got = got.to_glam().to_array();
-            check.expect(
-                format!("{of}, {what}"),
-                normal.to_glam().to_array(),
-                bound,
-                got,
-            );
-        }
-    }
+/// A shape for which origin and direction of the ray are sheared by factors of `by`, and both
+/// normals by a function.
+fn variant(
+    c: &mut Check,
+    [of_origin, of_direction]: [f64; 2],
+    normal: fn(Normal3, f64) -> Vector3,
+) {
+    check(c, move |shape, by| {
+        Own(move |ray: &Ray, within: Interval| {
+            let (o, d) = (ray.origin(), ray.direction());
+            let o = o + Vector3::new(of_origin * by * o.y(), 0.0, 0.0);
+            let d = d + Vector3::new(of_direction * by * d.y(), 0.0, 0.0);
+            let hit = shape.hit(&Ray::derived(o, d), within)?;
+            let [n, face] = [hit.normal, hit.face].map(|n| normal(n, by).normalized());
+            let (normal, face) = (n?.as_normal(), face?.as_normal());
+            Some(Hit {
+                normal,
+                face,
+                ..hit
+            })
+        })
+    });
 }
+
+fn transposed(n: Normal3, by: f64) -> Vector3 {
+    Vector3::new(n.x(), n.y() - by * n.x(), n.z())
+}
+
+pub const VARIANTS: &[Variant] = &[
+    right("a shear as a step aside", |c| {
+        variant(c, [-1.0, -1.0], transposed)
+    }),
+    wrong("the direction leans, too", |c| {
+        variant(c, [-1.0, 0.0], transposed)
+    }),
+    wrong("the ray is moved back, not forward", |c| {
+        variant(c, [1.0, 1.0], transposed)
+    }),
+    wrong(
+        "a normal is no vector: it is multiplied by the transposed inverse",
+        |c| {
+            variant(c, [-1.0, -1.0], |n, by| {
+                Vector3::new(n.x() + by * n.y(), n.y(), n.z())
+            });
+        },
+    ),
+    wrong("both normals lean: the face's, too", |c| {
+        check(c, |shape, by| {
+            let leaning = Sheared::new(shape, by);
+            Own(move |ray: &Ray, i: Interval| {
+                leaning.hit(ray, i).map(|hit| Hit::new(hit.t, hit.normal))
+            })
+        });
+    }),
+];
