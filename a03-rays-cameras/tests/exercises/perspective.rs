@@ -1,58 +1,86 @@
-//! Perspective cameras at any place, that look into any direction, with any opening.
+//! Perspective cameras anywhere, compared with the lesson's.
 
 use std::f64::consts::FRAC_PI_2;
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{Camera, StripeRule, render};
-use common::ArgumentError;
-use testing::exercise::{Check, Random};
+use a02_math::{Direction, Point3, Vector3};
+use a03_rays_cameras::{Camera, PerspectiveCamera, Ray, render};
+use common::{ArgumentError, Size};
+use testing::exercise::{Check, Variant, right, wrong};
 
-use crate::sky::{Known, axes, expect_scene, frame, point};
+use crate::camera::compare;
+use crate::sky::{point, scene, vector};
 
 pub fn check<C: Camera>(
     check: &mut Check,
     new: impl Fn(Point3, Vector3, Vector3, f64) -> Result<C, ArgumentError>,
 ) {
-    let mut random = Random::new(33);
-    for number in 0..20 {
-        let (e, axes, angle) = match number {
-            // A camera for which one can compute the rays by heart.
-            0 => (Point3::ORIGIN, axes(), FRAC_PI_2),
-            _ => (
-                point(&mut random),
-                frame(&mut random),
-                random.between(0.2, 2.8),
-            ),
-        };
-        let [_, v, w] = axes;
-        // The up vector need not be perpendicular to the gaze.
-        let (gaze, up) = match number {
-            0 => (-w, v),
-            _ => (
-                -w * random.between(0.5, 3.0),
-                v * random.between(0.5, 3.0) + w * random.between(-1.0, 1.0),
-            ),
-        };
-        let Ok(camera) = new(e, gaze, up, angle) else {
-            continue;
-        };
-        let [g, t] = [gaze, up].map(Vector3::to_glam);
-        let words = format!(
-            "eye {}, gaze {g:.3}, up {t:.3}, opening angle {angle}",
-            e.to_glam()
-        );
-        let known = Known {
-            camera: &camera,
-            e,
-            axes,
-            angle,
-            words,
-        };
-        known.expect_rays(check, &mut random);
-    }
-    expect_scene(check, StripeRule::Direction, |settings, sky| {
-        let (gaze, up) = (Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
-        let camera = new(Point3::ORIGIN, gaze, up, FRAC_PI_2)?;
+    let (gaze, up) = ([0.0, 0.0, -1.0], [0.0, 1.0, 0.0]);
+    compare(
+        check,
+        "eye {}, gaze {}, up {}, opening angle {}",
+        ([0.0; 3], gaze, up, FRAC_PI_2),
+        |r| {
+            (
+                r.triple(9.0),
+                r.triple(3.0),
+                r.triple(3.0),
+                r.between(0.2, 2.8),
+            )
+        },
+        |(e, g, t, angle)| PerspectiveCamera::new(point(e), vector(g), vector(t), angle),
+        |(e, g, t, angle)| new(point(e), vector(g), vector(t), angle),
+    );
+    scene(check, |settings, _, sky| {
+        let camera = new(Point3::ORIGIN, vector(gaze), vector(up), FRAC_PI_2)?;
         render(&camera, |ray| sky.color_for(ray), settings, &())
     });
 }
+
+/// A camera with these axes u, v and w.
+struct Own(Point3, [Vector3; 3], f64);
+
+impl Camera for Own {
+    fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
+        let [width, height] = [size.width(), size.height()].map(f64::from);
+        // The height of the picture is 2.
+        let [x, y] = [x - (width - 1.0) / 2.0, y - (height - 1.0) / 2.0].map(|p| 2.0 * p / height);
+        let [u, v, w] = self.1;
+        let d = u * x + v * y - w * (1.0 / libm::tan(self.2 / 2.0));
+        Ray::derived(self.0, d.normalized().unwrap_or_default())
+    }
+}
+
+/// The axes that follow from w and the up vector.
+fn variant(c: &mut Check, axes: fn(Vector3, Vector3) -> [Vector3; 3]) {
+    check(c, |e, g, t, angle| {
+        Ok(Own(e, axes(-g.unit("g")?, t.unit("t")?), angle))
+    });
+}
+
+fn unit(v: Vector3) -> Vector3 {
+    v.normalized().unwrap_or_default()
+}
+
+pub const VARIANTS: &[Variant] = &[
+    right("the part of the up vector across the gaze", |c| {
+        variant(c, |w, t| {
+            let v = unit(t - w * t.dot(w));
+            [v.cross(w), v, w]
+        });
+    }),
+    wrong(
+        "u is of length 1 only if the up vector is perpendicular to the gaze",
+        |c| {
+            variant(c, |w, t| [t.cross(w), w.cross(t.cross(w)), w]);
+        },
+    ),
+    wrong(
+        "the up vector need not be perpendicular to the gaze, but v is",
+        |c| {
+            variant(c, |w, t| [unit(t.cross(w)), t, w]);
+        },
+    ),
+    wrong("t × w points to the right, w × t to the left", |c| {
+        variant(c, |w, t| [unit(w.cross(t)), w.cross(unit(t.cross(w))), w]);
+    }),
+];

@@ -1,15 +1,15 @@
-//! A camera whose rays begin at their place in the picture, so that the colour of a pixel
-//! says which rays it is the mean of.
+//! Pictures of all samplings, compared with the lesson's `render`.
 
 use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{Camera, Ray, Sampler, StripeRule, camera_coordinates};
+use a03_rays_cameras::{Camera, Ray, Sampler, camera_coordinates, render};
 use common::{Color, Error, Image, Sampling, Settings, Size};
-use measure::extremes::Bound;
-use testing::exercise::Check;
+use testing::exercise::{Check, Variant, random, right, wrong};
 
-use crate::sky::{camera, expect_scene};
+use crate::sky::scene;
 
-/// A camera whose rays begin at their place.
+type Radiance<'a> = &'a (dyn Fn(&Ray) -> Color + Sync);
+
+/// A camera whose rays begin at their place in the picture.
 struct Places;
 
 impl Camera for Places {
@@ -18,66 +18,107 @@ impl Camera for Places {
     }
 }
 
-type Radiance<'a> = &'a (dyn Fn(&Ray) -> Color + Sync);
-
 pub fn check(
     check: &mut Check,
-    render: impl Fn(&dyn Camera, Radiance, &Settings) -> Result<Image, Error>,
+    yours: impl Fn(&dyn Camera, Radiance, &Settings) -> Result<Image, Error>,
 ) {
-    for (sampling, samples) in [
-        (Sampling::Center, 1),
-        (Sampling::Regular, 4),
-        (Sampling::Regular, 5),
-        (Sampling::Random, 3),
-        (Sampling::Stratified, 9),
-    ] {
-        for (width, height) in [(3, 2), (2, 5), (1, 1), (17, 9)] {
-            let Ok(size) = Size::new(width, height) else {
-                continue;
-            };
-            let settings = Settings {
-                size,
-                samples,
-                sampling,
-                ..Settings::default()
-            };
-            expect_means(check, &settings, render(&Places, &radiance, &settings));
-        }
-    }
-    expect_scene(check, StripeRule::Direction, |settings, sky| {
-        render(&camera()?, &|ray| sky.color_for(ray), settings)
+    use Sampling::{Center, Random, Regular, Stratified};
+    type Input = (&'static str, u32, [u32; 2], [u32; 2]);
+    // Not linear, so that the mean of the colours is not the colour of the mean.
+    let radiance = |ray: &Ray| {
+        let (x, y) = (ray.origin().x(), ray.origin().y());
+        Color::new(x, y, x * x)
+    };
+    let pixel = |(sampling, samples, [width, height], [column, row]): Input,
+                 render: &dyn Fn(&Settings) -> Result<Image, Error>| {
+        let kinds = [
+            ("center", Center),
+            ("regular", Regular),
+            ("random", Random),
+            ("stratified", Stratified),
+        ];
+        let (_, sampling) = kinds.into_iter().find(|(name, _)| *name == sampling)?;
+        let size = Size::new(width, height).ok()?;
+        let image = render(&Settings {
+            size,
+            sampling,
+            samples,
+            ..Settings::default()
+        })
+        .ok()?;
+        let color = image.get(column, row).filter(|_| image.size() == size);
+        color.map(Color::channels)
+    };
+    check.compare(
+        "{} sampling, {} samples, picture of {} pixels: the mean of (x, y, x²) in column and row {}",
+        [[0, 0], [1, 0], [0, 2]].map(|place| ("center", 1, [2, 3], place)),
+        random(|r| {
+            let size = [1 + r.below(5), 1 + r.below(5)];
+            let sampling = ["center", "regular", "random", "stratified"][r.below(4) as usize];
+            (sampling, 1 + r.below(9), size, size.map(|n| r.below(n)))
+        }),
+        |input| pixel(input, &|settings| render(&Places, radiance, settings, &())),
+        |input| pixel(input, &|settings| yours(&Places, &radiance, settings)),
+    );
+    scene(check, |settings, camera, sky| {
+        yours(&camera, &|ray| sky.color_for(ray), settings)
     });
 }
 
-/// Not linear, so that the mean of the colours is not the colour of the mean.
-fn radiance(ray: &Ray) -> Color {
-    let (x, y) = (ray.origin().x(), ray.origin().y());
-    Color::new(x, y, x * x)
+/// A picture whose pixels follow from the colours of its samples, which the settings want
+/// and which the sampler has.
+fn variant(c: &mut Check, row: fn(u32, u32) -> u32, mean: fn(&[Color], u32) -> Color) {
+    check(c, |camera, radiance, settings| {
+        let (size, sampler) = (settings.size, Sampler::new(settings));
+        Ok(Image::from_fn(size, |x, y| {
+            let samples: Vec<_> = sampler
+                .places(x, y)
+                .map(|place| {
+                    let (x, y) = camera_coordinates(size, x, row(y, size.height()), place);
+                    radiance(&camera.ray_for(size, x, y))
+                })
+                .collect();
+            mean(&samples, settings.samples)
+        })?)
+    });
 }
 
-fn expect_means(check: &mut Check, settings: &Settings, got: Result<Image, Error>) {
-    let (size, sampler) = (settings.size, Sampler::new(settings));
-    let words = format!(
-        "{size}, {:?} sampling, {} samples",
-        settings.sampling, settings.samples
-    );
-    let right_size = got.as_ref().is_ok_and(|image| image.size() == size);
-    check.expect(
-        format!("a picture of the right size; {words}"),
-        true,
-        Bound::Equal,
-        right_size,
-    );
-    let Ok(image) = got else { return };
-    for (row, column) in (0..size.height()).flat_map(|y| (0..size.width()).map(move |x| (y, x))) {
-        let mut sum = Color::BLACK;
-        for place in sampler.places(column, row) {
-            let (x, y) = camera_coordinates(size, column, row, place);
-            sum += Color::new(x, y, x * x);
-        }
-        let exact = sum.map(|sum| sum / f64::from(sampler.samples())).channels();
-        let got = image.get(column, row).map(Color::channels);
-        let what = format!("the mean of (x, y, x²); column {column}, row {row} of {words}");
-        check.expect(what, Some(exact), Bound::Absolute(1e-12), got);
-    }
+fn sum(samples: &[Color]) -> Color {
+    samples
+        .iter()
+        .fold(Color::BLACK, |sum, sample| sum + *sample)
 }
+
+pub const VARIANTS: &[Variant] = &[
+    right("a running mean", |c| {
+        variant(
+            c,
+            |row, _| row,
+            |samples, _| {
+                let numbered = (1_u32..).zip(samples);
+                numbered.fold(Color::BLACK, |mean, (n, sample)| {
+                    mean + (*sample - mean) * (1.0 / f64::from(n))
+                })
+            },
+        );
+    }),
+    wrong("rows are counted from the top, and y from below", |c| {
+        let flipped = |row: u32, height: u32| height - 1 - row;
+        variant(c, flipped, |samples, _| {
+            sum(samples) * (1.0 / samples.len() as f64)
+        });
+    }),
+    wrong("a pixel is the mean of its samples, not their sum", |c| {
+        variant(c, |row, _| row, |samples, _| sum(samples));
+    }),
+    wrong(
+        "a grid has fewer samples than the settings say, if they are no square number",
+        |c| {
+            variant(
+                c,
+                |row, _| row,
+                |samples, wanted| sum(samples) * (1.0 / f64::from(wanted)),
+            );
+        },
+    ),
+];

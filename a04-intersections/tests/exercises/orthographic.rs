@@ -7,12 +7,27 @@ use common::{ArgumentError, Size};
 use testing::exercise::{Check, Variant, right, wrong};
 
 use crate::camera::compare;
+use crate::shape::{point, vector};
 
 pub fn check<C: Camera>(
     check: &mut Check,
     new: impl Fn(Point3, Vector3, Vector3, f64) -> Result<C, ArgumentError>,
 ) {
-    compare(check, "s =", 9.0, OrthographicCamera::new, &new);
+    compare(
+        check,
+        "eye {}, gaze {}, up {}, s = {}",
+        ([0.0; 3], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0], 1.0),
+        |r| {
+            (
+                r.triple(9.0),
+                r.triple(3.0),
+                r.triple(3.0),
+                r.between(0.5, 9.0),
+            )
+        },
+        |(e, g, t, s)| OrthographicCamera::new(point(e), vector(g), vector(t), s),
+        |(e, g, t, s)| new(point(e), vector(g), vector(t), s),
+    );
     check.scene(&stage(), "scene-6", |settings| {
         let (_, world) = scene_6()?;
         let [g, up] = [Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0)];

@@ -48,9 +48,29 @@ impl Answer {
     }
 
     /// Whether both have the same words, and the same count of numbers.
-    pub(super) fn decides_as(&self, other: &Self) -> bool {
+    fn decides_as(&self, other: &Self) -> bool {
         let decision = |part: &Part| (part.name, part.words.clone(), part.numbers.len());
         self.0.iter().map(decision).eq(other.0.iter().map(decision))
+    }
+
+    /// How far each number of another answer may be from this one: by `unit` of its
+    /// magnitude, and by the changes of this answer to inputs that differ a little. None if
+    /// one of those is another decision.
+    pub(super) fn tolerances(
+        &self,
+        unit: f64,
+        moved: impl Iterator<Item = [Self; 2]>,
+    ) -> Option<Vec<f64>> {
+        let own = self.numbers().map(|(_, magnitude)| magnitude * unit);
+        let mut allowed: Vec<f64> = own.collect();
+        for [more, less] in moved {
+            (self.decides_as(&more) && self.decides_as(&less)).then_some(())?;
+            let changed = self.numbers().zip(more.numbers().zip(less.numbers()));
+            for (allowed, ((own, _), ((more, _), (less, _)))) in allowed.iter_mut().zip(changed) {
+                *allowed += (more - own).abs().max((less - own).abs());
+            }
+        }
+        Some(allowed)
     }
 
     /// The first value of this right answer from which `yours` differs by more than

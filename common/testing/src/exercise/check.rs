@@ -60,65 +60,33 @@ impl Check {
     ) {
         let simple = simple.into_iter().map(|input| (true, input));
         let others = others.into_iter().map(|input| (false, input));
+        let lesson = |input| lesson(input).into();
         for (is_simple, input) in simple.chain(others) {
-            let right: Answer = lesson(input.clone()).into();
-            let lesson = |input| lesson(input).into();
-            let Some(allowed) = self.tolerances(&input, &right, is_simple, lesson) else {
+            let right = lesson(input.clone());
+            let allowed = |unit| {
+                let answers = || input.moved(unit).map(|pair| pair.map(lesson));
+                right.tolerances(unit, answers().filter(|_| !is_simple))
+            };
+            let unit = self.lacks.map_or(UNIT, |_| ROUNDING);
+            let Some(tolerances) = allowed(unit) else {
                 self.skipped += 1;
                 continue;
             };
             let got = catch_unwind(AssertUnwindSafe(|| yours(input.clone()).into()));
-            let difference = match &got {
-                Ok(got) => right.difference(got, &allowed),
-                Err(_) => Some("it panics, with the message above".to_owned()),
+            let Ok(got) = got else {
+                let panics = "it panics, with the message above";
+                return self.conclude(Some(described(words, &input, panics)));
             };
-            self.conclude(difference.map(|difference| {
-                let (mut shown, mut pieces) = (String::new(), words.split("{}"));
-                for argument in input.words() {
-                    shown += pieces.next().unwrap_or_default();
-                    shown += &argument;
+            let difference = right.difference(&got, &tolerances).map(|mut difference| {
+                let is_near = |allowed: Vec<f64>| right.difference(&got, &allowed).is_none();
+                if let Some(lacks) = self.lacks.filter(|_| allowed(UNIT).is_none_or(is_near)) {
+                    difference =
+                        format!("{difference}\n    right but for rounding: the formula {lacks}");
                 }
-                let rest: String = pieces.collect();
-                let rounding = |got| right.difference(got, &scaled(&right, UNIT)).is_none();
-                let lacks = self.lacks.filter(|_| got.as_ref().is_ok_and(rounding));
-                let lacks =
-                    lacks.map_or(String::new(), |lacks| format!("\n    the formula {lacks}"));
-                format!("{shown}{rest}:\n    {difference}{lacks}")
-            }));
-            if got.is_err() {
-                return;
-            }
+                described(words, &input, &difference)
+            });
+            self.conclude(difference);
         }
-    }
-
-    /// How far each number of a right answer may be from the lesson's. None if the decision
-    /// depends on rounding.
-    fn tolerances<I: Input>(
-        &self,
-        input: &I,
-        right: &Answer,
-        is_simple: bool,
-        lesson: impl Fn(I) -> Answer,
-    ) -> Option<Vec<f64>> {
-        let unit = self.lacks.map_or(UNIT, |_| ROUNDING);
-        let mut allowed = scaled(right, unit);
-        for pair in input.moved(unit) {
-            let answers = pair.map(&lesson);
-            let changes = |moved: &Answer| {
-                let pairs = right.numbers().zip(moved.numbers());
-                pairs.map(|((a, _), (b, _))| (a - b).abs()).collect()
-            };
-            let is_same = answers.each_ref().map(|moved| moved.decides_as(right));
-            if is_same == [true, true] {
-                let [more, less]: [Vec<f64>; 2] = answers.each_ref().map(changes);
-                for (allowed, changes) in allowed.iter_mut().zip(more.iter().zip(&less)) {
-                    *allowed += changes.0.max(*changes.1);
-                }
-            } else if !is_simple {
-                return None;
-            }
-        }
-        Some(allowed)
     }
 
     fn conclude(&mut self, difference: Option<String>) {
@@ -171,10 +139,12 @@ impl Check {
     }
 }
 
-/// For each number of an answer, this much of its magnitude.
-fn scaled(answer: &Answer, unit: f64) -> Vec<f64> {
-    answer
-        .numbers()
-        .map(|(_, magnitude)| magnitude * unit)
-        .collect()
+/// An input in words, and what is said about it.
+fn described(words: &str, input: &impl Input, about: &str) -> String {
+    let (mut shown, mut pieces) = (String::new(), words.split("{}"));
+    for argument in input.words() {
+        shown += pieces.next().unwrap_or_default();
+        shown += &argument;
+    }
+    format!("{shown}{}:\n    {about}", pieces.collect::<String>())
 }
