@@ -2,12 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_6, PI};
 
-use a03_rays_cameras::{Basis, Camera, Ray, render};
-use common::{ArgumentError, Color, Size};
-use testing::exercise::{Check, Variant, right, wrong};
-
 use crate::camera::compare;
-use crate::sky::{point, vector};
+use crate::prelude::*;
 use crate::solutions::fisheye::Fisheye;
 
 fn basis(e: [f64; 3], gaze: [f64; 3]) -> Result<Basis, ArgumentError> {

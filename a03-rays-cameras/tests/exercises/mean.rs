@@ -1,7 +1,6 @@
 //! Numbers of all sizes, compared with the solution.
 
-use testing::exercise::{Check, Variant, random, right, wrong};
-
+use crate::prelude::*;
 use crate::solutions::mean::mean as solution;
 
 pub fn check(check: &mut Check, mean: impl Fn(&[f64]) -> f64) {

@@ -1,11 +1,6 @@
 //! Pictures of all samplings, compared with the lesson's `render`.
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{Camera, Ray, Sampler, camera_coordinates, render};
-use common::{Color, Error, Image, Sampling, Settings, Size};
-use testing::exercise::{Check, Variant, random, right, wrong};
-
-use crate::sky::scene;
+use crate::prelude::*;
 
 type Radiance<'a> = &'a (dyn Fn(&Ray) -> Color + Sync);
 

@@ -2,13 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{Camera, PinholeCamera, Ray, render};
-use common::{ArgumentError, Size};
-use testing::exercise::{Check, Variant, right, wrong};
-
 use crate::camera::compare;
-use crate::sky::{point, scene};
+use crate::prelude::*;
 
 pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Point3, f64) -> Result<C, ArgumentError>) {
     compare(

@@ -1,8 +1,6 @@
 //! Numbers in many bases, compared with the solution.
 
-use common::{Color, Image};
-use testing::exercise::{Check, Variant, random, right, wrong};
-
+use crate::prelude::*;
 use crate::solutions::radical_inverse::radical_inverse as solution;
 
 pub fn check(check: &mut Check, inverse: impl Fn(u32, u32) -> f64) {

@@ -1,10 +1,6 @@
 //! Points of rays and beside them, compared with the lesson's `Ray`.
 
-use a02_math::{Direction, Point3};
-use a03_rays_cameras::{Ray, render};
-use testing::exercise::{Answer, Check, Variant, random, right, wrong};
-
-use crate::sky::{point, scene, vector};
+use crate::prelude::*;
 
 pub fn check(
     check: &mut Check,

@@ -2,12 +2,7 @@
 
 use std::f64::consts::FRAC_PI_3;
 
-use a02_math::{Direction, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, Ray, render};
-use common::Color;
-use testing::exercise::{Check, Variant, random, wrong};
-
-use crate::sky::vector;
+use crate::prelude::*;
 use crate::solutions::rings::ring as solution;
 
 pub fn check(check: &mut Check, ring: impl Fn(Vector3, Vector3, f64) -> u32 + Sync) {

@@ -1,11 +1,6 @@
 //! Rays to stripes and beyond them, compared with the lesson's `StripedSky`.
 
-use a02_math::Point3;
-use a03_rays_cameras::{PinholeCamera, Ray, StripeRule, StripedSky, render};
-use common::{ArgumentError, Color, Size};
-use testing::exercise::{Check, Variant, random, right, wrong};
-
-use crate::sky::{scene, vector};
+use crate::prelude::*;
 
 pub fn check<S: Sync>(
     check: &mut Check,

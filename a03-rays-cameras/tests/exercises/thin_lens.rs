@@ -2,13 +2,8 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use a02_math::{Direction, Point3};
-use a03_rays_cameras::{Basis, Camera, PerspectiveCamera, PixelRandom, Ray};
-use common::{Color, Image};
-use testing::exercise::{Check, Variant, random, wrong};
-
 use crate::camera::answer;
-use crate::sky::{point, vector};
+use crate::prelude::*;
 use crate::solutions::thin_lens::through_lens as solution;
 
 type Input = ([f64; 3], [f64; 3], f64, [f64; 3], [f64; 2]);

@@ -1,12 +1,6 @@
 //! Boxes anywhere, compared with the lesson's.
 
-use a02_math::{Normal3, Point3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, scenes::scene_3};
-use common::ArgumentError;
-use testing::exercise::{Check, Variant, right, wrong};
-
-use crate::shape::{compare, own, point, scene};
+use crate::prelude::*;
 
 /// On a face, from inside, away, past an edge, just touching an edge, and beside it.
 const SIMPLE: [[[f64; 3]; 2]; 6] = [
@@ -34,7 +28,12 @@ pub fn check<G: Geometry>(
         |(lbf, run)| new(point(lbf), point(run)),
     );
     let [lbf, run] = [point([-0.5, 0.0, -0.5]), point([0.5, 1.0, 0.5])];
-    scene(check, "scene-3", scene_3, new(lbf, run));
+    scene(
+        check,
+        "scene-3",
+        a04_intersections::scenes::scene_3,
+        new(lbf, run),
+    );
 }
 
 /// The last entry into a slab and the first exit, each a `t` and its axis. Slabs along which

@@ -1,11 +1,6 @@
 //! Points in cubes and on their faces, compared with the solution.
 
-use a02_math::{Normal3, Point3, Vector3};
-use a04_intersections::{AxisAlignedBox, Plane, World};
-use common::{ArgumentError, Color};
-use testing::exercise::{Answer, Check, Variant, random, wrong};
-
-use crate::shape::{point, show_world, vector};
+use crate::prelude::*;
 use crate::solutions::checkerboard::checkerboard as solution;
 
 pub fn check(check: &mut Check, checkerboard: impl Fn(Point3, Normal3) -> Color + Sync) {

@@ -1,12 +1,6 @@
 //! Tubes of many sizes, compared with the solution.
 
-use a02_math::{Normal3, Point3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit};
-use common::ArgumentError;
-use testing::exercise::{Check, Variant, right, wrong};
-
-use crate::shape::{compare, own, show};
+use crate::prelude::*;
 use crate::solutions::cylinder::Cylinder;
 
 /// On the wall, on the rim, at the bottom, over it to the far wall, from inside, touching,

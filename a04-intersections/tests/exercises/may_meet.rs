@@ -1,10 +1,6 @@
 //! Rays just inside and just outside of spheres, compared with the solution.
 
-use a02_math::{Direction, Point3};
-use a03_rays_cameras::Ray;
-use testing::exercise::{Check, Variant, random, right, wrong};
-
-use crate::shape::{point, vector};
+use crate::prelude::*;
 use crate::solutions::may_meet::may_meet as solution;
 
 pub fn check(check: &mut Check, may_meet: impl Fn(Point3, f64, &Ray) -> bool) {

@@ -2,13 +2,7 @@
 
 use std::sync::Arc;
 
-use a02_math::{Direction, Normal3, Point3};
-use a03_rays_cameras::{Ray, render};
-use a04_intersections::{Hit, Interval, Sphere, World, scenes::scene_5, stage};
-use common::{ArgumentError, Color};
-use testing::exercise::{Answer, Check, Variant, right, wrong};
-
-use crate::shape::{Own, RAY, answer, ray_within, rays, smooth_triangle};
+use crate::prelude::*;
 
 pub fn check(
     check: &mut Check,
@@ -46,8 +40,8 @@ pub fn check(
             },
         );
     }
-    check.scene(&stage(), "scene-5", |settings| {
-        let (camera, scene) = scene_5()?;
+    check.scene(&a04_intersections::stage(), "scene-5", |settings| {
+        let (camera, scene) = a04_intersections::scenes::scene_5()?;
         let (scene, mut world) = (Arc::new(scene), World::new(Color::BLACK)?);
         for number in 0..scene.objects().count() {
             let scene = scene.clone();

@@ -1,13 +1,7 @@
 //! Parallel cameras anywhere, compared with the lesson's.
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{Basis, Camera, OrthographicCamera, Ray, render};
-use a04_intersections::{scenes::scene_6, stage};
-use common::{ArgumentError, Size};
-use testing::exercise::{Check, Variant, right, wrong};
-
 use crate::camera::compare;
-use crate::shape::{point, vector};
+use crate::prelude::*;
 
 pub fn check<C: Camera>(
     check: &mut Check,
@@ -28,8 +22,8 @@ pub fn check<C: Camera>(
         |(e, g, t, s)| OrthographicCamera::new(point(e), vector(g), vector(t), s),
         |(e, g, t, s)| new(point(e), vector(g), vector(t), s),
     );
-    check.scene(&stage(), "scene-6", |settings| {
-        let (_, world) = scene_6()?;
+    check.scene(&a04_intersections::stage(), "scene-6", |settings| {
+        let (_, world) = a04_intersections::scenes::scene_6()?;
         let [g, up] = [Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0)];
         let camera = new(Point3::ORIGIN, g, up, 3.0)?;
         render(&camera, |ray: &Ray| world.color_for(ray), settings, &())

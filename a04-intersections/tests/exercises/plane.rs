@@ -1,12 +1,6 @@
 //! Planes anywhere, compared with the lesson's.
 
-use a02_math::{Direction, Normal3, Point3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Plane, scenes::scene_1};
-use common::ArgumentError;
-use testing::exercise::{Check, Variant, right, wrong};
-
-use crate::shape::{compare, own, point, scene, vector};
+use crate::prelude::*;
 
 /// Down to the floor, up from it, up to it, parallel to it, and in it.
 const SIMPLE: [[[f64; 3]; 2]; 5] = [
@@ -33,7 +27,7 @@ pub fn check<G: Geometry>(
     scene(
         check,
         "scene-1",
-        scene_1,
+        a04_intersections::scenes::scene_1,
         new(point(floor.0), vector(floor.1).as_normal()),
     );
 }

@@ -1,11 +1,6 @@
 //! Texts that are right, broken, and random, compared with the solution.
 
-use a02_math::Point3;
-use a04_intersections::{Triangle, World};
-use common::Color;
-use testing::exercise::{Answer, Check, Random, Variant, random, wrong};
-
-use crate::shape::{by_normal, show_world};
+use crate::prelude::*;
 use crate::solutions::read_obj::read_obj as solution;
 
 /// Lines after three corners.

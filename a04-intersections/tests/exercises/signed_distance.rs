@@ -1,9 +1,6 @@
 //! Points on both sides of planes, compared with the solution.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
-use testing::exercise::{Check, Variant, random, right, wrong};
-
-use crate::shape::{point, vector};
+use crate::prelude::*;
 use crate::solutions::signed_distance::signed_distance as solution;
 
 pub fn check(check: &mut Check, signed_distance: impl Fn(Point3, Normal3, Point3) -> f64) {

@@ -1,12 +1,6 @@
 //! Boxes of six planes anywhere, compared with the solution.
 
-use a02_math::Point3;
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval, Plane};
-use common::ArgumentError;
-use testing::exercise::{Check, Variant, right, wrong};
-
-use crate::shape::{compare, own, point, show, vector};
+use crate::prelude::*;
 use crate::solutions::six_planes::SixPlanes;
 
 /// On a face, from inside, away, on an edge, and beside it.

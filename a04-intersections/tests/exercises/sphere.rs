@@ -1,12 +1,6 @@
 //! Spheres anywhere, compared with the lesson's.
 
-use a02_math::{Direction, Point3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval, Sphere, scenes::scene_2};
-use common::ArgumentError;
-use testing::exercise::{Check, Variant, right, wrong};
-
-use crate::shape::{compare, own, point, scene};
+use crate::prelude::*;
 
 /// Straight ahead, twice as fast, from inside, away from it, touching it, and beside it.
 const SIMPLE: [[[f64; 3]; 2]; 6] = [
@@ -31,7 +25,12 @@ pub fn check<G: Geometry>(
         |(c, r)| Sphere::new(point(c), r),
         |(c, r)| new(point(c), r),
     );
-    scene(check, "scene-2", scene_2, new(point(ball.0), ball.1));
+    scene(
+        check,
+        "scene-2",
+        a04_intersections::scenes::scene_2,
+        new(point(ball.0), ball.1),
+    );
 }
 
 /// The textbook's `a t² + 2 b t + k = 0`, and a choice of its root.

@@ -1,12 +1,6 @@
 //! Tori of many sizes, compared with the solution.
 
-use a02_math::Point3;
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval};
-use common::ArgumentError;
-use testing::exercise::{Check, Variant, right, wrong};
-
-use crate::shape::{RAY, hit, own, rays, show, vector};
+use crate::prelude::*;
 use crate::solutions::torus::Torus;
 
 pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(f64, f64) -> Result<G, ArgumentError>) {

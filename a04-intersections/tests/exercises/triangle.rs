@@ -1,12 +1,6 @@
 //! Triangles anywhere, compared with the lesson's.
 
-use a02_math::{Direction, Point3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Triangle, scenes::scene_4};
-use common::ArgumentError;
-use testing::exercise::{Check, Variant, right, wrong};
-
-use crate::shape::{compare, own, point, scene};
+use crate::prelude::*;
 
 /// From the front, from the back, on two edges, on a corner, beyond the third edge, and in
 /// the plane of the triangle.
@@ -36,7 +30,12 @@ pub fn check<G: Geometry>(
         |[a, b, c]| new(point(a), point(b), point(c)),
     );
     let [a, b, c] = [[-0.5, 0.5, -3.0], [0.5, 0.5, -3.0], [0.5, -0.5, -3.0]].map(point);
-    scene(check, "scene-4", scene_4, new(a, b, c));
+    scene(
+        check,
+        "scene-4",
+        a04_intersections::scenes::scene_4,
+        new(a, b, c),
+    );
 }
 
 /// The test of Möller and Trumbore, which accepts a determinant and two coordinates.

@@ -2,17 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval};
-use a05_lighting::Lambert;
-use a07_transforms::Mat4x4;
-use common::Color;
-use testing::exercise::{Answer, Check, Variant, random, right, wrong};
-
-use crate::shape::{Own, point};
+use crate::prelude::*;
 use crate::solutions::chain::chain as lesson;
-use crate::steps::{ABOVE, Step, lit_from, scene, steps_of_box};
 
 pub fn check(check: &mut Check, chain: impl Fn(&[Step]) -> [Mat4x4; 2]) {
     let applied = |matrices: [Mat4x4; 2], p| {
@@ -29,7 +20,7 @@ pub fn check(check: &mut Check, chain: impl Fn(&[Step]) -> [Mat4x4; 2]) {
         |(steps, p)| applied(chain(&steps), p),
     );
     let [_, i] = chain(&steps_of_box());
-    scene(check, "box-transformations", 10.0, || {
+    traced_scene(check, "box-transformations", 10.0, || {
         let (lbf, run) = (Point3::new(-0.5, -0.5, -0.5), Point3::new(0.5, 0.5, 0.5));
         let child = AxisAlignedBox::new(lbf, run)?;
         let moved = Own(move |ray: &Ray, within: Interval| {

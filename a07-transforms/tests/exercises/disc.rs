@@ -1,15 +1,6 @@
 //! Discs anywhere, compared with the lesson's.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Plane};
-use a06_shadows_reflection::Reflective;
-use a07_transforms::Disc;
-use common::{ArgumentError, Color};
-use testing::exercise::{Check, Variant, right, wrong};
-
-use crate::shape::{compare, own, point, vector};
-use crate::steps::{lit_from, scene};
+use crate::prelude::*;
 
 /// At the middle from both sides, away, on the rim, beside it, and in the plane.
 const SIMPLE: [[[f64; 3]; 2]; 6] = [
@@ -33,7 +24,7 @@ pub fn check<G: Geometry>(
         |(c, n, r)| Disc::new(point(c), vector(n).as_normal(), r),
         |(c, n, r)| new(point(c), vector(n).as_normal(), r),
     );
-    scene(check, "disc", 8.0, || {
+    traced_scene(check, "disc", 8.0, || {
         let (half, up) = (Color::gray(0.5), Normal3::new(0.0, 1.0, 0.0));
         let red = Reflective::new(Color::RED, Color::BLACK, 64.0, half)?;
         let green = Reflective::new(Color::GREEN, Color::WHITE, 2000.0, half)?;

@@ -8,7 +8,7 @@ mod shape;
 mod steps;
 
 testing::exercises! {
-    use a02_math, a03_rays_cameras, a04_intersections, a07_transforms;
+    use {a02_math::*, a03_rays_cameras::*, a04_intersections::*, a05_lighting::*, a06_shadows_reflection::*, a07_transforms::*, common::*, crate::shape::*, crate::steps::*};
     starters {
         chain => |check| chain::check(check, chain);
         under_transform => |check| under_transform::check(check, ray_to_object, normal_from_object);

@@ -1,15 +1,6 @@
 //! Nodes of balls and a smooth triangle under chains of steps, compared with the lesson's.
 
-use a02_math::Point3;
-use a03_rays_cameras::Ray;
-use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Sphere};
-use a05_lighting::Lambert;
-use a07_transforms::{Node, Transform};
-use common::{ArgumentError, Color};
-use testing::exercise::{Check, Variant, right, wrong};
-
-use crate::shape::{Own, compare, smooth_triangle};
-use crate::steps::{ABOVE, Step, lit_from, scene, steps_of_box, transform};
+use crate::prelude::*;
 
 type Children = Vec<Box<dyn Geometry>>;
 
@@ -43,7 +34,7 @@ pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Transform, Children) -
         },
         |steps| Ok(new(transform(&steps), children()?)),
     );
-    scene(check, "box-transformations", 10.0, || {
+    traced_scene(check, "box-transformations", 10.0, || {
         let (lbf, run) = (Point3::new(-0.5, -0.5, -0.5), Point3::new(0.5, 0.5, 0.5));
         let node = new(
             transform(&steps_of_box()),

@@ -1,13 +1,7 @@
 //! Earth and moon at any time, compared with the solution.
 
-use a02_math::{Point3, Vector3};
-use a04_intersections::{Sphere, World};
-use a07_transforms::{Node, Transform};
-use common::{ArgumentError, Color};
-use testing::exercise::{Answer, Check, Variant, random, wrong};
-
+use crate::prelude::*;
 use crate::solutions::orbits::orbits as solution;
-use crate::steps::show;
 
 type Orbits = Result<[Transform; 2], ArgumentError>;
 
@@ -36,7 +30,7 @@ pub fn check(check: &mut Check, orbits: impl Fn(f64, f64) -> Orbits) {
         |(year, month)| places(orbits(year, month)),
     );
     let (eye, at) = (Point3::new(0.0, 9.0, 13.0), Point3::new(0.0, -0.4, 0.0));
-    show(check, twelve_months(orbits), eye, at);
+    show_lit(check, twelve_months(orbits), eye, at);
 }
 
 fn twelve_months(orbits: impl Fn(f64, f64) -> Orbits) -> Result<World<Color>, ArgumentError> {

@@ -1,14 +1,7 @@
 //! Rings anywhere, compared with the solution.
 
-use a02_math::{Direction, Normal3, Point3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Plane, Sphere, World};
-use common::{ArgumentError, Color};
-use testing::exercise::{Check, Variant, wrong};
-
-use crate::shape::{compare, own, point, vector};
+use crate::prelude::*;
 use crate::solutions::ring::Ring;
-use crate::steps::show;
 
 /// On the ring, from below, on both borders, through the hole, and beside it.
 const SIMPLE: [[[f64; 3]; 2]; 6] = [
@@ -48,7 +41,7 @@ pub fn check<G: Geometry>(
                 Color::gray(0.8),
             ))
     };
-    show(check, saturn(), Point3::new(1.0, 2.0, 6.0), Point3::ORIGIN);
+    show_lit(check, saturn(), Point3::new(1.0, 2.0, 6.0), Point3::ORIGIN);
 }
 
 /// The hits of the plane that are on the ring, by the squared distance, hole and radius.

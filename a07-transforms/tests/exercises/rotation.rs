@@ -1,14 +1,7 @@
 //! Turns about all axes, compared with the solution.
 
-use a02_math::{Point3, Vector3};
-use a04_intersections::{AxisAlignedBox, World};
-use a07_transforms::{Node, Transform};
-use common::{ArgumentError, Color};
-use testing::exercise::{Answer, Check, Variant, random, right, wrong};
-
-use crate::shape::vector;
+use crate::prelude::*;
 use crate::solutions::rotation::rotation as solution;
-use crate::steps::show;
 
 type Turn = Result<Transform, ArgumentError>;
 

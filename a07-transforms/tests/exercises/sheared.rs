@@ -1,14 +1,7 @@
 //! A smooth triangle and a ball that lean, compared with the solution.
 
-use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, World};
-use common::{ArgumentError, Color};
-use testing::exercise::{Check, Variant, right, wrong};
-
-use crate::shape::{Own, compare, smooth_triangle};
+use crate::prelude::*;
 use crate::solutions::sheared::Sheared;
-use crate::steps::show;
 
 type Shape = Box<dyn Geometry>;
 
@@ -50,7 +43,7 @@ pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Shape, f64) -> G) {
             .with(new(Box::new(round), 0.6), Color::new(1.0, 0.5, 0.3)))
     };
     let (eye, at) = (Point3::new(0.3, 2.6, 7.5), Point3::new(0.3, 0.8, 0.0));
-    show(check, world(), eye, at);
+    show_lit(check, world(), eye, at);
 }
 
 /// A shape for which origin and direction of the ray are sheared by factors of `by`, and both

@@ -81,13 +81,13 @@ pub fn transform(steps: &[Step]) -> Transform {
 }
 
 /// Compares a scene with its lock. Camera and world are from `src/scenes.rs`.
-pub fn scene(
+pub fn traced_scene(
     check: &mut Check,
     name: &str,
     eye: f64,
     world: impl FnOnce() -> Result<ShadowedWorld, ArgumentError>,
 ) {
-    check.scene(&stage(), name, |settings| {
+    check.traced_scene(&stage(), name, |settings| {
         let (camera, world) = (diagonal_camera(eye)?, world()?);
         let tracer = RecursiveTracer::new(&world);
         render(
@@ -125,7 +125,7 @@ pub fn steps_of_box() -> [Step; 4] {
 
 /// Shows a world to an eye that looks at the point `at`. Surfaces that face right, up or the
 /// eye are brighter than others.
-pub fn show(
+pub fn show_lit(
     check: &mut Check,
     world: Result<World<Color>, ArgumentError>,
     eye: Point3,

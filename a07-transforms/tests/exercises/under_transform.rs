@@ -1,16 +1,7 @@
 //! Rays and normals under chains of steps, compared with the lesson's.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval, Sphere};
-use a05_lighting::Phong;
-use a07_transforms::Transform;
-use common::Color;
-use testing::exercise::{Answer, Check, Variant, random, right, wrong};
-
-use crate::shape::{Own, point, vector};
+use crate::prelude::*;
 use crate::solutions::under_transform as lesson;
-use crate::steps::{ABOVE, Step, lit_from, scene, transform};
 
 type RayToObject = fn(&Transform, &Ray) -> Ray;
 type NormalFromObject = fn(&Transform, Normal3) -> Option<Normal3>;
@@ -40,7 +31,7 @@ pub fn check(check: &mut Check, ray_to_object: RayToObject, normal_from_object: 
         |input| moved(input, lesson::ray_to_object, lesson::normal_from_object),
         |input| moved(input, ray_to_object, normal_from_object),
     );
-    scene(check, "sphere-transformation", 20.0, || {
+    traced_scene(check, "sphere-transformation", 20.0, || {
         let transform = Transform::IDENTITY.scale(6.0, 1.2, 4.0)?;
         let child = Sphere::new(Point3::ORIGIN, 1.0)?;
         let moved = Own(move |ray: &Ray, within: Interval| {

@@ -18,7 +18,8 @@
 //! 3. Write the check, `tests/exercises/NAME.rs`: a function that takes the student's
 //!    code, and compares it with the lesson, or with the solution where the lesson has
 //!    none, by [`Check::compare`]. `VARIANTS` in the same file are other right solutions
-//!    and the mistakes that learners make, at least three.
+//!    and the mistakes that learners make, at least three with those of its kind
+//!    ([`Check::usual`]).
 //! 4. Add a line to [`exercises!`](crate::exercises) in `tests/exercises/main.rs`.
 //! 5. Give it a section in the book's page, `book/src/aNN-exercises.md`: task, minutes
 //!    and hints, which `cargo learn` shows, too.
@@ -108,13 +109,13 @@ macro_rules! examples {
 }
 
 /// Writes the modules and the `main` of a stage's `tests/exercises/main.rs`. The first
-/// line names the crates whose items the examples use. The next ones are exercises with a
-/// starter of their own, and exercises whose starter is the solution without its code:
-/// each the name and a check, which sees the public items of the file.
+/// line makes `crate::prelude`, whose names checks and examples use. The next ones are
+/// exercises with a starter of their own, and exercises whose starter is the solution
+/// without its code: each the name and a check, which sees the public items of the file.
 ///
 /// ```ignore
 /// testing::exercises! {
-///     use a02_math;
+///     use {a02_math::*, common::*};
 ///     starters { square => |check| square::check(check, square); }
 ///     solutions { cube => |check| cube::check(check, cube); }
 /// }
@@ -127,10 +128,17 @@ macro_rules! examples {
 #[macro_export]
 macro_rules! exercises {
     (
-        use $($lesson:ident),+;
+        use $names:tt;
         starters { $($own:ident => $own_check:expr;)+ }
         solutions { $($cut:ident => $cut_check:expr;)* }
     ) => {
+        /// All names that checks and examples use.
+        #[allow(unused_imports)]
+        mod prelude {
+            pub use $names;
+            pub use $crate::{assert_close, exercise::*};
+        }
+
         $(
             #[cfg(any(not(learn), $own))]
             #[allow(clippy::semicolon_if_nothing_returned)]
@@ -177,10 +185,8 @@ macro_rules! exercises {
         #[cfg(not(learn))]
         #[allow(unused_imports, clippy::all, clippy::pedantic)]
         mod proved {
-            mod lessons { $(pub use $lesson::*;)+ }
-
             $(pub fn $own() {
-                use {super::solutions::$own::*, $crate::assert_close, lessons::*};
+                use super::{prelude::*, solutions::$own::*};
                 super::starters::own::$own::body!();
             })+
         }

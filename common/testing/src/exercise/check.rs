@@ -29,16 +29,36 @@ pub struct Check {
     pub(super) note: Option<String>,
     /// The property that a formula with larger rounding errors lacks.
     pub(super) lacks: Option<&'static str>,
+    /// The usual mistakes of the kinds that are compared, and the one that is made to prove
+    /// this check.
+    pub(super) usual: Vec<&'static str>,
+    pub(super) mistake: Option<usize>,
     /// Whether somebody looks at pictures.
     pub(super) is_watched: bool,
     pub(super) picture: Option<Image>,
 }
 
 impl Check {
+    /// A check whose pictures somebody looks at.
+    pub(super) fn watched() -> Self {
+        Self {
+            is_watched: true,
+            ..Self::default()
+        }
+    }
+
     /// From now on only some roundings count as right, because the exercise is about
     /// rounding; what code `lacks` that is right but for it, as `loses digits where ...`.
     pub fn exactly(&mut self, lacks: &'static str) {
         self.lacks = Some(lacks);
+    }
+
+    /// Names the usual mistakes of a kind, as of all shapes, each with a sentence that a
+    /// learner can use. Returns the one that the compared code must make instead of doing
+    /// what it does, in the runs that prove this check.
+    pub fn usual<F: Copy>(&mut self, mistakes: &[(&'static str, F)]) -> Option<F> {
+        self.usual = mistakes.iter().map(|(about, _)| *about).collect();
+        Some(mistakes.get(self.mistake?)?.1)
     }
 
     /// Compares `yours` with the `lesson` at `simple` inputs, and then at `others`. The
@@ -63,12 +83,12 @@ impl Check {
         let lesson = |input| lesson(input).into();
         for (is_simple, input) in simple.chain(others) {
             let right = lesson(input.clone());
-            let allowed = |unit| {
-                let answers = || input.moved(unit).map(|pair| pair.map(lesson));
-                right.tolerances(unit, answers().filter(|_| !is_simple))
+            let allowed = |unit, is_exact: bool| {
+                let moved = input.moved(unit).filter(|_| !is_exact);
+                right.tolerances(unit, moved.map(|pair| pair.map(lesson)))
             };
             let unit = self.lacks.map_or(UNIT, |_| ROUNDING);
-            let Some(tolerances) = allowed(unit) else {
+            let Some(tolerances) = allowed(unit, is_simple) else {
                 self.skipped += 1;
                 continue;
             };
@@ -79,7 +99,10 @@ impl Check {
             };
             let difference = right.difference(&got, &tolerances).map(|mut difference| {
                 let is_near = |allowed: Vec<f64>| right.difference(&got, &allowed).is_none();
-                if let Some(lacks) = self.lacks.filter(|_| allowed(UNIT).is_none_or(is_near)) {
+                if let Some(lacks) = self
+                    .lacks
+                    .filter(|_| allowed(UNIT, false).is_none_or(is_near))
+                {
                     difference =
                         format!("{difference}\n    right but for rounding: the formula {lacks}");
                 }

@@ -48,13 +48,9 @@ pub(super) struct Findings {
 
 impl Findings {
     /// Runs the examples of a code, and its check if they hold, or if parts are missing.
-    /// Unless it `is_watched`, it makes no pictures that are only looked at.
-    pub fn of(code: Code, is_watched: bool) -> Self {
+    /// The empty `check` says whether somebody looks at pictures.
+    pub fn of(code: Code, mut check: Check) -> Self {
         found_missing().clear();
-        let mut check = Check {
-            is_watched,
-            ..Check::default()
-        };
         let mut wrong = Vec::new();
         let fails = |run: &mut dyn FnMut()| catch_unwind(AssertUnwindSafe(run)).is_err();
         if fails(&mut || (code.examples)()) {
@@ -90,7 +86,7 @@ mod tests {
             examples: || (),
             check,
         };
-        let Findings { missing, wrong, .. } = Findings::of(code, false);
+        let Findings { missing, wrong, .. } = Findings::of(code, Check::default());
         (missing.join("; "), wrong.join("; "))
     }
 

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use libtest_mimic::{Arguments, Failed, Trial};
 
 use super::findings::Findings;
-use super::{Code, Exercise, Variant, picture};
+use super::{Check, Code, Exercise, Variant, picture};
 
 /// Proves that starters are to do, that examples hold for the solutions, and that checks
 /// accept all right variants and refuse all mistakes.
@@ -27,15 +27,31 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
     let mut trials = Vec::new();
     for exercise in exercises {
         let (name, variants) = (exercise.name, exercise.variants);
-        let mistakes = variants.iter().filter(|variant| !variant.is_right);
-        assert!(mistakes.count() >= 3, "{name} has at least three mistakes");
         let picture = format!("{stage}-exercise-{}.png", name.replace('_', "-"));
         trials.push(Trial::test(format!("{name}::starter"), move || {
-            let is_to_do = !Findings::of(exercise.starter, false).missing.is_empty();
+            let found = Findings::of(exercise.starter, Check::default());
+            let is_to_do = !found.missing.is_empty();
             is_to_do.then_some(()).ok_or("nothing is missing".into())
         }));
         trials.push(Trial::test(format!("{name}::solution"), move || {
-            prove_solution(exercise.solution, &picture, shows)
+            let found = Findings::of(exercise.solution, Check::watched());
+            let mistakes = variants.iter().filter(|variant| !variant.is_right).count();
+            let of_kind = found.check.usual.clone();
+            prove_solution(found, &picture, shows)?;
+            if mistakes + of_kind.len() < 3 {
+                return Err("there are less than three mistakes".into());
+            }
+            of_kind
+                .into_iter()
+                .enumerate()
+                .try_for_each(|(index, about)| {
+                    let mistake = Some(index);
+                    let check = Check {
+                        mistake,
+                        ..Check::default()
+                    };
+                    prove_wrong(about, Findings::of(exercise.solution, check), shows)
+                })
         }));
         trials.extend(variants.iter().map(|variant| {
             let kind = if variant.is_right { "right" } else { "wrong" };
@@ -46,38 +62,44 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
     libtest_mimic::run(&arguments, trials).exit_code()
 }
 
-/// Fails if the check refuses the solution, or if its picture is not the book's.
-fn prove_solution(code: Code, name: &str, save: bool) -> Result<(), Failed> {
-    let found = Findings::of(code, true);
+/// Fails if the check has refused the solution, or if its picture is not the book's.
+fn prove_solution(found: Findings, name: &str, save: bool) -> Result<(), Failed> {
     let mut problems = [found.missing, found.wrong].concat();
     if let Some(image) = found.check.picture {
         if save {
             picture::save(&image, name);
         }
         let shown = picture::in_book(name);
-        if shown.exists() {
+        if shown.is_file() {
             problems.extend(picture::compare(&shown, &image, true).err());
         }
     }
-    match problems.as_slice() {
-        [] => Ok(()),
-        problems => Err(problems.join("\n").into()),
-    }
+    problems
+        .is_empty()
+        .then_some(())
+        .ok_or(problems.join("\n").into())
 }
 
-/// Fails if the check refuses a right variant, or accepts a mistake.
+/// Fails if the check has accepted a mistake.
+fn prove_wrong(about: &str, found: Findings, show: bool) -> Result<(), Failed> {
+    if show {
+        println!("{about}\n  {}", found.wrong.join("\n  "));
+    }
+    let is_refused = !found.wrong.is_empty();
+    is_refused
+        .then_some(())
+        .ok_or(format!("the check accepts: {about}").into())
+}
+
 fn prove_variant(variant: &Variant, show: bool) -> Result<(), Failed> {
     let code = Code {
         examples: || (),
         check: variant.check,
     };
-    let wrong = Findings::of(code, false).wrong;
-    if show {
-        println!("{}", wrong.join("\n"));
-    }
-    match (variant.is_right, wrong.is_empty()) {
-        (true, false) => Err(wrong.join("\n").into()),
-        (false, true) => Err("the check accepts it".into()),
-        _ => Ok(()),
+    let found = Findings::of(code, Check::default());
+    if variant.is_right {
+        prove_solution(found, "", false)
+    } else {
+        prove_wrong(variant.about, found, show)
     }
 }
