@@ -4,6 +4,21 @@ use a03_rays_cameras::{Camera, Ray};
 use common::{ArgumentError, Size};
 use testing::exercise::{Answer, Check, Input, Random, random};
 
+/// Mistakes that any camera may have.
+const USUAL: [(&str, fn(&dyn Camera, Size, f64, f64) -> Ray); 3] = [
+    ("y of a camera counts upwards", |camera, size, x, y| {
+        camera.ray_for(size, x, f64::from(size.height() - 1) - y)
+    }),
+    (
+        "whole numbers are middles of pixels, not corners",
+        |camera, size, x, y| camera.ray_for(size, x - 0.5, y - 0.5),
+    ),
+    ("the gaze is along -w", |camera, size, x, y| {
+        let ray = camera.ray_for(size, x, y);
+        Ray::derived(ray.origin(), -ray.direction())
+    }),
+];
+
 /// Compares cameras with the lesson's, whose words have `{}` in the place of each parameter:
 /// the `first` one at simple places of a picture of 5 by 3 pixels, and then `any` one.
 pub fn compare<P: Input, L: Camera, Y: Camera>(
@@ -14,6 +29,9 @@ pub fn compare<P: Input, L: Camera, Y: Camera>(
     lesson: impl Fn(P) -> Result<L, ArgumentError>,
     yours: impl Fn(P) -> Result<Y, ArgumentError>,
 ) {
+    let mistake = check
+        .usual(&USUAL)
+        .unwrap_or(|camera, size, x, y| camera.ray_for(size, x, y));
     let places = [[2.0, 1.0], [0.0, 1.0], [2.0, 0.0], [4.0, 2.0], [2.5, 0.5]];
     check.compare(
         &format!("{words}, picture of {{}} pixels, place {{}}"),
@@ -23,18 +41,15 @@ pub fn compare<P: Input, L: Camera, Y: Camera>(
             let place = size.map(|n| r.between(-0.5, f64::from(n) - 0.5));
             (any(r), size, place)
         }),
-        |(camera, size, place)| ray(lesson(camera), size, place),
-        |(camera, size, place)| ray(yours(camera), size, place),
+        |(camera, [width, height], [x, y])| {
+            let (camera, size) = (lesson(camera).ok()?, Size::new(width, height).ok()?);
+            Some(answer(&camera.ray_for(size, x, y)))
+        },
+        |(camera, [width, height], [x, y])| {
+            let (camera, size) = (yours(camera).ok()?, Size::new(width, height).ok()?);
+            Some(answer(&mistake(&camera, size, x, y)))
+        },
     );
-}
-
-fn ray(
-    camera: Result<impl Camera, ArgumentError>,
-    [width, height]: [u32; 2],
-    [x, y]: [f64; 2],
-) -> Option<Answer> {
-    let size = Size::new(width, height).ok()?;
-    Some(answer(&camera.ok()?.ray_for(size, x, y)))
 }
 
 /// A ray as an answer.

@@ -56,27 +56,12 @@ impl Camera for Own {
 }
 
 pub const VARIANTS: &[Variant] = &[
-    right("by the angle around the gaze", |c| {
-        check(c, |basis, angle| {
-            Own(basis, angle, |[x, y], _, angle| libm::hypot(x, y) * angle)
-        });
-    }),
     wrong(
         "the opening is the angle over the height, not over the width",
         |c| {
             check(c, |basis, angle| {
                 Own(basis, angle, |[x, y], a, angle| {
                     libm::hypot(x, y) / a * angle
-                })
-            });
-        },
-    ),
-    wrong(
-        "half a height away from the middle is half of the opening",
-        |c| {
-            check(c, |basis, angle| {
-                Own(basis, angle, |[x, y], _, angle| {
-                    2.0 * libm::hypot(x, y) * angle
                 })
             });
         },

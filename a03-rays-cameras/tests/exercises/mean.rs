@@ -33,18 +33,6 @@ fn kahan(numbers: &[f64]) -> f64 {
 }
 
 pub const VARIANTS: &[Variant] = &[
-    right("what each addition loses, by Knuth", |c| {
-        check(c, |numbers| {
-            let (sum, lost) = numbers
-                .iter()
-                .fold((0.0, 0.0), |(sum, lost): (f64, f64), x| {
-                    let next = sum + x;
-                    let back = next - sum;
-                    (next, lost + ((sum - (next - back)) + (x - back)))
-                });
-            (sum + lost) / numbers.len().max(1) as f64
-        });
-    }),
     wrong("the errors of a plain sum add up", |c| {
         check(c, |numbers| {
             numbers.iter().sum::<f64>() / numbers.len().max(1) as f64

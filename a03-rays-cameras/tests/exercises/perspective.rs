@@ -75,7 +75,4 @@ pub const VARIANTS: &[Variant] = &[
             variant(c, |w, t| [unit(t.cross(w)), t, w]);
         },
     ),
-    wrong("t × w points to the right, w × t to the left", |c| {
-        variant(c, |w, t| [unit(w.cross(t)), w.cross(unit(t.cross(w))), w]);
-    }),
 ];

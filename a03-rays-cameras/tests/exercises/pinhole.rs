@@ -49,18 +49,4 @@ pub const VARIANTS: &[Variant] = &[
             Vector3::new(x - w / 2.0, y - h / 2.0, -h / 2.0 / libm::tan(angle))
         });
     }),
-    wrong("whole numbers are middles of pixels, not corners", |c| {
-        own(c, |[w, h], [x, y], angle| {
-            Vector3::new(
-                x - 0.5 - w / 2.0,
-                y - 0.5 - h / 2.0,
-                -h / 2.0 / libm::tan(angle / 2.0),
-            )
-        });
-    }),
-    wrong("the opening angle is that of the height", |c| {
-        own(c, |[w, h], [x, y], angle| {
-            Vector3::new(x - w / 2.0, y - h / 2.0, -w / 2.0 / libm::tan(angle / 2.0))
-        });
-    }),
 ];

@@ -46,16 +46,6 @@ pub const VARIANTS: &[Variant] = &[
             scaled.0
         });
     }),
-    wrong("the first digit becomes the last", |c| {
-        check(c, |n, base| {
-            let mut digits: Vec<_> = digits(n, base).collect();
-            digits.reverse();
-            digits
-                .iter()
-                .rev()
-                .fold(0.0, |sum, digit| (sum + digit) / f64::from(base))
-        });
-    }),
     wrong("the digits stand behind the point, not before it", |c| {
         check(c, |n, base| solution(n, base) * f64::from(base));
     }),

@@ -67,12 +67,4 @@ pub const VARIANTS: &[Variant] = &[
             check(c, |ray, t| ray.origin() + unit(ray) * t, Ray::t_of);
         },
     ),
-    wrong(
-        "one coordinate alone does not see points beside the ray",
-        |c| {
-            check(c, Ray::at, |ray, p| {
-                (p.x() - ray.origin().x()) / ray.direction().x()
-            });
-        },
-    ),
 ];

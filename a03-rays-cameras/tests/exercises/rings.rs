@@ -45,12 +45,6 @@ pub const VARIANTS: &[Variant] = &[
             (libm::acos(cosine(d, pole).clamp(-1.0, 1.0)) / width) as u32
         });
     }),
-    wrong(
-        "a ring reaches from one whole number to the next: do not round to the nearest",
-        |c| {
-            check(c, |d, pole, width| (d.angle(pole) / width).round() as u32);
-        },
-    ),
     wrong("behind the pole's back are rings, too", |c| {
         check(c, |d, pole, width| {
             (d.angle(pole).min(d.angle(-pole)) / width) as u32

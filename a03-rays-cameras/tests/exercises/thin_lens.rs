@@ -82,12 +82,6 @@ pub const VARIANTS: &[Variant] = &[
     wrong("the focus is a plane, not a ball around the eye", |c| {
         variant(c, |focus, _| focus, true)
     }),
-    wrong(
-        "the way to the plane is longer than the focus, not shorter",
-        |c| {
-            variant(c, |focus, along| focus * along, true);
-        },
-    ),
     wrong("the direction has length 1", |c| {
         variant(c, |focus, along| focus / along, false)
     }),

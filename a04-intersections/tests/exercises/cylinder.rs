@@ -33,63 +33,40 @@ pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(f64, f64) -> Result<G,
     );
 }
 
-/// The crossing that `accepts` chooses by the height as a fraction of the tube, and the
-/// normal there.
-fn variant(
-    c: &mut Check,
-    crossings: fn([f64; 3]) -> [f64; 2],
-    accepts: fn(f64) -> bool,
-    normal: fn(Point3, f64) -> Normal3,
-) {
+/// The crossing that `counts`, by its number and its height as a fraction of the tube, and
+/// the normal there.
+fn variant(c: &mut Check, counts: fn(usize, f64) -> bool, normal: fn(Point3, f64) -> Vector3) {
     check(c, move |r, height| {
         own(move |ray: &Ray, within| {
             let (o, d) = (ray.origin(), ray.direction());
-            let a = d.x() * d.x() + d.z() * d.z();
-            let b = o.x() * d.x() + o.z() * d.z();
-            let ts = crossings([a, b, o.x() * o.x() + o.z() * o.z() - r * r]);
-            let t = ts
-                .into_iter()
-                .find(|t| within.contains(*t) && accepts(ray.at(*t).y() / height))?;
-            Some(Hit::new(t, normal(ray.at(t), r)))
+            let (a, b) = (d.x() * d.x() + d.z() * d.z(), o.x() * d.x() + o.z() * d.z());
+            let root = (b * b - a * (o.x() * o.x() + o.z() * o.z() - r * r)).sqrt();
+            let mut crossings = [(-b - root) / a, (-b + root) / a].into_iter().enumerate();
+            let (_, t) = crossings.find(|(number, t)| {
+                within.contains(*t) && counts(*number, ray.at(*t).y() / height)
+            })?;
+            Some(Hit::new(t, normal(ray.at(t), r).as_normal()))
         })
     });
 }
 
-fn both([a, b, k]: [f64; 3]) -> [f64; 2] {
-    let root = (b * b - a * k).sqrt();
-    [(-b - root) / a, (-b + root) / a]
-}
-
-fn outwards(p: Point3, r: f64) -> Normal3 {
-    Normal3::new(p.x() / r, 0.0, p.z() / r)
-}
-
-fn is_on_wall(height: f64) -> bool {
-    (0.0..=1.0).contains(&height)
+fn outwards(p: Point3, r: f64) -> Vector3 {
+    Vector3::new(p.x() / r, 0.0, p.z() / r)
 }
 
 pub const VARIANTS: &[Variant] = &[
-    right("the height as a fraction", |c| {
-        variant(c, both, is_on_wall, outwards)
-    }),
     wrong("the far wall counts where the near one is not met", |c| {
-        variant(c, |abk| [both(abk)[0]; 2], is_on_wall, outwards);
+        variant(
+            c,
+            |number, y| number == 0 && (0.0..=1.0).contains(&y),
+            outwards,
+        );
     }),
     wrong("rim and bottom belong to the tube", |c| {
-        variant(c, both, |y| 0.0 < y && y < 1.0, outwards)
+        variant(c, |_, y| 0.0 < y && y < 1.0, outwards)
     }),
-    wrong("the direction may have any length, so a is not 1", |c| {
-        variant(c, |[_, b, k]| both([1.0, b, k]), is_on_wall, outwards);
+    wrong("the normal leads from the axis, not from the origin", |c| {
+        let from_origin = |p: Point3, _| (p - Point3::ORIGIN).normalized().unwrap_or_default();
+        variant(c, |_, y| (0.0..=1.0).contains(&y), from_origin);
     }),
-    wrong(
-        "the normal has length 1 and leads from the axis, not from the origin",
-        |c| {
-            variant(c, both, is_on_wall, |p, _| {
-                (p - Point3::ORIGIN)
-                    .normalized()
-                    .unwrap_or_default()
-                    .as_normal()
-            });
-        },
-    ),
 ];

@@ -135,7 +135,4 @@ pub const VARIANTS: &[Variant] = &[
             });
         },
     ),
-    wrong("from inside, the normals have to be turned", |c| {
-        check(c, |world, ray, i| first(hits(world, ray, i)));
-    }),
 ];

@@ -73,14 +73,6 @@ pub const VARIANTS: &[Variant] = &[
             own(c, |basis, s, x, y| ray(basis, s * offset(x), s * offset(y)));
         },
     ),
-    wrong(
-        "from the first middle of a pixel to the last are n - 1 steps",
-        |c| {
-            own(c, |basis, s, [w, x], [h, y]| {
-                ray(basis, s * w / h * (x / w - 0.5), s * (y / h - 0.5))
-            });
-        },
-    ),
     wrong("the origins differ, not the directions", |c| {
         own(c, |basis, s, x, y| {
             let through = ray(basis, s * x[0] / y[0] * offset(x), s * offset(y)).origin();

@@ -4,7 +4,7 @@
 use std::f64::consts::FRAC_PI_4;
 use std::fmt;
 
-use a02_math::{Normal3, Point3, Vector3};
+use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Ray, render};
 use a04_intersections::{Geometry, Hit, Interval, Triangle, World, scenes::View, stage};
 use common::{ArgumentError, Color};
@@ -64,8 +64,47 @@ pub fn answer(hit: Option<Hit>) -> Answer {
     })
 }
 
+/// Mistakes that any shape may have.
+const USUAL: [(&str, fn(&dyn Geometry, &Ray, Interval) -> Option<Hit>); 4] = [
+    ("an interval has two ends", |shape, ray, i| {
+        shape.hit(
+            ray,
+            Interval {
+                max: f64::INFINITY,
+                ..i
+            },
+        )
+    }),
+    (
+        "the interval says which t is valid, not an epsilon",
+        |shape, ray, i| shape.hit(ray, Interval { min: 1e-6, ..i }),
+    ),
+    (
+        "t counts steps of the direction, which may have any length",
+        |shape, ray, i| {
+            let hit = shape.hit(ray, i)?;
+            Some(Hit {
+                t: hit.t * ray.direction().magnitude(),
+                ..hit
+            })
+        },
+    ),
+    (
+        "the normal of a shape does not turn to the ray",
+        |shape, ray, i| {
+            let hit = shape.hit(ray, i)?;
+            let sign = -hit.face.dot(ray.direction()).signum();
+            Some(Hit {
+                t: hit.t,
+                normal: hit.normal * sign,
+                face: hit.face * sign,
+            })
+        },
+    ),
+];
+
 /// Compares shapes with the lesson's, whose words have `{}` in the place of each parameter:
-/// the `first` one with rays of origin and direction, which are `simple`, and ten of `any`
+/// the `first` one with rays of origin and direction, which are `simple`, and eight of `any`
 /// parameters with rays from everywhere.
 pub fn compare<P: Input, L: Geometry, Y: Geometry>(
     check: &mut Check,
@@ -82,12 +121,18 @@ pub fn compare<P: Input, L: Geometry, Y: Geometry>(
             .map(move |ray| (shape.clone(), ray))
     };
     let ahead = simple.iter().map(|[o, d]| (*o, *d, 0.0, f64::INFINITY));
+    let mistake = check
+        .usual(&USUAL)
+        .unwrap_or(|shape, ray, i| shape.hit(ray, i));
     check.compare(
         &format!("{words}; {RAY}"),
         ahead.map(|ray| (first.clone(), ray)),
-        with(first.clone()).chain(random(any).take(10).flat_map(with)),
-        |(shape, ray)| lesson(shape).map(|shape| hit(&shape, ray)).ok(),
-        |(shape, ray)| yours(shape).map(|shape| hit(&shape, ray)).ok(),
+        with(first.clone()).chain(random(any).take(8).flat_map(with)),
+        |(shape, ray)| Some(hit(&lesson(shape).ok()?, ray)),
+        |(shape, input)| {
+            let (shape, (ray, within)) = (yours(shape).ok()?, ray_within(input));
+            Some(answer(mistake(&shape, &ray, within)))
+        },
     );
 }
 
@@ -102,7 +147,7 @@ pub fn hit(shape: &dyn Geometry, input: RayWithin) -> Answer {
 /// inside and outside of a border.
 pub fn rays(lesson: &dyn Geometry) -> Vec<RayWithin> {
     let (mut random, mut rays, mut hits) = (Random::new(1), Vec::new(), 0);
-    for i in 0..3000 {
+    for i in 0..2000 {
         let [from, to, aside] = [(); 3].map(|()| point(random.triple(6.0)));
         let from = if i % 4 == 3 {
             to + (from - to) * 100.0
@@ -145,7 +190,7 @@ pub fn rays(lesson: &dyn Geometry) -> Vec<RayWithin> {
         add(between(inner - 1e-6), 0.0, f64::INFINITY);
         add(between(outer + 1e-6), 0.0, f64::INFINITY);
         hits += 1;
-        if hits == 30 {
+        if hits == 20 {
             break;
         }
     }

@@ -20,19 +20,11 @@ pub fn check(check: &mut Check, signed_distance: impl Fn(Point3, Normal3, Point3
 }
 
 pub const VARIANTS: &[Variant] = &[
-    right("with the normal of length 1", |c| {
-        check(c, |a, n, p| {
-            n.normalized().map_or(f64::NAN, |n| (p - a).dot(n))
-        });
-    }),
     wrong("n may have any length: divide by it", |c| {
         check(c, |a, n, p| (p - a).dot(n))
     }),
     wrong("n · n is the length squared", |c| {
         check(c, |a, n, p| (p - a).dot(n) / n.dot(n))
-    }),
-    wrong("the sign is that of the side, from a to p", |c| {
-        check(c, |a, n, p| solution(p, n, a))
     }),
     wrong("the distance from the plane is not that from a", |c| {
         check(c, |a, n, p| {

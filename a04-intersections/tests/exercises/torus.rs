@@ -34,59 +34,60 @@ pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(f64, f64) -> Result<G,
     );
 }
 
-/// How far a point of a ray is from the surface.
-fn distance([ring, r]: [f64; 2], p: Point3) -> f64 {
-    libm::hypot(libm::hypot(p.x(), p.z()) - ring, p.y()) - r
-}
-
-/// A walk in steps that follow from the distance, in lengths, until the distance changes its
-/// sign, and then halving.
-fn walk(c: &mut Check, step: fn(f64, f64) -> f64) {
-    check(c, move |ring, r| {
-        own(move |ray: &Ray, within: Interval| {
-            let at = |t| distance([ring, r], ray.at(t));
-            let length = ray.direction().magnitude();
-            let reach = (ring + 2.0 * r) / length;
-            let middle = ray.t_of(Point3::ORIGIN);
-            let mut near = within.min.max(middle - reach) + 1e-4 * r / length;
-            let mut far = near;
-            while (at(far) < 0.0) == (at(near) < 0.0) {
-                (far <= middle + reach).then_some(near = far)?;
-                far += step(at(far).abs(), r) / length;
-            }
-            for _ in 0..100 {
-                let t = f64::midpoint(near, far);
-                *(if (at(t) < 0.0) == (at(near) < 0.0) {
-                    &mut near
-                } else {
-                    &mut far
-                }) = t;
-            }
-            let p = ray.at(far);
-            let scale = 1.0 - ring / libm::hypot(p.x(), p.z());
-            let n = vector([p.x() * scale / r, p.y() / r, p.z() * scale / r]);
-            within.contains(far).then(|| Hit::new(far, n.as_normal()))
-        })
-    });
+/// A walk in steps of a sixteenth of the tube until the distance changes its sign.
+fn fixed_steps(torus: &Torus, [ring, r]: [f64; 2], ray: &Ray, within: Interval) -> Option<Hit> {
+    let at = |t: f64| {
+        let p = ray.at(t);
+        libm::hypot(libm::hypot(p.x(), p.z()) - ring, p.y()) - r
+    };
+    let step = r / 16.0 / ray.direction().magnitude();
+    let middle = ray.t_of(Point3::ORIGIN);
+    let start = within.min.max(middle - 1000.0 * step);
+    let walk = (1..10_000).map(|n| start + step * f64::from(n));
+    let crossed = walk
+        .take_while(|t| (at(*t) < 0.0) == (at(start + step) < 0.0))
+        .last()?;
+    torus.hit(
+        ray,
+        Interval {
+            min: crossed,
+            max: within.max.min(crossed + 2.0 * step),
+        },
+    )
 }
 
 pub const VARIANTS: &[Variant] = &[
-    right("half of the distance", |c| {
-        walk(c, |d, r| (d / 2.0).max(1e-4 * r))
-    }),
     wrong("fixed steps pass over what is thinner than a step", |c| {
-        walk(c, |_, r| r / 16.0)
+        check(c, |ring, r| {
+            let torus = Torus::new(ring, r)?;
+            own(move |ray: &Ray, i| fixed_steps(&torus, [ring, r], ray, i))
+        });
     }),
     wrong(
-        "a step longer than the distance passes through the tube",
+        "within the tube the distance is negative, and the walk goes on",
         |c| {
-            walk(c, |d, r| (2.0 * d).max(0.01 * r));
+            check(c, |ring, r| {
+                let torus = Torus::new(ring, r)?;
+                own(move |ray: &Ray, i| {
+                    torus
+                        .hit(ray, i)
+                        .filter(|hit| hit.normal.dot(ray.direction()) < 0.0)
+                })
+            });
         },
     ),
     wrong("the interval says where the walk ends, too", |c| {
         check(c, |ring, r| {
             let torus = Torus::new(ring, r)?;
-            own(move |ray: &Ray, _| torus.hit(ray, Interval::AHEAD))
+            own(move |ray: &Ray, i: Interval| {
+                torus.hit(
+                    ray,
+                    Interval {
+                        max: f64::INFINITY,
+                        ..i
+                    },
+                )
+            })
         });
     }),
 ];

@@ -78,7 +78,4 @@ pub const VARIANTS: &[Variant] = &[
             moeller_trumbore(c, |_, b, g| b >= 0.0 && g >= 0.0);
         },
     ),
-    wrong("a triangle is seen from both sides", |c| {
-        moeller_trumbore(c, |det, b, g| det > 0.0 && is_inside(b, g));
-    }),
 ];

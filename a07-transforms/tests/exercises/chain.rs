@@ -20,7 +20,7 @@ pub fn check(check: &mut Check, chain: impl Fn(&[Step]) -> [Mat4x4; 2]) {
         |(steps, p)| applied(chain(&steps), p),
     );
     let [_, i] = chain(&steps_of_box());
-    traced_scene(check, "box-transformations", 10.0, || {
+    locked_scene(check, "box-transformations", 10.0, || {
         let (lbf, run) = (Point3::new(-0.5, -0.5, -0.5), Point3::new(0.5, 0.5, 0.5));
         let child = AxisAlignedBox::new(lbf, run)?;
         let moved = Own(move |ray: &Ray, within: Interval| {

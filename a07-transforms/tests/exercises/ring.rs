@@ -62,14 +62,6 @@ pub const VARIANTS: &[Variant] = &[
             hole * hole < squared && squared <= r * r
         });
     }),
-    wrong("the outer border belongs to the ring", |c| {
-        variant(c, |squared, hole, r| {
-            hole * hole <= squared && squared < r * r
-        });
-    }),
-    wrong("a squared distance is compared with squares", |c| {
-        variant(c, |squared, hole, r| (hole..=r).contains(&squared));
-    }),
     wrong("in the hole there is nothing", |c| {
         variant(c, |squared, _, r| squared <= r * r)
     }),

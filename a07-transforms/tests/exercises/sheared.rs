@@ -75,14 +75,8 @@ fn transposed(n: Normal3, by: f64) -> Vector3 {
 }
 
 pub const VARIANTS: &[Variant] = &[
-    right("a shear as a step aside", |c| {
-        variant(c, [-1.0, -1.0], transposed)
-    }),
     wrong("the direction leans, too", |c| {
         variant(c, [-1.0, 0.0], transposed)
-    }),
-    wrong("the ray is moved back, not forward", |c| {
-        variant(c, [1.0, 1.0], transposed)
     }),
     wrong(
         "a normal is no vector: it is multiplied by the transposed inverse",

@@ -81,13 +81,13 @@ pub fn transform(steps: &[Step]) -> Transform {
 }
 
 /// Compares a scene with its lock. Camera and world are from `src/scenes.rs`.
-pub fn traced_scene(
+pub fn locked_scene(
     check: &mut Check,
     name: &str,
     eye: f64,
     world: impl FnOnce() -> Result<ShadowedWorld, ArgumentError>,
 ) {
-    check.traced_scene(&stage(), name, |settings| {
+    check.scene(&stage(), name, |settings| {
         let (camera, world) = (diagonal_camera(eye)?, world()?);
         let tracer = RecursiveTracer::new(&world);
         render(

@@ -33,6 +33,8 @@ pub struct Check {
     /// this check.
     pub(super) usual: Vec<&'static str>,
     pub(super) mistake: Option<usize>,
+    /// Whether the first difference says enough.
+    pub(super) is_brief: bool,
     /// Whether somebody looks at pictures.
     pub(super) is_watched: bool,
     pub(super) picture: Option<Image>,
@@ -82,6 +84,9 @@ impl Check {
         let others = others.into_iter().map(|input| (false, input));
         let lesson = |input| lesson(input).into();
         for (is_simple, input) in simple.chain(others) {
+            if self.is_brief && self.differ > 0 {
+                return;
+            }
             let right = lesson(input.clone());
             let allowed = |unit, is_exact: bool| {
                 let moved = input.moved(unit).filter(|_| !is_exact);

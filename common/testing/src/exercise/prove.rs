@@ -45,9 +45,9 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
                 .into_iter()
                 .enumerate()
                 .try_for_each(|(index, about)| {
-                    let mistake = Some(index);
                     let check = Check {
-                        mistake,
+                        mistake: Some(index),
+                        is_brief: true,
                         ..Check::default()
                     };
                     prove_wrong(about, Findings::of(exercise.solution, check), shows)
@@ -96,7 +96,13 @@ fn prove_variant(variant: &Variant, show: bool) -> Result<(), Failed> {
         examples: || (),
         check: variant.check,
     };
-    let found = Findings::of(code, Check::default());
+    let found = Findings::of(
+        code,
+        Check {
+            is_brief: true,
+            ..Check::default()
+        },
+    );
     if variant.is_right {
         prove_solution(found, "", false)
     } else {
