@@ -30,7 +30,7 @@ pub fn check(check: &mut Check, checkerboard: impl Fn(Point3, Normal3) -> Color 
         |(p, n)| Answer::words(name(solution(point(p), vector(n).as_normal()))),
         |(p, n)| Answer::words(name(checkerboard(point(p), vector(n).as_normal()))),
     );
-    let (eye, at) = (Point3::new(3.0, 4.0, 7.0), Point3::new(0.0, 0.6, 0.0));
+    let (eye, at) = ([3.0, 4.0, 7.0], [0.0, 0.6, 0.0]);
     show_world(check, floor_and_box(), eye, at, |(), p, n| {
         checkerboard(p, n) * 0.7 + Color::gray(0.15)
     });

@@ -7,7 +7,7 @@ mod camera;
 mod shape;
 
 testing::exercises! {
-    use {a02_math::*, a03_rays_cameras::*, a04_intersections::*, common::*, crate::shape::*};
+    use {a02_math::*, a03_rays_cameras::*, a04_intersections::*, a04_intersections::scenes::*, common::*, crate::shape::*};
     starters {
         orthographic => |check| orthographic::check(check, OrthographicCamera::new);
         plane => |check| plane::check(check, Plane::new);

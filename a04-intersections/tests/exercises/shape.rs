@@ -65,7 +65,7 @@ pub fn answer(hit: Option<Hit>) -> Answer {
 }
 
 /// Mistakes that any shape may have.
-const USUAL: [(&str, fn(&dyn Geometry, &Ray, Interval) -> Option<Hit>); 4] = [
+const USUAL: [(&str, fn(&dyn Geometry, &Ray, Interval) -> Option<Hit>); 5] = [
     ("an interval has two ends", |shape, ray, i| {
         shape.hit(
             ray,
@@ -76,11 +76,16 @@ const USUAL: [(&str, fn(&dyn Geometry, &Ray, Interval) -> Option<Hit>); 4] = [
         )
     }),
     (
-        "the interval says which t is valid, not an epsilon",
+        "the interval says which t is valid, no epsilon",
         |shape, ray, i| shape.hit(ray, Interval { min: 1e-6, ..i }),
     ),
+    ("a short direction is not parallel", |shape, ray, i| {
+        shape
+            .hit(ray, i)
+            .filter(|_| ray.direction().magnitude() > 1e-6)
+    }),
     (
-        "t counts steps of the direction, which may have any length",
+        "t counts steps of the direction, not lengths",
         |shape, ray, i| {
             let hit = shape.hit(ray, i)?;
             Some(Hit {
@@ -90,26 +95,42 @@ const USUAL: [(&str, fn(&dyn Geometry, &Ray, Interval) -> Option<Hit>); 4] = [
         },
     ),
     (
-        "the normal of a shape does not turn to the ray",
+        "a shape's normal does not turn to the ray",
         |shape, ray, i| {
-            let hit = shape.hit(ray, i)?;
-            let sign = -hit.face.dot(ray.direction()).signum();
+            let Hit { t, normal, face } = shape.hit(ray, i)?;
+            let sign = -face.dot(ray.direction()).signum();
             Some(Hit {
-                t: hit.t,
-                normal: hit.normal * sign,
-                face: hit.face * sign,
+                t,
+                normal: normal * sign,
+                face: face * sign,
             })
         },
     ),
 ];
 
+/// Simple rays to a shape around the origin: along each axis, in longer steps, from inside,
+/// away from it, and aslant.
+fn simple() -> impl Iterator<Item = [[f64; 3]; 2]> {
+    let places = [0.0, 0.5, 1.0, 2.0, 3.0].into_iter();
+    let places = places.flat_map(|x| [0.0, 0.5, 1.0, 2.0].map(|y| [x, y]));
+    let axes = places.flat_map(|[x, y]| {
+        [
+            [[x, y, 4.0], [0.0, 0.0, -1.0]],
+            [[x, 4.0, y], [0.0, -2.0, 0.0]],
+            [[x, y, 0.25], [0.0, 0.0, 1.0]],
+            [[x, -4.0, y], [0.0, -1.0, 0.0]],
+        ]
+    });
+    axes.chain([[[3.0, 0.0, 0.0], [-1.0, 0.0, 1.0]]])
+}
+
 /// Compares shapes with the lesson's, whose words have `{}` in the place of each parameter:
-/// the `first` one with rays of origin and direction, which are `simple`, and eight of `any`
+/// the `first` one, near the origin and of round numbers, with simple rays, and eight of `any`
 /// parameters with rays from everywhere.
 pub fn compare<P: Input, L: Geometry, Y: Geometry>(
     check: &mut Check,
     words: &str,
-    (first, simple): (P, &[[[f64; 3]; 2]]),
+    first: P,
     any: impl FnMut(&mut Random) -> P,
     lesson: impl Fn(P) -> Result<L, ArgumentError>,
     yours: impl Fn(P) -> Result<Y, ArgumentError>,
@@ -120,19 +141,37 @@ pub fn compare<P: Input, L: Geometry, Y: Geometry>(
             .into_iter()
             .map(move |ray| (shape.clone(), ray))
     };
-    let ahead = simple.iter().map(|[o, d]| (*o, *d, 0.0, f64::INFINITY));
     let mistake = check
         .usual(&USUAL)
         .unwrap_or(|shape, ray, i| shape.hit(ray, i));
     check.compare(
         &format!("{words}; {RAY}"),
-        ahead.map(|ray| (first.clone(), ray)),
+        simple().map(|[o, d]| (first.clone(), (o, d, 0.0, f64::INFINITY))),
         with(first.clone()).chain(random(any).take(8).flat_map(with)),
         |(shape, ray)| Some(hit(&lesson(shape).ok()?, ray)),
-        |(shape, input)| {
-            let (shape, (ray, within)) = (yours(shape).ok()?, ray_within(input));
+        |(shape, ray)| {
+            let (shape, (ray, within)) = (yours(shape).ok()?, ray_within(ray));
             Some(answer(mistake(&shape, &ray, within)))
         },
+    );
+}
+
+/// Compares boxes between two corners.
+pub fn compare_boxes<L: Geometry, Y: Geometry>(
+    check: &mut Check,
+    lesson: impl Fn(Point3, Point3) -> Result<L, ArgumentError>,
+    yours: impl Fn(Point3, Point3) -> Result<Y, ArgumentError>,
+) {
+    compare(
+        check,
+        "box from {} to {}",
+        ([-1.5; 3], [1.5; 3]),
+        |r| {
+            let lbf = r.triple(5.0);
+            (lbf, lbf.map(|low| low + r.between(0.1, 3.0)))
+        },
+        |(lbf, run)| lesson(point(lbf), point(run)),
+        |(lbf, run)| yours(point(lbf), point(run)),
     );
 }
 
@@ -169,7 +208,7 @@ pub fn rays(lesson: &dyn Geometry) -> Vec<RayWithin> {
         };
         add(ray, 0.0, f64::INFINITY);
         add(Ray::derived(from, -ray.direction()), 0.0, f64::INFINITY);
-        for end in [t * (1.0 - 1e-6), t * (1.0 + 1e-6)] {
+        for end in [t * (1.0 - 1e-3), t * (1.0 + 1e-6)] {
             add(ray, 0.0, end);
             add(ray, end, f64::INFINITY);
         }
@@ -221,8 +260,8 @@ pub fn scene(
 pub fn show(
     check: &mut Check,
     shape: Result<impl Geometry, ArgumentError>,
-    eye: Point3,
-    at: Point3,
+    eye: [f64; 3],
+    at: [f64; 3],
 ) {
     let world = World::new(Color::gray(0.1)).and_then(|world| Ok(world.with(shape?, ())));
     show_world(check, world, eye, at, |(), _, normal| by_normal(normal));
@@ -238,14 +277,14 @@ pub fn by_normal(normal: Normal3) -> Color {
 pub fn show_world<S: Sync>(
     check: &mut Check,
     world: Result<World<S>, ArgumentError>,
-    eye: Point3,
-    at: Point3,
+    eye: [f64; 3],
+    at: [f64; 3],
     color: impl Fn(&S, Point3, Normal3) -> Color + Sync,
 ) {
     check.picture(|settings| {
         let world = world?;
         let up = Vector3::new(0.0, 1.0, 0.0);
-        let camera = PerspectiveCamera::new(eye, at - eye, up, FRAC_PI_4)?;
+        let camera = PerspectiveCamera::new(point(eye), point(at) - point(eye), up, FRAC_PI_4)?;
         let paint = |ray: &Ray| match world.hit(ray, Interval::AHEAD) {
             Some((hit, surface)) => color(surface, ray.at(hit.t), hit.normal),
             None => world.background(),

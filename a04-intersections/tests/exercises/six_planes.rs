@@ -3,92 +3,52 @@
 use crate::prelude::*;
 use crate::solutions::six_planes::SixPlanes;
 
-/// On a face, from inside, away, on an edge, and beside it.
-const SIMPLE: [[[f64; 3]; 2]; 5] = [
-    [[0.0, 1.0, 5.0], [0.0, 0.0, -1.0]],
-    [[0.5, 1.0, 0.0], [1.0, 0.0, 0.0]],
-    [[0.0, 1.0, 5.0], [0.0, 0.0, 1.0]],
-    [[1.0, 1.0, 5.0], [0.0, 0.0, -1.0]],
-    [[1.5, 1.0, 5.0], [0.0, 0.0, -1.0]],
-];
-
 pub fn check<G: Geometry>(
     check: &mut Check,
     new: impl Fn(Point3, Point3) -> Result<G, ArgumentError>,
 ) {
-    compare(
-        check,
-        "box from {} to {}",
-        (([-1.0, 0.0, -1.0], [1.0, 2.0, 1.0]), &SIMPLE),
-        |r| {
-            let lbf = r.triple(5.0);
-            (lbf, lbf.map(|low| low + r.between(0.1, 3.0)))
-        },
-        |(lbf, run)| SixPlanes::new(point(lbf), point(run)),
-        |(lbf, run)| new(point(lbf), point(run)),
-    );
+    compare_boxes(check, SixPlanes::new, &new);
     let shape = new(point([-0.3, 0.1, -0.7]), point([0.4, 1.2, 0.6]));
-    show(
-        check,
-        shape,
-        Point3::new(2.0, 2.2, 2.9),
-        Point3::new(0.05, 0.6, 0.0),
-    );
+    show(check, shape, [2.0, 2.2, 2.9], [0.05, 0.6, 0.0]);
 }
 
-/// A box put together of planes, of whose hits `is_on_face` judges the distances to the
-/// slabs along its own axis and along both others, and of which `replaces` keeps one.
-fn variant(c: &mut Check, is_on_face: fn(f64, f64) -> bool, replaces: fn(&Hit, &Hit) -> bool) {
+/// Hits of planes: those between the corners up to `beside`, along all axes or not their own,
+/// and the nearest or the last.
+fn variant(c: &mut Check, beside: f64, all_axes: bool, is_nearest: bool) {
     check(c, move |lbf, run| {
         own(move |ray: &Ray, within| {
-            let mut found: Option<Hit> = None;
-            for (axis, corner, side) in
-                (0..3).flat_map(|axis| [(axis, lbf, -1.0), (axis, run, 1.0)])
-            {
+            let faces = (0..3).flat_map(|axis| [(axis, lbf, -1.0), (axis, run, 1.0)]);
+            let hits = faces.filter_map(|(own_axis, corner, side)| {
                 let mut normal = [0.0; 3];
-                normal[axis] = side;
-                let plane = Plane::new(corner, vector(normal).as_normal()).ok()?;
-                let Some(hit) = plane.hit(ray, within) else {
-                    continue;
-                };
+                normal[own_axis] = side;
+                let hit = Plane::new(corner, vector(normal).as_normal())
+                    .ok()?
+                    .hit(ray, within)?;
                 let [p, lbf, run] = [ray.at(hit.t), lbf, run].map(Point3::to_glam);
-                let beside = (lbf - p).max(p - run);
-                let others = beside[(axis + 1) % 3].max(beside[(axis + 2) % 3]);
-                if is_on_face(beside[axis], others) && found.is_none_or(|old| replaces(&hit, &old))
-                {
-                    found = Some(hit);
+                let outside = (lbf - p).max(p - run).to_array();
+                let mut axes = outside.into_iter().enumerate();
+                let is_on = |(axis, outside)| (!all_axes && axis == own_axis) || outside <= beside;
+                axes.all(is_on).then_some(hit)
+            });
+            hits.reduce(|old, new| {
+                if is_nearest && old.t <= new.t {
+                    old
+                } else {
+                    new
                 }
-            }
-            found
+            })
         })
     });
 }
 
 pub const VARIANTS: &[Variant] = &[
-    wrong(
-        "rounding puts a hit beside its own plane: compare the other two axes",
-        |c| {
-            variant(
-                c,
-                |own, others| own <= 0.0 && others <= 0.0,
-                |a, b| a.t < b.t,
-            );
-        },
-    ),
-    wrong(
-        "the nearest plane hides the others, not the last one",
-        |c| {
-            variant(c, |_, others| others <= 0.0, |_, _| true);
-        },
-    ),
-    wrong(
-        "an epsilon closes the holes, and lets the faces stick out",
-        |c| {
-            variant(
-                c,
-                |own, others| own <= 1e-4 && others <= 1e-4,
-                |a, b| a.t < b.t,
-            );
-        },
-    ),
+    wrong("rounding puts a hit beside its own plane", |c| {
+        variant(c, 0.0, true, true)
+    }),
+    wrong("the nearest plane counts, not the last", |c| {
+        variant(c, 0.0, false, false)
+    }),
+    wrong("with an epsilon, faces stick out", |c| {
+        variant(c, 1e-4, true, true)
+    }),
 ];
