@@ -33,36 +33,33 @@ pub fn check(check: &mut Check, chain: impl Fn(&[Step]) -> [Mat4x4; 2]) {
     });
 }
 
-/// The product of the matrices of steps.
-fn product<'a>(steps: impl Iterator<Item = &'a Step>, matrix: fn(Step) -> Mat4x4) -> Mat4x4 {
-    steps.fold(Mat4x4::IDENTITY, |product, step| product * matrix(*step))
+/// The product of the matrices of steps, from the first to the last or back.
+fn product(steps: &[Step], matrix: fn(Step) -> Mat4x4, is_forward: bool) -> Mat4x4 {
+    let matrices = steps.iter().map(|step| matrix(*step));
+    matrices.fold(
+        Mat4x4::IDENTITY,
+        |a, b| if is_forward { a * b } else { b * a },
+    )
+}
+
+fn variant(c: &mut Check, [forward, back]: [bool; 2]) {
+    check(c, |steps| {
+        [
+            product(steps, Step::matrix, forward),
+            product(steps, Step::inverse, back),
+        ]
+    });
 }
 
 pub const VARIANTS: &[Variant] = &[
-    right("two products, each from its left end", |c| {
-        check(c, |steps| {
-            [
-                product(steps.iter(), Step::matrix),
-                product(steps.iter().rev(), Step::inverse),
-            ]
-        });
+    right("two products", |c| variant(c, [true, false])),
+    wrong("the last step is applied first", |c| {
+        variant(c, [false, true])
     }),
-    wrong("the last step of a chain is applied first", |c| {
+    wrong("the last step is undone last", |c| variant(c, [true, true])),
+    wrong("only a turn is undone by its transpose", |c| {
         check(c, |steps| {
-            [
-                product(steps.iter().rev(), Step::matrix),
-                product(steps.iter(), Step::inverse),
-            ]
-        });
-    }),
-    wrong("the step that was applied last is undone first", |c| {
-        check(c, |steps| {
-            [Step::matrix, Step::inverse].map(|of| product(steps.iter(), of))
-        });
-    }),
-    wrong("only the inverse of a rotation is its transpose", |c| {
-        check(c, |steps| {
-            let matrix = product(steps.iter(), Step::matrix);
+            let matrix = product(steps, Step::matrix, true);
             [matrix, matrix.transposed()]
         });
     }),

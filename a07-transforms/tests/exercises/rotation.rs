@@ -6,26 +6,17 @@ use crate::solutions::rotation::rotation as solution;
 type Turn = Result<Transform, ArgumentError>;
 
 pub fn check(check: &mut Check, rotation: impl Fn(Vector3, f64) -> Turn) {
+    let axes = || [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(vector);
     let turned = |turn: Turn| {
         let turn = turn.ok()?;
-        let of = |v| (turn.matrix() * vector(v)).to_glam().to_array();
-        let axes =
-            Answer::named("x turned", of([1.0, 0.0, 0.0])).and("y turned", of([0.0, 1.0, 0.0]));
-        let back = turn.inverse() * vector([1.0, 0.0, 0.0]);
-        Some(
-            axes.and("z turned", of([0.0, 0.0, 1.0]))
-                .and("x turned back", back.to_glam().to_array()),
-        )
+        let [[x, y, z], [back, ..]] = [turn.matrix(), turn.inverse()]
+            .map(|matrix| axes().map(|axis| (matrix * axis).to_glam().to_array()));
+        let turned = Answer::named("x turned", x).and("y turned", y);
+        Some(turned.and("z turned", z).and("x turned back", back))
     };
-    let axes = [
-        [0.0, 0.0, 1.0],
-        [1.0, 0.0, 0.0],
-        [0.0, 1.0, 0.0],
-        [0.0, -2.0, 0.0],
-    ];
     check.compare(
         "axis {}, angle {}",
-        axes.map(|axis| (axis, 1.0)),
+        [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, -2.0, 0.0]].map(|axis| (axis, 1.0)),
         random(|r| (r.triple(5.0), r.between(-9.0, 9.0))),
         |(axis, angle)| turned(solution(vector(axis), angle)),
         |(axis, angle)| turned(rotation(vector(axis), angle)),
@@ -43,12 +34,7 @@ pub fn check(check: &mut Check, rotation: impl Fn(Vector3, f64) -> Turn) {
         }
         Ok(world)
     };
-    show_lit(
-        check,
-        wheel(),
-        Point3::new(4.0, 4.5, 5.0),
-        Point3::new(0.6, 0.6, 0.6),
-    );
+    show_lit(check, wheel(), [4.0, 4.5, 5.0], [0.6; 3]);
 }
 
 /// With other angles of the axis around y and up from the plane.

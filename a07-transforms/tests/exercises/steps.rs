@@ -128,8 +128,8 @@ pub fn steps_of_box() -> [Step; 4] {
 pub fn show_lit(
     check: &mut Check,
     world: Result<World<Color>, ArgumentError>,
-    eye: Point3,
-    at: Point3,
+    eye: [f64; 3],
+    at: [f64; 3],
 ) {
     show_world(check, world, eye, at, |color: &Color, _, n: Normal3| {
         *color * (0.5 + 0.15 * n.x() + 0.3 * n.y() + 0.2 * n.z())

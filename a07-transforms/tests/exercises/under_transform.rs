@@ -43,55 +43,40 @@ pub fn check(check: &mut Check, ray_to_object: RayToObject, normal_from_object: 
     });
 }
 
+fn unit(v: Vector3) -> Option<Normal3> {
+    v.normalized().map(Vector3::as_normal)
+}
+
 pub const VARIANTS: &[Variant] = &[
-    right(
-        "a direction between two points, and a normal across two tangents",
-        |c| {
-            check(
-                c,
-                |t, ray| {
-                    let [from, to] = [0.0, 1.0].map(|at| t.inverse() * ray.at(at));
-                    Ray::derived(from, to - from)
-                },
-                |t, n| {
-                    let n = Vector3::from(n);
-                    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(vector);
-                    let one = axes.map(|axis| axis.cross(n)).into_iter();
-                    let one = one.max_by(|a, b| a.dot(*a).total_cmp(&b.dot(*b)))?;
-                    let across = (t.matrix() * one).cross(t.matrix() * n.cross(one));
-                    across.normalized().map(Vector3::as_normal)
-                },
-            );
-        },
-    ),
-    wrong("the inverse leads into the space of the object", |c| {
-        check(
-            c,
-            |t, ray| Ray::derived(t.matrix() * ray.origin(), t.matrix() * ray.direction()),
-            lesson::normal_from_object,
-        );
+    right("a direction between two points", |c| {
+        let to_object = |t: &Transform, ray: &Ray| {
+            let [from, to] = [0.0, 1.0].map(|at| t.inverse() * ray.at(at));
+            Ray::derived(from, to - from)
+        };
+        check(c, to_object, |t, n| {
+            let [x, y, z, _] = t.inverse().rows().map(|[x, y, z, _]| Vector3::new(x, y, z));
+            unit(x * n.x() + y * n.y() + z * n.z())
+        });
     }),
-    wrong(
-        "the direction keeps its length, so that t stays the same",
-        |c| {
-            let unit = |t: &Transform, ray: &Ray| {
-                let ray = t.ray_to_object(ray);
-                Ray::derived(
-                    ray.origin(),
-                    ray.direction().normalized().unwrap_or_default(),
-                )
-            };
-            check(c, unit, lesson::normal_from_object);
-        },
-    ),
-    wrong(
-        "a normal is no vector: it stays perpendicular to the surface",
-        |c| {
-            check(c, lesson::ray_to_object, |t, n| {
-                (t.matrix() * Vector3::from(n))
-                    .normalized()
-                    .map(Vector3::as_normal)
-            });
-        },
-    ),
+    wrong("the inverse leads to the object", |c| {
+        let forward = |t: &Transform, ray: &Ray| {
+            Ray::derived(t.matrix() * ray.origin(), t.matrix() * ray.direction())
+        };
+        check(c, forward, lesson::normal_from_object);
+    }),
+    wrong("the direction keeps its length", |c| {
+        let shortened = |t: &Transform, ray: &Ray| {
+            let ray = t.ray_to_object(ray);
+            Ray::derived(
+                ray.origin(),
+                ray.direction().normalized().unwrap_or_default(),
+            )
+        };
+        check(c, shortened, lesson::normal_from_object);
+    }),
+    wrong("a normal is no vector", |c| {
+        check(c, lesson::ray_to_object, |t, n| {
+            unit(t.matrix() * Vector3::from(n))
+        });
+    }),
 ];
