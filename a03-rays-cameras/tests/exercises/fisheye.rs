@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_6, PI};
 
-use crate::camera::compare;
+use crate::camera::{Own, compare};
 use crate::prelude::*;
 use crate::solutions::fisheye::Fisheye;
 
@@ -28,49 +28,33 @@ pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Basis, f64) -> C) {
             let around = libm::atan2(d.x(), -d.z());
             let fields = (up / FRAC_PI_6).floor() + (around / FRAC_PI_6).floor();
             let light = 0.4 + 0.6 * fields.rem_euclid(2.0);
-            let is_below = d.y() < 0.0;
-            (if is_below {
-                Color::new(0.3, 0.8, 0.3)
-            } else {
-                Color::new(0.4, 0.6, 1.0)
-            }) * light
+            let [green, blue] = [Color::new(0.3, 0.8, 0.3), Color::new(0.4, 0.6, 1.0)];
+            (if d.y() < 0.0 { green } else { blue }) * light
         };
         render(&camera, paint, settings, &())
     });
 }
 
-/// A fisheye with other angles from the gaze, from the place from the middle in heights, the
-/// aspect ratio and the opening.
-struct Own(Basis, f64, fn([f64; 2], f64, f64) -> f64);
-
-impl Camera for Own {
-    fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
-        let [width, height] = [size.width(), size.height()].map(f64::from);
-        let place = [x - (width - 1.0) / 2.0, y - (height - 1.0) / 2.0].map(|p| p / height);
-        let Basis { e, u, v, w } = self.0;
-        let around = libm::atan2(place[1], place[0]);
-        let (sin, cos) = libm::sincos((self.2)(place, width / height, self.1));
-        let aside = u * libm::cos(around) + v * libm::sin(around);
-        Ray::derived(e, aside * sin - w * cos)
-    }
+/// A fisheye with other angles from the gaze, by the place from the middle, width and height,
+/// and the opening.
+fn variant(c: &mut Check, angle: fn(f64, [f64; 2], f64) -> f64) {
+    check(c, move |Basis { e, u, v, w }, opening| {
+        Own(move |[width, height]: [f64; 2], [x, y]: [f64; 2]| {
+            let [x, y] = [x - (width - 1.0) / 2.0, y - (height - 1.0) / 2.0];
+            let r = libm::hypot(x, y).max(f64::MIN_POSITIVE);
+            let (sin, cos) = libm::sincos(angle(r, [width, height], opening));
+            Ray::derived(e, (u * (x / r) + v * (y / r)) * sin - w * cos)
+        })
+    });
 }
 
 pub const VARIANTS: &[Variant] = &[
-    wrong(
-        "the opening is the angle over the height, not over the width",
-        |c| {
-            check(c, |basis, angle| {
-                Own(basis, angle, |[x, y], a, angle| {
-                    libm::hypot(x, y) / a * angle
-                })
-            });
-        },
-    ),
+    wrong("the opening is that of the height", |c| {
+        variant(c, |r, [w, _], angle| r / w * angle)
+    }),
     wrong("the distance is the angle, not its tangent", |c| {
-        check(c, |basis, angle| {
-            Own(basis, angle, |[x, y], _, angle| {
-                libm::atan(2.0 * libm::hypot(x, y) * libm::tan(angle / 2.0))
-            })
+        variant(c, |r, [_, h], angle| {
+            libm::atan(2.0 * r / h * libm::tan(angle / 2.0))
         });
     }),
 ];

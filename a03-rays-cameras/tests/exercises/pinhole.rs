@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::camera::compare;
+use crate::camera::{Own, compare};
 use crate::prelude::*;
 
 pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Point3, f64) -> Result<C, ArgumentError>) {
@@ -20,33 +20,24 @@ pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Point3, f64) -> Result<C
     });
 }
 
-/// A direction from width and height, the place from the lower left corner, and the angle.
-type Way = fn([f64; 2], [f64; 2], f64) -> Vector3;
-
-struct Own(Point3, f64, Way);
-
-impl Camera for Own {
-    fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
-        let size = [size.width(), size.height()].map(f64::from);
-        let way = (self.2)(size, [x + 0.5, y + 0.5], self.1);
-        Ray::derived(self.0, way.normalized().unwrap_or_default())
-    }
-}
-
-fn own(c: &mut Check, way: Way) {
-    check(c, |e, angle| Ok(Own(e, angle, way)));
+/// A pinhole that sees the angle times a factor over a length of the picture.
+fn variant(c: &mut Check, factor: f64, length: fn(f64, f64) -> f64) {
+    check(c, move |e, angle| {
+        Ok(Own(move |[w, h]: [f64; 2], [x, y]: [f64; 2]| {
+            let scale = 2.0 * libm::tan(factor * angle) / length(w, h);
+            let [right, up] = [x - (w - 1.0) / 2.0, y - (h - 1.0) / 2.0].map(|p| p * scale);
+            let way = Vector3::new(right, up, -1.0);
+            Ray::derived(e, way.normalized().unwrap_or_default())
+        }))
+    });
 }
 
 pub const VARIANTS: &[Variant] = &[
-    right("at the distance 1", |c| {
-        own(c, |[w, h], [x, y], angle| {
-            let scale = 2.0 * libm::tan(angle / 2.0) / h;
-            Vector3::new((x - w / 2.0) * scale, (y - h / 2.0) * scale, -1.0)
-        });
+    right("at the distance 1", |c| variant(c, 0.5, |_, h| h)),
+    wrong("half of the angle is above the middle", |c| {
+        variant(c, 1.0, |_, h| h)
     }),
-    wrong("half of the angle is above the middle, half below", |c| {
-        own(c, |[w, h], [x, y], angle| {
-            Vector3::new(x - w / 2.0, y - h / 2.0, -h / 2.0 / libm::tan(angle))
-        });
+    wrong("the angle is that of the height", |c| {
+        variant(c, 0.5, |w, _| w)
     }),
 ];

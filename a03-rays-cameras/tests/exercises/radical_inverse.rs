@@ -29,25 +29,23 @@ pub fn check(check: &mut Check, inverse: impl Fn(u32, u32) -> f64) {
     });
 }
 
-/// The digits of a number, the last one first.
-fn digits(n: u32, base: u32) -> impl Iterator<Item = f64> {
-    let rest = std::iter::successors(Some(n), move |n| Some(n / base));
-    rest.take_while(|n| *n > 0)
-        .map(move |n| f64::from(n % base))
-}
-
 pub const VARIANTS: &[Variant] = &[
     right("a sum of fractions", |c| {
-        check(c, |n, base| {
-            let scaled = digits(n, base).fold((0.0, 1.0), |(sum, place): (f64, f64), digit| {
-                let place = place / f64::from(base);
-                (sum + digit * place, place)
-            });
-            scaled.0
+        check(c, |mut n, base| {
+            let (mut sum, mut place) = (0.0, 1.0);
+            while n > 0 {
+                place /= f64::from(base);
+                sum += f64::from(n % base) * place;
+                n /= base;
+            }
+            sum
         });
     }),
-    wrong("the digits stand behind the point, not before it", |c| {
+    wrong("digits stand behind the point, not before it", |c| {
         check(c, |n, base| solution(n, base) * f64::from(base));
+    }),
+    wrong("the base need not be 2", |c| {
+        check(c, |n, _| solution(n, 2))
     }),
     wrong("mirrored in 32 bits, the number overflows", |c| {
         check(c, |mut n, base| {

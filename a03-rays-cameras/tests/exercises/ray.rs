@@ -38,33 +38,25 @@ pub fn check(
     });
 }
 
+fn unit(ray: &Ray) -> Vector3 {
+    ray.direction().normalized().unwrap_or_default()
+}
+
 pub const VARIANTS: &[Variant] = &[
     right("with a direction of length 1", |c| {
-        let unit = |ray: &Ray| ray.direction().normalized().unwrap_or_default();
-        let at = |ray: &Ray, t: f64| ray.origin() + unit(ray) * (t * ray.direction().magnitude());
+        let length = |ray: &Ray| ray.direction().magnitude();
+        let at = |ray: &Ray, t| ray.origin() + unit(ray) * (t * length(ray));
         check(c, at, |ray, p| {
-            (p - ray.origin()).dot(unit(ray)) / ray.direction().magnitude()
+            (p - ray.origin()).dot(unit(ray)) / length(ray)
         });
     }),
-    wrong(
-        "t is the distance only where the direction has length 1",
-        |c| {
-            check(c, Ray::at, |ray, p| (p - ray.origin()).magnitude());
-        },
-    ),
-    wrong(
-        "the dot product counts the length of the direction twice",
-        |c| {
-            check(c, Ray::at, |ray, p| {
-                (p - ray.origin()).dot(ray.direction()) / ray.direction().magnitude()
-            });
-        },
-    ),
-    wrong(
-        "t counts steps of the direction, whatever their length",
-        |c| {
-            let unit = |ray: &Ray| ray.direction().normalized().unwrap_or_default();
-            check(c, |ray, t| ray.origin() + unit(ray) * t, Ray::t_of);
-        },
-    ),
+    wrong("t is no distance: d may have any length", |c| {
+        check(c, Ray::at, |ray, p| (p - ray.origin()).magnitude());
+    }),
+    wrong("the dot product has the length of d twice", |c| {
+        check(c, Ray::at, |ray, p| (p - ray.origin()).dot(unit(ray)));
+    }),
+    wrong("t counts steps of d, of any length", |c| {
+        check(c, |ray, t| ray.origin() + unit(ray) * t, Ray::t_of);
+    }),
 ];

@@ -15,12 +15,8 @@ pub fn check<S: Sync>(
         ahead.map(|d| (1.0, 10, d)),
         random(|r| (r.between(0.2, 2.8), 1 + r.below(12), r.triple(1.0))),
         |(angle, count, d)| {
-            let sky = StripedSky::new(
-                &camera(angle).ok()?,
-                Size::COURSE,
-                count,
-                StripeRule::Direction,
-            );
+            let rule = StripeRule::Direction;
+            let sky = StripedSky::new(&camera(angle).ok()?, Size::COURSE, count, rule);
             Some(sky.ok()?.stripe(&ray(d).ok()?) as usize)
         },
         |(angle, count, d)| {
@@ -53,21 +49,18 @@ fn variant(c: &mut Check, number: fn(f64, f64) -> f64) {
 pub const VARIANTS: &[Variant] = &[
     right("in halves of the picture", |c| {
         variant(c, |height, n| {
-            (n / 2.0 * (height + 1.0)).floor().clamp(0.0, n - 1.0)
+            (n / 2.0 * (height + 1.0)).clamp(0.0, n - 1.0)
         });
     }),
-    wrong("above the picture, a ray hits the uppermost stripe", |c| {
+    wrong("above the picture is the last stripe", |c| {
         variant(c, |height, n| (height + 1.0) / 2.0 * n);
     }),
     wrong("stripes are counted from below", |c| {
         variant(c, |height, n| ((1.0 - height) / 2.0 * n).min(n - 1.0));
     }),
-    wrong(
-        "a stripe reaches from one whole number to the next: do not round to the nearest",
-        |c| {
-            variant(c, |height, n| {
-                ((height + 1.0) / 2.0 * n).round().min(n - 1.0)
-            });
-        },
-    ),
+    wrong("a number of a stripe is rounded down", |c| {
+        variant(c, |height, n| {
+            ((height + 1.0) / 2.0 * n).round().min(n - 1.0)
+        });
+    }),
 ];

@@ -6,11 +6,11 @@ use crate::camera::answer;
 use crate::prelude::*;
 use crate::solutions::thin_lens::through_lens as solution;
 
+type Through<'a> = &'a dyn Fn(&Basis, f64, &Ray, (f64, f64)) -> Ray;
 type Input = ([f64; 3], [f64; 3], f64, [f64; 3], [f64; 2]);
 
 pub fn check(check: &mut Check, through: impl Fn(&Basis, f64, &Ray, (f64, f64)) -> Ray) {
-    let lens = |(e, gaze, focus, [x, y, z], [right, up]): Input,
-                through: &dyn Fn(&Basis, f64, &Ray, (f64, f64)) -> Ray| {
+    let lens = |(e, gaze, focus, [x, y, z], [right, up]): Input, through: Through| {
         let basis = Basis::new(point(e), vector(gaze), vector([0.0, 1.0, 0.0])).ok()?;
         // Ahead, whatever the coordinates are.
         let way = basis.u * x + basis.v * y - basis.w * (z.abs() + 0.1);
@@ -79,18 +79,15 @@ fn variant(c: &mut Check, distance: fn(f64, f64) -> f64, is_unit: bool) {
 }
 
 pub const VARIANTS: &[Variant] = &[
-    wrong("the focus is a plane, not a ball around the eye", |c| {
+    wrong("the focus is a plane, not a ball", |c| {
         variant(c, |focus, _| focus, true)
     }),
     wrong("the direction has length 1", |c| {
         variant(c, |focus, along| focus / along, false)
     }),
-    wrong(
-        "from another place, another direction leads to the same point",
-        |c| {
-            check(c, |basis, _, ray, (right, up)| {
-                Ray::derived(basis.e + basis.u * right + basis.v * up, ray.direction())
-            });
-        },
-    ),
+    wrong("from another place, the direction is another", |c| {
+        check(c, |basis, _, ray, (right, up)| {
+            Ray::derived(basis.e + basis.u * right + basis.v * up, ray.direction())
+        });
+    }),
 ];
