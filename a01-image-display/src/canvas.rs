@@ -8,10 +8,8 @@
 use std::ops::Range;
 
 use common::{Color, Error, Image, Size};
-use font8x8::legacy::{BASIC_LEGACY, GREEK_LEGACY, LATIN_LEGACY, MISC_LEGACY};
 
-/// Width and height of a character in pixels, at scale 1.
-const GLYPH: u32 = 8;
+use crate::font::dots;
 
 /// Length of an arrow's head, in widths of its line.
 const HEAD_LENGTH: f64 = 6.0;
@@ -93,26 +91,17 @@ impl Canvas {
     }
 
     /// Writes `text` in one row. Its top left corner is `at`, rounded to the
-    /// nearest pixel; every dot of a letter is `scale` pixels wide and high.
-    ///
-    /// The font has the characters of ASCII, Latin-1 and Greek, and a few signs
-    /// like ≤ and ≥. Any other character becomes a question mark.
+    /// nearest pixel; every dot of a letter is `scale` pixels wide and high. Of the
+    /// characters, only those of ASCII, Latin-1 and Greek, ≤ and ≥ are known.
     pub fn text(&mut self, at: (f64, f64), scale: u32, color: Color, text: &str) {
         if !drawable(&[at]) {
             return;
         }
         let scale = f64::from(scale);
-        let (mut left, top) = (at.0.round(), at.1.round());
-        for character in text.chars() {
-            for (row, bits) in (0_u8..).zip(glyph(character)) {
-                for column in (0_u8..8).filter(|column| bits >> column & 1 == 1) {
-                    let x = left + scale * f64::from(column);
-                    let y = top + scale * f64::from(row);
-                    let corners = [(x, y), (x + scale, y + scale)];
-                    self.blend(&corners, 0.0, color, |_| 1.0);
-                }
-            }
-            left += scale * f64::from(GLYPH);
+        for (column, row) in dots(text) {
+            let x = at.0.round() + scale * f64::from(column);
+            let y = at.1.round() + scale * f64::from(row);
+            self.blend(&[(x, y), (x + scale, y + scale)], 0.0, color, |_| 1.0);
         }
     }
 
@@ -183,23 +172,6 @@ fn left_of(at: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
     let (line_x, line_y) = (to.0 - from.0, to.1 - from.1);
     let (x, y) = (at.0 - from.0, at.1 - from.1);
     (line_y * x - line_x * y) / (line_x * line_x + line_y * line_y).sqrt()
-}
-
-/// Eight rows from the top; the lowest bit is the leftmost dot.
-pub(crate) fn glyph(character: char) -> [u8; 8] {
-    let code = character as usize;
-    match character {
-        ' '..='~' => BASIC_LEGACY[code],
-        '\u{a0}'..='\u{ff}' => LATIN_LEGACY[code - 0xa0],
-        // Between rho and sigma one code point is not assigned.
-        '\u{390}'..='\u{3a1}' | '\u{3a3}'..='\u{3c9}' => GREEK_LEGACY[code - 0x390],
-        '≤' => MISC_LEGACY[5],
-        '≥' => MISC_LEGACY[6],
-        // Minus and the dot operator look like characters of Latin-1.
-        '−' => glyph('-'),
-        '⋅' => glyph('·'),
-        _ => glyph('?'),
-    }
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 //! to the screen is clear before the first ray.
 
 mod canvas;
+mod font;
 mod lab;
 mod paint_diagonal;
 mod painter;

@@ -3,7 +3,9 @@
 mod command;
 mod drawing;
 mod frame;
+mod input;
 mod keyboard;
+mod log;
 mod menu_bar;
 mod placement;
 mod screen;

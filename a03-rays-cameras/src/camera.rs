@@ -9,7 +9,7 @@ use common::{ArgumentError, Size, argument};
 use crate::Ray;
 
 /// Computes a ray for every position in a picture.
-pub trait Camera: Any + Sync {
+pub trait Camera: Any + Send + Sync {
     /// The ray through the position (`x`, `y`) of a picture of this size, both
     /// finite. As in the course, whole numbers are the middles of pixels and
     /// `y` counts upwards: (0, 0) is the middle of the lower left pixel.

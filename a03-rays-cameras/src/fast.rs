@@ -4,9 +4,9 @@ use std::any::Any;
 
 use a02_math::{Point3, Vector3};
 use common::tally::{self, Work};
-use common::{Color, Error, Image, Plan, Progress, Renderer, Settings};
+use common::{Error, Image, Progress, Settings};
 
-use crate::{Basis, Camera, OrthographicCamera, PerspectiveCamera, Ray, Sampler, render};
+use crate::{Basis, Camera, OrthographicCamera, PerspectiveCamera, Ray, Sampler};
 
 impl From<&Ray> for engine::Ray {
     fn from(ray: &Ray) -> Self {
@@ -69,23 +69,8 @@ impl engine::Sampler for Sampler {
     }
 }
 
-/// Renders a picture with the lesson: every pixel with the samples of the settings, or
-/// with the engine's adaptive sampling if the settings bound the error.
-pub fn render_by_lesson(
-    camera: &(impl Camera + ?Sized),
-    radiance: impl Fn(&Ray) -> Color + Sync,
-    settings: &Settings,
-    progress: &dyn Progress,
-) -> Result<Image, Error> {
-    let Some(max_error) = settings.max_error else {
-        return render(camera, radiance, settings, progress);
-    };
-    let light = |x, y| radiance(&camera.ray_for(settings.size, x, y));
-    engine::adaptive::render_image(max_error, light, settings, progress)
-}
-
 /// Renders a picture with the engine.
-pub fn render_by_engine(
+pub(crate) fn render(
     scene: engine::Scene,
     camera: &dyn Camera,
     settings: &Settings,
@@ -93,13 +78,4 @@ pub fn render_by_engine(
 ) -> Result<Image, Error> {
     let renderer = engine::Renderer::new(scene, self::camera(camera), settings);
     renderer.render(&Sampler::new(settings), settings, progress)
-}
-
-/// Adds the work that the engine skips to a plan, if the settings select the engine.
-#[must_use]
-pub fn plan(plan: Plan, scene: engine::Scene, camera: &dyn Camera, settings: &Settings) -> Plan {
-    if settings.renderer != Renderer::Engine {
-        return plan;
-    }
-    engine::Renderer::new(scene, self::camera(camera), settings).plan(plan)
 }

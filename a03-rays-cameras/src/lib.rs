@@ -19,11 +19,12 @@ mod sampler;
 pub mod scenes;
 mod stage;
 mod striped_sky;
+mod view;
 
 pub use bounded_ray::BoundedRay;
 pub use camera::{Basis, Camera};
 #[doc(hidden)]
-pub use lab::{all_work, counted, explain, protocol};
+pub use lab::protocol;
 pub use orthographic_camera::OrthographicCamera;
 pub use perspective_camera::PerspectiveCamera;
 pub use pinhole_camera::PinholeCamera;
@@ -31,8 +32,9 @@ pub use random::PixelRandom;
 pub use ray::Ray;
 pub use render::{camera_coordinates, render};
 pub use sampler::Sampler;
-pub use stage::{render_view, stage};
+pub use stage::{scenes as traced_scenes, stage};
 pub use striped_sky::{StripeRule, StripedSky};
+pub use view::{TracedScene, TracedWorld, View};
 
 /// Tests the code in this stage's chapter.
 #[cfg(doctest)]

@@ -6,9 +6,8 @@ use rayon::slice::ParallelSliceMut;
 
 use crate::{Camera, Ray, Sampler};
 
-/// Renders a picture, or the rows of it that the settings select. A pixel is the
-/// mean of `radiance`, the light that comes back along a ray, over the rays of
-/// `camera` through it.
+/// Renders a picture. A pixel is the mean of `radiance`, the light that comes back
+/// along a ray, over the rays of `camera` through it.
 ///
 /// The threads of the current rayon pool share the rows. Pixels are independent,
 /// so the number of threads does not change the picture.
@@ -22,11 +21,10 @@ pub fn render(
     progress: &dyn Progress,
 ) -> Result<Image, Error> {
     let (size, sampler) = (settings.size, Sampler::new(settings));
-    let wanted = settings.rows();
-    let mut image = Image::black(Size::new(size.width(), wanted.len() as u32)?)?;
+    let mut image = Image::black(size)?;
     let rows = image.pixels_mut().par_chunks_mut(size.width() as usize);
     // One row at a time for a thread, because some rows take far longer than others.
-    let rows = rows.zip(wanted).with_max_len(1);
+    let rows = rows.zip(0..size.height()).with_max_len(1);
     rows.for_each(|(pixels, row)| {
         // ANCHOR: mean
         for (column, pixel) in (0..).zip(&mut *pixels) {

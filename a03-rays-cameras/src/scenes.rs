@@ -5,17 +5,14 @@ use std::f64::consts::FRAC_PI_2;
 use a02_math::Point3;
 use common::{ArgumentError, Size};
 
-use crate::{PinholeCamera, StripeRule, StripedSky};
+use crate::{PinholeCamera, StripeRule, StripedSky, View};
 
 const STRIPES: u32 = 10;
 
 /// A camera at the origin with an opening angle of 90 degrees, and a sky whose
 /// stripes fill a picture of this size.
-pub fn striped_sky(
-    size: Size,
-    rule: StripeRule,
-) -> Result<(PinholeCamera, StripedSky), ArgumentError> {
+pub fn striped_sky(size: Size, rule: StripeRule) -> Result<View<StripedSky>, ArgumentError> {
     let camera = PinholeCamera::new(Point3::ORIGIN, FRAC_PI_2)?;
     let sky = StripedSky::new(&camera, size, STRIPES, rule)?;
-    Ok((camera, sky))
+    Ok(View::new(camera, sky))
 }

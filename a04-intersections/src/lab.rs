@@ -2,14 +2,13 @@
 
 #![expect(
     clippy::must_use_candidate,
-    clippy::return_self_not_must_use,
     reason = "called by the tables, the report and their tests"
 )]
 
-pub mod counted;
 pub mod exact;
 pub mod experiments;
-pub mod explain;
 pub mod extremes;
 pub mod protocol;
 pub mod real;
+pub mod support;
+pub mod watched;

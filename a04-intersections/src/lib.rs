@@ -24,10 +24,10 @@ pub use geometry::Geometry;
 pub use hit::Hit;
 pub use interval::Interval;
 #[doc(hidden)]
-pub use lab::{counted, explain, protocol};
+pub use lab::{protocol, watched};
 pub use plane::Plane;
 pub use sphere::Sphere;
-pub use stage::stage;
+pub use stage::{scenes as traced_scenes, stage};
 pub use triangle::Triangle;
 pub use world::World;
 

@@ -1,15 +1,37 @@
-//! `stage`: joins the scenes, renderers, experiments and extreme cases of this
-//! stage for its program.
+//! `stage`: the scenes, experiments and extreme cases of this stage for its program, and its
+//! world for the renderers.
 
-use a03_rays_cameras::fast::{plan as plan_of_engine, render_by_engine};
-use a03_rays_cameras::render_view;
-use common::tally;
-use common::{ArgumentError, Renderer, Scene};
+use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
+use common::Color;
 use measure::Stage;
 
-use crate::fast;
-use crate::lab::{counted, experiments, explain, extremes};
-use crate::scenes::{View, scene_1, scene_2, scene_3, scene_4, scene_5, scene_6};
+use crate::lab::{experiments, extremes, watched};
+use crate::scenes::{scene_1, scene_2, scene_3, scene_4, scene_5, scene_6};
+use crate::{World, fast};
+
+/// The traced scenes in the order of the course.
+#[must_use]
+pub fn scenes() -> [TracedScene; 6] {
+    let new = TracedScene::new;
+    [
+        new("scene-1", "a green plane, up to the horizon", |_| {
+            scene_1().map(View::boxed)
+        }),
+        new("scene-2", "a red sphere", |_| scene_2().map(View::boxed)),
+        new("scene-3", "a blue box, from above its corner", |_| {
+            scene_3().map(View::boxed)
+        }),
+        new("scene-4", "a magenta triangle", |_| {
+            scene_4().map(View::boxed)
+        }),
+        new("scene-5", "two red spheres, one farther away", |_| {
+            scene_5().map(View::boxed)
+        }),
+        new("scene-6", "the same without perspective", |_| {
+            scene_6().map(View::boxed)
+        }),
+    ]
+}
 
 /// The stage for its program.
 #[must_use]
@@ -17,35 +39,22 @@ pub fn stage() -> Stage {
     Stage {
         name: "a04-intersections",
         about: "Where rays meet planes, boxes, triangles and spheres",
-        scenes: vec![
-            scene("scene-1", "a green plane, up to the horizon", scene_1),
-            scene("scene-2", "a red sphere", scene_2),
-            scene("scene-3", "a blue box, from above its corner", scene_3),
-            scene("scene-4", "a magenta triangle", scene_4),
-            scene("scene-5", "two red spheres, one farther away", scene_5),
-            scene("scene-6", "the same without perspective", scene_6),
-        ],
+        scenes: scenes().map(Into::into).into(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
     }
 }
 
-fn scene(
-    name: &'static str,
-    about: &'static str,
-    view: fn() -> Result<View, ArgumentError>,
-) -> Scene {
-    Scene::traced(name, about, move |settings, progress| {
-        let (camera, world) = view()?;
-        if settings.renderer == Renderer::Engine {
-            return render_by_engine(fast::scene(&world), &camera, settings, progress);
-        }
-        let world = tally::wrapped(world, counted::world)?;
-        render_view(camera, |ray| world.color_for(ray), settings, progress)
-    })
-    .planned(move |settings, _| {
-        let (camera, world) = view()?;
-        let plan = explain::colors(&world, settings);
-        Ok(plan_of_engine(plan, fast::scene(&world), &camera, settings))
-    })
+impl TracedWorld for World<Color> {
+    fn radiance(&self, ray: &Ray, _: u32) -> Color {
+        self.color_for(ray)
+    }
+
+    fn for_engine(&self, _: u32) -> Option<engine::Scene<'_>> {
+        Some(fast::scene(self))
+    }
+
+    fn watched(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
+        Box::new(watched::world(*self, watched::geometry, |color| color))
+    }
 }

@@ -12,8 +12,8 @@ use crate::{Geometry, Hit, Interval};
 /// material.
 #[derive(Debug)]
 pub struct World<S> {
-    background: Color,
-    objects: Vec<(Box<dyn Geometry>, S)>,
+    pub(crate) background: Color,
+    pub(crate) objects: Vec<(Box<dyn Geometry>, S)>,
 }
 
 impl<S> World<S> {
@@ -37,12 +37,6 @@ impl<S> World<S> {
     pub fn objects(&self) -> impl Iterator<Item = (&dyn Geometry, &S)> {
         let objects = self.objects.iter();
         objects.map(|(geometry, surface)| (&**geometry, surface))
-    }
-
-    /// Converts the world into its list of objects.
-    #[must_use]
-    pub fn into_objects(self) -> Vec<(Box<dyn Geometry>, S)> {
-        self.objects
     }
 
     /// The colour of a ray that hits nothing.

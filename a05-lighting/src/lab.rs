@@ -5,12 +5,7 @@
     reason = "called by the tables, the report and their tests"
 )]
 
-pub mod all_work;
-pub mod counted;
-pub mod decorated;
 pub mod experiments;
-pub mod explain;
 pub mod extremes;
-pub mod highlight;
 pub mod protocol;
 pub mod watched;

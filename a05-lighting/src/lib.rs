@@ -24,7 +24,7 @@ mod stage;
 
 pub use directional_light::DirectionalLight;
 #[doc(hidden)]
-pub use lab::{all_work, counted, decorated, explain, protocol};
+pub use lab::{protocol, watched};
 pub use lambert::Lambert;
 pub use light::{Illumination, Light};
 pub use lighting::Lighting;
@@ -34,7 +34,7 @@ pub use phong::Phong;
 pub use point_light::PointLight;
 pub use single_color::SingleColor;
 pub use spot_light::SpotLight;
-pub use stage::stage;
+pub use stage::{scenes as traced_scenes, stage};
 
 /// Tests the code in this stage's chapter.
 #[cfg(doctest)]

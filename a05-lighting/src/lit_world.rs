@@ -9,9 +9,9 @@ use crate::{Illumination, Light, Lighting, Material};
 /// A world of surfaces `S`, its lights `L` and the ambient light.
 #[derive(Debug)]
 pub struct LitWorld<S = Box<dyn Material>, L = Box<dyn Light>> {
-    world: World<S>,
-    lights: Vec<L>,
-    ambient: Color,
+    pub(crate) world: World<S>,
+    pub(crate) lights: Vec<L>,
+    pub(crate) ambient: Color,
 }
 
 impl LitWorld {
@@ -61,12 +61,6 @@ impl<S, L> LitWorld<S, L> {
     #[must_use]
     pub const fn ambient(&self) -> Color {
         self.ambient
-    }
-
-    /// Converts the world into its objects, lights and ambient light.
-    #[must_use]
-    pub fn into_parts(self) -> (World<S>, Vec<L>, Color) {
-        (self.world, self.lights, self.ambient)
     }
 }
 

@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{Camera, PerspectiveCamera};
+use a03_rays_cameras::{PerspectiveCamera, View};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere, Triangle};
 use common::{ArgumentError, Color};
 
@@ -12,8 +12,7 @@ use crate::{
     DirectionalLight, Lambert, Light, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
 };
 
-/// A camera and the world before it.
-pub type View = (Box<dyn Camera>, LitWorld);
+type Scene = Result<View<LitWorld>, ArgumentError>;
 
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 /// Position of the camera and of the lights, and the point that both aim at.
@@ -21,9 +20,9 @@ const CORNER: Point3 = Point3::new(4.0, 4.0, 4.0);
 const INWARDS: Vector3 = Vector3::new(-1.0, -1.0, -1.0);
 
 /// The camera of all six scenes, and the world before it.
-fn view(world: LitWorld) -> Result<View, ArgumentError> {
+fn view(world: LitWorld) -> Scene {
     let camera = PerspectiveCamera::new(CORNER, INWARDS, UP, FRAC_PI_4)?;
-    Ok((Box::new(camera), world))
+    Ok(View::new(camera, world))
 }
 
 type MaterialOf = fn(Color) -> Result<Box<dyn Material>, ArgumentError>;
@@ -72,31 +71,31 @@ fn spot_light() -> Result<Box<dyn Light>, ArgumentError> {
 }
 
 /// Four objects without light.
-pub fn lighting_1() -> Result<View, ArgumentError> {
+pub fn lighting_1() -> Scene {
     view(objects(single_color, Color::BLACK)?)
 }
 
 /// Matt objects under a point light.
-pub fn lambert() -> Result<View, ArgumentError> {
+pub fn lambert() -> Scene {
     view(objects(matt, Color::BLACK)?.lit_by(point_light()?))
 }
 
 /// Shiny objects under a point light.
-pub fn phong() -> Result<View, ArgumentError> {
+pub fn phong() -> Scene {
     view(objects(shiny, Color::BLACK)?.lit_by(point_light()?))
 }
 
 /// Shiny objects under a far light.
-pub fn phong_directional() -> Result<View, ArgumentError> {
+pub fn phong_directional() -> Scene {
     view(objects(shiny, Color::BLACK)?.lit_by(directional_light()?))
 }
 
 /// Shiny objects in the cone of a spot light.
-pub fn phong_spot() -> Result<View, ArgumentError> {
+pub fn phong_spot() -> Scene {
     view(objects(shiny, Color::BLACK)?.lit_by(spot_light()?))
 }
 
 /// The scene `phong_spot` with a little ambient light.
-pub fn phong_spot_ambient() -> Result<View, ArgumentError> {
+pub fn phong_spot_ambient() -> Scene {
     view(objects(shiny, Color::gray(0.25))?.lit_by(spot_light()?))
 }

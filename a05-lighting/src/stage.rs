@@ -1,17 +1,45 @@
-//! `stage`: joins the scenes, renderers, experiments and extreme cases of this
-//! stage for its program.
+//! `stage`: the scenes, experiments and extreme cases of this stage for its program, and its
+//! world for the renderers.
 
-use a03_rays_cameras::fast::{plan as plan_of_engine, render_by_engine};
-use a03_rays_cameras::render_view;
-use common::tally;
-use common::{ArgumentError, Renderer, Scene};
+use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
+use a04_intersections::watched::geometry;
+use common::Color;
 use measure::Stage;
 
-use crate::fast;
-use crate::lab::{all_work, counted, experiments, explain, extremes};
+use crate::lab::watched::{self, Watched};
+use crate::lab::{experiments, extremes};
 use crate::scenes::{
-    View, lambert, lighting_1, phong, phong_directional, phong_spot, phong_spot_ambient,
+    lambert, lighting_1, phong, phong_directional, phong_spot, phong_spot_ambient,
 };
+use crate::{LitWorld, fast};
+
+/// The traced scenes in the order of the course.
+#[must_use]
+pub fn scenes() -> [TracedScene; 6] {
+    let new = TracedScene::new;
+    [
+        new("lighting-1", "four objects without light", |_| {
+            lighting_1().map(View::boxed)
+        }),
+        new("lambert", "matt, under a point light", |_| {
+            lambert().map(View::boxed)
+        }),
+        new("phong", "shiny, under a point light", |_| {
+            phong().map(View::boxed)
+        }),
+        new("phong-directional", "under a far light", |_| {
+            phong_directional().map(View::boxed)
+        }),
+        new("phong-spot", "in the cone of a spot light", |_| {
+            phong_spot().map(View::boxed)
+        }),
+        new(
+            "phong-spot-ambient",
+            "and a little light from everywhere",
+            |_| phong_spot_ambient().map(View::boxed),
+        ),
+    ]
+}
 
 /// The stage for its program.
 #[must_use]
@@ -19,43 +47,23 @@ pub fn stage() -> Stage {
     Stage {
         name: "a05-lighting",
         about: "Lights and materials: Lambert and Phong",
-        scenes: vec![
-            scene("lighting-1", "four objects without light", lighting_1),
-            scene("lambert", "matt, under a point light", lambert),
-            scene("phong", "shiny, under a point light", phong),
-            scene("phong-directional", "under a far light", phong_directional),
-            scene("phong-spot", "in the cone of a spot light", phong_spot),
-            scene(
-                "phong-spot-ambient",
-                "and a little light from everywhere",
-                phong_spot_ambient,
-            ),
-        ],
+        scenes: scenes().map(Into::into).into(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
     }
 }
 
-fn scene(
-    name: &'static str,
-    about: &'static str,
-    view: fn() -> Result<View, ArgumentError>,
-) -> Scene {
-    Scene::traced(name, about, move |settings, progress| {
-        let (camera, world) = view()?;
-        if settings.renderer == Renderer::Engine {
-            return render_by_engine(fast::scene(&world), &camera, settings, progress);
-        }
-        let world = match settings.renderer {
-            Renderer::AllWork => all_work::world(world)?,
-            _ => world,
-        };
-        let world = tally::wrapped(world, counted::world)?;
-        render_view(camera, |ray| world.color_for(ray), settings, progress)
-    })
-    .planned(move |settings, _| {
-        let (camera, world) = view()?;
-        let plan = explain::scene(&world, settings);
-        Ok(plan_of_engine(plan, fast::scene(&world), &camera, settings))
-    })
+impl TracedWorld for LitWorld {
+    fn radiance(&self, ray: &Ray, _: u32) -> Color {
+        self.color_for(ray)
+    }
+
+    fn for_engine(&self, _: u32) -> Option<engine::Scene<'_>> {
+        Some(fast::scene(self))
+    }
+
+    fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
+        let watched = |material| Box::new(Watched { material, all_work }) as _;
+        Box::new(watched::world(*self, geometry, watched))
+    }
 }

@@ -5,9 +5,8 @@
     reason = "called by the tables, the report and their tests"
 )]
 
-pub mod all_work;
-pub mod counted;
+pub(crate) mod all_work;
 pub mod experiments;
-pub mod explain;
 pub mod extremes;
 pub mod protocol;
+pub(crate) mod watched;

@@ -17,14 +17,14 @@ mod stage;
 mod surface;
 
 #[doc(hidden)]
-pub use lab::{all_work, counted, explain, protocol};
+pub use lab::protocol;
 pub use light_source::LightSource;
 pub use recursive_tracer::{RecursiveTracer, ShadowedWorld};
 pub use reflective::Reflective;
-pub use scenes::{View, diagonal_camera};
+pub use scenes::diagonal_camera;
 pub use secondary_ray::secondary_ray;
 pub use shadow::is_shadowed;
-pub use stage::{stage, traced_scene};
+pub use stage::{RecursiveWorld, scenes as traced_scenes, stage, traced};
 pub use surface::Surface;
 
 /// Tests the code in this stage's chapter.

@@ -3,22 +3,21 @@
 use std::f64::consts::FRAC_PI_4;
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{Camera, PerspectiveCamera};
+use a03_rays_cameras::{PerspectiveCamera, View};
 use a04_intersections::{AxisAlignedBox, Plane, Sphere};
 use a05_lighting::{Lambert, PointLight};
 use common::{ArgumentError, Color};
 
 use crate::{LightSource, Reflective, ShadowedWorld};
 
-/// A camera and the world before it.
-pub type View = (Box<dyn Camera>, ShadowedWorld);
+type Scene = Result<View<ShadowedWorld>, ArgumentError>;
 
 /// The camera of this stage's scenes and the next one's: it looks from
 /// (`eye`, `eye`, `eye`) at the origin.
-pub fn diagonal_camera(eye: f64) -> Result<Box<dyn Camera>, ArgumentError> {
+pub fn diagonal_camera(eye: f64) -> Result<PerspectiveCamera, ArgumentError> {
     let e = Point3::new(eye, eye, eye);
     let (g, t) = (Vector3::new(-1.0, -1.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
-    Ok(Box::new(PerspectiveCamera::new(e, g, t, FRAC_PI_4)?))
+    PerspectiveCamera::new(e, g, t, FRAC_PI_4)
 }
 
 /// Each coordinate of the camera's position.
@@ -29,7 +28,7 @@ fn floor() -> Result<Plane, ArgumentError> {
 }
 
 /// Three mirroring spheres on a mirror.
-pub fn sphere() -> Result<View, ArgumentError> {
+pub fn sphere() -> Scene {
     let half = Color::gray(0.5);
     let mirror = Reflective::new(Color::gray(0.1), Color::BLACK, 64.0, half)?;
     let light = PointLight::new(Color::WHITE, Point3::new(8.0, 8.0, 8.0))?;
@@ -41,11 +40,11 @@ pub fn sphere() -> Result<View, ArgumentError> {
         let material = Reflective::new(color, Color::WHITE, 64.0, half)?;
         world = world.with(sphere, Box::new(material));
     }
-    Ok((diagonal_camera(EYE)?, world))
+    Ok(View::new(diagonal_camera(EYE)?, world))
 }
 
 /// A box and its shadow.
-pub fn aab() -> Result<View, ArgumentError> {
+pub fn aab() -> Scene {
     let (lbf, run) = (Point3::new(-0.5, 0.0, -0.5), Point3::new(0.5, 1.0, 0.5));
     let light = PointLight::new(Color::WHITE, Point3::new(8.0, 8.0, 0.0))?;
     let world = ShadowedWorld::empty(Color::BLACK, Color::gray(0.25))?
@@ -55,5 +54,5 @@ pub fn aab() -> Result<View, ArgumentError> {
             Box::new(Lambert::new(Color::RED)?),
         )
         .lit_by(LightSource::new(light, true));
-    Ok((diagonal_camera(EYE)?, world))
+    Ok(View::new(diagonal_camera(EYE)?, world))
 }

@@ -1,17 +1,29 @@
-//! `stage`: joins the scenes, renderers, experiments and extreme cases of this
-//! stage for its program.
+//! `stage`: the scenes, experiments and extreme cases of this stage for its program, and its
+//! world for the renderers.
 
-use a03_rays_cameras::Ray;
-use a03_rays_cameras::fast::{plan as plan_of_engine, render_by_engine, render_by_lesson};
+use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
+use a04_intersections::Geometry;
 use a04_intersections::fast::{Translate, shapes};
-use common::tally;
-use common::{ArgumentError, Renderer, Scene, Settings};
+use common::Color;
 use measure::Stage;
 
-use crate::lab::all_work::{self, NaiveTracer};
-use crate::lab::{counted, experiments, explain, extremes};
-use crate::scenes::{View, aab, sphere};
-use crate::{RecursiveTracer, fast};
+use crate::lab::watched::WatchedWorld;
+use crate::lab::{experiments, extremes};
+use crate::scenes::{aab, sphere};
+use crate::{RecursiveTracer, ShadowedWorld, fast};
+
+/// The traced scenes in the order of the course.
+#[must_use]
+pub fn scenes() -> [TracedScene; 2] {
+    let new = TracedScene::new;
+    [
+        new("sphere", "three mirroring spheres on a mirror", |_| {
+            sphere().map(traced)
+        })
+        .reflecting(),
+        new("aab", "a box and its shadow", |_| aab().map(traced)),
+    ]
+}
 
 /// The stage for its program.
 #[must_use]
@@ -19,58 +31,44 @@ pub fn stage() -> Stage {
     Stage {
         name: "a06-shadows-reflection",
         about: "Shadows and mirrors",
-        scenes: vec![
-            traced_scene(
-                "sphere",
-                "three mirroring spheres on a mirror",
-                |_| sphere(),
-                shapes,
-            )
-            .reflecting(),
-            traced_scene("aab", "a box and its shadow", |_| aab(), shapes),
-        ],
+        scenes: scenes().map(Into::into).into(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
     }
 }
 
-/// A scene for the recursive tracer. `shapes` translates its geometries for the engine.
-pub fn traced_scene(
-    name: &'static str,
-    about: &'static str,
-    view: impl Fn(&Settings) -> Result<View, ArgumentError> + Copy + Send + Sync + 'static,
-    shapes: Translate,
-) -> Scene {
-    Scene::traced(name, about, move |settings, progress| {
-        let (camera, world) = view(settings)?;
-        let counting = |view| {
-            tally::wrapped(view, |(camera, world)| {
-                Ok((counted::camera(camera, settings), counted::world(world)?))
-            })
-        };
-        match settings.renderer {
-            Renderer::Lesson => {
-                let (camera, world) = counting((camera, world))?;
-                let tracer = RecursiveTracer::new(&world);
-                let radiance = |ray: &Ray| tracer.trace(ray, settings.depth);
-                render_by_lesson(&camera, radiance, settings, progress)
-            }
-            Renderer::Engine => {
-                let scene = fast::scene(&world, settings.depth, shapes);
-                render_by_engine(scene, &camera, settings, progress)
-            }
-            Renderer::AllWork => {
-                let (camera, world) = counting((camera, all_work::world(world)?))?;
-                let tracer = NaiveTracer::new(&world);
-                let radiance = |ray: &Ray| tracer.trace(ray, settings.depth);
-                a03_rays_cameras::all_work::render(&camera, radiance, settings, progress)
-            }
-        }
-    })
-    .planned(move |settings, _| {
-        let (camera, world) = view(settings)?;
-        let plan = explain::traced(&world, settings);
-        let scene = fast::scene(&world, settings.depth, shapes);
-        Ok(plan_of_engine(plan, scene, &camera, settings))
-    })
+/// A view for the renderers, with geometries of this stage or a lower one.
+#[must_use]
+pub fn traced(view: View<ShadowedWorld>) -> View {
+    let world = |world| RecursiveWorld {
+        world,
+        shapes,
+        watched: |geometry| geometry,
+    };
+    view.map(world).boxed()
+}
+
+/// A world that the [`RecursiveTracer`] renders, with two functions for its geometries, which
+/// may be of a higher stage.
+pub struct RecursiveWorld {
+    /// The world.
+    pub world: ShadowedWorld,
+    /// Translates a geometry for the engine.
+    pub shapes: Translate,
+    /// Wraps a geometry to count its work.
+    pub watched: fn(Box<dyn Geometry>) -> Box<dyn Geometry>,
+}
+
+impl TracedWorld for RecursiveWorld {
+    fn radiance(&self, ray: &Ray, depth: u32) -> Color {
+        RecursiveTracer::new(&self.world).trace(ray, depth)
+    }
+
+    fn for_engine(&self, depth: u32) -> Option<engine::Scene<'_>> {
+        Some(fast::scene(&self.world, depth, self.shapes))
+    }
+
+    fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
+        Box::new(WatchedWorld::new(self.world, self.watched, all_work))
+    }
 }

@@ -5,12 +5,11 @@ use std::f64::consts::{PI, TAU};
 use std::process::ExitCode;
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::PerspectiveCamera;
+use a03_rays_cameras::{PerspectiveCamera, TracedScene, View};
 use a04_intersections::{Plane, Sphere};
 use a05_lighting::PointLight;
-use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, View, traced_scene};
-use a07_transforms::fast::shapes;
-use a07_transforms::{Node, Transform};
+use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld};
+use a07_transforms::{Node, Transform, traced};
 use common::{ArgumentError, Color, Renderer, Sampling, Settings, Size};
 use measure::{Effort, Stage};
 
@@ -22,17 +21,21 @@ fn main() -> ExitCode {
 /// renders it by default, because the lesson tests every ray against every petal.
 #[must_use]
 pub fn stage() -> Stage {
-    let scene = traced_scene("dahlia", "a dahlia on a mirror", |_| dahlia(), shapes).reflecting();
-    Stage {
-        name: "showpiece",
-        about: "A dahlia of transformed spheres on a mirror",
-        scenes: vec![scene.with_defaults(Settings {
+    let view = |_| dahlia().map(traced);
+    let scene = TracedScene {
+        defaults: Settings {
             size: Size::new(960, 640).unwrap_or(Size::COURSE),
             samples: 16,
             sampling: Sampling::Stratified,
             renderer: Renderer::Engine,
             ..Settings::default()
-        })],
+        },
+        ..TracedScene::new("dahlia", "a dahlia on a mirror", view).reflecting()
+    };
+    Stage {
+        name: "showpiece",
+        about: "A dahlia of transformed spheres on a mirror",
+        scenes: vec![scene.into()],
         experiments: Vec::new,
         extremes: |_: Effort| Vec::new(),
     }
@@ -46,7 +49,7 @@ const PETALS: u32 = 220;
 const GOLDEN_ANGLE: f64 = PI * 0.763_932_022_500_210_3;
 
 /// The flower, dew drops, and two lamps.
-fn dahlia() -> Result<View, ArgumentError> {
+pub fn dahlia() -> Result<View<ShadowedWorld>, ArgumentError> {
     let warm = PointLight::new(
         Color::new(1.0, 0.93, 0.82) * 0.85,
         Point3::new(3.5, 9.0, 7.0),
@@ -84,7 +87,7 @@ fn dahlia() -> Result<View, ArgumentError> {
     let eye = Point3::new(0.0, 3.7, 7.6);
     let up = Vector3::new(0.0, 1.0, 0.0);
     let camera = PerspectiveCamera::new(eye, Point3::new(0.0, 0.42, 0.0) - eye, up, 0.58)?;
-    Ok((Box::new(camera), world))
+    Ok(View::new(camera, world))
 }
 
 /// The petal with this number and this share of the way from the middle, 0, to the rim,

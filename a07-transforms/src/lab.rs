@@ -5,8 +5,7 @@
     reason = "called by the tables, the report and their tests"
 )]
 
-pub mod counted;
 pub mod experiments;
-pub mod explain;
 pub mod extremes;
 pub mod protocol;
+pub(crate) mod watched;

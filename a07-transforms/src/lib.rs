@@ -19,7 +19,7 @@ pub use disc::Disc;
 pub use lab::protocol;
 pub use mat4x4::Mat4x4;
 pub use node::Node;
-pub use stage::stage;
+pub use stage::{scenes as traced_scenes, stage, traced};
 pub use transform::Transform;
 
 /// Tests the code in this stage's chapter.

@@ -1,12 +1,15 @@
 //! The protocol's test scenes of this stage.
 
 use a02_math::{Normal3, Point3};
+use a03_rays_cameras::View;
 use a04_intersections::{AxisAlignedBox, Plane, Sphere};
 use a05_lighting::{Lambert, Phong, PointLight};
-use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, View, diagonal_camera};
+use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, diagonal_camera};
 use common::{ArgumentError, Color};
 
 use crate::{Disc, Node, Transform};
+
+type Scene = Result<View<ShadowedWorld>, ArgumentError>;
 
 const UPWARDS: Normal3 = Normal3::new(0.0, 1.0, 0.0);
 
@@ -22,17 +25,17 @@ fn lit_from(
 }
 
 /// A sphere, scaled to an ellipsoid.
-pub fn sphere_transformation() -> Result<View, ArgumentError> {
+pub fn sphere_transformation() -> Scene {
     let transform = Transform::IDENTITY.scale(6.0, 1.2, 4.0)?;
     let ellipsoid = Node::new(transform).with(Sphere::new(Point3::ORIGIN, 1.0)?);
     let material = Phong::new(Color::new(0.6, 0.0, 0.0), Color::WHITE, 64.0)?;
     let world = lit_from(Point3::new(1.0, 20.0, 20.0), false, 0.25)?;
     let world = world.with(ellipsoid, Box::new(material));
-    Ok((diagonal_camera(20.0)?, world))
+    Ok(View::new(diagonal_camera(20.0)?, world))
 }
 
 /// A box, scaled and rotated three times.
-pub fn box_transformations() -> Result<View, ArgumentError> {
+pub fn box_transformations() -> Scene {
     let transform = Transform::IDENTITY
         .scale(4.0, 1.0, 8.0)?
         .rotate_z(-20_f64.to_radians())?
@@ -42,7 +45,7 @@ pub fn box_transformations() -> Result<View, ArgumentError> {
     let node = Node::new(transform).with(AxisAlignedBox::new(lbf, run)?);
     let world = lit_from(Point3::new(1.0, 20.0, 20.0), false, 0.25)?;
     let world = world.with(node, Box::new(Lambert::new(Color::YELLOW)?));
-    Ok((diagonal_camera(10.0)?, world))
+    Ok(View::new(diagonal_camera(10.0)?, world))
 }
 
 /// A disc on a mirroring plane.
@@ -50,7 +53,7 @@ pub fn box_transformations() -> Result<View, ArgumentError> {
 /// The protocol puts the disc into the plane. Both then have the same `t`, and
 /// their order in the list decides which is visible. So the disc lies a
 /// thousandth above the plane here.
-pub fn disc() -> Result<View, ArgumentError> {
+pub fn disc() -> Scene {
     let half = Color::gray(0.5);
     let plane = Plane::new(Point3::ORIGIN, UPWARDS)?;
     let red = Reflective::new(Color::RED, Color::BLACK, 64.0, half)?;
@@ -59,5 +62,5 @@ pub fn disc() -> Result<View, ArgumentError> {
     let world = lit_from(Point3::new(8.0, 8.0, 8.0), true, 0.1)?
         .with(plane, Box::new(red))
         .with(disc, Box::new(green));
-    Ok((diagonal_camera(8.0)?, world))
+    Ok(View::new(diagonal_camera(8.0)?, world))
 }

@@ -1,9 +1,10 @@
-//! Every page is in the table of contents, and every picture is on a page.
+//! Every page is in the table of contents, every picture is on a page, and every file that
+//! a page names exists.
 
 use crate::Files;
-use crate::files::{PAGES, SUMMARY};
+use crate::files::{PAGES, SUMMARY, blocks, complaint, ending};
 
-/// The pages and pictures that no reader reaches.
+/// The pages and pictures that no reader reaches, and the names of files that do not exist.
 #[must_use]
 pub fn complaints(files: &Files) -> Vec<String> {
     let summary = files.text(SUMMARY).unwrap_or_default();
@@ -14,9 +15,26 @@ pub fn complaints(files: &Files) -> Vec<String> {
     let unreached = pages
         .chain(pictures)
         .filter(|(path, text)| !text.contains(&format!("]({})", &path[PAGES.len()..])));
-    unreached
-        .map(|(path, _)| format!("{path}: no link leads here"))
-        .collect()
+    let unreached = unreached.map(|(path, _)| format!("{path}: no link leads here"));
+
+    let paragraphs = files.pages().flat_map(|(page, text)| {
+        let paragraphs = blocks(text).into_iter();
+        let paragraphs = paragraphs.filter(|(_, block)| !block.starts_with("```"));
+        paragraphs.map(move |(at, block)| (page, text, at, block))
+    });
+    let missing = paragraphs.flat_map(|(page, text, at, block)| {
+        let spans = block.split('`').skip(1).step_by(2);
+        let is_missing = |span: &&str| is_file(span) && files.text(span).is_none();
+        let complaint = move |span| complaint(page, text, at, &format!("there is no file {span}"));
+        spans.filter(is_missing).map(complaint)
+    });
+    unreached.chain(missing).collect()
+}
+
+/// Whether a code span is the path of a source file from the top of the repository.
+fn is_file(span: &str) -> bool {
+    let tops = ["a0", "book/", "common/", "fuzz/"];
+    ending(span) == "rs" && span.contains("/src/") && tops.iter().any(|top| span.starts_with(top))
 }
 
 #[cfg(test)]
@@ -24,16 +42,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_unreached_page_and_an_unreached_picture_are_found() {
+    fn unreached_pages_and_pictures_and_missing_files_are_found() {
         let files = Files::of([
             (SUMMARY, "- [A](a.md)"),
             ("book/src/a.md", "[c](c.md) ![b](pictures/b.png)"),
-            ("book/src/c.md", ""),
+            ("book/src/c.md", "`a01/src/a.rs` `lib.rs`\n\n`a01/src/b.rs`"),
             ("book/src/pictures/b.png", ""),
             ("book/src/pictures/d.png", ""),
+            ("a01/src/a.rs", ""),
         ]);
-        let expected = ["c.md", "pictures/d.png"];
-        let expected = expected.map(|path| format!("{PAGES}{path}: no link leads here"));
+        let expected = [
+            "book/src/c.md: no link leads here",
+            "book/src/pictures/d.png: no link leads here",
+            "book/src/c.md:3: there is no file a01/src/b.rs",
+        ];
         assert_eq!(complaints(&files), expected);
     }
 }

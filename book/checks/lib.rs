@@ -8,6 +8,5 @@ pub mod changes;
 mod files;
 pub mod include;
 pub mod left_over;
-pub mod section;
 
 pub use files::{Files, ending};

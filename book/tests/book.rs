@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use book::{Files, caption, include, left_over, section};
+use book::{Files, caption, include, left_over};
 
 static FILES: LazyLock<Files> = LazyLock::new(|| Files::read().expect("the repository"));
 
@@ -13,7 +13,7 @@ fn check(complaints: fn(&Files) -> Vec<String>) {
 }
 
 #[test]
-fn every_page_and_picture_is_reached() {
+fn every_page_picture_and_file_is_reached() {
     check(left_over::complaints);
 }
 
@@ -25,9 +25,4 @@ fn every_listing_shows_something() {
 #[test]
 fn every_picture_and_listing_has_a_caption() {
     check(caption::complaints);
-}
-
-#[test]
-fn every_section_of_the_protocols_has_its_place() {
-    check(section::complaints);
 }

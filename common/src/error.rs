@@ -32,15 +32,6 @@ pub enum Error {
     /// An extreme case is out of its bound.
     #[error("{0} of the extreme cases fail; they are marked FAILED")]
     Extremes(usize),
-    /// A picture has more pixels than may be held in memory at once.
-    #[error(
-        "a picture of {size} pixels is too large to be held in memory, at most 8192x8192 in all; \
-         `render` writes larger ones of scenes that are traced"
-    )]
-    TooLarge {
-        /// The picture's size.
-        size: Size,
-    },
     /// There is not enough memory for a picture.
     #[error("not enough memory for a picture of {size} pixels; a smaller --size would fit")]
     Memory {
@@ -61,7 +52,7 @@ impl Error {
     #[must_use]
     pub const fn exit_code(&self) -> u8 {
         match self {
-            Self::Usage(_) | Self::TooLarge { .. } => 2,
+            Self::Usage(_) => 2,
             _ => 1,
         }
     }

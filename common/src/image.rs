@@ -13,21 +13,8 @@ pub struct Image {
 }
 
 impl Image {
-    /// Pixels of the largest picture, which take 1.5 GiB.
-    const MOST_PIXELS: usize = 8192 * 8192;
-
-    /// An error if a picture of this size is too large to be held in memory.
-    pub const fn check_size(size: Size) -> Result<(), Error> {
-        if size.pixels() <= Self::MOST_PIXELS {
-            Ok(())
-        } else {
-            Err(Error::TooLarge { size })
-        }
-    }
-
-    /// A black picture, or an error if it is too large or there is not enough memory.
+    /// A black picture, or an error if there is not enough memory.
     pub fn black(size: Size) -> Result<Self, Error> {
-        Self::check_size(size)?;
         let mut pixels = Vec::new();
         pixels
             .try_reserve_exact(size.pixels())
@@ -165,19 +152,6 @@ mod tests {
         assert_eq!(image, before);
         image.set(2, 1, Color::WHITE);
         assert_eq!(image.get(2, 1), Some(Color::WHITE));
-    }
-
-    #[test]
-    fn a_picture_holds_8192_times_8192_pixels_and_not_one_more_row() {
-        let size = |width, height| Size::new(width, height).unwrap();
-        for largest in [size(8192, 8192), size(32_768, 2048)] {
-            assert!(Image::check_size(largest).is_ok());
-        }
-        for larger in [size(8192, 8193), size(32_768, 32_768)] {
-            let error = Image::black(larger).unwrap_err();
-            assert!(error.to_string().contains("at most 8192x8192"), "{error}");
-            assert_eq!(error.exit_code(), 2);
-        }
     }
 
     #[test]

@@ -1,14 +1,15 @@
 //! Opens picture files, and writes PNG files so that each is complete or absent.
 
 mod catch_quietly;
-mod encoding;
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Cursor, Seek};
 use std::path::Path;
 
-use image::{DynamicImage, ImageDecoder, ImageError, ImageReader, Limits};
-use tempfile::{SpooledTempFile, spooled_tempfile_in};
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{
+    DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageError, ImageReader, Limits,
+};
 
 use crate::{Color, Error, Image, Size, atomic_file};
 use catch_quietly::catch_quietly;
@@ -78,8 +79,7 @@ fn decode(file: impl BufRead + Seek) -> Result<(Size, Vec<u8>), String> {
     reader.limits(limits);
     let mut decoder = reader.into_decoder().map_err(explain)?;
     let (width, height) = decoder.dimensions();
-    let size = Size::new(width, height).map_err(|error| error.to_string())?;
-    Image::check_size(size).map_err(|error| error.to_string())?;
+    Size::new(width, height).map_err(|error| error.to_string())?;
     let orientation = decoder.orientation().map_err(explain)?;
     let mut picture = DynamicImage::from_decoder(decoder).map_err(explain)?;
     picture.apply_orientation(orientation);
@@ -99,57 +99,19 @@ fn explain(error: &ImageError) -> String {
     }
 }
 
-/// Writes a PNG file of red, green and blue bytes, row after row from the top.
-///
-/// Other programs always find the old file or the complete new one. A symbolic link
-/// stays, and its target is written.
+/// Writes a PNG file of red, green and blue bytes, row after row from the top. Other
+/// programs always find the old file or the complete new one.
 ///
 /// # Panics
 ///
 /// If `rgb` does not hold three bytes for every pixel of `size`.
 pub fn save_png(path: &Path, size: Size, rgb: &[u8]) -> Result<(), Error> {
-    save_png_in_bands(path, size, [Ok(rgb)])
-}
-
-/// Like [`save_png`], for rows that come in bands from the top, so that only one band
-/// need be in memory. If a band is an error, no file is written.
-///
-/// # Panics
-///
-/// If the bands together do not hold three bytes for every pixel of `size`.
-pub fn save_png_in_bands<B: AsRef<[u8]>>(
-    path: &Path,
-    size: Size,
-    bands: impl IntoIterator<Item = Result<B, Error>>,
-) -> Result<(), Error> {
-    atomic_file::write(path, encoded(path, size, bands)?)
-}
-
-/// Like [`save_png`], but if there already is a file of this name, keeps it and
-/// returns false.
-///
-/// # Panics
-///
-/// As [`save_png`].
-pub fn save_new_png(path: &Path, size: Size, rgb: &[u8]) -> Result<bool, Error> {
-    atomic_file::write_new(path, encoded(path, size, [Ok(rgb)])?)
-}
-
-/// Larger files are kept on the disk, and not in memory, until they are complete.
-const MOST_BYTES_IN_MEMORY: usize = 1 << 24;
-
-/// The content of a PNG file, to be read from its beginning.
-fn encoded<B: AsRef<[u8]>>(
-    path: &Path,
-    size: Size,
-    bands: impl IntoIterator<Item = Result<B, Error>>,
-) -> Result<SpooledTempFile, Error> {
-    let explain = |error| atomic_file::cannot_write(path, &error);
-    // A file without a name is deleted even if the program is killed.
-    let mut png = spooled_tempfile_in(MOST_BYTES_IN_MEMORY, atomic_file::folder_of(path));
-    encoding::encode(&mut png, size, bands, explain)?;
-    png.rewind().map_err(explain)?;
-    Ok(png)
+    let mut png = Vec::new();
+    let (fast, adaptive) = (CompressionType::Fast, FilterType::Adaptive);
+    PngEncoder::new_with_quality(&mut png, fast, adaptive)
+        .write_image(rgb, size.width(), size.height(), ExtendedColorType::Rgb8)
+        .map_err(|error| atomic_file::cannot_write(path, &io::Error::other(error)))?;
+    atomic_file::write(path, &png)
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ pub trait Progress: Sync {
     /// This many rows will be painted again.
     fn more_rows(&self, _: u32) {}
 
-    /// Adaptive sampling of the picture, or of a part of it, has ended with this result.
+    /// Adaptive sampling of the picture has ended with this result.
     fn sampled(&self, _: &Sampled) {}
 
     /// True once the picture is no longer needed: no further row is begun.
@@ -27,11 +27,11 @@ impl Progress for () {
     fn row(&self, _: u32, _: &mut dyn Iterator<Item = Color>) {}
 }
 
-/// Adds up the samples of the parts of a picture.
+/// Keeps the result of adaptive sampling.
 impl Progress for Mutex<Sampled> {
     fn row(&self, _: u32, _: &mut dyn Iterator<Item = Color>) {}
 
-    fn sampled(&self, part: &Sampled) {
-        *self.lock().unwrap_or_else(PoisonError::into_inner) += *part;
+    fn sampled(&self, sampled: &Sampled) {
+        *self.lock().unwrap_or_else(PoisonError::into_inner) = *sampled;
     }
 }

@@ -1,10 +1,8 @@
 //! `Sampled`: the samples and the error of a picture by adaptive sampling.
 
 use std::fmt;
-use std::ops::AddAssign;
 
-/// The samples and the error of a picture, or of several parts of it together. Errors are
-/// for channels from 0 to 1.
+/// The samples and the error of a picture. Errors are for channels from 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sampled {
     /// Number of pixels.
@@ -42,18 +40,6 @@ impl Sampled {
     }
 }
 
-impl AddAssign for Sampled {
-    fn add_assign(&mut self, other: Self) {
-        self.pixels += other.pixels;
-        self.samples += other.samples;
-        self.most = self.most.max(other.most);
-        self.audited += other.audited;
-        self.squared_error += other.squared_error;
-        self.variance += other.variance;
-        self.unseen += other.unseen;
-    }
-}
-
 impl fmt::Display for Sampled {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self {
@@ -77,7 +63,7 @@ mod tests {
     use super::*;
 
     /// The squared errors are 1 - 2 x 1/4 and 1 + 2 x 1/4 + 3/4, of 4 pixels.
-    const PART: Sampled = Sampled {
+    const SAMPLED: Sampled = Sampled {
         pixels: 4,
         samples: 10,
         most: 7,
@@ -89,26 +75,10 @@ mod tests {
 
     #[test]
     fn means_and_errors_are_per_pixel() {
-        assert!(PART.misses(Some(0.74)) && !PART.misses(Some(0.75)));
-        assert!(!PART.misses(None));
+        assert!(SAMPLED.misses(Some(0.74)) && !SAMPLED.misses(Some(0.75)));
+        assert!(!SAMPLED.misses(None));
         let text = "10 samples, 2.50 a pixel and at most 7; root mean square error between \
                     0.353553 and 0.750000 (95 %), 3 pixels audited";
-        assert_eq!(PART.to_string(), text);
-    }
-
-    #[test]
-    fn parts_add_up() {
-        let mut sampled = PART;
-        sampled += Sampled { most: 3, ..PART };
-        let both = Sampled {
-            pixels: 8,
-            samples: 20,
-            most: 7,
-            audited: 6,
-            squared_error: 2.0,
-            variance: 0.125,
-            unseen: 1.5,
-        };
-        assert_eq!(sampled, both);
+        assert_eq!(SAMPLED.to_string(), text);
     }
 }

@@ -1,9 +1,8 @@
 //! `Scene`: a picture of a stage, and the code that renders it.
 
-use crate::{Color, Error, Image, Plan, Progress, Settings, Size};
+use crate::{Color, Error, Image, Progress, Settings, Size};
 
 type Paint = dyn Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync;
-type Planned = dyn Fn(&Settings) -> Result<Plan, Error> + Send + Sync;
 
 /// The [`Settings`] that a scene uses. The others do not change its picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -30,7 +29,6 @@ pub struct Scene {
     /// The settings that change its picture.
     pub uses: UsedSettings,
     paint: Box<Paint>,
-    plan: Box<Planned>,
 }
 
 impl Scene {
@@ -50,7 +48,6 @@ impl Scene {
             defaults: Settings::default(),
             uses,
             paint: Box::new(paint),
-            plan: Box::new(|_| Ok(Plan::default())),
         }
     }
 
@@ -131,42 +128,8 @@ impl Scene {
         self
     }
 
-    /// The same scene, with `extend` to extend its plan, which is empty at first and made
-    /// before the first ray.
-    #[must_use]
-    pub fn planned(
-        mut self,
-        extend: impl Fn(&Settings, Plan) -> Result<Plan, Error> + Send + Sync + 'static,
-    ) -> Self {
-        let plan = self.plan;
-        self.plan = Box::new(move |settings| extend(settings, plan(settings)?));
-        self
-    }
-
-    /// The work that the picture needs, and the work that is skipped.
-    pub fn plan(&self, settings: &Settings) -> Result<Plan, Error> {
-        (self.plan)(settings)
-    }
-
     /// Renders the picture.
     pub fn render(&self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
         (self.paint)(settings, progress)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_plan_is_made_and_extended() {
-        let scene = Scene::painted("panel", "", |settings, _| Image::black(settings.size))
-            .planned(|settings, plan| Ok(plan.needing(settings.size.to_string())))
-            .planned(|_, plan| Ok(plan.without("a ray", "it goes nowhere")));
-        let plan = scene.plan(&Settings::default()).unwrap();
-        let expected = Plan::default()
-            .needing("640x480")
-            .without("a ray", "it goes nowhere");
-        assert_eq!(plan, expected);
     }
 }

@@ -1,7 +1,6 @@
 //! `Settings`: the parameters of a rendering, which a reader can change without
 //! changing the scene.
 
-use std::ops::Range;
 use std::path::PathBuf;
 
 use crate::Size;
@@ -60,9 +59,6 @@ impl Renderer {
 pub struct Settings {
     /// Width and height of the picture.
     pub size: Size,
-    /// The rows to render, counted from the top; none stands for all. Only traced
-    /// scenes use them.
-    pub rows: Option<Range<u32>>,
     /// Samples per pixel; with a `max_error`, the most samples of a pixel, but at
     /// least four.
     pub samples: u32,
@@ -82,21 +78,10 @@ pub struct Settings {
     pub file: Option<PathBuf>,
 }
 
-impl Settings {
-    /// The rows to render, limited to the picture.
-    #[must_use]
-    pub fn rows(&self) -> Range<u32> {
-        let height = self.size.height();
-        let rows = self.rows.clone().unwrap_or(0..height);
-        rows.start..rows.end.min(height)
-    }
-}
-
 impl Default for Settings {
     fn default() -> Self {
         Self {
             size: Size::COURSE,
-            rows: None,
             samples: 1,
             sampling: Sampling::Center,
             max_error: None,

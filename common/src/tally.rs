@@ -8,7 +8,7 @@
 use std::cell::Cell;
 use std::ops::Index;
 
-use crate::{ArgumentError, Error};
+use crate::Error;
 
 /// A kind of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,15 +30,45 @@ pub enum Work {
 }
 
 impl Work {
-    /// All kinds, with their names for a reader, in the plural.
-    pub const ALL: [(Self, &str); 7] = [
-        (Self::PrimaryRay, "primary rays"),
-        (Self::ShadowRay, "shadow rays"),
-        (Self::ReflectedRay, "reflected rays"),
-        (Self::IntersectionTest, "intersection tests"),
-        (Self::MovedRay, "moved rays"),
-        (Self::Power, "powers"),
-        (Self::RandomNumber, "random numbers"),
+    /// All kinds, with their names for a reader, in the plural, and the reason why a renderer
+    /// may do less of this work without a change of the picture.
+    pub const ALL: [(Self, &str, &str); 7] = [
+        (
+            Self::PrimaryRay,
+            "primary rays",
+            "where samples agree, more of them change no more than the allowed error",
+        ),
+        (
+            Self::ShadowRay,
+            "shadow rays",
+            "light from behind a surface, light on a single colour and light without shadows need none",
+        ),
+        (
+            Self::ReflectedRay,
+            "reflected rays",
+            "a surface that does not mirror multiplies their colour by 0",
+        ),
+        (
+            Self::IntersectionTest,
+            "intersection tests",
+            "a ray that is not sent needs none, one occluder casts a shadow as well as two, and a \
+             tree of bounding boxes (--fast) shows which objects a ray cannot hit",
+        ),
+        (
+            Self::MovedRay,
+            "moved rays",
+            "a ray that is not sent, or misses the bounds of an object (--fast), is not transformed",
+        ),
+        (
+            Self::Power,
+            "powers",
+            "a black highlight and light mirrored away from the eye are not seen",
+        ),
+        (
+            Self::RandomNumber,
+            "random numbers",
+            "a sample with a fixed place needs none",
+        ),
     ];
 }
 
@@ -61,16 +91,9 @@ thread_local! {
 
 /// Whether work is counted in this thread.
 #[inline]
+#[must_use]
 pub fn is_on() -> bool {
     IS_ON.get()
-}
-
-/// The value, wrapped to count its work if work is counted in this thread.
-pub fn wrapped<T>(
-    value: T,
-    wrap: impl FnOnce(T) -> Result<T, ArgumentError>,
-) -> Result<T, ArgumentError> {
-    if is_on() { wrap(value) } else { Ok(value) }
 }
 
 /// Counts one piece of work.

@@ -14,10 +14,7 @@ pub fn check(bytes: &[u8]) {
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format();
     let size = reader.ok().and_then(|reader| reader.into_dimensions().ok());
     let is_large = |(width, height)| u64::from(width) * u64::from(height) > MOST_PIXELS;
-    let opens_if_whole = |(width, height)| {
-        let size = common::Size::new(width, height);
-        size.is_ok_and(|size| common::Image::check_size(size).is_ok())
-    };
+    let opens_if_whole = |(width, height)| common::Size::new(width, height).is_ok();
     if size.is_some_and(|size| is_large(size) && opens_if_whole(size)) {
         return;
     }

@@ -38,14 +38,12 @@ fn three(u: &mut Unstructured) -> Result<[f64; 3]> {
 
 /// A point of three of these numbers.
 pub fn point(u: &mut Unstructured) -> Result<Point3> {
-    let [x, y, z] = three(u)?;
-    Ok(Point3::new(x, y, z))
+    Ok(Point3::from_glam(three(u)?.into()))
 }
 
 /// A vector of three of these numbers.
 pub fn vector(u: &mut Unstructured) -> Result<Vector3> {
-    let [x, y, z] = three(u)?;
-    Ok(Vector3::new(x, y, z))
+    Ok(Vector3::from_glam(three(u)?.into()))
 }
 
 /// A normal of three of these numbers.
@@ -55,9 +53,9 @@ pub fn normal(u: &mut Unstructured) -> Result<Normal3> {
 
 /// A colour, most of them from 0 to 1.
 pub fn color(u: &mut Unstructured) -> Result<Color> {
-    if u.ratio(1, 4)? {
-        let [r, g, b] = three(u)?;
-        return Ok(Color::new(r, g, b));
-    }
-    Ok(Color::from_packed(u.arbitrary()?))
+    let any = u.ratio(1, 4)?.then(|| three(u)).transpose()?;
+    Ok(match any {
+        Some([r, g, b]) => Color::new(r, g, b),
+        None => Color::from_packed(u.arbitrary()?),
+    })
 }

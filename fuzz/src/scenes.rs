@@ -5,55 +5,82 @@
 
 use std::any::Any;
 
-use a03_rays_cameras::fast::{camera as camera_of_engine, render_by_engine, render_by_lesson};
-use a03_rays_cameras::{Camera, Ray};
+use a03_rays_cameras::{Camera, Ray, View};
 use a04_intersections::Geometry;
-use a05_lighting::{DirectionalLight, Lambert, Light, Phong, PointLight, SingleColor, SpotLight};
-use a06_shadows_reflection::all_work::{self, NaiveTracer};
-use a06_shadows_reflection::{
-    LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, fast,
-};
-use a07_transforms::Node;
-use a07_transforms::fast::shapes;
+use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight, SingleColor, SpotLight};
+use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, Surface};
+use a07_transforms::{Node, traced};
 use arbitrary::{Result, Unstructured};
-use common::{ArgumentError, Color, Error, Image, Sampling, Settings, Size};
+use common::{Color, Image, Renderer, Sampling, Settings, Size};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::number::{color, number, point, vector};
-use crate::shapes::{accepted, camera, shape};
+use crate::shapes::{accepted, boxed, camera, shape};
 
 /// Renders the scene that the bytes make by all three renderers.
 pub fn check(bytes: &[u8]) {
-    let (Ok(scene), Ok(same)) = (Scene::new(bytes), Scene::new(bytes)) else {
+    let Ok((settings, cutoff, View { world, .. })) = scene(bytes) else {
         return;
     };
-    let picture = scene.by_lesson(&scene.settings);
-    scene.check_pixels(&picture, 0.0);
-    scene.check_same(&scene.by_engine(&scene.settings), &picture);
-    scene.check_same(&same.by_all_work(), &picture);
-    scene.check_adaptive();
-    scene.check_cutoff();
-}
+    let check = |is_right: bool, channels: &[f64]| {
+        assert!(is_right, "{channels:?}: {settings:#?}\n{world:#?}");
+    };
+    // The same bytes make the same view.
+    let view = || scene(bytes).expect("it was made before").2;
+    let render = |view, renderer, max_error| {
+        let settings = Settings {
+            renderer,
+            max_error,
+            ..settings.clone()
+        };
+        let image = alone(view, &settings);
+        let channels = image.pixels().iter().flat_map(|color| color.channels());
+        channels.collect::<Vec<_>>()
+    };
 
-struct Scene {
-    /// Without an error: all renderers make the same picture.
-    settings: Settings,
-    max_error: Option<f64>,
-    /// Mirrored light below this may be cut off.
-    cutoff: f64,
-    camera: Box<dyn Camera>,
-    world: ShadowedWorld,
-}
+    let lesson = render(view(), Renderer::Lesson, None);
+    check(lesson.iter().all(|c| c.is_finite() && *c >= 0.0), &lesson);
+    for renderer in [Renderer::Engine, Renderer::AllWork] {
+        let same = render(view(), renderer, None);
+        let bits = |channels: &[f64]| channels.iter().map(|c| c.to_bits()).collect::<Vec<_>>();
+        check(bits(&same) == bits(&lesson), &same);
+    }
+    if settings.max_error.is_some() {
+        for renderer in [Renderer::Lesson, Renderer::Engine] {
+            let adaptive = render(view(), renderer, settings.max_error);
+            // Light that was added to a pixel and taken off again is rounded.
+            let is_right = |c: &f64| c.is_finite() && *c >= -1e-9;
+            check(adaptive.iter().all(is_right), &adaptive);
+        }
+    }
 
-impl std::fmt::Debug for Scene {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let rays = self.rays().collect::<Vec<_>>();
-        write!(f, "{:#?}\n{:#?}\n{rays:#?}", self.settings, self.world)
+    // Flattened transforms also move shapes.
+    let mut objects = world.objects().objects();
+    if !objects.any(|(geometry, _)| is_node(geometry)) {
+        // All rays of a pixel are the same, so that only the cutoff of reflections differs.
+        // Mirrors may take an eighth of the error.
+        let [whole, cut] = [None, Some(8.0 * cutoff)].map(|max_error| {
+            let View { camera, world } = view();
+            let view = View::new(Middles(camera), world);
+            render(view, Renderer::Engine, max_error)
+        });
+        // The threshold, and the rounding of the sums over surfaces, lights and samples.
+        let bound = |whole: f64| cutoff * (1.0 + 1e-12) + 1000.0 * f64::EPSILON * whole;
+        let is_near = |(whole, cut): (&f64, &f64)| (whole - cut).abs() <= bound(*whole);
+        check(whole.iter().zip(&cut).all(is_near), &cut);
     }
 }
 
-/// On this thread: to wake another takes longer than so small a picture.
-fn alone(render: impl FnOnce() -> std::result::Result<Image, Error> + Send) -> Image {
+/// The settings, the threshold for mirrored light, and the view that the bytes make.
+fn scene(bytes: &[u8]) -> Result<(Settings, f64, View<ShadowedWorld>)> {
+    let u = &mut Unstructured::new(bytes);
+    let (settings, cutoff) = (settings(u)?, f64::from(u.arbitrary::<u8>()?) / 512.0);
+    let (camera, world) = (camera(u)?, world(u)?);
+    Ok((settings, cutoff, View { camera, world }))
+}
+
+/// Renders on this thread: to wake another takes longer than so small a picture.
+fn alone(view: View<ShadowedWorld>, settings: &Settings) -> Image {
     thread_local! {
         static ALONE: ThreadPool = ThreadPoolBuilder::new()
             .num_threads(1)
@@ -61,112 +88,16 @@ fn alone(render: impl FnOnce() -> std::result::Result<Image, Error> + Send) -> I
             .build()
             .expect("a pool of this thread");
     }
+    let render = || traced(view).render(settings, &());
     ALONE.with(|pool| pool.install(render)).expect("a picture")
 }
 
-impl Scene {
-    /// The same bytes make the same scene.
-    fn new(bytes: &[u8]) -> Result<Self> {
-        let u = &mut Unstructured::new(bytes);
-        let settings = settings(u)?;
-        Ok(Self {
-            max_error: settings.max_error,
-            settings: Settings {
-                max_error: None,
-                ..settings
-            },
-            cutoff: f64::from(u.arbitrary::<u8>()?) / 512.0,
-            camera: camera(u)?,
-            world: world(u)?,
-        })
-    }
+/// A camera whose rays all go through the middles of pixels.
+struct Middles(Box<dyn Camera>);
 
-    fn by_lesson(&self, settings: &Settings) -> Image {
-        let (camera, tracer) = (&*self.camera, RecursiveTracer::new(&self.world));
-        let radiance = |ray: &Ray| tracer.trace(ray, settings.depth);
-        alone(|| render_by_lesson(camera, radiance, settings, &()))
-    }
-
-    fn by_engine(&self, settings: &Settings) -> Image {
-        let camera = &*self.camera;
-        alone(|| {
-            let scene = fast::scene(&self.world, settings.depth, shapes);
-            render_by_engine(scene, camera, settings, &())
-        })
-    }
-
-    fn by_all_work(self) -> Image {
-        let (camera, settings) = (&*self.camera, &self.settings);
-        let world = all_work::world(self.world).expect("a world of the same colours");
-        let tracer = NaiveTracer::new(&world);
-        let radiance = |ray: &Ray| tracer.trace(ray, settings.depth);
-        alone(|| a03_rays_cameras::all_work::render(camera, radiance, settings, &()))
-    }
-
-    fn check_pixels(&self, picture: &Image, least: f64) {
-        for pixel in picture.pixels() {
-            let holds = |channel: f64| channel.is_finite() && channel >= least;
-            let channels = pixel.channels();
-            assert!(channels.into_iter().all(holds), "{pixel:?}: {self:?}");
-        }
-    }
-
-    fn check_same(&self, picture: &Image, expected: &Image) {
-        for (pixel, expected) in picture.pixels().iter().zip(expected.pixels()) {
-            let [bits, expected_bits] = [pixel, expected].map(|c| c.channels().map(f64::to_bits));
-            assert_eq!(bits, expected_bits, "{pixel:?}, {expected:?}: {self:?}");
-        }
-    }
-
-    fn check_adaptive(&self) {
-        let Some(max_error) = self.max_error else {
-            return;
-        };
-        let settings = Settings {
-            max_error: Some(max_error),
-            ..self.settings.clone()
-        };
-        // Light that was added to a pixel and taken off again is rounded.
-        self.check_pixels(&self.by_lesson(&settings), -1e-9);
-        self.check_pixels(&self.by_engine(&settings), -1e-9);
-    }
-
-    /// Bound: the threshold, and the rounding of as many sums as there are surfaces and
-    /// lights.
-    fn check_cutoff(&self) {
-        let objects = &mut self.world.objects().objects();
-        // Flattened transforms also move shapes.
-        if objects.any(|(geometry, _)| is_node(geometry)) {
-            return;
-        }
-        let prepared = |max_error| {
-            let scene = fast::scene(&self.world, self.settings.depth, shapes);
-            let settings = Settings {
-                max_error,
-                ..self.settings.clone()
-            };
-            engine::Renderer::new(scene, camera_of_engine(&*self.camera), &settings)
-        };
-        // Mirrors may take an eighth of the error.
-        let max_error = 8.0 * self.cutoff;
-        let rays: Vec<_> = self.rays().map(|ray| engine::Ray::from(&ray)).collect();
-        let [whole, cut] = [None, Some(max_error)].map(|max_error| {
-            let mut light = vec![Color::BLACK; rays.len()];
-            prepared(max_error).trace(&rays, &mut light);
-            light
-        });
-        let channels = |light: Vec<Color>| light.into_iter().flat_map(Color::channels);
-        for (whole, cut) in channels(whole).zip(channels(cut)) {
-            let bound = self.cutoff * (1.0 + 1e-12) + 100.0 * f64::EPSILON * whole;
-            assert!((whole - cut).abs() <= bound, "{whole}, {cut}: {self:?}");
-        }
-    }
-
-    /// The rays through the middles of the pixels.
-    fn rays(&self) -> impl Iterator<Item = Ray> {
-        let size = self.settings.size;
-        let places = (0..size.height()).flat_map(move |y| (0..size.width()).map(move |x| (x, y)));
-        places.map(move |(x, y)| self.camera.ray_for(size, x.into(), y.into()))
+impl Camera for Middles {
+    fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
+        self.0.ray_for(size, libm::round(x), libm::round(y))
     }
 }
 
@@ -177,11 +108,11 @@ fn is_node(geometry: &dyn Geometry) -> bool {
 }
 
 fn settings(u: &mut Unstructured) -> Result<Settings> {
-    let [width, height] = [u.int_in_range(1..=4)?, u.int_in_range(1..=4)?];
+    let size = Size::new(u.int_in_range(1..=4)?, u.int_in_range(1..=4)?);
     let error = u.ratio(1, 4)?.then(|| u.int_in_range(1..=255_u8));
     let error = error.transpose()?;
     Ok(Settings {
-        size: Size::new(width, height).expect("a size"),
+        size: size.expect("a size"),
         samples: u.int_in_range(1..=4)?,
         sampling: *u.choose(&Sampling::ALL)?,
         max_error: error.map(|error| f64::from(error) / 512.0),
@@ -211,33 +142,24 @@ fn world(u: &mut Unstructured) -> Result<ShadowedWorld> {
 }
 
 fn light(u: &mut Unstructured) -> Result<Option<LightSource>> {
-    fn source<L: Light + 'static>(
-        made: std::result::Result<L, ArgumentError>,
-        casts_shadows: bool,
-    ) -> Option<LightSource> {
-        accepted(made).map(|light| LightSource::new(light, casts_shadows))
-    }
     let (kind, casts_shadows, color) = (u.int_in_range(0..=3)?, u.ratio(3, 4)?, color(u)?);
+    macro_rules! source {
+        ($made:expr) => {
+            accepted($made).map(|light| LightSource::new(light, casts_shadows))
+        };
+    }
     Ok(match kind {
-        0 => source(DirectionalLight::new(color, vector(u)?), casts_shadows),
-        1 => {
-            let spot = SpotLight::new(color, point(u)?, vector(u)?, number(u)?);
-            source(spot, casts_shadows)
-        }
-        _ => source(PointLight::new(color, point(u)?), casts_shadows),
+        0 => source!(DirectionalLight::new(color, vector(u)?)),
+        1 => source!(SpotLight::new(color, point(u)?, vector(u)?, number(u)?)),
+        _ => source!(PointLight::new(color, point(u)?)),
     })
 }
 
 fn surface(u: &mut Unstructured) -> Result<Option<Box<dyn Surface>>> {
-    fn boxed<S: Surface + 'static>(
-        made: std::result::Result<S, ArgumentError>,
-    ) -> Option<Box<dyn Surface>> {
-        accepted(made).map(|surface| Box::new(surface) as _)
-    }
     Ok(match u.int_in_range(0..=4)? {
-        0 => boxed(SingleColor::new(color(u)?)),
-        1 => boxed(Lambert::new(color(u)?)),
-        2 => boxed(Phong::new(color(u)?, color(u)?, number(u)?)),
-        _ => boxed(Reflective::new(color(u)?, color(u)?, number(u)?, color(u)?)),
+        0 => boxed!(SingleColor::new(color(u)?)),
+        1 => boxed!(Lambert::new(color(u)?)),
+        2 => boxed!(Phong::new(color(u)?, color(u)?, number(u)?)),
+        _ => boxed!(Reflective::new(color(u)?, color(u)?, number(u)?, color(u)?)),
     })
 }

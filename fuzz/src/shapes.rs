@@ -15,30 +15,30 @@ pub fn accepted<T>(made: std::result::Result<T, ArgumentError>) -> Option<T> {
         .ok()
 }
 
-/// Depth of nodes within nodes.
-const LEVELS: u32 = 3;
+/// A boxed trait object of the result of a constructor.
+macro_rules! boxed {
+    ($made:expr) => {
+        accepted($made).map(|made| Box::new(made) as _)
+    };
+}
+pub(crate) use boxed;
 
-/// A shape; none if its constructor refuses the numbers.
+/// A shape, with up to three levels of nodes; none if its constructor refuses the numbers.
 pub fn shape(u: &mut Unstructured) -> Result<Option<Box<dyn Geometry>>> {
-    shape_below(u, LEVELS)
+    shape_below(u, 3)
 }
 
 fn shape_below(u: &mut Unstructured, levels: u32) -> Result<Option<Box<dyn Geometry>>> {
-    fn boxed<G: Geometry>(
-        made: std::result::Result<G, ArgumentError>,
-    ) -> Option<Box<dyn Geometry>> {
-        accepted(made).map(|geometry| Box::new(geometry) as _)
-    }
     Ok(match u.int_in_range(0..=7)? {
-        0 => boxed(Plane::new(point(u)?, normal(u)?)),
-        1 => boxed(AxisAlignedBox::new(point(u)?, point(u)?)),
-        2 => boxed(Disc::new(point(u)?, normal(u)?, number(u)?)),
-        3 | 4 => boxed(Sphere::new(point(u)?, number(u)?)),
-        5 => boxed(Triangle::new(point(u)?, point(u)?, point(u)?)),
+        0 => boxed!(Plane::new(point(u)?, normal(u)?)),
+        1 => boxed!(AxisAlignedBox::new(point(u)?, point(u)?)),
+        2 => boxed!(Disc::new(point(u)?, normal(u)?, number(u)?)),
+        3 | 4 => boxed!(Sphere::new(point(u)?, number(u)?)),
+        5 => boxed!(Triangle::new(point(u)?, point(u)?, point(u)?)),
         6 => {
             let corners = Triangle::new(point(u)?, point(u)?, point(u)?);
             let normals = [normal(u)?, normal(u)?, normal(u)?];
-            boxed(corners.and_then(|triangle| triangle.with_normals(normals)))
+            boxed!(corners.and_then(|triangle| triangle.with_normals(normals)))
         }
         _ if levels == 0 => None,
         _ => {
@@ -72,29 +72,21 @@ pub fn transform(u: &mut Unstructured) -> Result<Transform> {
 /// A camera of one of the three kinds; a valid default if the constructor refuses the
 /// numbers, so that the rest of the bytes is used.
 pub fn camera(u: &mut Unstructured) -> Result<Box<dyn Camera>> {
-    fn boxed<C: Camera + 'static>(
-        made: std::result::Result<C, ArgumentError>,
-    ) -> Option<Box<dyn Camera>> {
-        accepted(made).map(|camera| Box::new(camera) as _)
-    }
-    let camera = match u.int_in_range(0..=3)? {
-        0 => boxed(PinholeCamera::new(point(u)?, number(u)?)),
-        1 => {
-            let (e, g, up, s) = (point(u)?, vector(u)?, vector(u)?, number(u)?);
-            boxed(OrthographicCamera::new(e, g, up, s))
-        }
-        2 => {
-            let (e, g, up, angle) = (point(u)?, vector(u)?, vector(u)?, number(u)?);
-            boxed(PerspectiveCamera::new(e, g, up, angle))
+    let camera: Option<Box<dyn Camera>> = match u.int_in_range(0..=3)? {
+        0 => boxed!(PinholeCamera::new(point(u)?, number(u)?)),
+        kind @ (1 | 2) => {
+            let (e, g, up, size) = (point(u)?, vector(u)?, vector(u)?, number(u)?);
+            match kind {
+                1 => boxed!(OrthographicCamera::new(e, g, up, size)),
+                _ => boxed!(PerspectiveCamera::new(e, g, up, size)),
+            }
         }
         // Towards the origin, where small numbers put shapes.
         _ => {
-            let e = point(u)?;
-            let up = Vector3::new(0.0, 1.0, 0.0);
-            boxed(PerspectiveCamera::new(e, Point3::ORIGIN - e, up, 0.75))
+            let (e, up) = (point(u)?, Vector3::new(0.0, 1.0, 0.0));
+            boxed!(PerspectiveCamera::new(e, Point3::ORIGIN - e, up, 0.75))
         }
     };
-    let eye = Point3::new(1.0, 2.0, 20.0);
-    let default = || PinholeCamera::new(eye, 1.0).map(|camera| Box::new(camera) as _);
-    Ok(camera.unwrap_or_else(|| default().expect("a camera")))
+    let default = || boxed!(PinholeCamera::new(Point3::new(1.0, 2.0, 20.0), 1.0));
+    Ok(camera.or_else(default).expect("a camera"))
 }

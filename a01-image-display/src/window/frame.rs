@@ -1,6 +1,6 @@
 //! `Frame`: the pixels of the window.
 
-use crate::canvas::glyph;
+use crate::font::dots;
 
 /// Width and height of a character.
 pub const LETTER: i32 = 8;
@@ -18,14 +18,18 @@ pub struct Area {
 }
 
 impl Area {
-    /// A line of text below the row `y`, from the left edge of the window.
-    pub const fn line(y: i32, width: i32) -> Self {
+    pub const fn new(x: i32, y: i32, width: i32, height: i32) -> Self {
         Self {
-            x: 0,
+            x,
             y,
             width,
-            height: LINE,
+            height,
         }
+    }
+
+    /// A line of text below the row `y`, from the left edge of the window.
+    pub const fn line(y: i32, width: i32) -> Self {
+        Self::new(0, y, width, LINE)
     }
 
     /// Whether a place lies inside.
@@ -73,74 +77,8 @@ impl Frame {
 
     /// Writes one row of text from its upper left corner.
     pub fn text(&mut self, x: i32, y: i32, color: u32, text: &str) {
-        for (column, letter) in (0..).zip(text.chars()) {
-            let rows = glyph(letter);
-            let area = Area {
-                x: x + column * LETTER,
-                y,
-                width: LETTER,
-                height: LETTER,
-            };
-            self.paint(area, |at_x, at_y| {
-                let (row, dot) = ((at_y - area.y) as usize, at_x - area.x);
-                (rows[row] >> dot & 1 == 1).then_some(color)
-            });
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const AREA: Area = Area {
-        x: 2,
-        y: 1,
-        width: 3,
-        height: 2,
-    };
-
-    fn frame(width: usize, height: usize) -> Frame {
-        let mut frame = Frame::default();
-        frame.clear((width, height), 1);
-        frame
-    }
-
-    #[test]
-    fn an_area_is_filled_and_cut_off_at_the_borders() {
-        let mut frame = frame(6, 4);
-        frame.fill(AREA, 7);
-        let rows = [[1; 6], [1, 1, 7, 7, 7, 1], [1, 1, 7, 7, 7, 1], [1; 6]];
-        assert_eq!(frame.pixels(), rows.concat());
-
-        for (x, y, column, row) in [(-2, -1, 0, 0), (5, 3, 5, 3)] {
-            frame.clear((6, 4), 1);
-            frame.fill(Area { x, y, ..AREA }, 7);
-            let mut expected = [1; 24];
-            expected[row * 6 + column] = 7;
-            assert_eq!(frame.pixels(), expected);
-        }
-    }
-
-    #[test]
-    fn a_place_without_a_colour_keeps_its_own() {
-        let mut frame = frame(2, 2);
-        let all = Area { x: 0, y: 0, ..AREA };
-        frame.paint(all, |x, y| (x == 1).then_some(10 + y as u32));
-        assert_eq!(frame.pixels(), [1, 10, 1, 11]);
-    }
-
-    #[test]
-    fn letters_follow_one_another_dot_by_dot() {
-        let mut frame = frame(24, 12);
-        frame.text(3, 2, 7, "gR");
-        for (index, pixel) in frame.pixels().iter().enumerate() {
-            let (x, y) = (index % 24, index / 24);
-            let is_dot = (2..10).contains(&y) && (3..19).contains(&x) && {
-                let letter = if x < 11 { 'g' } else { 'R' };
-                glyph(letter)[y - 2] >> ((x - 3) % 8) & 1 == 1
-            };
-            assert_eq!(*pixel, if is_dot { 7 } else { 1 }, "{x} {y}");
+        for (column, row) in dots(text) {
+            self.fill(Area::new(x + column as i32, y + row as i32, 1, 1), color);
         }
     }
 }

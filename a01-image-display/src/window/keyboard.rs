@@ -57,53 +57,27 @@ impl InputCallback for Keyboard {
 mod tests {
     use super::*;
 
+    /// The window's tests press keys; these cases need two of them or a held one.
     #[test]
-    fn a_key_that_is_held_counts_once() {
+    fn a_held_key_counts_once_and_either_ctrl_counts_while_it_is_down() {
         let mut keyboard = Keyboard::default();
-        for (down, expected) in [(true, vec![Command::Save]), (true, vec![]), (false, vec![])] {
-            keyboard.set_key_state(Key::S, down);
-            assert_eq!(keyboard.take(), expected);
+        let (left, right) = (Key::LeftCtrl, Key::RightCtrl);
+        for (key, down, command) in [
+            (Key::S, true, Some(Command::Save)),
+            (Key::S, true, None),
+            (Key::S, false, None),
+            (Key::W, true, None),
+            (Key::W, false, None),
+            (left, true, None),
+            (right, true, None),
+            (left, false, None),
+            (Key::W, true, Some(Command::Close)),
+            (Key::W, false, None),
+            (right, false, None),
+            (Key::W, true, None),
+        ] {
+            keyboard.set_key_state(key, down);
+            assert!(keyboard.take().into_iter().eq(command), "{key:?} {down}");
         }
-        keyboard.set_key_state(Key::S, true);
-        assert_eq!(keyboard.take(), [Command::Save]);
-    }
-
-    #[test]
-    fn either_ctrl_key_counts_while_it_is_down() {
-        let mut keyboard = Keyboard::default();
-        let mut press = |down, keys: &[Key]| {
-            for key in keys {
-                keyboard.set_key_state(*key, down);
-            }
-            keyboard.take()
-        };
-        assert_eq!(press(true, &[Key::W]), []);
-        press(false, &[Key::W]);
-        press(true, &[Key::LeftCtrl, Key::RightCtrl]);
-        press(false, &[Key::LeftCtrl]);
-        assert_eq!(press(true, &[Key::W]), [Command::Close]);
-        press(false, &[Key::W, Key::RightCtrl]);
-        assert_eq!(press(true, &[Key::W]), []);
-    }
-
-    #[test]
-    fn a_key_without_a_reported_release_does_not_stay_down() {
-        let mut keyboard = Keyboard::default();
-        keyboard.set_key_state(Key::LeftCtrl, true);
-        keyboard.release_all();
-        keyboard.set_key_state(Key::I, true);
-        assert_eq!(keyboard.take(), [Command::Inspect]);
-    }
-
-    #[test]
-    fn characters_zoom_on_every_keyboard() {
-        let mut keyboard = Keyboard::default();
-        for character in "+=-0x".chars() {
-            keyboard.add_char(character.into());
-        }
-        keyboard.add_char(u32::MAX);
-        let (zoom_in, zoom_out) = (Command::ZoomIn, Command::ZoomOut);
-        let expected = [zoom_in, zoom_in, zoom_out, Command::ZoomReset];
-        assert_eq!(keyboard.take(), expected);
     }
 }

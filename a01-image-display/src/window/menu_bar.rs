@@ -14,38 +14,20 @@ const SELECTED: u32 = 0x3D_5A80;
 const TEXT: u32 = 0xE0_E0E0;
 const WIDTH: i32 = 200;
 
-/// An item of the menu.
-#[derive(Clone, Copy, Debug)]
-pub struct Item {
-    /// The text of the item.
-    pub label: &'static str,
-    /// The key with the same command.
-    key: &'static str,
-    /// The command of the item.
-    pub command: Command,
-}
+/// Height of the bar.
+pub const HEIGHT: i32 = if PLATFORM_HAS_MENU { 0 } else { LINE };
+
+/// The text of an item, the key with the same command, and the command.
+type Item = (&'static str, &'static str, Command);
 
 /// The items of the file menu.
 pub const ITEMS: [Item; 3] = [
-    Item {
-        label: "Save as PNG",
-        key: "S",
-        command: Command::Save,
-    },
-    Item {
-        label: "Open ...",
-        key: "Ctrl+O",
-        command: Command::Open,
-    },
-    Item {
-        label: "Close",
-        key: "Esc",
-        command: Command::Close,
-    },
+    ("Save as PNG", "S", Command::Save),
+    ("Open ...", "Ctrl+O", Command::Open),
+    ("Close", "Esc", Command::Close),
 ];
 
 /// The file menu.
-#[derive(Debug, Default)]
 pub struct MenuBar {
     /// The selected item, while the menu is open.
     selected: Option<usize>,
@@ -54,6 +36,11 @@ pub struct MenuBar {
 }
 
 impl MenuBar {
+    pub const fn new(can_open: bool) -> Self {
+        let selected = None;
+        Self { selected, can_open }
+    }
+
     /// The selected item, while the menu is open.
     pub const fn selected(&self) -> Option<usize> {
         self.selected
@@ -61,7 +48,7 @@ impl MenuBar {
 
     /// The items for this scene.
     fn items(&self) -> Vec<Item> {
-        let can_open = |item: &Item| self.can_open || item.command != Command::Open;
+        let can_open = |(.., command): &Item| self.can_open || *command != Command::Open;
         ITEMS.into_iter().filter(can_open).collect()
     }
 
@@ -85,7 +72,7 @@ impl MenuBar {
             (Command::Up, Some(item)) => self.selected = Some((item + count - 1) % count),
             (Command::Choose, Some(item)) => {
                 self.selected = None;
-                return items.get(item).map(|item| item.command);
+                return Some(items[item].2);
             }
             (Command::Up | Command::Down | Command::Choose, None) => {}
             (command, _) => {
@@ -115,7 +102,7 @@ impl MenuBar {
         }
         self.selected.take()?;
         let item = self.item_at(x, y)?;
-        Some(self.items()[item].command)
+        Some(self.items()[item].2)
     }
 
     /// Draws the bar, and the menu if it is open.
@@ -129,15 +116,44 @@ impl MenuBar {
         let Some(selected) = self.selected else {
             return;
         };
-        for (index, item) in self.items().into_iter().enumerate() {
+        for (index, (label, key, _)) in self.items().into_iter().enumerate() {
             let line = Self::item(index);
             frame.fill(line, if index == selected { SELECTED } else { BAR });
-            frame.text(line.x + LETTER, line.y + 5, TEXT, item.label);
-            let key_x = line.x + WIDTH - LETTER * (1 + item.key.len() as i32);
-            frame.text(key_x, line.y + 5, TEXT, item.key);
+            frame.text(line.x + LETTER, line.y + 5, TEXT, label);
+            let key_x = line.x + WIDTH - LETTER * (1 + key.len() as i32);
+            frame.text(key_x, line.y + 5, TEXT, key);
         }
     }
 }
 
 #[cfg(test)]
-mod tests;
+mod tests {
+    use super::*;
+
+    /// Lines are 18 pixels high, the title 48 wide and the items 200.
+    #[test]
+    fn the_mouse_selects_what_is_drawn_under_it() {
+        let (mut menu, mut frame) = (MenuBar::new(true), Frame::default());
+        for (x, y) in [(48, 0), (0, 18), (-1, 0), (0, -1)] {
+            assert_eq!((menu.click(x, y), menu.selected()), (None, None), "{x} {y}");
+        }
+        menu.click(47, 17);
+        for (x, y, selected) in [
+            (0, 18, 0),
+            (0, 36, 1),
+            (199, 71, 2),
+            (200, 18, 2),
+            (0, 72, 2),
+        ] {
+            menu.hover(x, y);
+            assert_eq!(menu.selected(), Some(selected), "{x} {y}");
+            frame.clear((300, 100), 0);
+            menu.draw(&mut frame, 300, "title");
+            let color = frame.pixels()[y as usize * 300 + x as usize];
+            let is_item = (18..72).contains(&y) && x < 200;
+            assert_eq!(color, if is_item { SELECTED } else { 0 }, "{x} {y}");
+        }
+        assert_eq!(menu.click(199, 71), Some(Command::Close));
+        assert_eq!(menu.selected(), None);
+    }
+}

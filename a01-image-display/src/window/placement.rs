@@ -120,112 +120,38 @@ fn middle_of(x: i32, y: i32) -> (f64, f64) {
 mod tests {
     use super::*;
 
-    const WINDOW: Area = Area {
-        x: 0,
-        y: 18,
-        width: 640,
-        height: 480,
-    };
-
     fn placed(width: u32, height: u32, zoom: Zoom) -> Placement {
-        Placement::new(Size::new(width, height).unwrap(), WINDOW, zoom)
+        let area = Area::new(0, 18, 640, 480);
+        Placement::new(Size::new(width, height).unwrap(), area, zoom)
     }
 
-    /// 640 / 100 = 6.4 and 480 / 100 = 4.8: four times, with borders. A picture of twice
-    /// the width is shrunk by half.
     #[test]
-    fn a_picture_is_as_large_as_fits_in_the_middle() {
-        let enlarged = Zoom::Factor(2, (320.0, 240.0));
-        for (size, zoom, x, y, expected) in [
-            ((640, 480), Zoom::Fit, 0, 0, Some((0, 0))),
-            ((640, 480), Zoom::Fit, 123, 45, Some((123, 45))),
-            ((640, 480), Zoom::Fit, 639, 479, Some((639, 479))),
-            ((640, 480), Zoom::Fit, 640, 0, None),
-            ((100, 100), Zoom::Fit, 120, 40, Some((0, 0))),
-            ((100, 100), Zoom::Fit, 119, 40, None),
-            ((100, 100), Zoom::Fit, 123, 43, Some((0, 0))),
-            ((100, 100), Zoom::Fit, 124, 44, Some((1, 1))),
-            ((100, 100), Zoom::Fit, 519, 439, Some((99, 99))),
-            ((100, 100), Zoom::Fit, 520, 439, None),
-            ((1280, 480), Zoom::Fit, 0, 119, None),
-            ((1280, 480), Zoom::Fit, 0, 120, Some((1, 1))),
-            ((1280, 480), Zoom::Fit, 639, 359, Some((1279, 479))),
-            ((1280, 480), Zoom::Fit, 639, 360, None),
-            // Never outside of its part of the window, below 18 rows for the menu.
-            ((640, 480), enlarged, 0, 0, Some((160, 120))),
-            ((640, 480), enlarged, 639, 479, Some((479, 359))),
-            ((640, 480), enlarged, 0, -1, None),
-            ((640, 480), enlarged, -1, 0, None),
-            ((640, 480), enlarged, 640, 0, None),
-            ((640, 480), enlarged, 0, 480, None),
-        ] {
-            let pixel = placed(size.0, size.1, zoom).pixel(x, y + 18);
-            assert_eq!(pixel, expected, "{size:?} {x} {y}");
+    fn zooming_keeps_the_pixel_under_the_cursor_or_the_middle() {
+        // Beside the picture, the cursor does not count.
+        for (cursor, (x, y)) in [((500, 100), (500, 100)), ((5, 5), (320, 258))] {
+            let mut placement = placed(640, 480, Zoom::Fit);
+            let under = placement.pixel(x, y);
+            for factor in 2..7 {
+                let zoom = placement.zoomed_in(Some(cursor));
+                assert!(matches!(zoom, Zoom::Factor(found, _) if found == factor));
+                placement = placed(640, 480, zoom);
+                assert_eq!(placement.pixel(x, y), under);
+            }
         }
     }
 
+    /// A shrunk picture is first shown in its own size. One that fits enlarged by more than
+    /// the greatest factor is not shrunk by zooming in.
     #[test]
-    fn zooming_keeps_the_pixel_under_the_cursor() {
-        let cursor = (500, 100);
-        let mut placement = placed(640, 480, Zoom::Fit);
-        let under = placement.pixel(cursor.0, cursor.1);
-        for _ in 0..5 {
-            let zoom = placement.zoomed_in(Some(cursor));
-            placement = placed(640, 480, zoom);
-            assert_eq!(placement.pixel(cursor.0, cursor.1), under);
+    fn zooming_ends_where_the_picture_fits_and_at_64_times() {
+        for (side, first, last) in [(100, 5, 64), (960, 1, 64), (1, 480, 480)] {
+            let zoom_in = |zoom, _| placed(side, side, zoom).zoomed_in(None);
+            let first_zoom = zoom_in(Zoom::Fit, 0);
+            let last_zoom = (0..100).fold(Zoom::Fit, zoom_in);
+            let middle = (f64::from(side) / 2.0, f64::from(side) / 2.0);
+            assert_eq!(first_zoom, Zoom::Factor(first, middle));
+            assert_eq!(last_zoom, Zoom::Factor(last, middle));
+            assert_eq!(placed(side, side, first_zoom).zoomed_out(None), Zoom::Fit);
         }
-        assert!(matches!(placement.zoomed_in(None), Zoom::Factor(7, _)));
-    }
-
-    #[test]
-    fn zooming_out_ends_where_the_picture_fits() {
-        let mut zoom = placed(100, 100, Zoom::Fit).zoomed_in(None);
-        assert!(matches!(zoom, Zoom::Factor(5, _)), "{zoom:?}");
-        zoom = placed(100, 100, zoom).zoomed_out(None);
-        assert_eq!(zoom, Zoom::Fit);
-        assert_eq!(placed(100, 100, zoom).zoomed_out(None), Zoom::Fit);
-        // A shrunk picture: first its own size, then enlarged.
-        let zoom = placed(1280, 960, Zoom::Fit).zoomed_in(None);
-        assert!(matches!(zoom, Zoom::Factor(1, _)), "{zoom:?}");
-        assert_eq!(placed(1280, 960, zoom).zoomed_out(None), Zoom::Fit);
-    }
-
-    #[test]
-    fn zooming_in_ends_and_never_shrinks() {
-        let zoom = placed(1, 1, Zoom::Fit).zoomed_in(None);
-        assert!(matches!(zoom, Zoom::Factor(480, _)), "{zoom:?}");
-        let zoom_in = |zoom, _| placed(640, 480, zoom).zoomed_in(None);
-        let zoom = (0..100).fold(Zoom::Fit, zoom_in);
-        assert!(matches!(zoom, Zoom::Factor(GREATEST_FACTOR, _)), "{zoom:?}");
-    }
-
-    /// The middle of the window is (350, 258), the middle of the picture (320, 240).
-    #[test]
-    fn zooming_without_a_cursor_keeps_the_middle() {
-        let area = Area { x: 30, ..WINDOW };
-        let picture = Size::new(640, 480).unwrap();
-        let fit = Placement::new(picture, area, Zoom::Fit);
-        let middle = (320.0, 240.0);
-        assert_eq!(fit.zoomed_in(None), Zoom::Factor(2, middle));
-        let beside = Some((5, 100));
-        assert_eq!(fit.zoomed_in(beside), Zoom::Factor(2, middle));
-        let third = Placement::new(picture, area, Zoom::Factor(3, middle));
-        assert_eq!(third.zoomed_out(None), Zoom::Factor(2, middle));
-        assert_eq!(third.pixel(350, 258), Some((320, 240)));
-        assert_eq!(third.pixel(347, 255), Some((319, 239)));
-    }
-
-    /// The middle of pixel (500, 100) lies (180.5, -157.5) from the middle of the window:
-    /// a third of that in the picture that is three times as large, and a quarter in
-    /// the next.
-    #[test]
-    fn zooming_moves_the_middle_towards_the_cursor() {
-        let third = placed(640, 480, Zoom::Factor(3, (320.0, 240.0)));
-        let (to_x, to_y) = (320.0 + 180.5 / 3.0, 240.0 - 157.5 / 3.0);
-        let Zoom::Factor(4, (x, y)) = third.zoomed_in(Some((500, 100))) else {
-            panic!("four times as large");
-        };
-        let (middle_x, middle_y) = (to_x - 180.5 / 4.0, to_y + 157.5 / 4.0);
-        assert!((x - middle_x).abs() < 1e-9 && (y - middle_y).abs() < 1e-9);
     }
 }

@@ -1,22 +1,20 @@
 //! `Screen`: the open window and its picture.
 
-mod commands;
-mod size;
-
 use std::thread::Scope;
 use std::time::{Duration, Instant};
 
 use common::{Error, Image, Size};
-use minifb::{Menu, MouseMode, ScaleMode, WindowOptions};
-use program::{Gallery, LivePicture, NotShown, Rendering};
+use minifb::{Menu, ScaleMode, WindowOptions};
+use program::{Gallery, NotShown, Rendering};
 
+use super::command::Command;
+use super::drawing::Look;
 use super::frame::Frame;
+use super::input::Input;
 use super::keyboard::Keyboard;
-use super::menu_bar::{ITEMS, MenuBar, PLATFORM_HAS_MENU};
+use super::log::Log;
+use super::menu_bar::{self, ITEMS, MenuBar, PLATFORM_HAS_MENU};
 use super::placement::Zoom;
-
-use commands::{After, Mouse};
-use size::window_size;
 
 /// Updates of keys and mouse per second. A click that begins and ends between two
 /// of them is lost.
@@ -31,34 +29,24 @@ const NOTICE: Duration = Duration::from_secs(6);
 
 /// The open window and its picture.
 pub struct Screen {
-    pub(super) window: minifb::Window,
-    keyboard: Keyboard,
-    is_active: bool,
-    mouse: Mouse,
-    pub(super) menu: MenuBar,
-    pub(super) frame: Frame,
-    pub(super) title: String,
-    pub(super) size: Size,
+    pub window: minifb::Window,
+    pub keyboard: Keyboard,
+    pub input: Input,
+    pub menu: MenuBar,
+    pub frame: Frame,
+    pub title: String,
+    pub size: Size,
     /// The finished picture as it is shown.
-    pub(super) pixels: Vec<u32>,
+    pub pixels: Vec<u32>,
     /// The finished picture as it is saved, or the reason for its absence; none while it
     /// is rendered.
-    pub(super) outcome: Option<Result<Image, String>>,
-    pub(super) zoom: Zoom,
-    pub(super) inspects: bool,
-    pub(super) helps: bool,
-    notice: Option<(String, Instant)>,
-}
-
-/// The state that is visible in the window. If it changes, the window is redrawn.
-#[derive(PartialEq)]
-struct Look {
-    rows: Option<u32>,
-    elapsed: Option<u64>,
-    has_notice: bool,
-    menu: Option<usize>,
-    window: (usize, usize),
-    cursor: Option<(i32, i32)>,
+    pub outcome: Option<Result<Image, String>>,
+    pub zoom: Zoom,
+    pub inspects: bool,
+    pub helps: bool,
+    pub notice: Option<(String, Instant)>,
+    drawn: Option<Look>,
+    pub log: Log,
 }
 
 impl Screen {
@@ -74,19 +62,19 @@ impl Screen {
         window.set_target_fps(UPDATES);
         let keyboard = Keyboard::default();
         window.set_input_callback(Box::new(keyboard.clone()));
-        let mut menu = MenuBar::default();
-        menu.can_open = gallery.opens_files();
-        if PLATFORM_HAS_MENU {
-            add_platform_menu(&mut window);
+        if PLATFORM_HAS_MENU && let Ok(mut file) = Menu::new("File") {
+            for (id, (label, ..)) in ITEMS.into_iter().enumerate() {
+                file.add_item(label, id).build();
+            }
+            window.add_menu(&file);
         }
         Ok(Self {
             window,
             keyboard,
-            menu,
+            input: Input::default(),
+            menu: MenuBar::new(gallery.opens_files()),
             frame: Frame::default(),
             title,
-            is_active: false,
-            mouse: Mouse::default(),
             size,
             pixels: Vec::new(),
             outcome: None,
@@ -94,6 +82,8 @@ impl Screen {
             inspects: false,
             helps: false,
             notice: None,
+            drawn: None,
+            log: Log::open(),
         })
     }
 
@@ -104,51 +94,53 @@ impl Screen {
         gallery: &mut Gallery<'a>,
         mut rendering: Option<Rendering<'scope>>,
     ) -> Result<(), NotShown> {
-        let (mut drawn, mut drawn_at) = (None, Instant::now());
+        let mut drawn_at = Instant::now();
         while self.window.is_open() {
-            if rendering.as_ref().is_some_and(Rendering::is_over) {
-                if let Some(outcome) = rendering.take().map(Rendering::join) {
-                    self.finish(gallery, outcome);
-                }
-                drawn = None;
+            if let Some(over) = rendering.take_if(|rendering| rendering.is_over()) {
+                self.finish(gallery, over.join());
             }
             for command in self.commands() {
-                drawn = None;
-                match self.execute(command, gallery) {
-                    After::Nothing => {}
-                    After::Close => return Ok(()),
-                    After::Render => {
-                        // The old rendering, if there is one, stops.
-                        rendering = None;
-                        match gallery.render(scope) {
-                            Ok(new) => rendering = Some(new),
-                            Err(error) => self.finish(gallery, Err(error)),
-                        }
+                if command == Command::Close {
+                    return Ok(());
+                }
+                if self.execute(command, gallery) {
+                    // The old rendering, if there is one, stops.
+                    rendering = None;
+                    match gallery.render(scope) {
+                        Ok(new) => rendering = Some(new),
+                        Err(error) => self.finish(gallery, Err(error)),
                     }
                 }
             }
             let live = rendering.as_ref().map(Rendering::picture);
+            if let Some(live) = live {
+                self.size = live.size();
+            }
             let look = self.look(live);
-            let is_drawn = drawn.as_ref() == Some(&look);
+            let is_drawn = self.drawn.as_ref() == Some(&look);
             if drawn_at.elapsed() < if is_drawn { REFRESH } else { FRAME } {
                 self.window.update();
-                continue;
+            } else {
+                if !is_drawn {
+                    self.draw(live, &look);
+                }
+                let (width, height) = look.window;
+                self.window
+                    .update_with_buffer(self.frame.pixels(), width, height)
+                    .map_err(explain)?;
+                drawn_at = Instant::now();
+                self.drawn = Some(look);
             }
-            let (width, height) = look.window;
-            if !is_drawn {
-                self.draw(live, look.cursor);
-                drawn = Some(look);
+            if let Some(drawn) = &self.drawn {
+                self.log.write(drawn, &self.input);
             }
-            self.window
-                .update_with_buffer(self.frame.pixels(), width, height)
-                .map_err(explain)?;
-            drawn_at = Instant::now();
         }
         Ok(())
     }
 
     /// Shows a finished picture, or an error.
     pub fn finish(&mut self, gallery: &Gallery, outcome: Result<Image, Error>) {
+        self.drawn = None;
         self.pixels.clear();
         if let Ok(image) = &outcome {
             let transfer = gallery.transfer();
@@ -171,31 +163,17 @@ impl Screen {
         let (notice, since) = self.notice.as_ref()?;
         (since.elapsed() <= NOTICE).then_some(notice)
     }
-
-    fn look(&self, live: Option<&LivePicture>) -> Look {
-        Look {
-            rows: live.map(LivePicture::rows),
-            elapsed: live.map(|live| live.elapsed().as_secs()),
-            has_notice: self.notice().is_some(),
-            menu: self.menu.selected(),
-            window: self.window.get_size(),
-            cursor: self.cursor().filter(|_| self.inspects),
-        }
-    }
-
-    fn cursor(&self) -> Option<(i32, i32)> {
-        let cursor = self.window.get_mouse_pos(MouseMode::Discard);
-        cursor.map(|(x, y)| (x as i32, y as i32))
-    }
 }
 
-fn add_platform_menu(window: &mut minifb::Window) {
-    if let Ok(mut file) = Menu::new("File") {
-        for (id, item) in ITEMS.into_iter().enumerate() {
-            file.add_item(item.label, id).build();
-        }
-        window.add_menu(&file);
-    }
+/// The size in which the window opens: the picture's, shrunk where a side is too long for
+/// nearly every screen, with room for the menu and for the mouse. minifb does not know the
+/// size of this screen.
+fn window_size(picture: Size) -> (usize, usize) {
+    let (width, height) = (f64::from(picture.width()), f64::from(picture.height()));
+    let fit = (1280.0 / width).min(720.0 / height).min(1.0);
+    let side = |side: f64, smallest: f64| (side * fit).round().max(smallest) as usize;
+    let bar = menu_bar::HEIGHT as usize;
+    (side(width, 240.0), side(height, 120.0) + bar)
 }
 
 fn explain(error: minifb::Error) -> NotShown {

@@ -2,8 +2,9 @@
 
 use std::fs;
 
-use super::{close, locked_file, wait_for_notice, wait_for_painter_in, wait_for_picture};
-use super::{with_window, with_window_in};
+use super::{
+    close, locked_file, wait_for_painter_in, wait_for_picture, wait_for_text, with_window,
+};
 
 #[test]
 fn an_error_while_saving_is_shown_and_saving_can_be_repeated() {
@@ -14,7 +15,7 @@ fn an_error_while_saving_is_shown_and_saving_can_be_repeated() {
         window.press("s");
         let name = "out/a01-image-display-painter.png";
         let error = format!("error: cannot write {name}: out is a file, not a folder");
-        wait_for_notice(&window, &error);
+        wait_for_text(&window, &error);
         assert_eq!(fs::read_to_string(&out).unwrap(), "a letter");
 
         fs::remove_file(&out).unwrap();
@@ -26,21 +27,22 @@ fn an_error_while_saving_is_shown_and_saving_can_be_repeated() {
 
 #[test]
 fn a_bad_file_is_named_while_its_scene_is_shown() {
-    let folder = tempfile::tempdir().unwrap();
-    let card = fs::read(locked_file("show-image")).unwrap();
-    fs::write(folder.path().join("half.png"), &card[..card.len() / 2]).unwrap();
-    let line = "show diagonal --open half.png";
-    with_window_in(folder.path(), line, [800, 600], |window| {
+    with_window("show diagonal --open half.png", |window, folder| {
+        let card = fs::read(locked_file("show-image")).unwrap();
+        fs::write(folder.join("half.png"), &card[..card.len() / 2]).unwrap();
         window.press("Left");
         let error =
             "error: cannot open half.png: the file ends too early; it may be only half copied";
-        wait_for_notice(&window, error);
+        wait_for_text(&window, error);
         window.press("s");
-        wait_for_notice(&window, &format!("there is no picture to save {error}"));
-        wait_for_notice(&window, error);
+        wait_for_text(
+            &window,
+            &format!("{error}\", \"there is no picture to save"),
+        );
+        wait_for_text(&window, error);
         window.press("Left");
         wait_for_picture(&window, "painter");
-        assert!(!folder.path().join("out").exists());
+        assert!(!folder.join("out").exists());
     });
 }
 
@@ -48,10 +50,10 @@ fn a_bad_file_is_named_while_its_scene_is_shown() {
 fn without_a_file_dialog_the_test_card_is_shown_with_a_hint() {
     let hint = "no file was chosen; the argument --open FILE shows one, too";
     with_window("show show-image", |window, _| {
-        wait_for_notice(&window, hint);
+        wait_for_text(&window, hint);
         wait_for_picture(&window, "show-image");
         window.press("ctrl+o");
-        wait_for_notice(&window, hint);
+        wait_for_text(&window, hint);
         close(window);
     });
 }

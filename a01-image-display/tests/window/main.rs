@@ -3,30 +3,27 @@
 
 #![cfg(all(target_os = "linux", feature = "window"))]
 
+mod display;
 mod files;
 mod keys;
-mod lifetime;
 mod menu;
 mod pictures;
+mod rendering;
 
 use std::path::{Path, PathBuf};
 
-use common::picture_file;
-use testing::display::{Picture, Shown, wait_for};
+use crate::display::{Display, picture, wait_for};
+use common::{Image, Transfer, picture_file};
 
-/// Runs a test with the program on a screen of 800x600 pixels, and with its current
-/// folder, which is empty.
-fn with_window(line: &str, test: impl FnOnce(Shown, &Path)) {
-    let folder = tempfile::tempdir().expect("a folder");
-    with_window_in(folder.path(), line, [800, 600], |window| {
-        test(window, folder.path());
-    });
+/// Runs a test with the program and with its current folder, which is empty.
+fn with_window(line: &str, test: impl FnOnce(Display, &Path)) {
+    with_window_of(env!("CARGO_BIN_EXE_a01-image-display").as_ref(), line, test);
 }
 
-fn with_window_in(folder: &Path, line: &str, screen: [u32; 2], test: impl FnOnce(Shown)) {
-    let program = env!("CARGO_BIN_EXE_a01-image-display");
-    if let Some(window) = Shown::start(program, line, folder, screen) {
-        test(window);
+fn with_window_of(program: &Path, line: &str, test: impl FnOnce(Display, &Path)) {
+    let folder = tempfile::tempdir().expect("a folder");
+    if let Some(window) = Display::start(program, line, folder.path()) {
+        test(window, folder.path());
     }
 }
 
@@ -36,33 +33,45 @@ fn locked_file(scene: &str) -> PathBuf {
     Path::new(pictures).join(format!("a01-image-display-{scene}.png"))
 }
 
-fn open(path: &Path) -> Picture {
-    Picture::from(&picture_file::open(path).expect("a picture"))
+fn locked(scene: &str) -> Image {
+    picture_file::open(&locked_file(scene)).expect("a picture")
 }
 
-fn locked(scene: &str) -> Picture {
-    open(&locked_file(scene))
+/// The packed colour of a pixel.
+fn packed(image: &Image, x: u32, y: u32) -> u32 {
+    Transfer::Linear.pack(image.get(x, y).expect("a pixel"))
 }
 
-/// Waits until the whole picture is in the window, pixel for pixel.
-fn wait_for_picture(window: &Shown, scene: &str) {
-    let picture = locked(scene);
-    window.wait_to_show(scene, |look| look.below_bar() == picture);
+/// Waits until the window shows this scene, its locked picture pixel for pixel, and no
+/// text.
+fn wait_for_picture(window: &Display, scene: &str) {
+    let locked = locked(scene);
+    let title = format!("title: \"a01-image-display: {scene}\"");
+    let shown = picture(640, 480, |x, y| packed(&locked, x, y));
+    window.wait_for(&[&title, &shown, "texts: []"]);
 }
 
 /// Waits until this is the only text at the bottom of the window.
-fn wait_for_notice(window: &Shown, notice: &str) {
-    window.wait_to_show(notice, |look| look.notices().join(" ") == notice);
+fn wait_for_text(window: &Display, text: &str) {
+    window.wait_for(&[&format!("texts: [\"{text}\"]")]);
+}
+
+/// Presses keys, and waits after each of them for a part of the window's state.
+fn press_and_wait(window: &Display, steps: &[(&str, &str)]) {
+    for (key, state) in steps {
+        window.press(key);
+        window.wait_for(&[state]);
+    }
 }
 
 /// Waits until the painter's picture is saved in this folder.
 fn wait_for_painter_in(folder: &Path) {
     let path = folder.join("out/a01-image-display-painter.png");
     wait_for("the file", || path.exists().then_some(()));
-    assert_eq!(open(&path), locked("painter"));
+    assert_eq!(picture_file::open(&path).unwrap(), locked("painter"));
 }
 
-fn close(window: Shown) {
+fn close(window: Display) {
     window.press("Escape");
-    assert_eq!(window.wait_for_end(), (Some(0), String::new()));
+    window.wait_for_end();
 }

@@ -6,7 +6,6 @@
 mod angles;
 mod lengths;
 mod systems;
-mod whole_numbers;
 
 use measure::experiment::Experiment;
 
@@ -18,4 +17,20 @@ pub fn experiments() -> Vec<Experiment<'static>> {
         systems::experiment(),
         lengths::experiment(),
     ]
+}
+
+/// Random whole numbers, the same in every run, from a linear congruential generator with
+/// the multiplier of Knuth's MMIX.
+struct WholeNumbers(u64);
+
+impl WholeNumbers {
+    /// A number between -2^bits and 2^bits, both excluded.
+    fn signed(&mut self, bits: u32) -> f64 {
+        const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
+        const INCREMENT: u64 = 1_442_695_040_888_963_407;
+        self.0 = self.0.wrapping_mul(MULTIPLIER).wrapping_add(INCREMENT);
+        // The high bits are the random ones.
+        let number = (self.0 >> (63 - bits)) as i64 - (1 << bits);
+        number.max(1 - (1 << bits)) as f64
+    }
 }

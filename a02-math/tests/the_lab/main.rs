@@ -3,6 +3,5 @@
 //! `cargo test` runs them after the tests of the lesson, which they measure.
 
 mod exact;
-mod protocol;
 
 testing::check_lab! { a02_math::stage() }

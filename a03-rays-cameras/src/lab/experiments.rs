@@ -9,7 +9,7 @@ mod coverage;
 mod places;
 mod summation;
 
-use common::Sampling;
+use common::Sampling::{Random, Regular, Stratified};
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
@@ -25,50 +25,28 @@ pub use summation::neumaier;
 pub fn experiments() -> Vec<Experiment<'static>> {
     vec![
         samples("samples-curved-edge", "Where should samples lie in a pixel that a disc's edge crosses?",
-            curved_edge, [Some(-0.5), Some(-0.75), Some(-0.75), Some(-0.5), None]),
+            || (|x, y| DISC.contains(x, y).into(), pixels(64, 64, disc_coverage)),
+            [Some(-0.5), Some(-0.75), Some(-0.75), Some(-0.5), None]),
         samples("samples-level-edge", "Where should samples lie in a pixel that a level edge crosses?",
-            level_edge, [Some(-0.5), Some(-0.5), Some(-0.75), Some(-1.0), None]),
+            || (|_, y| coverage::in_stripe(y).into(), pixels(1, 1000, |_, y| stripes(y))),
+            [Some(-0.5), Some(-0.5), Some(-0.75), Some(-1.0), None]),
         samples("samples-smooth-shading", "Where should samples lie in a pixel of smooth shading?",
-            smooth_shading, [Some(-0.5), Some(-1.0), Some(-1.0), None, None]),
+            || (lit, pixels(16, 16, irradiance)),
+            [Some(-0.5), Some(-1.0), Some(-1.0), None, None]),
         adaptive::experiment(),
         summation::experiment(),
     ]
 }
 
-/// A picture with the known mean of each pixel.
-struct Task {
-    /// Radiance at a position of the picture, in pixels.
-    radiance: fn(f64, f64) -> f64,
-    /// The pixels that are not constant, with their means.
-    pixels: Vec<(u32, u32, f64)>,
-}
+/// The radiance at a position of the picture, in pixels; and the columns and rows of the
+/// pixels that are not constant, with their known means.
+type Task = (fn(f64, f64) -> f64, Vec<(u32, u32, f64)>);
 
 fn pixels(width: u32, height: u32, mean: fn(f64, f64) -> f64) -> Vec<(u32, u32, f64)> {
     let row = |y: u32| (0..width).map(move |x| (x, y, mean(x.into(), y.into())));
     let is_constant = |mean: f64| !(1e-9..1.0 - 1e-9).contains(&mean);
     let all = (0..height).flat_map(row);
     all.filter(|(_, _, mean)| !is_constant(*mean)).collect()
-}
-
-fn curved_edge() -> Task {
-    Task {
-        radiance: |x, y| DISC.contains(x, y).into(),
-        pixels: pixels(64, 64, disc_coverage),
-    }
-}
-
-fn level_edge() -> Task {
-    Task {
-        radiance: |_, y| coverage::in_stripe(y).into(),
-        pixels: pixels(1, 1000, |_, y| stripes(y)),
-    }
-}
-
-fn smooth_shading() -> Task {
-    Task {
-        radiance: lit,
-        pixels: pixels(16, 16, irradiance),
-    }
 }
 
 /// An experiment with all samplers, and their slopes in the same order.
@@ -80,16 +58,15 @@ fn samples(
 ) -> Experiment<'static> {
     let curves = move |effort: Effort| {
         let methods: [(&str, &str, Places); 5] = [
-            ("random", "", |x, y, n| sampled(Sampling::Random, x, y, n)),
-            ("regular", "", |x, y, n| sampled(Sampling::Regular, x, y, n)),
-            ("stratified", "", |x, y, n| {
-                sampled(Sampling::Stratified, x, y, n)
-            }),
+            ("random", "", |x, y, n| sampled(Random, x, y, n)),
+            ("regular", "", |x, y, n| sampled(Regular, x, y, n)),
+            ("stratified", "", |x, y, n| sampled(Stratified, x, y, n)),
             ("n rooks", N_ROOKS, n_rooks),
             ("R2", R2, r2),
         ];
+        let numbers = &[1, 4, 16, 64, 256, 1024, 4096][..effort.choose(6, 7)];
         let curve = |((method, remark, places), slope): ((_, _, Places), Option<f64>)| {
-            let curve = Curve::new(method, points(task, places, effort));
+            let curve = Curve::new(method, numbers.iter().map(|n| point(task(), places, *n)));
             curve.with_slope(slope, (16.0, 4096.0)).with_remark(remark)
         };
         methods.into_iter().zip(slopes).map(curve).collect()
@@ -112,18 +89,13 @@ const N_ROOKS: &str =
     "not in the renderer: best at level edges only, and every pixel needs a shuffled list";
 const R2: &str = "not in the renderer: about as good as stratified, and slower";
 
-fn points(task: fn() -> Task, places: Places, effort: Effort) -> Vec<Point<'static>> {
-    let numbers = &[1_u32, 4, 16, 64, 256, 1024, 4096][..effort.choose(6, 7)];
-    let point = |&n: &u32| {
-        let Task { radiance, pixels } = task();
-        let mean = move |x: u32, y: u32| {
-            let at = |(dx, dy): (f64, f64)| radiance(f64::from(x) + dx, f64::from(y) + dy);
-            places(x, y, n).map(at).sum::<f64>() / f64::from(n)
-        };
-        let error = |(x, y, exact): &(u32, u32, f64)| mean(*x, *y) - exact;
-        let errors: Vec<_> = pixels.iter().map(error).collect();
-        let run = move || pixels.iter().map(|(x, y, _)| mean(*x, *y)).sum();
-        Point::new(n.into(), n.into(), errors, run)
+fn point((radiance, pixels): Task, places: Places, n: u32) -> Point<'static> {
+    let mean = move |x: u32, y: u32| {
+        let at = |(dx, dy): (f64, f64)| radiance(f64::from(x) + dx, f64::from(y) + dy);
+        places(x, y, n).map(at).sum::<f64>() / f64::from(n)
     };
-    numbers.iter().map(point).collect()
+    let error = |(x, y, exact): &(u32, u32, f64)| mean(*x, *y) - exact;
+    let errors: Vec<_> = pixels.iter().map(error).collect();
+    let run = move || pixels.iter().map(|(x, y, _)| mean(*x, *y)).sum::<f64>();
+    Point::new(n.into(), n.into(), errors, run)
 }

@@ -1,8 +1,6 @@
 //! Stiff and extreme cases of cameras, samples and stripes.
 
-mod axes;
 mod cameras;
-mod pinhole;
 mod samples;
 mod stripes;
 
@@ -11,8 +9,7 @@ use measure::Effort;
 use measure::extremes::Case;
 
 pub fn cases(_: Effort) -> Vec<Case> {
-    let cameras = [cameras::cases(), axes::cases(), pinhole::cases()].concat();
-    [cameras, samples::cases(), stripes::cases()].concat()
+    [cameras::cases(), samples::cases(), stripes::cases()].concat()
 }
 
 const AHEAD: Vector3 = Vector3::new(0.0, 0.0, -1.0);

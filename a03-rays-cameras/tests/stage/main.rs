@@ -6,6 +6,4 @@ mod cameras;
 mod rays;
 mod sampling;
 mod stripes;
-#[cfg(all(target_os = "linux", feature = "window"))]
-mod window;
 mod work;

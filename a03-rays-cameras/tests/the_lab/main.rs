@@ -2,6 +2,4 @@
 //!
 //! `cargo test` runs them after the tests of the lesson, which they measure.
 
-mod protocol;
-
 testing::check_lab! { a03_rays_cameras::stage() }

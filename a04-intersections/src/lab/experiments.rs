@@ -3,11 +3,8 @@
 pub mod aimed_box;
 pub mod icosphere;
 pub mod needle;
-mod scattered;
 pub mod sphere_distance;
 mod sphere_mesh;
-
-pub use scattered::Numbers;
 
 use measure::experiment::Experiment;
 

@@ -4,7 +4,6 @@
 //! Tables are formatted by hand, with one row on a line.
 
 mod axis_aligned_box;
-mod color;
 mod leaks;
 mod place;
 mod plane;
@@ -12,20 +11,20 @@ mod precision;
 mod sphere;
 mod triangle;
 
-pub use a02_math::lab::extremes::{point, vector};
-use a03_rays_cameras::Ray;
-use common::ArgumentError;
+use common::{ArgumentError, Color, Transfer};
 use measure::Effort;
-use measure::extremes::{Case, Outcome};
+use measure::extremes::{Case, Equal, Fails, Holds, Id, Outcome, Protocol};
 
-use crate::{Geometry, Interval};
+use super::protocol;
+use super::support::{Line, first, unit_ray};
+use crate::Geometry;
 
 pub fn cases(effort: Effort) -> Vec<Case> {
     let fixed = [
         sphere::cases,
         axis_aligned_box::cases,
         triangle::cases,
-        color::cases,
+        bytes,
     ];
     let random = [plane::cases, place::cases, leaks::cases, precision::cases];
     let mut cases = fixed.map(|cases| cases()).concat();
@@ -38,37 +37,31 @@ const MISS: Outcome = Outcome::Nothing;
 const REFUSED: Outcome = Outcome::Refused;
 const EPSILON: f64 = f64::EPSILON;
 
-pub type Triple = [f64; 3];
-/// An origin and a direction.
-pub type Line = (Triple, Triple);
-
-/// The ray as in a scene, with a direction of length 1.
-fn unit_ray((o, d): Line) -> Result<Ray, ArgumentError> {
-    Ray::new(point(o), vector(d))
-}
-
-/// The ray as in the protocol: unchecked.
-pub const fn raw_ray((o, d): Line) -> Ray {
-    Ray::derived(point(o), vector(d))
-}
-
-/// The ray as in a scene, or unchecked if `Ray::new` refuses it.
-fn any_ray(line: Line) -> Ray {
-    unit_ray(line).unwrap_or(raw_ray(line))
-}
-
-/// Origin and direction as arrays, the arguments of formulas in both precisions.
-pub fn arrays(ray: &Ray) -> [Triple; 2] {
-    [ray.origin().to_glam(), ray.direction().to_glam()].map(|v| v.to_array())
-}
-
-/// The `t` of a ray's nearest hit of a shape.
-pub fn first(shape: &impl Geometry, ray: &Ray) -> Option<f64> {
-    shape.hit(ray, Interval::AHEAD).map(|hit| hit.t)
-}
-
 /// The `t` of the nearest hit as an outcome, or the error of a constructor.
 fn meeting<G: Geometry>(shape: Result<G, ArgumentError>, line: Line) -> Outcome {
     let met = || Ok::<_, ArgumentError>(first(&shape?, &unit_ray(line)?));
     met().into()
+}
+
+/// A channel as a byte.
+fn byte(id: Id, channel: f64, exact: f64, says: Protocol) -> Case {
+    let ours = Transfer::Linear.bytes(Color::gray(channel))[0];
+    let what = format!("a channel of {channel} as a byte");
+    Case::new(id, what, exact, Equal, f64::from(ours))
+        .protocol(says, f64::from(protocol::byte(channel)))
+}
+
+#[rustfmt::skip]
+fn bytes() -> Vec<Case> {
+    vec![
+        byte("H01", 1.5, 255.0, Fails),
+        byte("H02", -0.5, 0.0, Fails),
+        byte("H03", f64::NAN, 0.0, Holds),
+        byte("H04", f64::INFINITY, 255.0, Fails),
+        byte("H05", 0.5, 128.0, Fails),
+        byte("H06", 0.999_999, 255.0, Fails),
+        byte("H07", 0.5 / 255.0, 1.0, Fails),
+        Case::new("H08", "a channel of NaN is black, but not unnoticed: is the colour finite?",
+            false, Equal, Color::gray(f64::NAN).is_finite()),
+    ]
 }

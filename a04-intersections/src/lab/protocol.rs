@@ -96,9 +96,9 @@ pub fn interpolated_normal([a, b, c]: [Normal3; 3], beta: f64, gamma: f64) -> No
 /// false and exclude it, except in the last branch, which runs only for the
 /// direction 0 and returns NaN.
 pub fn sphere<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> Option<F> {
-    let nearest = F::from(0.001);
+    let nearest = F::rounded(0.001_f32.into());
     let [a, b, discriminant] = sphere_terms(c, r, o, d);
-    let two_a = F::from(2.0) * a;
+    let two_a = a + a;
     let minus = (-b - discriminant.sqrt()) / two_a;
     let plus = (-b + discriminant.sqrt()) / two_a;
     if minus > nearest {
@@ -106,7 +106,7 @@ pub fn sphere<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> Option<F> {
     } else if plus > nearest {
         return Some(plus);
     }
-    if discriminant == F::from(0.0) {
+    if discriminant == F::zero() {
         let t = -b / two_a;
         if t < nearest {
             return None;
@@ -120,9 +120,9 @@ pub fn sphere<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> Option<F> {
 pub fn sphere_terms<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> [F; 3] {
     let f = difference(o, c);
     let a = dot(d, d);
-    let b = dot(d, &f.map(|x| x * F::from(2.0)));
+    let b = dot(d, &f.map(|x| x + x));
     let c = dot(&f, &f) - r * r;
-    [a, b, b * b - F::from(4.0) * a * c]
+    [a, b, b * b - F::rounded(4.0) * a * c]
 }
 
 /// A channel from 0 to 1 as the value of a byte, as Java casts it: truncated

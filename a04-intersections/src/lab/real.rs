@@ -1,54 +1,18 @@
-//! `Real`: the operations of numbers in formulas, for single and for double
-//! precision.
+//! `Real`: numbers in formulas of either precision.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, Mul};
+
+use num_traits::{Float, NumCast};
 
 /// `f32` or `f64`.
-pub trait Real:
-    Copy
-    + PartialOrd
-    + From<f32>
-    + Into<f64>
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
-{
-    /// The distance between 1 and the next greater number.
-    const EPSILON: f64;
-
-    /// The square root; NaN of a negative number.
-    fn sqrt(self) -> Self;
-
-    /// This magnitude with the sign of another number.
-    fn copysign(self, sign: Self) -> Self;
-
+pub trait Real: Float + Into<f64> {
     /// The number nearest to a double.
-    fn rounded(number: f64) -> Self;
+    fn rounded(number: f64) -> Self {
+        <Self as NumCast>::from(number).unwrap_or_else(Self::nan)
+    }
 }
 
-macro_rules! real {
-    ($($float:ident)+) => {$(
-        impl Real for $float {
-            const EPSILON: f64 = Self::EPSILON as f64;
-
-            fn sqrt(self) -> Self {
-                self.sqrt()
-            }
-
-            fn copysign(self, sign: Self) -> Self {
-                self.copysign(sign)
-            }
-
-            fn rounded(number: f64) -> Self {
-                number as Self
-            }
-        }
-    )+};
-}
-
-real! { f32 f64 }
+impl<F: Float + Into<f64>> Real for F {}
 
 pub fn difference<F: Real>(a: &[F; 3], b: &[F; 3]) -> [F; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]

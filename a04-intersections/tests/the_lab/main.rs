@@ -3,7 +3,5 @@
 //! `cargo test` runs them after the tests of the lesson, which they measure.
 
 mod exact;
-mod protocol;
-mod same_formulas;
 
 testing::check_lab! { a04_intersections::stage() }

@@ -1,8 +1,7 @@
 //! Error against run time for lights and materials.
 
 mod lambert_phase;
-mod phong_mean;
-mod phong_power;
+mod phong;
 mod spot_rim;
 
 use measure::experiment::Experiment;
@@ -10,8 +9,8 @@ use measure::experiment::Experiment;
 pub fn experiments() -> Vec<Experiment<'static>> {
     vec![
         lambert_phase::experiment(),
-        phong_mean::experiment(),
-        phong_power::experiment(),
+        phong::mean(),
+        phong::power(),
         spot_rim::experiment(),
     ]
 }

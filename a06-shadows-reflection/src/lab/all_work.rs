@@ -2,51 +2,15 @@
 //! follows reflected rays through black mirrors, and sends shadow rays to lights
 //! that are behind the surface or cast no shadows.
 
-use a02_math::Direction;
 use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, Interval};
-use a05_lighting::lab::watched::Watched;
-use a05_lighting::{Illumination, Light, Lighting, Material, all_work, decorated::decorated};
-use common::{ArgumentError, Color};
+use a05_lighting::{Illumination, Light, Lighting};
+use common::Color;
 
-use crate::lab::explain::as_phong;
 use crate::shadow::BEFORE_THE_LIGHT;
-use crate::{ShadowedWorld, Surface, secondary_ray};
+use crate::{ShadowedWorld, secondary_ray};
 
-/// Wraps the surfaces of a world to do all work. With a [`NaiveTracer`] the colours
-/// do not change.
-pub fn world(world: ShadowedWorld) -> Result<ShadowedWorld, ArgumentError> {
-    decorated(
-        world,
-        |geometry| geometry,
-        |surface| Box::new(AllWork(surface)) as _,
-    )
-}
-
-#[derive(Debug)]
-struct AllWork(Box<dyn Surface>);
-
-impl Material for AllWork {
-    fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
-        all_work::shade(as_phong(&*self.0), ray, hit, lighting, |lighting| {
-            // The lesson passes no light from behind the surface to materials.
-            let from_front = Watched::new(lighting, |_, hit, light| {
-                let is_behind = hit.normal.dot(light.direction) <= 0.0;
-                !is_behind
-            });
-            self.0.color_for(ray, hit, &from_front)
-        })
-    }
-}
-
-impl Surface for AllWork {
-    fn reflection(&self) -> Color {
-        self.0.reflection()
-    }
-}
-
-/// Computes the same colours as [`RecursiveTracer`](crate::RecursiveTracer), in a
-/// [`world`] that does all work.
+/// Computes the same colours as [`RecursiveTracer`](crate::RecursiveTracer).
 #[derive(Clone, Copy, Debug)]
 pub struct NaiveTracer<'a> {
     world: &'a ShadowedWorld,
@@ -58,7 +22,7 @@ impl<'a> NaiveTracer<'a> {
     }
 
     /// The colour that a ray brings back if it may hit `depth` surfaces in turn.
-    pub fn trace(&self, ray: &Ray, depth: u32) -> Color {
+    pub fn trace(self, ray: &Ray, depth: u32) -> Color {
         let mut ray = *ray;
         let mut color = Color::BLACK;
         let mut mirrored = Color::WHITE;
@@ -66,7 +30,7 @@ impl<'a> NaiveTracer<'a> {
             let Some((hit, surface)) = self.world.objects().hit(&ray, Interval::AHEAD) else {
                 return color + mirrored * self.world.objects().background();
             };
-            color += mirrored * surface.color_for(&ray, &hit, self);
+            color += mirrored * surface.color_for(&ray, &hit, &self);
             mirrored = mirrored * surface.reflection();
             let direction = (-ray.direction()).reflected_on(hit.normal);
             ray = secondary_ray(&ray, &hit, direction);

@@ -1,10 +1,142 @@
 //! Error against run time for mirrors and shadows.
 
-mod recursion_depth;
-mod shadow_epsilon;
+use std::rc::Rc;
 
-use measure::experiment::Experiment;
+use a02_math::{Point3, Vector3};
+use a03_rays_cameras::Ray;
+use a04_intersections::Hit;
+use a04_intersections::lab::support::Numbers;
+use common::Error;
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Unit};
+
+use crate::lab::extremes::mirrors::mirrors;
+use crate::lab::extremes::self_hits::{
+    LIFTED, Policy, SHAPES, THOUSANDTH, Trial, from_point, trials,
+};
+use crate::{RecursiveTracer, ShadowedWorld};
 
 pub fn experiments() -> Vec<Experiment<'static>> {
-    vec![recursion_depth::experiment(), shadow_epsilon::experiment()]
+    vec![recursion_depth(), shadow_epsilon()]
+}
+
+/// The recursion depth needed for a given error.
+///
+/// Between two mirrors that each emit 1 and have the reflectance k, the error of D
+/// surfaces against the sum 1 / (1 - k) is `k^D / (1 - k)`. This falls by the same
+/// factor with each surface, which is no straight line in a log-log plot. So the
+/// parameter is the allowed error, and the depth follows.
+fn recursion_depth() -> Experiment<'static> {
+    Experiment {
+        name: "recursion-depth",
+        about: "How deep must the recursion go between two mirrors?",
+        knob: "asked for (white = 1)",
+        work: "rays",
+        error: "rms error of a colour",
+        unit: Unit::Light,
+        exact: "against the sum 1 / (1 - k) of all reflections",
+        seeds: &[4],
+        against: Axis::Knob,
+        curves: Box::new(|effort| {
+            let rays = rays(effort.choose(16, 256));
+            let asked = [1e-1, 1e-2, HALF_GREY_LEVEL, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10];
+            let point = |k: f64, world: &Rc<ShadowedWorld>, asked: f64| {
+                let depth = depth(k, asked);
+                let (world, rays) = (Rc::clone(world), Rc::clone(&rays));
+                let trace = move |ray: &Ray| RecursiveTracer::new(&world).trace(ray, depth).r;
+                let error = |ray: &Ray| trace(ray) - 1.0 / (1.0 - k);
+                let errors: Vec<_> = rays.iter().map(error).collect();
+                let work = f64::from(depth) * rays.len() as f64;
+                Point::new(asked, work, errors, move || {
+                    rays.iter().map(&trace).sum::<f64>()
+                })
+            };
+            let curve = |(method, k)| {
+                let world = mirrors(k).world().map(Rc::new).into_iter();
+                let points = world.flat_map(|world| asked.map(|asked| point(k, &world, asked)));
+                Curve::new(method, points).with_slope(1.0, (1e-10, 1e-1))
+            };
+            let names = ["k = 0.5", "k = 0.8", "k = 0.9", "k = 0.95", "k = 0.99"];
+            let curves = names.into_iter().zip([0.5, 0.8, 0.9, 0.95, 0.99]);
+            curves.map(curve).collect()
+        }),
+    }
+}
+
+/// The least depth D with `k^D / (1 - k)` not above the allowed error.
+fn depth(k: f64, asked: f64) -> u32 {
+    (libm::log(asked * (1.0 - k)) / libm::log(k)).ceil() as u32
+}
+
+/// Rays that start between the mirrors and go upwards, at various slopes.
+fn rays(count: usize) -> Rc<[Ray]> {
+    let ray = |n: usize| {
+        let mut numbers = Numbers::new(4, n);
+        let mut aside = || numbers.between(-1.0, 1.0);
+        Ray::new(Point3::ORIGIN, Vector3::new(aside(), 1.0, aside())).ok()
+    };
+    (0..count).filter_map(ray).collect()
+}
+
+/// Distances of an object before the light, in sizes of the scene, for one half of
+/// the rays each.
+const NEAR: [f64; 2] = [1e-4, 1e-10];
+
+/// A bound in proportion to the largest number of the hit.
+fn relative(ray: &Ray, hit: &Hit, light: Vector3) -> (Ray, f64) {
+    let ray_to_light = from_point(ray, hit, light);
+    let [eye, point] = [ray, &ray_to_light].map(|ray| ray.origin().largest_coordinate());
+    (ray_to_light, 1e-9 * eye.max(point).max(hit.t))
+}
+
+/// Methods against self-shadowing, at every size of a scene.
+fn shadow_epsilon() -> Experiment<'static> {
+    Experiment {
+        name: "shadow-epsilon",
+        about: "What keeps a surface out of its own shadow, and lets nothing else through?",
+        knob: "scene size (units)",
+        work: "shadow rays",
+        error: "share of wrong shadow rays",
+        unit: Unit::Share,
+        exact: "of the surface itself, or through an object",
+        seeds: &[13],
+        against: Axis::Knob,
+        curves: Box::new(|effort| {
+            let scenes = [1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e9]
+                .map(|size| (size, scene(size, effort).unwrap_or_default()));
+            let curve = |method, policy: Policy| {
+                let is_dark = move |trial: &Trial| trial.shades_itself(policy);
+                let wrong = |trial: &Trial, _| {
+                    let wrong = NEAR.map(|near| f64::from(trial.is_wrong(policy, near)));
+                    wrong.iter().sum::<f64>() / NEAR.len() as f64
+                };
+                Curve::of_decisions(method, &scenes, is_dark, wrong)
+            };
+            vec![
+                curve("above 1e-3 (protocol)", THOUSANDTH)
+                    .with_remark("a length, and too much for all but the largest scene"),
+                curve("above 0", |ray, hit, light| {
+                    (from_point(ray, hit, light), 0.0)
+                })
+                .with_remark("whether a surface shades itself is luck of rounding"),
+                curve("above 1e-6", |ray, hit, light| {
+                    (from_point(ray, hit, light), 1e-6)
+                })
+                .with_remark("the same walls elsewhere"),
+                curve("above 1e-9 of the largest", relative)
+                    .with_remark("the same at every size, but blind to what is nearer"),
+                curve("lifted along the normal", LIFTED)
+                    .with_bound(0.0, 0.0..=f64::INFINITY)
+                    .with_remark("ours; never wrong, which a logarithm cannot show"),
+            ]
+        }),
+    }
+}
+
+/// Trials of one size, of all shapes.
+fn scene(size: f64, effort: Effort) -> Result<Rc<[Trial]>, Error> {
+    let count = effort.choose(1_024, 16_384);
+    let all = SHAPES.map(|(.., shape)| trials(shape, size, count));
+    let all = all.into_iter().collect::<Result<Vec<_>, _>>()?;
+    Ok(all.into_iter().flatten().collect())
 }

@@ -3,12 +3,15 @@
 pub mod mirrors;
 pub mod self_hits;
 mod shadows;
-mod slopes;
 
 use measure::Effort;
 use measure::extremes::Case;
 
 pub fn cases(effort: Effort) -> Vec<Case> {
-    let rows = [shadows::cases(), slopes::cases(effort), mirrors::cases()];
-    [rows.concat(), self_hits::cases(effort)].concat()
+    [
+        shadows::cases(effort),
+        mirrors::cases(),
+        self_hits::cases(effort),
+    ]
+    .concat()
 }

@@ -2,18 +2,14 @@
 //! work draw the lesson's pictures, to the last bit.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, PixelRandom, Ray, fast};
-use a04_intersections::fast::shapes;
+use a03_rays_cameras::{Camera, PerspectiveCamera, PixelRandom, Ray, View};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle};
 use a05_lighting::{
     DirectionalLight, Illumination, Lambert, Light, Lighting, Material, Phong, PointLight,
     SingleColor, SpotLight,
 };
-use a06_shadows_reflection::fast::scene;
-use a06_shadows_reflection::{
-    LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, View, traced_scene,
-};
-use common::{ArgumentError, Color, Renderer, Sampling, Settings, Size};
+use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, Surface, traced};
+use common::{ArgumentError, Color, Image, Renderer, Sampling, Settings, Size};
 
 /// An endless upright cylinder around the y axis.
 #[derive(Debug)]
@@ -147,7 +143,7 @@ impl Numbers {
 }
 
 /// A triangle with the eye in its plane, and other objects.
-fn view(seed: u64) -> Result<(PerspectiveCamera, ShadowedWorld), ArgumentError> {
+fn view(seed: u64) -> Result<View<ShadowedWorld>, ArgumentError> {
     let random = PixelRandom::new(seed, 0, 0);
     let mut numbers = Numbers { random, next: 0 };
     let [a, b, c] = [0; 3].map(|_| numbers.point());
@@ -172,30 +168,33 @@ fn view(seed: u64) -> Result<(PerspectiveCamera, ShadowedWorld), ArgumentError> 
     // The engine searches for the rays of a narrow picture together.
     let opening = [0.9, 0.05][seed as usize / 2 % 2];
     let camera = PerspectiveCamera::new(eye, middle - eye, (b - a).cross(c - a), opening)?;
-    Ok((camera, world))
+    Ok(View::new(camera, world))
+}
+
+/// Renders a picture of random settings with all renderers, and returns the lesson's.
+fn check_same(seed: u64, size: Size, depth: u32, view: &dyn Fn() -> View) -> Image {
+    let [lesson, engine, all] = Renderer::ALL.map(|renderer| {
+        let settings = Settings {
+            size,
+            samples: 1 + seed as u32 % 2,
+            sampling: [Sampling::Center, Sampling::Random][seed as usize % 2],
+            depth,
+            renderer,
+            ..Settings::default()
+        };
+        view().render(&settings, &()).unwrap()
+    });
+    assert!(engine == lesson, "the engine differs, seed {seed}");
+    assert!(all == lesson, "all work differs, seed {seed}");
+    lesson
 }
 
 #[test]
 fn all_renderers_draw_the_same_pictures_of_random_worlds() {
+    let size = Size::new(24, 19).unwrap();
     let mut pictures = [0; 2];
     for seed in (0..600).filter(|seed| view(*seed).is_ok()) {
-        let view = move |_: &Settings| -> Result<View, ArgumentError> {
-            let (camera, world) = view(seed)?;
-            Ok((Box::new(camera), world))
-        };
-        let scene = traced_scene("random", "a random world", view, shapes);
-        let [lesson, engine, all] = Renderer::ALL.map(|renderer| {
-            let settings = Settings {
-                size: Size::new(24, 19).unwrap(),
-                samples: 1 + seed as u32 % 2,
-                sampling: [Sampling::Center, Sampling::Random][seed as usize % 2],
-                renderer,
-                ..Settings::default()
-            };
-            scene.render(&settings, &()).unwrap()
-        });
-        assert!(engine == lesson, "the engine differs, seed {seed}");
-        assert!(all == lesson, "all work differs, seed {seed}");
+        let lesson = check_same(seed, size, 6, &|| traced(view(seed).unwrap()));
         let first = lesson.pixels()[0];
         pictures[usize::from(lesson.pixels().iter().any(|color| *color != first))] += 1;
     }
@@ -205,32 +204,32 @@ fn all_renderers_draw_the_same_pictures_of_random_worlds() {
     );
 }
 
-/// Rays of no bundle: the engine groups them by fours.
-#[test]
-fn the_engine_traces_any_number_of_rays_to_any_depth() {
-    let mut lit = 0;
-    for (seed, (camera, world)) in (0..100).filter_map(|seed| Some((seed, view(seed).ok()?))) {
-        let random = PixelRandom::new(seed, 1, 0);
+/// A camera of random rays, which do not go the same way.
+struct Scattered(u64);
+
+impl Camera for Scattered {
+    fn ray_for(&self, _: Size, x: f64, y: f64) -> Ray {
+        let random = PixelRandom::new(self.0, x as u32, y as u32);
         let mut numbers = Numbers { random, next: 0 };
-        let count = if seed.is_multiple_of(10) {
-            1000
-        } else {
-            seed as usize % 10
-        };
-        let ray = |_| Ray::new(numbers.point(), numbers.vector()).ok();
-        let rays: Vec<_> = (0..count).filter_map(ray).collect();
-        let of_engine: Vec<_> = rays.iter().map(engine::Ray::from).collect();
-        for depth in [0, 1, 3, 8] {
-            let scene = scene(&world, depth, shapes);
-            let renderer =
-                engine::Renderer::new(scene, fast::camera(&camera), &Settings::default());
-            let mut light = vec![Color::WHITE; rays.len()];
-            renderer.trace(&of_engine, &mut light);
-            let tracer = RecursiveTracer::new(&world);
-            for (ray, light) in rays.iter().zip(light) {
-                assert_eq!(light, tracer.trace(ray, depth), "{ray:?}, seed {seed}");
-                lit += usize::from(light != Color::BLACK);
+        loop {
+            if let Ok(ray) = Ray::new(numbers.point(), numbers.vector()) {
+                return ray;
             }
+        }
+    }
+}
+
+#[test]
+fn all_renderers_trace_random_rays_to_any_depth() {
+    let mut lit = 0;
+    for seed in (0..100).filter(|seed| view(*seed).is_ok()) {
+        // More rays than a batch of the engine has, and fewer.
+        let size = Size::new(1 + seed as u32 % 40, 1 + seed as u32 % 7).unwrap();
+        for depth in [0, 1, 3, 8] {
+            let scattered = || traced(View::new(Scattered(seed), view(seed).unwrap().world));
+            let lesson = check_same(2 * seed, size, depth, &scattered);
+            let is_lit = |color: &&Color| **color != Color::BLACK;
+            lit += lesson.pixels().iter().filter(is_lit).count();
         }
     }
     assert!(lit > 10_000, "{lit}");

@@ -2,7 +2,6 @@
 
 use std::rc::Rc;
 
-use a02_math::Vector3;
 use a03_rays_cameras::PixelRandom;
 use common::ArgumentError;
 use measure::Effort;
@@ -19,8 +18,10 @@ pub fn experiments() -> Vec<Experiment<'static>> {
 /// A matrix and its inverse by a method, from the steps of a chain.
 type Build = fn(&mut dyn Iterator<Item = &Transform>) -> (Mat4x4, Mat4x4);
 
-/// The methods, with the number of products for a step.
-const METHODS: [(&str, f64, Build); 3] = [
+/// A method's name and its number of products for a step.
+type Method = (&'static str, f64, Build);
+
+const METHODS: [Method; 3] = [
     // Ours: the inverses of the steps, multiplied in the opposite order.
     ("inverses, opposite order", 2.0, |steps| {
         let one = (Mat4x4::IDENTITY, Mat4x4::IDENTITY);
@@ -29,7 +30,8 @@ const METHODS: [(&str, f64, Build); 3] = [
     // By glam: adjugate over determinant.
     ("inverse of the product", 1.0, |steps| {
         let m = steps.fold(Mat4x4::IDENTITY, |m, step| m * step.matrix());
-        (m, inverted(m))
+        let inverse = m.to_glam().inverse().transpose();
+        (m, Mat4x4::from_rows(inverse.to_cols_array_2d()))
     }),
     // The protocol's: the inverses multiplied in the same order.
     ("inverses, same order", 2.0, |steps| {
@@ -38,28 +40,7 @@ const METHODS: [(&str, f64, Build); 3] = [
     }),
 ];
 
-/// A curve for each of the methods, with its slope and remark.
-fn curves(
-    curve: impl Fn(&'static str, f64, Build) -> Curve<'static>,
-    theory: [(Option<f64>, &'static str); 3],
-    between: (f64, f64),
-) -> Vec<Curve<'static>> {
-    let curves = METHODS.into_iter().zip(theory);
-    let curves = curves.map(|((method, products, build), (slope, remark))| {
-        let curve = curve(method, products, build);
-        curve.with_slope(slope, between).with_remark(remark)
-    });
-    curves.collect()
-}
-
-fn inverted(m: Mat4x4) -> Mat4x4 {
-    Mat4x4::from_rows(m.to_glam().inverse().transpose().to_cols_array_2d())
-}
-
-/// Uses a result, so that the compiler cannot remove a timed run.
-fn trace(m: Mat4x4) -> f64 {
-    (m * Vector3::new(1.0, 1.0, 1.0)).x()
-}
+const NO_INVERSE: &str = "the protocol's; no inverse at all";
 
 fn nesting() -> Experiment<'static> {
     Experiment {
@@ -76,25 +57,27 @@ fn nesting() -> Experiment<'static> {
             let steps = (0..30).filter_map(|i| turn(Transform::IDENTITY, i).ok());
             let steps: Rc<[Transform]> = steps.collect();
             let counts = &[1e2, 1e3, 1e4, 1e5, 1e6][..effort.choose(4, 5)];
-            let curve = |method, products, build: Build| {
+            let curve = |(method, products, build): Method| {
                 let points = counts.iter().map(|count| {
                     let steps = Rc::clone(&steps);
                     let build = move || build(&mut steps.iter().cycle().take(*count as usize));
                     let (m, i) = build();
-                    let run = move || trace(build().1);
-                    Point::new(*count, products * count, off_identity(m, i), run)
+                    Point::new(*count, products * count, off_identity(m, i), build)
                 });
                 Curve::new(method, points)
             };
-            let of_product = "not in the renderer: a scene nests a few turns, and where it \
-                 stretches this loses twice the digits (see `condition`)";
-            let theory = [(Some(1.0), ""), (None, of_product), (None, NO_INVERSE)];
-            curves(curve, theory, (1e2, 1e6))
+            let [ours, of_product, same_order] = METHODS.map(curve);
+            vec![
+                ours.with_slope(1.0, (1e2, 1e6)),
+                of_product.with_remark(
+                    "not in the renderer: a scene nests a few turns, and where it \
+                     stretches this loses twice the digits (see `condition`)",
+                ),
+                same_order.with_remark(NO_INVERSE),
+            ]
         }),
     }
 }
-
-const NO_INVERSE: &str = "the protocol's; no inverse at all";
 
 /// The rotations before and after a scaling.
 fn pair_of_turns(n: u32) -> Result<[Transform; 2], ArgumentError> {
@@ -116,28 +99,32 @@ fn condition() -> Experiment<'static> {
         curves: Box::new(|effort: Effort| {
             let count = effort.choose(4_096, 65_536) as u32;
             let pairs: Rc<[_]> = (0..count).filter_map(|n| pair_of_turns(n).ok()).collect();
-            let curve = |method, products, build: Build| {
+            let curve = |(method, products, build): Method| {
                 let points = [1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7].map(|k| {
                     let stretch = Transform::IDENTITY.scale(k, 1.0, 1.0);
                     let stretch = stretch.unwrap_or(Transform::IDENTITY);
                     let build = move |[a, b]: &[_; 2]| build(&mut [a, &stretch, b].into_iter());
-                    let errors = pairs
-                        .iter()
-                        .map(build)
-                        .flat_map(|(m, i)| off_identity(m, i));
+                    let built = pairs.iter().map(&build);
+                    let errors = built.flat_map(|(m, i)| off_identity(m, i));
                     let (all, work) = (Rc::clone(&pairs), 3.0 * products * f64::from(count));
-                    let run = move || all.iter().map(|pair| trace(build(pair).1)).sum();
-                    Point::new(k, work, errors, run)
+                    let run = move || {
+                        all.iter()
+                            .map(&build)
+                            .map(|(m, _)| m.rows()[0][0])
+                            .sum::<f64>()
+                    };
+                    Point::new(k, work, errors.collect::<Vec<_>>(), run)
                 });
                 Curve::new(method, points)
             };
-            let stored = "eps k is what rounding the numbers of an exact inverse costs, too";
-            let theory = [
-                (Some(1.0), stored),
-                (Some(2.0), "eps k²"),
-                (None, NO_INVERSE),
-            ];
-            curves(curve, theory, (1e2, 1e7))
+            let [ours, of_product, same_order] = METHODS.map(curve);
+            vec![
+                ours.with_slope(1.0, (1e2, 1e7)).with_remark(
+                    "eps k is what rounding the numbers of an exact inverse costs, too",
+                ),
+                of_product.with_slope(2.0, (1e2, 1e7)).with_remark("eps k²"),
+                same_order.with_remark(NO_INVERSE),
+            ]
         }),
         ..nesting()
     }

@@ -3,14 +3,12 @@
 mod discs;
 pub mod matrices;
 mod nodes;
-mod normals;
 mod self_hits;
 
-use a04_intersections::lab::extremes::raw_ray;
 use measure::Effort;
 use measure::extremes::Case;
 
 pub fn cases(effort: Effort) -> Vec<Case> {
-    let first = [discs::cases(effort), matrices::cases(), normals::cases()].concat();
-    [first, nodes::cases(effort), self_hits::cases(effort)].concat()
+    let transforms = [matrices::cases(), nodes::cases(effort)].concat();
+    [discs::cases(effort), transforms, self_hits::cases(effort)].concat()
 }

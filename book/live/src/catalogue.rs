@@ -1,5 +1,6 @@
 //! The pictures of the book that its pages can render, by the names of their files.
 
+use a03_rays_cameras::TracedScene;
 use common::{Error, Scene};
 use measure::Stage;
 
@@ -46,4 +47,25 @@ pub fn scene(picture: &str) -> Result<Scene, Error> {
         scenes.find(|scene| name(stage.name, scene) == picture)
     });
     found.ok_or_else(|| Error::Usage(format!("there is no picture \"{picture}\"")))
+}
+
+/// The traced scene of a stage whose picture has this name.
+pub fn traced_scene(picture: &str) -> Option<TracedScene> {
+    let scenes: [(&str, Vec<TracedScene>); 5] = [
+        ("a03-rays-cameras", a03_rays_cameras::traced_scenes().into()),
+        (
+            "a04-intersections",
+            a04_intersections::traced_scenes().into(),
+        ),
+        ("a05-lighting", a05_lighting::traced_scenes().into()),
+        (
+            "a06-shadows-reflection",
+            a06_shadows_reflection::traced_scenes().into(),
+        ),
+        ("a07-transforms", a07_transforms::traced_scenes().into()),
+    ];
+    scenes.into_iter().find_map(|(stage, scenes)| {
+        let name = picture.strip_prefix(stage)?.strip_prefix('-')?;
+        scenes.into_iter().find(|scene| scene.name == name)
+    })
 }

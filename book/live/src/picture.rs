@@ -1,11 +1,11 @@
 //! Renders the pictures of the book for its pages, and looks along single rays.
 
 use a02_math::Vector3;
-use a03_rays_cameras::{Camera, camera_coordinates, render as render_by_lesson};
+use a03_rays_cameras::{Camera, View, camera_coordinates};
 use common::{Color, Error, Image, Renderer, Sampling, Scene, Settings, Size, Transfer, fnv1a};
 
 use crate::turned::{Turn, Turned};
-use crate::view::{View, view};
+use crate::view::{centre, meet, view};
 use crate::{Answer, Answered, catalogue};
 
 /// The place of the samples that a page gives as a number: their place in the list of all.
@@ -56,30 +56,18 @@ fn turned(picture: &str, settings: &Settings, turn: Turn) -> Result<Option<View>
         if turn == Turn::NONE {
             return view;
         }
-        let camera = Turned::new(view.camera, settings.size, view.centre, turn);
-        View {
-            camera: Box::new(camera),
-            ..view
-        }
+        let camera = Turned::new(view.camera, settings.size, centre(picture), turn);
+        View::new(camera, view.world)
     }))
 }
 
 /// Renders a picture: its pixels, its size and, as text, the hash that the tests lock.
-///
-/// With the camera of the scene, the stage renders it as its program does.
 pub fn render(picture: &str, numbers: &[f64]) -> Answered {
     let scene = catalogue::scene(picture)?;
     let (settings, turn) = settings(&scene, numbers)?;
-    let view = match turn {
-        Turn::NONE => None,
-        _ => turned(picture, &settings, turn)?,
-    };
-    let image = match view {
+    let image = match turned(picture, &settings, turn)? {
+        Some(view) => view.render(&settings, &()),
         None => scene.render(&settings, &()),
-        Some(view) => {
-            let radiance = view.radiance(settings.depth);
-            render_by_lesson(&view.camera, radiance, &settings, &())
-        }
     };
     image.map(|image| pixels(&image))
 }
@@ -108,8 +96,8 @@ pub fn probe(picture: &str, numbers: &[f64]) -> Answered {
     let row = row.min(settings.size.height() - 1);
     let (x, y) = camera_coordinates(settings.size, column, row, (0.5, 0.5));
     let ray = view.camera.ray_for(settings.size, x, y);
-    let Color { r, g, b } = view.radiance(settings.depth)(&ray);
-    let Some(met) = view.meet(&ray) else {
+    let Color { r, g, b } = view.world.radiance(&ray, settings.depth);
+    let Some(met) = meet(&view, &ray) else {
         return Ok(Answer::text("the background").with("color", [r, g, b]));
     };
     let normal = Vector3::from(met.hit.normal).to_glam().to_array();
@@ -127,7 +115,7 @@ pub fn about(picture: &str) -> Answered {
     let defaults = &scene.defaults;
     let mut places = Sampling::ALL.iter();
     let sampling = places.position(|place| *place == defaults.sampling);
-    let turns = view(picture, defaults).is_ok_and(|view| view.is_some());
+    let turns = catalogue::traced_scene(picture).is_some();
     let flag = |is_set| f64::from(u8::from(is_set));
     let (width, height) = (defaults.size.width(), defaults.size.height());
     Ok(Answer::text(scene.about)

@@ -117,11 +117,8 @@ fn picture(renderer: &Renderer) -> Result<f64, common::Error> {
         size: Size::new(1280, 960)?,
         ..Settings::default()
     };
-    let mut rows = vec![(); settings.rows().len()];
     let started = Instant::now();
-    renderer.render_rows(&Middle, &settings, &(), &mut rows, |colors, _| {
-        black_box(colors);
-    })?;
+    black_box(renderer.render(&Middle, &settings, &())?);
     Ok(since(started) / settings.size.pixels() as f64)
 }
 
@@ -189,6 +186,7 @@ fn experiment(least: &[[f64; NAMES.len()]]) -> Experiment<'_> {
             method: NAMES[i],
             remark: "",
             slope: None,
+            bound: None,
             points: measured
                 .map(|(count, ns)| Point::new(count as f64, 1.0, [ns], || 0.0))
                 .collect(),

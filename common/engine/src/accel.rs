@@ -16,8 +16,6 @@ mod single;
 mod slabs;
 mod units;
 
-use common::Plan;
-
 use crate::shape::Bounds;
 pub(crate) use bundle::SEARCHES;
 use bvh::{Bvh, Leaf};
@@ -91,17 +89,6 @@ impl<'a> Accelerator<'a> {
             few,
             shapes,
         }
-    }
-
-    /// Adds to a plan the tests that are skipped.
-    pub fn plan(&self, plan: Plan) -> Plan {
-        if self.tree.is_none() {
-            return plan;
-        }
-        plan.without(
-            "tests of objects far from a ray",
-            "a bounding volume hierarchy finds the objects near it",
-        )
     }
 }
 

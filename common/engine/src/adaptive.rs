@@ -24,10 +24,10 @@ mod search;
 mod sequence;
 
 use common::{Color, Error, Image, Progress, Sampled, Settings};
-use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
-use rayon::slice::{ParallelSlice, ParallelSliceMut};
+use rayon::iter::{
+    IndexedParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator,
+};
 
-use crate::image_of_rows;
 use allocation::{Allocation, Wish};
 use check::Estimate;
 use picture::Picture;
@@ -54,27 +54,6 @@ impl<F: Fn(f64, f64) -> Color + Sync> Radiance for F {
     }
 }
 
-/// Renders the picture, or the rows of it that the settings select, of the light at each
-/// place, until its root mean square error is at most `max_error`, with 95 % confidence.
-///
-/// `progress` is told how far off the picture is, which may be more than `max_error` if that
-/// would need more samples of a pixel than the settings allow. Four are always allowed.
-///
-/// # Errors
-///
-/// [`Error::Stopped`] if `progress` stops the rendering, [`Error::Memory`] if the picture does
-/// not fit into memory.
-pub fn render_image(
-    max_error: f64,
-    light: impl Fn(f64, f64) -> Color + Sync,
-    settings: &Settings,
-    progress: &dyn Progress,
-) -> Result<Image, Error> {
-    image_of_rows(settings, |pixels, copy| {
-        render(max_error, settings, &light, progress, pixels, copy)
-    })
-}
-
 /// Channels of a pixel: squared errors are added up over them.
 const CHANNELS: f64 = 3.0;
 /// The share of the allowed squared error that the expected one aims at, beside objects that
@@ -91,28 +70,31 @@ const FEW: usize = 300;
 /// The first samples tell too little to take more than this many times as many.
 const GROWTH: u32 = 4;
 
-/// Like [`render_image`], but hands each finished row to `keep`, with its share of
-/// `kept`, instead of building an image. Each part of a picture comes to the bound alone,
-/// and so the whole does.
-pub fn render<T: Send>(
+/// Renders the picture of the light at each place, until its root mean square error is at
+/// most `max_error`, with 95 % confidence.
+///
+/// `progress` is told how far off the picture is, which may be more than `max_error` if that
+/// would need more samples of a pixel than the settings allow. Four are always allowed.
+///
+/// # Errors
+///
+/// [`Error::Stopped`] if `progress` stops the rendering, [`Error::Memory`] if the picture does
+/// not fit into memory.
+pub fn render_image(
     max_error: f64,
-    settings: &Settings,
     radiance: &impl Radiance,
+    settings: &Settings,
     progress: &dyn Progress,
-    kept: &mut [T],
-    keep: impl Fn(&[Color], &mut [T]) + Sync,
-) -> Result<(), Error> {
+) -> Result<Image, Error> {
+    let mut image = Image::black(settings.size)?;
     let mut picture = Picture::new(radiance, settings, progress)?;
     let most = (settings.samples / 2).max(2);
     progress.sampled(&converge(&mut picture, most, max_error)?);
 
-    let rows = picture.pixels().par_chunks_exact(picture.width());
-    let kept = kept.par_chunks_exact_mut(kept.len() / settings.rows().len());
-    rows.zip(kept).for_each(|(pixels, kept)| {
-        let colors: Vec<_> = pixels.iter().map(Pixel::mean).collect();
-        keep(&colors, kept);
-    });
-    Ok(())
+    let colors = picture.pixels().par_iter().map(Pixel::mean);
+    let pixels = image.pixels_mut().par_iter_mut().zip(colors);
+    pixels.for_each(|(pixel, color)| *pixel = color);
+    Ok(image)
 }
 
 /// Takes samples until the check shows that the error is at most `max_error`, or a pixel would

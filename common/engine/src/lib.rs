@@ -22,8 +22,6 @@ mod trace;
 mod vector;
 mod view;
 
-use common::{Color, Error, Image, Settings, Size};
-
 pub use camera::{Basis, Camera, RayFn};
 pub use ray::{Hit, Interval, Ray};
 pub use renderer::Renderer;
@@ -31,17 +29,3 @@ pub use sampler::{Sampler, camera_place};
 pub use scene::Scene;
 pub use shade::{Illumination, Light, LightFn, LightKind, Phong, ShadeFn, Shading, Surface};
 pub use shape::{AxisAlignedBox, Disc, HitFn, Plane, Shape, Sphere, Transform, Triangle};
-
-/// The image of the rows that the settings select: `render` fills its pixels, with a
-/// function that copies a finished row.
-fn image_of_rows(
-    settings: &Settings,
-    render: impl FnOnce(&mut [Color], fn(&[Color], &mut [Color])) -> Result<(), Error>,
-) -> Result<Image, Error> {
-    let rows = settings.rows().len() as u32;
-    let mut image = Image::black(Size::new(settings.size.width(), rows)?)?;
-    render(image.pixels_mut(), |row, pixels| {
-        pixels.copy_from_slice(row);
-    })?;
-    Ok(image)
-}

@@ -1,6 +1,6 @@
 //! `Renderer`: a scene and a camera, prepared for rendering.
 
-use common::{Bound, Color, Error, Image, Plan, Progress, Settings};
+use common::{Color, Error, Image, Progress, Settings};
 
 use crate::accel::Accelerator;
 use crate::adaptive;
@@ -9,7 +9,7 @@ use crate::lanes::{RayPacket, in_fours};
 use crate::shade::RadianceBound;
 use crate::trace::{Batch, Tracer};
 use crate::view::View;
-use crate::{Camera, Ray, Sampler, Scene, image_of_rows};
+use crate::{Camera, Ray, Sampler, Scene};
 
 /// The share of the allowed error for reflections that are cut off. The samples may use
 /// all of it, because the sum of both squares is hardly larger.
@@ -20,9 +20,6 @@ const OF_MIRRORS: f64 = 1.0 / 8.0;
 pub struct Renderer<'a> {
     pub(crate) camera: Camera<'a>,
     pub(crate) tracer: Tracer<'a>,
-    /// Upper bound of the displacement of flattened shapes, as a share of the scene, and
-    /// their number.
-    flattened: (f64, usize),
 }
 
 impl<'a> Renderer<'a> {
@@ -38,16 +35,10 @@ impl<'a> Renderer<'a> {
             surfaces,
             lights,
         } = scene;
-        let mut flattened = (0.0_f64, 0);
         if let Some(max_error) = settings.max_error {
             let max_distance = max_distance(shapes.bounds(), &camera);
             for shape in &mut shapes.transformed.shapes {
-                if let Some(displacement) = flatten(shape, max_distance, max_error) {
-                    flattened = (
-                        flattened.0.max(displacement / max_distance),
-                        flattened.1 + 1,
-                    );
-                }
+                flatten(shape, max_distance, max_error);
             }
         }
         let accelerator = Accelerator::new(shapes);
@@ -64,11 +55,7 @@ impl<'a> Renderer<'a> {
             lights,
             cutoff,
         };
-        Self {
-            camera,
-            tracer,
-            flattened,
-        }
+        Self { camera, tracer }
     }
 
     /// Computes the light along some rays. `light` has one element for each ray.
@@ -78,7 +65,7 @@ impl<'a> Renderer<'a> {
         self.tracer.trace(&packets, light, &mut Batch::default());
     }
 
-    /// Renders a picture, or the rows of it that the settings select.
+    /// Renders a picture.
     ///
     /// [`Error::Stopped`] if `progress` stops the rendering, [`Error::Memory`] if the
     /// picture does not fit into memory.
@@ -88,75 +75,14 @@ impl<'a> Renderer<'a> {
         settings: &Settings,
         progress: &dyn Progress,
     ) -> Result<Image, Error> {
-        image_of_rows(settings, |pixels, copy| {
-            self.render_rows(sampler, settings, progress, pixels, copy)
-        })
-    }
-
-    /// Like `render`, but hands each finished row to `keep`, with its share of `kept`,
-    /// instead of building an [`Image`]. All rows have equal shares.
-    ///
-    /// # Panics
-    ///
-    /// If `kept` has fewer elements than the picture has rows.
-    pub fn render_rows<T: Send>(
-        &self,
-        sampler: &impl Sampler,
-        settings: &Settings,
-        progress: &dyn Progress,
-        kept: &mut [T],
-        keep: impl Fn(&[Color], &mut [T]) + Sync,
-    ) -> Result<(), Error> {
         let view = View {
             renderer: self,
             settings,
             progress,
         };
-        if let Some(max_error) = settings.max_error {
-            return adaptive::render(max_error, settings, &view, progress, kept, keep);
-        }
-        view.render_rows(sampler, kept, keep);
-        if progress.stopped() {
-            return Err(Error::Stopped);
-        }
-        Ok(())
-    }
-
-    /// Adds to a plan the work that the engine skips.
-    #[must_use]
-    pub fn plan(&self, plan: Plan) -> Plan {
-        let Tracer {
-            accelerator,
-            surfaces,
-            cutoff,
-            ..
-        } = &self.tracer;
-        let mut plan = accelerator.plan(plan);
-        let unlit = surfaces
-            .iter()
-            .filter(|surface| !surface.responds_to_light());
-        let unlit = unlit.count();
-        if unlit > 0 {
-            plan = plan.without(
-                format!("light on {unlit} of {} surfaces", surfaces.len()),
-                "their colour does not depend on it",
-            );
-        }
-        if let (displacement, count @ 1..) = self.flattened {
-            plan = plan.nearly_without(
-                format!("the nested transforms of {count} shapes"),
-                "one matrix moves a ray as far as all in turn",
-                Bound::Shift(displacement),
-            );
-        }
-        match cutoff {
-            Some(cutoff) if surfaces.iter().any(|s| s.reflection != Color::BLACK) => plan
-                .nearly_without(
-                    "reflected rays that nobody could see",
-                    "the light that they can bring back is bounded",
-                    Bound::Channel(cutoff.threshold()),
-                ),
-            _ => plan,
+        match settings.max_error {
+            Some(max_error) => adaptive::render_image(max_error, &view, settings, progress),
+            None => view.render(sampler),
         }
     }
 }

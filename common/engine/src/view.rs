@@ -4,7 +4,7 @@
 //! more often meet the same shapes.
 
 use common::tally::{self, Work};
-use common::{Color, Progress, Settings};
+use common::{Color, Error, Image, Progress, Settings};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
@@ -24,31 +24,28 @@ pub(crate) struct View<'v, 'a> {
 }
 
 impl View<'_, '_> {
-    /// Hands each row to `keep`, with its share of `kept`, until the rendering is stopped.
-    pub fn render_rows<T: Send>(
-        &self,
-        sampler: &impl Sampler,
-        kept: &mut [T],
-        keep: impl Fn(&[Color], &mut [T]) + Sync,
-    ) {
-        let (rows, width) = (self.settings.rows(), self.settings.size.width());
-        let share = kept.len() / rows.len();
+    /// The picture, with the sampler's number of samples in each pixel.
+    pub fn render(&self, sampler: &impl Sampler) -> Result<Image, Error> {
+        let size = self.settings.size;
+        let width = size.width() as usize;
+        let mut image = Image::black(size)?;
         // The last strip may have fewer rows.
-        let orders: [_; STRIP] = std::array::from_fn(|i| squares(width, i as u32 + 1));
-        let strips = kept.par_chunks_mut(STRIP * share).enumerate();
+        let orders: [_; STRIP] = std::array::from_fn(|i| squares(size.width(), i as u32 + 1));
+        let strips = image.pixels_mut().par_chunks_mut(STRIP * width).enumerate();
         // Each strip is a task, because one may take far longer than another.
-        strips.with_max_len(1).for_each(|(strip, kept)| {
-            let first = rows.start + (STRIP * strip) as u32;
-            let order = &orders[kept.len() / share - 1];
-            let mut pixels = vec![Color::BLACK; order.len()];
-            if self.paint(sampler, first, order, &mut pixels) {
-                let painted = pixels.chunks(width as usize).zip(kept.chunks_mut(share));
-                for (row, (pixels, kept)) in (first..).zip(painted) {
-                    keep(pixels, kept);
+        strips.with_max_len(1).for_each(|(strip, pixels)| {
+            let first = (STRIP * strip) as u32;
+            let order = &orders[pixels.len() / width - 1];
+            if self.paint(sampler, first, order, pixels) {
+                for (row, pixels) in (first..).zip(pixels.chunks(width)) {
                     self.progress.row(row, &mut pixels.iter().copied());
                 }
             }
         });
+        if self.progress.stopped() {
+            return Err(Error::Stopped);
+        }
+        Ok(image)
     }
 
     /// Paints the rows from `first` on: the mean over the samples of each pixel, for a batch

@@ -3,9 +3,8 @@
 
 use std::fmt::{self, Write};
 
-use common::{Error, Image, Renderer, Scene, Settings};
-
 use common::tally::{Tally, Work, counted};
+use common::{Error, Image, Renderer, Scene, Settings};
 
 /// The work that the chosen renderer saves in a scene.
 #[derive(Debug)]
@@ -39,7 +38,7 @@ impl Comparison {
     /// renderer, and the full count if that is another.
     pub fn row(&self, name: &str) -> String {
         let mut row = format!("| {name} |");
-        for (work, _) in Work::ALL {
+        for (work, ..) in Work::ALL {
             let _ = match (self.needed[work], self.all[work]) {
                 (0, 0) => write!(row, " |"),
                 (needed, all) if needed == all => write!(row, " {all} |"),
@@ -70,7 +69,8 @@ fn difference(a: &Image, b: &Image) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
-/// A table of the kinds of work that were done, without a newline at its end.
+/// A table of the kinds of work that were done, and the reasons why less of some is enough,
+/// without a newline at its end.
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(
@@ -78,11 +78,16 @@ impl fmt::Display for Comparison {
             "  {:20} {:>14} {:>14} {:>8}",
             "work", "everything", "needed", "saved"
         )?;
-        for (work, name) in Work::ALL {
+        for (work, name, _) in Work::ALL {
             let (needed, all) = (self.needed[work], self.all[work]);
             if all.max(needed) > 0 {
                 let saved = 100.0 * (all as f64 - needed as f64) / all.max(1) as f64;
                 write!(f, "\n  {name:20} {all:>14} {needed:>14} {saved:>6.1} %")?;
+            }
+        }
+        for (work, name, reason) in Work::ALL {
+            if self.needed[work] < self.all[work] {
+                write!(f, "\n  fewer {name}: {reason}")?;
             }
         }
         Ok(())
@@ -125,8 +130,11 @@ mod tests {
         let table = "  work                     everything         needed    saved
   primary rays                      1              1    0.0 %
   shadow rays                       1              0  100.0 %
-  intersection tests                4              1   75.0 %";
-        assert_eq!(comparison.to_string(), table);
+  intersection tests                4              1   75.0 %
+  fewer shadow rays: ";
+        let printed = comparison.to_string();
+        assert!(printed.starts_with(table), "{printed}");
+        assert_eq!(printed.lines().count(), 6);
     }
 
     #[test]

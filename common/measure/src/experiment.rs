@@ -6,6 +6,8 @@
 //! which is the same on every machine, and timed, which is not.
 
 use std::fmt;
+use std::hint::black_box;
+use std::ops::RangeInclusive;
 use std::rc::Rc;
 
 use crate::Effort;
@@ -96,6 +98,9 @@ pub struct Curve<'a> {
     pub remark: &'a str,
     /// The slope that theory gives, if it gives one.
     pub slope: Option<Slope>,
+    /// The greatest root mean square error that theory allows at these values of the
+    /// parameter.
+    pub bound: Option<(f64, RangeInclusive<f64>)>,
     /// The measurements, from coarse to fine.
     pub points: Vec<Point<'a>>,
 }
@@ -107,24 +112,47 @@ impl<'a> Curve<'a> {
             method,
             remark: "",
             slope: None,
+            bound: None,
             points: points.into_iter().collect(),
         }
     }
 
     /// A method for sets of tasks, each with its value of the parameter. The work is the
-    /// number of tasks; `errors` are those of a set, and `run` does one task.
-    pub fn of_tasks<T: 'a>(
+    /// number of tasks; `answer` does one, and `errors` are those of its answer.
+    pub fn of_tasks<T: 'a, A, E: IntoIterator<Item = f64>>(
         method: &'a str,
         sets: &[(f64, Rc<[T]>)],
-        errors: impl Fn(&[T]) -> Vec<f64>,
-        run: impl Fn(&T) -> f64 + Copy + 'a,
+        answer: impl Fn(&T) -> A + Copy + 'a,
+        errors: impl Fn(&T, A) -> E,
     ) -> Self {
         let points = sets.iter().map(|(knob, tasks)| {
-            let all = Rc::clone(tasks);
-            let run = move || all.iter().map(run).sum();
-            Point::new(*knob, tasks.len() as f64, errors(tasks), run)
+            let all = tasks.iter().flat_map(|task| errors(task, answer(task)));
+            let run = Rc::clone(tasks);
+            let run = move || {
+                run.iter()
+                    .map(answer)
+                    .for_each(|answer| drop(black_box(answer)));
+            };
+            Point::new(*knob, tasks.len() as f64, all, run)
         });
         Self::new(method, points)
+    }
+
+    /// Like [`of_tasks`](Self::of_tasks), with the share of wrong answers as the error.
+    pub fn of_decisions<T: 'a, A, S: Into<f64>>(
+        method: &'a str,
+        sets: &[(f64, Rc<[T]>)],
+        answer: impl Fn(&T) -> A + Copy + 'a,
+        is_wrong: impl Fn(&T, A) -> S,
+    ) -> Self {
+        let error = |task: &T, answer| [is_wrong(task, answer).into().sqrt()];
+        let mut curve = Self::of_tasks(method, sets, answer, error);
+        for point in &mut curve.points {
+            // The mean of the squares is the share.
+            point.rms *= point.rms;
+            point.max = point.rms;
+        }
+        curve
     }
 
     /// Adds a remark for the reader.
@@ -136,6 +164,14 @@ impl<'a> Curve<'a> {
     pub fn with_slope(self, expected: impl Into<Option<f64>>, between: (f64, f64)) -> Self {
         let slope = expected.into().map(|expected| Slope { expected, between });
         Self { slope, ..self }
+    }
+
+    /// Adds the greatest error that theory allows, and the range of the parameter for it.
+    pub fn with_bound(self, bound: f64, between: RangeInclusive<f64>) -> Self {
+        Self {
+            bound: Some((bound, between)),
+            ..self
+        }
     }
 }
 
@@ -164,18 +200,18 @@ pub struct Point<'a> {
     pub max: f64,
     /// Whether the error is only estimated, by the method itself.
     pub is_estimate: bool,
-    /// The work itself, to be timed, without the measurement of the error. Its
-    /// result is used, so that the compiler cannot remove the work.
-    pub run: Box<dyn FnMut() -> f64 + 'a>,
+    /// The work itself, to be timed, without the measurement of the error.
+    pub run: Box<dyn FnMut() + 'a>,
 }
 
 impl<'a> Point<'a> {
-    /// A measurement with these errors, at least one.
-    pub fn new(
+    /// A measurement with these errors, at least one. The result of `run` counts as used,
+    /// so that the compiler cannot remove the work.
+    pub fn new<R>(
         knob: f64,
         work: f64,
         errors: impl IntoIterator<Item = f64>,
-        run: impl FnMut() -> f64 + 'a,
+        mut run: impl FnMut() -> R + 'a,
     ) -> Self {
         let (mut count, mut squares, mut max) = (0.0, 0.0, 0.0_f64);
         for error in errors {
@@ -189,13 +225,13 @@ impl<'a> Point<'a> {
             rms: (squares / count).sqrt(),
             max,
             is_estimate: false,
-            run: Box::new(run),
+            run: Box::new(move || drop(black_box(run()))),
         }
     }
 
     /// A method's own estimate of its error. It is shown beside the errors, and not
     /// compared with them.
-    pub fn estimate(knob: f64, work: f64, error: f64, run: impl FnMut() -> f64 + 'a) -> Self {
+    pub fn estimate<R>(knob: f64, work: f64, error: f64, run: impl FnMut() -> R + 'a) -> Self {
         Self {
             is_estimate: true,
             ..Self::new(knob, work, [error], run)
@@ -211,12 +247,6 @@ impl<'a> Point<'a> {
     }
 }
 
-/// The share of tasks with a wrong answer, as the only error of their set.
-pub fn share<T>(tasks: &[T], is_wrong: impl Fn(&&T) -> bool) -> Vec<f64> {
-    let wrong = tasks.iter().filter(is_wrong).count();
-    vec![wrong as f64 / tasks.len() as f64]
-}
-
 /// The Pareto front, by curve and point: true for a point if no other has both
 /// less work and a smaller error. Estimates take no part.
 pub fn pareto_front(curves: &[Curve]) -> Vec<Vec<bool>> {
@@ -230,33 +260,36 @@ pub fn pareto_front(curves: &[Curve]) -> Vec<Vec<bool>> {
     curves.iter().map(of_curve).collect()
 }
 
-/// Checks in a test that the measured slopes agree with theory. Returns the counted work
-/// of every point, which is the same on every machine, and its error with two digits, for
-/// a snapshot.
+/// Checks in a test that the measured slopes and errors agree with theory.
 ///
 /// # Panics
 ///
-/// If there is no curve, or if a slope does not agree; the message lists all of them.
-pub fn checked(experiment: &Experiment, effort: Effort) -> String {
-    let mut lines = vec![format!("{} ({} counted)", experiment.name, experiment.work)];
+/// If there is no curve, or if one does not agree; the message lists all of them.
+pub fn check(experiment: &Experiment, effort: Effort) {
+    let curves = (experiment.curves)(effort);
     let mut wrong = Vec::new();
-    for curve in (experiment.curves)(effort) {
-        let (method, fit) = (curve.method, experiment.fit(&curve));
+    for curve in &curves {
+        let fit = experiment.fit(curve);
         if let Some(Slope { expected, .. }) = curve.slope {
             let off = |fit: Fit| (fit.slope - expected).abs();
             if !fit.is_some_and(|fit| fit.is_power_law() && off(fit) <= SLOPE_TOLERANCE) {
-                wrong.push(format!("{method}: {fit:?}, not {expected}"));
+                wrong.push(format!("{}: {fit:?}, not {expected}", curve.method));
             }
         }
-        for point in &curve.points {
-            let (knob, work, rms) = (point.knob, point.work, point.rms);
-            lines.push(format!("{method:24} {knob:>12} {work:>14} {rms:>9.1e}"));
+        for Point { knob, rms, .. } in &curve.points {
+            let bound = curve
+                .bound
+                .as_ref()
+                .filter(|(_, range)| range.contains(knob));
+            if bound.is_some_and(|(most, _)| rms.is_nan() || rms > most) {
+                wrong.push(format!("{} at {knob}: {rms:e}", curve.method));
+            }
         }
     }
     let name = experiment.name;
-    assert!(lines.len() > 1, "{name} has no points");
+    let count: usize = curves.iter().map(|curve| curve.points.len()).sum();
+    assert!(count > 1, "{name} has no points");
     assert!(wrong.is_empty(), "{name}: {}", wrong.join("; "));
-    lines.join("\n")
 }
 
 #[cfg(test)]

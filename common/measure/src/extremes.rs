@@ -13,5 +13,5 @@ pub use bound::Bound::{self, Absolute, Equal, Finite, Ulps};
 pub use case::Protocol::{self, Fails, Holds};
 pub use case::{Case, Id};
 pub use outcome::Outcome::{self, Nothing, Refused};
-pub use outcome::tried;
+pub use outcome::{greatest, tried, wrong};
 pub use table::{check, select};

@@ -51,9 +51,8 @@ pub fn plots(measured: &Measured) -> Vec<(&'static str, String)> {
     };
     let mut plots = vec![(".svg", draw(measured, label, "", series(measured, false)))];
     if (0..measured.curves.len()).any(|curve| time_changes(measured, curve)) {
-        let [(_, machine), (_, compiler), ..] = provenance::lines();
-        let compiler = compiler.split(',').next().unwrap_or_default();
-        let source = format!("medians, with intervals of 95 %; {machine}; {compiler}");
+        let [(_, machine), (_, version)] = provenance::lines();
+        let source = format!("medians, with intervals of 95 %; {machine}; {version}");
         let timed = series(measured, true);
         let plot = draw(measured, "time (seconds)", &source, timed);
         plots.push(("-time.svg", plot));
@@ -95,51 +94,41 @@ fn series<'a>(measured: &Measured<'_, 'a>, is_timed: bool) -> Vec<Series<'a>> {
     curves.collect()
 }
 
-/// Empties whole curves behind a gap that is more than twice as high as all others: on
-/// one axis they would flatten the others. Their errors are written beside the plot.
-fn leave_out_far_curves(all: &mut [Series]) {
+/// Empties a curve that is farther from all others than twice their height, and has no
+/// more points: on one axis it would flatten them. Its errors are written beside the plot.
+fn leave_out_far_curve(all: &mut [Series]) {
     let logs = |one: &Series| -> Vec<f64> {
         let errors = one.points.iter().map(|point| libm::log10(point.1));
-        let mut logs: Vec<_> = errors.filter(|log| log.is_finite()).collect();
-        logs.sort_by(f64::total_cmp);
-        logs
+        errors.filter(|log| log.is_finite()).collect()
     };
-    let mut sorted: Vec<_> = all.iter().flat_map(logs).collect();
-    sorted.sort_by(f64::total_cmp);
-    let gaps = (1..sorted.len()).map(|i| (sorted[i] - sorted[i - 1], i));
-    let Some((gap, at)) = gaps.max_by(|a, b| a.0.total_cmp(&b.0)) else {
-        return;
-    };
-    let is_below = at < sorted.len() - at;
-    let (below, above) = sorted.split_at(at);
-    let near = if is_below { above } else { below };
-    let is_far = |log: &f64| (*log < sorted[at]) == is_below;
-    let is_torn = |one: &Series| {
-        let logs = logs(one);
-        logs.iter().any(is_far) && !logs.iter().all(is_far)
-    };
-    if gap < 2.0 * (near[near.len() - 1] - near[0]).max(1.0) || all.iter().any(is_torn) {
-        return;
-    }
-    for one in all {
-        let logs = logs(one);
-        if let [low, ..] = logs[..]
-            && let [.., high] = logs[..]
-            && is_far(&low)
-        {
-            let arrow = if is_below { '↓' } else { '↑' };
-            let ends = [low, high].map(|log| rounded(libm::pow(10.0, log)));
-            let mut range = ends.to_vec();
-            range.dedup();
-            one.remark = format!("{arrow} off the scale: {}", range.join(" to "));
+    let all_logs: Vec<_> = all.iter().map(logs).collect();
+    for (index, one) in all.iter_mut().enumerate() {
+        let (before, rest) = all_logs.split_at(index);
+        let others = [before.concat(), rest[1..].concat()].concat();
+        let [[low, high], [from, to]] = [&rest[0], &others].map(|logs| range(logs));
+        let gap = (from - high).max(low - to);
+        if rest[0].len() <= others.len() && gap.is_finite() && gap > 2.0 * (to - from).max(1.0) {
+            let arrow = if high < from { '↓' } else { '↑' };
+            let mut ends = [low, high]
+                .map(|log| rounded(libm::pow(10.0, log)))
+                .to_vec();
+            ends.dedup();
+            one.remark = format!("{arrow} off the scale: {}", ends.join(" to "));
             one.points.clear();
+            return;
         }
     }
 }
 
+/// The least and the greatest number.
+fn range(numbers: &[f64]) -> [f64; 2] {
+    let ends = [f64::INFINITY, f64::NEG_INFINITY];
+    (numbers.iter()).fold(ends, |[a, b], x| [a.min(*x), b.max(*x)])
+}
+
 fn draw(measured: &Measured, label: &str, source: &str, mut all: Vec<Series>) -> String {
     let experiment = measured.experiment;
-    leave_out_far_curves(&mut all);
+    leave_out_far_curve(&mut all);
     let points = || all.iter().flat_map(|one| &one.points);
     let has_zeros = points().any(|(_, error)| *error == 0.0);
     let is_seen = experiment.can_be_seen(&measured.curves);
@@ -211,12 +200,6 @@ fn draw_axes(svg: &mut Svg, x: &LogAxis, y: &LogAxis, bottom: f64) {
     for (number, label) in x.labels() {
         svg.line("grid", &[[x.at(number), TOP], [x.at(number), bottom]]);
         svg.text("middle", [x.at(number), BOTTOM + 19.0], &label);
-    }
-    for at in y.marks().map(|number| y.at(number)) {
-        svg.line("", &[[LEFT, at], [LEFT + 4.0, at]]);
-    }
-    for at in x.marks().map(|number| x.at(number)) {
-        svg.line("", &[[at, BOTTOM], [at, BOTTOM - 4.0]]);
     }
     svg.line("", &[[LEFT, TOP], [LEFT, bottom]]);
     svg.line("", &[[LEFT, BOTTOM], [RIGHT, BOTTOM]]);

@@ -10,12 +10,10 @@ use measure::timing::Median;
 use crate::options::Options;
 use crate::print::print;
 
-/// Prints the work that the scene's plan skips and how much that saves, and returns
-/// the picture.
+/// Prints the work that the renderer skips and how much that saves, and returns the picture.
 pub fn explain(scene: &Scene, options: &Options) -> Result<Image, Error> {
     let settings = options.settings(scene)?;
     print(&format!("{}  {}", scene.name, settings.size));
-    print(&scene.plan(&settings)?.to_string());
     let threads = options.thread_pool()?;
     threads.install(|| {
         let comparison = Comparison::new(scene, &settings)?;
@@ -27,6 +25,8 @@ pub fn explain(scene: &Scene, options: &Options) -> Result<Image, Error> {
             print(&format!(
                 "  largest difference of a channel {difference:.1e}"
             ));
+        } else {
+            print("  nothing to leave out: the picture takes no rays");
         }
         Ok(comparison.image)
     })

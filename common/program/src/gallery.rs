@@ -109,10 +109,14 @@ fn save_beside_others(folder: &Path, name: &str, size: Size, rgb: &[u8]) -> Resu
     };
     let mut path = folder.join(format!("{name}.png"));
     let mut number = 1;
-    while !picture_file::save_new_png(&path, size, rgb)? && !is_same(&path) {
+    while path.exists() {
+        if is_same(&path) {
+            return Ok(path);
+        }
         number += 1;
         path = folder.join(format!("{name}-{number}.png"));
     }
+    picture_file::save_png(&path, size, rgb)?;
     Ok(path)
 }
 
@@ -173,49 +177,5 @@ mod tests {
         let kept = std::fs::read_to_string(folder.path().join("a.png")).unwrap();
         assert_eq!(kept, "a letter");
         assert_eq!(folder.path().read_dir().unwrap().count(), 3);
-    }
-
-    fn stage() -> Stage {
-        let scene = |name| Scene::painted(name, "", |settings, _| Image::black(settings.size));
-        crate::stage_of(["one", "two", "three"].map(scene).into())
-    }
-
-    #[test]
-    fn scenes_follow_one_another_in_a_ring() {
-        let stage = stage();
-        let mut gallery = Gallery::new(&stage, &stage.scenes[1], Options::default());
-        let mut titles = Vec::new();
-        for _ in 0..3 {
-            titles.push(gallery.title());
-            gallery.go_to_next();
-        }
-        assert_eq!(titles, ["a00: two", "a00: three", "a00: one"]);
-        for title in ["a00: one", "a00: three", "a00: two"] {
-            gallery.go_to_previous();
-            assert_eq!(gallery.title(), title);
-        }
-    }
-
-    /// The scene waits until it is stopped.
-    #[test]
-    fn a_rendering_goes_on_until_it_is_dropped() {
-        let wait = |settings: &common::Settings, progress: &dyn common::Progress| {
-            while !progress.stopped() {
-                std::thread::yield_now();
-            }
-            Image::black(settings.size)
-        };
-        let stage = crate::stage_of(vec![Scene::traced("endless", "", wait)]);
-        let gallery = Gallery::new(&stage, &stage.scenes[0], Options::default());
-        std::thread::scope(|scope| {
-            let rendering = gallery.render(scope).unwrap();
-            assert!(!rendering.is_over());
-            rendering.picture().stop();
-            while !rendering.is_over() {
-                std::thread::yield_now();
-            }
-            assert!(rendering.join().is_ok());
-            drop(gallery.render(scope).unwrap());
-        });
     }
 }

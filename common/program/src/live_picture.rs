@@ -107,49 +107,31 @@ impl Progress for LivePicture {
 mod tests {
     use super::*;
 
-    fn picture() -> LivePicture {
-        LivePicture::new(Size::new(3, 4).unwrap(), Transfer::Linear)
-    }
-
+    /// A picture of 3x4 pixels that has taken a minute. One of four rows leaves three minutes
+    /// for the others.
     #[test]
-    fn rows_appear_where_they_belong() {
-        let picture = picture();
-        picture.row(2, &mut [Color::RED, Color::GREEN, Color::WHITE].into_iter());
-        let mut expected = [0; 12];
-        expected[6..9].copy_from_slice(&[0xFF_0000, 0x00_FF00, 0xFF_FFFF]);
-        for (index, pixel) in expected.into_iter().enumerate() {
-            assert_eq!(picture.pixel(index), Some(pixel), "{index}");
-        }
-        assert_eq!(picture.pixel(12), None);
-        assert_eq!(picture.rows(), 1);
-    }
-
-    #[test]
-    fn rows_that_are_painted_again_are_work_too() {
-        let picture = picture();
-        (0..4).for_each(|y| picture.row(y, &mut [Color::BLACK; 3].into_iter()));
-        assert_eq!(picture.share(), 1.0);
-        picture.more_rows(1);
-        assert_eq!(picture.share(), 0.8);
-        picture.row(2, &mut [Color::WHITE; 3].into_iter());
-        assert_eq!(picture.share(), 1.0);
-        assert_eq!(picture.pixel(6), Some(0xFF_FFFF));
-    }
-
-    /// A minute for the first of four rows leaves three for the others.
-    #[test]
-    fn the_remaining_rows_take_as_long_as_those_before() {
+    fn rows_appear_where_they_belong_and_tell_the_remaining_time() {
         let minute = Duration::from_mins(1);
         let picture = LivePicture {
             started: Instant::now().checked_sub(minute).unwrap(),
-            ..picture()
+            ..LivePicture::new(Size::new(3, 4).unwrap(), Transfer::Linear)
         };
         assert_eq!(picture.remaining(), None);
-        picture.row(0, &mut [Color::BLACK; 3].into_iter());
-        assert!(picture.elapsed() >= minute);
+        picture.row(2, &mut [Color::RED, Color::GREEN, Color::WHITE].into_iter());
+        let pixels = [5, 6, 7, 8, 9, 12].map(|index| picture.pixel(index));
+        let [red, green, white] = [0xFF_0000, 0x00_FF00, 0xFF_FFFF].map(Some);
+        assert_eq!(pixels, [Some(0), red, green, white, Some(0), None]);
         let remaining = picture.remaining().unwrap();
         assert!((3 * minute..4 * minute).contains(&remaining));
-        (1..4).for_each(|y| picture.row(y, &mut [Color::BLACK; 3].into_iter()));
+
+        for y in [0, 1, 3] {
+            picture.row(y, &mut [Color::BLACK; 3].into_iter());
+        }
         assert_eq!(picture.remaining(), Some(Duration::ZERO));
+        // A row that is painted again is work, too.
+        picture.more_rows(1);
+        assert_eq!(picture.share(), 0.8);
+        picture.row(2, &mut [Color::WHITE; 3].into_iter());
+        assert_eq!((picture.share(), picture.pixel(6)), (1.0, white));
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use common::{Error, Image, Renderer, Sampling, Scene, Settings, Size, Transfer, UsedSettings};
+use common::{Error, Renderer, Sampling, Scene, Settings, Size, Transfer, UsedSettings};
 
 use crate::named::{SAMPLINGS, TRANSFERS, by_name};
 
@@ -113,12 +113,8 @@ impl Options {
             check_places(samples, sampling)?;
         }
         let size = self.size.unwrap_or(defaults.size);
-        if scene.uses.size && !scene.uses.sampling {
-            Image::check_size(size)?;
-        }
         Ok(Settings {
             size,
-            rows: None,
             samples: match self.max_error {
                 Some(_) => self.samples.unwrap_or(MAX_SAMPLES),
                 None => samples,

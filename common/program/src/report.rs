@@ -107,62 +107,43 @@ mod tests {
             seeds: &[],
             against: Axis::Work,
             curves: Box::new(|_| {
-                vec![Curve {
-                    method: "",
-                    remark: "",
-                    slope: None,
-                    points: vec![Point::new(1.0, 1.0, [1.0], || 0.0)],
-                }]
+                let point = Point::new(1.0, 1.0, [1.0], || 0.0);
+                vec![Curve::new("", [point])]
             }),
         };
         vec![experiment("one"), experiment("two")]
     }
 
-    fn stage() -> Stage {
+    #[test]
+    fn the_named_experiments_or_scenes_are_reported_in_a_new_folder() {
         let disc = Scene::painted("disc", "", |settings, _| Image::black(settings.size));
-        Stage {
+        let stage = Stage {
             experiments,
             ..crate::stage_of(vec![disc])
-        }
-    }
-
-    fn names(names: &[&str]) -> Vec<String> {
-        names.iter().map(|name| (*name).to_owned()).collect()
-    }
-
-    #[test]
-    fn the_named_experiments_are_chosen_or_all() {
-        let chosen = |asked: &[&str]| {
-            let chosen = chosen(experiments(), &names(asked))?;
-            Ok::<_, Error>(chosen.iter().map(|e| e.name).collect::<Vec<_>>())
         };
-        assert_eq!(chosen(&[]).unwrap(), ["one", "two"]);
-        assert_eq!(chosen(&["two"]).unwrap(), ["two"]);
-        let error = chosen(&["two", "three"]).unwrap_err().to_string();
-        let expected = "there is no experiment \"three\"; there are one, two, and scene NAME";
-        assert_eq!(error, expected);
-    }
-
-    #[test]
-    fn reports_are_written_into_a_new_folder() {
         let folder = tempfile::tempdir().unwrap();
-        let output = folder.path().join("new/reports");
-        report(&stage(), &names(&["two"]), true, Some(output.clone())).unwrap();
-        let files = output.read_dir().unwrap();
-        let mut files: Vec<_> = files.map(|file| file.unwrap().file_name()).collect();
-        files.sort();
-        assert_eq!(files, ["a00-two.csv", "a00-two.svg"]);
-    }
-
-    #[test]
-    fn scene_names_follow_the_word_scene() {
-        let refused = |asked: &[&str]| {
-            let nowhere = Some("/dev/null".into());
-            let refused = report(&stage(), &names(asked), true, nowhere);
-            refused.unwrap_err().to_string()
+        let report = |names: &[&str]| {
+            let names: Vec<_> = names.iter().map(|name| (*name).to_owned()).collect();
+            let output = folder.path().join("new/reports");
+            report(&stage, &names, true, Some(output.clone()))?;
+            let files = output.read_dir().unwrap();
+            let mut files: Vec<_> = files.map(|file| file.unwrap().file_name()).collect();
+            files.sort();
+            Ok::<_, Error>(files)
         };
-        assert_eq!(refused(&["scene"]), "report scene takes a scene: disc");
-        assert!(refused(&["scene", "disc"]).starts_with("disc is not sampled"));
-        assert!(refused(&["scene", "one"]).contains("no scene \"one\""));
+        assert_eq!(report(&["two"]).unwrap(), ["a00-two.csv", "a00-two.svg"]);
+        assert_eq!(report(&[]).unwrap().len(), 4);
+        for (names, expected) in [
+            (
+                &["two", "three"][..],
+                "there is no experiment \"three\"; there are one, two, and scene NAME",
+            ),
+            (&["scene"], "report scene takes a scene: disc"),
+            (&["scene", "disc"], "disc is not sampled"),
+            (&["scene", "one"], "no scene \"one\""),
+        ] {
+            let error = report(names).unwrap_err().to_string();
+            assert!(error.contains(expected), "{error}");
+        }
     }
 }

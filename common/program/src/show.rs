@@ -1,11 +1,11 @@
 //! `show`: shows a scene in a window, or writes its PNG where there is none.
 
-use common::{Error, Image, Scene};
+use common::{Error, Scene};
 use measure::Stage;
 
 use crate::grammar::Showing;
 use crate::print::{print, warn};
-use crate::render::{render_to_file, warn_unused};
+use crate::render::{render, warn_unused};
 use crate::target::Target;
 use crate::{Gallery, NotShown, Viewer};
 
@@ -19,9 +19,6 @@ pub fn show(
 ) -> Result<(), Error> {
     let options = &showing.options;
     let settings = options.settings(scene)?;
-    if !showing.no_window {
-        Image::check_size(settings.size)?;
-    }
     warn_unused(scene, options, &settings);
     if !showing.no_window {
         let mut gallery = Gallery::new(stage, scene, options.clone());
@@ -42,55 +39,36 @@ pub fn show(
     }
     let target = Target::default();
     target.check(stage, scene)?;
-    let (path, size) = render_to_file(stage, scene, &target, options)?;
-    print(&format!("{}  {size}", path.display()));
+    let image = render(scene, &settings, options)?;
+    let path = target.write(stage, scene, &image, options.transfer)?;
+    print(&format!("{}  {}", path.display(), image.size()));
     Ok(())
 }
 
 #[cfg(test)]
 mod tests {
-    use common::{Settings, Size};
+    use common::Image;
 
     use super::*;
     use crate::options::Options;
 
-    /// A viewer that opens no window and returns the result of this function.
-    struct Blind(fn() -> Result<(), NotShown>);
+    struct Failing;
 
-    impl Viewer for Blind {
-        fn show(&self, gallery: &mut Gallery) -> Result<(), NotShown> {
-            assert_eq!(gallery.title(), "a00: two");
-            (self.0)()
+    impl Viewer for Failing {
+        fn show(&self, _: &mut Gallery) -> Result<(), NotShown> {
+            Err(Error::Stopped.into())
         }
     }
 
-    fn shown(size: Size, sees: fn() -> Result<(), NotShown>) -> Result<(), Error> {
-        let scene = |name| Scene::traced(name, "", |settings, _| Image::black(settings.size));
-        let defaults = Settings {
-            size,
-            ..Settings::default()
-        };
-        let scene = |name| scene(name).with_defaults(defaults.clone());
-        let stage = crate::stage_of(["one", "two"].map(scene).into());
+    #[test]
+    fn an_error_of_the_window_is_returned() {
+        let scene = Scene::painted("one", "", |settings, _| Image::black(settings.size));
+        let stage = crate::stage_of(vec![scene]);
         let options = Showing {
             no_window: false,
             options: Options::default(),
         };
-        show(&stage, &stage.scenes[1], Some(&Blind(sees)), &options)
-    }
-
-    #[test]
-    fn errors_of_the_window_are_returned() {
-        assert!(shown(Size::COURSE, || Ok(())).is_ok());
-        let failed = shown(Size::COURSE, || Err(Error::Stopped.into()));
-        assert!(matches!(failed, Err(Error::Stopped)));
-    }
-
-    /// A file may be written row by row.
-    #[test]
-    fn a_picture_larger_than_memory_gets_no_window() {
-        let large = Size::new(32_768, 32_768).unwrap();
-        let refused = shown(large, || Ok(()));
-        assert!(matches!(refused, Err(Error::TooLarge { .. })));
+        let shown = show(&stage, &stage.scenes[0], Some(&Failing), &options);
+        assert!(matches!(shown, Err(Error::Stopped)));
     }
 }

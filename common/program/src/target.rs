@@ -3,7 +3,7 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use common::{Error, Scene, Size, atomic_file, picture_file};
+use common::{Error, Image, Scene, Transfer, atomic_file, picture_file};
 use measure::Stage;
 
 /// The folder for pictures, below the current one.
@@ -66,20 +66,19 @@ impl Target {
         }
     }
 
-    /// Writes the picture of `scene`, band by band as
-    /// [`picture_file::save_png_in_bands`] does, and returns its path.
+    /// Writes the picture of `scene` and returns its path.
     pub fn write(
         &self,
         stage: &Stage,
         scene: &Scene,
-        size: Size,
-        bands: impl IntoIterator<Item = Result<Vec<u8>, Error>>,
+        image: &Image,
+        transfer: Transfer,
     ) -> Result<PathBuf, Error> {
         if let Self::Folder(folder) = self {
             make_folder(folder)?;
         }
         let path = self.path(stage, scene);
-        picture_file::save_png_in_bands(&path, size, bands)?;
+        picture_file::save_png(&path, image.size(), &image.to_rgb8(transfer))?;
         Ok(path)
     }
 }
@@ -95,10 +94,7 @@ pub fn make_default_folder() -> Result<&'static Path, Error> {
 pub fn make_folder(folder: &Path) -> Result<(), Error> {
     match std::fs::create_dir_all(folder) {
         // If a file has this name, the error comes from writing into it.
-        Err(error) if !folder.exists() => {
-            atomic_file::check_writable(folder)?;
-            Err(atomic_file::cannot_write(folder, &error))
-        }
+        Err(error) if !folder.exists() => Err(atomic_file::cannot_write(folder, &error)),
         _ => Ok(()),
     }
 }

@@ -1,4 +1,4 @@
-//! `catch_quietly`: catches panics of foreign code without a message; `tests/panics.rs`
+//! `catch_quietly`: catches panics of foreign code without a message; `tests/broken.rs`
 //! tests it.
 
 use std::cell::Cell;

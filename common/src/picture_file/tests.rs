@@ -67,11 +67,8 @@ fn a_file_that_is_no_whole_picture_is_refused_with_the_reason() {
     let mut flipped = whole.clone();
     let data = whole.windows(4).position(|name| name == b"IDAT").unwrap();
     flipped[data + 12] ^= 1;
-    let none = "it is no PNG, JPEG or BMP picture";
     for (bytes, reason) in [
-        (&b""[..], none),
-        (b"this is text, not a picture", none),
-        (b"GIF89a\x01\0\x01\0\0\0\0;", none),
+        (&b"GIF89a"[..], "it is no PNG, JPEG or BMP picture"),
         (&flipped, "the file is damaged ("),
         (&whole[..whole.len() / 2], "the file ends too early"),
     ] {
@@ -106,27 +103,4 @@ fn a_file_that_cannot_be_read_is_refused_with_the_reason() {
         let start = format!("cannot open {}: {reason}", path.display());
         assert!(error.starts_with(&start), "{error}");
     }
-}
-
-#[test]
-fn an_error_of_the_disk_is_not_reported_as_a_truncated_file() {
-    struct Failing<'a>(&'a [u8]);
-    impl io::Read for Failing<'_> {
-        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-            match self.0.read(buffer)? {
-                0 => Err(io::Error::other("the disk is broken")),
-                read => Ok(read),
-            }
-        }
-    }
-    impl Seek for Failing<'_> {
-        fn seek(&mut self, _: io::SeekFrom) -> io::Result<u64> {
-            Ok(0)
-        }
-    }
-    let folder = tempfile::tempdir().unwrap();
-    let whole = std::fs::read(saved(folder.path())).unwrap();
-    let half = BufReader::new(Failing(&whole[..whole.len() / 2]));
-    let error = read(Path::new("a.png"), half).unwrap_err().to_string();
-    assert_eq!(error, "cannot open a.png: the disk is broken");
 }

@@ -1,15 +1,13 @@
 //! Test tools of the stages: [`lock_pictures!`] compares the pictures of a stage
 //! with locked ones, [`check_lab!`] checks its experiments and extreme cases,
-//! [`exercises!`] checks the exercises of the students, [`assert_refused`] checks the error
-//! of a constructor, and `display` runs a program on a private X display.
+//! [`exercises!`] checks the exercises of the students, and [`assert_refused`] checks the
+//! error of a constructor.
 //!
 //! Only tests depend on this crate, so that no program contains test code. Its checks
 //! fail by a panic.
 
 #![allow(clippy::missing_panics_doc, reason = "every check of a test panics")]
 
-#[cfg(target_os = "linux")]
-pub mod display;
 pub mod exercise;
 mod lab;
 pub mod picture_lock;

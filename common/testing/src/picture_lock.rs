@@ -21,7 +21,7 @@ use description::describe;
 use difference::compare;
 
 pub(crate) use difference::leave_pictures;
-pub use invariance::{check_narrow_sizes, check_omissions, check_rows, check_threads};
+pub use invariance::{check_narrow_sizes, check_omissions, check_threads};
 pub use left_out::check_book;
 pub use program_run::check_program;
 
@@ -90,11 +90,6 @@ macro_rules! lock_pictures {
         #[test]
         fn one_thread_and_eight_give_the_same_bytes() {
             $crate::picture_lock::check_threads(&$stage);
-        }
-
-        #[test]
-        fn rows_rendered_alone_equal_the_rows_of_the_picture() {
-            $crate::picture_lock::check_rows(&$stage);
         }
 
         #[test]

@@ -2,28 +2,15 @@
 
 use std::f64::consts::PI;
 
-use a02_math::{Direction, Mat3x3, Normal3, Vector3};
+use a02_math::{Mat3x3, Normal3, Vector3};
 use a03_rays_cameras::{PinholeCamera, Ray, StripeRule, StripedSky};
 use a04_intersections::{Geometry, Interval};
 use arbitrary::{Result, Unstructured};
 use common::Size;
 use fuzz::number::{normal, number, point, vector};
 use fuzz::shapes::{accepted, camera, shape, transform};
-use proptest::collection::vec;
-use proptest::prelude::*;
 
-proptest! {
-    #![proptest_config(super::config(50_000))]
-
-    /// Every result of a constructor agrees with its documentation.
-    #[test]
-    fn numbers_do_no_harm(bytes in vec(any::<u8>(), 0..400)) {
-        // Too few bytes end the check early.
-        let _ = check(&mut Unstructured::new(&bytes));
-    }
-}
-
-fn check(u: &mut Unstructured) -> Result<()> {
+pub fn check(u: &mut Unstructured) -> Result<()> {
     match u.int_in_range(0..=4)? {
         0 => vectors(vector(u)?, vector(u)?, normal(u)?),
         1 => cameras(u)?,
@@ -53,48 +40,39 @@ fn vectors(a: Vector3, b: Vector3, n: Normal3) {
     }
     let angle = a.angle(b);
     assert!((0.0..=PI).contains(&angle), "{angle}: {a:?} {b:?}");
-    let [ab, ba] = [a.cross(b), -b.cross(a)].map(|product| product.to_glam().to_array());
-    let is_same = |(x, y): (&f64, &f64)| x == y || x.is_nan() && y.is_nan();
-    assert!(ab.iter().zip(&ba).all(is_same), "{ab:?} {ba:?}");
-    if let Some(shadow) = a.projected_on(b) {
-        assert!(!b.dot(b).is_nan(), "{shadow:?}");
-    }
-    let columns = Mat3x3::IDENTITY
+    // The value has no meaning, but nothing panics.
+    let _ = Mat3x3::IDENTITY
         .change_col_1(a)
         .change_col_2(b)
-        .change_col_3(n.into());
-    // Their values have no meaning, but nothing panics.
-    let _ = (columns.determinant(), columns * a, columns * columns);
+        .determinant();
 }
 
 fn cameras(u: &mut Unstructured) -> Result<()> {
-    let camera = camera(u)?;
-    let rule = *u.choose(&[StripeRule::Direction, StripeRule::Wall])?;
+    let (camera, rule) = (
+        camera(u)?,
+        *u.choose(&[StripeRule::Direction, StripeRule::Wall])?,
+    );
     let sides = [u.int_in_range(0..=40_000)?, u.int_in_range(0..=40_000)?];
     let Ok(size) = Size::new(sides[0], sides[1]) else {
         return Ok(());
     };
-    let place = |side: u32, share: u16| f64::from(side) * f64::from(share) / 65_535.0 - 0.5;
-    let (x, y) = (
-        place(sides[0], u.arbitrary()?),
-        place(sides[1], u.arbitrary()?),
-    );
+    let shares = [u.arbitrary::<u16>()?, u.arbitrary()?].map(|share| f64::from(share) / 65_535.0);
+    let [x, y] = [0, 1].map(|i| f64::from(sides[i]) * shares[i] - 0.5);
     let ray = camera.ray_for(size, x, y);
     assert_unit(ray.direction());
     assert!(ray.origin().to_glam().is_finite(), "{ray:?}");
 
-    let (stripes, bound) = (u.arbitrary()?, number(u)?);
+    let (stripes, bound, t) = (u.arbitrary()?, number(u)?, number(u)?);
+    if let Some(part) = accepted(ray.bounded(bound)) {
+        let is_on_it = 0.0 <= t && t <= bound;
+        assert_eq!(part.at(t).is_some(), is_on_it, "{part:?} {t}");
+    }
     if let Some(pinhole) = accepted(PinholeCamera::new(point(u)?, number(u)?))
         && let Some(sky) = accepted(StripedSky::new(&pinhole, size, stripes, rule))
     {
         let ray = pinhole.generate_ray(size, x, y);
         assert_unit(ray.direction());
         assert!(sky.stripe(&ray) < stripes, "{sky:?} {ray:?}");
-    }
-    if let Some(part) = accepted(ray.bounded(bound)) {
-        let t = number(u)?;
-        let is_on_it = 0.0 <= t && t <= bound;
-        assert_eq!(part.at(t).is_some(), is_on_it, "{part:?} {t}");
     }
     Ok(())
 }
@@ -115,15 +93,10 @@ fn shapes(u: &mut Unstructured) -> Result<()> {
     let Some(shape) = shape(u)? else {
         return Ok(());
     };
-    let within = Interval {
-        min: number(u)?,
-        max: number(u)?,
-    };
-    let (origin, direction) = (point(u)?, vector(u)?);
-    let derived = Ray::derived(origin, direction);
-    let rays = [Some(derived), accepted(Ray::new(origin, direction))];
+    let (min, max, o, d) = (number(u)?, number(u)?, point(u)?, vector(u)?);
+    let rays = [Some(Ray::derived(o, d)), accepted(Ray::new(o, d))];
     for ray in rays.into_iter().flatten() {
-        for within in [within, Interval::AHEAD] {
+        for within in [Interval { min, max }, Interval::AHEAD] {
             if let Some(hit) = shape.hit(&ray, within) {
                 assert!(within.contains(hit.t), "{hit:?}: {shape:?} {ray:?}");
                 assert_unit(hit.normal.into());

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use super::{PICTURES, assert_refused, folder, test_card};
+use super::{PICTURES, assert_refused, folder, left, program, test_card};
 
 /// The picture to open is missing, too, but only the rendering notices that.
 #[test]
@@ -93,4 +93,27 @@ fn pictures_that_cannot_be_opened_leave_no_file() {
         }
     }
     assert_eq!(fs::read(file("old.png")).unwrap(), card);
+}
+
+/// Every user can limit the length of files.
+#[test]
+#[cfg(unix)]
+fn a_picture_without_room_keeps_the_old_one() {
+    let folder = folder();
+    fs::write(folder.path().join("old.png"), "old").unwrap();
+    let render = program(&folder, "render painter -o old.png");
+    let mut limited = std::process::Command::new("sh");
+    let script = "trap '' XFSZ; ulimit -f 0; exec \"$@\"";
+    limited.args(["-c", script, "sh"]).arg(render.get_program());
+    let output = limited
+        .args(render.get_args())
+        .current_dir(&folder)
+        .output();
+    let output = output.unwrap();
+    let complaint = String::from_utf8_lossy(&output.stderr);
+    let sentence = "error: cannot write old.png: there is no room left; make some";
+    assert!(complaint.starts_with(sentence), "{complaint}");
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(left(&folder), ["old.png"]);
+    assert_eq!(fs::read(folder.path().join("old.png")).unwrap(), b"old");
 }

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Unit};
 
-use super::whole_numbers::WholeNumbers;
+use super::WholeNumbers;
 use crate::lab::exact::sum_of_products;
 use crate::lab::protocol;
 use crate::{Direction, Vector3};
@@ -37,27 +37,24 @@ const WHY_NOT: &str = "does not scale long and short vectors as ours does; \
      not in the renderer: no picture shows an angle's last digits";
 
 pub fn experiment() -> Experiment<'static> {
-    let methods: [(&str, &str, f64, Method); 4] = [
-        ("arc tangent", "", 1.0, Vector3::angle),
-        ("arc cosine", "", 2.0, protocol::angle_by_arc_cosine),
-        ("Kahan's formula", "", 1.0, kahan),
-        ("exact products", WHY_NOT, 0.0, exact_products),
-    ];
-    let curves = move |effort| {
+    let curves = |effort| {
         let steps = [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40];
         let sets = steps.map(|bits| (libm::scalbn(1.0, bits), tasks(bits, effort)));
-        let curve = |(method, remark, slope, angle): (_, _, f64, Method)| {
-            let error = |&(a, b, exact): &Task| {
-                let error = angle(a, b) / exact - 1.0;
-                if error.is_nan() { 1.0 } else { error }
-            };
-            let errors = |tasks: &[Task]| tasks.iter().map(error).collect();
+        let curve = |method, slope: f64, angle: Method| {
             // For smaller angles the arc cosine is 0 or NaN.
-            Curve::of_tasks(method, &sets, errors, move |(a, b, _)| angle(*a, *b))
-                .with_slope(slope, (10.0, 1e6))
-                .with_remark(remark)
+            let error = |(.., exact): &Task, angle: f64| {
+                let error = angle / exact - 1.0;
+                [if error.is_nan() { 1.0 } else { error }]
+            };
+            let curve = Curve::of_tasks(method, &sets, move |(a, b, _)| angle(*a, *b), error);
+            curve.with_slope(slope, (10.0, 1e6))
         };
-        methods.map(curve).into()
+        vec![
+            curve("arc tangent", 1.0, Vector3::angle),
+            curve("arc cosine", 2.0, protocol::angle_by_arc_cosine),
+            curve("Kahan's formula", 1.0, kahan),
+            curve("exact products", 0.0, exact_products).with_remark(WHY_NOT),
+        ]
     };
     Experiment {
         name: "angle",
@@ -80,7 +77,7 @@ type Task = (Vector3, Vector3, f64);
 /// times a power of two; the quotient of their lengths is the tangent, about
 /// 2^-`bits`. The sum fills 52 binary digits and is exact.
 fn tasks(bits: i32, effort: Effort) -> Rc<[Task]> {
-    let mut numbers = WholeNumbers::new(1);
+    let mut numbers = WholeNumbers(1);
     let digits = (bits - 4).max(5);
     let mut task = || {
         let mut vector = |digits: i32| {

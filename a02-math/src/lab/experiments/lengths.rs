@@ -5,16 +5,9 @@ use std::rc::Rc;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Unit};
 
-use super::whole_numbers::WholeNumbers;
+use super::WholeNumbers;
 use crate::Vector3;
 use crate::lab::{extremes::vector, protocol};
-
-/// A method to bring a vector to length 1; the zero vector if it has no direction.
-type Method = fn(Vector3) -> Vector3;
-
-fn ours(v: Vector3) -> Vector3 {
-    v.normalized().unwrap_or_default()
-}
 
 /// Normalisation that always scales, without the short cut for usual lengths.
 fn always_scaled(v: Vector3) -> Vector3 {
@@ -26,24 +19,23 @@ fn always_scaled(v: Vector3) -> Vector3 {
 const WHY_NOT: &str = "not in the renderer: the same digits at a higher price for usual lengths";
 
 pub fn experiment() -> Experiment<'static> {
-    let methods: [(&str, &str, Method); 3] = [
-        ("ours", "", ours),
-        ("divided by its length", "", protocol::normalized),
-        ("always scaled", WHY_NOT, always_scaled),
-    ];
-    let curves = move |effort| {
+    let curves = |effort| {
         let halvings = [1, 10, 100, 500, 510, 520, 530, 540, 600, 1000];
         let sets = halvings.map(|halvings| (halvings.into(), tasks(halvings, effort)));
-        let curve = |(method, remark, normalized): (_, _, Method)| {
-            let error = |(v, exact): &Task| {
-                let error = (normalized(*v) - *exact).to_glam().to_array();
+        let curve = |method, normalized: fn(Vector3) -> Vector3| {
+            let error = |(_, exact): &Task, direction: Vector3| {
+                let error = (direction - *exact).to_glam().to_array();
                 error.map(|error| if error.is_finite() { error } else { 1.0 })
             };
-            let errors = |tasks: &[Task]| tasks.iter().flat_map(error).collect();
-            Curve::of_tasks(method, &sets, errors, move |(v, _)| normalized(*v).x())
-                .with_remark(remark)
+            Curve::of_tasks(method, &sets, move |(v, _)| normalized(*v), error)
         };
-        methods.map(curve).into()
+        // A rounded square, root and quotient.
+        let bound = 2.0 * f64::EPSILON;
+        vec![
+            curve("ours", |v| v.normalized().unwrap_or_default()).with_bound(bound, 0.0..=1e9),
+            curve("divided by its length", protocol::normalized).with_bound(bound, 0.0..=500.0),
+            curve("always scaled", always_scaled).with_remark(WHY_NOT),
+        ]
     };
     Experiment {
         name: "normalise",
@@ -73,7 +65,7 @@ const WHOLE: [[f64; 4]; 6] = [
 type Task = (Vector3, Vector3);
 
 fn tasks(halvings: i32, effort: Effort) -> Rc<[Task]> {
-    let mut numbers = WholeNumbers::new(2);
+    let mut numbers = WholeNumbers(2);
     let mut task = || {
         let [x, y, z, length] = WHOLE[numbers.signed(20).abs() as usize % WHOLE.len()];
         let numbers = [x, y, z].map(|x: f64| x.copysign(numbers.signed(1) - 0.5));

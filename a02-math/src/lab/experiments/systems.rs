@@ -7,13 +7,11 @@ use glam::DMat3;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Unit};
 
-use super::whole_numbers::WholeNumbers;
+use super::WholeNumbers;
 use crate::lab::exact::sum_of_products;
 use crate::lab::extremes::vector;
 use crate::lab::protocol;
 use crate::{Direction, Mat3x3, Vector3};
-
-type Method = fn(Mat3x3, Vector3) -> Vector3;
 
 /// Elimination with the largest number of a column as the pivot.
 fn eliminated(m: Mat3x3, b: Vector3) -> Vector3 {
@@ -65,22 +63,22 @@ const WHY_NOT: &str =
     "not in the renderer: solving four times more for digits that no picture needs";
 
 pub fn experiment() -> Experiment<'static> {
-    let methods: [(&str, &str, Option<f64>, Method); 3] = [
-        ("Cramer's rule", "", Some(1.0), protocol::cramer),
-        ("elimination", "", Some(1.0), eliminated),
-        ("Cramer's rule, mended", WHY_NOT, None, refined),
-    ];
-    let curves = move |effort| {
+    let curves = |effort| {
         let steps = [0, 5, 10, 15, 20, 25, 30, 35, 40];
         let sets = steps.map(|bits| (libm::scalbn(1.0, bits), tasks(bits, effort)));
-        let curve = |(method, remark, slope, solve): (_, _, Option<f64>, Method)| {
-            let error = |(m, b, x): &Task| (solve(*m, *b) - *x).to_glam().to_array();
-            let errors = |tasks: &[Task]| tasks.iter().flat_map(error).collect();
-            Curve::of_tasks(method, &sets, errors, move |(m, b, _)| solve(*m, *b).x())
-                .with_slope(slope, (1e3, 1e12))
-                .with_remark(remark)
+        let curve = |method, slope: Option<f64>, solve: fn(Mat3x3, Vector3) -> Vector3| {
+            let error = |(.., exact): &Task, x: Vector3| (x - *exact).to_glam().to_array();
+            let curve = Curve::of_tasks(method, &sets, move |(m, b, _)| solve(*m, *b), error);
+            curve.with_slope(slope, (1e3, 1e12))
         };
-        methods.map(curve).into()
+        vec![
+            curve("Cramer's rule", Some(1.0), protocol::cramer),
+            curve("elimination", Some(1.0), eliminated),
+            // The solutions are small whole numbers.
+            curve("Cramer's rule, mended", None, refined)
+                .with_bound(0.0, 0.0..=1e9)
+                .with_remark(WHY_NOT),
+        ]
     };
     Experiment {
         name: "linear-systems",
@@ -102,7 +100,7 @@ type Task = (Mat3x3, Vector3, Vector3);
 /// Columns of whole numbers below 2^26. The third is the sum of the others plus
 /// numbers that are smaller by a power of two. The right sides are exact sums.
 fn tasks(bits: i32, effort: Effort) -> Rc<[Task]> {
-    let mut numbers = WholeNumbers::new(3);
+    let mut numbers = WholeNumbers(3);
     let mut task = || {
         let mut column = || vector(array::from_fn(|_| numbers.signed(24)));
         let (a, b, rest) = loop {

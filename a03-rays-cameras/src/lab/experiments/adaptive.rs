@@ -8,8 +8,7 @@ use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Unit};
 
 use super::coverage::{DISC, disc_coverage};
-use crate::fast::render_by_lesson;
-use crate::{Camera, Ray};
+use crate::{Camera, Ray, View};
 
 const SIDE: u32 = 64;
 
@@ -30,7 +29,10 @@ fn picture(settings: &Settings) -> Option<(Image, Sampled)> {
         Color::gray(DISC.contains(place.x() + 0.5, place.y() + 0.5).into())
     };
     let sampled = Mutex::new(Sampled::default());
-    let image = render_by_lesson(&Places, disc, settings, &sampled).ok()?;
+    let image = View::new(Places, disc)
+        .boxed()
+        .render(settings, &sampled)
+        .ok()?;
     Some((image, sampled.into_inner().ok()?))
 }
 
@@ -41,27 +43,16 @@ fn errors(image: &Image) -> impl Iterator<Item = f64> {
     pixels.map(|(color, mean)| color.r - mean)
 }
 
-fn stratified(settings: &Settings, side: u32) -> Option<Point<'static>> {
-    let settings = Settings {
-        samples: side * side,
-        sampling: Sampling::Stratified,
-        ..settings.clone()
-    };
-    let (image, _) = picture(&settings)?;
-    let samples = f64::from(settings.samples) * f64::from(SIDE * SIDE);
-    let run = move || picture(&settings).map_or(0.0, |_| samples);
-    Some(Point::new(samples, samples, errors(&image), run))
-}
-
-fn adaptive(settings: &Settings, max_error: f64, as_promised: bool) -> Option<Point<'static>> {
-    let settings = Settings {
-        samples: 1 << 16,
-        max_error: Some(max_error),
-        ..settings.clone()
-    };
+/// The point of a picture; as promised, with the error that the renderer's check leaves
+/// possible.
+fn point(settings: Settings, as_promised: bool) -> Option<Point<'static>> {
     let (image, sampled) = picture(&settings)?;
-    let (samples, [_, largest]) = (sampled.samples as f64, sampled.error());
-    let run = move || picture(&settings).map_or(0.0, |(_, sampled)| sampled.samples as f64);
+    let samples = match settings.max_error {
+        Some(_) => sampled.samples as f64,
+        None => f64::from(settings.samples) * f64::from(SIDE * SIDE),
+    };
+    let [_, largest] = sampled.error();
+    let run = move || picture(&settings);
     Some(if as_promised {
         Point::estimate(samples, samples, largest, run)
     } else {
@@ -76,12 +67,20 @@ fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
     };
     let sides = &[1, 2, 4, 8, 16, 32, 64][..effort.choose(5, 7)];
     let bounds = &[16.0, 8.0, 4.0, 2.0, 1.0, 0.5, 0.25][..effort.choose(6, 7)];
-    let everywhere = sides.iter().filter_map(|side| stratified(&settings, *side));
-    let settings = &settings;
+    let everywhere = sides.iter().map(|side| Settings {
+        samples: side * side,
+        sampling: Sampling::Stratified,
+        ..settings.clone()
+    });
     let adaptive = |as_promised| {
-        let bounds = bounds.iter().map(|levels| levels * HALF_GREY_LEVEL);
-        bounds.filter_map(move |bound| adaptive(settings, bound, as_promised))
+        let settings = bounds.iter().map(|levels| Settings {
+            samples: 1 << 16,
+            max_error: Some(levels * HALF_GREY_LEVEL),
+            ..settings.clone()
+        });
+        settings.filter_map(move |settings| point(settings, as_promised))
     };
+    let everywhere = everywhere.filter_map(|settings| point(settings, false));
     Ok(vec![
         // Mitchell, Consequences of Stratified Sampling in Graphics, 1996.
         Curve::new("stratified everywhere", everywhere).with_slope(-0.75, (1e4, 1e9)),

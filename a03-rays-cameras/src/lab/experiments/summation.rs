@@ -36,29 +36,29 @@ fn single(x: f64, n: u32) -> f64 {
     f64::from((0..n).fold(0.0_f32, |sum, _| sum + x as f32) / n as f32)
 }
 
-/// Number of channels of equal samples. The mean equals each sample.
-const CHANNELS: u32 = 16;
-
+/// The channels of equal samples. The mean equals each sample.
 fn channels() -> impl Iterator<Item = f64> {
-    (1..=CHANNELS).map(|i| f64::from(i) / 17.0)
+    (1..=16).map(|i| f64::from(i) / 17.0)
 }
 
 pub fn experiment() -> Experiment<'static> {
     let curves = |effort: Effort| {
-        let powers = 0..=effort.choose(6, 7) as u32;
-        let curve = |(method, remark, slope, mean): (_, _, Option<f64>, Mean)| {
-            let points = powers.clone().map(|power| point(mean, 10_u32.pow(power)));
-            Curve::new(method, points)
-                .with_slope(slope, (100.0, 1e6))
-                .with_remark(remark)
+        let curve = |method, mean: Mean| {
+            let point = |power| {
+                let n = 10_u32.pow(power);
+                let errors = channels().map(|x| mean(x, n) - x);
+                let run = move || channels().map(|x| mean(x, n)).sum::<f64>();
+                Point::new(n.into(), 16.0 * f64::from(n), errors, run)
+            };
+            Curve::new(method, (0..=effort.choose(6, 7) as u32).map(point))
         };
-        [
-            ("plain sum", "", Some(1.0), plain as Mean),
-            ("Neumaier's sum", COMPENSATED, None, compensated),
-            ("plain sum in 32 bits", "", None, single),
+        vec![
+            curve("plain sum", plain).with_slope(1.0, (100.0, 1e6)),
+            curve("Neumaier's sum", compensated)
+                .with_bound(f64::EPSILON, 1.0..=1e9)
+                .with_remark(COMPENSATED),
+            curve("plain sum in 32 bits", single),
         ]
-        .map(curve)
-        .into()
     };
     Experiment {
         name: "summation",
@@ -76,10 +76,3 @@ pub fn experiment() -> Experiment<'static> {
 
 const COMPENSATED: &str =
     "not in the renderer: a pixel's few thousand samples lose less than 1e-11 in the plain sum";
-
-fn point(mean: Mean, n: u32) -> Point<'static> {
-    let errors = channels().map(move |x| mean(x, n) - x);
-    let run = move || channels().map(|x| mean(x, n)).sum();
-    let additions = f64::from(CHANNELS) * f64::from(n);
-    Point::new(n.into(), additions, errors, run)
-}

@@ -1,16 +1,20 @@
-//! Cameras: openings, brackets and pictures of few pixels. Exact directions are
+//! Cameras: openings, brackets, axes, and pictures of few pixels. Exact directions are
 //! computed from the given doubles with 80 digits.
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
 
-use a02_math::{Point3, Vector3};
+use a02_math::{Direction, Point3, Vector3};
 use common::{ArgumentError, Size};
-use measure::extremes::{
-    Bound, Case, Equal, Fails, Holds, Id, Outcome, Protocol, Refused, Ulps, tried,
-};
+use measure::extremes::{Absolute, Bound, Case, Equal, Fails, Holds, Id, Outcome, Protocol};
+use measure::extremes::{Refused, Ulps, greatest, tried};
 
 use super::{AHEAD, UP};
-use crate::{Camera, OrthographicCamera, PerspectiveCamera, PinholeCamera, protocol};
+use crate::lab::protocol;
+use crate::{Basis, Camera, OrthographicCamera, PerspectiveCamera, PinholeCamera, Ray};
+
+pub fn cases() -> Vec<Case> {
+    [perspective_and_orthographic(), axes(), pinhole()].concat()
+}
 
 /// A size, and a pixel of it, counted from below.
 type Pixel = ([u32; 2], f64, f64);
@@ -55,7 +59,7 @@ fn bracket(
 }
 
 #[rustfmt::skip]
-pub fn cases() -> Vec<Case> {
+fn perspective_and_orthographic() -> Vec<Case> {
     const CORNER: Pixel = ([640, 480], 0.0, 0.0);
     let top = ([641, 481], 320.0, 480.0);
     let tall = ([1, 100], 0.0, 99.0);
@@ -107,4 +111,70 @@ fn pictures_of_few_pixels() -> Case {
     let theirs = sizes.map(|(w, h)| not_numbers([bracket(w), bracket(h), 0.0]));
     let what = "pictures of 1x1, 1x9 and 9x1: coordinates that are no numbers";
     Case::new("Q11", what, 0.0, Equal, ours).protocol(Fails, theirs.iter().sum::<usize>())
+}
+
+/// The axis u of a camera. The protocol does not check gaze and up vector.
+fn u(id: Id, what: &str, gaze: Vector3, up: Vector3, exact: impl Into<Outcome>) -> Case {
+    let ours = Basis::new(Point3::ORIGIN, gaze, up).map(|basis| basis.u);
+    let [theirs, ..] = protocol::axes(gaze, up);
+    Case::new(id, what, exact, Equal, ours).protocol(Fails, theirs)
+}
+
+/// Greatest deviation of the axes from being perpendicular and of length 1.
+fn defect(Basis { u, v, w, .. }: Basis) -> f64 {
+    let lengths = [u, v, w].map(|axis| axis.dot(axis) - 1.0);
+    greatest([u.dot(v), v.dot(w), w.dot(u)].into_iter().chain(lengths))
+}
+
+#[rustfmt::skip]
+fn axes() -> Vec<Case> {
+    let right = [1.0, 0.0, 0.0];
+    let (slanted, near) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(1.0 + 1e-11, 2.0, 3.0));
+    let basis = Basis::new(Point3::ORIGIN, slanted, near);
+    vec![
+        u("E12", "axes, gaze = up = (0, 1, 0)", UP, UP, Refused),
+        u("E13", "axes, gaze = 2 up, up = (1, 2, 3)", slanted * 2.0, slanted, Refused),
+        Case::new("E14", "u of gaze (1, 2, 3) and up (1+1e-11, 2, 3)",
+            [0.0, 0.832_050_294_337_843_7, -0.554_700_196_225_229_1], Absolute(1e-3),
+            basis.clone().map(|basis| basis.u)).protocol(Holds, protocol::axes(slanted, near)[0]),
+        Case::new("E31", "axes of E14: how far from a right angle, gaze and up being 2.6e-12 apart",
+            0.0, Absolute(4.0 * f64::EPSILON / 2.6e-12), basis.map(defect)),
+        u("E15", "axes, gaze = 0", Vector3::default(), UP, Refused),
+        u("E16", "u of gaze (0, 0, -1e200)", AHEAD * 1e200, UP, right),
+        u("E17", "u of up (0, 1e-170, 0)", AHEAD, UP * 1e-170, right),
+    ]
+}
+
+#[rustfmt::skip]
+fn pinhole() -> Vec<Case> {
+    /// 1 / sqrt(3).
+    const THIRD: f64 = 0.577_350_269_189_625_8;
+    // Through a place of the picture, counted from its upper left corner.
+    let ours = |[w, h]: [u32; 2], x, y| tried(|| {
+        let camera = PinholeCamera::new(Point3::ORIGIN, FRAC_PI_2)?;
+        Ok(camera.generate_ray(Size::new(w, h)?, x, y).direction())
+    });
+    let theirs = |size: [u32; 2], x, y| protocol::pinhole_direction(size.map(f64::from), x, y, FRAC_PI_2);
+    let far = Vector3::new(0.0, 0.0, -2.0);
+    let of_pixel = tried(|| {
+        let camera = PinholeCamera::new(Point3::ORIGIN, FRAC_PI_2)?;
+        Ok(camera.ray_for(Size::new(3, 3)?, 1.0, 1.0).direction())
+    });
+    let sky = Ray::new(Point3::ORIGIN, far).and_then(|ray| ray.bounded(f64::INFINITY));
+    vec![
+        Case::new("E26", "pinhole, 3x3, middle of the middle pixel: through its corner",
+            AHEAD, Equal, of_pixel).protocol(Fails, theirs([3, 3], 1.0, 1.0)),
+        Case::new("E27", "pinhole, 3x601, middle (1.5, 300.5): sizes halved as whole numbers",
+            AHEAD, Equal, ours([3, 601], 1.5, 300.5))
+            .protocol(Fails, protocol::pinhole_direction_of_whole_sizes([3, 601], 1.5, 300.5, FRAC_PI_2)),
+        Case::new("E28", "pinhole, 10x10, corner (10, 10), which the text's loop leaves out",
+            [THIRD, -THIRD, -THIRD], Ulps(2.0), ours([10, 10], 10.0, 10.0))
+            .protocol(Holds, theirs([10, 10], 10.0, 10.0)),
+        Case::new("E29", "the point at t = 50 on a ray to the sky, which the text bounds by 30",
+            [0.0, 0.0, -50.0], Equal, sky.map(|ray| ray.at(50.0)).ok().flatten())
+            .protocol(Fails, protocol::point_at(Point3::ORIGIN, far, 30.0, 50.0)),
+        Case::new("E30", "pinhole, 2x2, upper edge in the middle: 45 degrees up",
+            [0.0, FRAC_1_SQRT_2, -FRAC_1_SQRT_2], Ulps(2.0), ours([2, 2], 1.0, 0.0))
+            .protocol(Holds, theirs([2, 2], 1.0, 0.0)),
+    ]
 }

@@ -6,7 +6,8 @@ use measure::extremes::{Absolute, Case, Equal, Fails, Finite, Refused, Ulps, tri
 
 use super::{AHEAD, UP};
 use crate::lab::experiments::{DISC, disc_coverage, neumaier};
-use crate::{OrthographicCamera, PixelRandom, Ray, Sampler, protocol, render};
+use crate::lab::protocol;
+use crate::{OrthographicCamera, PixelRandom, Ray, Sampler, render};
 
 /// Found by running the generator backwards from 64 set bits.
 const INDEX_OF_THE_GREATEST: u64 = 0x30fd_d71d_1ddc_283c;

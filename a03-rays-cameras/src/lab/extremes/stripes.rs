@@ -2,12 +2,12 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
-use a02_math::Point3;
+use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Size};
-use measure::extremes::{Case, Equal, Fails};
+use measure::extremes::{Case, Equal, Fails, wrong};
 
-use crate::protocol::count_current_stripe;
-use crate::{PinholeCamera, Ray, StripeRule, StripedSky};
+use crate::lab::protocol::count_current_stripe;
+use crate::{PinholeCamera, StripeRule, StripedSky};
 
 /// Two counts, ours and the protocol's.
 type Counts = Result<[usize; 2], ArgumentError>;
@@ -25,76 +25,82 @@ pub fn cases() -> Vec<Case> {
     ]
 }
 
-fn sky(
+/// A striped sky behind a picture.
+struct Picture {
     size: Size,
-    alpha: f64,
+    camera: PinholeCamera,
+    sky: StripedSky,
     stripes: u32,
-    rule: StripeRule,
-) -> Result<(PinholeCamera, StripedSky, f64), ArgumentError> {
-    let camera = PinholeCamera::new(Point3::ORIGIN, alpha)?;
-    let sky = StripedSky::new(&camera, size, stripes, rule)?;
-    let edge = camera.generate_ray(size, f64::from(size.width()) / 2.0, 0.0);
-    Ok((camera, sky, edge.direction().y()))
+}
+
+impl Picture {
+    fn new(size: Size, alpha: f64, stripes: u32, rule: StripeRule) -> Result<Self, ArgumentError> {
+        let camera = PinholeCamera::new(Point3::ORIGIN, alpha)?;
+        Ok(Self {
+            size,
+            sky: StripedSky::new(&camera, size, stripes, rule)?,
+            camera,
+            stripes,
+        })
+    }
+
+    /// The stripe at a place: ours, and the one that the protocol counts by this height.
+    fn stripe(&self, x: f64, y: f64, height: fn(Vector3) -> f64) -> [u32; 2] {
+        let edge = f64::from(self.size.width()) / 2.0;
+        let [top, ray] =
+            [(edge, 0.0), (x, y)].map(|(x, y)| self.camera.generate_ray(self.size, x, y));
+        let [top, height] = [top, ray].map(|ray| height(ray.direction()));
+        [
+            self.sky.stripe(&ray),
+            count_current_stripe(top, self.stripes, height),
+        ]
+    }
 }
 
 /// The stripe that begins at the horizon: of N stripes, the protocol counts the
 /// N / 2 above the horizon and the stripe at the horizon itself.
 fn horizon() -> Counts {
-    let mut wrong = [0; 2];
-    for stripes in 2..=1000 {
-        let size = Size::SECOND_COURSE;
-        let (camera, sky, top) = sky(size, FRAC_PI_3, stripes, StripeRule::Direction)?;
-        let level = camera.generate_ray(size, 240.0, 135.0);
-        let counted = count_current_stripe(top, stripes, level.direction().y());
-        wrong[0] += usize::from(sky.stripe(&level) != stripes / 2);
-        wrong[1] += usize::from(counted != stripes / 2 + 1);
-    }
-    Ok(wrong)
+    wrong(2..=1000, |n| {
+        let picture = Picture::new(Size::SECOND_COURSE, FRAC_PI_3, n, StripeRule::Direction)?;
+        let [ours, theirs] = picture.stripe(240.0, 135.0, Vector3::y);
+        Ok([ours != n / 2, theirs != n / 2 + 1])
+    })
 }
 
 /// The protocol counts both halves of the picture from their edges.
 fn wrong_rows() -> Counts {
-    let mut wrong = [0; 2];
-    for stripes in 2..=200 {
-        let size = Size::new(1, stripes)?;
-        let (camera, sky, _) = sky(size, FRAC_PI_2, stripes, StripeRule::Wall)?;
-        for row in 0..stripes {
-            let ray = camera.generate_ray(size, 0.5, f64::from(row) + 0.5);
-            let height = ray.direction().y() / ray.direction().z().abs();
-            let counted = count_current_stripe(1.0, stripes, height);
-            wrong[0] += usize::from(sky.stripe(&ray) != stripes - 1 - row);
-            wrong[1] += usize::from(counted != row + 1);
-        }
-    }
-    Ok(wrong)
+    let rows = (2..=200).flat_map(|stripes| (0..stripes).map(move |row| (stripes, row)));
+    wrong(rows, |(n, row)| {
+        let picture = Picture::new(Size::new(1, n)?, FRAC_PI_2, n, StripeRule::Wall)?;
+        let height = |d: Vector3| d.y() / d.z().abs();
+        let [ours, theirs] = picture.stripe(0.5, f64::from(row) + 0.5, height);
+        Ok([ours != n - 1 - row, theirs != row + 1])
+    })
 }
 
-/// The stripes of 10 at these columns of each row, ours and the protocol's.
-fn rows(rule: StripeRule, columns: &[f64]) -> Result<[Vec<Vec<u32>>; 2], ArgumentError> {
-    let size = Size::SECOND_COURSE;
-    let (camera, sky, top) = sky(size, FRAC_PI_2, 10, rule)?;
-    let count = |ray: &Ray| count_current_stripe(top, 10, ray.direction().y());
-    let stripes: [&dyn Fn(&Ray) -> u32; 2] = [&|ray| sky.stripe(ray), &count];
-    Ok(stripes.map(|stripe| {
-        let at = |x: f64, y: u32| stripe(&camera.generate_ray(size, x, f64::from(y) + 0.5));
-        let row = |y| columns.iter().map(|x| at(*x, y)).collect();
-        (0..size.height()).map(row).collect()
-    }))
+fn ten_stripes(rule: StripeRule) -> Result<Picture, ArgumentError> {
+    Picture::new(Size::SECOND_COURSE, FRAC_PI_2, 10, rule)
 }
 
 /// Number of runs of one stripe from the top of the picture to its bottom.
 fn stripes_in_the_middle() -> Counts {
-    Ok(rows(StripeRule::Direction, &[240.0])?.map(|rows| {
-        let mut stripes = rows.concat();
-        stripes.dedup();
-        stripes.len()
+    let picture = ten_stripes(StripeRule::Direction)?;
+    let rows = 0..picture.size.height();
+    let column = rows.map(|y| picture.stripe(240.0, f64::from(y) + 0.5, Vector3::y));
+    let column: Vec<_> = column.collect();
+    Ok([0, 1].map(|i| {
+        1 + column
+            .windows(2)
+            .filter(|pair| pair[0][i] != pair[1][i])
+            .count()
     }))
 }
 
 fn rows_of_several_stripes() -> Counts {
-    let columns = 0..Size::SECOND_COURSE.width();
-    let columns: Vec<_> = columns.map(|x| f64::from(x) + 0.5).collect();
-    let sees_more = |row: &&Vec<u32>| row.iter().any(|stripe| *stripe != row[0]);
-    let rows = rows(StripeRule::Wall, &columns)?;
-    Ok(rows.map(|rows| rows.iter().filter(sees_more).count()))
+    let picture = ten_stripes(StripeRule::Wall)?;
+    wrong(0..picture.size.height(), |y| {
+        let stripe = |x| picture.stripe(f64::from(x) + 0.5, f64::from(y) + 0.5, Vector3::y);
+        let row: Vec<_> = (0..picture.size.width()).map(stripe).collect();
+        Ok([0, 1].map(|i| row.iter().any(|stripes| stripes[i] != row[0][i])))
+    })
 }

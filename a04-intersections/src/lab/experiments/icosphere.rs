@@ -22,25 +22,22 @@ impl Mesh {
             let (one, more) = (one, more * golden);
             [[0.0, one, more], [one, more, 0.0], [more, 0.0, one]]
         });
-        let mut mesh = Self {
-            corners: corners
-                .map(|corner| on_unit_sphere(vector(corner)))
-                .collect(),
-            faces: Vec::new(),
-        };
+        let corners = corners.map(|corner| on_unit_sphere(vector(corner)));
+        let corners: Vec<_> = corners.collect();
         // The distance of neighbours on the unit sphere is 1.05, of others more.
-        let corners = &mesh.corners;
         let is_edge = |i: usize, j: usize| (corners[i] - corners[j]).magnitude() < 1.1;
+        let mut faces = Vec::new();
         for i in 0..12 {
             for j in (i + 1..12).filter(|j| is_edge(i, *j)) {
                 for k in (j + 1..12).filter(|k| is_edge(i, *k) && is_edge(j, *k)) {
-                    mesh.faces.push(outwards(corners, [i, j, k]));
+                    let [a, b, c] = [i, j, k].map(|corner| corners[corner]);
+                    let is_outwards = (b - a).cross(c - a).dot(a) > 0.0;
+                    faces.push(if is_outwards { [i, j, k] } else { [i, k, j] });
                 }
             }
         }
-        for _ in 0..divisions {
-            mesh.divide();
-        }
+        let mut mesh = Self { corners, faces };
+        (0..divisions).for_each(|_| mesh.divide());
         mesh
     }
 
@@ -63,13 +60,4 @@ impl Mesh {
 
 fn on_unit_sphere(v: Vector3) -> Vector3 {
     v * (1.0 / v.magnitude())
-}
-
-fn outwards(corners: &[Vector3], [i, j, k]: [usize; 3]) -> [usize; 3] {
-    let [a, b, c] = [corners[i], corners[j], corners[k]];
-    if (b - a).cross(c - a).dot(a) > 0.0 {
-        [i, j, k]
-    } else {
-        [i, k, j]
-    }
 }

@@ -8,9 +8,8 @@ use a03_rays_cameras::Ray;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Unit};
 
-use super::Numbers;
-use crate::lab::extremes::arrays;
 use crate::lab::real::{Real, difference, dot};
+use crate::lab::support::{Numbers, arrays};
 use crate::lab::{exact, protocol};
 
 /// A ray towards a sphere: the sphere's centre and radius, and the ray's origin and direction.
@@ -56,89 +55,85 @@ pub fn stable_terms<F: Real>(f: &[F; 3], r: F, d: &[F; 3]) -> [F; 3] {
 
 /// The least positive root, given `power` = `f · f - r²`.
 fn stable_roots<F: Real>(f: &[F; 3], r: F, d: &[F; 3], power: F) -> Option<F> {
-    let zero = F::from(0.0);
     let [a, middle, discriminant] = stable_terms(f, r, d);
-    if discriminant < zero {
+    if discriminant < F::zero() {
         return None;
     }
     let t1 = middle + (discriminant / a).sqrt().copysign(middle);
     let t0 = power / (a * t1);
     let (near, far) = if t0 < t1 { (t0, t1) } else { (t1, t0) };
-    [near, far].into_iter().find(|t| *t > zero)
+    [near, far].into_iter().find(|t| *t > F::zero())
 }
 
-/// A ray with this direction, brought to length 1, towards a sphere, in either precision.
-fn rounded<F: Real>(c: [f64; 3], r: f64, o: Vector3, d: Vector3) -> Shot<F> {
-    let [o, d] = arrays(&Ray::derived(Point3::ORIGIN + o, d * (1.0 / d.magnitude())));
-    let [c, o, d] = [c, o, d].map(|triple| triple.map(F::rounded));
-    let r = F::rounded(r);
-    Shot { c, r, o, d }
-}
+/// Rays by their number, each towards a sphere of centre and radius, from a point in a
+/// direction that is brought to length 1.
+type Shots = fn(f64, usize) -> ([f64; 3], f64, Vector3, Vector3);
 
 /// The unit sphere at the origin and rays from all around, at a distance, that
 /// aim at a disc of 1.2 radii.
-pub fn shots_from<F: Real>(distance: f64, rays: usize) -> Rc<[Shot<F>]> {
-    let shot = |n| {
-        let mut numbers = Numbers::new(11, n);
-        let [back, aside] = numbers.perpendicular();
-        let o = back * distance;
-        let d = aside * (1.2 * numbers.between(0.0, 1.0).sqrt()) - o;
-        rounded([0.0; 3], 1.0, o, d)
-    };
-    (0..rays).map(shot).collect()
-}
+pub const FROM_AFAR: Shots = |distance, n| {
+    let mut numbers = Numbers::new(11, n);
+    let [back, aside] = numbers.perpendicular();
+    let o = back * distance;
+    let d = aside * (1.2 * numbers.between(0.0, 1.0).sqrt()) - o;
+    ([0.0; 3], 1.0, o, d)
+};
 
 /// A sphere of this radius whose top is the origin, as a ground, and rays from
 /// one to two units above it, three of four of them downwards.
-fn shots_at_ground<F: Real>(radius: f64, rays: usize) -> Rc<[Shot<F>]> {
+const AT_GROUND: Shots = |radius, n| {
+    let mut numbers = Numbers::new(12, n);
+    let o = numbers.triple(-1.0, 1.0);
+    let o = Vector3::new(o.x(), numbers.between(1.0, 2.0), o.z());
+    let down = if numbers.below(4) == 0 { 1.0 } else { -1.0 };
+    let mut slope = || numbers.between(-0.5, 0.5);
+    let d = Vector3::new(slope(), down, slope());
+    ([0.0, -radius, 0.0], radius, o, d)
+};
+
+/// These rays in either precision.
+pub fn shots<F: Real>(shots: Shots, knob: f64, rays: usize) -> Rc<[Shot<F>]> {
     let shot = |n| {
-        let mut numbers = Numbers::new(12, n);
-        let o = numbers.triple(-1.0, 1.0);
-        let o = Vector3::new(o.x(), numbers.between(1.0, 2.0), o.z());
-        let down = if numbers.below(4) == 0 { 1.0 } else { -1.0 };
-        let mut slope = || numbers.between(-0.5, 0.5);
-        let d = Vector3::new(slope(), down, slope());
-        rounded([0.0, -radius, 0.0], radius, o, d)
+        let (c, r, o, d) = shots(knob, n);
+        let [o, d] = arrays(&Ray::derived(Point3::ORIGIN + o, d * (1.0 / d.magnitude())));
+        let [c, o, d] = [c, o, d].map(|triple| triple.map(F::rounded));
+        let r = F::rounded(r);
+        Shot { c, r, o, d }
     };
     (0..rays).map(shot).collect()
 }
 
-/// The errors of `t` for all rays that hit the sphere, except near its rim, where
-/// rounding of the ray itself has an effect. A miss counts as 1.
-fn errors<F: Real>(
-    shots: &[Shot<F>],
-    formula: impl Fn(&[F; 3], F, &[F; 3], &[F; 3]) -> Option<F>,
-) -> Vec<f64> {
-    let error = |Shot { c, r, o, d }: &Shot<F>| {
-        let [centre, origin, direction] = [c, o, d].map(|triple| triple.map(Into::into));
-        let radius = (*r).into();
-        let exact = exact::sphere(&centre, radius, &origin, &direction);
-        let [near, _] = exact.roots?;
-        let counts = exact.distance < 0.9 * radius && near.value() > 0.0;
-        let found = formula(c, *r, o, d);
-        counts.then(|| found.map_or(1.0, |t| near.error_of(t.into())))
-    };
-    shots.iter().filter_map(error).collect()
+/// The error of a `t`, except near the rim of the sphere, where rounding of the ray itself
+/// has an effect. A miss counts as 1.
+fn error<F: Real>(Shot { c, r, o, d }: &Shot<F>, found: Option<F>) -> Option<f64> {
+    let [centre, origin, direction] = [c, o, d].map(|triple| triple.map(Into::into));
+    let radius = (*r).into();
+    let exact = exact::sphere(&centre, radius, &origin, &direction);
+    let [near, _] = exact.roots?;
+    let counts = exact.distance < 0.9 * radius && near.value() > 0.0;
+    counts.then(|| found.map_or(1.0, |t| near.error_of(t.into())))
 }
 
 /// Parameters and their rays, for one precision.
 type Sets<F> = Vec<(f64, Rc<[Shot<F>]>)>;
 
-fn sets<F: Real>(shots: fn(f64, usize) -> Rc<[Shot<F>]>, count: i32, effort: Effort) -> Sets<F> {
+fn sets<F: Real>(all: Shots, count: i32, effort: Effort) -> Sets<F> {
     let rays = effort.choose(4096, 65_536);
     let knobs = (1..=count).map(|power| libm::pow(8.0, power.into()));
-    knobs.map(|knob| (knob, shots(knob, rays))).collect()
+    knobs.map(|knob| (knob, shots(all, knob, rays))).collect()
 }
+
+/// The `t` of the sphere of centre and radius for the ray of origin and direction.
+type Formula<F> = fn(&[F; 3], F, &[F; 3], &[F; 3]) -> Option<F>;
 
 fn curve<F: Real + 'static>(
     method: &'static str,
     sets: &Sets<F>,
-    slope: f64,
-    between: (f64, f64),
-    formula: impl Fn(&[F; 3], F, &[F; 3], &[F; 3]) -> Option<F> + Copy + 'static,
+    (slope, between): (f64, (f64, f64)),
+    formula: Formula<F>,
 ) -> Curve<'static> {
-    let run = move |Shot { c, r, o, d }: &_| formula(c, *r, o, d).map_or(0.0, Into::into);
-    Curve::of_tasks(method, sets, |shots| errors(shots, formula), run).with_slope(slope, between)
+    let answer = move |Shot { c, r, o, d }: &_| formula(c, *r, o, d);
+    Curve::of_tasks(method, sets, answer, error).with_slope(slope, between)
 }
 
 /// Remark on the formula that is more exact than needed.
@@ -148,29 +143,29 @@ const TOO_EXACT: &str = "not in the renderer: it pays only near a sphere so huge
 
 #[rustfmt::skip]
 fn far_curves(effort: Effort) -> Vec<Curve<'static>> {
-    let doubles = sets::<f64>(shots_from, 10, effort);
-    let singles = sets::<f32>(shots_from, 3, effort);
+    let doubles = sets::<f64>(FROM_AFAR, 10, effort);
+    let singles = sets::<f32>(FROM_AFAR, 3, effort);
     let (until_lost, everywhere, single) = ((8.0, 2e7), (8.0, 2e9), (8.0, 512.0));
     vec![
-        curve("protocol", &doubles, 2.0, until_lost, protocol::sphere),
-        curve("stable (ours)", &doubles, 1.0, everywhere, stable),
-        curve("compensated", &doubles, 1.0, everywhere, compensated).with_remark(TOO_EXACT),
-        curve("protocol (single)", &singles, 2.0, single, protocol::sphere),
-        curve("stable (single)", &singles, 1.0, single, stable),
+        curve("protocol", &doubles, (2.0, until_lost), protocol::sphere),
+        curve("stable (ours)", &doubles, (1.0, everywhere), stable),
+        curve("compensated", &doubles, (1.0, everywhere), compensated).with_remark(TOO_EXACT),
+        curve("protocol (single)", &singles, (2.0, single), protocol::sphere),
+        curve("stable (single)", &singles, (1.0, single), stable),
     ]
 }
 
 #[rustfmt::skip]
 fn near_curves(effort: Effort) -> Vec<Curve<'static>> {
-    let doubles = sets::<f64>(shots_at_ground, 10, effort);
-    let singles = sets::<f32>(shots_at_ground, 6, effort);
+    let doubles = sets::<f64>(AT_GROUND, 10, effort);
+    let singles = sets::<f32>(AT_GROUND, 6, effort);
     let (single, double) = ((64.0, 3e5), (64.0, 2e9));
     vec![
-        curve("protocol", &doubles, 1.0, double, protocol::sphere),
-        curve("stable (ours)", &doubles, 1.0, double, stable),
-        curve("compensated", &doubles, 0.0, double, compensated).with_remark(TOO_EXACT),
-        curve("protocol (single)", &singles, 1.0, single, protocol::sphere),
-        curve("stable (single)", &singles, 1.0, single, stable),
+        curve("protocol", &doubles, (1.0, double), protocol::sphere),
+        curve("stable (ours)", &doubles, (1.0, double), stable),
+        curve("compensated", &doubles, (0.0, double), compensated).with_remark(TOO_EXACT),
+        curve("protocol (single)", &singles, (1.0, single), protocol::sphere),
+        curve("stable (single)", &singles, (1.0, single), stable),
     ]
 }
 

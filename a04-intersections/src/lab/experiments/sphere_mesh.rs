@@ -73,48 +73,29 @@ fn angular(divisions: u32) -> Result<Ball, ArgumentError> {
     })
 }
 
-/// A curve over all meshes. The exact value of `quantity` is the height of the sphere
-/// over the plane through its centre. The rays pass within nine tenths of the radius,
-/// because near the rim depth and normals change too fast for a comparison.
-fn shading(
+/// A curve over all meshes, by the errors of rays whose squared distances from the axis
+/// are in a range.
+fn curve(
     method: &'static str,
     balls: &[Rc<Ball>],
-    effort: Effort,
-    quantity: fn(Hit) -> f64,
+    rays: impl Fn(&Ball) -> Vec<(f64, Ray)>,
+    errors: impl Fn(&Ball, &[(f64, Ray)]) -> Vec<f64> + Copy + 'static,
 ) -> Curve<'static> {
     let points = balls.iter().map(|ball| {
-        let rays = rays(effort.choose(2048, 4096), 0.0, 0.81);
-        let shot = Rc::clone(ball);
-        let at = move |ray: &Ray| {
-            let nearest = shot.world.hit(ray, Interval::AHEAD);
-            nearest.map(|(hit, ())| quantity(hit))
-        };
-        let error = |(square, ray): &(f64, Ray)| {
-            at(ray).map_or(1.0, |quantity| quantity - (1.0 - square).sqrt())
-        };
-        let errors: Vec<_> = rays.iter().map(error).collect();
-        let work = ball.objects * rays.len() as f64;
-        let run = move || rays.iter().filter_map(|(_, ray)| at(ray)).sum();
-        Point::new(ball.objects, work, errors, run)
+        let (ball, rays) = (Rc::clone(ball), rays(ball));
+        let (objects, work) = (ball.objects, ball.objects * rays.len() as f64);
+        let run = move || errors(&ball, &rays);
+        Point::new(objects, work, run(), run)
     });
     Curve::new(method, points)
 }
 
 /// Fraction of the sphere's disc that the mesh does not cover. It lies outside of
 /// the greatest ball inside of the mesh, so the rays are only there.
-fn silhouette(balls: &[Rc<Ball>], effort: Effort) -> Curve<'static> {
-    let points = balls.iter().map(|ball| {
-        let ball = Rc::clone(ball);
-        let rays = rays(effort.choose(2048, 4096), ball.inner, 1.0);
-        let (objects, work) = (ball.objects, ball.objects * rays.len() as f64);
-        let missing = move || {
-            let passes = |(_, ray): &&(f64, Ray)| !ball.world.is_hit(ray, Interval::AHEAD);
-            let share = rays.iter().filter(passes).count() as f64 / rays.len() as f64;
-            (1.0 - ball.inner) * share
-        };
-        Point::new(objects, work, [missing()], missing)
-    });
-    Curve::new("silhouette", points)
+fn silhouette(ball: &Ball, rays: &[(f64, Ray)]) -> Vec<f64> {
+    let passes = |(_, ray): &&(f64, Ray)| !ball.world.is_hit(ray, Interval::AHEAD);
+    let share = rays.iter().filter(passes).count() as f64 / rays.len() as f64;
+    vec![(1.0 - ball.inner) * share]
 }
 
 fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
@@ -122,18 +103,34 @@ fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
     let balls = divisions.map(|divisions| angular(divisions).map(Rc::new));
     let balls = balls.collect::<Result<Vec<_>, _>>()?;
     let sphere = [Rc::new(round()?)];
+    let count = effort.choose(2048, 4096);
+    // The exact value is the height of the sphere over the plane through its centre. The
+    // rays pass within nine tenths of the radius, because near the rim depth and normals
+    // change too fast for a comparison.
+    let shading = |method, balls: &[_], quantity: fn(Hit) -> f64| {
+        let error = move |ball: &Ball, (square, ray): &(f64, Ray)| {
+            let hit = ball.world.hit(ray, Interval::AHEAD);
+            hit.map_or(1.0, |(hit, ())| quantity(hit) - (1.0 - square).sqrt())
+        };
+        let errors =
+            move |ball: &Ball, rays: &[_]| rays.iter().map(|ray| error(ball, ray)).collect();
+        curve(method, balls, |_| rays(count, 0.0, 0.81), errors)
+    };
+    let at_rim = |ball: &Ball| rays(count, ball.inner, 1.0);
     let all = (0.0, f64::INFINITY);
     let depth = |hit: Hit| BEFORE - hit.t;
     Ok(vec![
-        silhouette(&balls, effort).with_slope(-1.0, all),
-        shading("depth", &balls, effort, depth).with_slope(-1.0, all),
-        shading("smooth Lambert", &balls, effort, |hit| hit.normal.dot(W))
+        curve("silhouette", &balls, at_rim, silhouette).with_slope(-1.0, all),
+        shading("depth", &balls, depth).with_slope(-1.0, all),
+        shading("smooth Lambert", &balls, |hit| hit.normal.dot(W))
             .with_slope(-1.0, all)
             .with_remark(
                 "normals interpolated between the corners double the slope for next to nothing",
             ),
-        shading("flat Lambert", &balls, effort, |hit| hit.face.dot(W)).with_slope(-0.5, all),
-        shading("depth of the sphere", &sphere, effort, depth)
+        shading("flat Lambert", &balls, |hit| hit.face.dot(W)).with_slope(-0.5, all),
+        // The rounding of roots near 1.
+        shading("depth of the sphere", &sphere, depth)
+            .with_bound(4.0 * f64::EPSILON, 1.0..=1.0)
             .with_remark("one object instead of thousands, and exact: spheres are no meshes here"),
     ])
 }

@@ -4,11 +4,11 @@ use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
 use common::Error;
 use measure::Effort;
-use measure::extremes::{Case, Equal, Holds, Id};
+use measure::extremes::{Case, Equal, Holds, Id, wrong};
 
-use super::{any_ray, arrays, first, meeting};
-use crate::lab::experiments::Numbers;
+use super::meeting;
 use crate::lab::protocol::{self, Compared};
+use crate::lab::support::{Numbers, any_ray, arrays, first};
 use crate::{AxisAlignedBox, Plane, Sphere, Triangle};
 
 /// Coordinates are multiples of this: they are exact after a translation by 2^30.
@@ -69,17 +69,15 @@ impl Place {
 /// Number of distances that differ in any bit, except for the scale, at some places: ours,
 /// and the protocol's.
 fn differing(places: &[Place], rays: usize) -> Result<[usize; 2], Error> {
-    let bits = |t: Option<f64>| t.map(f64::to_bits);
-    let mut counts = [0; 2];
-    for (n, place) in (0..rays).flat_map(|n| places.iter().map(move |place| (n, place))) {
-        let pairs = HERE.distances(n)?.into_iter().zip(place.distances(n)?);
-        for (count, (here, there)) in counts.iter_mut().zip(pairs) {
-            let pairs = here.into_iter().zip(there);
-            let differ = |(t, u): &(Option<f64>, _)| bits(t.map(|t| t * place.scale)) != bits(*u);
-            *count += pairs.filter(differ).count();
-        }
-    }
-    Ok(counts)
+    let shapes = (0..4).flat_map(|shape| (0..rays).map(move |n| (shape, n)));
+    let trials = shapes.flat_map(|(shape, n)| places.iter().map(move |place| (shape, n, place)));
+    wrong(trials, |(shape, n, place)| {
+        let (here, there) = (HERE.distances(n)?, place.distances(n)?);
+        Ok([0, 1].map(|formula| {
+            let [t, u] = [here, there].map(|distances| distances[formula][shape]);
+            t.map(|t| (t * place.scale).to_bits()) != u.map(f64::to_bits)
+        }))
+    })
 }
 
 /// The unit sphere and an eye, this far from the origin along all axes.

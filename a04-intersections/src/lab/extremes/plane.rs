@@ -4,13 +4,13 @@ use a02_math::{Direction, Point3};
 use a03_rays_cameras::Ray;
 use common::ArgumentError;
 use measure::Effort;
-use measure::extremes::{Absolute, Bound, Equal, Finite, Ulps};
+use measure::extremes::{Absolute, Bound, Equal, Finite, Ulps, wrong};
 use measure::extremes::{Case, Fails, Holds, Id, Outcome, Protocol};
 
-use super::{EPSILON, Line, MISS, REFUSED, Triple};
-use super::{any_ray, first, meeting, point, raw_ray, vector};
-use crate::lab::experiments::Numbers;
-use crate::{Geometry, Interval, Plane, protocol};
+use super::{EPSILON, MISS, REFUSED, meeting};
+use crate::lab::protocol;
+use crate::lab::support::{Line, Numbers, Triple, any_ray, first, point, raw_ray, vector};
+use crate::{Geometry, Interval, Plane};
 
 const UP: Triple = [0.0, 1.0, 0.0];
 
@@ -71,15 +71,14 @@ pub fn cases(effort: Effort) -> Vec<Case> {
 /// its sides. With `t > 0` some rays hit the same plane again; with an interval
 /// that begins after a few rounding errors of the lengths, no ray does.
 fn leaving(effort: Effort) -> Result<[usize; 2], ArgumentError> {
-    let mut met = [0; 2];
-    for n in 0..effort.choose(1000, 20_000) {
+    wrong(0..effort.choose(1000, 20_000), |n| {
         let mut numbers = Numbers::new(31, n);
         let normal = numbers.perpendicular()[0].as_normal();
         let plane = Plane::new(Point3::ORIGIN, normal)?;
         let eye = Point3::ORIGIN + numbers.triple(-5.0, 5.0);
         let ray = Ray::new(eye, numbers.direction())?;
         let Some(hit) = plane.hit(&ray, Interval::AHEAD) else {
-            continue;
+            return Ok([false; 2]);
         };
         let away = Ray::new(ray.at(hit.t), (-ray.direction()).reflected_on(normal))?;
         // A slanted ray hits the plane at a distance of the error over the cosine.
@@ -88,8 +87,10 @@ fn leaving(effort: Effort) -> Result<[usize; 2], ArgumentError> {
             min: rounding / away.direction().dot(normal).abs(),
             ..Interval::AHEAD
         };
-        met[0] += usize::from(plane.hit(&away, within).is_some());
-        met[1] += usize::from(protocol::plane(Point3::ORIGIN, normal, &away).is_some());
-    }
-    Ok(met)
+        let ours = plane.hit(&away, within).is_some();
+        Ok([
+            ours,
+            protocol::plane(Point3::ORIGIN, normal, &away).is_some(),
+        ])
+    })
 }

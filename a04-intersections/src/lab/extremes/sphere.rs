@@ -1,14 +1,14 @@
 //! Far, huge and tiny spheres, tangent rays, and rays from inside.
 
-use a02_math::{Direction, Point3};
-use common::Color;
-use measure::extremes::{
-    Absolute, Bound, Case, Equal, Fails, Finite, Holds, Id, Outcome, Protocol, Ulps, tried,
-};
+use a02_math::{Direction, Normal3, Point3};
+use common::{ArgumentError, Color};
+use measure::extremes::{Absolute, Bound, Case, Equal, Fails, Finite, Holds, Id, Outcome};
+use measure::extremes::{Protocol, Ulps, tried};
 
-use super::{EPSILON, Line, MISS, REFUSED, Triple};
-use super::{any_ray, arrays, first, meeting, point, raw_ray, unit_ray, vector};
-use crate::{Geometry, Interval, Sphere, World, protocol};
+use super::{EPSILON, MISS, REFUSED, meeting};
+use crate::lab::protocol;
+use crate::lab::support::{Line, Triple, any_ray, arrays, first, point, raw_ray, unit_ray, vector};
+use crate::{Geometry, Interval, Sphere, World};
 
 /// Centre and radius.
 type Ball = (Triple, f64);
@@ -38,19 +38,27 @@ fn case(
 
 /// The unit sphere from 3 away along a direction of another length: distances.
 fn long_or_short(id: Id, length: f64) -> Case {
-    let line = ([0.0, 0.0, 3.0], [0.0, 0.0, -length]);
-    let raw = protocol::sphere(&[0.0; 3], 1.0, &line.0, &line.1);
-    let ours = meeting(Sphere::new(Point3::ORIGIN, 1.0), line);
+    let line @ (o, d) = ([0.0, 0.0, 3.0], [0.0, 0.0, -length]);
     let what = format!("distance 2 along a direction of length {length:e}");
-    Case::new(id, what, 2.0, Ulps(1.0), ours).protocol(Fails, raw.map(|t| t * length))
+    let theirs = protocol::sphere(&UNIT.0, UNIT.1, &o, &d).map(|t| t * length);
+    Case::new(id, what, 2.0, Ulps(1.0), meeting(unit(), line)).protocol(Fails, theirs)
 }
 
 /// A ray that no scene contains, passed directly to the unit sphere.
 fn unchecked(id: Id, what: &str, line: Line, says: Protocol) -> Case {
-    let ours = Sphere::new(Point3::ORIGIN, 1.0).map(|s| first(&s, &raw_ray(line)));
-    let what = format!("{what}, past the constructor");
-    Case::new(id, what, MISS, Equal, ours)
-        .protocol(says, protocol::sphere(&[0.0; 3], 1.0, &line.0, &line.1))
+    let ours = unit().map(|sphere| first(&sphere, &raw_ray(line)));
+    Case::new(
+        id,
+        format!("{what}, past the constructor"),
+        MISS,
+        Equal,
+        ours,
+    )
+    .protocol(says, protocol::sphere(&UNIT.0, UNIT.1, &line.0, &line.1))
+}
+
+fn unit() -> Result<Sphere, ArgumentError> {
+    Sphere::new(Point3::ORIGIN, 1.0)
 }
 
 #[rustfmt::skip]
@@ -62,6 +70,17 @@ pub fn cases() -> Vec<Case> {
     let up = [0.0, 0.0, 1.0];
     let along_x = |x: f64, y: f64| ([x, y, 0.0], [1.0, 0.0, 0.0]);
     let past = along_x(-5.0, 2.0);
+    // The protocol's normal points outwards, also for an eye inside.
+    let from_inside = (ORIGIN, up);
+    let cosine = |normal: Normal3| normal.dot(vector(up));
+    let facing = tried(|| {
+        let world = World::new(Color::BLACK)?.with(unit()?, ());
+        let hit = world.hit(&unit_ray(from_inside)?, Interval::AHEAD);
+        Ok(hit.map(|(hit, ())| cosine(hit.normal)))
+    });
+    let outwards = unit().map(|sphere| {
+        sphere.hit(&raw_ray(from_inside), Interval::AHEAD).map(|hit| cosine(hit.normal))
+    });
     let [a, b, discriminant] = protocol::sphere_terms(&ORIGIN, 1.0, &past.0, &past.1);
     vec![
         case("A01", "radius 1 from 1e8 away", UNIT, from(0.0, 1e8), 99_999_999.0, stable(1e8, 1.0), Fails),
@@ -118,25 +137,10 @@ pub fn cases() -> Vec<Case> {
         unchecked("A38", "an infinite direction", ([0.0, 0.0, 3.0], [0.0, 0.0, f64::NEG_INFINITY]), Holds),
         case("A39", "a direction with two negative zeros",
             UNIT, ([0.0, 0.0, 3.0], [-0.0, -0.0, -1.0]), 2.0, Equal, Holds),
-        facing_from_inside(),
+        Case::new("A40", "seen from inside: cosine between normal and direction", -1.0, Equal, facing)
+            .protocol(Fails, outwards),
         Case::new("A41", "past the sphere: the root drawn before its sign is tested",
-            MISS, Finite, meeting(Sphere::new(Point3::ORIGIN, 1.0), past))
+            MISS, Finite, meeting(unit(), past))
             .protocol(Fails, (-b - discriminant.sqrt()) / (2.0 * a)),
     ]
-}
-
-/// The protocol's normal points outwards, also for an eye inside.
-fn facing_from_inside() -> Case {
-    let line = ([0.0; 3], [0.0, 0.0, 1.0]);
-    let ours = tried(|| {
-        let world = World::new(Color::BLACK)?.with(Sphere::new(Point3::ORIGIN, 1.0)?, ());
-        let hit = world.hit(&unit_ray(line)?, Interval::AHEAD);
-        Ok(hit.map(|(hit, ())| hit.normal.dot(vector(line.1))))
-    });
-    let outwards = Sphere::new(Point3::ORIGIN, 1.0).map(|sphere| {
-        let hit = sphere.hit(&raw_ray(line), Interval::AHEAD);
-        hit.map(|hit| hit.normal.dot(vector(line.1)))
-    });
-    let what = "seen from inside: cosine between normal and direction";
-    Case::new("A40", what, -1.0, Equal, ours).protocol(Fails, outwards)
 }

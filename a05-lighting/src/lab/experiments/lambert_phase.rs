@@ -48,7 +48,9 @@ pub fn experiment() -> Experiment<'static> {
                 let errors: Vec<_> = (0..balls).map(|ball| mean(ball) - exact).collect();
                 let pixels = f64::from(pixels);
                 let rays = f64::from(balls) * pixels * pixels;
-                Point::new(pixels, rays, errors, move || (0..balls).map(mean).sum())
+                Point::new(pixels, rays, errors, move || {
+                    (0..balls).map(mean).sum::<f64>()
+                })
             };
             let curve = |(phase, method, slope)| {
                 let points = sizes.iter().map(|pixels| point(phase, *pixels));

@@ -8,15 +8,14 @@ use std::rc::Rc;
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::PixelRandom;
 use common::{ArgumentError, Color};
-use measure::experiment::{Axis, Curve, Experiment, Unit, share};
+use measure::experiment::{Axis, Curve, Experiment, Unit};
 
-use crate::{Light, SpotLight, protocol};
+use crate::lab::protocol;
+use crate::{Light, SpotLight};
 
 const HALF_ANGLE: f64 = 1e-3;
 const COS_HALF_ANGLE: f64 = 0.999_999_500_000_041_7;
 const DIRECTION: Vector3 = Vector3::new(1.0, 2.0, 3.0);
-
-type Illuminates = fn(&SpotLight, Point3) -> bool;
 
 pub fn experiment() -> Experiment<'static> {
     Experiment {
@@ -33,18 +32,20 @@ pub fn experiment() -> Experiment<'static> {
             let count = effort.choose(4_096, 65_536) as u32;
             let knobs = [1e-2, 1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-11];
             let tasks = knobs.map(|knob| (knob, tasks(knob, count).unwrap_or_default()));
-            let curve = |method, illuminates: Illuminates| {
-                let lit = move |task: &Task| illuminates(&task.light, task.point);
-                let wrong = |tasks: &[_]| share(tasks, |task| lit(task) != task.is_lit);
-                Curve::of_tasks(method, &tasks, wrong, move |task| lit(task).into())
+            let curve = |method, illuminates: fn(&SpotLight, Point3) -> bool| {
+                let lit = move |(light, point, _): &Task| illuminates(light, *point);
+                Curve::of_decisions(method, &tasks, lit, |(.., is_lit), lit| lit != *is_lit)
             };
+            // Rounding is far below a billionth of the half angle.
+            let far = 1e-9..=1.0;
             vec![
                 curve("arc cosine (protocol)", |_, p| {
                     protocol::spot_light_illuminates(Point3::ORIGIN, DIRECTION, HALF_ANGLE, p)
                 })
                 .with_remark("lights one in four points straight behind"),
-                curve("cosines", by_cosines),
+                curve("cosines", by_cosines).with_bound(0.0, far.clone()),
                 curve("cosines, as rendered", Light::illuminates)
+                    .with_bound(0.0, far)
                     .with_remark("with the direction and the distance, which the material needs"),
                 curve("arc tangent", |_, p| DIRECTION.angle(p - Point3::ORIGIN) <= HALF_ANGLE).with_remark(
                     "not in the renderer: dearer than the cosines, and no eye sees a billionth of an angle",
@@ -62,11 +63,7 @@ fn by_cosines(_: &SpotLight, point: Point3) -> bool {
 }
 
 /// A light at the origin, and a point on which it shines or not.
-struct Task {
-    light: SpotLight,
-    point: Point3,
-    is_lit: bool,
-}
+type Task = (SpotLight, Point3, bool);
 
 /// Points near the rim of the light's cone.
 fn tasks(knob: f64, count: u32) -> Result<Rc<[Task]>, ArgumentError> {
@@ -78,19 +75,14 @@ fn tasks(knob: f64, count: u32) -> Result<Rc<[Task]>, ArgumentError> {
         let random = PixelRandom::new(12, i, 0);
         let distance = 1.0 + 9.0 * random.uniform(0);
         if i % 8 == 0 {
-            return (Point3::ORIGIN - DIRECTION * distance, false);
+            return (light, Point3::ORIGIN - DIRECTION * distance, false);
         }
         let inside = random.uniform(1) < 0.5;
         let angle = HALF_ANGLE * if inside { 1.0 - knob } else { 1.0 + knob };
         let around = 6.3 * random.uniform(2);
         let aside = u * libm::cos(around) + v * libm::sin(around);
         let way = w * libm::cos(angle) + aside * libm::sin(angle);
-        (Point3::ORIGIN + way * distance, inside)
+        (light, Point3::ORIGIN + way * distance, inside)
     });
-    let task = |(point, is_lit)| Task {
-        light,
-        point,
-        is_lit,
-    };
-    Ok(points.map(task).collect())
+    Ok(points.collect())
 }

@@ -3,14 +3,13 @@
 //! Each emits 1 and has the reflectance k. After D mirrors a ray has brought back
 //! 1 + k + ... + k^(D-1) = (1 - k^D) / (1 - k).
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::lab::experiments::Numbers;
-use a04_intersections::{Geometry, Hit, Interval, Plane};
-use a05_lighting::{DirectionalLight, SingleColor};
+use a04_intersections::Plane;
+use a04_intersections::lab::support::Numbers;
+use a04_intersections::watched::geometry;
+use a05_lighting::{DirectionalLight, SingleColor, watched};
+use common::tally::{self, Work};
 use common::{ArgumentError, Color, Error};
 use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Outcome, tried};
 
@@ -18,7 +17,10 @@ use crate::lab::protocol::{self, OneCounter};
 use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld};
 
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
+/// Upwards from between the mirrors.
+const RAY: Ray = Ray::derived(Point3::new(0.0, 0.0, 0.0), UP);
 
+/// Two mirrors at equal distances below and above the origin.
 #[derive(Clone, Copy)]
 pub struct Mirrors {
     gap: f64,
@@ -32,27 +34,20 @@ pub const fn mirrors(k: f64) -> Mirrors {
     Mirrors { gap, k, background }
 }
 
+/// The light that a ray brings back in a world.
+type Trace<'a> = &'a (dyn Fn(&ShadowedWorld) -> Color + Sync);
+
 impl Mirrors {
     pub fn world(self) -> Result<ShadowedWorld, Error> {
-        self.world_over(plane(0.0)?)
-    }
-
-    fn world_over(self, below: impl Geometry + 'static) -> Result<ShadowedWorld, Error> {
-        let mirror = || Reflective::new(Color::WHITE, Color::BLACK, 1.0, Color::gray(self.k));
-        let world = ShadowedWorld::empty(Color::gray(self.background), Color::WHITE)?;
-        let (below, above) = (world.with(below, Box::new(mirror()?)), plane(self.gap)?);
-        Ok(below.with(above, Box::new(mirror()?)))
-    }
-
-    fn ray(self) -> Ray {
-        Ray::derived(Point3::new(0.0, self.gap / 2.0, 0.0), UP)
+        let empty = ShadowedWorld::empty(Color::gray(self.background), Color::WHITE)?;
+        [-0.5, 0.5].into_iter().try_fold(empty, |world, side| {
+            let mirror = Reflective::new(Color::WHITE, Color::BLACK, 1.0, Color::gray(self.k))?;
+            Ok(world.with(plane(side * self.gap)?, Box::new(mirror)))
+        })
     }
 
     fn ours(self, depth: u32) -> Outcome {
-        tried(|| {
-            let world = self.world()?;
-            Ok(RecursiveTracer::new(&world).trace(&self.ray(), depth).r)
-        })
+        tried(|| Ok(RecursiveTracer::new(&self.world()?).trace(&RAY, depth).r))
     }
 
     /// The last of some pixels by the protocol's tracer, which all show one mirror.
@@ -60,7 +55,7 @@ impl Mirrors {
         tried(|| {
             let world = &self.world()?;
             let mut tracer = OneCounter { world, recursion };
-            Ok((0..pixels).map(|_| tracer.trace(&self.ray()).r).last())
+            Ok((0..pixels).map(|_| tracer.trace(&RAY).r).last())
         })
     }
 
@@ -71,20 +66,19 @@ impl Mirrors {
         Case::new(id, what, exact, bound, self.ours(depth))
     }
 
-    /// One search finds the hit. A surface that does not mirror, or is the last,
-    /// needs no reflected ray.
+    /// One search finds the hit, and tests both mirrors. A surface that does not mirror, or
+    /// is the last, needs no reflected ray.
     fn searches(self, id: Id, what: &str, depth: u32) -> Case {
-        let count = |trace: &dyn Fn(&ShadowedWorld, &Ray) -> Color| {
+        let count = |trace: Trace| {
             tried(|| {
-                let rays = Arc::default();
-                let world = self.world_over(Counting(plane(0.0)?, Arc::clone(&rays)))?;
-                trace(&world, &self.ray());
-                Ok(rays.load(Ordering::Relaxed))
+                let world = watched::world(self.world()?, geometry, |surface| surface);
+                let (_, tally) = tally::counted(|| trace(&world))?;
+                Ok(tally[Work::IntersectionTest] as f64 / 2.0)
             })
         };
-        let ours = count(&|world, ray| RecursiveTracer::new(world).trace(ray, depth));
+        let ours = count(&|world| RecursiveTracer::new(world).trace(&RAY, depth));
         let recursion = depth;
-        let theirs = count(&|world, ray| OneCounter { world, recursion }.trace(ray));
+        let theirs = count(&|world| OneCounter { world, recursion }.trace(&RAY));
         let what = format!("two mirrors, {what}, depth {depth}: searches of the world");
         Case::new(id, what, 1.0, Equal, ours).protocol(Fails, theirs)
     }
@@ -156,15 +150,4 @@ fn million_reflections(id: Id) -> Case {
     let bound = Absolute(1e6 * f64::EPSILON);
     let what = "a direction of length 1 after 1e6 reflections: its length";
     Case::new(id, what, 1.0, bound, direction.dot(direction).sqrt())
-}
-
-/// A plane that counts the rays tested against it.
-#[derive(Debug)]
-pub struct Counting(pub Plane, pub Arc<AtomicUsize>);
-
-impl Geometry for Counting {
-    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        self.1.fetch_add(1, Ordering::Relaxed);
-        self.0.hit(ray, within)
-    }
 }

@@ -5,9 +5,9 @@ use std::rc::Rc;
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::lab::experiments::Numbers;
+use a04_intersections::lab::support::Numbers;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
-use common::{ArgumentError, Color, Error};
+use common::{Color, Error, argument};
 use measure::Effort;
 use measure::extremes::{Case, Equal, Fails, Holds, Id};
 
@@ -100,27 +100,27 @@ pub struct Trial {
 }
 
 impl Trial {
+    /// The ray to the light, and its interval.
+    fn to_light(&self, policy: Policy) -> (Ray, Interval) {
+        let (ray, min) = policy(&self.ray, &self.hit, self.light);
+        let max = f64::INFINITY;
+        (ray, Interval { min, max })
+    }
+
     /// Whether the shape, which is convex, shadows itself.
     pub fn shades_itself(&self, policy: Policy) -> bool {
-        let (to_light, min) = policy(&self.ray, &self.hit, self.light);
-        self.world.is_hit(&to_light, beyond(min))
+        let (to_light, within) = self.to_light(policy);
+        self.world.is_hit(&to_light, within)
     }
 
     /// Whether a policy is wrong: the shape shadows itself, or the object at the
     /// distance `near` before the light is missed.
     pub fn is_wrong(&self, policy: Policy, near: f64) -> bool {
-        let (to_light, min) = policy(&self.ray, &self.hit, self.light);
+        let (to_light, within) = self.to_light(policy);
         let before = self.ray.at(self.hit.t) + self.light * (near * self.size);
         let occluder = Plane::new(before, self.light.as_normal());
-        let is_found = occluder.is_ok_and(|plane| plane.hit(&to_light, beyond(min)).is_some());
+        let is_found = occluder.is_ok_and(|plane| plane.hit(&to_light, within).is_some());
         self.shades_itself(policy) || !is_found
-    }
-}
-
-fn beyond(min: f64) -> Interval {
-    Interval {
-        min,
-        max: f64::INFINITY,
     }
 }
 
@@ -144,32 +144,34 @@ pub fn seen(
     [distance, within]: [f64; 2],
     count: usize,
 ) -> Trials {
-    let mut trials = Vec::with_capacity(count);
-    for n in 0..MOST_RAYS * count {
-        if trials.len() == count {
-            return Ok(trials);
-        }
+    let trial = |n| {
         let mut numbers = Numbers::new(seed, n);
         let mut way = || numbers.triple(-1.0, 1.0);
         let eye = middle + way().unit("eye")? * (distance * size);
         let target = middle + way() * (within * size);
         let ray = Ray::new(eye, target - eye)?;
         let Some((hit, ())) = world.hit(&ray, Interval::AHEAD) else {
-            continue;
+            return Ok(None);
         };
         let light = way().unit("light")?;
         let cosine = light.dot(hit.face);
         // At grazing angles either result is right.
-        if cosine.abs() >= 1e-3 {
-            trials.push(Trial {
-                world: Rc::clone(world),
-                ray,
-                hit,
-                light: light * 1.0_f64.copysign(cosine),
-                size,
-            });
-        }
-    }
-    let hits = format!("hit at {} lit points", trials.len());
-    Err(ArgumentError::new("the shape", hits, "one that most rays hit").into())
+        Ok((cosine.abs() >= 1e-3).then(|| Trial {
+            world: Rc::clone(world),
+            ray,
+            hit,
+            light: light * 1.0_f64.copysign(cosine),
+            size,
+        }))
+    };
+    let trials = (0..MOST_RAYS * count).filter_map(|n| trial(n).transpose());
+    let trials = trials.take(count).collect::<Result<Vec<_>, Error>>()?;
+    let hits = trials.len() as f64;
+    argument::check(
+        "lit points",
+        hits,
+        trials.len() == count,
+        "as many as asked for",
+    )?;
+    Ok(trials)
 }

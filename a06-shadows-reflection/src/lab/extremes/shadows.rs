@@ -1,18 +1,20 @@
 //! Lights in unusual positions, and the protocol's shadow rays.
 
-use std::sync::Arc;
-use std::sync::atomic::Ordering;
-
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Plane, Sphere, World};
-use a05_lighting::{Lambert, PointLight, SpotLight};
+use a04_intersections::lab::support::Numbers;
+use a04_intersections::watched::geometry;
+use a04_intersections::{Geometry, Interval, Plane, Sphere, World};
+use a05_lighting::{DirectionalLight, Lambert, Light, PointLight, SpotLight, watched};
+use common::tally::{self, Work};
 use common::{ArgumentError, Color, Error};
-use measure::extremes::{Case, Equal, Fails, Holds, Id, Protocol, tried};
+use measure::Effort;
+use measure::extremes::{Case, Equal, Fails, Holds, Id, Protocol, tried, wrong};
 
-use super::mirrors::Counting;
-use crate::protocol::{lambert, point_light_illuminates, spot_light_illuminates};
-use crate::{LightSource, RecursiveTracer, ShadowedWorld};
+use crate::lab::protocol::{
+    directional_light_illuminates, lambert, point_light_illuminates, spot_light_illuminates,
+};
+use crate::{LightSource, RecursiveTracer, ShadowedWorld, is_shadowed};
 
 const UP: Normal3 = Normal3::new(0.0, 1.0, 0.0);
 const DOWN: Vector3 = Vector3::new(0.0, -1.0, 0.0);
@@ -24,11 +26,10 @@ fn floor() -> Result<Plane, ArgumentError> {
 }
 
 /// A white floor, ambient light of 1/4, and one more light.
-fn world(floor: impl Geometry + 'static, light: LightSource) -> Result<ShadowedWorld, Error> {
+fn world(light: LightSource) -> Result<ShadowedWorld, Error> {
     let world = ShadowedWorld::empty(Color::BLACK, Color::gray(0.25))?;
-    Ok(world
-        .with(floor, Box::new(Lambert::new(Color::WHITE)?))
-        .lit_by(light))
+    let white = Box::new(Lambert::new(Color::WHITE)?);
+    Ok(world.with(floor()?, white).lit_by(light))
 }
 
 fn point_light(position: Point3) -> Result<LightSource, ArgumentError> {
@@ -40,7 +41,7 @@ fn point_light(position: Point3) -> Result<LightSource, ArgumentError> {
 fn brightness(id: Id, what: &str, light: Point3, exact: f64) -> Case {
     let ours = tried(|| {
         let ray = Ray::derived(Point3::new(0.0, 1.0, 0.0), DOWN);
-        let world = world(floor()?, point_light(light)?)?;
+        let world = world(point_light(light)?)?;
         Ok(RecursiveTracer::new(&world).trace(&ray, 1).r)
     });
     Case::new(id, format!("{what}: brightness below"), exact, Equal, ours)
@@ -54,11 +55,10 @@ fn look() -> Ray {
 /// Number of rays tested against the floor, without the camera's ray.
 fn shadow_rays(id: Id, what: &str, light: Point3) -> Case {
     let ours = tried(|| {
-        let rays = Arc::default();
-        let floor = Counting(floor()?, Arc::clone(&rays));
-        let world = world(floor, point_light(light)?)?;
-        let _ = RecursiveTracer::new(&world).trace(&look(), 1);
-        Ok(rays.load(Ordering::Relaxed) - 1)
+        let world = watched::world(world(point_light(light)?)?, geometry, |surface| surface);
+        let trace = || RecursiveTracer::new(&world).trace(&look(), 1);
+        let (_, tally) = tally::counted(trace)?;
+        Ok(tally[Work::IntersectionTest] as f64 - 1.0)
     });
     Case::new(id, format!("{what}: shadow rays"), 0.0, Equal, ours)
 }
@@ -77,7 +77,7 @@ fn between(
 ) -> Case {
     let ball = || Sphere::new(Point3::new(0.0, ball, 0.0), 0.5);
     let ours = tried(|| {
-        let world = world(floor()?, light?)?.with(ball()?, Box::new(Lambert::new(Color::WHITE)?));
+        let world = world(light?)?.with(ball()?, Box::new(Lambert::new(Color::WHITE)?));
         Ok(RecursiveTracer::new(&world).trace(&look(), 1).r > 0.25)
     });
     let theirs = tried(|| {
@@ -88,7 +88,9 @@ fn between(
 }
 
 #[rustfmt::skip]
-pub fn cases() -> Vec<Case> {
+pub fn cases(effort: Effort) -> Vec<Case> {
+    let n = effort.choose(2_000, 20_000);
+    let ball = |radius: f64| format!("ball of radius {radius} on a slope, {n} points under it: lit");
     let height = |y| Point3::new(0.0, y, 0.0);
     let in_the_floor = Point3::new(3.0, 0.0, 0.0);
     let theirs = |y| 0.25 + lambert(UP, height(y), Point3::ORIGIN);
@@ -105,5 +107,100 @@ pub fn cases() -> Vec<Case> {
         between("I16", "point light, ball behind it", point(), 6.0, (true, Fails), point_light_illuminates),
         between("I17", "spot light, ball in between", spot(), 2.0, (false, Fails), spot_light_illuminates),
         between("I18", "spot light, ball under the floor", spot(), -2.0, (true, Fails), spot_light_illuminates),
+        Case::wrong("I08", format!("lamp on the ceiling, {n} points below: dark"), lamp_on_the_ceiling(n)),
+        Case::wrong("S14", ball(0.5), under_a_ball(n, 1.0)),
+        Case::wrong("S31", ball(50.0), under_a_ball(n, 100.0)),
+        Case::wrong("S32", format!("nothing on a slope under a far light, {n} points: dark"), under_the_sun(n)),
     ]
+}
+
+/// A tilted floor through the origin, in a scene of this size.
+struct Slope {
+    floor: Plane,
+    normal: Vector3,
+    size: f64,
+}
+
+impl Slope {
+    fn new(size: f64) -> Result<Self, ArgumentError> {
+        let normal = Vector3::new(0.3, 1.0, 0.2).unit("normal")?;
+        let floor = Plane::new(Point3::ORIGIN, normal.as_normal())?;
+        Ok(Self {
+            floor,
+            normal,
+            size,
+        })
+    }
+
+    /// The point at this height above the floor, in sizes of the scene.
+    fn above(&self, height: f64) -> Point3 {
+        Point3::ORIGIN + self.normal * (height * self.size)
+    }
+
+    /// The floor with another object.
+    fn world(&self, other: impl Geometry + 'static) -> Result<World<()>, Error> {
+        Ok(World::new(Color::BLACK)?
+            .with(self.floor, ())
+            .with(other, ()))
+    }
+
+    /// Of some points around the origin, computed as hits of rays, so that they lie a little
+    /// above the slope or below, the number that is not `lit` as it should be: by our shadow
+    /// rays, and by the protocol's.
+    fn misjudged(
+        &self,
+        points: usize,
+        (world, light, lit): (&World<()>, &dyn Light, bool),
+        theirs: impl Fn(Point3) -> bool,
+    ) -> Counts {
+        wrong(0..points, |i| {
+            let aside = self.normal.cross(Numbers::new(14, i).triple(-1.0, 1.0));
+            let eye = self.above(3.0) + self.normal.cross(aside) * (4.0 * self.size);
+            let target = Point3::ORIGIN + aside * (0.3 * self.size);
+            let ray = Ray::new(eye, target - eye)?;
+            let Some(hit) = self.floor.hit(&ray, Interval::AHEAD) else {
+                return Ok([false; 2]);
+            };
+            let point = ray.at(hit.t);
+            let light = light.illumination(point);
+            let ours = light.is_some_and(|light| !is_shadowed(world, &ray, &hit, &light));
+            Ok([ours != lit, theirs(point) != lit])
+        })
+    }
+}
+
+/// Points that are judged wrongly, by us and by the protocol.
+type Counts = Result<[usize; 2], Error>;
+
+/// A lamp that is fixed to the ceiling lights the floor.
+fn lamp_on_the_ceiling(count: usize) -> Counts {
+    let slope = Slope::new(1.0)?;
+    let at = slope.above(4.0);
+    let lamp = PointLight::new(Color::WHITE, at)?;
+    let world = slope.world(Plane::new(at, Normal3::new(0.1, 1.0, 0.3))?)?;
+    slope.misjudged(count, (&world, &lamp, true), |point| {
+        point_light_illuminates(at, point, &world)
+    })
+}
+
+/// A ball on the floor, with a lamp straight above: the points below are dark.
+fn under_a_ball(count: usize, size: f64) -> Counts {
+    let slope = Slope::new(size)?;
+    let at = slope.above(5.0);
+    let lamp = PointLight::new(Color::WHITE, at)?;
+    let world = slope.world(Sphere::new(slope.above(0.5), 0.5 * size)?)?;
+    slope.misjudged(count, (&world, &lamp, false), |point| {
+        point_light_illuminates(at, point, &world)
+    })
+}
+
+/// An empty floor under a far light: all points are lit.
+fn under_the_sun(count: usize) -> Counts {
+    let slope = Slope::new(1.0)?;
+    let direction = Vector3::new(0.1, -1.0, -0.4).unit("direction")?;
+    let sun = DirectionalLight::new(Color::WHITE, direction)?;
+    let world = World::new(Color::BLACK)?.with(slope.floor, ());
+    slope.misjudged(count, (&world, &sun, true), |point| {
+        directional_light_illuminates(direction, point, &world)
+    })
 }

@@ -4,16 +4,15 @@ use std::f64::consts::SQRT_2;
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::lab::experiments::Numbers;
-use a04_intersections::lab::extremes::{Line, first};
+use a04_intersections::lab::support::{Line, Numbers, first, raw_ray};
 use a04_intersections::{Geometry, Interval};
 use a06_shadows_reflection::secondary_ray;
 use common::ArgumentError;
 use measure::Effort;
-use measure::extremes::{Case, Fails, Holds, Id, Nothing, Outcome, Protocol, Refused, Ulps};
+use measure::extremes::{Case, Fails, Holds, Id, Nothing, Outcome, Protocol, Refused, Ulps, wrong};
 
-use super::raw_ray;
-use crate::{Disc, protocol};
+use crate::Disc;
+use crate::lab::protocol;
 
 const UP: Normal3 = Normal3::new(0.0, 1.0, 0.0);
 
@@ -51,19 +50,17 @@ pub fn cases(effort: Effort) -> Vec<Case> {
 fn leaving(count: usize) -> Result<[usize; 2], ArgumentError> {
     let (c, n, r) = (Point3::new(0.1, 0.2, 0.3), Normal3::new(0.3, 1.0, 0.2), 1.0);
     let (n, disc) = (n.unit("normal n")?, Disc::new(c, n, r)?);
-    let mut met = [0; 2];
-    for i in 0..count {
+    wrong(0..count, |i| {
         let aside = Numbers::new(18, i).triple(-0.5, 0.5);
         let eye = Point3::new(4.0, 5.0, 3.0);
         let target = c + Vector3::new(aside.x(), aside.y() / 9.0, aside.z());
         let ray = Ray::new(eye, target - eye)?;
-        if let Some(hit) = disc.hit(&ray, Interval::AHEAD) {
-            let away = Vector3::from(n);
-            let ours = first(&disc, &secondary_ray(&ray, &hit, away));
-            let theirs = protocol::disc(c, n, r, &Ray::derived(ray.at(hit.t), away));
-            met[0] += usize::from(ours.is_some());
-            met[1] += usize::from(theirs.is_some());
-        }
-    }
-    Ok(met)
+        let Some(hit) = disc.hit(&ray, Interval::AHEAD) else {
+            return Ok([false; 2]);
+        };
+        let away = Vector3::from(n);
+        let ours = first(&disc, &secondary_ray(&ray, &hit, away));
+        let theirs = protocol::disc(c, n, r, &Ray::derived(ray.at(hit.t), away));
+        Ok([ours, theirs].map(|t| t.is_some()))
+    })
 }

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use a02_math::{Point3, Vector3};
 use common::ArgumentError;
 use glam::DMat4;
-use measure::extremes::{Absolute, Case, Equal, Fails, Id, Refused, tried};
+use measure::extremes::{Absolute, Case, Equal, Fails, Id, Refused, greatest, tried};
 
 use crate::lab::protocol::{self, Chained};
 use crate::{Mat4x4, Transform};
@@ -13,30 +13,19 @@ use crate::{Mat4x4, Transform};
 type Step = Result<Transform, ArgumentError>;
 
 /// A transform by our formulas and by the protocol's.
-struct Both {
-    ours: Transform,
-    theirs: Chained,
-}
+type Both = (Transform, Chained);
 
-impl Both {
-    const IDENTITY: Self = Self {
-        ours: Transform::IDENTITY,
-        theirs: Chained::IDENTITY,
-    };
+const START: Both = (Transform::IDENTITY, Chained::IDENTITY);
 
-    fn then(self, step: impl Fn(Transform) -> Step) -> Result<Self, ArgumentError> {
-        Ok(Self {
-            ours: step(self.ours)?,
-            theirs: self.theirs.then(&step(Transform::IDENTITY)?),
-        })
-    }
+fn then((ours, theirs): Both, step: impl Fn(Transform) -> Step) -> Result<Both, ArgumentError> {
+    Ok((step(ours)?, theirs.then(&step(Transform::IDENTITY)?)))
 }
 
 fn identity(id: Id, what: &str, bound: f64, both: &Result<Both, ArgumentError>) -> Case {
     let what = format!("{what}: the greatest number of |M I - 1|");
     let both = both.as_ref();
-    let theirs = both.map(|Both { theirs, .. }| defect(theirs.m, theirs.i));
-    let ours = both.map(|Both { ours, .. }| defect(ours.matrix(), ours.inverse()));
+    let theirs = both.map(|(_, theirs)| greatest(off_identity(theirs.m, theirs.i)));
+    let ours = both.map(|(ours, _)| defect(ours));
     Case::new(id, what, 0.0, Absolute(bound), ours).protocol(Fails, theirs)
 }
 
@@ -55,8 +44,8 @@ pub fn cases() -> Vec<Case> {
     const EPS: f64 = f64::EPSILON;
     let step = Transform::IDENTITY;
     let to = Point3::new(1.0, 2.0, 3.0);
-    let moved_and_turned = || Both::IDENTITY.then(|t| t.translate(to))?.then(|t| t.rotate_y(FRAC_PI_2));
-    let uneven = step.scale(1e-8, 1.0, 1e8).map(|t| defect(t.matrix(), t.inverse()));
+    let moved_and_turned = || then(then(START, |t| t.translate(to))?, |t| t.rotate_y(FRAC_PI_2));
+    let uneven = step.scale(1e-8, 1.0, 1e8).map(|t| defect(&t));
     let huge = step.scale(1e100, 1e100, 1e100).and_then(|t| t.scale(1e100, 1e100, 1e100));
     let down = Vector3::new(0.0, 0.0, -1.0);
     let double = step.scale(2.0, 2.0, 2.0);
@@ -99,7 +88,7 @@ pub fn cases() -> Vec<Case> {
 
 /// Rotations about x, y and z in turn, by angles from 1 to 1.9.
 fn turns(count: u32) -> Result<Both, ArgumentError> {
-    (0..count).try_fold(Both::IDENTITY, |both, i| both.then(|t| turn(t, i)))
+    (0..count).try_fold(START, |both, i| then(both, |t| turn(t, i)))
 }
 
 /// The transform after the `i`-th of these rotations.
@@ -115,10 +104,9 @@ pub fn turn(t: Transform, i: u32) -> Step {
 /// Two rotations, a scaling of one axis by `k`, and two more rotations: the
 /// condition number of the product is `k`.
 fn stretched(k: f64) -> Result<Both, ArgumentError> {
-    Both::IDENTITY
-        .then(|t| t.rotate_x(0.5)?.rotate_y(0.5))?
-        .then(|t| t.scale(k, 1.0, 1.0))?
-        .then(|t| t.rotate_y(0.5)?.rotate_z(0.5))
+    let turned = then(START, |t| t.rotate_x(0.5)?.rotate_y(0.5))?;
+    let stretched = then(turned, |t| t.scale(k, 1.0, 1.0))?;
+    then(stretched, |t| t.rotate_y(0.5)?.rotate_z(0.5))
 }
 
 /// The entries of `m i - 1`, without the last row, which is exact.
@@ -130,8 +118,6 @@ pub fn off_identity(m: Mat4x4, i: Mat4x4) -> [f64; 12] {
     })
 }
 
-/// The greatest magnitude in `m i - 1`; NaN stays NaN.
-fn defect(m: Mat4x4, i: Mat4x4) -> f64 {
-    let numbers = off_identity(m, i).map(f64::abs).into_iter();
-    numbers.fold(0.0, |a, b| if b > a || b.is_nan() { b } else { a })
+fn defect(t: &Transform) -> f64 {
+    greatest(off_identity(t.matrix(), t.inverse()))
 }

@@ -1,17 +1,17 @@
-//! Hits through nodes.
+//! Hits through nodes, and normals under scalings, rotations and reflections.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use a02_math::Point3;
+use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::PixelRandom;
-use a04_intersections::lab::extremes::{Line, first};
-use a04_intersections::{AxisAlignedBox, Geometry, Sphere};
-use common::{ArgumentError, Error};
+use a04_intersections::lab::support::{Line, first, raw_ray};
+use a04_intersections::{AxisAlignedBox, Interval, Sphere, World};
+use common::{ArgumentError, Color, Error};
 use measure::Effort;
 use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Protocol, tried};
 
-use super::raw_ray;
-use crate::{Node, Transform, protocol};
+use crate::lab::protocol;
+use crate::{Mat4x4, Node, Transform};
 
 /// The `t` of the first hit of a node.
 fn t(id: Id, what: &str, line: Line, exact: f64, bound: f64, node: Result<Node, Error>) -> Case {
@@ -19,8 +19,12 @@ fn t(id: Id, what: &str, line: Line, exact: f64, bound: f64, node: Result<Node, 
     Case::new(id, format!("{what}: t"), exact, Absolute(bound), ours)
 }
 
-#[rustfmt::skip]
 pub fn cases(effort: Effort) -> Vec<Case> {
+    [normals(), hits(effort)].concat()
+}
+
+#[rustfmt::skip]
+fn hits(effort: Effort) -> Vec<Case> {
     let along_z = ([0.0, 0.0, 5.0], [0.0, 0.0, -1.0]);
     vec![
         // Exact roots of the quadratic of these numbers; the bounds are 4 eps
@@ -69,9 +73,8 @@ fn small_and_large() -> Result<Node, Error> {
 /// Rays along the normal of a face that a quarter turn has made almost parallel to
 /// an axis: π/2 is not exact in 53 binary digits.
 fn rotated_box(id: Id, rays: usize) -> Case {
-    let wrong = tried(|| {
-        let quarter = Transform::IDENTITY.rotate_z(FRAC_PI_2)?;
-        let node = Node::new(quarter).with(unit_box()?);
+    let misses = tried(|| {
+        let node = Node::new(Transform::IDENTITY.rotate_z(FRAC_PI_2)?).with(unit_box()?);
         let random = PixelRandom::new(16, 0, 0);
         let place = |n: usize| 0.999 * (random.uniform(n as u64) - 0.5);
         let misses = |i: &usize| {
@@ -81,22 +84,76 @@ fn rotated_box(id: Id, rays: usize) -> Case {
         Ok((0..rays).filter(misses).count())
     });
     let what = format!("a box under rotate_z π/2, {rays} rays: not hit at 4");
-    Case::new(id, what, 0.0, Equal, wrong)
+    Case::new(id, what, 0.0, Equal, misses)
 }
 
 /// The nearer of two spheres of a node, whose nearest points have these distances.
 fn order(id: Id, what: &str, distances: [f64; 2], says: Protocol) -> Case {
     let line = ([0.0; 3], [0.0, 0.0, -1.0]);
-    let spheres = || distances.map(|t| Sphere::new(Point3::new(0.0, 0.0, -t - 1.0), 1.0));
-    let theirs = tried(|| {
-        let [a, b] = spheres();
-        let children: [Box<dyn Geometry>; 2] = [Box::new(a?), Box::new(b?)];
-        Ok(protocol::last_hit(&children, &raw_ray(line)).map(|hit| hit.t))
-    });
-    let ours = || {
-        let [a, b] = spheres();
-        Ok(Node::new(Transform::IDENTITY).with(a?).with(b?))
+    let node = || {
+        let empty = Node::new(Transform::IDENTITY);
+        distances.into_iter().try_fold(empty, |node, t| {
+            Ok(node.with(Sphere::new(Point3::new(0.0, 0.0, -t - 1.0), 1.0)?))
+        })
     };
+    let theirs =
+        tried(|| Ok(protocol::last_hit(&node()?.children, &raw_ray(line)).map(|hit| hit.t)));
     let exact = distances[0].min(distances[1]);
-    t(id, what, line, exact, 0.0, ours()).protocol(says, theirs)
+    t(id, what, line, exact, 0.0, node()).protocol(says, theirs)
+}
+
+fn normal(
+    id: Id,
+    what: &str,
+    n: Normal3,
+    transform: Result<Transform, ArgumentError>,
+    exact: [f64; 3],
+    theirs: fn(Mat4x4, Normal3) -> Option<Normal3>,
+) -> Case {
+    let theirs = transform.clone().map(|t| theirs(t.matrix(), n));
+    let ours = transform.map(|t| t.normal_from_object(n));
+    let bound = Absolute(4.0 * f64::EPSILON);
+    Case::new(id, format!("the normal {what}"), exact, bound, ours).protocol(Fails, theirs)
+}
+
+#[rustfmt::skip]
+fn normals() -> Vec<Case> {
+    let step = Transform::IDENTITY;
+    let (root, fifth) = (0.5_f64.sqrt(), 0.2_f64.sqrt());
+    let [slant, right, up] = [[root, root, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
+        .map(|n| Normal3::from_glam(n.into()));
+    let as_vector = protocol::normal_as_vector;
+    let transposed = protocol::transposed_normal;
+    // An object twice as large is as bright under a light straight above.
+    let (light, double) = (Vector3::from(up), step.scale(2.0, 2.0, 2.0));
+    let dark = double.clone().map(|t| light.dot(protocol::unnormalized_normal(t.inverse(), up)));
+    let bright = double.map(|t| t.normal_from_object(up).map(|n| n.dot(light)));
+    vec![
+        normal("G10", "(1, 1, 0) under scale (1, 1/2, 1)",
+            slant, step.scale(1.0, 0.5, 1.0), [fifth, 2.0 * fifth, 0.0], as_vector),
+        normal("G11", "(1, 1, 0) under scale (1, 1e-8, 1)",
+            slant, step.scale(1.0, 1e-8, 1.0), [1e-8, 1.0, 0.0], as_vector),
+        Case::new("G12", "n · l under scale 2, light from above", 1.0, Absolute(2.0 * f64::EPSILON), bright)
+            .protocol(Fails, dark),
+        mirrored("G13"),
+        normal("G19", "(1, 0, 0) under rotate_z π/2",
+            right, step.rotate_z(FRAC_PI_2), [0.0, 1.0, 0.0], transposed),
+        normal("G20", "(1, 1, 0) under scale (1, 1/2, 1), only transposed",
+            slant, step.scale(1.0, 0.5, 1.0), [fifth, 2.0 * fifth, 0.0], transposed),
+        normal("G31", "(0, 1, 0) under translate (1, 2, 3), moved like a point",
+            up, step.translate(Point3::new(1.0, 2.0, 3.0)), [0.0, 1.0, 0.0], protocol::normal_as_point),
+    ]
+}
+
+/// A mirrored sphere still faces the eye.
+fn mirrored(id: Id) -> Case {
+    let ours = tried(|| {
+        let mirror = Transform::IDENTITY.scale(-1.0, 1.0, 1.0)?;
+        let sphere = Node::new(mirror).with(Sphere::new(Point3::new(-2.0, 0.0, 0.0), 1.0)?);
+        let world = World::new(Color::BLACK)?.with(sphere, ());
+        let ray = raw_ray(([5.0, 0.0, 0.0], [-1.0, 0.0, 0.0]));
+        Ok(world.hit(&ray, Interval::AHEAD).map(|(hit, ())| hit.normal))
+    });
+    let what = "the normal towards the eye under scale (-1, 1, 1)";
+    Case::new(id, what, [1.0, 0.0, 0.0], Equal, ours)
 }

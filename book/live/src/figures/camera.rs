@@ -38,7 +38,7 @@ pub fn answer([x, y, z, around, upwards, roll, opening]: [f64; 7]) -> Answered {
     let basis = camera.basis();
     let [u, v, w] = [basis.u, basis.v, basis.w].map(|axis| axis.to_glam().to_array());
 
-    let (_, world) = phong()?;
+    let world = phong()?.world;
     let settings = Settings {
         size,
         ..Settings::default()

@@ -87,7 +87,7 @@ impl Subject {
         };
         let sampled = Mutex::new(Sampled::default());
         let light = |x, y| look(&self.light, self.size, x, y);
-        let image: Image = render_image(bound, light, &settings, &sampled)?;
+        let image: Image = render_image(bound, &light, &settings, &sampled)?;
         let sampled = sampled.into_inner().unwrap_or_else(PoisonError::into_inner);
         let error = self.square_error(&image).sqrt();
         Ok(Trial {

@@ -59,16 +59,14 @@ pub fn render_to(
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads.into())
         .build()?;
-    let mut rgb = vec![0; 3 * settings.size.pixels()];
-    let times = pool.install(|| {
+    let (image, times) = pool.install(|| {
         let started = Instant::now();
         let renderer = Renderer::new(scene(description), camera(&description.camera), settings);
         let build = started.elapsed().as_secs_f64();
 
         let (started, before) = (Instant::now(), processor_seconds());
         let samples = Samples::new(settings);
-        let bytes = |colors: &[Color], rgb: &mut [u8]| Transfer::Linear.write_rgb8(colors, rgb);
-        renderer.render_rows(&samples, settings, &(), &mut rgb, bytes)?;
+        let image = renderer.render(&samples, settings, &())?;
         let trace = started.elapsed().as_secs_f64();
         if let (1, Some(before), Some(after)) = (threads, before, processor_seconds()) {
             eprintln!(
@@ -76,9 +74,9 @@ pub fn render_to(
                 after - before
             );
         }
-        Ok::<_, common::Error>(Times { build, trace })
+        Ok::<_, common::Error>((image, Times { build, trace }))
     })?;
-    picture_file::save_png(path, settings.size, &rgb)?;
+    picture_file::save_png(path, settings.size, &image.to_rgb8(Transfer::Linear))?;
     Ok(times)
 }
 

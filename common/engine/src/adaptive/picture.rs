@@ -4,7 +4,7 @@ use std::mem;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use common::{Color, Error, Progress, Settings, Size};
+use common::{Color, Error, Progress, Settings};
 use rayon::iter::{IndexedParallelIterator, ParallelExtend, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
@@ -17,7 +17,7 @@ use crate::camera_place;
 /// Pairs of samples per batch, unless a pixel's last ones end it.
 const BATCH: usize = 32;
 
-/// The pixels of the rows to be rendered, and where their light comes from.
+/// The pixels of a picture, and where their light comes from.
 pub struct Picture<'a, R> {
     radiance: &'a R,
     settings: &'a Settings,
@@ -30,13 +30,13 @@ pub struct Picture<'a, R> {
 }
 
 impl<'a, R: Radiance> Picture<'a, R> {
-    /// The rows that the settings select, without samples.
+    /// A picture without samples.
     pub fn new(
         radiance: &'a R,
         settings: &'a Settings,
         progress: &'a dyn Progress,
     ) -> Result<Self, Error> {
-        let size = Size::new(settings.size.width(), settings.rows().len() as u32)?;
+        let size = settings.size;
         let mut pixels = Vec::new();
         pixels
             .try_reserve_exact(size.pixels())
@@ -62,14 +62,9 @@ impl<'a, R: Radiance> Picture<'a, R> {
         self.settings.size.width() as usize
     }
 
-    /// The row of the whole picture that a row of these pixels is.
-    fn row(&self, row: usize) -> u32 {
-        self.settings.rows().start + row as u32
-    }
-
     /// A random number of a pixel, for other ends than the places of its samples.
     pub fn lot(&self, column: u32, row: usize) -> f64 {
-        PixelRandom::new(!self.settings.seed, column, self.row(row)).uniform(0)
+        PixelRandom::new(!self.settings.seed, column, row as u32).uniform(0)
     }
 
     /// The brightest channel of a sample, but at least 1.
@@ -109,8 +104,8 @@ impl<'a, R: Radiance> Picture<'a, R> {
     /// Takes a sample in the middle of each pixel.
     pub fn take_middles(&mut self) {
         self.change_rows(|picture, row, pixels| {
-            let (size, row) = (picture.settings.size, picture.row(row));
-            let place = |column| camera_place(size, (column, row), (0.5, 0.5));
+            let size = picture.settings.size;
+            let place = |column| camera_place(size, (column, row as u32), (0.5, 0.5));
             let places: Vec<_> = (0..size.width()).map(place).collect();
             let mut memory = R::Memory::default();
             for (pixel, light) in pixels.iter_mut().zip(picture.look(&places, &mut memory)) {
@@ -143,7 +138,7 @@ impl<'a, R: Radiance> Picture<'a, R> {
         row: usize,
         wanted: impl Iterator<Item = (u32, Range<u32>)>,
     ) -> Vec<(u32, Pixel)> {
-        let row = self.row(row);
+        let row = row as u32;
         let (mut columns, mut places) = (Vec::new(), Vec::new());
         let mut memory = R::Memory::default();
         let mut pixels: Vec<(u32, Pixel)> = Vec::new();
@@ -175,12 +170,11 @@ impl<'a, R: Radiance> Picture<'a, R> {
 
     /// Shows a row as it is now.
     fn paint(&self, row: usize, pixels: &[Pixel]) {
-        let rows = self.settings.rows();
-        if self.painted.fetch_add(1, Ordering::Relaxed) >= rows.len() as u32 {
+        if self.painted.fetch_add(1, Ordering::Relaxed) >= self.settings.size.height() {
             self.progress.more_rows(1);
         }
         let mut colors = pixels.iter().map(Pixel::mean);
-        self.progress.row(rows.start + row as u32, &mut colors);
+        self.progress.row(row as u32, &mut colors);
     }
 
     /// An error once the picture is not wanted any more.

@@ -53,11 +53,6 @@ impl RadianceBound {
             .iter()
             .all(|channel| *channel < self.threshold)
     }
-
-    /// The threshold, of a channel.
-    pub const fn threshold(&self) -> f64 {
-        self.threshold
-    }
 }
 
 fn largest(a: Color, b: Color) -> Color {

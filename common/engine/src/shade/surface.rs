@@ -58,13 +58,4 @@ impl<'a> Surface<'a> {
             Shading::Other(_) => Color::gray(f64::INFINITY),
         }
     }
-
-    /// Whether light of any source can change its colour.
-    pub(crate) fn responds_to_light(&self) -> bool {
-        match &self.shading {
-            Shading::SingleColor(_) => false,
-            Shading::Phong(phong) => phong.responds_to_light(),
-            Shading::Other(_) => true,
-        }
-    }
 }

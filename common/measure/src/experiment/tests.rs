@@ -29,26 +29,28 @@ fn half_a_grey_level_is_a_mark_for_light_that_work_improves() {
     assert!(!experiment.can_be_seen(&falling));
 }
 
-/// The slope is -1/2.
+/// The slope is -1/2, and the errors at 1, 16 and 256 are 1, 1/4 and 1/16.
 #[test]
-fn slopes_are_checked_and_shares_have_none() {
-    let check = |expected, unit| {
-        let between = (0.0, f64::INFINITY);
+fn slopes_and_bounds_are_checked_and_shares_have_no_slope() {
+    let is_right = |unit, change: fn(Curve<'static>) -> Curve<'static>| {
         let curves = move |_| {
             let curves = (experiment().curves)(Effort::Quick).into_iter();
-            curves
-                .map(|curve| curve.with_slope(expected, between))
-                .collect()
+            curves.map(change).collect()
         };
         let experiment = Experiment {
             unit,
             curves: Box::new(curves),
             ..experiment()
         };
-        let check = || checked(&experiment, Effort::Quick);
+        let check = || check(&experiment, Effort::Quick);
         std::panic::catch_unwind(std::panic::AssertUnwindSafe(check)).is_ok()
     };
-    assert!(check(-0.46, Unit::Light) && check(-0.54, Unit::Light));
-    assert!(!check(-0.44, Unit::Light) && !check(-0.56, Unit::Light));
-    assert!(!check(-0.5, Unit::Share), "shares have a largest value");
+    assert!(is_right(Unit::Light, |curve| curve.with_slope(-0.54, (0.0, 1e9))));
+    assert!(!is_right(Unit::Light, |curve| curve.with_slope(-0.44, (0.0, 1e9))));
+    assert!(
+        !is_right(Unit::Share, |curve| curve),
+        "shares have a largest value"
+    );
+    assert!(is_right(Unit::Light, |curve| curve.with_bound(0.25, 16.0..=1e9)));
+    assert!(!is_right(Unit::Light, |curve| curve.with_bound(0.249, 16.0..=1e9)));
 }

@@ -66,7 +66,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn small_errors_are_shown_in_ulps() {
+    fn errors_and_numbers_are_short() {
         let shown = |ulps: f64| error(1.0.into(), (1.0 + ulps * f64::EPSILON).into());
         let all = [0.0, 3.0, 9999.0, 10_000.0].map(shown);
         assert_eq!(all, ["0", "3 ulp", "9999 ulp", "2.2e-12"]);
@@ -75,5 +75,11 @@ mod tests {
         assert_eq!(off, "2 ulp", "of the greatest number");
         assert_eq!(error(Outcome::Nothing, Outcome::Nothing), "0");
         assert_eq!(error(Outcome::Nothing, Outcome::Refused), "wrong");
+        let numbers = [0.0, 1e-5, 9e-6, 1e15, 1e16, -2.5, f64::NAN];
+        let shown = numbers.map(|number| Outcome::from(number).to_string());
+        assert_eq!(
+            shown.join(" "),
+            "0 0.00001 9e-6 1000000000000000 1e16 -2.5 NaN"
+        );
     }
 }

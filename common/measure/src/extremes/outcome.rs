@@ -86,6 +86,26 @@ pub fn tried<T: Into<Outcome>>(compute: impl FnOnce() -> Result<T, Error>) -> Ou
     compute().into()
 }
 
+/// Of some trials, the number for which each of two decisions is wrong, ours and the
+/// protocol's.
+pub fn wrong<T, E>(
+    trials: impl IntoIterator<Item = T>,
+    are_wrong: impl Fn(T) -> Result<[bool; 2], E>,
+) -> Result<[usize; 2], E> {
+    trials
+        .into_iter()
+        .try_fold([0; 2], |counts: [usize; 2], trial| {
+            let are_wrong = are_wrong(trial)?;
+            Ok([0, 1].map(|i| counts[i] + usize::from(are_wrong[i])))
+        })
+}
+
+/// The greatest magnitude of some numbers; NaN if one is NaN.
+pub fn greatest(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    let magnitudes = numbers.into_iter().map(f64::abs);
+    magnitudes.fold(0.0, |a, b| if b > a || b.is_nan() { b } else { a })
+}
+
 impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -105,17 +125,5 @@ fn short(number: f64) -> String {
         format!("{number}")
     } else {
         format!("{number:e}")
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_are_shown_with_all_digits_and_few_zeros() {
-        let numbers = [0.0, 1e-5, 9e-6, 1e15, 1e16, -2.5, f64::NAN];
-        let shown = "0 0.00001 9e-6 1000000000000000 1e16 -2.5 NaN";
-        assert_eq!(numbers.map(short).join(" "), shown);
     }
 }

@@ -51,42 +51,23 @@ impl LogAxis {
 
     /// The numbers with a label, and their labels.
     pub fn labels(&self) -> Vec<(f64, String)> {
-        let (factors, step): (&[i32], _) = match self.to - self.from {
-            ..ONE_TWO_FIVE => (&SPARSE, 1),
+        let decades = self.to - self.from;
+        let (factors, step): (&[i32], _) = match decades {
+            // Without 7 and 9, whose labels are too near to the next.
+            ..ONE_TWO_FIVE => (&[1, 2, 3, 4, 5, 6, 8], 1),
             ..2.0 => (&[1, 2, 5], 1),
-            _ => (&[1], self.step()),
+            _ => (&[1], (decades / MOST_POWERS).ceil() as i32),
         };
-        let ticks: Vec<_> = self.multiples(factors, step).collect();
-        let is_plain = ticks.iter().all(|(_, power)| (-3..=4).contains(power));
-        let label = |(factor, power)| (number(factor, power), label(factor, power, is_plain));
-        ticks.into_iter().map(label).collect()
-    }
-
-    /// The numbers with a short mark and no label; none where powers of ten are left out.
-    pub fn marks(&self) -> impl Iterator<Item = f64> {
-        let factors: &[i32] = if self.step() == 1 { &ONE_TO_NINE } else { &[] };
-        let all = self.multiples(factors, 1);
-        all.map(|(factor, power)| number(factor, power))
-    }
-
-    /// Every how many powers of ten have a label.
-    fn step(&self) -> i32 {
-        ((self.to - self.from) / MOST_POWERS).ceil() as i32
-    }
-
-    /// The products of factors and powers of ten on this axis.
-    fn multiples(&self, factors: &[i32], step: i32) -> impl Iterator<Item = (i32, i32)> {
         let powers = self.from.floor() as i32..=self.to.ceil() as i32;
-        let powers = powers.filter(move |power| power.rem_euclid(step) == 0);
-        let all = powers.flat_map(move |power| factors.iter().map(move |factor| (*factor, power)));
-        all.filter(|(factor, power)| self.holds(number(*factor, *power)))
+        let powers = powers.filter(|power| power.rem_euclid(step) == 0);
+        let all = powers.flat_map(|power| factors.iter().map(move |factor| (*factor, power)));
+        let is_held = |(factor, power): &(i32, i32)| self.holds(number(*factor, *power));
+        let held: Vec<_> = all.filter(is_held).collect();
+        let is_plain = held.iter().all(|(_, power)| (-3..=4).contains(power));
+        let label = |(factor, power)| (number(factor, power), label(factor, power, is_plain));
+        held.into_iter().map(label).collect()
     }
 }
-
-const ONE_TO_NINE: [i32; 9] = [1, 2, 3, 4, 5, 6, 7, 8, 9];
-
-/// Without 7 and 9, whose labels are too near to the next.
-const SPARSE: [i32; 7] = [1, 2, 3, 4, 5, 6, 8];
 
 fn number(factor: i32, power: i32) -> f64 {
     f64::from(factor) * libm::pow(10.0, power.into())
@@ -132,6 +113,8 @@ mod tests {
         assert_eq!(labels(&[4e6, 3e7]), ["5·10⁶", "10⁷", "2·10⁷"]);
         assert_eq!(labels(&[1.0, 3.0]), ["1", "2", "3"]);
         assert_eq!(labels(&[]), ["1", "2", "5", "10"]);
+        let shown = [0.31, 2.2e-16, 1.9e7, 1.0, 0.0096].map(rounded);
+        assert_eq!(shown, ["0.3", "2·10⁻¹⁶", "2·10⁷", "1", "0.01"]);
     }
 
     /// Wherever an axis lies, and however short it is, its labels are two or more
@@ -151,11 +134,5 @@ mod tests {
                 assert!(plain.is_none_or(|plain| (plain / number - 1.0).abs() < 1e-12));
             }
         }
-    }
-
-    #[test]
-    fn numbers_are_rounded_to_one_digit() {
-        let shown = [0.31, 2.2e-16, 1.9e7, 1.0, 0.0096].map(rounded);
-        assert_eq!(shown, ["0.3", "2·10⁻¹⁶", "2·10⁷", "1", "0.01"]);
     }
 }

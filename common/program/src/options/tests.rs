@@ -1,19 +1,9 @@
+use common::Image;
+
 use super::*;
 
 fn scene() -> Scene {
     Scene::traced("test", "", |settings, _| Image::black(settings.size))
-}
-
-#[test]
-fn without_flags_the_scene_decides() {
-    let defaults = Settings {
-        samples: 9,
-        sampling: Sampling::Regular,
-        seed: 7,
-        ..Settings::default()
-    };
-    let scene = scene().with_defaults(defaults.clone());
-    assert_eq!(Options::default().settings(&scene).unwrap(), defaults);
 }
 
 #[test]
@@ -47,28 +37,12 @@ fn number_and_places_of_the_samples_fit_each_other() {
     }
 }
 
-#[test]
-fn only_traced_pictures_may_be_larger_than_memory() {
-    let large = Options {
-        size: Some(Size::new(16_384, 16_384).unwrap()),
-        ..Options::default()
-    };
-    let paint = |settings: &Settings, _: &dyn common::Progress| Image::black(settings.size);
-    assert!(large.settings(&scene()).is_ok());
-    assert!(large.settings(&Scene::opened("test", "", paint)).is_ok());
-    let refused = large.settings(&Scene::painted("test", "", paint));
-    assert!(matches!(refused, Err(Error::TooLarge { .. })));
-}
-
 /// The number of samples need not be a square.
 #[test]
 fn with_an_error_bound_samples_are_the_most_of_a_pixel() {
     for (samples, most) in [(None, 1024), (Some(5), 5)] {
-        let options = Options {
-            max_error: Some(0.002),
-            samples,
-            ..Options::default()
-        };
+        let mut options = Options::default();
+        (options.max_error, options.samples) = (Some(0.002), samples);
         let settings = options.settings(&scene()).unwrap();
         assert_eq!((settings.max_error, settings.samples), (Some(0.002), most));
     }
@@ -87,24 +61,23 @@ fn an_error_is_read_as_a_number_or_a_fraction() {
 }
 
 #[test]
-fn a_flag_chooses_the_renderer_or_the_scene_does() {
-    for default in Renderer::ALL {
-        let scene = scene().with_defaults(Settings {
-            renderer: default,
-            ..Settings::default()
-        });
-        for (fast, no_omit, chosen) in [
-            (false, false, default),
-            (true, false, Renderer::Engine),
-            (false, true, Renderer::AllWork),
-        ] {
-            let flags = Options {
-                fast,
-                no_omit,
-                ..Options::default()
-            };
-            assert_eq!(flags.settings(&scene).unwrap().renderer, chosen);
-        }
+fn a_flag_chooses_the_renderer_or_the_scene_decides() {
+    let defaults = Settings {
+        samples: 9,
+        sampling: Sampling::Regular,
+        seed: 7,
+        renderer: Renderer::Engine,
+        ..Settings::default()
+    };
+    let scene = scene().with_defaults(defaults.clone());
+    let mut flags = Options::default();
+    assert_eq!(flags.settings(&scene).unwrap(), defaults);
+    for (fast, no_omit, renderer) in [
+        (true, false, Renderer::Engine),
+        (false, true, Renderer::AllWork),
+    ] {
+        (flags.fast, flags.no_omit) = (fast, no_omit);
+        assert_eq!(flags.settings(&scene).unwrap().renderer, renderer);
     }
 }
 

@@ -55,26 +55,6 @@ pub fn check_threads(stage: &Stage) {
     }
 }
 
-/// Checks that bands of rows equal those rows of the whole picture.
-pub fn check_rows(stage: &Stage) {
-    for scene in stage.scenes.iter().filter(|scene| scene.uses.sampling) {
-        let mut settings = Settings {
-            samples: 4,
-            sampling: Sampling::Stratified,
-            ..small(scene)
-        };
-        let whole = render(scene, &settings);
-        // 72 rows are ten bands and two more rows.
-        let bands = whole.pixels().chunks(7 * 96);
-        for (start, expected) in (0..).step_by(7).zip(bands) {
-            settings.rows = Some(start..start + 7);
-            let band = render(scene, &settings);
-            let is_same = band.pixels() == expected;
-            assert!(is_same, "{} differs from row {start} on", scene.name);
-        }
-    }
-}
-
 /// Checks that all renderers give the same picture with random samples and several
 /// reflections, too.
 pub fn check_omissions(stage: &Stage) {

@@ -1,0 +1,199 @@
+//! `Display`: a program with a window on a private X display, and the actions of a person.
+//!
+//! The window writes a line for each of its states into a file; a test waits for the state
+//! that it expects, and never for a time.
+
+use std::fs;
+use std::io::{self, BufRead, BufReader, Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+use common::fnv1a;
+use tempfile::{NamedTempFile, TempPath};
+
+/// After this time a test stops waiting and fails.
+const PATIENCE: Duration = Duration::from_mins(1);
+
+/// Height of the window's menu bar.
+pub const BAR: u32 = 18;
+
+/// A program, its window and the display. Both processes end when it is dropped.
+pub struct Display {
+    server: Child,
+    name: String,
+    program: Child,
+    log: TempPath,
+    window: String,
+}
+
+impl Display {
+    /// Starts a program in a folder with the arguments of a line, on a screen of
+    /// 1600x1300 pixels, and gives its window the keyboard. The environment leads to no
+    /// other display and to no file dialog. On a machine without Xvfb or xdotool none, and
+    /// a sentence on stderr.
+    pub fn start(program: &Path, line: &str, folder: &Path) -> Option<Self> {
+        for (tool, argument) in [("Xvfb", "-help"), ("xdotool", "version")] {
+            if let Err(error) = Command::new(tool).arg(argument).output() {
+                // The output of `eprintln!` is shown for failing tests only.
+                let _ = writeln!(io::stderr(), "not tested on a display: {tool}: {error}");
+                return None;
+            }
+        }
+        // A server fails if another one takes the same number at the same moment.
+        let (server, name) = wait_for("a server", server);
+        let log = NamedTempFile::new().expect("a file").into_temp_path();
+        let program = Command::new(program)
+            .args(line.split_whitespace())
+            .current_dir(folder)
+            .env_remove("WAYLAND_DISPLAY")
+            .env_remove("WAYLAND_SOCKET")
+            .env_remove("XDG_RUNTIME_DIR")
+            .env("DISPLAY", &name)
+            .env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/dev/null")
+            .env("PATH", "")
+            .env("WORKBOOK_WINDOW_LOG", &log)
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program starts");
+        let window = String::new();
+        let mut display = Self {
+            server,
+            name,
+            program,
+            log,
+            window,
+        };
+        display.window = wait_for("a window", || {
+            let found = display.xdotool("search --onlyvisible --name .")?;
+            found.lines().next().map(str::to_owned)
+        });
+        display.focus();
+        Some(display)
+    }
+
+    /// Runs xdotool and returns its output; none if it fails.
+    fn xdotool(&self, line: &str) -> Option<String> {
+        let output = Command::new("xdotool")
+            .args(line.split_whitespace())
+            .env("DISPLAY", &self.name)
+            .output()
+            .expect("xdotool runs");
+        let text = String::from_utf8_lossy(&output.stdout).trim().to_owned();
+        output.status.success().then_some(text)
+    }
+
+    /// Executes commands of xdotool, such as `keydown s` or `mousedown 1`; `WINDOW`
+    /// stands for the window.
+    pub fn act(&self, line: &str) {
+        let line = line.replace("WINDOW", &self.window);
+        // It fails, without effect, if a busy server does not answer.
+        wait_for(&line, || self.xdotool(&line));
+    }
+
+    /// Gives the keyboard to the window, and waits until the program has noticed.
+    pub fn focus(&self) {
+        wait_for("the keyboard", || {
+            self.act("windowfocus WINDOW");
+            self.state().contains("is_active: true").then_some(())
+        });
+    }
+
+    /// Presses and releases keys, such as `ctrl+s`, one after the other.
+    pub fn press(&self, keys: &str) {
+        self.act(&format!("key {keys}"));
+    }
+
+    /// Moves the mouse to a pixel of the window.
+    pub fn point_at(&self, x: u32, y: u32) {
+        self.act(&format!("mousemove --window WINDOW {x} {y}"));
+        self.wait_for(&[&format!("cursor: Some(({x}, {y}))")]);
+    }
+
+    /// The current state of the window, as it writes it into its log.
+    pub fn state(&self) -> String {
+        let log = fs::read_to_string(&self.log).expect("the log");
+        let complete = log.rsplit_once('\n').map_or("", |(lines, _)| lines);
+        complete.lines().last().unwrap_or_default().to_owned()
+    }
+
+    /// Waits until the state of the window contains all of these parts.
+    pub fn wait_for(&self, parts: &[&str]) {
+        wait_for(&format!("{parts:?}"), || {
+            let state = self.state();
+            parts.iter().all(|part| state.contains(part)).then_some(())
+        });
+    }
+
+    /// The folder of the program's process in `/proc`.
+    pub fn process(&self) -> PathBuf {
+        Path::new("/proc").join(self.program.id().to_string())
+    }
+
+    /// Waits for the program's end, which must be one without an error.
+    pub fn wait_for_end(mut self) {
+        let status = wait_for("the program's end", || {
+            self.program.try_wait().expect("the program's state")
+        });
+        let mut stderr = String::new();
+        if let Some(mut pipe) = self.program.stderr.take() {
+            pipe.read_to_string(&mut stderr).expect("text");
+        }
+        assert_eq!((status.code(), stderr.as_str()), (Some(0), ""));
+    }
+}
+
+impl Drop for Display {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            eprintln!("the last state of the window: {}", self.state());
+        }
+        for process in [&mut self.program, &mut self.server] {
+            let _ = process.kill();
+            let _ = process.wait();
+        }
+    }
+}
+
+/// An X server and the value of `DISPLAY` for it.
+fn server() -> Option<(Child, String)> {
+    let mut server = Command::new("Xvfb")
+        .args(["-displayfd", "1", "-nolisten", "tcp", "-noreset"])
+        // Milliseconds until a key repeats: also on a busy machine xdotool has released it
+        // before.
+        .args(["-screen", "0", "1600x1300x24", "-ardelay", "3000"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("Xvfb starts");
+    let mut number = String::new();
+    let mut output = BufReader::new(server.stdout.take().expect("a pipe"));
+    output.read_line(&mut number).expect("the display's number");
+    if number.is_empty() {
+        server.wait().expect("an end");
+        return None;
+    }
+    Some((server, format!(":{}", number.trim())))
+}
+
+/// The part of a state that names the finished picture below the menu bar, which has this
+/// width and height and these packed colours.
+pub fn picture(width: u32, height: u32, color: impl Fn(u32, u32) -> u32) -> String {
+    let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    let bytes = places.flat_map(|(x, y)| color(x, y).to_le_bytes());
+    format!("picture: Some({})", fnv1a(&bytes.collect::<Vec<_>>()))
+}
+
+/// Waits until `find` returns a value; fails after a minute, with `what` in the message.
+pub fn wait_for<T>(what: &str, mut find: impl FnMut() -> Option<T>) -> T {
+    let start = Instant::now();
+    loop {
+        if let Some(found) = find() {
+            return found;
+        }
+        assert!(start.elapsed() < PATIENCE, "waited in vain: {what}");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}

@@ -1,0 +1,160 @@
+//! `View`: a camera and the world before it, which every renderer takes; the choice of the
+//! renderer; and `TracedScene`, the scene that a view belongs to.
+
+use std::any::Any;
+
+use common::{
+    ArgumentError, Color, Error, Image, Progress, Renderer, Scene, Settings, Size, tally,
+};
+
+use crate::lab::watched;
+use crate::{Camera, Ray, fast, render};
+
+/// A camera and the world before it.
+///
+/// The functions of a stage's `scenes.rs` return the world in its own type. The renderers
+/// take any [`TracedWorld`].
+pub struct View<W = Box<dyn TracedWorld>> {
+    /// The camera.
+    pub camera: Box<dyn Camera>,
+    /// The world.
+    pub world: W,
+}
+
+/// A world that rays bring light from. Each stage implements it for its own type.
+pub trait TracedWorld: Any + Send + Sync {
+    /// The light that comes back along a ray that may hit `depth` surfaces in turn: the code
+    /// of the lesson.
+    fn radiance(&self, ray: &Ray, depth: u32) -> Color;
+
+    /// The world in the numbers of the engine; none if the engine has no type for it.
+    fn for_engine(&self, _depth: u32) -> Option<engine::Scene<'_>> {
+        None
+    }
+
+    /// The same world with wrappers around its parts, which count its work; with `all_work`
+    /// they also do the work that the lesson leaves out. The colours do not change.
+    fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld>;
+}
+
+/// A world given by the light along each ray, for a background or a formula of its own.
+impl<F: Fn(&Ray) -> Color + Send + Sync + 'static> TracedWorld for F {
+    fn radiance(&self, ray: &Ray, _: u32) -> Color {
+        self(ray)
+    }
+
+    fn watched(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
+        self
+    }
+}
+
+impl<W> View<W> {
+    /// A view of this world.
+    pub fn new(camera: impl Camera, world: W) -> Self {
+        Self {
+            camera: Box::new(camera),
+            world,
+        }
+    }
+
+    /// The same camera before the world that this function makes of the world.
+    pub fn map<V>(self, world: impl FnOnce(W) -> V) -> View<V> {
+        View {
+            camera: self.camera,
+            world: world(self.world),
+        }
+    }
+}
+
+impl<W: TracedWorld> View<W> {
+    /// The same view for the renderers.
+    #[must_use]
+    pub fn boxed(self) -> View {
+        self.map(|world| Box::new(world) as _)
+    }
+}
+
+impl View {
+    /// Renders the picture with the renderer of the settings.
+    pub fn render(self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
+        let Self { camera, world } = match settings.renderer {
+            Renderer::Engine => {
+                if let Some(scene) = self.world.for_engine(settings.depth) {
+                    return fast::render(scene, &*self.camera, settings, progress);
+                }
+                self
+            }
+            Renderer::AllWork => self.watched(settings, true),
+            Renderer::Lesson if tally::is_on() => self.watched(settings, false),
+            Renderer::Lesson => self,
+        };
+        let radiance = |ray: &Ray| world.radiance(ray, settings.depth);
+        let Some(max_error) = settings.max_error else {
+            return render(&camera, radiance, settings, progress);
+        };
+        let light = |x, y| radiance(&camera.ray_for(settings.size, x, y));
+        engine::adaptive::render_image(max_error, &light, settings, progress)
+    }
+
+    /// The view with wrappers that count its work.
+    fn watched(self, settings: &Settings, all_work: bool) -> Self {
+        Self {
+            camera: watched::camera(self.camera, settings, all_work),
+            world: self.world.watched(all_work),
+        }
+    }
+}
+
+/// A scene whose picture is traced: its names, and its camera and world as a value.
+#[derive(Clone, Debug)]
+pub struct TracedScene {
+    /// The name on the command line, in kebab case.
+    pub name: &'static str,
+    /// A description of the picture, in one line.
+    pub about: &'static str,
+    /// Camera and world for a picture of this size.
+    pub view: fn(Size) -> Result<View, ArgumentError>,
+    /// Whether surfaces reflect rays, so that the depth changes the picture.
+    pub reflects: bool,
+    /// The settings where the command line has no others.
+    pub defaults: Settings,
+}
+
+impl TracedScene {
+    /// A scene without mirrors, with the usual settings.
+    pub fn new(
+        name: &'static str,
+        about: &'static str,
+        view: fn(Size) -> Result<View, ArgumentError>,
+    ) -> Self {
+        Self {
+            name,
+            about,
+            view,
+            reflects: false,
+            defaults: Settings::default(),
+        }
+    }
+
+    /// The same scene, with surfaces that reflect rays.
+    #[must_use]
+    pub fn reflecting(self) -> Self {
+        Self {
+            reflects: true,
+            ..self
+        }
+    }
+}
+
+/// The scene for the program of the stage.
+impl From<TracedScene> for Scene {
+    fn from(row: TracedScene) -> Self {
+        let view = row.view;
+        let paint = move |settings: &Settings, progress: &dyn Progress| {
+            view(settings.size)?.render(settings, progress)
+        };
+        let mut scene = Self::traced(row.name, row.about, paint).with_defaults(row.defaults);
+        scene.uses.depth = row.reflects;
+        scene
+    }
+}

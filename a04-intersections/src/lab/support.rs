@@ -1,0 +1,87 @@
+//! Rays, hits and random numbers for experiments and extreme cases.
+
+use a02_math::Vector3;
+pub use a02_math::lab::extremes::{point, vector};
+use a03_rays_cameras::{PixelRandom, Ray};
+use common::ArgumentError;
+
+use crate::{Geometry, Interval};
+
+pub type Triple = [f64; 3];
+/// An origin and a direction.
+pub type Line = (Triple, Triple);
+
+/// The ray as in a scene, with a direction of length 1.
+pub fn unit_ray((o, d): Line) -> Result<Ray, ArgumentError> {
+    Ray::new(point(o), vector(d))
+}
+
+/// The ray as in the protocol: unchecked.
+pub const fn raw_ray((o, d): Line) -> Ray {
+    Ray::derived(point(o), vector(d))
+}
+
+/// The ray as in a scene, or unchecked if `Ray::new` refuses it.
+pub fn any_ray(line: Line) -> Ray {
+    unit_ray(line).unwrap_or(raw_ray(line))
+}
+
+/// Origin and direction as arrays, the arguments of formulas in both precisions.
+pub fn arrays(ray: &Ray) -> [Triple; 2] {
+    [ray.origin().to_glam(), ray.direction().to_glam()].map(|v| v.to_array())
+}
+
+/// The `t` of a ray's nearest hit of a shape.
+pub fn first(shape: &impl Geometry, ray: &Ray) -> Option<f64> {
+    shape.hit(ray, Interval::AHEAD).map(|hit| hit.t)
+}
+
+/// Random numbers and directions that are the same in every run.
+pub struct Numbers {
+    random: PixelRandom,
+    drawn: u64,
+}
+
+impl Numbers {
+    /// The numbers of the `n`-th ray or other object.
+    pub const fn new(seed: u64, n: usize) -> Self {
+        Self {
+            random: PixelRandom::new(seed, n as u32, 0),
+            drawn: 0,
+        }
+    }
+
+    /// The next number of an interval.
+    pub fn between(&mut self, least: f64, most: f64) -> f64 {
+        self.drawn += 1;
+        least + (most - least) * self.random.uniform(self.drawn - 1)
+    }
+
+    /// The next whole number below `count`.
+    pub fn below(&mut self, count: usize) -> usize {
+        self.between(0.0, count as f64) as usize
+    }
+
+    pub fn triple(&mut self, least: f64, most: f64) -> Vector3 {
+        vector(std::array::from_fn(|_| self.between(least, most)))
+    }
+
+    pub fn direction(&mut self) -> Vector3 {
+        loop {
+            let inside = self.triple(-1.0, 1.0);
+            if (0.01..=1.0).contains(&inside.magnitude()) {
+                return inside * (1.0 / inside.magnitude());
+            }
+        }
+    }
+
+    /// Two vectors of length 1, perpendicular up to rounding.
+    pub fn perpendicular(&mut self) -> [Vector3; 2] {
+        let first = self.direction();
+        loop {
+            if let Some(second) = first.cross(self.direction()).normalized() {
+                return [first, second];
+            }
+        }
+    }
+}

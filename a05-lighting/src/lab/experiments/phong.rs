@@ -1,0 +1,139 @@
+//! The mean and the power of highlights.
+
+use std::f64::consts::PI;
+
+use a02_math::lab::exact::DoubleDouble;
+use a03_rays_cameras::lab::experiments::neumaier;
+use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
+
+use crate::power::squaring;
+
+/// The highlight of a ball that is lit from the eye has the mean
+/// `1 / (2 (P + 1))` for every exponent P. A grid of n by n points has this
+/// mean as soon as it resolves the highlight, so that only the rounding error of
+/// the sum remains.
+pub fn mean() -> Experiment<'static> {
+    Experiment {
+        name: "phong-mean",
+        about: "What does adding up many pixels cost in digits?",
+        knob: "pixels across",
+        work: "pixels",
+        error: "rms error of the mean highlight",
+        unit: Unit::Other("largest highlight = 1"),
+        exact: "against 1 / (2 (P + 1)) for the exponents P = 8 to 15",
+        seeds: &[],
+        against: Axis::Knob,
+        curves: Box::new(|effort| {
+            let sizes = &[64, 128, 256, 512, 1024, 2048, 4096][..effort.choose(4, 7)];
+            let curve = |method, sum: Sum| {
+                let point = |&across: &u32| {
+                    let mean = move |p| mean_highlight(across, p, sum);
+                    let errors = (8..16)
+                        .map(f64::from)
+                        .map(|p| mean(p) - 1.0 / (2.0 * (p + 1.0)));
+                    let across = f64::from(across);
+                    Point::new(across, across * across, errors, move || mean(10.0))
+                };
+                Curve::new(method, sizes.iter().map(point))
+            };
+            vec![
+                curve("plain sum", |terms| terms.sum()),
+                curve("Neumaier's sum", |terms| neumaier(terms)).with_remark(
+                    "not in the renderer: a pixel adds up few samples, and the rounding of \
+                     thousands is far below what can be seen",
+                ),
+            ]
+        }),
+    }
+}
+
+/// A method to add up terms.
+type Sum = fn(&mut dyn Iterator<Item = f64>) -> f64;
+
+/// The mean over the disc of a ball in a picture of `across` by `across`
+/// pixels. At the distance ρ from the middle, the cosine of the angle between the
+/// mirrored light and the eye is `1 - 2 ρ²`.
+fn mean_highlight(across: u32, exponent: f64, sum: Sum) -> f64 {
+    let pixel = 2.0 / f64::from(across);
+    let place = move |i: u32| (f64::from(i) + 0.5) * pixel - 1.0;
+    let highlight = move |x: f64, y: f64| {
+        let cosine = 1.0 - 2.0 * (x * x + y * y);
+        libm::pow(cosine.max(0.0), exponent)
+    };
+    let row = |y: u32| (0..across).map(move |x| highlight(place(x), place(y)));
+    sum(&mut (0..across).flat_map(row)) * pixel * pixel / PI
+}
+
+/// The numbers `d = 1 - cosine`: 1/8, 3/8 ... 15/8 of 1/P, with the powers `(1 - d)^P`.
+fn distances(exponent: f64) -> [(f64, f64); 8] {
+    [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0].map(|j: f64| {
+        let d = (j + 0.5) / 4.0 / exponent;
+        (d, exact(d, exponent as u64))
+    })
+}
+
+/// `(1 - d)^P` by repeated squaring with 31 digits. The rounding errors add up to P units
+/// of the last one, so that 19 digits are left for the greatest P, 1e12.
+fn exact(d: f64, mut exponent: u64) -> f64 {
+    let mut square = DoubleDouble::from(1.0) - DoubleDouble::from(d);
+    let mut power = DoubleDouble::from(1.0);
+    while exponent > 0 {
+        if exponent % 2 == 1 {
+            power = power * square;
+        }
+        square = square * square;
+        exponent /= 2;
+    }
+    power.value()
+}
+
+/// A power of `1 - d`.
+type Power = fn(d: f64, exponent: f64) -> f64;
+
+/// Methods to raise a cosine to a power.
+///
+/// Rounding the cosine changes its P-th power by the relative error eps P / 4,
+/// even if the power is exact; only methods that use 1 - cosine can do better.
+pub fn power() -> Experiment<'static> {
+    Experiment {
+        name: "phong-power",
+        about: "How exact is the power of a highlight, and what does it cost?",
+        knob: "exponent",
+        work: "powers",
+        error: "rms error of the power",
+        unit: Unit::Other("share of it"),
+        exact: "against powers with 19 digits or more",
+        seeds: &[],
+        against: Axis::Knob,
+        curves: Box::new(|effort| {
+            let count = effort.choose(4_096, 65_536);
+            let curve = |method, slope: Option<f64>, power: Power| {
+                let points = [1e2, 1e4, 1e6, 1e9, 1e12].map(|exponent| {
+                    let distances = distances(exponent);
+                    let error = |(d, exact)| (power(d, exponent) - exact) / exact;
+                    let run = move || {
+                        let inputs = distances.iter().cycle().take(count);
+                        inputs.map(|(d, _)| power(*d, exponent)).sum::<f64>()
+                    };
+                    Point::new(exponent, count as f64, distances.map(error), run)
+                });
+                Curve::new(method, points).with_slope(slope, (1e2, 1e12))
+            };
+            vec![
+                curve("libm::pow", Some(1.0), |d, p| libm::pow(1.0 - d, p))
+                    .with_remark("the renderer's, unless the exponent is small and whole"),
+                curve("repeated squaring", Some(1.0), |d, p| {
+                    squaring(1.0 - d, p as u64)
+                })
+                .with_remark("the renderer's up to the exponent 1024, if it is whole"),
+                curve("exp(P ln1p(-d))", None, |d, p| {
+                    libm::exp(p * libm::log1p(-d))
+                })
+                .with_remark(
+                    "not in the renderer, though cheaper: the course's formula has e · r and not \
+                     d = |e - r|² / 2, and below P = 1e9 nobody sees the difference",
+                ),
+            ]
+        }),
+    }
+}
