@@ -7,7 +7,7 @@ use testing::exercise::{Answer, Check, Input, Random, random};
 /// A camera whose rays a function of width, height and place finds.
 pub struct Own<F>(pub F);
 
-impl<F: Fn([f64; 2], [f64; 2]) -> Ray + Sync + 'static> Camera for Own<F> {
+impl<F: Fn([f64; 2], [f64; 2]) -> Ray + Send + Sync + 'static> Camera for Own<F> {
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
         (self.0)([size.width(), size.height()].map(f64::from), [x, y])
     }

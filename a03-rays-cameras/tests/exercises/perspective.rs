@@ -18,7 +18,7 @@ pub fn check<C: Camera>(
         |([e, g, t], angle)| PerspectiveCamera::new(point(e), vector(g), vector(t), angle),
         |([e, g, t], angle)| new(point(e), vector(g), vector(t), angle),
     );
-    scene(check, |settings, _, sky| {
+    scene(check, |settings, View { world: sky, .. }| {
         let camera = new(Point3::ORIGIN, vector(gaze), vector(up), FRAC_PI_2)?;
         render(&camera, |ray| sky.color_for(ray), settings, &())
     });

@@ -57,7 +57,7 @@ pub fn check(
             pixel(yours(&Places, &radiance, &settings(sampling, samples, size)?), at)
         },
     );
-    scene(check, |settings, camera, sky| {
+    scene(check, |settings, View { camera, world: sky }| {
         yours(&camera, &|ray| sky.color_for(ray), settings)
     });
 }

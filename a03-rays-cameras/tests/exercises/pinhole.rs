@@ -14,7 +14,7 @@ pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Point3, f64) -> Result<C
         |(e, angle)| PinholeCamera::new(point(e), angle),
         |(e, angle)| new(point(e), angle),
     );
-    scene(check, |settings, _, sky| {
+    scene(check, |settings, View { world: sky, .. }| {
         let camera = new(Point3::ORIGIN, FRAC_PI_2)?;
         render(&camera, |ray| sky.color_for(ray), settings, &())
     });

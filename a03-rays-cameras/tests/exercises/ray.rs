@@ -28,7 +28,7 @@ pub fn check(
         |(o, d, t, p)| answer(ray(o, d).at(t), ray(o, d).t_of(point(p))),
         |(o, d, t, p)| answer(at(&ray(o, d), t), t_of(&ray(o, d), point(p))),
     );
-    scene(check, |settings, camera, sky| {
+    scene(check, |settings, View { camera, world: sky }| {
         // To a point seven steps away, and the view of the eye from there.
         let radiance = |ray: &Ray| {
             let way = at(ray, t_of(ray, ray.at(7.0))) - ray.origin();

@@ -1,5 +1,7 @@
 //! Rays to stripes and beyond them, compared with the lesson's `StripedSky`.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::prelude::*;
 
 pub fn check<S: Sync>(
@@ -24,7 +26,8 @@ pub fn check<S: Sync>(
             Some(stripe(&sky, &ray(d).ok()?) as usize)
         },
     );
-    scene(check, |settings, camera, _| {
+    scene(check, |settings, _| {
+        let camera = camera(FRAC_PI_2)?;
         let sky = new(&camera, settings.size, 10)?;
         let radiance = |ray: &Ray| match stripe(&sky, ray) % 2 {
             0 => Color::from_bytes([25, 25, 112]),

@@ -41,7 +41,10 @@ pub fn check(
         );
     }
     check.scene(&a04_intersections::stage(), "scene-5", |settings| {
-        let (camera, scene) = scene_5()?;
+        let View {
+            camera,
+            world: scene,
+        } = scene_5()?;
         let (scene, mut world) = (Arc::new(scene), World::new(Color::BLACK)?);
         for number in 0..scene.objects().count() {
             let scene = scene.clone();

@@ -16,7 +16,7 @@ pub fn check<C: Camera>(
         |([e, g, t], s)| new(point(e), vector(g), vector(t), s),
     );
     check.scene(&a04_intersections::stage(), "scene-6", |settings| {
-        let (_, world) = scene_6()?;
+        let world = scene_6()?.world;
         let [g, up] = [Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0)];
         let camera = new(Point3::ORIGIN, g, up, 3.0)?;
         render(&camera, |ray: &Ray| world.color_for(ray), settings, &())

@@ -5,8 +5,8 @@ use std::f64::consts::FRAC_PI_4;
 use std::fmt;
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, Ray, render};
-use a04_intersections::{Geometry, Hit, Interval, Triangle, World, scenes::View, stage};
+use a03_rays_cameras::{PerspectiveCamera, Ray, View, render};
+use a04_intersections::{Geometry, Hit, Interval, Triangle, World, stage};
 use common::{ArgumentError, Color};
 use testing::exercise::{Answer, Check, Input, Random, random};
 
@@ -241,11 +241,11 @@ pub fn rays(lesson: &dyn Geometry) -> Vec<RayWithin> {
 pub fn scene(
     check: &mut Check,
     name: &str,
-    view: fn() -> Result<View, ArgumentError>,
+    view: fn() -> Result<View<World<Color>>, ArgumentError>,
     shape: Result<impl Geometry, ArgumentError>,
 ) {
     check.scene(&stage(), name, |settings| {
-        let (camera, world) = view()?;
+        let View { camera, world } = view()?;
         let color = world
             .objects()
             .next()
