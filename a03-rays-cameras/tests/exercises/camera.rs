@@ -13,8 +13,10 @@ impl<F: Fn([f64; 2], [f64; 2]) -> Ray + Send + Sync + 'static> Camera for Own<F>
     }
 }
 
+type Rays = fn(&dyn Camera, Size, f64, f64) -> Ray;
+
 /// Mistakes that any camera may have.
-const USUAL: [(&str, fn(&dyn Camera, Size, f64, f64) -> Ray); 3] = [
+const USUAL: [(&str, Rays); 3] = [
     ("y of a camera counts upwards", |camera, size, x, y| {
         camera.ray_for(size, x, f64::from(size.height() - 1) - y)
     }),
@@ -38,13 +40,11 @@ pub fn compare<P: Input, L: Camera, Y: Camera>(
     lesson: impl Fn(P) -> Result<L, ArgumentError>,
     yours: impl Fn(P) -> Result<Y, ArgumentError>,
 ) {
-    let mistake = check
-        .usual(&USUAL)
-        .unwrap_or(|camera, size, x, y| camera.ray_for(size, x, y));
+    let mistake = check.usual(&USUAL).unwrap_or(Camera::ray_for);
     let places = [[2.0, 1.0], [0.0, 1.0], [2.0, 0.0], [4.0, 2.0], [2.5, 0.5]];
     check.compare(
         &format!("{words}, picture of {{}} pixels, place {{}}"),
-        places.map(|place| (first.clone(), [5, 3], place)),
+        places.map(move |place| (first.clone(), [5, 3], place)),
         random(|r| {
             let size = [(); 2].map(|()| 2 + r.below(99));
             let place = size.map(|n| r.between(-0.5, f64::from(n) - 0.5));

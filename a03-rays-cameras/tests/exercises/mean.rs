@@ -11,7 +11,7 @@ pub fn check(check: &mut Check, mean: impl Fn(&[f64]) -> f64) {
         "the mean of {}",
         small.into_iter().chain(large).chain([vec![0.1; 1000]]),
         random(|r| {
-            (0..1 + r.below(20))
+            (0..=r.below(20))
                 .map(|_| r.between(-9.0, 9.0) * r.scale())
                 .collect()
         }),

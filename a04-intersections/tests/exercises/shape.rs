@@ -64,8 +64,10 @@ pub fn answer(hit: Option<Hit>) -> Answer {
     })
 }
 
+type Flaw = fn(&dyn Geometry, &Ray, Interval) -> Option<Hit>;
+
 /// Mistakes that any shape may have.
-const USUAL: [(&str, fn(&dyn Geometry, &Ray, Interval) -> Option<Hit>); 5] = [
+const USUAL: [(&str, Flaw); 5] = [
     ("an interval has two ends", |shape, ray, i| {
         shape.hit(
             ray,
@@ -141,13 +143,12 @@ pub fn compare<P: Input, L: Geometry, Y: Geometry>(
             .into_iter()
             .map(move |ray| (shape.clone(), ray))
     };
-    let mistake = check
-        .usual(&USUAL)
-        .unwrap_or(|shape, ray, i| shape.hit(ray, i));
+    let mistake = check.usual(&USUAL).unwrap_or(Geometry::hit);
+    let from_everywhere = with(first.clone()).chain(random(any).take(8).flat_map(with));
     check.compare(
         &format!("{words}; {RAY}"),
-        simple().map(|[o, d]| (first.clone(), (o, d, 0.0, f64::INFINITY))),
-        with(first.clone()).chain(random(any).take(8).flat_map(with)),
+        simple().map(move |[o, d]| (first.clone(), (o, d, 0.0, f64::INFINITY))),
+        from_everywhere,
         |(shape, ray)| Some(hit(&lesson(shape).ok()?, ray)),
         |(shape, ray)| {
             let (shape, (ray, within)) = (yours(shape).ok()?, ray_within(ray));

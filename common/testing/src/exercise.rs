@@ -75,24 +75,26 @@ pub struct Variant {
     pub check: fn(&mut Check),
 }
 
+impl Variant {
+    const fn new(is_right: bool, about: &'static str, check: fn(&mut Check)) -> Self {
+        Self {
+            is_right,
+            about,
+            check,
+        }
+    }
+}
+
 /// A right solution in another style, which the check must accept.
 #[must_use]
 pub const fn right(about: &'static str, check: fn(&mut Check)) -> Variant {
-    Variant {
-        is_right: true,
-        about,
-        check,
-    }
+    Variant::new(true, about, check)
 }
 
 /// A usual mistake, which the check must refuse.
 #[must_use]
 pub const fn wrong(about: &'static str, check: fn(&mut Check)) -> Variant {
-    Variant {
-        is_right: false,
-        about,
-        check,
-    }
+    Variant::new(false, about, check)
 }
 
 /// The examples at the end of a starter: assertions, which run before the check.
@@ -141,12 +143,12 @@ macro_rules! exercises {
 
         $(
             #[cfg(any(not(learn), $own))]
-            #[allow(clippy::semicolon_if_nothing_returned)]
+            #[allow(clippy::semicolon_if_nothing_returned, clippy::manual_midpoint)]
             mod $own;
         )+
         $(
             #[cfg(any(not(learn), $cut))]
-            #[allow(clippy::semicolon_if_nothing_returned)]
+            #[allow(clippy::semicolon_if_nothing_returned, clippy::manual_midpoint)]
             mod $cut;
         )*
 

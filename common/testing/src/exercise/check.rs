@@ -55,6 +55,15 @@ impl Check {
         self.lacks = Some(lacks);
     }
 
+    /// A check of code that makes a usual mistake, or that is one.
+    pub(super) fn brief(mistake: Option<usize>) -> Self {
+        Self {
+            mistake,
+            is_brief: true,
+            ..Self::default()
+        }
+    }
+
     /// Names the usual mistakes of a kind, as of all shapes, each with a sentence that a
     /// learner can use. Returns the one that the compared code must make instead of doing
     /// what it does, in the runs that prove this check.

@@ -21,9 +21,11 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
         ..Arguments::from_args()
     };
     let shows = arguments.filter.is_some();
-    if !shows {
-        panic::set_hook(Box::new(|_| ()));
-    }
+    panic::set_hook(Box::new(move |panic| {
+        if shows {
+            println!("{panic}");
+        }
+    }));
     let mut trials = Vec::new();
     for exercise in exercises {
         let (name, variants) = (exercise.name, exercise.variants);
@@ -36,22 +38,16 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
         trials.push(Trial::test(format!("{name}::solution"), move || {
             let found = Findings::of(exercise.solution, Check::watched());
             let mistakes = variants.iter().filter(|variant| !variant.is_right).count();
-            let of_kind = found.check.usual.clone();
+            let usual = found.check.usual.clone();
             prove_solution(found, &picture, shows)?;
-            if mistakes + of_kind.len() < 3 {
+            if mistakes + usual.len() < 3 {
                 return Err("there are less than three mistakes".into());
             }
-            of_kind
-                .into_iter()
-                .enumerate()
-                .try_for_each(|(index, about)| {
-                    let check = Check {
-                        mistake: Some(index),
-                        is_brief: true,
-                        ..Check::default()
-                    };
-                    prove_wrong(about, Findings::of(exercise.solution, check), shows)
-                })
+            let mut usual = usual.into_iter().enumerate();
+            usual.try_for_each(|(index, about)| {
+                let found = Findings::of(exercise.solution, Check::brief(Some(index)));
+                prove_wrong(about, &found, shows)
+            })
         }));
         trials.extend(variants.iter().map(|variant| {
             let kind = if variant.is_right { "right" } else { "wrong" };
@@ -74,38 +70,29 @@ fn prove_solution(found: Findings, name: &str, save: bool) -> Result<(), Failed>
             problems.extend(picture::compare(&shown, &image, true).err());
         }
     }
-    problems
-        .is_empty()
-        .then_some(())
-        .ok_or(problems.join("\n").into())
+    match problems.as_slice() {
+        [] => Ok(()),
+        problems => Err(problems.join("\n").into()),
+    }
 }
 
 /// Fails if the check has accepted a mistake.
-fn prove_wrong(about: &str, found: Findings, show: bool) -> Result<(), Failed> {
+fn prove_wrong(about: &str, found: &Findings, show: bool) -> Result<(), Failed> {
     if show {
         println!("{about}\n  {}", found.wrong.join("\n  "));
     }
-    let is_refused = !found.wrong.is_empty();
-    is_refused
-        .then_some(())
-        .ok_or(format!("the check accepts: {about}").into())
+    match found.wrong.as_slice() {
+        [] => Err(format!("the check accepts: {about}").into()),
+        _ => Ok(()),
+    }
 }
 
 fn prove_variant(variant: &Variant, show: bool) -> Result<(), Failed> {
-    let code = Code {
-        examples: || (),
-        check: variant.check,
-    };
-    let found = Findings::of(
-        code,
-        Check {
-            is_brief: true,
-            ..Check::default()
-        },
-    );
+    let (examples, check): (fn(), _) = (|| (), variant.check);
+    let found = Findings::of(Code { examples, check }, Check::brief(None));
     if variant.is_right {
         prove_solution(found, "", false)
     } else {
-        prove_wrong(variant.about, found, show)
+        prove_wrong(variant.about, &found, show)
     }
 }
