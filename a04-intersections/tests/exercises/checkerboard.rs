@@ -5,13 +5,11 @@ use crate::solutions::checkerboard::checkerboard as solution;
 
 pub fn check(check: &mut Check, checkerboard: impl Fn(Point3, Normal3) -> Color + Sync) {
     let cubes = [
-        [0, 0, 0],
-        [1, 0, 0],
-        [0, -1, 0],
-        [-1, 0, -1],
-        [1_000_001, 0, 0],
+        [0.5; 3],
+        [1.5, 0.5, 0.5],
+        [0.5, -0.5, 0.5],
+        [-1.5, 0.5, -0.5],
     ];
-    let middles = cubes.map(|ijk: [i32; 3]| (ijk.map(|n| f64::from(n) + 0.5), [0.0, 1.0, 0.0]));
     let name = |color| match color {
         Color::WHITE => "white".to_owned(),
         Color::BLACK => "black".to_owned(),
@@ -19,7 +17,7 @@ pub fn check(check: &mut Check, checkerboard: impl Fn(Point3, Normal3) -> Color 
     };
     check.compare(
         "p = {}, n = {}",
-        middles,
+        cubes.map(|middle| (middle, [0.0, 1.0, 0.0])),
         // On a face of a cube, up to rounding, with the normal of the face.
         random(|r| {
             let (mut p, mut n, axis) = (r.triple(9.0), [0.0; 3], r.below(3) as usize);

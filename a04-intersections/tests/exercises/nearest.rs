@@ -1,66 +1,48 @@
 //! Spheres and a smooth triangle in all orders, compared with the lesson's `World`.
 
-use std::sync::Arc;
-
 use crate::prelude::*;
 
 pub fn check(
     check: &mut Check,
     nearest: impl Fn(&World<usize>, &Ray, Interval) -> Option<(Hit, usize)> + Sync,
 ) {
-    for order in [[0, 1, 2], [2, 1, 0], [1, 2, 0]] {
-        let zs = order.map(|i| [-3.0, -6.0, -9.0][i]);
-        let Ok(world) = world(zs) else { continue };
-        let world = Arc::new(world);
-        let objects = world.clone();
-        let any = Own(move |ray: &Ray, i| objects.hit(ray, i).map(|(hit, _)| hit));
-        let words = format!("spheres of radius 1 at z = {zs:?}, a triangle at z = 1; {RAY}");
-        let found = |hit: Option<(Hit, usize)>| {
-            let number = hit.map(|(_, number)| number);
-            answer(hit.map(|(hit, _)| hit)).and("number", number)
-        };
-        let ahead = [
-            [0.0, 0.0, 0.0],
-            [0.0, 0.0, -6.0],
-            [0.0, 0.0, 2.0],
-            [2.0, 0.0, 0.0],
-        ];
-        let starts = [0.0, 4.5].into_iter();
-        check.compare::<_, Answer, Answer>(
-            &words,
-            starts.flat_map(|min| ahead.map(|o| (o, [0.0, 0.0, -1.0], min, f64::INFINITY))),
-            rays(&any),
-            |input| {
-                let (ray, within) = ray_within(input);
-                found(world.hit(&ray, within).map(|(hit, number)| (hit, *number)))
-            },
-            |input| {
-                let (ray, within) = ray_within(input);
-                found(nearest(&world, &ray, within))
-            },
-        );
-    }
+    let found = |hit: Option<(Hit, usize)>| {
+        let (hit, number) = hit.unzip();
+        answer(hit).and("number", number)
+    };
+    let ahead = [0.0, 4.5, 7.5].map(|min| ([0.0; 3], [0.0, 0.0, -1.0], min, 99.0));
+    let orders = [[-3.0, -6.0, -9.0], [-9.0, -6.0, -3.0], [-6.0, -9.0, -3.0]];
+    let rays = world(orders[0]).map_or(Vec::new(), |world| {
+        rays(&Own(move |ray: &Ray, i| {
+            world.hit(ray, i).map(|(hit, _)| hit)
+        }))
+    });
+    check.compare(
+        &format!("spheres of radius 1 at z = {{}}, a triangle at z = 1; {RAY}"),
+        orders.into_iter().flat_map(|zs| ahead.map(|ray| (zs, ray))),
+        orders
+            .into_iter()
+            .flat_map(|zs| rays.iter().map(move |ray| (zs, *ray))),
+        |(zs, ray)| {
+            let (world, (ray, within)) = (world(zs).ok()?, ray_within(ray));
+            Some(found(
+                world.hit(&ray, within).map(|(hit, number)| (hit, *number)),
+            ))
+        },
+        |(zs, ray)| {
+            let (ray, within) = ray_within(ray);
+            Some(found(nearest(&world(zs).ok()?, &ray, within)))
+        },
+    );
     check.scene(&a04_intersections::stage(), "scene-5", |settings| {
-        let View {
-            camera,
-            world: scene,
-        } = scene_5()?;
-        let (scene, mut world) = (Arc::new(scene), World::new(Color::BLACK)?);
-        for number in 0..scene.objects().count() {
-            let scene = scene.clone();
-            let shape = Own(move |ray: &Ray, i| scene.objects().nth(number)?.0.hit(ray, i));
-            world = world.with(shape, number);
-        }
-        let color = |ray: &Ray| {
-            let (_, number) = nearest(&world, ray, Interval::AHEAD)?;
-            Some(*scene.objects().nth(number)?.1)
+        let [left, right] = [(-1.0, -3.0), (1.0, -6.0)].map(|(x, z)| Point3::new(x, 0.0, z));
+        let world = World::new(Color::BLACK)?.with(Sphere::new(left, 0.5)?, 0);
+        let world = world.with(Sphere::new(right, 0.5)?, 1);
+        let color = |ray: &Ray| match nearest(&world, ray, Interval::AHEAD) {
+            Some(_) => Color::RED,
+            None => Color::BLACK,
         };
-        render(
-            &camera,
-            |ray: &Ray| color(ray).unwrap_or(Color::BLACK),
-            settings,
-            &(),
-        )
+        render(&scene_5()?.camera, color, settings, &())
     });
 }
 

@@ -10,7 +10,7 @@ pub fn check(check: &mut Check, chain: impl Fn(&[Step]) -> [Mat4x4; 2]) {
         let [p, back] = matrices.map(|matrix| (matrix * point(p)).to_glam().to_array());
         Answer::named("the matrix times p", p).and("the inverse times p", back)
     };
-    let (turn, step) = (Step::RotateZ(FRAC_PI_2), Step::Translate([2.0, 0.0, 0.0]));
+    let (turn, step) = (Step::Rotate(2, FRAC_PI_2), Step::Translate([2.0, 0.0, 0.0]));
     let simple = [vec![], vec![step], vec![step, turn], vec![turn, step]];
     check.compare(
         "chain {}, p = {}",

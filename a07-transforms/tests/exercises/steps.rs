@@ -16,9 +16,8 @@ use crate::shape::{point, show_world};
 pub enum Step {
     Translate([f64; 3]),
     Scale([f64; 3]),
-    RotateX(f64),
-    RotateY(f64),
-    RotateZ(f64),
+    /// About the x, y or z axis, which has this number.
+    Rotate(usize, f64),
 }
 
 impl Step {
@@ -37,9 +36,9 @@ impl Step {
         let chained = match self {
             Self::Translate(to) => t.translate(point(to)),
             Self::Scale([x, y, z]) => t.scale(x, y, z),
-            Self::RotateX(angle) => t.rotate_x(angle),
-            Self::RotateY(angle) => t.rotate_y(angle),
-            Self::RotateZ(angle) => t.rotate_z(angle),
+            Self::Rotate(0, angle) => t.rotate_x(angle),
+            Self::Rotate(1, angle) => t.rotate_y(angle),
+            Self::Rotate(_, angle) => t.rotate_z(angle),
         };
         chained.unwrap_or(t)
     }
@@ -51,9 +50,7 @@ impl Step {
             match random.below(5) {
                 0 => Self::Translate(random.triple(3.0)),
                 1 => Self::Scale([(); 3].map(|()| random.between(0.3, 3.0))),
-                2 => Self::RotateX(angle),
-                3 => Self::RotateY(angle),
-                _ => Self::RotateZ(angle),
+                axis => Self::Rotate(axis as usize - 2, angle),
             }
         };
         (0..4).map(step).collect()
@@ -64,7 +61,7 @@ impl Input for Step {
     fn for_each_number(&mut self, f: &mut dyn FnMut(&mut f64)) {
         match self {
             Self::Translate(xyz) | Self::Scale(xyz) => xyz.for_each_number(f),
-            Self::RotateX(angle) | Self::RotateY(angle) | Self::RotateZ(angle) => f(angle),
+            Self::Rotate(_, angle) => f(angle),
         }
     }
 
@@ -117,9 +114,9 @@ pub const ABOVE: Point3 = Point3::new(1.0, 20.0, 20.0);
 pub fn steps_of_box() -> [Step; 4] {
     [
         Step::Scale([4.0, 1.0, 8.0]),
-        Step::RotateZ(-20_f64.to_radians()),
-        Step::RotateY(-5_f64.to_radians()),
-        Step::RotateX(-30_f64.to_radians()),
+        Step::Rotate(2, -20_f64.to_radians()),
+        Step::Rotate(1, -5_f64.to_radians()),
+        Step::Rotate(0, -30_f64.to_radians()),
     ]
 }
 

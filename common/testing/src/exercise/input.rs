@@ -1,5 +1,7 @@
 //! `Input`: the arguments of a comparison, whose numbers can be moved and shown.
 
+use common::Sampling;
+
 /// An argument of the code that is compared, or a tuple of all arguments.
 pub trait Input: Clone {
     /// Calls a function with each number that may be moved.
@@ -83,7 +85,7 @@ macro_rules! fixed {
     )+ };
 }
 
-fixed! { bool u8 u32 i32 u64 usize &'static str String }
+fixed! { Sampling bool u8 u32 i32 u64 usize &'static str String }
 
 macro_rules! tuples {
     ($($($item:ident)+;)+) => { $(
