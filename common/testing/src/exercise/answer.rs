@@ -43,6 +43,8 @@ impl Answer {
     pub(super) fn numbers(&self) -> impl Iterator<Item = (f64, f64)> {
         self.0.iter().flat_map(|part| {
             let largest = part.numbers.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+            // Nothing finite is near to infinity.
+            let largest = largest.min(f64::MAX);
             part.numbers.iter().map(move |number| (*number, largest))
         })
     }
