@@ -9,14 +9,26 @@ pub fn line(size: Size) -> Result<Image, Error> {
     let mut image = Image::black(size)?;
     // The last column and the last row.
     let (right, bottom) = (size.width() - 1, size.height() - 1);
-    let steps = right.max(bottom);
-    // Half of the divisor rounds to the nearest, and u64 holds the product.
-    let share = |i: u32, length: u32| {
-        let (i, length, steps) = (u64::from(i), u64::from(length), u64::from(steps.max(1)));
-        ((i * length + steps / 2) / steps) as u32
-    };
-    for i in 0..=steps {
-        image.set(share(i, right), bottom - share(i, bottom), Color::BLUE);
-    }
+    missing!("the pixels of the line", (), {
+        // In a picture of one pixel there is no step.
+        let steps = right.max(bottom).max(1);
+        for i in 0..=right.max(bottom) {
+            // Half of the divisor rounds to the nearest.
+            let [x, up] = [right, bottom].map(|length| (i * length + steps / 2) / steps);
+            image.set(x, bottom - up, Color::BLUE);
+        }
+    });
     Ok(image)
+}
+
+testing::examples! {
+    let is_blue = |w, h, x, y| {
+        let image = line(Size::new(w, h).unwrap()).unwrap();
+        image.get(x, y) == Some(Color::BLUE)
+    };
+    assert!(is_blue(9, 5, 0, 4) && is_blue(9, 5, 8, 0), "both corners");
+    assert!(is_blue(9, 5, 4, 2), "the middle");
+    assert!(is_blue(5, 9, 2, 4), "the middle of a high picture");
+    assert!(!is_blue(9, 5, 0, 0), "another corner");
+    assert!(is_blue(1, 1, 0, 0), "a picture of one pixel");
 }

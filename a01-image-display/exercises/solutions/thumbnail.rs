@@ -7,16 +7,29 @@ use common::{Color, Error, Image, Size};
 /// are smaller, and there is a pixel for each of them, too.
 pub fn thumbnail(image: &Image, n: u32) -> Result<Image, Error> {
     let (width, height) = (image.size().width(), image.size().height());
-    let size = Size::new(width.div_ceil(n), height.div_ceil(n))?;
-    Image::from_fn(size, |column, row| {
-        let (left, top) = (column * n, row * n);
-        let (mut sum, mut pixels) = (Color::BLACK, 0.0);
-        for y in top..(top + n).min(height) {
-            for x in left..(left + n).min(width) {
-                sum += image.get(x, y).unwrap_or_default();
-                pixels += 1.0;
+    missing!("the smaller picture", Image::black(image.size()), {
+        let size = Size::new(width.div_ceil(n), height.div_ceil(n))?;
+        Image::from_fn(size, |column, row| {
+            let (left, top) = (column * n, row * n);
+            let (mut sum, mut pixels) = (Color::BLACK, 0.0);
+            for y in top..(top + n).min(height) {
+                for x in left..(left + n).min(width) {
+                    sum += image.get(x, y).unwrap_or_default();
+                    pixels += 1.0;
+                }
             }
-        }
-        sum.map(|channel| channel / pixels)
+            sum.map(|channel| channel / pixels)
+        })
     })
+}
+
+testing::examples! {
+    // White in the lower right corner.
+    let corner = Image::from_fn(Size::new(3, 3).unwrap(), |x, y| Color::gray((x * y / 4).into()));
+    let small = |n| thumbnail(corner.as_ref().unwrap(), n).unwrap();
+    assert_eq!(&small(1), corner.as_ref().unwrap(), "by 1 nothing changes");
+    assert_eq!(small(2).size(), Size::new(2, 2).unwrap());
+    assert_eq!(small(2).get(0, 0), Some(Color::BLACK), "four black pixels");
+    assert_eq!(small(2).get(1, 1), Some(Color::WHITE), "a single pixel");
+    assert_eq!(small(3).get(0, 0), Some(Color::gray(1.0 / 9.0)), "all nine pixels");
 }

@@ -12,3 +12,10 @@ use common::{Color, Error, Image, Size};
 pub fn diagonal(size: Size) -> Result<Image, Error> {
     testing::missing("the red diagonal", Image::black(size))
 }
+
+testing::examples! {
+    let image = diagonal(Size::new(4, 2).unwrap()).unwrap();
+    assert_eq!(image.get(0, 0), Some(Color::RED), "the upper left corner");
+    assert_eq!(image.get(1, 1), Some(Color::RED), "a step to the right and a step down");
+    assert_eq!(image.get(3, 1), Some(Color::BLACK), "the lower right corner");
+}

@@ -3,7 +3,7 @@
 //! Chapter: Showing a picture, section "PaintDiagonal". To compare afterwards:
 //! `common/src/image.rs`.
 
-use common::{Color, Image};
+use common::{Color, Image, Size};
 
 /// Paints the pixel in column `x` and row `y`, both counted from 0 at the top left. No
 /// effect outside of the picture.
@@ -12,4 +12,14 @@ use common::{Color, Image};
 /// pixels, row after row from the top.
 pub fn set_pixel(image: &mut Image, x: u32, y: u32, color: Color) {
     testing::missing("the pixel in the list", ());
+}
+
+testing::examples! {
+    let mut image = Image::black(Size::new(4, 3).unwrap()).unwrap();
+    set_pixel(&mut image, 3, 0, Color::RED);
+    assert_eq!(image.pixels()[3], Color::RED, "three pixels from the first");
+    set_pixel(&mut image, 2, 1, Color::BLUE);
+    assert_eq!(image.pixels()[6], Color::BLUE, "a row of four, and two pixels more");
+    set_pixel(&mut image, 4, 0, Color::GREEN);
+    assert_eq!(image.pixels()[4], Color::BLACK, "a column that the picture does not have");
 }

@@ -1,36 +1,42 @@
-//! Pictures of all shapes: red where column and row are the same.
+//! Pictures of all shapes, compared with the lesson's `PaintDiagonal`.
 
-use a01_image_display::stage;
-use common::{Color, Error, Image, Size};
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
+use crate::prelude::*;
 
 pub fn check(check: &mut Check, diagonal: impl Fn(Size) -> Result<Image, Error>) {
-    let mut random = Random::new(12);
-    let mut sizes = vec![(3, 3), (5, 3), (3, 5), (1, 1), (1, 9), (9, 1)];
-    sizes.extend((0..10).map(|_| (1 + random.below(90), 1 + random.below(90))));
-    for (width, height) in sizes {
-        let Ok(size) = Size::new(width, height) else {
-            continue;
-        };
-        let image = diagonal(size);
-        let shape = match (width, height) {
-            (w, h) if w > h => "wide",
-            (w, h) if w < h => "high",
-            _ => "square",
-        };
-        let right_size = image.as_ref().is_ok_and(|image| image.size() == size);
-        let what = format!("a {shape} picture of the size asked for; {width}x{height}");
-        check.expect(what, true, Bound::Equal, right_size);
-        let Ok(image) = image else { continue };
-        for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
-            let exact = if x == y { Color::RED } else { Color::BLACK };
-            let place = if x == y { "on" } else { "beside" };
-            let kind = format!("the colour {place} the diagonal of a {shape} picture");
-            let what = format!("{kind}; column {x}, row {y} of {width}x{height}");
-            let got = image.get(x, y).map(Color::channels);
-            check.expect(what, exact.channels(), Bound::Equal, got);
-        }
-    }
+    check.compare(
+        "a picture of {}x{}",
+        [(3, 3), (5, 3), (3, 5), (1, 1)],
+        random(|r| (1 + r.below(30), 1 + r.below(30))),
+        |size| painted(size, |size| PaintDiagonal::new(size).image()),
+        |size| painted(size, &diagonal),
+    );
     check.scene(&stage(), "diagonal", |settings| diagonal(settings.size));
 }
+
+/// Red in column x and row y of a picture of this width and height.
+fn red(c: &mut Check, is_red: fn([u32; 2], [u32; 2]) -> bool) {
+    check(c, |size| {
+        let is_red = |x, y| is_red([x, y], [size.width(), size.height()]);
+        let color = |is_red| if is_red { Color::RED } else { Color::BLACK };
+        Image::from_fn(size, |x, y| color(is_red(x, y)))
+    });
+}
+
+pub const VARIANTS: &[Variant] = &[
+    right("a loop over one side", |c| {
+        check(c, |size| {
+            let mut image = Image::black(size)?;
+            (0..size.height()).for_each(|at| image.set(at, at, Color::RED));
+            Ok(image)
+        });
+    }),
+    wrong("the line is not stretched to the corner", |c| {
+        red(c, |[x, y], [w, h]| x * h == y * w);
+    }),
+    wrong("rows are counted from the top", |c| {
+        red(c, |[x, y], [_, h]| x + y + 1 == h);
+    }),
+    wrong("the last row counts, too", |c| {
+        red(c, |[x, y], [_, h]| x == y && y + 1 < h);
+    }),
+];

@@ -1,62 +1,55 @@
-//! Pictures of several shapes, in which exactly the painted pixel changes.
+//! Places in pictures and beside them, compared with the lesson's `Image::set`.
 
-use a01_image_display::stage;
-use common::{Color, Image, Size};
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
+use crate::prelude::*;
 
 pub fn check(check: &mut Check, set_pixel: impl Fn(&mut Image, u32, u32, Color)) {
-    let mut random = Random::new(11);
-    let mut case = |kind: &str, (width, height): (u32, u32), (x, y): (u32, u32)| {
-        let image = Size::new(width, height).map(Image::black);
-        let Ok(Ok(mut image)) = image else { return };
-        set_pixel(&mut image, x, y, Color::RED);
-        let painted = image
-            .pixels()
-            .iter()
-            .position(|pixel| *pixel != Color::BLACK);
-        let count = image
-            .pixels()
-            .iter()
-            .filter(|pixel| **pixel != Color::BLACK)
-            .count();
-        let inside = x < width && y < height;
-        let words = format!("{kind}; column {x}, row {y} of a picture of {width}x{height}");
-        // Row y begins after y whole rows.
-        let exact = inside.then(|| (y * width + x) as usize);
-        check.expect(
-            format!("index of the painted pixel, {words}"),
-            exact,
-            Bound::Equal,
-            painted,
-        );
-        check.expect(
-            format!("number of painted pixels, {words}"),
-            usize::from(inside),
-            Bound::Equal,
-            count,
-        );
+    let red = |(w, h, x, y), set: &dyn Fn(&mut Image, u32, u32, Color)| {
+        painted((w, h), |size| {
+            let mut image = Image::black(size)?;
+            set(&mut image, x, y, Color::RED);
+            Ok(image)
+        })
     };
-    case("in a wide picture", (4, 3), (2, 1));
-    case("in a high picture", (3, 4), (1, 2));
-    for _ in 0..20 {
-        let (width, height) = (1 + random.below(50), 1 + random.below(50));
-        let (x, y) = (random.below(width), random.below(height));
-        case("anywhere", (width, height), (x, y));
-        case(
-            "in the last column and row",
-            (width, height),
-            (width - 1, height - 1),
-        );
-        case("right of the picture", (width, height), (width, y));
-        case("below the picture", (width, height), (x, height));
-        case("far outside", (width, height), (u32::MAX, u32::MAX));
-    }
+    check.compare(
+        "a picture of {}x{}, column {}, row {}",
+        [(4, 3, 0, 0), (4, 3, 2, 1), (3, 4, 1, 2), (4, 3, 4, 0)],
+        random(|r| (1 + r.below(9), 1 + r.below(9), r.below(9), r.below(9))),
+        |input| red(input, &Image::set),
+        |input| red(input, &set_pixel),
+    );
     check.scene(&stage(), "diagonal", |settings| {
         let mut image = Image::black(settings.size)?;
-        for at in 0..settings.size.width() {
-            set_pixel(&mut image, at, at, Color::RED);
-        }
+        (0..settings.size.width()).for_each(|at| set_pixel(&mut image, at, at, Color::RED));
         Ok(image)
     });
 }
+
+/// Paints the pixel at an index that follows from x, y, width and height.
+fn indexed(c: &mut Check, index: fn(u32, u32, u32, u32) -> u32) {
+    check(c, |image, x, y, color| {
+        let index = index(x, y, image.size().width(), image.size().height());
+        if let Some(pixel) = image.pixels_mut().get_mut(index as usize) {
+            *pixel = color;
+        }
+    });
+}
+
+pub const VARIANTS: &[Variant] = &[
+    right("a pixel of a row", |c| {
+        check(c, |image, x, y, color| {
+            let row = image.rows_mut().nth(y as usize);
+            if let Some(pixel) = row.and_then(|row| row.get_mut(x as usize)) {
+                *pixel = color;
+            }
+        });
+    }),
+    wrong("x beyond the width is no pixel of the next row", |c| {
+        indexed(c, |x, y, w, _| y * w + x);
+    }),
+    wrong("a row is as long as the picture is wide", |c| {
+        indexed(c, |x, y, _, h| y * h + x);
+    }),
+    wrong("the list is row after row, not column by column", |c| {
+        indexed(c, |x, y, _, h| x * h + y);
+    }),
+];

@@ -1,16 +1,28 @@
 //! A vector, turned around an axis.
 
 use a02_math::{Direction, Vector3};
+use testing::assert_close;
 
 /// The vector `v`, turned by `angle` in radians around an `axis` of any length:
 /// to the left for an eye towards which the axis points. Around no axis, which
 /// is the zero vector, nothing turns.
 pub fn rotated(v: Vector3, axis: Vector3, angle: f64) -> Vector3 {
-    let Some(k) = axis.normalized() else {
-        return v;
-    };
-    let (sin, cos) = libm::sincos(angle);
-    // Rodrigues (1840): the part along the axis stays, the rest turns.
-    let along = k * k.dot(v);
-    along + (v - along) * cos + k.cross(v) * sin
+    missing!("the turned vector", v, {
+        let Some(k) = axis.normalized() else {
+            return v;
+        };
+        let (sin, cos) = libm::sincos(angle);
+        // Rodrigues (1840): the part along the axis stays, the rest turns.
+        let along = k * k.dot(v);
+        along + (v - along) * cos + k.cross(v) * sin
+    })
+}
+
+testing::examples! {
+    let v = Vector3::new(1.0, 2.0, 3.0);
+    let turned = |axis, degrees: f64| rotated(v, axis, degrees.to_radians()).to_glam().to_array();
+    assert_close(turned(Vector3::new(0.0, 0.0, 1.0), 90.0), [-2.0, 1.0, 3.0]);
+    assert_close(turned(Vector3::new(0.0, 0.0, -9.0), 90.0), [2.0, -1.0, 3.0]);
+    assert_close(turned(Vector3::new(1.0, 1.0, 1.0), 120.0), [3.0, 1.0, 2.0]);
+    assert_eq!(turned(Vector3::default(), 90.0), [1.0, 2.0, 3.0], "around no axis");
 }

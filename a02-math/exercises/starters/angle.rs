@@ -4,6 +4,7 @@
 //! `a02-math/src/vector3.rs`.
 
 use a02_math::{Direction, Vector3};
+use testing::assert_close;
 
 /// The angle between two vectors of any length in radians, from 0 to π. The angle to
 /// the zero vector is 0.
@@ -12,4 +13,12 @@ use a02_math::{Direction, Vector3};
 /// use the functions of `libm`: `libm::acos(x)`, `libm::atan2(y, x)`.
 pub fn angle(a: Vector3, b: Vector3) -> f64 {
     testing::missing("the angle", 0.0)
+}
+
+testing::examples! {
+    let to = |x, y| angle(Vector3::new(2.0, 0.0, 0.0), Vector3::new(x, y, 0.0)).to_degrees();
+    assert_close(to(0.0, 5.0), 90.0);
+    assert_close(to(-1.0, 1.0), 135.0);
+    assert_close(to(-3.0, 0.0), 180.0);
+    assert_eq!(to(0.0, 0.0), 0.0, "the zero vector");
 }

@@ -18,3 +18,12 @@ pub fn dot(a: Vector3, b: Vector3) -> f64 {
 pub fn cross(a: Vector3, b: Vector3) -> Vector3 {
     testing::missing("the cross product", Vector3::new(0.0, 0.0, 0.0))
 }
+
+testing::examples! {
+    let [x, y] = [Vector3::new(1.0, 0.0, 0.0), Vector3::new(0.0, 1.0, 0.0)];
+    let [a, b] = [Vector3::new(1.0, 2.0, 3.0), Vector3::new(4.0, 5.0, 6.0)];
+    assert_eq!(dot(x, y), 0.0, "a right angle");
+    assert_eq!(dot(a, b), 32.0, "4 + 10 + 18");
+    assert_eq!(cross(x, y), Vector3::new(0.0, 0.0, 1.0), "x cross y is z");
+    assert_eq!(cross(a, b), Vector3::new(-3.0, 6.0, -3.0));
+}

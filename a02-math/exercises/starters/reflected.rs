@@ -12,3 +12,13 @@ use a02_math::{Direction, Normal3, Vector3};
 pub fn reflected(v: Vector3, n: Normal3) -> Vector3 {
     testing::missing("the reflected vector", v)
 }
+
+testing::examples! {
+    let on_floor = |x, y| {
+        let v = reflected(Vector3::new(x, y, 0.0), Normal3::new(0.0, 1.0, 0.0));
+        (v.x(), v.y())
+    };
+    assert_eq!(on_floor(-2.0, 1.0), (2.0, 1.0), "to the other side");
+    assert_eq!(on_floor(0.0, 1.0), (0.0, 1.0), "along the normal");
+    assert_eq!(on_floor(3.0, 0.0), (-3.0, 0.0), "along the surface");
+}

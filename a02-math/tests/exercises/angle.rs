@@ -1,45 +1,43 @@
-//! Vectors of all lengths at known angles: tiny, acute, right, obtuse, straight.
+//! Vectors of all lengths, compared with the lesson's `Vector3::angle`.
 
-use std::f64::consts::{FRAC_PI_2, PI};
-
-use a02_math::Vector3;
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
-
-use crate::drawn::{Functions, LESSON, expect_scene};
+use crate::prelude::*;
 
 pub fn check(check: &mut Check, angle: fn(Vector3, Vector3) -> f64) {
-    let mut random = Random::new(22);
-    let mut expect = |kind: &str, a: Vector3, b: Vector3, exact: f64, bound: f64| {
-        let what = format!("{kind}; a = {:.3}, b = {:.3}", a.to_glam(), b.to_glam());
-        check.expect(what, exact, Bound::Absolute(bound), angle(a, b));
-    };
-    let (x, y) = (Vector3::new(1.0, 0.0, 0.0), Vector3::new(0.0, 1.0, 0.0));
-    expect("a right angle", x, y, FRAC_PI_2, 1e-15);
-    expect("the same direction", x, x * 3.0, 0.0, 0.0);
-    expect("opposite directions", x, -x, PI, 1e-15);
-    expect("a zero vector", x, Vector3::default(), 0.0, 0.0);
-    for _ in 0..20 {
-        let [n, side, _] = random.frame().map(|v| Vector3::from_glam(v.into()));
-        let lengths = [(); 2].map(|()| random.between(0.1, 9.0));
-        let mut at = |kind: &str, exact: f64, bound: f64| {
-            let (sin, cos) = libm::sincos(exact);
-            let b = n * cos + side * sin;
-            expect(kind, n * lengths[0], b * lengths[1], exact, bound);
-        };
-        at("an acute angle", random.between(0.2, 1.5), 1e-14);
-        at("an obtuse angle", random.between(1.6, 3.1), 1e-14);
-    }
-    for exact in [1e-3, 1e-6, 1e-9, 1e-12] {
-        let (sin, cos) = libm::sincos(exact);
-        let b = Vector3::new(cos, sin, 0.0) * 2.0;
-        expect(
-            &format!("a tiny angle, {exact:e}"),
-            x,
-            b,
-            exact,
-            exact * 1e-9,
-        );
-    }
-    expect_scene(check, Functions { angle, ..LESSON });
+    // A right angle, an obtuse one, a tiny one, and none.
+    let ends = [(0.0, 2.0), (-2.0, 2.0), (1.0, 1e-9), (0.0, 0.0)];
+    check.compare(
+        "a = {}, b = {}",
+        ends.map(|(x, y)| ([1.0, 0.0, 0.0], [x, y, 0.0])),
+        random(|r| {
+            let length = r.scale();
+            (r.triple(5.0).map(|x| x * length), r.triple(5.0))
+        }),
+        |(a, b)| vector(a).angle(vector(b)),
+        |(a, b)| angle(vector(a), vector(b)),
+    );
+    scene(check, |f| f.angle = angle);
 }
+
+fn cosine(a: Vector3, b: Vector3) -> f64 {
+    a.dot(b) / (a.magnitude() * b.magnitude())
+}
+
+pub const VARIANTS: &[Variant] = &[
+    right("half the angle, in a rhombus", |c| {
+        check(c, |a, b| {
+            let (a, b) = (a * b.magnitude(), b * a.magnitude());
+            2.0 * libm::atan2((a - b).magnitude(), (a + b).magnitude())
+        });
+    }),
+    wrong("the cosine of a tiny angle rounds to 1", |c| {
+        check(c, |a, b| libm::acos(cosine(a, b).clamp(-1.0, 1.0)));
+    }),
+    wrong("the dot product contains both lengths", |c| {
+        check(c, |a, b| libm::acos(a.dot(b).clamp(-1.0, 1.0)));
+    }),
+    wrong("an obtuse angle has the sine of an acute one", |c| {
+        check(c, |a, b| {
+            libm::asin((1.0 - cosine(a, b) * cosine(a, b)).sqrt())
+        });
+    }),
+];

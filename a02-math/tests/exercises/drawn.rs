@@ -5,9 +5,8 @@ use std::cell::Cell;
 use std::ops::{Add, Deref, Neg};
 
 use a02_math::{Direction, Normal3, Vector3 as Lesson, stage};
+use common::Settings;
 use testing::exercise::Check;
-
-use crate::scenes;
 
 /// The functions that the vectors of the scene call.
 #[derive(Clone, Copy)]
@@ -18,24 +17,22 @@ pub struct Functions {
     pub reflected: fn(Lesson, Normal3) -> Lesson,
 }
 
-/// The lesson's.
-pub const LESSON: Functions = Functions {
+const LESSON: Functions = Functions {
     dot: |a, b| a.dot(b),
     cross: Lesson::cross,
     angle: Lesson::angle,
     reflected: Lesson::reflected_on,
 };
 
-thread_local! {
-    static FUNCTIONS: Cell<Functions> = const { Cell::new(LESSON) };
-}
+thread_local!(static FUNCTIONS: Cell<Functions> = const { Cell::new(LESSON) });
 
-/// Compares the scene with its lock.
-pub fn expect_scene(check: &mut Check, functions: Functions) {
-    check.scene(&stage(), "vectors", |settings| {
-        FUNCTIONS.set(functions);
-        scenes::vectors(settings.size)
-    });
+/// Compares the scene with its lock, after some of the lesson's functions are replaced.
+pub fn scene(check: &mut Check, replace: impl FnOnce(&mut Functions)) {
+    let mut functions = LESSON;
+    replace(&mut functions);
+    FUNCTIONS.set(functions);
+    let render = |settings: &Settings| crate::scenes::vectors(settings.size);
+    check.scene(&stage(), "vectors", render);
 }
 
 /// The vector of the scene.
@@ -55,12 +52,10 @@ impl Vector3 {
         self.cross(other).magnitude()
     }
 
-    #[expect(clippy::unnecessary_wraps, reason = "as the lesson's")]
     pub fn projected_on(self, other: Self) -> Option<Self> {
         let dot = FUNCTIONS.get().dot;
-        Some(Self(
-            other.0 * (dot(self.0, other.0) / dot(other.0, other.0)),
-        ))
+        let share = dot(self.0, other.0) / dot(other.0, other.0);
+        share.is_finite().then(|| Self(other.0 * share))
     }
 
     pub fn angle(self, other: Self) -> f64 {

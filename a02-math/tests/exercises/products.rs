@@ -1,49 +1,43 @@
-//! Products of vectors of hundredths, whose exact values follow from whole numbers.
+//! Products of vectors, compared with the lesson's.
 
-use a02_math::Vector3;
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
+use glam::Vec3Swizzles;
 
-use crate::drawn::{Functions, LESSON, expect_scene};
+use crate::prelude::*;
 
-/// Some roundings of products up to 300.
-const BOUND: Bound = Bound::Absolute(1e-12);
+type Product<T> = fn(Vector3, Vector3) -> T;
 
-pub fn check(
-    check: &mut Check,
-    dot: fn(Vector3, Vector3) -> f64,
-    cross: fn(Vector3, Vector3) -> Vector3,
-) {
-    let mut case = |a: [i32; 3], b: [i32; 3]| {
-        let [x, y, z] = [1, 2, 0].map(|i| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            f64::from(a[j] * b[k] - a[k] * b[j]) / 1e4
-        });
-        let exact = f64::from((0..3).map(|i| a[i] * b[i]).sum::<i32>()) / 1e4;
-        let [a, b] = [a, b].map(|v| v.map(|hundredths| f64::from(hundredths) / 100.0));
-        let words = format!("a = {a:?}, b = {b:?}");
-        let [a, b] = [a, b].map(|v| Vector3::from_glam(v.into()));
-        check.expect(format!("a · b; {words}"), exact, BOUND, dot(a, b));
-        // x belongs to the axis after z.
-        let got = cross(a, b).to_glam().to_array();
-        check.expect(format!("a × b; {words}"), [z, x, y], BOUND, got);
+pub fn check(check: &mut Check, dot: Product<f64>, cross: Product<Vector3>) {
+    let [x, y] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let both = |dot: f64, cross: Vector3| {
+        Answer::named("a · b", dot).and("a × b", cross.to_glam().to_array())
     };
-    case([100, 200, 300], [400, 500, 600]);
-    case([100, 0, 0], [0, 100, 0]);
-    case([0, 100, 0], [100, 0, 0]);
-    let mut random = Random::new(21);
-    let mut vector = || random.triple(9.0).map(|x| (x * 100.0).round() as i32);
-    for _ in 0..20 {
-        let a = vector();
-        case(a, vector());
-        case(a, a.map(|x| -2 * x));
-    }
-    expect_scene(
-        check,
-        Functions {
-            dot,
-            cross,
-            ..LESSON
-        },
+    check.compare(
+        "a = {}, b = {}",
+        [(x, y), (y, x), ([1.0, 2.0, 3.0], [4.0, 5.0, 6.0])],
+        random(|r| (r.triple(9.0), r.triple(9.0))),
+        |(a, b)| both(vector(a).dot(vector(b)), vector(a).cross(vector(b))),
+        |(a, b)| both(dot(vector(a), vector(b)), cross(vector(a), vector(b))),
     );
+    scene(check, |f| (f.dot, f.cross) = (dot, cross));
 }
+
+pub const VARIANTS: &[Variant] = &[
+    right("with shifted coordinates", |c| {
+        let dot = |a: Vector3, b: Vector3| (a.to_glam() * b.to_glam()).element_sum();
+        check(c, dot, |a, b| {
+            let (a, b) = (a.to_glam(), b.to_glam());
+            Vector3::from_glam((a * b.yzx() - a.yzx() * b).yzx())
+        });
+    }),
+    wrong("a vector has three coordinates", |c| {
+        check(c, |a, b| a.x() * b.x() + a.y() * b.y(), Vector3::cross);
+    }),
+    wrong("a × b is not b × a", |c| {
+        check(c, Direction::dot, |a, b| b.cross(a));
+    }),
+    wrong("each coordinate is made of the two others", |c| {
+        check(c, Direction::dot, |a, b| {
+            Vector3::from_glam(a.to_glam() * b.to_glam())
+        });
+    }),
+];

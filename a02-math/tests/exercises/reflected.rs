@@ -1,48 +1,38 @@
-//! Vectors with known parts along a normal and along the surface.
+//! Vectors on both sides of surfaces, compared with the lesson's `Vector3::reflected_on`.
 
-use a02_math::{Normal3, Vector3};
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
-
-use crate::drawn::{Functions, LESSON, expect_scene};
+use crate::prelude::*;
 
 pub fn check(check: &mut Check, reflected: fn(Vector3, Normal3) -> Vector3) {
-    let mut random = Random::new(23);
-    let mut case = |kind: &str, [n, side]: [Vector3; 2], height: f64, aside: f64| {
-        let (v, exact) = (n * height + side * aside, n * height - side * aside);
-        let what = format!("{kind}; v = {:.3}, n = {:.3}", v.to_glam(), n.to_glam());
-        let [exact, got] = [exact, reflected(v, n.as_normal())].map(|v| v.to_glam().to_array());
-        check.expect(what, exact, Bound::Absolute(1e-13), got);
-    };
-    let axes = [Vector3::new(0.0, 1.0, 0.0), Vector3::new(1.0, 0.0, 0.0)];
-    case("on the floor", axes, 1.0, -2.0);
-    for _ in 0..20 {
-        let [n, side, _] = random.frame().map(|v| Vector3::from_glam(v.into()));
-        case("along the normal", [n, side], random.between(0.1, 5.0), 0.0);
-        case(
-            "along the surface",
-            [n, side],
-            0.0,
-            random.between(0.1, 5.0),
-        );
-        case(
-            "at an angle",
-            [n, side],
-            random.between(0.1, 5.0),
-            random.between(-5.0, 5.0),
-        );
-        case(
-            "from behind",
-            [n, side],
-            random.between(-5.0, -0.1),
-            random.between(-5.0, 5.0),
-        );
-    }
-    expect_scene(
-        check,
-        Functions {
-            reflected,
-            ..LESSON
-        },
+    let numbers = |v: Vector3| v.to_glam().to_array();
+    // To the side, along the normal, along the surface, and from behind.
+    let ends = [(-2.0, 1.0), (0.0, 1.0), (3.0, 0.0), (1.0, -2.0)];
+    check.compare(
+        "v = {}, n = {}",
+        ends.map(|(x, y)| ([x, y, 0.0], [0.0, 1.0, 0.0])),
+        random(|r| {
+            let n = vector(r.triple(5.0)).normalized();
+            (r.triple(5.0), numbers(n.unwrap_or_default()))
+        }),
+        |(v, n)| numbers(vector(v).reflected_on(vector(n).as_normal())),
+        |(v, n)| numbers(reflected(vector(v), vector(n).as_normal())),
     );
+    scene(check, |f| f.reflected = reflected);
 }
+
+pub const VARIANTS: &[Variant] = &[
+    right("the part along the normal less the rest", |c| {
+        check(c, |v, n| {
+            let along = Vector3::from(n) * n.dot(v);
+            along - (v - along)
+        });
+    }),
+    wrong("v points away from the surface, not at it", |c| {
+        check(c, |v, n| -v.reflected_on(n));
+    }),
+    wrong("twice the part along the normal", |c| {
+        check(c, |v, n| Vector3::from(n) * n.dot(v) - v);
+    }),
+    wrong("a vector behind the surface stays behind", |c| {
+        check(c, |v, n| Vector3::from(n) * (2.0 * n.dot(v).abs()) - v);
+    }),
+];

@@ -1,7 +1,9 @@
 //! `Fisheye`: a camera that sees sideways and behind.
 
+use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Basis, Camera, Ray};
 use common::Size;
+use testing::assert_close;
 
 /// A camera in which the distance from the middle of the picture is the angle
 /// from the gaze.
@@ -25,12 +27,28 @@ impl Camera for Fisheye {
         let Basis { e, u, v, w } = self.basis;
         let [width, height] = [size.width(), size.height()].map(f64::from);
         let (x, y) = (x - (width - 1.0) / 2.0, y - (height - 1.0) / 2.0);
-        let r = (x * x + y * y).sqrt();
-        if r == 0.0 {
-            return Ray::derived(e, -w);
-        }
-        let (sin, cos) = libm::sincos(r / height * self.angle);
-        let aside = u * (x / r) + v * (y / r);
-        Ray::derived(e, aside * sin - w * cos)
+        missing!("the direction of the ray", Ray::derived(e, -w), {
+            let r = (x * x + y * y).sqrt();
+            if r == 0.0 {
+                return Ray::derived(e, -w);
+            }
+            let (sin, cos) = libm::sincos(r / height * self.angle);
+            let aside = u * (x / r) + v * (y / r);
+            Ray::derived(e, aside * sin - w * cos)
+        })
     }
+}
+
+testing::examples! {
+    let [gaze, up] = [Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0)];
+    let basis = Basis::new(Point3::ORIGIN, gaze, up).unwrap();
+    let camera = Fisheye::new(basis, std::f64::consts::PI);
+    let direction = |x, y| {
+        let ray = camera.ray_for(Size::new(8, 4).unwrap(), x, y);
+        ray.direction().to_glam().to_array()
+    };
+    assert_close(direction(3.5, 1.5), [0.0, 0.0, -1.0]);
+    assert_close(direction(3.5, 3.5), [0.0, 1.0, 0.0]);
+    assert_close(direction(5.5, 1.5), [1.0, 0.0, 0.0]);
+    assert_close(direction(7.5, 1.5), [0.0, 0.0, 1.0]);
 }

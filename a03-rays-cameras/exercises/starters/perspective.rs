@@ -7,6 +7,7 @@
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Camera, Ray};
 use common::{ArgumentError, Size};
+use testing::assert_close;
 
 /// A camera whose rays start in one point.
 pub struct PerspectiveCamera {
@@ -39,4 +40,18 @@ impl Camera for PerspectiveCamera {
         let direction = testing::missing("the direction of the ray", self.w);
         Ray::derived(self.e, direction)
     }
+}
+
+testing::examples! {
+    let [gaze, up] = [Vector3::new(0.0, 0.0, -2.0), Vector3::new(0.0, 3.0, 1.0)];
+    let right_angle = std::f64::consts::FRAC_PI_2;
+    let camera = PerspectiveCamera::new(Point3::ORIGIN, gaze, up, right_angle).unwrap();
+    let direction = |x, y| {
+        let ray = camera.ray_for(Size::new(4, 2).unwrap(), x, y);
+        ray.direction().to_glam().to_array()
+    };
+    let half = 0.5_f64.sqrt();
+    assert_close(direction(1.5, 0.5), [0.0, 0.0, -1.0]);
+    assert_close(direction(1.5, 1.5), [0.0, half, -half]);
+    assert_close(direction(2.5, 0.5), [half, 0.0, -half]);
 }

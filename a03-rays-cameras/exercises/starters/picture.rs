@@ -3,8 +3,9 @@
 //! Chapter: Rays and cameras, sections "Many rays a pixel" and "The only loop". To compare
 //! afterwards: `a03-rays-cameras/src/render.rs`.
 
+use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Camera, Ray, Sampler, camera_coordinates};
-use common::{Color, Error, Image, Settings};
+use common::{Color, Error, Image, Sampling, Settings, Size};
 
 /// A picture of `settings.size`. Each pixel is the mean of `radiance`, the light that
 /// comes back along a ray, over the rays of `camera` through its samples.
@@ -22,4 +23,21 @@ pub fn picture(
     let mut image = Image::black(size)?;
     testing::missing("the colour of each pixel", ());
     Ok(image)
+}
+
+testing::examples! {
+    struct Places;
+    impl Camera for Places {
+        fn ray_for(&self, _: Size, x: f64, y: f64) -> Ray {
+            Ray::derived(Point3::new(x, y, 0.0), Vector3::new(0.0, 0.0, -1.0))
+        }
+    }
+    let size = Size::new(2, 3).unwrap();
+    let radiance = |ray: &Ray| Color::new(ray.origin().x(), ray.origin().y(), 1.0);
+    for (sampling, samples) in [(Sampling::Center, 1), (Sampling::Regular, 5)] {
+        let settings = Settings { size, sampling, samples, ..Settings::default() };
+        let image = picture(&Places, &radiance, &settings).unwrap();
+        assert_eq!(image.get(0, 0), Some(Color::new(0.0, 2.0, 1.0)), "upper left");
+        assert_eq!(image.get(1, 2), Some(Color::new(1.0, 0.0, 1.0)), "lower right");
+    }
 }

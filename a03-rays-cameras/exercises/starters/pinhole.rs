@@ -6,6 +6,7 @@
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Camera, Ray};
 use common::{ArgumentError, Size};
+use testing::assert_close;
 
 /// A pinhole camera at `origin` that looks along -z with y upwards.
 pub struct PinholeCamera {
@@ -32,4 +33,17 @@ impl Camera for PinholeCamera {
         let direction = testing::missing("the direction of the ray", Vector3::new(0.0, 0.0, -1.0));
         Ray::derived(self.origin, direction)
     }
+}
+
+testing::examples! {
+    let right_angle = std::f64::consts::FRAC_PI_2;
+    let camera = PinholeCamera::new(Point3::ORIGIN, right_angle).unwrap();
+    let direction = |x, y| {
+        let ray = camera.ray_for(Size::new(4, 2).unwrap(), x, y);
+        ray.direction().to_glam().to_array()
+    };
+    let half = 0.5_f64.sqrt();
+    assert_close(direction(1.5, 0.5), [0.0, 0.0, -1.0]);
+    assert_close(direction(1.5, 1.5), [0.0, half, -half]);
+    assert_close(direction(2.5, 0.5), [half, 0.0, -half]);
 }

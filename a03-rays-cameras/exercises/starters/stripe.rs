@@ -3,6 +3,7 @@
 //! Chapter: Rays and cameras, section "The striped sky". To compare afterwards:
 //! `a03-rays-cameras/src/striped_sky.rs`.
 
+use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PinholeCamera, Ray};
 use common::{ArgumentError, Size};
 
@@ -27,4 +28,14 @@ impl Sky {
     pub fn stripe(&self, ray: &Ray) -> u32 {
         testing::missing("the number of the stripe", 0)
     }
+}
+
+testing::examples! {
+    let camera = PinholeCamera::new(Point3::ORIGIN, 1.0).unwrap();
+    let sky = Sky::new(&camera, Size::COURSE, 10).unwrap();
+    let stripe = |y| sky.stripe(&Ray::new(Point3::ORIGIN, Vector3::new(0.0, y, -1.0)).unwrap());
+    assert_eq!(stripe(0.01), 5, "just above the horizon");
+    assert_eq!(stripe(-0.01), 4, "just below it");
+    assert_eq!(stripe(9.0), 9, "above the picture");
+    assert_eq!(stripe(-9.0), 0, "below the picture");
 }

@@ -1,58 +1,57 @@
-//! Perspective cameras at any place, that look into any direction, with any opening.
+//! Perspective cameras anywhere, compared with the lesson's.
 
 use std::f64::consts::FRAC_PI_2;
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{Camera, StripeRule, render};
-use common::ArgumentError;
-use testing::exercise::{Check, Random};
-
-use crate::sky::{Known, axes, expect_scene, frame, point};
+use crate::camera::{Own, compare};
+use crate::prelude::*;
 
 pub fn check<C: Camera>(
     check: &mut Check,
     new: impl Fn(Point3, Vector3, Vector3, f64) -> Result<C, ArgumentError>,
 ) {
-    let mut random = Random::new(33);
-    for number in 0..20 {
-        let (e, axes, angle) = match number {
-            // A camera for which one can compute the rays by heart.
-            0 => (Point3::ORIGIN, axes(), FRAC_PI_2),
-            _ => (
-                point(&mut random),
-                frame(&mut random),
-                random.between(0.2, 2.8),
-            ),
-        };
-        let [_, v, w] = axes;
-        // The up vector need not be perpendicular to the gaze.
-        let (gaze, up) = match number {
-            0 => (-w, v),
-            _ => (
-                -w * random.between(0.5, 3.0),
-                v * random.between(0.5, 3.0) + w * random.between(-1.0, 1.0),
-            ),
-        };
-        let Ok(camera) = new(e, gaze, up, angle) else {
-            continue;
-        };
-        let [g, t] = [gaze, up].map(Vector3::to_glam);
-        let words = format!(
-            "eye {}, gaze {g:.3}, up {t:.3}, opening angle {angle}",
-            e.to_glam()
-        );
-        let known = Known {
-            camera: &camera,
-            e,
-            axes,
-            angle,
-            words,
-        };
-        known.expect_rays(check, &mut random);
-    }
-    expect_scene(check, StripeRule::Direction, |settings, sky| {
-        let (gaze, up) = (Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
-        let camera = new(Point3::ORIGIN, gaze, up, FRAC_PI_2)?;
+    let (gaze, up) = ([0.0, 0.0, -1.0], [0.0, 1.0, 0.0]);
+    compare(
+        check,
+        "eye, gaze and up {}, opening angle {}",
+        ([[0.0; 3], gaze, up], FRAC_PI_2),
+        |r| ([(); 3].map(|()| r.triple(5.0)), r.between(0.2, 2.8)),
+        |([e, g, t], angle)| PerspectiveCamera::new(point(e), vector(g), vector(t), angle),
+        |([e, g, t], angle)| new(point(e), vector(g), vector(t), angle),
+    );
+    scene(check, |settings, View { world: sky, .. }| {
+        let camera = new(Point3::ORIGIN, vector(gaze), vector(up), FRAC_PI_2)?;
         render(&camera, |ray| sky.color_for(ray), settings, &())
     });
 }
+
+/// A camera whose axes follow from w and the up vector.
+fn variant(c: &mut Check, axes: fn(Vector3, Vector3) -> [Vector3; 3]) {
+    check(c, move |e, g, t, angle| {
+        let [u, v, w] = axes(-g.unit("g")?, t.unit("t")?);
+        Ok(Own(move |[width, height]: [f64; 2], [x, y]: [f64; 2]| {
+            // The height of the picture is 2.
+            let [x, y] = [x - (width - 1.0) / 2.0, y - (height - 1.0) / 2.0];
+            let d = (u * x + v * y) * (2.0 / height) - w * (1.0 / libm::tan(angle / 2.0));
+            Ray::derived(e, unit(d))
+        }))
+    });
+}
+
+fn unit(v: Vector3) -> Vector3 {
+    v.normalized().unwrap_or_default()
+}
+
+pub const VARIANTS: &[Variant] = &[
+    right("the part of the up vector across the gaze", |c| {
+        variant(c, |w, t| {
+            let v = unit(t - w * t.dot(w));
+            [v.cross(w), v, w]
+        });
+    }),
+    wrong("t and w need not be perpendicular", |c| {
+        variant(c, |w, t| [t.cross(w), w.cross(t.cross(w)), w]);
+    }),
+    wrong("v is perpendicular to w, and t is not", |c| {
+        variant(c, |w, t| [unit(t.cross(w)), t, w]);
+    }),
+];

@@ -1,15 +1,10 @@
-//! A camera whose rays begin at their place in the picture, so that the colour of a pixel
-//! says which rays it is the mean of.
+//! Pictures of all samplings, compared with the lesson's `render`.
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{Camera, Ray, Sampler, StripeRule, camera_coordinates};
-use common::{Color, Error, Image, Sampling, Settings, Size};
-use measure::extremes::Bound;
-use testing::exercise::Check;
+use crate::prelude::*;
 
-use crate::sky::{camera, expect_scene};
+type Radiance<'a> = &'a (dyn Fn(&Ray) -> Color + Sync);
 
-/// A camera whose rays begin at their place.
+/// A camera whose rays begin at their place in the picture.
 struct Places;
 
 impl Camera for Places {
@@ -18,66 +13,88 @@ impl Camera for Places {
     }
 }
 
-type Radiance<'a> = &'a (dyn Fn(&Ray) -> Color + Sync);
-
 pub fn check(
     check: &mut Check,
-    render: impl Fn(&dyn Camera, Radiance, &Settings) -> Result<Image, Error>,
+    yours: impl Fn(&dyn Camera, Radiance, &Settings) -> Result<Image, Error>,
 ) {
-    for (sampling, samples) in [
-        (Sampling::Center, 1),
-        (Sampling::Regular, 4),
-        (Sampling::Regular, 5),
-        (Sampling::Random, 3),
-        (Sampling::Stratified, 9),
-    ] {
-        for (width, height) in [(3, 2), (2, 5), (1, 1), (17, 9)] {
-            let Ok(size) = Size::new(width, height) else {
-                continue;
-            };
-            let settings = Settings {
-                size,
-                samples,
-                sampling,
-                ..Settings::default()
-            };
-            expect_means(check, &settings, render(&Places, &radiance, &settings));
-        }
-    }
-    expect_scene(check, StripeRule::Direction, |settings, sky| {
-        render(&camera()?, &|ray| sky.color_for(ray), settings)
+    // Not linear, so that the mean of the colours is not the colour of the mean.
+    let radiance = |ray: &Ray| {
+        let (x, y) = (ray.origin().x(), ray.origin().y());
+        Color::new(x, y, x * x)
+    };
+    let settings = |sampling, samples, [width, height]: [u32; 2]| {
+        let size = Size::new(width, height).ok()?;
+        Some(Settings {
+            size,
+            sampling,
+            samples,
+            ..Settings::default()
+        })
+    };
+    let pixel = |image: Result<Image, Error>, [column, row]: [u32; 2]| {
+        image.ok()?.get(column, row).map(Color::channels)
+    };
+    check.compare(
+        "{} sampling, {} samples, picture of {} pixels: the mean of (x, y, x²) in column and row {}",
+        [[0, 0], [1, 0], [0, 2]].map(|place| (Sampling::Center, 1, [2, 3], place)),
+        random(|r| {
+            let size = [1 + r.below(5), 1 + r.below(5)];
+            let grids = [Sampling::Regular, Sampling::Random, Sampling::Stratified];
+            let sampling = grids[r.below(3) as usize];
+            (sampling, 1 + r.below(9), size, size.map(|n| r.below(n)))
+        }),
+        |(sampling, samples, size, at)| {
+            pixel(render(&Places, radiance, &settings(sampling, samples, size)?, &()), at)
+        },
+        |(sampling, samples, size, at)| {
+            pixel(yours(&Places, &radiance, &settings(sampling, samples, size)?), at)
+        },
+    );
+    scene(check, |settings, View { camera, world: sky }| {
+        yours(&camera, &|ray| sky.color_for(ray), settings)
     });
 }
 
-/// Not linear, so that the mean of the colours is not the colour of the mean.
-fn radiance(ray: &Ray) -> Color {
-    let (x, y) = (ray.origin().x(), ray.origin().y());
-    Color::new(x, y, x * x)
+/// A picture whose pixels follow from the colours of their samples and the wanted number, and
+/// whose rows are counted from the top or from below.
+fn variant(c: &mut Check, is_flipped: bool, mean: fn(&[Color], u32) -> Color) {
+    check(c, |camera, radiance, settings| {
+        let (size, sampler) = (settings.size, Sampler::new(settings));
+        Image::from_fn(size, |x, y| {
+            let row = if is_flipped { size.height() - 1 - y } else { y };
+            let samples = sampler.places(x, y).map(|place| {
+                let (x, y) = camera_coordinates(size, x, row, place);
+                radiance(&camera.ray_for(size, x, y))
+            });
+            mean(&samples.collect::<Vec<_>>(), settings.samples)
+        })
+    });
 }
 
-fn expect_means(check: &mut Check, settings: &Settings, got: Result<Image, Error>) {
-    let (size, sampler) = (settings.size, Sampler::new(settings));
-    let words = format!(
-        "{size}, {:?} sampling, {} samples",
-        settings.sampling, settings.samples
-    );
-    let right_size = got.as_ref().is_ok_and(|image| image.size() == size);
-    check.expect(
-        format!("a picture of the right size; {words}"),
-        true,
-        Bound::Equal,
-        right_size,
-    );
-    let Ok(image) = got else { return };
-    for (row, column) in (0..size.height()).flat_map(|y| (0..size.width()).map(move |x| (y, x))) {
-        let mut sum = Color::BLACK;
-        for place in sampler.places(column, row) {
-            let (x, y) = camera_coordinates(size, column, row, place);
-            sum += Color::new(x, y, x * x);
-        }
-        let exact = sum.map(|sum| sum / f64::from(sampler.samples())).channels();
-        let got = image.get(column, row).map(Color::channels);
-        let what = format!("the mean of (x, y, x²); column {column}, row {row} of {words}");
-        check.expect(what, Some(exact), Bound::Absolute(1e-12), got);
-    }
+fn running_mean(samples: &[Color], _: u32) -> Color {
+    let numbered = (1_u32..).zip(samples);
+    numbered.fold(Color::BLACK, |mean, (n, color)| {
+        mean + (*color - mean) * (1.0 / f64::from(n))
+    })
 }
+
+fn sum(samples: &[Color]) -> Color {
+    samples
+        .iter()
+        .fold(Color::BLACK, |sum, sample| sum + *sample)
+}
+
+pub const VARIANTS: &[Variant] = &[
+    right("a running mean", |c| variant(c, false, running_mean)),
+    wrong("y of a camera counts from below", |c| {
+        variant(c, true, running_mean)
+    }),
+    wrong("a pixel is a mean, not a sum", |c| {
+        variant(c, false, |samples, _| sum(samples))
+    }),
+    wrong("a grid may have fewer samples", |c| {
+        variant(c, false, |samples, wanted| {
+            sum(samples) * (1.0 / f64::from(wanted))
+        });
+    }),
+];

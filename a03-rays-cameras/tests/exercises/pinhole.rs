@@ -1,36 +1,43 @@
-//! Pinhole cameras at any place, with any opening.
+//! Pinhole cameras anywhere, compared with the lesson's.
 
 use std::f64::consts::FRAC_PI_2;
 
-use a02_math::Point3;
-use a03_rays_cameras::{Camera, StripeRule, render};
-use common::ArgumentError;
-use testing::exercise::{Check, Random};
-
-use crate::sky::{Known, axes, expect_scene, point};
+use crate::camera::{Own, compare};
+use crate::prelude::*;
 
 pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Point3, f64) -> Result<C, ArgumentError>) {
-    let mut random = Random::new(32);
-    let axes = axes();
-    for number in 0..20 {
-        // First a camera for which one can compute the rays by heart.
-        let (e, angle) = match number {
-            0 => (Point3::ORIGIN, FRAC_PI_2),
-            _ => (point(&mut random), random.between(0.2, 2.8)),
-        };
-        let Ok(camera) = new(e, angle) else { continue };
-        let words = format!("pinhole at {}, opening angle {angle}", e.to_glam());
-        let known = Known {
-            camera: &camera,
-            e,
-            axes,
-            angle,
-            words,
-        };
-        known.expect_rays(check, &mut random);
-    }
-    expect_scene(check, StripeRule::Direction, |settings, sky| {
+    compare(
+        check,
+        "pinhole at {}, opening angle {}",
+        ([0.0; 3], FRAC_PI_2),
+        |r| (r.triple(9.0), r.between(0.2, 2.8)),
+        |(e, angle)| PinholeCamera::new(point(e), angle),
+        |(e, angle)| new(point(e), angle),
+    );
+    scene(check, |settings, View { world: sky, .. }| {
         let camera = new(Point3::ORIGIN, FRAC_PI_2)?;
         render(&camera, |ray| sky.color_for(ray), settings, &())
     });
 }
+
+/// A pinhole that sees the angle times a factor over a length of the picture.
+fn variant(c: &mut Check, factor: f64, length: fn(f64, f64) -> f64) {
+    check(c, move |e, angle| {
+        Ok(Own(move |[w, h]: [f64; 2], [x, y]: [f64; 2]| {
+            let scale = 2.0 * libm::tan(factor * angle) / length(w, h);
+            let [right, up] = [x - (w - 1.0) / 2.0, y - (h - 1.0) / 2.0].map(|p| p * scale);
+            let way = Vector3::new(right, up, -1.0);
+            Ray::derived(e, way.normalized().unwrap_or_default())
+        }))
+    });
+}
+
+pub const VARIANTS: &[Variant] = &[
+    right("at the distance 1", |c| variant(c, 0.5, |_, h| h)),
+    wrong("half of the angle is above the middle", |c| {
+        variant(c, 1.0, |_, h| h)
+    }),
+    wrong("the angle is that of the height", |c| {
+        variant(c, 0.5, |w, _| w)
+    }),
+];

@@ -1,51 +1,62 @@
-//! Points of rays of hundredths, and points beside them.
+//! Points of rays and beside them, compared with the lesson's `Ray`.
 
-use a02_math::Point3;
-use a03_rays_cameras::{Ray, StripeRule, render};
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
-
-use crate::sky::{camera, expect_scene, frame, point, triple};
-
-/// Some roundings of coordinates up to 100.
-const BOUND: Bound = Bound::Absolute(1e-11);
+use crate::prelude::*;
 
 pub fn check(
     check: &mut Check,
     at: impl Fn(&Ray, f64) -> Point3 + Sync,
     t_of: impl Fn(&Ray, Point3) -> f64 + Sync,
 ) {
-    let mut random = Random::new(31);
-    for steps in [0.0, 1.0, 2.5, -3.0, 0.5, 7.0, -1.0, 4.0] {
-        let [d, side, _] = frame(&mut random);
-        let (o, length) = (point(&mut random), random.between(0.1, 4.0));
-        let ray = Ray::derived(o, d * length);
-        let exact = o + d * (length * steps);
-        let way = |p: Point3| triple(p - Point3::ORIGIN);
-        let words = format!(
-            "ray from {} along {:.3}",
-            o.to_glam(),
-            ray.direction().to_glam()
-        );
-        let what = format!("the point; {words}, t = {steps}");
-        check.expect(what, way(exact), BOUND, way(at(&ray, steps)));
-        for (kind, p) in [
-            ("on the ray", exact),
-            ("beside the ray", exact + side * 2.0),
-        ] {
-            let what = format!("t of a point {kind}; {words}, point {:.3}", p.to_glam());
-            check.expect(what, steps, BOUND, t_of(&ray, p));
-        }
-    }
-    expect_scene(check, StripeRule::Direction, |settings, sky| {
+    let ray = |o, d| Ray::derived(point(o), vector(d));
+    let answer =
+        |at: Point3, t_of: f64| Answer::named("at", at.to_glam().to_array()).and("t_of", t_of);
+    check.compare(
+        "ray from {} along {}, t = {}, point {}",
+        [
+            ([0.0; 3], [0.0, 0.0, -2.0], 3.0, [0.0, 0.0, -8.0]),
+            ([1.0, 2.0, 0.0], [2.0, 0.0, 0.0], -1.0, [5.0, 4.0, 0.0]),
+        ],
+        random(|r| {
+            let (o, d, length) = (r.triple(9.0), r.triple(5.0), r.scale());
+            (
+                o,
+                d.map(|x| x * length),
+                r.between(-9.0, 9.0),
+                r.triple(9.0),
+            )
+        }),
+        |(o, d, t, p)| answer(ray(o, d).at(t), ray(o, d).t_of(point(p))),
+        |(o, d, t, p)| answer(at(&ray(o, d), t), t_of(&ray(o, d), point(p))),
+    );
+    scene(check, |settings, View { camera, world: sky }| {
         // To a point seven steps away, and the view of the eye from there.
         let radiance = |ray: &Ray| {
-            let point = at(ray, t_of(ray, ray.at(7.0)));
-            sky.color_for(&Ray::derived(
-                ray.origin(),
-                (point - ray.origin()) * (1.0 / 7.0),
-            ))
+            let way = at(ray, t_of(ray, ray.at(7.0))) - ray.origin();
+            sky.color_for(&Ray::derived(ray.origin(), way * (1.0 / 7.0)))
         };
-        render(&camera()?, radiance, settings, &())
+        render(&camera, radiance, settings, &())
     });
 }
+
+fn unit(ray: &Ray) -> Vector3 {
+    ray.direction().normalized().unwrap_or_default()
+}
+
+pub const VARIANTS: &[Variant] = &[
+    right("with a direction of length 1", |c| {
+        let length = |ray: &Ray| ray.direction().magnitude();
+        let at = |ray: &Ray, t| ray.origin() + unit(ray) * (t * length(ray));
+        check(c, at, |ray, p| {
+            (p - ray.origin()).dot(unit(ray)) / length(ray)
+        });
+    }),
+    wrong("t is no distance: d may have any length", |c| {
+        check(c, Ray::at, |ray, p| (p - ray.origin()).magnitude());
+    }),
+    wrong("the dot product has the length of d twice", |c| {
+        check(c, Ray::at, |ray, p| (p - ray.origin()).dot(unit(ray)));
+    }),
+    wrong("t counts steps of d, of any length", |c| {
+        check(c, |ray, t| ray.origin() + unit(ray) * t, Ray::t_of);
+    }),
+];

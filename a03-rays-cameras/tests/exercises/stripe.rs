@@ -1,61 +1,33 @@
-//! Rays at known heights: in the middle of stripes, on both sides of their borders, and
-//! beyond the edges of the picture.
+//! Rays to stripes and beyond them, compared with the lesson's `StripedSky`.
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{PinholeCamera, Ray, StripeRule, render};
-use common::{ArgumentError, Color, Size};
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
+use std::f64::consts::FRAC_PI_2;
 
-use crate::sky::{camera, expect_scene};
+use crate::prelude::*;
 
 pub fn check<S: Sync>(
     check: &mut Check,
     new: impl Fn(&PinholeCamera, Size, u32) -> Result<S, ArgumentError>,
     stripe: impl Fn(&S, &Ray) -> u32 + Sync,
 ) {
-    let mut random = Random::new(34);
-    for count in [2, 10, 3, 7, 1] {
-        let angle = random.between(0.5, 2.5);
-        let Ok(camera) = PinholeCamera::new(Point3::ORIGIN, angle) else {
-            continue;
-        };
-        let Ok(sky) = new(&camera, Size::COURSE, count) else {
-            continue;
-        };
-        let top = libm::sin(angle / 2.0);
-        // From 0 at the lower edge to `count` at the upper one.
-        let mut at = |kind: &str, height: f64, exact: u32| {
-            let y = top * (2.0 * height / f64::from(count) - 1.0);
-            let turn = random.between(-1.0, 1.0);
-            let along = (1.0 - y * y).sqrt();
-            let d = Vector3::new(along * libm::sin(turn), y, -along * libm::cos(turn));
-            let got = stripe(&sky, &Ray::derived(Point3::ORIGIN, d));
-            let what = format!(
-                "{kind}; {count} stripes, opening angle {angle}, direction {:.4}",
-                d.to_glam()
-            );
-            check.expect(what, exact as usize, Bound::Equal, got as usize);
-        };
-        for k in 0..count {
-            at("in the middle of a stripe", f64::from(k) + 0.5, k);
-            at(
-                "just above the lower border of a stripe",
-                f64::from(k) + 1e-9,
-                k,
-            );
-            at(
-                "just below the upper border of a stripe",
-                f64::from(k + 1) - 1e-9,
-                k,
-            );
-        }
-        let beyond = 0.2 * f64::from(count) * (1.0 / top - 1.0);
-        at("below the picture", -beyond, 0);
-        at("above the picture", f64::from(count) + beyond, count - 1);
-    }
-    expect_scene(check, StripeRule::Direction, |settings, _| {
-        let camera = camera()?;
+    let camera = |angle| PinholeCamera::new(Point3::ORIGIN, angle);
+    let ray = |d| Ray::new(Point3::ORIGIN, vector(d));
+    let ahead = [[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0]];
+    check.compare(
+        "opening angle {}, {} stripes, direction {}",
+        ahead.map(|d| (1.0, 10, d)),
+        random(|r| (r.between(0.2, 2.8), 1 + r.below(12), r.triple(1.0))),
+        |(angle, count, d)| {
+            let rule = StripeRule::Direction;
+            let sky = StripedSky::new(&camera(angle).ok()?, Size::COURSE, count, rule);
+            Some(sky.ok()?.stripe(&ray(d).ok()?) as usize)
+        },
+        |(angle, count, d)| {
+            let sky = new(&camera(angle).ok()?, Size::COURSE, count).ok()?;
+            Some(stripe(&sky, &ray(d).ok()?) as usize)
+        },
+    );
+    scene(check, |settings, _| {
+        let camera = camera(FRAC_PI_2)?;
         let sky = new(&camera, settings.size, 10)?;
         let radiance = |ray: &Ray| match stripe(&sky, ray) % 2 {
             0 => Color::from_bytes([25, 25, 112]),
@@ -64,3 +36,34 @@ pub fn check<S: Sync>(
         render(&camera, radiance, settings, &())
     });
 }
+
+/// The number of a stripe from its height, from -1 at the lower edge to 1 at the upper one,
+/// and the count of all stripes.
+fn variant(c: &mut Check, number: fn(f64, f64) -> f64) {
+    let new = |camera: &PinholeCamera, size: Size, stripes: u32| {
+        let upper = camera.generate_ray(size, f64::from(size.width()) / 2.0, 0.0);
+        Ok((upper.direction().y(), f64::from(stripes)))
+    };
+    check(c, new, |(top, stripes), ray| {
+        number(ray.direction().y() / top, *stripes) as u32
+    });
+}
+
+pub const VARIANTS: &[Variant] = &[
+    right("in halves of the picture", |c| {
+        variant(c, |height, n| {
+            (n / 2.0 * (height + 1.0)).clamp(0.0, n - 1.0)
+        });
+    }),
+    wrong("above the picture is the last stripe", |c| {
+        variant(c, |height, n| (height + 1.0) / 2.0 * n);
+    }),
+    wrong("stripes are counted from below", |c| {
+        variant(c, |height, n| ((1.0 - height) / 2.0 * n).min(n - 1.0));
+    }),
+    wrong("a number of a stripe is rounded down", |c| {
+        variant(c, |height, n| {
+            ((height + 1.0) / 2.0 * n).round().min(n - 1.0)
+        });
+    }),
+];

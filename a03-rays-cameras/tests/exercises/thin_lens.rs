@@ -1,44 +1,37 @@
-//! Points in the plane of focus, which every ray through the lens meets.
+//! Rays through all places of lenses, compared with the solution.
 
 use std::f64::consts::FRAC_PI_4;
 
-use a02_math::{Direction, Point3, Vector3};
-use a03_rays_cameras::{Basis, Camera, PerspectiveCamera, PixelRandom, Ray};
-use common::{Color, Image};
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
+use crate::camera::answer;
+use crate::prelude::*;
+use crate::solutions::thin_lens::through_lens as solution;
+
+type Through<'a> = &'a dyn Fn(&Basis, f64, &Ray, (f64, f64)) -> Ray;
+type Input = ([f64; 3], [f64; 3], f64, [f64; 3], [f64; 2]);
 
 pub fn check(check: &mut Check, through: impl Fn(&Basis, f64, &Ray, (f64, f64)) -> Ray) {
-    let mut random = Random::new(5);
-    for (gaze, up) in [
-        ([0.0, 0.0, -1.0], [0.0, 1.0, 0.0]),
-        ([1.0, 2.0, -2.0], [2.0, 1.0, 2.0]),
-    ] {
-        let [gaze, up] = [gaze, up].map(|xyz: [f64; 3]| Vector3::from_glam(xyz.into()));
-        let Ok(basis) = Basis::new(Point3::new(1.0, 2.0, 3.0), gaze, up) else {
-            continue;
-        };
-        let mut expect = |focus: f64, (x, y): (f64, f64), lens: (f64, f64)| {
-            expect_sharp(check, &through, &basis, focus, (x, y), lens);
-        };
-        for focus in [0.5, 4.0, 100.0] {
-            for place in [(0.0, 0.0), (0.5, 0.0), (-0.75, 1.0), (2.0, -1.5)] {
-                for lens in [(0.0, 0.0), (0.1, 0.0), (0.0, -0.2), (-0.3, 0.25)] {
-                    expect(focus, place, lens);
-                }
-            }
-        }
-        for _ in 0..40 {
-            let focus = random.between(0.1, 20.0);
-            let mut pair =
-                |limit: f64| (random.between(-limit, limit), random.between(-limit, limit));
-            expect(focus, pair(2.0), pair(0.5));
-        }
-    }
+    let lens = |(e, gaze, focus, [x, y, z], [right, up]): Input, through: Through| {
+        let basis = Basis::new(point(e), vector(gaze), vector([0.0, 1.0, 0.0])).ok()?;
+        // Ahead, whatever the coordinates are.
+        let way = basis.u * x + basis.v * y - basis.w * (z.abs() + 0.1);
+        let ray = Ray::new(basis.e, way).ok()?;
+        Some(answer(&through(&basis, focus, &ray, (right, up))))
+    };
+    let places = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    check.compare(
+        "eye {}, gaze {}, focus {}, ray towards {} of the camera, place {} of the lens",
+        places.map(|place| ([0.0; 3], [0.0, 0.0, -1.0], 2.0, [1.0, 0.0, 0.9], place)),
+        random(|r| {
+            let focus = r.between(0.1, 20.0);
+            let place = [r.between(-0.5, 0.5), r.between(-0.5, 0.5)];
+            (r.triple(9.0), r.triple(3.0), focus, r.triple(2.0), place)
+        }),
+        |input| lens(input, &solution),
+        |input| lens(input, &through),
+    );
     // Three walls of holes, one behind the other; the middle one is in focus.
     check.picture(|settings| {
-        let [gaze, up] = [[0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
-        let [gaze, up] = [gaze, up].map(|xyz| Vector3::from_glam(xyz.into()));
+        let [gaze, up] = [[0.0, 0.0, -1.0], [0.0, 1.0, 0.0]].map(vector);
         let camera = PerspectiveCamera::new(Point3::ORIGIN, gaze, up, FRAC_PI_4)?;
         let (size, samples) = (settings.size, 64_u32);
         let bottom = f64::from(size.height() - 1);
@@ -53,48 +46,6 @@ pub fn check(check: &mut Check, through: impl Fn(&Basis, f64, &Ray, (f64, f64)) 
             sum.map(|channel| channel / f64::from(samples))
         })
     });
-}
-
-/// Compares the ray that meets the place (`x`, `y`) times `focus` in the plane of focus.
-fn expect_sharp(
-    check: &mut Check,
-    through: impl Fn(&Basis, f64, &Ray, (f64, f64)) -> Ray,
-    basis: &Basis,
-    focus: f64,
-    (x, y): (f64, f64),
-    (right, up): (f64, f64),
-) {
-    let Basis { e, u, v, w } = *basis;
-    let sharp = e + (u * x + v * y - w) * focus;
-    let Ok(ray) = Ray::new(e, sharp - e) else {
-        return;
-    };
-    let got = through(basis, focus, &ray, (right, up));
-    let place = sharp.to_glam();
-    let name = format!(
-        "lens ({right}, {up}), focus {focus}, sharp point {place:.3}, gaze {:.3}",
-        (-w).to_glam()
-    );
-    // Some roundings of coordinates up to 300.
-    let bound = Bound::Absolute(1e-12);
-    let mut near = |what: &str, exact: Point3, got: Point3| {
-        let [exact, got] = [exact, got].map(|p| p.to_glam().to_array());
-        check.expect(format!("{what}, {name}"), exact, bound, got);
-    };
-    let origin = e + u * right + v * up;
-    near("origin", origin, got.origin());
-    near(
-        "where the ray meets the sharp point",
-        sharp,
-        got.at((sharp - origin).magnitude()),
-    );
-    let length = got.direction().dot(got.direction()).sqrt();
-    check.expect(
-        format!("length of the direction, {name}"),
-        1.0,
-        Bound::Ulps(4.0),
-        length,
-    );
 }
 
 /// The colour of the nearest disc: a row of each, at three distances.
@@ -115,3 +66,28 @@ fn wall(ray: &Ray) -> Color {
     }
     Color::gray(0.05)
 }
+
+/// The ray to a point at another distance along the ray, of which length 1 is left or not.
+fn variant(c: &mut Check, distance: fn(f64, f64) -> f64, is_unit: bool) {
+    check(c, |basis, focus, ray, (right, up)| {
+        let along = -basis.w.dot(ray.direction());
+        let origin = basis.e + basis.u * right + basis.v * up;
+        let way = ray.at(distance(focus, along)) - origin;
+        let unit = way.normalized().unwrap_or_default();
+        Ray::derived(origin, if is_unit { unit } else { way })
+    });
+}
+
+pub const VARIANTS: &[Variant] = &[
+    wrong("the focus is a plane, not a ball", |c| {
+        variant(c, |focus, _| focus, true)
+    }),
+    wrong("the direction has length 1", |c| {
+        variant(c, |focus, along| focus / along, false)
+    }),
+    wrong("from another place, the direction is another", |c| {
+        check(c, |basis, _, ray, (right, up)| {
+            Ray::derived(basis.e + basis.u * right + basis.v * up, ray.direction())
+        });
+    }),
+];

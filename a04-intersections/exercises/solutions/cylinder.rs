@@ -1,6 +1,6 @@
 //! `Cylinder`: a tube around the y axis.
 
-use a02_math::Normal3;
+use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval};
 use common::{ArgumentError, argument};
@@ -25,23 +25,36 @@ impl Cylinder {
 impl Geometry for Cylinder {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let (o, d) = (ray.origin(), ray.direction());
-        // Seen from above the wall is a circle, and y does not matter.
-        let a = d.x() * d.x() + d.z() * d.z();
-        let b = o.x() * d.x() + o.z() * d.z();
-        let c = o.x() * o.x() + o.z() * o.z() - self.r * self.r;
-        let discriminant = b * b - a * c;
-        if discriminant < 0.0 {
-            return None;
-        }
-        let root = discriminant.sqrt();
-        let crossings = [(-b - root) / a, (-b + root) / a];
+        let crossings = missing!("where the ray crosses the wall", [f64::NAN; 2], {
+            // Seen from above the wall is a circle, and y does not matter.
+            let a = d.x() * d.x() + d.z() * d.z();
+            let b = o.x() * d.x() + o.z() * d.z();
+            let c = o.x() * o.x() + o.z() * o.z() - self.r * self.r;
+            let root = (b * b - a * c).sqrt();
+            // NaN, which is in no interval, if the ray misses.
+            [(-b - root) / a, (-b + root) / a]
+        });
 
-        // Over the rim of the near wall, a ray may meet the far one.
-        let is_on_wall = |t: f64| (0.0..=self.height).contains(&ray.at(t).y());
-        let counts = |t: &f64| within.contains(*t) && is_on_wall(*t);
-        let t = crossings.into_iter().find(counts)?;
-        let p = ray.at(t);
-        let normal = Normal3::new(p.x() / self.r, 0.0, p.z() / self.r);
-        Some(Hit::new(t, normal))
+        missing!("the crossing that counts, and the normal there", None, {
+            // Over the rim of the near wall, a ray may meet the far one.
+            let is_on_wall = |t: f64| (0.0..=self.height).contains(&ray.at(t).y());
+            let counts = |t: &f64| within.contains(*t) && is_on_wall(*t);
+            let t = crossings.into_iter().find(counts)?;
+            let p = ray.at(t);
+            let normal = Normal3::new(p.x() / self.r, 0.0, p.z() / self.r);
+            Some(Hit::new(t, normal))
+        })
     }
+}
+
+testing::examples! {
+    let tube = Cylinder::new(1.0, 2.0).unwrap();
+    let hit = |y, z, dz| {
+        let ray = Ray::derived(Point3::new(0.0, y, z), Vector3::new(0.0, -1.0, dz));
+        tube.hit(&ray, Interval::AHEAD).map(|hit| (hit.t, hit.normal.z()))
+    };
+    assert_eq!(hit(3.0, 3.0, -1.0), Some((2.0, 1.0)), "at the near wall");
+    assert_eq!(hit(5.0, 3.0, -1.0), Some((4.0, -1.0)), "over the rim, at the far wall");
+    assert_eq!(hit(1.0, 0.0, -1.0), Some((1.0, -1.0)), "from inside, at the bottom");
+    assert_eq!(hit(1.0, 0.0, 0.0), None, "down through the tube");
 }

@@ -19,56 +19,75 @@ pub fn read_obj(text: &str) -> Result<Vec<Triangle>, String> {
             Some("f") => face(words, &corners).map(|face| triangles.extend(face)),
             _ => Ok(()),
         };
-        read.map_err(|reason| format!("line {number}: {reason}"))?;
+        read.map_err(|reason| {
+            missing!("the number of the line", reason, {
+                format!("line {number}: {reason}")
+            })
+        })?;
     }
     Ok(triangles)
 }
 
 /// The point of three coordinates.
 fn corner(words: SplitWhitespace) -> Result<Point3, String> {
-    let number = |word: &str| {
-        let number = word.parse::<f64>();
-        number.map_err(|_| format!("\"{word}\" is no number"))
-    };
-    let coordinates = words.take(3).map(number).collect::<Result<Vec<_>, _>>()?;
-    let &[x, y, z] = coordinates.as_slice() else {
-        return Err("a corner has three coordinates".to_owned());
-    };
-    Ok(Point3::new(x, y, z))
+    missing!("the coordinates of a corner", Ok(Point3::ORIGIN), {
+        let number = |word: &str| {
+            let number = word.parse::<f64>();
+            number.map_err(|_| format!("\"{word}\" is no number"))
+        };
+        let coordinates = words.take(3).map(number).collect::<Result<Vec<_>, _>>()?;
+        let &[x, y, z] = coordinates.as_slice() else {
+            return Err("a corner has three coordinates".to_owned());
+        };
+        Ok(Point3::new(x, y, z))
+    })
 }
 
 /// The corner that a word of a face names: `7`, `7/1/2` or `-1`. Only the number
 /// before the first slash counts: from the first corner, 1, or, if it is
 /// negative, back from the last corner read.
 fn named(word: &str, corners: &[Point3]) -> Result<Point3, String> {
-    let name = word.split('/').next().unwrap_or_default();
-    let number: isize = name
-        .parse()
-        .map_err(|_| format!("\"{word}\" is no number of a corner"))?;
-    let index = if number < 0 {
-        corners.len().checked_add_signed(number)
-    } else {
-        number.unsigned_abs().checked_sub(1)
-    };
-    index
-        .and_then(|index| corners.get(index).copied())
-        .ok_or_else(|| format!("there is no corner {number}"))
+    missing!("the corner of this name", Ok(Point3::ORIGIN), {
+        let name = word.split('/').next().unwrap_or_default().parse::<isize>();
+        let number = name.map_err(|_| format!("\"{word}\" is no number of a corner"))?;
+        let index = if number < 0 {
+            corners.len().checked_add_signed(number)
+        } else {
+            number.unsigned_abs().checked_sub(1)
+        };
+        let corner = index.and_then(|index| corners.get(index).copied());
+        corner.ok_or_else(|| format!("there is no corner {number}"))
+    })
 }
 
 /// The triangles of a face of three or more corners: all of them meet in the
 /// first.
 fn face(words: SplitWhitespace, corners: &[Point3]) -> Result<Vec<Triangle>, String> {
-    let around = words
-        .map(|word| named(word, corners))
-        .collect::<Result<Vec<_>, _>>()?;
-    let [first, rest @ ..] = around.as_slice() else {
-        return Err("a face has three corners or more".to_owned());
-    };
-    if rest.len() < 2 {
-        return Err("a face has three corners or more".to_owned());
-    }
-    let triangle = |pair: &[Point3]| Triangle::new(*first, pair[0], pair[1]);
-    rest.windows(2)
-        .map(|pair| triangle(pair).map_err(|error| error.to_string()))
-        .collect()
+    missing!("the triangles of a face", Ok(Vec::new()), {
+        let around = words.map(|word| named(word, corners));
+        let around = around.collect::<Result<Vec<_>, _>>()?;
+        let [first, rest @ ..] = around.as_slice() else {
+            return Err("a face has corners".to_owned());
+        };
+        if rest.len() < 2 {
+            return Err("a face has three corners or more".to_owned());
+        }
+        let triangle = |pair: &[Point3]| Triangle::new(*first, pair[0], pair[1]);
+        let triangles = rest.windows(2).map(triangle);
+        triangles
+            .map(|made| made.map_err(|error| error.to_string()))
+            .collect()
+    })
+}
+
+testing::examples! {
+    let corners = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 5e-1 -3\n";
+    let read = |line: &str| read_obj(&format!("{corners}{line}\n"));
+    let [a, b] = [Point3::ORIGIN, Point3::new(4.0, 0.0, 0.0)];
+    let triangle = Triangle::new(a, b, Point3::new(0.0, 0.5, -3.0)).unwrap();
+    assert_eq!(read("# no face"), Ok(vec![]));
+    assert_eq!(read("f 1 2 4"), Ok(vec![triangle]));
+    assert_eq!(read("f 1/7 2/8 -1"), Ok(vec![triangle]));
+    assert_eq!(read("f 1 2 3 4").map(|triangles| triangles.len()), Ok(2));
+    assert!(read("f 1 2 9").unwrap_err().starts_with("line 5: "));
 }

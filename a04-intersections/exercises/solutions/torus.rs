@@ -4,6 +4,7 @@ use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval};
 use common::{ArgumentError, argument};
+use testing::assert_close;
 
 /// All points at the distance `r` from a circle of the radius `ring`, which lies
 /// around the origin in the plane y = 0.
@@ -32,9 +33,10 @@ impl Torus {
 
     /// How far `p` is from the surface: negative in the tube.
     fn distance(&self, p: Point3) -> f64 {
-        let from_axis = Vector3::new(p.x(), 0.0, p.z()).magnitude();
-        let from_circle = Vector3::new(from_axis - self.ring, p.y(), 0.0).magnitude();
-        from_circle - self.r
+        missing!("the distance from the surface", f64::INFINITY, {
+            let from_axis = Vector3::new(p.x(), 0.0, p.z()).magnitude();
+            Vector3::new(from_axis - self.ring, p.y(), 0.0).magnitude() - self.r
+        })
     }
 }
 
@@ -47,35 +49,49 @@ impl Geometry for Torus {
         let (start, end) = (within.min.max(middle - reach), middle + reach);
         let distance = |t: f64| self.distance(ray.at(t));
 
-        // As far as the surface is away, nothing is in the way. Steps that are
-        // never smaller than this walk away from it, and through it.
-        let smallest = 1e-4 * self.r / length;
-        let mut inner = start + smallest;
-        let starts_inside = distance(inner) < 0.0;
-        let mut outer = inner;
-        while (distance(outer) < 0.0) == starts_inside {
-            if outer > end {
-                return None;
+        let t = missing!("the first t at which the distance is 0", f64::NAN, {
+            // As far as the surface is away, nothing is in the way. Steps that are
+            // never smaller than this walk away from it, and through it.
+            let smallest = 1e-4 * self.r / length;
+            let mut inner = start + smallest;
+            let starts_inside = distance(inner) < 0.0;
+            let mut outer = inner;
+            while (distance(outer) < 0.0) == starts_inside {
+                if outer > end {
+                    return None;
+                }
+                inner = outer;
+                let step = (distance(outer).abs() / length).max(smallest);
+                outer = (outer + step).max(outer.next_up());
             }
-            inner = outer;
-            let step = (distance(outer).abs() / length).max(smallest);
-            outer = (outer + step).max(outer.next_up());
-        }
-        // The surface lies between: halve until no number does.
-        loop {
-            let t = f64::midpoint(inner, outer);
-            if t <= inner || t >= outer {
-                break;
+            // The surface lies between: halve until no number does.
+            loop {
+                let t = f64::midpoint(inner, outer);
+                if t <= inner || t >= outer {
+                    break;
+                }
+                if (distance(t) < 0.0) == starts_inside {
+                    inner = t;
+                } else {
+                    outer = t;
+                }
             }
-            if (distance(t) < 0.0) == starts_inside {
-                inner = t;
-            } else {
-                outer = t;
-            }
-        }
-        let t = outer;
+            outer
+        });
 
         let normal = self.way_from_circle(ray.at(t))?.normalized()?.as_normal();
         within.contains(t).then(|| Hit::new(t, normal))
     }
+}
+
+testing::examples! {
+    let torus = Torus::new(2.0, 0.5).unwrap();
+    let hit = |x, y, dy| {
+        let ray = Ray::derived(Point3::new(x, y, 0.0), Vector3::new(0.0, dy, 0.0));
+        torus.hit(&ray, Interval::AHEAD).map(|hit| [hit.t, hit.normal.y()])
+    };
+    assert_close(hit(2.0, 5.0, -1.0), Some([4.5, 1.0]));
+    assert_close(hit(2.0, 5.0, -2.0), Some([2.25, 1.0]));
+    assert_close(hit(2.0, 0.0, -1.0), Some([0.5, -1.0]));
+    assert_eq!(hit(0.0, 5.0, -1.0), None, "through the hole");
 }

@@ -3,7 +3,7 @@
 //! Chapter: Intersections, section "Box". To compare afterwards:
 //! `a04-intersections/src/axis_aligned_box.rs`.
 
-use a02_math::{Normal3, Point3};
+use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval};
 use common::ArgumentError;
@@ -34,4 +34,18 @@ impl Geometry for AxisAlignedBox {
         let d = ray.direction().to_glam().to_array();
         testing::missing("the nearest hit within the interval", None)
     }
+}
+
+testing::examples! {
+    let [lbf, run] = [-1.0, 1.0].map(|x| Point3::new(x, x, x));
+    let cube = AxisAlignedBox::new(lbf, run).unwrap();
+    let hit = |x, z, dz| {
+        let ray = Ray::derived(Point3::new(x, 0.0, z), Vector3::new(0.0, 0.0, dz));
+        cube.hit(&ray, Interval::AHEAD).map(|hit| (hit.t, hit.normal.z()))
+    };
+    assert_eq!(hit(0.0, 5.0, -1.0), Some((4.0, 1.0)), "straight ahead");
+    assert_eq!(hit(0.0, 5.0, -2.0), Some((2.0, 1.0)), "in longer steps");
+    assert_eq!(hit(0.0, 0.0, -1.0), Some((1.0, -1.0)), "from inside");
+    assert_eq!(hit(0.0, 5.0, 1.0), None, "the box lies behind");
+    assert_eq!(hit(1.5, 5.0, -1.0), None, "beside it");
 }

@@ -3,9 +3,10 @@
 //! Chapter: Intersections, section "Hit and World". To compare afterwards:
 //! `a04-intersections/src/world.rs`.
 
-use a02_math::Direction;
+use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval, World};
+use a04_intersections::{Geometry, Hit, Interval, Sphere, World};
+use common::Color;
 
 /// The nearest hit within the interval, and the number of the object there.
 ///
@@ -15,4 +16,20 @@ use a04_intersections::{Geometry, Hit, Interval, World};
 /// looks along the ray, both are turned.
 pub fn nearest(world: &World<usize>, ray: &Ray, within: Interval) -> Option<(Hit, usize)> {
     testing::missing("the nearest hit", None)
+}
+
+testing::examples! {
+    let mut world = World::new(Color::BLACK).unwrap();
+    for (z, number) in [(-6.0, 0), (-3.0, 1), (-9.0, 2)] {
+        world = world.with(Sphere::new(Point3::new(0.0, 0.0, z), 1.0).unwrap(), number);
+    }
+    let hit = |z, within| {
+        let ray = Ray::derived(Point3::new(0.0, 0.0, z), Vector3::new(0.0, 0.0, -1.0));
+        nearest(&world, &ray, within).map(|(hit, number)| (hit.t, hit.normal.z(), number))
+    };
+    assert_eq!(hit(0.0, Interval::AHEAD), Some((2.0, 1.0, 1)), "the first of three spheres");
+    assert_eq!(hit(-3.0, Interval::AHEAD), Some((1.0, 1.0, 1)), "from inside");
+    let after = Interval { min: 4.5, max: 9.5 };
+    assert_eq!(hit(0.0, after), Some((5.0, 1.0, 0)), "the first after t = 4.5");
+    assert_eq!(hit(0.0, Interval::before(1.5)), None, "none before t = 1.5");
 }

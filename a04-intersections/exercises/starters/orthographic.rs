@@ -6,6 +6,7 @@
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Basis, Camera, Ray};
 use common::{ArgumentError, Size};
+use testing::assert_close;
 
 /// A camera whose rays are parallel.
 pub struct OrthographicCamera {
@@ -36,4 +37,14 @@ impl Camera for OrthographicCamera {
         let [width, height] = [size.width(), size.height()].map(f64::from);
         testing::missing("the ray", Ray::derived(e, w))
     }
+}
+
+testing::examples! {
+    let [g, t] = [Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0)];
+    let camera = OrthographicCamera::new(Point3::ORIGIN, g, t, 6.0).unwrap();
+    let ray = |x, y| camera.ray_for(Size::new(5, 3).unwrap(), x, y);
+    assert_eq!(ray(2.0, 1.0), Ray::derived(Point3::ORIGIN, g), "through the middle");
+    assert_close(ray(2.0, 2.0).origin().y(), 3.0);
+    assert_close(ray(4.0, 1.0).origin().x(), 5.0);
+    assert_eq!(ray(4.0, 2.0).direction(), g, "through a corner");
 }

@@ -3,7 +3,7 @@
 //! Chapter: Intersections, section "Plane". To compare afterwards:
 //! `a04-intersections/src/plane.rs`.
 
-use a02_math::{Direction, Normal3, Point3};
+use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval};
 use common::ArgumentError;
@@ -35,4 +35,17 @@ impl Geometry for Plane {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         testing::missing("the hit within the interval", None)
     }
+}
+
+testing::examples! {
+    let floor = Plane::new(Point3::new(0.0, -1.0, 0.0), Normal3::new(0.0, 1.0, 0.0)).unwrap();
+    let hit = |y, dy| {
+        let ray = Ray::derived(Point3::new(0.0, y, 0.0), Vector3::new(1.0, dy, 0.0));
+        floor.hit(&ray, Interval::AHEAD).map(|hit| (hit.t, hit.normal.y()))
+    };
+    assert_eq!(hit(0.0, -1.0), Some((1.0, 1.0)), "from above");
+    assert_eq!(hit(0.0, -0.5), Some((2.0, 1.0)), "at a smaller slope");
+    assert_eq!(hit(-3.0, 1.0), Some((2.0, 1.0)), "from below");
+    assert_eq!(hit(0.0, 1.0), None, "the plane lies behind");
+    assert_eq!(hit(0.0, 0.0), None, "parallel");
 }

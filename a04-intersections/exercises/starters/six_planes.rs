@@ -1,6 +1,6 @@
 //! `SixPlanes`: a box put together of planes, as the protocol does it.
 
-use a02_math::{Normal3, Point3};
+use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval, Plane};
 use common::ArgumentError;
@@ -53,4 +53,16 @@ impl Geometry for SixPlanes {
         }
         found
     }
+}
+
+testing::examples! {
+    let [lbf, run] = [Point3::new(-1.0, -1.0, -1.0), Point3::new(1.0, 1.0, 1.0)];
+    let cube = SixPlanes::new(lbf, run).unwrap();
+    let hit = |z, dz| {
+        let ray = Ray::derived(Point3::new(0.0, 0.0, z), Vector3::new(0.0, 0.0, dz));
+        cube.hit(&ray, Interval::AHEAD).map(|hit| (hit.t, hit.normal.z()))
+    };
+    assert_eq!(hit(5.0, -1.0), Some((4.0, 1.0)), "from the front");
+    assert_eq!(hit(-5.0, 1.0), Some((4.0, -1.0)), "from the back");
+    assert_eq!(hit(0.0, -1.0), Some((1.0, -1.0)), "from inside");
 }

@@ -3,7 +3,7 @@
 //! Chapter: Intersections, section "Sphere". To compare afterwards:
 //! `a04-intersections/src/sphere.rs`.
 
-use a02_math::{Direction, Point3};
+use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval};
 use common::ArgumentError;
@@ -27,4 +27,17 @@ impl Geometry for Sphere {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         testing::missing("the nearest hit within the interval", None)
     }
+}
+
+testing::examples! {
+    let ball = Sphere::new(Point3::new(0.0, 0.0, -3.0), 0.5).unwrap();
+    let hit = |x, z, dz| {
+        let ray = Ray::derived(Point3::new(x, 0.0, z), Vector3::new(0.0, 0.0, dz));
+        ball.hit(&ray, Interval::AHEAD).map(|hit| (hit.t, hit.normal.z()))
+    };
+    assert_eq!(hit(0.0, 0.0, -1.0), Some((2.5, 1.0)), "straight ahead");
+    assert_eq!(hit(0.0, 0.0, -2.0), Some((1.25, 1.0)), "in longer steps");
+    assert_eq!(hit(0.0, -3.0, -1.0), Some((0.5, -1.0)), "from inside");
+    assert_eq!(hit(0.5, 0.0, -1.0), Some((3.0, 0.0)), "touching");
+    assert_eq!(hit(1.0, 0.0, -1.0), None, "beside it");
 }

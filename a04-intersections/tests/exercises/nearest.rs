@@ -1,121 +1,104 @@
-//! Spheres along a ray in all orders, hits at the ends of intervals, and normals from
-//! inside.
+//! Spheres and a smooth triangle in all orders, compared with the lesson's `World`.
 
-use a02_math::{Direction, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Hit, Interval, Sphere, World};
-use common::{ArgumentError, Color};
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
-
-use crate::aimed::{BOUND, frame, perspective, point};
+use crate::prelude::*;
 
 pub fn check(
     check: &mut Check,
     nearest: impl Fn(&World<usize>, &Ray, Interval) -> Option<(Hit, usize)> + Sync,
 ) {
-    let mut random = Random::new(45);
-    for order in [
-        [0, 1, 2],
-        [2, 1, 0],
-        [1, 0, 2],
-        [1, 2, 0],
-        [0, 2, 1],
-        [2, 0, 1],
-    ] {
-        let (o, [d, ..]) = (point(&mut random, 5.0), frame(&mut random));
-        // Spheres of radius 1 around 3, 6 and 9: hit at 2, 5 and 8, left at 4, 7 and 10.
-        let spheres = order.map(|i| o + d * (3.0 * f64::from(i + 1)));
-        let Ok(world) = world(&spheres) else { continue };
-        let number = |i: i32| order.iter().position(|k| *k == i).unwrap_or_default();
-        let mut expect = |kind: &str, from: f64, within: Interval, exact: Option<(f64, usize)>| {
-            let ray = Ray::derived(o + d * from, d);
-            let got = nearest(&world, &ray, within);
-            let words =
-                format!("spheres 3, 6 and 9 steps along the ray, number {order:?} of the list");
-            let (t, object) = (exact.map(|(t, _)| t), exact.map(|(_, object)| object));
-            let got_t = got.map(|(hit, _)| hit.t);
-            check.expect(
-                format!("t {kind}; {words}"),
-                t,
-                Bound::Absolute(BOUND),
-                got_t,
-            );
-            let got_object = got.map(|(_, object)| object);
-            check.expect(
-                format!("the object {kind}; {words}"),
-                object,
-                Bound::Equal,
-                got_object,
-            );
-            if let (Some((hit, _)), true) = (got, exact.is_some()) {
-                for (name, normal) in [("normal", hit.normal), ("face", hit.face)] {
-                    let cosine = normal.dot(d);
-                    let what = format!("the {name} against the ray, n · d, {kind}; {words}");
-                    check.expect(what, -1.0, Bound::Absolute(BOUND), cosine);
-                }
-            }
-        };
-        expect(
-            "of the nearest sphere",
-            0.0,
-            Interval::AHEAD,
-            Some((2.0, number(0))),
-        );
-        expect(
-            "from inside the first sphere",
-            3.0,
-            Interval::AHEAD,
-            Some((1.0, number(0))),
-        );
-        let after = Interval {
-            min: 4.5,
-            max: f64::INFINITY,
-        };
-        expect(
-            "as the interval begins at 4.5",
-            0.0,
-            after,
-            Some((5.0, number(1))),
-        );
-        let between = Interval { min: 5.5, max: 6.5 };
-        expect("between 5.5 and 6.5, inside a sphere", 0.0, between, None);
-        expect(
-            "as the interval ends at 1.5",
-            0.0,
-            Interval::before(1.5),
-            None,
-        );
-        expect("behind all spheres", 11.0, Interval::AHEAD, None);
-    }
-    let empty = World::new(Color::BLACK).map(|world| {
-        let ray = Ray::derived(Point3::ORIGIN, Vector3::new(1.0, 0.0, 0.0));
-        nearest(&world, &ray, Interval::AHEAD).map(|(hit, _)| hit.t)
+    let found = |hit: Option<(Hit, usize)>| {
+        let (hit, number) = hit.unzip();
+        answer(hit).and("number", number)
+    };
+    let ahead = [0.0, 4.5, 7.5].map(|min| ([0.0; 3], [0.0, 0.0, -1.0], min, 99.0));
+    let orders = [[-3.0, -6.0, -9.0], [-9.0, -6.0, -3.0], [-6.0, -9.0, -3.0]];
+    let rays = world(orders[0]).map_or(Vec::new(), |world| {
+        rays(&Own(move |ray: &Ray, i| {
+            world.hit(ray, i).map(|(hit, _)| hit)
+        }))
     });
-    check.expect(
-        "t in an empty world",
-        None::<f64>,
-        Bound::Equal,
-        empty.ok().flatten(),
+    check.compare(
+        &format!("spheres of radius 1 at z = {{}}, a triangle at z = 1; {RAY}"),
+        orders.into_iter().flat_map(|zs| ahead.map(|ray| (zs, ray))),
+        orders
+            .into_iter()
+            .flat_map(|zs| rays.iter().map(move |ray| (zs, *ray))),
+        |(zs, ray)| {
+            let (world, (ray, within)) = (world(zs).ok()?, ray_within(ray));
+            Some(found(
+                world.hit(&ray, within).map(|(hit, number)| (hit, *number)),
+            ))
+        },
+        |(zs, ray)| {
+            let (ray, within) = ray_within(ray);
+            Some(found(nearest(&world(zs).ok()?, &ray, within)))
+        },
     );
     check.scene(&a04_intersections::stage(), "scene-5", |settings| {
-        let camera = perspective(Point3::ORIGIN, Vector3::new(0.0, 0.0, -1.0))?;
-        let world = World::new(Color::BLACK)?
-            .with(Sphere::new(Point3::new(-1.0, 0.0, -3.0), 0.5)?, 0)
-            .with(Sphere::new(Point3::new(1.0, 0.0, -6.0), 0.5)?, 1);
+        let [left, right] = [(-1.0, -3.0), (1.0, -6.0)].map(|(x, z)| Point3::new(x, 0.0, z));
+        let world = World::new(Color::BLACK)?.with(Sphere::new(left, 0.5)?, 0);
+        let world = world.with(Sphere::new(right, 0.5)?, 1);
         let color = |ray: &Ray| match nearest(&world, ray, Interval::AHEAD) {
             Some(_) => Color::RED,
             None => Color::BLACK,
         };
-        a03_rays_cameras::render(&camera, color, settings, &())
+        render(&scene_5()?.camera, color, settings, &())
     });
 }
 
-/// Spheres of radius 1, each with its number in the list.
-fn world(centres: &[Point3]) -> Result<World<usize>, ArgumentError> {
-    let mut world = World::new(Color::BLACK)?;
-    for (number, centre) in centres.iter().enumerate() {
-        world = world.with(Sphere::new(*centre, 1.0)?, number);
+/// Spheres, and a triangle whose corners have normals aslant, each with its number.
+fn world(zs: [f64; 3]) -> Result<World<usize>, ArgumentError> {
+    let mut world = World::new(Color::BLACK)?.with(smooth_triangle(1.0)?, 0);
+    for (number, z) in (1..).zip(zs) {
+        world = world.with(Sphere::new(Point3::new(0.0, 0.0, z), 1.0)?, number);
     }
     Ok(world)
 }
+
+/// All hits, each the nearest of its object.
+fn hits(world: &World<usize>, ray: &Ray, within: Interval) -> Vec<(Hit, usize)> {
+    let objects = world.objects();
+    objects
+        .filter_map(|(shape, number)| Some((shape.hit(ray, within)?, *number)))
+        .collect()
+}
+
+fn first(hits: Vec<(Hit, usize)>) -> Option<(Hit, usize)> {
+    hits.into_iter()
+        .reduce(|a, b| if b.0.t < a.0.t { b } else { a })
+}
+
+/// The hit with its normals turned where this one of them looks along the ray.
+fn turned(found: Option<(Hit, usize)>, ray: &Ray, by: fn(&Hit) -> Normal3) -> Option<(Hit, usize)> {
+    let (mut hit, number) = found?;
+    if by(&hit).dot(ray.direction()) > 0.0 {
+        (hit.normal, hit.face) = (-hit.normal, -hit.face);
+    }
+    Some((hit, number))
+}
+
+pub const VARIANTS: &[Variant] = &[
+    right("all hits, and then the first", |c| {
+        check(c, |world, ray, i| {
+            turned(first(hits(world, ray, i)), ray, |hit| hit.face)
+        });
+    }),
+    wrong("not the first of the list, but the nearest", |c| {
+        check(c, |world, ray, i| {
+            turned(hits(world, ray, i).pop(), ray, |hit| hit.face)
+        });
+    }),
+    wrong("a hit before the interval hides one in it", |c| {
+        check(c, |world, ray, i| {
+            let hit = first(hits(world, ray, Interval::AHEAD));
+            turned(hit.filter(|(hit, _)| i.contains(hit.t)), ray, |hit| {
+                hit.face
+            })
+        });
+    }),
+    wrong("the face, not the normal, says what is seen", |c| {
+        check(c, |world, ray, i| {
+            turned(first(hits(world, ray, i)), ray, |hit| hit.normal)
+        });
+    }),
+];

@@ -1,73 +1,293 @@
-//! Helpers of the checks of shapes.
+//! Compares shapes: with rays of all lengths, from outside, from inside and from far away,
+//! just inside and just outside of borders, and in intervals that end at hits.
 
 use std::f64::consts::FRAC_PI_4;
+use std::fmt;
 
-use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, Ray, render};
-use a04_intersections::{Geometry, Hit, Interval, World};
+use a02_math::{Direction, Normal3, Point3, Vector3};
+use a03_rays_cameras::{PerspectiveCamera, Ray, View, render};
+use a04_intersections::{Geometry, Hit, Interval, Triangle, World, stage};
 use common::{ArgumentError, Color};
-use measure::extremes::Bound;
-use testing::exercise::Check;
+use testing::exercise::{Answer, Check, Input, Random, random};
 
-/// Sine and cosine of angles at which both are fractions.
-pub const TURNS: [(f64, f64); 8] = [
-    (0.0, 1.0),
-    (1.0, 0.0),
-    (0.6, -0.8),
-    (-0.28, 0.96),
-    (5.0 / 13.0, 12.0 / 13.0),
-    (-12.0 / 13.0, -5.0 / 13.0),
-    (8.0 / 17.0, -15.0 / 17.0),
-    (-21.0 / 29.0, 20.0 / 29.0),
-];
+/// Origin and direction of a ray, and the ends of the interval.
+pub type RayWithin = ([f64; 3], [f64; 3], f64, f64);
 
-/// Compares `t` and normal of a hit with the exact ones.
-pub fn expect_hit(
-    check: &mut Check,
-    what: &str,
-    exact: Option<(f64, Normal3)>,
-    bound: f64,
-    got: Option<Hit>,
-) {
-    let bound = Bound::Absolute(bound);
-    let (exact_t, got_t) = (exact.map(|(t, _)| t), got.map(|hit| hit.t));
-    check.expect(format!("t, {what}"), exact_t, bound, got_t);
-    if let (Some((_, exact)), Some(got)) = (exact, got) {
-        let [exact, got] = [exact, got.normal].map(|normal| normal.to_glam().to_array());
-        check.expect(format!("the normal, {what}"), exact, bound, got);
+/// The words for a ray in messages.
+pub const RAY: &str = "ray from {} along {}, t from {} to {}";
+
+/// A shape whose hits a function finds.
+pub struct Own<F>(pub F);
+
+#[expect(clippy::unnecessary_wraps, reason = "a constructor returns a result")]
+pub fn own<F: Fn(&Ray, Interval) -> Option<Hit>>(hit: F) -> Result<Own<F>, ArgumentError> {
+    Ok(Own(hit))
+}
+
+impl<F> fmt::Debug for Own<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Own")
     }
 }
 
-/// A vector turned around the y axis by an angle of this sine and cosine.
-pub fn turned((sin, cos): (f64, f64), x: f64, y: f64, z: f64) -> Vector3 {
-    Vector3::new(cos * x + sin * z, y, cos * z - sin * x)
+impl<F: Fn(&Ray, Interval) -> Option<Hit> + Send + Sync + 'static> Geometry for Own<F> {
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        self.0(ray, within)
+    }
+}
+
+/// A triangle at this height over z = 0 whose corners have a normal that is not its face's.
+pub fn smooth_triangle(z: f64) -> Result<Triangle, ArgumentError> {
+    let corners = [(-2.0, -2.0), (2.0, -2.0), (0.0, 2.0)];
+    let [a, b, c] = corners.map(|(x, y)| Point3::new(x, y, z));
+    Triangle::new(a, b, c)?.with_normals([Normal3::new(4.0, 1.0, 1.0); 3])
+}
+
+pub fn point(xyz: [f64; 3]) -> Point3 {
+    Point3::from_glam(xyz.into())
+}
+
+pub fn vector(xyz: [f64; 3]) -> Vector3 {
+    Vector3::from_glam(xyz.into())
+}
+
+/// The ray and the interval of an input.
+pub fn ray_within((o, d, min, max): RayWithin) -> (Ray, Interval) {
+    (Ray::derived(point(o), vector(d)), Interval { min, max })
+}
+
+pub fn answer(hit: Option<Hit>) -> Answer {
+    hit.map_or(Answer::words("no hit"), |hit| {
+        Answer::named("t", hit.t)
+            .and("normal", hit.normal.to_glam().to_array())
+            .and("face", hit.face.to_glam().to_array())
+    })
+}
+
+type Flaw = fn(&dyn Geometry, &Ray, Interval) -> Option<Hit>;
+
+/// Mistakes that any shape may have.
+const USUAL: [(&str, Flaw); 5] = [
+    ("an interval has two ends", |shape, ray, i| {
+        shape.hit(
+            ray,
+            Interval {
+                max: f64::INFINITY,
+                ..i
+            },
+        )
+    }),
+    (
+        "the interval says which t is valid, no epsilon",
+        |shape, ray, i| shape.hit(ray, Interval { min: 1e-6, ..i }),
+    ),
+    ("a short direction is not parallel", |shape, ray, i| {
+        shape
+            .hit(ray, i)
+            .filter(|_| ray.direction().magnitude() > 1e-6)
+    }),
+    (
+        "t counts steps of the direction, not lengths",
+        |shape, ray, i| {
+            let hit = shape.hit(ray, i)?;
+            Some(Hit {
+                t: hit.t * ray.direction().magnitude(),
+                ..hit
+            })
+        },
+    ),
+    (
+        "a shape's normal does not turn to the ray",
+        |shape, ray, i| {
+            let Hit { t, normal, face } = shape.hit(ray, i)?;
+            let sign = -face.dot(ray.direction()).signum();
+            Some(Hit {
+                t,
+                normal: normal * sign,
+                face: face * sign,
+            })
+        },
+    ),
+];
+
+/// Simple rays to a shape around the origin: along each axis, in longer steps, from inside,
+/// away from it, and aslant.
+fn simple() -> impl Iterator<Item = [[f64; 3]; 2]> {
+    let places = [0.0, 0.5, 1.0, 2.0, 3.0].into_iter();
+    let places = places.flat_map(|x| [0.0, 0.5, 1.0, 2.0].map(|y| [x, y]));
+    let axes = places.flat_map(|[x, y]| {
+        [
+            [[x, y, 4.0], [0.0, 0.0, -1.0]],
+            [[x, 4.0, y], [0.0, -2.0, 0.0]],
+            [[x, y, 0.25], [0.0, 0.0, 1.0]],
+            [[x, -4.0, y], [0.0, -1.0, 0.0]],
+        ]
+    });
+    axes.chain([[[3.0, 0.0, 0.0], [-1.0, 0.0, 1.0]]])
+}
+
+/// Compares shapes with the lesson's, whose words have `{}` in the place of each parameter:
+/// the `first` one, near the origin and of round numbers, with simple rays, and eight of `any`
+/// parameters with rays from everywhere.
+pub fn compare<P: Input, L: Geometry, Y: Geometry>(
+    check: &mut Check,
+    words: &str,
+    first: P,
+    any: impl FnMut(&mut Random) -> P,
+    lesson: impl Fn(P) -> Result<L, ArgumentError>,
+    yours: impl Fn(P) -> Result<Y, ArgumentError>,
+) {
+    let rays = |shape: &P| lesson(shape.clone()).map_or(Vec::new(), |shape| rays(&shape));
+    let with = |shape: P| {
+        rays(&shape)
+            .into_iter()
+            .map(move |ray| (shape.clone(), ray))
+    };
+    let mistake = check.usual(&USUAL).unwrap_or(Geometry::hit);
+    let from_everywhere = with(first.clone()).chain(random(any).take(8).flat_map(with));
+    check.compare(
+        &format!("{words}; {RAY}"),
+        simple().map(move |[o, d]| (first.clone(), (o, d, 0.0, f64::INFINITY))),
+        from_everywhere,
+        |(shape, ray)| Some(hit(&lesson(shape).ok()?, ray)),
+        |(shape, ray)| {
+            let (shape, (ray, within)) = (yours(shape).ok()?, ray_within(ray));
+            Some(answer(mistake(&shape, &ray, within)))
+        },
+    );
+}
+
+/// Compares boxes between two corners.
+pub fn compare_boxes<L: Geometry, Y: Geometry>(
+    check: &mut Check,
+    lesson: impl Fn(Point3, Point3) -> Result<L, ArgumentError>,
+    yours: impl Fn(Point3, Point3) -> Result<Y, ArgumentError>,
+) {
+    compare(
+        check,
+        "box from {} to {}",
+        ([-1.5; 3], [1.5; 3]),
+        |r| {
+            let lbf = r.triple(5.0);
+            (lbf, lbf.map(|low| low + r.between(0.1, 3.0)))
+        },
+        |(lbf, run)| lesson(point(lbf), point(run)),
+        |(lbf, run)| yours(point(lbf), point(run)),
+    );
+}
+
+/// The hit of a ray, as an answer.
+pub fn hit(shape: &dyn Geometry, input: RayWithin) -> Answer {
+    let (ray, within) = ray_within(input);
+    answer(shape.hit(&ray, within))
+}
+
+/// Rays from everywhere, most of which hit the shape: from outside, inside and far away; with
+/// directions of all lengths; in intervals that end just before and after a hit; and just
+/// inside and outside of a border.
+pub fn rays(lesson: &dyn Geometry) -> Vec<RayWithin> {
+    let (mut random, mut rays, mut hits) = (Random::new(1), Vec::new(), 0);
+    for i in 0..2000 {
+        let [from, to, aside] = [(); 3].map(|()| point(random.triple(6.0)));
+        let from = if i % 4 == 3 {
+            to + (from - to) * 100.0
+        } else {
+            from
+        };
+        let length = if hits < 5 { 1.0 } else { random.scale() };
+        let towards = |to: Point3| Ray::derived(from, (to - from) * length);
+        let mut add = |ray: Ray, min, max| {
+            let [o, d] = [ray.origin().to_glam(), ray.direction().to_glam()];
+            rays.push((o.to_array(), d.to_array(), min, max));
+        };
+        let (ray, hit) = (towards(to), |ray| lesson.hit(&ray, Interval::AHEAD));
+        let Some(Hit { t, .. }) = hit(ray) else {
+            if i < 30 {
+                add(ray, 0.0, f64::INFINITY);
+            }
+            continue;
+        };
+        add(ray, 0.0, f64::INFINITY);
+        add(Ray::derived(from, -ray.direction()), 0.0, f64::INFINITY);
+        for end in [t * (1.0 - 1e-3), t * (1.0 + 1e-6)] {
+            add(ray, 0.0, end);
+            add(ray, end, f64::INFINITY);
+        }
+        // It begins just behind the surface, often inside.
+        let behind = Ray::derived(ray.at(t * 1.001), ray.direction());
+        add(behind, 0.0, f64::INFINITY);
+        // Between a point that is hit and one that is not, there is a border.
+        let between = |share: f64| towards(to + (aside - to) * share);
+        let (mut inner, mut outer) = (0.0, 1.0);
+        for _ in 0..40 {
+            let share = f64::midpoint(inner, outer);
+            if hit(between(share)).is_some() {
+                inner = share;
+            } else {
+                outer = share;
+            }
+        }
+        add(between(inner - 1e-6), 0.0, f64::INFINITY);
+        add(between(outer + 1e-6), 0.0, f64::INFINITY);
+        hits += 1;
+        if hits == 20 {
+            break;
+        }
+    }
+    rays
+}
+
+/// Compares the picture of a scene in which the student's shape stands in the place of the
+/// lesson's.
+pub fn scene(
+    check: &mut Check,
+    name: &str,
+    view: fn() -> Result<View<World<Color>>, ArgumentError>,
+    shape: Result<impl Geometry, ArgumentError>,
+) {
+    check.scene(&stage(), name, |settings| {
+        let View { camera, world } = view()?;
+        let color = world
+            .objects()
+            .next()
+            .map_or(Color::WHITE, |(_, color)| *color);
+        let world = World::new(world.background())?.with(shape?, color);
+        render(&camera, |ray: &Ray| world.color_for(ray), settings, &())
+    });
 }
 
 /// Shows a shape to an eye that looks at the point `at`, coloured by its normal:
 /// red faces right or left, green up or down, blue near or far.
-pub fn show(check: &mut Check, shape: impl Geometry + 'static, eye: Point3, at: Point3) {
-    let world = World::new(Color::gray(0.1)).map(|world| world.with(shape, ()));
-    show_world(check, world, eye, at, |_, normal| {
-        let [r, g, b] = normal.to_glam().abs().to_array();
-        Color::new(r, g, b)
-    });
+pub fn show(
+    check: &mut Check,
+    shape: Result<impl Geometry, ArgumentError>,
+    eye: [f64; 3],
+    at: [f64; 3],
+) {
+    let world = World::new(Color::gray(0.1)).and_then(|world| Ok(world.with(shape?, ())));
+    show_world(check, world, eye, at, |(), _, normal| by_normal(normal));
 }
 
-/// Shows a world to an eye that looks at the point `at`, coloured by place and
+pub fn by_normal(normal: Normal3) -> Color {
+    let [r, g, b] = normal.to_glam().abs().to_array();
+    Color::new(r, g, b)
+}
+
+/// Shows a world to an eye that looks at the point `at`, coloured by surface, place and
 /// normal.
-pub fn show_world(
+pub fn show_world<S: Sync>(
     check: &mut Check,
-    world: Result<World<()>, ArgumentError>,
-    eye: Point3,
-    at: Point3,
-    color: impl Fn(Point3, Normal3) -> Color + Sync,
+    world: Result<World<S>, ArgumentError>,
+    eye: [f64; 3],
+    at: [f64; 3],
+    color: impl Fn(&S, Point3, Normal3) -> Color + Sync,
 ) {
     check.picture(|settings| {
         let world = world?;
         let up = Vector3::new(0.0, 1.0, 0.0);
-        let camera = PerspectiveCamera::new(eye, at - eye, up, FRAC_PI_4)?;
+        let camera = PerspectiveCamera::new(point(eye), point(at) - point(eye), up, FRAC_PI_4)?;
         let paint = |ray: &Ray| match world.hit(ray, Interval::AHEAD) {
-            Some((hit, ())) => color(ray.at(hit.t), hit.normal),
+            Some((hit, surface)) => color(surface, ray.at(hit.t), hit.normal),
             None => world.background(),
         };
         render(&camera, paint, settings, &())

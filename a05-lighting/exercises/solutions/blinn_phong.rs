@@ -1,47 +1,44 @@
-//! `BlinnPhong`: a highlight by the vector half way between light and eye.
+//! A highlight by the vector half way between light and eye.
 
-use a02_math::Direction;
+use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
-use a05_lighting::{Lighting, Material};
-use common::{ArgumentError, Color, argument};
+use a05_lighting::Illumination;
+use common::Color;
+use testing::assert_close;
 
-/// A shiny material: `Σ (cd cl max(0, n · l) + cs cl max(0, n · h)^p)`.
-#[derive(Clone, Copy, Debug)]
-pub struct BlinnPhong {
-    diffuse: Color,
-    specular: Color,
-    exponent: f64,
+/// The light of one lamp that a hit reflects back along the ray:
+/// `cd cl max(0, n · l) + cs cl max(0, n · h)^p`.
+pub fn blinn_phong(
+    [cd, cs]: [Color; 2],
+    p: f64,
+    ray: &Ray,
+    hit: &Hit,
+    light: &Illumination,
+) -> Color {
+    missing!("matt light and highlight", cd * light.color, {
+        let cosine = hit.normal.dot(light.direction);
+        // Light from behind is neither scattered nor mirrored.
+        if cosine <= 0.0 {
+            return Color::BLACK;
+        }
+        // Opposite directions have no half way.
+        let half = (light.direction - ray.direction()).normalized();
+        let highlight = half.map_or(0.0, |half| hit.normal.dot(half).clamp(0.0, 1.0));
+        (cd * cosine + cs * libm::pow(highlight, p)) * light.color
+    })
 }
 
-impl BlinnPhong {
-    /// The material that scatters `diffuse` and mirrors `specular` of each light.
-    pub fn new(diffuse: Color, specular: Color, exponent: f64) -> Result<Self, ArgumentError> {
-        Ok(Self {
-            diffuse: argument::color("diffuse", diffuse)?,
-            specular: argument::color("specular", specular)?,
-            exponent: argument::not_negative("exponent", exponent)?,
-        })
-    }
-}
-
-impl Material for BlinnPhong {
-    fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
-        let mut color = self.diffuse * lighting.ambient();
-        lighting.for_each_light(ray, hit, &mut |light| {
-            let cosine = hit.normal.dot(light.direction);
-            // Light from behind is neither scattered nor mirrored.
-            if cosine <= 0.0 {
-                return;
-            }
-            color += self.diffuse * light.color * cosine;
-            // Opposite directions have no half way.
-            let Some(half) = (light.direction - ray.direction()).normalized() else {
-                return;
-            };
-            let highlight = hit.normal.dot(half).clamp(0.0, 1.0);
-            color += self.specular * light.color * libm::pow(highlight, self.exponent);
-        });
-        color
-    }
+testing::examples! {
+    let lit = |p, eye: Vector3, direction| {
+        let (ray, up) = (Ray::derived(Point3::ORIGIN, -eye), Normal3::new(0.0, 1.0, 0.0));
+        let light = Illumination { color: Color::WHITE, direction, distance: 1.0 };
+        blinn_phong([Color::RED, Color::BLUE], p, &ray, &Hit::new(0.0, up), &light).channels()
+    };
+    let [up, aslant] = [Vector3::new(0.0, 1.0, 0.0), Vector3::new(0.96, 0.28, 0.0)];
+    assert_eq!(lit(8.0, up, up), [1.0, 0.0, 1.0], "light and eye above");
+    // The vector half way is (0.6, 0.8, 0).
+    assert_close(lit(1.0, up, aslant), [0.28, 0.0, 0.8]);
+    assert_close(lit(2.0, aslant, up), [1.0, 0.0, 0.64]);
+    assert_eq!(lit(0.0, up, -up), [0.0; 3], "light from behind");
 }

@@ -1,34 +1,28 @@
-//! `FadingLight`: a lamp that is weaker the farther away it is.
+//! A lamp that is weaker the farther away it is.
 
-use a02_math::{Direction, Point3};
-use a05_lighting::{Illumination, Light};
-use common::{ArgumentError, Color, argument};
+use a02_math::{Direction, Point3, Vector3};
+use a05_lighting::Illumination;
+use common::Color;
 
-/// A lamp at a point, with the colour that it has at the distance 1.
-#[derive(Clone, Copy, Debug)]
-pub struct FadingLight {
-    color: Color,
-    position: Point3,
-}
-
-impl FadingLight {
-    /// The lamp that has this colour at the distance 1 from its position.
-    pub fn new(color: Color, position: Point3) -> Result<Self, ArgumentError> {
-        Ok(Self {
-            color: argument::color("light colour", color)?,
-            position: position.checked("light position")?,
-        })
-    }
-}
-
-impl Light for FadingLight {
-    fn illumination(&self, point: Point3) -> Option<Illumination> {
-        let way = self.position - point;
+/// The light that arrives at a point from a lamp, whose colour is that at the distance 1.
+/// None in the lamp itself.
+pub fn fading_light(color: Color, lamp: Point3, point: Point3) -> Option<Illumination> {
+    missing!("colour, direction and distance of the light", None, {
+        let way = lamp - point;
         Some(Illumination {
             // The same light falls on a sphere of the area 4 π d².
-            color: self.color * (1.0 / way.dot(way)),
+            color: color * (1.0 / way.dot(way)),
             direction: way.normalized()?,
             distance: way.magnitude(),
         })
-    }
+    })
+}
+
+testing::examples! {
+    let from = |y| fading_light(Color::RED, Point3::new(0.0, 4.0, 0.0), Point3::new(0.0, y, 0.0));
+    let light = from(2.0).unwrap();
+    assert_eq!(light.color, Color::RED * 0.25, "at the distance 2");
+    assert_eq!((light.direction, light.distance), (Vector3::new(0.0, 1.0, 0.0), 2.0));
+    assert_eq!(from(4.5).unwrap().color, Color::RED * 4.0, "at the distance 1/2");
+    assert_eq!(from(4.0), None, "in the lamp");
 }

@@ -1,36 +1,24 @@
-//! `Hemisphere`: a matt material between a bright sky and a dark ground.
+//! A matt surface between a bright sky and a dark ground.
 
-use a02_math::{Direction, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::Hit;
-use a05_lighting::{Lighting, Material};
-use common::{ArgumentError, Color, argument};
+use a02_math::{Direction, Normal3, Vector3};
+use common::Color;
 
-/// A matt material lit by the whole sky and by the whole ground, and by no lamp.
-#[derive(Clone, Copy, Debug)]
-pub struct Hemisphere {
-    diffuse: Color,
-    sky: Color,
-    ground: Color,
+/// The colour of a surface with the normal `n`, of length 1, which scatters `diffuse` of the
+/// light of the whole sky and of the whole ground.
+pub fn hemisphere([diffuse, sky, ground]: [Color; 3], n: Normal3) -> Color {
+    let up = Vector3::new(0.0, 1.0, 0.0);
+    missing!("the light of sky and ground", diffuse * sky, {
+        // Each direction counts by its cosine to the normal, as in Lambert's law: over the
+        // part of the sky that is seen, that makes this share.
+        let share = f64::midpoint(1.0, n.dot(up));
+        diffuse * (sky * share + ground * (1.0 - share))
+    })
 }
 
-impl Hemisphere {
-    /// The material that scatters `diffuse` of the light of sky and ground.
-    pub fn new(diffuse: Color, sky: Color, ground: Color) -> Result<Self, ArgumentError> {
-        Ok(Self {
-            diffuse: argument::color("diffuse", diffuse)?,
-            sky: argument::color("sky", sky)?,
-            ground: argument::color("ground", ground)?,
-        })
-    }
-}
-
-impl Material for Hemisphere {
-    fn color_for(&self, _: &Ray, hit: &Hit, _: &dyn Lighting) -> Color {
-        let up = Vector3::new(0.0, 1.0, 0.0);
-        // Each direction counts by its cosine to the normal, as in Lambert's
-        // law: over the part of the sky that is seen, that makes this share.
-        let sky = f64::midpoint(1.0, hit.normal.dot(up));
-        self.diffuse * (self.sky * sky + self.ground * (1.0 - sky))
-    }
+testing::examples! {
+    let colors = [Color::gray(0.5), Color::BLUE, Color::RED];
+    let color = |x, y| hemisphere(colors, Normal3::new(x, y, 0.0));
+    assert_eq!(color(0.0, 1.0), Color::BLUE * 0.5, "a floor sees the sky");
+    assert_eq!(color(0.0, -1.0), Color::RED * 0.5, "a ceiling sees the ground");
+    assert_eq!(color(1.0, 0.0), (Color::BLUE + Color::RED) * 0.25, "a wall sees half of each");
 }

@@ -1,3 +1,11 @@
-//! `Phong`: the lesson's own.
+//! A shiny surface: the lesson's `Phong`.
 
-pub use a05_lighting::Phong;
+use a03_rays_cameras::Ray;
+use a04_intersections::Hit;
+use a05_lighting::{Lighting, Material, Phong};
+use common::Color;
+
+pub fn phong([d, s]: [Color; 2], p: f64, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
+    let shiny = Phong::new(d, s, p);
+    shiny.map_or(Color::BLACK, |shiny| shiny.color_for(ray, hit, lighting))
+}

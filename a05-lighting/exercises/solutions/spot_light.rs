@@ -1,3 +1,16 @@
-//! `SpotLight`: the lesson's own.
+//! A cone of light: the lesson's `SpotLight`.
 
-pub use a05_lighting::SpotLight;
+use a02_math::{Point3, Vector3};
+use a05_lighting::{Illumination, Light, SpotLight};
+use common::Color;
+
+pub fn spot_light(
+    color: Color,
+    lamp: Point3,
+    axis: Vector3,
+    half_angle: f64,
+    point: Point3,
+) -> Option<Illumination> {
+    let spot = SpotLight::new(color, lamp, axis, half_angle);
+    spot.ok()?.illumination(point)
+}

@@ -1,33 +1,22 @@
-//! `DirectionalLight`: shines from infinitely far away, like the sun.
+//! A light that shines from infinitely far away, like the sun.
 //!
 //! Chapter: Light and material, section "Three lights". To compare afterwards:
 //! `a05-lighting/src/directional_light.rs`.
 
-use a02_math::{Point3, Vector3};
-use a05_lighting::{Illumination, Light};
-use common::{ArgumentError, Color};
+use a02_math::{Direction, Point3, Vector3};
+use a05_lighting::Illumination;
+use common::Color;
 
-/// A light with the same direction everywhere.
-#[derive(Debug)]
-pub struct DirectionalLight {
-    color: Color,
-    /// The direction in which the light travels, of length 1.
-    direction: Vector3,
+/// The light that arrives at every point from a light that travels in a direction of any
+/// length: its colour, the direction of length 1 to the light, and the distance. None if the
+/// direction has no length.
+pub fn directional_light(color: Color, direction: Vector3) -> Option<Illumination> {
+    testing::missing("the light that arrives", None)
 }
 
-impl DirectionalLight {
-    pub fn new(color: Color, direction: Vector3) -> Result<Self, ArgumentError> {
-        Ok(Self {
-            color,
-            direction: direction.unit("light direction")?,
-        })
-    }
-}
-
-impl Light for DirectionalLight {
-    /// The light that arrives at `point`: its colour, the direction of length 1 from the
-    /// point to the light, and the distance.
-    fn illumination(&self, point: Point3) -> Option<Illumination> {
-        testing::missing("the light that arrives", None)
-    }
+testing::examples! {
+    let light = directional_light(Color::RED, Vector3::new(0.0, -2.0, 0.0)).unwrap();
+    assert_eq!(light.color, Color::RED);
+    assert_eq!(light.direction, Vector3::new(0.0, 1.0, 0.0), "to the light, of length 1");
+    assert_eq!(light.distance, f64::INFINITY, "beyond all objects");
 }

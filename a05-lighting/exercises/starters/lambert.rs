@@ -1,30 +1,32 @@
-//! `Lambert`: a matt surface, equally bright from every direction.
+//! A matt surface, equally bright from every direction.
 //!
 //! Chapter: Light and material, section "Lambert". To compare afterwards:
 //! `a05-lighting/src/lambert.rs`.
 
-use a02_math::Direction;
+use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
-use a05_lighting::{Illumination, Lighting, Material};
-use common::{ArgumentError, Color};
+use a05_lighting::{DirectionalLight, Lighting, LitWorld};
+use common::Color;
+use testing::assert_close;
 
-/// A matt material with this diffuse reflectance in each channel.
-#[derive(Debug)]
-pub struct Lambert {
-    diffuse: Color,
+/// The light that a surface of this diffuse colour reflects from the hit back along the ray:
+/// of the ambient light and of each light that reaches the hit.
+pub fn lambert(diffuse: Color, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
+    testing::missing("the reflected light", Color::BLACK)
 }
 
-impl Lambert {
-    pub fn new(diffuse: Color) -> Result<Self, ArgumentError> {
-        Ok(Self { diffuse })
-    }
-}
-
-impl Material for Lambert {
-    /// The light that is reflected from the hit back along the ray: of the ambient light
-    /// and of each light that reaches the hit.
-    fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
-        testing::missing("the reflected light", Color::BLACK)
-    }
+testing::examples! {
+    let lit = |ambient, from: Vector3| {
+        let sun = DirectionalLight::new(Color::gray(2.0), -from).unwrap();
+        let lights = LitWorld::new(Color::BLACK, ambient).unwrap().lit_by(Box::new(sun));
+        let ray = Ray::derived(Point3::new(0.0, 1.0, 0.0), Vector3::new(0.0, -1.0, 0.0));
+        let hit = Hit::new(1.0, Normal3::new(0.0, 1.0, 0.0));
+        lambert(Color::new(1.0, 0.5, 0.0), &ray, &hit, &lights).channels()
+    };
+    let up = Vector3::new(0.0, 1.0, 0.0);
+    assert_eq!(lit(Color::BLACK, up), [2.0, 1.0, 0.0], "light from above");
+    assert_close(lit(Color::BLACK, Vector3::new(4.0, 3.0, 0.0)), [1.2, 0.6, 0.0]);
+    assert_eq!(lit(Color::BLACK, -up), [0.0; 3], "light from behind");
+    assert_eq!(lit(Color::WHITE, -up), [1.0, 0.5, 0.0], "ambient light");
 }

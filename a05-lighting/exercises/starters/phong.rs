@@ -1,39 +1,41 @@
-//! `Phong`: a matt surface with highlights, where it mirrors a light.
+//! A matt surface with highlights, where it mirrors a light.
 //!
 //! Chapter: Light and material, section "Phong". To compare afterwards:
 //! `a05-lighting/src/phong.rs`.
 
-use a02_math::Direction;
+use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
-use a05_lighting::{Illumination, Lambert, Lighting, Material};
-use common::{ArgumentError, Color};
+use a05_lighting::{DirectionalLight, Lighting, LitWorld};
+use common::Color;
+use testing::assert_close;
 
-/// A shiny material.
-#[derive(Debug)]
-pub struct Phong {
-    diffuse: Color,
-    specular: Color,
+/// The light that a shiny surface reflects from the hit back along the ray: of the ambient
+/// light and, matt and as a highlight, of each light that reaches the hit.
+///
+/// `l.reflected_on(n)` is a direction mirrored by a surface, and `libm::pow(x, y)` a power.
+pub fn phong(
+    [diffuse, specular]: [Color; 2],
     exponent: f64,
+    ray: &Ray,
+    hit: &Hit,
+    lighting: &dyn Lighting,
+) -> Color {
+    testing::missing("the reflected light", Color::BLACK)
 }
 
-impl Phong {
-    pub fn new(diffuse: Color, specular: Color, exponent: f64) -> Result<Self, ArgumentError> {
-        Ok(Self {
-            diffuse,
-            specular,
-            exponent,
-        })
-    }
-}
-
-impl Material for Phong {
-    /// The light that is reflected from the hit back along the ray: of the ambient light
-    /// and, matt and as a highlight, of each light that reaches the hit.
-    ///
-    /// `l.reflected_on(n)` is a direction mirrored by a surface, and `libm::pow(x, y)` a
-    /// power.
-    fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
-        testing::missing("the reflected light", Color::BLACK)
-    }
+testing::examples! {
+    let lit = |from: Vector3, eye: Vector3| {
+        let sun = DirectionalLight::new(Color::WHITE, -from).unwrap();
+        let lights = LitWorld::new(Color::BLACK, Color::BLACK).unwrap().lit_by(Box::new(sun));
+        let hit = Hit::new(1.0, Normal3::new(0.0, 1.0, 0.0));
+        let ray = Ray::derived(Point3::ORIGIN + eye, -eye);
+        phong([Color::RED, Color::BLUE], 2.0, &ray, &hit, &lights).channels()
+    };
+    let [right, left] = [0.6, -0.6].map(|x| Vector3::new(x, 0.8, 0.0));
+    let up = Vector3::new(0.0, 1.0, 0.0);
+    assert_eq!(lit(up, up), [1.0, 0.0, 1.0], "mirrored into the eye");
+    assert_close(lit(right, left), [0.8, 0.0, 1.0]);
+    assert_close(lit(right, up), [0.8, 0.0, 0.64]);
+    assert_eq!(lit(-up, right), [0.0; 3], "light from behind");
 }

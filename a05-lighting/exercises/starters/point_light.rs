@@ -1,29 +1,24 @@
-//! `PointLight`: shines from one point in all directions.
+//! A light that shines from one point in all directions.
 //!
 //! Chapter: Light and material, section "Three lights". To compare afterwards:
 //! `a05-lighting/src/point_light.rs`.
 
-use a02_math::Point3;
-use a05_lighting::{Illumination, Light};
-use common::{ArgumentError, Color};
+use a02_math::{Direction, Point3, Vector3};
+use a05_lighting::Illumination;
+use common::Color;
 
-/// A light at a point. It does not grow weaker with distance.
-#[derive(Debug)]
-pub struct PointLight {
-    color: Color,
-    position: Point3,
+/// The light of a lamp that arrives at a point: its colour, the direction of length 1 from
+/// the point to the lamp, and the distance. None in the lamp itself.
+pub fn point_light(color: Color, lamp: Point3, point: Point3) -> Option<Illumination> {
+    testing::missing("the light that arrives", None)
 }
 
-impl PointLight {
-    pub fn new(color: Color, position: Point3) -> Result<Self, ArgumentError> {
-        Ok(Self { color, position })
-    }
-}
-
-impl Light for PointLight {
-    /// The light that arrives at `point`: its colour, the direction of length 1 from the
-    /// point to the light, and the distance. None in the light itself.
-    fn illumination(&self, point: Point3) -> Option<Illumination> {
-        testing::missing("the light that arrives", None)
-    }
+testing::examples! {
+    let from = |y| {
+        let light = point_light(Color::RED, Point3::new(0.0, 4.0, 0.0), Point3::new(0.0, y, 0.0))?;
+        Some((light.color, light.direction.y(), light.distance))
+    };
+    assert_eq!(from(0.0), Some((Color::RED, 1.0, 4.0)), "below it");
+    assert_eq!(from(6.0), Some((Color::RED, -1.0, 2.0)), "above it");
+    assert_eq!(from(4.0), None, "in it");
 }

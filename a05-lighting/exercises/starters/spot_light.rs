@@ -1,44 +1,36 @@
-//! `SpotLight`: shines from one point into a cone.
+//! A light that shines from one point into a cone.
 //!
 //! Chapter: Light and material, section "Three lights". To compare afterwards:
 //! `a05-lighting/src/spot_light.rs`.
 
 use a02_math::{Direction, Point3, Vector3};
 use a05_lighting::{Illumination, Light, PointLight};
-use common::{ArgumentError, Color};
+use common::Color;
 
-/// A light at a point that shines into a cone of directions.
-#[derive(Debug)]
-pub struct SpotLight {
-    source: PointLight,
-    /// The axis of the cone, away from the light, of length 1.
-    direction: Vector3,
-    /// The angle in radians between the axis and the edge of the cone, up to π.
+/// The light of a lamp that arrives at a point in the cone around `axis`, which has length 1
+/// and leads away from the lamp; none outside of the cone. The half angle, between the axis
+/// and the edge of the cone, is in radians, up to π.
+///
+/// `libm::cos(x)` is a cosine.
+pub fn spot_light(
+    color: Color,
+    lamp: Point3,
+    axis: Vector3,
     half_angle: f64,
+    point: Point3,
+) -> Option<Illumination> {
+    let light = PointLight::new(color, lamp).ok()?.illumination(point)?;
+    testing::missing("whether the point is in the cone", Some(light))
 }
 
-impl SpotLight {
-    pub fn new(
-        color: Color,
-        position: Point3,
-        direction: Vector3,
-        half_angle: f64,
-    ) -> Result<Self, ArgumentError> {
-        Ok(Self {
-            source: PointLight::new(color, position)?,
-            direction: direction.unit("light direction")?,
-            half_angle,
-        })
-    }
-}
-
-impl Light for SpotLight {
-    /// The light that arrives at `point`, the light of the source if the point lies in
-    /// the cone, and none otherwise.
-    ///
-    /// `libm::cos(x)` is a cosine.
-    fn illumination(&self, point: Point3) -> Option<Illumination> {
-        let light = self.source.illumination(point)?;
-        testing::missing("whether the point lies in the cone", None)
-    }
+testing::examples! {
+    let is_lit = |half_angle, x, y| {
+        let (lamp, down) = (Point3::new(0.0, 4.0, 0.0), Vector3::new(0.0, -1.0, 0.0));
+        spot_light(Color::RED, lamp, down, half_angle, Point3::new(x, y, 0.0)).is_some()
+    };
+    assert!(is_lit(1.0, 0.0, 0.0), "on the axis");
+    assert!(is_lit(1.0, 4.0, 0.0), "at an angle of 0.79");
+    assert!(!is_lit(1.0, 8.0, 0.0), "at an angle of 1.11");
+    assert!(!is_lit(1.0, 0.0, 8.0), "behind it");
+    assert!(is_lit(2.0, 3.0, 5.0), "behind it, in a wide cone");
 }

@@ -1,43 +1,43 @@
-//! Light that travels in directions of any length.
+//! Far lights, compared with the lesson's.
 
-use a02_math::Vector3;
-use a05_lighting::{Illumination, Light};
-use common::{ArgumentError, Color};
-use testing::exercise::{Check, Random};
+use crate::prelude::*;
+use crate::solutions::directional_light::directional_light as lesson;
 
-use crate::lamps::{expect_light, expect_shiny, point};
-use crate::lit::{INWARDS, color, frame};
-
-pub fn check<L: Light>(
-    check: &mut Check,
-    new: impl Fn(Color, Vector3) -> Result<L, ArgumentError>,
-) {
-    let mut random = Random::new(54);
-    for _ in 0..20 {
-        let (color, [direction, ..]) = (color(&mut random), frame(&mut random));
-        let travels = -direction * random.between(0.1, 9.0);
-        let Ok(light) = new(color, travels) else {
-            continue;
-        };
-        let words = format!(
-            "at a point; light {:?} that travels along {:.3}",
-            color.channels(),
-            travels.to_glam()
-        );
-        let exact = Illumination {
-            color,
-            direction,
-            distance: f64::INFINITY,
-        };
-        expect_light(
-            check,
-            &words,
-            &light,
-            point(random.triple(9.0)),
-            Some(exact),
-        );
-    }
-    expect_shiny(check, "phong-directional", || {
-        Ok(Box::new(new(Color::WHITE, INWARDS)?))
+pub fn check(check: &mut Check, light: impl Fn(Color, Vector3) -> Arriving + Sync) {
+    compare_lights(
+        check,
+        "light {} that travels along {}",
+        &([1.0, 0.5, 0.25], [0.0, -2.0, 0.0]),
+        |r| {
+            let length = r.scale();
+            (channels(r), r.triple(5.0).map(|x| x * length))
+        },
+        |(c, d), _| lesson(color(c), vector(d)),
+        |(c, d), _| light(color(c), vector(d)),
+    );
+    let view = a05_lighting::scenes::phong_directional();
+    scene_in(check, "phong-directional", view, |_| {
+        light(Color::WHITE, vector([-1.0; 3]))
     });
 }
+
+pub const VARIANTS: &[Variant] = &[
+    right("divided by the length", |c| {
+        check(c, |color, d| {
+            let direction = d * (-1.0 / d.magnitude());
+            Some(Illumination {
+                color,
+                direction,
+                distance: f64::INFINITY,
+            })
+        });
+    }),
+    wrong("all objects are nearer than the light", |c| {
+        check(c, |color, d| {
+            Some(Illumination {
+                distance: 1e9,
+                ..lesson(color, d)?
+            })
+        });
+    }),
+];

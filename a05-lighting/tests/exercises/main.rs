@@ -2,21 +2,23 @@
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
-mod lamps;
-mod lit;
-#[cfg(not(learn))]
-#[path = "wrong/own.rs"]
-mod own;
+mod light;
+mod material;
 mod scene;
 
 testing::exercises! {
-    phong => |check| phong::check(check, Phong::new);
-    point_light => |check| point_light::check(check, PointLight::new);
-    directional_light => |check| directional_light::check(check, DirectionalLight::new);
-    spot_light => |check| spot_light::check(check, SpotLight::new);
-    lambert => |check| lambert::check(check, Lambert::new);
-    fading_light => |check| fading_light::check(check, FadingLight::new);
-    hemisphere => |check| hemisphere::check(check, Hemisphere::new);
-    soft_spot => |check| soft_spot::check(check, SoftSpot::new);
-    blinn_phong => |check| blinn_phong::check(check, BlinnPhong::new);
+    use {a02_math::*, a03_rays_cameras::*, a04_intersections::*, a05_lighting::*, common::*, crate::light::*, crate::material::*, crate::scene::*};
+    starters {
+        lambert => |check| lambert::check(check, lambert);
+        phong => |check| phong::check(check, phong);
+        point_light => |check| point_light::check(check, point_light);
+        directional_light => |check| directional_light::check(check, directional_light);
+        spot_light => |check| spot_light::check(check, spot_light);
+    }
+    solutions {
+        fading_light => |check| fading_light::check(check, fading_light);
+        hemisphere => |check| hemisphere::check(check, hemisphere);
+        soft_spot => |check| soft_spot::check(check, soft_spot);
+        blinn_phong => |check| blinn_phong::check(check, blinn_phong);
+    }
 }

@@ -1,109 +1,67 @@
-//! Eyes at known cosines from the direction in which a light is mirrored.
+//! Shiny surfaces, compared with the lesson's.
 
-use a02_math::Vector3;
-use a05_lighting::Material;
-use common::{ArgumentError, Color};
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
+use crate::prelude::*;
+use crate::solutions::phong::phong as lesson;
 
-use crate::lit::{Shot, color, expect_scene, frame, lamp, objects};
-
-/// Some roundings of a power with an exponent up to 64.
-const BOUND: Bound = Bound::Absolute(1e-11);
-
-pub fn check<M: Material>(
+pub fn check(
     check: &mut Check,
-    new: impl Fn(Color, Color, f64) -> Result<M, ArgumentError>,
+    shiny: impl Fn([Color; 2], f64, &Ray, &Hit, &dyn Lighting) -> Color + Sync,
 ) {
-    let mut random = Random::new(52);
-    // The cosines of normal and light, and of the mirrored light and the eye.
-    let mut case = |kind: &str, exponent: i32, has_ambient: bool, cosines: &[[f64; 2]]| {
-        let (diffuse, specular) = (color(&mut random), color(&mut random));
-        let ambient = if has_ambient {
-            color(&mut random)
-        } else {
-            Color::BLACK
-        };
-        let Ok(shiny) = new(diffuse, specular, f64::from(exponent)) else {
-            return;
-        };
-        let mut shot = Shot::new(&mut random, ambient);
-        let mut exact = diffuse * ambient;
-        let mut words = vec![format!(
-            "{kind}; diffuse {:?}, specular {:?}, exponent {exponent}, ambient light {:?}",
-            diffuse.channels(),
-            specular.channels(),
-            ambient.channels()
-        )];
-        for [lit, seen] in cosines {
-            let Some((n, e)) = shot.turn(&mut random, *lit, *seen) else {
-                continue;
-            };
-            let light = shot.light_from(&mut random, n);
-            exact += diffuse * light * lit.max(0.0);
-            if *lit > 0.0 {
-                let power = (0..exponent).fold(1.0, |power, _| power * seen.max(0.0));
-                exact += specular * light * power;
-            }
-            shot.e = e;
-            words.push(format!(
-                "light {:?} with n · l = {lit} and e · r = {seen}",
-                light.channels()
-            ));
-        }
-        check.expect(words.join(", "), exact.channels(), BOUND, shot.seen(&shiny));
-    };
-    for _ in 0..10 {
-        case(
-            "the light is mirrored into the eye",
-            8,
-            false,
-            &[[0.8, 1.0]],
-        );
-        case(
-            "the eye beside the mirrored light",
-            2,
-            false,
-            &[[0.8, 0.75]],
-        );
-        case("the eye beside the mirrored light", 5, false, &[[0.6, 0.5]]);
-        case(
-            "the eye far from the mirrored light",
-            1,
-            false,
-            &[[0.8, -0.25]],
-        );
-        case(
-            "the eye far from the mirrored light",
-            2,
-            false,
-            &[[0.8, -0.25]],
-        );
-        case("light from behind", 1, false, &[[-0.5, 0.5]]);
-        case("light from behind", 2, false, &[[-0.5, 0.5]]);
-        case("ambient light alone", 8, true, &[]);
-        case("a light and ambient light", 3, true, &[[0.5, 0.9]]);
-    }
-    two_lights(check, &new, &mut random);
-    expect_scene(check, "phong", || {
-        let material = |color| Ok(Box::new(new(color, Color::WHITE, 64.0)?) as _);
-        Ok(objects(material, Color::BLACK)?.lit_by(lamp()?))
+    compare_materials(
+        check,
+        "diffuse and specular {}, exponent {}",
+        &([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], 2.0),
+        |r| ([channels(r), channels(r)], r.between(0.5, 40.0)),
+        |(colors, p), ray, hit, lights| lesson(colors.map(color), p, ray, hit, lights),
+        |(colors, p), ray, hit, lights| shiny(colors.map(color), p, ray, hit, lights),
+    );
+    scene_of(
+        check,
+        "phong",
+        a05_lighting::scenes::phong(),
+        |d, ray, hit, lights| shiny([d, Color::WHITE], 64.0, ray, hit, lights),
+    );
+}
+
+/// The sum over the lights, with this highlight of eye, light, normal and exponent.
+fn textbook(c: &mut Check, highlight: fn(Vector3, Vector3, Normal3, f64) -> f64) {
+    check(c, |[diffuse, specular], p, ray, hit, lights| {
+        sum(diffuse, ray, hit, lights, |light| {
+            let (n, l) = (hit.normal, light.direction);
+            let highlight = highlight(-ray.direction(), l, n, p);
+            (diffuse * n.dot(l).max(0.0) + specular * highlight) * light.color
+        })
     });
 }
 
-/// Eye and two lights along the normal: each adds its highlight in full.
-fn two_lights<M: Material>(
-    check: &mut Check,
-    new: &impl Fn(Color, Color, f64) -> Result<M, ArgumentError>,
-    random: &mut Random,
-) {
-    let Ok(shiny) = new(Color::BLACK, Color::WHITE, 7.0) else {
-        return;
-    };
-    let [n, ..]: [Vector3; 3] = frame(random);
-    let mut shot = Shot::new(random, Color::BLACK);
-    (shot.n, shot.e) = (n, n);
-    let exact = shot.light_from(random, n) + shot.light_from(random, n);
-    let what = "two lights, mirrored into the eye; specular [1.0, 1.0, 1.0], exponent 7";
-    check.expect(what, exact.channels(), BOUND, shot.seen(&shiny));
+/// This cosine, for light from before.
+fn before(l: Vector3, n: Normal3, cosine: f64) -> f64 {
+    if n.dot(l) > 0.0 {
+        cosine.clamp(0.0, 1.0)
+    } else {
+        0.0
+    }
 }
+
+pub const VARIANTS: &[Variant] = &[
+    right("the eye mirrored in the place of the light", |c| {
+        textbook(c, |e, l, n, p| {
+            libm::pow(before(l, n, l.dot(e.reflected_on(n))), p)
+        });
+    }),
+    wrong("light from behind has no highlight", |c| {
+        textbook(c, |e, l, n, p| {
+            libm::pow(e.dot(l.reflected_on(n)).clamp(0.0, 1.0), p)
+        });
+    }),
+    wrong("an exponent may be a fraction", |c| {
+        textbook(c, |e, l, n, p| {
+            libm::pow(before(l, n, e.dot(l.reflected_on(n))), p.trunc())
+        });
+    }),
+    wrong("the eye is where the ray comes from", |c| {
+        textbook(c, |e, l, n, p| {
+            libm::pow(before(l, n, -e.dot(l.reflected_on(n))), p)
+        });
+    }),
+];

@@ -1,42 +1,41 @@
-//! Points at known directions and distances from a lamp.
+//! Lamps, compared with the lesson's.
 
-use a02_math::Point3;
-use a05_lighting::{Illumination, Light};
-use common::{ArgumentError, Color};
-use testing::exercise::{Check, Random};
+use crate::prelude::*;
+use crate::solutions::point_light::point_light as lesson;
 
-use crate::lamps::{expect_light, expect_shiny, point};
-use crate::lit::{CORNER, color, frame};
-
-pub fn check<L: Light>(check: &mut Check, new: impl Fn(Color, Point3) -> Result<L, ArgumentError>) {
-    let mut random = Random::new(53);
-    for _ in 0..20 {
-        let (color, position) = (color(&mut random), point(random.triple(5.0)));
-        let Ok(light) = new(color, position) else {
-            continue;
-        };
-        let words = format!("; light {:?} at {}", color.channels(), position.to_glam());
-        let ([direction, ..], distance) = (frame(&mut random), random.between(0.1, 9.0));
-        let exact = Illumination {
-            color,
-            direction,
-            distance,
-        };
-        let at = position + direction * -distance;
-        expect_light(
-            check,
-            &format!("at a point{words}"),
-            &light,
-            at,
-            Some(exact),
-        );
-        expect_light(
-            check,
-            &format!("in the light itself{words}"),
-            &light,
-            position,
-            None,
-        );
-    }
-    expect_shiny(check, "phong", || Ok(Box::new(new(Color::WHITE, CORNER)?)));
+pub fn check(check: &mut Check, light: impl Fn(Color, Point3, Point3) -> Arriving + Sync) {
+    compare_lights(
+        check,
+        "light {} at {}",
+        &([1.0, 0.5, 0.25], LAMP),
+        |r| (channels(r), r.triple(5.0)),
+        |(c, lamp), p| lesson(color(c), point(lamp), p),
+        |(c, lamp), p| light(color(c), point(lamp), p),
+    );
+    scene_in(check, "phong", a05_lighting::scenes::phong(), |p| {
+        light(Color::WHITE, point([4.0; 3]), p)
+    });
 }
+
+pub const VARIANTS: &[Variant] = &[
+    right("divided by the distance", |c| {
+        check(c, |color, lamp, p| {
+            let distance = (lamp - p).magnitude();
+            let direction = (lamp - p) * (1.0 / distance);
+            (distance > 0.0).then_some(Illumination {
+                color,
+                direction,
+                distance,
+            })
+        });
+    }),
+    wrong("in the light there is no direction", |c| {
+        check(c, |color, lamp, p| {
+            let dark = Illumination {
+                color,
+                ..Illumination::default()
+            };
+            lesson(color, lamp, p).or(Some(dark))
+        });
+    }),
+];

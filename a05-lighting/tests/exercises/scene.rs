@@ -1,76 +1,68 @@
-//! Helpers of the checks of lights and materials.
+//! Pictures of students' code, and vectors and colours from numbers.
 
 use std::f64::consts::FRAC_PI_4;
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, Ray, render};
-use a04_intersections::{Hit, Plane, Sphere};
-use a05_lighting::{Illumination, Lighting, LitWorld, Material};
+use a02_math::{Point3, Vector3};
+use a03_rays_cameras::{PerspectiveCamera, Ray, View, render};
 use common::{ArgumentError, Color};
+use measure::Stage;
 use testing::exercise::{Check, Random};
 
-/// Lights from these directions of length 1, all of the same colour.
-pub struct Lights<'a> {
-    pub color: Color,
-    pub directions: &'a [Vector3],
+pub fn point(xyz: [f64; 3]) -> Point3 {
+    Point3::from_glam(xyz.into())
 }
 
-impl Lighting for Lights<'_> {
-    fn ambient(&self) -> Color {
-        Color::BLACK
-    }
-
-    fn for_each_light(&self, _: &Ray, _: &Hit, shade: &mut dyn FnMut(&Illumination)) {
-        for &direction in self.directions {
-            shade(&Illumination {
-                color: self.color,
-                direction,
-                distance: f64::INFINITY,
-            });
-        }
-    }
+pub fn vector(xyz: [f64; 3]) -> Vector3 {
+    Vector3::from_glam(xyz.into())
 }
 
-/// The colour of a material with a normal for an eye in a direction of length 1.
-pub fn seen(material: &impl Material, normal: Normal3, eye: Vector3, lights: &Lights) -> [f64; 3] {
-    let ray = Ray::derived(Point3::ORIGIN + eye, -eye);
-    let t = eye.dot(eye);
-    material
-        .color_for(&ray, &Hit::new(t, normal), lights)
-        .channels()
+/// The direction of length 1; all zeros where there is none.
+pub fn unit(xyz: [f64; 3]) -> Vector3 {
+    vector(xyz).normalized().unwrap_or_default()
 }
 
-/// A random direction of length 1.
-pub fn unit(random: &mut Random) -> Vector3 {
-    Vector3::from_glam(random.unit().into())
+pub fn array(v: Vector3) -> [f64; 3] {
+    v.to_glam().to_array()
 }
 
-/// A random colour, brighter than white in parts.
-pub fn color(random: &mut Random) -> Color {
-    let [r, g, b] = [(); 3].map(|()| random.between(0.0, 1.5));
+pub fn color([r, g, b]: [f64; 3]) -> Color {
     Color::new(r, g, b)
 }
 
-/// Two balls on a floor, of materials with these colours, and no light.
-pub fn balls<M: Material + 'static>(
-    material: impl Fn(Color) -> Result<M, ArgumentError>,
-) -> Result<LitWorld, ArgumentError> {
-    let boxed = |color| material(color).map(|material| Box::new(material) as Box<dyn Material>);
-    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
-    let (red, blue) = (Color::new(0.8, 0.3, 0.2), Color::new(0.3, 0.4, 0.8));
-    Ok(LitWorld::new(Color::gray(0.1), Color::gray(0.05))?
-        .with(floor, boxed(Color::gray(0.6))?)
-        .with(Sphere::new(Point3::new(-1.1, 1.0, 0.0), 1.0)?, boxed(red)?)
-        .with(Sphere::new(Point3::new(1.1, 0.7, 0.6), 0.7)?, boxed(blue)?))
+/// The channels of a random colour.
+pub fn channels(random: &mut Random) -> [f64; 3] {
+    [(); 3].map(|()| random.between(0.0, 1.5))
 }
 
-/// Shows a world from above.
-pub fn show(check: &mut Check, world: Result<LitWorld, ArgumentError>) {
+/// A scene of a stage: the camera and the world before it.
+pub type Scene<W> = Result<View<W>, ArgumentError>;
+
+/// Compares the picture of a scene in the colours of this function, which takes the world, a
+/// ray and the depth.
+pub fn scene<W: Sync>(
+    check: &mut Check,
+    stage: &Stage,
+    name: &str,
+    view: Scene<W>,
+    color: impl Fn(&W, &Ray, u32) -> Color + Sync,
+) {
+    check.scene(stage, name, |settings| {
+        let View { camera, world } = view?;
+        let color = |ray: &Ray| color(&world, ray, settings.depth);
+        render(&camera, color, settings, &())
+    });
+}
+
+/// Shows the colours of the rays from an eye that looks at the point `at` of a world.
+pub fn show<W: Sync>(
+    check: &mut Check,
+    [eye, at]: [[f64; 3]; 2],
+    world: Result<W, ArgumentError>,
+    color: impl Fn(&W, &Ray) -> Color + Sync,
+) {
     check.picture(|settings| {
-        let world = world?;
-        let (eye, at) = (Point3::new(1.0, 4.0, 7.0), Point3::new(0.0, 0.6, 0.0));
-        let up = Vector3::new(0.0, 1.0, 0.0);
-        let camera = PerspectiveCamera::new(eye, at - eye, up, FRAC_PI_4)?;
-        render(&camera, |ray| world.color_for(ray), settings, &())
+        let (world, up) = (world?, Vector3::new(0.0, 1.0, 0.0));
+        let camera = PerspectiveCamera::new(point(eye), point(at) - point(eye), up, FRAC_PI_4)?;
+        render(&camera, |ray: &Ray| color(&world, ray), settings, &())
     });
 }

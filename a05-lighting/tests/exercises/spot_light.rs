@@ -1,64 +1,62 @@
-//! Points at known angles from the axis of a cone: narrow, wide, and more than a half
-//! space.
+//! Cones of light of all angles, compared with the lesson's.
 
 use std::f64::consts::PI;
 
-use a02_math::{Point3, Vector3};
-use a05_lighting::{Illumination, Light};
-use common::{ArgumentError, Color};
-use testing::exercise::{Check, Random};
+use crate::prelude::*;
+use crate::solutions::spot_light::spot_light as lesson;
 
-use crate::lamps::{expect_light, expect_shiny, point};
-use crate::lit::{CORNER, INWARDS, color, frame};
-
-pub fn check<L: Light>(
+pub fn check(
     check: &mut Check,
-    new: impl Fn(Color, Point3, Vector3, f64) -> Result<L, ArgumentError>,
+    light: impl Fn(Color, Point3, Vector3, f64, Point3) -> Arriving + Sync,
 ) {
-    let mut random = Random::new(55);
-    for half_angle in [0.1, 0.5, 1.0, 1.5, 1.6, 2.5, 3.0, 0.01] {
-        let (color, position) = (color(&mut random), point(random.triple(5.0)));
-        let [axis, side, _] = frame(&mut random);
-        let cone = axis * random.between(0.1, 9.0);
-        let Ok(light) = new(color, position, cone, half_angle) else {
-            continue;
-        };
-        let mut at = |kind: &str, angle: f64, is_lit: bool| {
-            let (sin, cos) = libm::sincos(angle);
-            let (way, distance) = (axis * cos + side * sin, random.between(0.5, 9.0));
-            let exact = is_lit.then_some(Illumination {
-                color,
-                direction: -way,
-                distance,
-            });
-            let words = format!(
-                "{kind}; light at {}, axis {:.3}, half angle {half_angle}, {angle:.4} from the axis",
-                position.to_glam(),
-                cone.to_glam()
-            );
-            expect_light(check, &words, &light, position + way * distance, exact);
-        };
-        at("on the axis", 0.0, true);
-        at("in the cone", half_angle / 2.0, true);
-        at("just inside the edge of the cone", half_angle - 1e-6, true);
-        at(
-            "just outside the edge of the cone",
-            half_angle + 1e-6,
-            false,
+    for half_angle in [1.0, PI] {
+        compare_lights(
+            check,
+            "light {} at {}, axis {}, half angle {}",
+            &([1.0, 0.5, 0.25], LAMP, [0.0, -1.0, 0.0], half_angle),
+            |r| {
+                (
+                    channels(r),
+                    r.triple(5.0),
+                    r.triple(5.0),
+                    r.between(0.05, 3.1),
+                )
+            },
+            |(c, lamp, axis, angle), p| lesson(color(c), point(lamp), unit(axis), angle, p),
+            |(c, lamp, axis, angle), p| light(color(c), point(lamp), unit(axis), angle, p),
         );
-        at("behind the light", PI, false);
     }
-    if let Ok(light) = new(Color::WHITE, CORNER, INWARDS, PI) {
-        let direction = INWARDS.normalized().unwrap_or_default();
-        let exact = Illumination {
-            color: Color::WHITE,
-            direction,
-            distance: 2.0,
-        };
-        let words = "behind a light that shines everywhere; half angle pi";
-        expect_light(check, words, &light, CORNER + direction * -2.0, Some(exact));
-    }
-    expect_shiny(check, "phong-spot", || {
-        Ok(Box::new(new(Color::WHITE, CORNER, INWARDS, PI / 14.0)?))
+    scene_in(
+        check,
+        "phong-spot",
+        a05_lighting::scenes::phong_spot(),
+        |p| light(Color::WHITE, point([4.0; 3]), unit([-1.0; 3]), PI / 14.0, p),
+    );
+}
+
+/// The light where this function accepts the cosine of the point's angle and the half angle.
+fn textbook(c: &mut Check, accepts: fn(f64, f64) -> bool) {
+    check(c, |color, lamp, axis, half_angle, p| {
+        let light = PointLight::new(color, lamp).ok()?.illumination(p)?;
+        accepts(axis.dot(-light.direction), half_angle).then_some(light)
     });
 }
+
+pub const VARIANTS: &[Variant] = &[
+    right("angles", |c| {
+        textbook(c, |cosine, half| {
+            libm::acos(cosine.clamp(-1.0, 1.0)) <= half
+        });
+    }),
+    wrong("the half angle is half of the whole", |c| {
+        textbook(c, |cosine, half| cosine >= libm::cos(half / 2.0));
+    }),
+    wrong("the sine is the same before and behind", |c| {
+        textbook(c, |cosine, half| {
+            (1.0 - cosine * cosine).sqrt() <= libm::sin(half)
+        });
+    }),
+    wrong("a wide cone shines behind the lamp, too", |c| {
+        textbook(c, |cosine, half| cosine > 0.0 && cosine >= libm::cos(half));
+    }),
+];

@@ -5,11 +5,15 @@
 ///
 /// The lamp itself, which is `n` = 0 on both sides, stands at x = `lamp`.
 pub fn images(width: f64, lamp: f64, n: u32) -> [f64; 2] {
-    // A mirror shows the image in the other one, one step earlier.
-    let mut images = [lamp; 2];
-    for _ in 0..n {
-        let [left, right] = images;
-        images = [-right, 2.0 * width - left];
-    }
-    images
+    missing!("the images in both mirrors", [lamp; 2], {
+        // A mirror shows the image in the other one, one step earlier.
+        (0..n).fold([lamp; 2], |[left, right], _| [-right, 2.0 * width - left])
+    })
+}
+
+testing::examples! {
+    assert_eq!(images(10.0, 3.0, 0), [3.0, 3.0], "the lamp itself");
+    assert_eq!(images(10.0, 3.0, 1), [-3.0, 17.0]);
+    assert_eq!(images(10.0, 3.0, 2), [-17.0, 23.0]);
+    assert_eq!(images(10.0, 3.0, 3), [-23.0, 37.0]);
 }

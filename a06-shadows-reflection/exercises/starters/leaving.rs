@@ -3,7 +3,7 @@
 //! Chapter: Shadows and reflection, section "Getting off the surface". To compare
 //! afterwards: `a06-shadows-reflection/src/secondary_ray.rs`.
 
-use a02_math::{Direction, Vector3};
+use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 
@@ -19,4 +19,14 @@ pub fn secondary_ray(ray: &Ray, hit: &Hit, direction: Vector3) -> Ray {
         "the origin of the ray",
         Ray::derived(ray.at(hit.t), direction),
     )
+}
+
+testing::examples! {
+    let ray = Ray::derived(Point3::new(0.0, 2.0, 0.0), Vector3::new(0.0, -1.0, 0.0));
+    let hit = Hit::new(2.0, Normal3::new(0.0, 1.0, 0.0));
+    let leave = |y| secondary_ray(&ray, &hit, Vector3::new(0.6, y, 0.0));
+    assert_eq!(leave(0.8).direction(), Vector3::new(0.6, 0.8, 0.0));
+    assert!(leave(0.8).origin().y() > 0.0, "outwards, it begins above the surface");
+    assert!(leave(-0.8).origin().y() < 0.0, "inwards, it begins below");
+    assert!(leave(0.8).origin().y() < 1e-9, "but not far away");
 }

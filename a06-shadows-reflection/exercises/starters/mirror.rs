@@ -3,11 +3,11 @@
 //! Chapter: Shadows and reflection, section "The mirror". To compare afterwards:
 //! `a06-shadows-reflection/src/recursive_tracer.rs`.
 
-use a02_math::Direction;
+use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::Interval;
+use a04_intersections::{Interval, Plane};
 use a05_lighting::Material;
-use a06_shadows_reflection::{RecursiveTracer, ShadowedWorld, Surface, secondary_ray};
+use a06_shadows_reflection::{RecursiveTracer, Reflective, ShadowedWorld, Surface, secondary_ray};
 use common::Color;
 
 /// The colour that a ray brings back if it may hit `depth` surfaces in turn. The last of
@@ -20,4 +20,19 @@ use common::Color;
 pub fn trace(world: &ShadowedWorld, ray: &Ray, depth: u32) -> Color {
     let lights = RecursiveTracer::new(world);
     testing::missing("the colour of the ray", Color::BLACK)
+}
+
+testing::examples! {
+    let half = Reflective::new(Color::WHITE, Color::BLACK, 1.0, Color::gray(0.5)).unwrap();
+    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0)).unwrap();
+    let world = ShadowedWorld::empty(Color::BLUE, Color::gray(0.25)).unwrap();
+    let world = world.with(floor, Box::new(half));
+    let seen = |y, depth| {
+        let ray = Ray::derived(Point3::new(0.0, 1.0, 0.0), Vector3::new(0.0, y, 0.0));
+        trace(&world, &ray, depth).channels()
+    };
+    assert_eq!(seen(1.0, 5), [0.0, 0.0, 1.0], "the background");
+    assert_eq!(seen(-1.0, 1), [0.25; 3], "the floor's own colour, 0.25");
+    assert_eq!(seen(-1.0, 2), [0.25, 0.25, 0.75], "the background in it");
+    assert_eq!(seen(-1.0, 0), [0.0; 3], "nothing at depth 0");
 }

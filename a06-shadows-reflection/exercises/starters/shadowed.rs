@@ -3,10 +3,12 @@
 //! Chapter: Shadows and reflection, section "Is the light in sight?". To compare
 //! afterwards: `a06-shadows-reflection/src/shadow.rs`.
 
+use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{Hit, Interval, World};
-use a05_lighting::Illumination;
+use a04_intersections::{Hit, Interval, Plane, Sphere, World};
+use a05_lighting::{Illumination, SingleColor};
 use a06_shadows_reflection::{Surface, secondary_ray};
+use common::Color;
 
 /// Whether any object of the world lies between the hit of `ray` and a light, whose
 /// direction and distance `light` holds.
@@ -20,4 +22,23 @@ pub fn is_shadowed(
     light: &Illumination,
 ) -> bool {
     testing::missing("whether an object lies between", false)
+}
+
+testing::examples! {
+    let white = || Box::new(SingleColor::new(Color::WHITE).unwrap());
+    let up = Normal3::new(0.0, 1.0, 0.0);
+    let is_dark = |y, r| {
+        let floor = Plane::new(Point3::ORIGIN, up).unwrap();
+        let ball = Sphere::new(Point3::new(0.0, y, 0.0), r).unwrap();
+        let world = World::<Box<dyn Surface>>::new(Color::BLACK).unwrap();
+        let world = world.with(floor, white()).with(ball, white());
+        let ray = Ray::derived(Point3::new(1.0, 1.0, 0.0), Vector3::new(-1.0, -1.0, 0.0));
+        let direction = Vector3::from(up);
+        let light = Illumination { color: Color::WHITE, direction, distance: 8.0 };
+        is_shadowed(&world, &ray, &Hit::new(1.0, up), &light)
+    };
+    assert!(is_dark(4.0, 1.0), "a ball on the way to the light");
+    assert!(!is_dark(12.0, 1.0), "a ball beyond the light");
+    assert!(!is_dark(-4.0, 1.0), "a ball on the other side");
+    assert!(!is_dark(10.0, 2.0), "a ball that the lamp is fixed to");
 }

@@ -1,70 +1,78 @@
-//! Fog that halves the light from behind, a whole number of times.
+//! Colours in fog, thick and thin, compared with the solution.
 
-use std::f64::consts::LN_2;
-
-use a02_math::{Normal3, Point3};
-use a04_intersections::{Interval, Plane, Sphere, World};
-use common::{ArgumentError, Color};
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
-
-use crate::scene::show;
+use crate::prelude::*;
+use crate::solutions::fogged::fogged as solution;
 
 pub fn check(check: &mut Check, fogged: impl Fn(Color, Color, f64, f64) -> Color + Sync) {
-    let color = Color::new(1.0, 0.5, 0.0);
-    let fog = Color::new(0.0, 0.5, 1.0);
-    for scale in [0.25, 1.0, 8.0] {
-        for (halvings, left) in [(0.0, 1.0), (1.0, 0.5), (2.0, 0.25), (5.0, 0.031_25)] {
-            let got = fogged(color, fog, LN_2 / scale, halvings * scale);
-            let what = format!("at {halvings} times the distance {scale}, which halves the colour");
-            let exact = [left, 0.5, 1.0 - left];
-            check.expect(what, exact, Bound::Absolute(1e-14), got.channels());
-        }
-    }
-    let mut random = Random::new(1);
-    for halvings in (0..6).cycle().take(40) {
-        let [color, fog] = [(); 2].map(|()| {
-            let [r, g, b] = [(); 3].map(|()| random.between(0.0, 2.0));
-            Color::new(r, g, b)
-        });
-        let distance = random.between(0.1, 50.0);
-        let density = LN_2 * f64::from(halvings) / distance;
-        let left = 1.0 / f64::from(1 << halvings);
-        let exact = color * left + fog * (1.0 - left);
-        let got = fogged(color, fog, density, distance).channels();
-        let what = format!(
-            "{:?} in fog of {:?}, density {density:.4}, distance {distance}",
-            color.channels(),
-            fog.channels()
-        );
-        check.expect(what, exact.channels(), Bound::Absolute(1e-13), got);
-    }
-    let got = fogged(color, fog, 0.1, f64::INFINITY).channels();
-    check.expect("infinitely far away", fog.channels(), Bound::Equal, got);
-    for distance in [0.0, 1e9, f64::INFINITY] {
-        let got = fogged(color, fog, 0.0, distance).channels();
-        let what = format!("without fog, at the distance {distance}");
-        check.expect(what, color.channels(), Bound::Equal, got);
-    }
-
-    let Ok(world) = row() else { return };
-    let (eye, at) = (Point3::new(-3.0, 2.5, 6.0), Point3::new(0.5, 0.7, -4.0));
-    show(check, eye, at, |ray| {
-        let fog = Color::new(0.7, 0.75, 0.8);
-        let Some((hit, &color)) = world.hit(ray, Interval::AHEAD) else {
-            return fogged(world.background(), fog, 0.08, f64::INFINITY);
-        };
-        let shade = f64::midpoint(1.0, hit.normal.y());
-        fogged(color * shade, fog, 0.08, hit.t)
-    });
+    let (red, blue) = ([1.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
+    let cases = [
+        (1.0, 0.0),
+        (0.0, 2.0),
+        (1.0, 1.0),
+        (1.0, f64::INFINITY),
+        (0.0, f64::INFINITY),
+    ];
+    check.compare(
+        "colour {}, fog {}, density {}, distance {}",
+        cases.map(|(density, distance)| (red, blue, density, distance)),
+        random(|r| {
+            (
+                channels(r),
+                channels(r),
+                r.between(0.0, 0.5),
+                r.between(0.0, 9.0),
+            )
+        }),
+        |(c, f, density, t)| solution(color(c), color(f), density, t).channels(),
+        |(c, f, density, t)| fogged(color(c), color(f), density, t).channels(),
+    );
+    show(
+        check,
+        [[-3.0, 2.5, 6.0], [0.5, 0.7, -4.0]],
+        row(),
+        |world, ray| {
+            let fogged = |color, t| fogged(color, Color::new(0.7, 0.75, 0.8), 0.08, t);
+            let nearest = world.hit(ray, Interval::AHEAD);
+            nearest.map_or(fogged(world.background(), f64::INFINITY), |(hit, color)| {
+                fogged(*color * f64::midpoint(1.0, hit.normal.y()), hit.t)
+            })
+        },
+    );
 }
 
 fn row() -> Result<World<Color>, ArgumentError> {
     let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
-    let mut world = World::new(Color::new(0.1, 0.2, 0.5))?.with(floor, Color::new(0.3, 0.35, 0.2));
-    for k in 0..9 {
-        let c = Point3::new(0.0, 1.0, -4.0 * f64::from(k));
-        world = world.with(Sphere::new(c, 1.0)?, Color::new(0.9, 0.2, 0.1));
-    }
-    Ok(world)
+    let world = World::new(Color::new(0.1, 0.2, 0.5))?.with(floor, Color::new(0.3, 0.35, 0.2));
+    (0..9).try_fold(world, |world, k| {
+        let ball = Sphere::new(Point3::new(0.0, 1.0, -4.0 * f64::from(k)), 1.0)?;
+        Ok(world.with(ball, Color::new(0.9, 0.2, 0.1)))
+    })
 }
+
+/// The mixture by the share that is left of the colour.
+fn mixed(c: &mut Check, left: fn(f64, f64) -> f64) {
+    check(c, |color, fog, density, distance| {
+        let left = left(density, distance);
+        color * left + fog * (1.0 - left)
+    });
+}
+
+pub const VARIANTS: &[Variant] = &[
+    wrong("without fog, 0 times infinity is not a number", |c| {
+        mixed(c, |density, distance| libm::exp(-density * distance));
+    }),
+    wrong("each metre takes a share of what is left", |c| {
+        mixed(c, |density, t| {
+            if density == 0.0 {
+                1.0
+            } else {
+                (1.0 - density * t).max(0.0)
+            }
+        });
+    }),
+    wrong("the fog adds its own colour", |c| {
+        check(c, |color, _, density, t| {
+            solution(color, Color::BLACK, density, t)
+        });
+    }),
+];

@@ -1,114 +1,119 @@
-//! Rays that leave spheres and planes of all sizes to both sides, steep and grazing.
+//! Rays that leave shapes of all sizes, near the origin and far away, steep and grazing, to
+//! both sides, compared with the lesson's.
 
-use a02_math::{Direction, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval, Plane, Sphere};
-use common::ArgumentError;
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
+use crate::prelude::*;
+use crate::solutions::leaving::secondary_ray as lesson;
 
-use crate::traced::{Tracer, expect_scene, frame, point, sphere};
+/// Shape, its normal, size, point in sizes, way from there to the eye, and the direction.
+type Left = (&'static str, [f64; 3], f64, [f64; 3], [f64; 3], [f64; 3]);
+
+const SHAPES: [&str; 3] = ["plane", "sphere", "smooth triangle"];
 
 pub fn check(check: &mut Check, leaving: impl Fn(&Ray, &Hit, Vector3) -> Ray + Sync) {
-    let mut random = Random::new(62);
-    for scale in [1.0, 1e-3, 1e3, 1e6, 1e-6] {
-        for _ in 0..40 {
-            let [n, side, _] = frame(&mut random);
-            let Ok(shot) = Shot::new(&mut random, scale, n, side) else {
-                continue;
-            };
-            for (height, how) in [(0.8, "steep"), (0.01, "grazing")] {
-                for (sign, to) in [(1.0, "outwards"), (-1.0, "inwards")] {
-                    let d = side * (1.0_f64 - height * height).sqrt() + n * (sign * height);
-                    shot.expect_left(check, &format!("{how}, {to}"), d, &leaving);
-                }
-            }
-        }
-    }
-    expect_scene(check, "sphere", sphere, |world, ray, depth| {
+    let simple = |d, size| SHAPES.map(|s| (s, [0.0, 1.0, 0.0], size, [0.0; 3], [0.0, 2.0, 1.0], d));
+    let (up, down) = ([4.0, 3.0, 0.0], [4.0, -3.0, 0.0]);
+    check.compare(
+        "{} with normal {}, of size {}, at {} sizes, the eye {} sizes away, left along {}",
+        [simple(up, 1.0), simple(down, 1.0), simple(up, 1e-9)].concat(),
+        random(|r| {
+            let (n, p) = (unit(r.triple(1.0)), r.triple(5.0));
+            let side = unit(array(n.cross(vector(r.triple(1.0)))));
+            // Near, far from the origin, and far from the eye.
+            let [far, away] = [[1.0, 1.0], [1e7, 1.0], [0.0, 1e7]][r.below(3) as usize];
+            let eye = (n * r.between(0.5, 3.0) + side * r.between(-3.0, 3.0)) * away;
+            let d = side + n * [1.0, -1.0, 1e-3, -1e-3][r.below(4) as usize];
+            let (shape, p) = (SHAPES[r.below(3) as usize], p.map(|x| x * far));
+            (shape, array(n), r.scale(), p, array(eye), array(d))
+        }),
+        |input| left(input, &lesson),
+        |input| left(input, &leaving),
+    );
+    let view = a06_shadows_reflection::scenes::sphere();
+    scene_by(check, "sphere", view, |world, ray, depth| {
+        let is_shadowed = |objects: &Objects, ray: &Ray, hit: &Hit, light: &Illumination| {
+            let before = Interval::before(light.distance * (1.0 - 1e-7));
+            objects.is_hit(&leaving(ray, hit, light.direction), before)
+        };
+        let (is_shadowed, leaving) = (&is_shadowed, &leaving);
         Tracer {
-            leaving: &leaving,
-            ..Tracer::new(world)
+            world,
+            is_shadowed,
+            leaving,
         }
         .trace(ray, depth)
     });
 }
 
-/// Rays that hit a plane and a sphere which touches it, in a scene of some size.
-struct Shot {
-    scale: f64,
-    ray: Ray,
-    plane: Plane,
-    sphere: Sphere,
+fn left(
+    (shape, n, size, p, away, d): Left,
+    leaving: &dyn Fn(&Ray, &Hit, Vector3) -> Ray,
+) -> Option<Answer> {
+    let (p, away) = (Point3::ORIGIN + vector(p) * size, vector(away) * size);
+    let (n, d) = (unit(n), unit(d));
+    let shape: Box<dyn Geometry> = match shape {
+        "plane" => Box::new(Plane::new(p, n.as_normal()).ok()?),
+        "sphere" => Box::new(Sphere::new(p - n * size, size).ok()?),
+        _ => Box::new(smooth_triangle(p, n, size).ok()?),
+    };
+    let ray = Ray::new(p + away, -away).ok()?;
+    let hit = shape.hit(&ray, Interval::AHEAD)?;
+    let left = leaving(&ray, &hit, d);
+    let step = left.origin() - ray.at(hit.t);
+    // Inwards, a ray meets the far side of a sphere, but not this one.
+    let again = shape.hit(&left, Interval::before(1e-4 * size)).is_some();
+    let words = if step.dot(hit.face) * d.dot(hit.face) <= 0.0 {
+        "a ray from the wrong side of the surface"
+    } else if step.magnitude() > 1e-9 * largest(&ray, &hit) {
+        "a ray that begins far away"
+    } else if again {
+        "a ray that hits the surface again"
+    } else {
+        "a ray that leaves the surface"
+    };
+    Some(Answer::words(words).and("direction", array(left.direction())))
 }
 
-impl Shot {
-    fn new(
-        random: &mut Random,
-        scale: f64,
-        n: Vector3,
-        side: Vector3,
-    ) -> Result<Self, ArgumentError> {
-        let place = point(random, 5.0) - Point3::ORIGIN;
-        let p = Point3::ORIGIN + place * scale;
-        let from =
-            p + n * (scale * random.between(0.5, 3.0)) + side * (scale * random.between(-3.0, 3.0));
-        let radius = scale * random.between(0.5, 3.0);
-        Ok(Self {
-            scale,
-            ray: Ray::new(from, p - from)?,
-            plane: Plane::new(p, n.as_normal())?,
-            sphere: Sphere::new(p - n * radius, radius)?,
-        })
-    }
-
-    fn expect_left(
-        &self,
-        check: &mut Check,
-        how: &str,
-        d: Vector3,
-        leaving: &impl Fn(&Ray, &Hit, Vector3) -> Ray,
-    ) {
-        let shapes: [(&str, &dyn Geometry); 2] = [("plane", &self.plane), ("sphere", &self.sphere)];
-        for (name, shape) in shapes {
-            let Some(hit) = shape.hit(&self.ray, Interval::AHEAD) else {
-                continue;
-            };
-            let left = leaving(&self.ray, &hit, d);
-            let words = format!(
-                "scene of size {:e}, hit at {} with normal {:.3}, direction {:.3}",
-                self.scale,
-                self.ray.at(hit.t).to_glam(),
-                hit.face.to_glam(),
-                d.to_glam()
-            );
-            let [exact, got] = [d, left.direction()].map(|d| d.to_glam().to_array());
-            check.expect(
-                format!("the direction, {how}; {words}"),
-                exact,
-                Bound::Equal,
-                got,
-            );
-            let step = left.origin() - self.ray.at(hit.t);
-            let share = step.magnitude() / self.scale;
-            let what = format!("the offset, as a share of the scene's size; {words}");
-            check.expect(what, 0.0, Bound::Absolute(1e-9), share);
-            let side = step.dot(hit.face) * d.dot(hit.face) > 0.0;
-            check.expect(
-                format!("offset to the side of the direction, {how}; {words}"),
-                true,
-                Bound::Equal,
-                side,
-            );
-            // Inwards, a ray meets the far side of a sphere, but not this one.
-            let near = Interval::before(1e-4 * self.scale);
-            let again = shape.hit(&left, near).map(|hit| hit.t);
-            check.expect(
-                format!("t of a hit of the same {name}, {how}; {words}"),
-                None::<f64>,
-                Bound::Equal,
-                again,
-            );
-        }
-    }
+/// The ray whose origin is offset by this step.
+fn offset(c: &mut Check, step: fn(&Ray, &Hit, Vector3) -> Vector3) {
+    check(c, |ray, hit, d| {
+        Ray::derived(ray.at(hit.t) + step(ray, hit, d), d)
+    });
 }
+
+/// So long along the face or against it.
+fn along_face(hit: &Hit, d: Vector3, length: f64) -> Vector3 {
+    Vector3::from(hit.face) * length.copysign(hit.face.dot(d))
+}
+
+fn largest(ray: &Ray, hit: &Hit) -> f64 {
+    let points = [ray.origin(), ray.at(hit.t)].map(Point3::largest_coordinate);
+    points[0].max(points[1]).max(hit.t)
+}
+
+pub const VARIANTS: &[Variant] = &[
+    right("a share of the sum of all numbers", |c| {
+        offset(c, |ray, hit, d| {
+            let [o, p] = [ray.origin(), ray.at(hit.t)].map(|p| p.to_glam().abs().element_sum());
+            along_face(hit, d, 1e-13 * (o + p + hit.t))
+        });
+    }),
+    wrong("scenes have any size, so no length is fixed", |c| {
+        offset(c, |_, hit, d| along_face(hit, d, 1e-9));
+    }),
+    wrong("the errors of the coordinates count, too", |c| {
+        offset(c, |_, hit, d| along_face(hit, d, 1e-12 * hit.t));
+    }),
+    wrong("the error of t counts, too", |c| {
+        offset(c, |ray, hit, d| {
+            along_face(hit, d, 1e-12 * ray.at(hit.t).largest_coordinate())
+        });
+    }),
+    wrong("a grazing ray does not leave along itself", |c| {
+        offset(c, |ray, hit, d| d * (1e-14 * largest(ray, hit)));
+    }),
+    wrong("the surface is where the face says, not the normal", |c| {
+        offset(c, |ray, hit, d| {
+            along_face(&Hit::new(hit.t, hit.normal), d, 1e-14 * largest(ray, hit))
+        });
+    }),
+];

@@ -2,15 +2,21 @@
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
+#[path = "../../../a05-lighting/tests/exercises/scene.rs"]
 mod scene;
 mod traced;
 
 testing::exercises! {
-    shadowed => |check| shadowed::check(check, is_shadowed);
-    leaving => |check| leaving::check(check, secondary_ray);
-    mirror => |check| mirror::check(check, trace);
-    fogged => |check| fogged::check(check, fogged);
-    images => |check| images::check(check, images);
-    refracted => |check| refracted::check(check, refracted);
-    reflectance => |check| reflectance::check(check, reflectance);
+    use {a02_math::*, a03_rays_cameras::*, a04_intersections::*, a05_lighting::*, a06_shadows_reflection::*, common::*, crate::scene::*, crate::traced::*};
+    starters {
+        shadowed => |check| shadowed::check(check, is_shadowed);
+        leaving => |check| leaving::check(check, secondary_ray);
+        mirror => |check| mirror::check(check, trace);
+    }
+    solutions {
+        fogged => |check| fogged::check(check, fogged);
+        images => |check| images::check(check, images);
+        refracted => |check| refracted::check(check, refracted);
+        reflectance => |check| reflectance::check(check, reflectance);
+    }
 }

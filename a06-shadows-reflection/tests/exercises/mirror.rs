@@ -1,100 +1,79 @@
-//! Mirrors whose colours are geometric series, and one that shows a coloured wall.
+//! Rays in random worlds of mirrors, compared with the lesson's tracer.
 
-use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::Plane;
-use a05_lighting::SingleColor;
-use a06_shadows_reflection::{Reflective, ShadowedWorld};
-use common::{ArgumentError, Color};
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
+use crate::prelude::*;
+use crate::solutions::mirror::trace as lesson;
 
-use crate::traced::{expect_scene, sphere};
-
-const BOUND: Bound = Bound::Absolute(1e-12);
-const DOWN: Vector3 = Vector3::new(0.0, -1.0, 0.0);
+type Trace<'a> = &'a dyn Fn(&ShadowedWorld, &Ray, u32) -> Color;
 
 pub fn check(check: &mut Check, trace: impl Fn(&ShadowedWorld, &Ray, u32) -> Color + Sync) {
-    let mut random = Random::new(63);
-    for _ in 0..10 {
-        let mut color = || {
-            Color::new(
-                random.between(0.0, 0.9),
-                random.between(0.0, 0.9),
-                random.between(0.1, 0.9),
-            )
-        };
-        let [background, own, mirror, other, back] = [(); 5].map(|()| color());
-        let mut expect = |kind: &str,
-                          world: &Result<ShadowedWorld, ArgumentError>,
-                          d,
-                          depth: u32,
-                          exact: Color| {
-            let Ok(world) = world else { return };
-            let ray = Ray::derived(Point3::new(0.5, 1.0, 0.0), d);
-            let got = trace(world, &ray, depth);
-            let words = format!(
-                "own colour {:?}, reflectance {:?}, background {:?}, ray along {:.2}",
-                own.channels(),
-                mirror.channels(),
-                background.channels(),
-                d.to_glam()
-            );
-            check.expect(
-                format!("{kind}, depth {depth}; {words}"),
-                exact.channels(),
-                BOUND,
-                got.channels(),
-            );
-        };
-        let floor = world(background, &[(0.0, own, mirror)]);
-        expect("no surface", &floor, -DOWN, 3, background);
-        expect("one mirror", &floor, DOWN, 0, Color::BLACK);
-        expect("one mirror", &floor, DOWN, 1, own);
-        expect("one mirror", &floor, DOWN, 2, own + mirror * background);
-        expect("one mirror", &floor, DOWN, 9, own + mirror * background);
+    let color = |((c, r), mirror, [o, d], depth): ((_, _), _, [_; 2], _), trace: Trace| {
+        let ray = Ray::derived(point(o), unit(d));
+        let world = mirrors(c, r, mirror).ok()?;
+        Some(trace(&world, &ray, depth).channels())
+    };
+    // To the background, to the floor, which mirrors it, to the ball, and to the triangle.
+    let rays = [
+        [4.0, 3.0, 0.0],
+        [4.0, -3.0, 0.0],
+        [0.0, -3.0, -4.0],
+        [0.0, -2.5, -8.0],
+    ];
+    let simple = [1, 2, 0, 5].into_iter().flat_map(|depth| {
+        let ball = ([0.0, 1.0, 0.0], 1.0);
+        rays.map(|d| (ball, [0.5, 0.5, 1.0], [[0.0, 4.0, 4.0], d], depth))
+    });
+    check.compare(
+        "a ball around {} of radius {}, everything mirrors {}, ray from and along {}, depth {}",
+        simple,
+        random(|r| {
+            let (c, o, to) = (r.triple(3.0), r.triple(3.0), r.triple(4.0));
+            let [o, to] = [
+                [o[0], o[1].abs() + 0.1, 6.0],
+                [to[0] / 2.0, to[1].abs(), to[2] - 4.0],
+            ];
+            let mirror = [(); 3].map(|()| r.between(0.1, 1.0));
+            let ball = (c, r.between(0.2, 2.0));
+            (ball, mirror, [o, array(point(to) - point(o))], r.below(7))
+        }),
+        |input| color(input, &lesson),
+        |input| color(input, &trace),
+    );
+    scene_by(
+        check,
+        "sphere",
+        a06_shadows_reflection::scenes::sphere(),
+        trace,
+    );
+}
 
-        let facing = world(background, &[(0.0, own, mirror), (2.0, other, back)]);
-        let mut exact = Color::BLACK;
-        let mut share = Color::WHITE;
-        for depth in 1..7 {
-            let (color, reflected) = if depth % 2 == 1 {
-                (own, mirror)
-            } else {
-                (other, back)
-            };
-            exact += share * color;
-            share = share * reflected;
-            expect("two facing mirrors", &facing, DOWN, depth, exact);
+/// The lesson's tracer, whose reflected rays go along this direction.
+fn reflected(c: &mut Check, direction: fn(&Ray, &Hit) -> Vector3) {
+    check(c, |world, ray, depth| {
+        let leaving = |ray: &Ray, hit: &Hit, _| secondary_ray(ray, hit, direction(ray, hit));
+        Tracer {
+            leaving: &leaving,
+            ..Tracer::new(world)
         }
-
-        // The ray goes down to the right, and the reflected one up to the wall x = 3.
-        let wall = Plane::new(Point3::new(3.0, 0.0, 0.0), Normal3::new(-1.0, 0.0, 0.0));
-        let with_wall = world(background, &[(0.0, own, mirror)])
-            .and_then(|world| Ok(world.with(wall?, Box::new(SingleColor::new(other)?))));
-        let aslant = Vector3::new(0.6, -0.8, 0.0);
-        expect(
-            "a wall in a mirror",
-            &with_wall,
-            aslant,
-            2,
-            own + mirror * other,
-        );
-    }
-    expect_scene(check, "sphere", sphere, trace);
+        .trace(ray, depth)
+    });
 }
 
-/// Horizontal mirrors at these heights, with colour and reflectance, in ambient light
-/// alone.
-fn world(
-    background: Color,
-    mirrors: &[(f64, Color, Color)],
-) -> Result<ShadowedWorld, ArgumentError> {
-    let mut world = ShadowedWorld::empty(background, Color::WHITE)?;
-    for (height, color, reflectance) in mirrors {
-        let plane = Plane::new(Point3::new(0.0, *height, 0.0), Normal3::new(0.0, 1.0, 0.0))?;
-        let mirror = Reflective::new(*color, Color::BLACK, 1.0, *reflectance)?;
-        world = world.with(plane, Box::new(mirror));
-    }
-    Ok(world)
-}
+pub const VARIANTS: &[Variant] = &[
+    right("the recursion", |c| {
+        check(c, |world, ray, depth| Tracer::new(world).trace(ray, depth))
+    }),
+    wrong("a ray may hit so many surfaces as the depth says", |c| {
+        check(c, |world, ray, depth| {
+            lesson(world, ray, depth.saturating_sub(1))
+        });
+    }),
+    wrong("the last surface mirrors black", |c| {
+        check(c, |world, ray, depth| lesson(world, ray, depth + 1));
+    }),
+    wrong("a mirror is seen by its normal, not by its face", |c| {
+        reflected(c, |ray, hit| (-ray.direction()).reflected_on(hit.face));
+    }),
+    wrong("the formula wants a vector away from the surface", |c| {
+        reflected(c, |ray, hit| ray.direction().reflected_on(hit.normal));
+    }),
+];

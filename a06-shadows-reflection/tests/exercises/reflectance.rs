@@ -1,74 +1,74 @@
-//! Water of the index 4/3, where triangles with sides 3, 4, 5 meet, and other
-//! materials by Fresnel's laws of angles.
+//! Surfaces between all indices, compared with the solution.
 
-use a02_math::{Direction, Normal3, Point3};
-use a04_intersections::{Geometry, Interval, Plane};
-use common::Color;
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
-
-use crate::scene::{checkered, show};
-
-const WATER: f64 = 4.0 / 3.0;
+use crate::prelude::*;
+use crate::solutions::reflectance::reflectance as solution;
 
 pub fn check(check: &mut Check, reflectance: impl Fn(f64, f64, f64) -> f64 + Sync) {
-    let mut case = |what: &str, cos: f64, from: f64, to: f64, exact: f64| {
-        let what = format!("{what}: cosine {cos}, from the index {from} to {to}");
-        let got = reflectance(cos, from, to);
-        check.expect(what, exact, Bound::Absolute(1e-11), got);
-    };
-    case("straight into water", 1.0, 1.0, WATER, 1.0 / 49.0);
-    case("straight out of water", 1.0, WATER, 1.0, 1.0 / 49.0);
-    case("straight into glass", 1.0, 1.0, 1.5, 0.04);
-    // Brewster's angle: one polarisation is not mirrored at all.
-    case("aslant into water", 0.6, 1.0, WATER, 0.0392);
-    case("aslant out of water", 0.8, WATER, 1.0, 0.0392);
-    case("along the water", 0.0, 1.0, WATER, 1.0);
-    case("total reflection", 0.6, WATER, 1.0, 1.0);
-    case("along the water, from below", 0.0, WATER, 1.0, 1.0);
-    case("no surface at all", 0.3, 1.5, 1.5, 0.0);
-
-    // Fresnel's sine and tangent laws (Born and Wolf, Principles of Optics, 1.5.2).
-    let mut random = Random::new(3);
-    for n in 0..60 {
-        let angle = random.between(0.05, 1.5);
-        let index = random.between(1.05, 2.5);
-        let (from, to) = if n % 2 == 0 {
-            (1.0, index)
-        } else {
-            (index, 1.0)
-        };
-        let sin = libm::sin(angle) * from / to;
-        let exact = if sin >= 1.0 {
-            1.0
-        } else {
-            let beyond = libm::asin(sin);
-            let (less, sum) = (angle - beyond, angle + beyond);
-            let across = libm::sin(less) / libm::sin(sum);
-            let along = libm::tan(less) / libm::tan(sum);
-            f64::midpoint(across * across, along * along)
-        };
-        let what = format!("at the angle {angle}");
-        case(&what, libm::cos(angle), from, to, exact);
-    }
-
-    // No angle says whether anything is mirrored here.
-    let got = reflectance(0.0, 1.5, 1.5);
-    let what = "a number along no surface at all: cosine 0, from the index 1.5 to 1.5";
-    check.expect(what, 1.0, Bound::Finite, got);
-
+    check.compare(
+        "cosine {}, from the index {} to {}",
+        [
+            (1.0, 1.0, 2.0),
+            (0.5, 1.0, 2.0),
+            (0.0, 1.0, 2.0),
+            (0.5, 2.0, 1.0),
+        ],
+        random(|r| {
+            (
+                r.between(0.0, 1.0),
+                r.between(1.0, 2.5),
+                r.between(1.0, 2.5),
+            )
+        }),
+        |(cosine, from, to)| solution(cosine, from, to),
+        |(cosine, from, to)| reflectance(cosine, from, to),
+    );
     let up = Normal3::new(0.0, 1.0, 0.0);
-    let Ok(lake) = Plane::new(Point3::ORIGIN, up) else {
-        return;
-    };
-    let (eye, at) = (Point3::new(0.0, 2.0, 6.0), Point3::new(0.0, 0.9, 0.0));
-    show(check, eye, at, |ray| {
-        let d = ray.direction();
-        if lake.hit(ray, Interval::AHEAD).is_none() {
-            return checkered(d);
-        }
-        let share = reflectance(-d.dot(up), 1.0, WATER);
-        let depth = Color::new(0.0, 0.15, 0.2);
-        depth * (1.0 - share) + checkered((-d).reflected_on(up)) * share
+    let lake = Plane::new(Point3::ORIGIN, up);
+    show(
+        check,
+        [[0.0, 2.0, 6.0], [0.0, 0.9, 0.0]],
+        lake,
+        |lake, ray| {
+            let d = ray.direction();
+            if lake.hit(ray, Interval::AHEAD).is_none() {
+                return checkered(d);
+            }
+            let share = reflectance(-d.dot(up), 1.0, 4.0 / 3.0);
+            let depth = Color::new(0.0, 0.15, 0.2);
+            depth * (1.0 - share) + checkered((-d).reflected_on(up)) * share
+        },
+    );
+}
+
+/// The share that follows from the amplitudes of both polarisations, or from none.
+fn share(c: &mut Check, share: fn(Option<[f64; 2]>) -> f64) {
+    check(c, |cosine, from, to| {
+        let ratio = from / to;
+        let squared = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
+        share((squared > 0.0).then(|| {
+            let amplitude = |a: f64, b: f64| (a - b) / (a + b);
+            let beyond = squared.sqrt();
+            [
+                amplitude(from * cosine, to * beyond),
+                amplitude(from * beyond, to * cosine),
+            ]
+        }))
     });
 }
+
+pub const VARIANTS: &[Variant] = &[
+    wrong("Schlick's formula is only near to Fresnel's", |c| {
+        check(c, |cosine, from, to| {
+            let straight = solution(1.0, from, to);
+            straight + (1.0 - straight) * libm::pow(1.0 - cosine, 5.0)
+        });
+    }),
+    wrong("daylight is half of each polarisation", |c| {
+        share(c, |both| both.map_or(1.0, |[across, _]| across * across));
+    }),
+    wrong("where no light gets through, all is mirrored", |c| {
+        share(c, |both| {
+            both.map_or(0.0, |[a, b]| f64::midpoint(a * a, b * b))
+        });
+    }),
+];

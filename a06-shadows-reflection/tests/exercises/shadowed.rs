@@ -1,115 +1,97 @@
-//! Balls before, behind, beside and beyond lights, near and far.
+//! A ball before, behind and beyond lights in worlds of all sizes, compared with the lesson.
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval, Plane, Sphere};
-use a05_lighting::{Illumination, SingleColor};
-use common::{ArgumentError, Color};
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
+use crate::prelude::*;
+use crate::solutions::shadowed::is_shadowed as lesson;
 
-use crate::traced::{Objects, Tracer, aab, expect_scene, frame, point};
+type IsShadowed<'a> = &'a dyn Fn(&Objects, &Ray, &Hit, &Illumination) -> bool;
 
 pub fn check(
     check: &mut Check,
     is_shadowed: impl Fn(&Objects, &Ray, &Hit, &Illumination) -> bool + Sync,
 ) {
-    let mut random = Random::new(61);
-    for distance in [4.0, 0.5, 100.0, f64::INFINITY, 7.0, 20.0] {
-        let (p, [n, side, _]) = (point(&mut random, 5.0), frame(&mut random));
-        // The light 30 degrees above the surface.
-        let l = n * 0.5 + side * 0.75_f64.sqrt();
-        let reach = if distance.is_finite() {
-            distance
-        } else {
-            1000.0
+    let answer = |(p, (c, r), to_light, distance): ([f64; 3], (_, _), _, _), f: IsShadowed| {
+        // The eye is beside the point, as far as the lamp or 1.
+        let away = vector([3.0, 2.0, 1.0]) * if distance < 1e9 { distance } else { 1.0 };
+        let ray = Ray::new(point(p) + away, -away).ok()?;
+        let world = mirrors(c, r, [0.0; 3]).ok()?;
+        let (hit, _) = world.objects().hit(&ray, Interval::AHEAD)?;
+        let direction = unit(to_light);
+        let light = Illumination {
+            direction,
+            distance,
+            ..Illumination::default()
         };
-        let mut expect = |kind: &str, other: Option<Box<dyn Geometry>>, exact: bool| {
-            let Ok((world, ray, hit)) = surface(p, n, side, other) else {
-                return;
-            };
-            let light = Illumination {
-                color: Color::WHITE,
-                direction: l,
-                distance,
-            };
-            let got = is_shadowed(&world, &ray, &hit, &light);
-            let what = format!(
-                "shadow, {kind}; surface at {} with normal {:.3}, light in the direction {:.3} at distance {distance}",
-                p.to_glam(),
-                n.to_glam(),
-                l.to_glam()
-            );
-            check.expect(what, exact, Bound::Equal, got);
-        };
-        let ball = |centre: Point3, r: f64| -> Option<Box<dyn Geometry>> {
-            Some(Box::new(Sphere::new(centre, r).ok()?))
-        };
-        let radius = 0.1 * reach;
-        expect("nothing but the surface itself", None, false);
-        expect(
-            "a ball half way to the light",
-            ball(p + l * (0.5 * reach), radius),
-            true,
-        );
-        expect(
-            "a ball near the surface",
-            ball(p + l * (0.15 * reach), radius),
-            true,
-        );
-        expect(
-            "a ball just before the light",
-            ball(p + l * (0.85 * reach), radius),
-            true,
-        );
-        expect("a ball around light and point", ball(p, 0.5 * reach), true);
-        expect(
-            "a ball on the other side of the surface",
-            ball(p + l * (-0.5 * reach), radius),
-            false,
-        );
-        expect(
-            "a ball beside the way",
-            ball(p + l * (0.5 * reach) + n * (0.2 * reach), radius),
-            false,
-        );
-        let is_endless = distance.is_infinite();
-        expect(
-            "a ball beyond the light",
-            ball(p + l * (1.5 * reach), radius),
-            is_endless,
-        );
-        if !is_endless {
-            let ceiling = Plane::new(p + l * distance, n.as_normal()).ok();
-            let ceiling = ceiling.map(|plane| Box::new(plane) as Box<dyn Geometry>);
-            expect("the ceiling that the lamp is fixed to", ceiling, false);
-        }
-    }
-    expect_scene(check, "aab", aab, |world, ray, depth| {
-        Tracer {
-            is_shadowed: &is_shadowed,
-            ..Tracer::new(world)
-        }
-        .trace(ray, depth)
+        Some(f(world.objects(), &ray, &hit, &light))
+    };
+    let lit = |y, r, distance| ([0.0; 3], ([0.0, y, 0.0], r), [0.0, 1.0, 0.0], distance);
+    let simple = [
+        lit(4.0, 1.0, 8.0),
+        lit(4e-9, 1e-9, 8e-9),
+        // Just before the lamp, beyond it, and the lamp's own.
+        lit(7.96875, 0.015_625, 8.0),
+        lit(12.0, 1.0, 8.0),
+        lit(10.0, 2.0, 8.0),
+        lit(12.0, 1.0, f64::INFINITY),
+        lit(-4.0, 1.0, f64::INFINITY),
+    ];
+    check.compare(
+        "floor y = 0 at {}, ball around {} of radius {}, lamp towards {} at the distance {}",
+        simple,
+        random(|r| {
+            let size = [1e-6, 1.0, 1e6][r.below(3) as usize] * r.between(1.0, 9.0);
+            let ([x, _, z], [u, v, w]) = (r.triple(1.0), r.triple(1.0));
+            let (p, l) = (vector([x, 0.0, z]) * size, unit([u, v.abs() + 0.1, w]));
+            // Where the ball begins and ends, as shares of the distance.
+            let ends = [[0.2, 0.4], [0.992, 0.999], [1.0, 1.2], [1.1, 1.3]];
+            let [from, to] = ends[r.below(4) as usize];
+            let c = p + l * (size * f64::midpoint(from, to));
+            (
+                array(p),
+                (array(c), size * (to - from) / 2.0),
+                array(l),
+                size,
+            )
+        }),
+        |input| answer(input, &lesson),
+        |input| answer(input, &is_shadowed),
+    );
+    let view = a06_shadows_reflection::scenes::aab();
+    scene_by(check, "aab", view, |world, ray, depth| {
+        let mut tracer = Tracer::new(world);
+        tracer.is_shadowed = &is_shadowed;
+        tracer.trace(ray, depth)
     });
 }
 
-/// A surface through `p`, perhaps another object, and the hit at `p`.
-fn surface(
-    p: Point3,
-    n: Vector3,
-    side: Vector3,
-    other: Option<Box<dyn Geometry>>,
-) -> Result<(Objects, Ray, Hit), ArgumentError> {
-    let plane = Plane::new(p, n.as_normal())?;
-    let ray = Ray::derived(p + n * 3.0 - side * 2.0, side * 0.5 - n * 0.75);
-    let hit = plane
-        .hit(&ray, Interval::AHEAD)
-        .unwrap_or_else(|| Hit::new(4.0, n.as_normal()));
-    let mut world =
-        Objects::new(Color::BLACK)?.with(plane, Box::new(SingleColor::new(Color::WHITE)?));
-    if let Some(other) = other {
-        world = world.with(other, Box::new(SingleColor::new(Color::WHITE)?));
-    }
-    Ok((world, ray, hit))
+/// Whether anything is hit from the surface on, up to this distance.
+fn up_to(c: &mut Check, end: fn(f64) -> f64) {
+    check(c, |world, ray, hit, light| {
+        let to_light = secondary_ray(ray, hit, light.direction);
+        let nearest = world.hit(&to_light, Interval::before(end(light.distance)));
+        nearest.is_some()
+    });
 }
+
+pub const VARIANTS: &[Variant] = &[
+    right("the nearest hit, up to a millionth", |c| {
+        up_to(c, |d| d * (1.0 - 1e-6))
+    }),
+    wrong("objects beyond the light cast no shadow", |c| {
+        up_to(c, |_| f64::INFINITY)
+    }),
+    wrong("what the lamp is fixed to must not block it", |c| {
+        up_to(c, |d| d)
+    }),
+    wrong("worlds have any size, so no length is fixed", |c| {
+        up_to(c, |d| d - 1e-6);
+    }),
+    wrong("an object just before the light casts a shadow", |c| {
+        up_to(c, |d| d * 0.99)
+    }),
+    wrong("the surface must not shadow itself", |c| {
+        check(c, |world, ray, hit, light| {
+            let from_below = Ray::derived(ray.at(hit.t * (1.0 + 1e-12)), light.direction);
+            world.is_hit(&from_below, Interval::before(light.distance * (1.0 - 1e-7)))
+        });
+    }),
+];

@@ -1,27 +1,26 @@
-//! The scenes of this stage, with the student's code in them.
+//! Worlds of mirrors, and a tracer with the student's code in it.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::{Ray, render};
-use a04_intersections::{AxisAlignedBox, Hit, Interval, Plane, Sphere, World};
-use a05_lighting::{Illumination, Lambert, Light, Lighting, PointLight};
+use a03_rays_cameras::Ray;
+use a04_intersections::{Hit, Interval, Plane, Sphere, Triangle, World};
+use a05_lighting::{Illumination, Light, Lighting, PointLight};
 use a06_shadows_reflection::{
-    LightSource, Reflective, ShadowedWorld, Surface, diagonal_camera, is_shadowed, secondary_ray,
-    stage,
+    LightSource, Reflective, ShadowedWorld, Surface, is_shadowed, secondary_ray, stage,
 };
 use common::{ArgumentError, Color};
-use testing::exercise::{Check, Random};
+use testing::exercise::Check;
 
+use crate::scene::{Scene, color, point, scene};
+
+/// The objects of a world.
 pub type Objects = World<Box<dyn Surface>>;
-type IsShadowed<'a> = &'a (dyn Fn(&Objects, &Ray, &Hit, &Illumination) -> bool + Sync);
-type Leaving<'a> = &'a (dyn Fn(&Ray, &Hit, Vector3) -> Ray + Sync);
 
-/// Computes colours by their definition, with these functions in the place of the
-/// lesson's.
+/// Computes colours by their definition, with these functions in the place of the lesson's.
 #[derive(Clone, Copy)]
 pub struct Tracer<'a> {
     pub world: &'a ShadowedWorld,
-    pub is_shadowed: IsShadowed<'a>,
-    pub leaving: Leaving<'a>,
+    pub is_shadowed: &'a dyn Fn(&Objects, &Ray, &Hit, &Illumination) -> bool,
+    pub leaving: &'a dyn Fn(&Ray, &Hit, Vector3) -> Ray,
 }
 
 impl<'a> Tracer<'a> {
@@ -35,19 +34,13 @@ impl<'a> Tracer<'a> {
 
     /// `c + cr f`, with the colour `f` that the reflected ray brings back.
     pub fn trace(&self, ray: &Ray, depth: u32) -> Color {
-        if depth == 0 {
-            return Color::BLACK;
-        }
-        let Some((hit, surface)) = self.world.objects().hit(ray, Interval::AHEAD) else {
-            return self.world.objects().background();
+        let objects = self.world.objects();
+        let Some((hit, surface)) = objects.hit(ray, Interval::AHEAD).filter(|_| depth > 0) else {
+            return objects.background() * f64::from(depth.min(1));
         };
-        let mut color = surface.color_for(ray, &hit, self);
-        if surface.reflection() != Color::BLACK {
-            let direction = (-ray.direction()).reflected_on(hit.normal);
-            let mirrored = self.trace(&(self.leaving)(ray, &hit, direction), depth - 1);
-            color += surface.reflection() * mirrored;
-        }
-        color
+        let direction = (-ray.direction()).reflected_on(hit.normal);
+        let reflected = self.trace(&(self.leaving)(ray, &hit, direction), depth - 1);
+        surface.color_for(ray, &hit, self) + surface.reflection() * reflected
     }
 }
 
@@ -57,74 +50,55 @@ impl Lighting for Tracer<'_> {
     }
 
     fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
-        let point = ray.at(hit.t);
-        for light in self
-            .world
-            .lights()
-            .iter()
-            .filter_map(|light| light.illumination(point))
-        {
-            let is_in_front = hit.normal.dot(light.direction) > 0.0;
-            if is_in_front && !(self.is_shadowed)(self.world.objects(), ray, hit, &light) {
-                shade(&light);
-            }
-        }
+        let sources = self.world.lights().iter();
+        sources
+            .filter_map(|light| light.illumination(ray.at(hit.t)))
+            .filter(|light| hit.normal.dot(light.direction) > 0.0)
+            .filter(|light| !(self.is_shadowed)(self.world.objects(), ray, hit, light))
+            .for_each(|light| shade(&light));
     }
 }
 
-/// Compares a scene with its lock. Camera and world are from `src/scenes.rs`.
-pub fn expect_scene(
+/// Compares the picture of a scene in the colours of this function.
+pub fn scene_by(
     check: &mut Check,
     name: &str,
-    world: fn() -> Result<ShadowedWorld, ArgumentError>,
+    view: Scene<ShadowedWorld>,
     trace: impl Fn(&ShadowedWorld, &Ray, u32) -> Color + Sync,
 ) {
-    check.scene(&stage(), name, |settings| {
-        let (camera, world) = (diagonal_camera(8.0)?, world()?);
-        let radiance = |ray: &Ray| trace(&world, ray, settings.depth);
-        render(&camera, radiance, settings, &())
-    });
+    scene(check, &stage(), name, view, trace);
 }
 
-fn lit_floor(light: Point3, floor: Box<dyn Surface>) -> Result<ShadowedWorld, ArgumentError> {
-    let light = PointLight::new(Color::WHITE, light)?;
-    let plane = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
-    Ok(ShadowedWorld::empty(Color::BLACK, Color::gray(0.25))?
-        .with(plane, floor)
-        .lit_by(LightSource::new(light, true)))
+/// A floor y = 0, a ball and a smooth triangle that mirror, and a lamp.
+pub fn mirrors(c: [f64; 3], r: f64, reflection: [f64; 3]) -> Result<ShadowedWorld, ArgumentError> {
+    let of = |own| Reflective::new(own, Color::WHITE, 8.0, color(reflection)).map(Box::new);
+    let lamp = PointLight::new(Color::WHITE, Point3::new(3.0, 9.0, 4.0))?;
+    let triangle = smooth_triangle(
+        Point3::new(0.0, 1.5, -4.0),
+        Vector3::new(0.0, -0.5, 1.0),
+        2.0,
+    )?;
+    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
+    Ok(ShadowedWorld::empty(Color::gray(0.5), Color::gray(0.25))?
+        .with(floor, of(Color::WHITE)?)
+        .with(Sphere::new(point(c), r)?, of(Color::RED)?)
+        .with(triangle, of(Color::BLUE)?)
+        .lit_by(LightSource::new(lamp, true)))
 }
 
-/// A box and its shadow.
-pub fn aab() -> Result<ShadowedWorld, ArgumentError> {
-    let (lbf, run) = (Point3::new(-0.5, 0.0, -0.5), Point3::new(0.5, 1.0, 0.5));
-    let floor = Box::new(Lambert::new(Color::gray(0.8))?);
-    Ok(lit_floor(Point3::new(8.0, 8.0, 0.0), floor)?.with(
-        AxisAlignedBox::new(lbf, run)?,
-        Box::new(Lambert::new(Color::RED)?),
-    ))
+/// A triangle around a point with the normal `n`, whose corners have another one.
+pub fn smooth_triangle(p: Point3, n: Vector3, size: f64) -> Result<Triangle, ArgumentError> {
+    let u = n.cross(Vector3::new(n.y(), n.z(), -n.x())).unit("side")? * size;
+    let v = n.unit("normal")?.cross(u);
+    let [a, b, c] = [(2.0, 0.0), (-1.0, 2.0), (-1.0, -2.0)].map(|(x, y)| p + u * x + v * y);
+    Triangle::new(a, b, c)?.with_normals([(n + u * (1.0 / size)).as_normal(); 3])
 }
 
-/// Three mirroring spheres on a mirror.
-pub fn sphere() -> Result<ShadowedWorld, ArgumentError> {
-    let half = Color::gray(0.5);
-    let mirror = Reflective::new(Color::gray(0.1), Color::BLACK, 64.0, half)?;
-    let mut world = lit_floor(Point3::new(8.0, 8.0, 8.0), Box::new(mirror))?;
-    for (x, color) in [(-3.0, Color::RED), (0.0, Color::GREEN), (3.0, Color::BLUE)] {
-        let sphere = Sphere::new(Point3::new(x, 1.0, 0.0), 1.0)?;
-        world = world.with(
-            sphere,
-            Box::new(Reflective::new(color, Color::WHITE, 64.0, half)?),
-        );
-    }
-    Ok(world)
-}
-
-/// A point of hundredths.
-pub fn point(random: &mut Random, most: f64) -> Point3 {
-    Point3::from_glam(random.triple(most).into())
-}
-
-/// Three unit vectors perpendicular to each other.
-pub fn frame(random: &mut Random) -> [Vector3; 3] {
-    random.frame().map(|v| Vector3::from_glam(v.into()))
+/// Light and dark squares in all directions, without an end.
+pub fn checkered(direction: Vector3) -> Color {
+    let d = direction.to_glam();
+    let cell = (d / d.abs().max_element() * 4.0 + 0.5).floor();
+    let is_light = cell.element_sum().rem_euclid(2.0) == 0.0;
+    let shade = if is_light { 0.9 } else { 0.25 };
+    Color::new(shade, shade, shade * 0.8 + 0.15)
 }

@@ -2,7 +2,7 @@
 
 use a07_transforms::{Mat4x4, Transform};
 
-use crate::steps::Step;
+pub use crate::steps::Step;
 
 pub fn chain(steps: &[Step]) -> [Mat4x4; 2] {
     let transform = steps

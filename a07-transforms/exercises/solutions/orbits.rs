@@ -3,6 +3,7 @@
 use a02_math::Point3;
 use a07_transforms::Transform;
 use common::ArgumentError;
+use testing::assert_close;
 
 /// Where the earth and the moon are; the sun is in the origin. The earth is 5
 /// away from the sun, along the x axis turned by `year` radians about the y axis.
@@ -11,12 +12,28 @@ use common::ArgumentError;
 /// earth, is the x axis turned by `month` radians about the y axis. The
 /// transforms move a body from the origin to its place.
 pub fn orbits(year: f64, month: f64) -> Result<[Transform; 2], ArgumentError> {
-    let earth = Transform::IDENTITY
-        .rotate_y(year)?
-        .translate(Point3::new(5.0, 0.0, 0.0))?;
-    // The moon is a child of the earth.
-    let moon = earth
-        .rotate_y(month)?
-        .translate(Point3::new(1.0, 0.0, 0.0))?;
-    Ok([earth, moon])
+    let start = Transform::IDENTITY;
+    missing!("the transforms of earth and moon", Ok([start, start]), {
+        let earth = start
+            .rotate_y(year)?
+            .translate(Point3::new(5.0, 0.0, 0.0))?;
+        // The moon is a child of the earth.
+        let moon = earth
+            .rotate_y(month)?
+            .translate(Point3::new(1.0, 0.0, 0.0))?;
+        Ok([earth, moon])
+    })
+}
+
+testing::examples! {
+    let places = |year, month| {
+        let bodies = orbits(year, month).unwrap();
+        bodies.map(|body| (body.matrix() * Point3::ORIGIN).to_glam().to_array())
+    };
+    let right_angle = std::f64::consts::FRAC_PI_2;
+    assert_eq!(places(0.0, 0.0), [[5.0, 0.0, 0.0], [6.0, 0.0, 0.0]]);
+    let [earth, moon] = places(0.0, right_angle);
+    assert_close([earth, moon].concat(), vec![5.0, 0.0, 0.0, 5.0, 0.0, -1.0]);
+    let [earth, moon] = places(right_angle, 0.0);
+    assert_close([earth, moon].concat(), vec![0.0, 0.0, -5.0, 0.0, 0.0, -6.0]);
 }

@@ -1,6 +1,6 @@
 //! `Ring`: a flat disc with a round hole.
 
-use a02_math::{Direction, Normal3, Point3};
+use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval, Plane};
 use common::{ArgumentError, argument};
@@ -29,9 +29,21 @@ impl Ring {
 impl Geometry for Ring {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let hit = self.plane.hit(ray, within)?;
-        let from_centre = ray.at(hit.t) - self.c;
-        let squared = from_centre.dot(from_centre);
-        let is_on_ring = (self.hole * self.hole..=self.r * self.r).contains(&squared);
-        is_on_ring.then_some(hit)
+        missing!("where the ray meets the ring", Some(hit), {
+            let from_centre = ray.at(hit.t) - self.c;
+            let squared = from_centre.dot(from_centre);
+            let is_on_ring = (self.hole * self.hole..=self.r * self.r).contains(&squared);
+            is_on_ring.then_some(hit)
+        })
     }
+}
+
+testing::examples! {
+    let ring = Ring::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0), 1.0, 2.0).unwrap();
+    let hit = |x| {
+        let ray = Ray::derived(Point3::new(x, 3.0, 0.0), Vector3::new(0.0, -1.0, 0.0));
+        ring.hit(&ray, Interval::AHEAD).map(|hit| hit.t)
+    };
+    assert_eq!([1.0, 1.5, 2.0].map(hit), [Some(3.0); 3], "both borders belong to it");
+    assert_eq!([0.5, 2.5].map(hit), [None; 2], "the hole, and beside the ring");
 }

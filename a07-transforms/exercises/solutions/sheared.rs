@@ -2,7 +2,8 @@
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval};
+use a04_intersections::{Geometry, Hit, Interval, Plane};
+use testing::assert_close;
 
 /// A shape whose points have been pushed aside by their height: (x, y, z) has
 /// become (x + `by` y, y, z).
@@ -21,16 +22,20 @@ impl<G> Sheared<G> {
     /// The ray as the upright shape sees it, with the same `t`.
     fn ray_to_shape(&self, ray: &Ray) -> Ray {
         let (o, d) = (ray.origin(), ray.direction());
-        // Points and vectors alike: a shear leaves the origin where it is.
-        let o = Point3::new(o.x() - self.by * o.y(), o.y(), o.z());
-        let d = Vector3::new(d.x() - self.by * d.y(), d.y(), d.z());
+        let (o, d) = missing!("origin and direction, sheared back", (o, d), {
+            // Points and vectors alike: a shear leaves the origin where it is.
+            let o = Point3::new(o.x() - self.by * o.y(), o.y(), o.z());
+            (o, Vector3::new(d.x() - self.by * d.y(), d.y(), d.z()))
+        });
         Ray::derived(o, d)
     }
 
     /// A normal of the upright shape as the leaning one has it.
     fn normal_from_shape(&self, n: Normal3) -> Option<Normal3> {
-        // The transpose of the inverse matrix.
-        let n = Vector3::new(n.x(), n.y() - self.by * n.x(), n.z());
+        let n = missing!("the normal of the leaning shape", Vector3::from(n), {
+            // The transpose of the inverse matrix.
+            Vector3::new(n.x(), n.y() - self.by * n.x(), n.z())
+        });
         n.normalized().map(Vector3::as_normal)
     }
 }
@@ -44,4 +49,18 @@ impl<G: Geometry> Geometry for Sheared<G> {
             face: self.normal_from_shape(face)?,
         })
     }
+}
+
+testing::examples! {
+    let wall = Plane::new(Point3::ORIGIN, Normal3::new(1.0, 0.0, 0.0)).unwrap();
+    let leaning = Sheared::new(wall, 2.0);
+    let hit = |y, dy| {
+        let ray = Ray::derived(Point3::new(5.0, y, 0.0), Vector3::new(-1.0, dy, 0.0));
+        leaning.hit(&ray, Interval::AHEAD)
+    };
+    assert_eq!(hit(0.0, 0.0).map(|hit| hit.t), Some(5.0), "at height 0 nothing moves");
+    assert_eq!(hit(1.0, 0.0).map(|hit| hit.t), Some(3.0), "at height 1 it is nearer by 2");
+    assert_eq!(hit(0.0, 1.0).map(|hit| hit.t * 3.0), Some(5.0), "aslant");
+    let n = hit(1.0, 0.0).unwrap().normal;
+    assert_close([2.0 * n.x(), -n.y()].map(|x| x * 5_f64.sqrt()), [2.0, 2.0]);
 }

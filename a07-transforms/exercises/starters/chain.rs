@@ -3,6 +3,7 @@
 //! Chapter: Transforms, section "The order of the steps". To compare afterwards:
 //! `a07-transforms/src/transform.rs`.
 
+use a02_math::Point3;
 use a07_transforms::Mat4x4;
 
 use crate::steps::Step;
@@ -15,4 +16,16 @@ use crate::steps::Step;
 /// the product of matrices, which applies b first, and `Mat4x4::IDENTITY` changes nothing.
 pub fn chain(steps: &[Step]) -> [Mat4x4; 2] {
     testing::missing("the two products", [Mat4x4::IDENTITY; 2])
+}
+
+testing::examples! {
+    let step = Step::Translate([2.0, 0.0, 0.0]);
+    let double = Step::Scale([2.0, 2.0, 2.0]);
+    let moved = |steps: &[Step], x| {
+        chain(steps).map(|matrix| (matrix * Point3::new(x, 0.0, 0.0)).x())
+    };
+    assert_eq!(moved(&[], 1.0), [1.0, 1.0], "no step");
+    assert_eq!(moved(&[step], 1.0), [3.0, -1.0], "one step, and back");
+    assert_eq!(moved(&[step, double], 1.0), [4.0, -0.5], "the last step first");
+    assert_eq!(moved(&[double, step], 1.0), [6.0, -1.5]);
 }

@@ -3,7 +3,7 @@
 //! Chapter: Transforms, section "Disc". To compare afterwards:
 //! `a07-transforms/src/disc.rs`.
 
-use a02_math::{Direction, Normal3, Point3};
+use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval, Plane};
 use common::ArgumentError;
@@ -31,4 +31,16 @@ impl Geometry for Disc {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         testing::missing("the hit within the interval and the radius", None)
     }
+}
+
+testing::examples! {
+    let disc = Disc::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0), 2.0).unwrap();
+    let hit = |x, z, dy| {
+        let ray = Ray::derived(Point3::new(x, 3.0, z), Vector3::new(0.0, dy, 0.0));
+        disc.hit(&ray, Interval::AHEAD).map(|hit| hit.t)
+    };
+    assert_eq!(hit(0.0, 0.0, -1.0), Some(3.0), "in the middle");
+    assert_eq!(hit(2.0, 0.0, -1.0), Some(3.0), "on the rim");
+    assert_eq!(hit(2.0, 2.0, -1.0), None, "beside it");
+    assert_eq!(hit(0.0, 0.0, 1.0), None, "away from it");
 }

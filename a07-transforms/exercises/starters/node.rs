@@ -3,8 +3,9 @@
 //! Chapter: Transforms, section "Node". To compare afterwards:
 //! `a07-transforms/src/node.rs`.
 
+use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval};
+use a04_intersections::{Geometry, Hit, Interval, Sphere};
 use a07_transforms::Transform;
 
 /// A node of the scene graph: children with a common transform. As it is a geometry, it
@@ -40,4 +41,17 @@ impl Geometry for Node {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         testing::missing("the nearest hit of the children", None)
     }
+}
+
+testing::examples! {
+    let wide = Transform::IDENTITY.scale(2.0, 1.0, 1.0).unwrap();
+    let [small, large] = [0.5, 1.0].map(|r| Sphere::new(Point3::ORIGIN, r).unwrap());
+    let node = Node::new(wide).with(small).with(large);
+    let hit = |within| {
+        let ray = Ray::derived(Point3::new(8.0, 0.0, 0.0), Vector3::new(-1.0, 0.0, 0.0));
+        node.hit(&ray, within).map(|hit| (hit.t, hit.normal.x()))
+    };
+    assert_eq!(hit(Interval::AHEAD), Some((6.0, 1.0)), "the large ball, twice as wide");
+    assert_eq!(hit(Interval { min: 6.5, max: 8.0 }), Some((7.0, 1.0)), "the small one in it");
+    assert_eq!(hit(Interval::before(5.5)), None);
 }

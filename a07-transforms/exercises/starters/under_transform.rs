@@ -3,9 +3,10 @@
 //! Chapter: Transforms, sections "The ray in object space" and "The normal". To compare
 //! afterwards: `a07-transforms/src/transform.rs`.
 
-use a02_math::{Normal3, Vector3};
+use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a07_transforms::Transform;
+use testing::assert_close;
 
 /// The ray in the space of the object. A hit there has the same `t` as around the object,
 /// so the direction keeps the length that it has.
@@ -23,4 +24,18 @@ pub fn ray_to_object(transform: &Transform, ray: &Ray) -> Ray {
 /// `matrix.transposed()` has rows and columns swapped.
 pub fn normal_from_object(transform: &Transform, n: Normal3) -> Option<Normal3> {
     testing::missing("the normal in the space around the object", Some(n))
+}
+
+testing::examples! {
+    let wide = Transform::IDENTITY.scale(2.0, 1.0, 1.0).unwrap();
+    let ray = Ray::derived(Point3::new(4.0, 3.0, 0.0), Vector3::new(-2.0, 0.0, 0.0));
+    let inner = ray_to_object(&wide, &ray);
+    assert_eq!(inner.origin(), Point3::new(2.0, 3.0, 0.0));
+    assert_eq!(inner.direction(), Vector3::new(-1.0, 0.0, 0.0));
+    let normal = |x, y| {
+        let n = normal_from_object(&wide, Normal3::new(x, y, 0.0)).unwrap();
+        n.to_glam().to_array()
+    };
+    assert_close(normal(1.0, 0.0), [1.0, 0.0, 0.0]);
+    assert_close(normal(0.8, 0.3), [0.8, 0.6, 0.0]);
 }

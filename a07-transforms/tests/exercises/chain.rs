@@ -1,72 +1,66 @@
-//! Chains of up to five steps: their effect on points, step by step; both matrices undo
-//! each other.
+//! Chains of steps, compared with the lesson's `Transform`.
 
-use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval};
-use a05_lighting::Lambert;
-use a07_transforms::Mat4x4;
-use common::Color;
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
+use std::f64::consts::FRAC_PI_2;
 
-use crate::steps::{ABOVE, Step, expect_scene, hit_of_child, lit_from, point, steps_of_box};
-
-/// Rounding errors of coordinates up to 1e4.
-const BOUND: Bound = Bound::Absolute(1e-9);
+use crate::prelude::*;
+use crate::solutions::chain::chain as lesson;
 
 pub fn check(check: &mut Check, chain: impl Fn(&[Step]) -> [Mat4x4; 2]) {
-    let mut random = Random::new(71);
-    let mut case = |kind: &str, steps: &[Step], p: Point3| {
-        let [matrix, inverse] = chain(steps);
-        // The last step is applied first.
-        let moved = steps.iter().rev().fold(p, |p, step| step.matrix() * p);
-        let words = format!("chain {steps:.2?}, point {:.2}", p.to_glam());
-        let mut expect = |what: &str, exact: Point3, got: Point3| {
-            let [exact, got] = [exact, got].map(|p| p.to_glam().to_array());
-            check.expect(format!("{what}, {kind}; {words}"), exact, BOUND, got);
-        };
-        expect("the matrix times a point", moved, matrix * p);
-        expect("the inverse times the moved point", p, inverse * moved);
+    let applied = |matrices: [Mat4x4; 2], p| {
+        let [p, back] = matrices.map(|matrix| (matrix * point(p)).to_glam().to_array());
+        Answer::named("the matrix times p", p).and("the inverse times p", back)
     };
-    let (turn, step) = (
-        Step::RotateZ(std::f64::consts::FRAC_PI_2),
-        Step::Translate([2.0, 0.0, 0.0]),
+    let (turn, step) = (Step::Rotate(2, FRAC_PI_2), Step::Translate([2.0, 0.0, 0.0]));
+    let simple = [vec![], vec![step], vec![step, turn], vec![turn, step]];
+    check.compare(
+        "chain {}, p = {}",
+        simple.map(|steps| (steps, [1.0, 0.0, 0.0])),
+        random(|r| (Step::random(r), r.triple(3.0))),
+        |(steps, p)| applied(lesson(&steps), p),
+        |(steps, p)| applied(chain(&steps), p),
     );
-    let x = Point3::new(1.0, 0.0, 0.0);
-    case("no step", &[], x);
-    case("one step", &[step], x);
-    case("two steps", &[step, turn], x);
-    case("two steps", &[turn, step], x);
-    for count in [1, 2, 3, 4, 5, 2, 3, 4] {
-        let steps: Vec<_> = (0..count).map(|_| Step::random(&mut random)).collect();
-        case("some steps", &steps, point(&mut random, 3.0));
-    }
-    let [_, inverse] = chain(&steps_of_box());
-    expect_scene(check, "box-transformations", 10.0, || {
+    let [_, i] = chain(&steps_of_box());
+    locked_scene(check, "box-transformations", 10.0, || {
         let (lbf, run) = (Point3::new(-0.5, -0.5, -0.5), Point3::new(0.5, 0.5, 0.5));
         let child = AxisAlignedBox::new(lbf, run)?;
-        let world = lit_from(ABOVE, false, 0.25)?;
-        let moved = Moved { child, inverse };
-        Ok(world.with(moved, Box::new(Lambert::new(Color::YELLOW)?)))
+        let moved = Own(move |ray: &Ray, within: Interval| {
+            let inner = Ray::derived(i * ray.origin(), i * ray.direction());
+            let Hit { t, normal, .. } = child.hit(&inner, within)?;
+            let n = i.transposed() * Vector3::from(normal);
+            Some(Hit::new(t, n.normalized()?.as_normal()))
+        });
+        Ok(lit_from(ABOVE, false, 0.25)?.with(moved, Box::new(Lambert::new(Color::YELLOW)?)))
     });
 }
 
-/// A box under a matrix with this inverse.
-#[derive(Debug)]
-struct Moved {
-    child: AxisAlignedBox,
-    inverse: Mat4x4,
+/// The product of the matrices of steps, from the first to the last or back.
+fn product(steps: &[Step], matrix: fn(Step) -> Mat4x4, is_forward: bool) -> Mat4x4 {
+    let matrices = steps.iter().map(|step| matrix(*step));
+    matrices.fold(
+        Mat4x4::IDENTITY,
+        |a, b| if is_forward { a * b } else { b * a },
+    )
 }
 
-impl Geometry for Moved {
-    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        let i = self.inverse;
-        let to_object = |ray: &Ray| Ray::derived(i * ray.origin(), i * ray.direction());
-        let from_object = |n: Normal3| {
-            let n = i.transposed() * Vector3::from(n);
-            n.normalized().map(Vector3::as_normal)
-        };
-        hit_of_child(&self.child, ray, within, &to_object, &from_object)
-    }
+fn variant(c: &mut Check, [forward, back]: [bool; 2]) {
+    check(c, |steps| {
+        [
+            product(steps, Step::matrix, forward),
+            product(steps, Step::inverse, back),
+        ]
+    });
 }
+
+pub const VARIANTS: &[Variant] = &[
+    right("two products", |c| variant(c, [true, false])),
+    wrong("the last step is applied first", |c| {
+        variant(c, [false, true])
+    }),
+    wrong("the last step is undone last", |c| variant(c, [true, true])),
+    wrong("only a turn is undone by its transpose", |c| {
+        check(c, |steps| {
+            let matrix = product(steps, Step::matrix, true);
+            [matrix, matrix.transposed()]
+        });
+    }),
+];

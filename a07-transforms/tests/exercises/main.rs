@@ -2,19 +2,23 @@
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
-#[cfg(not(learn))]
-#[path = "wrong/own.rs"]
-mod own;
+#[allow(dead_code, reason = "the scenes of another stage")]
+#[path = "../../../a04-intersections/tests/exercises/shape.rs"]
 mod shape;
 mod steps;
 
 testing::exercises! {
-    chain => |check| chain::check(check, chain);
-    under_transform => |check| under_transform::check(check, ray_to_object, normal_from_object);
-    node => |check| node::check(check, |t, children| children.into_iter().fold(Node::new(t), Node::with));
-    disc => |check| disc::check(check, Disc::new);
-    ring => |check| ring::check(check, Ring::new);
-    orbits => |check| orbits::check(check, orbits);
-    sheared => |check| sheared::check(check, Sheared::new, Sheared::new);
-    rotation => |check| rotation::check(check, rotation);
+    use {a02_math::*, a03_rays_cameras::*, a04_intersections::*, a05_lighting::*, a06_shadows_reflection::*, a07_transforms::*, common::*, crate::shape::*, crate::steps::*};
+    starters {
+        chain => |check| chain::check(check, chain);
+        under_transform => |check| under_transform::check(check, ray_to_object, normal_from_object);
+        node => |check| node::check(check, |t, children| children.into_iter().fold(Node::new(t), Node::with));
+        disc => |check| disc::check(check, Disc::new);
+    }
+    solutions {
+        ring => |check| ring::check(check, Ring::new);
+        orbits => |check| orbits::check(check, orbits);
+        sheared => |check| sheared::check(check, Sheared::new);
+        rotation => |check| rotation::check(check, rotation);
+    }
 }

@@ -1,88 +1,81 @@
-//! Nodes of one and of several balls under random transforms, and nodes in nodes.
+//! Nodes of balls and a smooth triangle under chains of steps, compared with the lesson's.
 
-use a02_math::Point3;
-use a03_rays_cameras::Ray;
-use a04_intersections::{AxisAlignedBox, Geometry, Interval, Sphere};
-use a05_lighting::Lambert;
-use a07_transforms::Transform;
-use common::Color;
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
-
-use crate::steps::{ABOVE, Step, expect_scene, frame, lit_from, on_ball, steps_of_box};
-
-/// Rounding errors of coordinates up to 1e4.
-const BOUND: Bound = Bound::Absolute(1e-8);
+use crate::prelude::*;
 
 type Children = Vec<Box<dyn Geometry>>;
 
+/// A small ball in a large one, and a triangle whose corners have normals aslant.
+fn children() -> Result<Children, ArgumentError> {
+    let [small, large] = [0.5, 1.0].map(|r| Sphere::new(Point3::ORIGIN, r));
+    Ok(vec![
+        Box::new(small?),
+        Box::new(large?),
+        Box::new(smooth_triangle(2.0)?),
+    ])
+}
+
 pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Transform, Children) -> G) {
-    let mut random = Random::new(73);
-    let middle = Point3::ORIGIN;
-    for count in [0, 1, 2, 3, 1, 2, 3, 2] {
-        let steps: Vec<_> = (0..count).map(|_| Step::random(&mut random)).collect();
-        let transform = steps
-            .iter()
-            .fold(Transform::IDENTITY, |t, step| step.after(t));
-        let axes = frame(&mut random);
-        let (at, n) = on_ball(&transform, axes);
-        let center = transform.matrix() * Point3::ORIGIN;
-        let ray = Ray::derived(at + (at - center), center - at);
-        let words = format!(
-            "chain {steps:.2?}, ray from {:.2} along {:.2}",
-            ray.origin().to_glam(),
-            ray.direction().to_glam()
-        );
-        let ball = |place: Point3, r: f64| -> Children {
-            Sphere::new(place, r)
-                .map(|ball| Box::new(ball) as Box<dyn Geometry>)
+    compare(
+        check,
+        "two balls and a triangle under {}",
+        vec![],
+        Step::random,
+        |steps| {
+            Ok(children()?
                 .into_iter()
-                .collect()
-        };
-        let mut expect = |kind: &str, node: &dyn Geometry, within: Interval, is_hit: bool| {
-            let got = node.hit(&ray, within);
-            let (exact, t) = (is_hit.then_some(1.0), got.map(|hit| hit.t));
-            check.expect(format!("t, {kind}; {words}"), exact, BOUND, t);
-            if let (Some(hit), true) = (got, is_hit) {
-                for (name, got) in [("normal", hit.normal), ("face", hit.face)] {
-                    let [exact, got] = [n, got].map(|n| n.to_glam().to_array());
-                    check.expect(format!("the {name}, {kind}; {words}"), exact, BOUND, got);
-                }
-            }
-        };
-        let ahead = Interval::AHEAD;
-        expect("a ball", &new(transform, ball(middle, 1.0)), ahead, true);
-        expect(
-            "a ball, but the interval ends before",
-            &new(transform, ball(middle, 1.0)),
-            Interval::before(0.9),
-            false,
-        );
-        expect("no child", &new(transform, Vec::new()), ahead, false);
-        // A smaller ball inside is hit later, wherever it is in the list.
-        let (outer, inner) = (ball(middle, 1.0), ball(middle, 0.5));
-        expect(
-            "a ball and a smaller one in it",
-            &new(transform, outer.into_iter().chain(inner).collect()),
-            ahead,
-            true,
-        );
-        let (outer, inner) = (ball(middle, 1.0), ball(middle, 0.5));
-        expect(
-            "a small ball and a larger one around it",
-            &new(transform, inner.into_iter().chain(outer).collect()),
-            ahead,
-            true,
-        );
-        let inside: Children = vec![Box::new(new(Transform::IDENTITY, ball(middle, 1.0)))];
-        expect("a node in a node", &new(transform, inside), ahead, true);
-    }
-    expect_scene(check, "box-transformations", 10.0, || {
+                .fold(Node::new(transform(&steps)), Node::with))
+        },
+        |steps| Ok(new(transform(&steps), children()?)),
+    );
+    locked_scene(check, "box-transformations", 10.0, || {
         let (lbf, run) = (Point3::new(-0.5, -0.5, -0.5), Point3::new(0.5, 0.5, 0.5));
-        let transform = steps_of_box()
-            .iter()
-            .fold(Transform::IDENTITY, |t, step| step.after(t));
-        let node = new(transform, vec![Box::new(AxisAlignedBox::new(lbf, run)?)]);
+        let node = new(
+            transform(&steps_of_box()),
+            vec![Box::new(AxisAlignedBox::new(lbf, run)?)],
+        );
         Ok(lit_from(ABOVE, false, 0.25)?.with(node, Box::new(Lambert::new(Color::YELLOW)?)))
     });
 }
+
+/// One of the hits of all children, which `choose` finds, with its face led out or not.
+fn variant(
+    c: &mut Check,
+    choose: fn(&Children, &Ray, Interval) -> Option<Hit>,
+    around: fn(&Transform, Normal3) -> Option<Normal3>,
+) {
+    check(c, move |t, children| {
+        Own(move |ray: &Ray, within: Interval| {
+            let hit = choose(&children, &t.ray_to_object(ray), within)?;
+            let (normal, face) = (t.normal_from_object(hit.normal)?, around(&t, hit.face)?);
+            Some(Hit {
+                normal,
+                face,
+                ..hit
+            })
+        })
+    });
+}
+
+fn first(children: &Children, ray: &Ray, within: Interval) -> Option<Hit> {
+    let hits = children.iter().filter_map(|child| child.hit(ray, within));
+    hits.min_by(|a, b| a.t.total_cmp(&b.t))
+}
+
+pub const VARIANTS: &[Variant] = &[
+    right("all hits, and then the first", |c| {
+        variant(c, first, Transform::normal_from_object)
+    }),
+    wrong("not the first of the list, but the nearest", |c| {
+        let any = |children: &Children, ray: &Ray, i| children.iter().find_map(|g| g.hit(ray, i));
+        variant(c, any, Transform::normal_from_object);
+    }),
+    wrong("both normals are led out of the node", |c| {
+        variant(c, first, |_, face| Some(face))
+    }),
+    wrong("a hit before the interval hides one in it", |c| {
+        let after = |children: &Children, ray: &Ray, i: Interval| {
+            first(children, ray, Interval::AHEAD).filter(|hit| i.contains(hit.t))
+        };
+        variant(c, after, Transform::normal_from_object);
+    }),
+];

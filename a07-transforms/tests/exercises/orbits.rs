@@ -1,90 +1,73 @@
-//! The places of earth and moon on circles, from sines and cosines that are
-//! fractions.
+//! Earth and moon at any time, compared with the solution.
 
-use a02_math::{Point3, Vector3};
-use a04_intersections::{Sphere, World};
-use a07_transforms::{Node, Transform};
-use common::{ArgumentError, Color};
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
+use crate::prelude::*;
+use crate::solutions::orbits::orbits as solution;
 
-use crate::shape::{TURNS, show};
+type Orbits = Result<[Transform; 2], ArgumentError>;
 
-const BOUND: Bound = Bound::Absolute(1e-14);
-
-pub fn check(
-    check: &mut Check,
-    orbits: impl Fn(f64, f64) -> Result<[Transform; 2], ArgumentError>,
-) {
-    let mut expect = |year: f64, month: f64, [sin, cos, sin_month, cos_month]: [f64; 4]| {
-        let Ok([earth, moon]) = orbits(year, month) else {
-            return;
-        };
-        // The sum of both angles.
-        let sin_both = sin * cos_month + cos * sin_month;
-        let cos_both = cos * cos_month - sin * sin_month;
-        let when = format!("year {year:.3}, month {month:.3}");
-        let places = [
-            (
-                "earth",
-                earth,
-                [5.0 * cos, 0.0, 0.0 - 5.0 * sin],
-                [sin, cos],
-            ),
-            (
-                "moon",
-                moon,
-                [5.0 * cos + cos_both, 0.0, 0.0 - 5.0 * sin - sin_both],
-                [sin_both, cos_both],
-            ),
-        ];
-        for (body, transform, place, [sin, cos]) in places {
-            let got = (transform.matrix() * Point3::ORIGIN).to_glam().to_array();
-            check.expect(format!("place of the {body}, {when}"), place, BOUND, got);
-            let ahead = transform.matrix() * Vector3::new(0.0, 0.0, -1.0);
-            let what = format!("direction into which the {body} turns its back, {when}");
-            check.expect(
-                what,
-                [0.0 - sin, 0.0, 0.0 - cos],
-                BOUND,
-                ahead.to_glam().to_array(),
-            );
-            let up = transform.matrix() * Vector3::new(0.0, 1.0, 0.0);
-            let what = format!("direction that is up on the {body}, {when}");
-            check.expect(what, [0.0, 1.0, 0.0], BOUND, up.to_glam().to_array());
-        }
+pub fn check(check: &mut Check, orbits: impl Fn(f64, f64) -> Orbits) {
+    let places = |orbits: Orbits| {
+        let [earth, moon] = orbits.ok()?.map(|body| {
+            let place = (body.matrix() * Point3::ORIGIN).to_glam().to_array();
+            let x = (body.matrix() * vector([1.0, 0.0, 0.0]))
+                .to_glam()
+                .to_array();
+            Answer::named("the place", place).and("the turned x axis", x)
+        });
+        Some(Answer::named("earth", earth).and("moon", moon))
     };
-    for (sin, cos) in TURNS {
-        for (sin_month, cos_month) in TURNS {
-            let (year, month) = (libm::atan2(sin, cos), libm::atan2(sin_month, cos_month));
-            expect(year, month, [sin, cos, sin_month, cos_month]);
-        }
-    }
-    let mut random = Random::new(2);
-    for _ in 0..30 {
-        let [year, month] = [(); 2].map(|()| random.between(-9.0, 9.0));
-        let [(sin, cos), (sin_month, cos_month)] = [year, month].map(libm::sincos);
-        expect(year, month, [sin, cos, sin_month, cos_month]);
-    }
-
-    let (eye, at) = (Point3::new(0.0, 9.0, 13.0), Point3::new(0.0, -0.4, 0.0));
-    show(check, twelve_months(orbits), eye, at);
+    check.compare(
+        "year {}, month {}",
+        [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, -1.0)],
+        random(|r| (r.between(-9.0, 9.0), r.between(-9.0, 9.0))),
+        |(year, month)| places(solution(year, month)),
+        |(year, month)| places(orbits(year, month)),
+    );
+    let (eye, at) = ([0.0, 9.0, 13.0], [0.0, -0.4, 0.0]);
+    show_lit(check, twelve_months(orbits), eye, at);
 }
 
-fn twelve_months(
-    orbits: impl Fn(f64, f64) -> Result<[Transform; 2], ArgumentError>,
-) -> Result<World<Color>, ArgumentError> {
+fn twelve_months(orbits: impl Fn(f64, f64) -> Orbits) -> Result<World<Color>, ArgumentError> {
     let sun = Sphere::new(Point3::ORIGIN, 1.2)?;
     let mut world = World::new(Color::gray(0.03))?.with(sun, Color::new(1.0, 0.85, 0.2));
     for month in 0..12 {
         let angle = std::f64::consts::TAU / 12.0 * f64::from(month);
-        let [earth, moon] = orbits(angle, 3.0 * angle)?;
-        let body = |place, r| {
-            Ok::<_, ArgumentError>(Node::new(place).with(Sphere::new(Point3::ORIGIN, r)?))
-        };
+        let [earth, moon] = orbits(angle, 3.0 * angle)?.map(Node::new);
+        let [large, small] = [0.45, 0.18].map(|r| Sphere::new(Point3::ORIGIN, r));
         world = world
-            .with(body(earth, 0.45)?, Color::new(0.2, 0.5, 1.0))
-            .with(body(moon, 0.18)?, Color::gray(0.9));
+            .with(earth.with(large?), Color::new(0.2, 0.5, 1.0))
+            .with(moon.with(small?), Color::gray(0.9));
     }
     Ok(world)
 }
+
+/// Turns about y, each followed by a way along x.
+fn chained(steps: &[(f64, f64)]) -> Result<Transform, ArgumentError> {
+    steps
+        .iter()
+        .try_fold(Transform::IDENTITY, |t, (angle, way)| {
+            t.rotate_y(*angle)?.translate(Point3::new(*way, 0.0, 0.0))
+        })
+}
+
+pub const VARIANTS: &[Variant] = &[
+    wrong("the earth is moved first, then turned", |c| {
+        check(c, |year, month| {
+            let earth = [(0.0, 5.0), (year, 0.0)];
+            Ok([chained(&earth)?, chained(&[earth[0], (year + month, 1.0)])?])
+        });
+    }),
+    wrong("the moon is a child of the earth", |c| {
+        check(c, |year, month| {
+            Ok([chained(&[(year, 5.0)])?, chained(&[(month, 1.0)])?])
+        });
+    }),
+    wrong("the month is seen by the turned earth", |c| {
+        check(c, |year, month| {
+            Ok([
+                chained(&[(year, 5.0)])?,
+                chained(&[(year, 5.0), (month - year, 1.0)])?,
+            ])
+        });
+    }),
+];

@@ -1,58 +1,26 @@
-//! Rodrigues' formula: `p cos + (k × p) sin + k (k · p) (1 - cos)`.
+//! Turns about all axes, compared with the solution.
 
-use a02_math::{Direction, Point3, Vector3};
-use a04_intersections::{AxisAlignedBox, World};
-use a07_transforms::{Node, Transform};
-use common::{ArgumentError, Color};
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
+use crate::prelude::*;
+use crate::solutions::rotation::rotation as solution;
 
-use crate::shape::{TURNS, show};
+type Turn = Result<Transform, ArgumentError>;
 
-const BOUND: Bound = Bound::Absolute(1e-14);
-
-pub fn check(
-    check: &mut Check,
-    rotation: impl Fn(Vector3, f64) -> Result<Transform, ArgumentError>,
-) {
-    let mut random = Random::new(3);
-    let axes = [
-        [0.0, 0.0, 1.0],
-        [1.0, 0.0, 0.0],
-        [0.0, 1.0, 0.0],
-        [0.0, -1.0, 0.0],
-        [0.0, 0.0, -1.0],
-        [0.6, 0.0, -0.8],
-        [0.48, 0.6, 0.64],
-        [-0.36, -0.8, 0.48],
-    ];
-    let more: Vec<_> = (0..20).map(|_| random.unit()).collect();
-    for k in axes.into_iter().chain(more) {
-        let k = Vector3::from_glam(k.into());
-        for (sin, cos) in TURNS {
-            // An axis of any length.
-            let Ok(turn) = rotation(k * 2.0, libm::atan2(sin, cos)) else {
-                return;
-            };
-            for p in [
-                Vector3::new(1.0, 0.0, 0.0),
-                Vector3::new(0.0, 1.0, 0.0),
-                Vector3::new(0.0, 0.0, 1.0),
-            ] {
-                let exact = p * cos + k.cross(p) * sin + k * (k.dot(p) * (1.0 - cos));
-                let axis = k * 2.0;
-                let about = format!("{} about {:.3}", p.to_glam(), axis.to_glam());
-                let what = format!("{about}, turned by sine {sin:.3}, cosine {cos:.3}");
-                let got = (turn.matrix() * p).to_glam().to_array();
-                check.expect(what, exact.to_glam().to_array(), BOUND, got);
-                let got = (turn.inverse() * exact).to_glam().to_array();
-                let what = format!("{about}, turned back from sine {sin:.3}, cosine {cos:.3}");
-                check.expect(what, p.to_glam().to_array(), BOUND, got);
-            }
-            let still = (turn.matrix() * Point3::ORIGIN).to_glam().to_array();
-            check.expect("the origin stays", [0.0; 3], BOUND, still);
-        }
-    }
+pub fn check(check: &mut Check, rotation: impl Fn(Vector3, f64) -> Turn) {
+    let axes = || [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(vector);
+    let turned = |turn: Turn| {
+        let turn = turn.ok()?;
+        let [[x, y, z], [back, ..]] = [turn.matrix(), turn.inverse()]
+            .map(|matrix| axes().map(|axis| (matrix * axis).to_glam().to_array()));
+        let turned = Answer::named("x turned", x).and("y turned", y);
+        Some(turned.and("z turned", z).and("x turned back", back))
+    };
+    check.compare(
+        "axis {}, angle {}",
+        [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, -2.0, 0.0]].map(|axis| (axis, 1.0)),
+        random(|r| (r.triple(5.0), r.between(-9.0, 9.0))),
+        |(axis, angle)| turned(solution(vector(axis), angle)),
+        |(axis, angle)| turned(rotation(vector(axis), angle)),
+    );
 
     // Three corners of a cube around its diagonal, each turned a third.
     let wheel = || {
@@ -66,6 +34,32 @@ pub fn check(
         }
         Ok(world)
     };
-    let eye = Point3::new(4.0, 4.5, 5.0);
-    show(check, wheel(), eye, Point3::new(0.6, 0.6, 0.6));
+    show_lit(check, wheel(), [4.0, 4.5, 5.0], [0.6; 3]);
 }
+
+/// With other angles of the axis around y and up from the plane.
+fn variant(c: &mut Check, angles: fn(Vector3) -> [f64; 2], sign: f64) {
+    check(c, move |axis, angle| {
+        let [around, up] = angles(axis.unit("axis")?);
+        let to_z = Transform::IDENTITY.rotate_y(around)?.rotate_x(-up)?;
+        to_z.rotate_z(sign * angle)?.rotate_x(up)?.rotate_y(-around)
+    });
+}
+
+pub const VARIANTS: &[Variant] = &[
+    wrong("a turn about x leads from z down", |c| {
+        variant(c, |k| [libm::atan2(k.x(), k.z()), -libm::asin(k.y())], 1.0);
+    }),
+    wrong(
+        "an arc tangent of a quotient does not know the quadrant",
+        |c| {
+            variant(c, |k| [libm::atan(k.x() / k.z()), libm::asin(k.y())], 1.0);
+        },
+    ),
+    wrong(
+        "counterclockwise, seen by an eye to which the axis points",
+        |c| {
+            variant(c, |k| [libm::atan2(k.x(), k.z()), libm::asin(k.y())], -1.0);
+        },
+    ),
+];

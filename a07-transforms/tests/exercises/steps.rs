@@ -1,23 +1,23 @@
-//! Steps of a transform; objects under one; and the scenes of this stage, with the
-//! student's code in them.
+//! Steps of a transform; and the scenes of this stage, with the student's code in them.
 
-use a02_math::{Normal3, Point3, Vector3};
+use a02_math::{Normal3, Point3};
 use a03_rays_cameras::{Ray, render};
-use a04_intersections::{Geometry, Hit, Interval};
+use a04_intersections::World;
 use a05_lighting::PointLight;
 use a06_shadows_reflection::{LightSource, RecursiveTracer, ShadowedWorld, diagonal_camera};
 use a07_transforms::{Mat4x4, Transform, stage};
 use common::{ArgumentError, Color};
-use testing::exercise::{Check, Random};
+use testing::exercise::{Check, Input, Random};
+
+use crate::shape::{point, show_world};
 
 /// A step of a transform: the transform alone.
 #[derive(Clone, Copy, Debug)]
 pub enum Step {
     Translate([f64; 3]),
     Scale([f64; 3]),
-    RotateX(f64),
-    RotateY(f64),
-    RotateZ(f64),
+    /// About the x, y or z axis, which has this number.
+    Rotate(usize, f64),
 }
 
 impl Step {
@@ -34,68 +34,51 @@ impl Step {
     /// A transform with this step chained to it.
     pub fn after(self, t: Transform) -> Transform {
         let chained = match self {
-            Self::Translate(to) => t.translate(Point3::from_glam(to.into())),
+            Self::Translate(to) => t.translate(point(to)),
             Self::Scale([x, y, z]) => t.scale(x, y, z),
-            Self::RotateX(angle) => t.rotate_x(angle),
-            Self::RotateY(angle) => t.rotate_y(angle),
-            Self::RotateZ(angle) => t.rotate_z(angle),
+            Self::Rotate(0, angle) => t.rotate_x(angle),
+            Self::Rotate(1, angle) => t.rotate_y(angle),
+            Self::Rotate(_, angle) => t.rotate_z(angle),
         };
         chained.unwrap_or(t)
     }
 
-    pub fn random(random: &mut Random) -> Self {
-        let angle = random.between(-3.0, 3.0);
-        match random.below(5) {
-            0 => Self::Translate(random.triple(5.0)),
-            1 => Self::Scale([(); 3].map(|()| random.between(0.3, 3.0))),
-            2 => Self::RotateX(angle),
-            3 => Self::RotateY(angle),
-            _ => Self::RotateZ(angle),
-        }
+    /// Up to four steps.
+    pub fn random(random: &mut Random) -> Vec<Self> {
+        let step = |_| {
+            let angle = random.between(-3.0, 3.0);
+            match random.below(5) {
+                0 => Self::Translate(random.triple(3.0)),
+                1 => Self::Scale([(); 3].map(|()| random.between(0.3, 3.0))),
+                axis => Self::Rotate(axis as usize - 2, angle),
+            }
+        };
+        (0..4).map(step).collect()
     }
 }
 
-pub fn point(random: &mut Random, most: f64) -> Point3 {
-    Point3::from_glam(random.triple(most).into())
+impl Input for Step {
+    fn for_each_number(&mut self, f: &mut dyn FnMut(&mut f64)) {
+        match self {
+            Self::Translate(xyz) | Self::Scale(xyz) => xyz.for_each_number(f),
+            Self::Rotate(_, angle) => f(angle),
+        }
+    }
+
+    fn words(&self) -> Vec<String> {
+        vec![format!("{self:?}")]
+    }
 }
 
-/// Three unit vectors perpendicular to each other.
-pub fn frame(random: &mut Random) -> [Vector3; 3] {
-    random.frame().map(|v| Vector3::from_glam(v.into()))
-}
-
-/// The unit ball under a transform: its hit at the point that belongs to the object's
-/// point `n`, and the normal there, from the tangents of the surface.
-pub fn on_ball(transform: &Transform, [n, side, other]: [Vector3; 3]) -> (Point3, Normal3) {
-    let at = transform.matrix() * (Point3::ORIGIN + n);
-    let tangents = [side, other].map(|tangent| transform.matrix() * tangent);
-    let normal = tangents[0]
-        .cross(tangents[1])
-        .normalized()
-        .unwrap_or_default();
-    // Outwards: away from the image of the centre.
-    let out = at - transform.matrix() * Point3::ORIGIN;
-    let is_out = normal.to_glam().dot(out.to_glam()) > 0.0;
-    (at, if is_out { normal } else { -normal }.as_normal())
-}
-
-type RayToObject<'a> = &'a (dyn Fn(&Ray) -> Ray + Sync);
-type NormalFromObject<'a> = &'a (dyn Fn(Normal3) -> Option<Normal3> + Sync);
-
-/// The hit of a child in its own space.
-pub fn hit_of_child(
-    child: &dyn Geometry,
-    ray: &Ray,
-    within: Interval,
-    ray_to_object: RayToObject,
-    normal_from_object: NormalFromObject,
-) -> Option<Hit> {
-    let hit = child.hit(&ray_to_object(ray), within)?;
-    Some(Hit::new(hit.t, normal_from_object(hit.normal)?))
+/// The transform of a chain of steps.
+pub fn transform(steps: &[Step]) -> Transform {
+    steps
+        .iter()
+        .fold(Transform::IDENTITY, |t, step| step.after(t))
 }
 
 /// Compares a scene with its lock. Camera and world are from `src/scenes.rs`.
-pub fn expect_scene(
+pub fn locked_scene(
     check: &mut Check,
     name: &str,
     eye: f64,
@@ -104,8 +87,12 @@ pub fn expect_scene(
     check.scene(&stage(), name, |settings| {
         let (camera, world) = (diagonal_camera(eye)?, world()?);
         let tracer = RecursiveTracer::new(&world);
-        let radiance = |ray: &Ray| tracer.trace(ray, settings.depth);
-        render(&camera, radiance, settings, &())
+        render(
+            &camera,
+            |ray: &Ray| tracer.trace(ray, settings.depth),
+            settings,
+            &(),
+        )
     });
 }
 
@@ -127,8 +114,21 @@ pub const ABOVE: Point3 = Point3::new(1.0, 20.0, 20.0);
 pub fn steps_of_box() -> [Step; 4] {
     [
         Step::Scale([4.0, 1.0, 8.0]),
-        Step::RotateZ(-20_f64.to_radians()),
-        Step::RotateY(-5_f64.to_radians()),
-        Step::RotateX(-30_f64.to_radians()),
+        Step::Rotate(2, -20_f64.to_radians()),
+        Step::Rotate(1, -5_f64.to_radians()),
+        Step::Rotate(0, -30_f64.to_radians()),
     ]
+}
+
+/// Shows a world to an eye that looks at the point `at`. Surfaces that face right, up or the
+/// eye are brighter than others.
+pub fn show_lit(
+    check: &mut Check,
+    world: Result<World<Color>, ArgumentError>,
+    eye: [f64; 3],
+    at: [f64; 3],
+) {
+    show_world(check, world, eye, at, |color: &Color, _, n: Normal3| {
+        *color * (0.5 + 0.15 * n.x() + 0.3 * n.y() + 0.2 * n.z())
+    });
 }

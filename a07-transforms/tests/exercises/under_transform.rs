@@ -1,98 +1,82 @@
-//! Points, directions and normals of the unit ball under random transforms.
+//! Rays and normals under chains of steps, compared with the lesson's.
 
-use a02_math::{Normal3, Point3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval, Sphere};
-use a05_lighting::Phong;
-use a07_transforms::Transform;
-use common::Color;
-use measure::extremes::Bound;
-use testing::exercise::{Check, Random};
-
-use crate::steps::{ABOVE, Step, expect_scene, frame, hit_of_child, lit_from, on_ball, point};
-
-/// Rounding errors of coordinates up to 1e4.
-const BOUND: Bound = Bound::Absolute(1e-9);
+use crate::prelude::*;
+use crate::solutions::under_transform as lesson;
 
 type RayToObject = fn(&Transform, &Ray) -> Ray;
 type NormalFromObject = fn(&Transform, Normal3) -> Option<Normal3>;
 
 pub fn check(check: &mut Check, ray_to_object: RayToObject, normal_from_object: NormalFromObject) {
-    let mut random = Random::new(72);
-    let mut case = |kind: &str, steps: &[Step]| {
-        let transform = steps
-            .iter()
-            .fold(Transform::IDENTITY, |t, step| step.after(t));
-        // A point and a direction of the object, and the same in the space around it.
-        let (o, [n, side, other]) = (point(&mut random, 3.0), frame(&mut random));
-        let d = (side + other * 0.5) * random.between(0.2, 4.0);
-        let m = transform.matrix();
-        let ray = Ray::derived(m * o, m * d);
-        let got = ray_to_object(&transform, &ray);
-        let words = format!("chain {steps:.2?}");
-        let [from, along] = [ray.origin().to_glam(), ray.direction().to_glam()];
-        let ray_words = format!("{words}, ray from {from:.2} along {along:.2}");
-        let mut expect = |what: &str, words: &str, exact: [f64; 3], got: [f64; 3]| {
-            check.expect(format!("{what}, {kind}; {words}"), exact, BOUND, got);
-        };
-        let origins = [o, got.origin()].map(|p| p.to_glam().to_array());
-        expect(
-            "the origin in the space of the object",
-            &ray_words,
-            origins[0],
-            origins[1],
-        );
-        let directions = [d, got.direction()].map(|d| d.to_glam().to_array());
-        expect(
-            "the direction in the space of the object",
-            &ray_words,
-            directions[0],
-            directions[1],
-        );
-
-        let (_, exact) = on_ball(&transform, [n, side, other]);
-        let got = normal_from_object(&transform, n.as_normal());
-        let words = format!("{words}, normal {:.3}", n.to_glam());
-        let got = got.map_or([f64::NAN; 3], |n| n.to_glam().to_array());
-        expect(
-            "the normal in the space around the object",
-            &words,
-            exact.to_glam().to_array(),
-            got,
-        );
+    let moved = |(steps, o, d, n): (Vec<_>, _, _, _),
+                 to_object: RayToObject,
+                 from_object: NormalFromObject| {
+        let transform = transform(&steps);
+        let ray = to_object(&transform, &Ray::derived(point(o), vector(d)));
+        let n = from_object(&transform, vector(n).as_normal());
+        Answer::named("origin", ray.origin().to_glam().to_array())
+            .and("direction", ray.direction().to_glam().to_array())
+            .and(
+                "the normal around the object",
+                n.map(|n| n.to_glam().to_array()),
+            )
     };
-    case("moved", &[Step::Translate([2.0, 0.0, 0.0])]);
-    case("stretched", &[Step::Scale([2.0, 1.0, 1.0])]);
-    case("turned", &[Step::RotateZ(std::f64::consts::FRAC_PI_2)]);
-    for count in [1, 2, 3, 4, 2, 3, 4, 3] {
-        let mut random = Random::new(720 + count);
-        let steps: Vec<_> = (0..count).map(|_| Step::random(&mut random)).collect();
-        case("after some steps", &steps);
-    }
-    expect_scene(check, "sphere-transformation", 20.0, || {
-        let moved = Moved {
-            child: Sphere::new(Point3::ORIGIN, 1.0)?,
-            transform: Transform::IDENTITY.scale(6.0, 1.2, 4.0)?,
-            functions: (ray_to_object, normal_from_object),
-        };
+    let simple = [
+        Step::Translate([2.0, 0.0, 0.0]),
+        Step::Scale([2.0, 1.0, 1.0]),
+    ];
+    check.compare(
+        "chain {}, ray from {} along {}, normal {}",
+        simple.map(|step| (vec![step], [0.0; 3], [0.0, 0.0, -2.0], [0.6, 0.8, 0.0])),
+        random(|r| (Step::random(r), r.triple(5.0), r.triple(5.0), r.triple(1.0))),
+        |input| moved(input, lesson::ray_to_object, lesson::normal_from_object),
+        |input| moved(input, ray_to_object, normal_from_object),
+    );
+    locked_scene(check, "sphere-transformation", 20.0, || {
+        let transform = Transform::IDENTITY.scale(6.0, 1.2, 4.0)?;
+        let child = Sphere::new(Point3::ORIGIN, 1.0)?;
+        let moved = Own(move |ray: &Ray, within: Interval| {
+            let Hit { t, normal, .. } = child.hit(&ray_to_object(&transform, ray), within)?;
+            Some(Hit::new(t, normal_from_object(&transform, normal)?))
+        });
         let material = Phong::new(Color::new(0.6, 0.0, 0.0), Color::WHITE, 64.0)?;
         Ok(lit_from(ABOVE, false, 0.25)?.with(moved, Box::new(material)))
     });
 }
 
-/// A sphere under a transform, by the student's functions.
-#[derive(Debug)]
-struct Moved {
-    child: Sphere,
-    transform: Transform,
-    functions: (RayToObject, NormalFromObject),
+fn unit(v: Vector3) -> Option<Normal3> {
+    v.normalized().map(Vector3::as_normal)
 }
 
-impl Geometry for Moved {
-    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        let (ray_to_object, normal_from_object) = self.functions;
-        let to_object = |ray: &Ray| ray_to_object(&self.transform, ray);
-        let from_object = |n| normal_from_object(&self.transform, n);
-        hit_of_child(&self.child, ray, within, &to_object, &from_object)
-    }
-}
+pub const VARIANTS: &[Variant] = &[
+    right("a direction between two points", |c| {
+        let to_object = |t: &Transform, ray: &Ray| {
+            let [from, to] = [0.0, 1.0].map(|at| t.inverse() * ray.at(at));
+            Ray::derived(from, to - from)
+        };
+        check(c, to_object, |t, n| {
+            let [x, y, z, _] = t.inverse().rows().map(|[x, y, z, _]| Vector3::new(x, y, z));
+            unit(x * n.x() + y * n.y() + z * n.z())
+        });
+    }),
+    wrong("the inverse leads to the object", |c| {
+        let forward = |t: &Transform, ray: &Ray| {
+            Ray::derived(t.matrix() * ray.origin(), t.matrix() * ray.direction())
+        };
+        check(c, forward, lesson::normal_from_object);
+    }),
+    wrong("the direction keeps its length", |c| {
+        let shortened = |t: &Transform, ray: &Ray| {
+            let ray = t.ray_to_object(ray);
+            Ray::derived(
+                ray.origin(),
+                ray.direction().normalized().unwrap_or_default(),
+            )
+        };
+        check(c, shortened, lesson::normal_from_object);
+    }),
+    wrong("a normal is no vector", |c| {
+        check(c, lesson::ray_to_object, |t, n| {
+            unit(t.matrix() * Vector3::from(n))
+        });
+    }),
+];

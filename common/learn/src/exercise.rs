@@ -86,65 +86,13 @@ fn hint(details: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeSet;
+    use std::path::PathBuf;
 
     use super::*;
     use crate::{enter_workspace, files};
 
-    const PAGE: &str = "# Exercises
-
-## Build along
-
-### The square
-
-*10 minutes, in
-`a01/exercises/square.rs`*
-
-Multiply x by itself.
-
-![A square](square.png)
-
-*The square*
-
-```text
-cargo learn square
-```
-
-<details>
-<summary>Hint</summary>
-
-Once.
-
-</details>
-
-Solution: `square.rs`, in the chapter
-";
-
     #[test]
-    fn a_section_is_an_exercise() {
-        let expected = Exercise {
-            name: "square",
-            stage: "a01",
-            title: "The square",
-            minutes: 10,
-            is_core: true,
-            task: "Multiply x by itself.".to_owned(),
-            hints: vec!["\nHint\n\nOnce.\n".to_owned()],
-            solution: "`square.rs`",
-        };
-        assert_eq!(sections(PAGE), Ok(vec![expected]));
-    }
-
-    #[test]
-    fn a_section_that_lacks_something_is_named() {
-        for lacking in "10,a01/exercises/,cargo learn,<details>,Once.,Solution".split(',') {
-            let found = sections(PAGE.replacen(lacking, "", 1).leak());
-            let problem = found.expect_err(lacking);
-            assert!(problem.contains("\"The square\""), "{problem}");
-        }
-    }
-
-    #[test]
-    fn every_page_has_its_starters_and_no_others() {
+    fn every_page_has_its_solutions_and_no_others() {
         enter_workspace().unwrap();
         let exercises = read_all().unwrap();
         let names: BTreeSet<_> = exercises.iter().map(|e| e.name).collect();
@@ -153,22 +101,39 @@ Solution: `square.rs`, in the chapter
         let stages: BTreeSet<_> = exercises.iter().map(|e| e.stage).collect();
         let folders = stages
             .iter()
-            .map(|stage| format!("{stage}/exercises/starters"));
+            .map(|stage| format!("{stage}/exercises/solutions"));
         let found: BTreeSet<_> = folders
             .flat_map(|folder| fs::read_dir(folder).unwrap())
             .map(|entry| entry.unwrap().path())
             .collect();
-        let named: BTreeSet<_> = exercises.iter().map(files::starter).collect();
+        let solution = |e: &Exercise| format!("{}/exercises/solutions/{}.rs", e.stage, e.name);
+        let named: BTreeSet<PathBuf> = exercises.iter().map(|e| solution(e).into()).collect();
         assert_eq!(named, found);
     }
 
-    /// No test would compile it.
+    /// Code in hints would be compiled by no test.
     #[test]
-    fn hints_are_words_and_not_code() {
+    fn starters_lack_something_and_hints_are_words() {
         enter_workspace().unwrap();
         for exercise in read_all().unwrap() {
-            let has_code = exercise.hints.iter().any(|hint| hint.contains("```rust"));
-            assert!(!has_code, "{}", exercise.name);
+            let (starter, name) = (files::starter(&exercise).unwrap(), exercise.name);
+            for part in ["testing::missing(", "testing::examples!"] {
+                assert!(starter.contains(part), "{name}: {part}");
+            }
+            assert!(!starter.contains("missing!("), "{name}");
+            let hints = exercise.hints.concat();
+            assert!(!hints.is_empty() && !hints.contains("```rust"), "{name}");
+        }
+    }
+
+    /// The core path has a right solution in another style.
+    #[test]
+    fn checks_of_the_core_path_accept_another_style() {
+        enter_workspace().unwrap();
+        for exercise in read_all().unwrap().iter().filter(|e| e.is_core) {
+            let check = format!("{}/tests/exercises/{}.rs", exercise.stage, exercise.name);
+            let has_other = fs::read_to_string(&check).unwrap().contains("    right(");
+            assert!(has_other, "{check}");
         }
     }
 }

@@ -9,22 +9,52 @@ pub fn yours(exercise: &Exercise) -> PathBuf {
     format!("{}/exercises/{}.rs", exercise.stage, exercise.name).into()
 }
 
-pub fn starter(exercise: &Exercise) -> PathBuf {
-    format!("{}/exercises/starters/{}.rs", exercise.stage, exercise.name).into()
+/// The text of the starter: a file of its own, or the solution without its code.
+pub fn starter(exercise: &Exercise) -> Result<String, String> {
+    let (stage, name) = (exercise.stage, exercise.name);
+    let own = format!("{stage}/exercises/starters/{name}.rs");
+    if let Ok(text) = fs::read_to_string(own) {
+        return Ok(text);
+    }
+    let solution = format!("{stage}/exercises/solutions/{name}.rs");
+    let text = fs::read_to_string(&solution).map_err(|error| format!("{solution}: {error}"))?;
+    Ok(without_code(&text))
+}
+
+/// Leaves out the code of each `missing!("what", for_now, {`, which ends with a line `})`.
+fn without_code(solution: &str) -> String {
+    let mut starter = String::new();
+    let mut lines = solution.lines();
+    while let Some(line) = lines.next() {
+        let head = line
+            .strip_suffix(", {")
+            .and_then(|head| head.split_once("missing!("));
+        if let Some((before, arguments)) = head {
+            let indent = &line[..line.len() - line.trim_start().len()];
+            let end = format!("{indent}}})");
+            let rest = lines
+                .find_map(|line| line.strip_prefix(&end))
+                .unwrap_or_default();
+            starter += &[before, "testing::missing(", arguments, ")", rest, "\n"].concat();
+        } else {
+            starter += &[line, "\n"].concat();
+        }
+    }
+    starter
 }
 
 /// Whether the student has changed the file.
 pub fn is_begun(exercise: &Exercise) -> bool {
-    let yours = fs::read(yours(exercise));
-    yours.is_ok_and(|yours| fs::read(starter(exercise)).ok() != Some(yours))
+    let yours = fs::read_to_string(yours(exercise));
+    yours.is_ok_and(|yours| starter(exercise) != Ok(yours))
 }
 
-/// Copies the starter, if the student has no file yet.
+/// Writes the starter, if the student has no file yet.
 pub fn begin(exercise: &Exercise) -> Result<(), String> {
     let yours = yours(exercise);
     if !yours.exists() {
-        let copied = fs::copy(starter(exercise), &yours);
-        copied.map_err(|error| format!("{}: {error}", yours.display()))?;
+        let written = fs::write(&yours, starter(exercise)?);
+        written.map_err(|error| format!("{}: {error}", yours.display()))?;
     }
     Ok(())
 }
@@ -52,4 +82,28 @@ pub fn reset(exercise: &Exercise) -> Result<(), String> {
     let renamed = fs::rename(&yours, yours.with_file_name(backup));
     renamed.map_err(|error| format!("{file}: {error}"))?;
     begin(exercise)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_code;
+
+    #[test]
+    fn a_starter_is_a_solution_without_its_code() {
+        let solution = "\
+fn square(x: f64) -> f64 {
+    let square = missing!(\"the square\", 0.0, {
+        x * x
+    });
+    square
+}
+";
+        let starter = "\
+fn square(x: f64) -> f64 {
+    let square = testing::missing(\"the square\", 0.0);
+    square
+}
+";
+        assert_eq!(without_code(solution), starter);
+    }
 }

@@ -32,24 +32,13 @@ pub fn judge(exercise: &Exercise, loud: bool) -> Result<bool, String> {
 /// Builds the test program of a stage for an exercise, and returns its path. None if it
 /// does not compile; Cargo has then printed why.
 fn build(exercise: &Exercise, loud: bool) -> Result<Option<String>, String> {
+    let (stage, name) = (exercise.stage, exercise.name);
+    let build = format!("rustc --package {stage} --test exercises --profile test");
     let output = Command::new("cargo")
-        .args(["rustc", "--package", exercise.stage, "--test", "exercises"])
-        .args([
-            "--profile",
-            "test",
-            "--message-format",
-            "json-render-diagnostics",
-        ])
+        .args(build.split(' '))
+        .args(["--message-format", "json-render-diagnostics"])
         .args((!loud).then_some("--quiet"))
-        .args([
-            "--",
-            "--cfg",
-            "learn",
-            "--cfg",
-            exercise.name,
-            "-A",
-            "unused",
-        ])
+        .args(["--", "--cfg", "learn", "--cfg", name, "-A", "unused"])
         .stderr(Stdio::inherit())
         .output()
         .map_err(|error| format!("cargo does not start: {error}"))?;

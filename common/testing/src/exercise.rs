@@ -1,69 +1,125 @@
-//! Exercises: starters that students complete, checks that judge their code, solutions
-//! and usual mistakes that prove the checks.
+//! Exercises: starters that students complete, checks that compare their code with the
+//! lesson, solutions, and variants that prove the checks.
 //!
 //! # How to add an exercise
 //!
-//! `triangle_area` of `a02-math` is an example of each file.
+//! `sphere` and `signed_distance` of `a04-intersections` are examples of each file.
 //!
-//! 1. Write the starter, `exercises/starters/NAME.rs`: it compiles, and calls
-//!    [`missing`] in the place of the code that is left to the student. `cargo learn`
-//!    copies it to `exercises/NAME.rs`, which no commit of the workbook contains.
-//! 2. Write the solution, `exercises/solutions/NAME.rs`. On the core path, where the
-//!    student writes a part of the lesson, it is a `pub use` of the lesson's type, or a
-//!    function that calls the lesson.
-//! 3. Write the check, `tests/exercises/NAME.rs`. It takes the student's code as an
-//!    argument. Expected values come from closed forms, never from the solution.
-//! 4. Write the usual mistakes, `tests/exercises/wrong/NAME.rs`: at least three
-//!    solutions, as short as can be, that the check must refuse with a message
-//!    that helps.
-//! 5. Add a line to [`exercises!`](crate::exercises) in `tests/exercises/main.rs`.
-//! 6. Give it a section in the book's page, `book/src/aNN-exercises.md`: task, minutes
+//! 1. Where the student writes a part of the lesson, write the starter,
+//!    `exercises/starters/NAME.rs`: it compiles, calls [`missing`] in the place of the code
+//!    that is left to the student, and ends with three to six
+//!    [`examples!`](crate::examples) from closed forms. The solution,
+//!    `exercises/solutions/NAME.rs`, is a `pub use` of the lesson's type, or a function
+//!    that calls the lesson.
+//! 2. Elsewhere write only the solution, also with examples. What is left to the student
+//!    stands in `missing!("what is missing", a value for now, {` and ends with a line `})`,
+//!    which the starter does without. `cargo learn` copies or makes the starter as
+//!    `exercises/NAME.rs`, which no commit of the workbook contains.
+//! 3. Write the check, `tests/exercises/NAME.rs`: a function that takes the student's
+//!    code, and compares it with the lesson, or with the solution where the lesson has
+//!    none, by [`Check::compare`]. `VARIANTS` in the same file are other right solutions
+//!    and the mistakes that learners make, at least three with those of its kind
+//!    ([`Check::usual`]).
+//! 4. Add a line to [`exercises!`](crate::exercises) in `tests/exercises/main.rs`.
+//! 5. Give it a section in the book's page, `book/src/aNN-exercises.md`: task, minutes
 //!    and hints, which `cargo learn` shows, too.
-//! 7. Prove it with `cargo test -p STAGE --test exercises -- NAME`, which shows the
+//! 6. Prove it with `cargo test -p STAGE --test exercises -- NAME`, which shows the
 //!    messages that students read, and leaves the picture of the solution in
 //!    `out/exercises/`; the book has it as `pictures/STAGE-exercise-NAME.png`.
 
+mod answer;
 mod check;
 mod findings;
+mod input;
 mod judge;
 mod picture;
 mod prove;
 mod random;
 
+pub use answer::Answer;
 pub use check::Check;
-pub use findings::missing;
+pub use findings::{assert_close, missing};
+pub use input::Input;
 pub use judge::judge;
 pub use prove::prove;
-pub use random::Random;
+pub use random::{Random, random};
+
+/// The examples of a file and the check of its code.
+#[derive(Clone, Copy)]
+pub struct Code {
+    /// Panics at the first example that fails.
+    pub examples: fn(),
+    /// Compares the code with the lesson.
+    pub check: fn(&mut Check),
+}
 
 /// An exercise with the proofs of its check; [`exercises!`](crate::exercises) makes it.
 pub struct Exercise {
     /// The name of its files, without `.rs`.
     pub name: &'static str,
-    /// The check of the starter, where parts of the code are missing.
-    pub starter: fn(&mut Check),
-    /// The check of the solution.
-    pub solution: fn(&mut Check),
-    /// Usual wrong solutions, at least three.
-    pub wrong: &'static [Wrong],
+    /// The starter, where parts of the code are missing.
+    pub starter: Code,
+    /// The solution.
+    pub solution: Code,
+    /// Other right solutions, and mistakes.
+    pub variants: &'static [Variant],
 }
 
-/// A usual wrong solution, which the check must refuse.
-pub struct Wrong {
-    /// The mistake in a few words.
-    pub mistake: &'static str,
-    /// The part of a message that helps a student to find the mistake.
-    pub says: &'static str,
-    /// The check of the wrong solution.
+/// Another right solution, or a usual mistake.
+pub struct Variant {
+    /// Whether the check must accept it.
+    pub is_right: bool,
+    /// The other way, or a sentence about the mistake that a learner can use.
+    pub about: &'static str,
+    /// The check of its code.
     pub check: fn(&mut Check),
 }
 
-/// Writes the modules and the `main` of a stage's `tests/exercises/main.rs`. A line is
-/// the name of an exercise and a check, which sees the public items of its file.
+impl Variant {
+    const fn new(is_right: bool, about: &'static str, check: fn(&mut Check)) -> Self {
+        Self {
+            is_right,
+            about,
+            check,
+        }
+    }
+}
+
+/// A right solution in another style, which the check must accept.
+#[must_use]
+pub const fn right(about: &'static str, check: fn(&mut Check)) -> Variant {
+    Variant::new(true, about, check)
+}
+
+/// A usual mistake, which the check must refuse.
+#[must_use]
+pub const fn wrong(about: &'static str, check: fn(&mut Check)) -> Variant {
+    Variant::new(false, about, check)
+}
+
+/// The examples at the end of a starter: assertions, which run before the check.
+///
+/// The tests prove them with the solution in the place of the starter.
+#[macro_export]
+macro_rules! examples {
+    ($($body:tt)*) => {
+        pub fn examples() { $($body)* }
+
+        macro_rules! body { () => { $($body)* } }
+        pub(crate) use body;
+    };
+}
+
+/// Writes the modules and the `main` of a stage's `tests/exercises/main.rs`. The first
+/// line makes `crate::prelude`, whose names checks and examples use. The next ones are
+/// exercises with a starter of their own, and exercises whose starter is the solution
+/// without its code: each the name and a check, which sees the public items of the file.
 ///
 /// ```ignore
 /// testing::exercises! {
-///     square => |check| square::check(check, square);
+///     use {a02_math::*, common::*};
+///     starters { square => |check| square::check(check, square); }
+///     solutions { cube => |check| cube::check(check, cube); }
 /// }
 /// ```
 ///
@@ -73,47 +129,114 @@ pub struct Wrong {
 /// file of that name.
 #[macro_export]
 macro_rules! exercises {
-    ($($name:ident => $check:expr;)+) => {
-        $(#[cfg(any(not(learn), $name))] mod $name;)+
+    (
+        use $names:tt;
+        starters { $($own:ident => $own_check:expr;)+ }
+        solutions { $($cut:ident => $cut_check:expr;)* }
+    ) => {
+        /// All names that checks and examples use.
+        #[allow(unused_imports)]
+        mod prelude {
+            pub use $names;
+            pub use $crate::{assert_close, exercise::*};
+        }
+
+        $(
+            #[cfg(any(not(learn), $own))]
+            #[allow(clippy::semicolon_if_nothing_returned, clippy::manual_midpoint)]
+            mod $own;
+        )+
+        $(
+            #[cfg(any(not(learn), $cut))]
+            #[allow(clippy::semicolon_if_nothing_returned, clippy::manual_midpoint)]
+            mod $cut;
+        )*
 
         /// The students' files, which rust-analyzer reads, too.
         #[cfg(any(learn, rust_analyzer))]
         #[path = "../../exercises"]
         #[allow(clippy::all, clippy::pedantic, missing_docs)]
         mod yours {
-            $(#[cfg(any($name, rust_analyzer))] pub mod $name;)+
+            $(#[cfg(any($own, rust_analyzer))] pub mod $own;)+
+            $(#[cfg(any($cut, rust_analyzer))] pub mod $cut;)*
         }
 
         #[cfg(not(learn))]
-        #[path = "../../exercises/starters"]
+        #[path = "../../exercises"]
         #[allow(unused, clippy::all, clippy::pedantic, missing_docs)]
-        mod starters { $(pub mod $name;)+ }
+        mod starters {
+            macro_rules! missing {
+                ($what:expr, $for_now:expr, $code:expr) => { testing::missing($what, $for_now) };
+            }
+            #[path = "starters"]
+            pub mod own { $(pub mod $own;)+ }
+            #[path = "solutions"]
+            pub mod cut { $(pub mod $cut;)* }
+        }
 
-        #[cfg(not(learn))]
         #[path = "../../exercises/solutions"]
-        mod solutions { $(pub mod $name;)+ }
+        mod solutions {
+            macro_rules! missing {
+                ($what:expr, $for_now:expr, $code:expr) => { $code };
+            }
+            $(#[cfg(any(not(learn), $own))] pub mod $own;)+
+            $(#[cfg(any(not(learn), $cut))] pub mod $cut;)*
+        }
 
+        /// The examples of starters, with the code of the solutions.
         #[cfg(not(learn))]
-        mod wrong { $(pub mod $name;)+ }
+        #[allow(unused_imports, clippy::all, clippy::pedantic)]
+        mod proved {
+            $(pub fn $own() {
+                use super::{prelude::*, solutions::$own::*};
+                super::starters::own::$own::body!();
+            })+
+        }
 
         fn main() -> std::process::ExitCode {
+            use $crate::exercise::{Code, Exercise, judge, prove};
             let stage = env!("CARGO_PKG_NAME");
             $(
-                #[cfg($name)]
-                return $crate::exercise::judge(stage, stringify!($name), {
-                    use yours::$name::*;
-                    $check
+                #[cfg($own)]
+                return judge(stage, stringify!($own), {
+                    use yours::$own::*;
+                    Code { examples, check: $own_check }
                 });
             )+
+            $(
+                #[cfg($cut)]
+                return judge(stage, stringify!($cut), {
+                    use yours::$cut::*;
+                    Code { examples, check: $cut_check }
+                });
+            )*
             #[cfg(not(learn))]
-            $crate::exercise::prove(stage, [$(
-                $crate::exercise::Exercise {
-                    name: stringify!($name),
-                    starter: { use starters::$name::*; $check },
-                    solution: { use solutions::$name::*; $check },
-                    wrong: wrong::$name::WRONG,
-                }
-            ),+])
+            prove(stage, [
+                $(Exercise {
+                    name: stringify!($own),
+                    starter: {
+                        use starters::own::$own::*;
+                        Code { examples, check: $own_check }
+                    },
+                    solution: {
+                        use solutions::$own::*;
+                        Code { examples: proved::$own, check: $own_check }
+                    },
+                    variants: $own::VARIANTS,
+                },)+
+                $(Exercise {
+                    name: stringify!($cut),
+                    starter: {
+                        use starters::cut::$cut::*;
+                        Code { examples, check: $cut_check }
+                    },
+                    solution: {
+                        use solutions::$cut::*;
+                        Code { examples, check: $cut_check }
+                    },
+                    variants: $cut::VARIANTS,
+                },)*
+            ])
         }
     };
 }

@@ -13,5 +13,5 @@ mod lab;
 pub mod picture_lock;
 mod refusal;
 
-pub use exercise::missing;
+pub use exercise::{assert_close, missing};
 pub use refusal::assert_refused;

@@ -1,45 +1,135 @@
-//! `Check`: compares the results of a student's code with the right ones.
+//! `Check`: compares a student's code with the lesson.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use common::{Error, Image, Settings, Size};
 use measure::Stage;
-use measure::extremes::{Bound, Case, Outcome};
 use program::picture_name;
 
-use super::picture;
+use super::{Answer, Input, picture};
 
-/// Compares the results of the student's code with the right ones.
+/// The change of an input by which right answers may differ, relative to each of its
+/// numbers: more than the rounding errors of any right formula, less than an epsilon that
+/// anybody would write.
+const UNIT: f64 = 1e-9;
+
+/// Some roundings of a number.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// Compares the results of a student's code with the right ones.
 #[derive(Default)]
 pub struct Check {
     pub(super) compared: usize,
-    /// The last comparison, after which a panic happens.
-    pub(super) last: String,
-    /// The differences, with their errors.
-    pub(super) wrong: Vec<String>,
+    /// Inputs at which the right answer depends on rounding.
+    pub(super) skipped: usize,
+    pub(super) differ: usize,
+    /// The first difference, which is at the simplest input.
+    pub(super) first: Option<String>,
+    /// What holds besides.
+    pub(super) note: Option<String>,
+    /// The property that a formula with larger rounding errors lacks.
+    pub(super) lacks: Option<&'static str>,
+    /// The usual mistakes of the kinds that are compared, and the one that is made to prove
+    /// this check.
+    pub(super) usual: Vec<&'static str>,
+    pub(super) mistake: Option<usize>,
+    /// Whether the first difference says enough.
+    pub(super) is_brief: bool,
     /// Whether somebody looks at pictures.
     pub(super) is_watched: bool,
     pub(super) picture: Option<Image>,
 }
 
 impl Check {
-    /// Compares an outcome with the exact one: the name of the quantity, its exact
-    /// value, the largest error that counts as right, and the result of the student's
-    /// code.
-    pub fn expect(
-        &mut self,
-        what: impl Into<String>,
-        exact: impl Into<Outcome>,
-        bound: Bound,
-        got: impl Into<Outcome>,
-    ) {
-        let case = Case::new("", what, exact, bound, got);
-        let wrong = format!("{}: {}", case.what, case.comparison());
-        self.conclude(case.holds().then_some(()).ok_or(wrong));
-        self.last = case.what;
+    /// A check whose pictures somebody looks at.
+    pub(super) fn watched() -> Self {
+        Self {
+            is_watched: true,
+            ..Self::default()
+        }
     }
 
-    fn conclude(&mut self, result: Result<(), String>) {
+    /// From now on only some roundings count as right, because the exercise is about
+    /// rounding; what code `lacks` that is right but for it, as `loses digits where ...`.
+    pub fn exactly(&mut self, lacks: &'static str) {
+        self.lacks = Some(lacks);
+    }
+
+    /// A check of code that makes a usual mistake, or that is one.
+    pub(super) fn brief(mistake: Option<usize>) -> Self {
+        Self {
+            mistake,
+            is_brief: true,
+            ..Self::default()
+        }
+    }
+
+    /// Names the usual mistakes of a kind, as of all shapes, each with a sentence that a
+    /// learner can use. Returns the one that the compared code must make instead of doing
+    /// what it does, in the runs that prove this check.
+    pub fn usual<F: Copy>(&mut self, mistakes: &[(&'static str, F)]) -> Option<F> {
+        self.usual = mistakes.iter().map(|(about, _)| *about).collect();
+        Some(mistakes.get(self.mistake?)?.1)
+    }
+
+    /// Compares `yours` with the `lesson` at `simple` inputs, and then at `others`. The
+    /// words describe an input, with `{}` in the place of each argument.
+    ///
+    /// Yours is right if it is an answer of the lesson to an input that differs from this
+    /// one by rounding. So its tolerance follows from the condition of the input, and no
+    /// formula fails because of the order of its operations. Where the lesson itself
+    /// decides otherwise at such an input, both decisions are right; but `simple` inputs
+    /// are numbers like 0, 1 and 2, which every formula computes without rounding, and at
+    /// them decisions must be equal, as for a ray that just touches.
+    pub fn compare<I: Input, A: Into<Answer>, B: Into<Answer>>(
+        &mut self,
+        words: &str,
+        simple: impl IntoIterator<Item = I>,
+        others: impl IntoIterator<Item = I>,
+        lesson: impl Fn(I) -> A,
+        yours: impl Fn(I) -> B,
+    ) {
+        let simple = simple.into_iter().map(|input| (true, input));
+        let others = others.into_iter().map(|input| (false, input));
+        let lesson = |input| lesson(input).into();
+        for (is_simple, input) in simple.chain(others) {
+            if self.is_brief && self.differ > 0 {
+                return;
+            }
+            let right = lesson(input.clone());
+            let allowed = |unit, is_exact: bool| {
+                let moved = input.moved(unit).filter(|_| !is_exact);
+                right.tolerances(unit, moved.map(|pair| pair.map(lesson)))
+            };
+            let unit = self.lacks.map_or(UNIT, |_| ROUNDING);
+            let Some(tolerances) = allowed(unit, is_simple) else {
+                self.skipped += 1;
+                continue;
+            };
+            let got = catch_unwind(AssertUnwindSafe(|| yours(input.clone()).into()));
+            let Ok(got) = got else {
+                let panics = "it panics, with the message above";
+                return self.conclude(Some(described(words, &input, panics)));
+            };
+            let difference = right.difference(&got, &tolerances).map(|mut difference| {
+                let is_near = |allowed: Vec<f64>| right.difference(&got, &allowed).is_none();
+                if let Some(lacks) = self
+                    .lacks
+                    .filter(|_| allowed(UNIT, false).is_none_or(is_near))
+                {
+                    difference =
+                        format!("{difference}\n    right but for rounding: the formula {lacks}");
+                }
+                described(words, &input, &difference)
+            });
+            self.conclude(difference);
+        }
+    }
+
+    fn conclude(&mut self, difference: Option<String>) {
         self.compared += 1;
-        self.wrong.extend(result.err());
+        self.differ += usize::from(difference.is_some());
+        self.first = self.first.take().or(difference);
     }
 
     /// Renders a scene of the stage with the student's code, and compares the picture
@@ -51,7 +141,7 @@ impl Check {
         name: &str,
         render: impl FnOnce(&Settings) -> Result<Image, Error>,
     ) {
-        if !self.wrong.is_empty() {
+        if self.differ > 0 {
             return;
         }
         let compared = stage.scene(name).and_then(|scene| {
@@ -59,24 +149,39 @@ impl Check {
             let locked = picture::in_book(&picture_name(stage, scene));
             Ok(picture::compare(&locked, image, self.is_watched))
         });
-        let result = compared.unwrap_or_else(|error| Err(error.to_string()));
-        self.conclude(result.map_err(|wrong| format!("the picture of scene {name}: {wrong}")));
+        match compared.unwrap_or_else(|error| Err(error.to_string())) {
+            Ok(note) => {
+                self.note = Some(note);
+                self.conclude(None);
+            }
+            Err(wrong) => self.conclude(Some(format!("the picture of scene {name}: {wrong}"))),
+        }
     }
 
     /// Paints a small picture with the student's code, if somebody looks at it.
     pub fn picture(&mut self, paint: impl FnOnce(&Settings) -> Result<Image, Error>) {
-        if self.is_watched {
-            let size = Size::new(320, 240).map_err(Error::from);
-            let painted = size.and_then(|size| {
-                paint(&Settings {
-                    size,
-                    ..Settings::default()
-                })
-            });
-            match painted {
-                Ok(image) => self.picture = Some(image),
-                Err(error) => self.conclude(Err(format!("a picture: {error}"))),
-            }
+        if !self.is_watched {
+            return;
+        }
+        let painted = Size::new(320, 240).map_err(Error::from).and_then(|size| {
+            paint(&Settings {
+                size,
+                ..Settings::default()
+            })
+        });
+        match painted {
+            Ok(image) => self.picture = Some(image),
+            Err(error) => self.conclude(Some(format!("a picture: {error}"))),
         }
     }
+}
+
+/// An input in words, and what is said about it.
+fn described(words: &str, input: &impl Input, about: &str) -> String {
+    let (mut shown, mut pieces) = (String::new(), words.split("{}"));
+    for argument in input.words() {
+        shown += pieces.next().unwrap_or_default();
+        shown += &argument;
+    }
+    format!("{shown}{}:\n    {about}", pieces.collect::<String>())
 }

@@ -1,13 +1,10 @@
 //! `Findings`: the missing parts of a student's code, and its errors.
 
-use std::collections::HashSet;
 use std::mem;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use common::Image;
-
-use super::Check;
+use super::{Answer, Check, Code};
 
 /// The parts that the running check has found missing.
 fn found_missing() -> MutexGuard<'static, Vec<String>> {
@@ -25,83 +22,115 @@ pub fn missing<T>(what: &str, for_now: T) -> T {
     for_now
 }
 
+/// An assertion of an example, of numbers that formulas may round differently.
+#[track_caller]
+pub fn assert_close(yours: impl Into<Answer>, right: impl Into<Answer>) {
+    let (yours, right) = (yours.into(), right.into());
+    let allowed: Vec<f64> = right
+        .numbers()
+        .map(|(_, largest)| 1e-9 * largest.max(1e-3))
+        .collect();
+    if let Some(difference) = right.difference(&yours, &allowed) {
+        panic!("{difference}");
+    }
+}
+
 /// The findings of a check.
+#[derive(Default)]
 pub(super) struct Findings {
     /// The missing parts of the code.
     pub missing: Vec<String>,
     /// Messages about errors.
     pub wrong: Vec<String>,
-    /// The picture that the code has made.
-    pub picture: Option<Image>,
+    /// The comparisons.
+    pub check: Check,
 }
 
-/// Number of differences that are reported in full.
-const MAX_REPORTED: usize = 3;
-
 impl Findings {
-    /// Runs a check. Unless it `is_watched`, it makes no pictures that are only looked at.
-    pub fn of(run: fn(&mut Check), is_watched: bool) -> Self {
+    /// Runs the examples of a code, and its check if they hold, or if parts are missing.
+    /// The empty `check` says whether somebody looks at pictures.
+    pub fn of(code: Code, mut check: Check) -> Self {
         found_missing().clear();
-        let mut check = Check {
-            is_watched,
-            last: "the start".to_owned(),
-            ..Check::default()
-        };
-        let panicked = catch_unwind(AssertUnwindSafe(|| run(&mut check))).is_err();
-        let (compared, last) = (check.compared, check.last);
         let mut wrong = Vec::new();
-        if panicked {
-            wrong.push(format!("it panics, with the message above, after: {last}"));
-        } else if compared == 0 {
-            wrong.push("nothing is compared".to_owned());
+        let fails = |run: &mut dyn FnMut()| catch_unwind(AssertUnwindSafe(run)).is_err();
+        if fails(&mut || (code.examples)()) {
+            wrong
+                .push("an example at the end of the file fails, with the message above".to_owned());
         }
-        if !check.wrong.is_empty() {
-            let differ = check.wrong.len();
-            wrong.push(format!("{differ} of {compared} comparisons differ"));
+        if wrong.is_empty() || !found_missing().is_empty() {
+            if fails(&mut || (code.check)(&mut check)) {
+                wrong.push("it panics, with the message above".to_owned());
+            }
+            wrong.extend(check.first.take());
+            if check.differ > 0 {
+                let (differ, compared) = (check.differ, check.compared);
+                wrong.push(format!("{differ} of {compared} comparisons differ"));
+            } else if check.compared <= check.skipped {
+                wrong.push("nothing is compared".to_owned());
+            }
         }
-        // The text before a semicolon is the kind of a comparison; one of each is enough.
-        let mut kinds = HashSet::new();
-        let firsts = check.wrong.iter();
-        let firsts = firsts.filter(|line| kinds.insert(line.split(';').next()));
-        wrong.extend(firsts.take(MAX_REPORTED).cloned());
         Self {
             missing: mem::take(&mut found_missing()),
             wrong,
-            picture: check.picture,
+            check,
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use measure::extremes::Bound;
-
     use super::*;
 
-    fn found(run: fn(&mut Check)) -> (String, String) {
-        let Findings { missing, wrong, .. } = Findings::of(run, false);
+    fn found(check: fn(&mut Check)) -> (String, String) {
+        let code = Code {
+            examples: || (),
+            check,
+        };
+        let Findings { missing, wrong, .. } = Findings::of(code, Check::default());
         (missing.join("; "), wrong.join("; "))
+    }
+
+    fn root(check: &mut Check, root: fn(f64) -> Option<f64>) {
+        let lesson = |x: f64| (x >= 0.0).then(|| x.sqrt());
+        check.compare("x = {}", [0.0, 4.0], [-1e-12, 0.01, 3.0], lesson, root);
     }
 
     /// One test for all, because checks share the list of missing parts.
     #[test]
     fn a_check_finds_missing_parts_and_differences() {
-        let right = found(|check| check.expect("two", 2.0, Bound::Equal, 2.0));
+        let right = found(|check| root(check, |x| (x >= 0.0).then(|| (4.0 * x).sqrt() / 2.0)));
         assert_eq!(right, (String::new(), String::new()));
 
-        let (lacks, wrong) = found(|check| {
-            for exact in [1.0, 2.0] {
-                let got = missing("the number", 1.0);
-                check.expect("a number", exact, Bound::Equal, got);
-            }
-        });
-        assert_eq!(lacks, "the number", "once");
-        let expected = "1 of 2 comparisons differ; a number: expected 2, got 1, off by 1";
-        assert!(wrong.starts_with(expected), "{wrong}");
+        let (_, wrong) = found(|check| root(check, |x| (x > 0.0).then(|| x.sqrt())));
+        assert_eq!(
+            wrong,
+            "x = 0:\n    must be 0; yours is none; 1 of 5 comparisons differ"
+        );
+        let (_, wrong) = found(|check| root(check, |x| Some(x / 2.0)));
+        assert!(wrong.ends_with("3 of 5 comparisons differ"), "{wrong}");
 
-        let (_, wrong) = found(|_| std::panic::resume_unwind(Box::new("the student's code")));
-        assert!(wrong.contains("panics"), "{wrong}");
+        let (lacks, _) = found(|check| root(check, |_| missing("the root", None)));
+        assert_eq!(lacks, "the root", "once");
+        let (_, wrong) = found(|check| root(check, |_| std::panic::resume_unwind(Box::new(()))));
+        assert!(wrong.contains("x = 0:\n    it panics"), "{wrong}");
         let (_, wrong) = found(|_| ());
         assert_eq!(wrong, "nothing is compared");
+    }
+
+    /// The sign of a number near 0 depends on rounding; where an exercise is about
+    /// rounding, a difference of `a + b` and `a` has lost digits of `b`.
+    #[test]
+    fn tolerances_follow_from_the_condition() {
+        let difference = |(a, b): (f64, f64)| (a + b) - a;
+        let mut check = Check::default();
+        let sign = |(a, b): (f64, f64)| a - b > 0.0;
+        check.compare("{} {}", [], [(1.0, 1.0)], sign, |_| true);
+        assert_eq!((check.compared, check.skipped), (0, 1));
+        check.compare("{} {}", [], [(1e3, 1.0)], |(_, b)| b, difference);
+        assert_eq!(check.differ, 0);
+        check.exactly("loses digits");
+        check.compare("{} {}", [], [(1e3, 0.1)], |(_, b)| b, difference);
+        let first = check.first.unwrap_or_default();
+        assert!(first.ends_with("the formula loses digits"), "{first}");
     }
 }

@@ -1,17 +1,18 @@
-//! `prove`: proves the checks of a stage by starters, solutions and usual mistakes.
+//! `prove`: proves the checks of a stage by starters, solutions and variants.
 
+use std::panic;
 use std::process::ExitCode;
 
 use libtest_mimic::{Arguments, Failed, Trial};
 
 use super::findings::Findings;
-use super::{Check, Exercise, Wrong, picture};
+use super::{Check, Code, Exercise, Variant, picture};
 
-/// Proves that starters are to do, and that checks accept all solutions and refuse all
-/// wrong ones.
+/// Proves that starters are to do, that examples hold for the solutions, and that checks
+/// accept all right variants and refuse all mistakes.
 ///
-/// The arguments are those of every test. With a part of a name, the messages of the wrong
-/// solutions are printed, and the pictures of the solutions are saved.
+/// The arguments are those of every test. With a part of a name, the messages about
+/// mistakes are printed, and the pictures of the solutions are saved.
 #[must_use]
 pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>) -> ExitCode {
     // Checks share the list of missing parts.
@@ -20,40 +21,52 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
         ..Arguments::from_args()
     };
     let shows = arguments.filter.is_some();
+    panic::set_hook(Box::new(move |panic| {
+        if shows {
+            println!("{panic}");
+        }
+    }));
     let mut trials = Vec::new();
     for exercise in exercises {
-        let (name, wrong) = (exercise.name, exercise.wrong);
-        assert!(wrong.len() >= 3, "{name} has at least three usual mistakes");
+        let (name, variants) = (exercise.name, exercise.variants);
         let picture = format!("{stage}-exercise-{}.png", name.replace('_', "-"));
         trials.push(Trial::test(format!("{name}::starter"), move || {
-            prove_starter(exercise.starter)
+            let found = Findings::of(exercise.starter, Check::default());
+            let is_to_do = !found.missing.is_empty();
+            is_to_do.then_some(()).ok_or("nothing is missing".into())
         }));
         trials.push(Trial::test(format!("{name}::solution"), move || {
-            prove_solution(exercise.solution, &picture, shows)
+            let found = Findings::of(exercise.solution, Check::watched());
+            let mistakes = variants.iter().filter(|variant| !variant.is_right).count();
+            let usual = found.check.usual.clone();
+            prove_solution(found, &picture, shows)?;
+            if mistakes + usual.len() < 3 {
+                return Err("there are less than three mistakes".into());
+            }
+            let mut usual = usual.into_iter().enumerate();
+            usual.try_for_each(|(index, about)| {
+                let found = Findings::of(exercise.solution, Check::brief(Some(index)));
+                prove_wrong(about, &found, shows)
+            })
         }));
-        trials.extend(wrong.iter().map(|wrong| {
-            let title = format!("{name}::wrong: {}", wrong.mistake);
-            Trial::test(title, move || prove_wrong(wrong, shows))
+        trials.extend(variants.iter().map(|variant| {
+            let kind = if variant.is_right { "right" } else { "wrong" };
+            let title = format!("{name}::{kind}: {}", variant.about);
+            Trial::test(title, move || prove_variant(variant, shows))
         }));
     }
     libtest_mimic::run(&arguments, trials).exit_code()
 }
 
-fn prove_starter(check: fn(&mut Check)) -> Result<(), Failed> {
-    let is_to_do = !Findings::of(check, false).missing.is_empty();
-    is_to_do.then_some(()).ok_or("nothing is missing".into())
-}
-
-/// Fails if the check refuses the solution, or if its picture is not the book's.
-fn prove_solution(check: fn(&mut Check), name: &str, save: bool) -> Result<(), Failed> {
-    let found = Findings::of(check, true);
+/// Fails if the check has refused the solution, or if its picture is not the book's.
+fn prove_solution(found: Findings, name: &str, save: bool) -> Result<(), Failed> {
     let mut problems = [found.missing, found.wrong].concat();
-    if let Some(image) = found.picture {
+    if let Some(image) = found.check.picture {
         if save {
             picture::save(&image, name);
         }
         let shown = picture::in_book(name);
-        if shown.exists() {
+        if shown.is_file() {
             problems.extend(picture::compare(&shown, &image, true).err());
         }
     }
@@ -63,15 +76,23 @@ fn prove_solution(check: fn(&mut Check), name: &str, save: bool) -> Result<(), F
     }
 }
 
-/// Fails if the check accepts a wrong solution or says nothing that helps.
-fn prove_wrong(wrong: &Wrong, show: bool) -> Result<(), Failed> {
-    let messages = Findings::of(wrong.check, false).wrong.join("\n    ");
+/// Fails if the check has accepted a mistake.
+fn prove_wrong(about: &str, found: &Findings, show: bool) -> Result<(), Failed> {
     if show {
-        println!("    {messages}");
+        println!("{about}\n  {}", found.wrong.join("\n  "));
     }
-    let says = wrong.says;
-    if messages.contains(says) {
-        return Ok(());
+    match found.wrong.as_slice() {
+        [] => Err(format!("the check accepts: {about}").into()),
+        _ => Ok(()),
     }
-    Err(format!("no message says \"{says}\", but\n    {messages}").into())
+}
+
+fn prove_variant(variant: &Variant, show: bool) -> Result<(), Failed> {
+    let (examples, check): (fn(), _) = (|| (), variant.check);
+    let found = Findings::of(Code { examples, check }, Check::brief(None));
+    if variant.is_right {
+        prove_solution(found, "", false)
+    } else {
+        prove_wrong(variant.about, &found, show)
+    }
 }

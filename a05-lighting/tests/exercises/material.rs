@@ -1,0 +1,175 @@
+//! Compares materials: in light from before, from behind and along the surface, with normals
+//! aslant to the face, for eyes at all distances.
+
+use a02_math::{Direction, Normal3, Point3};
+use a03_rays_cameras::Ray;
+use a04_intersections::{Hit, Interval, Plane, Sphere};
+use a05_lighting::{Illumination, Lambert, Lighting, LitWorld, Material, stage};
+use common::{ArgumentError, Color};
+use testing::exercise::{Check, Input, Random, random};
+
+use crate::scene::{Scene, array, channels, color, scene, unit, vector};
+
+/// Direction to the eye and its distance, normal and face, ambient light, and the colour of
+/// each light and the direction to it. Directions have any length.
+type Seen = ([f64; 3], f64, [[f64; 3]; 2], [f64; 3], Vec<[[f64; 3]; 2]>);
+
+const SEEN: &str = "eye towards {} at the distance {}, normal and face {}, ambient light {}, \
+    colours of lights and where they are {}";
+
+/// An eye above and light from there, aslant, from behind, none but ambient light, two lights,
+/// and a normal aslant to the face.
+fn simple() -> [Seen; 6] {
+    let [none, up, aslant, pink] = [[0.0; 3], [0.0, 1.0, 0.0], [3.0, 4.0, 0.0], [1.0, 0.5, 0.5]];
+    let seen = |normal, ambient, lights: &[_]| {
+        let lights = lights.iter().map(|l| [pink, *l]).collect();
+        (up, 1.0, [normal, up], ambient, lights)
+    };
+    [
+        seen(up, none, &[up]),
+        seen(up, none, &[aslant]),
+        seen(up, none, &[[3.0, -4.0, 0.0]]),
+        seen(up, pink, &[]),
+        seen(up, none, &[up, aslant]),
+        seen(aslant, none, &[up]),
+    ]
+}
+
+/// An eye before a surface, and two lights, one of which shines along it.
+fn any_seen(r: &mut Random) -> Seen {
+    let [normal, bend, eye, light] = [(); 4].map(|()| vector(r.triple(1.0)));
+    let face = normal + bend * 0.4;
+    let eye = eye * eye.dot(face).signum();
+    let grazing = normal.cross(light) + normal * (1e-6 * r.between(-1.0, 1.0));
+    let [eye, normal, face, light, grazing] = [eye, normal, face, light, grazing].map(array);
+    let lights = [light, grazing].map(|l| [channels(r), l]).to_vec();
+    (eye, r.scale(), [normal, face], channels(r), lights)
+}
+
+/// The ambient light, and lights that reach every hit.
+pub struct Lights(pub Color, pub Vec<Illumination>);
+
+impl Lighting for Lights {
+    fn ambient(&self) -> Color {
+        self.0
+    }
+
+    fn for_each_light(&self, _: &Ray, _: &Hit, shade: &mut dyn FnMut(&Illumination)) {
+        self.1.iter().for_each(shade);
+    }
+}
+
+type Mistake = fn(&mut Hit, &mut Illumination);
+
+const MISTAKES: &[(&str, Mistake)] = &[
+    ("the normal counts, not the face", |hit, _| {
+        hit.normal = hit.face;
+    }),
+    ("a surface reflects the colour of the light", |_, light| {
+        light.color = Color::WHITE;
+    }),
+    ("light from behind adds nothing", |hit, light| {
+        light.direction = light.direction * hit.normal.dot(light.direction).signum();
+    }),
+];
+
+/// Compares materials with the lesson's, for the `first` parameters and for `any`; the words
+/// have `{}` in the place of each of them.
+pub fn compare_materials<P: Input>(
+    check: &mut Check,
+    words: &str,
+    first: &P,
+    mut any: impl FnMut(&mut Random) -> P,
+    lesson: impl Fn(P, &Ray, &Hit, &dyn Lighting) -> Color,
+    yours: impl Fn(P, &Ray, &Hit, &dyn Lighting) -> Color,
+) {
+    let mistake = check.usual(MISTAKES).unwrap_or(|_, _| ());
+    check.compare(
+        &format!("{words}, {SEEN}"),
+        simple().map(|seen| (first.clone(), seen)),
+        random(|r| (any(r), any_seen(r))),
+        |(material, seen)| {
+            let (ray, hit, lights) = parts(seen);
+            lesson(material, &ray, &hit, &lights).channels()
+        },
+        |(material, seen)| {
+            let (ray, mut hit, mut lights) = parts(seen);
+            for light in &mut lights.1 {
+                mistake(&mut hit, light);
+            }
+            yours(material, &ray, &hit, &lights).channels()
+        },
+    );
+}
+
+/// The ray, the hit and the lights, with directions of length 1.
+fn parts((eye, t, normals, ambient, lights): Seen) -> (Ray, Hit, Lights) {
+    let [normal, face] = normals.map(|n| unit(n).as_normal());
+    let lights = lights.into_iter().map(|[light, direction]| Illumination {
+        color: color(light),
+        direction: unit(direction),
+        distance: 1.0,
+    });
+    let ray = Ray::derived(Point3::ORIGIN + unit(eye) * t, -unit(eye));
+    (
+        ray,
+        Hit { t, normal, face },
+        Lights(color(ambient), lights.collect()),
+    )
+}
+
+/// The ambient light that a surface reflects, and what this function says of each light.
+pub fn sum(
+    diffuse: Color,
+    ray: &Ray,
+    hit: &Hit,
+    lights: &dyn Lighting,
+    of: impl Fn(&Illumination) -> Color,
+) -> Color {
+    let mut sum = diffuse * lights.ambient();
+    lights.for_each_light(ray, hit, &mut |light| sum += of(light));
+    sum
+}
+
+/// The colour of a ray in a world: that of this function, which takes the hit, the material
+/// there, and the diffuse colour of the material.
+pub fn seen(
+    world: &LitWorld,
+    ray: &Ray,
+    color: impl Fn(&Hit, &dyn Material, Color) -> Color,
+) -> Color {
+    let nearest = world.objects().hit(ray, Interval::AHEAD);
+    nearest.map_or(world.objects().background(), |(hit, material)| {
+        let diffuse = material.color_for(ray, &hit, &Lights(Color::WHITE, Vec::new()));
+        color(&hit, &**material, diffuse)
+    })
+}
+
+/// Compares the picture of a scene of the student's material, given the diffuse colour.
+pub fn scene_of(
+    check: &mut Check,
+    name: &str,
+    view: Scene<LitWorld>,
+    material: impl Fn(Color, &Ray, &Hit, &LitWorld) -> Color + Sync,
+) {
+    scene(check, &stage(), name, view, |world, ray, _| {
+        seen(world, ray, |hit, _, diffuse| {
+            material(diffuse, ray, hit, world)
+        })
+    });
+}
+
+/// The eye that sees the balls, and the point that it looks at.
+pub const FROM_ABOVE: [[f64; 3]; 2] = [[1.0, 4.0, 7.0], [0.0, 0.6, 0.0]];
+
+/// Two balls on a floor.
+pub fn balls() -> Result<LitWorld, ArgumentError> {
+    let matt = |r, g, b| Ok(Box::new(Lambert::new(Color::new(r, g, b))?) as _);
+    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
+    let large = Sphere::new(Point3::new(-1.1, 1.0, 0.0), 1.0)?;
+    let small = Sphere::new(Point3::new(1.1, 0.7, 0.6), 0.7)?;
+    Ok(LitWorld::new(Color::gray(0.1), Color::gray(0.05))?
+        .with(floor, matt(0.6, 0.6, 0.6)?)
+        .with(large, matt(0.8, 0.3, 0.2)?)
+        .with(small, matt(0.3, 0.4, 0.8)?))
+}

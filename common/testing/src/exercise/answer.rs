@@ -1,0 +1,182 @@
+//! `Answer`: the result of the code that is compared, as named numbers and words.
+
+use super::input::shown;
+
+/// A result: named values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer(Vec<Part>);
+
+/// Words, as `no hit`, which must be equal, or numbers, which may differ a little.
+#[derive(Clone, Debug, PartialEq)]
+struct Part {
+    name: &'static str,
+    words: String,
+    numbers: Vec<f64>,
+}
+
+impl Answer {
+    /// A decision in words, as `no hit`.
+    #[must_use]
+    pub fn words(words: impl Into<String>) -> Self {
+        let (name, words, numbers) = ("", words.into(), Vec::new());
+        Self(vec![Part {
+            name,
+            words,
+            numbers,
+        }])
+    }
+
+    /// A value with a name, as `t` of a hit.
+    pub fn named(name: &'static str, value: impl Into<Self>) -> Self {
+        let parts = value.into().0.into_iter();
+        Self(parts.map(|part| Part { name, ..part }).collect())
+    }
+
+    /// This answer with one more named value.
+    #[must_use]
+    pub fn and(mut self, name: &'static str, value: impl Into<Self>) -> Self {
+        self.0.extend(Self::named(name, value).0);
+        self
+    }
+
+    /// Each number, with the magnitude of the value that it belongs to.
+    pub(super) fn numbers(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.0.iter().flat_map(|part| {
+            let largest = part.numbers.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+            // Nothing finite is near to infinity.
+            let largest = largest.min(f64::MAX);
+            part.numbers.iter().map(move |number| (*number, largest))
+        })
+    }
+
+    /// Whether both have the same words, and the same count of numbers.
+    fn decides_as(&self, other: &Self) -> bool {
+        let decision = |part: &Part| (part.name, part.words.clone(), part.numbers.len());
+        self.0.iter().map(decision).eq(other.0.iter().map(decision))
+    }
+
+    /// How far each number of another answer may be from this one: by `unit` of its
+    /// magnitude, and by the changes of this answer to inputs that differ a little. None if
+    /// one of those is another decision.
+    pub(super) fn tolerances(
+        &self,
+        unit: f64,
+        moved: impl Iterator<Item = [Self; 2]>,
+    ) -> Option<Vec<f64>> {
+        let own = self.numbers().map(|(_, magnitude)| magnitude * unit);
+        let mut allowed: Vec<f64> = own.collect();
+        for [more, less] in moved {
+            (self.decides_as(&more) && self.decides_as(&less)).then_some(())?;
+            let changed = self.numbers().zip(more.numbers().zip(less.numbers()));
+            for (allowed, ((own, _), ((more, _), (less, _)))) in allowed.iter_mut().zip(changed) {
+                *allowed += (more - own).abs().max((less - own).abs());
+            }
+        }
+        Some(allowed)
+    }
+
+    /// The first value of this right answer from which `yours` differs by more than
+    /// allowed, and what it is.
+    pub(super) fn difference(&self, yours: &Self, allowed: &[f64]) -> Option<String> {
+        let differ = |[right, yours]: [String; 2]| format!("must be {right}; yours is {yours}");
+        if !self.decides_as(yours) {
+            let all = |answer: &Self| answer.0.iter().map(Part::named).collect::<Vec<_>>();
+            return Some(differ([self, yours].map(|answer| all(answer).join(", "))));
+        }
+        let mut allowed = allowed.iter();
+        let mut parts = self.0.iter().zip(&yours.0);
+        let (right, yours) = parts.find(|(right, yours)| {
+            let numbers = right.numbers.iter().zip(&yours.numbers).zip(&mut allowed);
+            // Nothing is near to NaN but NaN.
+            let is_near = |((a, b), allowed): ((&f64, &f64), &f64)| {
+                a == b || (a.is_nan() && b.is_nan()) || (a - b).abs() <= *allowed
+            };
+            numbers.filter(|pair| !is_near(*pair)).count() > 0
+        })?;
+        let mut values = [right, yours].map(|part| part.value(shown));
+        if values[0] == values[1] {
+            values = [right, yours].map(|part| part.value(|number| format!("{number:?}")));
+        }
+        Some(
+            format!("{} {}", right.name, differ(values))
+                .trim_start()
+                .to_owned(),
+        )
+    }
+}
+
+impl Part {
+    fn value(&self, shown: impl Fn(f64) -> String) -> String {
+        let numbers: Vec<_> = self.numbers.iter().map(|number| shown(*number)).collect();
+        match numbers.as_slice() {
+            [] => self.words.clone(),
+            [number] => number.clone(),
+            numbers => format!("[{}]", numbers.join(", ")),
+        }
+    }
+
+    fn named(&self) -> String {
+        let separator = if self.name.is_empty() { "" } else { " = " };
+        format!("{}{separator}{}", self.name, self.value(shown))
+    }
+}
+
+impl From<f64> for Answer {
+    fn from(number: f64) -> Self {
+        Self::from([number])
+    }
+}
+
+impl<const N: usize> From<[f64; N]> for Answer {
+    fn from(numbers: [f64; N]) -> Self {
+        Self::from(numbers.to_vec())
+    }
+}
+
+impl From<Vec<f64>> for Answer {
+    fn from(numbers: Vec<f64>) -> Self {
+        let (name, words) = ("", format!("{} numbers", numbers.len()));
+        Self(vec![Part {
+            name,
+            words,
+            numbers,
+        }])
+    }
+}
+
+impl From<bool> for Answer {
+    fn from(is_so: bool) -> Self {
+        Self::words(if is_so { "yes" } else { "no" })
+    }
+}
+
+impl From<usize> for Answer {
+    fn from(count: usize) -> Self {
+        Self::words(count.to_string())
+    }
+}
+
+impl<T: Into<Self>> From<Option<T>> for Answer {
+    fn from(value: Option<T>) -> Self {
+        value.map_or_else(|| Self::words("none"), Into::into)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_value_that_differs_is_shown() {
+        let hit = |t, x| Answer::named("t", t).and("normal", [x, 0.0]);
+        let of = |yours: Answer| hit(2.5, 1.0).difference(&yours, &[0.1, 0.0, 0.0]);
+        assert_eq!(of(hit(2.5625, 1.0)), None);
+        let t = "t must be 2.5; yours is 3.5";
+        assert_eq!(of(hit(3.5, 4.0)).as_deref(), Some(t));
+        let normal = "normal must be [1.0, 0.0]; yours is [1.0000000000000002, 0.0]";
+        assert_eq!(of(hit(2.5, 1.0_f64.next_up())).as_deref(), Some(normal));
+        let none = "must be t = 2.5, normal = [1, 0]; yours is no hit";
+        assert_eq!(of(Answer::words("no hit")).as_deref(), Some(none));
+        assert!(of(hit(f64::NAN, 1.0)).is_some());
+    }
+}
