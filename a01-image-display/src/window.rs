@@ -31,26 +31,23 @@ impl Viewer for Window {
         if let Some(file) = chosen {
             gallery.open(file);
         }
-        std::thread::scope(|scope| {
-            let rendering = gallery.render(scope)?;
-            if !gallery.opens_files() {
-                let mut screen = Screen::open(gallery, rendering.picture().size())?;
-                return screen.run(scope, gallery, Some(rendering));
-            }
-            // The size of a file is not known before it has been read.
-            let outcome = match rendering.join() {
-                // A file of the command line: the error goes to the terminal.
-                Err(error) if !has_chosen => return Err(error.into()),
-                outcome => outcome,
-            };
-            let size = outcome.as_ref().map_or(Size::COURSE, Image::size);
-            let mut screen = Screen::open(gallery, size)?;
-            screen.finish(gallery, outcome);
-            if asks && !has_chosen {
-                screen.notify(NO_FILE.to_owned());
-            }
-            screen.run(scope, gallery, None)
-        })
+        if let Some(picture) = gallery.picture() {
+            return Screen::open(gallery, picture.size())?.run(gallery);
+        }
+        // The size of a file is not known before it has been read.
+        gallery.start()?;
+        let outcome = match gallery.wait() {
+            // A file of the command line: the error goes to the terminal.
+            Err(error) if !has_chosen => return Err(error.into()),
+            outcome => outcome,
+        };
+        let size = outcome.as_ref().map_or(Size::COURSE, Image::size);
+        let mut screen = Screen::open(gallery, size)?;
+        screen.finish(gallery, outcome);
+        if asks && !has_chosen {
+            screen.notify(NO_FILE.to_owned());
+        }
+        screen.run(gallery)
     }
 }
 

@@ -1,11 +1,10 @@
 //! `Screen`: the open window and its picture.
 
-use std::thread::Scope;
 use std::time::{Duration, Instant};
 
 use common::{Error, Image, Size};
 use minifb::{Menu, ScaleMode, WindowOptions};
-use program::{Gallery, NotShown, Rendering};
+use program::{Gallery, NotShown};
 
 use super::command::Command;
 use super::drawing::Look;
@@ -88,31 +87,23 @@ impl Screen {
     }
 
     /// Shows the picture and executes commands until the window is closed.
-    pub fn run<'scope, 'a: 'scope>(
-        &mut self,
-        scope: &'scope Scope<'scope, '_>,
-        gallery: &mut Gallery<'a>,
-        mut rendering: Option<Rendering<'scope>>,
-    ) -> Result<(), NotShown> {
+    pub fn run(&mut self, gallery: &mut Gallery) -> Result<(), NotShown> {
         let mut drawn_at = Instant::now();
         while self.window.is_open() {
-            if let Some(over) = rendering.take_if(|rendering| rendering.is_over()) {
-                self.finish(gallery, over.join());
+            if let Some(outcome) = gallery.finished() {
+                self.finish(gallery, outcome);
             }
             for command in self.commands() {
                 if command == Command::Close {
                     return Ok(());
                 }
-                if self.execute(command, gallery) {
-                    // The old rendering, if there is one, stops.
-                    rendering = None;
-                    match gallery.render(scope) {
-                        Ok(new) => rendering = Some(new),
-                        Err(error) => self.finish(gallery, Err(error)),
-                    }
+                if self.execute(command, gallery)
+                    && let Err(error) = gallery.start()
+                {
+                    self.finish(gallery, Err(error));
                 }
             }
-            let live = rendering.as_ref().map(Rendering::picture);
+            let live = gallery.picture();
             if let Some(live) = live {
                 self.size = live.size();
             }

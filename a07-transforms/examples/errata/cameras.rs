@@ -4,11 +4,11 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use a02_math::Point3;
-use a03_rays_cameras::{Camera, PinholeCamera, Ray, StripeRule, StripedSky, protocol};
+use a03_rays_cameras::{Camera, PinholeCamera, Ray, StripeRule, StripedSky, View, protocol};
 use a04_intersections::{Sphere, World};
 use common::{ArgumentError, Color, Error, Scene, Settings, Size};
 
-use super::{View, beside};
+use super::{beside, traced};
 
 fn pinhole(angle: f64) -> Result<PinholeCamera, ArgumentError> {
     PinholeCamera::new(Point3::ORIGIN, angle)
@@ -43,11 +43,11 @@ pub fn tangent() -> Scene {
 }
 
 /// The two spheres of scene 5.
-fn two_spheres(camera: impl Camera + 'static) -> Result<View, Error> {
+fn two_spheres(camera: impl Camera) -> Result<View, Error> {
     let world = World::new(Color::BLACK)?
         .with(Sphere::new(Point3::new(-1.0, 0.0, -3.0), 0.5)?, Color::RED)
         .with(Sphere::new(Point3::new(1.0, 0.0, -6.0), 0.5)?, Color::RED);
-    Ok(View::new(camera, move |ray| world.color_for(ray)))
+    Ok(traced(camera, move |ray| world.color_for(ray)))
 }
 
 const STRIPES: u32 = 10;
@@ -59,7 +59,7 @@ pub fn stripes() -> Scene {
         let [width, _] = sides(settings.size);
         let edge = camera.generate_ray(settings.size, 0.5 * width, 0.0);
         let top = edge.direction().y();
-        Ok(View::new(camera, move |ray| {
+        Ok(traced(camera, move |ray| {
             let y = ray.direction().y();
             let is_even = protocol::count_current_stripe(top, STRIPES, y).is_multiple_of(2);
             Color::from_bytes(if is_even {
@@ -72,7 +72,7 @@ pub fn stripes() -> Scene {
     beside("stripes", about, wrong, |settings| {
         let camera = pinhole(FRAC_PI_2)?;
         let sky = StripedSky::new(&camera, settings.size, STRIPES, StripeRule::Direction)?;
-        Ok(View::new(camera, move |ray| sky.color_for(ray)))
+        Ok(traced(camera, move |ray| sky.color_for(ray)))
     })
 }
 
@@ -91,12 +91,21 @@ pub fn half_pixel() -> Scene {
     )
 }
 
+/// A camera of a picture whose pixels are squares of 15 pixels of the shown one.
+struct Enlarged<C>(C);
+
+impl<C: Camera> Camera for Enlarged<C> {
+    fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
+        let few = |side: u32| side.div_ceil(15);
+        let size = Size::new(few(size.width()), few(size.height())).unwrap_or(size);
+        let number = |place: f64| ((place + 0.5) / 15.0).floor();
+        self.0.ray_for(size, number(x), number(y))
+    }
+}
+
 /// A ball straight ahead on a few pixels, each shown as a square.
-fn ball(camera: impl Camera + 'static) -> Result<View, Error> {
+fn ball(camera: impl Camera) -> Result<View, Error> {
     let world = World::new(Color::gray(0.1))?
         .with(Sphere::new(Point3::new(0.0, 0.0, -3.0), 0.45)?, Color::RED);
-    Ok(View {
-        pixel: 15,
-        ..View::new(camera, move |ray| world.color_for(ray))
-    })
+    Ok(traced(Enlarged(camera), move |ray| world.color_for(ray)))
 }

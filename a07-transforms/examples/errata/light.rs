@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_4;
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, Ray};
+use a03_rays_cameras::{PerspectiveCamera, Ray, View};
 use a04_intersections::{Hit, Interval, Plane, Sphere, World};
 use a05_lighting::{
     DirectionalLight, Illumination, Light, Lighting, LitWorld, Material, Phong, PointLight,
@@ -12,7 +12,7 @@ use a05_lighting::{
 use a06_shadows_reflection::{is_shadowed, protocol};
 use common::{ArgumentError, Color, Error, Scene};
 
-use super::{View, beside, shade};
+use super::{beside, shade, traced};
 
 type Made<T> = Result<T, ArgumentError>;
 
@@ -62,7 +62,7 @@ fn balls(material: fn(Color) -> Made<Box<dyn Material>>) -> Result<View, Error> 
     let light = PointLight::new(Color::WHITE, Point3::new(3.0, 4.0, 5.0))?;
     let world = world.lit_by(Box::new(light));
     let camera = camera(Point3::new(0.0, 0.6, 4.2), Point3::ORIGIN)?;
-    Ok(View::new(camera, move |ray| world.color_for(ray)))
+    Ok(traced(camera, move |ray| world.color_for(ray)))
 }
 
 /// Whether the light reaches a point of the world, by the protocol.
@@ -91,10 +91,10 @@ fn shadows<L: Light>(
 fn lit(
     world: World<Color>,
     light: impl Light,
-    is_lit: impl Fn(&World<Color>, &Ray, &Hit, &Illumination) -> bool + Sync + 'static,
+    is_lit: impl Fn(&World<Color>, &Ray, &Hit, &Illumination) -> bool + Send + Sync + 'static,
 ) -> Result<View, Error> {
     let camera = camera(Point3::new(2.2, 3.8, 5.0), Point3::new(0.0, 0.9, 0.0))?;
-    Ok(View::new(camera, move |ray| {
+    Ok(traced(camera, move |ray| {
         let Some((hit, color)) = world.hit(ray, Interval::AHEAD) else {
             return Color::BLACK;
         };

@@ -8,8 +8,8 @@ mod mirrors;
 mod nodes;
 mod shapes;
 
-use a03_rays_cameras::{Camera, Ray, render};
-use common::{Color, Error, Image, Progress, Scene, Settings, Size};
+use a03_rays_cameras::{Camera, Ray, View};
+use common::{Color, Error, Progress, Scene, Settings};
 use measure::{Effort, Stage};
 
 #[cfg(not(target_family = "wasm"))]
@@ -45,34 +45,8 @@ pub fn stage() -> Stage {
 }
 
 /// A camera, and the colour of each of its rays.
-struct View {
-    camera: Box<dyn Camera>,
-    color: Box<dyn Fn(&Ray) -> Color + Sync>,
-    /// The side of a pixel, which may be enlarged to a square.
-    pixel: u32,
-}
-
-impl View {
-    fn new(camera: impl Camera + 'static, color: impl Fn(&Ray) -> Color + Sync + 'static) -> Self {
-        Self {
-            camera: Box::new(camera),
-            color: Box::new(color),
-            pixel: 1,
-        }
-    }
-
-    fn render(&self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
-        let [w, h] = [settings.size.width(), settings.size.height()];
-        let few = Settings {
-            size: Size::new(w.div_ceil(self.pixel), h.div_ceil(self.pixel))?,
-            ..settings.clone()
-        };
-        let image = render(&self.camera, |ray| (self.color)(ray), &few, progress)?;
-        Image::from_fn(settings.size, |x, y| {
-            let square = image.get(x / self.pixel, y / self.pixel);
-            square.unwrap_or_default()
-        })
-    }
+fn traced(camera: impl Camera, color: impl Fn(&Ray) -> Color + Send + Sync + 'static) -> View {
+    View::new(camera, color).boxed()
 }
 
 /// The view of a panel.

@@ -3,14 +3,14 @@
 use std::f64::consts::FRAC_PI_4;
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, Ray};
+use a03_rays_cameras::{PerspectiveCamera, Ray, View};
 use a04_intersections::{Plane, Sphere};
 use a05_lighting::PointLight;
 use a06_shadows_reflection::protocol::OneCounter;
 use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld};
 use common::{Color, Error, Scene, Settings};
 
-use super::{View, beside};
+use super::{beside, traced};
 
 /// How large the scene is: one of millimetres, measured in metres.
 const SIZE: f64 = 0.001;
@@ -55,5 +55,5 @@ fn balls(
     let (gaze, up) = (Vector3::new(-4.0, -3.5, -9.0), Vector3::new(0.0, 1.0, 0.0));
     let camera = PerspectiveCamera::new(eye, gaze, up, FRAC_PI_4)?;
     let depth = settings.depth;
-    Ok(View::new(camera, move |ray| trace(&world, ray, depth)))
+    Ok(traced(camera, move |ray| trace(&world, ray, depth)))
 }

@@ -3,14 +3,14 @@
 use std::f64::consts::FRAC_PI_4;
 
 use a02_math::{Direction, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, Ray};
+use a03_rays_cameras::{PerspectiveCamera, Ray, View};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Sphere, World};
 use a07_transforms::protocol::{self, Chained};
 use a07_transforms::{Node, Transform};
 use common::{ArgumentError, Color, Error, Scene};
 
 use super::formula::Formula;
-use super::{View, beside, shade};
+use super::{beside, shade, traced};
 
 type Made<T> = Result<T, ArgumentError>;
 
@@ -20,7 +20,7 @@ fn view(eye: f64, shape: impl Geometry) -> Result<View, Error> {
     let (e, g) = (Point3::new(eye, eye, eye), Vector3::new(-1.0, -1.0, -1.0));
     let camera = PerspectiveCamera::new(e, g, Vector3::new(0.0, 1.0, 0.0), FRAC_PI_4)?;
     let light = Vector3::new(1.0, 20.0, 20.0).unit("light")?;
-    Ok(View::new(camera, move |ray| {
+    Ok(traced(camera, move |ray| {
         let hit = world.hit(ray, Interval::AHEAD);
         hit.map_or(Color::BLACK, |(hit, color)| {
             shade(*color, hit.normal.dot(light))

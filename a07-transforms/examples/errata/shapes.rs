@@ -1,12 +1,12 @@
 //! A box that loses its faces, and a sphere that is far away.
 
 use a02_math::{Direction, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, Ray};
+use a03_rays_cameras::{PerspectiveCamera, Ray, View};
 use a04_intersections::protocol::{self, Compared};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Sphere};
 use common::{Color, Error, Scene};
 
-use super::{View, beside, shade};
+use super::{beside, shade, traced};
 
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 const LBF: Point3 = Point3::new(0.1, 0.2, 0.3);
@@ -22,11 +22,11 @@ pub fn box_faces() -> Scene {
 }
 
 /// The box, darker where it is farther away.
-fn cube(t: impl Fn(&Ray) -> Option<f64> + Sync + 'static) -> Result<View, Error> {
+fn cube(t: impl Fn(&Ray) -> Option<f64> + Send + Sync + 'static) -> Result<View, Error> {
     let eye = Point3::new(5.7, 5.2, 7.3);
     let gaze = Point3::new(0.4, 0.65, 0.6) - eye;
     let camera = PerspectiveCamera::new(eye, gaze, UP, 0.15)?;
-    Ok(View::new(camera, move |ray| {
+    Ok(traced(camera, move |ray| {
         t(ray).map_or(Color::BLACK, |t| {
             Color::new(0.3, 0.5, 1.0) * ((10.8 - t) / 2.2).clamp(0.0, 1.0)
         })
@@ -51,10 +51,10 @@ pub fn far_sphere() -> Scene {
     })
 }
 
-fn ball(hit: impl Fn(&Ray) -> Option<Hit> + Sync + 'static) -> Result<View, Error> {
+fn ball(hit: impl Fn(&Ray) -> Option<Hit> + Send + Sync + 'static) -> Result<View, Error> {
     let eye = Point3::new(1e7, 2e7, 3e7);
     let camera = PerspectiveCamera::new(eye, Point3::ORIGIN - eye, UP, 2.4 / 3.74e7)?;
-    Ok(View::new(camera, move |ray| {
+    Ok(traced(camera, move |ray| {
         hit(ray).map_or(Color::BLACK, |hit| shade(Color::RED, hit.normal.dot(LIGHT)))
     }))
 }

@@ -5,14 +5,13 @@
 //! $ cargo bench -p engine --bench scaling -- --book   and the plot of the book
 //! ```
 //!
-//! From ten spheres in a cube to a million, which fill a ninth of it. Times in
-//! nanoseconds: building the scene with its tree, divided by the number of objects; the
-//! nearest hit of a ray from the eye, alone and as a pixel of a picture of 1280x960, and of a
-//! ray from anywhere to anywhere, as reflected ones are; and the same in a plain list, up to
-//! a thousand objects. The least of several rounds counts.
+//! From ten spheres in a cube to a million, which fill a ninth of it. Times in nanoseconds on
+//! one thread, the least of several rounds: building the scene with its tree, divided by the
+//! number of objects; a pixel of a picture; a ray from the eye towards any place, and from
+//! anywhere to anywhere, as reflected ones are; and the same in a plain list, up to a thousand
+//! objects. `--two` takes two threads.
 
-#[path = "../src/adaptive/random.rs"]
-mod random;
+mod support;
 
 use std::error::Error;
 use std::fs;
@@ -20,23 +19,19 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-use clap::Parser;
 use common::{Color, Settings, Size};
-use engine::{
-    Basis, Camera, Hit, Interval, Ray, Renderer, Sampler, Scene, Shading, Shape, Sphere, Surface,
-};
+use engine::{Basis, Camera, Hit, Ray, Renderer, Scene, Shading, Shape, Sphere, Surface};
 use glam::DVec3;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 use measure::report::Measured;
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use rayon::ThreadPoolBuilder;
 
-use crate::random::PixelRandom;
+use crate::support::{Grid, Numbers, print_head, print_row};
 
-const COUNTS: [usize; 6] = [10, 100, 1_000, 10_000, 100_000, 1_000_000];
-/// Longer lists take too long.
-const LONGEST_LIST: usize = 1_000;
-const RAYS: u32 = 65_536;
+const COUNTS: [u32; 6] = [10, 100, 1_000, 10_000, 100_000, 1_000_000];
+/// Width and height of the pictures.
+const SIDE: u32 = 512;
 const EYE: DVec3 = DVec3::new(0.0, 2.0, 5.0);
 
 const NAMES: [&str; 5] = [
@@ -47,152 +42,126 @@ const NAMES: [&str; 5] = [
     "a ray through a list",
 ];
 
-/// Measures how time grows with the number of objects.
-#[derive(Parser)]
-struct Options {
-    /// How often everything is measured; the shortest time counts.
-    #[arg(long, default_value_t = 5)]
-    rounds: u32,
-    /// Threads that build; rays are always followed on one.
-    #[arg(long, default_value_t = 1)]
-    threads: usize,
-    /// Renew the plot of the book.
-    #[arg(long)]
-    book: bool,
-    /// Given by `cargo bench`, but not by `cargo test`, which is to measure nothing.
-    #[arg(long, hide = true)]
-    bench: bool,
-}
-
 fn main() -> Result<(), Box<dyn Error>> {
-    let options = Options::parse();
-    if !options.bench {
+    let is_given = |name: &str| std::env::args().any(|argument| argument == name);
+    // Given by `cargo bench`, but not by `cargo test`.
+    if !is_given("--bench") {
         return Ok(());
     }
-    let threads = |count| ThreadPoolBuilder::new().num_threads(count).build();
-    let (builders, one) = (threads(options.threads)?, threads(1)?);
-    let mut least = [[f64::INFINITY; NAMES.len()]; COUNTS.len()];
-    for _ in 0..options.rounds {
+    let mut least = [[f64::NAN; NAMES.len()]; COUNTS.len()];
+    let threads = 1 + usize::from(is_given("--two"));
+    let threads = ThreadPoolBuilder::new().num_threads(threads).build()?;
+    for _ in 0..5 {
         for (count, least) in COUNTS.into_iter().zip(&mut least) {
-            for (now, least) in nanoseconds(count, [&builders, &one])?
-                .into_iter()
-                .zip(least)
-            {
-                *least = least.min(now);
-            }
+            let now = threads.install(|| nanoseconds(count))?;
+            *least = std::array::from_fn(|i| least[i].min(now[i]));
         }
     }
-    print(&least);
-    if options.book {
-        plot(&experiment(&least))?;
+    print_head("objects", &NAMES);
+    for (count, least) in COUNTS.iter().zip(least) {
+        print_row(&count.to_string(), least);
     }
-    Ok(())
+    if is_given("--book") {
+        plot(&least)
+    } else {
+        Ok(())
+    }
 }
 
-/// A figure for each of [`NAMES`]; infinite if it is not measured.
-fn nanoseconds(
-    count: usize,
-    [builders, one]: [&ThreadPool; 2],
-) -> Result<[f64; NAMES.len()], common::Error> {
-    let (renderer, build) = builders.install(|| {
-        let started = Instant::now();
-        let renderer = prepare(spheres(count).map(Shape::Sphere));
-        (renderer, since(started) / count as f64)
-    });
-
-    let pixel = one.install(|| picture(&renderer))?;
-    let (from_eye, anywhere) = (rays(true), rays(false));
-    let [from_eye_time, anywhere_time] =
-        [from_eye, anywhere.clone()].map(|rays| hit(&renderer, &rays));
-    let list = match count {
-        ..=LONGEST_LIST => hit(&prepare(spheres(count).map(unknown)), &anywhere),
-        _ => f64::INFINITY,
-    };
-    Ok([build, pixel, from_eye_time, anywhere_time, list])
-}
-
-/// The time of each pixel of a picture.
-fn picture(renderer: &Renderer) -> Result<f64, common::Error> {
-    let settings = Settings {
-        size: Size::new(1280, 960)?,
-        ..Settings::default()
+/// A time for each of [`NAMES`]; NaN if it is not measured.
+fn nanoseconds(count: u32) -> Result<[f64; NAMES.len()], common::Error> {
+    // Spheres as dense for any number of them: a ray passes by a few until it hits one.
+    let radius = 0.6 / libm::cbrt(count.into());
+    let center = |i| Numbers::new(1, i).in_cube(1.0);
+    let spheres = (0..count).map(|i| (center(i), radius));
+    let (e, u, w) = (EYE, DVec3::X, EYE.normalize());
+    let v = w.cross(u);
+    let looking = Camera::Perspective {
+        basis: Basis { e, u, v, w },
+        half_tangent: 0.25,
     };
     let started = Instant::now();
-    black_box(renderer.render(&Middle, &settings, &())?);
-    Ok(since(started) / settings.size.pixels() as f64)
-}
-
-/// One sample in the middle of each pixel.
-struct Middle;
-
-impl Sampler for Middle {
-    fn samples(&self) -> u32 {
-        1
-    }
-
-    fn place(&self, _: u32, _: u32, _: u32) -> (f64, f64) {
-        (0.5, 0.5)
-    }
+    let picture = prepare(spheres.clone().map(known), looking);
+    let build = since(started) / f64::from(count);
+    let of_rays = |from_eye| pixel(&prepare(spheres.clone().map(known), rays(from_eye)));
+    let list = match count {
+        ..=1_000 => pixel(&prepare(spheres.clone().map(unknown), rays(false)))?,
+        _ => f64::NAN,
+    };
+    let [from_eye, anywhere] = [of_rays(true)?, of_rays(false)?];
+    Ok([build, pixel(&picture)?, from_eye, anywhere, list])
 }
 
 fn since(started: Instant) -> f64 {
     1e9 * started.elapsed().as_secs_f64()
 }
 
-/// The time of each of these rays.
-fn hit(renderer: &Renderer, rays: &[Ray]) -> f64 {
-    let is_hit = |ray: &&Ray| renderer.hit(ray, Interval::AHEAD).is_some();
-    // Caches as in the middle of a picture.
-    black_box(rays.iter().filter(is_hit).count());
+/// The time of each pixel, with caches as in the middle of a picture.
+fn pixel(renderer: &Renderer) -> Result<f64, common::Error> {
+    let settings = Settings {
+        size: Size::new(SIDE, SIDE)?,
+        ..Settings::default()
+    };
+    black_box(renderer.render(&Grid(1, None), &settings, &())?);
     let started = Instant::now();
-    black_box(rays.iter().filter(is_hit).count());
-    since(started) / rays.len() as f64
+    black_box(renderer.render(&Grid(1, None), &settings, &())?);
+    Ok(since(started) / settings.size.pixels() as f64)
 }
 
-fn print(least: &[[f64; NAMES.len()]]) {
-    println!("| objects | {} |", NAMES.join(" | "));
-    println!("|---:|{}", "---:|".repeat(NAMES.len()));
-    for (count, least) in COUNTS.iter().zip(least) {
-        let cell = |ns: f64| {
-            if ns.is_finite() {
-                format!("{ns:.0}")
-            } else {
-                String::new()
-            }
-        };
-        println!("| {count} | {} |", least.map(cell).join(" | "));
+fn prepare(
+    shapes: impl Iterator<Item = Shape<'static>>,
+    camera: Camera<'static>,
+) -> Renderer<'static> {
+    let mut scene = Scene::new(Color::BLACK, Color::BLACK, 1);
+    let surface = scene.add_surface(Surface::matt(Shading::SingleColor(Color::WHITE)));
+    for shape in shapes {
+        scene.add_shape(shape, surface);
     }
+    Renderer::new(scene, camera, &Settings::default())
+}
+
+/// A camera of rays from everywhere in the cube to everywhere, or all from the eye.
+fn rays(from_eye: bool) -> Camera<'static> {
+    let ray = |i| {
+        let mut numbers = Numbers::new(2, i);
+        let (origin, target) = (numbers.in_cube(1.0), numbers.in_cube(1.0));
+        let origin = if from_eye { EYE } else { origin };
+        let direction = (target - origin).normalize();
+        Ray { origin, direction }
+    };
+    let rays: Vec<_> = (0..SIDE * SIDE).map(ray).collect();
+    Camera::Other(Box::new(move |_, x, y| {
+        rays[y as usize * SIDE as usize + x as usize]
+    }))
+}
+
+fn known((center, radius): (DVec3, f64)) -> Shape<'static> {
+    Shape::Sphere(Sphere { center, radius })
+}
+
+/// A sphere as a shape of a type that the engine does not know, so that it is tested for
+/// every ray.
+fn unknown((center, radius): (DVec3, f64)) -> Shape<'static> {
+    Shape::other(move |ray, within| {
+        let f = ray.origin - center;
+        let middle = -f.dot(ray.direction);
+        let beside = f + ray.direction * middle;
+        // Beside the sphere the root is NaN, which no interval contains.
+        let half = (radius * radius - beside.length_squared()).sqrt();
+        let mut both = [middle - half, middle + half].into_iter();
+        let t = both.find(|t| within.contains(*t))?;
+        Some(Hit::new(t, (f + ray.direction * t) / radius))
+    })
 }
 
 /// Writes the plot of the book.
-fn plot(experiment: &Experiment) -> Result<(), Box<dyn Error>> {
-    let written = Path::new(env!("CARGO_TARGET_TMPDIR"));
-    Measured::new(experiment, Effort::Quick, |_, _| {}).write(written, "engine")?;
-    let pictures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/pictures");
-    let plot = "engine-scaling.svg";
-    fs::copy(written.join(plot), pictures.join(plot))?;
-    Ok(())
-}
-
-/// The figures as curves, for a plot.
-fn experiment(least: &[[f64; NAMES.len()]]) -> Experiment<'_> {
-    let curve = move |i: usize| {
-        let figures = COUNTS
-            .iter()
-            .zip(least)
-            .map(move |(count, least)| (*count, least[i]));
-        let measured = figures.filter(|(_, ns)| ns.is_finite());
-        Curve {
-            method: NAMES[i],
-            remark: "",
-            slope: None,
-            bound: None,
-            points: measured
-                .map(|(count, ns)| Point::new(count as f64, 1.0, [ns], || 0.0))
-                .collect(),
-        }
+fn plot(least: &[[f64; NAMES.len()]]) -> Result<(), Box<dyn Error>> {
+    let curve = |i: usize| {
+        let points = COUNTS.iter().zip(least).filter(|(_, least)| least[i] > 0.0);
+        let points = points.map(|(n, least)| Point::new((*n).into(), 1.0, [least[i]], || 0.0));
+        Curve::new(NAMES[i], points)
     };
-    Experiment {
+    let experiment = Experiment {
         name: "scaling",
         about: "How times grow with the number of objects",
         knob: "objects",
@@ -202,74 +171,12 @@ fn experiment(least: &[[f64; NAMES.len()]]) -> Experiment<'_> {
         exact: "the least of several rounds",
         seeds: &[1, 2],
         against: Axis::Knob,
-        curves: Box::new(move |_| (0..NAMES.len()).map(curve).collect()),
-    }
-}
-
-/// Six numbers from -1 to 1 that belong to `i`; spheres and rays have others.
-fn numbers(seed: u64, i: u32) -> [f64; 6] {
-    let random = PixelRandom::new(seed, i, 0);
-    std::array::from_fn(|n| 2.0 * random.uniform(n as u64) - 1.0)
-}
-
-/// Spheres as dense for any number of them: a ray passes by a few of them until it
-/// hits one.
-fn spheres(count: usize) -> impl Iterator<Item = Sphere> {
-    let radius = 0.6 / libm::cbrt(count as f64);
-    (0..count as u32).map(move |i| {
-        let [x, y, z, ..] = numbers(1, i);
-        let center = DVec3::new(x, y, z);
-        Sphere { center, radius }
-    })
-}
-
-/// The shapes, which fill a picture from the eye.
-fn prepare(shapes: impl Iterator<Item = Shape<'static>>) -> Renderer<'static> {
-    let mut scene = Scene::new(Color::BLACK, Color::BLACK, 1);
-    let surface = scene.add_surface(Surface::matt(Shading::SingleColor(Color::WHITE)));
-    for shape in shapes {
-        scene.add_shape(shape, surface);
-    }
-    let (u, w) = (DVec3::X, EYE.normalize());
-    let camera = Camera::Perspective {
-        basis: Basis {
-            e: EYE,
-            u,
-            v: w.cross(u),
-            w,
-        },
-        half_tangent: 0.25,
+        curves: Box::new(|_| (0..NAMES.len()).map(curve).collect()),
     };
-    Renderer::new(scene, camera, &Settings::default())
-}
-
-/// Rays from everywhere in the cube to everywhere, or all from the eye.
-fn rays(from_eye: bool) -> Vec<Ray> {
-    let ray = |i| {
-        let [a, b, c, x, y, z] = numbers(2, i);
-        let origin = if from_eye { EYE } else { DVec3::new(a, b, c) };
-        Ray {
-            origin,
-            direction: (DVec3::new(x, y, z) - origin).normalize(),
-        }
-    };
-    (0..RAYS).map(ray).collect()
-}
-
-/// A sphere as a shape of a type that the engine does not know, so that it is tested for
-/// every ray.
-fn unknown(sphere: Sphere) -> Shape<'static> {
-    Shape::other(move |ray, within| {
-        let f = ray.origin - sphere.center;
-        let middle = -f.dot(ray.direction);
-        let beside = f + ray.direction * middle;
-        let discriminant = sphere.radius * sphere.radius - beside.dot(beside);
-        if discriminant < 0.0 {
-            return None;
-        }
-        let half = discriminant.sqrt();
-        let both = [middle - half, middle + half];
-        let t = both.into_iter().find(|t| within.contains(*t))?;
-        Some(Hit::new(t, (f + ray.direction * t) / sphere.radius))
-    })
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    Measured::new(&experiment, Effort::Quick, |_, _| {}).write(folder, "engine")?;
+    let pictures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/pictures");
+    let plot = "engine-scaling.svg";
+    fs::copy(folder.join(plot), pictures.join(plot))?;
+    Ok(())
 }

@@ -11,24 +11,33 @@ use crate::LivePicture;
 use crate::options::Options;
 use crate::target::make_default_folder;
 
-/// The scenes of a stage and the one that is being shown.
-pub struct Gallery<'a> {
-    stage: &'a Stage,
+/// The scenes of a stage, the one that is being shown, and its rendering.
+pub struct Gallery<'scope, 'a> {
+    stage: &'scope Stage,
     current: usize,
     options: Options,
+    scope: &'scope Scope<'scope, 'a>,
+    rendering: Option<Rendering<'scope>>,
 }
 
-impl<'a> Gallery<'a> {
-    pub(crate) fn new(stage: &'a Stage, scene: &Scene, options: Options) -> Self {
+impl<'scope, 'a> Gallery<'scope, 'a> {
+    pub(crate) fn new(
+        stage: &'scope Stage,
+        scene: &Scene,
+        options: Options,
+        scope: &'scope Scope<'scope, 'a>,
+    ) -> Self {
         let mut scenes = stage.scenes.iter();
         Self {
             stage,
             current: scenes.position(|s| s.name == scene.name).unwrap_or(0),
             options,
+            scope,
+            rendering: None,
         }
     }
 
-    fn scene(&self) -> &'a Scene {
+    fn scene(&self) -> &'scope Scene {
         &self.stage.scenes[self.current]
     }
 
@@ -72,24 +81,36 @@ impl<'a> Gallery<'a> {
         self.options.transfer
     }
 
-    /// Starts to render the scene in a separate thread.
-    pub fn render<'scope>(
-        &self,
-        scope: &'scope Scope<'scope, '_>,
-    ) -> Result<Rendering<'scope>, Error>
-    where
-        'a: 'scope,
-    {
+    /// Starts to render the scene in a separate thread. An earlier rendering stops.
+    pub fn start(&mut self) -> Result<(), Error> {
+        self.rendering = None;
         let scene = self.scene();
         let settings = self.options.settings(scene)?;
         let threads = self.options.thread_pool()?;
         let picture = Arc::new(LivePicture::new(settings.size, self.transfer()));
         let progress = Arc::clone(&picture);
         let render = move || threads.install(|| scene.render(&settings, &*progress));
-        Ok(Rendering {
+        self.rendering = Some(Rendering {
             picture,
-            thread: Some(scope.spawn(render)),
-        })
+            thread: Some(self.scope.spawn(render)),
+        });
+        Ok(())
+    }
+
+    /// The picture as far as it is finished, while it is rendered.
+    #[must_use]
+    pub fn picture(&self) -> Option<&LivePicture> {
+        Some(&self.rendering.as_ref()?.picture)
+    }
+
+    /// The finished picture, or the error, of a rendering that has just ended.
+    pub fn finished(&mut self) -> Option<Result<Image, Error>> {
+        Some(self.rendering.take_if(|r| r.is_over())?.join())
+    }
+
+    /// Waits for the end of the rendering.
+    pub fn wait(&mut self) -> Result<Image, Error> {
+        self.rendering.take().ok_or(Error::Stopped)?.join()
     }
 
     /// Saves a picture as `out/STAGE-SCENE.png` and returns its path. A different
@@ -121,28 +142,18 @@ fn save_beside_others(folder: &Path, name: &str, size: Size, rgb: &[u8]) -> Resu
 }
 
 /// A rendering in a separate thread. Dropping it stops it.
-pub struct Rendering<'scope> {
+struct Rendering<'scope> {
     picture: Arc<LivePicture>,
     thread: Option<ScopedJoinHandle<'scope, Result<Image, Error>>>,
 }
 
 impl Rendering<'_> {
-    /// The picture as far as it is finished.
-    #[must_use]
-    pub fn picture(&self) -> &LivePicture {
-        &self.picture
+    fn is_over(&self) -> bool {
+        let thread = self.thread.as_ref();
+        thread.is_none_or(ScopedJoinHandle::is_finished)
     }
 
-    /// Whether the rendering has ended, so that [`Rendering::join`] need not wait.
-    #[must_use]
-    pub fn is_over(&self) -> bool {
-        self.thread
-            .as_ref()
-            .is_none_or(ScopedJoinHandle::is_finished)
-    }
-
-    /// Waits for the end of the rendering.
-    pub fn join(mut self) -> Result<Image, Error> {
+    fn join(mut self) -> Result<Image, Error> {
         let thread = self.thread.take().ok_or(Error::Stopped)?;
         thread
             .join()

@@ -20,7 +20,7 @@ mod target;
 mod terminal_progress;
 mod viewer;
 
-pub use gallery::{Gallery, Rendering};
+pub use gallery::Gallery;
 pub use live_picture::LivePicture;
 pub use named::{Named, SAMPLINGS, by_name};
 pub use run::{run, run_with};

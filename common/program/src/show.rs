@@ -1,5 +1,7 @@
 //! `show`: shows a scene in a window, or writes its PNG where there is none.
 
+use std::thread;
+
 use common::{Error, Scene};
 use measure::Stage;
 
@@ -21,13 +23,18 @@ pub fn show(
     let settings = options.settings(scene)?;
     warn_unused(scene, options, &settings);
     if !showing.no_window {
-        let mut gallery = Gallery::new(stage, scene, options.clone());
-        let shown = match viewer {
-            Some(viewer) => viewer.show(&mut gallery),
-            None => Err(NotShown::NoWindow(
-                "this build has none; the feature `window` brings it".to_owned(),
-            )),
-        };
+        let shown = thread::scope(|scope| {
+            let Some(viewer) = viewer else {
+                let reason = "this build has none; the feature `window` brings it";
+                return Err(NotShown::NoWindow(reason.to_owned()));
+            };
+            let mut gallery = Gallery::new(stage, scene, options.clone(), scope);
+            // A viewer may choose another file first.
+            if !scene.uses.file {
+                gallery.start()?;
+            }
+            viewer.show(&mut gallery)
+        });
         match shown {
             Ok(()) => return Ok(()),
             Err(NotShown::Failed(error)) => return Err(error),

@@ -8,7 +8,8 @@ use crate::Gallery;
 /// Shows pictures to a person.
 pub trait Viewer {
     /// Shows the scenes of a gallery while they are rendered, and returns when
-    /// the person closes the window.
+    /// the person closes the window. The rendering of the first scene has been started,
+    /// unless it shows a file.
     fn show(&self, gallery: &mut Gallery) -> Result<(), NotShown>;
 }
 

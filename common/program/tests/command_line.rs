@@ -4,7 +4,7 @@
 use std::ffi::OsString;
 use std::path::Path;
 use std::process::{Command, ExitCode};
-use std::{env, fs, thread};
+use std::{env, fs};
 
 use common::{Color, Error, Image, Progress, Scene, Settings, Size, picture_file};
 use measure::Stage;
@@ -165,7 +165,8 @@ impl Viewer for Looker {
     fn show(&self, gallery: &mut Gallery) -> Result<(), NotShown> {
         let title = gallery.title();
         loop {
-            let picture = thread::scope(|scope| gallery.render(scope)?.join())?;
+            gallery.start()?;
+            let picture = gallery.wait()?;
             gallery.save(&picture)?;
             gallery.go_to_next();
             if gallery.title() == title {

@@ -2,7 +2,6 @@
 
 #[path = "../../src/adaptive/random.rs"]
 mod random;
-#[path = "../../benches/error_bound/stratified.rs"]
 mod stratified;
 
 use common::{Color, Image, Settings, Size};
