@@ -1,8 +1,6 @@
 //! Compares cameras, ray by ray.
 
-use a03_rays_cameras::{Camera, Ray};
-use common::{ArgumentError, Size};
-use testing::exercise::{Answer, Check, Input, Random, random};
+use crate::prelude::*;
 
 /// A camera whose rays a function of width, height and place finds.
 pub struct Own<F>(pub F);

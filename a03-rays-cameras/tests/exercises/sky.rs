@@ -1,17 +1,17 @@
 //! The scene of this stage, with the student's code in it.
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{StripeRule, StripedSky, View, scenes::striped_sky, stage};
-use common::{Error, Image, Settings};
-use testing::exercise::Check;
+use crate::prelude::*;
 
 /// Compares the scene of curved stripes with its lock.
 pub fn scene(
     check: &mut Check,
     render: impl FnOnce(&Settings, View<StripedSky>) -> Result<Image, Error>,
 ) {
-    check.scene(&stage(), "striped-sky", |settings| {
-        render(settings, striped_sky(settings.size, StripeRule::Direction)?)
+    check.scene(&a03_rays_cameras::stage(), "striped-sky", |settings| {
+        render(
+            settings,
+            scenes::striped_sky(settings.size, StripeRule::Direction)?,
+        )
     });
 }
 

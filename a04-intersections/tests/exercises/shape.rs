@@ -4,11 +4,7 @@
 use std::f64::consts::FRAC_PI_4;
 use std::fmt;
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, Ray, View, render};
-use a04_intersections::{Geometry, Hit, Interval, Triangle, World, stage};
-use common::{ArgumentError, Color};
-use testing::exercise::{Answer, Check, Input, Random, random};
+use crate::prelude::*;
 
 /// Origin and direction of a ray, and the ends of the interval.
 pub type RayWithin = ([f64; 3], [f64; 3], f64, f64);
@@ -245,7 +241,7 @@ pub fn scene(
     view: fn() -> Result<View<World<Color>>, ArgumentError>,
     shape: Result<impl Geometry, ArgumentError>,
 ) {
-    check.scene(&stage(), name, |settings| {
+    check.scene(&a04_intersections::stage(), name, |settings| {
         let View { camera, world } = view()?;
         let color = world
             .objects()

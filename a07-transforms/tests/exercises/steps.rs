@@ -1,15 +1,6 @@
 //! Steps of a transform; and the scenes of this stage, with the student's code in them.
 
-use a02_math::{Normal3, Point3};
-use a03_rays_cameras::{Ray, render};
-use a04_intersections::World;
-use a05_lighting::PointLight;
-use a06_shadows_reflection::{LightSource, RecursiveTracer, ShadowedWorld, diagonal_camera};
-use a07_transforms::{Mat4x4, Transform, stage};
-use common::{ArgumentError, Color};
-use testing::exercise::{Check, Input, Random};
-
-use crate::shape::{point, show_world};
+use crate::prelude::*;
 
 /// A step of a transform: the transform alone.
 #[derive(Clone, Copy, Debug)]
@@ -84,7 +75,7 @@ pub fn locked_scene(
     eye: f64,
     world: impl FnOnce() -> Result<ShadowedWorld, ArgumentError>,
 ) {
-    check.scene(&stage(), name, |settings| {
+    check.scene(&a07_transforms::stage(), name, |settings| {
         let (camera, world) = (diagonal_camera(eye)?, world()?);
         let tracer = RecursiveTracer::new(&world);
         render(

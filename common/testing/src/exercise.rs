@@ -5,27 +5,21 @@
 //!
 //! `sphere` and `signed_distance` of `a04-intersections` are examples of each file.
 //!
-//! 1. Where the student writes a part of the lesson, write the starter,
-//!    `exercises/starters/NAME.rs`: it compiles, calls [`missing`] in the place of the code
-//!    that is left to the student, and ends with three to six
-//!    [`examples!`](crate::examples) from closed forms. The solution,
-//!    `exercises/solutions/NAME.rs`, is a `pub use` of the lesson's type, or a function
-//!    that calls the lesson.
-//! 2. Elsewhere write only the solution, also with examples. What is left to the student
-//!    stands in `missing!("what is missing", a value for now, {` and ends with a line `})`,
-//!    which the starter does without. `cargo learn` copies or makes the starter as
-//!    `exercises/NAME.rs`, which no commit of the workbook contains.
-//! 3. Write the check, `tests/exercises/NAME.rs`: a function that takes the student's
-//!    code, and compares it with the lesson, or with the solution where the lesson has
-//!    none, by [`Check::compare`]. `VARIANTS` in the same file are other right solutions
-//!    and the mistakes that learners make, at least three with those of its kind
-//!    ([`Check::usual`]).
-//! 4. Add a line to [`exercises!`](crate::exercises) in `tests/exercises/main.rs`.
-//! 5. Give it a section in the book's page, `book/src/aNN-exercises.md`: task, minutes
-//!    and hints, which `cargo learn` shows, too.
-//! 6. Prove it with `cargo test -p STAGE --test exercises -- NAME`, which shows the
-//!    messages that students read, and leaves the picture of the solution in
-//!    `out/exercises/`; the book has it as `pictures/STAGE-exercise-NAME.png`.
+//! 1. Where the student writes a part of the lesson, the starter,
+//!    `exercises/starters/NAME.rs`, compiles, calls [`missing`] in the place of the code that
+//!    is left to the student, and ends with three to six [`examples!`](crate::examples) from
+//!    closed forms; the solution, `exercises/solutions/NAME.rs`, is the lesson. Elsewhere
+//!    write only the solution, with examples. The student's part stands in
+//!    `missing!("what is missing", a value for now, {`, ends with a line `})`, and is cut
+//!    out of the starter.
+//! 2. The check, `tests/exercises/NAME.rs`, compares the student's code with the lesson or
+//!    the solution by [`Check::compare`]. Its `VARIANTS` are right solutions in another style,
+//!    and mistakes of learners: at least three with those of its kind ([`Check::usual`]).
+//! 3. Add a line to [`exercises!`](crate::exercises) in `tests/exercises/main.rs`, and a
+//!    section to the page `book/src/aNN-exercises.md`: task, minutes and hints.
+//! 4. `cargo test -p STAGE --test exercises -- NAME` proves it, shows the messages that
+//!    students read, and leaves the picture of the solution in `out/exercises/`; the book
+//!    has it as `pictures/STAGE-exercise-NAME.png`.
 
 mod answer;
 mod check;
