@@ -106,10 +106,7 @@ mod tests {
             exact: "",
             seeds: &[],
             against: Axis::Work,
-            curves: Box::new(|_| {
-                let point = Point::new(1.0, 1.0, [1.0], || 0.0);
-                vec![Curve::new("", [point])]
-            }),
+            curves: Box::new(|_| vec![Curve::new("", [Point::new(1.0, 1.0, [1.0], || 0.0)])]),
         };
         vec![experiment("one"), experiment("two")]
     }
