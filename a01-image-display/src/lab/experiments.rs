@@ -81,8 +81,9 @@ fn point(picture: &Rc<RgbImage>, jpeg: Option<u8>) -> Option<Point<'static>> {
     let opened = image::load_from_memory(&bytes).ok()?.into_rgb8();
     let pairs = picture.as_raw().iter().zip(opened.as_raw());
     let errors = pairs.map(|(a, b)| (f64::from(*a) - f64::from(*b)) / 255.0);
-    let quality = jpeg.map_or(100.0, f64::from);
+    let (quality, size) = (jpeg.map_or(100.0, f64::from), bytes.len() as f64);
     let saved = Rc::clone(picture);
-    let run = move || encoded(&saved, jpeg).map_or(0.0, |bytes| bytes.len() as f64);
-    Some(Point::new(quality, bytes.len() as f64, errors, run))
+    Some(Point::new(quality, size, errors, move || {
+        encoded(&saved, jpeg)
+    }))
 }

@@ -1,7 +1,7 @@
 //! Arithmetic with twice the digits of a double: sums and products with their rounding
 //! errors, and `DoubleDouble`, a number as the unevaluated sum of two doubles.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Sub};
 
 /// The rounded sum and its rounding error (Knuth, The Art of Computer
 /// Programming, volume 2, section 4.2.2).
@@ -74,14 +74,6 @@ impl From<f64> for DoubleDouble {
     }
 }
 
-impl Neg for DoubleDouble {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Self(-self.0, -self.1)
-    }
-}
-
 impl Add for DoubleDouble {
     type Output = Self;
 
@@ -97,7 +89,7 @@ impl Sub for DoubleDouble {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
-        self + -other
+        self + Self(-other.0, -other.1)
     }
 }
 

@@ -35,7 +35,7 @@ pub struct SphereMeeting {
 pub fn sphere(c: &[f64; 3], r: f64, o: &[f64; 3], d: &[f64; 3]) -> SphereMeeting {
     let (f, d) = (difference(o, c), d.map(Number::from));
     let a = dot(&d, &d);
-    let middle = -dot(&f, &d) / a;
+    let middle = dot(&difference(c, o), &d) / a;
     let l = std::array::from_fn(|i| f[i] + d[i] * middle);
     let beside = dot(&l, &l);
     let discriminant = Number::from(r) * Number::from(r) - beside;

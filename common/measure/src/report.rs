@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use common::{Error, atomic_file};
 
@@ -222,12 +222,10 @@ fn compact(number: f64) -> String {
 
 /// A time, in the unit in which it has few digits.
 fn duration(seconds: f64) -> String {
-    match seconds {
-        ..1e-6 => format!("{:.0} ns", seconds * 1e9),
-        ..1e-3 => format!("{:.1} us", seconds * 1e6),
-        ..1.0 => format!("{:.1} ms", seconds * 1e3),
-        _ => format!("{seconds:.2} s"),
-    }
+    format!(
+        "{:.1?}",
+        Duration::try_from_secs_f64(seconds).unwrap_or_default()
+    )
 }
 
 #[cfg(test)]

@@ -39,11 +39,11 @@ fn times_are_compared_at_the_same_parameter() {
 square-root: Is the error one over the square root?
   rms error (white = 1), against 0
   method                              n          steps     error       max       time  time / first method
-  a < b                              10             10    5.0e-1    5.0e-1     2.0 ms
-  a < b                              20             20    2.5e-1    2.5e-1     4.0 ms
-* clever, new                        10             10    1.0e-1    1.0e-1     1.0 ms  0.50 (0.50-0.50)
-  clever, new                        20             20    5.0e-1    5.0e-1     4.0 ms  no difference beyond 34 %
-  clever, new                        30             30    5.0e-1    5.0e-1     3.00 s
+  a < b                              10             10    5.0e-1    5.0e-1      2.0ms
+  a < b                              20             20    2.5e-1    2.5e-1      4.0ms
+* clever, new                        10             10    1.0e-1    1.0e-1      1.0ms  0.50 (0.50-0.50)
+  clever, new                        20             20    5.0e-1    5.0e-1      4.0ms  no difference beyond 34 %
+  clever, new                        30             30    5.0e-1    5.0e-1       3.0s
 ";
     let table = measured(&experiment).table();
     assert!(table.starts_with(rows), "{table}");
@@ -81,7 +81,7 @@ square-root,\"clever, new\",30,30,5e-1,5e-1,3e0,3e0,4.5e0,false,false
 #[test]
 fn numbers_take_few_characters() {
     let shown = [12e-9, 3.44e-5, 0.25, 2.0].map(duration);
-    assert_eq!(shown, ["12 ns", "34.4 us", "250.0 ms", "2.00 s"]);
+    assert_eq!(shown, ["12.0ns", "34.4µs", "250.0ms", "2.0s"]);
     let shown = [0.0, 0.123_46, 9.9e-4, 9e9, 1e10].map(compact);
     assert_eq!(shown, ["0", "0.1235", "9.90e-4", "9000000000", "1.00e10"]);
 }
