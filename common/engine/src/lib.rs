@@ -11,7 +11,6 @@ pub mod adaptive;
 mod camera;
 mod flatten;
 mod lanes;
-mod query;
 mod ray;
 mod renderer;
 mod sampler;
@@ -23,7 +22,7 @@ mod vector;
 mod view;
 
 pub use camera::{Basis, Camera, RayFn};
-pub use ray::{Hit, Interval, Ray};
+pub use ray::{Hit, Ray};
 pub use renderer::Renderer;
 pub use sampler::{Sampler, camera_place};
 pub use scene::Scene;

@@ -1,15 +1,14 @@
 //! `Renderer`: a scene and a camera, prepared for rendering.
 
-use common::{Color, Error, Image, Progress, Settings};
+use common::{Error, Image, Progress, Settings};
 
 use crate::accel::Accelerator;
 use crate::adaptive;
 use crate::flatten::flatten;
-use crate::lanes::{RayPacket, in_fours};
 use crate::shade::RadianceBound;
-use crate::trace::{Batch, Tracer};
+use crate::trace::Tracer;
 use crate::view::View;
-use crate::{Camera, Ray, Sampler, Scene};
+use crate::{Camera, Sampler, Scene};
 
 /// The share of the allowed error for reflections that are cut off. The samples may use
 /// all of it, because the sum of both squares is hardly larger.
@@ -56,13 +55,6 @@ impl<'a> Renderer<'a> {
             cutoff,
         };
         Self { camera, tracer }
-    }
-
-    /// Computes the light along some rays. `light` has one element for each ray.
-    pub fn trace(&self, rays: &[Ray], light: &mut [Color]) {
-        let fours = in_fours(rays);
-        let packets: Vec<_> = fours.map(|four| RayPacket::new(four.each_ref())).collect();
-        self.tracer.trace(&packets, light, &mut Batch::default());
     }
 
     /// Renders a picture.

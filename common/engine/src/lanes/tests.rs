@@ -5,7 +5,7 @@ use std::array;
 
 use glam::DVec3;
 
-use super::{Lanes, Vector3x4, copysign, first_beyond, is_square_of_a_length, mask, select};
+use super::{Lanes, Vector3x4, copysign, first_positive, is_square_of_a_length, mask, select};
 use crate::vector::{largest_coordinate, normalized};
 
 /// Ordinary numbers and the extremes of all kinds.
@@ -198,10 +198,7 @@ fn the_first_t_ahead_is_the_same_as_for_one_ray() {
             let ahead = [a[i], b[i]].into_iter().find(|t| *t > 0.0);
             ahead.unwrap_or(f64::NAN)
         });
-        assert_same(
-            first_beyond(Lanes::ZERO, Lanes::new(a), Lanes::new(b)),
-            scalar,
-        );
+        assert_same(first_positive(Lanes::new(a), Lanes::new(b)), scalar);
     });
 }
 

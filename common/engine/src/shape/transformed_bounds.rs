@@ -7,19 +7,15 @@
 
 use glam::{DMat4, DVec3};
 
+use super::transform::WORST_CONDITION;
 use super::{Bounds, Transform};
-
-/// Largest coordinates of `m` times those of `i`, the condition of the transforms,
-/// above which rounding moves hits too far for bounds to be of use.
-const WORST_CONDITION: f64 = 1_048_576.0;
 
 /// More than the rounding of a few products and sums for each transform, and of the
 /// formula of the shape, relative to the largest number in them: 4096 units.
 const ROUNDING: f64 = 4096.0 * f64::EPSILON;
 
-/// The bounds of a shape under transforms, the outermost first. `reach` says how far the
-/// shape itself reaches along a vector.
-pub(super) fn transformed_bounds(steps: &[Transform], reach: impl Fn(DVec3) -> f64) -> Bounds {
+/// The bounds of a shape with this support function under transforms, the outermost first.
+pub(super) fn transformed_bounds(steps: &[Transform], support: impl Fn(DVec3) -> f64) -> Bounds {
     let matrices = || steps.iter().map(|step| step.matrix);
     let inverses = || steps.iter().rev().map(|step| step.inverse);
     let rows = |matrix: DMat4| matrix.transpose().to_cols_array_2d();
@@ -28,9 +24,9 @@ pub(super) fn transformed_bounds(steps: &[Transform], reach: impl Fn(DVec3) -> f
     let abs_m = rows(matrices().map(magnitudes).product());
     let abs_i = rows(inverses().map(magnitudes).product());
 
-    let around = Bounds::reached(|axis, sign| {
+    let around = Bounds::from_support(|axis, sign| {
         let [x, y, z, w] = m[axis];
-        reach(DVec3::new(x, y, z) * sign) + w * sign
+        support(DVec3::new(x, y, z) * sign) + w * sign
     });
     let largest = |axis: usize| around.min[axis].abs().max(around.max[axis].abs());
     let x = [largest(0), largest(1), largest(2), 1.0];
