@@ -15,7 +15,7 @@ pub struct Ray {
 /// A point at which a ray meets a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// The place on the ray.
+    /// The position on the ray.
     pub t: f64,
     /// The shading normal, of length 1. On a triangle it is interpolated between
     /// the corners.

@@ -119,19 +119,19 @@ impl Shape<'_> {
     }
 
     #[inline]
-    fn intersect(&self, rays: &Rays, wanted: u32) -> Lanes {
-        with_primitive!(self, |primitive| intersect(primitive, rays, wanted))
+    fn intersect(&self, rays: &Rays, active: u32) -> Lanes {
+        with_primitive!(self, |primitive| intersect(primitive, rays, active))
     }
 
-    fn hits(&self, rays: &Rays, t: Lanes, wanted: u32) -> PacketHit {
-        with_primitive!(self, |primitive| primitive.hits(rays, t, wanted))
+    fn hits(&self, rays: &Rays, t: Lanes, active: u32) -> PacketHit {
+        with_primitive!(self, |primitive| primitive.hits(rays, t, active))
     }
 }
 
 /// Where four rays meet one shape.
 #[inline]
-fn intersect<P: Primitive>(shape: P, rays: &Rays, wanted: u32) -> Lanes {
-    P::intersect(&P::four([shape; 4]), rays, wanted)
+fn intersect<P: Primitive>(shape: P, rays: &Rays, active: u32) -> Lanes {
+    P::intersect(&P::four([shape; 4]), rays, active)
 }
 
 impl Primitive for &Other<'_> {
@@ -142,14 +142,14 @@ impl Primitive for &Other<'_> {
         shape
     }
 
-    fn intersect(shape: &Self, rays: &Rays, wanted: u32) -> Lanes {
-        shape.hits(rays, Lanes::ZERO, wanted).t
+    fn intersect(shape: &Self, rays: &Rays, active: u32) -> Lanes {
+        shape.hits(rays, Lanes::ZERO, active).t
     }
 
-    fn hits(self, rays: &Rays, _: Lanes, wanted: u32) -> PacketHit {
+    fn hits(self, rays: &Rays, _: Lanes, active: u32) -> PacketHit {
         let rays = rays.packet.to_rays();
         PacketHit::new([0, 1, 2, 3].map(|lane| {
-            let hit = is_set(wanted, lane).then(|| (self.0)(&rays[lane]));
+            let hit = is_set(active, lane).then(|| (self.0)(&rays[lane]));
             hit.flatten().unwrap_or(Hit::NONE)
         }))
     }

@@ -103,6 +103,7 @@ impl Query for NearestQuery {
 
 impl Shapes<'_> {
     /// The hits of a query, shape by shape.
+    #[inline]
     pub fn hits(&self, query: &NearestQuery) -> NearestHits {
         let hit_mask = query.hit_mask();
         let mut hit = PacketHit::with_normals(query.t, Vector3x4::splat(glam::DVec3::ZERO));

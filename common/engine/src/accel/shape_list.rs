@@ -67,10 +67,10 @@ impl<L: List> ShapeList<L> {
         shared: &mut Q::Shared,
     ) {
         tally::count_all(Work::IntersectionTest, leaf.count.into());
-        let wanted = (1 << leaf.count) - 1;
-        let t = <L::Shape<'_> as Primitive>::intersect(&self.four(leaf), ray, wanted);
+        let active = (1 << leaf.count) - 1;
+        let t = <L::Shape<'_> as Primitive>::intersect(&self.four(leaf), ray, active);
         let t_max = Lanes::splat(query.t_max().as_array()[lane]);
-        let near = t.simd_le(t_max).to_bitmask() & wanted;
+        let near = t.simd_le(t_max).to_bitmask() & active;
         if near == 0 {
             return;
         }

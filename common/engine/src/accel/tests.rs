@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::*;
-use crate::adaptive::random::PixelRandom;
+use crate::adaptive::PixelRandom;
 use crate::lanes::{Lanes, RayPacket, is_set};
 use crate::shape::{Shape, Sphere};
 use crate::{Plane, Ray};

@@ -42,15 +42,15 @@ impl Primitive for &Disc {
     }
 
     #[inline]
-    fn intersect(shapes: &Discs, rays: &Rays, wanted: u32) -> Lanes {
-        let t = <&Plane>::intersect(&shapes.planes, rays, wanted);
+    fn intersect(shapes: &Discs, rays: &Rays, active: u32) -> Lanes {
+        let t = <&Plane>::intersect(&shapes.planes, rays, active);
         let from_center = rays.packet.at(t) - shapes.planes.point;
         let squared_radius = shapes.radius * shapes.radius;
         without(!from_center.dot(from_center).simd_le(squared_radius), t)
     }
 
     #[inline]
-    fn hits(self, rays: &Rays, t: Lanes, wanted: u32) -> PacketHit {
-        self.plane.hits(rays, t, wanted)
+    fn hits(self, rays: &Rays, t: Lanes, active: u32) -> PacketHit {
+        self.plane.hits(rays, t, active)
     }
 }

@@ -18,8 +18,8 @@ pub(crate) trait Primitive: Copy {
         f64::INFINITY
     }
 
-    /// Largest distance of a hit from the place where its ray passes through the bounds, in
-    /// lengths of the direction.
+    /// Largest distance of a hit from the points of its ray inside of the bounds, in lengths of the
+    /// direction.
     fn depth_error(self) -> f64 {
         0.0
     }
@@ -33,10 +33,10 @@ pub(crate) trait Primitive: Copy {
     fn four(shapes: [Self; 4]) -> Self::Four;
 
     /// The least `t` above 0 at which the ray of each lane meets the shape of the lane, with the
-    /// operations of the lesson; NaN without a hit. Lanes whose bits are not set in `wanted` hold
+    /// operations of the lesson; NaN without a hit. Lanes whose bits are not set in `active` hold
     /// anything.
-    fn intersect(shapes: &Self::Four, rays: &Rays, wanted: u32) -> Lanes;
+    fn intersect(shapes: &Self::Four, rays: &Rays, active: u32) -> Lanes;
 
-    /// The hits of four rays at these `t`, which `intersect` has found for the wanted lanes.
-    fn hits(self, rays: &Rays, t: Lanes, wanted: u32) -> PacketHit;
+    /// The hits of four rays at these `t`, which `intersect` has found in the active lanes.
+    fn hits(self, rays: &Rays, t: Lanes, active: u32) -> PacketHit;
 }

@@ -20,10 +20,10 @@ pub struct Transformed<'a> {
 }
 
 impl Transformed<'_> {
-    /// Counts the work of the wanted lanes.
+    /// Counts the work of the active lanes.
     #[inline]
-    fn count(&self, wanted: u32) {
-        let tests = u64::from(wanted.count_ones()) * self.steps.len() as u64;
+    fn count(&self, active: u32) {
+        let tests = u64::from(active.count_ones()) * self.steps.len() as u64;
         tally::count_all(Work::MovedRay, tests);
         tally::count_all(Work::IntersectionTest, tests);
     }
@@ -56,13 +56,13 @@ impl Primitive for &Transformed<'_> {
     }
 
     #[inline]
-    fn intersect(shape: &Self, rays: &Rays, wanted: u32) -> Lanes {
-        shape.count(wanted);
-        shape.shape.intersect(&shape.rays_inside(rays), wanted)
+    fn intersect(shape: &Self, rays: &Rays, active: u32) -> Lanes {
+        shape.count(active);
+        shape.shape.intersect(&shape.rays_inside(rays), active)
     }
 
-    fn hits(self, rays: &Rays, t: Lanes, wanted: u32) -> PacketHit {
-        let hit = self.shape.hits(&self.rays_inside(rays), t, wanted);
+    fn hits(self, rays: &Rays, t: Lanes, active: u32) -> PacketHit {
+        let hit = self.shape.hits(&self.rays_inside(rays), t, active);
         self.steps.iter().rev().fold(hit, |hit, step| PacketHit {
             t,
             normal: step.normals(hit.normal),

@@ -28,8 +28,7 @@ pub(super) fn transformed_bounds(steps: &[Transform], support: impl Fn(DVec3) ->
         let [x, y, z, w] = m[axis];
         support(DVec3::new(x, y, z) * sign) + w * sign
     });
-    let largest = |axis: usize| around.min[axis].abs().max(around.max[axis].abs());
-    let x = [largest(0), largest(1), largest(2), 1.0];
+    let [x, y, z] = around.magnitudes();
     let rounding = ROUNDING * steps.len() as f64;
 
     let mut moved = around;
@@ -38,17 +37,17 @@ pub(super) fn transformed_bounds(steps: &[Transform], support: impl Fn(DVec3) ->
         // (m i - 1) x + m δ. The formula of a shape mixes the coordinates, so that
         // each may have the error of the largest.
         let mut width = rounding * abs_m[row][3];
-        let reach: f64 = abs_m[row][..3].iter().sum();
+        let row_sum: f64 = abs_m[row][..3].iter().sum();
         for column in 0..4 {
             let products = (0..4).map(|k| m[row][k] * i[k][column]);
             let largest = (0..3).fold(0.0, |largest, k| abs_i[k][column].max(largest));
-            let condition = reach * largest;
+            let condition = row_sum * largest;
             if column < 3 && condition > WORST_CONDITION {
                 return Bounds::EVERYWHERE;
             }
             let one = f64::from(u8::from(row == column));
             let off = (products.sum::<f64>() - one).abs();
-            width += (off + rounding * condition) * x[column];
+            width += (off + rounding * condition) * [x, y, z, 1.0][column];
         }
         moved.min[row] -= width;
         moved.max[row] += width;

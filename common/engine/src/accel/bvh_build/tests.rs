@@ -3,7 +3,7 @@
 use super::*;
 use crate::accel::ids::Kind;
 use crate::accel::split::tests::{cluster, item};
-use crate::adaptive::random::PixelRandom;
+use crate::adaptive::PixelRandom;
 use crate::shape::Bounds;
 
 const CUBE: Bounds = Bounds {

@@ -6,7 +6,7 @@ use crate::accel::bvh_build;
 use crate::accel::ids::{Kind, Leaf, ShapeId};
 use crate::accel::slabs::WIDTH;
 use crate::accel::slabs::tests::{TO_THE_RIGHT, ray, space, space_of};
-use crate::adaptive::random::PixelRandom;
+use crate::adaptive::PixelRandom;
 use crate::lanes::is_set;
 use crate::shape::Bounds;
 

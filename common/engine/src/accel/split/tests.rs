@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::accel::ids::Kind;
-use crate::adaptive::random::PixelRandom;
+use crate::adaptive::PixelRandom;
 
 pub(in crate::accel) const fn item(min: [f32; 3], max: [f32; 3], index: u32) -> Item {
     Item {
