@@ -8,12 +8,6 @@ use common::Color;
 
 use crate::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
 
-impl From<engine::Interval> for Interval {
-    fn from(engine::Interval { min, max }: engine::Interval) -> Self {
-        Self { min, max }
-    }
-}
-
 impl From<Hit> for engine::Hit {
     fn from(hit: Hit) -> Self {
         Self {
@@ -72,8 +66,8 @@ pub fn shapes<'a>(geometry: &'a dyn Geometry, add: &mut dyn FnMut(engine::Shape<
                 face: triangle.face.to_glam(),
             })
         } else {
-            engine::Shape::other(|ray, within| {
-                let hit = geometry.hit(&Ray::from(ray), within.into());
+            engine::Shape::other(|ray| {
+                let hit = geometry.hit(&Ray::from(ray), Interval::AHEAD);
                 hit.map(Into::into)
             })
         },

@@ -7,13 +7,15 @@ use a04_intersections::Geometry;
 use crate::{Disc, Mat4x4, Node, Transform};
 
 /// Adds the engine's shapes for a geometry of this stage or of a lower one. A node adds
-/// each of its children with its transform.
+/// each of its children with its transform, unless rounding may destroy their normals.
 pub fn shapes<'a>(geometry: &'a dyn Geometry, add: &mut dyn FnMut(engine::Shape<'a>)) {
     let any: &dyn Any = geometry;
     if let Some(boxed) = any.downcast_ref::<Box<dyn Geometry>>() {
         shapes(&**boxed, add);
-    } else if let Some(node) = any.downcast_ref::<Node>() {
-        let transform = transform(&node.transform);
+    } else if let Some(node) = any.downcast_ref::<Node>()
+        && let transform = transform(&node.transform)
+        && transform.is_well_conditioned()
+    {
         for child in &node.children {
             shapes(&**child, &mut |shape| add(shape.transformed(&transform)));
         }

@@ -75,7 +75,7 @@ fn unknown_shapes_are_met_as_in_the_list() {
     let eye = Point3::new(25.0, 5.0, 30.0);
     let mut numbers = Numbers::new(3);
     let mut aim = || Point3::new(25.0 + 26.0 * numbers.next(), 0.7 * numbers.next(), 0.0);
-    let towards = |aim: Point3| (Ray::new(eye, aim - eye).unwrap(), Interval::AHEAD);
+    let towards = |aim: Point3| Ray::new(eye, aim - eye).unwrap();
     let rays: Vec<_> = (0..20_000).map(|_| towards(aim())).collect();
     assert!(compare(&world, shapes, &rays) > 1000);
 }

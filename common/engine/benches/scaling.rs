@@ -142,14 +142,14 @@ fn known((center, radius): (DVec3, f64)) -> Shape<'static> {
 /// A sphere as a shape of a type that the engine does not know, so that it is tested for
 /// every ray.
 fn unknown((center, radius): (DVec3, f64)) -> Shape<'static> {
-    Shape::other(move |ray, within| {
+    Shape::other(move |ray| {
         let f = ray.origin - center;
         let middle = -f.dot(ray.direction);
         let beside = f + ray.direction * middle;
-        // Beside the sphere the root is NaN, which no interval contains.
+        // Beside the sphere the root is NaN, which is not above 0.
         let half = (radius * radius - beside.length_squared()).sqrt();
         let mut both = [middle - half, middle + half].into_iter();
-        let t = both.find(|t| within.contains(*t))?;
+        let t = both.find(|t| *t > 0.0)?;
         Some(Hit::new(t, (f + ray.direction * t) / radius))
     })
 }

@@ -3,104 +3,93 @@
 //! Every candidate is tested with its own formula, and only shapes are skipped that
 //! the ray cannot hit. So the result has the bits of a test of all shapes.
 
-mod bundle;
 mod bvh;
 mod bvh_build;
-mod cut;
-mod list;
+mod ids;
 mod nearest;
-mod search;
+mod packet_culling;
+mod query;
 mod shadow;
+mod shape_list;
 mod shapes;
-mod single;
 mod slabs;
-mod units;
+mod split;
+#[cfg(test)]
+mod tests;
+mod traverse;
+mod tree_space;
 
 use crate::shape::Bounds;
-pub(crate) use bundle::SEARCHES;
-use bvh::{Bvh, Leaf};
-use bvh_build::Item;
-pub(crate) use nearest::{NearestHits, NearestSearch};
-pub(crate) use shadow::{Occluder, ShadowSearch};
-use shapes::ShapeId;
+use bvh::Bvh;
+use ids::{Leaf, ShapeId};
+pub(crate) use nearest::{NearestHits, NearestQuery};
+pub(crate) use packet_culling::PACKETS;
+pub(crate) use shadow::{Occluder, ShadowQuery};
 pub(crate) use shapes::Shapes;
-use units::Units;
+use split::Item;
+use tree_space::TreeSpace;
 
-/// Up to this many shapes are few: one ray sooner tests them than it searches for them.
-const FEW: usize = 16;
+/// A linear scan is faster up to this number of shapes.
+const LINEAR_SCAN_SHAPES: usize = 16;
 
 /// The shapes of a scene, prepared for many rays.
 #[derive(Debug)]
 pub(crate) struct Accelerator<'a> {
     pub shapes: Shapes<'a>,
-    /// The shapes without finite bounds, which every ray is tested against.
-    unbounded: Vec<Leaf>,
-    /// The others.
+    /// The shapes with finite bounds.
     tree: Option<Bvh>,
-    /// All shapes, if they are few; otherwise none.
-    few: Vec<Leaf>,
+    /// The others, which every ray is tested against.
+    unbounded: Vec<Leaf>,
+    /// All shapes, if a linear scan may be faster; otherwise none.
+    linear_scan: Vec<Leaf>,
 }
 
 impl<'a> Accelerator<'a> {
     /// The accelerator of these shapes.
     pub fn new(mut shapes: Shapes<'a>) -> Self {
         shapes.finish();
-        let (mut all, mut unbounded) = (Bounds::NOWHERE, Vec::new());
-        let mut depth_error = 0.0;
-        for (shape, bounds) in shapes.bounds() {
-            if bounds.are_finite() {
-                all = all.union(bounds);
-                depth_error += shapes.depth_error(shape);
-            } else {
-                unbounded.push(shape);
-            }
-        }
-        let count = shapes.len() - unbounded.len();
-        // A tree that expects larger errors looks into bounds behind the nearest hit. So it
-        // expects the mean of all shapes; bounds of those with larger ones are widened.
-        let units = Units::new(
-            all,
-            depth_error / count.max(1) as f64,
-            shapes.triangles.places.is_empty(),
-        );
-        let mut items = Vec::with_capacity(count);
-        let bounded = shapes.bounds().filter(|(_, bounds)| bounds.are_finite());
-        items.extend(bounded.map(|(shape, bounds)| Item {
-            bounds: units.bounds(bounds, shapes.depth_error(shape)),
-            shape,
-        }));
-        let name = |items: &mut [Item]| {
-            let bounded = items.iter_mut().map(|item| &mut item.shape);
-            shapes.reorder(bounded.chain(&mut unbounded));
-        };
-        let tree = if items.is_empty() {
-            None
-        } else {
-            Some(Bvh::new(units, items, name))
-        };
-        let few = if shapes.len() <= FEW {
-            leaves(shapes.ids())
-        } else {
-            Vec::new()
-        };
+        let (tree, unbounded) = build(&mut shapes);
+        let is_linear = shapes.len() <= LINEAR_SCAN_SHAPES;
+        let ids: Vec<_> = shapes.ids().filter(|_| is_linear).collect();
         Self {
-            unbounded: leaves(unbounded),
             tree,
-            few,
+            unbounded: Leaf::of_all(&unbounded),
+            linear_scan: Leaf::of_all(&ids),
             shapes,
         }
     }
 }
 
-/// Shapes of consecutive names, in as few leaves as possible.
-fn leaves(shapes: impl IntoIterator<Item = ShapeId>) -> Vec<Leaf> {
-    let shapes: Vec<_> = shapes.into_iter().collect();
-    let runs = shapes.chunk_by(|a, b| a.kind == b.kind);
-    let fours = runs.flat_map(|run| run.chunks(run[0].kind.most_in_leaf()));
-    let leaf = |four: &[ShapeId]| Leaf {
-        kind: four[0].kind,
-        count: four.len() as u8,
-        first: four[0].index,
-    };
-    fours.map(leaf).collect()
+/// The tree of the shapes with finite bounds, and the other shapes. Sorts the shapes in the order
+/// of the leaves.
+fn build(shapes: &mut Shapes) -> (Option<Bvh>, Vec<ShapeId>) {
+    let (mut all, mut depth_error) = (Bounds::EMPTY, 0.0);
+    let (mut bounded, mut unbounded) = (0_u32, Vec::new());
+    for (shape, bounds) in shapes.bounds() {
+        if bounds.are_finite() {
+            all = all.union(bounds);
+            depth_error += shapes.depth_error(shape);
+            bounded += 1;
+        } else {
+            unbounded.push(shape);
+        }
+    }
+    if bounded == 0 {
+        return (None, unbounded);
+    }
+    // A tree that expects larger errors looks into bounds behind the nearest hit. So it
+    // expects the mean of all shapes; bounds of those with larger ones are widened.
+    let is_exact = shapes.triangles.attributes.is_empty();
+    let space = TreeSpace::new(all, depth_error / f64::from(bounded), is_exact);
+    let mut items = Vec::with_capacity(bounded as usize);
+    let finite = shapes.bounds().filter(|(_, bounds)| bounds.are_finite());
+    items.extend(finite.map(|(shape, bounds)| Item {
+        bounds: space.bounds(bounds, shapes.depth_error(shape)),
+        shape,
+    }));
+    let tree = Bvh::new(space, items, |items| {
+        let bounded = items.iter_mut().map(|item| &mut item.shape);
+        shapes.reorder(bounded.chain(&mut unbounded));
+    });
+    (Some(tree), unbounded)
 }

@@ -1,12 +1,12 @@
 //! Adaptive sampling: few samples where light changes evenly, and many at edges and
-//! highlights, until the picture is as exact as it was asked to be.
+//! highlights, until the error of the picture is below a bound.
 //!
-//! 1. Each pixel gets a few samples, more if the picture is small: enough that an object
-//!    so large that it matters is met (`search`).
-//! 2. Where samples differ, a goal is set for the number of samples (`doubt`, `allocation`),
-//!    and half of them are taken.
+//! 1. Each pixel gets pilot samples, more of them if the picture is small: enough to find each
+//!    object that is large enough to matter (`pilot`).
+//! 2. Where they differ, the expected variance sets a number of samples, and half of them are
+//!    taken (`expected_variance`, `allocation`).
 //! 3. The other half checks the picture: no decision has seen these samples (`check`). If the
-//!    picture may be farther off than allowed, 2 and 3 are repeated with a lower aim.
+//!    error may be above the bound, 2 and 3 are repeated with a lower target.
 //!
 //! All samples are part of the picture.
 //!
@@ -16,11 +16,11 @@
 
 mod allocation;
 mod check;
-mod doubt;
+mod expected_variance;
 mod picture;
+mod pilot;
 mod pixel;
-pub(crate) mod random;
-mod search;
+mod random;
 mod sequence;
 
 use common::{Color, Error, Image, Progress, Sampled, Settings};
@@ -28,53 +28,56 @@ use rayon::iter::{
     IndexedParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator,
 };
 
-use allocation::{Allocation, Wish};
-use check::Estimate;
+use allocation::{Allocation, Target};
+use check::{Checked, Estimate};
+use expected_variance::expected_variances;
 use picture::Picture;
+use pilot::Pilot;
 use pixel::Pixel;
-use search::Search;
+pub use random::PixelRandom;
 
-/// Light at places of a picture, in the coordinates of the camera: whole numbers are the
+/// Light at positions in a picture, in the coordinates of the camera: whole numbers are the
 /// middles of pixels, and y counts upwards.
 pub trait Radiance: Sync {
     /// Memory that one call after the other uses.
     type Memory: Default;
 
-    /// The light at some places.
-    fn light<'m>(&self, places: &[(f64, f64)], memory: &'m mut Self::Memory) -> &'m [Color];
+    /// The light at some positions.
+    fn light<'m>(&self, positions: &[(f64, f64)], memory: &'m mut Self::Memory) -> &'m [Color];
 }
 
 impl<F: Fn(f64, f64) -> Color + Sync> Radiance for F {
     type Memory = Vec<Color>;
 
-    fn light<'m>(&self, places: &[(f64, f64)], light: &'m mut Vec<Color>) -> &'m [Color] {
+    fn light<'m>(&self, positions: &[(f64, f64)], light: &'m mut Vec<Color>) -> &'m [Color] {
         light.clear();
-        light.extend(places.iter().map(|(x, y)| self(*x, *y)));
+        light.extend(positions.iter().map(|(x, y)| self(*x, *y)));
         light
     }
 }
 
 /// Channels of a pixel: squared errors are added up over them.
 const CHANNELS: f64 = 3.0;
-/// The share of the allowed squared error that the expected one aims at, beside objects that
-/// no sample met. The rest is for errors that the check cannot exclude.
-const AIM: f64 = 0.7;
-/// Samples of doubted pixels, for each sample that every pixel needs: for little, they make
-/// the picture more exact than it has to be.
-const FREE: f64 = 0.25;
-/// The most often that a picture is checked, and refined before each check.
-const ROUNDS: u32 = 10;
-const STEPS: u32 = 12;
-/// Another step is not worth its time for fewer than one pixel of this many.
-const FEW: usize = 300;
-/// The first samples tell too little to take more than this many times as many.
+/// Target of the expected squared error, relative to the allowed one without that of objects
+/// between all samples. The rest is for errors that the check cannot exclude.
+const TARGET: f64 = 0.7;
+/// Samples beyond the pilot samples, relative to their number, that the target does not limit:
+/// they cost little and make the error smaller.
+const SPARE_SAMPLES: f64 = 0.25;
+/// Upper bounds of the number of checks, and of refinements before each check.
+const CHECKS: u32 = 10;
+const REFINEMENTS: u32 = 12;
+/// A further refinement has to change more than one pixel of this many.
+const PIXELS_PER_REFINED: usize = 300;
+/// Upper bound of the factor by which one refinement multiplies the samples of a pixel: a
+/// variance from few samples is uncertain.
 const GROWTH: u32 = 4;
 
-/// Renders the picture of the light at each place, until its root mean square error is at
+/// Renders the picture of the light at each position, until its root mean square error is at
 /// most `max_error`, with 95 % confidence.
 ///
-/// `progress` is told how far off the picture is, which may be more than `max_error` if that
-/// would need more samples of a pixel than the settings allow. Four are always allowed.
+/// `progress` gets the estimated error, which may be above `max_error` if that would need more
+/// samples of a pixel than the settings allow. Four are always allowed.
 ///
 /// # Errors
 ///
@@ -88,8 +91,8 @@ pub fn render_image(
 ) -> Result<Image, Error> {
     let mut image = Image::black(settings.size)?;
     let mut picture = Picture::new(radiance, settings, progress)?;
-    let most = (settings.samples / 2).max(2);
-    progress.sampled(&converge(&mut picture, most, max_error)?);
+    let max_pairs = (settings.samples / 2).max(2);
+    progress.sampled(&converge(&mut picture, max_pairs, max_error)?);
 
     let colors = picture.pixels().par_iter().map(Pixel::mean);
     let pixels = image.pixels_mut().par_iter_mut().zip(colors);
@@ -98,95 +101,157 @@ pub fn render_image(
 }
 
 /// Takes samples until the check shows that the error is at most `max_error`, or a pixel would
-/// need more than `most` pairs.
+/// need more than `max_pairs` pairs.
 fn converge<R: Radiance>(
     picture: &mut Picture<R>,
-    most: u32,
+    max_pairs: u32,
     max_error: f64,
 ) -> Result<Sampled, Error> {
-    let pixels = picture.pixels().len();
-    let allowed = max_error * max_error * CHANNELS * pixels as f64;
-    let mut sampled = Sampled {
-        pixels: pixels as u64,
-        ..Sampled::default()
-    };
-    let mut search = Search::new(allowed, most);
-    if search.middles {
-        picture.take_middles();
-        sampled.samples += sampled.pixels;
-    } else {
-        picture.take(|_, _| search.pairs.div_ceil(2));
-    }
-    search.widen(picture.brightest());
-
-    let mut aim = AIM * (allowed - search.unseen(1.0)).max(0.1 * allowed);
-    let (mut unknown, mut idle) = (Estimate::default(), 0);
-    for _ in 0..ROUNDS {
-        let wish = Wish {
-            least: search.pairs,
-            most,
-            aim,
-            free: FREE * search.samples() * pixels as f64,
-        };
-        let goal = refine(picture, wish)?;
-        let found = check::check(picture, &search, goal);
+    let mut convergence = Convergence::new(picture, max_pairs, max_error);
+    for _ in 0..CHECKS {
+        let goal = refine(picture, convergence.target())?;
+        let checked = check::check(picture, &convergence.pilot, goal);
         picture.check_stopped()?;
-
-        unknown += found.unknown;
-        let mut error = found.known;
-        error += unknown;
-        let brightest = picture.brightest();
-        let unseen = search.unseen(brightest);
-        sampled.audited += found.checked;
-        sampled.squared_error = error.sum / CHANNELS;
-        sampled.variance = error.variance / (CHANNELS * CHANNELS);
-        sampled.unseen = unseen / CHANNELS;
-        idle = if found.checked > 0 { 0 } else { idle + 1 };
-        if !sampled.misses(Some(max_error)) || idle == 2 {
+        let error = convergence.estimate(&checked, picture.brightest());
+        if convergence.has_ended(max_error) {
             break;
         }
-        let left = (allowed - unseen).max(0.1 * allowed);
-        aim *= (AIM * left / error.largest()).clamp(0.125, 0.7);
-        if search.widen_after(&unknown, brightest) {
-            unknown = Estimate::default();
-        }
+        convergence.lower_target(&error, picture.brightest());
     }
-    let pairs = || picture.pixels().par_iter().map(Pixel::pairs);
-    sampled.samples += pairs().map(|pairs| u64::from(2 * pairs)).sum::<u64>();
-    sampled.most = 2 * pairs().max().unwrap_or(0);
-    Ok(sampled)
+    Ok(convergence.sampled(picture))
 }
 
-/// Takes half of the samples that the wish gives to each doubted pixel. The other half is
-/// for the check. Returns the number of pairs that a pixel is to have then, as a function of
-/// its index and itself.
+/// The state of sampling between two checks.
+struct Convergence {
+    pilot: Pilot,
+    max_pairs: u32,
+    /// The allowed squared error, added up over pixels and channels.
+    allowed: f64,
+    /// The target of the expected squared error.
+    target: f64,
+    /// The error that all checks have found in pixels with pilot samples only.
+    unrefined: Estimate,
+    /// The number of checks, the last ones, without a sample.
+    empty_checks: u32,
+    sampled: Sampled,
+}
+
+impl Convergence {
+    /// Takes the first pilot samples.
+    fn new<R: Radiance>(picture: &mut Picture<R>, max_pairs: u32, max_error: f64) -> Self {
+        let pixels = picture.pixels().len();
+        let allowed = max_error * max_error * CHANNELS * pixels as f64;
+        let mut sampled = Sampled {
+            pixels: pixels as u64,
+            ..Sampled::default()
+        };
+        let mut pilot = Pilot::new(allowed, max_pairs);
+        if pilot.middles {
+            picture.take_middles();
+            sampled.samples += sampled.pixels;
+        } else {
+            picture.take(|_, _| pilot.pairs.div_ceil(2));
+        }
+        pilot.widen(picture.brightest());
+        Self {
+            target: TARGET * remaining(allowed, pilot.unseen(1.0)),
+            pilot,
+            max_pairs,
+            allowed,
+            unrefined: Estimate::default(),
+            empty_checks: 0,
+            sampled,
+        }
+    }
+
+    /// The target of the next refinements.
+    fn target(&self) -> Target {
+        Target {
+            min_pairs: self.pilot.pairs,
+            max_pairs: self.max_pairs,
+            error: self.target,
+            spare_samples: SPARE_SAMPLES * self.pilot.samples() * self.sampled.pixels as f64,
+        }
+    }
+
+    /// The error of the picture after a check, which is recorded in the report.
+    fn estimate(&mut self, checked: &Checked, brightest: f64) -> Estimate {
+        self.unrefined += checked.unrefined;
+        let mut error = checked.known;
+        error += self.unrefined;
+        self.sampled.audited += checked.pixels;
+        self.sampled.squared_error = error.sum / CHANNELS;
+        self.sampled.variance = error.variance / (CHANNELS * CHANNELS);
+        self.sampled.unseen = self.pilot.unseen(brightest) / CHANNELS;
+        self.empty_checks = match checked.pixels {
+            0 => self.empty_checks + 1,
+            _ => 0,
+        };
+        error
+    }
+
+    /// Whether the error is low enough, or no pixel may have more samples.
+    fn has_ended(&self, max_error: f64) -> bool {
+        !self.sampled.misses(Some(max_error)) || self.empty_checks == 2
+    }
+
+    /// Lowers the target after a check with an error that is too large.
+    fn lower_target(&mut self, error: &Estimate, brightest: f64) {
+        let left = remaining(self.allowed, self.pilot.unseen(brightest));
+        self.target *= (TARGET * left / error.largest()).clamp(0.125, 0.7);
+        if self.pilot.widen_after(&self.unrefined, brightest) {
+            self.unrefined = Estimate::default();
+        }
+    }
+
+    /// The report, with the samples of all pixels.
+    fn sampled<R: Radiance>(mut self, picture: &Picture<R>) -> Sampled {
+        let pairs = || picture.pixels().par_iter().map(Pixel::pairs);
+        self.sampled.samples += pairs().map(|pairs| u64::from(2 * pairs)).sum::<u64>();
+        self.sampled.most = 2 * pairs().max().unwrap_or(0);
+        self.sampled
+    }
+}
+
+/// The allowed error without that of objects between all samples, but at least a tenth.
+fn remaining(allowed: f64, unseen: f64) -> f64 {
+    (allowed - unseen).max(0.1 * allowed)
+}
+
+/// Takes half of the samples that the target gives to each pixel with an expected variance. The
+/// other half is for the check. Returns the number of pairs that a pixel is to have then, as a
+/// function of its index and itself.
 fn refine<R: Radiance>(
     picture: &mut Picture<R>,
-    wish: Wish,
+    target: Target,
 ) -> Result<impl Fn(usize, &Pixel) -> u32 + Sync + use<R>, Error> {
-    let Wish { least, most, .. } = wish;
-    let (mut steps, mut spreads) = (0..STEPS, Vec::new());
-    let (doubts, allocation) = loop {
-        let doubts = doubt::doubts(picture.pixels(), picture.width(), &mut spreads);
-        let allocation = Allocation::new(&doubts, wish);
+    let Target {
+        min_pairs,
+        max_pairs,
+        ..
+    } = target;
+    let (mut refinements, mut own_variances) = (0..REFINEMENTS, Vec::new());
+    let (variances, allocation) = loop {
+        let variances = expected_variances(picture.pixels(), picture.width(), &mut own_variances);
+        let allocation = Allocation::new(&variances, target);
         let half = |i: usize, pixel: &Pixel| {
-            let goal = allocation.pairs(doubts[i]);
-            let half = if goal > least { goal / 2 } else { 0 };
+            let goal = allocation.pairs(variances[i]);
+            let half = if goal > min_pairs { goal / 2 } else { 0 };
             half.min(GROWTH * pixel.pairs().max(1))
         };
-        let taken = picture.take(half);
+        let refined = picture.take(half);
         picture.check_stopped()?;
-        // A few more pixels are left to the check.
-        if taken <= doubts.len() / FEW || steps.next().is_none() {
-            break (doubts, allocation);
+        // The last few pixels are left to the check.
+        if refined <= variances.len() / PIXELS_PER_REFINED || refinements.next().is_none() {
+            break (variances, allocation);
         }
     };
     Ok(move |i: usize, pixel: &Pixel| {
-        let (pairs, mut goal) = (pixel.pairs(), allocation.pairs(doubts[i]));
-        if pairs >= goal && pairs > pixel.checked() {
-            // It has more samples by now than it needs, but they are not checked yet.
+        let (pairs, mut goal) = (pixel.pairs(), allocation.pairs(variances[i]));
+        if pairs >= goal && pairs > pixel.checked_pairs() {
+            // It has enough samples, but they are not checked yet.
             goal = 2 * pairs;
         }
-        goal.min((2 * pairs).max(least + 1)).min(most)
+        goal.min((2 * pairs).max(min_pairs + 1)).min(max_pairs)
     })
 }

@@ -1,4 +1,4 @@
-//! `Camera`: computes the rays through places of a picture.
+//! `Camera`: computes the rays through positions in a picture.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ use crate::Ray;
 use crate::lanes::{Lanes, RayPacket, Vector3x4, in_fours};
 use crate::vector::normalized;
 
-/// The ray through the place (x, y) of a picture of this size: whole numbers are the
+/// The ray through the position (x, y) in a picture of this size: whole numbers are the
 /// middles of pixels, and y counts upwards.
 pub type RayFn<'a> = Box<dyn Fn(Size, f64, f64) -> Ray + Send + Sync + 'a>;
 
@@ -46,21 +46,22 @@ impl fmt::Debug for Camera<'_> {
 /// An eye and three axes of length 1, perpendicular to each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Basis {
-    /// The place of the camera.
+    /// The position of the eye.
     pub e: DVec3,
     /// To the right of the picture.
     pub u: DVec3,
     /// Up in the picture.
     pub v: DVec3,
-    /// Against the direction of the gaze.
+    /// Against the viewing direction.
     pub w: DVec3,
 }
 
 impl Camera<'_> {
-    /// Adds the rays through four places to `packets`, and so on; the last place repeats.
-    pub(crate) fn rays(&self, size: Size, places: &[(f64, f64)], packets: &mut Vec<RayPacket>) {
+    /// Adds a packet for each four positions to `packets`. In the last packet the last position
+    /// repeats.
+    pub(crate) fn rays(&self, size: Size, positions: &[(f64, f64)], packets: &mut Vec<RayPacket>) {
         let [width, height] = [size.width(), size.height()].map(f64::from);
-        let fours = in_fours(places);
+        let fours = in_fours(positions);
         match self {
             Self::Perspective {
                 basis,
@@ -90,28 +91,28 @@ impl Camera<'_> {
     }
 }
 
-/// The share of the picture's extent between its middle and pixel `p` of `n`.
+/// The offset of pixel `p` of `n` from the middle of the picture, relative to its extent.
 fn from_middle(p: f64, n: f64) -> f64 {
     (p - (n - 1.0) / 2.0) / (n - 1.0).max(1.0)
 }
 
 impl Basis {
-    /// The rays from the eye through four places of a picture with this middle, at the
+    /// The rays from the eye through four positions in a picture with this middle, at the
     /// distance `z`.
     #[inline]
     fn perspective_rays(
         &self,
         (middle_x, middle_y): (f64, f64),
         z: f64,
-        places: [(f64, f64); 4],
+        positions: [(f64, f64); 4],
     ) -> RayPacket {
         let [u, v, w] = [self.u, self.v, self.w].map(Vector3x4::splat);
-        let x = Lanes::new(places.map(|(x, _)| x)) - Lanes::splat(middle_x);
-        let y = Lanes::new(places.map(|(_, y)| y)) - Lanes::splat(middle_y);
+        let x = Lanes::new(positions.map(|(x, _)| x)) - Lanes::splat(middle_x);
+        let y = Lanes::new(positions.map(|(_, y)| y)) - Lanes::splat(middle_y);
         let (mut direction, is_unit) = (u * x + v * y - w * Lanes::splat(z)).normalized();
         if !is_unit.all() {
             let one = |(x, y)| self.direction(x - middle_x, y - middle_y, z);
-            direction = Vector3x4::new(places.map(one));
+            direction = Vector3x4::new(positions.map(one));
         }
         RayPacket {
             origin: Vector3x4::splat(self.e),

@@ -5,7 +5,6 @@
 //! rounding of a product of a matrix and a point. So shapes are flattened only where the
 //! picture may have an error.
 
-use common::argument::LARGEST_LENGTH;
 use glam::{DMat4, DVec3};
 
 use crate::shape::{Transform, Transformed};
@@ -24,32 +23,20 @@ use crate::shape::{Transform, Transformed};
 /// together stay below 10 eps; the norms are rounded, too.
 const PER_TRANSFORM: f64 = 16.0 * f64::EPSILON;
 
-/// Shapes may move by the allowed error times this share of the scene. In a picture of
-/// the whole scene, up to 4096 pixels wide, that is less than the same part of a pixel.
+/// Size of a pixel relative to the scene, in a picture of the whole scene 4096 pixels wide.
 const PIXEL: f64 = 1.0 / 4096.0;
 
-/// Largest entry of a product, so that the square of a stretched direction is finite.
-const LARGEST_ENTRY: f64 = 1e50 * LARGEST_LENGTH;
-
-/// Replaces the transforms of a shape by their product if every ray passes the shape as
-/// if it had been moved by less than `max_error` of a pixel. `max_distance` is the
-/// largest distance of eye and objects from the origin. Returns the bound of the
-/// displacement.
-pub(crate) fn flatten(shape: &mut Transformed, max_distance: f64, max_error: f64) -> Option<f64> {
-    if shape.steps().len() < 2 {
-        return None;
+/// Replaces the transforms of a shape by their product if that displaces the shape, as each ray
+/// sees it, by less than `max_error` of a pixel. `max_distance` is the
+/// largest distance of eye and objects from the origin.
+pub(crate) fn flatten(shape: &mut Transformed, max_distance: f64, max_error: f64) {
+    if shape.steps.len() < 2 {
+        return;
     }
-    let (transform, displacement) = product(shape.steps(), max_distance);
-    let entries = [transform.matrix, transform.inverse].map(|m| m.to_cols_array());
-    let is_within = entries
-        .as_flattened()
-        .iter()
-        .all(|x| x.abs() <= LARGEST_ENTRY);
-    let is_near = displacement < max_error * PIXEL * max_distance;
-    (is_within && is_near).then(|| {
-        shape.flatten(transform);
-        displacement
-    })
+    let (transform, displacement) = product(&shape.steps, max_distance);
+    if transform.is_well_conditioned() && displacement < max_error * PIXEL * max_distance {
+        shape.steps = vec![transform];
+    }
 }
 
 /// The product of transforms, and an upper bound of its displacement against them one
@@ -57,7 +44,7 @@ pub(crate) fn flatten(shape: &mut Transformed, max_distance: f64, max_error: f64
 ///
 /// A point at the distance r is at most `inwards` r + `far` from the origin in the space
 /// of the object, and lengths there are at most `outwards` times as long outside. A ray
-/// o + t d errs at a place x by the error of o and t times the error of d; together o
+/// o + t d errs at a point x by the error of o and t times the error of d; together o
 /// and x - o are no longer than three times the largest distance.
 fn product(steps: &[Transform], max_distance: f64) -> (Transform, f64) {
     let mut all = Transform {

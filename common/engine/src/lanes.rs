@@ -18,7 +18,7 @@ pub use vector::{Vector3x4, is_square_of_a_length};
 pub use wide::f64x4 as Lanes;
 
 /// The `t` of no hit.
-pub const NOWHERE: Lanes = Lanes::new([f64::NAN; 4]);
+pub const NO_HIT: Lanes = Lanes::new([f64::NAN; 4]);
 
 /// The values four by four; in the last four the last value repeats.
 #[inline]
@@ -42,16 +42,16 @@ pub fn without(mask: Lanes, t: Lanes) -> Lanes {
     t | mask
 }
 
-/// `t` where it lies beyond `min`, else NaN.
+/// `t` where it is above 0, else NaN.
 #[inline]
-pub fn beyond(min: Lanes, t: Lanes) -> Lanes {
-    without(t.simd_le(min), t)
+pub fn positive(t: Lanes) -> Lanes {
+    without(t.simd_le(Lanes::ZERO), t)
 }
 
-/// The first of two `t` in ascending order that lies beyond `min`, else NaN.
+/// The first of two `t` in ascending order that is above 0, else NaN.
 #[inline]
-pub fn first_beyond(min: Lanes, near: Lanes, far: Lanes) -> Lanes {
-    select(near.simd_gt(min), near, beyond(min, far))
+pub fn first_positive(near: Lanes, far: Lanes) -> Lanes {
+    select(near.simd_gt(Lanes::ZERO), near, positive(far))
 }
 
 /// The magnitudes of some numbers with the signs of others.

@@ -2,16 +2,14 @@
 //!
 //! It works on plain numbers and depends on no stage: a stage passes a [`Scene`] and a
 //! [`Camera`], and a function for each object that the engine does not know. It repeats
-//! the formulas of the lessons in the same order of operations, for one ray and for four
-//! rays side by side, and skips tests only of shapes that a ray cannot hit. The README
-//! beside this crate has a map.
+//! the formulas of the lessons in the same order of operations, for four rays side by side,
+//! and skips tests only of shapes that a ray cannot hit. The README beside this crate has a map.
 
 mod accel;
 pub mod adaptive;
 mod camera;
 mod flatten;
 mod lanes;
-mod query;
 mod ray;
 mod renderer;
 mod sampler;
@@ -23,9 +21,9 @@ mod vector;
 mod view;
 
 pub use camera::{Basis, Camera, RayFn};
-pub use ray::{Hit, Interval, Ray};
+pub use ray::{Hit, Ray};
 pub use renderer::Renderer;
-pub use sampler::{Sampler, camera_place};
+pub use sampler::Sampler;
 pub use scene::Scene;
 pub use shade::{Illumination, Light, LightFn, LightKind, Phong, ShadeFn, Shading, Surface};
 pub use shape::{AxisAlignedBox, Disc, HitFn, Plane, Shape, Sphere, Transform, Triangle};

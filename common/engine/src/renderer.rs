@@ -1,30 +1,32 @@
 //! `Renderer`: a scene and a camera, prepared for rendering.
 
-use common::{Color, Error, Image, Progress, Settings};
+use common::{Error, Image, Progress, Settings};
+
+use glam::DVec3;
 
 use crate::accel::Accelerator;
 use crate::adaptive;
 use crate::flatten::flatten;
-use crate::lanes::{RayPacket, in_fours};
 use crate::shade::RadianceBound;
-use crate::trace::{Batch, Tracer};
+use crate::shape::Bounds;
+use crate::trace::Tracer;
 use crate::view::View;
-use crate::{Camera, Ray, Sampler, Scene};
+use crate::{Camera, Sampler, Scene};
 
-/// The share of the allowed error for reflections that are cut off. The samples may use
-/// all of it, because the sum of both squares is hardly larger.
-const OF_MIRRORS: f64 = 1.0 / 8.0;
+/// Threshold of the reflection cutoff, relative to the allowed error. The samples may have all of
+/// that, because the sum of both squares is hardly larger.
+const CUTOFF: f64 = 1.0 / 8.0;
 
 /// A scene and a camera, prepared for rendering.
 #[derive(Debug)]
 pub struct Renderer<'a> {
-    pub(crate) camera: Camera<'a>,
-    pub(crate) tracer: Tracer<'a>,
+    camera: Camera<'a>,
+    tracer: Tracer<'a>,
 }
 
 impl<'a> Renderer<'a> {
     /// Prepares a scene. Where the settings allow an error, nested transforms are
-    /// flattened and reflections cut off within their share of it.
+    /// flattened and reflections cut off.
     #[must_use]
     pub fn new(scene: Scene<'a>, camera: Camera<'a>, settings: &Settings) -> Self {
         let Scene {
@@ -43,7 +45,7 @@ impl<'a> Renderer<'a> {
         }
         let accelerator = Accelerator::new(shapes);
         let cutoff = settings.max_error.map(|max_error| {
-            let threshold = max_error * OF_MIRRORS;
+            let threshold = max_error * CUTOFF;
             RadianceBound::new(background, ambient, &lights, &surfaces, threshold)
         });
         let tracer = Tracer {
@@ -58,13 +60,6 @@ impl<'a> Renderer<'a> {
         Self { camera, tracer }
     }
 
-    /// Computes the light along some rays. `light` has one element for each ray.
-    pub fn trace(&self, rays: &[Ray], light: &mut [Color]) {
-        let fours = in_fours(rays);
-        let packets: Vec<_> = fours.map(|four| RayPacket::new(four.each_ref())).collect();
-        self.tracer.trace(&packets, light, &mut Batch::default());
-    }
-
     /// Renders a picture.
     ///
     /// [`Error::Stopped`] if `progress` stops the rendering, [`Error::Memory`] if the
@@ -76,7 +71,8 @@ impl<'a> Renderer<'a> {
         progress: &dyn Progress,
     ) -> Result<Image, Error> {
         let view = View {
-            renderer: self,
+            camera: &self.camera,
+            tracer: &self.tracer,
             settings,
             progress,
         };
@@ -88,15 +84,12 @@ impl<'a> Renderer<'a> {
 }
 
 /// The largest distance from the origin of the eye and of bounded shapes.
-fn max_distance(
-    bounds: impl Iterator<Item = (impl Sized, crate::shape::Bounds)>,
-    camera: &Camera,
-) -> f64 {
+fn max_distance(bounds: impl Iterator<Item = (impl Sized, Bounds)>, camera: &Camera) -> f64 {
     let eye = match camera {
         Camera::Perspective { basis, .. } => basis.e.length(),
         _ => 0.0,
     };
     let bounded = bounds.filter(|(_, bounds)| bounds.are_finite());
-    let corners = bounded.flat_map(|(_, bounds)| bounds.corners());
-    corners.map(glam::DVec3::length).fold(eye, f64::max)
+    let farthest = bounded.map(|(_, bounds)| DVec3::from(bounds.magnitudes()).length());
+    farthest.fold(eye, f64::max)
 }

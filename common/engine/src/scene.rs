@@ -17,8 +17,8 @@ pub struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    /// An empty scene: the colour behind all objects, the light from everywhere, and
-    /// the number of surfaces that a ray may meet.
+    /// An empty scene: the colour of rays without a hit, the ambient light, and the largest number
+    /// of surfaces that a path meets.
     #[must_use]
     pub fn new(background: Color, ambient: Color, depth: u32) -> Self {
         Self {
@@ -38,7 +38,7 @@ impl<'a> Scene<'a> {
     }
 
     /// Adds a shape with the surface of this index. Of several shapes hit at the same
-    /// place, the first added counts.
+    /// `t`, the first added counts.
     pub fn add_shape(&mut self, shape: Shape<'a>, surface: u32) {
         self.shapes.push(shape, surface);
     }

@@ -3,12 +3,13 @@
 mod axis_aligned_box;
 mod bounds;
 mod disc;
+mod list;
 mod mesh;
 mod plane;
 mod pool;
 mod primitive;
 mod rays;
-mod sheared_ray;
+mod sheared_rays;
 mod sphere;
 mod transform;
 mod transformed;
@@ -19,26 +20,26 @@ use std::fmt;
 
 use glam::DVec3;
 
-use crate::lanes::{Lanes, PacketHit};
-use crate::{Hit, Interval, Ray};
+use crate::lanes::{Lanes, PacketHit, is_set};
+use crate::{Hit, Ray};
 
 pub use axis_aligned_box::AxisAlignedBox;
 pub(crate) use bounds::Bounds;
 pub use disc::Disc;
+pub(crate) use list::List;
 pub(crate) use mesh::Mesh;
 pub use plane::Plane;
-pub(crate) use primitive::{Primitive, one_by_one};
+pub(crate) use primitive::Primitive;
 pub(crate) use rays::Rays;
-pub(crate) use sheared_ray::{ShearedRay, ShearedRays};
+use sheared_rays::ShearedRays;
 pub use sphere::Sphere;
 pub use transform::Transform;
 pub(crate) use transformed::Transformed;
 pub(crate) use triangle::Corners;
 pub use triangle::Triangle;
 
-/// Finds the nearest hit of a ray within an interval, its normals pointing out of the
-/// shape.
-pub type HitFn<'a> = Box<dyn Fn(&Ray, Interval) -> Option<Hit> + Send + Sync + 'a>;
+/// Finds the nearest hit of a ray, its normals pointing out of the shape.
+pub type HitFn<'a> = Box<dyn Fn(&Ray) -> Option<Hit> + Send + Sync + 'a>;
 
 /// A shape.
 #[derive(Debug)]
@@ -70,18 +71,23 @@ impl fmt::Debug for Other<'_> {
 
 impl<'a> Shape<'a> {
     /// A shape that the engine does not know.
-    pub fn other(hit: impl Fn(&Ray, Interval) -> Option<Hit> + Send + Sync + 'a) -> Self {
+    pub fn other(hit: impl Fn(&Ray) -> Option<Hit> + Send + Sync + 'a) -> Self {
         Self::Other(Other(Box::new(hit)))
     }
 
-    /// The same shape under one more transform, which is applied after those that it
-    /// has.
+    /// The same shape under one more transform, which has to be well conditioned. It is applied
+    /// after those that the shape has.
     #[must_use]
     pub fn transformed(self, transform: &Transform) -> Self {
-        Self::Transformed(match self {
-            Self::Transformed(shape) => shape.under(transform),
-            shape => Transformed::new(transform, Box::new(shape)),
-        })
+        let mut transformed = match self {
+            Self::Transformed(shape) => shape,
+            shape => Transformed {
+                steps: Vec::with_capacity(1),
+                shape: Box::new(shape),
+            },
+        };
+        transformed.steps.insert(0, *transform);
+        Self::Transformed(transformed)
     }
 }
 
@@ -104,51 +110,47 @@ macro_rules! with_primitive {
 }
 
 impl Shape<'_> {
-    fn reach(&self, along: DVec3) -> f64 {
-        with_primitive!(self, |primitive| primitive.reach(along))
+    fn support(&self, along: DVec3) -> f64 {
+        with_primitive!(self, |primitive| primitive.support(along))
     }
 
     fn depth_error(&self) -> f64 {
         with_primitive!(self, |primitive| primitive.depth_error())
     }
 
-    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        with_primitive!(self, |primitive| primitive.hit(ray, within))
-    }
-
     #[inline]
-    fn meet(&self, rays: &Rays, wanted: u32) -> Lanes {
-        with_primitive!(self, |primitive| meet(primitive, rays, wanted))
+    fn intersect(&self, rays: &Rays, active: u32) -> Lanes {
+        with_primitive!(self, |primitive| intersect(primitive, rays, active))
     }
 
-    fn hits(&self, rays: &Rays, t: Lanes, wanted: u32) -> PacketHit {
-        with_primitive!(self, |primitive| primitive.hits(rays, t, wanted))
+    fn hits(&self, rays: &Rays, t: Lanes, active: u32) -> PacketHit {
+        with_primitive!(self, |primitive| primitive.hits(rays, t, active))
     }
 }
 
 /// Where four rays meet one shape.
 #[inline]
-fn meet<P: Primitive>(shape: P, rays: &Rays, wanted: u32) -> Lanes {
-    P::meet(&P::four([shape; 4]), rays, wanted)
+fn intersect<P: Primitive>(shape: P, rays: &Rays, active: u32) -> Lanes {
+    P::intersect(&P::four([shape; 4]), rays, active)
 }
 
 impl Primitive for &Other<'_> {
     /// A leaf holds one of them only.
     type Four = Self;
 
-    fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {
-        (self.0)(ray, within)
-    }
-
     fn four([shape, ..]: [Self; 4]) -> Self {
         shape
     }
 
-    fn meet(shape: &Self, rays: &Rays, wanted: u32) -> Lanes {
-        one_by_one(*shape, rays, wanted).t
+    fn intersect(shape: &Self, rays: &Rays, active: u32) -> Lanes {
+        shape.hits(rays, Lanes::ZERO, active).t
     }
 
-    fn hits(self, rays: &Rays, _: Lanes, wanted: u32) -> PacketHit {
-        one_by_one(self, rays, wanted)
+    fn hits(self, rays: &Rays, _: Lanes, active: u32) -> PacketHit {
+        let rays = rays.packet.to_rays();
+        PacketHit::new([0, 1, 2, 3].map(|lane| {
+            let hit = is_set(active, lane).then(|| (self.0)(&rays[lane]));
+            hit.flatten().unwrap_or(Hit::NONE)
+        }))
     }
 }

@@ -1,8 +1,8 @@
-//! `Tracer`: follows the rays of a batch from mirror to mirror, until none goes on.
+//! `Tracer`: follows the paths of a batch from mirror to mirror, until none is active.
 //!
-//! All rays take each step together: first all find their hits, then all hits their light, one
-//! source after the other, and then all are mirrored. So neighbours can share a search, to a
-//! lamp and behind a mirror, too. (Laine, Karras and Aila, Megakernels Considered Harmful, 2013:
+//! All paths take each step together: first all find their hits, then all hits are lit, by one
+//! light after the other, and then all rays are reflected. So neighbours can traverse the tree
+//! together, also to a light and behind a mirror. (Laine, Karras and Aila, Megakernels Considered Harmful, 2013:
 //! wavefronts.)
 
 mod batch;
@@ -12,7 +12,7 @@ mod offset_ray;
 use common::Color;
 use common::tally::{self, Work};
 
-use crate::accel::{Accelerator, NearestHits, NearestSearch, SEARCHES};
+use crate::accel::{Accelerator, NearestHits, NearestQuery, PACKETS};
 use crate::lanes::{ColorPacket, RayPacket, bits, mask};
 use crate::shade::RadianceBound;
 use crate::{Light, Surface};
@@ -21,25 +21,25 @@ use batch::{Path, Vertex};
 use offset_ray::offset_rays;
 
 /// Rays of a batch, at most.
-pub(crate) const BATCH: usize = 4 * SEARCHES;
+pub(crate) const BATCH: usize = 4 * PACKETS;
 
 /// A scene that is ready for rays.
 #[derive(Debug)]
 pub(crate) struct Tracer<'a> {
     pub background: Color,
     pub ambient: Color,
-    /// How many surfaces a ray may meet.
+    /// Largest number of surfaces that a path meets.
     pub depth: u32,
     pub accelerator: Accelerator<'a>,
     pub surfaces: Vec<Surface<'a>>,
     pub lights: Vec<Light<'a>>,
-    /// Ends rays whose light is below a threshold, where the picture may have an error.
+    /// Ends paths with a throughput below a threshold, where the picture may have an error.
     pub cutoff: Option<RadianceBound>,
 }
 
 impl Tracer<'_> {
-    /// The light along the rays of some packets, as many as there are elements of `light`;
-    /// the fastest if they are neighbours.
+    /// The light along the first rays of some packets, one for each element of `light`;
+    /// fastest if they are neighbours.
     pub fn trace(&self, packets: &[RayPacket], light: &mut [Color], batch: &mut Batch) {
         for (packets, light) in packets.chunks(BATCH / 4).zip(light.chunks_mut(BATCH)) {
             self.trace_batch(packets, light, batch);
@@ -60,7 +60,7 @@ impl Tracer<'_> {
             self.find_vertices(batch);
             self.light(batch);
             for vertex in &batch.vertices {
-                self.mirror(&mut batch.paths[vertex.path], vertex);
+                self.reflect(&mut batch.paths[vertex.path], vertex);
             }
         }
         for (path, light) in batch.paths.iter().zip(light.chunks_mut(4)) {
@@ -69,7 +69,7 @@ impl Tracer<'_> {
     }
     // ANCHOR_END: trace-batch
 
-    /// Finds the vertices of the paths that go on, and adds the background to those that end.
+    /// Finds the vertices of the active paths, and adds the background to rays without a hit.
     fn find_vertices(&self, batch: &mut Batch) {
         let Batch {
             paths,
@@ -77,59 +77,59 @@ impl Tracer<'_> {
             vertices,
             ..
         } = batch;
-        let going = paths.iter().filter(|path| path.active != 0);
+        let active = paths.iter().filter(|path| path.active != 0);
         nearest.clear();
-        nearest.extend(going.map(|path| NearestSearch::new(&path.rays, path.active)));
-        self.accelerator.search(nearest, &mut ());
+        nearest.extend(active.map(|path| NearestQuery::new(&path.rays, path.active)));
+        self.accelerator.traverse(nearest, &mut ());
 
         let background = ColorPacket::splat(self.background);
-        let going = paths.iter_mut().enumerate();
-        let going = going.filter(|(_, path)| path.active != 0);
+        let paths = paths.iter_mut().enumerate();
+        let active = paths.filter(|(_, path)| path.active != 0);
         vertices.clear();
-        for ((i, path), search) in going.zip(nearest) {
-            let hit_mask = search.hit_mask();
+        for ((i, path), query) in active.zip(nearest) {
+            let hit_mask = query.hit_mask();
             let missed = path.active & !hit_mask;
             if missed != 0 {
-                path.color = path.color + (path.mirrored * background).masked(mask(missed));
+                path.color = path.color + (path.throughput * background).masked(mask(missed));
             }
             path.active = hit_mask;
             if hit_mask != 0 {
-                vertices.push(self.vertex(i, self.accelerator.hits(search)));
+                vertices.push(self.vertex(i, self.accelerator.shapes.hits(query)));
             }
         }
     }
 
-    /// Adds the own light of the surfaces to the path, and mirrors its rays.
-    fn mirror(&self, path: &mut Path, Vertex { hits, color, .. }: &Vertex) {
-        path.color = path.color + (path.mirrored * *color).masked(mask(path.active));
-        path.mirrored = path.mirrored * self.reflection(hits);
-        path.active &= !self.ends(path.mirrored, path.active);
+    /// Adds the light that the surfaces scatter to the path, and reflects its rays.
+    fn reflect(&self, path: &mut Path, Vertex { hits, color, .. }: &Vertex) {
+        path.color = path.color + (path.throughput * *color).masked(mask(path.active));
+        path.throughput = path.throughput * self.reflectance(hits);
+        path.active &= !self.terminated(path.throughput, path.active);
         if path.active != 0 {
             let direction = (-path.rays.direction).reflected_on(hits.hit.normal);
             path.rays = offset_rays(&path.rays, &hits.hit, direction);
         }
     }
 
-    /// The share of light that the surfaces mirror.
+    /// The reflectances of the surfaces.
     #[inline]
-    fn reflection(&self, hits: &NearestHits) -> ColorPacket {
-        let reflection = |index: u32| self.surfaces[index as usize].reflection;
+    fn reflectance(&self, hits: &NearestHits) -> ColorPacket {
+        let reflectance = |index: u32| self.surfaces[index as usize].reflection;
         if hits.is_one_surface() {
-            return ColorPacket::splat(reflection(hits.surfaces[0]));
+            return ColorPacket::splat(reflectance(hits.surfaces[0]));
         }
-        ColorPacket::new(hits.surfaces.map(reflection))
+        ColorPacket::new(hits.surfaces.map(reflectance))
     }
 
-    /// A bit for each active ray that is not followed further.
+    /// A bit for each active ray with a throughput so low that it is not followed further.
     #[inline]
-    fn ends(&self, mirrored: ColorPacket, active: u32) -> u32 {
-        let mut ends = mirrored.are_black();
+    fn terminated(&self, throughput: ColorPacket, active: u32) -> u32 {
+        let mut terminated = throughput.are_black();
         if let Some(cutoff) = self.cutoff {
-            let mirrored = mirrored.to_lanes();
+            let throughput = throughput.to_lanes();
             for lane in bits(active) {
-                ends |= u32::from(cutoff.cuts(mirrored[lane])) << lane;
+                terminated |= u32::from(cutoff.cuts(throughput[lane])) << lane;
             }
         }
-        ends
+        terminated
     }
 }

@@ -1,4 +1,4 @@
-//! `View`: a picture being rendered, two rows at a time.
+//! `View`: a picture being rendered, in tile rows of two pixels.
 //!
 //! Four rays through a square of pixels stay closer together than four of a row, so that they
 //! more often meet the same shapes.
@@ -10,15 +10,17 @@ use rayon::slice::ParallelSliceMut;
 
 use crate::adaptive::Radiance;
 use crate::lanes::RayPacket;
-use crate::trace::{BATCH, Batch};
-use crate::{Renderer, Sampler, camera_place};
+use crate::sampler::image_position;
+use crate::trace::{BATCH, Batch, Tracer};
+use crate::{Camera, Sampler};
 
-/// Rows of a strip, which are painted together.
-const STRIP: usize = 2;
+/// Height of a tile row in pixels.
+const TILE: usize = 2;
 
 /// A picture being rendered.
 pub(crate) struct View<'v, 'a> {
-    pub renderer: &'v Renderer<'a>,
+    pub camera: &'v Camera<'a>,
+    pub tracer: &'v Tracer<'a>,
     pub settings: &'v Settings,
     pub progress: &'v dyn Progress,
 }
@@ -29,14 +31,14 @@ impl View<'_, '_> {
         let size = self.settings.size;
         let width = size.width() as usize;
         let mut image = Image::black(size)?;
-        // The last strip may have fewer rows.
-        let orders: [_; STRIP] = std::array::from_fn(|i| squares(size.width(), i as u32 + 1));
-        let strips = image.pixels_mut().par_chunks_mut(STRIP * width).enumerate();
-        // Each strip is a task, because one may take far longer than another.
-        strips.with_max_len(1).for_each(|(strip, pixels)| {
-            let first = (STRIP * strip) as u32;
+        // The last tile row may be lower.
+        let orders: [_; TILE] = std::array::from_fn(|i| squares(size.width(), i as u32 + 1));
+        let tile_rows = image.pixels_mut().par_chunks_mut(TILE * width).enumerate();
+        // Each tile row is a task, because one may take far longer than another.
+        tile_rows.with_max_len(1).for_each(|(tile_row, pixels)| {
+            let first = (TILE * tile_row) as u32;
             let order = &orders[pixels.len() / width - 1];
-            if self.paint(sampler, first, order, pixels) {
+            if self.render_tile_row(sampler, first, order, pixels) {
                 for (row, pixels) in (first..).zip(pixels.chunks(width)) {
                     self.progress.row(row, &mut pixels.iter().copied());
                 }
@@ -48,9 +50,9 @@ impl View<'_, '_> {
         Ok(image)
     }
 
-    /// Paints the rows from `first` on: the mean over the samples of each pixel, for a batch
+    /// Renders the rows from `first` on: the mean over the samples of each pixel, for a batch
     /// of pixels at a time, in this order. False if the rendering was stopped.
-    fn paint(
+    fn render_tile_row(
         &self,
         sampler: &impl Sampler,
         first: u32,
@@ -58,24 +60,24 @@ impl View<'_, '_> {
         pixels: &mut [Color],
     ) -> bool {
         let (samples, size) = (sampler.samples(), self.settings.size);
-        let at_once = (BATCH / samples as usize).max(1);
-        let (mut places, mut memory) = (Vec::new(), Memory::default());
-        for some in order.chunks(at_once) {
+        let pixels_per_batch = (BATCH / samples as usize).max(1);
+        let (mut positions, mut memory) = (Vec::new(), Memory::default());
+        for batch in order.chunks(pixels_per_batch) {
             for start in (0..samples).step_by(BATCH) {
                 if self.progress.stopped() {
                     return false;
                 }
-                let now = start..samples.min(start + BATCH as u32);
-                places.clear();
-                for &(column, row) in some {
+                let some = start..samples.min(start + BATCH as u32);
+                positions.clear();
+                for &(column, row) in batch {
                     let pixel = (column, first + row);
-                    for i in now.clone() {
-                        let place = sampler.place(i, pixel.0, pixel.1);
-                        places.push(camera_place(size, pixel, place));
+                    for i in some.clone() {
+                        let in_pixel = sampler.place(i, pixel.0, pixel.1);
+                        positions.push(image_position(size, pixel, in_pixel));
                     }
                 }
-                let light = self.light(&places, &mut memory);
-                for ((column, row), light) in some.iter().zip(light.chunks(now.len())) {
+                let light = self.light(&positions, &mut memory);
+                for ((column, row), light) in batch.iter().zip(light.chunks(some.len())) {
                     let pixel = &mut pixels[(row * size.width() + column) as usize];
                     *pixel = light.iter().fold(*pixel, |sum, light| sum + *light);
                 }
@@ -101,24 +103,23 @@ pub(crate) struct Memory {
 impl Radiance for View<'_, '_> {
     type Memory = Memory;
 
-    fn light<'m>(&self, places: &[(f64, f64)], memory: &'m mut Memory) -> &'m [Color] {
-        let Renderer { camera, tracer, .. } = self.renderer;
+    fn light<'m>(&self, positions: &[(f64, f64)], memory: &'m mut Memory) -> &'m [Color] {
         let Memory { rays, batch, light } = memory;
         rays.clear();
-        camera.rays(self.settings.size, places, rays);
-        tally::count_all(Work::PrimaryRay, places.len() as u64);
-        light.resize(places.len(), Color::BLACK);
-        tracer.trace(rays, light, batch);
+        self.camera.rays(self.settings.size, positions, rays);
+        tally::count_all(Work::PrimaryRay, positions.len() as u64);
+        light.resize(positions.len(), Color::BLACK);
+        self.tracer.trace(rays, light, batch);
         light
     }
 }
 
-/// The columns and rows of a strip of this height, square by square.
+/// The columns and rows of a tile row of this height, square by square.
 fn squares(width: u32, height: u32) -> Vec<(u32, u32)> {
-    let lefts = (0..width).step_by(STRIP);
+    let lefts = (0..width).step_by(TILE);
     let rows = lefts.flat_map(|left| (0..height).map(move |row| (left, row)));
     let pixels = rows.flat_map(|(left, row)| {
-        let columns = left..width.min(left + STRIP as u32);
+        let columns = left..width.min(left + TILE as u32);
         columns.map(move |column| (column, row))
     });
     pixels.collect()

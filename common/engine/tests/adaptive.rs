@@ -1,18 +1,14 @@
-//! Adaptive sampling of functions of the place: the true error of a picture is at most
+//! Adaptive sampling of functions of the position: the true error of a picture is at most
 //! the bound, and the report of its samples is right.
-
-mod support;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use common::{Color, Error, Image, Progress, Sampled, Settings, Size};
-use engine::adaptive::render_image;
+use engine::adaptive::{PixelRandom, render_image};
 use measure::experiment::HALF_GREY_LEVEL;
 
-use support::{root_mean_square, settings};
-
-/// Light at a place, counted from the middle of the lower left pixel.
+/// Light at a position, counted from the middle of the lower left pixel.
 type Light = fn(f64, f64) -> f64;
 
 const BOUNDS: [f64; 4] = [1.0 / 64.0, 1.0 / 128.0, 1.0 / 255.0, HALF_GREY_LEVEL];
@@ -23,6 +19,16 @@ const DISC: Light = |x, y| {
     f64::from(u8::from(x * x + y * y < 22.2 * 22.2))
 };
 
+/// Settings for pictures of this error.
+fn settings(max_error: f64) -> Settings {
+    Settings {
+        size: Size::new(80, 60).unwrap(),
+        samples: 1024,
+        max_error: Some(max_error),
+        ..Settings::default()
+    }
+}
+
 fn adaptive(light: Light, settings: &Settings) -> (Image, Sampled) {
     let sampled = Mutex::new(Sampled::default());
     let light = |x, y| Color::gray(light(x, y));
@@ -31,8 +37,29 @@ fn adaptive(light: Light, settings: &Settings) -> (Image, Sampled) {
     (image, sampled.into_inner().unwrap())
 }
 
+/// The picture with `side` x `side` stratified samples a pixel.
 fn stratified(light: Light, size: Size, side: u32) -> Image {
-    support::stratified(|x, y| Color::gray(light(x, y)), size, side, 0)
+    let pixel = |column, row| {
+        let random = PixelRandom::new(0x5EED, column, row);
+        let sample = |i: u32| {
+            let in_cell = |cell: u32, n| (f64::from(cell) + random.uniform(n)) / f64::from(side);
+            let n = 2 * u64::from(i);
+            let (dx, dy) = (in_cell(i % side, n), in_cell(i / side, n + 1));
+            let (x, y) = (f64::from(column), f64::from(size.height() - 1 - row));
+            light(x + dx - 0.5, y + dy - 0.5)
+        };
+        let sum: f64 = (0..side * side).map(sample).sum();
+        Color::gray(sum / f64::from(side * side))
+    };
+    Image::from_fn(size, pixel).unwrap()
+}
+
+/// The root mean square difference of the channels as a screen shows them.
+fn root_mean_square(a: &Image, b: &Image) -> f64 {
+    let shown = |color: &Color| color.r.clamp(0.0, 1.0);
+    let pairs = a.pixels().iter().zip(b.pixels());
+    let squares = pairs.map(|(a, b)| (shown(a) - shown(b)) * (shown(a) - shown(b)));
+    (squares.sum::<f64>() / a.size().pixels() as f64).sqrt()
 }
 
 /// Checks a picture against 64 x 64 samples a pixel. Returns error and samples for the
@@ -73,8 +100,8 @@ fn a_quarter_whose_edges_lie_between_pixels_keeps_the_bound() {
     check(|x, y| f64::from(u8::from(x > 39.5 && y > 29.5)));
 }
 
-/// Five times as bright as white: 0.2 of a pixel makes it white, and samples that agree
-/// by luck show no doubt.
+/// Five times as bright as white: 0.2 of a pixel makes it white, and samples that agree by luck
+/// show no variance.
 #[test]
 fn a_glaring_half_plane_keeps_the_bound() {
     check(|x, y| if y > 0.31 * x + 17.3 { 5.0 } else { 0.0 });
@@ -83,10 +110,7 @@ fn a_glaring_half_plane_keeps_the_bound() {
 /// Thinner than a pixel, so that most middles lie beside it.
 #[test]
 fn a_thin_line_keeps_the_bound() {
-    check(|x, y| {
-        let across = y - 0.4 * x - 12.3;
-        if across.abs() < 0.3 { 1.0 } else { 0.0 }
-    });
+    check(|x, y| f64::from(u8::from((y - 0.4 * x - 12.3).abs() < 0.3)));
 }
 
 #[test]
@@ -121,10 +145,8 @@ fn an_empty_picture_is_searched_for_small_objects() {
     assert!(image.pixels().iter().all(|c| *c == Color::gray(0.25)));
     let needed = 6_f64.sqrt() / 0.09 * sampled.pixels as f64;
     assert!(sampled.samples as f64 >= needed, "{sampled}");
-    assert!(
-        sampled.error()[0] == 0.0 && sampled.error()[1] > 0.5 * bound,
-        "{sampled}"
-    );
+    let [least, largest] = sampled.error();
+    assert!(least == 0.0 && largest > 0.5 * bound, "{sampled}");
 }
 
 /// With twenty seeds, a lone square is missed in a promised picture at most once; the
@@ -159,21 +181,15 @@ fn the_error_of_a_level_edge_falls_on_to_an_eighth_of_a_grey_level() {
         Color::gray(1.0 - below.clamp(0.0, 1.0))
     });
     let exact = exact.unwrap();
-    let measured: Vec<_> = [64.0, 255.0, 1020.0, 4080.0]
-        .map(|parts| {
-            let bound = 1.0 / parts;
-            let (image, sampled) = adaptive(edge, &settings(bound));
-            let error = root_mean_square(&image, &exact);
-            assert!(
-                error <= bound && !sampled.misses(Some(bound)),
-                "{error}; {sampled}"
-            );
-            (sampled.samples as f64, error)
-        })
-        .into();
-    let [first, .., last] = measured[..] else {
-        panic!("four measurements")
-    };
+    let measured = [64.0, 255.0, 1020.0, 4080.0].map(|parts| {
+        let bound = 1.0 / parts;
+        let (image, sampled) = adaptive(edge, &settings(bound));
+        let error = root_mean_square(&image, &exact);
+        assert!(error <= bound, "{error}; {sampled}");
+        assert!(!sampled.misses(Some(bound)), "{sampled}");
+        (sampled.samples as f64, error)
+    });
+    let [first, .., last] = measured;
     let slope = libm::log(last.1 / first.1) / libm::log(last.0 / first.0);
     assert!(slope < -0.75, "{slope}: {measured:?}");
 }
@@ -237,15 +253,15 @@ fn light_that_is_not_finite_comes_to_an_end() {
 
 /// Counts rows.
 #[derive(Default)]
-struct Listener {
+struct Counter {
     announced: AtomicU32,
-    painted: AtomicU32,
+    finished: AtomicU32,
     stopped: bool,
 }
 
-impl Progress for Listener {
+impl Progress for Counter {
     fn row(&self, _: u32, _: &mut dyn Iterator<Item = Color>) {
-        self.painted.fetch_add(1, Ordering::Relaxed);
+        self.finished.fetch_add(1, Ordering::Relaxed);
     }
 
     fn more_rows(&self, rows: u32) {
@@ -259,22 +275,21 @@ impl Progress for Listener {
 
 #[test]
 fn rows_are_announced_before_they_are_painted_again() {
-    let (listener, settings) = (Listener::default(), settings(HALF_GREY_LEVEL));
+    let (counter, settings) = (Counter::default(), settings(HALF_GREY_LEVEL));
     let light = |x, y| Color::gray(DISC(x, y));
-    render_image(HALF_GREY_LEVEL, &light, &settings, &listener).unwrap();
-    let announced = listener.announced.into_inner();
+    render_image(HALF_GREY_LEVEL, &light, &settings, &counter).unwrap();
+    let announced = counter.announced.into_inner();
     assert!(announced > 0);
-    assert_eq!(listener.painted.into_inner(), 60 + announced);
+    assert_eq!(counter.finished.into_inner(), 60 + announced);
 }
 
 #[test]
 fn a_stopped_rendering_is_an_error() {
-    let stopped = true;
-    let listener = Listener {
-        stopped,
-        ..Listener::default()
+    let stopped = Counter {
+        stopped: true,
+        ..Counter::default()
     };
     let light = |x, y| Color::gray(DISC(x, y));
-    let result = render_image(HALF_GREY_LEVEL, &light, &settings(1.0), &listener);
+    let result = render_image(HALF_GREY_LEVEL, &light, &settings(1.0), &stopped);
     assert!(matches!(result, Err(Error::Stopped)));
 }

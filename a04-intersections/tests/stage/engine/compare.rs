@@ -1,100 +1,86 @@
 //! Compares the hits of the engine with the hits of the lesson's list, bit by bit.
 
+use std::sync::Mutex;
+
 use a02_math::{Normal3, Vector3};
-use a03_rays_cameras::Ray;
+use a03_rays_cameras::{Ray, Sampler};
 use a04_intersections::fast::{Translate, add_objects};
 use a04_intersections::{Hit, Interval, World};
-use common::{Color, Settings};
+use common::{Color, Settings, Size};
 use engine::{Camera, Renderer, Scene, Shading, Surface};
 
-/// A world prepared by the engine.
-pub fn prepared(world: &World<usize>, shapes: Translate) -> Renderer<'_> {
+/// A ray and its hit: all their numbers, bit by bit, and the surface of the object.
+type Found = ([[u64; 3]; 5], usize);
+
+fn found(ray: &Ray, Hit { t, normal, face }: Hit, surface: usize) -> Found {
+    let (origin, direction) = (ray.origin().to_glam(), ray.direction().to_glam());
+    let [normal, face] = [normal, face].map(Normal3::to_glam);
+    let numbers = [origin, direction, [t; 3].into(), normal, face];
+    (numbers.map(|v| v.to_array().map(f64::to_bits)), surface)
+}
+
+fn hits_of_list(world: &World<usize>, rays: &[Ray]) -> Vec<Found> {
+    let hit = |ray| {
+        let (hit, surface) = world.hit(ray, Interval::AHEAD)?;
+        Some(found(ray, hit, *surface))
+    };
+    rays.iter().filter_map(hit).collect()
+}
+
+/// Each ray is a pixel of a picture with 64 rays in each pair of rows, and the surfaces write down
+/// their hits.
+fn hits_of_engine(world: &World<usize>, shapes: Translate, rays: &[Ray]) -> Vec<Found> {
+    let hits = Mutex::new(Vec::new());
     let mut scene = Scene::new(Color::BLACK, Color::BLACK, 1);
-    add_objects(&mut scene, world, shapes, |_| {
-        Surface::matt(Shading::SingleColor(Color::BLACK))
+    add_objects(&mut scene, world, shapes, |surface| {
+        let hits = &hits;
+        Surface::matt(Shading::Other(Box::new(move |ray, hit| {
+            let found = found(&ray.into(), hit.into(), *surface);
+            hits.lock().unwrap().push(found);
+            Color::BLACK
+        })))
     });
-    let camera = Camera::Other(Box::new(|_, _, _| engine::Ray {
-        origin: [0.0; 3].into(),
-        direction: [1.0, 0.0, 0.0].into(),
+    let settings = Settings {
+        size: Size::new(32, 2 * (rays.len() / 64) as u32).unwrap(),
+        ..Settings::default()
+    };
+    let camera = Camera::Other(Box::new(|_, x, y| {
+        let [x, y] = [x, y].map(|at| at as usize);
+        // The engine traces squares of four pixels together.
+        (&rays[64 * (y / 2) + 4 * (x / 2) + 2 * (y % 2) + x % 2]).into()
     }));
-    Renderer::new(scene, camera, &Settings::default())
+    let renderer = Renderer::new(scene, camera, &settings);
+    let sampler = Sampler::new(&settings);
+    renderer.render(&sampler, &settings, &()).unwrap();
+    drop(renderer);
+    hits.into_inner().unwrap()
 }
 
-/// A hit: all its numbers, bit by bit, and the index of the object.
-type Found = Option<([u64; 7], usize)>;
-
-fn bits(Hit { t, normal, face }: Hit) -> [u64; 7] {
-    let [n, f] = [normal, face].map(Normal3::to_glam);
-    [t, n.x, n.y, n.z, f.x, f.y, f.z].map(f64::to_bits)
-}
-
-fn of_list(world: &World<usize>, ray: &Ray, within: Interval) -> Found {
-    let (hit, surface) = world.hit(ray, within)?;
-    Some((bits(hit), *surface))
-}
-
-fn of_engine(world: &World<usize>, found: Option<(engine::Hit, u32)>) -> Found {
-    let (hit, object) = found?;
-    let (_, surface) = world.objects().nth(object as usize)?;
-    Some((bits((&hit).into()), *surface))
-}
-
-/// Compares the hits of four rays, of the ones whose bits are set in `active`.
-pub fn compare_four(
-    world: &World<usize>,
-    engine: &Renderer,
-    rays: [&(Ray, Interval); 4],
-    active: u32,
-) {
-    let four = rays.map(|(ray, _)| engine::Ray::from(ray));
-    let hits = engine.hit_together(four.each_ref(), active);
-    let max = rays.map(|(_, within)| within.max);
-    let is_hit = engine.is_hit_together(four.each_ref(), max, active);
-    for (lane, (ray, within)) in rays.into_iter().enumerate() {
-        if active >> lane & 1 == 0 {
-            continue;
-        }
-        let together = of_engine(world, hits[lane]);
-        assert_eq!(together, of_list(world, ray, Interval::AHEAD), "{ray:?}");
-        let before = Interval::before(within.max);
-        let expected = world.is_hit(ray, before);
-        assert_eq!(is_hit >> lane & 1 != 0, expected, "{ray:?}");
+/// Compares the hits of these rays, and returns the number of rays that hit anything.
+pub fn compare(world: &World<usize>, shapes: Translate, rays: &[Ray]) -> usize {
+    // Neighbours of ten kinds go different ways; rays ten apart are alike.
+    let mut all = rays.to_vec();
+    for kind in 0..10 {
+        all.extend(rays.iter().skip(kind).step_by(10).copied());
     }
-}
+    // Rays that differ little traverse the tree together: four of each ray, and 64 of some.
+    let near = |ray: &Ray, k: u32| {
+        let aside = Vector3::new(1e-3, -2e-4, 3e-4) * f64::from(k);
+        Ray::new(ray.origin(), ray.direction() + aside).unwrap()
+    };
+    all.extend(rays.iter().flat_map(|ray| (0..4).map(|k| near(ray, k))));
+    all.resize(all.len().next_multiple_of(64), rays[0]);
+    let some = rays.iter().step_by(33);
+    all.extend(some.flat_map(|ray| (0..64).map(|k| near(ray, k))));
 
-/// Compares the hits of rays alone and in fours, and returns how many rays hit
-/// anything.
-pub fn compare(world: &World<usize>, shapes: Translate, rays: &[(Ray, Interval)]) -> usize {
-    let engine = &prepared(world, shapes);
-    let mut hits = 0;
-    for (ray, within) in rays {
-        let expected = of_list(world, ray, *within);
-        let Interval { min, max } = *within;
-        let (alone, inside) = (ray.into(), engine::Interval { min, max });
-        let found = of_engine(world, engine.hit(&alone, inside));
-        assert_eq!(found, expected, "{ray:?}");
-        let is_hit = engine.is_hit(&alone, inside);
-        assert_eq!(is_hit, world.is_hit(ray, *within), "{ray:?}");
-        hits += usize::from(expected.is_some());
+    let mut of_engine = hits_of_engine(world, shapes, &all);
+    let mut of_list = hits_of_list(world, &all);
+    of_engine.sort_unstable();
+    of_list.sort_unstable();
+    for (engine, list) in of_engine.iter().zip(&of_list) {
+        let numbers = |(numbers, _): &Found| numbers.map(|v| v.map(f64::from_bits));
+        assert!(engine == list, "{:?}, {:?}", numbers(engine), numbers(list));
     }
-    // Four in a row go different ways; of ten kinds, rays ten apart are alike.
-    for (i, forty) in rays.chunks_exact(40).enumerate() {
-        let lanes = 1 + i as u32 % 15;
-        for k in 0..10 {
-            let four = [0, 10, 20, 30].map(|further| &forty[k + further]);
-            compare_four(world, engine, four, lanes);
-            compare_four(world, engine, four, 0b1111);
-            let four = [0, 1, 2, 3].map(|further| &forty[4 * k + further]);
-            compare_four(world, engine, four, 0b1111);
-        }
-    }
-    // Rays that differ little are followed together.
-    for (i, (ray, within)) in rays.iter().enumerate() {
-        let aside = |k: i32| Vector3::new(1e-3, -2e-4, 3e-4) * f64::from(k);
-        let near =
-            [0, 1, 2, 3].map(|k| Ray::new(ray.origin(), ray.direction() + aside(k)).unwrap());
-        let near = near.map(|ray| (ray, *within));
-        compare_four(world, engine, near.each_ref(), 1 + i as u32 % 15);
-    }
-    hits
+    assert_eq!(of_engine.len(), of_list.len());
+    hits_of_list(world, rays).len()
 }

@@ -1,8 +1,8 @@
-//! Random worlds, and rays to ask them with.
+//! Random worlds, and rays through them.
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{AxisAlignedBox, Geometry, Interval, Plane, Sphere, Triangle, World};
+use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle, World};
 use common::Color;
 
 use crate::support::Numbers;
@@ -64,27 +64,25 @@ pub fn rays(
     eye: Point3,
     lamp: Point3,
     sun: Vector3,
-) -> Vec<(Ray, Interval)> {
+) -> Vec<Ray> {
     let mut numbers = Numbers::new(seed);
     let ray = |from: Point3, way: Vector3| Ray::new(from, way).unwrap();
     let mut rays = Vec::new();
     for _ in 0..count {
         let a = place.point(numbers.vector());
         let b = place.point(numbers.vector() * 3.0);
-        let reach = place.size * (1.0 + numbers.next());
-        let (min, max) = (reach / 2.0, 3.0 * reach);
-        let (to_lamp, way) = (ray(a, lamp - a), (lamp - a).magnitude());
+        let c = place.point(numbers.vector());
         rays.extend([
-            (ray(eye, a - eye), Interval::AHEAD),
-            (ray(eye, a - eye), Interval { min, max }),
-            (to_lamp, Interval::before(way * (1.0 - 1e-7))),
-            (to_lamp, Interval::before(way / 2.0)),
-            (ray(b, -sun), Interval::AHEAD),
-            (ray(a, sun), Interval::AHEAD),
-            (ray(b, a - b), Interval::AHEAD),
-            (ray(a, numbers.vector()), Interval::before(reach)),
-            (ray(a, Vector3::new(0.0, 0.0, 1.0)), Interval::AHEAD),
-            (ray(a, Vector3::new(-1.0, -0.0, -0.0)), Interval::AHEAD),
+            ray(eye, a - eye),
+            ray(eye, c - eye),
+            ray(a, lamp - a),
+            ray(c, lamp - c),
+            ray(b, -sun),
+            ray(a, sun),
+            ray(b, a - b),
+            ray(a, numbers.vector()),
+            ray(a, Vector3::new(0.0, 0.0, 1.0)),
+            ray(a, Vector3::new(-1.0, -0.0, -0.0)),
         ]);
     }
     rays

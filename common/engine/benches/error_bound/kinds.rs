@@ -193,7 +193,7 @@ fn picture(
     let mut scene = Scene::new(Color::BLACK, Color::BLACK, 1);
     let shading = Shading::Other(Box::new(move |ray, _| light(ray.origin.x, ray.origin.y)));
     let surface = scene.add_surface(Surface::matt(shading));
-    scene.add_shape(Shape::other(|_, _| Some(Hit::new(1.0, DVec3::Z))), surface);
+    scene.add_shape(Shape::other(|_| Some(Hit::new(1.0, DVec3::Z))), surface);
     let camera = Camera::Other(Box::new(|size, x, y| {
         let [x, y] = [x, y].map(|place| (place + 0.5) / f64::from(size.width()));
         let (origin, direction) = (dvec3(x, y, 0.0), DVec3::NEG_Z);

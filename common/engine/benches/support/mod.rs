@@ -2,16 +2,13 @@
 #![allow(dead_code, reason = "no benchmark uses all of them")]
 
 mod objects;
-#[path = "../../src/adaptive/random.rs"]
-mod random;
 pub mod scene;
 pub mod scenes;
 pub mod world;
 
 use engine::Sampler;
+use engine::adaptive::PixelRandom;
 use glam::DVec3;
-
-use self::random::PixelRandom;
 
 /// Random numbers, one after the other.
 pub struct Numbers {

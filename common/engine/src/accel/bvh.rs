@@ -11,23 +11,21 @@ use std::ops::ControlFlow;
 use arrayvec::ArrayVec;
 use wide::f32x8;
 
-use super::shapes::{Kind, ShapeId};
-use super::slabs::Slabs;
-use super::units::Units;
+use super::ids::Leaf;
+use super::slabs::{Slabs, WIDTH};
+use super::tree_space::TreeSpace;
 use crate::lanes::bits;
 
-/// Children of a node.
-pub(super) const WIDTH: usize = 8;
 /// Most levels of a tree; see `bvh_build`.
 pub(super) const LEVELS: usize = 32;
 
 /// A tree of shapes with finite bounds.
 #[derive(Debug)]
 pub(super) struct Bvh {
-    pub units: Units,
+    pub space: TreeSpace,
     /// The last one is the root.
     pub nodes: Vec<Node>,
-    /// The mean width of a leaf, in the units of the tree.
+    /// The mean width of a leaf, in the space of the tree.
     pub leaf_width: f32,
 }
 
@@ -45,15 +43,6 @@ pub(super) enum Child {
     Leaf(Leaf),
 }
 
-/// Shapes of one kind that lie side by side.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Leaf {
-    pub kind: Kind,
-    /// From 1 to 4.
-    pub count: u8,
-    pub first: u32,
-}
-
 impl Node {
     /// The bounds of one child, in all lanes.
     #[inline]
@@ -63,41 +52,21 @@ impl Node {
     }
 }
 
-impl Leaf {
-    /// A leaf of one shape.
-    pub const fn of(shape: ShapeId) -> Self {
-        Self {
-            kind: shape.kind,
-            count: 1,
-            first: shape.index,
-        }
-    }
-
-    /// A shape of the leaf.
-    #[inline]
-    pub const fn shape(self, i: u32) -> ShapeId {
-        ShapeId {
-            kind: self.kind,
-            index: self.first + i,
-        }
-    }
-}
-
-/// A child that is still to be visited: the bits of the `t` before which no ray hits its shapes,
-/// and below them its place among the children of all nodes, which has 32 bits up to 137 GB of
-/// nodes. Bits of numbers from 0 on grow with them, so the lesser of two is the nearer one.
+/// A child that is still to be visited: the bits of the `t` at which the rays enter it, and below
+/// them its index among the children of all nodes, which has 32 bits up to 137 GB of nodes. Bits of
+/// numbers from 0 on grow with them, so the lesser of two entries is the nearer one.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Open(u64);
+struct StackEntry(u64);
 
-impl Open {
+impl StackEntry {
     #[inline]
-    fn new(first_hit: f32, node: u32, lane: usize) -> Self {
+    fn new(t: f32, node: u32, lane: usize) -> Self {
         let child = node * WIDTH as u32 + lane as u32;
-        Self(u64::from(first_hit.to_bits()) << 32 | u64::from(child))
+        Self(u64::from(t.to_bits()) << 32 | u64::from(child))
     }
 
     #[inline]
-    fn first_hit(self) -> f32 {
+    fn t(self) -> f32 {
         f32::from_bits((self.0 >> 32) as u32)
     }
 
@@ -109,63 +78,63 @@ impl Open {
     }
 }
 
-/// Puts the last element where it belongs among the others, which are in descending order.
-/// Without a branch, because no processor can predict which child is nearer.
+/// Sorts the last entry into the others, which are in descending order. Without a branch, because
+/// no processor can predict which child is nearer.
 #[inline]
-fn nearest_last(open: &mut [Open]) {
-    for i in (1..open.len()).rev() {
-        let (a, b) = (open[i - 1], open[i]);
-        (open[i - 1], open[i]) = (a.max(b), a.min(b));
+fn sort_last(stack: &mut [StackEntry]) {
+    for i in (1..stack.len()).rev() {
+        let (a, b) = (stack[i - 1], stack[i]);
+        (stack[i - 1], stack[i]) = (a.max(b), a.min(b));
     }
 }
 
 impl Bvh {
-    /// Visits the leaves that rays may meet before `beyond`, in the units of the tree, near
-    /// ones first, each with its node and its number there. `visit` returns `beyond` updated, or
-    /// breaks off.
+    /// Visits the leaves that rays may meet before `t_max`, in the space of the tree, near ones
+    /// first, each with its node and its index in it. `visit` returns the new `t_max`, or ends the
+    /// traversal.
     #[inline]
-    pub fn search<const N: usize>(
+    pub fn traverse<const N: usize>(
         &self,
         slabs: &Slabs<N>,
-        mut beyond: f32,
+        mut t_max: f32,
         mut visit: impl FnMut(Leaf, &Node, usize) -> ControlFlow<(), f32>,
     ) -> ControlFlow<()> {
-        let mut open = ArrayVec::<Open, { (WIDTH - 1) * LEVELS + 1 }>::new();
+        let mut stack = ArrayVec::<StackEntry, { (WIDTH - 1) * LEVELS + 1 }>::new();
         let mut child = Child::Node(self.nodes.len() as u32 - 1);
-        // Its node, and its number there; the root has none.
-        let mut place = (0, 0);
+        // Its node, and its index in it; the root has none.
+        let mut at = (0, 0);
         loop {
             match child {
-                Child::Leaf(leaf) => beyond = visit(leaf, &self.nodes[place.0], place.1)?,
+                Child::Leaf(leaf) => t_max = visit(leaf, &self.nodes[at.0], at.1)?,
                 Child::Node(index) => {
                     let node = &self.nodes[index as usize];
-                    let (first_hit, met) = slabs.enter(&node.planes, f32x8::splat(beyond));
-                    if met.is_power_of_two() {
-                        place = (index as usize, met.trailing_zeros() as usize % WIDTH);
-                        child = node.children[place.1];
+                    let (t, hit) = slabs.intersect(&node.planes, f32x8::splat(t_max));
+                    if hit.is_power_of_two() {
+                        at = (index as usize, hit.trailing_zeros() as usize % WIDTH);
+                        child = node.children[at.1];
                         continue;
                     }
-                    let first = open.len();
-                    for lane in bits(met) {
-                        open.push(Open::new(first_hit[lane % WIDTH], index, lane));
-                        nearest_last(&mut open[first..]);
+                    let first = stack.len();
+                    for lane in bits(hit) {
+                        stack.push(StackEntry::new(t[lane % WIDTH], index, lane));
+                        sort_last(&mut stack[first..]);
                     }
                 }
             }
             child = loop {
-                let Some(nearest) = open.pop() else {
+                let Some(nearest) = stack.pop() else {
                     return ControlFlow::Continue(());
                 };
-                if nearest.first_hit() <= beyond {
-                    place = nearest.child();
-                    break self.nodes[place.0].children[place.1];
+                if nearest.t() <= t_max {
+                    at = nearest.child();
+                    break self.nodes[at.0].children[at.1];
                 }
             };
         }
     }
 
     /// Visits all leaves.
-    pub fn search_all(
+    pub fn visit_all(
         &self,
         mut visit: impl FnMut(Leaf) -> ControlFlow<(), f32>,
     ) -> ControlFlow<()> {

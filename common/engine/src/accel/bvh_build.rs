@@ -1,5 +1,4 @@
-//! How a [`Bvh`] is built, on all threads: shapes are divided where the surface area
-//! heuristic expects the fewest tests.
+//! How a [`Bvh`] is built, on all threads: top-down, by the surface area heuristic.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -7,43 +6,37 @@ use arrayvec::ArrayVec;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use wide::f32x8;
 
-use super::bvh::{Bvh, Child, LEVELS, Leaf, Node, WIDTH};
-use super::cut::{by_kind, cheapest, halves};
-use super::shapes::ShapeId;
-use super::units::{TreeBounds, Units};
-
-/// A shape to be put into a tree.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Item {
-    pub bounds: TreeBounds,
-    pub shape: ShapeId,
-}
+use super::bvh::{Bvh, Child, LEVELS, Node};
+use super::ids::Leaf;
+use super::slabs::WIDTH;
+use super::split::{Item, at_median, bounds, by_kind, by_sah};
+use super::tree_space::{TreeBounds, TreeSpace};
 
 /// Nodes of more shapes than this are divided by several threads.
-const SHARED: usize = 4_096;
+const PARALLEL_ABOVE: usize = 4_096;
 
-/// Shapes, and how many lie before them in the list of all.
+/// Shapes, and the number of shapes before them in the list of all.
 type Group<'i> = (usize, &'i mut [Item]);
 
 impl Bvh {
-    /// The tree of at least one shape. `name` gives the shapes, put into the order of the
-    /// leaves, their final names.
-    pub fn new(units: Units, mut shapes: Vec<Item>, name: impl FnOnce(&mut [Item])) -> Self {
+    /// The tree of at least one shape. `renumber` gives the shapes, sorted in the order of the
+    /// leaves, their final ids.
+    pub fn new(space: TreeSpace, mut items: Vec<Item>, renumber: impl FnOnce(&mut [Item])) -> Self {
         let nodes = Mutex::default();
-        add_node(&nodes, (0, &mut shapes), 0);
+        add_node(&nodes, (0, &mut items), 0);
         let mut nodes = nodes.into_inner().unwrap_or_else(PoisonError::into_inner);
-        name(&mut shapes);
+        renumber(&mut items);
         let (mut leaves, mut width) = (0.0, 0.0);
         for child in nodes.iter_mut().flat_map(|node| &mut node.children) {
             if let Child::Leaf(leaf) = child {
-                let group = &shapes[leaf.first as usize..][..leaf.count.into()];
+                let group = &items[leaf.first as usize..][..leaf.count.into()];
                 leaf.first = group[0].shape.index;
                 width += bounds(group).mean_width();
                 leaves += 1.0;
             }
         }
         Self {
-            units,
+            space,
             nodes,
             leaf_width: width / leaves,
         }
@@ -52,17 +45,21 @@ impl Bvh {
 
 /// Adds the node of a group after those of its children, and returns its index.
 fn add_node(nodes: &Mutex<Vec<Node>>, group: Group, level: usize) -> u32 {
-    let is_shared = group.1.len() > SHARED;
+    let is_parallel = group.1.len() > PARALLEL_ABOVE;
     let child = |(first, group): Group| {
-        let bounds = bounds(group);
-        let child = leaf(first, group).map_or_else(
-            || Child::Node(add_node(nodes, (first, group), level + 1)),
-            Child::Leaf,
-        );
-        (bounds, child)
+        let child = if is_leaf(group) {
+            Child::Leaf(Leaf {
+                kind: group[0].shape.kind,
+                count: group.len() as u8,
+                first: first as u32,
+            })
+        } else {
+            Child::Node(add_node(nodes, (first, &mut *group), level + 1))
+        };
+        (bounds(group), child)
     };
     let groups = divide(group, level);
-    let children: ArrayVec<_, WIDTH> = if is_shared {
+    let children: ArrayVec<_, WIDTH> = if is_parallel {
         let children: Vec<_> = groups.into_par_iter().with_max_len(1).map(child).collect();
         children.into_iter().collect()
     } else {
@@ -93,23 +90,14 @@ pub(super) fn node(children: &[(TreeBounds, Child)]) -> Node {
     }
 }
 
-/// The leaf of a group, if it is small enough and of one kind.
-fn leaf(first: usize, group: &[Item]) -> Option<Leaf> {
-    let kind = group[0].shape.kind;
-    is_leaf(group).then_some(Leaf {
-        kind,
-        count: group.len() as u8,
-        first: first as u32,
-    })
-}
-
+/// Whether a group is small enough for a leaf and of one kind.
 fn is_leaf(group: &[Item]) -> bool {
     is_small(group) && is_of_one_kind(group)
 }
 
 /// Whether there are no more shapes than fit into a leaf of the kind of the first.
 fn is_small(group: &[Item]) -> bool {
-    group.len() <= group[0].shape.kind.most_in_leaf()
+    group.len() <= group[0].shape.kind.leaf_capacity()
 }
 
 fn is_of_one_kind(group: &[Item]) -> bool {
@@ -117,19 +105,14 @@ fn is_of_one_kind(group: &[Item]) -> bool {
     others.all(|item| item.shape.kind == group[0].shape.kind)
 }
 
-pub(super) fn bounds(items: &[Item]) -> TreeBounds {
-    let all = items.iter().map(|item| item.bounds);
-    all.fold(TreeBounds::NOWHERE, TreeBounds::union)
-}
-
-/// Divides shapes into up to eight groups, the most expensive one first; those that could
+/// Divides shapes into up to eight groups, the most expensive one first; groups that could
 /// be leaves only if no other is left.
 fn divide(group: Group, level: usize) -> Vec<Group> {
-    // Cuts by area alone could make a tree with as many levels as shapes. Below half
-    // of the levels the shapes are halved, for which the other half is enough.
-    let halve = level >= LEVELS / 2;
+    // Splits by area alone could make a tree with as many levels as shapes. Below half
+    // of the levels the shapes are split at the median, for which the other half is enough.
+    let by_median = level >= LEVELS / 2;
     let cost = |group: &[Item]| {
-        let area = if halve {
+        let area = if by_median {
             1.0
         } else {
             bounds(group).half_area()
@@ -138,21 +121,21 @@ fn divide(group: Group, level: usize) -> Vec<Group> {
     };
     let mut groups = vec![(cost(group.1), group)];
     while groups.len() < WIDTH {
-        let several = (0..groups.len()).filter(|i| groups[*i].1.1.len() > 1);
+        let divisible = (0..groups.len()).filter(|i| groups[*i].1.1.len() > 1);
         let expensive = |i: &usize, j: &usize| {
             let (i, j) = (groups[*i].0, groups[*j].0);
             i.0.cmp(&j.0).then(i.1.total_cmp(&j.1))
         };
-        let Some(index) = several.max_by(expensive) else {
+        let Some(index) = divisible.max_by(expensive) else {
             break;
         };
         let (_, (first, group)) = groups.swap_remove(index);
         let left = if is_small(group) && !is_of_one_kind(group) {
             by_kind(group)
-        } else if halve {
-            halves(group)
+        } else if by_median {
+            at_median(group)
         } else {
-            cheapest(group).unwrap_or_else(|| halves(group))
+            by_sah(group).unwrap_or_else(|| at_median(group))
         };
         let (a, b) = group.split_at_mut(left);
         for group in [(first, a), (first + left, b)] {

@@ -1,13 +1,10 @@
-//! `NearestSearch`: a search for the nearest hits of four rays, and `NearestHits`, which it finds.
+//! `NearestQuery`: a query for the nearest hits of four rays, and `NearestHits`, its result.
 
-use glam::DVec3;
-
-use super::Accelerator;
-use super::search::{Search, largest};
-use super::shapes::{Kind, ShapeId, with_list};
-use super::single::Nearest;
+use super::ids::{Kind, ShapeId};
+use super::query::Query;
+use super::shapes::{Shapes, with_list};
 use crate::lanes::{Lanes, PacketHit, RayPacket, Vector3x4, bits, mask, select};
-use crate::shape::{Primitive, Rays};
+use crate::shape::{List, Primitive, Rays};
 
 /// The nearest hits of four rays.
 #[derive(Clone, Copy, Debug)]
@@ -29,44 +26,38 @@ impl NearestHits {
     }
 }
 
-/// A search for the nearest hits of four rays.
-pub(crate) struct NearestSearch {
+/// A query for the nearest hits of four rays.
+pub(crate) struct NearestQuery {
     rays: Rays,
-    nearest: Nearest4,
-}
-
-/// The nearest hits so far.
-#[derive(Clone, Copy)]
-struct Nearest4 {
+    /// The nearest hits so far.
     t: Lanes,
-    /// The positions in the list of the shapes hit there; below 0 without a hit.
+    /// The positions in the list of the scene of the shapes hit there; below 0 without a hit.
     orders: Lanes,
-    /// The bits of the shapes hit.
+    /// The bits of their ids.
     shapes: Lanes,
 }
 
-impl NearestSearch {
-    /// A search for the active of four rays.
+impl NearestQuery {
+    /// A query for the active of four rays.
     #[inline]
     pub fn new(packet: &RayPacket, active: u32) -> Self {
         Self {
             rays: Rays::four(packet, active),
-            nearest: Nearest4 {
-                t: Lanes::splat(f64::INFINITY),
-                orders: Lanes::splat(-1.0),
-                shapes: Lanes::ZERO,
-            },
+            t: Lanes::splat(f64::INFINITY),
+            orders: Lanes::splat(-1.0),
+            shapes: Lanes::ZERO,
         }
     }
 
     /// A bit for each ray that hits anything.
     #[inline]
     pub fn hit_mask(&self) -> u32 {
-        self.nearest.orders.simd_ge(Lanes::ZERO).to_bitmask()
+        self.orders.simd_ge(Lanes::ZERO).to_bitmask()
     }
 }
 
-impl Search for NearestSearch {
+/// Of several hits at the same `t`, the one of the first shape of the list counts.
+impl Query for NearestQuery {
     type Shared = ();
 
     #[inline]
@@ -75,76 +66,59 @@ impl Search for NearestSearch {
     }
 
     #[inline]
-    fn open(&self) -> u32 {
+    fn active(&self) -> u32 {
         self.rays.active
     }
 
     #[inline]
-    fn beyond(&self) -> f64 {
-        largest(self.nearest.t, self.rays.active)
+    fn t_max(&self) -> &Lanes {
+        &self.t
     }
 
-    /// Takes the nearer hits, and at the same place those of the first shape of the list;
-    /// without a branch, because no processor can predict which shape is the nearest.
+    /// Without a branch for the nearest hit, because no processor can predict it.
     #[inline]
-    fn take(&mut self, t: Lanes, order: u32, shape: ShapeId, (): &mut ()) {
-        let nearest = &mut self.nearest;
-        if t.simd_le(nearest.t).to_bitmask() & self.rays.active == 0 {
+    fn update(&mut self, t: Lanes, order: u32, shape: ShapeId, (): &mut ()) {
+        if t.simd_le(self.t).to_bitmask() & self.rays.active == 0 {
             return;
         }
         let order = Lanes::splat(order.into());
-        let is_first = t.simd_eq(nearest.t) & order.simd_lt(nearest.orders);
-        let found = (t.simd_lt(nearest.t) | is_first) & mask(self.rays.active);
-        nearest.t = select(found, t, nearest.t);
-        nearest.orders = select(found, order, nearest.orders);
-        nearest.shapes = select(found, Lanes::splat(shape.to_bits()), nearest.shapes);
+        let is_first = t.simd_eq(self.t) & order.simd_lt(self.orders);
+        let found = (t.simd_lt(self.t) | is_first) & mask(self.rays.active);
+        self.t = select(found, t, self.t);
+        self.orders = select(found, order, self.orders);
+        self.shapes = select(found, Lanes::splat(shape.to_bits()), self.shapes);
     }
 
-    fn search_one_by_one(&mut self, accelerator: &Accelerator, (): &mut ()) {
-        let rays = self.rays.packet.to_rays();
-        let Nearest4 { t, orders, shapes } = self.nearest;
-        let (mut t, mut orders) = (t.to_array(), orders.to_array());
-        let mut shapes = shapes.to_array();
-        for lane in bits(self.rays.active) {
-            let ray = &rays[lane];
-            let mut alone = Nearest {
-                t: t[lane],
-                // Below 0, no hit, becomes 0.
-                order: orders[lane] as u32,
-                shape: None,
-            };
-            accelerator.search_nearest(ray, &Rays::one(ray, 0.0), 0.0, &mut alone);
-            if let Some(shape) = alone.shape {
-                (t[lane], orders[lane]) = (alone.t, alone.order.into());
-                shapes[lane] = shape.to_bits();
-            }
+    #[inline]
+    fn update_ray(&mut self, lane: usize, t: f64, order: u32, shape: ShapeId, (): &mut ()) {
+        let nearest = &mut self.t.as_mut_array()[lane];
+        let first = &mut self.orders.as_mut_array()[lane];
+        let order = order.into();
+        if t < *nearest || t == *nearest && order < *first {
+            (*nearest, *first) = (t, order);
+            self.shapes.as_mut_array()[lane] = shape.to_bits();
         }
-        self.nearest = Nearest4 {
-            t: Lanes::new(t),
-            orders: Lanes::new(orders),
-            shapes: Lanes::new(shapes),
-        };
     }
 }
 
-impl Accelerator<'_> {
-    /// The hits of a search, shape by shape.
-    pub fn hits(&self, search: &NearestSearch) -> NearestHits {
-        let NearestSearch { rays, nearest } = search;
-        let Nearest4 { t, orders, shapes } = *nearest;
-        let hit_mask = search.hit_mask();
-        let mut hit = PacketHit::with_normals(t, Vector3x4::splat(DVec3::ZERO));
+impl Shapes<'_> {
+    /// The hits of a query, shape by shape.
+    #[inline]
+    pub fn hits(&self, query: &NearestQuery) -> NearestHits {
+        let hit_mask = query.hit_mask();
+        let mut hit = PacketHit::with_normals(query.t, Vector3x4::splat(glam::DVec3::ZERO));
         let mut surfaces = [0; 4];
-        let shapes = shapes.to_array();
-        let mut open = hit_mask;
-        while open != 0 {
-            let lane = open.trailing_zeros() as usize % 4;
-            let order = Lanes::splat(orders.to_array()[lane]);
-            let same = orders.simd_eq(order).to_bitmask();
+        let shapes = query.shapes.to_array();
+        let mut left = hit_mask;
+        while left != 0 {
+            let lane = left.trailing_zeros() as usize % 4;
+            let order = Lanes::splat(query.orders.to_array()[lane]);
+            let same = query.orders.simd_eq(order).to_bitmask();
             let shape = ShapeId::from_bits(shapes[lane]);
-            let (of_shape, surface) = with_list!(self.shapes, shape.kind, |list| {
-                let hits = list.get(shape.index).hits(rays, t, same);
-                (hits, list.places[shape.index as usize].surface)
+            let (of_shape, surface) = with_list!(self, shape.kind, |list| {
+                let index = shape.index as usize;
+                let hits = list.shapes.get(index).hits(&query.rays, query.t, same);
+                (hits, list.attributes[index].surface)
             });
             if hit_mask & !same == 0 {
                 hit = of_shape;
@@ -155,11 +129,11 @@ impl Accelerator<'_> {
             for lane in bits(same) {
                 surfaces[lane] = surface;
             }
-            open &= !same;
+            left &= !same;
         }
         NearestHits {
             hit_mask,
-            hit: hit.facing(&rays.packet),
+            hit: hit.facing(&query.rays.packet),
             surfaces,
         }
     }

@@ -1,44 +1,35 @@
-//! `ShadowSearch`: a search for shapes between four points and a source of light.
+//! `ShadowQuery`: a query for shapes between four points and a source of light.
 
-use std::slice;
-
-use super::Accelerator;
-use super::bvh::Leaf;
-use super::search::{Search, largest};
-use super::shapes::ShapeId;
-use crate::Interval;
-use crate::lanes::{Lanes, RayPacket, bits};
+use super::ids::ShapeId;
+use super::query::Query;
+use crate::lanes::{Lanes, RayPacket, is_set};
 use crate::shape::Rays;
 
-/// A shape that has kept away the light of a source, which the next rays to it may meet
+/// The last shape that blocked the light of a source. The next shadow rays are tested against it
 /// first. (Haines and Greenberg, The Light Buffer, 1986: shadow caching.)
 pub(crate) type Occluder = Option<ShapeId>;
 
-/// A search for shapes that keep away the light of a source from four points.
-pub(crate) struct ShadowSearch {
+/// A query for any hits of four shadow rays.
+pub(crate) struct ShadowQuery {
     rays: Rays,
-    /// Only hits before count.
-    max: Lanes,
+    t_max: Lanes,
     /// A bit for each ray that has not hit anything yet.
-    pub open: u32,
-    /// The last occluder that these rays were tested against.
-    tested: Occluder,
+    pub unoccluded: u32,
 }
 
-impl ShadowSearch {
-    /// A search for the active of four rays, before `max`.
+impl ShadowQuery {
+    /// A query for hits of the active of four rays before `t_max`.
     #[inline]
-    pub fn new(packet: &RayPacket, max: Lanes, active: u32) -> Self {
+    pub fn new(packet: &RayPacket, t_max: Lanes, active: u32) -> Self {
         Self {
             rays: Rays::four(packet, active),
-            max,
-            open: active,
-            tested: None,
+            t_max,
+            unoccluded: active,
         }
     }
 }
 
-impl Search for ShadowSearch {
+impl Query for ShadowQuery {
     type Shared = Occluder;
 
     #[inline]
@@ -47,44 +38,34 @@ impl Search for ShadowSearch {
     }
 
     #[inline]
-    fn open(&self) -> u32 {
-        self.open
+    fn active(&self) -> u32 {
+        self.unoccluded
     }
 
     #[inline]
-    fn beyond(&self) -> f64 {
-        largest(self.max, self.open)
+    fn t_max(&self) -> &Lanes {
+        &self.t_max
     }
 
     #[inline]
-    fn take(&mut self, t: Lanes, _: u32, shape: ShapeId, occluder: &mut Occluder) {
-        let hit = t.simd_lt(self.max).to_bitmask() & self.open;
+    fn guess(occluder: &Occluder) -> Option<ShapeId> {
+        *occluder
+    }
+
+    #[inline]
+    fn update(&mut self, t: Lanes, _: u32, shape: ShapeId, occluder: &mut Occluder) {
+        let hit = t.simd_lt(self.t_max).to_bitmask() & self.unoccluded;
         if hit != 0 {
-            self.open &= !hit;
+            self.unoccluded &= !hit;
             *occluder = Some(shape);
         }
     }
 
     #[inline]
-    fn guess(&mut self, accelerator: &Accelerator, occluder: &mut Occluder) {
-        if *occluder != self.tested
-            && let Some(shape) = *occluder
-        {
-            self.tested = *occluder;
-            accelerator.test_all(&[Leaf::of(shape)], slice::from_mut(self), occluder);
-        }
-    }
-
-    fn search_one_by_one(&mut self, accelerator: &Accelerator, occluder: &mut Occluder) {
-        let (rays, max) = (self.rays.packet.to_rays(), self.max.to_array());
-        for lane in bits(self.open) {
-            let ray = &rays[lane];
-            let within = Interval::before(max[lane]);
-            let found = accelerator.search_any(ray, &Rays::one(ray, 0.0), within);
-            if found.is_some() {
-                self.open &= !(1 << lane);
-                *occluder = found;
-            }
+    fn update_ray(&mut self, lane: usize, t: f64, _: u32, shape: ShapeId, occluder: &mut Occluder) {
+        if is_set(self.unoccluded, lane) && t < self.t_max.as_array()[lane] {
+            self.unoccluded &= !(1 << lane);
+            *occluder = Some(shape);
         }
     }
 }

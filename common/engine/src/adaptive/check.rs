@@ -1,11 +1,11 @@
-//! The check: new samples, which no decision has seen, show how far off the picture is.
+//! The check: new samples, which no decision has seen, show the error of the picture.
 
 use std::ops::AddAssign;
 
 use super::Radiance;
 use super::picture::Picture;
+use super::pilot::Pilot;
 use super::pixel::Pixel;
-use super::search::Search;
 
 /// An estimated sum of squared errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,7 +23,7 @@ impl Estimate {
         self.variance += term * term;
     }
 
-    /// The sum and two standard deviations, which it stays below with 95 % confidence.
+    /// The upper end of the confidence interval of 95 %: the sum and two standard deviations.
     pub fn largest(&self) -> f64 {
         self.sum + 2.0 * self.variance.sqrt()
     }
@@ -38,60 +38,60 @@ impl AddAssign for Estimate {
 
 /// The result of a check.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Found {
-    /// The number of pixels that were checked.
-    pub checked: u64,
+pub struct Checked {
+    /// The number of pixels with new samples.
+    pub pixels: u64,
     /// The error of the pixels as the last check of each estimates it.
     pub known: Estimate,
-    /// The error of pixels that look even, but were not drawn; and the error that was found
-    /// in pixels that had looked even before. It is likely in others as well.
-    pub unknown: Estimate,
+    /// The error of pixels that keep the sample in their middle; and the error found in pixels
+    /// that had only pilot samples before. It is likely in others as well.
+    pub unrefined: Estimate,
 }
 
 /// Takes the samples that each pixel lacks, and compares them with those before. The goal is
-/// the number of pairs that a pixel is to have, as a function of its index and itself. A pixel
-/// that needs no more than the search does looks even.
+/// the number of pairs that a pixel is to have, as a function of its index and itself.
 pub fn check<R: Radiance>(
     picture: &mut Picture<R>,
-    search: &Search,
+    pilot: &Pilot,
     goal: impl Fn(usize, &Pixel) -> u32 + Sync,
-) -> Found {
-    let least = search.pairs;
-    let unseen = search.unseen(picture.brightest());
+) -> Checked {
+    let min_pairs = pilot.pairs;
+    let unseen = pilot.unseen(picture.brightest());
     let rows = picture.change_rows(|picture, row, pixels| {
-        let mut found = Found::default();
+        let mut checked = Checked::default();
         let mut lacking = Vec::new();
         for (column, pixel) in pixels.iter().enumerate() {
             let goal = goal(row * pixels.len() + column, pixel);
-            if goal > least && pixel.checked() <= least {
-                found.unknown.add(pixel.off().min(unseen));
+            if goal > min_pairs && pixel.checked_pairs() <= min_pairs {
+                checked.unrefined.add(pixel.squared_error().min(unseen));
             }
             let (column, lacks) = (column as u32, pixel.pairs()..goal);
-            if !lacks.is_empty() && (goal > least || picture.lot(column, row) < search.share) {
+            let is_chosen = || picture.choice(column, row) < pilot.fraction;
+            if !lacks.is_empty() && (goal > min_pairs || is_chosen()) {
                 lacking.push((column, lacks));
             }
         }
-        let fresh = picture.sample(row, lacking.into_iter());
-        for (column, fresh) in &fresh {
+        let new = picture.sample(row, lacking.into_iter());
+        for (column, new) in &new {
             let pixel = &mut pixels[*column as usize];
-            let was_middle = pixel.pairs() == 0;
-            pixel.check(fresh);
-            if was_middle && pixel.pairs() <= least {
-                let others = 1.0 / search.share - 1.0;
-                found.unknown.add(pixel.off() * others);
+            let had_only_middle = pixel.pairs() == 0;
+            pixel.check(new);
+            if had_only_middle && pixel.pairs() <= min_pairs {
+                let others = 1.0 / pilot.fraction - 1.0;
+                checked.unrefined.add(pixel.squared_error() * others);
             }
         }
-        found.checked = fresh.len() as u64;
+        checked.pixels = new.len() as u64;
         for pixel in pixels {
-            found.known.add(pixel.off());
+            checked.known.add(pixel.squared_error());
         }
-        found
+        checked
     });
-    let mut total = Found::default();
+    let mut total = Checked::default();
     for row in rows {
-        total.checked += row.checked;
+        total.pixels += row.pixels;
         total.known += row.known;
-        total.unknown += row.unknown;
+        total.unrefined += row.unrefined;
     }
     total
 }

@@ -12,10 +12,10 @@ use super::Radiance;
 use super::pixel::Pixel;
 use super::random::PixelRandom;
 use super::sequence::Sequence;
-use crate::camera_place;
+use crate::sampler::image_position;
 
-/// Pairs of samples per batch, unless a pixel's last ones end it.
-const BATCH: usize = 32;
+/// Pairs of samples in a batch.
+const BATCH_PAIRS: usize = 32;
 
 /// The pixels of a picture, and where their light comes from.
 pub struct Picture<'a, R> {
@@ -23,8 +23,8 @@ pub struct Picture<'a, R> {
     settings: &'a Settings,
     progress: &'a dyn Progress,
     pixels: Vec<Pixel>,
-    /// The number of rows painted so far.
-    painted: AtomicU32,
+    /// The number of rows reported so far.
+    reported: AtomicU32,
     /// The bits of the brightest channel of a sample. Bits of numbers above 0 grow with them.
     brightest: AtomicU32,
 }
@@ -47,7 +47,7 @@ impl<'a, R: Radiance> Picture<'a, R> {
             settings,
             progress,
             pixels,
-            painted: AtomicU32::new(0),
+            reported: AtomicU32::new(0),
             brightest: AtomicU32::new(1_f32.to_bits()),
         })
     }
@@ -62,8 +62,8 @@ impl<'a, R: Radiance> Picture<'a, R> {
         self.settings.size.width() as usize
     }
 
-    /// A random number of a pixel, for other ends than the places of its samples.
-    pub fn lot(&self, column: u32, row: usize) -> f64 {
+    /// A random number that chooses a pixel. It is independent of the positions of its samples.
+    pub fn choice(&self, column: u32, row: usize) -> f64 {
         PixelRandom::new(!self.settings.seed, column, row as u32).uniform(0)
     }
 
@@ -72,12 +72,12 @@ impl<'a, R: Radiance> Picture<'a, R> {
         f32::from_bits(self.brightest.load(Ordering::Relaxed)).into()
     }
 
-    /// The light at some places; none once the picture is not wanted any more.
-    fn look<'m>(&self, places: &[(f64, f64)], memory: &'m mut R::Memory) -> &'m [Color] {
+    /// The light at some positions; none once the rendering is stopped.
+    fn light<'m>(&self, positions: &[(f64, f64)], memory: &'m mut R::Memory) -> &'m [Color] {
         if self.progress.stopped() {
             return &[];
         }
-        let light = self.radiance.light(places, memory);
+        let light = self.radiance.light(positions, memory);
         let channels = light.iter().flat_map(|light| light.channels());
         let finite = channels.filter(|channel| channel.is_finite());
         let brightest = finite.fold(0.0, f64::max) as f32;
@@ -86,17 +86,17 @@ impl<'a, R: Radiance> Picture<'a, R> {
         light
     }
 
-    /// Takes as many pairs of samples as are wanted of each pixel altogether: a function of
-    /// its index and itself. Returns the number of pixels that have more by that.
-    pub fn take(&mut self, wanted: impl Fn(usize, &Pixel) -> u32 + Sync) -> usize {
+    /// Takes samples of each pixel up to its goal, a number of pairs as a function of its index and
+    /// itself. Returns the number of pixels with new samples.
+    pub fn take(&mut self, goal: impl Fn(usize, &Pixel) -> u32 + Sync) -> usize {
         let rows = self.change_rows(|picture, row, pixels| {
-            let pixels_here = pixels.iter().zip(row * pixels.len()..);
-            let more = pixels_here.map(|(pixel, i)| pixel.pairs()..wanted(i, pixel));
-            let fresh = picture.sample(row, (0..).zip(more));
-            for (column, fresh) in &fresh {
-                pixels[*column as usize].merge(fresh);
+            let indexed = pixels.iter().zip(row * pixels.len()..);
+            let lacking = indexed.map(|(pixel, i)| pixel.pairs()..goal(i, pixel));
+            let new = picture.sample(row, (0..).zip(lacking));
+            for (column, new) in &new {
+                pixels[*column as usize].merge(new);
             }
-            fresh.len()
+            new.len()
         });
         rows.into_iter().sum()
     }
@@ -105,16 +105,16 @@ impl<'a, R: Radiance> Picture<'a, R> {
     pub fn take_middles(&mut self) {
         self.change_rows(|picture, row, pixels| {
             let size = picture.settings.size;
-            let place = |column| camera_place(size, (column, row as u32), (0.5, 0.5));
-            let places: Vec<_> = (0..size.width()).map(place).collect();
+            let middle = |column| image_position(size, (column, row as u32), (0.5, 0.5));
+            let middles: Vec<_> = (0..size.width()).map(middle).collect();
             let mut memory = R::Memory::default();
-            for (pixel, light) in pixels.iter_mut().zip(picture.look(&places, &mut memory)) {
+            for (pixel, light) in pixels.iter_mut().zip(picture.light(&middles, &mut memory)) {
                 *pixel = Pixel::of_middle(*light);
             }
         });
     }
 
-    /// The results of a function that changes the pixels, for each row.
+    /// Calls a function that changes the pixels of a row, for all rows, and returns its results.
     pub fn change_rows<T: Send>(
         &mut self,
         f: impl Fn(&Self, usize, &mut [Pixel]) -> T + Sync,
@@ -123,7 +123,7 @@ impl<'a, R: Radiance> Picture<'a, R> {
         let rows = pixels.par_chunks_exact_mut(self.width()).enumerate();
         let changed = rows.with_max_len(1).map(|(row, pixels)| {
             let result = f(self, row, pixels);
-            self.paint(row, pixels);
+            self.report(row, pixels);
             result
         });
         let results = changed.collect();
@@ -132,18 +132,18 @@ impl<'a, R: Radiance> Picture<'a, R> {
     }
 
     /// New samples of the pixels of a row: of some columns, from left to right, the pairs
-    /// with these numbers in the pixel's sequence.
+    /// with these indices in the pixel's sequence.
     pub fn sample(
         &self,
         row: usize,
-        wanted: impl Iterator<Item = (u32, Range<u32>)>,
+        pairs: impl Iterator<Item = (u32, Range<u32>)>,
     ) -> Vec<(u32, Pixel)> {
         let row = row as u32;
-        let (mut columns, mut places) = (Vec::new(), Vec::new());
+        let (mut columns, mut positions) = (Vec::new(), Vec::new());
         let mut memory = R::Memory::default();
         let mut pixels: Vec<(u32, Pixel)> = Vec::new();
-        let mut look = |columns: &mut Vec<u32>, places: &mut Vec<_>| {
-            let light = self.look(places, &mut memory);
+        let mut take_batch = |columns: &mut Vec<u32>, positions: &mut Vec<_>| {
+            let light = self.light(positions, &mut memory);
             for (column, pair) in columns.drain(..).zip(light.chunks_exact(2)) {
                 let pair = Pixel::of_pair([pair[0], pair[1]]);
                 match pixels.last_mut() {
@@ -151,33 +151,34 @@ impl<'a, R: Radiance> Picture<'a, R> {
                     _ => pixels.push((column, pair)),
                 }
             }
-            places.clear();
+            positions.clear();
         };
-        for (column, numbers) in wanted.filter(|(_, numbers)| !numbers.is_empty()) {
+        for (column, indices) in pairs.filter(|(_, indices)| !indices.is_empty()) {
             let sequence = Sequence::new(PixelRandom::new(self.settings.seed, column, row));
-            for i in numbers {
-                let place = |place| camera_place(self.settings.size, (column, row), place);
-                places.extend(sequence.pair(i).map(place));
+            for i in indices {
+                let pair = sequence.pair(i);
+                positions
+                    .extend(pair.map(|at| image_position(self.settings.size, (column, row), at)));
                 columns.push(column);
-                if columns.len() == BATCH {
-                    look(&mut columns, &mut places);
+                if columns.len() == BATCH_PAIRS {
+                    take_batch(&mut columns, &mut positions);
                 }
             }
         }
-        look(&mut columns, &mut places);
+        take_batch(&mut columns, &mut positions);
         pixels
     }
 
-    /// Shows a row as it is now.
-    fn paint(&self, row: usize, pixels: &[Pixel]) {
-        if self.painted.fetch_add(1, Ordering::Relaxed) >= self.settings.size.height() {
+    /// Reports a row as it is now.
+    fn report(&self, row: usize, pixels: &[Pixel]) {
+        if self.reported.fetch_add(1, Ordering::Relaxed) >= self.settings.size.height() {
             self.progress.more_rows(1);
         }
         let mut colors = pixels.iter().map(Pixel::mean);
         self.progress.row(row as u32, &mut colors);
     }
 
-    /// An error once the picture is not wanted any more.
+    /// An error once the rendering is stopped.
     pub fn check_stopped(&self) -> Result<(), Error> {
         if self.progress.stopped() {
             Err(Error::Stopped)

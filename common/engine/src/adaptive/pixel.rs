@@ -11,10 +11,10 @@ pub struct Pixel {
     /// over pairs and channels.
     scatter: f32,
     /// The squared error that the last check estimated, added up over the channels.
-    off: f32,
+    squared_error: f32,
     pairs: u32,
     /// The number of pairs after the last check.
-    checked: u32,
+    checked_pairs: u32,
 }
 
 impl Pixel {
@@ -22,9 +22,9 @@ impl Pixel {
     pub const NONE: Self = Self {
         sum: Color::BLACK,
         scatter: 0.0,
-        off: 0.0,
+        squared_error: 0.0,
         pairs: 0,
-        checked: 0,
+        checked_pairs: 0,
     };
 
     /// The light of a sample in the middle.
@@ -51,8 +51,8 @@ impl Pixel {
             self.sum = other.sum;
         } else {
             let [here, there] = [f64::from(self.pairs), f64::from(other.pairs)];
-            let apart = other.sum * (1.0 / there) - self.sum * (1.0 / here);
-            let between = dot(apart, apart) * (here * there / (here + there));
+            let difference = other.sum * (1.0 / there) - self.sum * (1.0 / here);
+            let between = dot(difference, difference) * (here * there / (here + there));
             self.scatter += between as f32;
             self.sum += other.sum;
         }
@@ -63,32 +63,32 @@ impl Pixel {
     // ANCHOR: check
     /// Adds pairs that no decision has seen, and estimates the squared error by them.
     ///
-    /// Let `a` and `1 - a` be the shares of old and new samples. If their means are independent,
-    /// the mean of all is off by `a (1 - a)` times the squared difference of both, on average.
-    /// The samples here keep away from each other, so it is off by less.
-    pub fn check(&mut self, fresh: &Self) {
-        let apart = self.shown() - fresh.shown();
-        let a = f64::from(self.pairs) / f64::from(self.pairs + fresh.pairs);
-        let shares = if a > 0.0 { a * (1.0 - a) } else { 1.0 };
-        self.merge(fresh);
-        self.checked = self.pairs;
-        self.off = (shares * dot(apart, apart)) as f32;
+    /// Let `a` and `1 - a` be the fractions of old and new samples. If their means are independent,
+    /// the squared error of the mean of all is `a (1 - a)` times the squared difference of both,
+    /// on average. The samples here keep away from each other, so it is less.
+    pub fn check(&mut self, new: &Self) {
+        let difference = self.shown() - new.shown();
+        let a = f64::from(self.pairs) / f64::from(self.pairs + new.pairs);
+        let factor = if a > 0.0 { a * (1.0 - a) } else { 1.0 };
+        self.merge(new);
+        self.checked_pairs = self.pairs;
+        self.squared_error = (factor * dot(difference, difference)) as f32;
     }
     // ANCHOR_END: check
 
     /// The squared error that the last check estimated, added up over the channels.
-    pub fn off(&self) -> f64 {
+    pub fn squared_error(&self) -> f64 {
         // A pixel that is NaN has no error; another message counts these.
-        if self.off.is_finite() {
-            self.off.into()
+        if self.squared_error.is_finite() {
+            self.squared_error.into()
         } else {
             0.0
         }
     }
 
     /// The number of pairs after the last check.
-    pub const fn checked(&self) -> u32 {
-        self.checked
+    pub const fn checked_pairs(&self) -> u32 {
+        self.checked_pairs
     }
 
     /// The number of pairs.
@@ -140,16 +140,16 @@ mod tests {
         assert!((all.variance().unwrap() - 1.0).abs() < 1e-6);
     }
 
-    /// The means 1/4 and 3/4 differ by a half. With shares of a half each, the squared error
+    /// The means 1/4 and 3/4 differ by a half. With a half of the samples each, the squared error
     /// is a quarter of the squared difference; with 3/4 and 1/4, it is 3/16 of it.
     #[test]
     fn a_check_estimates_the_error_of_all_samples_together() {
         let [low, high] = [0.25, 0.75].map(|light| [Color::new(light, 0.0, 0.0); 2]);
-        for (pairs, off) in [(1, 1.0 / 16.0), (3, 3.0 / 64.0)] {
+        for (pairs, error) in [(1, 1.0 / 16.0), (3, 3.0 / 64.0)] {
             let mut pixel = Pixel::NONE;
             (0..pairs).for_each(|_| pixel.merge(&Pixel::of_pair(low)));
             pixel.check(&Pixel::of_pair(high));
-            assert_eq!((pixel.off(), pixel.pairs()), (off, pairs + 1));
+            assert_eq!((pixel.squared_error(), pixel.pairs()), (error, pairs + 1));
         }
     }
 }

@@ -1,8 +1,7 @@
 //! `PixelRandom`: random numbers that belong to a pixel.
 //!
-//! A generator that counts on from pixel to pixel would give another picture
-//! when the pixels are visited in another order, by several threads say. Here
-//! the n-th number of a pixel is a hash of the seed, the pixel and n.
+//! With one generator for all pixels, the picture would depend on the order in which threads
+//! render the pixels. Here the n-th number of a pixel is a hash of the seed, the pixel and n.
 
 /// The random numbers of one pixel.
 #[derive(Clone, Copy, Debug)]
@@ -11,7 +10,7 @@ pub struct PixelRandom {
 }
 
 impl PixelRandom {
-    /// The numbers that `seed` gives the pixel in column `x` and row `y`.
+    /// The random numbers of the pixel in column `x` and row `y`, for this `seed`.
     #[must_use]
     pub const fn new(seed: u64, x: u32, y: u32) -> Self {
         let pixel = (y as u64) << 32 | x as u64;
@@ -26,12 +25,12 @@ impl PixelRandom {
         let bits = mix(self
             .key
             .wrapping_add(n.wrapping_add(1).wrapping_mul(GOLDEN)));
-        // A double has 53 digits; more would round up to 1 now and then.
+        // A double has 53 binary digits; with more, some numbers would round to 1.
         (bits >> 11) as f64 / (1_u64 << 53) as f64
     }
 }
 
-/// 2^64 divided by the golden ratio: its multiples are spread evenly.
+/// 2^64 divided by the golden ratio: its multiples modulo 2^64 are spread evenly.
 const GOLDEN: u64 = 0x9E37_79B9_7F4A_7C15;
 
 /// The output function of `SplitMix64` (Steele, Lea, Flood: Fast Splittable

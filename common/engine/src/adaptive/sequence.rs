@@ -1,13 +1,13 @@
-//! `Sequence`: the places of a pixel's samples.
+//! `Sequence`: the positions of a pixel's samples.
 //!
-//! The places are those of Sobol's sequence: of the first 2^k, each of 2^k equal strips of
+//! They are the points of Sobol's sequence: of the first 2^k, each of 2^k equal strips of
 //! the pixel has one, upright or level, and so has each rectangle of that area that halving
 //! leads to. An edge is uncertain only in the few that it crosses. Owen's scrambling swaps
-//! halves, and halves of halves, at random: every place is equally likely, and every mean
+//! halves, and halves of halves, at random: every position is equally likely, and every mean
 //! right on average.
 //!
 //! Here both halves of a coordinate are scrambled alike, one as the mirror image of the
-//! other. So samples come in pairs, a place and its mirror image at the pixel's middle, and
+//! other. So samples come in pairs, a position and its mirror image at the pixel's middle, and
 //! light that changes evenly has its exact mean in each pair.
 //!
 //! (Owen: Randomly Permuted (t,m,s)-Nets and (t,s)-Sequences, 1995. Burley: Practical
@@ -16,7 +16,7 @@
 
 use super::random::PixelRandom;
 
-/// The places of the samples of a pixel, for as many as are wanted.
+/// The positions of the samples of a pixel, without end.
 pub struct Sequence {
     seeds: [u32; 2],
 }
@@ -31,7 +31,7 @@ impl Sequence {
     }
 
     // ANCHOR: pair
-    /// The places of a pair in the pixel, each above 0 and below 1.
+    /// The positions of a pair in the pixel, each above 0 and below 1.
     pub fn pair(&self, i: u32) -> [(f64, f64); 2] {
         let x = mirrored(2 * i, self.seeds[0]);
         let y = mirrored(second(2 * i), self.seeds[1]);
@@ -73,7 +73,7 @@ const fn scrambled(reversed: u32, seed: u32) -> u32 {
 }
 
 /// A coordinate scrambled so that its mirror image is scrambled alike. The mirror image of a
-/// place of the sequence is the next one, whose coordinates differ in the first digit.
+/// point of the sequence is the next one, whose coordinates differ in the first digit.
 const fn mirrored(reversed: u32, seed: u32) -> u32 {
     if reversed & 1 == 1 {
         !scrambled(reversed ^ 1, seed)
@@ -86,10 +86,10 @@ const fn mirrored(reversed: u32, seed: u32) -> u32 {
 mod tests {
     use super::*;
 
-    /// Every rectangle with the sides 2^-a and 2^(a - k) holds one of the first 2^k places,
+    /// Every rectangle with the sides 2^-a and 2^(a - k) holds one of the first 2^k points,
     /// and one of the next.
     #[test]
-    fn places_are_spread_over_all_rectangles_of_equal_area() {
+    fn points_are_spread_over_all_rectangles_of_equal_area() {
         for seed in 0..8 {
             let sequence = Sequence::new(PixelRandom::new(seed, 3, 4));
             for k in 1..8_u32 {

@@ -36,7 +36,7 @@ impl RayPacket {
         })
     }
 
-    /// These rays with the first active one in place of those that are not.
+    /// These rays, where the first active one replaces those that are not active.
     #[inline]
     pub fn filled(self, active: u32) -> Self {
         if active == 0b1111 {

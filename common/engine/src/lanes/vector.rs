@@ -78,7 +78,7 @@ impl Vector3x4 {
 
     /// The lesser of the coordinates of each.
     #[inline]
-    pub fn least(self, other: Self) -> Self {
+    pub fn min(self, other: Self) -> Self {
         Self {
             x: self.x.fast_min(other.x),
             y: self.y.fast_min(other.y),
@@ -88,7 +88,7 @@ impl Vector3x4 {
 
     /// The greater of the coordinates of each.
     #[inline]
-    pub fn greatest(self, other: Self) -> Self {
+    pub fn max(self, other: Self) -> Self {
         Self {
             x: self.x.fast_max(other.x),
             y: self.y.fast_max(other.y),

@@ -69,7 +69,7 @@ pub struct Illumination {
     pub color: Color,
     /// From the point to the source, of length 1.
     pub direction: DVec3,
-    /// From the point to the source; infinite for a source without a place.
+    /// From the point to the source; infinite for a directional light.
     pub distance: f64,
 }
 

@@ -12,9 +12,9 @@ use crate::lanes::{ColorPacket, Lanes, Vector3x4, mask};
 /// A Phong material; one without highlights is Lambert's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phong {
-    /// The share of light that is scattered.
+    /// The reflectance of the diffuse term.
     pub diffuse: Color,
-    /// The share of a light that is mirrored as a highlight.
+    /// The reflectance of the highlight.
     pub specular: Color,
     /// The exponent of the highlight, at least 0.
     pub exponent: f64,
@@ -26,7 +26,7 @@ impl Phong {
     }
 
     /// Whether the light of any source can change its colour.
-    pub(crate) fn responds_to_light(&self) -> bool {
+    fn responds_to_light(&self) -> bool {
         self.diffuse != Color::BLACK || self.has_highlight()
     }
 
@@ -78,7 +78,7 @@ impl PhongPacket {
         }
     }
 
-    /// The share of the ambient light.
+    /// The reflected ambient light.
     #[inline]
     pub fn ambient(&self, ambient: Color) -> ColorPacket {
         self.diffuse * ColorPacket::splat(ambient)
@@ -94,17 +94,17 @@ impl PhongPacket {
         light: &IlluminationPacket,
     ) -> ColorPacket {
         let slant = normal.dot(light.direction).max(Lanes::ZERO);
-        let share = self.diffuse * light.color * slant;
+        let diffuse = self.diffuse * light.color * slant;
 
         let cosine = (-direction).dot(light.direction.reflected_on(normal));
         let is_mirrored = slant.simd_gt(Lanes::ZERO) & cosine.simd_gt(Lanes::ZERO);
         let shining = is_mirrored.to_bitmask() & self.has_highlight & light.lit;
         if shining == 0 {
-            return share.masked(mask(light.lit));
+            return diffuse.masked(mask(light.lit));
         }
         tally::count_all(Work::Power, shining.count_ones().into());
         let powers = powers(cosine.fast_min(Lanes::ONE), self.exponents, shining);
         let highlight = self.specular * light.color * powers;
-        (share + highlight.masked(mask(shining))).masked(mask(light.lit))
+        (diffuse + highlight.masked(mask(shining))).masked(mask(light.lit))
     }
 }

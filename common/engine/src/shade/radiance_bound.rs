@@ -1,21 +1,21 @@
 //! `RadianceBound`: an upper bound of the light that any ray brings back, and the
 //! reflection cutoff that follows from it.
 //!
-//! A surface of the colour `c` that mirrors the share `k` brings back `c + k f`, and
-//! the surface seen in it is no brighter. So no ray brings back more than
+//! A surface of the colour `c` and the reflectance `k` brings back `c + k f`, where `f` is the
+//! radiance of the reflected ray. So no ray brings back more than
 //! `c (1 + k + k² + ..) = c / (1 - k)`, with the largest `c` and `k` of the scene. A
-//! reflected ray whose light reaches the eye by a share `m` changes the picture by less
-//! than a threshold if `m c / (1 - k)` is below it. (Hall and Greenberg, A Testbed for
-//! Realistic Image Synthesis, 1983: adaptive tree depth.)
+//! reflected ray with the throughput `m` changes the picture by less than a threshold if
+//! `m c / (1 - k)` is below it. (Hall and Greenberg, A Testbed for Realistic Image Synthesis,
+//! 1983: adaptive tree depth.)
 
 use common::Color;
 
 use super::{Light, Surface};
 
-/// The brightest light of a scene, and the threshold of the reflection cutoff.
+/// Upper bound of the radiance in a scene, and the threshold of the reflection cutoff.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RadianceBound {
-    brightest: Color,
+    max_radiance: Color,
     threshold: f64,
 }
 
@@ -39,16 +39,16 @@ impl RadianceBound {
         // threshold.
         let series = k.map(|k| 1.0 / (1.0 - k));
         Self {
-            brightest: c * series,
+            max_radiance: c * series,
             threshold,
         }
     }
 
-    /// Whether light that reaches the eye by this share is below the threshold, in all
-    /// channels.
+    /// Whether reflected rays with this throughput change the picture by less than the threshold,
+    /// in all channels.
     #[inline]
-    pub fn cuts(&self, share: Color) -> bool {
-        let seen = share * self.brightest;
+    pub fn cuts(&self, throughput: Color) -> bool {
+        let seen = throughput * self.max_radiance;
         seen.channels()
             .iter()
             .all(|channel| *channel < self.threshold)

@@ -1,4 +1,4 @@
-//! `Surface`: the material of an object and the share of light that it mirrors.
+//! `Surface`: the material of an object and its reflectance.
 
 use std::fmt;
 
@@ -10,9 +10,9 @@ use crate::{Hit, Ray};
 /// A surface.
 #[derive(Debug)]
 pub struct Surface<'a> {
-    /// The light that it sends back by itself.
+    /// The material: the light that it scatters.
     pub shading: Shading<'a>,
-    /// The share of each channel that it mirrors, from 0 to 1.
+    /// The reflectance of each channel, from 0 to 1.
     pub reflection: Color,
 }
 

@@ -1,10 +1,9 @@
-//! `AxisAlignedBox`: alone and in lanes.
+//! `AxisAlignedBox`.
 
 use glam::DVec3;
 
 use super::{Primitive, Rays};
-use crate::lanes::{Lanes, PacketHit, Vector3x4, copysign, first_beyond, select, without};
-use crate::{Hit, Interval, Ray};
+use crate::lanes::{Lanes, PacketHit, Vector3x4, copysign, first_positive, select, without};
 
 /// A box whose faces are perpendicular to the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,43 +30,12 @@ pub(crate) struct Boxes {
 impl Primitive for &AxisAlignedBox {
     type Four = Boxes;
 
-    fn reach(self, along: DVec3) -> f64 {
+    fn support(self, along: DVec3) -> f64 {
         let farther = |axis: usize| {
             let (min, max) = (self.min[axis] * along[axis], self.max[axis] * along[axis]);
             min.max(max)
         };
         farther(0) + farther(1) + farther(2)
-    }
-
-    fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {
-        let (o, d) = (ray.origin.to_array(), ray.direction.to_array());
-        let (mut near, mut near_axis) = (f64::NEG_INFINITY, 0);
-        let (mut far, mut far_axis) = (f64::INFINITY, 0);
-        for axis in 0..3 {
-            let inverse = 1.0 / d[axis];
-            let a = (self.min[axis] - o[axis]) * inverse;
-            let b = (self.max[axis] - o[axis]) * inverse;
-            // In this order `min` and `max` drop the NaN of a ray within a face.
-            let entered = a.max(near).min(b.max(near));
-            let left = a.min(far).max(b.min(far));
-            if entered > near {
-                (near, near_axis) = (entered, axis);
-            }
-            if left < far {
-                (far, far_axis) = (left, axis);
-            }
-        }
-        if near > far * WIDER {
-            return None;
-        }
-        let far = far.max(near);
-        if within.contains(near) {
-            Some(Hit::new(near, axis_normal(near_axis, -d[near_axis])))
-        } else if within.contains(far) {
-            Some(Hit::new(far, axis_normal(far_axis, d[far_axis])))
-        } else {
-            None
-        }
     }
 
     #[inline]
@@ -79,7 +47,7 @@ impl Primitive for &AxisAlignedBox {
     }
 
     #[inline]
-    fn meet(shapes: &Boxes, rays: &Rays, _: u32) -> Lanes {
+    fn intersect(shapes: &Boxes, rays: &Rays, _: u32) -> Lanes {
         shapes.hits(rays).t
     }
 
@@ -105,6 +73,7 @@ impl Boxes {
             let inverse = Lanes::ONE / d[axis];
             let a = (self.min[axis] - o[axis]) * inverse;
             let b = (self.max[axis] - o[axis]) * inverse;
+            // In this order `min` and `max` drop the NaN of a ray within a face.
             let entered = a.max(near).fast_min(b.max(near));
             let left = a.min(far).fast_max(b.min(far));
             let (later, earlier) = (entered.simd_gt(near), left.simd_lt(far));
@@ -121,16 +90,9 @@ impl Boxes {
         let missed = near.simd_gt(far * Lanes::splat(WIDER));
         let far = far.fast_max(near);
 
-        let enters = near.simd_gt(rays.min);
+        let enters = near.simd_gt(Lanes::ZERO);
         let [x, y, z] = [0, 1, 2].map(|axis| select(enters, near_normal[axis], far_normal[axis]));
-        let t = without(missed, first_beyond(rays.min, near, far));
+        let t = without(missed, first_positive(near, far));
         PacketHit::with_normals(t, Vector3x4 { x, y, z })
     }
-}
-
-/// The normal along an axis, on the side of `sign`.
-fn axis_normal(axis: usize, sign: f64) -> DVec3 {
-    let mut normal = [0.0; 3];
-    normal[axis] = 1.0_f64.copysign(sign);
-    normal.into()
 }

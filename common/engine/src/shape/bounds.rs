@@ -18,31 +18,25 @@ impl Bounds {
         max: [f64::INFINITY; 3],
     };
 
-    /// The empty box.
-    pub const NOWHERE: Self = Self {
+    /// The bounds of no shape.
+    pub const EMPTY: Self = Self {
         min: [f64::INFINITY; 3],
         max: [f64::NEG_INFINITY; 3],
     };
 
-    /// The bounds of a few points.
+    /// The bounds of some points.
     pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
         let points = points.into_iter().map(|p| p.to_array());
-        Self::of_all(points.map(|p| Self { min: p, max: p }))
+        points.fold(Self::EMPTY, |all, p| all.union(Self { min: p, max: p }))
     }
 
-    /// The bounds of a shape that reaches this far along an axis, with the sign 1, and
-    /// against it, with the sign -1: the latter is counted against the axis, too.
-    /// Rounded outwards.
-    pub fn reached(reach: impl Fn(usize, f64) -> f64) -> Self {
+    /// The bounds of a shape with these values of the support function for the axes, with the sign
+    /// 1, and for their opposites, with the sign -1. Rounded outwards.
+    pub fn from_support(support: impl Fn(usize, f64) -> f64) -> Self {
         Self {
-            min: [0, 1, 2].map(|axis| (-reach(axis, -1.0)).next_down()),
-            max: [0, 1, 2].map(|axis| reach(axis, 1.0).next_up()),
+            min: [0, 1, 2].map(|axis| (-support(axis, -1.0)).next_down()),
+            max: [0, 1, 2].map(|axis| support(axis, 1.0).next_up()),
         }
-    }
-
-    /// The bounds of several.
-    pub fn of_all(several: impl IntoIterator<Item = Self>) -> Self {
-        several.into_iter().fold(Self::NOWHERE, Self::union)
     }
 
     /// The same bounds, moved outwards by this width on all sides.
@@ -66,19 +60,9 @@ impl Bounds {
         self.min.iter().chain(&self.max).all(|x| x.is_finite())
     }
 
-    /// The eight corners.
-    pub fn corners(self) -> [DVec3; 8] {
-        std::array::from_fn(|corner| {
-            let pick = |axis: usize| {
-                let side = if corner >> axis & 1 == 0 {
-                    self.min
-                } else {
-                    self.max
-                };
-                side[axis]
-            };
-            DVec3::new(pick(0), pick(1), pick(2))
-        })
+    /// The largest magnitude of a coordinate along each axis.
+    pub fn magnitudes(self) -> [f64; 3] {
+        std::array::from_fn(|axis| self.min[axis].abs().max(self.max[axis].abs()))
     }
 
     /// The middle along each axis.
@@ -97,17 +81,9 @@ mod tests {
     };
 
     #[test]
-    fn a_box_has_eight_corners_and_a_middle() {
-        let corners = BOX.corners();
-        for x in [1.0, 3.0] {
-            for y in [-2.0, 3.0] {
-                for z in [3.0, 9.0] {
-                    assert!(corners.contains(&DVec3::new(x, y, z)));
-                }
-            }
-        }
-        assert_eq!(Bounds::around(corners), BOX);
+    fn a_box_has_a_middle_and_magnitudes() {
         assert_eq!(BOX.middle(), [2.0, 0.5, 6.0]);
+        assert_eq!(BOX.magnitudes(), [3.0, 3.0, 9.0]);
     }
 
     #[test]
@@ -131,8 +107,7 @@ mod tests {
             ..BOX
         };
         assert_eq!(BOX.union(other), both);
-        assert_eq!(Bounds::of_all([other, BOX]), both);
-        assert_eq!(BOX.union(Bounds::NOWHERE), BOX);
+        assert_eq!(BOX.union(Bounds::EMPTY), BOX);
         let wider = Bounds {
             min: [0.5, -2.5, 2.5],
             max: [3.5, 3.5, 9.5],
@@ -141,8 +116,8 @@ mod tests {
     }
 
     #[test]
-    fn bounds_are_as_far_as_a_shape_reaches_rounded_outwards() {
-        let reached = Bounds::reached(|axis, sign| {
+    fn bounds_from_the_support_function_are_rounded_outwards() {
+        let bounds = Bounds::from_support(|axis, sign| {
             let side = if sign < 0.0 { BOX.min } else { BOX.max };
             side[axis] * sign
         });
@@ -150,6 +125,6 @@ mod tests {
             min: BOX.min.map(f64::next_down),
             max: BOX.max.map(f64::next_up),
         };
-        assert_eq!(reached, wider);
+        assert_eq!(bounds, wider);
     }
 }

@@ -1,11 +1,10 @@
-//! `Disc`: alone and in lanes.
+//! `Disc`.
 
 use glam::DVec3;
 
 use super::plane::Planes;
 use super::{Plane, Primitive, Rays};
 use crate::lanes::{Lanes, PacketHit, without};
-use crate::{Hit, Interval, Ray};
 
 /// The part of a plane around a point of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,16 +27,10 @@ pub(crate) struct Discs {
 impl Primitive for &Disc {
     type Four = Discs;
 
-    /// The disc reaches as far from its centre as the sine of the angle to the normal.
-    fn reach(self, along: DVec3) -> f64 {
+    /// In radii, the disc reaches as far from its centre as the sine of the angle to the normal.
+    fn support(self, along: DVec3) -> f64 {
         let sine = self.plane.normal.cross(along).length() + along.length() * ROUNDING;
         self.plane.point.dot(along) + self.radius * sine
-    }
-
-    fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {
-        let hit = self.plane.hit(ray, within)?;
-        let from_center = ray.at(hit.t) - self.plane.point;
-        (from_center.dot(from_center) <= self.radius * self.radius).then_some(hit)
     }
 
     #[inline]
@@ -49,15 +42,15 @@ impl Primitive for &Disc {
     }
 
     #[inline]
-    fn meet(shapes: &Discs, rays: &Rays, wanted: u32) -> Lanes {
-        let t = <&Plane>::meet(&shapes.planes, rays, wanted);
+    fn intersect(shapes: &Discs, rays: &Rays, active: u32) -> Lanes {
+        let t = <&Plane>::intersect(&shapes.planes, rays, active);
         let from_center = rays.packet.at(t) - shapes.planes.point;
         let squared_radius = shapes.radius * shapes.radius;
         without(!from_center.dot(from_center).simd_le(squared_radius), t)
     }
 
     #[inline]
-    fn hits(self, rays: &Rays, t: Lanes, wanted: u32) -> PacketHit {
-        self.plane.hits(rays, t, wanted)
+    fn hits(self, rays: &Rays, t: Lanes, active: u32) -> PacketHit {
+        self.plane.hits(rays, t, active)
     }
 }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::pool::Pool;
-use super::{Corners, Triangle};
+use super::{Corners, List, Triangle};
 use crate::lanes::Lanes;
 
 /// Triangles. Each normal is stored once, but corners as often as they are shared: most tests
@@ -32,8 +32,19 @@ impl Mesh {
         self.corners.push(triangle.corners);
     }
 
+    /// Releases the memory that only `push` needs.
+    pub fn finish(&mut self) {
+        self.vectors.finish();
+        self.corners.shrink_to_fit();
+        self.normals.shrink_to_fit();
+    }
+}
+
+impl List for Mesh {
+    type Shape<'s> = Triangle;
+
     #[inline]
-    pub fn get(&self, index: usize) -> Triangle {
+    fn get(&self, index: usize) -> Triangle {
         let Normals { normals, face } = self.normals[index];
         let vector = |index| self.vectors.get(index);
         Triangle {
@@ -43,17 +54,10 @@ impl Mesh {
         }
     }
 
-    /// The corners of a triangle, four times.
+    /// Four numbers that lie together are read at once.
     #[inline]
-    pub fn corners_of(&self, index: usize) -> Corners {
-        self.corners[index].map(|corner| [corner.x, corner.y, corner.z].map(Lanes::splat))
-    }
-
-    /// The corners of four triangles side by side. Four numbers that lie together are read at
-    /// once.
-    #[inline]
-    pub fn corners_of_four(&self, four: [usize; 4]) -> Corners {
-        let four = four.map(|index| &self.corners[index]);
+    fn four(&self, indices: [usize; 4]) -> Corners {
+        let four = indices.map(|index| &self.corners[index]);
         let rows = |row: fn(&[DVec3; 3]) -> [f64; 4]| {
             Lanes::transpose(four.map(|corners| Lanes::new(row(corners))))
         };
@@ -63,15 +67,13 @@ impl Mesh {
         [[ax, ay, az], [bx, by, bz], [cx, cy, cz]]
     }
 
-    pub fn swap(&mut self, a: usize, b: usize) {
-        self.corners.swap(a, b);
-        self.normals.swap(a, b);
+    #[inline]
+    fn splat(&self, index: usize) -> Corners {
+        self.corners[index].map(|corner| [corner.x, corner.y, corner.z].map(Lanes::splat))
     }
 
-    /// Releases the memory that only `push` needs.
-    pub fn finish(&mut self) {
-        self.vectors.finish();
-        self.corners.shrink_to_fit();
-        self.normals.shrink_to_fit();
+    fn swap(&mut self, a: usize, b: usize) {
+        self.corners.swap(a, b);
+        self.normals.swap(a, b);
     }
 }

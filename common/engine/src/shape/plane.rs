@@ -1,10 +1,9 @@
-//! `Plane`: alone and in lanes.
+//! `Plane`.
 
 use glam::DVec3;
 
 use super::{Primitive, Rays};
-use crate::lanes::{Lanes, PacketHit, Vector3x4, beyond};
-use crate::{Hit, Interval, Ray};
+use crate::lanes::{Lanes, PacketHit, Vector3x4, positive};
 
 /// The plane through a point, perpendicular to a normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,11 +23,6 @@ pub(crate) struct Planes {
 impl Primitive for &Plane {
     type Four = Planes;
 
-    fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {
-        let t = (self.point - ray.origin).dot(self.normal) / ray.direction.dot(self.normal);
-        within.contains(t).then(|| Hit::new(t, self.normal))
-    }
-
     #[inline]
     fn four(shapes: [Self; 4]) -> Planes {
         Planes {
@@ -38,10 +32,10 @@ impl Primitive for &Plane {
     }
 
     #[inline]
-    fn meet(shapes: &Planes, rays: &Rays, _: u32) -> Lanes {
+    fn intersect(shapes: &Planes, rays: &Rays, _: u32) -> Lanes {
         let (a, n) = (shapes.point, shapes.normal);
         let ray = &rays.packet;
-        beyond(rays.min, (a - ray.origin).dot(n) / ray.direction.dot(n))
+        positive((a - ray.origin).dot(n) / ray.direction.dot(n))
     }
 
     #[inline]

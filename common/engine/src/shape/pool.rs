@@ -1,7 +1,7 @@
 //! `Pool`: vectors, each stored once.
 //!
-//! The triangles of a mesh share normals, but a scene names them triangle by
-//! triangle. A hash table finds those that are there already.
+//! The triangles of a mesh share normals, but a scene has them triangle by triangle. A hash table
+//! finds equal ones.
 
 use glam::DVec3;
 
@@ -23,29 +23,29 @@ impl Pool {
         if 4 * self.vectors.len() >= 3 * self.table.len() {
             self.table = vec![EMPTY; (2 * self.table.len()).max(64)];
             for index in 0..self.vectors.len() {
-                let place = self.place(self.vectors[index]);
-                self.table[place] = index as u32;
+                let slot = self.slot(self.vectors[index]);
+                self.table[slot] = index as u32;
             }
         }
-        let place = self.place(vector);
-        if self.table[place] == EMPTY {
-            self.table[place] = self.vectors.len() as u32;
+        let slot = self.slot(vector);
+        if self.table[slot] == EMPTY {
+            self.table[slot] = self.vectors.len() as u32;
             self.vectors.push(vector);
         }
-        self.table[place]
+        self.table[slot]
     }
 
-    /// The place in the table of a vector, or the empty one at which it belongs.
-    fn place(&self, vector: DVec3) -> usize {
+    /// The slot of a vector in the table, or the empty one for it.
+    fn slot(&self, vector: DVec3) -> usize {
         let bits = |v: DVec3| v.to_array().map(f64::to_bits);
         let last = self.table.len() - 1;
-        let mut place = hash(bits(vector)) as usize & last;
-        while self.table[place] != EMPTY
-            && bits(self.vectors[self.table[place] as usize]) != bits(vector)
+        let mut slot = hash(bits(vector)) as usize & last;
+        while self.table[slot] != EMPTY
+            && bits(self.vectors[self.table[slot] as usize]) != bits(vector)
         {
-            place = (place + 1) & last;
+            slot = (slot + 1) & last;
         }
-        place
+        slot
     }
 
     /// The vector of an index.

@@ -5,42 +5,37 @@ use std::cell::OnceCell;
 
 use super::ShearedRays;
 use crate::Ray;
-use crate::lanes::{Lanes, RayPacket, Vector3x4};
+use crate::lanes::{RayPacket, Vector3x4};
 
 /// Rays about to be tested, and the numbers of them that are computed only once.
 #[derive(Debug)]
 pub(crate) struct Rays {
     /// The rays.
     pub packet: RayPacket,
-    /// Hits count beyond this `t`.
-    pub min: Lanes,
     /// A bit for each ray that is tested.
     pub active: u32,
     sheared: OnceCell<ShearedRays>,
 }
 
 impl Rays {
-    /// The active of four rays, whose hits count ahead of their origins. An active one stands in
-    /// for each of the others.
+    /// The active of four rays. An active one stands in for each of the others.
     #[inline]
     pub fn four(packet: &RayPacket, active: u32) -> Self {
         Self {
             packet: packet.filled(active),
-            min: Lanes::ZERO,
             active,
             sheared: OnceCell::new(),
         }
     }
 
-    /// One ray, four times, whose hits count beyond `min`.
+    /// One ray, four times.
     #[inline]
-    pub fn one(ray: &Ray, min: f64) -> Self {
+    pub fn one(ray: &Ray) -> Self {
         Self {
             packet: RayPacket {
                 origin: Vector3x4::splat(ray.origin),
                 direction: Vector3x4::splat(ray.direction),
             },
-            min: Lanes::splat(min),
             active: 0b1111,
             sheared: OnceCell::new(),
         }
@@ -51,7 +46,6 @@ impl Rays {
     pub fn moved(&self, packet: RayPacket) -> Self {
         Self {
             packet,
-            min: self.min,
             active: self.active,
             sheared: OnceCell::new(),
         }

@@ -1,4 +1,4 @@
-//! `Sphere`: alone and in lanes.
+//! `Sphere`.
 //!
 //! (Haines, Günther and Akenine-Möller, Precision Improvements for Ray/Sphere
 //! Intersection, Ray Tracing Gems, 2019, chapter 7.)
@@ -7,11 +7,9 @@ use glam::DVec3;
 
 use super::{Primitive, Rays};
 use crate::lanes::{
-    Lanes, NOWHERE, PacketHit, Vector3x4, copysign, first_beyond, is_square_of_a_length, select,
+    Lanes, NO_HIT, PacketHit, Vector3x4, copysign, first_positive, is_square_of_a_length, select,
     without,
 };
-use crate::vector::normalized;
-use crate::{Hit, Interval, Ray};
 
 /// All points at one distance from a centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,24 +33,8 @@ pub(crate) struct Spheres {
 impl Primitive for &Sphere {
     type Four = Spheres;
 
-    fn reach(self, along: DVec3) -> f64 {
+    fn support(self, along: DVec3) -> f64 {
         self.center.dot(along) + self.radius * along.length()
-    }
-
-    fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {
-        let (f, d) = (ray.origin - self.center, ray.direction);
-        let a = d.dot(d);
-        let middle = -f.dot(d) / a;
-        let l = f + d * middle;
-        let discriminant = self.radius * self.radius - l.dot(l);
-        if discriminant < 0.0 {
-            return None;
-        }
-        let t1 = middle + (discriminant / a).sqrt().copysign(middle);
-        let t0 = (f.dot(f) - self.radius * self.radius) / (a * t1);
-        let (near, far) = if t0 < t1 { (t0, t1) } else { (t1, t0) };
-        let t = [near, far].into_iter().find(|t| within.contains(*t))?;
-        Some(Hit::new(t, normalized(f + d * t)?))
     }
 
     #[inline]
@@ -64,7 +46,7 @@ impl Primitive for &Sphere {
     }
 
     #[inline]
-    fn meet(shapes: &Spheres, rays: &Rays, _: u32) -> Lanes {
+    fn intersect(shapes: &Spheres, rays: &Rays, _: u32) -> Lanes {
         let r = shapes.radius;
         let (f, d) = (rays.packet.origin - shapes.center, rays.packet.direction);
         let (a, f_d, f_f) = (d.dot(d), f.dot(d), f.dot(f));
@@ -77,7 +59,7 @@ impl Primitive for &Sphere {
         let beside = (f_d * f_d).simd_lt(a * clearly_outside);
         let leaving = f_d.simd_gt(Lanes::ZERO) & outside.simd_gt(Lanes::ZERO);
         if (beside | leaving).all() {
-            return NOWHERE;
+            return NO_HIT;
         }
 
         let middle = -f_d / a;
@@ -89,7 +71,7 @@ impl Primitive for &Sphere {
         let t0 = outside / (a * t1);
         let in_order = t0.simd_lt(t1);
         let (near, far) = (select(in_order, t0, t1), select(in_order, t1, t0));
-        let t = first_beyond(rays.min, near, far);
+        let t = first_positive(near, far);
         // Only a hit on the centre itself has no normal. A hit is a radius away from the
         // centre, or by rounding on it, so no other vector is too short to be squared.
         let outwards = f + d * t;

@@ -1,11 +1,8 @@
-//! `Transform`: a matrix and its inverse, applied to rays and normals: one, or four side by
-//! side.
+//! `Transform`: a matrix and its inverse, applied to four rays and to four normals.
 
 use glam::{DMat4, DVec3};
 
-use crate::Ray;
-use crate::lanes::{Lanes, RayPacket, Vector3x4};
-use crate::vector::normalized;
+use crate::lanes::{RayPacket, Vector3x4};
 
 /// A matrix and its inverse.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,32 +14,32 @@ pub struct Transform {
 }
 
 /// Largest product of the magnitudes of matrix and inverse for which rounding leaves most
-/// of a transformed normal.
-const WORST_CONDITION: f64 = 1_048_576.0;
+/// of a transformed normal, and bounds are of use.
+pub(super) const WORST_CONDITION: f64 = 1_048_576.0;
 
 /// Largest entry of an inverse, and the reciprocal of the largest entry of a matrix, so that
 /// the length of a transformed normal can be squared.
 const LARGEST_ENTRY: f64 = 1e100;
 
 impl Transform {
-    /// The ray in the space of the object. Its direction keeps the length that the
-    /// inverse gives it, so that `t` means the same in both spaces.
-    pub(crate) fn ray(&self, ray: &Ray) -> Ray {
-        Ray {
-            origin: self.inverse.transform_point3(ray.origin),
-            direction: self.inverse.transform_vector3(ray.direction),
-        }
+    /// Whether rounding keeps every transformed normal: a shape under another transform has to
+    /// be handed over as a function.
+    ///
+    /// With `e = i m - 1` the transformed normal `n' = iᵀ n` has `|mᵀ n'| ≥ 1 - |e|`, so
+    /// that its length is at least `(1 - |e|) / |m|`. Rounding takes less than `4 eps |i|`
+    /// of it.
+    #[must_use]
+    pub fn is_well_conditioned(&self) -> bool {
+        let (size, of_inverse) = (norm(self.matrix), norm(self.inverse));
+        norm(self.inverse * self.matrix - DMat4::IDENTITY) < 0.5
+            && size * of_inverse < WORST_CONDITION
+            && size.max(of_inverse) < LARGEST_ENTRY
     }
 
-    /// A normal in the space around the object, of length 1; none if rounding leaves
-    /// nothing of it.
-    pub(crate) fn normal(&self, n: DVec3) -> Option<DVec3> {
-        normalized(self.inverse.transpose().transform_vector3(n))
-    }
-
-    /// Four rays in the space of the object.
+    /// Four rays in the space of the object. Their directions keep the length that the inverse
+    /// gives them, so that `t` means the same in both spaces.
     #[inline]
-    pub(super) fn rays(&self, rays: &RayPacket) -> RayPacket {
+    pub(crate) fn rays(&self, rays: &RayPacket) -> RayPacket {
         let [x, y, z, w] = self.columns().map(Vector3x4::splat);
         let moved = |v: Vector3x4| x * v.x + y * v.y + z * v.z;
         RayPacket {
@@ -51,11 +48,11 @@ impl Transform {
         }
     }
 
-    /// Four normals in the space around the object, and a mask of those of length 1.
+    /// Four normals in the space around the object, of length 1.
     #[inline]
-    pub(super) fn normals(&self, n: Vector3x4) -> (Vector3x4, Lanes) {
+    pub(super) fn normals(&self, n: Vector3x4) -> Vector3x4 {
         let [x, y, z, _] = self.columns().map(|column| Vector3x4::splat(column).dot(n));
-        Vector3x4 { x, y, z }.normalized()
+        Vector3x4 { x, y, z }.normalized().0
     }
 
     /// The columns of the inverse.
@@ -63,18 +60,6 @@ impl Transform {
     fn columns(&self) -> [DVec3; 4] {
         let i = &self.inverse;
         [i.x_axis, i.y_axis, i.z_axis, i.w_axis].map(glam::DVec4::truncate)
-    }
-
-    /// Whether every normal of length 1 can be brought to length 1 again.
-    ///
-    /// With `e = i m - 1` the transformed normal `n' = iᵀ n` has `|mᵀ n'| ≥ 1 - |e|`, so
-    /// that its length is at least `(1 - |e|) / |m|`. Rounding takes less than `4 eps |i|`
-    /// of it.
-    pub(super) fn keeps_normals(&self) -> bool {
-        let (size, of_inverse) = (norm(self.matrix), norm(self.inverse));
-        norm(self.inverse * self.matrix - DMat4::IDENTITY) < 0.5
-            && size * of_inverse < WORST_CONDITION
-            && size.max(of_inverse) < LARGEST_ENTRY
     }
 }
 

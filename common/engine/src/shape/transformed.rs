@@ -8,50 +8,22 @@ use common::tally::{self, Work};
 
 use super::transform::norm;
 use super::transformed_bounds::transformed_bounds;
-use super::{Bounds, Primitive, Rays, Shape, Transform, one_by_one};
+use super::{Bounds, Primitive, Rays, Shape, Transform};
 use crate::lanes::{Lanes, PacketHit};
-use crate::{Hit, Interval, Ray};
 
 /// A shape under transforms.
 #[derive(Debug)]
 pub struct Transformed<'a> {
     /// From the outermost transform to the innermost.
-    steps: Vec<Transform>,
-    shape: Box<Shape<'a>>,
-    /// Whether a hit is never lost because rounding leaves nothing of its normal.
-    keeps_normals: bool,
+    pub(crate) steps: Vec<Transform>,
+    pub(super) shape: Box<Shape<'a>>,
 }
 
-impl<'a> Transformed<'a> {
-    pub(super) fn new(transform: &Transform, shape: Box<Shape<'a>>) -> Self {
-        Self {
-            steps: vec![*transform],
-            shape,
-            keeps_normals: transform.keeps_normals(),
-        }
-    }
-
-    pub(super) fn under(mut self, transform: &Transform) -> Self {
-        self.keeps_normals &= transform.keeps_normals();
-        self.steps.insert(0, *transform);
-        self
-    }
-
-    /// The transforms, from the outermost to the innermost.
-    pub(crate) fn steps(&self) -> &[Transform] {
-        &self.steps
-    }
-
-    /// Replaces all transforms by one.
-    pub(crate) fn flatten(&mut self, product: Transform) {
-        self.keeps_normals = product.keeps_normals();
-        self.steps = vec![product];
-    }
-
-    /// Counts the work of the wanted lanes.
+impl Transformed<'_> {
+    /// Counts the work of the active lanes.
     #[inline]
-    fn count(&self, wanted: u32) {
-        let tests = u64::from(wanted.count_ones()) * self.steps.len() as u64;
+    fn count(&self, active: u32) {
+        let tests = u64::from(active.count_ones()) * self.steps.len() as u64;
         tally::count_all(Work::MovedRay, tests);
         tally::count_all(Work::IntersectionTest, tests);
     }
@@ -69,7 +41,7 @@ impl Primitive for &Transformed<'_> {
     type Four = Self;
 
     fn bounds(self) -> Bounds {
-        transformed_bounds(&self.steps, |along| self.shape.reach(along))
+        transformed_bounds(&self.steps, |along| self.shape.support(along))
     }
 
     /// No transform makes a length longer than by its norm.
@@ -78,41 +50,23 @@ impl Primitive for &Transformed<'_> {
         norms.product::<f64>() * self.shape.depth_error()
     }
 
-    fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {
-        let ray = self.steps.iter().fold(*ray, |ray, step| step.ray(&ray));
-        let hit = self.shape.hit(&ray, within)?;
-        self.steps.iter().rev().try_fold(hit, |hit, step| {
-            Some(Hit {
-                t: hit.t,
-                normal: step.normal(hit.normal)?,
-                face: step.normal(hit.face)?,
-            })
-        })
-    }
-
     #[inline]
     fn four([shape, ..]: [Self; 4]) -> Self {
         shape
     }
 
     #[inline]
-    fn meet(shape: &Self, rays: &Rays, wanted: u32) -> Lanes {
-        shape.count(wanted);
-        if !shape.keeps_normals {
-            return one_by_one(*shape, rays, wanted).t;
-        }
-        shape.shape.meet(&shape.rays_inside(rays), wanted)
+    fn intersect(shape: &Self, rays: &Rays, active: u32) -> Lanes {
+        shape.count(active);
+        shape.shape.intersect(&shape.rays_inside(rays), active)
     }
 
-    fn hits(self, rays: &Rays, t: Lanes, wanted: u32) -> PacketHit {
-        let hit = self.shape.hits(&self.rays_inside(rays), t, wanted);
-        let mut steps = self.steps.iter().rev();
-        let moved = steps.try_fold(hit, |hit, step| {
-            let (normal, is_unit) = step.normals(hit.normal);
-            let (face, is_unit_face) = step.normals(hit.face);
-            let is_unit = (is_unit & is_unit_face).to_bitmask();
-            (wanted & !is_unit == 0).then_some(PacketHit { t, normal, face })
-        });
-        moved.unwrap_or_else(|| one_by_one(self, rays, wanted))
+    fn hits(self, rays: &Rays, t: Lanes, active: u32) -> PacketHit {
+        let hit = self.shape.hits(&self.rays_inside(rays), t, active);
+        self.steps.iter().rev().fold(hit, |hit, step| PacketHit {
+            t,
+            normal: step.normals(hit.normal),
+            face: step.normals(hit.face),
+        })
     }
 }

@@ -7,19 +7,15 @@
 
 use glam::{DMat4, DVec3};
 
+use super::transform::WORST_CONDITION;
 use super::{Bounds, Transform};
-
-/// Largest coordinates of `m` times those of `i`, the condition of the transforms,
-/// above which rounding moves hits too far for bounds to be of use.
-const WORST_CONDITION: f64 = 1_048_576.0;
 
 /// More than the rounding of a few products and sums for each transform, and of the
 /// formula of the shape, relative to the largest number in them: 4096 units.
 const ROUNDING: f64 = 4096.0 * f64::EPSILON;
 
-/// The bounds of a shape under transforms, the outermost first. `reach` says how far the
-/// shape itself reaches along a vector.
-pub(super) fn transformed_bounds(steps: &[Transform], reach: impl Fn(DVec3) -> f64) -> Bounds {
+/// The bounds of a shape with this support function under transforms, the outermost first.
+pub(super) fn transformed_bounds(steps: &[Transform], support: impl Fn(DVec3) -> f64) -> Bounds {
     let matrices = || steps.iter().map(|step| step.matrix);
     let inverses = || steps.iter().rev().map(|step| step.inverse);
     let rows = |matrix: DMat4| matrix.transpose().to_cols_array_2d();
@@ -28,12 +24,11 @@ pub(super) fn transformed_bounds(steps: &[Transform], reach: impl Fn(DVec3) -> f
     let abs_m = rows(matrices().map(magnitudes).product());
     let abs_i = rows(inverses().map(magnitudes).product());
 
-    let around = Bounds::reached(|axis, sign| {
+    let around = Bounds::from_support(|axis, sign| {
         let [x, y, z, w] = m[axis];
-        reach(DVec3::new(x, y, z) * sign) + w * sign
+        support(DVec3::new(x, y, z) * sign) + w * sign
     });
-    let largest = |axis: usize| around.min[axis].abs().max(around.max[axis].abs());
-    let x = [largest(0), largest(1), largest(2), 1.0];
+    let [x, y, z] = around.magnitudes();
     let rounding = ROUNDING * steps.len() as f64;
 
     let mut moved = around;
@@ -42,17 +37,17 @@ pub(super) fn transformed_bounds(steps: &[Transform], reach: impl Fn(DVec3) -> f
         // (m i - 1) x + m δ. The formula of a shape mixes the coordinates, so that
         // each may have the error of the largest.
         let mut width = rounding * abs_m[row][3];
-        let reach: f64 = abs_m[row][..3].iter().sum();
+        let row_sum: f64 = abs_m[row][..3].iter().sum();
         for column in 0..4 {
             let products = (0..4).map(|k| m[row][k] * i[k][column]);
             let largest = (0..3).fold(0.0, |largest, k| abs_i[k][column].max(largest));
-            let condition = reach * largest;
+            let condition = row_sum * largest;
             if column < 3 && condition > WORST_CONDITION {
                 return Bounds::EVERYWHERE;
             }
             let one = f64::from(u8::from(row == column));
             let off = (products.sum::<f64>() - one).abs();
-            width += (off + rounding * condition) * x[column];
+            width += (off + rounding * condition) * [x, y, z, 1.0][column];
         }
         moved.min[row] -= width;
         moved.max[row] += width;

@@ -1,13 +1,12 @@
-//! `Triangle`: alone and in lanes.
+//! `Triangle`.
 //!
 //! (Woop, Benthin and Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013.)
 
 use glam::DVec3;
 
-use super::{Bounds, Primitive, Rays, ShearedRay};
-use crate::lanes::{Lanes, NOWHERE, PacketHit, Vector3x4, beyond, without};
+use super::{Bounds, Primitive, Rays};
+use crate::lanes::{Lanes, NO_HIT, PacketHit, Vector3x4, positive, without};
 use crate::vector::normalized;
-use crate::{Hit, Interval, Ray};
 
 /// Three corners, each with a shading normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,7 +57,7 @@ pub(crate) type Corners = [[Lanes; 3]; 3];
 impl Primitive for Triangle {
     type Four = Corners;
 
-    fn reach(self, along: DVec3) -> f64 {
+    fn support(self, along: DVec3) -> f64 {
         if !self.is_wide() {
             return f64::INFINITY;
         }
@@ -83,27 +82,6 @@ impl Primitive for Triangle {
         }
     }
 
-    fn hit(self, ray: &Ray, within: Interval) -> Option<Hit> {
-        let ray = ShearedRay::new(ray);
-        let [a, b, c] = self.corners.map(|corner| ray.sheared(corner));
-        let u = c[0] * b[1] - c[1] * b[0];
-        let v = a[0] * c[1] - a[1] * c[0];
-        let w = b[0] * a[1] - b[1] * a[0];
-        if (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0) {
-            return None;
-        }
-        let determinant = u + v + w;
-        if determinant == 0.0 || is_beside([a, b, c]) {
-            return None;
-        }
-        let t = (u * a[2] + v * b[2] + w * c[2]) / determinant;
-        within.contains(t).then(|| Hit {
-            t,
-            normal: self.interpolated_normal(v / determinant, w / determinant),
-            face: self.face,
-        })
-    }
-
     #[inline]
     fn four(shapes: [Self; 4]) -> Corners {
         [0, 1, 2].map(|corner| {
@@ -113,7 +91,7 @@ impl Primitive for Triangle {
     }
 
     #[inline]
-    fn meet(shapes: &Corners, rays: &Rays, _: u32) -> Lanes {
+    fn intersect(shapes: &Corners, rays: &Rays, _: u32) -> Lanes {
         let corners = shapes
             .each_ref()
             .map(|corner| rays.sheared().sheared(corner));
@@ -123,13 +101,13 @@ impl Primitive for Triangle {
         let left = u.simd_gt(zero) | v.simd_gt(zero) | w.simd_gt(zero);
         let missed = right & left;
         if missed.all() {
-            return NOWHERE;
+            return NO_HIT;
         }
         let [a, b, c] = corners;
         let determinant = u + v + w;
         let missed = missed | determinant.simd_eq(zero) | are_beside([a, b, c]);
         let t = (u * a[2] + v * b[2] + w * c[2]) / determinant;
-        without(missed, beyond(rays.min, t))
+        without(missed, positive(t))
     }
 
     #[inline]
@@ -169,12 +147,6 @@ fn edge_functions([a, b, c]: &[[Lanes; 3]; 3]) -> [Lanes; 3] {
 
 /// Whether all corners in sheared space lie on one side of the axis, in x or in y: then
 /// signs of areas that say otherwise come from rounding.
-fn is_beside(corners: [[f64; 3]; 3]) -> bool {
-    let all = |axis: usize, sign: f64| corners.iter().all(|c| sign * c[axis] > 0.0);
-    all(0, 1.0) || all(0, -1.0) || all(1, 1.0) || all(1, -1.0)
-}
-
-/// Like `is_beside`, for four rays.
 #[inline]
 fn are_beside([a, b, c]: [[Lanes; 3]; 3]) -> Lanes {
     let zero = Lanes::ZERO;

@@ -1,34 +1,34 @@
-//! `Batch`: rays that are followed together. One batch after the other uses its memory.
+//! `Batch`: paths that are followed together. One batch after the other uses its memory.
 
 use common::Color;
 
-use crate::accel::{NearestHits, NearestSearch, Occluder, ShadowSearch};
+use crate::accel::{NearestHits, NearestQuery, Occluder, ShadowQuery};
 use crate::lanes::{ColorPacket, RayPacket};
 use crate::shade::{IlluminationPacket, PhongPacket};
 
-/// Rays that are followed together.
+/// Paths that are followed together.
 #[derive(Default)]
 pub(crate) struct Batch {
     /// The last occluder of each light, also from the batch before.
     pub(super) occluders: Vec<Occluder>,
     pub(super) paths: Vec<Path>,
-    pub(super) nearest: Vec<NearestSearch>,
-    /// Those of the paths that have hit anything.
+    pub(super) nearest: Vec<NearestQuery>,
+    /// The vertices of the paths that have hit anything.
     pub(super) vertices: Vec<Vertex>,
     /// The light of one source, and the index of the vertex that it may reach.
     pub(super) light: Vec<(usize, IlluminationPacket)>,
-    pub(super) shadows: Vec<ShadowSearch>,
+    pub(super) shadows: Vec<ShadowQuery>,
 }
 
 /// Four rays on their way from mirror to mirror.
 pub(super) struct Path {
     pub rays: RayPacket,
-    /// A bit for each ray that goes on.
+    /// A bit for each ray that is followed further.
     pub active: u32,
     /// The light so far.
     pub color: ColorPacket,
-    /// The share of further light that the mirrors so far send on.
-    pub mirrored: ColorPacket,
+    /// The product of the reflectances so far.
+    pub throughput: ColorPacket,
 }
 
 /// The surfaces that the rays of a path have hit.
@@ -37,7 +37,7 @@ pub(super) struct Vertex {
     pub path: usize,
     pub hits: NearestHits,
     pub material: PhongPacket,
-    /// Their own light.
+    /// The light that they scatter.
     pub color: ColorPacket,
 }
 
@@ -52,11 +52,11 @@ impl Batch {
                 rays: *rays,
                 active: (1 << (count - first).min(4)) - 1,
                 color: ColorPacket::splat(Color::BLACK),
-                mirrored: ColorPacket::splat(Color::WHITE),
+                throughput: ColorPacket::splat(Color::WHITE),
             }));
     }
 
-    /// The number of rays that go on.
+    /// The number of active rays.
     pub(super) fn active(&self) -> u64 {
         let active = self.paths.iter().map(|path| path.active.count_ones());
         active.map(u64::from).sum()

@@ -1,21 +1,21 @@
 //! The light at the vertices of a batch: ambient light, and the light of each source that no
-//! object keeps away.
+//! object blocks.
 
 use common::Color;
 use common::tally::{self, Work};
 
 use super::batch::{Batch, Vertex};
 use super::{Tracer, offset_rays};
-use crate::accel::{NearestHits, ShadowSearch};
+use crate::accel::{NearestHits, ShadowQuery};
 use crate::lanes::{ColorPacket, Lanes, RayPacket, bits};
 use crate::shade::PhongPacket;
 use crate::{Phong, Shading};
 
-/// Objects cast a shadow on this share of the way to a light: a lamp may be fixed to an
-/// object, which must not keep its light away.
-const BEFORE_THE_LIGHT: f64 = 1.0 - 1.0 / 16_777_216.0;
+/// Length of a shadow ray, in distances to the light: a light may touch an object, which must not
+/// block it.
+const SHADOW_RAY_LENGTH: f64 = 1.0 - 1.0 / 16_777_216.0;
 
-/// A surface that sends back no light, for lanes that are shaded otherwise.
+/// A surface that scatters no light, for lanes that another formula shades.
 const BLACK: Phong = Phong {
     diffuse: Color::BLACK,
     specular: Color::BLACK,
@@ -91,14 +91,14 @@ impl Tracer<'_> {
             if source.casts_shadows {
                 tally::count_all(Work::ShadowRay, of_source.lit.count_ones().into());
                 let to_light = offset_rays(rays, hit, of_source.direction);
-                let before = of_source.distance * Lanes::splat(BEFORE_THE_LIGHT);
-                shadows.push(ShadowSearch::new(&to_light, before, of_source.lit));
+                let t_max = of_source.distance * Lanes::splat(SHADOW_RAY_LENGTH);
+                shadows.push(ShadowQuery::new(&to_light, t_max, of_source.lit));
             }
             light.push((at, of_source));
         }
-        self.accelerator.search(shadows, &mut occluders[i]);
+        self.accelerator.traverse(shadows, &mut occluders[i]);
         for ((_, light), shadow) in light.iter_mut().zip(shadows) {
-            light.lit = shadow.open;
+            light.lit = shadow.unoccluded;
         }
         for (at, light) in light {
             let vertex = &mut vertices[*at];

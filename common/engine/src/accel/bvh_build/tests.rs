@@ -1,12 +1,12 @@
 //! Tests of `bvh_build`.
 
 use super::*;
-use crate::accel::cut::tests::item;
-use crate::accel::shapes::Kind;
-use crate::adaptive::random::PixelRandom;
+use crate::accel::ids::Kind;
+use crate::accel::split::tests::{cluster, item};
+use crate::adaptive::PixelRandom;
 use crate::shape::Bounds;
 
-const UNITS: Bounds = Bounds {
+const CUBE: Bounds = Bounds {
     min: [-1.0; 3],
     max: [1.0; 3],
 };
@@ -18,19 +18,11 @@ fn sizes(mut shapes: Vec<Item>) -> Vec<usize> {
     sizes
 }
 
-/// `count` points along the diagonal of a cube of this size that begins at `at`.
-fn cluster(count: u32, at: f32, size: f32) -> impl Iterator<Item = Item> {
-    (0..count).map(move |i| {
-        let point = [at + size * i as f32 / (count - 1) as f32; 3];
-        item(point, point, i)
-    })
-}
-
-/// After a cut, half of a cluster costs an eighth: half of its shapes on a quarter of
-/// its surface. In proportion, the first costs 640 = 640 x 1 and the second 480 = 160 x 3;
-/// cut, they cost 80 and 60 twice, and so on: each is cut until there are eight.
+/// Half of a cluster costs an eighth: half of its shapes on a quarter of its surface. In
+/// proportion, the first costs 640 = 640 x 1 and the second 480 = 160 x 3; split, they cost 80 and
+/// 60 twice, and so on: each is split until there are eight.
 #[test]
-fn the_most_expensive_group_is_cut() {
+fn the_most_expensive_group_is_split() {
     let shapes = cluster(640, 0.0, 1.0).chain(cluster(160, 1e3, 3.0_f32.sqrt()));
     assert_eq!(
         sizes(shapes.collect()),
@@ -47,11 +39,10 @@ fn a_node_has_room_for_eight() {
     assert_eq!(sizes, [4; 8]);
 }
 
-/// The shapes of all leaves, each by its index before it was named anew.
 #[test]
 fn each_shape_is_in_one_leaf_of_its_kind_within_all_bounds_above() {
     for count in [1, 7, 100, 10_000] {
-        let units = Units::new(UNITS, 0.0, true);
+        let space = TreeSpace::new(CUBE, 0.0, true);
         let shape = |i: u32| {
             let random = PixelRandom::new(1, i, 0);
             // Every seventh at the same place.
@@ -69,10 +60,10 @@ fn each_shape_is_in_one_leaf_of_its_kind_within_all_bounds_above() {
         };
         let shapes: Vec<_> = (0..count).map(shape).collect();
         let mut order = Vec::new();
-        let tree = Bvh::new(units, shapes.clone(), |items| {
+        let tree = Bvh::new(space, shapes, |items| {
             order.extend_from_slice(items);
         });
-        // The names stayed: the first of a leaf finds the others in the order.
+        // The shapes were not renumbered: the first of a leaf finds the others in the order.
         let mut found = vec![0; count as usize];
         let root = tree.nodes.len() - 1;
         let mut open = vec![(
@@ -91,7 +82,7 @@ fn each_shape_is_in_one_leaf_of_its_kind_within_all_bounds_above() {
                     min: node.planes.map(|[min, _]| min.to_array()[lane]),
                     max: node.planes.map(|[_, max]| max.to_array()[lane]),
                 };
-                if bounds == TreeBounds::NOWHERE {
+                if bounds == TreeBounds::EMPTY {
                     continue;
                 }
                 assert_eq!(within.union(bounds), within);

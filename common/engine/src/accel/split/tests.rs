@@ -1,8 +1,8 @@
-//! Tests of `cut`.
+//! Tests of `split`.
 
 use super::*;
-use crate::accel::shapes::{Kind, ShapeId};
-use crate::adaptive::random::PixelRandom;
+use crate::accel::ids::Kind;
+use crate::adaptive::PixelRandom;
 
 pub(in crate::accel) const fn item(min: [f32; 3], max: [f32; 3], index: u32) -> Item {
     Item {
@@ -14,7 +14,7 @@ pub(in crate::accel) const fn item(min: [f32; 3], max: [f32; 3], index: u32) -> 
     }
 }
 
-/// Boxes of any sizes. Along each axis their middles are -7.5, -6.5 .. 7.5, in a
+/// Boxes of any sizes. Along each axis their centroids are -7.5, -6.5 .. 7.5, in a
 /// different order, so that each has its own bin.
 fn boxes(seed: u64) -> Vec<Item> {
     let shuffled = |axis: u32| {
@@ -41,25 +41,22 @@ fn boxes(seed: u64) -> Vec<Item> {
     (0..16).map(shape).collect()
 }
 
-/// The expected number of tests after a cut: the number of shapes on each side times
+/// The expected number of tests after a split: the number of shapes on each side times
 /// its surface.
 fn cost(shapes: &[Item], left: usize) -> f32 {
     let (left, right) = shapes.split_at(left);
-    let cost = |side: &[Item]| {
-        let all = side.iter().map(|item| item.bounds);
-        side.len() as f32 * all.fold(TreeBounds::NOWHERE, TreeBounds::union).half_area()
-    };
+    let cost = |side: &[Item]| side.len() as f32 * bounds(side).half_area();
     cost(left) + cost(right)
 }
 
 #[test]
-fn the_cheapest_cut_is_the_cheapest_of_all() {
+fn no_split_has_a_lower_cost_than_that_of_the_heuristic() {
     for seed in 0..50 {
         let mut shapes = boxes(seed);
-        let left = cheapest(&mut shapes).unwrap();
+        let left = by_sah(&mut shapes).unwrap();
         let found = cost(&shapes, left);
         for axis in 0..3 {
-            let middle = |item: &Item| item.bounds.doubled_middle()[axis];
+            let middle = |item: &Item| item.bounds.doubled_centroid()[axis];
             shapes.sort_by(|a, b| middle(a).total_cmp(&middle(b)));
             for left in 1..16 {
                 // Bound: rounding of a few products and sums.
@@ -73,7 +70,7 @@ fn the_cheapest_cut_is_the_cheapest_of_all() {
 }
 
 /// `count` points along the diagonal of a cube of this size that begins at `at`.
-fn cluster(count: u32, at: f32, size: f32) -> impl Iterator<Item = Item> {
+pub(in crate::accel) fn cluster(count: u32, at: f32, size: f32) -> impl Iterator<Item = Item> {
     (0..count).map(move |i| {
         let point = [at + size * i as f32 / (count - 1) as f32; 3];
         item(point, point, i)
@@ -81,26 +78,26 @@ fn cluster(count: u32, at: f32, size: f32) -> impl Iterator<Item = Item> {
 }
 
 #[test]
-fn a_cut_lies_between_groups() {
-    for (few, many) in [(2, 5), (5, 2)] {
-        let groups = cluster(many, 90.0, 1.0).chain(cluster(few, 0.0, 1.0));
+fn a_split_lies_between_groups() {
+    for (low, high) in [(2, 5), (5, 2)] {
+        let groups = cluster(high, 90.0, 1.0).chain(cluster(low, 0.0, 1.0));
         let mut shapes: Vec<_> = groups.collect();
-        assert_eq!(cheapest(&mut shapes), Some(few as usize));
-        let (left, right) = shapes.split_at(few as usize);
+        assert_eq!(by_sah(&mut shapes), Some(low as usize));
+        let (left, right) = shapes.split_at(low as usize);
         assert!(left.iter().all(|item| item.bounds.max[0] <= 1.0));
         assert!(right.iter().all(|item| item.bounds.min[0] >= 90.0));
     }
 }
 
 #[test]
-fn shapes_with_one_middle_are_not_cut_but_halved() {
+fn shapes_with_one_centroid_are_split_at_the_median() {
     let mut shapes = [item([-1.0; 3], [1.0; 3], 0); 9];
-    assert_eq!(cheapest(&mut shapes), None);
-    assert_eq!(halves(&mut shapes), 4);
+    assert_eq!(by_sah(&mut shapes), None);
+    assert_eq!(at_median(&mut shapes), 4);
 }
 
 #[test]
-fn shapes_are_halved_along_the_axis_on_which_their_middles_are_spread_farthest() {
+fn the_median_is_that_of_the_axis_with_the_largest_extent_of_centroids() {
     for axis in 0..3 {
         // The boxes are wider along the other axes.
         let at = |x: f32, others: f32, half: f32, index| {
@@ -114,29 +111,9 @@ fn shapes_are_halved_along_the_axis_on_which_their_middles_are_spread_farthest()
             at(-7.0, 3.0, 9.0, 2),
             at(-8.0, 2.0, 9.0, 3),
         ];
-        assert_eq!(halves(&mut shapes), 2);
+        assert_eq!(at_median(&mut shapes), 2);
         let mut lower = [0, 1].map(|i| shapes[i].shape.index);
         lower.sort_unstable();
         assert_eq!(lower, [1, 3]);
     }
-}
-
-#[test]
-fn kinds_are_parted() {
-    let mut shapes: Vec<_> = cluster(4, 0.0, 1.0).collect();
-    for i in [0, 2] {
-        shapes[i].shape.kind = Kind::Disc;
-    }
-    let left = by_kind(&mut shapes);
-    assert_eq!(left, 2);
-    assert!(
-        shapes[..left]
-            .iter()
-            .all(|item| item.shape.kind == Kind::Sphere)
-    );
-    assert!(
-        shapes[left..]
-            .iter()
-            .all(|item| item.shape.kind == Kind::Disc)
-    );
 }

@@ -1,51 +1,9 @@
-//! `ShearedRay` and `ShearedRays`: rays about to be tested against triangles.
+//! `ShearedRays`: rays about to be tested against triangles.
 //!
 //! Space is sheared so that the ray is the z axis, and z measured in `t`. (Woop,
 //! Benthin and Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013.)
 
-use glam::DVec3;
-
-use crate::Ray;
 use crate::lanes::{Lanes, RayPacket, Vector3x4, select};
-
-/// A sheared ray.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ShearedRay {
-    /// The axes x, y and z of the sheared space; the ray goes farthest along z.
-    axes: [usize; 3],
-    /// The origin along these axes.
-    origin: [f64; 3],
-    shear: [f64; 2],
-    scale_z: f64,
-}
-
-impl ShearedRay {
-    #[inline]
-    pub fn new(ray: &Ray) -> Self {
-        let d = ray.direction;
-        let z = d.abs().max_position();
-        let (x, y) = ((z + 1) % 3, (z + 2) % 3);
-        let (o, d) = (ray.origin.to_array(), d.to_array());
-        Self {
-            axes: [x, y, z],
-            origin: [o[x], o[y], o[z]],
-            shear: [d[x] / d[z], d[y] / d[z]],
-            scale_z: 1.0 / d[z],
-        }
-    }
-
-    /// A point in sheared space.
-    #[inline]
-    pub fn sheared(&self, point: DVec3) -> [f64; 3] {
-        let ([x, y, z], point) = (self.axes, point.to_array());
-        let depth = point[z] - self.origin[2];
-        [
-            (point[x] - self.origin[0]) - self.shear[0] * depth,
-            (point[y] - self.origin[1]) - self.shear[1] * depth,
-            self.scale_z * depth,
-        ]
-    }
-}
 
 /// Four sheared rays.
 #[derive(Clone, Copy, Debug)]

@@ -1,0 +1,135 @@
+//! `ShapeList`: the shapes of one kind, and the tests of a leaf of them.
+
+use common::tally::{self, Work};
+
+use super::ids::Leaf;
+use super::query::Query;
+use crate::lanes::{Lanes, bits};
+use crate::shape::{List, Primitive, Rays};
+
+/// Position of a shape in the list of the scene, which breaks ties, and the index of its
+/// surface.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Attributes {
+    pub order: u32,
+    pub surface: u32,
+}
+
+/// Shapes of one kind and their attributes.
+#[derive(Debug, Default)]
+pub(crate) struct ShapeList<L> {
+    pub shapes: L,
+    pub attributes: Vec<Attributes>,
+}
+
+impl<L: List> ShapeList<L> {
+    /// The list to which a shape with these attributes is to be pushed.
+    pub(super) fn with(&mut self, attributes: Attributes) -> &mut L {
+        self.attributes.push(attributes);
+        &mut self.shapes
+    }
+
+    /// Puts the shape that is now at `order[i]` at index `i`. Goes round each cycle of the
+    /// permutation once.
+    pub(super) fn reorder(&mut self, mut order: Vec<u32>) {
+        for start in 0..order.len() {
+            let mut to = start;
+            loop {
+                let from = std::mem::replace(&mut order[to], to as u32) as usize;
+                if from == start {
+                    break;
+                }
+                self.shapes.swap(to, from);
+                self.attributes.swap(to, from);
+                to = from;
+            }
+        }
+    }
+
+    /// The shapes of a leaf side by side; the last one repeats in a leaf of fewer than four.
+    #[inline]
+    fn four(&self, leaf: Leaf) -> <L::Shape<'_> as Primitive>::Four {
+        let first = leaf.first as usize;
+        let last = first + usize::from(leaf.count) - 1;
+        let [b, c, d] = [1, 2, 3].map(|lane| (first + lane).min(last));
+        self.shapes.four([first, b, c, d])
+    }
+
+    /// Tests the shapes of a leaf, side by side, against one ray, which is that of a lane of the
+    /// query.
+    #[inline(never)]
+    pub(super) fn test_ray<Q: Query>(
+        &self,
+        leaf: Leaf,
+        ray: &Rays,
+        query: &mut Q,
+        lane: usize,
+        shared: &mut Q::Shared,
+    ) {
+        tally::count_all(Work::IntersectionTest, leaf.count.into());
+        let active = (1 << leaf.count) - 1;
+        let t = <L::Shape<'_> as Primitive>::intersect(&self.four(leaf), ray, active);
+        let t_max = Lanes::splat(query.t_max().as_array()[lane]);
+        let near = t.simd_le(t_max).to_bitmask() & active;
+        if near == 0 {
+            return;
+        }
+        let t = t.to_array();
+        for i in bits(near) {
+            let shape = leaf.shape(i as u32);
+            let order = self.attributes[shape.index as usize].order;
+            query.update_ray(lane, t[i], order, shape, shared);
+        }
+    }
+
+    /// Tests the shapes of a leaf, one after the other, against the packets of these queries, a bit
+    /// for each.
+    #[inline(never)]
+    pub(super) fn test_packets<Q: Query>(
+        &self,
+        leaf: Leaf,
+        queries: &mut [Q],
+        tested: u32,
+        shared: &mut Q::Shared,
+    ) {
+        for i in 0..u32::from(leaf.count) {
+            let index = (leaf.first + i) as usize;
+            let (shape, order) = (self.shapes.splat(index), self.attributes[index].order);
+            for query in bits(tested) {
+                let query = &mut queries[query];
+                let active = query.active();
+                if active != 0 {
+                    tally::count_all(Work::IntersectionTest, active.count_ones().into());
+                    let t = <L::Shape<'_> as Primitive>::intersect(&shape, query.rays(), active);
+                    query.update(t, order, leaf.shape(i), shared);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Plane;
+    use glam::DVec3;
+
+    #[test]
+    fn shapes_and_their_attributes_are_reordered() {
+        let mut list = ShapeList::<Vec<Plane>>::default();
+        for order in 0..6 {
+            let point = DVec3::splat(order.into());
+            let (normal, surface) = (DVec3::Z, 10 + order);
+            let attributes = Attributes { order, surface };
+            list.with(attributes).push(Plane { point, normal });
+        }
+        // Two cycles, of three and of two, and one that stays.
+        let order = [2, 0, 1, 3, 5, 4];
+        list.reorder(order.to_vec());
+        for (index, was) in order.into_iter().enumerate() {
+            assert_eq!(list.shapes[index].point.x, f64::from(was));
+            let Attributes { order, surface } = list.attributes[index];
+            assert_eq!([order, surface], [was, 10 + was]);
+        }
+    }
+}

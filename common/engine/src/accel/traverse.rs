@@ -1,0 +1,180 @@
+//! The traversal, in two forms. Rays through neighbouring pixels, or from neighbouring points to a
+//! light, meet much the same nodes: so the packets of a bundle traverse the tree together while
+//! their rays are close to each other. Otherwise each half of them tries the same, and so on; and
+//! a packet whose rays are too far apart traverses it ray by ray.
+//!
+//! (Wald, Slusallek, Benthin and Wagner, Interactive Rendering with Coherent Ray Tracing, 2001.)
+
+use std::ops::ControlFlow;
+use std::slice;
+
+use arrayvec::ArrayVec;
+use wide::f32x8;
+
+use super::Accelerator;
+use super::bvh::Bvh;
+use super::ids::{Kind, Leaf};
+use super::packet_culling::{Bundle, PACKETS, PacketSlabs};
+use super::query::Query;
+use super::shapes::with_list;
+use super::slabs::Slabs;
+use crate::Ray;
+use crate::lanes::{Lanes, RayPacket, bits, is_set, mask, select};
+use crate::shape::Rays;
+
+/// The rays of a bundle stay within this many mean widths of a leaf.
+const BUNDLE_WIDTH: f32 = 2.0;
+
+/// Packets are culled from the third leaf on. Preparing that takes time, and many bundles meet no
+/// more leaves.
+const CULL_PACKETS_AFTER: u32 = 2;
+
+/// A linear scan is faster for up to this many packets, if there are few shapes.
+const LINEAR_SCAN_PACKETS: usize = 4;
+
+impl Accelerator<'_> {
+    /// Carries out these queries, at most [`PACKETS`].
+    pub fn traverse<Q: Query>(&self, queries: &mut [Q], shared: &mut Q::Shared) {
+        for query in &mut *queries {
+            if let Some(shape) = Q::guess(shared) {
+                self.test_all(&[Leaf::of(shape)], slice::from_mut(query), shared);
+            }
+        }
+        self.traverse_after_guess(queries, shared);
+    }
+
+    fn traverse_after_guess<Q: Query>(&self, queries: &mut [Q], shared: &mut Q::Shared) {
+        if queries.iter().all(|query| query.active() == 0) {
+            return;
+        }
+        if queries.len() <= LINEAR_SCAN_PACKETS && !self.linear_scan.is_empty() {
+            return self.test_all(&self.linear_scan, queries, shared);
+        }
+        let Some(tree) = &self.tree else {
+            return self.test_all(&self.unbounded, queries, shared);
+        };
+        let width = BUNDLE_WIDTH * tree.leaf_width;
+        let bundle = packets(queries).and_then(|rays| Bundle::new(&tree.space, &rays, width));
+        if let Some(bundle) = bundle {
+            self.test_all(&self.unbounded, queries, shared);
+            self.traverse_packets(tree, &bundle, queries, shared);
+        } else if let [query] = queries {
+            self.test_all(&self.unbounded, slice::from_mut(query), shared);
+            let rays = query.rays().packet.to_rays();
+            for lane in bits(query.active()) {
+                self.traverse_ray(tree, &rays[lane], query, lane, shared);
+            }
+        } else {
+            let (some, others) = queries.split_at_mut(queries.len() / 2);
+            self.traverse_after_guess(some, shared);
+            self.traverse_after_guess(others, shared);
+        }
+    }
+
+    /// Carries out the queries of a bundle.
+    fn traverse_packets<Q: Query>(
+        &self,
+        tree: &Bvh,
+        bundle: &Bundle,
+        queries: &mut [Q],
+        shared: &mut Q::Shared,
+    ) {
+        let mut t_max = [f32::NEG_INFINITY; PACKETS];
+        for (t_max, query) in t_max.iter_mut().zip(&*queries) {
+            *t_max = tree.space.t_max(greatest_t(query));
+        }
+        let all = (1 << queries.len()) - 1;
+        let (mut leaves, mut culling) = (0, None);
+        let _ = tree.traverse(&bundle.all, greatest(&t_max), |leaf, node, child| {
+            if leaves == CULL_PACKETS_AFTER && queries.len() > 1 {
+                culling = packets(queries).map(|rays| PacketSlabs::new(&tree.space, bundle, &rays));
+            }
+            leaves += 1;
+            let candidates = culling.as_ref().map_or(all, |packets: &PacketSlabs| {
+                packets.intersect(&node.planes_of(child), &t_max)
+            });
+            self.test(leaf, queries, candidates, shared);
+            for i in bits(candidates) {
+                t_max[i] = tree.space.t_max(greatest_t(&queries[i]));
+            }
+            let t_max = greatest(&t_max);
+            if t_max < 0.0 {
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(t_max)
+        });
+    }
+
+    /// Carries out the query of one ray, which is that of a lane. Visits all leaves if the ray does
+    /// not fit into the space of the tree.
+    #[inline(never)]
+    fn traverse_ray<Q: Query>(
+        &self,
+        tree: &Bvh,
+        ray: &Ray,
+        query: &mut Q,
+        lane: usize,
+        shared: &mut Q::Shared,
+    ) {
+        let rays = Rays::one(ray);
+        let t_max = |query: &Q| tree.space.t_max(query.t_max().as_array()[lane]);
+        let first_t_max = t_max(query);
+        let mut visit = |leaf: Leaf| {
+            with_list!(self.shapes, leaf.kind, |list| list
+                .test_ray(leaf, &rays, query, lane, shared));
+            if !is_set(query.active(), lane) {
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(t_max(query))
+        };
+        let _ = match Slabs::of_ray(&tree.space, ray) {
+            Some(slabs) => tree.traverse(&slabs, first_t_max, |leaf, _, _| visit(leaf)),
+            None => tree.visit_all(visit),
+        };
+    }
+
+    /// Tests shapes against the packets of all of these queries.
+    fn test_all<Q: Query>(&self, leaves: &[Leaf], queries: &mut [Q], shared: &mut Q::Shared) {
+        for leaf in leaves {
+            self.test(*leaf, queries, (1 << queries.len()) - 1, shared);
+        }
+    }
+
+    /// Tests shapes against the packets of some of these queries, a bit for each.
+    #[inline]
+    fn test<Q: Query>(&self, leaf: Leaf, queries: &mut [Q], tested: u32, shared: &mut Q::Shared) {
+        if tested != 0 {
+            with_list!(self.shapes, leaf.kind, |list| list
+                .test_packets(leaf, queries, tested, shared));
+        }
+    }
+}
+
+/// The rays of these queries, if any is active. The rays of the first active one stand in for those
+/// of queries that are over, which must not keep the others apart.
+#[inline]
+fn packets<Q: Query>(queries: &[Q]) -> Option<ArrayVec<&RayPacket, PACKETS>> {
+    let first = queries.iter().find(|query| query.active() != 0)?;
+    let packets = queries.iter().map(|query| match query.active() {
+        0 => &first.rays().packet,
+        _ => &query.rays().packet,
+    });
+    Some(packets.collect())
+}
+
+/// The greatest `t` at which a hit of an active ray counts; negative if none is active.
+#[inline]
+fn greatest_t<Q: Query>(query: &Q) -> f64 {
+    let inactive = Lanes::splat(f64::NEG_INFINITY);
+    let [a, b, c, d] = select(mask(query.active()), *query.t_max(), inactive).to_array();
+    a.max(b).max(c.max(d))
+}
+
+#[inline]
+fn greatest(t_max: &[f32; PACKETS]) -> f32 {
+    let (eights, _) = t_max.as_chunks::<8>();
+    let all = f32x8::new(eights[0]).fast_max(f32x8::new(eights[1]));
+    all.to_array()
+        .into_iter()
+        .fold(f32::NEG_INFINITY, |a, b| if a > b { a } else { b })
+}
