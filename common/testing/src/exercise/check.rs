@@ -91,8 +91,21 @@ impl Check {
     ) {
         let simple = simple.into_iter().map(|input| (true, input));
         let others = others.into_iter().map(|input| (false, input));
-        let lesson = |input| lesson(input).into();
-        for (is_simple, input) in simple.chain(others) {
+        let mut inputs = simple.chain(others);
+        self.compare_at(words, &mut inputs, &|i| lesson(i).into(), &|i| {
+            yours(i).into()
+        });
+    }
+
+    /// Like `compare`, compiled once for all code with the same kind of input.
+    fn compare_at<I: Input>(
+        &mut self,
+        words: &str,
+        inputs: &mut dyn Iterator<Item = (bool, I)>,
+        lesson: &dyn Fn(I) -> Answer,
+        yours: &dyn Fn(I) -> Answer,
+    ) {
+        for (is_simple, input) in inputs {
             if self.is_brief && self.differ > 0 {
                 return;
             }
@@ -106,7 +119,7 @@ impl Check {
                 self.skipped += 1;
                 continue;
             };
-            let got = catch_unwind(AssertUnwindSafe(|| yours(input.clone()).into()));
+            let got = catch_unwind(AssertUnwindSafe(|| yours(input.clone())));
             let Ok(got) = got else {
                 let panics = "it panics, with the message above";
                 return self.conclude(Some(described(words, &input, panics)));
