@@ -6,6 +6,7 @@
 mod axis_aligned_box;
 mod engine;
 mod every_shape;
+mod mesh;
 mod sphere;
 mod support;
 mod triangle;
