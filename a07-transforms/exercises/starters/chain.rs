@@ -1,12 +1,6 @@
 //! `chain`: the matrix of several steps, and its inverse.
-//!
-//! Chapter: Transforms, section "The order of the steps". To compare afterwards:
-//! `a07-transforms/src/transform.rs`.
 
-use a02_math::Point3;
-use a07_transforms::Mat4x4;
-
-use crate::steps::Step;
+use crate::prelude::*;
 
 /// The matrix of a chain of steps from the space of the object to the space around it, and
 /// its inverse. The steps are in the order in which a program chains them, so the last one
