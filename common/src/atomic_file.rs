@@ -77,6 +77,7 @@ fn temporary_file(path: &Path) -> Result<NamedTempFile, Error> {
         }
         _ => {}
     }
+    #[cfg_attr(not(unix), expect(unused_mut, reason = "only Unix has permissions"))]
     let mut builder = tempfile::Builder::new();
     // Temporary files are private by default; a picture gets the usual permissions.
     #[cfg(unix)]
