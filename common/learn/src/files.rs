@@ -85,12 +85,9 @@ pub fn reset(exercise: &Exercise) -> Result<(), String> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::without_code;
-
-    #[test]
-    fn a_starter_is_a_solution_without_its_code() {
-        let solution = "\
+#[test]
+fn a_starter_is_a_solution_without_its_code() {
+    let solution = "\
 fn square(x: f64) -> f64 {
     let square = missing!(\"the square\", 0.0, {
         x * x
@@ -98,12 +95,9 @@ fn square(x: f64) -> f64 {
     square
 }
 ";
-        let starter = "\
-fn square(x: f64) -> f64 {
-    let square = testing::missing(\"the square\", 0.0);
-    square
-}
-";
-        assert_eq!(without_code(solution), starter);
-    }
+    let before = solution.replace("{\n        x * x\n    }", "");
+    let starter = before
+        .replace(", );", ");")
+        .replace("missing!", "testing::missing");
+    assert_eq!(without_code(solution), starter);
 }

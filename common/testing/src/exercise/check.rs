@@ -92,17 +92,17 @@ impl Check {
         let simple = simple.into_iter().map(|input| (true, input));
         let others = others.into_iter().map(|input| (false, input));
         let lesson = |input| lesson(input).into();
+        let unit = self.lacks.map_or(UNIT, |_| ROUNDING);
         for (is_simple, input) in simple.chain(others) {
             if self.is_brief && self.differ > 0 {
                 return;
             }
             let right = lesson(input.clone());
-            let allowed = |unit, is_exact: bool| {
-                let moved = input.moved(unit).filter(|_| !is_exact);
+            let allowed = |unit| {
+                let moved = input.moved(unit).filter(|_| !is_simple);
                 right.tolerances(unit, moved.map(|pair| pair.map(lesson)))
             };
-            let unit = self.lacks.map_or(UNIT, |_| ROUNDING);
-            let Some(tolerances) = allowed(unit, is_simple) else {
+            let Some(tolerances) = allowed(unit) else {
                 self.skipped += 1;
                 continue;
             };
@@ -111,16 +111,12 @@ impl Check {
                 let panics = "it panics, with the message above";
                 return self.conclude(Some(described(words, &input, panics)));
             };
-            let difference = right.difference(&got, &tolerances).map(|mut difference| {
-                let is_near = |allowed: Vec<f64>| right.difference(&got, &allowed).is_none();
-                if let Some(lacks) = self
-                    .lacks
-                    .filter(|_| allowed(UNIT, false).is_none_or(is_near))
-                {
-                    difference =
-                        format!("{difference}\n    right but for rounding: the formula {lacks}");
-                }
-                described(words, &input, &difference)
+            let is_near = |allowed: Vec<f64>| right.difference(&got, &allowed).is_none();
+            let difference = right.difference(&got, &tolerances).map(|difference| {
+                let lacks = self.lacks.filter(|_| allowed(UNIT).is_none_or(is_near));
+                let lacks =
+                    lacks.map(|it| format!("\n    right but for rounding: the formula {it}"));
+                described(words, &input, &(difference + &lacks.unwrap_or_default()))
             });
             self.conclude(difference);
         }
@@ -164,10 +160,8 @@ impl Check {
             return;
         }
         let painted = Size::new(320, 240).map_err(Error::from).and_then(|size| {
-            paint(&Settings {
-                size,
-                ..Settings::default()
-            })
+            let settings = Settings::default();
+            paint(&Settings { size, ..settings })
         });
         match painted {
             Ok(image) => self.picture = Some(image),
