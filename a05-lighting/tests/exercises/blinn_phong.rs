@@ -24,18 +24,10 @@ pub fn check(
             |(cs, p), ray, hit, lights| all(&shiny, cs.map(color), p, ray, hit, lights),
         );
     }
-    let lamp = |p| {
-        PointLight::new(Color::WHITE, point([-3.0, 4.0, 4.0]))
-            .ok()?
-            .illumination(p)
-    };
-    show(check, FROM_ABOVE, balls(), |world, ray| {
-        seen(world, ray, |hit, _, diffuse| {
-            let colors = [diffuse * 0.8, Color::gray(0.7)];
-            let lights = Lights(world.ambient(), lamp(ray.at(hit.t)).into_iter().collect());
-            all(&shiny, colors, 64.0, ray, hit, &lights)
-        })
-    });
+    check.picture(shaded(scenes::phong(), |diffuse, ray, hit, lights| {
+        let colors = [diffuse, Color::gray(0.7)];
+        all(&shiny, colors, 64.0, ray, hit, lights)
+    }));
 }
 
 /// Matt light and the highlight of this function of eye, light and normal.
@@ -48,9 +40,6 @@ fn highlight(c: &mut Check, highlight: fn(Vector3, Vector3, Normal3) -> f64) {
 }
 
 pub const VARIANTS: &[Variant] = &[
-    wrong("Blinn takes the vector half way, Phong the mirror", |c| {
-        highlight(c, |e, l, n| e.dot(l.reflected_on(n)));
-    }),
     wrong("the vector half way has length 1", |c| {
         highlight(c, |e, l, n| n.dot((l + e) * 0.5))
     }),

@@ -4,12 +4,12 @@
 use std::array;
 
 use a02_math::Point3;
-use a03_rays_cameras::Ray;
-use a05_lighting::{Illumination, LitWorld, stage};
+use a05_lighting::{Illumination, LitWorld, Material, Phong};
+use common::{Color, Error, Image, Settings};
 use testing::exercise::{Answer, Check, Input, Random, random};
 
-use crate::material::{FROM_ABOVE, Lights, balls, seen};
-use crate::scene::{Scene, array, point, scene, show};
+use crate::material::{Lights, shaded};
+use crate::scene::{Scene, array, point};
 
 /// The light that arrives at a point.
 pub type Arriving = Option<Illumination>;
@@ -17,29 +17,25 @@ pub type Arriving = Option<Illumination>;
 /// Where the lights are whose parameters are simple.
 pub const LAMP: [f64; 3] = [0.0, 4.0, 0.0];
 
-/// Below the lamp, aslant, in its plane, above it, and in it.
-const SIMPLE: [[f64; 3]; 5] = [
+/// Below the lamp, aslant, in its plane, and above it.
+const PLACES: [[f64; 3]; 4] = [
     [0.0, 2.0, 0.0],
     [4.0, 0.0, 0.0],
     [3.0, 4.0, 4.0],
     [0.0, 4.5, 0.0],
-    LAMP,
 ];
 
-type Mistake = fn(Illumination) -> Illumination;
+type Mistake = fn(&mut Illumination);
 
 const MISTAKES: &[(&str, Mistake)] = &[
-    ("the direction leads to the light", |light| Illumination {
-        direction: -light.direction,
-        ..light
+    ("the direction leads to the light", |light| {
+        light.direction = -light.direction;
     }),
-    ("the direction has length 1", |light| Illumination {
-        direction: light.direction * light.distance.min(9.0),
-        ..light
+    ("the direction has length 1", |light| {
+        light.direction = light.direction * light.distance.min(9.0);
     }),
     ("the distance says which objects cast shadows", |light| {
-        let distance = 1.0;
-        Illumination { distance, ..light }
+        light.distance = 1.0;
     }),
 ];
 
@@ -53,7 +49,7 @@ pub fn compare_lights<P: Input>(
     lesson: impl Fn(P, Point3) -> Arriving,
     yours: impl Fn(P, Point3) -> Arriving,
 ) {
-    let mistake = check.usual(MISTAKES).unwrap_or(|light| light);
+    let mistake = check.usual(MISTAKES).unwrap_or(|_| ());
     let mut places = Random::new(2);
     let points = |light: P| {
         let is_lit = |p| lesson(light.clone(), point(p)).is_some();
@@ -66,53 +62,37 @@ pub fn compare_lights<P: Input>(
             let is_near = is_lit(between(share)) == is_lit(p);
             *if is_near { &mut near } else { &mut far } = share;
         }
-        [
-            p,
-            p.map(|x| 1e6 * x),
-            between(near - 1e-6),
-            between(far + 1e-6),
-        ]
-        .map(|p| (light.clone(), p))
+        let [inside, outside] = [near - 1e-6, far + 1e-6].map(between);
+        [p, p.map(|x| 1e6 * x), inside, outside].map(|p| (light.clone(), p))
+    };
+    let answer = |light: Arriving| {
+        light.map_or(Answer::words("no light"), |light| {
+            Answer::named("colour", light.color.channels())
+                .and("direction", array(light.direction))
+                .and("distance", light.distance)
+        })
     };
     check.compare(
         &format!("{words}, seen from {{}}"),
-        SIMPLE.map(|p| (first.clone(), p)),
+        PLACES.into_iter().chain([LAMP]).map(|p| (first.clone(), p)),
         random(any).flat_map(points),
         |(light, p)| answer(lesson(light, point(p))),
-        |(light, p)| answer(yours(light, point(p)).map(mistake)),
+        |(light, p)| {
+            let mut arriving = yours(light, point(p));
+            arriving.iter_mut().for_each(mistake);
+            answer(arriving)
+        },
     );
 }
 
-fn answer(light: Arriving) -> Answer {
-    light.map_or(Answer::words("no light"), |light| {
-        Answer::named("colour", light.color.channels())
-            .and("direction", array(light.direction))
-            .and("distance", light.distance)
-    })
-}
-
-/// Compares the picture of a scene in the student's light.
-pub fn scene_in(
-    check: &mut Check,
-    name: &str,
+/// The picture of a scene of shiny objects in the student's light.
+pub fn lit(
     view: Scene<LitWorld>,
     light: impl Fn(Point3) -> Arriving + Sync,
-) {
-    scene(check, &stage(), name, view, |world, ray, _| {
-        lit(world, ray, &light)
-    });
-}
-
-/// Shows balls in the student's light.
-pub fn show_in(check: &mut Check, light: impl Fn(Point3) -> Arriving + Sync) {
-    show(check, FROM_ABOVE, balls(), |world, ray| {
-        lit(world, ray, &light)
-    });
-}
-
-fn lit(world: &LitWorld, ray: &Ray, light: impl Fn(Point3) -> Arriving) -> common::Color {
-    seen(world, ray, |hit, material, _| {
-        let lights = light(ray.at(hit.t)).into_iter().collect();
-        material.color_for(ray, hit, &Lights(world.ambient(), lights))
+) -> impl FnOnce(&Settings) -> Result<Image, Error> {
+    shaded(view, move |diffuse, ray, hit, world| {
+        let lights = Lights(world.ambient(), Vec::from_iter(light(ray.at(hit.t))));
+        let shiny = Phong::new(diffuse, Color::WHITE, 64.0);
+        shiny.map_or(Color::BLACK, |shiny| shiny.color_for(ray, hit, &lights))
     })
 }
