@@ -5,39 +5,34 @@ use crate::solutions::reflectance::reflectance as solution;
 
 pub fn check(check: &mut Check, reflectance: impl Fn(f64, f64, f64) -> f64 + Sync) {
     check.compare(
-        "cosine {}, from the index {} to {}",
+        "cosine and indices {}",
         [
-            (1.0, 1.0, 2.0),
-            (0.5, 1.0, 2.0),
-            (0.0, 1.0, 2.0),
-            (0.5, 2.0, 1.0),
+            [1.0, 1.0, 2.0],
+            [0.5, 1.0, 2.0],
+            [0.0, 1.0, 2.0],
+            [0.5, 2.0, 1.0],
         ],
         random(|r| {
-            (
+            [
                 r.between(0.0, 1.0),
                 r.between(1.0, 2.5),
                 r.between(1.0, 2.5),
-            )
+            ]
         }),
-        |(cosine, from, to)| solution(cosine, from, to),
-        |(cosine, from, to)| reflectance(cosine, from, to),
+        |[cosine, from, to]| solution(cosine, from, to),
+        |[cosine, from, to]| reflectance(cosine, from, to),
     );
-    let up = Normal3::new(0.0, 1.0, 0.0);
-    let lake = Plane::new(Point3::ORIGIN, up);
-    show(
-        check,
-        [[0.0, 2.0, 6.0], [0.0, 0.9, 0.0]],
-        lake,
-        |lake, ray| {
-            let d = ray.direction();
-            if lake.hit(ray, Interval::AHEAD).is_none() {
-                return checkered(d);
-            }
-            let share = reflectance(-d.dot(up), 1.0, 4.0 / 3.0);
-            let depth = Color::new(0.0, 0.15, 0.2);
-            depth * (1.0 - share) + checkered((-d).reflected_on(up)) * share
-        },
-    );
+    // Objects as of diamond.
+    check.picture(rendered(scenes::sphere(), |world, ray, depth| {
+        let tracer = RecursiveTracer::new(world);
+        let Some((hit, surface)) = world.objects().hit(ray, Interval::AHEAD) else {
+            return world.objects().background();
+        };
+        let to_eye = -ray.direction();
+        let share = reflectance(to_eye.dot(hit.normal), 1.0, 2.4);
+        let mirrored = secondary_ray(ray, &hit, to_eye.reflected_on(hit.normal));
+        surface.color_for(ray, &hit, &tracer) + tracer.trace(&mirrored, depth) * share
+    }));
 }
 
 /// The share that follows from the amplitudes of both polarisations, or from none.
