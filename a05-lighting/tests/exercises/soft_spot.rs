@@ -24,26 +24,11 @@ pub fn check(
     check.picture(lit(scenes::phong_spot(), spot));
 }
 
-/// A share of the angle, the inner and the outer one.
-fn share(c: &mut Check, share: fn(f64, f64, f64) -> f64) {
+pub const VARIANTS: &[Variant] = &[wrong("the share has no crease", |c| {
     check(c, |color, lamp, d, [inner, outer], p| {
         let light = PointLight::new(color, lamp).ok()?.illumination(p)?;
-        let share = share((-light.direction).angle(d), inner, outer);
-        let color = color * share;
+        let share = (outer - (-light.direction).angle(d)) / (outer - inner);
+        let color = color * share.min(1.0);
         (share > 0.0).then_some(Illumination { color, ..light })
     });
-}
-
-pub const VARIANTS: &[Variant] = &[
-    wrong("x is never below 0, where its square grows", |c| {
-        share(c, |angle, inner, outer| {
-            let x = ((outer - angle) / (outer - inner)).min(1.0);
-            x * x * (3.0 - 2.0 * x)
-        });
-    }),
-    wrong("the share has no crease", |c| {
-        share(c, |angle, inner, outer| {
-            ((outer - angle) / (outer - inner)).clamp(0.0, 1.0)
-        });
-    }),
-];
+})];

@@ -26,26 +26,18 @@ pub fn check(
     check.scene(&stage(), "phong-spot", lit(scenes::phong_spot(), spot));
 }
 
-/// The light where this function accepts the cosine of the point's angle and the half angle.
+/// The light where this function accepts the angle of the point and the half angle.
 fn textbook(c: &mut Check, accepts: fn(f64, f64) -> bool) {
     check(c, |color, lamp, axis, half_angle, p| {
         let light = PointLight::new(color, lamp).ok()?.illumination(p)?;
-        accepts(axis.dot(-light.direction), half_angle).then_some(light)
+        let angle = libm::acos(axis.dot(-light.direction).clamp(-1.0, 1.0));
+        accepts(angle, half_angle).then_some(light)
     });
 }
 
 pub const VARIANTS: &[Variant] = &[
-    right("angles", |c| {
-        textbook(c, |cosine, half| {
-            libm::acos(cosine.clamp(-1.0, 1.0)) <= half
-        });
-    }),
-    wrong("the sine is the same before and behind", |c| {
-        textbook(c, |cosine, half| {
-            (1.0 - cosine * cosine).sqrt() <= libm::sin(half)
-        });
-    }),
+    right("angles", |c| textbook(c, |angle, half| angle <= half)),
     wrong("a wide cone shines behind the lamp, too", |c| {
-        textbook(c, |cosine, half| cosine > 0.0 && cosine >= libm::cos(half));
+        textbook(c, |angle, half| angle <= half.min(PI / 2.0));
     }),
 ];

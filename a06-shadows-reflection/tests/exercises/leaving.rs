@@ -29,10 +29,6 @@ pub fn check(check: &mut Check, leaving: impl Fn(&Ray, &Hit, Vector3) -> Ray + S
         |input| left(input, &leaving),
     );
     let picture = rendered(scenes::sphere(), |world, ray, depth| {
-        let is_shadowed = |objects: &Objects, ray: &Ray, hit: &Hit, light: &Illumination| {
-            let before = Interval::before(light.distance * (1.0 - 1e-7));
-            objects.is_hit(&leaving(ray, hit, light.direction), before)
-        };
         Tracer(world, &is_shadowed, &leaving).trace(ray, depth)
     });
     check.scene(&stage(), "sphere", picture);

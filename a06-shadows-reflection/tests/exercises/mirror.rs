@@ -10,13 +10,8 @@ pub fn check(check: &mut Check, trace: impl Fn(&ShadowedWorld, &Ray, u32) -> Col
         let world = mirrors(c, r, mirror).ok()?;
         Some(trace(&world, &Ray::derived(point(o), unit(d)), depth).channels())
     };
-    // To the background, to the floor, which mirrors it, to the ball, and to the triangle.
-    let ends = [
-        [4.0, 3.0, 0.0],
-        [4.0, -3.0, 0.0],
-        [0.0, -3.0, -4.0],
-        [0.0, -2.5, -8.0],
-    ];
+    // To the background, to the floor, which mirrors it, and to the triangle.
+    let ends = [[4.0, 3.0, 0.0], [4.0, -3.0, 0.0], [0.0, -2.5, -8.0]];
     let simple = [1, 2, 0, 5].map(|depth| {
         let ball = ([0.0, 1.0, 0.0], 1.0);
         ends.map(|d| (ball, [0.5, 0.5, 1.0], [[0.0, 4.0, 4.0], d], depth))

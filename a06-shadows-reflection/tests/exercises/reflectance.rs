@@ -24,31 +24,14 @@ pub fn check(check: &mut Check, reflectance: impl Fn(f64, f64, f64) -> f64 + Syn
     );
     // Objects as of diamond.
     check.picture(rendered(scenes::sphere(), |world, ray, depth| {
-        let tracer = RecursiveTracer::new(world);
-        let Some((hit, surface)) = world.objects().hit(ray, Interval::AHEAD) else {
-            return world.objects().background();
-        };
-        let to_eye = -ray.direction();
-        let share = reflectance(to_eye.dot(hit.normal), 1.0, 2.4);
-        let mirrored = secondary_ray(ray, &hit, to_eye.reflected_on(hit.normal));
-        surface.color_for(ray, &hit, &tracer) + tracer.trace(&mirrored, depth) * share
+        let (tracer, to_eye) = (RecursiveTracer::new(world), -ray.direction());
+        let nearest = world.objects().hit(ray, Interval::AHEAD);
+        nearest.map_or(Color::BLACK, |(hit, surface)| {
+            let share = reflectance(to_eye.dot(hit.normal), 1.0, 2.4);
+            let mirrored = secondary_ray(ray, &hit, to_eye.reflected_on(hit.normal));
+            surface.color_for(ray, &hit, &tracer) + tracer.trace(&mirrored, depth) * share
+        })
     }));
-}
-
-/// The share that follows from the amplitudes of both polarisations, or from none.
-fn share(c: &mut Check, share: fn(Option<[f64; 2]>) -> f64) {
-    check(c, |cosine, from, to| {
-        let ratio = from / to;
-        let squared = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
-        share((squared > 0.0).then(|| {
-            let amplitude = |a: f64, b: f64| (a - b) / (a + b);
-            let beyond = squared.sqrt();
-            [
-                amplitude(from * cosine, to * beyond),
-                amplitude(from * beyond, to * cosine),
-            ]
-        }))
-    });
 }
 
 pub const VARIANTS: &[Variant] = &[
@@ -59,11 +42,13 @@ pub const VARIANTS: &[Variant] = &[
         });
     }),
     wrong("daylight is half of each polarisation", |c| {
-        share(c, |both| both.map_or(1.0, |[across, _]| across * across));
+        check(c, |cosine, from, to| {
+            let sin = from / to * (1.0 - cosine * cosine).sqrt();
+            let (a, b) = (from * cosine, to * (1.0 - sin * sin).max(0.0).sqrt());
+            ((a - b) / (a + b)) * ((a - b) / (a + b))
+        });
     }),
     wrong("where no light gets through, all is mirrored", |c| {
-        share(c, |both| {
-            both.map_or(0.0, |[a, b]| f64::midpoint(a * a, b * b))
-        });
+        check(c, |cosine, from, to| solution(cosine, from, to) % 1.0);
     }),
 ];

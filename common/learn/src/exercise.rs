@@ -112,9 +112,11 @@ mod tests {
                 assert!(starter.contains(part), "{name}: {part}");
             }
             assert!(!starter.contains("missing!("), "{name}");
+            let count = |brace| starter.matches(brace).count();
+            assert_eq!(count('{'), count('}'), "{name}");
             assert!(!hints.is_empty() && !hints.contains("```rust"), "{name}");
             let check = fs::read_to_string(format!("{stage}/tests/exercises/{name}.rs")).unwrap();
-            assert!(!exercise.is_core || check.contains("    right("), "{name}");
+            assert!(!exercise.is_core || check.contains("right(\""), "{name}");
         }
         assert_eq!(solutions.len(), names.len(), "each solution has a section");
     }

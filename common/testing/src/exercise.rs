@@ -3,13 +3,11 @@
 //!
 //! # How to add an exercise
 //!
-//! `sphere` and `signed_distance` of `a04-intersections` are examples of each file.
-//!
 //! 1. Where the student writes a part of the lesson, the starter,
 //!    `exercises/starters/NAME.rs`, compiles, calls [`missing`] in the place of the code that
-//!    is left to the student, and ends with three to six [`examples!`](crate::examples) from
-//!    closed forms; the solution, `exercises/solutions/NAME.rs`, is the lesson. Elsewhere
-//!    write only the solution, with examples. The student's part stands in
+//!    is left to the student, and ends with three to six [`examples!`](crate::examples); the
+//!    solution, `exercises/solutions/NAME.rs`, is the lesson. Elsewhere write only the
+//!    solution, with examples. The student's part stands in
 //!    `missing!("what is missing", a value for now, {`, ends with a line `})`, and is cut
 //!    out of the starter.
 //! 2. The check, `tests/exercises/NAME.rs`, compares the student's code with the lesson or
@@ -18,8 +16,7 @@
 //! 3. Add a line to [`exercises!`](crate::exercises) in `tests/exercises/main.rs`, and a
 //!    section to the page `book/src/aNN-exercises.md`: task, minutes and hints.
 //! 4. `cargo test -p STAGE --test exercises -- NAME` proves it, shows the messages that
-//!    students read, and leaves the picture of the solution in `out/exercises/`; the book
-//!    has it as `pictures/STAGE-exercise-NAME.png`.
+//!    students read, and leaves the picture of the solution in `out/exercises/`.
 
 mod answer;
 mod check;
@@ -93,14 +90,6 @@ macro_rules! examples {
 /// exercises with a starter of their own, in the folder `starters`, and exercises whose
 /// starter is the solution without its code: each the name and a check, which sees the
 /// public items of the file.
-///
-/// ```ignore
-/// testing::exercises! {
-///     use {a02_math::*, common::*};
-///     starters { square => |check| square::check(check, square); }
-///     solutions { cube => |check| cube::check(check, cube); }
-/// }
-/// ```
 ///
 /// The test proves all checks, and does not read the students' files: a file that does
 /// not compile fails no test. `cargo learn` builds the test program with the

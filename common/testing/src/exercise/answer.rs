@@ -1,12 +1,14 @@
 //! `Answer`: the result of the code that is compared, as named numbers and words.
 
-use super::input::shown;
+use std::mem;
+
+use super::input::{Input, shown};
 
 /// A result: named values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer(Vec<Part>);
 
-/// Words, as `no hit`, which must be equal, or numbers, which may differ a little.
+/// Words, as `no hit`, which must be equal, and numbers, which may differ a little.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Part {
     name: &'static str,
@@ -122,33 +124,11 @@ impl Part {
     }
 }
 
-impl From<f64> for Answer {
-    fn from(number: f64) -> Self {
-        Self::from([number])
-    }
-}
-
-impl<const N: usize> From<[f64; N]> for Answer {
-    fn from(numbers: [f64; N]) -> Self {
-        Self::from(numbers.to_vec())
-    }
-}
-
-impl From<Vec<f64>> for Answer {
-    fn from(numbers: Vec<f64>) -> Self {
-        Self::of(format!("{} numbers", numbers.len()), numbers)
-    }
-}
-
-impl From<bool> for Answer {
-    fn from(is_so: bool) -> Self {
-        Self::words(if is_so { "yes" } else { "no" })
-    }
-}
-
-impl From<usize> for Answer {
-    fn from(count: usize) -> Self {
-        Self::words(count.to_string())
+impl<T: Input> From<T> for Answer {
+    fn from(mut value: T) -> Self {
+        let mut numbers = Vec::new();
+        value.for_each_number(&mut |number| numbers.push(mem::take(number)));
+        Self::of(value.words().join(", "), numbers)
     }
 }
 

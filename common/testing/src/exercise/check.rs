@@ -33,18 +33,24 @@ pub struct Check {
     /// this check.
     pub(super) usual: Vec<&'static str>,
     pub(super) mistake: Option<usize>,
-    /// Whether the first difference says enough.
-    pub(super) is_brief: bool,
-    /// Whether somebody looks at pictures.
+    /// Whether somebody looks at pictures, and at the count of differences.
     pub(super) is_watched: bool,
     pub(super) picture: Option<Image>,
 }
 
 impl Check {
-    /// A check whose pictures somebody looks at.
+    /// A check at whose findings somebody looks.
     pub(super) fn watched() -> Self {
         Self {
             is_watched: true,
+            ..Self::default()
+        }
+    }
+
+    /// A check of code that makes a usual mistake.
+    pub(super) fn mistaken(mistake: usize) -> Self {
+        Self {
+            mistake: Some(mistake),
             ..Self::default()
         }
     }
@@ -53,15 +59,6 @@ impl Check {
     /// rounding; what code `lacks` that is right but for it, as `loses digits where ...`.
     pub fn exactly(&mut self, lacks: &'static str) {
         self.lacks = Some(lacks);
-    }
-
-    /// A check of code that makes a usual mistake, or that is one.
-    pub(super) fn brief(mistake: Option<usize>) -> Self {
-        Self {
-            mistake,
-            is_brief: true,
-            ..Self::default()
-        }
     }
 
     /// Names the usual mistakes of a kind, as of all shapes, each with a sentence that a
@@ -76,11 +73,10 @@ impl Check {
     /// words describe an input, with `{}` in the place of each argument.
     ///
     /// Yours is right if it is an answer of the lesson to an input that differs from this
-    /// one by rounding. So its tolerance follows from the condition of the input, and no
-    /// formula fails because of the order of its operations. Where the lesson itself
-    /// decides otherwise at such an input, both decisions are right; but `simple` inputs
-    /// are numbers like 0, 1 and 2, which every formula computes without rounding, and at
-    /// them decisions must be equal, as for a ray that just touches.
+    /// one by rounding: so the tolerance follows from the condition of the input. Where the
+    /// lesson itself decides otherwise at such an input, both decisions are right; but
+    /// `simple` inputs are numbers like 0, 1 and 2, which every formula computes without
+    /// rounding, and at them decisions must be equal, as for a ray that just touches.
     pub fn compare<I: Input, A: Into<Answer>, B: Into<Answer>>(
         &mut self,
         words: &str,
@@ -94,7 +90,7 @@ impl Check {
         let lesson = |input| lesson(input).into();
         let unit = self.lacks.map_or(UNIT, |_| ROUNDING);
         for (is_simple, input) in simple.chain(others) {
-            if self.is_brief && self.differ > 0 {
+            if !self.is_watched && self.differ > 0 {
                 return;
             }
             let right = lesson(input.clone());
@@ -113,10 +109,14 @@ impl Check {
             };
             let is_near = |allowed: Vec<f64>| right.difference(&got, &allowed).is_none();
             let difference = right.difference(&got, &tolerances).map(|difference| {
-                let lacks = self.lacks.filter(|_| allowed(UNIT).is_none_or(is_near));
-                let lacks =
-                    lacks.map(|it| format!("\n    right but for rounding: the formula {it}"));
-                described(words, &input, &(difference + &lacks.unwrap_or_default()))
+                let is_rounding = allowed(UNIT).is_none_or(is_near);
+                let about = match self.lacks.filter(|_| is_rounding) {
+                    Some(it) => {
+                        format!("{difference}\n    right but for rounding: the formula {it}")
+                    }
+                    None => difference,
+                };
+                described(words, &input, &about)
             });
             self.conclude(difference);
         }

@@ -45,7 +45,8 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
             }
             let mut usual = usual.into_iter().enumerate();
             usual.try_for_each(|(index, about)| {
-                let found = Findings::of(exercise.solution, Check::brief(Some(index)));
+                let check = Check::mistaken(index);
+                let found = Findings::of(exercise.solution, check);
                 refuse(about, &found, shows)
             })
         }));
@@ -53,7 +54,7 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
             let kind = if *is_right { "right" } else { "wrong" };
             let (examples, check): (fn(), _) = (|| (), *check);
             Trial::test(format!("{name}::{kind}: {about}"), move || {
-                let found = Findings::of(Code { examples, check }, Check::brief(None));
+                let found = Findings::of(Code { examples, check }, Check::default());
                 if *is_right {
                     accept(&found, "", false)
                 } else {
