@@ -34,10 +34,7 @@ pub fn check(check: &mut Check, leaving: impl Fn(&Ray, &Hit, Vector3) -> Ray + S
     check.scene(&stage(), "sphere", picture);
 }
 
-fn left(
-    (shape, n, size, p, away, d): Left,
-    leaving: &dyn Fn(&Ray, &Hit, Vector3) -> Ray,
-) -> Option<Answer> {
+fn left((shape, n, size, p, away, d): Left, leaving: Leaving) -> Option<Answer> {
     let (p, away) = (Point3::ORIGIN + vector(p) * size, vector(away) * size);
     let (n, d) = (unit(n), unit(d));
     let shape: Box<dyn Geometry> = match shape {

@@ -41,12 +41,8 @@ pub const VARIANTS: &[Variant] = &[
             straight + (1.0 - straight) * libm::pow(1.0 - cosine, 5.0)
         });
     }),
-    wrong("daylight is half of each polarisation", |c| {
-        check(c, |cosine, from, to| {
-            let sin = from / to * (1.0 - cosine * cosine).sqrt();
-            let (a, b) = (from * cosine, to * (1.0 - sin * sin).max(0.0).sqrt());
-            ((a - b) / (a + b)) * ((a - b) / (a + b))
-        });
+    wrong("a share is the square of an amplitude", |c| {
+        check(c, |cosine, from, to| solution(cosine, from, to).sqrt());
     }),
     wrong("where no light gets through, all is mirrored", |c| {
         check(c, |cosine, from, to| solution(cosine, from, to) % 1.0);

@@ -15,13 +15,12 @@ pub type Objects = World<Box<dyn Surface>>;
 /// Whether an object lies between a hit and a light.
 pub type IsShadowed<'a> = &'a dyn Fn(&Objects, &Ray, &Hit, &Illumination) -> bool;
 
+/// The ray that leaves a hit in a direction.
+pub type Leaving<'a> = &'a dyn Fn(&Ray, &Hit, Vector3) -> Ray;
+
 /// Computes colours by their definition, with functions in the place of `is_shadowed` and
 /// `secondary_ray`.
-pub struct Tracer<'a>(
-    pub &'a ShadowedWorld,
-    pub IsShadowed<'a>,
-    pub &'a dyn Fn(&Ray, &Hit, Vector3) -> Ray,
-);
+pub struct Tracer<'a>(pub &'a ShadowedWorld, pub IsShadowed<'a>, pub Leaving<'a>);
 
 impl Tracer<'_> {
     /// `c + cr f`, with the colour `f` that the reflected ray brings back.

@@ -102,11 +102,8 @@ mod tests {
             assert!(names.insert(name), "{name} is the name of two exercises");
             let solution = format!("{stage}/exercises/solutions/{name}.rs");
             assert!(fs::exists(&solution).unwrap(), "{solution}");
-            solutions.extend(
-                fs::read_dir(format!("{stage}/exercises/solutions"))
-                    .unwrap()
-                    .map(|file| file.unwrap().path()),
-            );
+            let folder = fs::read_dir(format!("{stage}/exercises/solutions")).unwrap();
+            solutions.extend(folder.map(|file| file.unwrap().path()));
             let starter = files::starter(&exercise).unwrap();
             for part in ["testing::missing(", "testing::examples!"] {
                 assert!(starter.contains(part), "{name}: {part}");

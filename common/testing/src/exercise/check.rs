@@ -39,18 +39,12 @@ pub struct Check {
 }
 
 impl Check {
-    /// A check at whose findings somebody looks.
-    pub(super) fn watched() -> Self {
+    /// A check, at whose findings somebody looks or not, of code that makes a usual mistake
+    /// or not.
+    pub(super) fn new(is_watched: bool, mistake: Option<usize>) -> Self {
         Self {
-            is_watched: true,
-            ..Self::default()
-        }
-    }
-
-    /// A check of code that makes a usual mistake.
-    pub(super) fn mistaken(mistake: usize) -> Self {
-        Self {
-            mistake: Some(mistake),
+            mistake,
+            is_watched,
             ..Self::default()
         }
     }
@@ -145,13 +139,9 @@ impl Check {
             let locked = picture::in_book(&picture_name(stage, scene));
             Ok(picture::compare(&locked, image, self.is_watched))
         });
-        match compared.unwrap_or_else(|error| Err(error.to_string())) {
-            Ok(note) => {
-                self.note = Some(note);
-                self.conclude(None);
-            }
-            Err(wrong) => self.conclude(Some(format!("the picture of scene {name}: {wrong}"))),
-        }
+        let verdict = compared.unwrap_or_else(|error| Err(error.to_string()));
+        let wrong = verdict.map(|note| self.note = Some(note)).err();
+        self.conclude(wrong.map(|wrong| format!("the picture of scene {name}: {wrong}")));
     }
 
     /// Paints a small picture with the student's code, if somebody looks at it.

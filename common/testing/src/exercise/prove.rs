@@ -36,7 +36,7 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
         }));
         let picture = format!("{stage}-exercise-{}.png", name.replace('_', "-"));
         trials.push(Trial::test(format!("{name}::solution"), move || {
-            let found = Findings::of(exercise.solution, Check::watched());
+            let found = Findings::of(exercise.solution, Check::new(true, None));
             accept(&found, &picture, shows)?;
             let usual = found.check.usual;
             let mistakes = variants.iter().filter(|Variant(is_right, ..)| !is_right);
@@ -45,7 +45,7 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
             }
             let mut usual = usual.into_iter().enumerate();
             usual.try_for_each(|(index, about)| {
-                let check = Check::mistaken(index);
+                let check = Check::new(false, Some(index));
                 let found = Findings::of(exercise.solution, check);
                 refuse(about, &found, shows)
             })
