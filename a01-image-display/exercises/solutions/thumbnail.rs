@@ -31,5 +31,4 @@ testing::examples! {
     assert_eq!(small(2).size(), Size::new(2, 2).unwrap());
     assert_eq!(small(2).get(0, 0), Some(Color::BLACK), "four black pixels");
     assert_eq!(small(2).get(1, 1), Some(Color::WHITE), "a single pixel");
-    assert_eq!(small(3).get(0, 0), Some(Color::gray(1.0 / 9.0)), "all nine pixels");
 }

@@ -1,7 +1,4 @@
 //! `diagonal`: the first picture, a red line on black.
-//!
-//! Chapter: Showing a picture, section "PaintDiagonal". To compare afterwards:
-//! `a01-image-display/src/paint_diagonal.rs`.
 
 use common::{Color, Error, Image, Size};
 

@@ -3,13 +3,12 @@
 use crate::prelude::*;
 use crate::solutions::thumbnail::thumbnail as solution;
 
+type Thumbnail<'a> = &'a dyn Fn(&Image, u32) -> Result<Image, Error>;
+
 pub fn check(check: &mut Check, thumbnail: impl Fn(&Image, u32) -> Result<Image, Error>) {
-    let large = |w, h, greys: &[f64]| {
+    let small = |(w, h, greys, n): (u32, u32, Vec<f64>, u32), by: Thumbnail| {
         let color = |x, y| Color::gray(greys[(y * w + x) as usize]);
-        Image::from_fn(Size::new(w, h)?, color)
-    };
-    let answer = |small: Result<Image, Error>| {
-        let small = small.ok()?;
+        let small = by(&Image::from_fn(Size::new(w, h).ok()?, color).ok()?, n).ok()?;
         let greys: Vec<f64> = small.pixels().iter().map(|color| color.g).collect();
         let size = Answer::words(small.size().to_string());
         Some(Answer::named("size", size).and("greys", greys))
@@ -21,19 +20,10 @@ pub fn check(check: &mut Check, thumbnail: impl Fn(&Image, u32) -> Result<Image,
             let (w, h, n) = (1 + r.below(7), 1 + r.below(7), 1 + r.below(4));
             (w, h, (0..w * h).map(|_| r.between(0.0, 2.0)).collect(), n)
         }),
-        |(w, h, greys, n)| answer(large(w, h, &greys).and_then(|image| solution(&image, n))),
-        |(w, h, greys, n)| answer(large(w, h, &greys).and_then(|image| thumbnail(&image, n))),
+        |input| small(input, &solution),
+        |input| small(input, &thumbnail),
     );
-    check.picture(|settings| {
-        let card = ShowImage::test_card()?.into_image();
-        let (mut image, mut top) = (Image::black(settings.size)?, 0);
-        for n in [4, 8, 16, 32] {
-            let small = thumbnail(&card, n)?;
-            image.paste(0, top, &small);
-            top += small.size().height().min(settings.size.height());
-        }
-        Ok(image)
-    });
+    check.picture(|_| thumbnail(&ShowImage::test_card()?.into_image(), 4));
 }
 
 /// Another mean of the greys in a square of n by n.

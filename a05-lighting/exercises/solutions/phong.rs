@@ -1,9 +1,6 @@
 //! A shiny surface: the lesson's `Phong`.
 
-use a03_rays_cameras::Ray;
-use a04_intersections::Hit;
-use a05_lighting::{Lighting, Material, Phong};
-use common::Color;
+use crate::prelude::*;
 
 pub fn phong([d, s]: [Color; 2], p: f64, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
     let shiny = Phong::new(d, s, p);

@@ -1,8 +1,6 @@
 //! A cone of light: the lesson's `SpotLight`.
 
-use a02_math::{Point3, Vector3};
-use a05_lighting::{Illumination, Light, SpotLight};
-use common::Color;
+use crate::prelude::*;
 
 pub fn spot_light(
     color: Color,

@@ -1,15 +1,11 @@
 //! A light that shines from infinitely far away, like the sun.
-//!
-//! Chapter: Light and material, section "Three lights". To compare afterwards:
-//! `a05-lighting/src/directional_light.rs`.
 
 use a02_math::{Direction, Point3, Vector3};
 use a05_lighting::Illumination;
 use common::Color;
 
-/// The light that arrives at every point from a light that travels in a direction of any
-/// length: its colour, the direction of length 1 to the light, and the distance. None if the
-/// direction has no length.
+/// The light that travels in a direction of any length, as it arrives at every point. None if
+/// the direction has no length.
 pub fn directional_light(color: Color, direction: Vector3) -> Option<Illumination> {
     testing::missing("the light that arrives", None)
 }

@@ -1,7 +1,4 @@
 //! A matt surface, equally bright from every direction.
-//!
-//! Chapter: Light and material, section "Lambert". To compare afterwards:
-//! `a05-lighting/src/lambert.rs`.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;

@@ -1,7 +1,4 @@
 //! A matt surface with highlights, where it mirrors a light.
-//!
-//! Chapter: Light and material, section "Phong". To compare afterwards:
-//! `a05-lighting/src/phong.rs`.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;

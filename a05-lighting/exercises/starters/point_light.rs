@@ -1,7 +1,4 @@
 //! A light that shines from one point in all directions.
-//!
-//! Chapter: Light and material, section "Three lights". To compare afterwards:
-//! `a05-lighting/src/point_light.rs`.
 
 use a02_math::{Direction, Point3, Vector3};
 use a05_lighting::Illumination;

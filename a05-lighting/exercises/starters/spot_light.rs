@@ -1,15 +1,11 @@
 //! A light that shines from one point into a cone.
-//!
-//! Chapter: Light and material, section "Three lights". To compare afterwards:
-//! `a05-lighting/src/spot_light.rs`.
 
 use a02_math::{Direction, Point3, Vector3};
 use a05_lighting::{Illumination, Light, PointLight};
 use common::Color;
 
 /// The light of a lamp that arrives at a point in the cone around `axis`, which has length 1
-/// and leads away from the lamp; none outside of the cone. The half angle, between the axis
-/// and the edge of the cone, is in radians, up to π.
+/// and leads away from the lamp. The half angle is in radians, up to π.
 ///
 /// `libm::cos(x)` is a cosine.
 pub fn spot_light(
@@ -28,7 +24,6 @@ testing::examples! {
         let (lamp, down) = (Point3::new(0.0, 4.0, 0.0), Vector3::new(0.0, -1.0, 0.0));
         spot_light(Color::RED, lamp, down, half_angle, Point3::new(x, y, 0.0)).is_some()
     };
-    assert!(is_lit(1.0, 0.0, 0.0), "on the axis");
     assert!(is_lit(1.0, 4.0, 0.0), "at an angle of 0.79");
     assert!(!is_lit(1.0, 8.0, 0.0), "at an angle of 1.11");
     assert!(!is_lit(1.0, 0.0, 8.0), "behind it");

@@ -24,39 +24,17 @@ pub fn check(
             |(cs, p), ray, hit, lights| all(&shiny, cs.map(color), p, ray, hit, lights),
         );
     }
-    let lamp = |p| {
-        PointLight::new(Color::WHITE, point([-3.0, 4.0, 4.0]))
-            .ok()?
-            .illumination(p)
-    };
-    show(check, FROM_ABOVE, balls(), |world, ray| {
-        seen(world, ray, |hit, _, diffuse| {
-            let colors = [diffuse * 0.8, Color::gray(0.7)];
-            let lights = Lights(world.ambient(), lamp(ray.at(hit.t)).into_iter().collect());
-            all(&shiny, colors, 64.0, ray, hit, &lights)
-        })
-    });
+    check.picture(shaded(scenes::phong(), |diffuse, ray, hit, lights| {
+        let colors = [diffuse, Color::gray(0.7)];
+        all(&shiny, colors, 64.0, ray, hit, lights)
+    }));
 }
 
-/// Matt light and the highlight of this function of eye, light and normal.
-fn highlight(c: &mut Check, highlight: fn(Vector3, Vector3, Normal3) -> f64) {
+pub const VARIANTS: &[Variant] = &[wrong("the vector half way has length 1", |c| {
     check(c, |[cd, cs], p, ray, hit, light| {
-        let (n, l) = (hit.normal, light.direction);
-        let highlight = highlight(-ray.direction(), l, n).clamp(0.0, 1.0);
-        (cd * n.dot(l).max(0.0) + cs * libm::pow(highlight, p)) * light.color
+        let half = (light.direction - ray.direction()) * 0.5;
+        let [cosine, highlight] = [light.direction, half].map(|d| hit.normal.dot(d).max(0.0));
+        let is_before = f64::from(cosine > 0.0);
+        (cd * cosine + cs * (is_before * libm::pow(highlight, p))) * light.color
     });
-}
-
-pub const VARIANTS: &[Variant] = &[
-    wrong("Blinn takes the vector half way, Phong the mirror", |c| {
-        highlight(c, |e, l, n| e.dot(l.reflected_on(n)));
-    }),
-    wrong("the vector half way has length 1", |c| {
-        highlight(c, |e, l, n| n.dot((l + e) * 0.5))
-    }),
-    wrong("light from behind has no highlight", |c| {
-        highlight(c, |e, l, n| {
-            (l + e).normalized().map_or(0.0, |half| n.dot(half))
-        });
-    }),
-];
+})];

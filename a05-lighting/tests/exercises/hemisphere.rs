@@ -14,11 +14,9 @@ pub fn check(check: &mut Check, hemisphere: impl Fn([Color; 3], Normal3) -> Colo
         |(colors, n)| hemisphere(colors.map(color), unit(n).as_normal()).channels(),
     );
     let [sky, ground] = [[0.8, 0.95, 1.2], [0.3, 0.22, 0.1]].map(color);
-    show(check, FROM_ABOVE, balls(), |world, ray| {
-        seen(world, ray, |hit, _, diffuse| {
-            hemisphere([diffuse, sky, ground], hit.normal)
-        })
-    });
+    check.picture(shaded(scenes::lambert(), |diffuse, _, hit, _| {
+        hemisphere([diffuse, sky, ground], hit.normal)
+    }));
 }
 
 /// Sky and ground with another share of the sky, from the cosine of the angle to up.
@@ -29,9 +27,7 @@ fn mixed(c: &mut Check, share: fn(f64) -> f64) {
 }
 
 pub const VARIANTS: &[Variant] = &[
-    wrong("a wall sees half of the sky", |c| {
-        mixed(c, |cosine| cosine.max(0.0))
-    }),
+    wrong("walls see half the sky", |c| mixed(c, |cos| cos.max(0.0))),
     wrong("a share is between 0 and 1", |c| mixed(c, |cosine| cosine)),
     wrong("the share follows from the cosine, not the angle", |c| {
         mixed(c, |cosine| 1.0 - libm::acos(cosine) / std::f64::consts::PI);

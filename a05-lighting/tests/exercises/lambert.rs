@@ -12,12 +12,7 @@ pub fn check(check: &mut Check, matt: impl Fn(Color, &Ray, &Hit, &dyn Lighting) 
         |diffuse, ray, hit, lights| lesson(color(diffuse), ray, hit, lights),
         |diffuse, ray, hit, lights| matt(color(diffuse), ray, hit, lights),
     );
-    scene_of(
-        check,
-        "lambert",
-        a05_lighting::scenes::lambert(),
-        |d, ray, hit, lights| matt(d, ray, hit, lights),
-    );
+    check.scene(&stage(), "lambert", shaded(scenes::lambert(), matt));
 }
 
 /// The sum over the lights, with this function of each cosine.
@@ -32,9 +27,4 @@ fn textbook(c: &mut Check, share: fn(f64) -> f64) {
 pub const VARIANTS: &[Variant] = &[
     right("the share first", |c| textbook(c, |cosine| cosine.max(0.0))),
     wrong("no light is negative", |c| textbook(c, |cosine| cosine)),
-    wrong("ambient light is reflected in the diffuse colour", |c| {
-        check(c, |diffuse, ray, hit, lights| {
-            lesson(diffuse, ray, hit, lights) + lights.ambient() * 0.1
-        });
-    }),
 ];

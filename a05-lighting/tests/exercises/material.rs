@@ -1,14 +1,14 @@
 //! Compares materials: in light from before, from behind and along the surface, with normals
 //! aslant to the face, for eyes at all distances.
 
-use a02_math::{Direction, Normal3, Point3};
+use a02_math::{Direction, Point3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{Hit, Interval, Plane, Sphere};
-use a05_lighting::{Illumination, Lambert, Lighting, LitWorld, Material, stage};
-use common::{ArgumentError, Color};
+use a04_intersections::{Hit, Interval};
+use a05_lighting::{Illumination, Lighting, LitWorld};
+use common::{Color, Error, Image, Settings};
 use testing::exercise::{Check, Input, Random, random};
 
-use crate::scene::{Scene, array, channels, color, scene, unit, vector};
+use crate::scene::{Scene, array, channels, color, rendered, unit, vector};
 
 /// Direction to the eye and its distance, normal and face, ambient light, and the colour of
 /// each light and the direction to it. Directions have any length.
@@ -17,9 +17,9 @@ type Seen = ([f64; 3], f64, [[f64; 3]; 2], [f64; 3], Vec<[[f64; 3]; 2]>);
 const SEEN: &str = "eye towards {} at the distance {}, normal and face {}, ambient light {}, \
     colours of lights and where they are {}";
 
-/// An eye above and light from there, aslant, from behind, none but ambient light, two lights,
-/// and a normal aslant to the face.
-fn simple() -> [Seen; 6] {
+/// An eye above and light from there, aslant, from behind, none but ambient light, and
+/// a normal aslant to the face.
+fn simple() -> [Seen; 5] {
     let [none, up, aslant, pink] = [[0.0; 3], [0.0, 1.0, 0.0], [3.0, 4.0, 0.0], [1.0, 0.5, 0.5]];
     let seen = |normal, ambient, lights: &[_]| {
         let lights = lights.iter().map(|l| [pink, *l]).collect();
@@ -30,7 +30,6 @@ fn simple() -> [Seen; 6] {
         seen(up, none, &[aslant]),
         seen(up, none, &[[3.0, -4.0, 0.0]]),
         seen(up, pink, &[]),
-        seen(up, none, &[up, aslant]),
         seen(aslant, none, &[up]),
     ]
 }
@@ -89,33 +88,29 @@ pub fn compare_materials<P: Input>(
         simple().map(|seen| (first.clone(), seen)),
         random(|r| (any(r), any_seen(r))),
         |(material, seen)| {
-            let (ray, hit, lights) = parts(seen);
+            let (ray, hit, lights) = parts(seen, |_, _| ());
             lesson(material, &ray, &hit, &lights).channels()
         },
         |(material, seen)| {
-            let (ray, mut hit, mut lights) = parts(seen);
-            for light in &mut lights.1 {
-                mistake(&mut hit, light);
-            }
+            let (ray, hit, lights) = parts(seen, mistake);
             yours(material, &ray, &hit, &lights).channels()
         },
     );
 }
 
-/// The ray, the hit and the lights, with directions of length 1.
-fn parts((eye, t, normals, ambient, lights): Seen) -> (Ray, Hit, Lights) {
-    let [normal, face] = normals.map(|n| unit(n).as_normal());
-    let lights = lights.into_iter().map(|[light, direction]| Illumination {
-        color: color(light),
-        direction: unit(direction),
-        distance: 1.0,
-    });
+/// The ray, the hit and the lights, with directions of length 1, after a mistake.
+fn parts((eye, t, normals, ambient, lights): Seen, mistake: Mistake) -> (Ray, Hit, Lights) {
     let ray = Ray::derived(Point3::ORIGIN + unit(eye) * t, -unit(eye));
-    (
-        ray,
-        Hit { t, normal, face },
-        Lights(color(ambient), lights.collect()),
-    )
+    let [normal, face] = normals.map(|n| unit(n).as_normal());
+    let mut hit = Hit { t, normal, face };
+    let lights = lights.into_iter().map(|[light, direction]| {
+        let mut arriving = Illumination::default();
+        (arriving.color, arriving.direction) = (color(light), unit(direction));
+        mistake(&mut hit, &mut arriving);
+        arriving
+    });
+    let lights = Lights(color(ambient), lights.collect());
+    (ray, hit, lights)
 }
 
 /// The ambient light that a surface reflects, and what this function says of each light.
@@ -131,45 +126,17 @@ pub fn sum(
     sum
 }
 
-/// The colour of a ray in a world: that of this function, which takes the hit, the material
-/// there, and the diffuse colour of the material.
-pub fn seen(
-    world: &LitWorld,
-    ray: &Ray,
-    color: impl Fn(&Hit, &dyn Material, Color) -> Color,
-) -> Color {
-    let nearest = world.objects().hit(ray, Interval::AHEAD);
-    nearest.map_or(world.objects().background(), |(hit, material)| {
-        let diffuse = material.color_for(ray, &hit, &Lights(Color::WHITE, Vec::new()));
-        color(&hit, &**material, diffuse)
-    })
-}
-
-/// Compares the picture of a scene of the student's material, given the diffuse colour.
-pub fn scene_of(
-    check: &mut Check,
-    name: &str,
+/// The picture of a scene in the colours of this function, which takes the diffuse colour of
+/// the material, the ray, its hit, and the lights.
+pub fn shaded(
     view: Scene<LitWorld>,
-    material: impl Fn(Color, &Ray, &Hit, &LitWorld) -> Color + Sync,
-) {
-    scene(check, &stage(), name, view, |world, ray, _| {
-        seen(world, ray, |hit, _, diffuse| {
-            material(diffuse, ray, hit, world)
+    color: impl Fn(Color, &Ray, &Hit, &dyn Lighting) -> Color + Sync,
+) -> impl FnOnce(&Settings) -> Result<Image, Error> {
+    rendered(view, move |world: &LitWorld, ray, _| {
+        let nearest = world.objects().hit(ray, Interval::AHEAD);
+        nearest.map_or(world.objects().background(), |(hit, material)| {
+            let diffuse = material.color_for(ray, &hit, &Lights(Color::WHITE, Vec::new()));
+            color(diffuse, ray, &hit, world)
         })
-    });
-}
-
-/// The eye that sees the balls, and the point that it looks at.
-pub const FROM_ABOVE: [[f64; 3]; 2] = [[1.0, 4.0, 7.0], [0.0, 0.6, 0.0]];
-
-/// Two balls on a floor.
-pub fn balls() -> Result<LitWorld, ArgumentError> {
-    let matt = |r, g, b| Ok(Box::new(Lambert::new(Color::new(r, g, b))?) as _);
-    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
-    let large = Sphere::new(Point3::new(-1.1, 1.0, 0.0), 1.0)?;
-    let small = Sphere::new(Point3::new(1.1, 0.7, 0.6), 0.7)?;
-    Ok(LitWorld::new(Color::gray(0.1), Color::gray(0.05))?
-        .with(floor, matt(0.6, 0.6, 0.6)?)
-        .with(large, matt(0.8, 0.3, 0.2)?)
-        .with(small, matt(0.3, 0.4, 0.8)?))
+    })
 }

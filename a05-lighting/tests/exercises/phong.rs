@@ -15,53 +15,36 @@ pub fn check(
         |(colors, p), ray, hit, lights| lesson(colors.map(color), p, ray, hit, lights),
         |(colors, p), ray, hit, lights| shiny(colors.map(color), p, ray, hit, lights),
     );
-    scene_of(
-        check,
-        "phong",
-        a05_lighting::scenes::phong(),
-        |d, ray, hit, lights| shiny([d, Color::WHITE], 64.0, ray, hit, lights),
-    );
+    let picture = shaded(scenes::phong(), |d, ray, hit, lights| {
+        shiny([d, Color::WHITE], 64.0, ray, hit, lights)
+    });
+    check.scene(&stage(), "phong", picture);
 }
 
-/// The sum over the lights, with this highlight of eye, light, normal and exponent.
-fn textbook(c: &mut Check, highlight: fn(Vector3, Vector3, Normal3, f64) -> f64) {
+/// The sum over the lights, with a highlight that follows from 1 for light from before or
+/// 0, the cosine, and the exponent.
+fn textbook(c: &mut Check, highlight: fn(f64, f64, f64) -> f64) {
     check(c, |[diffuse, specular], p, ray, hit, lights| {
         sum(diffuse, ray, hit, lights, |light| {
             let (n, l) = (hit.normal, light.direction);
-            let highlight = highlight(-ray.direction(), l, n, p);
+            // The eye mirrored in the place of the light.
+            let cosine = l.dot((-ray.direction()).reflected_on(n)).clamp(0.0, 1.0);
+            let highlight = highlight(f64::from(n.dot(l) > 0.0), cosine, p);
             (diffuse * n.dot(l).max(0.0) + specular * highlight) * light.color
         })
     });
 }
 
-/// This cosine, for light from before.
-fn before(l: Vector3, n: Normal3, cosine: f64) -> f64 {
-    if n.dot(l) > 0.0 {
-        cosine.clamp(0.0, 1.0)
-    } else {
-        0.0
-    }
-}
-
 pub const VARIANTS: &[Variant] = &[
     right("the eye mirrored in the place of the light", |c| {
-        textbook(c, |e, l, n, p| {
-            libm::pow(before(l, n, l.dot(e.reflected_on(n))), p)
-        });
+        textbook(c, |is_before, cosine, p| is_before * libm::pow(cosine, p));
     }),
     wrong("light from behind has no highlight", |c| {
-        textbook(c, |e, l, n, p| {
-            libm::pow(e.dot(l.reflected_on(n)).clamp(0.0, 1.0), p)
-        });
+        textbook(c, |_, cosine, p| libm::pow(cosine, p));
     }),
     wrong("an exponent may be a fraction", |c| {
-        textbook(c, |e, l, n, p| {
-            libm::pow(before(l, n, e.dot(l.reflected_on(n))), p.trunc())
-        });
-    }),
-    wrong("the eye is where the ray comes from", |c| {
-        textbook(c, |e, l, n, p| {
-            libm::pow(before(l, n, -e.dot(l.reflected_on(n))), p)
+        textbook(c, |is_before, cosine, p| {
+            is_before * libm::pow(cosine, p.trunc())
         });
     }),
 ];

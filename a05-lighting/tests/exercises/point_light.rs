@@ -12,30 +12,15 @@ pub fn check(check: &mut Check, light: impl Fn(Color, Point3, Point3) -> Arrivin
         |(c, lamp), p| lesson(color(c), point(lamp), p),
         |(c, lamp), p| light(color(c), point(lamp), p),
     );
-    scene_in(check, "phong", a05_lighting::scenes::phong(), |p| {
-        light(Color::WHITE, point([4.0; 3]), p)
-    });
+    let lamp = |p| light(Color::WHITE, point([4.0; 3]), p);
+    check.scene(&stage(), "phong", lit(scenes::phong(), lamp));
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("divided by the distance", |c| {
-        check(c, |color, lamp, p| {
-            let distance = (lamp - p).magnitude();
-            let direction = (lamp - p) * (1.0 / distance);
-            (distance > 0.0).then_some(Illumination {
-                color,
-                direction,
-                distance,
-            })
-        });
-    }),
-    wrong("in the light there is no direction", |c| {
-        check(c, |color, lamp, p| {
-            let dark = Illumination {
-                color,
-                ..Illumination::default()
-            };
-            lesson(color, lamp, p).or(Some(dark))
-        });
-    }),
-];
+pub const VARIANTS: &[Variant] = &[right("divided by the distance", |c| {
+    check(c, |color, lamp, p| {
+        let mut light = lesson(color, lamp, p)?;
+        light.distance = (lamp - p).magnitude();
+        light.direction = (lamp - p) * (1.0 / light.distance);
+        Some(light)
+    });
+})];

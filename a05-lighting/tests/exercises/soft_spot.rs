@@ -19,36 +19,16 @@ pub fn check(
         |(c, lamp, d, angles), p| solution(color(c), point(lamp), vector(d), angles, p),
         |(c, lamp, d, angles), p| spot(color(c), point(lamp), vector(d), angles, p),
     );
-    let lamp = point([0.5, 5.0, 2.5]);
-    let aim = point([-0.2, 0.0, 0.2]) - lamp;
-    show_in(check, |p| spot(Color::WHITE, lamp, aim, [0.2, 0.45], p));
+    let (lamp, inwards) = (point([4.0; 3]), vector([-1.0; 3]));
+    let spot = |p| spot(Color::WHITE, lamp, inwards, [0.1, 0.3], p);
+    check.picture(lit(scenes::phong_spot(), spot));
 }
 
-/// A share of the angle, the inner and the outer one.
-fn share(c: &mut Check, share: fn(f64, f64, f64) -> f64) {
+pub const VARIANTS: &[Variant] = &[wrong("the share has no crease", |c| {
     check(c, |color, lamp, d, [inner, outer], p| {
         let light = PointLight::new(color, lamp).ok()?.illumination(p)?;
-        let share = share((-light.direction).angle(d), inner, outer);
-        let color = color * share;
+        let share = (outer - (-light.direction).angle(d)) / (outer - inner);
+        let color = color * share.min(1.0);
         (share > 0.0).then_some(Illumination { color, ..light })
     });
-}
-
-pub const VARIANTS: &[Variant] = &[
-    wrong("the way to the point leads from the lamp", |c| {
-        check(c, |color, lamp, d, angles, p| {
-            solution(color, lamp, -d, angles, p)
-        });
-    }),
-    wrong("x is never below 0, where its square grows", |c| {
-        share(c, |angle, inner, outer| {
-            let x = ((outer - angle) / (outer - inner)).min(1.0);
-            x * x * (3.0 - 2.0 * x)
-        });
-    }),
-    wrong("the share has no crease", |c| {
-        share(c, |angle, inner, outer| {
-            ((outer - angle) / (outer - inner)).clamp(0.0, 1.0)
-        });
-    }),
-];
+})];

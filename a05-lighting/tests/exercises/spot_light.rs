@@ -15,48 +15,29 @@ pub fn check(
             "light {} at {}, axis {}, half angle {}",
             &([1.0, 0.5, 0.25], LAMP, [0.0, -1.0, 0.0], half_angle),
             |r| {
-                (
-                    channels(r),
-                    r.triple(5.0),
-                    r.triple(5.0),
-                    r.between(0.05, 3.1),
-                )
+                let [lamp, axis] = [(); 2].map(|()| r.triple(5.0));
+                (channels(r), lamp, axis, r.between(0.05, 3.1))
             },
             |(c, lamp, axis, angle), p| lesson(color(c), point(lamp), unit(axis), angle, p),
             |(c, lamp, axis, angle), p| light(color(c), point(lamp), unit(axis), angle, p),
         );
     }
-    scene_in(
-        check,
-        "phong-spot",
-        a05_lighting::scenes::phong_spot(),
-        |p| light(Color::WHITE, point([4.0; 3]), unit([-1.0; 3]), PI / 14.0, p),
-    );
+    let spot = |p| light(Color::WHITE, point([4.0; 3]), unit([-1.0; 3]), PI / 14.0, p);
+    check.scene(&stage(), "phong-spot", lit(scenes::phong_spot(), spot));
 }
 
-/// The light where this function accepts the cosine of the point's angle and the half angle.
+/// The light where this function accepts the angle of the point and the half angle.
 fn textbook(c: &mut Check, accepts: fn(f64, f64) -> bool) {
     check(c, |color, lamp, axis, half_angle, p| {
         let light = PointLight::new(color, lamp).ok()?.illumination(p)?;
-        accepts(axis.dot(-light.direction), half_angle).then_some(light)
+        let angle = libm::acos(axis.dot(-light.direction).clamp(-1.0, 1.0));
+        accepts(angle, half_angle).then_some(light)
     });
 }
 
 pub const VARIANTS: &[Variant] = &[
-    right("angles", |c| {
-        textbook(c, |cosine, half| {
-            libm::acos(cosine.clamp(-1.0, 1.0)) <= half
-        });
-    }),
-    wrong("the half angle is half of the whole", |c| {
-        textbook(c, |cosine, half| cosine >= libm::cos(half / 2.0));
-    }),
-    wrong("the sine is the same before and behind", |c| {
-        textbook(c, |cosine, half| {
-            (1.0 - cosine * cosine).sqrt() <= libm::sin(half)
-        });
-    }),
+    right("angles", |c| textbook(c, |angle, half| angle <= half)),
     wrong("a wide cone shines behind the lamp, too", |c| {
-        textbook(c, |cosine, half| cosine > 0.0 && cosine >= libm::cos(half));
+        textbook(c, |angle, half| angle <= half.min(PI / 2.0));
     }),
 ];

@@ -1,7 +1,4 @@
 //! `trace`: the colour that a ray brings back from a world of mirrors.
-//!
-//! Chapter: Shadows and reflection, section "The mirror". To compare afterwards:
-//! `a06-shadows-reflection/src/recursive_tracer.rs`.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
@@ -14,9 +11,8 @@ use common::Color;
 /// them mirrors black.
 ///
 /// `world.objects()` has `hit(&ray, within)`, the nearest hit and its surface, and
-/// `background()`. A surface has `color_for(&ray, &hit, &lights)`, its own colour, and
-/// `reflection()`, the share of the light that it mirrors.
-/// `secondary_ray(&ray, &hit, direction)` is a ray that leaves the surface.
+/// `background()`; a surface has `color_for(&ray, &hit, &lights)`, its own colour, and
+/// `reflection()`. `secondary_ray(&ray, &hit, direction)` leaves the surface.
 pub fn trace(world: &ShadowedWorld, ray: &Ray, depth: u32) -> Color {
     let lights = RecursiveTracer::new(world);
     testing::missing("the colour of the ray", Color::BLACK)

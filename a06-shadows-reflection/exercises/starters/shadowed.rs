@@ -1,7 +1,4 @@
 //! `is_shadowed`: whether an object lies between a hit and a light.
-//!
-//! Chapter: Shadows and reflection, section "Is the light in sight?". To compare
-//! afterwards: `a06-shadows-reflection/src/shadow.rs`.
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
@@ -10,11 +7,10 @@ use a05_lighting::{Illumination, SingleColor};
 use a06_shadows_reflection::{Surface, secondary_ray};
 use common::Color;
 
-/// Whether any object of the world lies between the hit of `ray` and a light, whose
-/// direction and distance `light` holds.
+/// Whether any object of the world lies between the hit of `ray` and a light.
 ///
-/// `secondary_ray(ray, hit, direction)` is a ray that leaves the surface of a hit without
-/// hitting it again; `world.is_hit(&ray, within)` says whether any object is hit.
+/// `secondary_ray(ray, hit, direction)` leaves the surface of a hit without hitting it again;
+/// `world.is_hit(&ray, within)` says whether any object is hit.
 pub fn is_shadowed(
     world: &World<Box<dyn Surface>>,
     ray: &Ray,

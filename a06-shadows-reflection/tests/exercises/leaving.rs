@@ -28,26 +28,13 @@ pub fn check(check: &mut Check, leaving: impl Fn(&Ray, &Hit, Vector3) -> Ray + S
         |input| left(input, &lesson),
         |input| left(input, &leaving),
     );
-    let view = a06_shadows_reflection::scenes::sphere();
-    scene_by(check, "sphere", view, |world, ray, depth| {
-        let is_shadowed = |objects: &Objects, ray: &Ray, hit: &Hit, light: &Illumination| {
-            let before = Interval::before(light.distance * (1.0 - 1e-7));
-            objects.is_hit(&leaving(ray, hit, light.direction), before)
-        };
-        let (is_shadowed, leaving) = (&is_shadowed, &leaving);
-        Tracer {
-            world,
-            is_shadowed,
-            leaving,
-        }
-        .trace(ray, depth)
+    let picture = rendered(scenes::sphere(), |world, ray, depth| {
+        Tracer(world, &is_shadowed, &leaving).trace(ray, depth)
     });
+    check.scene(&stage(), "sphere", picture);
 }
 
-fn left(
-    (shape, n, size, p, away, d): Left,
-    leaving: &dyn Fn(&Ray, &Hit, Vector3) -> Ray,
-) -> Option<Answer> {
+fn left((shape, n, size, p, away, d): Left, leaving: Leaving) -> Option<Answer> {
     let (p, away) = (Point3::ORIGIN + vector(p) * size, vector(away) * size);
     let (n, d) = (unit(n), unit(d));
     let shape: Box<dyn Geometry> = match shape {
@@ -60,12 +47,12 @@ fn left(
     let left = leaving(&ray, &hit, d);
     let step = left.origin() - ray.at(hit.t);
     // Inwards, a ray meets the far side of a sphere, but not this one.
-    let again = shape.hit(&left, Interval::before(1e-4 * size)).is_some();
+    let again = shape.hit(&left, Interval::before(1e-4 * size));
     let words = if step.dot(hit.face) * d.dot(hit.face) <= 0.0 {
         "a ray from the wrong side of the surface"
-    } else if step.magnitude() > 1e-9 * largest(&ray, &hit) {
+    } else if step.magnitude() > 1e-9 * numbers(&ray, &hit).iter().sum::<f64>() {
         "a ray that begins far away"
-    } else if again {
+    } else if again.is_some() {
         "a ray that hits the surface again"
     } else {
         "a ray that leaves the surface"
@@ -73,47 +60,41 @@ fn left(
     Some(Answer::words(words).and("direction", array(left.direction())))
 }
 
-/// The ray whose origin is offset by this step.
-fn offset(c: &mut Check, step: fn(&Ray, &Hit, Vector3) -> Vector3) {
+/// The largest coordinates of the origin and of the point, and t.
+fn numbers(ray: &Ray, hit: &Hit) -> [f64; 3] {
+    let [o, p] = [ray.origin(), ray.at(hit.t)].map(Point3::largest_coordinate);
+    [o, p, hit.t]
+}
+
+/// The ray that is offset along this vector, by a length that follows from the numbers.
+fn offset(c: &mut Check, along: fn(&Hit, Vector3) -> Vector3, length: fn([f64; 3]) -> f64) {
     check(c, |ray, hit, d| {
-        Ray::derived(ray.at(hit.t) + step(ray, hit, d), d)
+        let along = along(hit, d);
+        let length = length(numbers(ray, hit)).copysign(along.dot(d));
+        Ray::derived(ray.at(hit.t) + along * length, d)
     });
 }
 
-/// So long along the face or against it.
-fn along_face(hit: &Hit, d: Vector3, length: f64) -> Vector3 {
-    Vector3::from(hit.face) * length.copysign(hit.face.dot(d))
-}
-
-fn largest(ray: &Ray, hit: &Hit) -> f64 {
-    let points = [ray.origin(), ray.at(hit.t)].map(Point3::largest_coordinate);
-    points[0].max(points[1]).max(hit.t)
+fn face(hit: &Hit, _: Vector3) -> Vector3 {
+    hit.face.into()
 }
 
 pub const VARIANTS: &[Variant] = &[
-    right("a share of the sum of all numbers", |c| {
-        offset(c, |ray, hit, d| {
-            let [o, p] = [ray.origin(), ray.at(hit.t)].map(|p| p.to_glam().abs().element_sum());
-            along_face(hit, d, 1e-13 * (o + p + hit.t))
-        });
+    right("a share of the sum", |c| {
+        offset(c, face, |[o, p, t]| 1e-13 * (o + p + t))
     }),
-    wrong("scenes have any size, so no length is fixed", |c| {
-        offset(c, |_, hit, d| along_face(hit, d, 1e-9));
-    }),
+    wrong("no length is fixed", |c| offset(c, face, |_| 1e-9)),
     wrong("the errors of the coordinates count, too", |c| {
-        offset(c, |_, hit, d| along_face(hit, d, 1e-12 * hit.t));
+        offset(c, face, |[_, _, t]| 1e-12 * t);
     }),
     wrong("the error of t counts, too", |c| {
-        offset(c, |ray, hit, d| {
-            along_face(hit, d, 1e-12 * ray.at(hit.t).largest_coordinate())
-        });
+        offset(c, face, |[_, p, _]| 1e-12 * p);
     }),
     wrong("a grazing ray does not leave along itself", |c| {
-        offset(c, |ray, hit, d| d * (1e-14 * largest(ray, hit)));
+        offset(c, |_, d| d, |[o, p, t]| 1e-14 * o.max(p).max(t));
     }),
-    wrong("the surface is where the face says, not the normal", |c| {
-        offset(c, |ray, hit, d| {
-            along_face(&Hit::new(hit.t, hit.normal), d, 1e-14 * largest(ray, hit))
-        });
+    wrong("the face says where the surface is", |c| {
+        let normal = |hit: &Hit, _| hit.normal.into();
+        offset(c, normal, |[o, p, t]| 1e-14 * o.max(p).max(t));
     }),
 ];

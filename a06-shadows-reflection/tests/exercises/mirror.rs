@@ -7,65 +7,43 @@ type Trace<'a> = &'a dyn Fn(&ShadowedWorld, &Ray, u32) -> Color;
 
 pub fn check(check: &mut Check, trace: impl Fn(&ShadowedWorld, &Ray, u32) -> Color + Sync) {
     let color = |((c, r), mirror, [o, d], depth): ((_, _), _, [_; 2], _), trace: Trace| {
-        let ray = Ray::derived(point(o), unit(d));
         let world = mirrors(c, r, mirror).ok()?;
-        Some(trace(&world, &ray, depth).channels())
+        Some(trace(&world, &Ray::derived(point(o), unit(d)), depth).channels())
     };
-    // To the background, to the floor, which mirrors it, to the ball, and to the triangle.
-    let rays = [
-        [4.0, 3.0, 0.0],
-        [4.0, -3.0, 0.0],
-        [0.0, -3.0, -4.0],
-        [0.0, -2.5, -8.0],
-    ];
-    let simple = [1, 2, 0, 5].into_iter().flat_map(|depth| {
+    // To the background, to the floor, which mirrors it, and to the triangle.
+    let ends = [[4.0, 3.0, 0.0], [4.0, -3.0, 0.0], [0.0, -2.5, -8.0]];
+    let simple = [1, 2, 0, 5].map(|depth| {
         let ball = ([0.0, 1.0, 0.0], 1.0);
-        rays.map(|d| (ball, [0.5, 0.5, 1.0], [[0.0, 4.0, 4.0], d], depth))
+        ends.map(|d| (ball, [0.5, 0.5, 1.0], [[0.0, 4.0, 4.0], d], depth))
     });
     check.compare(
         "a ball around {} of radius {}, everything mirrors {}, ray from and along {}, depth {}",
-        simple,
+        simple.concat(),
         random(|r| {
-            let (c, o, to) = (r.triple(3.0), r.triple(3.0), r.triple(4.0));
-            let [o, to] = [
-                [o[0], o[1].abs() + 0.1, 6.0],
-                [to[0] / 2.0, to[1].abs(), to[2] - 4.0],
-            ];
+            let (ball, [x, y, _]) = ((r.triple(3.0), r.between(0.2, 2.0)), r.triple(3.0));
             let mirror = [(); 3].map(|()| r.between(0.1, 1.0));
-            let ball = (c, r.between(0.2, 2.0));
-            (ball, mirror, [o, array(point(to) - point(o))], r.below(7))
+            // From before the objects to a place among them.
+            let (o, [u, v, w]) = ([x, y.abs() + 0.1, 6.0], r.triple(4.0));
+            let d = point([u / 2.0, v.abs(), w - 4.0]) - point(o);
+            (ball, mirror, [o, array(d)], r.below(7))
         }),
         |input| color(input, &lesson),
         |input| color(input, &trace),
     );
-    scene_by(
-        check,
-        "sphere",
-        a06_shadows_reflection::scenes::sphere(),
-        trace,
-    );
+    check.scene(&stage(), "sphere", rendered(scenes::sphere(), trace));
 }
 
-/// The lesson's tracer, whose reflected rays go along this direction.
+/// The recursion, whose reflected rays go along this direction.
 fn reflected(c: &mut Check, direction: fn(&Ray, &Hit) -> Vector3) {
     check(c, |world, ray, depth| {
         let leaving = |ray: &Ray, hit: &Hit, _| secondary_ray(ray, hit, direction(ray, hit));
-        Tracer {
-            leaving: &leaving,
-            ..Tracer::new(world)
-        }
-        .trace(ray, depth)
+        Tracer(world, &is_shadowed, &leaving).trace(ray, depth)
     });
 }
 
 pub const VARIANTS: &[Variant] = &[
     right("the recursion", |c| {
-        check(c, |world, ray, depth| Tracer::new(world).trace(ray, depth))
-    }),
-    wrong("a ray may hit so many surfaces as the depth says", |c| {
-        check(c, |world, ray, depth| {
-            lesson(world, ray, depth.saturating_sub(1))
-        });
+        reflected(c, |ray, hit| (-ray.direction()).reflected_on(hit.normal));
     }),
     wrong("the last surface mirrors black", |c| {
         check(c, |world, ray, depth| lesson(world, ray, depth + 1));

@@ -3,8 +3,6 @@
 use crate::prelude::*;
 use crate::solutions::shadowed::is_shadowed as lesson;
 
-type IsShadowed<'a> = &'a dyn Fn(&Objects, &Ray, &Hit, &Illumination) -> bool;
-
 pub fn check(
     check: &mut Check,
     is_shadowed: impl Fn(&Objects, &Ray, &Hit, &Illumination) -> bool + Sync,
@@ -15,12 +13,8 @@ pub fn check(
         let ray = Ray::new(point(p) + away, -away).ok()?;
         let world = mirrors(c, r, [0.0; 3]).ok()?;
         let (hit, _) = world.objects().hit(&ray, Interval::AHEAD)?;
-        let direction = unit(to_light);
-        let light = Illumination {
-            direction,
-            distance,
-            ..Illumination::default()
-        };
+        let mut light = Illumination::default();
+        (light.direction, light.distance) = (unit(to_light), distance);
         Some(f(world.objects(), &ray, &hit, &light))
     };
     let lit = |y, r, distance| ([0.0; 3], ([0.0, y, 0.0], r), [0.0, 1.0, 0.0], distance);
@@ -45,53 +39,31 @@ pub fn check(
             let ends = [[0.2, 0.4], [0.992, 0.999], [1.0, 1.2], [1.1, 1.3]];
             let [from, to] = ends[r.below(4) as usize];
             let c = p + l * (size * f64::midpoint(from, to));
-            (
-                array(p),
-                (array(c), size * (to - from) / 2.0),
-                array(l),
-                size,
-            )
+            let radius = size * (to - from) / 2.0;
+            (array(p), (array(c), radius), array(l), size)
         }),
         |input| answer(input, &lesson),
         |input| answer(input, &is_shadowed),
     );
-    let view = a06_shadows_reflection::scenes::aab();
-    scene_by(check, "aab", view, |world, ray, depth| {
-        let mut tracer = Tracer::new(world);
-        tracer.is_shadowed = &is_shadowed;
-        tracer.trace(ray, depth)
+    let picture = rendered(scenes::aab(), |world, ray, depth| {
+        Tracer(world, &is_shadowed, &secondary_ray).trace(ray, depth)
     });
+    check.scene(&stage(), "aab", picture);
 }
 
 /// Whether anything is hit from the surface on, up to this distance.
 fn up_to(c: &mut Check, end: fn(f64) -> f64) {
     check(c, |world, ray, hit, light| {
         let to_light = secondary_ray(ray, hit, light.direction);
-        let nearest = world.hit(&to_light, Interval::before(end(light.distance)));
-        nearest.is_some()
+        let between = Interval::before(end(light.distance));
+        world.hit(&to_light, between).is_some()
     });
 }
 
 pub const VARIANTS: &[Variant] = &[
-    right("the nearest hit, up to a millionth", |c| {
-        up_to(c, |d| d * (1.0 - 1e-6))
-    }),
-    wrong("objects beyond the light cast no shadow", |c| {
-        up_to(c, |_| f64::INFINITY)
-    }),
-    wrong("what the lamp is fixed to must not block it", |c| {
-        up_to(c, |d| d)
-    }),
-    wrong("worlds have any size, so no length is fixed", |c| {
-        up_to(c, |d| d - 1e-6);
-    }),
-    wrong("an object just before the light casts a shadow", |c| {
-        up_to(c, |d| d * 0.99)
-    }),
-    wrong("the surface must not shadow itself", |c| {
-        check(c, |world, ray, hit, light| {
-            let from_below = Ray::derived(ray.at(hit.t * (1.0 + 1e-12)), light.direction);
-            world.is_hit(&from_below, Interval::before(light.distance * (1.0 - 1e-7)))
-        });
-    }),
+    right("a nearest hit", |c| up_to(c, |d| d * (1.0 - 1e-6))),
+    wrong("objects beyond it cast none", |c| up_to(c, |_| 1e300)),
+    wrong("the lamp's ceiling blocks nothing", |c| up_to(c, |d| d)),
+    wrong("no length is fixed", |c| up_to(c, |d| d - 1e-6)),
+    wrong("an object before it is seen", |c| up_to(c, |d| d * 0.99)),
 ];

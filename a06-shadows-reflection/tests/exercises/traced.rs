@@ -4,80 +4,59 @@ use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, Interval, Plane, Sphere, Triangle, World};
 use a05_lighting::{Illumination, Light, Lighting, PointLight};
-use a06_shadows_reflection::{
-    LightSource, Reflective, ShadowedWorld, Surface, is_shadowed, secondary_ray, stage,
-};
+use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, Surface};
 use common::{ArgumentError, Color};
-use testing::exercise::Check;
 
-use crate::scene::{Scene, color, point, scene};
+use crate::scene::{color, point, vector};
 
 /// The objects of a world.
 pub type Objects = World<Box<dyn Surface>>;
 
-/// Computes colours by their definition, with these functions in the place of the lesson's.
-#[derive(Clone, Copy)]
-pub struct Tracer<'a> {
-    pub world: &'a ShadowedWorld,
-    pub is_shadowed: &'a dyn Fn(&Objects, &Ray, &Hit, &Illumination) -> bool,
-    pub leaving: &'a dyn Fn(&Ray, &Hit, Vector3) -> Ray,
-}
+/// Whether an object lies between a hit and a light.
+pub type IsShadowed<'a> = &'a dyn Fn(&Objects, &Ray, &Hit, &Illumination) -> bool;
 
-impl<'a> Tracer<'a> {
-    pub fn new(world: &'a ShadowedWorld) -> Self {
-        Self {
-            world,
-            is_shadowed: &is_shadowed,
-            leaving: &secondary_ray,
-        }
-    }
+/// The ray that leaves a hit in a direction.
+pub type Leaving<'a> = &'a dyn Fn(&Ray, &Hit, Vector3) -> Ray;
 
+/// Computes colours by their definition, with functions in the place of `is_shadowed` and
+/// `secondary_ray`.
+pub struct Tracer<'a>(pub &'a ShadowedWorld, pub IsShadowed<'a>, pub Leaving<'a>);
+
+impl Tracer<'_> {
     /// `c + cr f`, with the colour `f` that the reflected ray brings back.
     pub fn trace(&self, ray: &Ray, depth: u32) -> Color {
-        let objects = self.world.objects();
+        let Self(world, _, leaving) = self;
+        let objects = world.objects();
         let Some((hit, surface)) = objects.hit(ray, Interval::AHEAD).filter(|_| depth > 0) else {
             return objects.background() * f64::from(depth.min(1));
         };
         let direction = (-ray.direction()).reflected_on(hit.normal);
-        let reflected = self.trace(&(self.leaving)(ray, &hit, direction), depth - 1);
+        let reflected = self.trace(&leaving(ray, &hit, direction), depth - 1);
         surface.color_for(ray, &hit, self) + surface.reflection() * reflected
     }
 }
 
 impl Lighting for Tracer<'_> {
     fn ambient(&self) -> Color {
-        self.world.ambient()
+        self.0.ambient()
     }
 
     fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
-        let sources = self.world.lights().iter();
-        sources
+        let Self(world, is_shadowed, _) = self;
+        let lights = world.lights().iter();
+        lights
             .filter_map(|light| light.illumination(ray.at(hit.t)))
             .filter(|light| hit.normal.dot(light.direction) > 0.0)
-            .filter(|light| !(self.is_shadowed)(self.world.objects(), ray, hit, light))
+            .filter(|light| !is_shadowed(world.objects(), ray, hit, light))
             .for_each(|light| shade(&light));
     }
-}
-
-/// Compares the picture of a scene in the colours of this function.
-pub fn scene_by(
-    check: &mut Check,
-    name: &str,
-    view: Scene<ShadowedWorld>,
-    trace: impl Fn(&ShadowedWorld, &Ray, u32) -> Color + Sync,
-) {
-    scene(check, &stage(), name, view, trace);
 }
 
 /// A floor y = 0, a ball and a smooth triangle that mirror, and a lamp.
 pub fn mirrors(c: [f64; 3], r: f64, reflection: [f64; 3]) -> Result<ShadowedWorld, ArgumentError> {
     let of = |own| Reflective::new(own, Color::WHITE, 8.0, color(reflection)).map(Box::new);
     let lamp = PointLight::new(Color::WHITE, Point3::new(3.0, 9.0, 4.0))?;
-    let triangle = smooth_triangle(
-        Point3::new(0.0, 1.5, -4.0),
-        Vector3::new(0.0, -0.5, 1.0),
-        2.0,
-    )?;
+    let triangle = smooth_triangle(point([0.0, 1.5, -4.0]), vector([0.0, -0.5, 1.0]), 2.0)?;
     let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
     Ok(ShadowedWorld::empty(Color::gray(0.5), Color::gray(0.25))?
         .with(floor, of(Color::WHITE)?)
@@ -92,13 +71,4 @@ pub fn smooth_triangle(p: Point3, n: Vector3, size: f64) -> Result<Triangle, Arg
     let v = n.unit("normal")?.cross(u);
     let [a, b, c] = [(2.0, 0.0), (-1.0, 2.0), (-1.0, -2.0)].map(|(x, y)| p + u * x + v * y);
     Triangle::new(a, b, c)?.with_normals([(n + u * (1.0 / size)).as_normal(); 3])
-}
-
-/// Light and dark squares in all directions, without an end.
-pub fn checkered(direction: Vector3) -> Color {
-    let d = direction.to_glam();
-    let cell = (d / d.abs().max_element() * 4.0 + 0.5).floor();
-    let is_light = cell.element_sum().rem_euclid(2.0) == 0.0;
-    let shade = if is_light { 0.9 } else { 0.25 };
-    Color::new(shade, shade, shade * 0.8 + 0.15)
 }

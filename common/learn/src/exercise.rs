@@ -86,54 +86,35 @@ fn hint(details: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeSet;
-    use std::path::PathBuf;
 
     use super::*;
     use crate::{enter_workspace, files};
 
+    /// Each section has its files and each solution its section; starters lack something;
+    /// hints are words, as no test would compile code in them; and the checks of the core
+    /// path accept another style.
     #[test]
-    fn every_page_has_its_solutions_and_no_others() {
+    fn sections_and_files_agree() {
         enter_workspace().unwrap();
-        let exercises = read_all().unwrap();
-        let names: BTreeSet<_> = exercises.iter().map(|e| e.name).collect();
-        assert_eq!(names.len(), exercises.len(), "names are unique");
-
-        let stages: BTreeSet<_> = exercises.iter().map(|e| e.stage).collect();
-        let folders = stages
-            .iter()
-            .map(|stage| format!("{stage}/exercises/solutions"));
-        let found: BTreeSet<_> = folders
-            .flat_map(|folder| fs::read_dir(folder).unwrap())
-            .map(|entry| entry.unwrap().path())
-            .collect();
-        let solution = |e: &Exercise| format!("{}/exercises/solutions/{}.rs", e.stage, e.name);
-        let named: BTreeSet<PathBuf> = exercises.iter().map(|e| solution(e).into()).collect();
-        assert_eq!(named, found);
-    }
-
-    /// Code in hints would be compiled by no test.
-    #[test]
-    fn starters_lack_something_and_hints_are_words() {
-        enter_workspace().unwrap();
+        let (mut names, mut solutions) = (BTreeSet::new(), BTreeSet::new());
         for exercise in read_all().unwrap() {
-            let (starter, name) = (files::starter(&exercise).unwrap(), exercise.name);
+            let (stage, name, hints) = (exercise.stage, exercise.name, exercise.hints.concat());
+            assert!(names.insert(name), "{name} is the name of two exercises");
+            let solution = format!("{stage}/exercises/solutions/{name}.rs");
+            assert!(fs::exists(&solution).unwrap(), "{solution}");
+            let folder = fs::read_dir(format!("{stage}/exercises/solutions")).unwrap();
+            solutions.extend(folder.map(|file| file.unwrap().path()));
+            let starter = files::starter(&exercise).unwrap();
             for part in ["testing::missing(", "testing::examples!"] {
                 assert!(starter.contains(part), "{name}: {part}");
             }
             assert!(!starter.contains("missing!("), "{name}");
-            let hints = exercise.hints.concat();
+            let count = |brace| starter.matches(brace).count();
+            assert_eq!(count('{'), count('}'), "{name}");
             assert!(!hints.is_empty() && !hints.contains("```rust"), "{name}");
+            let check = fs::read_to_string(format!("{stage}/tests/exercises/{name}.rs")).unwrap();
+            assert!(!exercise.is_core || check.contains("right(\""), "{name}");
         }
-    }
-
-    /// The core path has a right solution in another style.
-    #[test]
-    fn checks_of_the_core_path_accept_another_style() {
-        enter_workspace().unwrap();
-        for exercise in read_all().unwrap().iter().filter(|e| e.is_core) {
-            let check = format!("{}/tests/exercises/{}.rs", exercise.stage, exercise.name);
-            let has_other = fs::read_to_string(&check).unwrap().contains("    right(");
-            assert!(has_other, "{check}");
-        }
+        assert_eq!(solutions.len(), names.len(), "each solution has a section");
     }
 }

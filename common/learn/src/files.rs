@@ -83,27 +83,3 @@ pub fn reset(exercise: &Exercise) -> Result<(), String> {
     renamed.map_err(|error| format!("{file}: {error}"))?;
     begin(exercise)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::without_code;
-
-    #[test]
-    fn a_starter_is_a_solution_without_its_code() {
-        let solution = "\
-fn square(x: f64) -> f64 {
-    let square = missing!(\"the square\", 0.0, {
-        x * x
-    });
-    square
-}
-";
-        let starter = "\
-fn square(x: f64) -> f64 {
-    let square = testing::missing(\"the square\", 0.0);
-    square
-}
-";
-        assert_eq!(without_code(solution), starter);
-    }
-}

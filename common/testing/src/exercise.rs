@@ -3,13 +3,11 @@
 //!
 //! # How to add an exercise
 //!
-//! `sphere` and `signed_distance` of `a04-intersections` are examples of each file.
-//!
 //! 1. Where the student writes a part of the lesson, the starter,
 //!    `exercises/starters/NAME.rs`, compiles, calls [`missing`] in the place of the code that
-//!    is left to the student, and ends with three to six [`examples!`](crate::examples) from
-//!    closed forms; the solution, `exercises/solutions/NAME.rs`, is the lesson. Elsewhere
-//!    write only the solution, with examples. The student's part stands in
+//!    is left to the student, and ends with three to six [`examples!`](crate::examples); the
+//!    solution, `exercises/solutions/NAME.rs`, is the lesson. Elsewhere write only the
+//!    solution, with examples. The student's part stands in
 //!    `missing!("what is missing", a value for now, {`, ends with a line `})`, and is cut
 //!    out of the starter.
 //! 2. The check, `tests/exercises/NAME.rs`, compares the student's code with the lesson or
@@ -18,8 +16,7 @@
 //! 3. Add a line to [`exercises!`](crate::exercises) in `tests/exercises/main.rs`, and a
 //!    section to the page `book/src/aNN-exercises.md`: task, minutes and hints.
 //! 4. `cargo test -p STAGE --test exercises -- NAME` proves it, shows the messages that
-//!    students read, and leaves the picture of the solution in `out/exercises/`; the book
-//!    has it as `pictures/STAGE-exercise-NAME.png`.
+//!    students read, and leaves the picture of the solution in `out/exercises/`.
 
 mod answer;
 mod check;
@@ -59,36 +56,20 @@ pub struct Exercise {
     pub variants: &'static [Variant],
 }
 
-/// Another right solution, or a usual mistake.
-pub struct Variant {
-    /// Whether the check must accept it.
-    pub is_right: bool,
-    /// The other way, or a sentence about the mistake that a learner can use.
-    pub about: &'static str,
-    /// The check of its code.
-    pub check: fn(&mut Check),
-}
-
-impl Variant {
-    const fn new(is_right: bool, about: &'static str, check: fn(&mut Check)) -> Self {
-        Self {
-            is_right,
-            about,
-            check,
-        }
-    }
-}
+/// Another right solution, or a usual mistake: whether the check must accept it, what it is
+/// about, and the check of its code.
+pub struct Variant(bool, &'static str, fn(&mut Check));
 
 /// A right solution in another style, which the check must accept.
 #[must_use]
 pub const fn right(about: &'static str, check: fn(&mut Check)) -> Variant {
-    Variant::new(true, about, check)
+    Variant(true, about, check)
 }
 
-/// A usual mistake, which the check must refuse.
+/// A usual mistake, with a sentence that a learner can use, which the check must refuse.
 #[must_use]
 pub const fn wrong(about: &'static str, check: fn(&mut Check)) -> Variant {
-    Variant::new(false, about, check)
+    Variant(false, about, check)
 }
 
 /// The examples at the end of a starter: assertions, which run before the check.
@@ -106,16 +87,9 @@ macro_rules! examples {
 
 /// Writes the modules and the `main` of a stage's `tests/exercises/main.rs`. The first
 /// line makes `crate::prelude`, whose names checks and examples use. The next ones are
-/// exercises with a starter of their own, and exercises whose starter is the solution
-/// without its code: each the name and a check, which sees the public items of the file.
-///
-/// ```ignore
-/// testing::exercises! {
-///     use {a02_math::*, common::*};
-///     starters { square => |check| square::check(check, square); }
-///     solutions { cube => |check| cube::check(check, cube); }
-/// }
-/// ```
+/// exercises with a starter of their own, in the folder `starters`, and exercises whose
+/// starter is the solution without its code: each the name and a check, which sees the
+/// public items of the file.
 ///
 /// The test proves all checks, and does not read the students' files: a file that does
 /// not compile fails no test. `cargo learn` builds the test program with the
@@ -123,11 +97,7 @@ macro_rules! examples {
 /// file of that name.
 #[macro_export]
 macro_rules! exercises {
-    (
-        use $names:tt;
-        starters { $($own:ident => $own_check:expr;)+ }
-        solutions { $($cut:ident => $cut_check:expr;)* }
-    ) => {
+    (use $names:tt; $($folder:ident { $($name:ident => $check:expr;)* })+) => {
         /// All names that checks and examples use.
         #[allow(unused_imports)]
         mod prelude {
@@ -135,24 +105,18 @@ macro_rules! exercises {
             pub use $crate::{assert_close, exercise::*};
         }
 
-        $(
-            #[cfg(any(not(learn), $own))]
+        $($(
+            #[cfg(any(not(learn), $name))]
             #[allow(clippy::semicolon_if_nothing_returned, clippy::manual_midpoint)]
-            mod $own;
-        )+
-        $(
-            #[cfg(any(not(learn), $cut))]
-            #[allow(clippy::semicolon_if_nothing_returned, clippy::manual_midpoint)]
-            mod $cut;
-        )*
+            mod $name;
+        )*)+
 
         /// The students' files, which rust-analyzer reads, too.
         #[cfg(any(learn, rust_analyzer))]
         #[path = "../../exercises"]
         #[allow(clippy::all, clippy::pedantic, missing_docs)]
         mod yours {
-            $(#[cfg(any($own, rust_analyzer))] pub mod $own;)+
-            $(#[cfg(any($cut, rust_analyzer))] pub mod $cut;)*
+            $($(#[cfg(any($name, rust_analyzer))] pub mod $name;)*)+
         }
 
         #[cfg(not(learn))]
@@ -162,10 +126,7 @@ macro_rules! exercises {
             macro_rules! missing {
                 ($what:expr, $for_now:expr, $code:expr) => { testing::missing($what, $for_now) };
             }
-            #[path = "starters"]
-            pub mod own { $(pub mod $own;)+ }
-            #[path = "solutions"]
-            pub mod cut { $(pub mod $cut;)* }
+            $(pub mod $folder { $(pub mod $name;)* })+
         }
 
         #[path = "../../exercises/solutions"]
@@ -173,64 +134,42 @@ macro_rules! exercises {
             macro_rules! missing {
                 ($what:expr, $for_now:expr, $code:expr) => { $code };
             }
-            $(#[cfg(any(not(learn), $own))] pub mod $own;)+
-            $(#[cfg(any(not(learn), $cut))] pub mod $cut;)*
+            $($(#[cfg(any(not(learn), $name))] pub mod $name;)*)+
         }
 
         /// The examples of starters, with the code of the solutions.
         #[cfg(not(learn))]
         #[allow(unused_imports, clippy::all, clippy::pedantic)]
         mod proved {
-            $(pub fn $own() {
-                use super::{prelude::*, solutions::$own::*};
-                super::starters::own::$own::body!();
-            })+
+            $($(pub fn $name() {
+                use super::{prelude::*, solutions::$name::*};
+                super::starters::$folder::$name::body!();
+            })*)+
         }
 
         fn main() -> std::process::ExitCode {
             use $crate::exercise::{Code, Exercise, judge, prove};
             let stage = env!("CARGO_PKG_NAME");
-            $(
-                #[cfg($own)]
-                return judge(stage, stringify!($own), {
-                    use yours::$own::*;
-                    Code { examples, check: $own_check }
+            $($(
+                #[cfg($name)]
+                return judge(stage, stringify!($name), {
+                    use yours::$name::*;
+                    Code { examples, check: $check }
                 });
-            )+
-            $(
-                #[cfg($cut)]
-                return judge(stage, stringify!($cut), {
-                    use yours::$cut::*;
-                    Code { examples, check: $cut_check }
-                });
-            )*
+            )*)+
             #[cfg(not(learn))]
-            prove(stage, [
-                $(Exercise {
-                    name: stringify!($own),
-                    starter: {
-                        use starters::own::$own::*;
-                        Code { examples, check: $own_check }
-                    },
-                    solution: {
-                        use solutions::$own::*;
-                        Code { examples: proved::$own, check: $own_check }
-                    },
-                    variants: $own::VARIANTS,
-                },)+
-                $(Exercise {
-                    name: stringify!($cut),
-                    starter: {
-                        use starters::cut::$cut::*;
-                        Code { examples, check: $cut_check }
-                    },
-                    solution: {
-                        use solutions::$cut::*;
-                        Code { examples, check: $cut_check }
-                    },
-                    variants: $cut::VARIANTS,
-                },)*
-            ])
+            prove(stage, [$($(Exercise {
+                name: stringify!($name),
+                starter: {
+                    use starters::$folder::$name::*;
+                    Code { examples, check: $check }
+                },
+                solution: {
+                    use solutions::$name::*;
+                    Code { examples: proved::$name, check: $check }
+                },
+                variants: $name::VARIANTS,
+            },)*)+])
         }
     };
 }

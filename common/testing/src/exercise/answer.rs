@@ -1,13 +1,15 @@
 //! `Answer`: the result of the code that is compared, as named numbers and words.
 
-use super::input::shown;
+use std::mem;
+
+use super::input::{Input, shown};
 
 /// A result: named values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer(Vec<Part>);
 
-/// Words, as `no hit`, which must be equal, or numbers, which may differ a little.
-#[derive(Clone, Debug, PartialEq)]
+/// Words, as `no hit`, which must be equal, and numbers, which may differ a little.
+#[derive(Clone, Debug, Default, PartialEq)]
 struct Part {
     name: &'static str,
     words: String,
@@ -15,15 +17,19 @@ struct Part {
 }
 
 impl Answer {
+    fn of(words: String, numbers: Vec<f64>) -> Self {
+        let part = Part {
+            words,
+            numbers,
+            ..Part::default()
+        };
+        Self(vec![part])
+    }
+
     /// A decision in words, as `no hit`.
     #[must_use]
     pub fn words(words: impl Into<String>) -> Self {
-        let (name, words, numbers) = ("", words.into(), Vec::new());
-        Self(vec![Part {
-            name,
-            words,
-            numbers,
-        }])
+        Self::of(words.into(), Vec::new())
     }
 
     /// A value with a name, as `t` of a hit.
@@ -97,11 +103,8 @@ impl Answer {
         if values[0] == values[1] {
             values = [right, yours].map(|part| part.value(|number| format!("{number:?}")));
         }
-        Some(
-            format!("{} {}", right.name, differ(values))
-                .trim_start()
-                .to_owned(),
-        )
+        let named = format!("{} {}", right.name, differ(values));
+        Some(named.trim_start().to_owned())
     }
 }
 
@@ -121,62 +124,16 @@ impl Part {
     }
 }
 
-impl From<f64> for Answer {
-    fn from(number: f64) -> Self {
-        Self::from([number])
-    }
-}
-
-impl<const N: usize> From<[f64; N]> for Answer {
-    fn from(numbers: [f64; N]) -> Self {
-        Self::from(numbers.to_vec())
-    }
-}
-
-impl From<Vec<f64>> for Answer {
-    fn from(numbers: Vec<f64>) -> Self {
-        let (name, words) = ("", format!("{} numbers", numbers.len()));
-        Self(vec![Part {
-            name,
-            words,
-            numbers,
-        }])
-    }
-}
-
-impl From<bool> for Answer {
-    fn from(is_so: bool) -> Self {
-        Self::words(if is_so { "yes" } else { "no" })
-    }
-}
-
-impl From<usize> for Answer {
-    fn from(count: usize) -> Self {
-        Self::words(count.to_string())
+impl<T: Input> From<T> for Answer {
+    fn from(mut value: T) -> Self {
+        let mut numbers = Vec::new();
+        value.for_each_number(&mut |number| numbers.push(mem::take(number)));
+        Self::of(value.words().join(", "), numbers)
     }
 }
 
 impl<T: Into<Self>> From<Option<T>> for Answer {
     fn from(value: Option<T>) -> Self {
         value.map_or_else(|| Self::words("none"), Into::into)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_first_value_that_differs_is_shown() {
-        let hit = |t, x| Answer::named("t", t).and("normal", [x, 0.0]);
-        let of = |yours: Answer| hit(2.5, 1.0).difference(&yours, &[0.1, 0.0, 0.0]);
-        assert_eq!(of(hit(2.5625, 1.0)), None);
-        let t = "t must be 2.5; yours is 3.5";
-        assert_eq!(of(hit(3.5, 4.0)).as_deref(), Some(t));
-        let normal = "normal must be [1.0, 0.0]; yours is [1.0000000000000002, 0.0]";
-        assert_eq!(of(hit(2.5, 1.0_f64.next_up())).as_deref(), Some(normal));
-        let none = "must be t = 2.5, normal = [1, 0]; yours is no hit";
-        assert_eq!(of(Answer::words("no hit")).as_deref(), Some(none));
-        assert!(of(hit(f64::NAN, 1.0)).is_some());
     }
 }

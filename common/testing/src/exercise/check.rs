@@ -33,18 +33,18 @@ pub struct Check {
     /// this check.
     pub(super) usual: Vec<&'static str>,
     pub(super) mistake: Option<usize>,
-    /// Whether the first difference says enough.
-    pub(super) is_brief: bool,
-    /// Whether somebody looks at pictures.
+    /// Whether somebody looks at pictures, and at the count of differences.
     pub(super) is_watched: bool,
     pub(super) picture: Option<Image>,
 }
 
 impl Check {
-    /// A check whose pictures somebody looks at.
-    pub(super) fn watched() -> Self {
+    /// A check, at whose findings somebody looks or not, of code that makes a usual mistake
+    /// or not.
+    pub(super) fn new(is_watched: bool, mistake: Option<usize>) -> Self {
         Self {
-            is_watched: true,
+            mistake,
+            is_watched,
             ..Self::default()
         }
     }
@@ -53,15 +53,6 @@ impl Check {
     /// rounding; what code `lacks` that is right but for it, as `loses digits where ...`.
     pub fn exactly(&mut self, lacks: &'static str) {
         self.lacks = Some(lacks);
-    }
-
-    /// A check of code that makes a usual mistake, or that is one.
-    pub(super) fn brief(mistake: Option<usize>) -> Self {
-        Self {
-            mistake,
-            is_brief: true,
-            ..Self::default()
-        }
     }
 
     /// Names the usual mistakes of a kind, as of all shapes, each with a sentence that a
@@ -76,11 +67,10 @@ impl Check {
     /// words describe an input, with `{}` in the place of each argument.
     ///
     /// Yours is right if it is an answer of the lesson to an input that differs from this
-    /// one by rounding. So its tolerance follows from the condition of the input, and no
-    /// formula fails because of the order of its operations. Where the lesson itself
-    /// decides otherwise at such an input, both decisions are right; but `simple` inputs
-    /// are numbers like 0, 1 and 2, which every formula computes without rounding, and at
-    /// them decisions must be equal, as for a ray that just touches.
+    /// one by rounding: so the tolerance follows from the condition of the input. Where the
+    /// lesson itself decides otherwise at such an input, both decisions are right; but
+    /// `simple` inputs are numbers like 0, 1 and 2, which every formula computes without
+    /// rounding, and at them decisions must be equal, as for a ray that just touches.
     pub fn compare<I: Input, A: Into<Answer>, B: Into<Answer>>(
         &mut self,
         words: &str,
@@ -105,17 +95,17 @@ impl Check {
         lesson: &dyn Fn(I) -> Answer,
         yours: &dyn Fn(I) -> Answer,
     ) {
+        let unit = self.lacks.map_or(UNIT, |_| ROUNDING);
         for (is_simple, input) in inputs {
-            if self.is_brief && self.differ > 0 {
+            if !self.is_watched && self.differ > 0 {
                 return;
             }
             let right = lesson(input.clone());
-            let allowed = |unit, is_exact: bool| {
-                let moved = input.moved(unit).filter(|_| !is_exact);
+            let allowed = |unit| {
+                let moved = input.moved(unit).filter(|_| !is_simple);
                 right.tolerances(unit, moved.map(|pair| pair.map(lesson)))
             };
-            let unit = self.lacks.map_or(UNIT, |_| ROUNDING);
-            let Some(tolerances) = allowed(unit, is_simple) else {
+            let Some(tolerances) = allowed(unit) else {
                 self.skipped += 1;
                 continue;
             };
@@ -124,16 +114,16 @@ impl Check {
                 let panics = "it panics, with the message above";
                 return self.conclude(Some(described(words, &input, panics)));
             };
-            let difference = right.difference(&got, &tolerances).map(|mut difference| {
-                let is_near = |allowed: Vec<f64>| right.difference(&got, &allowed).is_none();
-                if let Some(lacks) = self
-                    .lacks
-                    .filter(|_| allowed(UNIT, false).is_none_or(is_near))
-                {
-                    difference =
-                        format!("{difference}\n    right but for rounding: the formula {lacks}");
-                }
-                described(words, &input, &difference)
+            let is_near = |allowed: Vec<f64>| right.difference(&got, &allowed).is_none();
+            let difference = right.difference(&got, &tolerances).map(|difference| {
+                let is_rounding = allowed(UNIT).is_none_or(is_near);
+                let about = match self.lacks.filter(|_| is_rounding) {
+                    Some(it) => {
+                        format!("{difference}\n    right but for rounding: the formula {it}")
+                    }
+                    None => difference,
+                };
+                described(words, &input, &about)
             });
             self.conclude(difference);
         }
@@ -162,13 +152,9 @@ impl Check {
             let locked = picture::in_book(&picture_name(stage, scene));
             Ok(picture::compare(&locked, image, self.is_watched))
         });
-        match compared.unwrap_or_else(|error| Err(error.to_string())) {
-            Ok(note) => {
-                self.note = Some(note);
-                self.conclude(None);
-            }
-            Err(wrong) => self.conclude(Some(format!("the picture of scene {name}: {wrong}"))),
-        }
+        let verdict = compared.unwrap_or_else(|error| Err(error.to_string()));
+        let wrong = verdict.map(|note| self.note = Some(note)).err();
+        self.conclude(wrong.map(|wrong| format!("the picture of scene {name}: {wrong}")));
     }
 
     /// Paints a small picture with the student's code, if somebody looks at it.
@@ -177,10 +163,8 @@ impl Check {
             return;
         }
         let painted = Size::new(320, 240).map_err(Error::from).and_then(|size| {
-            paint(&Settings {
-                size,
-                ..Settings::default()
-            })
+            let settings = Settings::default();
+            paint(&Settings { size, ..settings })
         });
         match painted {
             Ok(image) => self.picture = Some(image),

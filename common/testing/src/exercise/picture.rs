@@ -55,28 +55,3 @@ pub fn compare(expected: &Path, image: &Image, is_watched: bool) -> Result<Strin
         difference
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use common::{Color, Size};
-
-    use super::*;
-
-    #[test]
-    fn a_picture_is_right_within_one_of_255() {
-        let picture = |red| {
-            let size = Size::new(2, 1).unwrap();
-            Image::from_fn(size, |x, _| Color::from_bytes([red * x as u8, 0, 0])).unwrap()
-        };
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("a.png");
-        let expected = picture(7);
-        picture_file::save_png(&file, expected.size(), &expected.to_rgb8(Transfer::Linear))
-            .unwrap();
-        let compare = |red| compare(&file, &picture(red), false);
-        assert!(compare(7).unwrap().contains("bit for bit"));
-        let near = "the picture is right; 1 of 2 pixels differ by 1 of 255 from the lesson's bytes";
-        assert_eq!(compare(8).unwrap(), near);
-        assert!(compare(9).unwrap_err().contains("at most 2 of 255"));
-    }
-}

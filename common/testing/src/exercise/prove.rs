@@ -29,70 +29,64 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
     let mut trials = Vec::new();
     for exercise in exercises {
         let (name, variants) = (exercise.name, exercise.variants);
-        let picture = format!("{stage}-exercise-{}.png", name.replace('_', "-"));
         trials.push(Trial::test(format!("{name}::starter"), move || {
             let found = Findings::of(exercise.starter, Check::default());
             let is_to_do = !found.missing.is_empty();
             is_to_do.then_some(()).ok_or("nothing is missing".into())
         }));
+        let picture = format!("{stage}-exercise-{}.png", name.replace('_', "-"));
         trials.push(Trial::test(format!("{name}::solution"), move || {
-            let found = Findings::of(exercise.solution, Check::watched());
-            let mistakes = variants.iter().filter(|variant| !variant.is_right).count();
-            let usual = found.check.usual.clone();
-            prove_solution(found, &picture, shows)?;
-            if mistakes + usual.len() < 3 {
+            let found = Findings::of(exercise.solution, Check::new(true, None));
+            accept(&found, &picture, shows)?;
+            let usual = found.check.usual;
+            let mistakes = variants.iter().filter(|Variant(is_right, ..)| !is_right);
+            if mistakes.count() + usual.len() < 3 {
                 return Err("there are less than three mistakes".into());
             }
             let mut usual = usual.into_iter().enumerate();
             usual.try_for_each(|(index, about)| {
-                let found = Findings::of(exercise.solution, Check::brief(Some(index)));
-                prove_wrong(about, &found, shows)
+                let check = Check::new(false, Some(index));
+                let found = Findings::of(exercise.solution, check);
+                refuse(about, &found, shows)
             })
         }));
-        trials.extend(variants.iter().map(|variant| {
-            let kind = if variant.is_right { "right" } else { "wrong" };
-            let title = format!("{name}::{kind}: {}", variant.about);
-            Trial::test(title, move || prove_variant(variant, shows))
+        trials.extend(variants.iter().map(|Variant(is_right, about, check)| {
+            let kind = if *is_right { "right" } else { "wrong" };
+            let (examples, check): (fn(), _) = (|| (), *check);
+            Trial::test(format!("{name}::{kind}: {about}"), move || {
+                let found = Findings::of(Code { examples, check }, Check::default());
+                if *is_right {
+                    accept(&found, "", false)
+                } else {
+                    refuse(about, &found, shows)
+                }
+            })
         }));
     }
     libtest_mimic::run(&arguments, trials).exit_code()
 }
 
-/// Fails if the check has refused the solution, or if its picture is not the book's.
-fn prove_solution(found: Findings, name: &str, save: bool) -> Result<(), Failed> {
-    let mut problems = [found.missing, found.wrong].concat();
-    if let Some(image) = found.check.picture {
+/// Fails if the check has refused right code, or if its picture is not the book's.
+fn accept(found: &Findings, name: &str, save: bool) -> Result<(), Failed> {
+    let mut problems = [&found.missing[..], &found.wrong].concat();
+    if let Some(image) = &found.check.picture {
         if save {
-            picture::save(&image, name);
+            picture::save(image, name);
         }
         let shown = picture::in_book(name);
         if shown.is_file() {
-            problems.extend(picture::compare(&shown, &image, true).err());
+            problems.extend(picture::compare(&shown, image, true).err());
         }
     }
-    match problems.as_slice() {
-        [] => Ok(()),
-        problems => Err(problems.join("\n").into()),
-    }
+    let is_right = problems.is_empty();
+    is_right.then_some(()).ok_or(problems.join("\n").into())
 }
 
 /// Fails if the check has accepted a mistake.
-fn prove_wrong(about: &str, found: &Findings, show: bool) -> Result<(), Failed> {
+fn refuse(about: &str, found: &Findings, show: bool) -> Result<(), Failed> {
     if show {
         println!("{about}\n  {}", found.wrong.join("\n  "));
     }
-    match found.wrong.as_slice() {
-        [] => Err(format!("the check accepts: {about}").into()),
-        _ => Ok(()),
-    }
-}
-
-fn prove_variant(variant: &Variant, show: bool) -> Result<(), Failed> {
-    let (examples, check): (fn(), _) = (|| (), variant.check);
-    let found = Findings::of(Code { examples, check }, Check::brief(None));
-    if variant.is_right {
-        prove_solution(found, "", false)
-    } else {
-        prove_wrong(variant.about, &found, show)
-    }
+    let is_wrong = !found.wrong.is_empty();
+    is_wrong.then_some(()).ok_or("the check accepts it".into())
 }
