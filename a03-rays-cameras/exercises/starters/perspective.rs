@@ -1,8 +1,4 @@
 //! `PerspectiveCamera`: a camera that looks into any direction.
-//!
-//! Chapter: Rays and cameras, sections "The camera's own axes" and "Perspective". To
-//! compare afterwards: `a03-rays-cameras/src/camera.rs`,
-//! `a03-rays-cameras/src/perspective_camera.rs`.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Camera, Ray};

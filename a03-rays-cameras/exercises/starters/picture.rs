@@ -1,7 +1,4 @@
 //! `picture`: the loop over the pixels, and the mean over the samples of each.
-//!
-//! Chapter: Rays and cameras, sections "Many rays a pixel" and "The only loop". To compare
-//! afterwards: `a03-rays-cameras/src/render.rs`.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Camera, Ray, Sampler, camera_coordinates};

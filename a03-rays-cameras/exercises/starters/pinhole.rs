@@ -1,7 +1,4 @@
 //! `PinholeCamera`: a camera that looks along -z.
-//!
-//! Chapter: Rays and cameras, section "Pinhole". To compare afterwards:
-//! `a03-rays-cameras/src/pinhole_camera.rs`.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Camera, Ray};

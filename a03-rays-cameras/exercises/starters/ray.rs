@@ -1,7 +1,4 @@
 //! `at` and `t_of`: the points of a ray, and the way back.
-//!
-//! Chapter: Rays and cameras, section "The ray". To compare afterwards:
-//! `a03-rays-cameras/src/ray.rs`.
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;

@@ -1,7 +1,4 @@
 //! `Sky`: horizontal stripes.
-//!
-//! Chapter: Rays and cameras, section "The striped sky". To compare afterwards:
-//! `a03-rays-cameras/src/striped_sky.rs`.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PinholeCamera, Ray};

@@ -18,7 +18,7 @@ testing::exercises! {
         rings => |check| rings::check(check, ring);
         mean => |check| mean::check(check, mean);
         radical_inverse => |check| radical_inverse::check(check, radical_inverse);
-        fisheye => |check| fisheye::check(check, Fisheye::new);
+        fisheye => |check| fisheye::check(check, |basis, angle| Ok(Fisheye::new(basis, angle)));
         thin_lens => |check| thin_lens::check(check, through_lens);
     }
 }

@@ -33,12 +33,6 @@ pub const VARIANTS: &[Variant] = &[
         });
     }),
     wrong("the mean of nothing is 0, not 0 / 0", |c| {
-        check(c, |numbers| {
-            if numbers.is_empty() {
-                f64::NAN
-            } else {
-                solution(numbers)
-            }
-        });
+        check(c, |numbers| solution(numbers) + 0.0 / numbers.len() as f64);
     }),
 ];

@@ -22,17 +22,12 @@ pub fn check(
         let (x, y) = (ray.origin().x(), ray.origin().y());
         Color::new(x, y, x * x)
     };
-    let settings = |sampling, samples, [width, height]: [u32; 2]| {
-        let size = Size::new(width, height).ok()?;
-        Some(Settings {
-            size,
-            sampling,
-            samples,
-            ..Settings::default()
-        })
-    };
-    let pixel = |image: Result<Image, Error>, [column, row]: [u32; 2]| {
-        image.ok()?.get(column, row).map(Color::channels)
+    type Input = (Sampling, u32, [u32; 2], [u32; 2]);
+    let pixel = |(sampling, samples, [width, height], [x, y]): Input, picture: Picture| {
+        let mut settings = Settings::default();
+        settings.size = Size::new(width, height).ok()?;
+        (settings.sampling, settings.samples) = (sampling, samples);
+        picture(&settings).ok()?.get(x, y).map(Color::channels)
     };
     check.compare(
         "{} sampling, {} samples, picture of {} pixels: the mean of (x, y, x²) in column and row {}",
@@ -43,17 +38,15 @@ pub fn check(
             let sampling = grids[r.below(3) as usize];
             (sampling, 1 + r.below(9), size, size.map(|n| r.below(n)))
         }),
-        |(sampling, samples, size, at)| {
-            pixel(render(&Places, radiance, &settings(sampling, samples, size)?, &()), at)
-        },
-        |(sampling, samples, size, at)| {
-            pixel(yours(&Places, &radiance, &settings(sampling, samples, size)?), at)
-        },
+        |input| pixel(input, &|settings| render(&Places, radiance, settings, &())),
+        |input| pixel(input, &|settings| yours(&Places, &radiance, settings)),
     );
     scene(check, |settings, View { camera, world: sky }| {
         yours(&camera, &|ray| sky.color_for(ray), settings)
     });
 }
+
+type Picture<'a> = &'a dyn Fn(&Settings) -> Result<Image, Error>;
 
 /// A picture whose pixels follow from the colours of their samples and the wanted number, and
 /// whose rows are counted from the top or from below.
@@ -78,23 +71,23 @@ fn running_mean(samples: &[Color], _: u32) -> Color {
     })
 }
 
-fn sum(samples: &[Color]) -> Color {
-    samples
+/// The sum of the samples over the wanted number.
+fn share(samples: &[Color], wanted: u32) -> Color {
+    let shares = samples
         .iter()
-        .fold(Color::BLACK, |sum, sample| sum + *sample)
+        .map(|color| *color * (1.0 / f64::from(wanted)));
+    shares.fold(Color::BLACK, |sum, share| sum + share)
 }
 
 pub const VARIANTS: &[Variant] = &[
     right("a running mean", |c| variant(c, false, running_mean)),
-    wrong("y of a camera counts from below", |c| {
+    wrong("rows are counted from the top", |c| {
         variant(c, true, running_mean)
     }),
-    wrong("a pixel is a mean, not a sum", |c| {
-        variant(c, false, |samples, _| sum(samples))
-    }),
     wrong("a grid may have fewer samples", |c| {
-        variant(c, false, |samples, wanted| {
-            sum(samples) * (1.0 / f64::from(wanted))
-        });
+        variant(c, false, share)
+    }),
+    wrong("a pixel is a mean, not a sum", |c| {
+        variant(c, false, |samples, _| share(samples, 1));
     }),
 ];

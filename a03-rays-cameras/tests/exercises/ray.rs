@@ -17,22 +17,16 @@ pub fn check(
             ([1.0, 2.0, 0.0], [2.0, 0.0, 0.0], -1.0, [5.0, 4.0, 0.0]),
         ],
         random(|r| {
-            let (o, d, length) = (r.triple(9.0), r.triple(5.0), r.scale());
-            (
-                o,
-                d.map(|x| x * length),
-                r.between(-9.0, 9.0),
-                r.triple(9.0),
-            )
+            let (o, d, length, p) = (r.triple(9.0), r.triple(5.0), r.scale(), r.triple(9.0));
+            (o, d.map(|x| x * length), r.between(-9.0, 9.0), p)
         }),
         |(o, d, t, p)| answer(ray(o, d).at(t), ray(o, d).t_of(point(p))),
         |(o, d, t, p)| answer(at(&ray(o, d), t), t_of(&ray(o, d), point(p))),
     );
     scene(check, |settings, View { camera, world: sky }| {
-        // To a point seven steps away, and the view of the eye from there.
         let radiance = |ray: &Ray| {
-            let way = at(ray, t_of(ray, ray.at(7.0))) - ray.origin();
-            sky.color_for(&Ray::derived(ray.origin(), way * (1.0 / 7.0)))
+            let way = at(ray, t_of(ray, ray.at(1.0))) - ray.origin();
+            sky.color_for(&Ray::derived(ray.origin(), way))
         };
         render(&camera, radiance, settings, &())
     });

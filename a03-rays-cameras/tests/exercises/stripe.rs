@@ -51,9 +51,7 @@ fn variant(c: &mut Check, number: fn(f64, f64) -> f64) {
 
 pub const VARIANTS: &[Variant] = &[
     right("in halves of the picture", |c| {
-        variant(c, |height, n| {
-            (n / 2.0 * (height + 1.0)).clamp(0.0, n - 1.0)
-        });
+        variant(c, |height, n| (n / 2.0 * (height + 1.0)).min(n - 1.0));
     }),
     wrong("above the picture is the last stripe", |c| {
         variant(c, |height, n| (height + 1.0) / 2.0 * n);
@@ -63,7 +61,7 @@ pub const VARIANTS: &[Variant] = &[
     }),
     wrong("a number of a stripe is rounded down", |c| {
         variant(c, |height, n| {
-            ((height + 1.0) / 2.0 * n).round().min(n - 1.0)
+            (n / 2.0 * (height + 1.0)).round().min(n - 1.0)
         });
     }),
 ];

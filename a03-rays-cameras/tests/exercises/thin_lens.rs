@@ -22,8 +22,7 @@ pub fn check(check: &mut Check, through: impl Fn(&Basis, f64, &Ray, (f64, f64)) 
         "eye {}, gaze {}, focus {}, ray towards {} of the camera, place {} of the lens",
         places.map(|place| ([0.0; 3], [0.0, 0.0, -1.0], 2.0, [1.0, 0.0, 0.9], place)),
         random(|r| {
-            let focus = r.between(0.1, 20.0);
-            let place = [r.between(-0.5, 0.5), r.between(-0.5, 0.5)];
+            let (focus, place) = (r.between(0.1, 20.0), [(); 2].map(|()| r.between(-0.5, 0.5)));
             (r.triple(9.0), r.triple(3.0), focus, r.triple(2.0), place)
         }),
         |input| lens(input, &solution),
@@ -67,27 +66,21 @@ fn wall(ray: &Ray) -> Color {
     Color::gray(0.05)
 }
 
-/// The ray to a point at another distance along the ray, of which length 1 is left or not.
-fn variant(c: &mut Check, distance: fn(f64, f64) -> f64, is_unit: bool) {
-    check(c, |basis, focus, ray, (right, up)| {
-        let along = -basis.w.dot(ray.direction());
-        let origin = basis.e + basis.u * right + basis.v * up;
-        let way = ray.at(distance(focus, along)) - origin;
-        let unit = way.normalized().unwrap_or_default();
-        Ray::derived(origin, if is_unit { unit } else { way })
-    });
-}
-
 pub const VARIANTS: &[Variant] = &[
     wrong("the focus is a plane, not a ball", |c| {
-        variant(c, |focus, _| focus, true)
+        check(c, |basis, focus, ray, place| {
+            solution(basis, focus * -basis.w.dot(ray.direction()), ray, place)
+        });
     }),
     wrong("the direction has length 1", |c| {
-        variant(c, |focus, along| focus / along, false)
+        check(c, |basis, focus, ray, place| {
+            let ray = solution(basis, focus, ray, place);
+            Ray::derived(ray.origin(), ray.direction() * focus)
+        });
     }),
     wrong("from another place, the direction is another", |c| {
-        check(c, |basis, _, ray, (right, up)| {
-            Ray::derived(basis.e + basis.u * right + basis.v * up, ray.direction())
+        check(c, |basis, focus, ray, place| {
+            Ray::derived(solution(basis, focus, ray, place).origin(), ray.direction())
         });
     }),
 ];
