@@ -1,7 +1,4 @@
 //! `AxisAlignedBox`: a box whose faces are perpendicular to the axes.
-//!
-//! Chapter: Intersections, section "Box". To compare afterwards:
-//! `a04-intersections/src/axis_aligned_box.rs`.
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;

@@ -1,7 +1,4 @@
 //! `nearest`: the nearest hit among all objects of a world.
-//!
-//! Chapter: Intersections, section "Hit and World". To compare afterwards:
-//! `a04-intersections/src/world.rs`.
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;

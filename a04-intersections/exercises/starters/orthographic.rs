@@ -1,7 +1,4 @@
 //! `OrthographicCamera`: parallel rays, so that size does not depend on distance.
-//!
-//! Chapter: Rays and cameras, section "Orthographic". To compare afterwards:
-//! `a03-rays-cameras/src/orthographic_camera.rs`.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Basis, Camera, Ray};

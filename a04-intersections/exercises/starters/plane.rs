@@ -1,7 +1,4 @@
 //! `Plane`: flat and infinite.
-//!
-//! Chapter: Intersections, section "Plane". To compare afterwards:
-//! `a04-intersections/src/plane.rs`.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;

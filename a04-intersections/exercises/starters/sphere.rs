@@ -1,7 +1,4 @@
 //! `Sphere`: all points at the same distance from a centre.
-//!
-//! Chapter: Intersections, section "Sphere". To compare afterwards:
-//! `a04-intersections/src/sphere.rs`.
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;

@@ -1,7 +1,4 @@
 //! `Triangle`: three corners.
-//!
-//! Chapter: Intersections, section "Triangle". To compare afterwards:
-//! `a04-intersections/src/triangle.rs`, which interpolates normals, too.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;

@@ -6,17 +6,10 @@ use crate::solutions::may_meet::may_meet as solution;
 pub fn check(check: &mut Check, may_meet: impl Fn(Point3, f64, &Ray) -> bool) {
     let ray = |o, d| Ray::derived(point(o), vector(d));
     // Ahead, behind, from inside, touching, and from the border away.
-    let rays = [
-        ([0.0, -5.0, 0.0], 1.0),
-        ([0.0, 5.0, 0.0], 1.0),
-        ([0.0, 1.0, 0.0], 2.0),
-    ];
-    let borders = [([2.0, -5.0, 0.0], 1.0), ([0.0, 2.0, 0.0], 1.0)];
+    let rays = [[0.0, -5.0], [0.0, 5.0], [0.0, 1.0], [2.0, -5.0], [0.0, 2.0]];
     check.compare(
         "sphere around {} of radius {}, ray from {} along {}",
-        rays.into_iter()
-            .chain(borders)
-            .map(|(o, y)| ([0.0; 3], 2.0, o, [0.0, y, 0.0])),
+        rays.map(|[x, y]| ([0.0; 3], 2.0, [x, y, 0.0], [0.0, 1.0, 0.0])),
         random(|r| {
             let (c, o, length) = (r.triple(5.0), r.triple(5.0), r.scale());
             let d = r.triple(5.0).map(|x| x * length);
@@ -33,12 +26,9 @@ pub const VARIANTS: &[Variant] = &[
     wrong("a ray has nothing behind its origin", |c| {
         check(c, |c, r, ray| (ray.at(ray.t_of(c)) - c).magnitude() <= r);
     }),
-    wrong(
-        "an origin inside is near, though the centre is behind",
-        |c| {
-            check(c, |c, r, ray| ray.t_of(c) >= 0.0 && solution(c, r, ray));
-        },
-    ),
+    wrong("inside it is near, though its centre is behind", |c| {
+        check(c, |c, r, ray| ray.t_of(c) >= 0.0 && solution(c, r, ray));
+    }),
     wrong("a ray that just touches comes near enough", |c| {
         check(c, |c, r, ray| {
             (ray.at(ray.t_of(c).max(0.0)) - c).magnitude() < r

@@ -1,43 +1,33 @@
 //! Spheres and a smooth triangle in all orders, compared with the lesson's `World`.
 
 use crate::prelude::*;
+use crate::solutions::nearest::nearest as lesson;
 
-pub fn check(
-    check: &mut Check,
-    nearest: impl Fn(&World<usize>, &Ray, Interval) -> Option<(Hit, usize)> + Sync,
-) {
-    let found = |hit: Option<(Hit, usize)>| {
-        let (hit, number) = hit.unzip();
-        answer(hit).and("number", number)
+type Found = Option<(Hit, usize)>;
+
+pub fn check(check: &mut Check, nearest: impl Fn(&World<usize>, &Ray, Interval) -> Found + Sync) {
+    type Nearest<'a> = &'a dyn Fn(&World<usize>, &Ray, Interval) -> Found;
+    let found = |zs: [f64; 3], ray, nearest: Nearest| {
+        let world = world(1.0, &zs.map(|z| [0.0, 0.0, z])).ok()?;
+        let (ray, within) = ray_within(ray);
+        let (hit, number) = nearest(&world, &ray, within).unzip();
+        Some(answer(hit).and("number", number))
     };
     let ahead = [0.0, 4.5, 7.5].map(|min| ([0.0; 3], [0.0, 0.0, -1.0], min, 99.0));
     let orders = [[-3.0, -6.0, -9.0], [-9.0, -6.0, -3.0], [-6.0, -9.0, -3.0]];
-    let rays = world(orders[0]).map_or(Vec::new(), |world| {
-        rays(&Own(move |ray: &Ray, i| {
-            world.hit(ray, i).map(|(hit, _)| hit)
-        }))
+    let rays = world(1.0, &orders[0].map(|z| [0.0, 0.0, z])).map_or(Vec::new(), |world| {
+        rays(&Own(move |ray: &Ray, i| Some(lesson(&world, ray, i)?.0)))
     });
+    let with = |order| rays.iter().map(move |ray| (order, *ray));
     check.compare(
         &format!("spheres of radius 1 at z = {{}}, a triangle at z = 1; {RAY}"),
         orders.into_iter().flat_map(|zs| ahead.map(|ray| (zs, ray))),
-        orders
-            .into_iter()
-            .flat_map(|zs| rays.iter().map(move |ray| (zs, *ray))),
-        |(zs, ray)| {
-            let (world, (ray, within)) = (world(zs).ok()?, ray_within(ray));
-            Some(found(
-                world.hit(&ray, within).map(|(hit, number)| (hit, *number)),
-            ))
-        },
-        |(zs, ray)| {
-            let (ray, within) = ray_within(ray);
-            Some(found(nearest(&world(zs).ok()?, &ray, within)))
-        },
+        orders.into_iter().flat_map(with),
+        |(zs, ray)| found(zs, ray, &lesson),
+        |(zs, ray)| found(zs, ray, &nearest),
     );
     check.scene(&a04_intersections::stage(), "scene-5", |settings| {
-        let [left, right] = [(-1.0, -3.0), (1.0, -6.0)].map(|(x, z)| Point3::new(x, 0.0, z));
-        let world = World::new(Color::BLACK)?.with(Sphere::new(left, 0.5)?, 0);
-        let world = world.with(Sphere::new(right, 0.5)?, 1);
+        let world = world(0.5, &[[-1.0, 0.0, -3.0], [1.0, 0.0, -6.0]])?;
         let color = |ray: &Ray| match nearest(&world, ray, Interval::AHEAD) {
             Some(_) => Color::RED,
             None => Color::BLACK,
@@ -47,29 +37,22 @@ pub fn check(
 }
 
 /// Spheres, and a triangle whose corners have normals aslant, each with its number.
-fn world(zs: [f64; 3]) -> Result<World<usize>, ArgumentError> {
+fn world(r: f64, centres: &[[f64; 3]]) -> Result<World<usize>, ArgumentError> {
     let mut world = World::new(Color::BLACK)?.with(smooth_triangle(1.0)?, 0);
-    for (number, z) in (1..).zip(zs) {
-        world = world.with(Sphere::new(Point3::new(0.0, 0.0, z), 1.0)?, number);
+    for (number, centre) in (1..).zip(centres) {
+        world = world.with(Sphere::new(point(*centre), r)?, number);
     }
     Ok(world)
 }
 
 /// All hits, each the nearest of its object.
-fn hits(world: &World<usize>, ray: &Ray, within: Interval) -> Vec<(Hit, usize)> {
+fn hits(world: &World<usize>, ray: &Ray, within: Interval) -> impl Iterator<Item = (Hit, usize)> {
     let objects = world.objects();
-    objects
-        .filter_map(|(shape, number)| Some((shape.hit(ray, within)?, *number)))
-        .collect()
-}
-
-fn first(hits: Vec<(Hit, usize)>) -> Option<(Hit, usize)> {
-    hits.into_iter()
-        .reduce(|a, b| if b.0.t < a.0.t { b } else { a })
+    objects.filter_map(move |(shape, number)| Some((shape.hit(ray, within)?, *number)))
 }
 
 /// The hit with its normals turned where this one of them looks along the ray.
-fn turned(found: Option<(Hit, usize)>, ray: &Ray, by: fn(&Hit) -> Normal3) -> Option<(Hit, usize)> {
+fn turned(found: Found, ray: &Ray, by: fn(&Hit) -> Normal3) -> Found {
     let (mut hit, number) = found?;
     if by(&hit).dot(ray.direction()) > 0.0 {
         (hit.normal, hit.face) = (-hit.normal, -hit.face);
@@ -80,25 +63,23 @@ fn turned(found: Option<(Hit, usize)>, ray: &Ray, by: fn(&Hit) -> Normal3) -> Op
 pub const VARIANTS: &[Variant] = &[
     right("all hits, and then the first", |c| {
         check(c, |world, ray, i| {
-            turned(first(hits(world, ray, i)), ray, |hit| hit.face)
+            let first = hits(world, ray, i).min_by(|(a, _), (b, _)| a.t.total_cmp(&b.t));
+            turned(first, ray, |hit| hit.face)
         });
     }),
-    wrong("not the first of the list, but the nearest", |c| {
+    wrong("the nearest counts, not the last", |c| {
         check(c, |world, ray, i| {
-            turned(hits(world, ray, i).pop(), ray, |hit| hit.face)
+            turned(hits(world, ray, i).last(), ray, |hit| hit.face)
         });
     }),
     wrong("a hit before the interval hides one in it", |c| {
         check(c, |world, ray, i| {
-            let hit = first(hits(world, ray, Interval::AHEAD));
-            turned(hit.filter(|(hit, _)| i.contains(hit.t)), ray, |hit| {
-                hit.face
-            })
+            lesson(world, ray, Interval::AHEAD).filter(|(hit, _)| i.contains(hit.t))
         });
     }),
     wrong("the face, not the normal, says what is seen", |c| {
         check(c, |world, ray, i| {
-            turned(first(hits(world, ray, i)), ray, |hit| hit.normal)
+            turned(lesson(world, ray, i), ray, |hit| hit.normal)
         });
     }),
 ];

@@ -48,59 +48,41 @@ pub fn check(check: &mut Check, read_obj: impl Fn(&str) -> Result<Vec<Triangle>,
 
 /// The corners of the triangles, or the beginning of the error.
 fn answer(read: Result<Vec<Triangle>, String>) -> Answer {
+    let corners = |triangle: &Triangle| {
+        let text = format!("{triangle:?}");
+        let corners = text.split("DVec3").skip(1).take(3);
+        let corners = corners.filter_map(|corner| corner.split_inclusive(')').next());
+        corners.collect::<Vec<_>>().join("-")
+    };
     Answer::words(match read {
-        Ok(triangles) => {
-            let corners = triangles.iter().map(|triangle| {
-                let text = format!("{triangle:?}");
-                let corners = text.split("DVec3").skip(1).take(3);
-                let corners = corners.map(|corner| corner.split_inclusive(')').next());
-                corners.flatten().collect::<Vec<_>>().join("-")
-            });
-            format!("triangles: {}", corners.collect::<Vec<_>>().join("; "))
-        }
-        Err(error) => format!(
-            "an error at {}",
-            error.split(':').next().unwrap_or_default()
-        ),
+        Ok(read) => read.iter().map(corners).collect::<Vec<_>>().join("; "),
+        Err(error) => error.split(':').take(1).collect(),
     })
 }
 
 /// A random face among random corners, which are named in all ways.
 fn mesh(random: &mut Random) -> String {
-    let count = 6 + random.below(7);
-    let corners = (0..count).map(|_| random.triple(9.0).map(|x| x.to_string()).join(" "));
-    let corners: String = corners.map(|xyz| ["v ", &xyz, "\n"].concat()).collect();
-    let (first, sides) = (random.below(count), 3 + random.below(4));
-    let names = (first..first + sides).map(|corner| match (corner % count, random.below(3)) {
-        (corner, 0) => format!(" {}", i64::from(corner) - i64::from(count)),
-        (corner, 1) => format!(" {}/7/8", corner + 1),
-        (corner, _) => format!(" {}", corner + 1),
-    });
-    format!("{corners}f{}\nv 0 0 0\n", names.collect::<String>())
-}
-
-/// The solution of a text whose faces of more than three corners are others.
-fn with_faces(c: &mut Check, other: fn(&[&str]) -> String) {
-    check(c, |text| {
-        let lines = text.lines().map(|line| {
-            let words: Vec<_> = line.split_whitespace().collect();
-            match words.as_slice() {
-                ["f", names @ ..] if names.len() > 3 => other(names),
-                _ => line.to_owned() + "\n",
-            }
-        });
-        solution(&lines.collect::<String>())
-    });
+    let (count, sides) = (6 + random.below(7), 3 + random.below(4));
+    let mut text = String::new();
+    for _ in 0..count {
+        let [x, y, z] = random.triple(9.0);
+        text += &format!("v {x} {y} {z}\n");
+    }
+    text += "f";
+    let first = random.below(count - sides + 1);
+    for corner in first..first + sides {
+        text += &match random.below(3) {
+            0 => format!(" {}", i64::from(corner) - i64::from(count)),
+            1 => format!(" {}/7/8", corner + 1),
+            _ => format!(" {}", corner + 1),
+        };
+    }
+    text + "\nv 0 0 0\n"
 }
 
 pub const VARIANTS: &[Variant] = &[
-    wrong("triangles of a face share its first corner", |c| {
-        with_faces(c, |names| {
-            let strip = names
-                .windows(3)
-                .map(|three| ["f ", &three.join(" "), "\n"].concat());
-            strip.collect()
-        });
+    wrong("n corners make n - 2 triangles", |c| {
+        check(c, |text| Ok(solution(text)?.into_iter().take(1).collect()));
     }),
     wrong("lines are counted from 1", |c| {
         check(c, |text| {

@@ -64,46 +64,27 @@ type Flaw = fn(&dyn Geometry, &Ray, Interval) -> Option<Hit>;
 
 /// Mistakes that any shape may have.
 const USUAL: [(&str, Flaw); 5] = [
-    ("an interval has two ends", |shape, ray, i| {
-        shape.hit(
-            ray,
-            Interval {
-                max: f64::INFINITY,
-                ..i
-            },
-        )
+    ("the interval decides, no epsilon", |shape, ray, i| {
+        shape.hit(ray, Interval { min: 1e-6, ..i })
     }),
-    (
-        "the interval says which t is valid, no epsilon",
-        |shape, ray, i| shape.hit(ray, Interval { min: 1e-6, ..i }),
-    ),
     ("a short direction is not parallel", |shape, ray, i| {
-        shape
-            .hit(ray, i)
-            .filter(|_| ray.direction().magnitude() > 1e-6)
+        let is_long = ray.direction().magnitude() > 1e-6;
+        shape.hit(ray, i).filter(|_| is_long)
     }),
-    (
-        "t counts steps of the direction, not lengths",
-        |shape, ray, i| {
-            let hit = shape.hit(ray, i)?;
-            Some(Hit {
-                t: hit.t * ray.direction().magnitude(),
-                ..hit
-            })
-        },
-    ),
-    (
-        "a shape's normal does not turn to the ray",
-        |shape, ray, i| {
-            let Hit { t, normal, face } = shape.hit(ray, i)?;
-            let sign = -face.dot(ray.direction()).signum();
-            Some(Hit {
-                t,
-                normal: normal * sign,
-                face: face * sign,
-            })
-        },
-    ),
+    ("t counts steps, not lengths", |shape, ray, i| {
+        let mut hit = shape.hit(ray, i)?;
+        hit.t *= ray.direction().magnitude();
+        Some(hit)
+    }),
+    ("a normal does not turn to the ray", |shape, ray, i| {
+        let Hit { t, normal, face } = shape.hit(ray, i)?;
+        let is_front = face.dot(ray.direction()) < 0.0;
+        Some(Hit::new(t, if is_front { normal } else { -normal }))
+    }),
+    ("a shape has a far side, too", |shape, ray, i| {
+        let is_front = |hit: &Hit| hit.face.dot(ray.direction()) < 0.0;
+        shape.hit(ray, i).filter(is_front)
+    }),
 ];
 
 /// Simple rays to a shape around the origin: along each axis, in longer steps, from inside,
@@ -140,16 +121,17 @@ pub fn compare<P: Input, L: Geometry, Y: Geometry>(
             .map(move |ray| (shape.clone(), ray))
     };
     let mistake = check.usual(&USUAL).unwrap_or(Geometry::hit);
+    let hit = |shape: &dyn Geometry, ray, hit: Flaw| {
+        let (ray, within) = ray_within(ray);
+        answer(hit(shape, &ray, within))
+    };
     let from_everywhere = with(first.clone()).chain(random(any).take(8).flat_map(with));
     check.compare(
         &format!("{words}; {RAY}"),
         simple().map(move |[o, d]| (first.clone(), (o, d, 0.0, f64::INFINITY))),
         from_everywhere,
-        |(shape, ray)| Some(hit(&lesson(shape).ok()?, ray)),
-        |(shape, ray)| {
-            let (shape, (ray, within)) = (yours(shape).ok()?, ray_within(ray));
-            Some(answer(mistake(&shape, &ray, within)))
-        },
+        |(shape, ray)| Some(hit(&lesson(shape).ok()?, ray, Geometry::hit)),
+        |(shape, ray)| Some(hit(&yours(shape).ok()?, ray, mistake)),
     );
 }
 
@@ -172,61 +154,46 @@ pub fn compare_boxes<L: Geometry, Y: Geometry>(
     );
 }
 
-/// The hit of a ray, as an answer.
-pub fn hit(shape: &dyn Geometry, input: RayWithin) -> Answer {
-    let (ray, within) = ray_within(input);
-    answer(shape.hit(&ray, within))
-}
-
 /// Rays from everywhere, most of which hit the shape: from outside, inside and far away; with
 /// directions of all lengths; in intervals that end just before and after a hit; and just
 /// inside and outside of a border.
 pub fn rays(lesson: &dyn Geometry) -> Vec<RayWithin> {
-    let (mut random, mut rays, mut hits) = (Random::new(1), Vec::new(), 0);
+    let (mut random, mut rays, all) = (Random::new(1), Vec::new(), [0.0, f64::INFINITY]);
+    let is_hit = |ray: Ray| lesson.hit(&ray, Interval::AHEAD).is_some();
     for i in 0..2000 {
         let [from, to, aside] = [(); 3].map(|()| point(random.triple(6.0)));
-        let from = if i % 4 == 3 {
-            to + (from - to) * 100.0
-        } else {
-            from
-        };
-        let length = if hits < 5 { 1.0 } else { random.scale() };
+        let distance = if i % 4 == 3 { 100.0 } else { 1.0 };
+        let from = to + (from - to) * distance;
+        let length = if rays.len() < 40 { 1.0 } else { random.scale() };
         let towards = |to: Point3| Ray::derived(from, (to - from) * length);
-        let mut add = |ray: Ray, min, max| {
+        let mut add = |ray: Ray, [min, max]: [f64; 2]| {
             let [o, d] = [ray.origin().to_glam(), ray.direction().to_glam()];
             rays.push((o.to_array(), d.to_array(), min, max));
         };
-        let (ray, hit) = (towards(to), |ray| lesson.hit(&ray, Interval::AHEAD));
-        let Some(Hit { t, .. }) = hit(ray) else {
-            if i < 30 {
-                add(ray, 0.0, f64::INFINITY);
-            }
+        let ray = towards(to);
+        let Some(Hit { t, .. }) = lesson.hit(&ray, Interval::AHEAD) else {
             continue;
         };
-        add(ray, 0.0, f64::INFINITY);
-        add(Ray::derived(from, -ray.direction()), 0.0, f64::INFINITY);
+        add(ray, all);
+        add(Ray::derived(from, -ray.direction()), all);
         for end in [t * (1.0 - 1e-3), t * (1.0 + 1e-6)] {
-            add(ray, 0.0, end);
-            add(ray, end, f64::INFINITY);
+            add(ray, [0.0, end]);
+            add(ray, [end, f64::INFINITY]);
         }
         // It begins just behind the surface, often inside.
-        let behind = Ray::derived(ray.at(t * 1.001), ray.direction());
-        add(behind, 0.0, f64::INFINITY);
+        add(Ray::derived(ray.at(t * 1.001), ray.direction()), all);
         // Between a point that is hit and one that is not, there is a border.
         let between = |share: f64| towards(to + (aside - to) * share);
-        let (mut inner, mut outer) = (0.0, 1.0);
+        let (mut border, mut step) = (0.0, 1.0);
         for _ in 0..40 {
-            let share = f64::midpoint(inner, outer);
-            if hit(between(share)).is_some() {
-                inner = share;
-            } else {
-                outer = share;
+            step /= 2.0;
+            if is_hit(between(border + step)) {
+                border += step;
             }
         }
-        add(between(inner - 1e-6), 0.0, f64::INFINITY);
-        add(between(outer + 1e-6), 0.0, f64::INFINITY);
-        hits += 1;
-        if hits == 20 {
+        add(between(border - 1e-6), all);
+        add(between(border + 1e-6), all);
+        if rays.len() >= 180 {
             break;
         }
     }
@@ -243,11 +210,9 @@ pub fn scene(
 ) {
     check.scene(&a04_intersections::stage(), name, |settings| {
         let View { camera, world } = view()?;
-        let color = world
-            .objects()
-            .next()
-            .map_or(Color::WHITE, |(_, color)| *color);
-        let world = World::new(world.background())?.with(shape?, color);
+        let color = world.objects().map(|(_, color)| *color).next();
+        let black = World::new(world.background())?;
+        let world = black.with(shape?, color.unwrap_or(Color::WHITE));
         render(&camera, |ray: &Ray| world.color_for(ray), settings, &())
     });
 }

@@ -12,43 +12,24 @@ pub fn check<G: Geometry>(
     show(check, shape, [2.0, 2.2, 2.9], [0.05, 0.6, 0.0]);
 }
 
-/// Hits of planes: those between the corners up to `beside`, along all axes or not their own,
-/// and the nearest or the last.
-fn variant(c: &mut Check, beside: f64, all_axes: bool, is_nearest: bool) {
+/// The solution with another choice of its hit.
+fn variant(c: &mut Check, choose: fn(&SixPlanes, Hit, &Ray, Interval, [Point3; 2]) -> Option<Hit>) {
     check(c, move |lbf, run| {
-        own(move |ray: &Ray, within| {
-            let faces = (0..3).flat_map(|axis| [(axis, lbf, -1.0), (axis, run, 1.0)]);
-            let hits = faces.filter_map(|(own_axis, corner, side)| {
-                let mut normal = [0.0; 3];
-                normal[own_axis] = side;
-                let hit = Plane::new(corner, vector(normal).as_normal())
-                    .ok()?
-                    .hit(ray, within)?;
-                let [p, lbf, run] = [ray.at(hit.t), lbf, run].map(Point3::to_glam);
-                let outside = (lbf - p).max(p - run).to_array();
-                let mut axes = outside.into_iter().enumerate();
-                let is_on = |(axis, outside)| (!all_axes && axis == own_axis) || outside <= beside;
-                axes.all(is_on).then_some(hit)
-            });
-            hits.reduce(|old, new| {
-                if is_nearest && old.t <= new.t {
-                    old
-                } else {
-                    new
-                }
-            })
-        })
+        let planes = SixPlanes::new(lbf, run)?;
+        own(move |ray: &Ray, i| choose(&planes, planes.hit(ray, i)?, ray, i, [lbf, run]))
     });
 }
 
 pub const VARIANTS: &[Variant] = &[
     wrong("rounding puts a hit beside its own plane", |c| {
-        variant(c, 0.0, true, true)
+        variant(c, |_, hit, ray, _, corners| {
+            let [p, lbf, run] = [ray.at(hit.t), corners[0], corners[1]].map(Point3::to_glam);
+            Some(hit).filter(|_| lbf.min(p) == lbf && run.max(p) == run)
+        });
     }),
     wrong("the nearest plane counts, not the last", |c| {
-        variant(c, 0.0, false, false)
-    }),
-    wrong("with an epsilon, faces stick out", |c| {
-        variant(c, 1e-4, true, true)
+        variant(c, |planes, hit, ray, i, _| {
+            planes.hit(ray, Interval { min: hit.t, ..i }).or(Some(hit))
+        });
     }),
 ];
