@@ -25,24 +25,22 @@ impl Cylinder {
 impl Geometry for Cylinder {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let (o, d) = (ray.origin(), ray.direction());
-        let crossings = missing!("where the ray crosses the wall", [f64::NAN; 2], {
+        missing!("the first crossing that counts", None, {
             // Seen from above the wall is a circle, and y does not matter.
             let a = d.x() * d.x() + d.z() * d.z();
             let b = o.x() * d.x() + o.z() * d.z();
             let c = o.x() * o.x() + o.z() * o.z() - self.r * self.r;
-            let root = (b * b - a * c).sqrt();
             // NaN, which is in no interval, if the ray misses.
-            [(-b - root) / a, (-b + root) / a]
-        });
-
-        missing!("the crossing that counts, and the normal there", None, {
+            let root = (b * b - a * c).sqrt();
             // Over the rim of the near wall, a ray may meet the far one.
             let is_on_wall = |t: f64| (0.0..=self.height).contains(&ray.at(t).y());
-            let counts = |t: &f64| within.contains(*t) && is_on_wall(*t);
-            let t = crossings.into_iter().find(counts)?;
+            let mut crossings = [(-b - root) / a, (-b + root) / a].into_iter();
+            let t = crossings.find(|t| within.contains(*t) && is_on_wall(*t))?;
             let p = ray.at(t);
-            let normal = Normal3::new(p.x() / self.r, 0.0, p.z() / self.r);
-            Some(Hit::new(t, normal))
+            Some(Hit::new(
+                t,
+                Normal3::new(p.x() / self.r, 0.0, p.z() / self.r),
+            ))
         })
     }
 }

@@ -31,15 +31,11 @@ pub fn read_obj(text: &str) -> Result<Vec<Triangle>, String> {
 /// The point of three coordinates.
 fn corner(words: SplitWhitespace) -> Result<Point3, String> {
     missing!("the coordinates of a corner", Ok(Point3::ORIGIN), {
-        let number = |word: &str| {
-            let number = word.parse::<f64>();
-            number.map_err(|_| format!("\"{word}\" is no number"))
-        };
-        let coordinates = words.take(3).map(number).collect::<Result<Vec<_>, _>>()?;
-        let &[x, y, z] = coordinates.as_slice() else {
-            return Err("a corner has three coordinates".to_owned());
-        };
-        Ok(Point3::new(x, y, z))
+        let numbers = words.take(3).map(str::parse).collect::<Result<Vec<_>, _>>();
+        match numbers.as_deref() {
+            Ok(&[x, y, z]) => Ok(Point3::new(x, y, z)),
+            _ => Err("a corner has three coordinates".to_owned()),
+        }
     })
 }
 
@@ -48,15 +44,14 @@ fn corner(words: SplitWhitespace) -> Result<Point3, String> {
 /// negative, back from the last corner read.
 fn named(word: &str, corners: &[Point3]) -> Result<Point3, String> {
     missing!("the corner of this name", Ok(Point3::ORIGIN), {
-        let name = word.split('/').next().unwrap_or_default().parse::<isize>();
-        let number = name.map_err(|_| format!("\"{word}\" is no number of a corner"))?;
-        let index = if number < 0 {
-            corners.len().checked_add_signed(number)
-        } else {
-            number.unsigned_abs().checked_sub(1)
+        let name = word.split('/').next().unwrap_or_default();
+        let index = match name.parse::<isize>() {
+            Ok(back) if back < 0 => corners.len().checked_add_signed(back),
+            Ok(number) => number.unsigned_abs().checked_sub(1),
+            Err(_) => None,
         };
         let corner = index.and_then(|index| corners.get(index).copied());
-        corner.ok_or_else(|| format!("there is no corner {number}"))
+        corner.ok_or_else(|| format!("there is no corner {name}"))
     })
 }
 
@@ -65,18 +60,14 @@ fn named(word: &str, corners: &[Point3]) -> Result<Point3, String> {
 fn face(words: SplitWhitespace, corners: &[Point3]) -> Result<Vec<Triangle>, String> {
     missing!("the triangles of a face", Ok(Vec::new()), {
         let around = words.map(|word| named(word, corners));
-        let around = around.collect::<Result<Vec<_>, _>>()?;
-        let [first, rest @ ..] = around.as_slice() else {
-            return Err("a face has corners".to_owned());
-        };
-        if rest.len() < 2 {
-            return Err("a face has three corners or more".to_owned());
+        match around.collect::<Result<Vec<_>, _>>()?.as_slice() {
+            [first, rest @ ..] if rest.len() > 1 => {
+                let triangles = rest.windows(2).map(|b| Triangle::new(*first, b[0], b[1]));
+                let triangles: Result<_, _> = triangles.collect();
+                triangles.map_err(|error| error.to_string())
+            }
+            _ => Err("a face has three corners or more".to_owned()),
         }
-        let triangle = |pair: &[Point3]| Triangle::new(*first, pair[0], pair[1]);
-        let triangles = rest.windows(2).map(triangle);
-        triangles
-            .map(|made| made.map_err(|error| error.to_string()))
-            .collect()
     })
 }
 

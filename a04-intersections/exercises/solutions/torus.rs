@@ -1,6 +1,6 @@
 //! `Torus`: a ring around the y axis.
 
-use a02_math::{Direction, Point3, Vector3};
+use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, Interval};
 use common::{ArgumentError, argument};
@@ -24,18 +24,11 @@ impl Torus {
         Ok(Self { ring, r })
     }
 
-    /// The way to `p` from the nearest point of the circle; none on the axis,
-    /// which is as far from all of them.
-    fn way_from_circle(&self, p: Point3) -> Option<Vector3> {
-        let around = Vector3::new(p.x(), 0.0, p.z()).normalized()?;
-        Some(p - (Point3::ORIGIN + around * self.ring))
-    }
-
     /// How far `p` is from the surface: negative in the tube.
     fn distance(&self, p: Point3) -> f64 {
         missing!("the distance from the surface", f64::INFINITY, {
-            let from_axis = Vector3::new(p.x(), 0.0, p.z()).magnitude();
-            Vector3::new(from_axis - self.ring, p.y(), 0.0).magnitude() - self.r
+            let from_axis = libm::hypot(p.x(), p.z());
+            libm::hypot(from_axis - self.ring, p.y()) - self.r
         })
     }
 }
@@ -43,7 +36,7 @@ impl Torus {
 impl Geometry for Torus {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         // Nothing is met as far from the origin as this.
-        let length = ray.direction().dot(ray.direction()).sqrt();
+        let length = ray.direction().magnitude();
         let reach = (self.ring + 2.0 * self.r) / length;
         let middle = ray.t_of(Point3::ORIGIN);
         let (start, end) = (within.min.max(middle - reach), middle + reach);
@@ -53,34 +46,30 @@ impl Geometry for Torus {
             // As far as the surface is away, nothing is in the way. Steps that are
             // never smaller than this walk away from it, and through it.
             let smallest = 1e-4 * self.r / length;
-            let mut inner = start + smallest;
-            let starts_inside = distance(inner) < 0.0;
-            let mut outer = inner;
-            while (distance(outer) < 0.0) == starts_inside {
-                if outer > end {
+            let (mut t, mut step) = (start + smallest, 0.0);
+            let starts_inside = distance(t) < 0.0;
+            while (distance(t) < 0.0) == starts_inside {
+                if t > end {
                     return None;
                 }
-                inner = outer;
-                let step = (distance(outer).abs() / length).max(smallest);
-                outer = (outer + step).max(outer.next_up());
+                step = (distance(t).abs() / length).max(smallest);
+                t = (t + step).max(t.next_up());
             }
-            // The surface lies between: halve until no number does.
-            loop {
-                let t = f64::midpoint(inner, outer);
-                if t <= inner || t >= outer {
-                    break;
-                }
-                if (distance(t) < 0.0) == starts_inside {
-                    inner = t;
-                } else {
-                    outer = t;
+            // The surface lies in the last step: halve it, and stay behind the surface.
+            for _ in 0..60 {
+                step /= 2.0;
+                if (distance(t - step) < 0.0) != starts_inside {
+                    t -= step;
                 }
             }
-            outer
+            t
         });
 
-        let normal = self.way_from_circle(ray.at(t))?.normalized()?.as_normal();
-        within.contains(t).then(|| Hit::new(t, normal))
+        // The normal leads to the hit from the nearest point of the circle.
+        let p = ray.at(t);
+        let around = Vector3::new(p.x(), 0.0, p.z()).normalized()?;
+        let normal = (p - (Point3::ORIGIN + around * self.ring)).normalized()?;
+        within.contains(t).then(|| Hit::new(t, normal.as_normal()))
     }
 }
 

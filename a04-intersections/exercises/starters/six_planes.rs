@@ -18,19 +18,14 @@ impl SixPlanes {
     /// The box from its left, bottom, far corner to its right, upper, near one.
     pub fn new(lbf: Point3, run: Point3) -> Result<Self, ArgumentError> {
         let mut planes = Vec::new();
-        for axis in 0..3 {
-            for (corner, outwards) in [(lbf, -1.0), (run, 1.0)] {
-                let mut normal = [0.0; 3];
-                normal[axis] = outwards;
-                let normal = Normal3::from_glam(normal.into());
-                planes.push((axis, Plane::new(corner, normal)?));
-            }
+        let axes = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)];
+        for (axis, (x, y, z)) in axes.into_iter().enumerate() {
+            let normal = Normal3::new(x, y, z);
+            planes.push((axis, Plane::new(lbf, -normal)?));
+            planes.push((axis, Plane::new(run, normal)?));
         }
-        Ok(Self {
-            lbf: lbf.to_glam().to_array(),
-            run: run.to_glam().to_array(),
-            planes,
-        })
+        let [lbf, run] = [lbf, run].map(|corner| corner.to_glam().to_array());
+        Ok(Self { lbf, run, planes })
     }
 }
 
@@ -41,10 +36,8 @@ impl Geometry for SixPlanes {
         testing::missing("a box whose front hides its back", ());
 
         let mut found: Option<Hit> = None;
-        for (axis, plane) in &self.planes {
-            let Some(hit) = plane.hit(ray, within) else {
-                continue;
-            };
+        let hits = |(axis, plane): &(usize, Plane)| Some((*axis, plane.hit(ray, within)?));
+        for (axis, hit) in self.planes.iter().filter_map(hits) {
             let point = ray.at(hit.t).to_glam();
             let is_on_face = (0..3).all(|i| self.lbf[i] <= point[i] && point[i] <= self.run[i]);
             if is_on_face {

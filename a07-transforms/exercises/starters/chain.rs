@@ -1,7 +1,4 @@
 //! `chain`: the matrix of several steps, and its inverse.
-//!
-//! Chapter: Transforms, section "The order of the steps". To compare afterwards:
-//! `a07-transforms/src/transform.rs`.
 
 use a02_math::Point3;
 use a07_transforms::Mat4x4;

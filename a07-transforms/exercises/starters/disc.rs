@@ -1,7 +1,4 @@
 //! `Disc`: the part of a plane within a radius of a point.
-//!
-//! Chapter: Transforms, section "Disc". To compare afterwards:
-//! `a07-transforms/src/disc.rs`.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;

@@ -1,7 +1,4 @@
 //! `Node`: geometries under one transform, themselves a geometry.
-//!
-//! Chapter: Transforms, section "Node". To compare afterwards:
-//! `a07-transforms/src/node.rs`.
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;

@@ -1,7 +1,4 @@
 //! The ray and the normal under a transform.
-//!
-//! Chapter: Transforms, sections "The ray in object space" and "The normal". To compare
-//! afterwards: `a07-transforms/src/transform.rs`.
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
