@@ -20,46 +20,46 @@ pub fn check(check: &mut Check, chain: impl Fn(&[Step]) -> [Mat4x4; 2]) {
         |(steps, p)| applied(chain(&steps), p),
     );
     let [_, i] = chain(&steps_of_box());
-    locked_scene(check, "box-transformations", 10.0, || {
-        let (lbf, run) = (Point3::new(-0.5, -0.5, -0.5), Point3::new(0.5, 0.5, 0.5));
-        let child = AxisAlignedBox::new(lbf, run)?;
-        let moved = Own(move |ray: &Ray, within: Interval| {
+    box_scene(check, |child| {
+        Own(move |ray: &Ray, within: Interval| {
             let inner = Ray::derived(i * ray.origin(), i * ray.direction());
             let Hit { t, normal, .. } = child.hit(&inner, within)?;
             let n = i.transposed() * Vector3::from(normal);
             Some(Hit::new(t, n.normalized()?.as_normal()))
-        });
-        Ok(lit_from(ABOVE, false, 0.25)?.with(moved, Box::new(Lambert::new(Color::YELLOW)?)))
+        })
     });
 }
 
-/// The product of the matrices of steps, from the first to the last or back.
-fn product(steps: &[Step], matrix: fn(Step) -> Mat4x4, is_forward: bool) -> Mat4x4 {
-    let matrices = steps.iter().map(|step| matrix(*step));
-    matrices.fold(
-        Mat4x4::IDENTITY,
-        |a, b| if is_forward { a * b } else { b * a },
-    )
-}
-
-fn variant(c: &mut Check, [forward, back]: [bool; 2]) {
-    check(c, |steps| {
-        [
-            product(steps, Step::matrix, forward),
-            product(steps, Step::inverse, back),
-        ]
-    });
+fn product(factors: impl Iterator<Item = Mat4x4>) -> Mat4x4 {
+    factors.fold(Mat4x4::IDENTITY, |a, b| a * b)
 }
 
 pub const VARIANTS: &[Variant] = &[
-    right("two products", |c| variant(c, [true, false])),
-    wrong("the last step is applied first", |c| {
-        variant(c, [false, true])
+    right("two products", |c| {
+        check(c, |steps| {
+            let back = steps.iter().rev().map(|step| step.inverse());
+            [
+                product(steps.iter().map(|step| step.matrix())),
+                product(back),
+            ]
+        });
     }),
-    wrong("the last step is undone last", |c| variant(c, [true, true])),
+    wrong("the last step is applied first", |c| {
+        check(c, |steps| {
+            lesson(&steps.iter().rev().copied().collect::<Vec<_>>())
+        });
+    }),
+    wrong("the last step is undone last", |c| {
+        check(c, |steps| {
+            [
+                lesson(steps)[0],
+                product(steps.iter().map(|step| step.inverse())),
+            ]
+        });
+    }),
     wrong("only a turn is undone by its transpose", |c| {
         check(c, |steps| {
-            let matrix = product(steps, Step::matrix, true);
+            let [matrix, _] = lesson(steps);
             [matrix, matrix.transposed()]
         });
     }),

@@ -14,37 +14,29 @@ pub fn check<G: Geometry>(
         |(c, n, r)| Disc::new(point(c), vector(n).as_normal(), r),
         |(c, n, r)| new(point(c), vector(n).as_normal(), r),
     );
-    locked_scene(check, "disc", 8.0, || {
+    locked_scene(check, "disc", 8.0, ([8.0; 3], true, 0.1), |world| {
         let (half, up) = (Color::gray(0.5), Normal3::new(0.0, 1.0, 0.0));
         let red = Reflective::new(Color::RED, Color::BLACK, 64.0, half)?;
         let green = Reflective::new(Color::GREEN, Color::WHITE, 2000.0, half)?;
-        let disc = new(Point3::new(0.0, 0.001, 0.0), up, 5.0)?;
-        Ok(lit_from(Point3::new(8.0, 8.0, 8.0), true, 0.1)?
-            .with(Plane::new(Point3::ORIGIN, up)?, Box::new(red))
-            .with(disc, Box::new(green)))
+        let world = world.with(Plane::new(Point3::ORIGIN, up)?, Box::new(red));
+        Ok(world.with(new(point([0.0, 0.001, 0.0]), up, 5.0)?, Box::new(green)))
     });
 }
 
-/// The hits of the plane that are on the disc, by the step from the centre and the radius.
-fn variant(c: &mut Check, is_on_disc: fn(Vector3, f64) -> bool) {
+/// The hits of the plane that are on the disc, by their distance from the centre.
+fn variant(c: &mut Check, is_on_disc: fn(f64, f64) -> bool) {
     check(c, move |c, n, r| {
         let plane = Plane::new(c, n)?;
         own(move |ray: &Ray, i| {
-            plane
-                .hit(ray, i)
-                .filter(|hit| is_on_disc(ray.at(hit.t) - c, r))
+            let hit = plane.hit(ray, i)?;
+            is_on_disc((ray.at(hit.t) - c).magnitude(), r).then_some(hit)
         })
     });
 }
 
 pub const VARIANTS: &[Variant] = &[
     right("the distance, not its square", |c| {
-        variant(c, |step, r| step.magnitude() <= r)
+        variant(c, |d, r| d <= r)
     }),
-    wrong("the rim belongs to the disc", |c| {
-        variant(c, |step, r| step.dot(step) < r * r)
-    }),
-    wrong("squares are compared with squares", |c| {
-        variant(c, |step, r| step.dot(step) <= r)
-    }),
+    wrong("the rim belongs to the disc", |c| variant(c, |d, r| d < r)),
 ];

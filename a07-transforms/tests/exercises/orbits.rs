@@ -8,11 +8,9 @@ type Orbits = Result<[Transform; 2], ArgumentError>;
 pub fn check(check: &mut Check, orbits: impl Fn(f64, f64) -> Orbits) {
     let places = |orbits: Orbits| {
         let [earth, moon] = orbits.ok()?.map(|body| {
-            let place = (body.matrix() * Point3::ORIGIN).to_glam().to_array();
-            let x = (body.matrix() * vector([1.0, 0.0, 0.0]))
-                .to_glam()
-                .to_array();
-            Answer::named("the place", place).and("the turned x axis", x)
+            let [place, x] = [[0.0; 3], [1.0, 0.0, 0.0]].map(|p| body.matrix() * point(p));
+            Answer::named("the place", place.to_glam().to_array())
+                .and("x = 1 moved", x.to_glam().to_array())
         });
         Some(Answer::named("earth", earth).and("moon", moon))
     };
@@ -41,33 +39,19 @@ fn twelve_months(orbits: impl Fn(f64, f64) -> Orbits) -> Result<World<Color>, Ar
     Ok(world)
 }
 
-/// Turns about y, each followed by a way along x.
-fn chained(steps: &[(f64, f64)]) -> Result<Transform, ArgumentError> {
-    steps
-        .iter()
-        .try_fold(Transform::IDENTITY, |t, (angle, way)| {
-            t.rotate_y(*angle)?.translate(Point3::new(*way, 0.0, 0.0))
-        })
-}
-
 pub const VARIANTS: &[Variant] = &[
-    wrong("the earth is moved first, then turned", |c| {
+    wrong("the earth is turned after it is moved", |c| {
         check(c, |year, month| {
-            let earth = [(0.0, 5.0), (year, 0.0)];
-            Ok([chained(&earth)?, chained(&[earth[0], (year + month, 1.0)])?])
+            let moved = Transform::IDENTITY.translate(Point3::new(5.0, 0.0, 0.0))?;
+            Ok([moved.rotate_y(year)?, solution(year, month)?[1]])
         });
     }),
     wrong("the moon is a child of the earth", |c| {
         check(c, |year, month| {
-            Ok([chained(&[(year, 5.0)])?, chained(&[(month, 1.0)])?])
+            Ok([solution(year, month)?[0], solution(0.0, month)?[1]])
         });
     }),
     wrong("the month is seen by the turned earth", |c| {
-        check(c, |year, month| {
-            Ok([
-                chained(&[(year, 5.0)])?,
-                chained(&[(year, 5.0), (month - year, 1.0)])?,
-            ])
-        });
+        check(c, |year, month| solution(year, month - year));
     }),
 ];

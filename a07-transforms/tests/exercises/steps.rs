@@ -68,38 +68,39 @@ pub fn transform(steps: &[Step]) -> Transform {
         .fold(Transform::IDENTITY, |t, step| step.after(t))
 }
 
-/// Compares a scene with its lock. Camera and world are from `src/scenes.rs`.
+/// Where a lamp is, whether it casts shadows, and the ambient light.
+pub type Lamp = ([f64; 3], bool, f64);
+
+/// The lamp of the scenes with transformed objects.
+pub const ABOVE: Lamp = ([1.0, 20.0, 20.0], false, 0.25);
+
+/// Compares a scene with its lock: a black world with a lamp, which is filled. Camera and
+/// world are from `src/scenes.rs`.
 pub fn locked_scene(
     check: &mut Check,
     name: &str,
     eye: f64,
-    world: impl FnOnce() -> Result<ShadowedWorld, ArgumentError>,
+    (light, casts_shadows, ambient): Lamp,
+    fill: impl FnOnce(ShadowedWorld) -> Result<ShadowedWorld, ArgumentError>,
 ) {
     check.scene(&a07_transforms::stage(), name, |settings| {
-        let (camera, world) = (diagonal_camera(eye)?, world()?);
-        let tracer = RecursiveTracer::new(&world);
-        render(
-            &camera,
-            |ray: &Ray| tracer.trace(ray, settings.depth),
-            settings,
-            &(),
-        )
+        let light = PointLight::new(Color::WHITE, point(light))?;
+        let world = ShadowedWorld::empty(Color::BLACK, Color::gray(ambient))?;
+        let world = fill(world.lit_by(LightSource::new(light, casts_shadows)))?;
+        let (camera, tracer) = (diagonal_camera(eye)?, RecursiveTracer::new(&world));
+        let color = |ray: &Ray| tracer.trace(ray, settings.depth);
+        render(&camera, color, settings, &())
     });
 }
 
-/// A black world with a little ambient light and a lamp.
-pub fn lit_from(
-    light: Point3,
-    casts_shadows: bool,
-    ambient: f64,
-) -> Result<ShadowedWorld, ArgumentError> {
-    let light = PointLight::new(Color::WHITE, light)?;
-    Ok(ShadowedWorld::empty(Color::BLACK, Color::gray(ambient))?
-        .lit_by(LightSource::new(light, casts_shadows)))
+/// Compares scene `box-transformations`, with the box that is made of an upright one.
+pub fn box_scene<G: Geometry>(check: &mut Check, transformed: impl FnOnce(AxisAlignedBox) -> G) {
+    locked_scene(check, "box-transformations", 10.0, ABOVE, |world| {
+        let upright = AxisAlignedBox::new(point([-0.5; 3]), point([0.5; 3]))?;
+        let yellow = Lambert::new(Color::YELLOW)?;
+        Ok(world.with(transformed(upright), Box::new(yellow)))
+    });
 }
-
-/// The lamp of the scenes with transformed objects.
-pub const ABOVE: Point3 = Point3::new(1.0, 20.0, 20.0);
 
 /// The steps of scene `box-transformations`.
 pub fn steps_of_box() -> [Step; 4] {

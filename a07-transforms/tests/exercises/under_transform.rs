@@ -5,33 +5,29 @@ use crate::solutions::under_transform as lesson;
 
 type RayToObject = fn(&Transform, &Ray) -> Ray;
 type NormalFromObject = fn(&Transform, Normal3) -> Option<Normal3>;
+type Input = (Vec<Step>, [[f64; 3]; 3]);
 
 pub fn check(check: &mut Check, ray_to_object: RayToObject, normal_from_object: NormalFromObject) {
-    let moved = |(steps, o, d, n): (Vec<_>, _, _, _),
-                 to_object: RayToObject,
-                 from_object: NormalFromObject| {
+    let moved = |(steps, [o, d, n]): Input, ray: RayToObject, normal: NormalFromObject| {
         let transform = transform(&steps);
-        let ray = to_object(&transform, &Ray::derived(point(o), vector(d)));
-        let n = from_object(&transform, vector(n).as_normal());
+        let ray = ray(&transform, &Ray::derived(point(o), vector(d)));
+        let n = normal(&transform, vector(n).as_normal());
         Answer::named("origin", ray.origin().to_glam().to_array())
             .and("direction", ray.direction().to_glam().to_array())
-            .and(
-                "the normal around the object",
-                n.map(|n| n.to_glam().to_array()),
-            )
+            .and("the normal", n.map(|n| n.to_glam().to_array()))
     };
     let simple = [
         Step::Translate([2.0, 0.0, 0.0]),
         Step::Scale([2.0, 1.0, 1.0]),
     ];
     check.compare(
-        "chain {}, ray from {} along {}, normal {}",
-        simple.map(|step| (vec![step], [0.0; 3], [0.0, 0.0, -2.0], [0.6, 0.8, 0.0])),
-        random(|r| (Step::random(r), r.triple(5.0), r.triple(5.0), r.triple(1.0))),
+        "chain {}; origin and direction of the ray, and normal {}",
+        simple.map(|step| (vec![step], [[0.0; 3], [0.0, 0.0, -2.0], [0.6, 0.8, 0.0]])),
+        random(|r| (Step::random(r), [(); 3].map(|()| r.triple(5.0)))),
         |input| moved(input, lesson::ray_to_object, lesson::normal_from_object),
         |input| moved(input, ray_to_object, normal_from_object),
     );
-    locked_scene(check, "sphere-transformation", 20.0, || {
+    locked_scene(check, "sphere-transformation", 20.0, ABOVE, |world| {
         let transform = Transform::IDENTITY.scale(6.0, 1.2, 4.0)?;
         let child = Sphere::new(Point3::ORIGIN, 1.0)?;
         let moved = Own(move |ray: &Ray, within: Interval| {
@@ -39,7 +35,7 @@ pub fn check(check: &mut Check, ray_to_object: RayToObject, normal_from_object: 
             Some(Hit::new(t, normal_from_object(&transform, normal)?))
         });
         let material = Phong::new(Color::new(0.6, 0.0, 0.0), Color::WHITE, 64.0)?;
-        Ok(lit_from(ABOVE, false, 0.25)?.with(moved, Box::new(material)))
+        Ok(world.with(moved, Box::new(material)))
     });
 }
 
@@ -67,10 +63,8 @@ pub const VARIANTS: &[Variant] = &[
     wrong("the direction keeps its length", |c| {
         let shortened = |t: &Transform, ray: &Ray| {
             let ray = t.ray_to_object(ray);
-            Ray::derived(
-                ray.origin(),
-                ray.direction().normalized().unwrap_or_default(),
-            )
+            let d = ray.direction().normalized();
+            Ray::derived(ray.origin(), d.unwrap_or_default())
         };
         check(c, shortened, lesson::normal_from_object);
     }),
