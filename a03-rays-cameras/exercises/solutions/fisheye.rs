@@ -1,12 +1,8 @@
 //! `Fisheye`: a camera that sees sideways and behind.
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{Basis, Camera, Ray};
-use common::Size;
-use testing::assert_close;
+use crate::prelude::*;
 
-/// A camera in which the distance from the middle of the picture is the angle
-/// from the gaze.
+/// A camera in which the distance from the middle of the picture is the angle from the gaze.
 #[derive(Clone, Copy, Debug)]
 pub struct Fisheye {
     basis: Basis,
@@ -28,10 +24,8 @@ impl Camera for Fisheye {
         let [width, height] = [size.width(), size.height()].map(f64::from);
         let (x, y) = (x - (width - 1.0) / 2.0, y - (height - 1.0) / 2.0);
         missing!("the direction of the ray", Ray::derived(e, -w), {
-            let r = (x * x + y * y).sqrt();
-            if r == 0.0 {
-                return Ray::derived(e, -w);
-            }
+            // In the middle any direction is right, but 0 / 0 is none.
+            let r = libm::hypot(x, y).max(f64::MIN_POSITIVE);
             let (sin, cos) = libm::sincos(r / height * self.angle);
             let aside = u * (x / r) + v * (y / r);
             Ray::derived(e, aside * sin - w * cos)

@@ -1,7 +1,6 @@
 //! A mean that does not drift.
 
-/// The mean of the numbers, as if their sum was rounded once; 0 if there is
-/// none.
+/// The mean of the numbers, as if their sum was rounded once; 0 if there is none.
 pub fn mean(numbers: &[f64]) -> f64 {
     missing!("what the additions lose", numbers.iter().sum::<f64>(), {
         // Neumaier (1974): the rounding errors of the additions have a sum of their own.

@@ -1,7 +1,6 @@
 //! `picture`: the lesson's own `render`.
 
-use a03_rays_cameras::{Camera, Ray, render};
-use common::{Color, Error, Image, Settings};
+use crate::prelude::*;
 
 pub fn picture(
     camera: &dyn Camera,

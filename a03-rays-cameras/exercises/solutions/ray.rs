@@ -1,7 +1,6 @@
 //! `at` and `t_of`: the lesson's own.
 
-use a02_math::Point3;
-use a03_rays_cameras::Ray;
+use crate::prelude::*;
 
 pub fn at(ray: &Ray, t: f64) -> Point3 {
     ray.at(t)

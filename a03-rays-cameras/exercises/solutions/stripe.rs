@@ -1,7 +1,6 @@
 //! `Sky`: the lesson's sky, with the rule of the text.
 
-use a03_rays_cameras::{PinholeCamera, Ray, StripeRule, StripedSky};
-use common::{ArgumentError, Size};
+use crate::prelude::*;
 
 pub struct Sky(StripedSky);
 

@@ -1,8 +1,6 @@
 //! A thin lens: objects in focus are sharp, and all others are not.
 
-use a02_math::{Direction, Point3, Vector3};
-use a03_rays_cameras::{Basis, Ray};
-use testing::assert_close;
+use crate::prelude::*;
 
 /// The ray that a camera with this `basis` sends through the place
 /// (`right`, `up`) of its lens, in lengths from the eye along `u` and `v`, instead

@@ -1,9 +1,6 @@
 //! `PerspectiveCamera`: a camera that looks into any direction.
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{Camera, Ray};
-use common::{ArgumentError, Size};
-use testing::assert_close;
+use crate::prelude::*;
 
 /// A camera whose rays start in one point.
 pub struct PerspectiveCamera {

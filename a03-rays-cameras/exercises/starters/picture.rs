@@ -1,8 +1,6 @@
 //! `picture`: the loop over the pixels, and the mean over the samples of each.
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{Camera, Ray, Sampler, camera_coordinates};
-use common::{Color, Error, Image, Sampling, Settings, Size};
+use crate::prelude::*;
 
 /// A picture of `settings.size`. Each pixel is the mean of `radiance`, the light that
 /// comes back along a ray, over the rays of `camera` through its samples.

@@ -1,9 +1,6 @@
 //! `PinholeCamera`: a camera that looks along -z.
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{Camera, Ray};
-use common::{ArgumentError, Size};
-use testing::assert_close;
+use crate::prelude::*;
 
 /// A pinhole camera at `origin` that looks along -z with y upwards.
 pub struct PinholeCamera {

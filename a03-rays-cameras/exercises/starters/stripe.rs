@@ -1,8 +1,6 @@
 //! `Sky`: horizontal stripes.
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{PinholeCamera, Ray};
-use common::{ArgumentError, Size};
+use crate::prelude::*;
 
 /// A sky of stripes of equal height, which fill the picture of a camera.
 pub struct Sky {

@@ -1,22 +1,17 @@
 //! Pictures of all samplings, compared with the lesson's `render`.
 
+use crate::camera::Own;
 use crate::prelude::*;
 
 type Radiance<'a> = &'a (dyn Fn(&Ray) -> Color + Sync);
-
-/// A camera whose rays begin at their place in the picture.
-struct Places;
-
-impl Camera for Places {
-    fn ray_for(&self, _: Size, x: f64, y: f64) -> Ray {
-        Ray::derived(Point3::new(x, y, 0.0), Vector3::new(0.0, 0.0, -1.0))
-    }
-}
 
 pub fn check(
     check: &mut Check,
     yours: impl Fn(&dyn Camera, Radiance, &Settings) -> Result<Image, Error>,
 ) {
+    // The rays begin at their place in the picture.
+    let ahead = Vector3::new(0.0, 0.0, -1.0);
+    let places = Own(move |_, [x, y]: [f64; 2]| Ray::derived(Point3::new(x, y, 0.0), ahead));
     // Not linear, so that the mean of the colours is not the colour of the mean.
     let radiance = |ray: &Ray| {
         let (x, y) = (ray.origin().x(), ray.origin().y());
@@ -38,8 +33,8 @@ pub fn check(
             let sampling = grids[r.below(3) as usize];
             (sampling, 1 + r.below(9), size, size.map(|n| r.below(n)))
         }),
-        |input| pixel(input, &|settings| render(&Places, radiance, settings, &())),
-        |input| pixel(input, &|settings| yours(&Places, &radiance, settings)),
+        |input| pixel(input, &|settings| render(&places, radiance, settings, &())),
+        |input| pixel(input, &|settings| yours(&places, &radiance, settings)),
     );
     scene(check, |settings, View { camera, world: sky }| {
         yours(&camera, &|ray| sky.color_for(ray), settings)

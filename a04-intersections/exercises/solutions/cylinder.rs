@@ -1,9 +1,6 @@
 //! `Cylinder`: a tube around the y axis.
 
-use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval};
-use common::{ArgumentError, argument};
+use crate::prelude::*;
 
 /// A tube around the y axis, from `y = 0` up to its height, open at both ends.
 #[derive(Clone, Copy, Debug)]

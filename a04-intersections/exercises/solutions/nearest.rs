@@ -1,7 +1,6 @@
 //! `nearest`: the lesson's own `World`.
 
-use a03_rays_cameras::Ray;
-use a04_intersections::{Hit, Interval, World};
+use crate::prelude::*;
 
 pub fn nearest(world: &World<usize>, ray: &Ray, within: Interval) -> Option<(Hit, usize)> {
     world.hit(ray, within).map(|(hit, number)| (hit, *number))

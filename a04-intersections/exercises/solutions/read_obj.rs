@@ -2,8 +2,7 @@
 
 use std::str::SplitWhitespace;
 
-use a02_math::Point3;
-use a04_intersections::Triangle;
+use crate::prelude::*;
 
 /// The triangles of an OBJ file, or an error that begins with the number of the
 /// line, as in `line 7: there is no corner 9`.
@@ -55,8 +54,7 @@ fn named(word: &str, corners: &[Point3]) -> Result<Point3, String> {
     })
 }
 
-/// The triangles of a face of three or more corners: all of them meet in the
-/// first.
+/// The triangles of a face of three or more corners: all of them meet in the first.
 fn face(words: SplitWhitespace, corners: &[Point3]) -> Result<Vec<Triangle>, String> {
     missing!("the triangles of a face", Ok(Vec::new()), {
         let around = words.map(|word| named(word, corners));
@@ -76,7 +74,6 @@ testing::examples! {
     let read = |line: &str| read_obj(&format!("{corners}{line}\n"));
     let [a, b] = [Point3::ORIGIN, Point3::new(4.0, 0.0, 0.0)];
     let triangle = Triangle::new(a, b, Point3::new(0.0, 0.5, -3.0)).unwrap();
-    assert_eq!(read("# no face"), Ok(vec![]));
     assert_eq!(read("f 1 2 4"), Ok(vec![triangle]));
     assert_eq!(read("f 1/7 2/8 -1"), Ok(vec![triangle]));
     assert_eq!(read("f 1 2 3 4").map(|triangles| triangles.len()), Ok(2));

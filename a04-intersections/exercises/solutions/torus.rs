@@ -1,10 +1,6 @@
 //! `Torus`: a ring around the y axis.
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval};
-use common::{ArgumentError, argument};
-use testing::assert_close;
+use crate::prelude::*;
 
 /// All points at the distance `r` from a circle of the radius `ring`, which lies
 /// around the origin in the plane y = 0.
@@ -15,8 +11,7 @@ pub struct Torus {
 }
 
 impl Torus {
-    /// The torus of a circle of the radius `ring`, with a tube of the smaller
-    /// radius `r`.
+    /// The torus of a circle of the radius `ring`, with a tube of the smaller radius `r`.
     pub fn new(ring: f64, r: f64) -> Result<Self, ArgumentError> {
         let ring = argument::length("radius of the ring", ring)?;
         let r = argument::length("radius r", r)?;

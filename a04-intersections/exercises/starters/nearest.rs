@@ -1,9 +1,6 @@
 //! `nearest`: the nearest hit among all objects of a world.
 
-use a02_math::{Direction, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval, Sphere, World};
-use common::Color;
+use crate::prelude::*;
 
 /// The nearest hit within the interval, and the number of the object there.
 ///

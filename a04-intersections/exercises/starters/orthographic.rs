@@ -1,9 +1,6 @@
 //! `OrthographicCamera`: parallel rays, so that size does not depend on distance.
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{Basis, Camera, Ray};
-use common::{ArgumentError, Size};
-use testing::assert_close;
+use crate::prelude::*;
 
 /// A camera whose rays are parallel.
 pub struct OrthographicCamera {
@@ -15,10 +12,8 @@ impl OrthographicCamera {
     /// A camera at `e` looking along `g` with `t` upwards, whose picture shows a height
     /// of `s` from the middle of its lowest pixel to the middle of its highest.
     pub fn new(e: Point3, g: Vector3, t: Vector3, s: f64) -> Result<Self, ArgumentError> {
-        Ok(Self {
-            basis: Basis::new(e, g, t)?,
-            s,
-        })
+        let basis = Basis::new(e, g, t)?;
+        Ok(Self { basis, s })
     }
 }
 

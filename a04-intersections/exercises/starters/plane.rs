@@ -1,25 +1,19 @@
 //! `Plane`: flat and infinite.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval};
-use common::ArgumentError;
+use crate::prelude::*;
 
-/// The plane through a point, perpendicular to a normal.
+/// The plane through a point, perpendicular to a normal of length 1.
 #[derive(Debug)]
 pub struct Plane {
     a: Point3,
-    /// Of length 1.
     n: Normal3,
 }
 
 impl Plane {
     /// The plane through `a` with a normal `n` of any length but 0.
     pub fn new(a: Point3, n: Normal3) -> Result<Self, ArgumentError> {
-        Ok(Self {
-            a,
-            n: n.unit("normal n")?,
-        })
+        let n = n.unit("normal n")?;
+        Ok(Self { a, n })
     }
 }
 
@@ -41,7 +35,6 @@ testing::examples! {
         floor.hit(&ray, Interval::AHEAD).map(|hit| (hit.t, hit.normal.y()))
     };
     assert_eq!(hit(0.0, -1.0), Some((1.0, 1.0)), "from above");
-    assert_eq!(hit(0.0, -0.5), Some((2.0, 1.0)), "at a smaller slope");
     assert_eq!(hit(-3.0, 1.0), Some((2.0, 1.0)), "from below");
     assert_eq!(hit(0.0, 1.0), None, "the plane lies behind");
     assert_eq!(hit(0.0, 0.0), None, "parallel");

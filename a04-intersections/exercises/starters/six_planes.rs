@@ -1,31 +1,18 @@
 //! `SixPlanes`: a box put together of planes, as the protocol does it.
 
-use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval, Plane};
-use common::ArgumentError;
+use crate::prelude::*;
 
 /// A box of six planes: two across each axis, one through either corner.
 #[derive(Debug)]
 pub struct SixPlanes {
-    lbf: [f64; 3],
-    run: [f64; 3],
-    /// Each with the number of its axis.
-    planes: Vec<(usize, Plane)>,
+    lbf: Point3,
+    run: Point3,
 }
 
 impl SixPlanes {
     /// The box from its left, bottom, far corner to its right, upper, near one.
     pub fn new(lbf: Point3, run: Point3) -> Result<Self, ArgumentError> {
-        let mut planes = Vec::new();
-        let axes = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)];
-        for (axis, (x, y, z)) in axes.into_iter().enumerate() {
-            let normal = Normal3::new(x, y, z);
-            planes.push((axis, Plane::new(lbf, -normal)?));
-            planes.push((axis, Plane::new(run, normal)?));
-        }
-        let [lbf, run] = [lbf, run].map(|corner| corner.to_glam().to_array());
-        Ok(Self { lbf, run, planes })
+        Ok(Self { lbf, run })
     }
 }
 
@@ -35,13 +22,21 @@ impl Geometry for SixPlanes {
         testing::missing("a box whose faces have no holes", ());
         testing::missing("a box whose front hides its back", ());
 
+        let [lbf, run] = [self.lbf, self.run].map(Point3::to_glam);
         let mut found: Option<Hit> = None;
-        let hits = |(axis, plane): &(usize, Plane)| Some((*axis, plane.hit(ray, within)?));
-        for (axis, hit) in self.planes.iter().filter_map(hits) {
-            let point = ray.at(hit.t).to_glam();
-            let is_on_face = (0..3).all(|i| self.lbf[i] <= point[i] && point[i] <= self.run[i]);
-            if is_on_face {
-                found = Some(hit);
+        for axis in 0..3 {
+            for (corner, side) in [(self.lbf, -1.0), (self.run, 1.0)] {
+                let mut normal = [0.0; 3];
+                normal[axis] = side;
+                let plane = Plane::new(corner, Normal3::from_glam(normal.into())).ok()?;
+                let Some(hit) = plane.hit(ray, within) else {
+                    continue;
+                };
+                let point = ray.at(hit.t).to_glam();
+                let is_on_face = (0..3).all(|i| lbf[i] <= point[i] && point[i] <= run[i]);
+                if is_on_face {
+                    found = Some(hit);
+                }
             }
         }
         found

@@ -1,9 +1,6 @@
 //! `Triangle`: three corners.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval};
-use common::ArgumentError;
+use crate::prelude::*;
 
 /// A triangle. It has no thickness, and is seen from both sides.
 #[derive(Debug)]

@@ -51,25 +51,17 @@ fn hits(world: &World<usize>, ray: &Ray, within: Interval) -> impl Iterator<Item
     objects.filter_map(move |(shape, number)| Some((shape.hit(ray, within)?, *number)))
 }
 
-/// The hit with its normals turned where this one of them looks along the ray.
-fn turned(found: Found, ray: &Ray, by: fn(&Hit) -> Normal3) -> Found {
-    let (mut hit, number) = found?;
-    if by(&hit).dot(ray.direction()) > 0.0 {
-        (hit.normal, hit.face) = (-hit.normal, -hit.face);
-    }
-    Some((hit, number))
-}
-
 pub const VARIANTS: &[Variant] = &[
     right("all hits, and then the first", |c| {
         check(c, |world, ray, i| {
             let first = hits(world, ray, i).min_by(|(a, _), (b, _)| a.t.total_cmp(&b.t));
-            turned(first, ray, |hit| hit.face)
+            first.map(|(hit, number)| (turned(hit, hit.face, ray), number))
         });
     }),
     wrong("the nearest counts, not the last", |c| {
         check(c, |world, ray, i| {
-            turned(hits(world, ray, i).last(), ray, |hit| hit.face)
+            let last = hits(world, ray, i).last();
+            last.map(|(hit, number)| (turned(hit, hit.face, ray), number))
         });
     }),
     wrong("a hit before the interval hides one in it", |c| {
@@ -79,7 +71,8 @@ pub const VARIANTS: &[Variant] = &[
     }),
     wrong("the face, not the normal, says what is seen", |c| {
         check(c, |world, ray, i| {
-            turned(lesson(world, ray, i), ray, |hit| hit.normal)
+            let (hit, number) = lesson(world, ray, i)?;
+            Some((turned(hit, hit.normal, ray), number))
         });
     }),
 ];

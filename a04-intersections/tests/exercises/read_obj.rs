@@ -38,12 +38,8 @@ pub fn check(check: &mut Check, read_obj: impl Fn(&str) -> Result<Vec<Triangle>,
         |text| answer(solution(&text)),
         |text| answer(read_obj(&text)),
     );
-    let world = World::new(Color::gray(0.1)).map(|world| {
-        let house = read_obj(HOUSE).unwrap_or_default().into_iter();
-        house.fold(world, |world, triangle| world.with(triangle, ()))
-    });
-    let (eye, at) = ([4.0, 3.0, 5.0], [0.0, 0.8, -0.2]);
-    show_world(check, world, eye, at, |(), _, normal| by_normal(normal));
+    let house = read_obj(HOUSE).into_iter().flatten();
+    show(check, house, [4.0, 3.0, 5.0], [0.0, 0.8, -0.2]);
 }
 
 /// The corners of the triangles, or the beginning of the error.

@@ -60,6 +60,14 @@ pub fn answer(hit: Option<Hit>) -> Answer {
     })
 }
 
+/// The hit with its normals turned, if this one of them looks along the ray.
+pub fn turned(mut hit: Hit, by: Normal3, ray: &Ray) -> Hit {
+    if by.dot(ray.direction()) > 0.0 {
+        (hit.normal, hit.face) = (-hit.normal, -hit.face);
+    }
+    hit
+}
+
 type Flaw = fn(&dyn Geometry, &Ray, Interval) -> Option<Hit>;
 
 /// Mistakes that any shape may have.
@@ -77,9 +85,8 @@ const USUAL: [(&str, Flaw); 5] = [
         Some(hit)
     }),
     ("a normal does not turn to the ray", |shape, ray, i| {
-        let Hit { t, normal, face } = shape.hit(ray, i)?;
-        let is_front = face.dot(ray.direction()) < 0.0;
-        Some(Hit::new(t, if is_front { normal } else { -normal }))
+        let hit = shape.hit(ray, i)?;
+        Some(turned(hit, hit.face, ray))
     }),
     ("a shape has a far side, too", |shape, ray, i| {
         let is_front = |hit: &Hit| hit.face.dot(ray.direction()) < 0.0;
@@ -114,11 +121,9 @@ pub fn compare<P: Input, L: Geometry, Y: Geometry>(
     lesson: impl Fn(P) -> Result<L, ArgumentError>,
     yours: impl Fn(P) -> Result<Y, ArgumentError>,
 ) {
-    let rays = |shape: &P| lesson(shape.clone()).map_or(Vec::new(), |shape| rays(&shape));
     let with = |shape: P| {
-        rays(&shape)
-            .into_iter()
-            .map(move |ray| (shape.clone(), ray))
+        let rays = lesson(shape.clone()).map_or(Vec::new(), |shape| rays(&shape));
+        rays.into_iter().map(move |ray| (shape.clone(), ray))
     };
     let mistake = check.usual(&USUAL).unwrap_or(Geometry::hit);
     let hit = |shape: &dyn Geometry, ray, hit: Flaw| {
@@ -217,21 +222,24 @@ pub fn scene(
     });
 }
 
-/// Shows a shape to an eye that looks at the point `at`, coloured by its normal:
+/// Shows shapes to an eye that looks at the point `at`, coloured by their normals:
 /// red faces right or left, green up or down, blue near or far.
 pub fn show(
     check: &mut Check,
-    shape: Result<impl Geometry, ArgumentError>,
+    shapes: impl IntoIterator<Item = impl Geometry>,
     eye: [f64; 3],
     at: [f64; 3],
 ) {
-    let world = World::new(Color::gray(0.1)).and_then(|world| Ok(world.with(shape?, ())));
-    show_world(check, world, eye, at, |(), _, normal| by_normal(normal));
-}
-
-pub fn by_normal(normal: Normal3) -> Color {
-    let [r, g, b] = normal.to_glam().abs().to_array();
-    Color::new(r, g, b)
+    let world = World::new(Color::gray(0.1)).map(|mut world| {
+        for shape in shapes {
+            world = world.with(shape, ());
+        }
+        world
+    });
+    show_world(check, world, eye, at, |(), _, normal| {
+        let [r, g, b] = normal.to_glam().abs().to_array();
+        Color::new(r, g, b)
+    });
 }
 
 /// Shows a world to an eye that looks at the point `at`, coloured by surface, place and

@@ -1,12 +1,10 @@
 //! `chain`: the lesson's own `Transform`.
 
-use a07_transforms::{Mat4x4, Transform};
+use crate::prelude::*;
 
 pub use crate::steps::Step;
 
 pub fn chain(steps: &[Step]) -> [Mat4x4; 2] {
-    let transform = steps
-        .iter()
-        .fold(Transform::IDENTITY, |t, step| step.after(t));
+    let transform = transform(steps);
     [transform.matrix(), transform.inverse()]
 }

@@ -1,9 +1,6 @@
 //! Earth and moon: a scene graph of things that turn around others.
 
-use a02_math::Point3;
-use a07_transforms::Transform;
-use common::ArgumentError;
-use testing::assert_close;
+use crate::prelude::*;
 
 /// Where the earth and the moon are; the sun is in the origin. The earth is 5
 /// away from the sun, along the x axis turned by `year` radians about the y axis.

@@ -1,9 +1,6 @@
 //! `Ring`: a flat disc with a round hole.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval, Plane};
-use common::{ArgumentError, argument};
+use crate::prelude::*;
 
 /// All points of a plane whose distance from a point is from `hole` to `r`.
 #[derive(Clone, Copy, Debug)]

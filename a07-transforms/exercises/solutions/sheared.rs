@@ -1,9 +1,6 @@
 //! `Sheared`: a shape that leans.
 
-use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval, Plane};
-use testing::assert_close;
+use crate::prelude::*;
 
 /// A shape whose points have been pushed aside by their height: (x, y, z) has
 /// become (x + `by` y, y, z).
@@ -18,36 +15,26 @@ impl<G> Sheared<G> {
     pub const fn new(shape: G, by: f64) -> Self {
         Self { shape, by }
     }
+}
 
-    /// The ray as the upright shape sees it, with the same `t`.
-    fn ray_to_shape(&self, ray: &Ray) -> Ray {
+impl<G: Geometry> Geometry for Sheared<G> {
+    /// The hit of the upright shape and the ray as that one sees it, which has the same `t`.
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let (o, d) = (ray.origin(), ray.direction());
         let (o, d) = missing!("origin and direction, sheared back", (o, d), {
             // Points and vectors alike: a shear leaves the origin where it is.
             let o = Point3::new(o.x() - self.by * o.y(), o.y(), o.z());
             (o, Vector3::new(d.x() - self.by * d.y(), d.y(), d.z()))
         });
-        Ray::derived(o, d)
-    }
-
-    /// A normal of the upright shape as the leaning one has it.
-    fn normal_from_shape(&self, n: Normal3) -> Option<Normal3> {
-        let n = missing!("the normal of the leaning shape", Vector3::from(n), {
-            // The transpose of the inverse matrix.
-            Vector3::new(n.x(), n.y() - self.by * n.x(), n.z())
-        });
-        n.normalized().map(Vector3::as_normal)
-    }
-}
-
-impl<G: Geometry> Geometry for Sheared<G> {
-    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        let Hit { t, normal, face } = self.shape.hit(&self.ray_to_shape(ray), within)?;
-        Some(Hit {
-            t,
-            normal: self.normal_from_shape(normal)?,
-            face: self.normal_from_shape(face)?,
-        })
+        let mut hit = self.shape.hit(&Ray::derived(o, d), within)?;
+        for n in [&mut hit.normal, &mut hit.face] {
+            let leaning = missing!("the normal of the leaning shape", Vector3::from(*n), {
+                // The transpose of the inverse matrix.
+                Vector3::new(n.x(), n.y() - self.by * n.x(), n.z())
+            });
+            *n = leaning.normalized()?.as_normal();
+        }
+        Some(hit)
     }
 }
 

@@ -1,9 +1,6 @@
 //! `chain`: the matrix of several steps, and its inverse.
 
-use a02_math::Point3;
-use a07_transforms::Mat4x4;
-
-use crate::steps::Step;
+use crate::prelude::*;
 
 /// The matrix of a chain of steps from the space of the object to the space around it, and
 /// its inverse. The steps are in the order in which a program chains them, so the last one

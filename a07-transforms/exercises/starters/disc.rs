@@ -1,9 +1,6 @@
 //! `Disc`: the part of a plane within a radius of a point.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval, Plane};
-use common::ArgumentError;
+use crate::prelude::*;
 
 /// A round, flat disc. It has no thickness, and its rim belongs to it.
 #[derive(Debug)]
@@ -15,11 +12,8 @@ pub struct Disc {
 
 impl Disc {
     pub fn new(c: Point3, n: Normal3, r: f64) -> Result<Self, ArgumentError> {
-        Ok(Self {
-            plane: Plane::new(c, n)?,
-            c,
-            r,
-        })
+        let plane = Plane::new(c, n)?;
+        Ok(Self { plane, c, r })
     }
 }
 

@@ -1,9 +1,6 @@
 //! `Node`: geometries under one transform, themselves a geometry.
 
-use a02_math::{Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, Interval, Sphere};
-use a07_transforms::Transform;
+use crate::prelude::*;
 
 /// A node of the scene graph: children with a common transform. As it is a geometry, it
 /// can be a child of another node.

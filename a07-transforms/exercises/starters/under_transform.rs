@@ -1,9 +1,6 @@
 //! The ray and the normal under a transform.
 
-use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a07_transforms::Transform;
-use testing::assert_close;
+use crate::prelude::*;
 
 /// The ray in the space of the object. A hit there has the same `t` as around the object,
 /// so the direction keeps the length that it has.

@@ -16,13 +16,10 @@ pub fn check(check: &mut Check, ray_to_object: RayToObject, normal_from_object: 
             .and("direction", ray.direction().to_glam().to_array())
             .and("the normal", n.map(|n| n.to_glam().to_array()))
     };
-    let simple = [
-        Step::Translate([2.0, 0.0, 0.0]),
-        Step::Scale([2.0, 1.0, 1.0]),
-    ];
+    let (step, double) = (Step::Translate([2.0, 0.0, 0.0]), Step::Scale([2.0; 3]));
     check.compare(
         "chain {}; origin and direction of the ray, and normal {}",
-        simple.map(|step| (vec![step], [[0.0; 3], [0.0, 0.0, -2.0], [0.6, 0.8, 0.0]])),
+        [step, double].map(|step| (vec![step], [[0.0; 3], [0.0, 0.0, -2.0], [0.6, 0.8, 0.0]])),
         random(|r| (Step::random(r), [(); 3].map(|()| r.triple(5.0)))),
         |input| moved(input, lesson::ray_to_object, lesson::normal_from_object),
         |input| moved(input, ray_to_object, normal_from_object),
