@@ -37,10 +37,7 @@ testing::examples! {
     let [gaze, up] = [Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0)];
     let basis = Basis::new(Point3::ORIGIN, gaze, up).unwrap();
     let camera = Fisheye::new(basis, std::f64::consts::PI);
-    let direction = |x, y| {
-        let ray = camera.ray_for(Size::new(8, 4).unwrap(), x, y);
-        ray.direction().to_glam().to_array()
-    };
+    let direction = |x, y| direction(&camera, Size::new(8, 4).unwrap(), x, y);
     assert_close(direction(3.5, 1.5), [0.0, 0.0, -1.0]);
     assert_close(direction(3.5, 3.5), [0.0, 1.0, 0.0]);
     assert_close(direction(5.5, 1.5), [1.0, 0.0, 0.0]);

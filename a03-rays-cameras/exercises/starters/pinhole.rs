@@ -32,10 +32,7 @@ impl Camera for PinholeCamera {
 testing::examples! {
     let right_angle = std::f64::consts::FRAC_PI_2;
     let camera = PinholeCamera::new(Point3::ORIGIN, right_angle).unwrap();
-    let direction = |x, y| {
-        let ray = camera.ray_for(Size::new(4, 2).unwrap(), x, y);
-        ray.direction().to_glam().to_array()
-    };
+    let direction = |x, y| direction(&camera, Size::new(4, 2).unwrap(), x, y);
     let half = 0.5_f64.sqrt();
     assert_close(direction(1.5, 0.5), [0.0, 0.0, -1.0]);
     assert_close(direction(1.5, 1.5), [0.0, half, -half]);

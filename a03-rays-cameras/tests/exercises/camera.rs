@@ -19,7 +19,7 @@ const USUAL: [(&str, Rays); 3] = [
         camera.ray_for(size, x, f64::from(size.height() - 1) - y)
     }),
     (
-        "whole numbers are middles of pixels, not corners",
+        "whole numbers are middles of pixels",
         |camera, size, x, y| camera.ray_for(size, x - 0.5, y - 0.5),
     ),
     ("the gaze is along -w", |camera, size, x, y| {
@@ -35,10 +35,14 @@ pub fn compare<P: Input, L: Camera, Y: Camera>(
     words: &str,
     first: P,
     mut any: impl FnMut(&mut Random) -> P,
-    lesson: impl Fn(P) -> Result<L, ArgumentError>,
-    yours: impl Fn(P) -> Result<Y, ArgumentError>,
+    lesson: impl Fn(P) -> Made<L>,
+    yours: impl Fn(P) -> Made<Y>,
 ) {
     let mistake = check.usual(&USUAL).unwrap_or(Camera::ray_for);
+    let ray = |camera: &dyn Camera, [width, height]: [u32; 2], [x, y]: [f64; 2], ray: Rays| {
+        let size = Size::new(width, height).ok()?;
+        Some(answer(&ray(camera, size, x, y)))
+    };
     let places = [[2.0, 1.0], [0.0, 1.0], [2.0, 0.0], [4.0, 2.0], [2.5, 0.5]];
     check.compare(
         &format!("{words}, picture of {{}} pixels, place {{}}"),
@@ -48,14 +52,8 @@ pub fn compare<P: Input, L: Camera, Y: Camera>(
             let place = size.map(|n| r.between(-0.5, f64::from(n) - 0.5));
             (any(r), size, place)
         }),
-        |(camera, [width, height], [x, y])| {
-            let (camera, size) = (lesson(camera).ok()?, Size::new(width, height).ok()?);
-            Some(answer(&camera.ray_for(size, x, y)))
-        },
-        |(camera, [width, height], [x, y])| {
-            let (camera, size) = (yours(camera).ok()?, Size::new(width, height).ok()?);
-            Some(answer(&mistake(&camera, size, x, y)))
-        },
+        |(camera, size, place)| ray(&lesson(camera).ok()?, size, place, Camera::ray_for),
+        |(camera, size, place)| ray(&yours(camera).ok()?, size, place, mistake),
     );
 }
 

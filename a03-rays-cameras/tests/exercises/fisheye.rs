@@ -6,11 +6,11 @@ use crate::camera::compare;
 use crate::prelude::*;
 use crate::solutions::fisheye::Fisheye;
 
-fn basis(e: [f64; 3], gaze: [f64; 3]) -> Result<Basis, ArgumentError> {
+fn basis(e: [f64; 3], gaze: [f64; 3]) -> Made<Basis> {
     Basis::new(point(e), vector(gaze), vector([0.0, 1.0, 0.0]))
 }
 
-pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Basis, f64) -> Result<C, ArgumentError>) {
+pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Basis, f64) -> Made<C>) {
     compare(
         check,
         "eye {}, gaze {}, opening {}",

@@ -4,6 +4,8 @@ use crate::camera::Own;
 use crate::prelude::*;
 
 type Radiance<'a> = &'a (dyn Fn(&Ray) -> Color + Sync);
+type Picture<'a> = &'a dyn Fn(&Settings) -> Result<Image, Error>;
+type Input = (Sampling, u32, [u32; 2], [u32; 2]);
 
 pub fn check(
     check: &mut Check,
@@ -17,11 +19,14 @@ pub fn check(
         let (x, y) = (ray.origin().x(), ray.origin().y());
         Color::new(x, y, x * x)
     };
-    type Input = (Sampling, u32, [u32; 2], [u32; 2]);
     let pixel = |(sampling, samples, [width, height], [x, y]): Input, picture: Picture| {
-        let mut settings = Settings::default();
-        settings.size = Size::new(width, height).ok()?;
-        (settings.sampling, settings.samples) = (sampling, samples);
+        let size = Size::new(width, height).ok()?;
+        let settings = Settings {
+            size,
+            sampling,
+            samples,
+            ..Settings::default()
+        };
         picture(&settings).ok()?.get(x, y).map(Color::channels)
     };
     check.compare(
@@ -40,8 +45,6 @@ pub fn check(
         yours(&camera, &|ray| sky.color_for(ray), settings)
     });
 }
-
-type Picture<'a> = &'a dyn Fn(&Settings) -> Result<Image, Error>;
 
 /// A picture whose pixels follow from the colours of their samples and the wanted number, and
 /// whose rows are counted from the top or from below.
@@ -68,10 +71,8 @@ fn running_mean(samples: &[Color], _: u32) -> Color {
 
 /// The sum of the samples over the wanted number.
 fn share(samples: &[Color], wanted: u32) -> Color {
-    let shares = samples
-        .iter()
-        .map(|color| *color * (1.0 / f64::from(wanted)));
-    shares.fold(Color::BLACK, |sum, share| sum + share)
+    let (samples, weight) = (samples.iter(), 1.0 / f64::from(wanted));
+    samples.fold(Color::BLACK, |sum, color| sum + *color * weight)
 }
 
 pub const VARIANTS: &[Variant] = &[

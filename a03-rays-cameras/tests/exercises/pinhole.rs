@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use crate::camera::{Own, compare};
 use crate::prelude::*;
 
-pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Point3, f64) -> Result<C, ArgumentError>) {
+pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Point3, f64) -> Made<C>) {
     compare(
         check,
         "pinhole at {}, opening angle {}",

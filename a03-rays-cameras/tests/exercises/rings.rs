@@ -15,11 +15,8 @@ pub fn check(check: &mut Check, ring: impl Fn(Vector3, Vector3, f64) -> u32 + Sy
         random(|r| {
             let (pole, aside, length) = (r.triple(2.0), r.triple(9.0), r.between(0.1, 9.0));
             let width = [1.0, 0.1, 1e-3, 1e-9][r.below(4) as usize];
-            (
-                [0, 1, 2].map(|k| length * (pole[k] + width * aside[k])),
-                pole,
-                width,
-            )
+            let direction = [0, 1, 2].map(|k| length * (pole[k] + width * aside[k]));
+            (direction, pole, width)
         }),
         |(direction, pole, width)| solution(vector(direction), vector(pole), width) as usize,
         |(direction, pole, width)| ring(vector(direction), vector(pole), width) as usize,
@@ -35,14 +32,11 @@ pub fn check(check: &mut Check, ring: impl Fn(Vector3, Vector3, f64) -> u32 + Sy
     });
 }
 
-fn cosine(a: Vector3, b: Vector3) -> f64 {
-    a.dot(b) / (a.magnitude() * b.magnitude())
-}
-
 pub const VARIANTS: &[Variant] = &[
     wrong("an arc cosine near 1 has few digits", |c| {
         check(c, |d, pole, width| {
-            (libm::acos(cosine(d, pole).clamp(-1.0, 1.0)) / width) as u32
+            let cosine = d.dot(pole) / (d.magnitude() * pole.magnitude());
+            (libm::acos(cosine.clamp(-1.0, 1.0)) / width) as u32
         });
     }),
     wrong("rings are behind the pole, too", |c| {

@@ -6,7 +6,7 @@ use crate::prelude::*;
 
 pub fn check<S: Sync>(
     check: &mut Check,
-    new: impl Fn(&PinholeCamera, Size, u32) -> Result<S, ArgumentError>,
+    new: impl Fn(&PinholeCamera, Size, u32) -> Made<S>,
     stripe: impl Fn(&S, &Ray) -> u32 + Sync,
 ) {
     let camera = |angle| PinholeCamera::new(Point3::ORIGIN, angle);

@@ -7,31 +7,33 @@ use crate::prelude::*;
 use crate::solutions::thin_lens::through_lens as solution;
 
 type Through<'a> = &'a dyn Fn(&Basis, f64, &Ray, (f64, f64)) -> Ray;
-type Input = ([f64; 3], [f64; 3], f64, [f64; 3], [f64; 2]);
+type Input = ([f64; 3], [f64; 3], f64, [f64; 2], [f64; 2]);
 
 pub fn check(check: &mut Check, through: impl Fn(&Basis, f64, &Ray, (f64, f64)) -> Ray) {
-    let lens = |(e, gaze, focus, [x, y, z], [right, up]): Input, through: Through| {
-        let basis = Basis::new(point(e), vector(gaze), vector([0.0, 1.0, 0.0])).ok()?;
-        // Ahead, whatever the coordinates are.
-        let way = basis.u * x + basis.v * y - basis.w * (z.abs() + 0.1);
-        let ray = Ray::new(basis.e, way).ok()?;
-        Some(answer(&through(&basis, focus, &ray, (right, up))))
+    let camera = |e, gaze| {
+        let up = vector([0.0, 1.0, 0.0]);
+        PerspectiveCamera::new(point(e), vector(gaze), up, FRAC_PI_4)
+    };
+    let lens = |(e, gaze, focus, [x, y], place): Input, through: Through| {
+        let camera = camera(e, gaze).ok()?;
+        let ray = camera.ray_for(Size::new(5, 3).ok()?, x, y);
+        Some(answer(&through(&camera.basis(), focus, &ray, place.into())))
     };
     let places = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     check.compare(
-        "eye {}, gaze {}, focus {}, ray towards {} of the camera, place {} of the lens",
-        places.map(|place| ([0.0; 3], [0.0, 0.0, -1.0], 2.0, [1.0, 0.0, 0.9], place)),
+        "eye {}, gaze {}, focus {}, ray through {} of 5 by 3 pixels, place {} of the lens",
+        places.map(|place| ([0.0; 3], [0.0, 0.0, -1.0], 2.0, [4.0, 1.0], place)),
         random(|r| {
             let (focus, place) = (r.between(0.1, 20.0), [(); 2].map(|()| r.between(-0.5, 0.5)));
-            (r.triple(9.0), r.triple(3.0), focus, r.triple(2.0), place)
+            let pixel = [r.between(-0.5, 4.5), r.between(-0.5, 2.5)];
+            (r.triple(9.0), r.triple(3.0), focus, pixel, place)
         }),
         |input| lens(input, &solution),
         |input| lens(input, &through),
     );
     // Three walls of holes, one behind the other; the middle one is in focus.
     check.picture(|settings| {
-        let [gaze, up] = [[0.0, 0.0, -1.0], [0.0, 1.0, 0.0]].map(vector);
-        let camera = PerspectiveCamera::new(Point3::ORIGIN, gaze, up, FRAC_PI_4)?;
+        let camera = camera([0.0; 3], [0.0, 0.0, -1.0])?;
         let (size, samples) = (settings.size, 64_u32);
         let bottom = f64::from(size.height() - 1);
         Image::from_fn(size, |x, y| {

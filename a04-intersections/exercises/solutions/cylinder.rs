@@ -45,8 +45,7 @@ impl Geometry for Cylinder {
 testing::examples! {
     let tube = Cylinder::new(1.0, 2.0).unwrap();
     let hit = |y, z, dz| {
-        let ray = Ray::derived(Point3::new(0.0, y, z), Vector3::new(0.0, -1.0, dz));
-        tube.hit(&ray, Interval::AHEAD).map(|hit| (hit.t, hit.normal.z()))
+        hit_from([0.0, y, z], [0.0, -1.0, dz], &tube).map(|hit| (hit.t, hit.normal.z()))
     };
     assert_eq!(hit(3.0, 3.0, -1.0), Some((2.0, 1.0)), "at the near wall");
     assert_eq!(hit(5.0, 3.0, -1.0), Some((4.0, -1.0)), "over the rim, at the far wall");

@@ -12,6 +12,7 @@ pub struct SixPlanes {
 impl SixPlanes {
     /// The box from its left, bottom, far corner to its right, upper, near one.
     pub fn new(lbf: Point3, run: Point3) -> Result<Self, ArgumentError> {
+        let [lbf, run] = [lbf.checked("corner lbf")?, run.checked("corner run")?];
         Ok(Self { lbf, run })
     }
 }

@@ -71,8 +71,7 @@ impl Geometry for Torus {
 testing::examples! {
     let torus = Torus::new(2.0, 0.5).unwrap();
     let hit = |x, y, dy| {
-        let ray = Ray::derived(Point3::new(x, y, 0.0), Vector3::new(0.0, dy, 0.0));
-        torus.hit(&ray, Interval::AHEAD).map(|hit| [hit.t, hit.normal.y()])
+        hit_from([x, y, 0.0], [0.0, dy, 0.0], &torus).map(|hit| [hit.t, hit.normal.y()])
     };
     assert_close(hit(2.0, 5.0, -1.0), Some([4.5, 1.0]));
     assert_close(hit(2.0, 5.0, -2.0), Some([2.25, 1.0]));

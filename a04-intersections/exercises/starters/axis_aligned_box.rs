@@ -31,8 +31,7 @@ testing::examples! {
     let [lbf, run] = [-1.0, 1.0].map(|x| Point3::new(x, x, x));
     let cube = AxisAlignedBox::new(lbf, run).unwrap();
     let hit = |x, z, dz| {
-        let ray = Ray::derived(Point3::new(x, 0.0, z), Vector3::new(0.0, 0.0, dz));
-        cube.hit(&ray, Interval::AHEAD).map(|hit| (hit.t, hit.normal.z()))
+        hit_from([x, 0.0, z], [0.0, 0.0, dz], &cube).map(|hit| (hit.t, hit.normal.z()))
     };
     assert_eq!(hit(0.0, 5.0, -1.0), Some((4.0, 1.0)), "straight ahead");
     assert_eq!(hit(0.0, 0.0, -1.0), Some((1.0, -1.0)), "from inside");

@@ -31,8 +31,7 @@ impl Geometry for Plane {
 testing::examples! {
     let floor = Plane::new(Point3::new(0.0, -1.0, 0.0), Normal3::new(0.0, 1.0, 0.0)).unwrap();
     let hit = |y, dy| {
-        let ray = Ray::derived(Point3::new(0.0, y, 0.0), Vector3::new(1.0, dy, 0.0));
-        floor.hit(&ray, Interval::AHEAD).map(|hit| (hit.t, hit.normal.y()))
+        hit_from([0.0, y, 0.0], [1.0, dy, 0.0], &floor).map(|hit| (hit.t, hit.normal.y()))
     };
     assert_eq!(hit(0.0, -1.0), Some((1.0, 1.0)), "from above");
     assert_eq!(hit(-3.0, 1.0), Some((2.0, 1.0)), "from below");

@@ -12,6 +12,7 @@ pub struct SixPlanes {
 impl SixPlanes {
     /// The box from its left, bottom, far corner to its right, upper, near one.
     pub fn new(lbf: Point3, run: Point3) -> Result<Self, ArgumentError> {
+        let [lbf, run] = [lbf.checked("corner lbf")?, run.checked("corner run")?];
         Ok(Self { lbf, run })
     }
 }
@@ -47,8 +48,7 @@ testing::examples! {
     let [lbf, run] = [Point3::new(-1.0, -1.0, -1.0), Point3::new(1.0, 1.0, 1.0)];
     let cube = SixPlanes::new(lbf, run).unwrap();
     let hit = |z, dz| {
-        let ray = Ray::derived(Point3::new(0.0, 0.0, z), Vector3::new(0.0, 0.0, dz));
-        cube.hit(&ray, Interval::AHEAD).map(|hit| (hit.t, hit.normal.z()))
+        hit_from([0.0, 0.0, z], [0.0, 0.0, dz], &cube).map(|hit| (hit.t, hit.normal.z()))
     };
     assert_eq!(hit(5.0, -1.0), Some((4.0, 1.0)), "from the front");
     assert_eq!(hit(-5.0, 1.0), Some((4.0, -1.0)), "from the back");

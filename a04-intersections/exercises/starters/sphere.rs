@@ -26,8 +26,7 @@ impl Geometry for Sphere {
 testing::examples! {
     let ball = Sphere::new(Point3::new(0.0, 0.0, -3.0), 0.5).unwrap();
     let hit = |x, z, dz| {
-        let ray = Ray::derived(Point3::new(x, 0.0, z), Vector3::new(0.0, 0.0, dz));
-        ball.hit(&ray, Interval::AHEAD).map(|hit| (hit.t, hit.normal.z()))
+        hit_from([x, 0.0, z], [0.0, 0.0, dz], &ball).map(|hit| (hit.t, hit.normal.z()))
     };
     assert_eq!(hit(0.0, 0.0, -2.0), Some((1.25, 1.0)), "in longer steps");
     assert_eq!(hit(0.0, -3.0, -1.0), Some((0.5, -1.0)), "from inside");

@@ -29,8 +29,7 @@ testing::examples! {
     let [a, b, c] = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)].map(|(x, y)| Point3::new(x, y, -2.0));
     let triangle = Triangle::new(a, b, c).unwrap();
     let hit = |x, y, z, dz| {
-        let ray = Ray::derived(Point3::new(x, y, z), Vector3::new(0.0, 0.0, dz));
-        triangle.hit(&ray, Interval::AHEAD).map(|hit| (hit.t, hit.normal.z()))
+        hit_from([x, y, z], [0.0, 0.0, dz], &triangle).map(|hit| (hit.t, hit.normal.z()))
     };
     assert_eq!(hit(1.0, 1.0, 0.0, -1.0), Some((2.0, 1.0)), "from the front");
     assert_eq!(hit(1.0, 1.0, -4.0, 2.0), Some((1.0, 1.0)), "from the back, in longer steps");

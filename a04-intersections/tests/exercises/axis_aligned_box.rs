@@ -2,10 +2,7 @@
 
 use crate::prelude::*;
 
-pub fn check<G: Geometry>(
-    check: &mut Check,
-    new: impl Fn(Point3, Point3) -> Result<G, ArgumentError>,
-) {
+pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Point3, Point3) -> Made<G>) {
     compare_boxes(check, AxisAlignedBox::new, &new);
     let [lbf, run] = [point([-0.5, 0.0, -0.5]), point([0.5, 1.0, 0.5])];
     scene(check, "scene-3", scene_3, new(lbf, run));

@@ -25,7 +25,7 @@ pub fn check(check: &mut Check, checkerboard: impl Fn(Point3, Normal3) -> Color 
     });
 }
 
-fn floor_and_box() -> Result<World<()>, ArgumentError> {
+fn floor_and_box() -> Made<World<()>> {
     let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
     let cube = AxisAlignedBox::new(point([-2.0, 0.0, -2.0]), point([1.0, 2.0, 1.0]))?;
     Ok(World::new(Color::gray(0.1))?.with(floor, ()).with(cube, ()))

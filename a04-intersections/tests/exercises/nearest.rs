@@ -37,7 +37,7 @@ pub fn check(check: &mut Check, nearest: impl Fn(&World<usize>, &Ray, Interval) 
 }
 
 /// Spheres, and a triangle whose corners have normals aslant, each with its number.
-fn world(r: f64, centres: &[[f64; 3]]) -> Result<World<usize>, ArgumentError> {
+fn world(r: f64, centres: &[[f64; 3]]) -> Made<World<usize>> {
     let mut world = World::new(Color::BLACK)?.with(smooth_triangle(1.0)?, 0);
     for (number, centre) in (1..).zip(centres) {
         world = world.with(Sphere::new(point(*centre), r)?, number);

@@ -3,10 +3,7 @@
 use crate::camera::{Own, compare};
 use crate::prelude::*;
 
-pub fn check<C: Camera>(
-    check: &mut Check,
-    new: impl Fn(Point3, Vector3, Vector3, f64) -> Result<C, ArgumentError>,
-) {
+pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Point3, Vector3, Vector3, f64) -> Made<C>) {
     compare(
         check,
         "eye, gaze and up {}, s = {}",

@@ -2,10 +2,7 @@
 
 use crate::prelude::*;
 
-pub fn check<G: Geometry>(
-    check: &mut Check,
-    new: impl Fn(Point3, Normal3) -> Result<G, ArgumentError>,
-) {
+pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Point3, Normal3) -> Made<G>) {
     compare(
         check,
         "plane through {}, normal {}",
@@ -18,13 +15,18 @@ pub fn check<G: Geometry>(
     scene(check, "scene-1", scene_1, plane);
 }
 
-pub const VARIANTS: &[Variant] = &[right("the plane as n · p + k = 0", |c| {
-    check(c, |a, n| {
-        let n = n.unit("n")?;
-        let k = -n.dot(a - Point3::ORIGIN);
-        own(move |ray: &Ray, within| {
-            let t = -(n.dot(ray.origin() - Point3::ORIGIN) + k) / n.dot(ray.direction());
-            within.contains(t).then(|| Hit::new(t, n))
-        })
-    });
-})];
+pub const VARIANTS: &[Variant] = &[
+    right("the plane as n · p + k = 0", |c| {
+        check(c, |a, n| {
+            let n = n.unit("n")?;
+            let k = -n.dot(a - Point3::ORIGIN);
+            own(move |ray: &Ray, within| {
+                let t = -(n.dot(ray.origin() - Point3::ORIGIN) + k) / n.dot(ray.direction());
+                within.contains(t).then(|| Hit::new(t, n))
+            })
+        });
+    }),
+    wrong("a plane need not pass through the origin", |c| {
+        check(c, |_, n| Plane::new(Point3::ORIGIN, n))
+    }),
+];

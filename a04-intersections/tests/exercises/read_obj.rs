@@ -58,22 +58,16 @@ fn answer(read: Result<Vec<Triangle>, String>) -> Answer {
 
 /// A random face among random corners, which are named in all ways.
 fn mesh(random: &mut Random) -> String {
-    let (count, sides) = (6 + random.below(7), 3 + random.below(4));
-    let mut text = String::new();
-    for _ in 0..count {
-        let [x, y, z] = random.triple(9.0);
-        text += &format!("v {x} {y} {z}\n");
-    }
-    text += "f";
-    let first = random.below(count - sides + 1);
-    for corner in first..first + sides {
-        text += &match random.below(3) {
-            0 => format!(" {}", i64::from(corner) - i64::from(count)),
-            1 => format!(" {}/7/8", corner + 1),
-            _ => format!(" {}", corner + 1),
-        };
-    }
-    text + "\nv 0 0 0\n"
+    let count = 6 + random.below(7);
+    let corners = (0..count).map(|_| random.triple(9.0).map(|x| x.to_string()).join(" "));
+    let corners: String = corners.map(|xyz| ["v ", &xyz, "\n"].concat()).collect();
+    let (first, sides) = (random.below(count), 3 + random.below(4));
+    let names = (first..first + sides).map(|corner| match (corner % count, random.below(3)) {
+        (corner, 0) => format!(" {}", i64::from(corner) - i64::from(count)),
+        (corner, 1) => format!(" {}/7/8", corner + 1),
+        (corner, _) => format!(" {}", corner + 1),
+    });
+    format!("{corners}f{}\nv 0 0 0\n", names.collect::<String>())
 }
 
 pub const VARIANTS: &[Variant] = &[

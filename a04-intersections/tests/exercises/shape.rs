@@ -6,6 +6,9 @@ use std::fmt;
 
 use crate::prelude::*;
 
+/// A value, or the argument of its constructor that is wrong.
+pub type Made<T> = Result<T, ArgumentError>;
+
 /// Origin and direction of a ray, and the ends of the interval.
 pub type RayWithin = ([f64; 3], [f64; 3], f64, f64);
 
@@ -16,7 +19,7 @@ pub const RAY: &str = "ray from {} along {}, t from {} to {}";
 pub struct Own<F>(pub F);
 
 #[expect(clippy::unnecessary_wraps, reason = "a constructor returns a result")]
-pub fn own<F: Fn(&Ray, Interval) -> Option<Hit>>(hit: F) -> Result<Own<F>, ArgumentError> {
+pub fn own<F: Fn(&Ray, Interval) -> Option<Hit>>(hit: F) -> Made<Own<F>> {
     Ok(Own(hit))
 }
 
@@ -33,7 +36,7 @@ impl<F: Fn(&Ray, Interval) -> Option<Hit> + Send + Sync + 'static> Geometry for 
 }
 
 /// A triangle at this height over z = 0 whose corners have a normal that is not its face's.
-pub fn smooth_triangle(z: f64) -> Result<Triangle, ArgumentError> {
+pub fn smooth_triangle(z: f64) -> Made<Triangle> {
     let corners = [(-2.0, -2.0), (2.0, -2.0), (0.0, 2.0)];
     let [a, b, c] = corners.map(|(x, y)| Point3::new(x, y, z));
     Triangle::new(a, b, c)?.with_normals([Normal3::new(4.0, 1.0, 1.0); 3])
@@ -66,6 +69,11 @@ pub fn turned(mut hit: Hit, by: Normal3, ray: &Ray) -> Hit {
         (hit.normal, hit.face) = (-hit.normal, -hit.face);
     }
     hit
+}
+
+/// The hit of a ray ahead of its origin, for examples.
+pub fn hit_from(o: [f64; 3], d: [f64; 3], shape: &dyn Geometry) -> Option<Hit> {
+    shape.hit(&Ray::derived(point(o), vector(d)), Interval::AHEAD)
 }
 
 type Flaw = fn(&dyn Geometry, &Ray, Interval) -> Option<Hit>;
@@ -118,8 +126,8 @@ pub fn compare<P: Input, L: Geometry, Y: Geometry>(
     words: &str,
     first: P,
     any: impl FnMut(&mut Random) -> P,
-    lesson: impl Fn(P) -> Result<L, ArgumentError>,
-    yours: impl Fn(P) -> Result<Y, ArgumentError>,
+    lesson: impl Fn(P) -> Made<L>,
+    yours: impl Fn(P) -> Made<Y>,
 ) {
     let with = |shape: P| {
         let rays = lesson(shape.clone()).map_or(Vec::new(), |shape| rays(&shape));
@@ -143,8 +151,8 @@ pub fn compare<P: Input, L: Geometry, Y: Geometry>(
 /// Compares boxes between two corners.
 pub fn compare_boxes<L: Geometry, Y: Geometry>(
     check: &mut Check,
-    lesson: impl Fn(Point3, Point3) -> Result<L, ArgumentError>,
-    yours: impl Fn(Point3, Point3) -> Result<Y, ArgumentError>,
+    lesson: impl Fn(Point3, Point3) -> Made<L>,
+    yours: impl Fn(Point3, Point3) -> Made<Y>,
 ) {
     compare(
         check,
@@ -210,8 +218,8 @@ pub fn rays(lesson: &dyn Geometry) -> Vec<RayWithin> {
 pub fn scene(
     check: &mut Check,
     name: &str,
-    view: fn() -> Result<View<World<Color>>, ArgumentError>,
-    shape: Result<impl Geometry, ArgumentError>,
+    view: fn() -> Made<View<World<Color>>>,
+    shape: Made<impl Geometry>,
 ) {
     check.scene(&a04_intersections::stage(), name, |settings| {
         let View { camera, world } = view()?;
@@ -246,7 +254,7 @@ pub fn show(
 /// normal.
 pub fn show_world<S: Sync>(
     check: &mut Check,
-    world: Result<World<S>, ArgumentError>,
+    world: Made<World<S>>,
     eye: [f64; 3],
     at: [f64; 3],
     color: impl Fn(&S, Point3, Normal3) -> Color + Sync,

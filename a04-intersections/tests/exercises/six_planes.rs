@@ -3,10 +3,7 @@
 use crate::prelude::*;
 use crate::solutions::six_planes::SixPlanes;
 
-pub fn check<G: Geometry>(
-    check: &mut Check,
-    new: impl Fn(Point3, Point3) -> Result<G, ArgumentError>,
-) {
+pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Point3, Point3) -> Made<G>) {
     compare_boxes(check, SixPlanes::new, &new);
     let shape = new(point([-0.3, 0.1, -0.7]), point([0.4, 1.2, 0.6]));
     show(check, shape, [2.0, 2.2, 2.9], [0.05, 0.6, 0.0]);

@@ -2,10 +2,7 @@
 
 use crate::prelude::*;
 
-pub fn check<G: Geometry>(
-    check: &mut Check,
-    new: impl Fn(Point3, f64) -> Result<G, ArgumentError>,
-) {
+pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Point3, f64) -> Made<G>) {
     compare(
         check,
         "sphere around {} of radius {}",

@@ -3,7 +3,7 @@
 use crate::prelude::*;
 use crate::solutions::torus::Torus;
 
-pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(f64, f64) -> Result<G, ArgumentError>) {
+pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(f64, f64) -> Made<G>) {
     compare(
         check,
         "circle of radius {}, tube of radius {}",

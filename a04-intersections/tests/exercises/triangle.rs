@@ -2,10 +2,7 @@
 
 use crate::prelude::*;
 
-pub fn check<G: Geometry>(
-    check: &mut Check,
-    new: impl Fn(Point3, Point3, Point3) -> Result<G, ArgumentError>,
-) {
+pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Point3, Point3, Point3) -> Made<G>) {
     compare(
         check,
         "triangle {}",

@@ -2,8 +2,6 @@
 
 use crate::prelude::*;
 
-pub use crate::steps::Step;
-
 pub fn chain(steps: &[Step]) -> [Mat4x4; 2] {
     let transform = transform(steps);
     [transform.matrix(), transform.inverse()]

@@ -11,13 +11,10 @@ use crate::prelude::*;
 pub fn orbits(year: f64, month: f64) -> Result<[Transform; 2], ArgumentError> {
     let start = Transform::IDENTITY;
     missing!("the transforms of earth and moon", Ok([start, start]), {
-        let earth = start
-            .rotate_y(year)?
-            .translate(Point3::new(5.0, 0.0, 0.0))?;
+        let along_x = |way| Point3::new(way, 0.0, 0.0);
+        let earth = start.rotate_y(year)?.translate(along_x(5.0))?;
         // The moon is a child of the earth.
-        let moon = earth
-            .rotate_y(month)?
-            .translate(Point3::new(1.0, 0.0, 0.0))?;
+        let moon = earth.rotate_y(month)?.translate(along_x(1.0))?;
         Ok([earth, moon])
     })
 }
@@ -29,8 +26,6 @@ testing::examples! {
     };
     let right_angle = std::f64::consts::FRAC_PI_2;
     assert_eq!(places(0.0, 0.0), [[5.0, 0.0, 0.0], [6.0, 0.0, 0.0]]);
-    let [earth, moon] = places(0.0, right_angle);
-    assert_close([earth, moon].concat(), vec![5.0, 0.0, 0.0, 5.0, 0.0, -1.0]);
-    let [earth, moon] = places(right_angle, 0.0);
-    assert_close([earth, moon].concat(), vec![0.0, 0.0, -5.0, 0.0, 0.0, -6.0]);
+    assert_close(places(0.0, right_angle).concat(), vec![5.0, 0.0, 0.0, 5.0, 0.0, -1.0]);
+    assert_close(places(right_angle, 0.0).concat(), vec![0.0, 0.0, -5.0, 0.0, 0.0, -6.0]);
 }

@@ -37,10 +37,7 @@ impl Geometry for Ring {
 
 testing::examples! {
     let ring = Ring::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0), 1.0, 2.0).unwrap();
-    let hit = |x| {
-        let ray = Ray::derived(Point3::new(x, 3.0, 0.0), Vector3::new(0.0, -1.0, 0.0));
-        ring.hit(&ray, Interval::AHEAD).map(|hit| hit.t)
-    };
+    let hit = |x| hit_from([x, 3.0, 0.0], [0.0, -1.0, 0.0], &ring).map(|hit| hit.t);
     assert_eq!([1.0, 1.5, 2.0].map(hit), [Some(3.0); 3], "both borders belong to it");
     assert_eq!([0.5, 2.5].map(hit), [None; 2], "the hole, and beside the ring");
 }

@@ -26,10 +26,7 @@ impl Geometry for Disc {
 
 testing::examples! {
     let disc = Disc::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0), 2.0).unwrap();
-    let hit = |x, z, dy| {
-        let ray = Ray::derived(Point3::new(x, 3.0, z), Vector3::new(0.0, dy, 0.0));
-        disc.hit(&ray, Interval::AHEAD).map(|hit| hit.t)
-    };
+    let hit = |x, z, dy| hit_from([x, 3.0, z], [0.0, dy, 0.0], &disc).map(|hit| hit.t);
     assert_eq!(hit(0.0, 0.0, -1.0), Some(3.0), "in the middle");
     assert_eq!(hit(2.0, 0.0, -1.0), Some(3.0), "on the rim");
     assert_eq!(hit(2.0, 2.0, -1.0), None, "beside it");

@@ -2,10 +2,7 @@
 
 use crate::prelude::*;
 
-pub fn check<G: Geometry>(
-    check: &mut Check,
-    new: impl Fn(Point3, Normal3, f64) -> Result<G, ArgumentError>,
-) {
+pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Point3, Normal3, f64) -> Made<G>) {
     compare(
         check,
         "disc around {}, normal {}, radius {}",

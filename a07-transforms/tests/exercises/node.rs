@@ -5,7 +5,7 @@ use crate::prelude::*;
 type Children = Vec<Box<dyn Geometry>>;
 
 /// A small ball in a large one, and a triangle whose corners have normals aslant.
-fn children() -> Result<Children, ArgumentError> {
+fn children() -> Made<Children> {
     let [small, large] = [0.5, 1.0].map(|r| Sphere::new(Point3::ORIGIN, r));
     let triangle = smooth_triangle(2.0)?;
     Ok(vec![Box::new(small?), Box::new(large?), Box::new(triangle)])

@@ -25,7 +25,7 @@ pub fn check(check: &mut Check, orbits: impl Fn(f64, f64) -> Orbits) {
     show_lit(check, twelve_months(orbits), eye, at);
 }
 
-fn twelve_months(orbits: impl Fn(f64, f64) -> Orbits) -> Result<World<Color>, ArgumentError> {
+fn twelve_months(orbits: impl Fn(f64, f64) -> Orbits) -> Made<World<Color>> {
     let sun = Sphere::new(Point3::ORIGIN, 1.2)?;
     let mut world = World::new(Color::gray(0.03))?.with(sun, Color::new(1.0, 0.85, 0.2));
     for month in 0..12 {

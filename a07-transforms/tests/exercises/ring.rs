@@ -3,10 +3,7 @@
 use crate::prelude::*;
 use crate::solutions::ring::Ring;
 
-pub fn check<G: Geometry>(
-    check: &mut Check,
-    new: impl Fn(Point3, Normal3, f64, f64) -> Result<G, ArgumentError>,
-) {
+pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Point3, Normal3, f64, f64) -> Made<G>) {
     compare(
         check,
         "ring around {}, normal {}, from {} to {}",

@@ -3,7 +3,7 @@
 use crate::prelude::*;
 use crate::solutions::rotation::rotation as solution;
 
-type Turn = Result<Transform, ArgumentError>;
+type Turn = Made<Transform>;
 
 pub fn check(check: &mut Check, rotation: impl Fn(Vector3, f64) -> Turn) {
     // No symmetric point, so that it turns about every axis.

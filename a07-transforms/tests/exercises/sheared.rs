@@ -6,7 +6,7 @@ use crate::solutions::sheared::Sheared;
 type Shape = Box<dyn Geometry>;
 
 /// A ball, or a triangle whose corners have normals aslant.
-fn upright(is_ball: bool) -> Result<Shape, ArgumentError> {
+fn upright(is_ball: bool) -> Made<Shape> {
     let ball = Box::new(Sphere::new(Point3::ORIGIN, 1.0)?);
     let triangle = Box::new(smooth_triangle(0.0)?);
     Ok(if is_ball { ball } else { triangle })

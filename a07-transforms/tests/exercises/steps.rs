@@ -63,9 +63,8 @@ impl Input for Step {
 
 /// The transform of a chain of steps.
 pub fn transform(steps: &[Step]) -> Transform {
-    steps
-        .iter()
-        .fold(Transform::IDENTITY, |t, step| step.after(t))
+    let steps = steps.iter();
+    steps.fold(Transform::IDENTITY, |t, step| step.after(t))
 }
 
 /// Where a lamp is, whether it casts shadows, and the ambient light.
@@ -81,7 +80,7 @@ pub fn locked_scene(
     name: &str,
     eye: f64,
     (light, casts_shadows, ambient): Lamp,
-    fill: impl FnOnce(ShadowedWorld) -> Result<ShadowedWorld, ArgumentError>,
+    fill: impl FnOnce(ShadowedWorld) -> Made<ShadowedWorld>,
 ) {
     check.scene(&a07_transforms::stage(), name, |settings| {
         let light = PointLight::new(Color::WHITE, point(light))?;
@@ -114,12 +113,7 @@ pub fn steps_of_box() -> [Step; 4] {
 
 /// Shows a world to an eye that looks at the point `at`. Surfaces that face right, up or the
 /// eye are brighter than others.
-pub fn show_lit(
-    check: &mut Check,
-    world: Result<World<Color>, ArgumentError>,
-    eye: [f64; 3],
-    at: [f64; 3],
-) {
+pub fn show_lit(check: &mut Check, world: Made<World<Color>>, eye: [f64; 3], at: [f64; 3]) {
     show_world(check, world, eye, at, |color: &Color, _, n: Normal3| {
         *color * (0.5 + 0.15 * n.x() + 0.3 * n.y() + 0.2 * n.z())
     });
