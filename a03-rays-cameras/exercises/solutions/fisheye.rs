@@ -36,7 +36,7 @@ impl Camera for Fisheye {
 testing::examples! {
     let [gaze, up] = [Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0)];
     let basis = Basis::new(Point3::ORIGIN, gaze, up).unwrap();
-    let camera = Fisheye::new(basis, std::f64::consts::PI);
+    let camera = Fisheye::new(basis, PI);
     let direction = |x, y| direction(&camera, Size::new(8, 4).unwrap(), x, y);
     assert_close(direction(3.5, 1.5), [0.0, 0.0, -1.0]);
     assert_close(direction(3.5, 3.5), [0.0, 1.0, 0.0]);

@@ -37,8 +37,7 @@ impl Camera for PerspectiveCamera {
 
 testing::examples! {
     let [gaze, up] = [Vector3::new(0.0, 0.0, -2.0), Vector3::new(0.0, 3.0, 1.0)];
-    let right_angle = std::f64::consts::FRAC_PI_2;
-    let camera = PerspectiveCamera::new(Point3::ORIGIN, gaze, up, right_angle).unwrap();
+    let camera = PerspectiveCamera::new(Point3::ORIGIN, gaze, up, FRAC_PI_2).unwrap();
     let direction = |x, y| direction(&camera, Size::new(4, 2).unwrap(), x, y);
     let half = 0.5_f64.sqrt();
     assert_close(direction(1.5, 0.5), [0.0, 0.0, -1.0]);

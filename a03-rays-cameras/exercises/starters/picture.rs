@@ -21,17 +21,13 @@ pub fn picture(
 }
 
 testing::examples! {
-    struct Places;
-    impl Camera for Places {
-        fn ray_for(&self, _: Size, x: f64, y: f64) -> Ray {
-            Ray::derived(Point3::new(x, y, 0.0), Vector3::new(0.0, 0.0, -1.0))
-        }
-    }
+    let ahead = Vector3::new(0.0, 0.0, -1.0);
+    let places = Own(move |_, [x, y]: [f64; 2]| Ray::derived(Point3::new(x, y, 0.0), ahead));
     let size = Size::new(2, 3).unwrap();
     let radiance = |ray: &Ray| Color::new(ray.origin().x(), ray.origin().y(), 1.0);
     for (sampling, samples) in [(Sampling::Center, 1), (Sampling::Regular, 5)] {
         let settings = Settings { size, sampling, samples, ..Settings::default() };
-        let image = picture(&Places, &radiance, &settings).unwrap();
+        let image = picture(&places, &radiance, &settings).unwrap();
         assert_eq!(image.get(0, 0), Some(Color::new(0.0, 2.0, 1.0)), "upper left");
         assert_eq!(image.get(1, 2), Some(Color::new(1.0, 0.0, 1.0)), "lower right");
     }

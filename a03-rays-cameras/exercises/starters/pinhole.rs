@@ -16,10 +16,8 @@ impl PinholeCamera {
 }
 
 impl Camera for PinholeCamera {
-    /// The ray through the position (`x`, `y`) of a picture of this size, with a
-    /// direction of length 1. Whole numbers are the middles of pixels and `y` counts
-    /// upwards: (0, 0) is the middle of the lower left pixel, so that the lower left
-    /// corner of the picture is at (-0.5, -0.5).
+    /// The ray through the position (`x`, `y`) of a picture of this size, with a direction of
+    /// length 1. (0, 0) is the middle of the lower left pixel, whose corner is (-0.5, -0.5).
     ///
     /// `Ray::derived(origin, direction)` makes a ray, `libm::tan(x)` the tangent.
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
@@ -30,8 +28,7 @@ impl Camera for PinholeCamera {
 }
 
 testing::examples! {
-    let right_angle = std::f64::consts::FRAC_PI_2;
-    let camera = PinholeCamera::new(Point3::ORIGIN, right_angle).unwrap();
+    let camera = PinholeCamera::new(Point3::ORIGIN, FRAC_PI_2).unwrap();
     let direction = |x, y| direction(&camera, Size::new(4, 2).unwrap(), x, y);
     let half = 0.5_f64.sqrt();
     assert_close(direction(1.5, 0.5), [0.0, 0.0, -1.0]);

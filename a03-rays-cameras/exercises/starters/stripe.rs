@@ -17,9 +17,8 @@ impl Sky {
         Ok(Self { stripes, top })
     }
 
-    /// Number of the stripe that the ray hits, counted from 0 at the lower edge: equal
-    /// heights `ray.direction().y()` belong to equal stripes. Rays beyond an edge hit the
-    /// stripe at that edge.
+    /// Number of the stripe that the ray hits, counted from 0 at the lower edge, by the height
+    /// `ray.direction().y()`. Rays beyond an edge hit the stripe at that edge.
     pub fn stripe(&self, ray: &Ray) -> u32 {
         testing::missing("the number of the stripe", 0)
     }

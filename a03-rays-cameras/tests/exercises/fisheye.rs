@@ -1,8 +1,5 @@
 //! Fisheyes anywhere, compared with the solution.
 
-use std::f64::consts::{FRAC_PI_6, PI};
-
-use crate::camera::compare;
 use crate::prelude::*;
 use crate::solutions::fisheye::Fisheye;
 

@@ -1,6 +1,5 @@
 //! Pictures of all samplings, compared with the lesson's `render`.
 
-use crate::camera::Own;
 use crate::prelude::*;
 
 type Radiance<'a> = &'a (dyn Fn(&Ray) -> Color + Sync);

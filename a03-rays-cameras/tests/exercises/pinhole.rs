@@ -1,8 +1,5 @@
 //! Pinhole cameras anywhere, compared with the lesson's.
 
-use std::f64::consts::FRAC_PI_2;
-
-use crate::camera::{Own, compare};
 use crate::prelude::*;
 
 pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Point3, f64) -> Made<C>) {

@@ -1,7 +1,5 @@
 //! Directions around poles, compared with the solution.
 
-use std::f64::consts::FRAC_PI_3;
-
 use crate::prelude::*;
 use crate::solutions::rings::ring as solution;
 

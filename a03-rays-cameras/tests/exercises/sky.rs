@@ -1,5 +1,7 @@
 //! The scene of this stage, with the student's code in it.
 
+pub use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI};
+
 use crate::prelude::*;
 
 /// Compares the scene of curved stripes with its lock.

@@ -1,7 +1,5 @@
 //! Rays to stripes and beyond them, compared with the lesson's `StripedSky`.
 
-use std::f64::consts::FRAC_PI_2;
-
 use crate::prelude::*;
 
 pub fn check<S: Sync>(

@@ -1,8 +1,5 @@
 //! Rays through all places of lenses, compared with the solution.
 
-use std::f64::consts::FRAC_PI_4;
-
-use crate::camera::answer;
 use crate::prelude::*;
 use crate::solutions::thin_lens::through_lens as solution;
 

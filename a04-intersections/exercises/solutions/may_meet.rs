@@ -1,10 +1,8 @@
-//! Whether a ray may meet the content of a sphere: a cheap question to ask
-//! before an expensive one.
+//! Whether a ray may meet the content of a sphere.
 
 use crate::prelude::*;
 
-/// Whether the ray, from its origin on, comes to within `r` of `c`. Where the
-/// sphere is entered is not asked.
+/// Whether the ray, from its origin on, comes to within `r` of `c`.
 pub fn may_meet(c: Point3, r: f64, ray: &Ray) -> bool {
     missing!("whether the ray comes near enough", true, {
         // Points behind the origin are no part of the ray.

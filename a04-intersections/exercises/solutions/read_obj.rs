@@ -6,9 +6,6 @@ use crate::prelude::*;
 
 /// The triangles of an OBJ file, or an error that begins with the number of the
 /// line, as in `line 7: there is no corner 9`.
-///
-/// Lines begin with `v`, three coordinates of a corner, or with `f`, the numbers
-/// of the corners of a face. Lines that begin with anything else are passed over.
 pub fn read_obj(text: &str) -> Result<Vec<Triangle>, String> {
     let (mut corners, mut triangles) = (Vec::new(), Vec::new());
     for (number, line) in (1..).zip(text.lines()) {
@@ -38,9 +35,8 @@ fn corner(words: SplitWhitespace) -> Result<Point3, String> {
     })
 }
 
-/// The corner that a word of a face names: `7`, `7/1/2` or `-1`. Only the number
-/// before the first slash counts: from the first corner, 1, or, if it is
-/// negative, back from the last corner read.
+/// The corner that a word of a face names: `7`, `7/1/2` or `-1`, by the number before the
+/// first slash.
 fn named(word: &str, corners: &[Point3]) -> Result<Point3, String> {
     missing!("the corner of this name", Ok(Point3::ORIGIN), {
         let name = word.split('/').next().unwrap_or_default();

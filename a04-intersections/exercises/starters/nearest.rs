@@ -4,10 +4,8 @@ use crate::prelude::*;
 
 /// The nearest hit within the interval, and the number of the object there.
 ///
-/// `for (geometry, number) in world.objects()` visits all objects, and
-/// `geometry.hit(ray, within)` is the nearest hit of one. The normals of the result,
-/// `hit.normal` and `hit.face`, point to the side that the ray comes from: where the face
-/// looks along the ray, both are turned.
+/// `for (geometry, number) in world.objects()` visits all objects. Where the face of the
+/// result looks along the ray, `hit.normal` and `hit.face` are both turned.
 pub fn nearest(world: &World<usize>, ray: &Ray, within: Interval) -> Option<(Hit, usize)> {
     testing::missing("the nearest hit", None)
 }

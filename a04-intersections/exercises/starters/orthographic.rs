@@ -19,8 +19,7 @@ impl OrthographicCamera {
 
 impl Camera for OrthographicCamera {
     /// The ray through the position (`x`, `y`) of a picture of this size; (0, 0) is the
-    /// middle of the lower left pixel. From the middle of the first column to the middle
-    /// of the last one, the picture shows `s` times the aspect ratio, width by height.
+    /// middle of the lower left pixel.
     ///
     /// The axes of the camera point to the right (`u`), upwards (`v`) and against the gaze
     /// (`w`). `Ray::derived(origin, direction)` makes a ray.

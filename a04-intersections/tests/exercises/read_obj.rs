@@ -4,13 +4,12 @@ use crate::prelude::*;
 use crate::solutions::read_obj::read_obj as solution;
 
 /// Lines after three corners.
-const LINES: [&str; 15] = [
+const LINES: [&str; 14] = [
     "",
     "f 1 2 3",
     "  f   1 2\t3  ",
     "# f 1 1 1\n\nf 1/7 2/8 3/9",
     "vt 0 0\nf 1//1 2//1 3//1",
-    "f -3 -2 -1",
     "f 1/1/1 -2/1/1 3/1/1\nv 9 9 9",
     "v 1 2",
     "v 1 2 three",

@@ -2,12 +2,9 @@
 
 use crate::prelude::*;
 
-/// Where the earth and the moon are; the sun is in the origin. The earth is 5
-/// away from the sun, along the x axis turned by `year` radians about the y axis.
-///
-/// The moon is 1 away from the earth, in a direction that, seen by the turned
-/// earth, is the x axis turned by `month` radians about the y axis. The
-/// transforms move a body from the origin to its place.
+/// The transforms that move earth and moon from the origin, where the sun is, to their
+/// places: the earth by 5 along the x axis, turned by `year` radians about the y axis; the
+/// moon from there by 1 along the x axis of the turned earth, turned by `month` radians.
 pub fn orbits(year: f64, month: f64) -> Result<[Transform; 2], ArgumentError> {
     let start = Transform::IDENTITY;
     missing!("the transforms of earth and moon", Ok([start, start]), {
@@ -24,8 +21,7 @@ testing::examples! {
         let bodies = orbits(year, month).unwrap();
         bodies.map(|body| (body.matrix() * Point3::ORIGIN).to_glam().to_array())
     };
-    let right_angle = std::f64::consts::FRAC_PI_2;
     assert_eq!(places(0.0, 0.0), [[5.0, 0.0, 0.0], [6.0, 0.0, 0.0]]);
-    assert_close(places(0.0, right_angle).concat(), vec![5.0, 0.0, 0.0, 5.0, 0.0, -1.0]);
-    assert_close(places(right_angle, 0.0).concat(), vec![0.0, 0.0, -5.0, 0.0, 0.0, -6.0]);
+    assert_close(places(0.0, FRAC_PI_2).concat(), vec![5.0, 0.0, 0.0, 5.0, 0.0, -1.0]);
+    assert_close(places(FRAC_PI_2, 0.0).concat(), vec![0.0, 0.0, -5.0, 0.0, 0.0, -6.0]);
 }

@@ -19,7 +19,7 @@ pub fn rotation(axis: Vector3, angle: f64) -> Result<Transform, ArgumentError> {
 
 testing::examples! {
     let quarter = |axis: Vector3, v: Vector3| {
-        let turn = rotation(axis, std::f64::consts::FRAC_PI_2).unwrap();
+        let turn = rotation(axis, FRAC_PI_2).unwrap();
         (turn.matrix() * v).to_glam().to_array()
     };
     let [x, y, z] = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]

@@ -3,8 +3,7 @@
 use crate::prelude::*;
 
 /// The matrix of a chain of steps from the space of the object to the space around it, and
-/// its inverse. The steps are in the order in which a program chains them, so the last one
-/// is applied to the object first.
+/// its inverse. The last step is applied to the object first.
 ///
 /// `step.matrix()` is the matrix of one step, and `step.inverse()` undoes it. `a * b` is
 /// the product of matrices, which applies b first, and `Mat4x4::IDENTITY` changes nothing.

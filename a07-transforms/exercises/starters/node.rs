@@ -2,8 +2,7 @@
 
 use crate::prelude::*;
 
-/// A node of the scene graph: children with a common transform. As it is a geometry, it
-/// can be a child of another node.
+/// A node of the scene graph: children with a common transform.
 #[derive(Debug)]
 pub struct Node {
     transform: Transform,
@@ -26,12 +25,10 @@ impl Node {
 }
 
 impl Geometry for Node {
-    /// The nearest hit of all children whose `t` lies within the interval, with both
-    /// normals, `normal` and `face`, in the space around the node.
+    /// The nearest hit of all children whose `t` lies within the interval, with `normal` and
+    /// `face` in the space around the node.
     ///
-    /// `self.transform.ray_to_object(ray)` is the ray in the space of the children, with
-    /// the same `t`; `self.transform.normal_from_object(n)` is a normal of a child in the
-    /// space around the node, or none.
+    /// `self.transform` has `ray_to_object(ray)`, and `normal_from_object(n)`, which may be none.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         testing::missing("the nearest hit of the children", None)
     }

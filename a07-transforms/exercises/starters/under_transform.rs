@@ -6,8 +6,7 @@ use crate::prelude::*;
 /// so the direction keeps the length that it has.
 ///
 /// `transform.matrix()` leads from the space of the object to the space around it, and
-/// `transform.inverse()` back. A matrix times a point is a point, a matrix times a vector
-/// is a vector. `Ray::derived(origin, direction)` makes a ray.
+/// `transform.inverse()` back. Both can be multiplied by a point, and by a vector.
 pub fn ray_to_object(transform: &Transform, ray: &Ray) -> Ray {
     testing::missing("the ray in the space of the object", *ray)
 }

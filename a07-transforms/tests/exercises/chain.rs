@@ -1,7 +1,5 @@
 //! Chains of steps, compared with the lesson's `Transform`.
 
-use std::f64::consts::FRAC_PI_2;
-
 use crate::prelude::*;
 use crate::solutions::chain::chain as lesson;
 

@@ -3,10 +3,8 @@
 use crate::prelude::*;
 use crate::solutions::orbits::orbits as solution;
 
-type Orbits = Result<[Transform; 2], ArgumentError>;
-
-pub fn check(check: &mut Check, orbits: impl Fn(f64, f64) -> Orbits) {
-    let places = |orbits: Orbits| {
+pub fn check(check: &mut Check, orbits: impl Fn(f64, f64) -> Made<[Transform; 2]>) {
+    let places = |orbits: Made<[Transform; 2]>| {
         let [earth, moon] = orbits.ok()?.map(|body| {
             let [place, x] = [[0.0; 3], [1.0, 0.0, 0.0]].map(|p| body.matrix() * point(p));
             Answer::named("the place", place.to_glam().to_array())
@@ -25,11 +23,11 @@ pub fn check(check: &mut Check, orbits: impl Fn(f64, f64) -> Orbits) {
     show_lit(check, twelve_months(orbits), eye, at);
 }
 
-fn twelve_months(orbits: impl Fn(f64, f64) -> Orbits) -> Made<World<Color>> {
+fn twelve_months(orbits: impl Fn(f64, f64) -> Made<[Transform; 2]>) -> Made<World<Color>> {
     let sun = Sphere::new(Point3::ORIGIN, 1.2)?;
     let mut world = World::new(Color::gray(0.03))?.with(sun, Color::new(1.0, 0.85, 0.2));
     for month in 0..12 {
-        let angle = std::f64::consts::TAU / 12.0 * f64::from(month);
+        let angle = TAU / 12.0 * f64::from(month);
         let [earth, moon] = orbits(angle, 3.0 * angle)?.map(Node::new);
         let [large, small] = [0.45, 0.18].map(|r| Sphere::new(Point3::ORIGIN, r));
         world = world

@@ -3,11 +3,9 @@
 use crate::prelude::*;
 use crate::solutions::rotation::rotation as solution;
 
-type Turn = Made<Transform>;
-
-pub fn check(check: &mut Check, rotation: impl Fn(Vector3, f64) -> Turn) {
+pub fn check(check: &mut Check, rotation: impl Fn(Vector3, f64) -> Made<Transform>) {
     // No symmetric point, so that it turns about every axis.
-    let turned = |turn: Turn| {
+    let turned = |turn: Made<Transform>| {
         let turn = turn.ok()?;
         let [there, back] = [turn.matrix(), turn.inverse()]
             .map(|matrix| (matrix * vector([1.0, 2.0, 4.0])).to_glam().to_array());
@@ -25,7 +23,7 @@ pub fn check(check: &mut Check, rotation: impl Fn(Vector3, f64) -> Turn) {
     let wheel = || {
         let mut world = World::new(Color::gray(0.08))?;
         for (third, color) in [(0.0, Color::RED), (1.0, Color::GREEN), (2.0, Color::BLUE)] {
-            let turn = rotation(vector([1.0; 3]), std::f64::consts::TAU / 3.0 * third)?;
+            let turn = rotation(vector([1.0; 3]), TAU / 3.0 * third)?;
             let beam = AxisAlignedBox::new(point([0.3, -0.4, -0.4]), point([2.2, 0.4, 0.4]))?;
             world = world.with(Node::new(turn).with(beam), color * 0.6 + Color::gray(0.4));
         }

@@ -1,5 +1,7 @@
 //! Steps of a transform; and the scenes of this stage, with the student's code in them.
 
+pub use std::f64::consts::{FRAC_PI_2, TAU};
+
 use crate::prelude::*;
 
 /// A step of a transform: the transform alone.
