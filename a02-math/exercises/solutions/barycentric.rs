@@ -23,4 +23,5 @@ testing::examples! {
     assert_eq!(shares(1.0, 1.0, 5.0), Some([0.5, 0.25, 0.25]), "inside");
     assert_eq!(shares(1.0, 1.0, 9.0), Some([0.5, 0.25, 0.25]), "above it");
     assert_eq!(shares(8.0, 0.0, 5.0), Some([-1.0, 2.0, 0.0]), "outside");
+    assert_eq!(barycentric(corners[0], [corners[0]; 3]), None, "no triangle");
 }

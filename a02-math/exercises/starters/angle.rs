@@ -1,4 +1,7 @@
 //! `angle`: the angle between two vectors.
+//!
+//! Chapter: Vectors, points, normals, section "The angle". To compare afterwards:
+//! `a02-math/src/vector3.rs`.
 
 use a02_math::{Direction, Vector3};
 use testing::assert_close;

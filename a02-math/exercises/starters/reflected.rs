@@ -1,4 +1,7 @@
 //! `reflected`: a vector, mirrored by a surface.
+//!
+//! Chapter: Vectors, points, normals, section "Reflection". To compare afterwards:
+//! `a02-math/src/vector3.rs`.
 
 use a02_math::{Direction, Normal3, Vector3};
 

@@ -15,6 +15,7 @@ pub fn check(check: &mut Check, angle: fn(Vector3, Vector3) -> f64) {
         |(a, b)| vector(a).angle(vector(b)),
         |(a, b)| angle(vector(a), vector(b)),
     );
+    scene(check, |f| f.angle = angle);
 }
 
 fn cosine(a: Vector3, b: Vector3) -> f64 {
@@ -34,7 +35,9 @@ pub const VARIANTS: &[Variant] = &[
     wrong("the dot product contains both lengths", |c| {
         check(c, |a, b| libm::acos(a.dot(b).clamp(-1.0, 1.0)));
     }),
-    wrong("an obtuse angle has the cosine of a right one", |c| {
-        check(c, |a, b| libm::acos(cosine(a, b).clamp(0.0, 1.0)));
+    wrong("an obtuse angle has the sine of an acute one", |c| {
+        check(c, |a, b| {
+            libm::asin((1.0 - cosine(a, b) * cosine(a, b)).sqrt())
+        });
     }),
 ];

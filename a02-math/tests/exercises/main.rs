@@ -2,8 +2,16 @@
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
+mod drawn;
+#[path = "../../src/scenes.rs"]
+mod scenes;
+
+// The types that `scenes` takes from its crate.
+use a02_math::Normal3;
+use drawn::Vector3;
+
 testing::exercises! {
-    use {a02_math::*, a02_math::lab::extremes::{point, vector}, common::*};
+    use {a02_math::*, a02_math::lab::extremes::{point, vector}, common::*, crate::drawn::scene};
     starters {
         products => |check| products::check(check, dot, cross);
         angle => |check| angle::check(check, angle);

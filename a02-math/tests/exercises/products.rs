@@ -18,6 +18,7 @@ pub fn check(check: &mut Check, dot: Product<f64>, cross: Product<Vector3>) {
         |(a, b)| both(vector(a).dot(vector(b)), vector(a).cross(vector(b))),
         |(a, b)| both(dot(vector(a), vector(b)), cross(vector(a), vector(b))),
     );
+    scene(check, |f| (f.dot, f.cross) = (dot, cross));
 }
 
 pub const VARIANTS: &[Variant] = &[

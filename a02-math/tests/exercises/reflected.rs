@@ -16,6 +16,7 @@ pub fn check(check: &mut Check, reflected: fn(Vector3, Normal3) -> Vector3) {
         |(v, n)| numbers(vector(v).reflected_on(vector(n).as_normal())),
         |(v, n)| numbers(reflected(vector(v), vector(n).as_normal())),
     );
+    scene(check, |f| f.reflected = reflected);
 }
 
 pub const VARIANTS: &[Variant] = &[

@@ -11,7 +11,8 @@ pub fn check(check: &mut Check, stretched: impl Fn(Normal3, [f64; 3]) -> Option<
         [(n, [2.0, 1.0, 1.0]), (n, [1.0, 0.0, 1.0]), (zero, n)],
         random(|r| {
             let scale = r.scale();
-            let factors = [(); 3].map(|()| (r.between(0.1, 9.0) - 4.005) * scale);
+            let mut factor = || (r.between(0.1, 9.0) - 4.005) * scale;
+            let factors = [factor(), factor(), factor()];
             (r.triple(1.0), factors)
         }),
         |(n, factors)| numbers(solution(vector(n).as_normal(), factors)),

@@ -20,6 +20,9 @@ pub fn check(check: &mut Check, area: impl Fn(Point3, Point3, Point3) -> f64) {
 }
 
 pub const VARIANTS: &[Variant] = &[
+    right("from another corner", |c| {
+        check(c, |p, q, r| (p - r).cross(q - r).magnitude() * 0.5);
+    }),
     wrong("half of the parallelogram", |c| {
         check(c, |p, q, r| 2.0 * solution(p, q, r));
     }),
