@@ -115,6 +115,14 @@ pub fn count_all(work: Work, times: u64) {
 /// Runs `task`, and returns its result and the work of all its threads. It has as
 /// many threads as without counting.
 pub fn counted<T: Send>(task: impl FnOnce() -> T + Send) -> Result<(T, Tally), Error> {
+    // Browsers have one thread.
+    if cfg!(target_family = "wasm") {
+        TALLY.set(Tally::default());
+        IS_ON.set(true);
+        let result = task();
+        IS_ON.set(false);
+        return Ok((result, TALLY.get()));
+    }
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(rayon::current_num_threads())
         .start_handler(|_| IS_ON.set(true))
