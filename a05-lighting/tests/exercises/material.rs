@@ -113,7 +113,7 @@ fn parts((eye, t, normals, ambient, lights): Seen, mistake: Mistake) -> (Ray, Hi
     (ray, hit, lights)
 }
 
-/// The ambient light that a surface reflects, and what this function says of each light.
+/// The ambient light that a surface reflects, and the reflected part `of` each light.
 pub fn sum(
     diffuse: Color,
     ray: &Ray,

@@ -11,15 +11,14 @@ use crate::options::Options;
 use crate::print::print;
 
 /// Prints the work that the renderer skips and how much that saves, and returns the picture.
-pub fn explain(scene: &Scene, options: &Options) -> Result<Image, Error> {
-    let settings = options.settings(scene)?;
+pub fn explain(scene: &Scene, settings: &Settings, options: &Options) -> Result<Image, Error> {
     print(&format!("{}  {}", scene.name, settings.size));
     let threads = options.thread_pool()?;
     threads.install(|| {
-        let comparison = Comparison::new(scene, &settings)?;
+        let comparison = Comparison::new(scene, settings)?;
         if scene.uses.sampling {
             print(&comparison.to_string());
-            let times = times(scene, [&settings, &complete(&settings)])?;
+            let times = times(scene, [settings, &complete(settings)])?;
             print(&comparison_of(&times));
             let difference = comparison.difference;
             print(&format!(
@@ -90,7 +89,8 @@ mod tests {
 
     #[test]
     fn the_picture_comes_from_the_chosen_renderer() {
-        let image = explain(&scene(), &Options::default()).unwrap();
+        let scene = scene();
+        let image = explain(&scene, &scene.defaults, &Options::default()).unwrap();
         assert_eq!(image.pixels(), [Color::BLACK]);
     }
 

@@ -31,7 +31,7 @@ pub fn render_to_files(
         warn_unused(scene, options, &settings);
         let start = Instant::now();
         let image = if explained {
-            explain(scene, options)?
+            explain(scene, &settings, options)?
         } else {
             render(scene, &settings, options)?
         };

@@ -17,7 +17,7 @@ pub struct Program {
     other: Option<(&'static str, &'static str)>,
     /// The arguments, with words in brackets.
     arguments: &'static str,
-    /// What stands before the seconds to build and to trace in its output.
+    /// The words before the seconds to build and to trace in its output.
     labels: [&'static str; 2],
 }
 

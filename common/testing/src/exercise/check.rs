@@ -25,7 +25,7 @@ pub struct Check {
     pub(super) differ: usize,
     /// The first difference, which is at the simplest input.
     pub(super) first: Option<String>,
-    /// What holds besides.
+    /// A remark on code that is right, as of a picture with the same bytes.
     pub(super) note: Option<String>,
     /// The property that a formula with larger rounding errors lacks.
     pub(super) lacks: Option<&'static str>,
@@ -50,14 +50,15 @@ impl Check {
     }
 
     /// From now on only some roundings count as right, because the exercise is about
-    /// rounding; what code `lacks` that is right but for it, as `loses digits where ...`.
+    /// rounding. `lacks` says how code fails that is right but for rounding, as
+    /// `loses digits where ...`.
     pub fn exactly(&mut self, lacks: &'static str) {
         self.lacks = Some(lacks);
     }
 
     /// Names the usual mistakes of a kind, as of all shapes, each with a sentence that a
-    /// learner can use. Returns the one that the compared code must make instead of doing
-    /// what it does, in the runs that prove this check.
+    /// learner can use. In the runs that prove this check, returns the mistake that
+    /// replaces the behaviour of the compared code.
     pub fn usual<F: Copy>(&mut self, mistakes: &[(&'static str, F)]) -> Option<F> {
         self.usual = mistakes.iter().map(|(about, _)| *about).collect();
         Some(mistakes.get(self.mistake?)?.1)
@@ -173,7 +174,7 @@ impl Check {
     }
 }
 
-/// An input in words, and what is said about it.
+/// An input in words, and a sentence about it.
 fn described(words: &str, input: &impl Input, about: &str) -> String {
     let (mut shown, mut pieces) = (String::new(), words.split("{}"));
     for argument in input.words() {
