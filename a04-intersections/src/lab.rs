@@ -9,6 +9,5 @@ pub mod exact;
 pub mod experiments;
 pub mod extremes;
 pub mod protocol;
-pub mod real;
 pub mod support;
 pub mod watched;

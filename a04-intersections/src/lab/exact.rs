@@ -7,7 +7,7 @@ pub use a02_math::lab::exact::DoubleDouble;
 
 use DoubleDouble as Number;
 
-use super::real::dot;
+use super::support::dot;
 
 /// The exact difference of two triples.
 fn difference(a: &[f64; 3], b: &[f64; 3]) -> [Number; 3] {

@@ -1,10 +1,9 @@
 //! Error against run time of the intersection formulas.
 
 pub mod aimed_box;
-pub mod icosphere;
 pub mod needle;
 pub mod sphere_distance;
-mod sphere_mesh;
+pub mod sphere_mesh;
 
 use measure::experiment::Experiment;
 

@@ -4,7 +4,7 @@
 use a02_math::{Direction, Mat3x3, Normal3, Point3};
 use a03_rays_cameras::Ray;
 
-use crate::lab::real::{Real, difference, dot};
+use crate::lab::support::{Real, difference, dot};
 
 /// Least distance of a hit, included for the triangle and excluded for box and
 /// sphere: a fixed number, as if all scenes had the same size and all directions

@@ -1,9 +1,13 @@
-//! Rays, hits and random numbers for experiments and extreme cases.
+//! Numbers of either precision, rays, hits and random numbers for experiments and extreme
+//! cases.
+
+use std::ops::{Add, Mul};
 
 use a02_math::Vector3;
 pub use a02_math::lab::extremes::{point, vector};
 use a03_rays_cameras::{PixelRandom, Ray};
 use common::ArgumentError;
+use num_traits::{Float, NumCast};
 
 use crate::{Geometry, Interval};
 
@@ -34,6 +38,24 @@ pub fn arrays(ray: &Ray) -> [Triple; 2] {
 /// The `t` of a ray's nearest hit of a shape.
 pub fn first(shape: &impl Geometry, ray: &Ray) -> Option<f64> {
     shape.hit(ray, Interval::AHEAD).map(|hit| hit.t)
+}
+
+/// `f32` or `f64`, for formulas in either precision.
+pub trait Real: Float + Into<f64> {
+    /// The number nearest to a double.
+    fn rounded(number: f64) -> Self {
+        <Self as NumCast>::from(number).unwrap_or_else(Self::nan)
+    }
+}
+
+impl<F: Float + Into<f64>> Real for F {}
+
+pub fn difference<F: Real>(a: &[F; 3], b: &[F; 3]) -> [F; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+pub fn dot<F: Copy + Add<Output = F> + Mul<Output = F>>(a: &[F; 3], b: &[F; 3]) -> F {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// Random numbers and directions that are the same in every run.

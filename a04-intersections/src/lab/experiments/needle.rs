@@ -50,15 +50,14 @@ pub fn error((triangle, ray): &Needle, found: Option<f64>) -> Option<f64> {
     (least > 0.05).then(|| found.map_or(1.0, |found| t.error_of(found) / t.value()))
 }
 
+/// A formula for the distance of the triangle along the ray.
+pub type Formula = fn(&Needle) -> Option<f64>;
+
 /// The protocol's test.
-pub fn cramer((triangle, ray): &Needle) -> Option<f64> {
-    protocol::triangle(&triangle.corners, ray)
-}
+pub const CRAMER: Formula = |(triangle, ray)| protocol::triangle(&triangle.corners, ray);
 
 /// The renderer's test.
-pub fn ours((triangle, ray): &Needle) -> Option<f64> {
-    first(triangle, ray)
-}
+pub const OURS: Formula = |(triangle, ray)| first(triangle, ray);
 
 /// The test of Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle
 /// Intersection", 1997.
@@ -128,13 +127,13 @@ pub fn experiment() -> Experiment<'static> {
             let aspects = (0..=9).map(|power| libm::pow(8.0, power.into()));
             let sets = aspects.map(|aspect| (aspect, needles(aspect, rays)));
             let sets: Vec<_> = sets.collect();
-            let curve = |method, slope: Option<f64>, formula: fn(&Needle) -> Option<f64>| {
+            let curve = |method, slope: Option<f64>, formula: Formula| {
                 Curve::of_tasks(method, &sets, formula, error).with_slope(slope, (64.0, 2e8))
             };
             vec![
-                curve("Cramer (protocol)", Some(1.0), cramer),
+                curve("Cramer (protocol)", Some(1.0), CRAMER),
                 curve("Moeller-Trumbore", Some(1.0), moeller_trumbore),
-                curve("Woop (ours)", None, ours)
+                curve("Woop (ours)", None, OURS)
                     .with_bound(4.0 * f64::EPSILON, 1.0..=64.0)
                     .with_remark(
                         "dearer than the others, but loses no ray between two triangles: \

@@ -8,8 +8,8 @@ use a03_rays_cameras::Ray;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Unit};
 
-use crate::lab::real::{Real, difference, dot};
-use crate::lab::support::{Numbers, arrays};
+use crate::Sphere;
+use crate::lab::support::{Numbers, Real, arrays, difference, dot, first, point, raw_ray};
 use crate::lab::{exact, protocol};
 
 /// A ray towards a sphere: the sphere's centre and radius, and the ray's origin and direction.
@@ -20,7 +20,7 @@ pub struct Shot<F> {
     pub d: [F; 3],
 }
 
-/// The formula of the renderer, in either precision.
+/// The formula of the renderer in either precision.
 pub fn stable<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> Option<F> {
     let f = difference(o, c);
     stable_roots(&f, r, d, dot(&f, &f) - r * r)
@@ -114,26 +114,27 @@ fn error<F: Real>(Shot { c, r, o, d }: &Shot<F>, found: Option<F>) -> Option<f64
     counts.then(|| found.map_or(1.0, |t| near.error_of(t.into())))
 }
 
-/// Parameters and their rays, for one precision.
-type Sets<F> = Vec<(f64, Rc<[Shot<F>]>)>;
-
-fn sets<F: Real>(all: Shots, count: i32, effort: Effort) -> Sets<F> {
+/// The first powers of 8 and their rays.
+fn sets<F: Real>(all: Shots, powers: i32, effort: Effort) -> Vec<(f64, Rc<[Shot<F>]>)> {
     let rays = effort.choose(4096, 65_536);
-    let knobs = (1..=count).map(|power| libm::pow(8.0, power.into()));
+    let knobs = (1..=powers).map(|power| libm::pow(8.0, power.into()));
     knobs.map(|knob| (knob, shots(all, knob, rays))).collect()
 }
 
 /// The `t` of the sphere of centre and radius for the ray of origin and direction.
-type Formula<F> = fn(&[F; 3], F, &[F; 3], &[F; 3]) -> Option<F>;
+pub type Formula<F> = fn(&[F; 3], F, &[F; 3], &[F; 3]) -> Option<F>;
+
+/// The renderer's own.
+pub const OURS: Formula<f64> =
+    |c, r, o, d| first(&Sphere::new(point(*c), r).ok()?, &raw_ray((*o, *d)));
 
 fn curve<F: Real + 'static>(
     method: &'static str,
-    sets: &Sets<F>,
-    (slope, between): (f64, (f64, f64)),
+    sets: &[(f64, Rc<[Shot<F>]>)],
     formula: Formula<F>,
 ) -> Curve<'static> {
     let answer = move |Shot { c, r, o, d }: &_| formula(c, *r, o, d);
-    Curve::of_tasks(method, sets, answer, error).with_slope(slope, between)
+    Curve::of_tasks(method, sets, answer, error)
 }
 
 /// Remark on the formula that is more exact than needed.
@@ -141,35 +142,29 @@ const TOO_EXACT: &str = "not in the renderer: it pays only near a sphere so huge
      cheaper, and from afar its digits are lost in t itself; without the processor's fused \
      multiply-add, as here by default, it is dearer than it must be";
 
-#[rustfmt::skip]
-fn far_curves(effort: Effort) -> Vec<Curve<'static>> {
-    let doubles = sets::<f64>(FROM_AFAR, 10, effort);
-    let singles = sets::<f32>(FROM_AFAR, 3, effort);
-    let (until_lost, everywhere, single) = ((8.0, 2e7), (8.0, 2e9), (8.0, 512.0));
+/// All formulas, with the slopes of the protocol's and of the compensated one; and the ranges
+/// in which the protocol's slope holds, the others, and those in single precision.
+fn curves(
+    (shots, powers_of_singles): (Shots, i32),
+    [theirs, least]: [f64; 2],
+    [until_lost, everywhere, single]: [(f64, f64); 3],
+    effort: Effort,
+) -> Vec<Curve<'static>> {
+    let doubles = sets(shots, 10, effort);
+    let singles = sets(shots, powers_of_singles, effort);
     vec![
-        curve("protocol", &doubles, (2.0, until_lost), protocol::sphere),
-        curve("stable (ours)", &doubles, (1.0, everywhere), stable),
-        curve("compensated", &doubles, (1.0, everywhere), compensated).with_remark(TOO_EXACT),
-        curve("protocol (single)", &singles, (2.0, single), protocol::sphere),
-        curve("stable (single)", &singles, (1.0, single), stable),
-    ]
-}
-
-#[rustfmt::skip]
-fn near_curves(effort: Effort) -> Vec<Curve<'static>> {
-    let doubles = sets::<f64>(AT_GROUND, 10, effort);
-    let singles = sets::<f32>(AT_GROUND, 6, effort);
-    let (single, double) = ((64.0, 3e5), (64.0, 2e9));
-    vec![
-        curve("protocol", &doubles, (1.0, double), protocol::sphere),
-        curve("stable (ours)", &doubles, (1.0, double), stable),
-        curve("compensated", &doubles, (0.0, double), compensated).with_remark(TOO_EXACT),
-        curve("protocol (single)", &singles, (1.0, single), protocol::sphere),
-        curve("stable (single)", &singles, (1.0, single), stable),
+        curve("protocol", &doubles, protocol::sphere).with_slope(theirs, until_lost),
+        curve("stable (ours)", &doubles, OURS).with_slope(1.0, everywhere),
+        curve("compensated", &doubles, compensated)
+            .with_slope(least, everywhere)
+            .with_remark(TOO_EXACT),
+        curve("protocol (single)", &singles, protocol::sphere::<f32>).with_slope(theirs, single),
+        curve("stable (single)", &singles, stable).with_slope(1.0, single),
     ]
 }
 
 pub fn far() -> Experiment<'static> {
+    let ranges = [(8.0, 2e7), (8.0, 2e9), (8.0, 512.0)];
     Experiment {
         name: "sphere-far",
         about: "How far away may a sphere of radius 1 be?",
@@ -180,11 +175,12 @@ pub fn far() -> Experiment<'static> {
         exact: "against 30 digits; a miss counts as 1; seven of ten rays hit",
         seeds: &[11],
         against: Axis::Knob,
-        curves: Box::new(far_curves),
+        curves: Box::new(move |effort| curves((FROM_AFAR, 3), [2.0, 1.0], ranges, effort)),
     }
 }
 
 pub fn near() -> Experiment<'static> {
+    let ranges = [(64.0, 2e9), (64.0, 2e9), (64.0, 3e5)];
     Experiment {
         name: "sphere-near",
         about: "How large may a sphere be whose surface is near the eye?",
@@ -192,7 +188,7 @@ pub fn near() -> Experiment<'static> {
         unit: Unit::Other("heights of the eye"),
         exact: "against 30 digits; three of four rays hit",
         seeds: &[12],
-        curves: Box::new(near_curves),
+        curves: Box::new(move |effort| curves((AT_GROUND, 6), [1.0, 0.0], ranges, effort)),
         ..far()
     }
 }

@@ -1,5 +1,6 @@
 //! The sphere as many triangles: the cost of a mesh compared with a formula.
 
+use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::rc::Rc;
 
@@ -9,8 +10,64 @@ use common::{ArgumentError, Color};
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
-use super::icosphere::Mesh;
+use crate::lab::support::vector;
 use crate::{Hit, Interval, Sphere, Triangle, World};
+
+/// An icosphere: an icosahedron whose faces are divided into four.
+pub struct Mesh {
+    pub corners: Vec<Vector3>,
+    /// Indices of three corners, counterclockwise seen from outside.
+    pub faces: Vec<[usize; 3]>,
+}
+
+impl Mesh {
+    /// 20 · 4^`divisions` triangles with corners on the unit sphere.
+    pub fn icosphere(divisions: u32) -> Self {
+        let golden = f64::midpoint(1.0, 5_f64.sqrt());
+        let signs = [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)];
+        let corners = signs.into_iter().flat_map(|(one, more)| {
+            let (one, more) = (one, more * golden);
+            [[0.0, one, more], [one, more, 0.0], [more, 0.0, one]]
+        });
+        let corners = corners.map(|corner| on_unit_sphere(vector(corner)));
+        let corners: Vec<_> = corners.collect();
+        // The distance of neighbours on the unit sphere is 1.05, of others more.
+        let is_edge = |i: usize, j: usize| (corners[i] - corners[j]).magnitude() < 1.1;
+        let mut faces = Vec::new();
+        for i in 0..12 {
+            for j in (i + 1..12).filter(|j| is_edge(i, *j)) {
+                for k in (j + 1..12).filter(|k| is_edge(i, *k) && is_edge(j, *k)) {
+                    let [a, b, c] = [i, j, k].map(|corner| corners[corner]);
+                    let is_outwards = (b - a).cross(c - a).dot(a) > 0.0;
+                    faces.push(if is_outwards { [i, j, k] } else { [i, k, j] });
+                }
+            }
+        }
+        let mut mesh = Self { corners, faces };
+        (0..divisions).for_each(|_| mesh.divide());
+        mesh
+    }
+
+    fn divide(&mut self) {
+        let mut middles = HashMap::new();
+        let corners = &mut self.corners;
+        let mut middle = |i: usize, j: usize| {
+            *middles.entry((i.min(j), i.max(j))).or_insert_with(|| {
+                corners.push(on_unit_sphere(corners[i] + corners[j]));
+                corners.len() - 1
+            })
+        };
+        let quarters = |&[a, b, c]: &[usize; 3]| {
+            let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+            [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]
+        };
+        self.faces = self.faces.iter().flat_map(quarters).collect();
+    }
+}
+
+fn on_unit_sphere(v: Vector3) -> Vector3 {
+    v * (1.0 / v.magnitude())
+}
 
 /// The view: towards -w, u to the right and v upwards. Slanted, so that no face
 /// and no edge of the icosahedron is parallel to it.
@@ -39,17 +96,8 @@ fn rays(count: usize, least: f64, most: f64) -> Vec<(f64, Ray)> {
 /// A unit sphere in a world of its own.
 struct Ball {
     world: World<()>,
-    objects: f64,
     /// Squared radius of the greatest ball inside of the mesh.
     inner: f64,
-}
-
-fn round() -> Result<Ball, ArgumentError> {
-    Ok(Ball {
-        world: World::new(Color::BLACK)?.with(Sphere::new(Point3::ORIGIN, 1.0)?, ()),
-        objects: 1.0,
-        inner: 1.0,
-    })
 }
 
 /// A ball of triangles, with the normals of the sphere at their corners.
@@ -66,11 +114,7 @@ fn angular(divisions: u32) -> Result<Ball, ArgumentError> {
         inner = inner.min(distance * distance);
         world = world.with(triangle, ());
     }
-    Ok(Ball {
-        world,
-        objects: mesh.faces.len() as f64,
-        inner,
-    })
+    Ok(Ball { world, inner })
 }
 
 /// A curve over all meshes, by the errors of rays whose squared distances from the axis
@@ -83,7 +127,8 @@ fn curve(
 ) -> Curve<'static> {
     let points = balls.iter().map(|ball| {
         let (ball, rays) = (Rc::clone(ball), rays(ball));
-        let (objects, work) = (ball.objects, ball.objects * rays.len() as f64);
+        let objects = ball.world.objects.len() as f64;
+        let work = objects * rays.len() as f64;
         let run = move || errors(&ball, &rays);
         Point::new(objects, work, run(), run)
     });
@@ -102,7 +147,8 @@ fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
     let divisions = 1..=effort.choose(3, 4) as u32;
     let balls = divisions.map(|divisions| angular(divisions).map(Rc::new));
     let balls = balls.collect::<Result<Vec<_>, _>>()?;
-    let sphere = [Rc::new(round()?)];
+    let world = World::new(Color::BLACK)?.with(Sphere::new(Point3::ORIGIN, 1.0)?, ());
+    let sphere = [Rc::new(Ball { world, inner: 1.0 })];
     let count = effort.choose(2048, 4096);
     // The exact value is the height of the sphere over the plane through its centre. The
     // rays pass within nine tenths of the radius, because near the rim depth and normals

@@ -1,35 +1,33 @@
-//! Errors over many rays, compared with 30 digits.
+//! Errors over many rays, compared with 30 digits; and translated and scaled scenes, whose
+//! hits must not change.
 
 use a02_math::{Direction, Normal3, Point3};
 use a03_rays_cameras::Ray;
+use common::Error;
 use measure::Effort;
-use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Protocol, greatest};
+use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Outcome, Protocol};
+use measure::extremes::{case, greatest, wrong};
 
 use super::EPSILON;
-use crate::lab::experiments::needle::{Needle, cramer, error, needles, ours};
-use crate::lab::experiments::sphere_distance::{FROM_AFAR, Shot, shots, stable};
-use crate::lab::real::Real;
-use crate::lab::support::{Numbers, arrays, first, raw_ray};
+use crate::lab::experiments::needle::{self, CRAMER, error, needles};
+use crate::lab::experiments::sphere_distance::{FROM_AFAR, Formula, OURS, Shot, shots, stable};
+use crate::lab::protocol::Compared;
+use crate::lab::support::{Numbers, Real, any_ray, arrays, first};
 use crate::lab::{exact, protocol};
-use crate::{Plane, Sphere};
+use crate::{AxisAlignedBox, Plane, Sphere, Triangle};
 
 /// Number of rays with a wrong decision between hit and miss of a unit sphere,
 /// among rays that pass its rim at more than four rounding errors of the distance.
-fn wrong<F: Real>(distance: f64, rays: usize, is_hit: impl Fn(&[F; 3], &[F; 3]) -> bool) -> usize {
+fn wrong_hits<F: Real>(distance: f64, rays: usize, formula: Formula<F>) -> Outcome {
     let margin = 4.0 * F::epsilon().into() * distance;
-    let is_wrong = |Shot { o, d, .. }: &&Shot<F>| {
-        let [origin, direction] = [o, d].map(|v| v.map(Into::into));
-        let exact = exact::sphere(&[0.0; 3], 1.0, &origin, &direction);
+    let is_wrong = |Shot { c, r, o, d }: &&Shot<F>| {
+        let [centre, origin, direction] = [c, o, d].map(|v| v.map(Into::into));
+        let exact = exact::sphere(&centre, 1.0, &origin, &direction);
         let is_clear = (exact.distance - 1.0).abs() > margin;
-        is_clear && is_hit(o, d) != exact.roots.is_some()
+        is_clear && formula(c, *r, o, d).is_some() != exact.roots.is_some()
     };
     let shots = shots(FROM_AFAR, distance, rays);
-    shots.iter().filter(is_wrong).count()
-}
-
-/// Whether the protocol finds a hit of the unit sphere.
-fn theirs<F: Real>(o: &[F; 3], d: &[F; 3]) -> bool {
-    protocol::sphere(&[F::zero(); 3], F::one(), o, d).is_some()
+    shots.iter().filter(is_wrong).count().into()
 }
 
 /// The greatest error of a plane's `t`, relative to the theoretical bound: rounding
@@ -57,7 +55,7 @@ fn plane(id: Id, anchor: f64, rays: usize) -> Case {
 /// The median of the relative errors of `t`.
 fn needle(id: Id, aspect: f64, rays: usize, bound: f64, says: Protocol) -> Case {
     let needles = needles(aspect, rays);
-    let median = |formula: fn(&Needle) -> Option<f64>| {
+    let median = |formula: needle::Formula| {
         let errors = needles
             .iter()
             .filter_map(|needle| error(needle, formula(needle)));
@@ -66,22 +64,104 @@ fn needle(id: Id, aspect: f64, rays: usize, bound: f64, says: Protocol) -> Case 
         errors[errors.len() / 2]
     };
     let what = format!("{rays} rays at triangles of aspect {aspect:e}: median relative error of t");
-    Case::new(id, what, 0.0, Absolute(bound), median(ours)).protocol(says, median(cramer))
+    Case::new(id, what, 0.0, Absolute(bound), median(needle::OURS)).protocol(says, median(CRAMER))
+}
+
+/// Coordinates are multiples of this: they are exact after a translation by 2^30.
+const GRID: f64 = 1.0 / 1_048_576.0;
+
+/// A plane, a box, a triangle and a sphere, scaled, and translated along all axes.
+#[derive(Clone, Copy)]
+struct Place {
+    scale: f64,
+    shift: f64,
+}
+
+const HERE: Place = Place {
+    scale: 1.0,
+    shift: 0.0,
+};
+
+impl Place {
+    fn at(&self, coordinates: [f64; 3]) -> Point3 {
+        Point3::from_glam(coordinates.map(|x| x * self.scale + self.shift).into())
+    }
+
+    /// The `n`-th ray. Its direction does not depend on scale and translation.
+    fn ray(&self, n: usize) -> Ray {
+        let mut numbers = Numbers::new(41, n);
+        let mut on_grid = |reach: f64| (numbers.between(-reach, reach) / GRID).round() * GRID;
+        let from: [f64; 3] = std::array::from_fn(|_| on_grid(4.0));
+        let d: [f64; 3] = std::array::from_fn(|axis| on_grid(1.0) - from[axis]);
+        any_ray((self.at(from).to_glam().to_array(), d))
+    }
+
+    /// The distances of the four shapes along the `n`-th ray, by our formulas and by the
+    /// protocol's.
+    fn distances(&self, n: usize) -> Result<[[Option<f64>; 4]; 2], Error> {
+        let ray = self.ray(n);
+        let (a, n) = (self.at([0.25, -0.5, 1.0]), Normal3::new(1.0, 2.0, -3.0));
+        let [lbf, run] = [[-0.75, -0.5, -1.0], [0.5, 1.25, 0.75]].map(|corner| self.at(corner));
+        let corners = [[-1.5, 0.25, 0.0], [1.0, -1.25, 0.5], [0.5, 1.5, -0.75]];
+        let corners @ [p, q, s] = corners.map(|corner| self.at(corner));
+        let (c, r) = (self.at([0.25, 0.125, -0.5]), 1.25 * self.scale);
+        let ours = [
+            first(&Plane::new(a, n)?, &ray),
+            first(&AxisAlignedBox::new(lbf, run)?, &ray),
+            first(&Triangle::new(p, q, s)?, &ray),
+            first(&Sphere::new(c, r)?, &ray),
+        ];
+        let [o, d] = arrays(&ray);
+        let theirs = [
+            protocol::plane(a, n.unit("normal n")?, &ray),
+            protocol::axis_aligned_box(lbf, run, &ray, Compared::Three),
+            protocol::triangle(&corners, &ray),
+            protocol::sphere(&c.to_glam().to_array(), r, &o, &d),
+        ];
+        Ok([ours, theirs])
+    }
+}
+
+/// Number of distances that differ in any bit, except for the scale, at some places: ours,
+/// and the protocol's.
+fn differing(places: &[Place], rays: usize) -> Result<[usize; 2], Error> {
+    let shapes = (0..4).flat_map(|shape| (0..rays).map(move |n| (shape, n)));
+    let trials = shapes.flat_map(|(shape, n)| places.iter().map(move |place| (shape, n, place)));
+    wrong(trials, |(shape, n, place)| {
+        let (here, there) = (HERE.distances(n)?, place.distances(n)?);
+        Ok([0, 1].map(|formula| {
+            let [t, u] = [here, there].map(|distances| distances[formula][shape]);
+            t.map(|t| (t * place.scale).to_bits()) != u.map(f64::to_bits)
+        }))
+    })
+}
+
+/// The distance of the unit sphere from an eye, both this far from the origin along all axes.
+fn remote(t: f64) -> [Outcome; 2] {
+    let (eye, down) = ([t, t, t + 3.0], [0.0, 0.0, -1.0]);
+    [OURS, protocol::sphere].map(|formula| formula(&[t; 3], 1.0, &eye, &down).into())
 }
 
 #[rustfmt::skip]
 pub fn cases(effort: Effort) -> Vec<Case> {
+    let moved = Place { shift: libm::scalbn(1.0, 30), ..HERE };
+    let scales = (-300..=300).step_by(50).map(|power| libm::scalbn(1.0, power));
+    let scaled: Vec<_> = scales.map(|scale| Place { scale, ..HERE }).collect();
     let (rays, needles) = (effort.choose(1000, 3000), effort.choose(1024, 4096));
     let [double, single] = [effort.choose(1000, 4000), effort.choose(2000, 20_000)];
-    let of_doubles = Sphere::new(Point3::ORIGIN, 1.0).map(|sphere| {
-        wrong::<f64>(1e8, double, |o, d| first(&sphere, &raw_ray((*o, *d))).is_some())
-    });
-    let of_singles = wrong::<f32>(1e3, single, |o, d| stable(&[0.0; 3], 1.0, o, d).is_some());
+    let doubles = [OURS, protocol::sphere].map(|formula| wrong_hits(1e8, double, formula));
+    let singles = [stable, protocol::sphere].map(|formula: Formula<f32>| wrong_hits(1e3, single, formula));
     vec![
-        Case::new("S10", format!("{double} rays at and past a sphere 1e8 radii away: wrong hits and misses"),
-            0.0, Equal, of_doubles).protocol(Fails, wrong::<f64>(1e8, double, theirs)),
-        Case::new("S11", format!("in single precision, {single} rays, 1e3 radii away: wrong hits and misses"),
-            0.0, Equal, of_singles).protocol(Fails, wrong::<f32>(1e3, single, theirs)),
+        Case::wrong("I11", "four shapes moved by 2^30, all differences exact: distances that change",
+            differing(&[moved], effort.choose(1000, 20_000))),
+        case("I12", "eye and sphere at 1e15, 3 apart, where doubles are 1/8 apart", remote(1e15), 2.0, Equal, Holds),
+        case("I13", "eye and sphere at 1e16, where doubles are 2 apart: 3 becomes 4", remote(1e16), 3.0, Equal, Holds),
+        case("S10", format!("{double} rays at and past a sphere 1e8 radii away: wrong hits and misses"),
+            doubles, 0.0, Equal, Fails),
+        case("S11", format!("in single precision, {single} rays, 1e3 radii away: wrong hits and misses"),
+            singles, 0.0, Equal, Fails),
+        Case::wrong("S12", "four shapes in 13 scales from 2^-300 to 2^300: distances that change more than the scale",
+            differing(&scaled, effort.choose(400, 8000))),
         plane("S16a", 1.0, rays),
         plane("S16b", 1e6, rays),
         plane("S16c", 1e12, rays),

@@ -55,8 +55,8 @@ impl Case {
     /// A row of wrong results in number: ours, which must be none, and the protocol's.
     pub fn wrong<E>(id: Id, what: impl Into<String>, counts: Result<[usize; 2], E>) -> Self {
         let refused = [Outcome::Refused; 2];
-        let [ours, theirs] = counts.map_or(refused, |counts| counts.map(Outcome::from));
-        Self::new(id, what, 0.0, Bound::Equal, ours).protocol(Protocol::Fails, theirs)
+        let both = counts.map_or(refused, |counts| counts.map(Outcome::from));
+        case(id, what, both, 0.0, Bound::Equal, Protocol::Fails)
     }
 
     /// Adds the outcome of the protocol's formula.
@@ -83,6 +83,19 @@ impl Case {
         };
         format!("expected {exact}, got {ours}{off}")
     }
+}
+
+/// A row that compares two outcomes with an `exact` one from elsewhere: ours, and that of the
+/// protocol's formula.
+pub fn case(
+    id: Id,
+    what: impl Into<String>,
+    [ours, theirs]: [Outcome; 2],
+    exact: impl Into<Outcome>,
+    bound: Bound,
+    says: Protocol,
+) -> Case {
+    Case::new(id, what, exact, bound, ours).protocol(says, theirs)
 }
 
 impl fmt::Display for Case {
