@@ -6,17 +6,18 @@
 
 mod adaptive;
 mod coverage;
-mod places;
 mod summation;
 
-use common::Sampling::{Random, Regular, Stratified};
+use common::Sampling::{self, Random, Regular, Stratified};
+use common::Settings;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 pub use coverage::{DISC, disc_coverage};
 use coverage::{irradiance, lit, stripes};
-use places::{Places, n_rooks, r2, sampled};
 pub use summation::neumaier;
+
+use crate::{PixelRandom, Sampler};
 
 /// All experiments of the stage. Slopes at curved edges: Mitchell, Consequences of
 /// Stratified Sampling in Graphics, 1996. At level edges, a regular grid of n samples has
@@ -98,4 +99,52 @@ fn point((radiance, pixels): Task, places: Places, n: u32) -> Point<'static> {
     let errors: Vec<_> = pixels.iter().map(error).collect();
     let run = move || pixels.iter().map(|(x, y, _)| mean(*x, *y)).sum::<f64>();
     Point::new(n.into(), n.into(), errors, run)
+}
+
+/// The positions of some samples in the pixel of a column and a row.
+type Places = fn(u32, u32, u32) -> Iter;
+type Iter = Box<dyn Iterator<Item = (f64, f64)>>;
+
+/// The renderer's own sampling.
+fn sampled(sampling: Sampling, x: u32, y: u32, samples: u32) -> Iter {
+    let settings = Settings {
+        sampling,
+        samples,
+        ..Settings::default()
+    };
+    Box::new(Sampler::new(&settings).places(x, y))
+}
+
+/// `n` rooks on a board of n by n squares that do not threaten each other: one
+/// sample in each row and in each column (Shirley: Discrepancy as a Quality
+/// Measure for Sample Distributions, 1991).
+fn n_rooks(x: u32, y: u32, n: u32) -> Iter {
+    let random = PixelRandom::new(1, x, y);
+    let mut number = (0..).map(move |i| random.uniform(i));
+    let mut uniform = move || number.next().unwrap_or_default();
+    let mut columns: Vec<u32> = (0..n).collect();
+    for last in (1..columns.len()).rev() {
+        columns.swap(last, (uniform() * (last + 1) as f64) as usize);
+    }
+    let n = f64::from(n);
+    let places = columns.into_iter().zip(0_u32..);
+    Box::new(places.map(move |(column, row)| {
+        let (dx, dy) = (uniform(), uniform());
+        ((f64::from(column) + dx) / n, (f64::from(row) + dy) / n)
+    }))
+}
+
+/// The multiples of a pair of irrational numbers, which fill the pixel evenly,
+/// shifted by a random pair for every pixel (Roberts: The Unreasonable Effectiveness of
+/// Quasirandom Sequences, 2018).
+fn r2(x: u32, y: u32, n: u32) -> Iter {
+    /// The plastic number, which solves p^3 = p + 1.
+    const P: f64 = 1.324_717_957_244_746;
+    let random = PixelRandom::new(2, x, y);
+    let (dx, dy) = (random.uniform(0), random.uniform(1));
+    let fraction = |x: f64| x - x.floor();
+    Box::new((0..n).map(move |i| {
+        let i = f64::from(i);
+        (fraction(dx + i / P), fraction(dy + i / (P * P)))
+    }))
 }

@@ -1,40 +1,21 @@
 //! The rounding error of the sum over the samples of a pixel.
 
+use a02_math::lab::exact::sum_with_error;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 /// The sum that keeps the rounding errors in a second number (Neumaier,
 /// Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen, 1974).
 pub fn neumaier(terms: impl Iterator<Item = f64>) -> f64 {
-    let (mut sum, mut lost) = (0.0_f64, 0.0);
-    for x in terms {
-        let next = sum + x;
-        lost += if sum.abs() >= x.abs() {
-            (sum - next) + x
-        } else {
-            (x - next) + sum
-        };
-        sum = next;
-    }
+    let (sum, lost) = terms.fold((0.0, 0.0), |(sum, lost), term| {
+        let (next, error) = sum_with_error(sum, term);
+        (next, lost + error)
+    });
     sum + lost
 }
 
 /// The mean of `n` terms that are all `x`.
 type Mean = fn(f64, u32) -> f64;
-
-fn plain(x: f64, n: u32) -> f64 {
-    (0..n).fold(0.0, |sum, _| sum + x) / f64::from(n)
-}
-
-fn compensated(x: f64, n: u32) -> f64 {
-    neumaier((0..n).map(|_| x)) / f64::from(n)
-}
-
-/// Single precision: the sum stays constant once a term is less than half a unit
-/// in its last place.
-fn single(x: f64, n: u32) -> f64 {
-    f64::from((0..n).fold(0.0_f32, |sum, _| sum + x as f32) / n as f32)
-}
 
 /// The channels of equal samples. The mean equals each sample.
 fn channels() -> impl Iterator<Item = f64> {
@@ -53,11 +34,19 @@ pub fn experiment() -> Experiment<'static> {
             Curve::new(method, (0..=effort.choose(6, 7) as u32).map(point))
         };
         vec![
-            curve("plain sum", plain).with_slope(1.0, (100.0, 1e6)),
-            curve("Neumaier's sum", compensated)
-                .with_bound(f64::EPSILON, 1.0..=1e9)
-                .with_remark(COMPENSATED),
-            curve("plain sum in 32 bits", single),
+            curve("plain sum", |x, n| {
+                (0..n).fold(0.0, |sum, _| sum + x) / f64::from(n)
+            })
+            .with_slope(1.0, (100.0, 1e6)),
+            curve("Neumaier's sum", |x, n| {
+                neumaier((0..n).map(|_| x)) / f64::from(n)
+            })
+            .with_bound(f64::EPSILON, 1.0..=1e9)
+            .with_remark(COMPENSATED),
+            // The sum stays constant once a term is less than half a unit in its last place.
+            curve("plain sum in 32 bits", |x, n| {
+                f64::from((0..n).fold(0.0_f32, |sum, _| sum + x as f32) / n as f32)
+            }),
         ]
     };
     Experiment {

@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
 
 use a02_math::{Direction, Point3, Vector3};
 use common::{ArgumentError, Size};
-use measure::extremes::{Absolute, Bound, Case, Equal, Fails, Holds, Id, Outcome, Protocol};
-use measure::extremes::{Refused, Ulps, greatest, tried};
+use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Outcome, Refused, Ulps};
+use measure::extremes::{case, greatest, tried};
 
 use super::{AHEAD, UP};
 use crate::lab::protocol;
@@ -25,37 +25,21 @@ fn direction(([w, h], x, y): Pixel, angle: f64) -> Result<Vector3, ArgumentError
     Ok(camera.ray_for(Size::new(w, h)?, x, y).direction())
 }
 
-/// A row whose angle is half of the opening: with it the text's formula is right.
-fn half(
-    id: Id,
-    what: &str,
-    pixel: Pixel,
-    angle: f64,
-    exact: impl Into<Outcome>,
-    bound: Bound,
-    says: Protocol,
-) -> Case {
-    let what = format!("perspective, {what}");
+/// The direction for half of an opening: with it the text's formula is right.
+fn half(pixel: Pixel, angle: f64) -> [Outcome; 2] {
     let theirs = protocol::perspective_direction(pixel.0.map(f64::from), pixel.1, pixel.2, angle);
-    Case::new(id, what, exact, bound, direction(pixel, 2.0 * angle)).protocol(says, theirs)
+    [direction(pixel, 2.0 * angle).into(), theirs.into()]
 }
 
 /// The offset of the origin of a column's ray in the orthographic camera, in widths of
 /// the picture.
-fn bracket(
-    id: Id,
-    what: &str,
-    (column, width): (f64, u32),
-    exact: f64,
-    formula: fn(f64, f64) -> f64,
-) -> Case {
+fn bracket(column: f64, width: u32, formula: fn(f64, f64) -> f64) -> [Outcome; 2] {
     let ours = tried(|| {
         let camera = OrthographicCamera::new(Point3::ORIGIN, AHEAD, UP, 1.0)?;
         let ray = camera.ray_for(Size::new(width, width)?, column, 0.0);
         Ok(ray.origin().x())
     });
-    Case::new(id, format!("orthographic, {what}"), exact, Equal, ours)
-        .protocol(Fails, formula(column, f64::from(width)))
+    [ours, formula(column, width.into()).into()]
 }
 
 #[rustfmt::skip]
@@ -64,32 +48,33 @@ fn perspective_and_orthographic() -> Vec<Case> {
     let top = ([641, 481], 320.0, 480.0);
     let tall = ([1, 100], 0.0, 99.0);
     vec![
-        half("E01", "half angle 0", CORNER, 0.0, Refused, Equal, Fails),
-        half("E02", "half angle 1e-200", CORNER, 1e-200, Refused, Equal, Fails),
-        half("E03", "half angle pi/2", CORNER, FRAC_PI_2, Refused, Equal, Fails),
-        half("E04", "half angle pi: looks back", CORNER, PI, Refused, Equal, Fails),
-        half("E05", "half angle -pi/4", CORNER, -FRAC_PI_4, Refused, Equal, Fails),
-        half("E06", "half angle pi/4, picture of 1x1", ([1, 1], 0.0, 0.0), FRAC_PI_4, AHEAD, Equal, Holds),
-        half("E07", "half angle pi/4, 1x100, pixel (0, 99)", tall, FRAC_PI_4,
+        case("E01", "perspective, half angle 0", half(CORNER, 0.0), Refused, Equal, Fails),
+        case("E02", "perspective, half angle 1e-200", half(CORNER, 1e-200), Refused, Equal, Fails),
+        case("E03", "perspective, half angle pi/2", half(CORNER, FRAC_PI_2), Refused, Equal, Fails),
+        case("E04", "perspective, half angle pi: looks back", half(CORNER, PI), Refused, Equal, Fails),
+        case("E05", "perspective, half angle -pi/4", half(CORNER, -FRAC_PI_4), Refused, Equal, Fails),
+        case("E06", "perspective, half angle pi/4, picture of 1x1",
+            half(([1, 1], 0.0, 0.0), FRAC_PI_4), AHEAD, Equal, Holds),
+        case("E07", "perspective, half angle pi/4, 1x100, pixel (0, 99)", half(tall, FRAC_PI_4),
             [0.0, 0.703_544_597_920_105_2, -0.710_651_109_010_207_3], Ulps(2.0), Holds),
-        half("E08", "picture of 0x0", ([0, 0], 0.0, 0.0), FRAC_PI_4, Refused, Equal, Fails),
-        half("E09", "half angle NaN", CORNER, f64::NAN, Refused, Equal, Fails),
+        case("E08", "perspective, picture of 0x0", half(([0, 0], 0.0, 0.0), FRAC_PI_4), Refused, Equal, Fails),
+        case("E09", "perspective, half angle NaN", half(CORNER, f64::NAN), Refused, Equal, Fails),
         Case::new("E24", "perspective, FULL angle pi/4, 641x481, middle of the top row",
             [0.0, 0.382_004_035_507_720_3, -0.924_160_655_327_75], Ulps(2.0), direction(top, FRAC_PI_4))
             .protocol(Fails, protocol::perspective_direction([641.0, 481.0], 320.0, 480.0, FRAC_PI_4)),
-        bracket("E10", "column 639 of 640, bracket of the text's code",
-            (639.0, 640), 0.5, protocol::bracket_of_the_code),
-        bracket("E25", "column 0 of 640, fraction of the text's formula",
-            (0.0, 640), -0.5, protocol::bracket_of_the_formula),
-        bracket("E11", "the only column of 1, divided by w - 1",
-            (0.0, 1), 0.0, protocol::bracket_of_the_course),
-        pictures_of_few_pixels(),
+        case("E10", "orthographic, column 639 of 640, bracket of the text's code",
+            bracket(639.0, 640, protocol::bracket_of_the_code), 0.5, Equal, Fails),
+        case("E25", "orthographic, column 0 of 640, fraction of the text's formula",
+            bracket(0.0, 640, protocol::bracket_of_the_formula), -0.5, Equal, Fails),
+        case("E11", "orthographic, the only column of 1, divided by w - 1",
+            bracket(0.0, 1, protocol::bracket_of_the_course), 0.0, Equal, Fails),
+        case("Q11", "pictures of 1x1, 1x9 and 9x1: coordinates that are no numbers",
+            pictures_of_few_pixels(), 0.0, Equal, Fails),
     ]
 }
 
 /// Number of NaN values in the rays of pictures of one row, one column or one pixel.
-fn pictures_of_few_pixels() -> Case {
-    let sizes = [(1, 1), (1, 9), (9, 1)];
+fn pictures_of_few_pixels() -> [Outcome; 2] {
     let not_numbers = |v: [f64; 3]| v.iter().filter(|x| !x.is_finite()).count();
     let ours = tried(|| {
         let cameras: [Box<dyn Camera>; 3] = [
@@ -97,27 +82,27 @@ fn pictures_of_few_pixels() -> Case {
             Box::new(PerspectiveCamera::new(Point3::ORIGIN, AHEAD, UP, 1.0)?),
             Box::new(PinholeCamera::new(Point3::ORIGIN, 1.0)?),
         ];
-        let mut count = 0;
-        for (w, h) in sizes {
-            for camera in &cameras {
-                let ray = camera.ray_for(Size::new(w, h)?, 0.0, 0.0);
-                count += not_numbers(ray.direction().to_glam().to_array());
-                count += not_numbers(ray.origin().to_glam().to_array());
-            }
-        }
-        Ok(count)
+        let sizes = [Size::new(1, 1)?, Size::new(1, 9)?, Size::new(9, 1)?];
+        let rays = cameras
+            .iter()
+            .flat_map(|camera| sizes.map(|size| camera.ray_for(size, 0.0, 0.0)));
+        let numbers = |ray: Ray| {
+            [
+                ray.direction().to_glam().to_array(),
+                ray.origin().to_glam().to_array(),
+            ]
+        };
+        Ok(rays.flat_map(numbers).map(not_numbers).sum::<usize>())
     });
-    let bracket = |n: u32| protocol::bracket_of_the_course(0.0, f64::from(n));
-    let theirs = sizes.map(|(w, h)| not_numbers([bracket(w), bracket(h), 0.0]));
-    let what = "pictures of 1x1, 1x9 and 9x1: coordinates that are no numbers";
-    Case::new("Q11", what, 0.0, Equal, ours).protocol(Fails, theirs.iter().sum::<usize>())
+    let [one, nine] = [1.0, 9.0].map(|n| protocol::bracket_of_the_course(0.0, n));
+    let theirs = [[one, one, 0.0], [one, nine, 0.0], [nine, one, 0.0]].map(not_numbers);
+    [ours, theirs.iter().sum::<usize>().into()]
 }
 
 /// The axis u of a camera. The protocol does not check gaze and up vector.
-fn u(id: Id, what: &str, gaze: Vector3, up: Vector3, exact: impl Into<Outcome>) -> Case {
+fn u(gaze: Vector3, up: Vector3) -> [Outcome; 2] {
     let ours = Basis::new(Point3::ORIGIN, gaze, up).map(|basis| basis.u);
-    let [theirs, ..] = protocol::axes(gaze, up);
-    Case::new(id, what, exact, Equal, ours).protocol(Fails, theirs)
+    [ours.into(), protocol::axes(gaze, up)[0].into()]
 }
 
 /// Greatest deviation of the axes from being perpendicular and of length 1.
@@ -130,18 +115,16 @@ fn defect(Basis { u, v, w, .. }: Basis) -> f64 {
 fn axes() -> Vec<Case> {
     let right = [1.0, 0.0, 0.0];
     let (slanted, near) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(1.0 + 1e-11, 2.0, 3.0));
-    let basis = Basis::new(Point3::ORIGIN, slanted, near);
     vec![
-        u("E12", "axes, gaze = up = (0, 1, 0)", UP, UP, Refused),
-        u("E13", "axes, gaze = 2 up, up = (1, 2, 3)", slanted * 2.0, slanted, Refused),
-        Case::new("E14", "u of gaze (1, 2, 3) and up (1+1e-11, 2, 3)",
-            [0.0, 0.832_050_294_337_843_7, -0.554_700_196_225_229_1], Absolute(1e-3),
-            basis.clone().map(|basis| basis.u)).protocol(Holds, protocol::axes(slanted, near)[0]),
+        case("E12", "axes, gaze = up = (0, 1, 0)", u(UP, UP), Refused, Equal, Fails),
+        case("E13", "axes, gaze = 2 up, up = (1, 2, 3)", u(slanted * 2.0, slanted), Refused, Equal, Fails),
+        case("E14", "u of gaze (1, 2, 3) and up (1+1e-11, 2, 3)",
+            u(slanted, near), [0.0, 0.832_050_294_337_843_7, -0.554_700_196_225_229_1], Absolute(1e-3), Holds),
         Case::new("E31", "axes of E14: how far from a right angle, gaze and up being 2.6e-12 apart",
-            0.0, Absolute(4.0 * f64::EPSILON / 2.6e-12), basis.map(defect)),
-        u("E15", "axes, gaze = 0", Vector3::default(), UP, Refused),
-        u("E16", "u of gaze (0, 0, -1e200)", AHEAD * 1e200, UP, right),
-        u("E17", "u of up (0, 1e-170, 0)", AHEAD, UP * 1e-170, right),
+            0.0, Absolute(4.0 * f64::EPSILON / 2.6e-12), Basis::new(Point3::ORIGIN, slanted, near).map(defect)),
+        case("E15", "axes, gaze = 0", u(Vector3::default(), UP), Refused, Equal, Fails),
+        case("E16", "u of gaze (0, 0, -1e200)", u(AHEAD * 1e200, UP), right, Equal, Fails),
+        case("E17", "u of up (0, 1e-170, 0)", u(AHEAD, UP * 1e-170), right, Equal, Fails),
     ]
 }
 
