@@ -3,20 +3,33 @@
 //! The inputs are numbers with few binary digits, so that the solution is known
 //! exactly and only the method rounds.
 
-mod angles;
-mod lengths;
 mod systems;
+mod vectors;
 
+use std::rc::Rc;
+
+use measure::Effort;
 use measure::experiment::Experiment;
 
-pub use systems::refined;
+pub use systems::{from_columns, refined};
 
 pub fn experiments() -> Vec<Experiment<'static>> {
-    vec![
-        angles::experiment(),
-        systems::experiment(),
-        lengths::experiment(),
-    ]
+    vec![vectors::angles(), systems::experiment(), vectors::lengths()]
+}
+
+/// Random tasks for each value of a parameter.
+fn sets<T, const N: usize>(
+    seed: u64,
+    effort: Effort,
+    values: [i32; N],
+    knob: fn(i32) -> f64,
+    task: fn(&mut WholeNumbers, i32) -> T,
+) -> [(f64, Rc<[T]>); N] {
+    values.map(|value| {
+        let mut numbers = WholeNumbers(seed);
+        let tasks = (0..effort.choose(4096, 65_536)).map(|_| task(&mut numbers, value));
+        (knob(value), tasks.collect())
+    })
 }
 
 /// Random whole numbers, the same in every run, from a linear congruential generator with

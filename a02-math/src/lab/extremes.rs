@@ -7,7 +7,7 @@ use measure::Effort;
 use measure::extremes::greatest;
 use measure::extremes::{Absolute, Bound, Case, Equal, Fails, Holds, Id, Outcome, Protocol, Ulps};
 
-use crate::lab::experiments::refined;
+use crate::lab::experiments::{from_columns, refined};
 use crate::lab::protocol;
 use crate::{Direction, Mat3x3, Normal3, Point3, Vector3};
 
@@ -142,9 +142,5 @@ fn nearly_flat() -> (Mat3x3, Vector3) {
     let short = |x: f64| libm::scalbn(libm::scalbn(x, 30).floor(), -30);
     let [a, b] = [[0.3, 0.7, 0.9], [0.5, 0.2, 0.6]].map(|column| vector(column.map(short)));
     let c = a + b + vector([libm::scalbn(1.0, -40), 0.0, 0.0]);
-    let m = Mat3x3::IDENTITY
-        .change_col_1(a)
-        .change_col_2(b)
-        .change_col_3(c);
-    (m, a + b + c)
+    (from_columns(a, b, c), a + b + c)
 }

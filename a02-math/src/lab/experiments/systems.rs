@@ -1,13 +1,12 @@
 //! Three equations with three unknowns, from easy to nearly unsolvable.
 
 use std::array;
-use std::rc::Rc;
 
 use glam::DMat3;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Unit};
 
-use super::WholeNumbers;
+use super::{WholeNumbers, sets};
 use crate::lab::exact::sum_of_products;
 use crate::lab::extremes::vector;
 use crate::lab::protocol;
@@ -59,13 +58,10 @@ fn rows(m: Mat3x3) -> [[f64; 3]; 3] {
     DMat3::from_cols(x, y, z).transpose().to_cols_array_2d()
 }
 
-const WHY_NOT: &str =
-    "not in the renderer: solving four times more for digits that no picture needs";
-
 pub fn experiment() -> Experiment<'static> {
-    let curves = |effort| {
+    let curves = |effort: Effort| {
         let steps = [0, 5, 10, 15, 20, 25, 30, 35, 40];
-        let sets = steps.map(|bits| (libm::scalbn(1.0, bits), tasks(bits, effort)));
+        let sets = sets(3, effort, steps, |bits| libm::scalbn(1.0, bits), task);
         let curve = |method, slope: Option<f64>, solve: fn(Mat3x3, Vector3) -> Vector3| {
             let error = |(.., exact): &Task, x: Vector3| (x - *exact).to_glam().to_array();
             let curve = Curve::of_tasks(method, &sets, move |(m, b, _)| solve(*m, *b), error);
@@ -77,7 +73,9 @@ pub fn experiment() -> Experiment<'static> {
             // The solutions are small whole numbers.
             curve("Cramer's rule, mended", None, refined)
                 .with_bound(0.0, 0.0..=1e9)
-                .with_remark(WHY_NOT),
+                .with_remark(
+                    "not in the renderer: solving four times more for digits that no picture needs",
+                ),
         ]
     };
     Experiment {
@@ -99,27 +97,26 @@ type Task = (Mat3x3, Vector3, Vector3);
 
 /// Columns of whole numbers below 2^26. The third is the sum of the others plus
 /// numbers that are smaller by a power of two. The right sides are exact sums.
-fn tasks(bits: i32, effort: Effort) -> Rc<[Task]> {
-    let mut numbers = WholeNumbers(3);
-    let mut task = || {
-        let mut column = || vector(array::from_fn(|_| numbers.signed(24)));
-        let (a, b, rest) = loop {
-            let (a, b, rest) = (column(), column(), column());
-            let volume = a.cross(b).dot(rest);
-            // Nearly coplanar directions would change the condition number.
-            if volume.abs() > 0.3 * a.magnitude() * b.magnitude() * rest.magnitude() {
-                break (a, b, rest);
-            }
-        };
-        // Rounded to 20 binary digits behind the point, so that sums are exact.
-        let cut = |x: f64| libm::scalbn(libm::scalbn(x, 20 - bits).round(), -20);
-        let c = a + b + Vector3::from_glam(rest.to_glam().map(cut));
-        let x = vector(array::from_fn(|_| 2.0 * numbers.signed(1) + 1.0));
-        let m = Mat3x3::IDENTITY
-            .change_col_1(a)
-            .change_col_2(b)
-            .change_col_3(c);
-        (m, m * x, x)
+fn task(numbers: &mut WholeNumbers, bits: i32) -> Task {
+    let mut column = || vector(array::from_fn(|_| numbers.signed(24)));
+    let (a, b, rest) = loop {
+        let (a, b, rest) = (column(), column(), column());
+        let volume = a.cross(b).dot(rest);
+        // Nearly coplanar directions would change the condition number.
+        if volume.abs() > 0.3 * a.magnitude() * b.magnitude() * rest.magnitude() {
+            break (a, b, rest);
+        }
     };
-    (0..effort.choose(4096, 65_536)).map(|_| task()).collect()
+    // Rounded to 20 binary digits behind the point, so that sums are exact.
+    let cut = |x: f64| libm::scalbn(libm::scalbn(x, 20 - bits).round(), -20);
+    let c = a + b + Vector3::from_glam(rest.to_glam().map(cut));
+    let x = vector(array::from_fn(|_| 2.0 * numbers.signed(1) + 1.0));
+    let m = from_columns(a, b, c);
+    (m, m * x, x)
+}
+
+/// The matrix of these columns.
+pub fn from_columns(a: Vector3, b: Vector3, c: Vector3) -> Mat3x3 {
+    let m = Mat3x3::IDENTITY;
+    m.change_col_1(a).change_col_2(b).change_col_3(c)
 }

@@ -1,0 +1,154 @@
+//! The angle between two vectors, from large to tiny; and vectors that were halved many
+//! times, brought to length 1.
+
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Experiment, Unit};
+
+use super::{WholeNumbers, sets};
+use crate::lab::exact::sum_of_products;
+use crate::lab::{extremes::vector, protocol};
+use crate::{Direction, Vector3};
+
+/// Kahan's formula, with the vectors scaled to equal length (How Futile are Mindless
+/// Assessments of Roundoff, 2006).
+fn kahan(a: Vector3, b: Vector3) -> f64 {
+    let (scaled_a, scaled_b) = (a * b.magnitude(), b * a.magnitude());
+    2.0 * libm::atan2(
+        (scaled_a - scaled_b).magnitude(),
+        (scaled_a + scaled_b).magnitude(),
+    )
+}
+
+/// The arc tangent of sine and cosine, with the sine from exact products.
+fn exact_products(a: Vector3, b: Vector3) -> f64 {
+    let minor = |p: f64, q: f64, r: f64, s: f64| sum_of_products(&[(p, q), (-r, s)]);
+    let cross = Vector3::new(
+        minor(a.y(), b.z(), a.z(), b.y()),
+        minor(a.z(), b.x(), a.x(), b.z()),
+        minor(a.x(), b.y(), a.y(), b.x()),
+    );
+    libm::atan2(cross.magnitude(), a.dot(b))
+}
+
+/// Two vectors and the angle between them.
+type AngleTask = (Vector3, Vector3, f64);
+
+/// The second vector is a vector `a` of whole numbers plus a perpendicular vector
+/// times a power of two; the quotient of their lengths is the tangent, about
+/// 2^-`bits`. The sum fills 52 binary digits and is exact.
+fn angle_task(numbers: &mut WholeNumbers, bits: i32) -> AngleTask {
+    let digits = (bits - 4).max(5);
+    let mut odd_numbers = |digits: i32| {
+        let mut odd = || 2.0 * numbers.signed(digits as u32) + 1.0;
+        Vector3::new(odd(), odd(), odd())
+    };
+    let (across, a) = loop {
+        let across = odd_numbers(44 - digits);
+        let a = across.cross(odd_numbers(digits));
+        if a != Vector3::default() {
+            break (across, a);
+        }
+    };
+    let across = across * libm::scalbn(1.0, digits - bits);
+    let tangent = (across.dot(across) / a.dot(a)).sqrt();
+    (a, a + across, libm::atan(tangent))
+}
+
+pub fn angles() -> Experiment<'static> {
+    let curves = |effort: Effort| {
+        let steps = [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40];
+        let sets = sets(1, effort, steps, |bits| libm::scalbn(1.0, bits), angle_task);
+        let curve = |method, slope: f64, angle: fn(Vector3, Vector3) -> f64| {
+            // For smaller angles the arc cosine is 0 or NaN.
+            let error = |(.., exact): &AngleTask, angle: f64| {
+                let error = angle / exact - 1.0;
+                [if error.is_nan() { 1.0 } else { error }]
+            };
+            let curve = Curve::of_tasks(method, &sets, move |(a, b, _)| angle(*a, *b), error);
+            curve.with_slope(slope, (10.0, 1e6))
+        };
+        vec![
+            curve("arc tangent", 1.0, Vector3::angle),
+            curve("arc cosine", 2.0, protocol::angle_by_arc_cosine),
+            curve("Kahan's formula", 1.0, kahan),
+            curve("exact products", 0.0, exact_products).with_remark(
+                "does not scale long and short vectors as ours does; \
+                 not in the renderer: no picture shows an angle's last digits",
+            ),
+        ]
+    };
+    Experiment {
+        name: "angle",
+        about: "Which formula sees small angles?",
+        knob: "1 / tangent",
+        work: "angles",
+        error: "rms error of the angle",
+        unit: Unit::Other("share of the angle"),
+        exact: "against the angle by construction; where there is none, the error is 1",
+        seeds: &[1],
+        against: Axis::Knob,
+        curves: Box::new(curves),
+    }
+}
+
+/// Normalisation that always scales, without the short cut for usual lengths.
+fn always_scaled(v: Vector3) -> Vector3 {
+    let largest = v.to_glam().abs().max_element();
+    let scaled = v.to_glam().map(|x| libm::scalbn(x, -libm::ilogb(largest)));
+    Vector3::from_glam(scaled / scaled.length())
+}
+
+/// Whole numbers whose squares add up to a square: x, y, z and the root.
+const WHOLE: [[f64; 4]; 6] = [
+    [1.0, 2.0, 2.0, 3.0],
+    [2.0, 3.0, 6.0, 7.0],
+    [1.0, 4.0, 8.0, 9.0],
+    [4.0, 4.0, 7.0, 9.0],
+    [2.0, 6.0, 9.0, 11.0],
+    [6.0, 6.0, 7.0, 11.0],
+];
+
+/// A vector and its exact direction.
+type LengthTask = (Vector3, Vector3);
+
+fn length_task(numbers: &mut WholeNumbers, halvings: i32) -> LengthTask {
+    let [x, y, z, length] = WHOLE[numbers.signed(20).abs() as usize % WHOLE.len()];
+    let whole = [x, y, z].map(|x: f64| x.copysign(numbers.signed(1) - 0.5));
+    let halved = whole.map(|x| libm::scalbn(x, -halvings));
+    (vector(halved), vector(whole.map(|x| x / length)))
+}
+
+pub fn lengths() -> Experiment<'static> {
+    let curves = |effort: Effort| {
+        let halvings = [1, 10, 100, 500, 510, 520, 530, 540, 600, 1000];
+        let sets = sets(2, effort, halvings, Into::into, length_task);
+        let curve = |method, normalized: fn(Vector3) -> Vector3| {
+            let error = |(_, exact): &LengthTask, direction: Vector3| {
+                let error = (direction - *exact).to_glam().to_array();
+                error.map(|error| if error.is_finite() { error } else { 1.0 })
+            };
+            Curve::of_tasks(method, &sets, move |(v, _)| normalized(*v), error)
+        };
+        // A rounded square, root and quotient.
+        let bound = 2.0 * f64::EPSILON;
+        vec![
+            curve("ours", |v| v.normalized().unwrap_or_default()).with_bound(bound, 0.0..=1e9),
+            curve("divided by its length", protocol::normalized).with_bound(bound, 0.0..=500.0),
+            curve("always scaled", always_scaled).with_remark(
+                "not in the renderer: the same digits at a higher price for usual lengths",
+            ),
+        ]
+    };
+    Experiment {
+        name: "normalise",
+        about: "How short may a vector be?",
+        knob: "halvings of the vector",
+        work: "vectors",
+        error: "rms error of a coordinate of the direction",
+        unit: Unit::Other("length = 1"),
+        exact: "against a quotient of whole numbers; where there is no direction, the error is 1",
+        seeds: &[2],
+        against: Axis::Knob,
+        curves: Box::new(curves),
+    }
+}
