@@ -21,17 +21,12 @@ pub fn product_with_error(a: f64, b: f64) -> (f64, f64) {
     (product, a.mul_add(b, -product))
 }
 
-/// The sum of products, rounded as if computed with twice the digits (Ogita,
-/// Rump, Oishi: Accurate Sum and Dot Product, 2005).
+/// The sum of products, rounded as if computed with twice the digits.
 pub fn sum_of_products(pairs: &[(f64, f64)]) -> f64 {
-    let (mut total, mut lost) = (0.0, 0.0);
-    for (a, b) in pairs {
-        let (rounded, of_product) = product_with_error(*a, *b);
-        let (next, of_sum) = sum_with_error(total, rounded);
-        total = next;
-        lost += of_product + of_sum;
-    }
-    total + lost
+    let products = pairs
+        .iter()
+        .map(|(a, b)| DoubleDouble::from(*a) * (*b).into());
+    products.fold(DoubleDouble::from(0.0), Add::add).value()
 }
 
 /// A sum of two doubles with about 31 digits. The second is at most half a unit in

@@ -10,7 +10,7 @@ use DoubleDouble as Number;
 use super::support::dot;
 
 /// The exact difference of two triples.
-fn difference(a: &[f64; 3], b: &[f64; 3]) -> [Number; 3] {
+pub fn difference(a: &[f64; 3], b: &[f64; 3]) -> [Number; 3] {
     std::array::from_fn(|i| Number::from(a[i]) - Number::from(b[i]))
 }
 

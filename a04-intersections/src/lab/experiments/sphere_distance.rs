@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use a02_math::lab::exact::{product_with_error, sum_with_error};
+use a02_math::lab::exact::DoubleDouble;
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use measure::Effort;
@@ -27,22 +27,11 @@ pub fn stable<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> Option<F> {
 }
 
 /// The renderer's formula with `f · f - r²` in twice as many digits: near a huge
-/// sphere this is the difference of two huge numbers (Ogita, Rump and Oishi, "Accurate Sum and Dot
-/// Product", 2005).
+/// sphere this is the difference of two huge numbers.
 fn compensated(c: &[f64; 3], r: f64, o: &[f64; 3], d: &[f64; 3]) -> Option<f64> {
-    let (square, mut error) = product_with_error(r, r);
-    let mut power = -square;
-    error = -error;
-    let mut f = [0.0; 3];
-    for axis in 0..3 {
-        let (high, low) = sum_with_error(o[axis], -c[axis]);
-        let (square, lost) = product_with_error(high, high);
-        let (sum, lost_too) = sum_with_error(power, square);
-        error += lost + lost_too + 2.0 * high * low;
-        power = sum;
-        f[axis] = high;
-    }
-    stable_roots(&f, r, d, power + error)
+    let f = exact::difference(o, c);
+    let power = dot(&f, &f) - DoubleDouble::from(r) * r.into();
+    stable_roots(&f.map(DoubleDouble::value), r, d, power.value())
 }
 
 /// The renderer's `d · d`, the `t` nearest to the centre, and its discriminant `r² - l · l`.
