@@ -1,5 +1,5 @@
-//! Arithmetic with twice the digits of a double: sums and products with their rounding
-//! errors, and `DoubleDouble`, a number as the unevaluated sum of two doubles.
+//! Arithmetic with twice the digits of a double: `DoubleDouble`, a number as the unevaluated
+//! sum of two doubles.
 
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -9,16 +9,6 @@ pub fn sum_with_error(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let b_of_sum = sum - a;
     (sum, (a - (sum - b_of_sum)) + (b - b_of_sum))
-}
-
-/// The rounded product and its rounding error.
-#[allow(
-    clippy::disallowed_methods,
-    reason = "one rounding instead of two is what makes the error exact"
-)]
-pub fn product_with_error(a: f64, b: f64) -> (f64, f64) {
-    let product = a * b;
-    (product, a.mul_add(b, -product))
 }
 
 /// The sum of products, rounded as if computed with twice the digits.
@@ -91,8 +81,15 @@ impl Sub for DoubleDouble {
 impl Mul for DoubleDouble {
     type Output = Self;
 
+    /// The fused operation gives the rounding error of the product of the high parts (Ogita,
+    /// Rump, Oishi: Accurate Sum and Dot Product, 2005).
+    #[allow(
+        clippy::disallowed_methods,
+        reason = "one rounding instead of two is what makes the error exact"
+    )]
     fn mul(self, other: Self) -> Self {
-        let (high, error) = product_with_error(self.0, other.0);
+        let high = self.0 * other.0;
+        let error = self.0.mul_add(other.0, -high);
         Self::normalized(high, error + (self.0 * other.1 + self.1 * other.0))
     }
 }
