@@ -13,8 +13,8 @@ use common::Settings;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
-pub use coverage::{DISC, disc_coverage};
-use coverage::{irradiance, lit, stripes};
+pub use coverage::{RADIUS, disc_coverage};
+use coverage::{in_disc, in_stripe, irradiance, lit, stripes};
 pub use summation::neumaier;
 
 use crate::{PixelRandom, Sampler};
@@ -26,10 +26,10 @@ use crate::{PixelRandom, Sampler};
 pub fn experiments() -> Vec<Experiment<'static>> {
     vec![
         samples("samples-curved-edge", "Where should samples lie in a pixel that a disc's edge crosses?",
-            || (|x, y| DISC.contains(x, y).into(), pixels(64, 64, disc_coverage)),
+            || (|x, y| in_disc(x, y).into(), pixels(64, 64, disc_coverage)),
             [Some(-0.5), Some(-0.75), Some(-0.75), Some(-0.5), None]),
         samples("samples-level-edge", "Where should samples lie in a pixel that a level edge crosses?",
-            || (|_, y| coverage::in_stripe(y).into(), pixels(1, 1000, |_, y| stripes(y))),
+            || (|_, y| in_stripe(y).into(), pixels(1, 1000, |_, y| stripes(y))),
             [Some(-0.5), Some(-0.5), Some(-0.75), Some(-1.0), None]),
         samples("samples-smooth-shading", "Where should samples lie in a pixel of smooth shading?",
             || (lit, pixels(16, 16, irradiance)),
@@ -106,7 +106,7 @@ type Places = fn(u32, u32, u32) -> Iter;
 type Iter = Box<dyn Iterator<Item = (f64, f64)>>;
 
 /// The renderer's own sampling.
-fn sampled(sampling: Sampling, x: u32, y: u32, samples: u32) -> Iter {
+pub fn sampled(sampling: Sampling, x: u32, y: u32, samples: u32) -> Iter {
     let settings = Settings {
         sampling,
         samples,

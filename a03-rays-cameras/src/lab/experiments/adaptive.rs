@@ -7,7 +7,7 @@ use common::{ArgumentError, Color, Image, Sampled, Sampling, Settings, Size};
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Unit};
 
-use super::coverage::{DISC, disc_coverage};
+use super::coverage::{disc_coverage, in_disc};
 use crate::{Camera, Ray, View};
 
 const SIDE: u32 = 64;
@@ -26,13 +26,10 @@ fn picture(settings: &Settings) -> Option<(Image, Sampled)> {
     // The camera's places are relative to the middles of pixels, the disc to their corners.
     let disc = |ray: &Ray| {
         let place = ray.origin();
-        Color::gray(DISC.contains(place.x() + 0.5, place.y() + 0.5).into())
+        Color::gray(in_disc(place.x() + 0.5, place.y() + 0.5).into())
     };
-    let sampled = Mutex::new(Sampled::default());
-    let image = View::new(Places, disc)
-        .boxed()
-        .render(settings, &sampled)
-        .ok()?;
+    let (view, sampled) = (View::new(Places, disc).boxed(), Mutex::default());
+    let image = view.render(settings, &sampled).ok()?;
     Some((image, sampled.into_inner().ok()?))
 }
 
@@ -43,23 +40,6 @@ fn errors(image: &Image) -> impl Iterator<Item = f64> {
     pixels.map(|(color, mean)| color.r - mean)
 }
 
-/// The point of a picture; as promised, with the error that the renderer's check leaves
-/// possible.
-fn point(settings: Settings, as_promised: bool) -> Option<Point<'static>> {
-    let (image, sampled) = picture(&settings)?;
-    let samples = match settings.max_error {
-        Some(_) => sampled.samples as f64,
-        None => f64::from(settings.samples) * f64::from(SIDE * SIDE),
-    };
-    let [_, largest] = sampled.error();
-    let run = move || picture(&settings);
-    Some(if as_promised {
-        Point::estimate(samples, samples, largest, run)
-    } else {
-        Point::new(samples, samples, errors(&image), run)
-    })
-}
-
 fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
     let settings = Settings {
         size: Size::new(SIDE, SIDE)?,
@@ -67,25 +47,37 @@ fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
     };
     let sides = &[1, 2, 4, 8, 16, 32, 64][..effort.choose(5, 7)];
     let bounds = &[16.0, 8.0, 4.0, 2.0, 1.0, 0.5, 0.25][..effort.choose(6, 7)];
-    let everywhere = sides.iter().map(|side| Settings {
-        samples: side * side,
-        sampling: Sampling::Stratified,
-        ..settings.clone()
+    let everywhere = sides.iter().filter_map(|side| {
+        let settings = Settings {
+            samples: side * side,
+            sampling: Sampling::Stratified,
+            ..settings.clone()
+        };
+        let (image, _) = picture(&settings)?;
+        let samples = f64::from(settings.samples * SIDE * SIDE);
+        let run = move || picture(&settings);
+        Some(Point::new(samples, samples, errors(&image), run))
     });
-    let adaptive = |as_promised| {
-        let settings = bounds.iter().map(|levels| Settings {
+    let mut promised = Vec::new();
+    let adaptive = bounds.iter().filter_map(|levels| {
+        let settings = Settings {
             samples: 1 << 16,
             max_error: Some(levels * HALF_GREY_LEVEL),
             ..settings.clone()
-        });
-        settings.filter_map(move |settings| point(settings, as_promised))
-    };
-    let everywhere = everywhere.filter_map(|settings| point(settings, false));
+        };
+        let (image, sampled) = picture(&settings)?;
+        let ([_, largest], samples) = (sampled.error(), sampled.samples as f64);
+        let again = settings.clone();
+        let run = move || picture(&again);
+        promised.push(Point::estimate(samples, samples, largest, run));
+        let run = move || picture(&settings);
+        Some(Point::new(samples, samples, errors(&image), run))
+    });
     Ok(vec![
         // Mitchell, Consequences of Stratified Sampling in Graphics, 1996.
         Curve::new("stratified everywhere", everywhere).with_slope(-0.75, (1e4, 1e9)),
-        Curve::new("adaptive", adaptive(false)),
-        Curve::new("adaptive, as promised", adaptive(true)).with_remark(
+        Curve::new("adaptive", adaptive),
+        Curve::new("adaptive, as promised", promised).with_remark(
             "the largest error that the renderer's check leaves possible, with 95 % confidence",
         ),
     ])

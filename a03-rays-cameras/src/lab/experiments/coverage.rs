@@ -3,30 +3,18 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-/// A disc in the picture.
-pub struct Disc {
-    x: f64,
-    y: f64,
-    pub radius: f64,
+/// The middle and the radius of the disc whose edge is sampled.
+const MIDDLE: [f64; 2] = [31.7, 32.3];
+pub const RADIUS: f64 = 20.3;
+
+pub fn in_disc(x: f64, y: f64) -> bool {
+    let (x, y) = (x - MIDDLE[0], y - MIDDLE[1]);
+    x * x + y * y <= RADIUS * RADIUS
 }
 
-/// The disc whose edge is sampled.
-pub const DISC: Disc = Disc {
-    x: 31.7,
-    y: 32.3,
-    radius: 20.3,
-};
-
-impl Disc {
-    pub fn contains(&self, x: f64, y: f64) -> bool {
-        let (x, y, r) = (x - self.x, y - self.y, self.radius);
-        x * x + y * y <= r * r
-    }
-}
-
-/// Coverage of a pixel by [`DISC`], from 0 to 1.
+/// Coverage of a pixel by the disc, from 0 to 1.
 pub fn disc_coverage(x: f64, y: f64) -> f64 {
-    over_corners(corner_of_disc, x - DISC.x, y - DISC.y, 1.0)
+    over_corners(corner_of_disc, x - MIDDLE[0], y - MIDDLE[1], 1.0)
 }
 
 /// The integral over the square at (`x`, `y`) of a function with the integral
@@ -37,7 +25,7 @@ fn over_corners(corner: fn(f64, f64) -> f64, x: f64, y: f64, side: f64) -> f64 {
 
 /// The area of the disc around 0 that is left of `x` and below `y`.
 fn corner_of_disc(x: f64, y: f64) -> f64 {
-    let r = DISC.radius;
+    let r = RADIUS;
     let (x, y) = (x.clamp(-r, r), y.clamp(-r, r));
     // The half disc above the axis, from the left up to t.
     let half =

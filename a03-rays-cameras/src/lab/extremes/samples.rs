@@ -2,12 +2,12 @@
 
 use a02_math::Point3;
 use common::{Color, Error, Image, Sampling, Settings, Size};
-use measure::extremes::{Absolute, Case, Equal, Fails, Finite, Refused, Ulps, tried};
+use measure::extremes::{Absolute, Case, Equal, Fails, Finite, Refused, Ulps, case, tried};
 
 use super::{AHEAD, UP};
-use crate::lab::experiments::{DISC, disc_coverage, neumaier};
+use crate::lab::experiments::{RADIUS, disc_coverage, neumaier, sampled};
 use crate::lab::protocol;
-use crate::{OrthographicCamera, PixelRandom, Ray, Sampler, render};
+use crate::{OrthographicCamera, PixelRandom, Ray, render};
 
 /// Found by running the generator backwards from 64 set bits.
 const INDEX_OF_THE_GREATEST: u64 = 0x30fd_d71d_1ddc_283c;
@@ -46,42 +46,34 @@ fn changed_by_a_grid() -> Result<usize, Error> {
     Ok(pairs.filter(|(a, b)| a != b).count())
 }
 
-/// Number of places of one stratified sample that lie in its pixel.
-fn places_in_the_pixel() -> usize {
-    let one = Settings {
-        sampling: Sampling::Stratified,
-        ..Settings::default()
-    };
-    let in_pixel = |(x, y): &(f64, f64)| (0.0..1.0).contains(x) && (0.0..1.0).contains(y);
-    Sampler::new(&one).places(7, 8).filter(in_pixel).count()
-}
-
 #[rustfmt::skip]
 pub fn cases() -> Vec<Case> {
+    let in_pixel = |(x, y): &(f64, f64)| (0.0..1.0).contains(x) && (0.0..1.0).contains(y);
+    let places = sampled(Sampling::Stratified, 7, 8, 1).filter(in_pixel);
     let greatest = PixelRandom::new(0, 0, 0).uniform(INDEX_OF_THE_GREATEST);
     let plain = tried(|| {
         let image = picture((1, 1), Sampling::Random, MILLION, |_| Color::gray(0.1))?;
         Ok(image.pixels()[0].r)
     });
+    let theirs = |samples| protocol::mean_over_grid(samples, 1.0);
     let tenths = (0..MILLION).map(|_| 0.1);
     let pixels = (0..64).flat_map(|y| (0..64).map(move |x| disc_coverage(x.into(), y.into())));
     let bytes = [205, 205, 205, 204];
     let mean = bytes.map(|byte| Color::from_bytes([byte; 3])).into_iter();
     let mean = mean.fold(Color::BLACK, |sum, c| sum + c) * 0.25;
     vec![
-        Case::new("Q01", "one stratified sample: places in the pixel", 1.0, Equal, places_in_the_pixel()),
-        Case::new("Q02", "a white scene with 2, 3 and 5 samples, divided by the number asked for",
-            [1.0; 3], Equal, [2, 3, 5].map(white))
-            .protocol(Fails, [2, 3, 5].map(|n| protocol::mean_over_grid(n, 1.0))),
-        Case::new("Q03", "a white scene with 0 samples, taken as 1", 1.0, Finite, white(0))
-            .protocol(Fails, protocol::mean_over_grid(0, 1.0)),
+        Case::new("Q01", "one stratified sample: places in the pixel", 1.0, Equal, places.count()),
+        case("Q02", "a white scene with 2, 3 and 5 samples, divided by the number asked for",
+            [white, theirs].map(|mean| [2, 3, 5].map(mean).into()), [1.0; 3], Equal, Fails),
+        case("Q03", "a white scene with 0 samples, taken as 1",
+            [white, theirs].map(|mean| mean(0).into()), 1.0, Finite, Fails),
         Case::new("Q04", "pixels that a regular grid of one sample changes", 0.0, Equal, changed_by_a_grid()),
         Case::new("Q09", "the greatest random number, 1 - 2^-53, against 32 bits of it",
             GREATEST_BELOW_1, Equal, greatest).protocol(Fails, f64::from(greatest as f32)),
         Case::new("Q10", "a picture of 65536x65536: pixels in 32 bits",
             Refused, Equal, Size::new(65_536, 65_536).map(Size::pixels))
             .protocol(Fails, f64::from(65_536_u32.wrapping_mul(65_536))),
-        Case::new("Q07", format!("coverage of 64x64 pixels by a disc of radius {}, summed up", DISC.radius),
+        Case::new("Q07", format!("coverage of 64x64 pixels by a disc of radius {RADIUS}, summed up"),
             1_294.618_916_617_818, Absolute(1e-11), pixels.sum::<f64>()),
         Case::new("Q08", "the mean of a million samples of 0.1, as a pixel sums them",
             0.1, Absolute(f64::from(MILLION) * f64::EPSILON * 0.1), plain),

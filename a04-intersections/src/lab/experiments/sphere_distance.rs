@@ -13,12 +13,7 @@ use crate::lab::support::{Numbers, Real, arrays, difference, dot, first, point, 
 use crate::lab::{exact, protocol};
 
 /// A ray towards a sphere: the sphere's centre and radius, and the ray's origin and direction.
-pub struct Shot<F> {
-    pub c: [F; 3],
-    pub r: F,
-    pub o: [F; 3],
-    pub d: [F; 3],
-}
+pub type Shot<F> = ([F; 3], F, [F; 3], [F; 3]);
 
 /// The formula of the renderer in either precision.
 pub fn stable<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> Option<F> {
@@ -86,15 +81,14 @@ pub fn shots<F: Real>(shots: Shots, knob: f64, rays: usize) -> Rc<[Shot<F>]> {
         let (c, r, o, d) = shots(knob, n);
         let [o, d] = arrays(&Ray::derived(Point3::ORIGIN + o, d * (1.0 / d.magnitude())));
         let [c, o, d] = [c, o, d].map(|triple| triple.map(F::rounded));
-        let r = F::rounded(r);
-        Shot { c, r, o, d }
+        (c, F::rounded(r), o, d)
     };
     (0..rays).map(shot).collect()
 }
 
 /// The error of a `t`, except near the rim of the sphere, where rounding of the ray itself
 /// has an effect. A miss counts as 1.
-fn error<F: Real>(Shot { c, r, o, d }: &Shot<F>, found: Option<F>) -> Option<f64> {
+fn error<F: Real>((c, r, o, d): &Shot<F>, found: Option<F>) -> Option<f64> {
     let [centre, origin, direction] = [c, o, d].map(|triple| triple.map(Into::into));
     let radius = (*r).into();
     let exact = exact::sphere(&centre, radius, &origin, &direction);
@@ -122,7 +116,7 @@ fn curve<F: Real + 'static>(
     sets: &[(f64, Rc<[Shot<F>]>)],
     formula: Formula<F>,
 ) -> Curve<'static> {
-    let answer = move |Shot { c, r, o, d }: &_| formula(c, *r, o, d);
+    let answer = move |(c, r, o, d): &_| formula(c, *r, o, d);
     Curve::of_tasks(method, sets, answer, error)
 }
 

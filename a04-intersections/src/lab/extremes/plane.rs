@@ -80,10 +80,7 @@ fn leaving(effort: Effort) -> Result<[usize; 2], ArgumentError> {
             min: rounding / away.direction().dot(normal).abs(),
             ..Interval::AHEAD
         };
-        let ours = plane.hit(&away, within).is_some();
-        Ok([
-            ours,
-            protocol::plane(Point3::ORIGIN, normal, &away).is_some(),
-        ])
+        let theirs = protocol::plane(Point3::ORIGIN, normal, &away);
+        Ok([plane.hit(&away, within).is_some(), theirs.is_some()])
     })
 }

@@ -20,7 +20,7 @@ use crate::{AxisAlignedBox, Plane, Sphere, Triangle};
 /// among rays that pass its rim at more than four rounding errors of the distance.
 fn wrong_hits<F: Real>(distance: f64, rays: usize, formula: Formula<F>) -> Outcome {
     let margin = 4.0 * F::epsilon().into() * distance;
-    let is_wrong = |Shot { c, r, o, d }: &&Shot<F>| {
+    let is_wrong = |(c, r, o, d): &&Shot<F>| {
         let [centre, origin, direction] = [c, o, d].map(|v| v.map(Into::into));
         let exact = exact::sphere(&centre, 1.0, &origin, &direction);
         let is_clear = (exact.distance - 1.0).abs() > margin;
