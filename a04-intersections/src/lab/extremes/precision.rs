@@ -12,7 +12,7 @@ use super::EPSILON;
 use crate::lab::experiments::needle::{self, CRAMER, error, needles};
 use crate::lab::experiments::sphere_distance::{FROM_AFAR, Formula, OURS, Shot, shots, stable};
 use crate::lab::protocol::Compared;
-use crate::lab::support::{Numbers, Real, any_ray, arrays, first};
+use crate::lab::support::{Numbers, Real, Triple, any_ray, arrays, first, point};
 use crate::lab::{exact, protocol};
 use crate::{AxisAlignedBox, Plane, Sphere, Triangle};
 
@@ -70,68 +70,51 @@ fn needle(id: Id, aspect: f64, rays: usize, bound: f64, says: Protocol) -> Case 
 /// Coordinates are multiples of this: they are exact after a translation by 2^30.
 const GRID: f64 = 1.0 / 1_048_576.0;
 
-/// A plane, a box, a triangle and a sphere, scaled, and translated along all axes.
-#[derive(Clone, Copy)]
-struct Place {
-    scale: f64,
-    shift: f64,
-}
+/// A scale, and a translation along all axes.
+type Place = (f64, f64);
 
-const HERE: Place = Place {
-    scale: 1.0,
-    shift: 0.0,
-};
+const HERE: Place = (1.0, 0.0);
 
-impl Place {
-    fn at(&self, coordinates: [f64; 3]) -> Point3 {
-        Point3::from_glam(coordinates.map(|x| x * self.scale + self.shift).into())
-    }
-
-    /// The `n`-th ray. Its direction does not depend on scale and translation.
-    fn ray(&self, n: usize) -> Ray {
-        let mut numbers = Numbers::new(41, n);
-        let mut on_grid = |reach: f64| (numbers.between(-reach, reach) / GRID).round() * GRID;
-        let from: [f64; 3] = std::array::from_fn(|_| on_grid(4.0));
-        let d: [f64; 3] = std::array::from_fn(|axis| on_grid(1.0) - from[axis]);
-        any_ray((self.at(from).to_glam().to_array(), d))
-    }
-
-    /// The distances of the four shapes along the `n`-th ray, by our formulas and by the
-    /// protocol's.
-    fn distances(&self, n: usize) -> Result<[[Option<f64>; 4]; 2], Error> {
-        let ray = self.ray(n);
-        let (a, n) = (self.at([0.25, -0.5, 1.0]), Normal3::new(1.0, 2.0, -3.0));
-        let [lbf, run] = [[-0.75, -0.5, -1.0], [0.5, 1.25, 0.75]].map(|corner| self.at(corner));
-        let corners = [[-1.5, 0.25, 0.0], [1.0, -1.25, 0.5], [0.5, 1.5, -0.75]];
-        let corners @ [p, q, s] = corners.map(|corner| self.at(corner));
-        let (c, r) = (self.at([0.25, 0.125, -0.5]), 1.25 * self.scale);
-        let ours = [
-            first(&Plane::new(a, n)?, &ray),
-            first(&AxisAlignedBox::new(lbf, run)?, &ray),
-            first(&Triangle::new(p, q, s)?, &ray),
-            first(&Sphere::new(c, r)?, &ray),
-        ];
-        let [o, d] = arrays(&ray);
-        let theirs = [
-            protocol::plane(a, n.unit("normal n")?, &ray),
-            protocol::axis_aligned_box(lbf, run, &ray, Compared::Three),
-            protocol::triangle(&corners, &ray),
-            protocol::sphere(&c.to_glam().to_array(), r, &o, &d),
-        ];
-        Ok([ours, theirs])
-    }
+/// The distances of a plane, a box, a triangle and a sphere at a place along the `n`-th ray,
+/// by our formulas and by the protocol's. The ray's direction does not depend on the place.
+fn distances((scale, shift): Place, n: usize) -> Result<[[Option<f64>; 4]; 2], Error> {
+    let at = |triple: Triple| triple.map(|x| x * scale + shift);
+    let mut numbers = Numbers::new(41, n);
+    let mut on_grid = |reach: f64| (numbers.between(-reach, reach) / GRID).round() * GRID;
+    let from: Triple = std::array::from_fn(|_| on_grid(4.0));
+    let way: Triple = std::array::from_fn(|axis| on_grid(1.0) - from[axis]);
+    let ray = any_ray((at(from), way));
+    let (a, n) = (point(at([0.25, -0.5, 1.0])), Normal3::new(1.0, 2.0, -3.0));
+    let [lbf, run] = [[-0.75, -0.5, -1.0], [0.5, 1.25, 0.75]].map(|corner| point(at(corner)));
+    let corners = [[-1.5, 0.25, 0.0], [1.0, -1.25, 0.5], [0.5, 1.5, -0.75]];
+    let corners @ [p, q, s] = corners.map(|corner| point(at(corner)));
+    let (c, r) = (at([0.25, 0.125, -0.5]), 1.25 * scale);
+    let ours = [
+        first(&Plane::new(a, n)?, &ray),
+        first(&AxisAlignedBox::new(lbf, run)?, &ray),
+        first(&Triangle::new(p, q, s)?, &ray),
+        first(&Sphere::new(point(c), r)?, &ray),
+    ];
+    let [o, d] = arrays(&ray);
+    let theirs = [
+        protocol::plane(a, n.unit("normal n")?, &ray),
+        protocol::axis_aligned_box(lbf, run, &ray, Compared::Three),
+        protocol::triangle(&corners, &ray),
+        protocol::sphere(&c, r, &o, &d),
+    ];
+    Ok([ours, theirs])
 }
 
 /// Number of distances that differ in any bit, except for the scale, at some places: ours,
 /// and the protocol's.
 fn differing(places: &[Place], rays: usize) -> Result<[usize; 2], Error> {
     let shapes = (0..4).flat_map(|shape| (0..rays).map(move |n| (shape, n)));
-    let trials = shapes.flat_map(|(shape, n)| places.iter().map(move |place| (shape, n, place)));
+    let trials = shapes.flat_map(|(shape, n)| places.iter().map(move |place| (shape, n, *place)));
     wrong(trials, |(shape, n, place)| {
-        let (here, there) = (HERE.distances(n)?, place.distances(n)?);
+        let (here, there) = (distances(HERE, n)?, distances(place, n)?);
         Ok([0, 1].map(|formula| {
             let [t, u] = [here, there].map(|distances| distances[formula][shape]);
-            t.map(|t| (t * place.scale).to_bits()) != u.map(f64::to_bits)
+            t.map(|t| (t * place.0).to_bits()) != u.map(f64::to_bits)
         }))
     })
 }
@@ -144,9 +127,9 @@ fn remote(t: f64) -> [Outcome; 2] {
 
 #[rustfmt::skip]
 pub fn cases(effort: Effort) -> Vec<Case> {
-    let moved = Place { shift: libm::scalbn(1.0, 30), ..HERE };
+    let moved = (1.0, libm::scalbn(1.0, 30));
     let scales = (-300..=300).step_by(50).map(|power| libm::scalbn(1.0, power));
-    let scaled: Vec<_> = scales.map(|scale| Place { scale, ..HERE }).collect();
+    let scaled: Vec<_> = scales.map(|scale| (scale, 0.0)).collect();
     let (rays, needles) = (effort.choose(1000, 3000), effort.choose(1024, 4096));
     let [double, single] = [effort.choose(1000, 4000), effort.choose(2000, 20_000)];
     let doubles = [OURS, protocol::sphere].map(|formula| wrong_hits(1e8, double, formula));
