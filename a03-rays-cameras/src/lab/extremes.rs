@@ -17,8 +17,8 @@ pub fn cases(_: Effort) -> Vec<Case> {
     [cameras::cases(), samples(), stripes::cases()].concat()
 }
 
-const AHEAD: Vector3 = Vector3::new(0.0, 0.0, -1.0);
-const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
+pub const AHEAD: Vector3 = Vector3::new(0.0, 0.0, -1.0);
+pub const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 
 /// Found by running the generator backwards from 64 set bits.
 const INDEX_OF_THE_GREATEST: u64 = 0x30fd_d71d_1ddc_283c;

@@ -46,10 +46,9 @@ pub fn pinhole_direction([w, h]: [f64; 2], x: f64, y: f64, alpha: f64) -> Vector
 
 /// Like [`pinhole_direction`], but halves width and height as whole numbers,
 /// which loses a half for odd sizes.
-pub fn pinhole_direction_of_whole_sizes([w, h]: [u32; 2], x: f64, y: f64, alpha: f64) -> Vector3 {
-    let [half_w, half_h] = [w / 2, h / 2].map(f64::from);
-    let z = -(half_h / libm::tan(alpha / 2.0));
-    normalized(Vector3::new(x - half_w, half_h - y, z))
+pub fn pinhole_direction_of_whole_sizes(size: [u32; 2], x: f64, y: f64, alpha: f64) -> Vector3 {
+    let even = size.map(|n| f64::from(n / 2 * 2));
+    pinhole_direction(even, x, y, alpha)
 }
 
 /// The point of a ray up to a bound. The text sets it to 30, which hides farther

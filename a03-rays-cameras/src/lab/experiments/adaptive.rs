@@ -2,33 +2,24 @@
 
 use std::sync::Mutex;
 
-use a02_math::{Point3, Vector3};
+use a02_math::Point3;
 use common::{ArgumentError, Color, Image, Sampled, Sampling, Settings, Size};
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Unit};
 
 use super::coverage::{disc_coverage, in_disc};
-use crate::{Camera, Ray, View};
+use crate::lab::extremes::{AHEAD, UP};
+use crate::{OrthographicCamera, Ray, View};
 
 const SIDE: u32 = 64;
 
-/// A camera whose rays start at their position in the picture, in pixels.
-struct Places;
-
-impl Camera for Places {
-    fn ray_for(&self, _: Size, x: f64, y: f64) -> Ray {
-        Ray::derived(Point3::new(x, y, 0.0), Vector3::new(0.0, 0.0, -1.0))
-    }
-}
-
 /// A picture of the disc, and how its pixels were sampled.
 fn picture(settings: &Settings) -> Option<(Image, Sampled)> {
-    // The camera's places are relative to the middles of pixels, the disc to their corners.
-    let disc = |ray: &Ray| {
-        let place = ray.origin();
-        Color::gray(in_disc(place.x() + 0.5, place.y() + 0.5).into())
-    };
-    let (view, sampled) = (View::new(Places, disc).boxed(), Mutex::default());
+    // Rays start at their place in the picture, in pixels.
+    let (middle, height) = (Point3::new(32.0, 32.0, 0.0), f64::from(SIDE - 1));
+    let camera = OrthographicCamera::new(middle, AHEAD, UP, height).ok()?;
+    let disc = |ray: &Ray| Color::gray(in_disc(ray.origin().x(), ray.origin().y()).into());
+    let (view, sampled) = (View::new(camera, disc).boxed(), Mutex::default());
     let image = view.render(settings, &sampled).ok()?;
     Some((image, sampled.into_inner().ok()?))
 }
