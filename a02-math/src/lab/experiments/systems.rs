@@ -14,9 +14,7 @@ use crate::{Direction, Mat3x3, Vector3};
 
 /// Elimination with the largest number of a column as the pivot.
 fn eliminated(m: Mat3x3, b: Vector3) -> Vector3 {
-    let [p, q, r] = rows(m);
-    let row = |[x, y, z]: [f64; 3], b| [x, y, z, b];
-    let mut rows = [row(p, b.x()), row(q, b.y()), row(r, b.z())];
+    let mut rows = equations(m, b);
     for column in 0..3 {
         for below in column + 1..3 {
             if rows[below][column].abs() > rows[column][column].abs() {
@@ -42,20 +40,19 @@ fn eliminated(m: Mat3x3, b: Vector3) -> Vector3 {
 pub fn refined(m: Mat3x3, b: Vector3) -> Vector3 {
     let mut x = protocol::cramer(m, b);
     for _ in 0..4 {
-        let [p, q, r] = rows(m);
-        let rest = |[p, q, r]: [f64; 3], b| {
+        let rest = equations(m, b).map(|[p, q, r, b]| {
             sum_of_products(&[(b, 1.0), (-p, x.x()), (-q, x.y()), (-r, x.z())])
-        };
-        let rest = Vector3::new(rest(p, b.x()), rest(q, b.y()), rest(r, b.z()));
-        x = x + protocol::cramer(m, rest);
+        });
+        x = x + protocol::cramer(m, vector(rest));
     }
     x
 }
 
-fn rows(m: Mat3x3) -> [[f64; 3]; 3] {
+/// The factors of each equation, and its right side.
+fn equations(m: Mat3x3, b: Vector3) -> [[f64; 4]; 3] {
     let axes = DMat3::IDENTITY.to_cols_array_2d();
     let [x, y, z] = axes.map(|axis| (m * vector(axis)).to_glam());
-    DMat3::from_cols(x, y, z).transpose().to_cols_array_2d()
+    array::from_fn(|row| [x[row], y[row], z[row], b.to_glam()[row]])
 }
 
 pub fn experiment() -> Experiment<'static> {

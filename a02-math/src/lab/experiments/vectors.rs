@@ -21,12 +21,9 @@ fn kahan(a: Vector3, b: Vector3) -> f64 {
 
 /// The arc tangent of sine and cosine, with the sine from exact products.
 fn exact_products(a: Vector3, b: Vector3) -> f64 {
-    let minor = |p: f64, q: f64, r: f64, s: f64| sum_of_products(&[(p, q), (-r, s)]);
-    let cross = Vector3::new(
-        minor(a.y(), b.z(), a.z(), b.y()),
-        minor(a.z(), b.x(), a.x(), b.z()),
-        minor(a.x(), b.y(), a.y(), b.x()),
-    );
+    let (p, q) = (a.to_glam(), b.to_glam());
+    let minor = |x: usize, y: usize| sum_of_products(&[(p[x], q[y]), (-p[y], q[x])]);
+    let cross = Vector3::new(minor(1, 2), minor(2, 0), minor(0, 1));
     libm::atan2(cross.magnitude(), a.dot(b))
 }
 
