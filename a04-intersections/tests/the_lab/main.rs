@@ -3,8 +3,21 @@
 //! `cargo test` runs them after the tests of the lesson, which they measure.
 
 use a04_intersections::lab::exact::{DoubleDouble as Number, plane, sphere, triangle};
+use a04_intersections::lab::experiments::sphere_distance::{FROM_AFAR, OURS, shots, stable};
 
 testing::check_lab! { a04_intersections::stage() }
+
+#[test]
+fn the_stable_formula_is_that_of_the_renderer() {
+    let shots = shots::<f64>(FROM_AFAR, 64.0, 1000);
+    let hits = shots.iter().filter(|(c, r, o, d)| {
+        let ours = OURS(c, *r, o, d);
+        assert_eq!(stable(c, *r, o, d), ours);
+        ours.is_some()
+    });
+    let hits = hits.count();
+    assert!((600..800).contains(&hits), "{hits}");
+}
 
 /// The nearest double of the exact value, and the nearest double of the rest, by mpmath.
 fn assert_exact(computed: Number, high: f64, low: f64) {

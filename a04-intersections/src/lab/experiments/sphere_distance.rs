@@ -107,7 +107,7 @@ fn sets<F: Real>(all: Shots, powers: i32, effort: Effort) -> Vec<(f64, Rc<[Shot<
 /// The `t` of the sphere of centre and radius for the ray of origin and direction.
 pub type Formula<F> = fn(&[F; 3], F, &[F; 3], &[F; 3]) -> Option<F>;
 
-/// The renderer's own.
+/// The renderer's sphere, with its constructor and the normal of the hit.
 pub const OURS: Formula<f64> =
     |c, r, o, d| first(&Sphere::new(point(*c), r).ok()?, &raw_ray((*o, *d)));
 
@@ -137,7 +137,7 @@ fn curves(
     let singles = sets(shots, powers_of_singles, effort);
     vec![
         curve("protocol", &doubles, protocol::sphere).with_slope(theirs, until_lost),
-        curve("stable (ours)", &doubles, OURS).with_slope(1.0, everywhere),
+        curve("stable (ours)", &doubles, stable).with_slope(1.0, everywhere),
         curve("compensated", &doubles, compensated)
             .with_slope(least, everywhere)
             .with_remark(TOO_EXACT),
