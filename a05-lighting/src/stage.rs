@@ -6,8 +6,7 @@ use a04_intersections::watched::geometry;
 use common::Color;
 use measure::Stage;
 
-use crate::lab::watched::{self, Watched};
-use crate::lab::{experiments, extremes};
+use crate::lab::{experiments, extremes, watched};
 use crate::scenes::{
     lambert, lighting_1, phong, phong_directional, phong_spot, phong_spot_ambient,
 };
@@ -63,7 +62,7 @@ impl TracedWorld for LitWorld {
     }
 
     fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
-        let watched = |material| Box::new(Watched { material, all_work }) as _;
-        Box::new(watched::world(*self, geometry, watched))
+        let surface = |material| watched::material(material, all_work);
+        Box::new(watched::world(*self, geometry, surface))
     }
 }

@@ -1,6 +1,7 @@
 //! Counts powers, by a wrapper around each material; with all work, every material computes
 //! the light of all lights, and a Phong material a power for each.
 
+use std::any::Any;
 use std::cell::Cell;
 use std::hint::black_box;
 
@@ -27,92 +28,84 @@ pub fn world<S, T, L>(
     }
 }
 
+/// Wraps this material to count its powers.
+pub fn material(material: Box<dyn Material>, all_work: bool) -> Box<dyn Material> {
+    Box::new(Watched {
+        material,
+        as_phong: |material| (material as &dyn Any).downcast_ref(),
+        is_lit_from_behind: true,
+        all_work,
+    })
+}
+
 /// A material whose powers are counted.
 #[derive(Debug)]
-pub struct Watched {
+pub struct Watched<M: ?Sized> {
     /// The material.
-    pub material: Box<dyn Material>,
+    pub material: Box<M>,
+    /// The material as a Phong material, if it is one.
+    pub as_phong: fn(&M) -> Option<&Phong>,
+    /// Whether light from behind the surface reaches the material.
+    pub is_lit_from_behind: bool,
     /// Whether it does the work that the lesson leaves out.
     pub all_work: bool,
 }
 
-impl Material for Watched {
+impl<M: Material + ?Sized> Material for Watched<M> {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
-        let any: &dyn std::any::Any = &*self.material;
-        let phong = any.downcast_ref();
-        shade(phong, self.all_work, ray, hit, lighting, |lighting| {
-            self.material.color_for(ray, hit, lighting)
-        })
-    }
-}
-
-/// The colour of a material in this light, with its powers counted, and all work done if that
-/// is wanted. `phong` is the material as a Phong material, if it is one.
-pub fn shade(
-    phong: Option<&Phong>,
-    all_work: bool,
-    ray: &Ray,
-    hit: &Hit,
-    lighting: &dyn Lighting,
-    color_for: impl FnOnce(&dyn Lighting) -> Color,
-) -> Color {
-    let watched = WatchedLight::new(lighting, |ray, hit, light| {
-        if let Some(phong) = phong {
-            let is_needed = takes_power(phong, ray, hit, light);
-            if is_needed || all_work {
-                tally::count(Work::Power);
-            }
-            if all_work && !is_needed {
-                // The compiler would remove a number that is not used.
-                black_box(power(black_box(0.5), phong.exponent));
-            }
+        let light = WatchedLight {
+            watched: self,
+            lighting,
+            is_used: Cell::new(false),
+        };
+        let color = self.material.color_for(ray, hit, &light);
+        if self.all_work && !light.is_used.get() {
+            light.for_each_light(ray, hit, &mut |_| ());
         }
-        true
-    });
-    let color = color_for(&watched);
-    if all_work && !watched.is_used.get() {
-        watched.for_each_light(ray, hit, &mut |_| ());
+        color
     }
-    color
 }
 
-/// Whether a Phong material computes a power for this light: Phong's condition.
-fn takes_power(phong: &Phong, ray: &Ray, hit: &Hit, light: &Illumination) -> bool {
-    let (e, l) = (-ray.direction(), light.direction);
-    let is_mirrored = hit.normal.dot(l) > 0.0 && e.dot(l.reflected_on(hit.normal)) > 0.0;
-    is_mirrored && phong.specular != Color::BLACK
-}
-
-/// Light on its way to a material. A function sees each light, and the light goes on to the
-/// material if the result is true.
-pub struct WatchedLight<'a, W> {
+/// Light on its way to a material, which may take a power for it.
+struct WatchedLight<'a, M: ?Sized> {
+    watched: &'a Watched<M>,
     lighting: &'a dyn Lighting,
-    watch: W,
-    /// Whether a material has used the lights.
+    /// Whether the material has used the lights.
     is_used: Cell<bool>,
 }
 
-impl<'a, W: Fn(&Ray, &Hit, &Illumination) -> bool> WatchedLight<'a, W> {
-    pub const fn new(lighting: &'a dyn Lighting, watch: W) -> Self {
-        Self {
-            lighting,
-            watch,
-            is_used: Cell::new(false),
-        }
-    }
-}
-
-impl<W: Fn(&Ray, &Hit, &Illumination) -> bool> Lighting for WatchedLight<'_, W> {
+impl<M: ?Sized> Lighting for WatchedLight<'_, M> {
     fn ambient(&self) -> Color {
         self.lighting.ambient()
     }
 
     fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
         self.is_used.set(true);
+        let watched = self.watched;
+        let phong = (watched.as_phong)(&watched.material);
         self.lighting.for_each_light(ray, hit, &mut |light| {
-            if (self.watch)(ray, hit, light) {
+            if let Some(phong) = phong {
+                count_power(phong, watched.all_work, ray, hit, light);
+            }
+            let is_behind = hit.normal.dot(light.direction) <= 0.0;
+            if watched.is_lit_from_behind || !is_behind {
                 shade(light);
             }
         });
+    }
+}
+
+/// Counts the power that a Phong material takes for this light by Phong's condition; with all
+/// work, it always takes one.
+fn count_power(phong: &Phong, all_work: bool, ray: &Ray, hit: &Hit, light: &Illumination) {
+    let (e, l) = (-ray.direction(), light.direction);
+    let is_mirrored = hit.normal.dot(l) > 0.0 && e.dot(l.reflected_on(hit.normal)) > 0.0;
+    let is_needed = is_mirrored && phong.specular != Color::BLACK;
+    if is_needed || all_work {
+        tally::count(Work::Power);
+    }
+    if all_work && !is_needed {
+        // The compiler would remove a number that is not used.
+        black_box(power(black_box(0.5), phong.exponent));
     }
 }

@@ -3,10 +3,9 @@
 use std::any::Any;
 use std::cell::Cell;
 
-use a02_math::Direction;
 use a03_rays_cameras::{Ray, TracedWorld};
 use a04_intersections::{Geometry, Hit, Interval, watched as geometries};
-use a05_lighting::watched::{self as materials, WatchedLight, shade};
+use a05_lighting::watched::{self as materials, Watched};
 use a05_lighting::{Lighting, Material, Phong};
 use common::Color;
 use common::tally::{self, Work};
@@ -42,7 +41,14 @@ impl WatchedWorld {
                 geometry
             }
         };
-        let surface = |surface| Box::new(Watched { surface, all_work }) as _;
+        let surface = |material| {
+            Box::new(WatchedSurface(Watched {
+                material,
+                as_phong,
+                is_lit_from_behind: false,
+                all_work,
+            })) as _
+        };
         Self {
             world: materials::world(world, geometry, surface),
             all_work,
@@ -81,38 +87,26 @@ impl Geometry for First {
 
 /// A surface whose shadow rays and powers are counted.
 #[derive(Debug)]
-struct Watched {
-    surface: Box<dyn Surface>,
-    all_work: bool,
-}
+struct WatchedSurface(Watched<dyn Surface>);
 
-impl Material for Watched {
+impl Material for WatchedSurface {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         NEXT.set(Some(Work::ShadowRay));
-        let phong = as_phong(&*self.surface);
-        let color = shade(phong, self.all_work, ray, hit, lighting, |lighting| {
-            // The lesson passes no light from behind the surface to materials.
-            let from_front = WatchedLight::new(lighting, |_, hit, light| {
-                let is_behind = hit.normal.dot(light.direction) <= 0.0;
-                !is_behind
-            });
-            self.surface.color_for(ray, hit, &from_front)
-        });
+        let color = self.0.color_for(ray, hit, lighting);
         NEXT.set(Some(Work::ReflectedRay));
         color
     }
 }
 
-impl Surface for Watched {
+impl Surface for WatchedSurface {
     fn reflection(&self) -> Color {
-        self.surface.reflection()
+        self.0.material.reflection()
     }
 }
 
 /// The Phong material of a surface, if it has one.
-fn as_phong(surface: &dyn Any) -> Option<&Phong> {
-    match surface.downcast_ref() {
-        Some(Reflective { shiny, .. }) => Some(shiny),
-        None => surface.downcast_ref(),
-    }
+fn as_phong(surface: &dyn Surface) -> Option<&Phong> {
+    let any: &dyn Any = surface;
+    let reflective = any.downcast_ref::<Reflective>();
+    reflective.map_or_else(|| any.downcast_ref(), |surface| Some(&surface.shiny))
 }
