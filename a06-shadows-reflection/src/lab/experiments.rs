@@ -12,7 +12,7 @@ use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Unit}
 
 use crate::lab::extremes::mirrors::mirrors;
 use crate::lab::extremes::self_hits::{
-    LIFTED, Policy, SHAPES, THOUSANDTH, Trial, from_point, trials,
+    AIM, LIFTED, Policy, SHAPES, THOUSANDTH, Trial, from_point, trials,
 };
 use crate::{RecursiveTracer, ShadowedWorld};
 
@@ -136,7 +136,7 @@ fn shadow_epsilon() -> Experiment<'static> {
 /// Trials of one size, of all shapes.
 fn scene(size: f64, effort: Effort) -> Result<Rc<[Trial]>, Error> {
     let count = effort.choose(1_024, 16_384);
-    let all = SHAPES.map(|(.., shape)| trials(shape, size, count));
+    let all = SHAPES.map(|(.., shape)| trials(shape, size, count, AIM));
     let all = all.into_iter().collect::<Result<Vec<_>, _>>()?;
     Ok(all.into_iter().flatten().collect())
 }

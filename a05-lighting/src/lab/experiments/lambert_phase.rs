@@ -20,13 +20,6 @@ use crate::{DirectionalLight, Lambert, LitWorld};
 /// Side of the visible square: no ball is larger than 2.2 across.
 const VIEW: f64 = 2.4;
 
-const PHASES: [(f64, &str, f64); 4] = [
-    (0.0, "full", -1.0),
-    (0.5, "phase 0.5", -0.75),
-    (1.0, "phase 1", -0.75),
-    (2.0, "phase 2", -0.75),
-];
-
 pub fn experiment() -> Experiment<'static> {
     Experiment {
         name: "lambert-phase",
@@ -52,11 +45,16 @@ pub fn experiment() -> Experiment<'static> {
                     (0..balls).map(mean).sum::<f64>()
                 })
             };
-            let curve = |(phase, method, slope)| {
+            let curve = |phase, method, slope: f64| {
                 let points = sizes.iter().map(|pixels| point(phase, *pixels));
                 Curve::new(method, points).with_slope(slope, (0.0, f64::INFINITY))
             };
-            PHASES.map(curve).into()
+            vec![
+                curve(0.0, "full", -1.0),
+                curve(0.5, "phase 0.5", -0.75),
+                curve(1.0, "phase 1", -0.75),
+                curve(2.0, "phase 2", -0.75),
+            ]
         }),
     }
 }

@@ -26,15 +26,13 @@ pub fn mean() -> Experiment<'static> {
         curves: Box::new(|effort| {
             let sizes = &[64, 128, 256, 512, 1024, 2048, 4096][..effort.choose(4, 7)];
             let curve = |method, sum: Sum| {
-                let point = |&across: &u32| {
-                    let mean = move |p| mean_highlight(across, p, sum);
-                    let errors = (8..16)
-                        .map(f64::from)
-                        .map(|p| mean(p) - 1.0 / (2.0 * (p + 1.0)));
+                let points = sizes.iter().map(|&across: &u32| {
+                    let mean = move |exponent: u32| mean_highlight(across, exponent, sum);
+                    let errors = (8..16).map(|p| mean(p) - 1.0 / f64::from(2 * (p + 1)));
                     let across = f64::from(across);
-                    Point::new(across, across * across, errors, move || mean(10.0))
-                };
-                Curve::new(method, sizes.iter().map(point))
+                    Point::new(across, across * across, errors, move || mean(10))
+                });
+                Curve::new(method, points)
             };
             vec![
                 curve("plain sum", |terms| terms.sum()),
@@ -53,38 +51,25 @@ type Sum = fn(&mut dyn Iterator<Item = f64>) -> f64;
 /// The mean over the disc of a ball in a picture of `across` by `across`
 /// pixels. At the distance ρ from the middle, the cosine of the angle between the
 /// mirrored light and the eye is `1 - 2 ρ²`.
-fn mean_highlight(across: u32, exponent: f64, sum: Sum) -> f64 {
+fn mean_highlight(across: u32, exponent: u32, sum: Sum) -> f64 {
     let pixel = 2.0 / f64::from(across);
-    let place = move |i: u32| (f64::from(i) + 0.5) * pixel - 1.0;
-    let highlight = move |x: f64, y: f64| {
-        let cosine = 1.0 - 2.0 * (x * x + y * y);
-        libm::pow(cosine.max(0.0), exponent)
-    };
-    let row = |y: u32| (0..across).map(move |x| highlight(place(x), place(y)));
-    sum(&mut (0..across).flat_map(row)) * pixel * pixel / PI
+    let places = (0..across).map(|i| (f64::from(i) + 0.5) * pixel - 1.0);
+    let highlights = places.clone().flat_map(|y| {
+        let cosine = move |x| 1.0 - 2.0 * (x * x + y * y);
+        let row = places.clone().map(cosine);
+        row.map(|cosine: f64| libm::pow(cosine.max(0.0), exponent.into()))
+    });
+    sum(&mut { highlights }) * pixel * pixel / PI
 }
 
-/// The numbers `d = 1 - cosine`: 1/8, 3/8 ... 15/8 of 1/P, with the powers `(1 - d)^P`.
-fn distances(exponent: f64) -> [(f64, f64); 8] {
-    [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0].map(|j: f64| {
-        let d = (j + 0.5) / 4.0 / exponent;
-        (d, exact(d, exponent as u64))
-    })
-}
-
-/// `(1 - d)^P` by repeated squaring with 31 digits. The rounding errors add up to P units
-/// of the last one, so that 19 digits are left for the greatest P, 1e12.
-fn exact(d: f64, mut exponent: u64) -> f64 {
-    let mut square = DoubleDouble::from(1.0) - DoubleDouble::from(d);
-    let mut power = DoubleDouble::from(1.0);
-    while exponent > 0 {
-        if exponent % 2 == 1 {
-            power = power * square;
-        }
-        square = square * square;
-        exponent /= 2;
+/// A power by repeated squaring with 31 digits. The rounding errors add up to one unit of the
+/// last digit for each unit of the exponent, so that 19 digits are left for the greatest, 1e12.
+fn exact(base: DoubleDouble, exponent: u64) -> DoubleDouble {
+    match exponent {
+        0 => 1.0.into(),
+        odd if odd % 2 == 1 => base * exact(base, odd - 1),
+        even => exact(base * base, even / 2),
     }
-    power.value()
 }
 
 /// A power of `1 - d`.
@@ -109,11 +94,17 @@ pub fn power() -> Experiment<'static> {
             let count = effort.choose(4_096, 65_536);
             let curve = |method, slope: Option<f64>, power: Power| {
                 let points = [1e2, 1e4, 1e6, 1e9, 1e12].map(|exponent| {
-                    let distances = distances(exponent);
-                    let error = |(d, exact)| (power(d, exponent) - exact) / exact;
+                    // The cosine is 1 - d, with d = 1/8, 3/8 ... 15/8 of 1/P.
+                    let eighths = [1.0, 3.0, 5.0, 7.0, 9.0, 11.0, 13.0, 15.0];
+                    let distances = eighths.map(|eighth| eighth / 8.0 / exponent);
+                    let error = |d: f64| {
+                        let cosine = DoubleDouble::from(1.0) - d.into();
+                        let exact = exact(cosine, exponent as u64).value();
+                        (power(d, exponent) - exact) / exact
+                    };
                     let run = move || {
                         let inputs = distances.iter().cycle().take(count);
-                        inputs.map(|(d, _)| power(*d, exponent)).sum::<f64>()
+                        inputs.map(|d| power(*d, exponent)).sum::<f64>()
                     };
                     Point::new(exponent, count as f64, distances.map(error), run)
                 });

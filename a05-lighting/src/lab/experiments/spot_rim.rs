@@ -43,7 +43,13 @@ pub fn experiment() -> Experiment<'static> {
                     protocol::spot_light_illuminates(Point3::ORIGIN, DIRECTION, HALF_ANGLE, p)
                 })
                 .with_remark("lights one in four points straight behind"),
-                curve("cosines", by_cosines).with_bound(0.0, far.clone()),
+                // As the renderer's light decides, but without a direction of length 1.
+                curve("cosines", |_, p| {
+                    let v = p - Point3::ORIGIN;
+                    let lengths = (v.dot(v) * DIRECTION.dot(DIRECTION)).sqrt();
+                    v.dot(DIRECTION) >= COS_HALF_ANGLE * lengths
+                })
+                .with_bound(0.0, far.clone()),
                 curve("cosines, as rendered", Light::illuminates)
                     .with_bound(0.0, far)
                     .with_remark("with the direction and the distance, which the material needs"),
@@ -53,13 +59,6 @@ pub fn experiment() -> Experiment<'static> {
             ]
         }),
     }
-}
-
-/// The decision of the renderer's light, without a direction of length 1.
-fn by_cosines(_: &SpotLight, point: Point3) -> bool {
-    let to_point = point - Point3::ORIGIN;
-    let lengths = (to_point.dot(to_point) * DIRECTION.dot(DIRECTION)).sqrt();
-    to_point.dot(DIRECTION) >= COS_HALF_ANGLE * lengths
 }
 
 /// A light at the origin, and a point on which it shines or not.

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::lab::support::Numbers;
+use a04_intersections::lab::support::{Numbers, Triple, point};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
 use common::{Color, Error, argument};
 use measure::Effort;
@@ -13,67 +13,71 @@ use measure::extremes::{Case, Equal, Fails, Holds, Id};
 
 use crate::secondary_ray;
 
-/// Lit points of a shape in a scene of a size.
-pub type Trials = Result<Vec<Trial>, Error>;
+/// The world of a shape in a scene of this size.
+pub type Shape = fn(f64) -> Result<World<()>, Error>;
 
-/// The world of a shape of this size.
-type Shape = fn(f64) -> Result<World<()>, Error>;
+/// A shape with its name, and the ids of its rows.
+pub type Named<const SIZES: usize> = (&'static str, [Id; SIZES], Shape);
 
-/// The shapes of this stage, with the ids of their rows.
-pub const SHAPES: [(&str, [&str; 5], Shape); 4] = [
-    ("a sphere", ["S13", "S33", "S34", "S35", "S36"], |size| {
-        world(Sphere::new(at(size, 0.1, 0.2, 0.3), 0.7 * size)?)
-    }),
-    ("a plane", ["S37", "S38", "S39", "S40", "S41"], |size| {
-        let normal = Normal3::new(0.3, 1.0, 0.2);
-        world(Plane::new(at(size, 0.1, 0.2, 0.3), normal)?)
-    }),
-    ("a box", ["S42", "S43", "S44", "S45", "S46"], |size| {
-        let (lbf, run) = (at(size, -0.3, -0.5, -0.1), at(size, 0.6, 0.7, 0.8));
-        world(AxisAlignedBox::new(lbf, run)?)
-    }),
+/// The shapes of this stage.
+#[rustfmt::skip]
+pub const SHAPES: [Named<5>; 4] = [
+    ("a sphere", ["S13", "S33", "S34", "S35", "S36"],
+        |size| world(Sphere::new(at(size, [0.1, 0.2, 0.3]), 0.7 * size)?)),
+    ("a plane", ["S37", "S38", "S39", "S40", "S41"],
+        |size| world(Plane::new(at(size, [0.1, 0.2, 0.3]), Normal3::new(0.3, 1.0, 0.2))?)),
+    ("a box", ["S42", "S43", "S44", "S45", "S46"],
+        |size| world(AxisAlignedBox::new(at(size, [-0.3, -0.5, -0.1]), at(size, [0.6, 0.7, 0.8]))?)),
     ("a triangle", ["S47", "S48", "S49", "S50", "S51"], |size| {
-        let (a, b) = (at(size, -0.9, -0.3, -0.5), at(size, 1.2, 0.1, -0.6));
-        world(Triangle::new(a, b, at(size, 0.3, 0.4, 1.3))?)
+        let corners = [[-0.9, -0.3, -0.5], [1.2, 0.1, -0.6], [0.3, 0.4, 1.3]];
+        let [a, b, c] = corners.map(|corner| at(size, corner));
+        world(Triangle::new(a, b, c)?)
     }),
 ];
 
-pub fn world(shape: impl Geometry + 'static) -> Result<World<()>, Error> {
+pub fn world(shape: impl Geometry) -> Result<World<()>, Error> {
     Ok(World::new(Color::BLACK)?.with(shape, ()))
 }
 
-fn at(size: f64, x: f64, y: f64, z: f64) -> Point3 {
-    Point3::new(x * size, y * size, z * size)
+fn at(size: f64, place: Triple) -> Point3 {
+    point(place.map(|x| x * size))
 }
 
 pub fn cases(effort: Effort) -> Vec<Case> {
-    let count = effort.choose(2_000, 20_000);
-    let mut cases = Vec::new();
-    for (name, ids, shape) in SHAPES {
-        for (id, size) in ids.into_iter().zip([1e-6, 1e-3, 1.0, 1e4, 1e9]) {
-            let what = format!("{name} of size {size:e}, {count} lit points");
-            cases.push(row(id, &what, size, &trials(shape, size, count)));
-        }
-    }
-    cases
+    rows(&SHAPES, [1e-6, 1e-3, 1.0, 1e4, 1e9], AIM, effort)
 }
 
-/// The number of wrong decisions at the lit points of a shape, with an object before the
-/// light at a ten thousandth of the scene's size.
-pub fn row(id: Id, what: &str, size: f64, trials: &Trials) -> Case {
-    let wrong = |policy: Policy| {
-        let is_wrong = |trial: &&Trial| trial.is_wrong(policy, 1e-4);
-        let trials = trials.as_ref();
-        trials.map(|trials| trials.iter().filter(is_wrong).count())
+/// The number of wrong decisions at lit points of each shape in a scene of each size, with an
+/// object before the light at a ten thousandth of the size.
+pub fn rows<const SIZES: usize>(
+    shapes: &[Named<SIZES>],
+    sizes: [f64; SIZES],
+    aim: Aim,
+    effort: Effort,
+) -> Vec<Case> {
+    let count = effort.choose(2_000, 20_000);
+    let row = |name: &str, shape, id, size: f64| {
+        let trials = trials(shape, size, count, aim);
+        let wrong = |policy: Policy| {
+            let is_wrong = |trial: &&Trial| trial.is_wrong(policy, 1e-4);
+            let trials = trials.as_ref();
+            trials.map(|trials| trials.iter().filter(is_wrong).count())
+        };
+        let what =
+            format!("{name} of size {size:e}, {count} lit points: dark, or lit through an object");
+        let case = Case::new(id, what, 0.0, Equal, wrong(LIFTED));
+        match size {
+            ..=1.0 => case.protocol(Fails, wrong(THOUSANDTH)),
+            ..=1e4 => case.protocol(Holds, wrong(THOUSANDTH)),
+            // Here the result depends on the rounding of single points.
+            _ => case,
+        }
     };
-    let what = format!("{what}: dark, or lit through an object");
-    let case = Case::new(id, what, 0.0, Equal, wrong(LIFTED));
-    match size {
-        ..=1.0 => case.protocol(Fails, wrong(THOUSANDTH)),
-        ..=1e4 => case.protocol(Holds, wrong(THOUSANDTH)),
-        // Here the result depends on the rounding of single points.
-        _ => case,
-    }
+    let rows = shapes.iter().flat_map(|(name, ids, shape)| {
+        let sizes = ids.iter().zip(sizes);
+        sizes.map(|(id, size)| row(name, *shape, id, size))
+    });
+    rows.collect()
 }
 
 /// A rule for rays that leave a hit: the ray and its least `t`.
@@ -124,26 +128,23 @@ impl Trial {
     }
 }
 
-/// Lit points of a shape, seen from 5 sizes away.
-pub fn trials(shape: Shape, size: f64, count: usize) -> Trials {
-    let world = Rc::new(shape(size)?);
-    let middle = at(size, 0.1, 0.2, 0.3);
-    seen(&world, 13, middle, size, [5.0, 0.7], count)
-}
+/// A seed; and the eyes of trials: a middle, their distance from it, and the greatest distance
+/// from it to a place where they look, in sizes of the scene.
+pub type Aim = (u64, Triple, [f64; 2]);
+
+pub const AIM: Aim = (13, [0.1, 0.2, 0.3], [5.0, 0.7]);
 
 /// Rays for each point at most: a wrong formula may hit nothing.
 const MOST_RAYS: usize = 1_000;
 
-/// Lit points of a world, seen from one distance from the middle towards places within
-/// the other.
-pub fn seen(
-    world: &Rc<World<()>>,
-    seed: u64,
-    middle: Point3,
+/// Lit points of a shape in a scene of a size.
+pub fn trials(
+    shape: Shape,
     size: f64,
-    [distance, within]: [f64; 2],
     count: usize,
-) -> Trials {
+    (seed, middle, [distance, within]): Aim,
+) -> Result<Vec<Trial>, Error> {
+    let (world, middle) = (Rc::new(shape(size)?), at(size, middle));
     let trial = |n| {
         let mut numbers = Numbers::new(seed, n);
         let mut way = || numbers.triple(-1.0, 1.0);
@@ -157,7 +158,7 @@ pub fn seen(
         let cosine = light.dot(hit.face);
         // At grazing angles either result is right.
         Ok((cosine.abs() >= 1e-3).then(|| Trial {
-            world: Rc::clone(world),
+            world: Rc::clone(&world),
             ray,
             hit,
             light: light * 1.0_f64.copysign(cosine),
@@ -166,12 +167,7 @@ pub fn seen(
     };
     let trials = (0..MOST_RAYS * count).filter_map(|n| trial(n).transpose());
     let trials = trials.take(count).collect::<Result<Vec<_>, Error>>()?;
-    let hits = trials.len() as f64;
-    argument::check(
-        "lit points",
-        hits,
-        trials.len() == count,
-        "as many as asked for",
-    )?;
+    let (found, are_all) = (trials.len() as f64, trials.len() == count);
+    argument::check("lit points", found, are_all, "as many as asked for")?;
     Ok(trials)
 }
