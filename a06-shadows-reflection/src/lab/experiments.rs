@@ -6,9 +6,7 @@ use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 use a04_intersections::lab::support::Numbers;
-use common::Error;
-use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Unit};
+use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Unit};
 
 use crate::lab::extremes::mirrors::mirrors;
 use crate::lab::extremes::self_hits::{
@@ -38,27 +36,32 @@ fn recursion_depth() -> Experiment<'static> {
         seeds: &[4],
         against: Axis::Knob,
         curves: Box::new(|effort| {
-            let rays = rays(effort.choose(16, 256));
             let asked = [1e-1, 1e-2, HALF_GREY_LEVEL, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10];
-            let point = |k: f64, world: &Rc<ShadowedWorld>, asked: f64| {
-                let depth = depth(k, asked);
-                let (world, rays) = (Rc::clone(world), Rc::clone(&rays));
-                let trace = move |ray: &Ray| RecursiveTracer::new(&world).trace(ray, depth).r;
-                let error = |ray: &Ray| trace(ray) - 1.0 / (1.0 - k);
-                let errors: Vec<_> = rays.iter().map(error).collect();
-                let work = f64::from(depth) * rays.len() as f64;
-                Point::new(asked, work, errors, move || {
-                    rays.iter().map(&trace).sum::<f64>()
-                })
+            let rays: Vec<_> = (0..effort.choose(16, 256)).filter_map(ray).collect();
+            let curve = |method, k: f64| {
+                let world = mirrors(k).world().map(Rc::new).ok();
+                let sets = asked.map(|asked| {
+                    let task =
+                        |ray: &Ray| Some((Rc::clone(world.as_ref()?), *ray, depth(k, asked)));
+                    (asked, rays.iter().filter_map(task).collect())
+                });
+                let trace = |(world, ray, depth): &(Rc<ShadowedWorld>, Ray, u32)| {
+                    RecursiveTracer::new(world).trace(ray, *depth).r
+                };
+                let error = |_: &_, light| [light - 1.0 / (1.0 - k)];
+                let mut curve = Curve::of_tasks(method, &sets, trace, error);
+                for point in &mut curve.points {
+                    point.work *= f64::from(depth(k, point.knob));
+                }
+                curve.with_slope(1.0, (1e-10, 1e-1))
             };
-            let curve = |(method, k)| {
-                let world = mirrors(k).world().map(Rc::new).into_iter();
-                let points = world.flat_map(|world| asked.map(|asked| point(k, &world, asked)));
-                Curve::new(method, points).with_slope(1.0, (1e-10, 1e-1))
-            };
-            let names = ["k = 0.5", "k = 0.8", "k = 0.9", "k = 0.95", "k = 0.99"];
-            let curves = names.into_iter().zip([0.5, 0.8, 0.9, 0.95, 0.99]);
-            curves.map(curve).collect()
+            vec![
+                curve("k = 0.5", 0.5),
+                curve("k = 0.8", 0.8),
+                curve("k = 0.9", 0.9),
+                curve("k = 0.95", 0.95),
+                curve("k = 0.99", 0.99),
+            ]
         }),
     }
 }
@@ -68,14 +71,11 @@ fn depth(k: f64, asked: f64) -> u32 {
     (libm::log(asked * (1.0 - k)) / libm::log(k)).ceil() as u32
 }
 
-/// Rays that start between the mirrors and go upwards, at various slopes.
-fn rays(count: usize) -> Rc<[Ray]> {
-    let ray = |n: usize| {
-        let mut numbers = Numbers::new(4, n);
-        let mut aside = || numbers.between(-1.0, 1.0);
-        Ray::new(Point3::ORIGIN, Vector3::new(aside(), 1.0, aside())).ok()
-    };
-    (0..count).filter_map(ray).collect()
+/// A ray that starts between the mirrors and goes upwards, at a slope of its own.
+fn ray(n: usize) -> Option<Ray> {
+    let mut numbers = Numbers::new(4, n);
+    let mut aside = || numbers.between(-1.0, 1.0);
+    Ray::new(Point3::ORIGIN, Vector3::new(aside(), 1.0, aside())).ok()
 }
 
 /// Distances of an object before the light, in sizes of the scene, for one half of
@@ -102,8 +102,11 @@ fn shadow_epsilon() -> Experiment<'static> {
         seeds: &[13],
         against: Axis::Knob,
         curves: Box::new(|effort| {
-            let scenes = [1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e9]
-                .map(|size| (size, scene(size, effort).unwrap_or_default()));
+            let count = effort.choose(1_024, 16_384);
+            let scenes = [1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e9].map(|size| {
+                let all = SHAPES.map(|(.., shape)| trials(shape, size, count, AIM));
+                (size, all.into_iter().flatten().flatten().collect())
+            });
             let curve = |method, policy: Policy| {
                 let is_dark = move |trial: &Trial| trial.shades_itself(policy);
                 let wrong = |trial: &Trial, _| {
@@ -131,12 +134,4 @@ fn shadow_epsilon() -> Experiment<'static> {
             ]
         }),
     }
-}
-
-/// Trials of one size, of all shapes.
-fn scene(size: f64, effort: Effort) -> Result<Rc<[Trial]>, Error> {
-    let count = effort.choose(1_024, 16_384);
-    let all = SHAPES.map(|(.., shape)| trials(shape, size, count, AIM));
-    let all = all.into_iter().collect::<Result<Vec<_>, _>>()?;
-    Ok(all.into_iter().flatten().collect())
 }

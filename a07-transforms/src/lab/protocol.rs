@@ -65,13 +65,8 @@ pub fn scaled_direction(factors: [f64; 3], d: Vector3) -> Vector3 {
 
 /// Wrong: the program writes the translation into the last row, so that the product
 /// with a point ignores it.
-pub fn translation_in_last_row(by: Point3) -> Mat4x4 {
-    Mat4x4::from_rows([
-        [1.0, 0.0, 0.0, 0.0],
-        [0.0, 1.0, 0.0, 0.0],
-        [0.0, 0.0, 1.0, 0.0],
-        [by.x(), by.y(), by.z(), 1.0],
-    ])
+pub fn translation_in_last_row(translation: &Transform) -> Mat4x4 {
+    translation.matrix().transposed()
 }
 
 /// Wrong: the product of the program exchanges rows and columns, and so the order

@@ -9,9 +9,9 @@ use common::tally::{self, Work};
 
 use crate::Node;
 
-/// A node that counts the rays that it transforms, with children that count theirs.
+/// A node that counts the rays that it transforms.
 #[derive(Debug)]
-struct Watched(Node);
+struct Watched(Box<dyn Geometry>);
 
 impl Geometry for Watched {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
@@ -21,21 +21,14 @@ impl Geometry for Watched {
 }
 
 /// Wraps the nodes in a geometry to count their work.
-pub fn geometry(geometry: Box<dyn Geometry>) -> Box<dyn Geometry> {
-    let any: &dyn Any = &*geometry;
-    if !any.is::<Node>() {
+pub fn geometry(mut geometry: Box<dyn Geometry>) -> Box<dyn Geometry> {
+    let any: &mut dyn Any = &mut *geometry;
+    let Some(node) = any.downcast_mut::<Node>() else {
         return geometry;
-    }
-    let any: Box<dyn Any> = geometry;
-    let Ok(node) = any.downcast::<Node>() else {
-        unreachable!("the geometry is a node");
     };
-    let children = node.children.into_iter();
-    Box::new(Watched(Node {
-        transform: node.transform,
-        children: children
-            .map(self::geometry)
-            .map(watched::geometry)
-            .collect(),
-    }))
+    for child in std::mem::take(&mut node.children) {
+        let child = watched::geometry(self::geometry(child));
+        node.children.push(child);
+    }
+    Box::new(Watched(geometry))
 }

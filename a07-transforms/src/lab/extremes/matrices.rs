@@ -74,7 +74,7 @@ pub fn cases() -> Vec<Case> {
         refused("G24", "two scales by 1e100: the square is beyond all numbers", huge),
         refused("G25", "rotate_x by infinity", step.rotate_x(f64::INFINITY)),
         origin("G26", "translate (1, 2, 3)", [1.0, 2.0, 3.0], step.translate(to))
-            .protocol(Fails, protocol::translation_in_last_row(to) * Point3::ORIGIN),
+            .protocol(Fails, step.translate(to).map(|t| protocol::translation_in_last_row(&t) * Point3::ORIGIN)),
         // The outer step is the scaling: the object is moved first, and the way is scaled.
         origin("G27", "scale 2, then within it translate (1, 2, 3)",
             [2.0, 4.0, 6.0], double.clone().and_then(|t| t.translate(to))).protocol(Fails, exchanged),
