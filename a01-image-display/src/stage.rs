@@ -4,7 +4,7 @@
 use common::Scene;
 use measure::Stage;
 
-use crate::lab::experiments::experiments;
+use crate::lab::experiments;
 use crate::scenes::{diagonal, painter, show_image};
 
 /// The stage for its program.

@@ -8,11 +8,11 @@ use a03_rays_cameras::PixelRandom;
 use a04_intersections::lab::support::{Line, Triple, first, point, raw_ray};
 use a04_intersections::{AxisAlignedBox, Geometry, Interval, Plane, Sphere, Triangle, World};
 use a06_shadows_reflection::lab::extremes::self_hits::{Named, rows, world};
-use common::{ArgumentError, Color, Error};
+use common::{ArgumentError, Error};
 use measure::Effort;
 use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Protocol, tried};
 
-use crate::lab::protocol;
+use crate::lab::protocol::{self, normal_as_point, normal_as_vector, transposed_normal};
 use crate::{Disc, Mat4x4, Node, Transform};
 
 /// The `t` of the first hit of a node.
@@ -49,12 +49,17 @@ fn hits(effort: Effort) -> Vec<Case> {
 }
 
 fn unit_box() -> Result<AxisAlignedBox, ArgumentError> {
-    AxisAlignedBox::new(Point3::new(-0.5, -0.5, -0.5), Point3::new(0.5, 0.5, 0.5))
+    AxisAlignedBox::new(point([-0.5; 3]), point([0.5; 3]))
+}
+
+/// A ball of radius 1.
+fn ball(x: f64, z: f64) -> Result<Sphere, ArgumentError> {
+    Sphere::new(Point3::new(x, 0.0, z), 1.0)
 }
 
 fn ellipsoid() -> Result<Node, Error> {
     let transform = Transform::IDENTITY.scale(1e-8, 1.0, 1e8)?;
-    Ok(Node::new(transform).with(Sphere::new(Point3::ORIGIN, 1.0)?))
+    Ok(Node::new(transform).with(ball(0.0, 0.0)?))
 }
 
 /// The rotations add up to a full turn, which returns the box to its position
@@ -69,9 +74,9 @@ fn nested_turns() -> Result<Node, Error> {
 
 fn small_and_large() -> Result<Node, Error> {
     let large = Transform::IDENTITY.scale(10.0, 10.0, 10.0)?;
-    Ok(Node::new(Transform::IDENTITY)
-        .with(Node::new(large).with(Sphere::new(Point3::new(0.0, 0.0, -1.0), 1.0)?))
-        .with(Sphere::new(Point3::ORIGIN, 1.0)?))
+    let large = Node::new(large).with(ball(0.0, -1.0)?);
+    let both = Node::new(Transform::IDENTITY).with(large);
+    Ok(both.with(ball(0.0, 0.0)?))
 }
 
 /// Rays along the normal of a face that a quarter turn has made almost parallel to
@@ -91,34 +96,20 @@ fn rotated_box(id: Id, rays: usize) -> Case {
     Case::new(id, what, 0.0, Equal, misses)
 }
 
-/// The nearer of two spheres of a node, whose nearest points have these distances.
-fn order(id: Id, what: &str, distances: [f64; 2], says: Protocol) -> Case {
+/// The nearer of two balls of a node, whose nearest points have these distances.
+fn order(id: Id, what: &str, [a, b]: [f64; 2], says: Protocol) -> Case {
     let line = ([0.0; 3], [0.0, 0.0, -1.0]);
     let node = || {
-        let empty = Node::new(Transform::IDENTITY);
-        distances.into_iter().try_fold(empty, |node, t| {
-            Ok(node.with(Sphere::new(Point3::new(0.0, 0.0, -t - 1.0), 1.0)?))
-        })
+        let first = Node::new(Transform::IDENTITY).with(ball(0.0, -a - 1.0)?);
+        Ok(first.with(ball(0.0, -b - 1.0)?))
     };
-    let theirs =
-        tried(|| Ok(protocol::last_hit(&node()?.children, &raw_ray(line)).map(|hit| hit.t)));
-    let exact = distances[0].min(distances[1]);
-    t(id, what, line, exact, 0.0, node()).protocol(says, theirs)
+    let last = |node: Node| protocol::last_hit(&node.children, &raw_ray(line));
+    let theirs = tried(|| Ok(node().map(last)?.map(|hit| hit.t)));
+    t(id, what, line, a.min(b), 0.0, node()).protocol(says, theirs)
 }
 
-fn normal(
-    id: Id,
-    what: &str,
-    n: Normal3,
-    transform: Result<Transform, ArgumentError>,
-    exact: [f64; 3],
-    theirs: fn(Mat4x4, Normal3) -> Option<Normal3>,
-) -> Case {
-    let theirs = transform.clone().map(|t| theirs(t.matrix(), n));
-    let ours = transform.map(|t| t.normal_from_object(n));
-    let bound = Absolute(4.0 * f64::EPSILON);
-    Case::new(id, format!("the normal {what}"), exact, bound, ours).protocol(Fails, theirs)
-}
+/// The protocol's normal of a transformed object.
+type Theirs = fn(Mat4x4, Normal3) -> Option<Normal3>;
 
 #[rustfmt::skip]
 fn normals() -> Vec<Case> {
@@ -126,40 +117,37 @@ fn normals() -> Vec<Case> {
     let (root, fifth) = (0.5_f64.sqrt(), 0.2_f64.sqrt());
     let [slant, right, up] = [[root, root, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
         .map(|n| Normal3::from_glam(n.into()));
-    let as_vector = protocol::normal_as_vector;
-    let transposed = protocol::transposed_normal;
     // An object twice as large is as bright under a light straight above.
     let (light, double) = (Vector3::from(up), step.scale(2.0, 2.0, 2.0));
     let dark = double.clone().map(|t| light.dot(protocol::unnormalized_normal(t.inverse(), up)));
     let bright = double.map(|t| t.normal_from_object(up).map(|n| n.dot(light)));
+    // A mirrored ball still faces the eye.
+    let mirrored = tried(|| {
+        let ball = Node::new(step.scale(-1.0, 1.0, 1.0)?).with(ball(-2.0, 0.0)?);
+        let ray = raw_ray(([5.0, 0.0, 0.0], [-1.0, 0.0, 0.0]));
+        Ok(world(ball)?.hit(&ray, Interval::AHEAD).map(|(hit, ())| hit.normal))
+    });
+    let normal = |id, what: &str, n, transform: Result<Transform, _>, exact: Triple, theirs: Theirs| {
+        let theirs = transform.clone().map(|t| theirs(t.matrix(), n));
+        let ours = transform.map(|t| t.normal_from_object(n));
+        let bound = Absolute(4.0 * f64::EPSILON);
+        Case::new(id, format!("the normal {what}"), exact, bound, ours).protocol(Fails, theirs)
+    };
     vec![
         normal("G10", "(1, 1, 0) under scale (1, 1/2, 1)",
-            slant, step.scale(1.0, 0.5, 1.0), [fifth, 2.0 * fifth, 0.0], as_vector),
+            slant, step.scale(1.0, 0.5, 1.0), [fifth, 2.0 * fifth, 0.0], normal_as_vector),
         normal("G11", "(1, 1, 0) under scale (1, 1e-8, 1)",
-            slant, step.scale(1.0, 1e-8, 1.0), [1e-8, 1.0, 0.0], as_vector),
+            slant, step.scale(1.0, 1e-8, 1.0), [1e-8, 1.0, 0.0], normal_as_vector),
         Case::new("G12", "n · l under scale 2, light from above", 1.0, Absolute(2.0 * f64::EPSILON), bright)
             .protocol(Fails, dark),
-        mirrored("G13"),
+        Case::new("G13", "the normal towards the eye under scale (-1, 1, 1)", [1.0, 0.0, 0.0], Equal, mirrored),
         normal("G19", "(1, 0, 0) under rotate_z π/2",
-            right, step.rotate_z(FRAC_PI_2), [0.0, 1.0, 0.0], transposed),
+            right, step.rotate_z(FRAC_PI_2), [0.0, 1.0, 0.0], transposed_normal),
         normal("G20", "(1, 1, 0) under scale (1, 1/2, 1), only transposed",
-            slant, step.scale(1.0, 0.5, 1.0), [fifth, 2.0 * fifth, 0.0], transposed),
+            slant, step.scale(1.0, 0.5, 1.0), [fifth, 2.0 * fifth, 0.0], transposed_normal),
         normal("G31", "(0, 1, 0) under translate (1, 2, 3), moved like a point",
-            up, step.translate(Point3::new(1.0, 2.0, 3.0)), [0.0, 1.0, 0.0], protocol::normal_as_point),
+            up, step.translate(Point3::new(1.0, 2.0, 3.0)), [0.0, 1.0, 0.0], normal_as_point),
     ]
-}
-
-/// A mirrored sphere still faces the eye.
-fn mirrored(id: Id) -> Case {
-    let ours = tried(|| {
-        let mirror = Transform::IDENTITY.scale(-1.0, 1.0, 1.0)?;
-        let sphere = Node::new(mirror).with(Sphere::new(Point3::new(-2.0, 0.0, 0.0), 1.0)?);
-        let world = World::new(Color::BLACK)?.with(sphere, ());
-        let ray = raw_ray(([5.0, 0.0, 0.0], [-1.0, 0.0, 0.0]));
-        Ok(world.hit(&ray, Interval::AHEAD).map(|(hit, ())| hit.normal))
-    });
-    let what = "the normal towards the eye under scale (-1, 1, 1)";
-    Case::new(id, what, [1.0, 0.0, 0.0], Equal, ours)
 }
 
 /// Shapes under transforms, which no ray may hit again that leaves them.
