@@ -30,11 +30,14 @@ pub fn directional_light_illuminates(position: Point3, point: Point3) -> bool {
 /// Wrong: by the text the light always comes from above.
 pub const DIRECTIONAL_LIGHT_FROM: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 
-/// The cosine for a light at a position. It is 0 if the squared distance
-/// overflows.
+/// The cosine for a light at a position. It is 0 if the squared distance overflows.
+///
+/// Wrong for a light at the point itself: 0 / 0 is NaN, and `max` in Java returns
+/// NaN, unlike `max` in Rust.
 pub fn lambert(n: Normal3, position: Point3, point: Point3) -> f64 {
     let way = position - point;
-    n.dot(way * (1.0 / way.magnitude())).max(0.0)
+    let cosine = n.dot(way * (1.0 / way.magnitude()));
+    if cosine < 0.0 { 0.0 } else { cosine }
 }
 
 /// Wrong: 0 and NaN to the power of 0 are 1, and the power of a cosine just above

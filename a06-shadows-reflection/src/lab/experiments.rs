@@ -4,8 +4,8 @@ use std::rc::Rc;
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::Hit;
 use a04_intersections::lab::support::Numbers;
+use a04_intersections::{Hit, Interval};
 use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Unit};
 
 use crate::lab::extremes::mirrors::mirrors;
@@ -83,10 +83,10 @@ fn ray(n: usize) -> Option<Ray> {
 const NEAR: [f64; 2] = [1e-4, 1e-10];
 
 /// A bound in proportion to the largest number of the hit.
-fn relative(ray: &Ray, hit: &Hit, light: Vector3) -> (Ray, f64) {
-    let ray_to_light = from_point(ray, hit, light);
-    let [eye, point] = [ray, &ray_to_light].map(|ray| ray.origin().largest_coordinate());
-    (ray_to_light, 1e-9 * eye.max(point).max(hit.t))
+fn relative(ray: &Ray, hit: &Hit, light: Vector3) -> (Ray, Interval) {
+    let points = [ray.origin(), ray.at(hit.t)];
+    let [eye, point] = points.map(|point| point.largest_coordinate());
+    from_point(ray, hit, light, 1e-9 * eye.max(point).max(hit.t))
 }
 
 /// Methods against self-shadowing, at every size of a scene.
@@ -119,11 +119,11 @@ fn shadow_epsilon() -> Experiment<'static> {
                 curve("above 1e-3 (protocol)", THOUSANDTH)
                     .with_remark("a length, and too much for all but the largest scene"),
                 curve("above 0", |ray, hit, light| {
-                    (from_point(ray, hit, light), 0.0)
+                    from_point(ray, hit, light, 0.0)
                 })
                 .with_remark("whether a surface shades itself is luck of rounding"),
                 curve("above 1e-6", |ray, hit, light| {
-                    (from_point(ray, hit, light), 1e-6)
+                    from_point(ray, hit, light, 1e-6)
                 })
                 .with_remark("the same walls elsewhere"),
                 curve("above 1e-9 of the largest", relative)

@@ -8,10 +8,6 @@ use measure::Effort;
 use measure::extremes::Case;
 
 pub fn cases(effort: Effort) -> Vec<Case> {
-    [
-        shadows::cases(effort),
-        mirrors::cases(),
-        self_hits::cases(effort),
-    ]
-    .concat()
+    let shadows = shadows::cases(effort);
+    [shadows, mirrors::cases(), self_hits::cases(effort)].concat()
 }

@@ -1,9 +1,10 @@
 //! The formulas of the protocol as it prints them, mistakes included. They
 //! are only for comparison, and to render pictures of the mistakes.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
+use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Interval, World};
+pub use a05_lighting::protocol::lambert;
 use common::Color;
 
 use crate::{RecursiveTracer, ShadowedWorld};
@@ -33,18 +34,6 @@ pub fn directional_light_illuminates<S>(
 ) -> bool {
     let ray = Ray::derived(point, -direction);
     world.hit(&ray, Interval::AHEAD).is_none()
-}
-
-/// Wrong for a light at the point itself: 0 / 0 is NaN, and `max` in Java returns
-/// NaN, unlike `max` in Rust.
-pub fn lambert(n: Normal3, position: Point3, point: Point3) -> f64 {
-    let way = position - point;
-    let cosine = n.dot(way * (1.0 / way.magnitude()));
-    if cosine.is_nan() {
-        cosine
-    } else {
-        cosine.max(0.0)
-    }
 }
 
 /// Wrong: the reflection is inside of the sum over the lights. It counts once for

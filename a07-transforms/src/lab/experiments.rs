@@ -82,12 +82,9 @@ fn nesting() -> Experiment<'static> {
 /// The rotations before and after a scaling.
 fn pair_of_turns(n: u32) -> Result<[Transform; 2], ArgumentError> {
     let random = PixelRandom::new(10, n, 0);
-    let angle = |i| 6.3 * random.uniform(i);
-    let start = Transform::IDENTITY;
-    Ok([
-        start.rotate_x(angle(0))?.rotate_y(angle(1))?,
-        start.rotate_y(angle(2))?.rotate_z(angle(3))?,
-    ])
+    let [a, b, c, d] = [0, 1, 2, 3].map(|i| 6.3 * random.uniform(i));
+    let before = Transform::IDENTITY.rotate_x(a)?.rotate_y(b)?;
+    Ok([before, Transform::IDENTITY.rotate_y(c)?.rotate_z(d)?])
 }
 
 fn condition() -> Experiment<'static> {
@@ -108,10 +105,8 @@ fn condition() -> Experiment<'static> {
                     let errors = built.flat_map(|(m, i)| off_identity(m, i));
                     let (all, work) = (Rc::clone(&pairs), 3.0 * products * f64::from(count));
                     let run = move || {
-                        all.iter()
-                            .map(&build)
-                            .map(|(m, _)| m.rows()[0][0])
-                            .sum::<f64>()
+                        let built = all.iter().map(&build);
+                        built.map(|(m, _)| m.rows()[0][0]).sum::<f64>()
                     };
                     Point::new(k, work, errors.collect::<Vec<_>>(), run)
                 });

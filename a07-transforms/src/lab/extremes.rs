@@ -8,10 +8,6 @@ use measure::Effort;
 use measure::extremes::Case;
 
 pub fn cases(effort: Effort) -> Vec<Case> {
-    [
-        discs::cases(effort),
-        matrices::cases(),
-        nodes::cases(effort),
-    ]
-    .concat()
+    let discs = discs::cases(effort);
+    [discs, matrices::cases(), nodes::cases(effort)].concat()
 }

@@ -80,18 +80,19 @@ pub fn rows<const SIZES: usize>(
     rows.collect()
 }
 
-/// A rule for rays that leave a hit: the ray and its least `t`.
-pub type Policy = fn(&Ray, &Hit, Vector3) -> (Ray, f64);
+/// A rule for rays that leave a hit in a direction: the ray and its interval.
+pub type Policy = fn(&Ray, &Hit, Vector3) -> (Ray, Interval);
 
 /// Our policy: the offset of the origin.
-pub const LIFTED: Policy = |ray, hit, light| (secondary_ray(ray, hit, light), 0.0);
+pub const LIFTED: Policy = |ray, hit, light| (secondary_ray(ray, hit, light), Interval::AHEAD);
 
 /// The protocol's policy: from the computed point, and a least `t` of a thousandth.
-pub const THOUSANDTH: Policy = |ray, hit, light| (from_point(ray, hit, light), 0.001);
+pub const THOUSANDTH: Policy = |ray, hit, light| from_point(ray, hit, light, 0.001);
 
-/// The ray from the computed point.
-pub fn from_point(ray: &Ray, hit: &Hit, light: Vector3) -> Ray {
-    Ray::derived(ray.at(hit.t), light)
+/// The ray from the computed point, and this least `t`.
+pub fn from_point(ray: &Ray, hit: &Hit, light: Vector3, min: f64) -> (Ray, Interval) {
+    let max = f64::INFINITY;
+    (Ray::derived(ray.at(hit.t), light), Interval { min, max })
 }
 
 /// A point that a light shines on.
@@ -104,23 +105,16 @@ pub struct Trial {
 }
 
 impl Trial {
-    /// The ray to the light, and its interval.
-    fn to_light(&self, policy: Policy) -> (Ray, Interval) {
-        let (ray, min) = policy(&self.ray, &self.hit, self.light);
-        let max = f64::INFINITY;
-        (ray, Interval { min, max })
-    }
-
     /// Whether the shape, which is convex, shadows itself.
     pub fn shades_itself(&self, policy: Policy) -> bool {
-        let (to_light, within) = self.to_light(policy);
+        let (to_light, within) = policy(&self.ray, &self.hit, self.light);
         self.world.is_hit(&to_light, within)
     }
 
     /// Whether a policy is wrong: the shape shadows itself, or the object at the
     /// distance `near` before the light is missed.
     pub fn is_wrong(&self, policy: Policy, near: f64) -> bool {
-        let (to_light, within) = self.to_light(policy);
+        let (to_light, within) = policy(&self.ray, &self.hit, self.light);
         let before = self.ray.at(self.hit.t) + self.light * (near * self.size);
         let occluder = Plane::new(before, self.light.as_normal());
         let is_found = occluder.is_ok_and(|plane| plane.hit(&to_light, within).is_some());
