@@ -22,36 +22,31 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     [spots(effort), lights(), materials()].concat()
 }
 
-/// Direction and half angle of a spot light at the origin.
-type Cone = (Vector3, f64);
-
-/// Whether a spot light shines on a point.
-fn ours((direction, half_angle): Cone, point: Point3) -> Outcome {
-    let light = SpotLight::new(Color::WHITE, Point3::ORIGIN, direction, half_angle);
-    light.map(|light| light.illuminates(point)).into()
-}
-
-fn theirs((direction, half_angle): Cone, point: Point3) -> Outcome {
-    protocol::spot_light_illuminates(Point3::ORIGIN, direction, half_angle, point).into()
-}
+/// Whether a spot light at the origin, of this direction and half angle, shines on a point.
+type Lit = fn(Vector3, f64, Point3) -> Outcome;
 
 #[rustfmt::skip]
 fn spots(effort: Effort) -> Vec<Case> {
     let count = effort.choose(10_000, 100_000);
     let (ones, ahead) = ([1.0; 3], [0.0, 0.0, -1.0]);
     let beside = |angle: f64| [libm::sin(angle), 0.0, -libm::cos(angle)];
-    let spot = |id, what: &str, (direction, half_angle): (Triple, f64), at, exact: Outcome, says| {
-        let (cone, at) = ((vector(direction), half_angle), point(at));
-        let what = format!("spot, {what}: lit");
-        Case::new(id, what, exact, Equal, ours(cone, at)).protocol(says, theirs(cone, at))
+    let ours: Lit = |direction, half_angle, point| {
+        let light = SpotLight::new(Color::WHITE, Point3::ORIGIN, direction, half_angle);
+        light.map(|light| light.illuminates(point)).into()
+    };
+    let theirs: Lit = |direction, half_angle, point|
+        protocol::spot_light_illuminates(Point3::ORIGIN, direction, half_angle, point).into();
+    let spot = |id, what: &str, (direction, angle): (Triple, f64), at, exact: Outcome, says| {
+        let [ours, theirs] = [ours, theirs].map(|is_lit| is_lit(vector(direction), angle, point(at)));
+        Case::new(id, format!("spot, {what}: lit"), exact, Equal, ours).protocol(says, theirs)
     };
     // Directions of any length below √3.
     let number = |is_counted: &dyn Fn(Vector3) -> bool| {
         let directions = (0..count).map(|i| Numbers::new(9, i).triple(-1.0, 1.0));
         directions.filter(|v| is_counted(*v)).count()
     };
-    let behind = |is_lit: fn(Cone, Point3) -> Outcome|
-        number(&|v| is_lit((v, 0.1), Point3::ORIGIN - v * 3.0) == Flag(true));
+    let behind = |is_lit: Lit|
+        number(&|v| is_lit(v, 0.1, Point3::ORIGIN - v * 3.0) == Flag(true));
     let not_numbers = |angle: fn(Vector3, Vector3) -> f64| number(&|v| angle(v, v * 3.0).is_nan());
     let (x, diagonal) = (Vector3::new(2.0, 0.0, 0.0), Vector3::new(1.0, 1.0, 0.0));
     vec![

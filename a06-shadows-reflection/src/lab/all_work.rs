@@ -10,25 +10,19 @@ use common::Color;
 use crate::shadow::BEFORE_THE_LIGHT;
 use crate::{ShadowedWorld, secondary_ray};
 
-/// Computes the same colours as [`RecursiveTracer`](crate::RecursiveTracer).
-#[derive(Clone, Copy, Debug)]
-pub struct NaiveTracer<'a> {
-    world: &'a ShadowedWorld,
-}
+/// Computes the same colours as [`RecursiveTracer`](crate::RecursiveTracer) in this world.
+#[derive(Clone, Copy)]
+pub struct NaiveTracer<'a>(pub &'a ShadowedWorld);
 
-impl<'a> NaiveTracer<'a> {
-    pub const fn new(world: &'a ShadowedWorld) -> Self {
-        Self { world }
-    }
-
+impl NaiveTracer<'_> {
     /// The colour that a ray brings back if it may hit `depth` surfaces in turn.
     pub fn trace(self, ray: &Ray, depth: u32) -> Color {
         let mut ray = *ray;
         let mut color = Color::BLACK;
         let mut mirrored = Color::WHITE;
         for _ in 0..depth {
-            let Some((hit, surface)) = self.world.objects().hit(&ray, Interval::AHEAD) else {
-                return color + mirrored * self.world.objects().background();
+            let Some((hit, surface)) = self.0.objects().hit(&ray, Interval::AHEAD) else {
+                return color + mirrored * self.0.objects().background();
             };
             color += mirrored * surface.color_for(&ray, &hit, &self);
             mirrored = mirrored * surface.reflection();
@@ -41,18 +35,18 @@ impl<'a> NaiveTracer<'a> {
 
 impl Lighting for NaiveTracer<'_> {
     fn ambient(&self) -> Color {
-        self.world.ambient()
+        self.0.ambient()
     }
 
     fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
         let point = ray.at(hit.t);
-        for source in self.world.lights() {
+        for source in self.0.lights() {
             let Some(light) = source.illumination(point) else {
                 continue;
             };
             let to_light = secondary_ray(ray, hit, light.direction);
             let between = Interval::before(light.distance * BEFORE_THE_LIGHT);
-            let occluder = self.world.objects().hit(&to_light, between);
+            let occluder = self.0.objects().hit(&to_light, between);
             if occluder.is_none() || !source.casts_shadows() {
                 shade(&light);
             }

@@ -39,7 +39,7 @@ fn recursion_depth() -> Experiment<'static> {
             let asked = [1e-1, 1e-2, HALF_GREY_LEVEL, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10];
             let rays: Vec<_> = (0..effort.choose(16, 256)).filter_map(ray).collect();
             let curve = |method, k: f64| {
-                let world = mirrors(k).world().map(Rc::new).ok();
+                let world = mirrors((1.0, k, 0.0)).map(Rc::new).ok();
                 let sets = asked.map(|asked| {
                     let task =
                         |ray: &Ray| Some((Rc::clone(world.as_ref()?), *ray, depth(k, asked)));

@@ -60,7 +60,7 @@ impl TracedWorld for WatchedWorld {
     fn radiance(&self, ray: &Ray, depth: u32) -> Color {
         NEXT.set(None);
         if self.all_work {
-            NaiveTracer::new(&self.world).trace(ray, depth)
+            NaiveTracer(&self.world).trace(ray, depth)
         } else {
             RecursiveTracer::new(&self.world).trace(ray, depth)
         }

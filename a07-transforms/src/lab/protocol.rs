@@ -34,8 +34,7 @@ impl Chained {
 /// Wrong: the text only "transposes" the matrix for a normal, which is the inverse
 /// rotation.
 pub fn transposed_normal(m: Mat4x4, n: Normal3) -> Option<Normal3> {
-    let n = m.transposed() * Vector3::from(n);
-    n.normalized().map(Vector3::as_normal)
+    normal_as_vector(m.transposed(), n)
 }
 
 /// Wrong: transformed like a vector, a normal of a scaled object is no longer
@@ -46,10 +45,8 @@ pub fn normal_as_vector(m: Mat4x4, n: Normal3) -> Option<Normal3> {
 
 /// Wrong: with a fourth coordinate of 1 instead of 0, a normal is also translated.
 pub fn normal_as_point(m: Mat4x4, n: Normal3) -> Option<Normal3> {
-    let moved = m * Point3::from_glam(n.to_glam());
-    (moved - Point3::ORIGIN)
-        .normalized()
-        .map(Vector3::as_normal)
+    let moved = m * Point3::from_glam(n.to_glam()) - Point3::ORIGIN;
+    moved.normalized().map(Vector3::as_normal)
 }
 
 /// Wrong: without length 1, a normal makes the surface darker or brighter.
@@ -93,13 +90,12 @@ pub fn last_hit(children: &[Box<dyn Geometry>], ray: &Ray) -> Option<Hit> {
     let mut cached: Option<Hit> = None;
     for child in children {
         let current = child.hit(ray, Interval::AHEAD);
-        if let (Some(current), Some(nearest)) = (current, cached)
-            && current.t < nearest.t
-        {
-            cached = Some(current);
-            continue;
+        if matches!((current, cached), (Some(current), Some(nearest)) if current.t < nearest.t) {
+            cached = current;
         }
-        cached = current.or(cached);
+        if current.is_some() {
+            cached = current;
+        }
     }
     cached
 }

@@ -62,8 +62,8 @@ fn mean_highlight(across: u32, exponent: u32, sum: Sum) -> f64 {
     sum(&mut { highlights }) * pixel * pixel / PI
 }
 
-/// A power by repeated squaring with 31 digits. The rounding errors add up to one unit of the
-/// last digit for each unit of the exponent, so that 19 digits are left for the greatest, 1e12.
+/// `base^P` by repeated squaring with 31 digits. The rounding errors add up to P units of the
+/// last one, so that 19 digits are left for the greatest P, 1e12.
 fn exact(base: DoubleDouble, exponent: u64) -> DoubleDouble {
     match exponent {
         0 => 1.0.into(),

@@ -95,6 +95,9 @@ type Illuminates = fn(Point3, Point3, &World<()>) -> bool;
 /// An object between a slope and the lamp at a point above it.
 type Object = fn(&Slope, Point3) -> Result<Box<dyn Geometry>, ArgumentError>;
 
+/// The points that are judged wrongly, by us and by the protocol.
+type Counts = Result<[usize; 2], Error>;
+
 /// A tilted floor through the origin, in a scene of this size.
 struct Slope {
     floor: Plane,
@@ -126,7 +129,7 @@ impl Slope {
         points: usize,
         (world, light, lit): (&World<()>, &dyn Light, bool),
         theirs: impl Fn(Point3) -> bool,
-    ) -> Result<[usize; 2], Error> {
+    ) -> Counts {
         wrong(0..points, |i| {
             let aside = self.normal.cross(Numbers::new(14, i).triple(-1.0, 1.0));
             let eye = self.above(3.0) + self.normal.cross(aside) * (4.0 * self.size);
@@ -144,25 +147,19 @@ impl Slope {
 }
 
 /// The points below a lamp at a height: all lit, or all in the shadow of an object.
-fn under_a_lamp(
-    points: usize,
-    size: f64,
-    height: f64,
-    lit: bool,
-    object: Object,
-) -> Result<[usize; 2], Error> {
+fn under_a_lamp(points: usize, size: f64, height: f64, lit: bool, object: Object) -> Counts {
     let slope = Slope::new(size)?;
     let at = slope.above(height);
     let lamp = PointLight::new(Color::WHITE, at)?;
-    let world = World::new(Color::BLACK)?.with(slope.floor, ());
-    let world = world.with(object(&slope, at)?, ());
+    let floor = World::new(Color::BLACK)?.with(slope.floor, ());
+    let world = floor.with(object(&slope, at)?, ());
     slope.misjudged(points, (&world, &lamp, lit), |point| {
         point_light_illuminates(at, point, &world)
     })
 }
 
 /// An empty floor under a far light: all points are lit.
-fn under_the_sun(points: usize) -> Result<[usize; 2], Error> {
+fn under_the_sun(points: usize) -> Counts {
     let slope = Slope::new(1.0)?;
     let direction = Vector3::new(0.1, -1.0, -0.4).unit("direction")?;
     let sun = DirectionalLight::new(Color::WHITE, direction)?;

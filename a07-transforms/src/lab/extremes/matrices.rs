@@ -93,12 +93,12 @@ fn turns(count: u32) -> Result<Both, ArgumentError> {
 
 /// The transform after the `i`-th of these rotations.
 pub fn turn(t: Transform, i: u32) -> Step {
-    let angle = 1.0 + 0.1 * f64::from(i % 10);
-    match i % 3 {
-        0 => t.rotate_x(angle),
-        1 => t.rotate_y(angle),
-        _ => t.rotate_z(angle),
-    }
+    let axes = [
+        Transform::rotate_x,
+        Transform::rotate_y,
+        Transform::rotate_z,
+    ];
+    axes[i as usize % 3](t, 1.0 + 0.1 * f64::from(i % 10))
 }
 
 /// Two rotations, a scaling of one axis by `k`, and two more rotations: the
