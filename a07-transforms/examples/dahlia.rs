@@ -11,7 +11,7 @@ use a05_lighting::PointLight;
 use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld};
 use a07_transforms::{Node, Transform, traced};
 use common::{ArgumentError, Color, Renderer, Sampling, Settings, Size};
-use measure::{Effort, Stage};
+use measure::Stage;
 
 fn main() -> ExitCode {
     program::run(&stage(), a01_image_display::viewer())
@@ -37,7 +37,7 @@ pub fn stage() -> Stage {
         about: "A dahlia of transformed spheres on a mirror",
         scenes: vec![scene.into()],
         experiments: Vec::new,
-        extremes: |_: Effort| Vec::new(),
+        extremes: |_| Vec::new(),
     }
 }
 
@@ -50,27 +50,19 @@ const GOLDEN_ANGLE: f64 = PI * 0.763_932_022_500_210_3;
 
 /// The flower, dew drops, and two lamps.
 pub fn dahlia() -> Result<View<ShadowedWorld>, ArgumentError> {
-    let warm = PointLight::new(
-        Color::new(1.0, 0.93, 0.82) * 0.85,
-        Point3::new(3.5, 9.0, 7.0),
-    )?;
-    let cold = PointLight::new(Color::new(0.25, 0.35, 0.6), Point3::new(-8.0, 4.0, -1.0))?;
-    let water = Reflective::new(
-        Color::new(0.01, 0.015, 0.03),
-        Color::BLACK,
-        1.0,
-        Color::new(0.32, 0.36, 0.42),
-    )?;
+    let (warm, cold) = (Color::new(1.0, 0.93, 0.82), Color::new(0.25, 0.35, 0.6));
+    let warm = PointLight::new(warm * 0.85, Point3::new(3.5, 9.0, 7.0))?;
+    let cold = PointLight::new(cold, Point3::new(-8.0, 4.0, -1.0))?;
+    let (deep, mirrored) = (Color::new(0.01, 0.015, 0.03), Color::new(0.32, 0.36, 0.42));
+    let water = Reflective::new(deep, Color::BLACK, 1.0, mirrored)?;
     let plane = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
     let mut world = ShadowedWorld::empty(Color::new(0.012, 0.018, 0.035), Color::gray(0.14))?
         .lit_by(LightSource::new(warm, true))
         .lit_by(LightSource::new(cold, true))
         .with(plane, Box::new(water));
     for n in 0..PETALS {
-        let (petal, surface) = petal(
-            f64::from(n),
-            libm::sqrt(f64::from(n) / f64::from(PETALS - 1)),
-        )?;
+        let share = libm::sqrt(f64::from(n) / f64::from(PETALS - 1));
+        let (petal, surface) = petal(f64::from(n), share)?;
         world = world.with(petal, Box::new(surface));
     }
     for (x, z, r) in [
@@ -107,8 +99,6 @@ fn petal(number: f64, share: f64) -> Result<(Node, Reflective), ArgumentError> {
     let (inner, outer) = (Color::new(1.0, 0.62, 0.12), Color::new(0.62, 0.02, 0.16));
     let color = inner * (1.0 - share) + outer * share;
     let satin = Reflective::new(color, Color::gray(0.35), 40.0, Color::gray(0.06))?;
-    Ok((
-        Node::new(transform).with(Sphere::new(Point3::ORIGIN, 1.0)?),
-        satin,
-    ))
+    let ball = Sphere::new(Point3::ORIGIN, 1.0)?;
+    Ok((Node::new(transform).with(ball), satin))
 }

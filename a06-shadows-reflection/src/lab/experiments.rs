@@ -85,7 +85,7 @@ const NEAR: [f64; 2] = [1e-4, 1e-10];
 /// A bound in proportion to the largest number of the hit.
 fn relative(ray: &Ray, hit: &Hit, light: Vector3) -> (Ray, Interval) {
     let points = [ray.origin(), ray.at(hit.t)];
-    let [eye, point] = points.map(|point| point.largest_coordinate());
+    let [eye, point] = points.map(Point3::largest_coordinate);
     from_point(ray, hit, light, 1e-9 * eye.max(point).max(hit.t))
 }
 

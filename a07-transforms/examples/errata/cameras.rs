@@ -3,26 +3,26 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-use a02_math::Point3;
+use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Camera, PinholeCamera, Ray, StripeRule, StripedSky, View, protocol};
 use a04_intersections::{Sphere, World};
-use common::{ArgumentError, Color, Error, Scene, Settings, Size};
+use common::{Color, Error, Scene, Size};
 
-use super::{beside, traced};
+use super::{Made, beside, traced};
 
-fn pinhole(angle: f64) -> Result<PinholeCamera, ArgumentError> {
+fn pinhole(angle: f64) -> Made<PinholeCamera> {
     PinholeCamera::new(Point3::ORIGIN, angle)
 }
 
-/// The direction of the ray through a place in a picture of this size.
-type Direction = fn(size: Size, x: f64, y: f64) -> a02_math::Vector3;
+/// The direction of the ray through a place in a picture with these sides.
+type Direction = fn([f64; 2], x: f64, y: f64) -> Vector3;
 
-/// A camera of the protocol at the origin, looking along -z, with an angle of 45 degrees.
+/// A camera of the protocol at the origin, looking along -z.
 struct Printed(Direction);
 
 impl Camera for Printed {
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
-        Ray::derived(Point3::ORIGIN, (self.0)(size, x, y))
+        Ray::derived(Point3::ORIGIN, (self.0)(sides(size), x, y))
     }
 }
 
@@ -30,14 +30,14 @@ fn sides(size: Size) -> [f64; 2] {
     [size.width(), size.height()].map(f64::from)
 }
 
+const FULL_ANGLE: Printed =
+    Printed(|sides, x, y| protocol::perspective_direction(sides, x, y, FRAC_PI_4));
+
 pub fn tangent() -> Scene {
-    let about = "the tangent of the full opening angle, and of half of it";
-    let perspective: Direction =
-        |size, x, y| protocol::perspective_direction(sides(size), x, y, FRAC_PI_4);
     beside(
         "tangent",
-        about,
-        move |_| two_spheres(Printed(perspective)),
+        "the tangent of the full opening angle, and of half of it",
+        |_| two_spheres(FULL_ANGLE),
         |_| two_spheres(pinhole(FRAC_PI_4)?),
     )
 }
@@ -53,40 +53,37 @@ fn two_spheres(camera: impl Camera) -> Result<View, Error> {
 const STRIPES: u32 = 10;
 
 pub fn stripes() -> Scene {
-    let about = "ten stripes, counted by the height without and with its sign";
-    let wrong = |settings: &Settings| {
-        let camera = pinhole(FRAC_PI_2)?;
-        let [width, _] = sides(settings.size);
-        let edge = camera.generate_ray(settings.size, 0.5 * width, 0.0);
-        let top = edge.direction().y();
-        Ok(traced(camera, move |ray| {
-            let y = ray.direction().y();
-            let is_even = protocol::count_current_stripe(top, STRIPES, y).is_multiple_of(2);
-            Color::from_bytes(if is_even {
-                [25, 25, 112]
-            } else {
-                [50, 205, 50]
-            })
-        }))
-    };
-    beside("stripes", about, wrong, |settings| {
-        let camera = pinhole(FRAC_PI_2)?;
-        let sky = StripedSky::new(&camera, settings.size, STRIPES, StripeRule::Direction)?;
-        Ok(traced(camera, move |ray| sky.color_for(ray)))
-    })
+    beside(
+        "stripes",
+        "ten stripes, counted by the height without and with its sign",
+        |settings| {
+            let camera = pinhole(FRAC_PI_2)?;
+            let [width, _] = sides(settings.size);
+            let edge = camera.generate_ray(settings.size, 0.5 * width, 0.0);
+            let top = edge.direction().y();
+            let stripe = move |y| protocol::count_current_stripe(top, STRIPES, y);
+            let colors = [[25, 25, 112], [50, 205, 50]].map(Color::from_bytes);
+            Ok(traced(camera, move |ray| {
+                colors[stripe(ray.direction().y()) as usize % 2]
+            }))
+        },
+        |settings| {
+            let camera = pinhole(FRAC_PI_2)?;
+            let sky = StripedSky::new(&camera, settings.size, STRIPES, StripeRule::Direction)?;
+            Ok(traced(camera, move |ray| sky.color_for(ray)))
+        },
+    )
 }
 
+// Whole numbers are corners of pixels for the pinhole camera.
+const CORNERS: Printed =
+    Printed(|[w, h], x, y| protocol::pinhole_direction([w, h], x, h - 1.0 - y, FRAC_PI_4));
+
 pub fn half_pixel() -> Scene {
-    let about = "a ball on 24x18 pixels, through their corners and through their middles";
-    // Whole numbers are corners of pixels for the pinhole camera.
-    let corners: Direction = |size, x, y| {
-        let [w, h] = sides(size);
-        protocol::pinhole_direction([w, h], x, h - 1.0 - y, FRAC_PI_4)
-    };
     beside(
         "half-pixel",
-        about,
-        move |_| ball(Printed(corners)),
+        "a ball on 24x18 pixels, through their corners and through their middles",
+        |_| ball(CORNERS),
         |_| ball(pinhole(FRAC_PI_4)?),
     )
 }

@@ -1,25 +1,22 @@
-//! Highlights, and whether a light reaches a point.
+//! Highlights, whether a light reaches a point, and reflected rays.
 
 use std::f64::consts::FRAC_PI_4;
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Ray, View};
 use a04_intersections::{Hit, Interval, Plane, Sphere, World};
+use a05_lighting::protocol as material;
 use a05_lighting::{
     DirectionalLight, Illumination, Light, Lighting, LitWorld, Material, Phong, PointLight,
     SpotLight,
 };
-use a06_shadows_reflection::{is_shadowed, protocol};
-use common::{ArgumentError, Color, Error, Scene};
+use a06_shadows_reflection::protocol::{self, OneCounter};
+use a06_shadows_reflection::{
+    LightSource, RecursiveTracer, Reflective, ShadowedWorld, is_shadowed,
+};
+use common::{Color, Error, Scene, Settings};
 
-use super::{beside, shade, traced};
-
-type Made<T> = Result<T, ArgumentError>;
-
-fn camera(eye: Point3, to: Point3) -> Made<PerspectiveCamera> {
-    let up = Vector3::new(0.0, 1.0, 0.0);
-    PerspectiveCamera::new(eye, to - eye, up, FRAC_PI_4)
-}
+use super::{Made, beside, camera, shade, traced};
 
 pub fn highlight() -> Scene {
     beside(
@@ -42,12 +39,10 @@ impl Material for Printed {
         lighting.for_each_light(ray, hit, &mut |light| {
             let mirrored = light.direction.reflected_on(hit.normal);
             let cosine = (-ray.direction()).dot(mirrored);
-            let highlight = a05_lighting::protocol::highlight(cosine, EXPONENT);
+            let highlight = material::highlight(cosine, EXPONENT);
             let n_l = hit.normal.dot(light.direction);
-            let ambient = lighting.ambient().r;
-            let channel =
-                |cr| a05_lighting::protocol::phong(cr, ambient, light.color.r, n_l, highlight);
-            color = self.0.map(channel);
+            let (ca, cl) = (lighting.ambient().r, light.color.r);
+            color = self.0.map(|cr| material::phong(cr, ca, cl, n_l, highlight));
         });
         color
     }
@@ -61,40 +56,19 @@ fn balls(material: fn(Color) -> Made<Box<dyn Material>>) -> Result<View, Error> 
     }
     let light = PointLight::new(Color::WHITE, Point3::new(3.0, 4.0, 5.0))?;
     let world = world.lit_by(Box::new(light));
-    let camera = camera(Point3::new(0.0, 0.6, 4.2), Point3::ORIGIN)?;
+    let camera = camera(Point3::new(0.0, 0.6, 4.2), Point3::ORIGIN, FRAC_PI_4)?;
     Ok(traced(camera, move |ray| world.color_for(ray)))
 }
 
-/// Whether the light reaches a point of the world, by the protocol.
-type Illuminates = fn(Point3, &World<Color>) -> bool;
+/// Whether the light of a source reaches a hit.
+type IsLit = fn(&World<Color>, &Ray, &Hit, &Illumination) -> bool;
 
-/// A world in the light of one source: with the protocol's shadows, and the stage's.
-fn shadows<L: Light>(
-    name: &'static str,
-    about: &'static str,
-    world: fn() -> Made<World<Color>>,
-    light: fn() -> Made<L>,
-    illuminates: Illuminates,
-) -> Scene {
-    let wrong = move |_: &_| {
-        lit(world()?, light()?, move |world, ray, hit, _| {
-            illuminates(ray.at(hit.t), world)
-        })
-    };
-    beside(name, about, wrong, move |_| {
-        lit(world()?, light()?, |world, ray, hit, light| {
-            !is_shadowed(world, ray, hit, light)
-        })
-    })
-}
+const OURS: IsLit = |world, ray, hit, light| !is_shadowed(world, ray, hit, light);
 
-fn lit(
-    world: World<Color>,
-    light: impl Light,
-    is_lit: impl Fn(&World<Color>, &Ray, &Hit, &Illumination) -> bool + Send + Sync + 'static,
-) -> Result<View, Error> {
-    let camera = camera(Point3::new(2.2, 3.8, 5.0), Point3::new(0.0, 0.9, 0.0))?;
-    Ok(traced(camera, move |ray| {
+/// A world in the light of one source.
+fn lit(world: World<Color>, light: impl Light, is_lit: IsLit) -> Result<View, Error> {
+    let (eye, to) = (Point3::new(2.2, 3.8, 5.0), Point3::new(0.0, 0.9, 0.0));
+    Ok(traced(camera(eye, to, FRAC_PI_4)?, move |ray| {
         let Some((hit, color)) = world.hit(ray, Interval::AHEAD) else {
             return Color::BLACK;
         };
@@ -125,48 +99,106 @@ fn lamp() -> Made<PointLight> {
     PointLight::new(Color::WHITE, LAMP)
 }
 
+const THEIR_LAMP: IsLit =
+    |world, ray, hit, _| protocol::point_light_illuminates(LAMP, ray.at(hit.t), world);
+
 /// One ball below the lamp, and a red one above it.
+fn below_and_above() -> Made<World<Color>> {
+    let above = Sphere::new(Point3::new(0.6, 3.4, 0.3), 0.4)?;
+    Ok(floor(LEVEL, Point3::new(-0.9, 0.9, 0.0))?.with(above, Color::RED))
+}
+
 pub fn too_far() -> Scene {
-    shadows(
+    beside(
         "point-light",
         "t compared with a distance, in lengths of the direction and in lengths",
-        || {
-            let above = Sphere::new(Point3::new(0.6, 3.4, 0.3), 0.4)?;
-            Ok(floor(LEVEL, Point3::new(-0.9, 0.9, 0.0))?.with(above, Color::RED))
-        },
-        lamp,
-        |point, world| protocol::point_light_illuminates(LAMP, point, world),
+        |_| lit(below_and_above()?, lamp()?, THEIR_LAMP),
+        |_| lit(below_and_above()?, lamp()?, OURS),
     )
 }
 
 pub fn hidden() -> Scene {
-    shadows(
+    beside(
         "point-light-slope",
         "the least t asked of the nearest hit only, and of every hit",
-        on_a_slope,
-        lamp,
-        |point, world| protocol::point_light_illuminates(LAMP, point, world),
+        |_| lit(on_a_slope()?, lamp()?, THEIR_LAMP),
+        |_| lit(on_a_slope()?, lamp()?, OURS),
     )
 }
+
+fn in_the_cone(is_lit: IsLit) -> Result<View, Error> {
+    let light = SpotLight::new(Color::WHITE, LAMP, Vector3::new(0.0, -1.0, 0.0), 0.6)?;
+    lit(floor(LEVEL, Point3::new(0.2, 0.9, 0.0))?, light, is_lit)
+}
+
+const THEIR_SPOT: IsLit =
+    |world, ray, hit, _| protocol::spot_light_illuminates(LAMP, ray.at(hit.t), world);
 
 pub fn spot() -> Scene {
-    shadows(
+    beside(
         "spot-light",
         "the shadow ray sent away from the light, and towards it",
-        || floor(LEVEL, Point3::new(0.2, 0.9, 0.0)),
-        || SpotLight::new(Color::WHITE, LAMP, Vector3::new(0.0, -1.0, 0.0), 0.6),
-        |point, world| protocol::spot_light_illuminates(LAMP, point, world),
+        |_| in_the_cone(THEIR_SPOT),
+        |_| in_the_cone(OURS),
     )
 }
 
-const SUNWARDS: Vector3 = Vector3::new(-0.2, 0.9, 0.4);
+const AWAY: Vector3 = Vector3::new(0.2, -0.9, -0.4);
+
+fn sun() -> Made<DirectionalLight> {
+    DirectionalLight::new(Color::WHITE, AWAY)
+}
+
+const THEIR_SUN: IsLit =
+    |world, ray, hit, _| protocol::directional_light_illuminates(AWAY, ray.at(hit.t), world);
 
 pub fn acne() -> Scene {
-    shadows(
+    beside(
         "directional-light",
         "every hit of the shadow ray counted, and none of the surface itself",
-        on_a_slope,
-        || DirectionalLight::new(Color::WHITE, -SUNWARDS),
-        |point, world| protocol::directional_light_illuminates(-SUNWARDS, point, world),
+        |_| lit(on_a_slope()?, sun()?, THEIR_SUN),
+        |_| lit(on_a_slope()?, sun()?, OURS),
     )
+}
+
+/// How large the scene is: one of millimetres, measured in metres.
+const SIZE: f64 = 0.001;
+
+/// The light that a ray brings back.
+type Trace = fn(&ShadowedWorld, &Ray, depth: u32) -> Color;
+
+const WITH_ONE_COUNTER: Trace = |world, ray, recursion| OneCounter { world, recursion }.trace(ray);
+const LIFTED: Trace = |world, ray, depth| RecursiveTracer::new(world).trace(ray, depth);
+
+/// The reflected ray that begins a thousandth too early.
+pub fn mirrors() -> Scene {
+    beside(
+        "mirror",
+        "three mirroring balls of radius 0.001: reflected at t - 0.001, and lifted",
+        |settings| mirroring_balls(settings, WITH_ONE_COUNTER),
+        |settings| mirroring_balls(settings, LIFTED),
+    )
+    .reflecting()
+}
+
+/// The spheres of the stage's first scene, closer together.
+fn mirroring_balls(settings: &Settings, trace: Trace) -> Result<View, Error> {
+    let half = Color::gray(0.5);
+    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
+    let mirror = Reflective::new(Color::gray(0.3), Color::BLACK, 64.0, half)?;
+    let light = Point3::new(8.0 * SIZE, 8.0 * SIZE, 8.0 * SIZE);
+    let light = PointLight::new(Color::WHITE, light)?;
+    let mut world = ShadowedWorld::empty(Color::BLACK, Color::gray(0.25))?
+        .with(floor, Box::new(mirror))
+        .lit_by(LightSource::new(light, true));
+    for (x, color) in [(-2.2, Color::RED), (0.0, Color::GREEN), (2.2, Color::BLUE)] {
+        let sphere = Sphere::new(Point3::new(x * SIZE, SIZE, 0.0), SIZE)?;
+        let material = Reflective::new(color, Color::WHITE, 64.0, half)?;
+        world = world.with(sphere, Box::new(material));
+    }
+    let eye = Point3::new(4.0 * SIZE, 4.0 * SIZE, 9.0 * SIZE);
+    let (gaze, up) = (Vector3::new(-4.0, -3.5, -9.0), Vector3::new(0.0, 1.0, 0.0));
+    let camera = PerspectiveCamera::new(eye, gaze, up, FRAC_PI_4)?;
+    let depth = settings.depth;
+    Ok(traced(camera, move |ray| trace(&world, ray, depth)))
 }

@@ -2,15 +2,13 @@
 //! right one on the right. Takes the arguments of the stages' programs.
 
 mod cameras;
-mod formula;
 mod light;
-mod mirrors;
-mod nodes;
 mod shapes;
 
-use a03_rays_cameras::{Camera, Ray, View};
-use common::{Color, Error, Progress, Scene, Settings};
-use measure::{Effort, Stage};
+use a02_math::{Point3, Vector3};
+use a03_rays_cameras::{Camera, PerspectiveCamera, Ray, View};
+use common::{ArgumentError, Color, Error, Progress, Scene, Settings};
+use measure::Stage;
 
 #[cfg(not(target_family = "wasm"))]
 fn main() -> std::process::ExitCode {
@@ -34,37 +32,39 @@ pub fn stage() -> Stage {
             light::hidden(),
             light::spot(),
             light::acne(),
-            mirrors::offset(),
-            nodes::order(),
-            nodes::normals(),
-            nodes::last_wins(),
+            light::mirrors(),
+            shapes::order(),
+            shapes::normals(),
+            shapes::last_wins(),
         ],
         experiments: Vec::new,
-        extremes: |_: Effort| Vec::new(),
+        extremes: |_| Vec::new(),
     }
 }
 
-/// A camera, and the colour of each of its rays.
-fn traced(camera: impl Camera, color: impl Fn(&Ray) -> Color + Send + Sync + 'static) -> View {
-    View::new(camera, color).boxed()
-}
-
 /// The view of a panel.
-type Panel = Box<dyn Fn(&Settings) -> Result<View, Error> + Send + Sync>;
+type Panel = fn(&Settings) -> Result<View, Error>;
 
 /// Two panels of 360x270: the wrong view, and the right one.
-fn beside<F, G>(name: &'static str, about: &'static str, wrong: F, right: G) -> Scene
-where
-    F: Fn(&Settings) -> Result<View, Error> + Send + Sync + 'static,
-    G: Fn(&Settings) -> Result<View, Error> + Send + Sync + 'static,
-{
-    let panels: [Panel; 2] = [Box::new(wrong), Box::new(right)];
-    let panels = panels.map(|view| {
+fn beside(name: &'static str, about: &'static str, wrong: Panel, right: Panel) -> Scene {
+    let panels = [wrong, right].map(|view| {
         move |settings: &Settings, progress: &dyn Progress| {
             view(settings)?.render(settings, progress)
         }
     });
     Scene::side_by_side(name, about, panels, (360, 270))
+}
+
+type Made<T> = Result<T, ArgumentError>;
+
+/// A camera that looks to a point.
+fn camera(eye: Point3, to: Point3, angle: f64) -> Made<PerspectiveCamera> {
+    PerspectiveCamera::new(eye, to - eye, Vector3::new(0.0, 1.0, 0.0), angle)
+}
+
+/// A camera, and the colour of each of its rays.
+fn traced(camera: impl Camera, color: impl Fn(&Ray) -> Color + Send + Sync + 'static) -> View {
+    View::new(camera, color).boxed()
 }
 
 /// A matt surface in a light from one direction, and a little from everywhere.

@@ -1,14 +1,14 @@
 //! The book's pictures of mistakes: too little, right, and too much.
 //! Takes the arguments of the stages' programs.
 
-mod mesh;
-
 use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::{PerspectiveCamera, Ray, render};
-use a04_intersections::{AxisAlignedBox, Hit, Interval, Plane, Sphere, World};
+use a03_rays_cameras::{Camera, PerspectiveCamera, PixelRandom, Ray, render};
+use a04_intersections::{
+    AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World, protocol,
+};
 use a06_shadows_reflection::secondary_ray;
-use common::{Color, Error, Image, Progress, Scene, Settings, Transfer};
-use measure::{Effort, Stage};
+use common::{Color, Error, Image, Progress, Scene, Settings, Size, Transfer};
+use measure::Stage;
 
 #[cfg(not(target_family = "wasm"))]
 fn main() -> std::process::ExitCode {
@@ -21,21 +21,18 @@ pub fn stage() -> Stage {
     Stage {
         name: "go-wrong",
         about: "What can go wrong: too little, right, and too much",
-        scenes: vec![lift(), gamma(), mesh::cracks()],
+        scenes: vec![lift(), gamma(), cracks()],
         experiments: Vec::new,
-        extremes: |_: Effort| Vec::new(),
+        extremes: |_| Vec::new(),
     }
 }
 
 /// Width and height of each picture, in pixels.
 const PANEL: (u32, u32) = (240, 240);
 
-/// Where a shadow ray begins.
-type Lifted = fn(&Ray, &Hit) -> Ray;
-
 fn lift() -> Scene {
     let about = "a shadow ray that is lifted not at all, by 64 roundings, and by 0.2";
-    let lifts: [Lifted; 3] = [
+    let lifts: [fn(&Ray, &Hit) -> Ray; 3] = [
         |ray, hit| by(0.0, ray, hit),
         |ray, hit| secondary_ray(ray, hit, sunwards()),
         |ray, hit| by(0.2, ray, hit),
@@ -100,4 +97,63 @@ fn gamma() -> Scene {
         }
     });
     Scene::side_by_side("gamma", about, panels, PANEL)
+}
+
+/// Cracks between triangles. Rays that aim nowhere hardly ever meet an edge, so
+/// the corners of this wall lie exactly behind the middles of pixels.
+fn cracks() -> Scene {
+    let about = "a wall of triangles: by Cramer's rule, and by the test without gaps";
+    let theirs: Test = |corners| Box::new(move |ray| protocol::triangle(&corners, ray).is_some());
+    let ours: Test = |[a, b, c]| match Triangle::new(a, b, c) {
+        Ok(triangle) => Box::new(move |ray| triangle.hit(ray, Interval::AHEAD).is_some()),
+        Err(_) => Box::new(|_| false),
+    };
+    let panels = [theirs, ours].map(|test| {
+        move |settings: &Settings, progress: &dyn Progress| wall(test, settings, progress)
+    });
+    Scene::side_by_side("cracks", about, panels, PANEL)
+}
+
+/// Whether rays meet a triangle.
+type Test = fn([Point3; 3]) -> Box<dyn Fn(&Ray) -> bool + Sync>;
+
+/// Pixels from corner to corner.
+const STEP: u32 = 20;
+
+/// A wall before a light: light that shines through is white.
+fn wall(test: Test, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
+    let (eye, gaze) = (Point3::new(0.1, 0.2, 0.3), Vector3::new(1.0, -0.3, -2.0));
+    let camera = PerspectiveCamera::new(eye, gaze, Vector3::new(0.0, 1.0, 0.0), 0.8)?;
+    let triangles = triangles(&camera, settings.size).into_iter();
+    let triangles: Vec<_> = triangles.map(|corners| (corners, test(corners))).collect();
+    let color = |ray: &Ray| {
+        let met = triangles.iter().find(|(_, is_met)| is_met(ray));
+        met.map_or(Color::WHITE, |&([a, b, c], _)| {
+            let normal = (b - a).cross(c - a).normalized();
+            let cosine = normal.map_or(0.0, |n| n.dot(ray.direction()).abs());
+            Color::new(0.2, 0.3, 0.5) * cosine
+        })
+    };
+    render(&camera, color, settings, progress)
+}
+
+/// The triangles between corners at a fixed distance in pixels, and beyond the
+/// border; each corner is 3 to 3.5 away.
+fn triangles(camera: &PerspectiveCamera, size: Size) -> Vec<[Point3; 3]> {
+    let [columns, rows] = [size.width(), size.height()].map(|side| side / STEP + 2);
+    let corner = |column: u32, row: u32| {
+        let place = |index: u32| f64::from(STEP) * (f64::from(index) - 0.5);
+        let ray = camera.ray_for(size, place(column), place(row));
+        let number = PixelRandom::new(4, row * columns + column, 0).uniform(0);
+        ray.at(3.0 + 0.5 * number)
+    };
+    let cells = (1..rows).flat_map(|row| (1..columns).map(move |column| (column, row)));
+    cells
+        .flat_map(|(column, row)| {
+            let (left, below) = (column - 1, row - 1);
+            let [a, b] = [corner(left, below), corner(column, below)];
+            let [c, d] = [corner(column, row), corner(left, row)];
+            [[a, b, c], [a, c, d]]
+        })
+        .collect()
 }
