@@ -1,11 +1,9 @@
 //! Every page is in the table of contents, every picture is on a page, and every file that
 //! a page names exists.
 
-use crate::Files;
-use crate::files::{PAGES, SUMMARY, blocks, complaint, ending};
+use crate::files::{Files, PAGES, SUMMARY, blocks, complaint, ending};
 
 /// The pages and pictures that no reader reaches, and the names of files that do not exist.
-#[must_use]
 pub fn complaints(files: &Files) -> Vec<String> {
     let summary = files.text(SUMMARY).unwrap_or_default();
     let text: String = files.pages().map(|(_, text)| text).collect();
@@ -37,7 +35,6 @@ fn is_file(span: &str) -> bool {
     ending(span) == "rs" && span.contains("/src/") && tops.iter().any(|top| span.starts_with(top))
 }
 
-#[cfg(test)]
 mod tests {
     use super::*;
 

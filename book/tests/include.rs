@@ -3,11 +3,9 @@
 
 use std::collections::HashSet;
 
-use crate::Files;
-use crate::files::{complaint, ending, resolve};
+use crate::files::{Files, complaint, resolve};
 
 /// The includes that show nothing, and the anchors that no page includes.
-#[must_use]
 pub fn complaints(files: &Files) -> Vec<String> {
     let mut complaints = Vec::new();
     let mut included = HashSet::new();
@@ -20,15 +18,14 @@ pub fn complaints(files: &Files) -> Vec<String> {
                 continue;
             }
             let shown = files.text(&path).map(|text| shown(text, anchor));
-            let wrong = shown.unwrap_or_else(|| Err("there is no such file".to_owned()));
-            let wrong = wrong.map_err(|why| complaint(page, text, at, &format!("{target}: {why}")));
-            complaints.extend(wrong.err());
+            if let Err(why) = shown.unwrap_or(Err("there is no such file")) {
+                complaints.push(complaint(page, text, at, &format!("{target}: {why}")));
+            }
             included.insert((path, anchor.to_owned()));
         }
     }
     // The files of this folder contain the words without being anchors.
-    let sources = files.below("").filter(|(path, _)| ending(path) == "rs");
-    for (path, text) in sources.filter(|(path, _)| !path.starts_with("book/")) {
+    for (path, text) in files.rust().filter(|(path, _)| !path.starts_with("book/")) {
         for (at, _) in text.match_indices(OPEN) {
             let name = name(&text[at + OPEN.len()..]);
             if !included.contains(&(path.to_owned(), name.to_owned())) {
@@ -56,29 +53,30 @@ pub fn directives(text: &str) -> impl Iterator<Item = (usize, &str)> {
 
 /// An error if the anchor of a file, or without a name the whole file, has nothing to
 /// show.
-fn shown(text: &str, anchor: &str) -> Result<(), String> {
-    if anchor.starts_with(|c: char| c.is_ascii_digit() || c == ':') {
-        return Err("name an anchor; line numbers change".to_owned());
-    }
-    let marks = |which: &'static str| {
-        let marks = text.match_indices(which);
-        let ends = marks.map(move |(at, _)| at + which.len());
-        ends.filter(|end| name(&text[*end..]) == anchor)
+fn shown(text: &str, anchor: &str) -> Result<(), &'static str> {
+    let lines: Vec<_> = text.lines().collect();
+    let marks = |mark| {
+        let is_mark = |line: &str| {
+            let behind = line.split_once(mark);
+            behind.is_some_and(|(_, behind)| name(behind) == anchor)
+        };
+        let all = (0..lines.len()).filter(|number| is_mark(lines[*number]));
+        all.collect::<Vec<_>>()
     };
-    let body = if anchor.is_empty() {
-        text
-    } else {
-        let (open, close): (Vec<_>, Vec<_>) = (marks(OPEN).collect(), marks(CLOSE).collect());
-        match (&open[..], &close[..]) {
-            ([], _) => return Err("there is no such anchor".to_owned()),
-            ([open], [close]) if open < close => &text[*open..*close],
-            _ => return Err("the anchor is not opened and then closed once".to_owned()),
+    let body = match (&marks(OPEN)[..], &marks(CLOSE)[..]) {
+        _ if anchor.is_empty() => &lines[..],
+        _ if anchor.starts_with(|c: char| c.is_ascii_digit() || c == ':') => {
+            return Err("name an anchor; line numbers change");
         }
+        ([], _) => return Err("there is no such anchor"),
+        ([open], [close]) if open < close => &lines[*open..*close],
+        _ => return Err("the anchor is not opened and then closed once"),
     };
-    let mut lines = body.lines().skip(usize::from(!anchor.is_empty()));
-    let has_code = lines.any(|line| !line.trim().is_empty() && !line.contains("ANCHOR"));
-    let empty = || "there is nothing to show".to_owned();
-    has_code.then_some(()).ok_or_else(empty)
+    let mut code = body.iter().filter(|line| !line.trim().is_empty());
+    if code.all(|line| line.contains("ANCHOR")) {
+        return Err("there is nothing to show");
+    }
+    Ok(())
 }
 
 /// The name behind a mark.
@@ -88,7 +86,6 @@ fn name(behind: &str) -> &str {
     &behind[..end.unwrap_or(behind.len())]
 }
 
-#[cfg(test)]
 mod tests {
     use super::*;
 

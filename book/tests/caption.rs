@@ -1,13 +1,11 @@
 //! Every picture and every listing has a caption: the paragraph behind it, all of it
 //! emphasised, as the book's style sheet expects. Pictures in a table need none.
 
-use crate::Files;
-use crate::files::{blocks, complaint, resolve};
+use crate::files::{Files, blocks, complaint, resolve};
 use crate::include::directives;
 
 /// The pictures and listings without a caption, and the listings whose caption does
 /// not name their file.
-#[must_use]
 pub fn complaints(files: &Files) -> Vec<String> {
     let mut complaints = Vec::new();
     for (page, text) in files.pages() {
@@ -41,7 +39,6 @@ fn unnamed(page: &str, listing: &str, caption: &str) -> Option<String> {
     Some(format!("this listing has no caption *{path}* behind it"))
 }
 
-#[cfg(test)]
 mod tests {
     use super::*;
 

@@ -1,7 +1,7 @@
 //! `Files`: the text files of the repository, and the pages of the book.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::{fs, io};
 
 /// The paths of all files, relative to the top of the repository, each with its text;
@@ -15,16 +15,11 @@ pub const PAGES: &str = "book/src/";
 /// The table of contents, which is no page.
 pub const SUMMARY: &str = "book/src/SUMMARY.md";
 
-/// The top of the repository.
-pub fn top() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
-
 impl Files {
     /// All files below the top, except build products and hidden files.
     pub fn read() -> io::Result<Self> {
         let mut files = Self::default();
-        files.read_folder(&top(), "")?;
+        files.read_folder(&Path::new(env!("CARGO_MANIFEST_DIR")).join(".."), "")?;
         Ok(files)
     }
 
@@ -49,7 +44,6 @@ impl Files {
     }
 
     /// The text of a file, if there is one.
-    #[must_use]
     pub fn text(&self, path: &str) -> Option<&str> {
         self.0.get(path).map(String::as_str)
     }
@@ -67,21 +61,21 @@ impl Files {
         all.filter(|(path, _)| ending(path) == "md" && *path != SUMMARY)
     }
 
-    /// The folders of the stages, from the first to the last.
-    pub fn stages(&self) -> impl Iterator<Item = &str> {
-        let roots = self.below("a0").map(|(path, _)| path);
-        roots.filter_map(|path| path.strip_suffix("/src/lib.rs"))
+    /// Paths and texts of the Rust files, but not of a student's own exercises, which no
+    /// commit contains.
+    pub fn rust(&self) -> impl Iterator<Item = (&str, &str)> {
+        let is_own = |path: &str| path.contains("/exercises/") && path.matches('/').count() == 2;
+        let all = self.below("");
+        all.filter(move |(path, _)| ending(path) == "rs" && !is_own(path))
     }
 
     /// Files of a test.
-    #[cfg(test)]
-    pub(crate) fn of<const N: usize>(files: [(&str, &str); N]) -> Self {
+    pub fn of<const N: usize>(files: [(&str, &str); N]) -> Self {
         Self(files.map(|(path, text)| (path.into(), text.into())).into())
     }
 }
 
 /// The part of a path behind its last dot.
-#[must_use]
 pub fn ending(path: &str) -> &str {
     path.rsplit_once('.').map_or("", |(_, ending)| ending)
 }
@@ -124,7 +118,6 @@ pub fn blocks(text: &str) -> Vec<(usize, &str)> {
     blocks
 }
 
-#[cfg(test)]
 mod tests {
     use super::*;
 

@@ -1,0 +1,36 @@
+//! The book and the crates say the same, as far as neither mdBook nor the link checker of
+//! `book/build` sees it; and each part of the workbook stays small.
+//!
+//! A check returns a complaint with file and line for each mistake.
+
+mod budgets;
+mod caption;
+mod files;
+mod include;
+mod left_over;
+mod lessons;
+
+use files::Files;
+
+/// Fails with all complaints of a check about this repository.
+fn check(complaints: fn(&Files) -> Vec<String>) {
+    let complaints = complaints(&Files::read().expect("the repository"));
+    assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
+}
+
+macro_rules! checks {
+    ($($name:ident: $complaints:path;)*) => { $(
+        #[test]
+        fn $name() {
+            check($complaints);
+        }
+    )* };
+}
+
+checks! {
+    every_page_picture_and_file_is_reached: left_over::complaints;
+    every_listing_shows_something: include::complaints;
+    every_picture_and_listing_has_a_caption: caption::complaints;
+    lessons_name_nothing_but_the_lesson: lessons::complaints;
+    no_part_is_larger_than_its_budget: budgets::complaints;
+}
