@@ -5,6 +5,5 @@
 
 mod mirrors;
 mod renderers;
-mod secondary_rays;
 mod shadows;
 mod work;
