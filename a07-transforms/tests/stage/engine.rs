@@ -12,7 +12,7 @@ use common::Color;
 
 use super::compare::compare;
 
-const RINGS: u32 = 8;
+const RINGS: u32 = 6;
 
 /// A point of the unit sphere between two poles, in a grid of rings.
 fn place(ring: u32, step: u32) -> Point3 {
