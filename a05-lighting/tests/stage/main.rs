@@ -3,5 +3,6 @@
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
 mod lights;
+mod lit_world;
 mod materials;
 mod refusals;

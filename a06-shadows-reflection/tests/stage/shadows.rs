@@ -11,17 +11,19 @@ use common::Color;
 
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 
-/// Below the red lamp, above it, and below the floor: the green light has no distance, and
-/// the blue one casts no shadows. The eye is aside, so that no ball is in its way.
+/// Below the red lamp, just below, touching it from above, above, and below the floor: the
+/// green light has no distance, and the blue one casts no shadows. The eye is aside, so that
+/// no ball is in its way.
 #[test]
 fn each_light_has_its_own_shadow() {
     let white = || -> Box<dyn Surface> { Box::new(Lambert::new(Color::WHITE).unwrap()) };
     let sun = |color| DirectionalLight::new(color, -UP).unwrap();
-    for (y, expected) in [
-        (3.0, Color::BLUE),
-        (9.0, Color::MAGENTA),
-        (1e12, Color::MAGENTA),
-        (-3.0, Color::WHITE),
+    for (y, r, expected) in [
+        (3.0, 1.0, Color::BLUE),
+        (6.0 - 3e-6, 1e-6, Color::BLUE),
+        (7.0, 1.0, Color::MAGENTA),
+        (1e12, 1.0, Color::MAGENTA),
+        (-3.0, 1.0, Color::WHITE),
     ] {
         let ambient = Color::gray(0.25);
         let floor = Plane::new(Point3::ORIGIN, UP.as_normal()).unwrap();
@@ -30,7 +32,7 @@ fn each_light_has_its_own_shadow() {
         let world = ShadowedWorld::empty(Color::BLACK, ambient)
             .unwrap()
             .with(floor, white())
-            .with(Sphere::new(above(y), 1.0).unwrap(), white())
+            .with(Sphere::new(above(y), r).unwrap(), white())
             .lit_by(LightSource::new(lamp, true))
             .lit_by(LightSource::new(sun(Color::GREEN), true))
             .lit_by(LightSource::new(sun(Color::BLUE), false));

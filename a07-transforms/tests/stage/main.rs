@@ -1,6 +1,5 @@
-//! Tests of the nodes of this stage, and of the engine against the lesson. Matrices,
-//! transforms and discs are held by the extreme cases G01 to G32 and B12 to B31 and by the
-//! exercises.
+//! Tests of the transforms, nodes and discs of this stage, and of the engine
+//! against the lesson.
 //!
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
@@ -8,9 +7,10 @@ mod adaptive;
 #[path = "../../../a04-intersections/tests/stage/engine/compare.rs"]
 mod compare;
 mod dahlia;
+mod disc;
 mod engine;
 mod node;
-mod refusals;
 #[path = "../../../a04-intersections/tests/stage/support.rs"]
 #[expect(dead_code, reason = "stage 4 uses more of it")]
 mod support;
+mod transform;
