@@ -7,6 +7,5 @@
 #![expect(clippy::missing_panics_doc, reason = "every check panics")]
 
 pub mod images;
-pub mod number;
 pub mod scenes;
-pub mod shapes;
+pub mod values;

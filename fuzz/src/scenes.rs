@@ -3,19 +3,15 @@
 //! the engine and with all work. Adaptive sampling must end with finite numbers, and cut
 //! off only mirrored light below its threshold.
 
-use std::any::Any;
-
 use a03_rays_cameras::{Camera, Ray, View};
-use a04_intersections::Geometry;
 use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight, SingleColor, SpotLight};
 use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, Surface};
-use a07_transforms::{Node, traced};
+use a07_transforms::traced;
 use arbitrary::{Result, Unstructured};
 use common::{Color, Image, Renderer, Sampling, Settings, Size};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::number::{color, number, point, vector};
-use crate::shapes::{accepted, boxed, camera, shape};
+use crate::values::{accepted, boxed, camera, color, number, point, shape, vector};
 
 /// Renders the scene that the bytes make by all three renderers.
 pub fn check(bytes: &[u8]) {
@@ -55,8 +51,7 @@ pub fn check(bytes: &[u8]) {
     }
 
     // Flattened transforms also move shapes.
-    let mut objects = world.objects().objects();
-    if !objects.any(|(geometry, _)| is_node(geometry)) {
+    if !format!("{world:?}").contains("Node {") {
         // All rays of a pixel are the same, so that only the cutoff of reflections differs.
         // Mirrors may take an eighth of the error.
         let [whole, cut] = [None, Some(8.0 * cutoff)].map(|max_error| {
@@ -101,21 +96,14 @@ impl Camera for Middles {
     }
 }
 
-fn is_node(geometry: &dyn Geometry) -> bool {
-    let any: &dyn Any = geometry;
-    any.downcast_ref::<Box<dyn Geometry>>()
-        .map_or_else(|| any.is::<Node>(), |boxed| is_node(&**boxed))
-}
-
 fn settings(u: &mut Unstructured) -> Result<Settings> {
     let size = Size::new(u.int_in_range(1..=4)?, u.int_in_range(1..=4)?);
-    let error = u.ratio(1, 4)?.then(|| u.int_in_range(1..=255_u8));
-    let error = error.transpose()?;
+    let error = u.arbitrary::<u8>()?;
     Ok(Settings {
         size: size.expect("a size"),
         samples: u.int_in_range(1..=4)?,
         sampling: *u.choose(&Sampling::ALL)?,
-        max_error: error.map(|error| f64::from(error) / 512.0),
+        max_error: (error < 64).then(|| f64::from(4 * error + 1) / 512.0),
         seed: u.arbitrary::<u8>()?.into(),
         depth: u.int_in_range(1..=8)?,
         ..Settings::default()
@@ -129,12 +117,10 @@ fn world(u: &mut Unstructured) -> Result<ShadowedWorld> {
     let dark = || ShadowedWorld::empty(Color::BLACK, Color::gray(0.1)).expect("a world");
     let mut world = empty.unwrap_or_else(dark);
     for _ in 0..u.int_in_range(0..=3)? {
-        if let Some(light) = light(u)? {
-            world = world.lit_by(light);
-        }
+        world = light(u)?.into_iter().fold(world, ShadowedWorld::lit_by);
     }
     for _ in 0..u.int_in_range(0..=12)? {
-        if let (Some(shape), Some(surface)) = (shape(u)?, surface(u)?) {
+        if let (Some(shape), Some(surface)) = (shape(u, 3)?, surface(u)?) {
             world = world.with(shape, surface);
         }
     }

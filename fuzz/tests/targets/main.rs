@@ -2,52 +2,42 @@
 
 mod numbers;
 
-use std::fs;
+use std::fs::{self, DirEntry};
 
 use arbitrary::Unstructured;
 use fuzz::{images, scenes};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
-use proptest::test_runner::{RngSeed, TestRunner};
+use proptest::test_runner::RngSeed;
 
-/// Calls a target with this number of random inputs.
-fn check<S: Strategy>(cases: u32, inputs: &S, target: impl Fn(S::Value)) {
-    let config = ProptestConfig {
+fn config(cases: u32) -> ProptestConfig {
+    ProptestConfig {
         cases,
         failure_persistence: None,
         rng_seed: RngSeed::Fixed(0),
         ..ProptestConfig::default()
-    };
-    let target = |input| {
-        target(input);
-        Ok(())
-    };
-    let checked = TestRunner::new(config).run(inputs, target);
-    checked.unwrap_or_else(|error| panic!("{error}"));
+    }
 }
 
-/// The files of `seeds/images`.
+/// The files of `seeds/images`, in the same order on every system.
 fn seeds() -> Vec<Vec<u8>> {
     let files = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/seeds/images"));
-    let files = files.expect("the seeds");
-    let mut paths: Vec<_> = files.map(|file| file.expect("a file").path()).collect();
-    // In the same order on every system.
-    paths.sort();
-    let files = paths.iter().map(|path| fs::read(path).expect("a seed"));
-    files.collect()
+    let read = |file: Result<DirEntry, _>| fs::read(file.expect("a file").path());
+    let seeds = files.expect("the seeds").map(read);
+    let mut seeds: Vec<_> = seeds.map(|seed| seed.expect("a seed")).collect();
+    seeds.sort();
+    seeds
 }
 
 /// A change of some bytes: its kind, its place, and a byte or a length.
-type Change = (u8, Index, u8);
-
-fn change() -> impl Strategy<Value = Change> {
+fn change() -> impl Strategy<Value = (u8, Index, u8)> {
     // Bytes with which lengths and signs change most.
     let extremes = select(vec![0, 1, 0x7F, 0x80, 0xFE, 0xFF]);
     (0..6_u8, any::<Index>(), prop_oneof![extremes, any::<u8>()])
 }
 
-fn changed(mut bytes: Vec<u8>, changes: &[Change]) -> Vec<u8> {
+fn changed(mut bytes: Vec<u8>, changes: &[(u8, Index, u8)]) -> Vec<u8> {
     for (kind, at, value) in changes {
         let at = at.index(bytes.len() + 1);
         let some = at..(at + 1 + usize::from(value % 16)).min(bytes.len()).max(at);
@@ -61,29 +51,31 @@ fn changed(mut bytes: Vec<u8>, changes: &[Change]) -> Vec<u8> {
     bytes
 }
 
-#[test]
-fn pictures_do_no_harm() {
-    for seed in seeds() {
-        images::check(&seed);
-    }
-    let changed_seeds = (select(seeds()), vec(change(), 1..=8));
-    check(10_000, &changed_seeds, |(seed, changes)| {
+proptest! {
+    #![proptest_config(config(10_000))]
+
+    #[test]
+    fn pictures_do_no_harm(seed in select(seeds()), changes in vec(change(), 0..=8)) {
         images::check(&changed(seed, &changes));
-    });
+    }
 }
 
-#[test]
-fn scenes_do_no_harm() {
-    check(3000, &vec(any::<u8>(), 0..1000), |bytes| {
+proptest! {
+    #![proptest_config(config(3000))]
+
+    #[test]
+    fn scenes_do_no_harm(bytes in vec(any::<u8>(), 0..1000)) {
         scenes::check(&bytes);
-    });
+    }
 }
 
-/// Every result of a constructor agrees with its documentation. Too few bytes end the
-/// check early.
-#[test]
-fn numbers_do_no_harm() {
-    check(50_000, &vec(any::<u8>(), 0..400), |bytes| {
+proptest! {
+    #![proptest_config(config(50_000))]
+
+    /// Every result of a constructor agrees with its documentation. Too few bytes end the
+    /// check early.
+    #[test]
+    fn numbers_do_no_harm(bytes in vec(any::<u8>(), 0..400)) {
         let _ = numbers::check(&mut Unstructured::new(&bytes));
-    });
+    }
 }

@@ -7,8 +7,7 @@ use a03_rays_cameras::{PinholeCamera, Ray, StripeRule, StripedSky};
 use a04_intersections::{Geometry, Interval};
 use arbitrary::{Result, Unstructured};
 use common::Size;
-use fuzz::number::{normal, number, point, vector};
-use fuzz::shapes::{accepted, camera, shape, transform};
+use fuzz::values::{accepted, camera, normal, number, point, shape, transform, vector};
 
 pub fn check(u: &mut Unstructured) -> Result<()> {
     match u.int_in_range(0..=4)? {
@@ -45,11 +44,10 @@ fn vectors(a: Vector3, b: Vector3, n: Normal3) {
 fn cameras(u: &mut Unstructured) -> Result<()> {
     let camera = camera(u)?;
     let size = Size::new(u.int_in_range(1..=32_768)?, u.int_in_range(1..=2048)?).expect("a size");
-    let place = |side: u32, share: u16| f64::from(side) * f64::from(share) / 65_535.0 - 0.5;
-    let (x, y) = (
-        place(size.width(), u.arbitrary()?),
-        place(size.height(), u.arbitrary()?),
-    );
+    let mut place = |side: u32| -> Result<f64> {
+        Ok(f64::from(side) * f64::from(u.arbitrary::<u16>()?) / 65_535.0 - 0.5)
+    };
+    let (x, y) = (place(size.width())?, place(size.height())?);
     let ray = camera.ray_for(size, x, y);
     assert_unit(ray.direction());
     assert!(ray.origin().to_glam().is_finite(), "{ray:?}");
@@ -59,13 +57,9 @@ fn cameras(u: &mut Unstructured) -> Result<()> {
         let is_on_it = 0.0 <= t && t <= bound;
         assert_eq!(part.at(t).is_some(), is_on_it, "{part:?} {t}");
     }
+    let rule = StripeRule::Direction;
     if let Some(pinhole) = accepted(PinholeCamera::new(point(u)?, number(u)?))
-        && let Some(sky) = accepted(StripedSky::new(
-            &pinhole,
-            size,
-            stripes,
-            StripeRule::Direction,
-        ))
+        && let Some(sky) = accepted(StripedSky::new(&pinhole, size, stripes, rule))
     {
         let ray = pinhole.generate_ray(size, x, y);
         assert_unit(ray.direction());
@@ -87,7 +81,7 @@ fn transforms(u: &mut Unstructured) -> Result<()> {
 
 /// A shape and a ray, of a length that a node may give it or of any at all.
 fn shapes(u: &mut Unstructured) -> Result<()> {
-    let Some(shape) = shape(u)? else {
+    let Some(shape) = shape(u, 3)? else {
         return Ok(());
     };
     let (min, max, o, d) = (number(u)?, number(u)?, point(u)?, vector(u)?);
