@@ -8,8 +8,7 @@ use a05_lighting::{DirectionalLight, Lambert, Phong, PointLight, SingleColor, Sp
 use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, Surface};
 use a07_transforms::traced;
 use arbitrary::{Result, Unstructured};
-use common::{Color, Image, Renderer, Sampling, Settings, Size};
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use common::{Color, Renderer, Sampling, Settings, Size};
 
 use crate::values::{accepted, boxed, camera, color, number, point, shape, vector};
 
@@ -23,13 +22,13 @@ pub fn check(bytes: &[u8]) {
     };
     // The same bytes make the same view.
     let view = || scene(bytes).expect("it was made before").2;
-    let render = |view, renderer, max_error| {
+    let render = |view: View<ShadowedWorld>, renderer, max_error| {
         let settings = Settings {
             renderer,
             max_error,
             ..settings.clone()
         };
-        let image = alone(view, &settings);
+        let image = traced(view).render(&settings, &()).expect("a picture");
         let channels = image.pixels().iter().flat_map(|color| color.channels());
         channels.collect::<Vec<_>>()
     };
@@ -72,19 +71,6 @@ fn scene(bytes: &[u8]) -> Result<(Settings, f64, View<ShadowedWorld>)> {
     let (settings, cutoff) = (settings(u)?, f64::from(u.arbitrary::<u8>()?) / 512.0);
     let (camera, world) = (camera(u)?, world(u)?);
     Ok((settings, cutoff, View { camera, world }))
-}
-
-/// Renders on this thread: to wake another takes longer than so small a picture.
-fn alone(view: View<ShadowedWorld>, settings: &Settings) -> Image {
-    thread_local! {
-        static ALONE: ThreadPool = ThreadPoolBuilder::new()
-            .num_threads(1)
-            .use_current_thread()
-            .build()
-            .expect("a pool of this thread");
-    }
-    let render = || traced(view).render(settings, &());
-    ALONE.with(|pool| pool.install(render)).expect("a picture")
 }
 
 /// A camera whose rays all go through the middles of pixels.

@@ -73,9 +73,8 @@ fn transforms(u: &mut Unstructured) -> Result<()> {
     for matrix in [transform.matrix(), transform.inverse()] {
         assert!(matrix.is_within(1e150), "{transform:?}");
     }
-    if let Some(n) = transform.normal_from_object(normal) {
-        assert_unit(n.into());
-    }
+    let normal = transform.normal_from_object(normal).map(Vector3::from);
+    normal.into_iter().for_each(assert_unit);
     Ok(())
 }
 
