@@ -5,5 +5,6 @@
 
 mod mirrors;
 mod renderers;
+mod secondary_rays;
 mod shadows;
 mod work;
