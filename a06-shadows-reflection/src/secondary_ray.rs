@@ -9,13 +9,13 @@ use a02_math::{Direction, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 
-/// Ray offset along the normal, relative to the largest number in `o + t d`. The
-/// rounding error is a few epsilon; 64 include the error of `t`.
+/// Ray offset along the normal, relative to the largest number in `o + t d`. For a
+/// plane, all roundings are less than 20 epsilon; 64 leave room for other shapes.
 const LIFT: f64 = 64.0 * f64::EPSILON;
 
 /// The ray that leaves the hit of `ray` in a direction of length 1: to a light,
-/// or reflected. Its origin is offset along the normal, to the side of its
-/// direction, so that it clears the surface at grazing angles, too.
+/// or reflected. Its origin is offset along the geometric normal, to the side of
+/// its direction, so that it clears the surface at grazing angles, too.
 ///
 /// (Physically Based Rendering, 4th edition, section 6.8, does the same with
 /// an error bound for each shape.)
