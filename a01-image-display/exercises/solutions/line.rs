@@ -1,6 +1,6 @@
 //! A line from corner to corner, without gaps.
 
-use common::{Color, Error, Image, Size};
+use crate::prelude::*;
 
 /// A blue line on black, from the lower left pixel to the upper right one: one
 /// pixel in every column of a wide picture, one in every row of a high one, each

@@ -1,6 +1,6 @@
 //! A picture as a PPM file: the simplest format that programs read.
 
-use common::{Color, Image, Size, Transfer};
+use crate::prelude::*;
 
 /// The bytes of a PPM file of the kind P6: the line `P6`, a line of width and
 /// height, the line `255`, and then red, green and blue of every pixel, row after

@@ -1,6 +1,6 @@
 //! The curve of sRGB, there and back.
 
-use testing::assert_close;
+use crate::prelude::*;
 
 /// The value of sRGB for linear light, both from 0 to 1.
 pub fn encode(linear: f64) -> f64 {

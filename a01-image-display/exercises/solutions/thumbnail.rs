@@ -1,6 +1,6 @@
 //! A smaller picture, in which no pixel of the large one is lost.
 
-use common::{Color, Error, Image, Size};
+use crate::prelude::*;
 
 /// The picture made smaller by a whole number `n`, at least 1. Each pixel is the
 /// mean of a square of n by n; squares that the right or the lower edge cuts off

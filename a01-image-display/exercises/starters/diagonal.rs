@@ -1,6 +1,6 @@
 //! `diagonal`: the first picture, a red line on black.
 
-use common::{Color, Error, Image, Size};
+use crate::prelude::*;
 
 /// A picture whose pixels are red where column and row are the same, both counted from
 /// the top left, and black elsewhere.

@@ -1,6 +1,6 @@
 //! `set_pixel`: one pixel in a list of pixels.
 
-use common::{Color, Image, Size};
+use crate::prelude::*;
 
 /// Paints the pixel in column `x` and row `y`, from 0; outside of the picture, nothing.
 ///

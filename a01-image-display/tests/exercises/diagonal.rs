@@ -2,20 +2,24 @@
 
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, diagonal: impl Fn(Size) -> Result<Image, Error>) {
+pub fn diagonal(size: Size) -> Result<Image, Error> {
+    PaintDiagonal::new(size).image()
+}
+
+pub fn check(check: &mut Check, yours: &dyn Fn(Size) -> Result<Image, Error>) {
     check.compare(
         "a picture of {}x{}",
         [(3, 3), (5, 3), (3, 5), (1, 1)],
         random(|r| (1 + r.below(30), 1 + r.below(30))),
-        |size| painted(size, |size| PaintDiagonal::new(size).image()),
-        |size| painted(size, &diagonal),
+        [&diagonal as _, yours],
+        |diagonal, size| painted(size, diagonal),
     );
-    check.scene(&stage(), "diagonal", |settings| diagonal(settings.size));
+    check.scene(&stage(), "diagonal", |settings| yours(settings.size));
 }
 
 /// Red in column x and row y of a picture of this width and height.
 fn red(c: &mut Check, is_red: fn([u32; 2], [u32; 2]) -> bool) {
-    check(c, |size| {
+    check(c, &|size| {
         let is_red = |x, y| is_red([x, y], [size.width(), size.height()]);
         let color = |is_red| if is_red { Color::RED } else { Color::BLACK };
         Image::from_fn(size, |x, y| color(is_red(x, y)))
@@ -24,7 +28,7 @@ fn red(c: &mut Check, is_red: fn([u32; 2], [u32; 2]) -> bool) {
 
 pub const VARIANTS: &[Variant] = &[
     right("a loop over one side", |c| {
-        check(c, |size| {
+        check(c, &|size| {
             let mut image = Image::black(size)?;
             (0..size.height()).for_each(|at| image.set(at, at, Color::RED));
             Ok(image)

@@ -1,9 +1,8 @@
 //! Pictures of all shapes, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::line::line as solution;
 
-pub fn check(check: &mut Check, line: impl Fn(Size) -> Result<Image, Error>) {
+pub fn check(check: &mut Check, yours: &dyn Fn(Size) -> Result<Image, Error>) {
     // With an odd number of steps, the line never passes half way between two pixels, where
     // both are right.
     let sizes = random(|r| (1 + r.below(99), 1 + r.below(99)));
@@ -11,16 +10,16 @@ pub fn check(check: &mut Check, line: impl Fn(Size) -> Result<Image, Error>) {
         "a picture of {}x{}",
         [(3, 3), (4, 2), (2, 4), (6, 3), (1, 1), (4, 1), (1, 4)],
         sizes.filter(|(w, h)| w.max(h) % 2 == 0),
-        |size| painted(size, solution),
-        |size| painted(size, &line),
+        [&line as _, yours],
+        |line, size| painted(size, line),
     );
-    check.picture(|settings| line(settings.size));
+    check.picture(|settings| yours(settings.size));
 }
 
 /// Steps from corner to corner, whose number follows from the last column and row; and the
 /// place on a side after i of them.
 fn steps(c: &mut Check, count: fn(u32, u32) -> u32, place: fn(u32, u32, u32) -> u32) {
-    check(c, |size| {
+    check(c, &|size| {
         let mut image = Image::black(size)?;
         let (right, bottom) = (size.width() - 1, size.height() - 1);
         let steps = count(right, bottom);

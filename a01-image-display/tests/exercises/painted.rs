@@ -1,7 +1,6 @@
 //! A picture as the answer of a comparison: its size, and the places that are painted.
 
-use common::{Color, Error, Image, Size};
-use testing::exercise::Answer;
+use crate::prelude::*;
 
 /// The answer of a function that paints a picture of this width and height.
 pub fn painted((w, h): (u32, u32), paint: impl Fn(Size) -> Result<Image, Error>) -> Answer {

@@ -1,14 +1,8 @@
 //! Files of pictures of random bytes, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::ppm::ppm as solution;
 
-pub fn check(check: &mut Check, ppm: impl Fn(&Image) -> Vec<u8>) {
-    let file = |(w, h, bytes): (u32, u32, Vec<u8>), ppm: &dyn Fn(&Image) -> Vec<u8>| {
-        let rgb = |x, y| [0, 1, 2].map(|i| bytes[(3 * (y * w + x) + i) as usize]);
-        let image = Image::from_fn(Size::new(w, h).ok()?, |x, y| Color::from_bytes(rgb(x, y)));
-        Some(Answer::words(ppm(&image.ok()?).escape_ascii().to_string()))
-    };
+pub fn check(check: &mut Check, yours: &dyn Fn(&Image) -> Vec<u8>) {
     check.compare(
         "a picture of {}x{} with the bytes {}",
         [(1, 1, b"RGB".to_vec()), (2, 1, b"red\n\r ".to_vec())],
@@ -16,14 +10,18 @@ pub fn check(check: &mut Check, ppm: impl Fn(&Image) -> Vec<u8>) {
             let (w, h) = (1 + r.below(4), 1 + r.below(4));
             (w, h, (0..3 * w * h).map(|_| r.below(256) as u8).collect())
         }),
-        |input| file(input, &solution),
-        |input| file(input, &ppm),
+        [&ppm as _, yours],
+        |ppm, (w, h, bytes): (_, _, Vec<u8>)| {
+            let rgb = |x, y| [0, 1, 2].map(|i| bytes[(3 * (y * w + x) + i) as usize]);
+            let image = Image::from_fn(Size::new(w, h).ok()?, |x, y| Color::from_bytes(rgb(x, y)));
+            Some(Answer::words(ppm(&image.ok()?).escape_ascii().to_string()))
+        },
     );
 }
 
 /// A file whose first lines follow from width and height.
 fn lines(c: &mut Check, lines: fn(u32, u32) -> String) {
-    check(c, |image| {
+    check(c, &|image| {
         let lines = lines(image.size().width(), image.size().height());
         [lines.into_bytes(), image.to_rgb8(Transfer::Linear)].concat()
     });

@@ -1,18 +1,8 @@
 //! Pictures of random greys, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::thumbnail::thumbnail as solution;
 
-type Thumbnail<'a> = &'a dyn Fn(&Image, u32) -> Result<Image, Error>;
-
-pub fn check(check: &mut Check, thumbnail: impl Fn(&Image, u32) -> Result<Image, Error>) {
-    let small = |(w, h, greys, n): (u32, u32, Vec<f64>, u32), by: Thumbnail| {
-        let color = |x, y| Color::gray(greys[(y * w + x) as usize]);
-        let small = by(&Image::from_fn(Size::new(w, h).ok()?, color).ok()?, n).ok()?;
-        let greys: Vec<f64> = small.pixels().iter().map(|color| color.g).collect();
-        let size = Answer::words(small.size().to_string());
-        Some(Answer::named("size", size).and("greys", greys))
-    };
+pub fn check(check: &mut Check, yours: &dyn Fn(&Image, u32) -> Result<Image, Error>) {
     check.compare(
         "a picture of {}x{} with the greys {}, by {}",
         [(2, 2, 2), (4, 1, 3)].map(|(w, h, n)| (w, h, vec![0.0, 1.0, 3.0, 4.0], n)),
@@ -20,16 +10,23 @@ pub fn check(check: &mut Check, thumbnail: impl Fn(&Image, u32) -> Result<Image,
             let (w, h, n) = (1 + r.below(7), 1 + r.below(7), 1 + r.below(4));
             (w, h, (0..w * h).map(|_| r.between(0.0, 2.0)).collect(), n)
         }),
-        |input| small(input, &solution),
-        |input| small(input, &thumbnail),
+        [&thumbnail as _, yours],
+        |thumbnail, (w, h, greys, n): (_, _, Vec<f64>, _)| {
+            let color = |x, y| Color::gray(greys[(y * w + x) as usize]);
+            let image = Image::from_fn(Size::new(w, h).ok()?, color).ok()?;
+            let small = thumbnail(&image, n).ok()?;
+            let greys: Vec<f64> = small.pixels().iter().map(|color| color.g).collect();
+            let size = Answer::words(small.size().to_string());
+            Some(Answer::named("size", size).and("greys", greys))
+        },
     );
-    check.picture(|_| thumbnail(&ShowImage::test_card()?.into_image(), 4));
+    check.picture(|_| yours(&ShowImage::test_card()?.into_image(), 4));
 }
 
 /// Another mean of the greys in a square of n by n.
 fn mean(c: &mut Check, mean: fn(Vec<f64>, f64) -> f64) {
-    check(c, |image, n| {
-        Image::from_fn(solution(image, n)?.size(), |column, row| {
+    check(c, &|image, n| {
+        Image::from_fn(thumbnail(image, n)?.size(), |column, row| {
             let places = (0..n * n).map(|i| (column * n + i % n, row * n + i / n));
             let greys = places.filter_map(|(x, y)| Some(image.get(x, y)?.g));
             Color::gray(mean(greys.collect(), n.into()))

@@ -1,6 +1,6 @@
 //! Barycentric coordinates: a point as a mixture of three corners.
 
-use a02_math::{Direction, Point3};
+use crate::prelude::*;
 
 /// The shares of the corners `a`, `b` and `c` in the point `p` of their plane:
 /// `p = α a + β b + γ c` with `α + β + γ = 1`. A point beside the plane has

@@ -1,6 +1,6 @@
 //! The length of a vector, however long or short it is.
 
-use testing::assert_close;
+use crate::prelude::*;
 
 /// The length of the vector (`x`, `y`, `z`), whose coordinates are finite.
 /// It is right up to a few roundings wherever it is no less than 1e-300 and not

@@ -1,7 +1,6 @@
 //! A vector, turned around an axis.
 
-use a02_math::{Direction, Vector3};
-use testing::assert_close;
+use crate::prelude::*;
 
 /// The vector `v`, turned by `angle` in radians around an `axis` of any length:
 /// to the left for an eye towards which the axis points. Around no axis, which

@@ -1,7 +1,6 @@
 //! The normal of a surface that is stretched.
 
-use a02_math::Normal3;
-use testing::assert_close;
+use crate::prelude::*;
 
 /// The normal of length 1 of a surface whose normal was `n` before all its
 /// points were stretched by these factors along x, y and z. None if a factor

@@ -1,7 +1,6 @@
 //! The area of a triangle in space.
 
-use a02_math::{Point3, Vector3};
-use testing::assert_close;
+use crate::prelude::*;
 
 /// The area of the triangle of these corners, in whatever order.
 pub fn triangle_area(a: Point3, b: Point3, c: Point3) -> f64 {

@@ -1,10 +1,6 @@
 //! `angle`: the angle between two vectors.
-//!
-//! Chapter: Vectors, points, normals, section "The angle". To compare afterwards:
-//! `a02-math/src/vector3.rs`.
 
-use a02_math::{Direction, Vector3};
-use testing::assert_close;
+use crate::prelude::*;
 
 /// The angle between two vectors of any length in radians, from 0 to π. The angle to
 /// the zero vector is 0.

@@ -1,10 +1,6 @@
 //! `dot` and `cross`: the two products of vectors.
-//!
-//! Chapter: Vectors, points, normals, sections "The dot product" and "The cross
-//! product". To compare afterwards: `a02-math/src/direction.rs`,
-//! `a02-math/src/vector3.rs`.
 
-use a02_math::Vector3;
+use crate::prelude::*;
 
 /// The dot product: |a| |b| times the cosine of the angle between them.
 ///

@@ -2,7 +2,11 @@
 
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, angle: fn(Vector3, Vector3) -> f64) {
+pub fn angle(a: Vector3, b: Vector3) -> f64 {
+    a.angle(b)
+}
+
+pub fn check(check: &mut Check, yours: fn(Vector3, Vector3) -> f64) {
     // A right angle, an obtuse one, a tiny one, and none.
     let ends = [(0.0, 2.0), (-2.0, 2.0), (1.0, 1e-9), (0.0, 0.0)];
     check.compare(
@@ -12,10 +16,10 @@ pub fn check(check: &mut Check, angle: fn(Vector3, Vector3) -> f64) {
             let length = r.scale();
             (r.triple(5.0).map(|x| x * length), r.triple(5.0))
         }),
-        |(a, b)| vector(a).angle(vector(b)),
-        |(a, b)| angle(vector(a), vector(b)),
+        [angle, yours],
+        |angle, (a, b)| angle(vector(a), vector(b)),
     );
-    scene(check, |f| f.angle = angle);
+    scene(check, |f| f.angle = yours);
 }
 
 fn cosine(a: Vector3, b: Vector3) -> f64 {

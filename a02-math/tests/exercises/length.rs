@@ -1,9 +1,8 @@
 //! Vectors of all lengths, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::length::length as solution;
 
-pub fn check(check: &mut Check, length: impl Fn(f64, f64, f64) -> f64) {
+pub fn check(check: &mut Check, yours: &dyn Fn(f64, f64, f64) -> f64) {
     let simple = [(3.0, 4.0), (0.0, -2.0), (0.0, 0.0), (3e200, 4e200)];
     check.compare(
         "the vector ({}, {}, {})",
@@ -13,14 +12,14 @@ pub fn check(check: &mut Check, length: impl Fn(f64, f64, f64) -> f64) {
             let [x, y, z] = r.triple(9.0).map(|x| x * scale);
             (x, y, z)
         }),
-        |(x, y, z)| solution(x, y, z),
-        |(x, y, z)| length(x, y, z),
+        [&length as _, yours],
+        |length, (x, y, z)| length(x, y, z),
     );
 }
 
 /// Divided by this number first, and multiplied by it afterwards.
 fn divided(c: &mut Check, by: fn(f64, f64, f64) -> f64) {
-    check(c, |x, y, z| {
+    check(c, &|x, y, z| {
         let by = by(x, y, z);
         let [x, y, z] = [x / by, y / by, z / by];
         by * (x * x + y * y + z * z).sqrt()

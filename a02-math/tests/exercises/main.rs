@@ -19,7 +19,7 @@ testing::exercises! {
     }
     solutions {
         triangle_area => |check| triangle_area::check(check, triangle_area);
-        length => |check| length::check(check, length);
+        length => |check| length::check(check, &length);
         barycentric => |check| barycentric::check(check, barycentric);
         rotated => |check| rotated::check(check, rotated);
         stretched_normal => |check| stretched_normal::check(check, stretched_normal);

@@ -2,21 +2,29 @@
 
 use glam::Vec3Swizzles;
 
+pub fn dot(a: Vector3, b: Vector3) -> f64 {
+    a.dot(b)
+}
+
+pub fn cross(a: Vector3, b: Vector3) -> Vector3 {
+    a.cross(b)
+}
+
 use crate::prelude::*;
 
 type Product<T> = fn(Vector3, Vector3) -> T;
 
 pub fn check(check: &mut Check, dot: Product<f64>, cross: Product<Vector3>) {
     let [x, y] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-    let both = |dot: f64, cross: Vector3| {
-        Answer::named("a · b", dot).and("a × b", cross.to_glam().to_array())
-    };
     check.compare(
         "a = {}, b = {}",
         [(x, y), (y, x), ([1.0, 2.0, 3.0], [4.0, 5.0, 6.0])],
         random(|r| (r.triple(9.0), r.triple(9.0))),
-        |(a, b)| both(vector(a).dot(vector(b)), vector(a).cross(vector(b))),
-        |(a, b)| both(dot(vector(a), vector(b)), cross(vector(a), vector(b))),
+        [(Vector3::dot as _, Vector3::cross as _), (dot, cross)],
+        |(dot, cross), (a, b)| {
+            let (a, b) = (vector(a), vector(b));
+            Answer::named("a · b", dot(a, b)).and("a × b", cross(a, b).to_glam().to_array())
+        },
     );
     scene(check, |f| (f.dot, f.cross) = (dot, cross));
 }

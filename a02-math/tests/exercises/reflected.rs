@@ -2,7 +2,11 @@
 
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, reflected: fn(Vector3, Normal3) -> Vector3) {
+pub fn reflected(v: Vector3, n: Normal3) -> Vector3 {
+    v.reflected_on(n)
+}
+
+pub fn check(check: &mut Check, yours: fn(Vector3, Normal3) -> Vector3) {
     let numbers = |v: Vector3| v.to_glam().to_array();
     // To the side, along the normal, along the surface, and from behind.
     let ends = [(-2.0, 1.0), (0.0, 1.0), (3.0, 0.0), (1.0, -2.0)];
@@ -13,10 +17,10 @@ pub fn check(check: &mut Check, reflected: fn(Vector3, Normal3) -> Vector3) {
             let n = vector(r.triple(5.0)).normalized();
             (r.triple(5.0), numbers(n.unwrap_or_default()))
         }),
-        |(v, n)| numbers(vector(v).reflected_on(vector(n).as_normal())),
-        |(v, n)| numbers(reflected(vector(v), vector(n).as_normal())),
+        [reflected, yours],
+        |reflected, (v, n)| numbers(reflected(vector(v), vector(n).as_normal())),
     );
-    scene(check, |f| f.reflected = reflected);
+    scene(check, |f| f.reflected = yours);
 }
 
 pub const VARIANTS: &[Variant] = &[

@@ -1,9 +1,8 @@
 //! Turns around axes of all lengths, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::rotated::rotated as solution;
 
-pub fn check(check: &mut Check, rotated: impl Fn(Vector3, Vector3, f64) -> Vector3) {
+pub fn check(check: &mut Check, yours: fn(Vector3, Vector3, f64) -> Vector3) {
     let numbers = |v: Vector3| v.to_glam().to_array();
     let z = |length| ([1.0, 2.0, 3.0], [0.0, 0.0, length], 90.0);
     check.compare(
@@ -14,19 +13,19 @@ pub fn check(check: &mut Check, rotated: impl Fn(Vector3, Vector3, f64) -> Vecto
             let axis = r.triple(9.0).map(|x| x * length);
             (r.triple(9.0), axis, r.between(-360.0, 360.0))
         }),
-        |(v, axis, angle)| numbers(solution(vector(v), vector(axis), angle.to_radians())),
-        |(v, axis, angle)| numbers(rotated(vector(v), vector(axis), angle.to_radians())),
+        [rotated, yours],
+        |rotated, (v, axis, angle)| numbers(rotated(vector(v), vector(axis), angle.to_radians())),
     );
 }
 
 pub const VARIANTS: &[Variant] = &[
     wrong("k × v points to the left, v × k to the right", |c| {
-        check(c, |v, axis, angle| solution(v, axis, -angle));
+        check(c, |v, axis, angle| rotated(v, axis, -angle));
     }),
     wrong("the part along the axis stays", |c| {
         check(c, |v, axis, angle| {
             let along = v.projected_on(axis).unwrap_or_default();
-            solution(v - along, axis, angle)
+            rotated(v - along, axis, angle)
         });
     }),
     wrong("the axis may have any length", |c| {

@@ -1,9 +1,8 @@
 //! Normals and stretches of all kinds, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::stretched_normal::stretched_normal as solution;
 
-pub fn check(check: &mut Check, stretched: impl Fn(Normal3, [f64; 3]) -> Option<Normal3>) {
+pub fn check(check: &mut Check, yours: fn(Normal3, [f64; 3]) -> Option<Normal3>) {
     let numbers = |n: Option<Normal3>| n.map(|n| n.to_glam().to_array());
     let [n, zero] = [[1.0, 1.0, 0.0], [0.0; 3]];
     check.compare(
@@ -15,22 +14,24 @@ pub fn check(check: &mut Check, stretched: impl Fn(Normal3, [f64; 3]) -> Option<
             let factors = [factor(), factor(), factor()];
             (r.triple(1.0), factors)
         }),
-        |(n, factors)| numbers(solution(vector(n).as_normal(), factors)),
-        |(n, factors)| numbers(stretched(vector(n).as_normal(), factors)),
+        [stretched_normal, yours],
+        |stretched_normal, (n, factors)| numbers(stretched_normal(vector(n).as_normal(), factors)),
     );
 }
 
 pub const VARIANTS: &[Variant] = &[
     wrong("a normal is divided where points are multiplied", |c| {
-        check(c, |n, factors| solution(n, factors.map(|f| 1.0 / f)));
+        check(c, |n, factors| {
+            stretched_normal(n, factors.map(|f| 1.0 / f))
+        });
     }),
     wrong("a mirror turns the normal, too", |c| {
-        check(c, |n, factors| solution(n, factors.map(f64::abs)));
+        check(c, |n, factors| stretched_normal(n, factors.map(f64::abs)));
     }),
     wrong("the normal is to have length 1 again", |c| {
         check(c, |n, [x, y, z]| {
             let divided = Normal3::new(n.x() / x, n.y() / y, n.z() / z);
-            solution(n, [x, y, z]).map(|_| divided)
+            stretched_normal(n, [x, y, z]).map(|_| divided)
         });
     }),
 ];

@@ -1,9 +1,8 @@
 //! Triangles, also flat and far away, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::triangle_area::triangle_area as solution;
 
-pub fn check(check: &mut Check, area: impl Fn(Point3, Point3, Point3) -> f64) {
+pub fn check(check: &mut Check, yours: fn(Point3, Point3, Point3) -> f64) {
     check.exactly("loses digits where a triangle is flat or far away");
     let [o, x, y] = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
     check.compare(
@@ -14,8 +13,8 @@ pub fn check(check: &mut Check, area: impl Fn(Point3, Point3, Point3) -> f64) {
             let mut corner = || r.triple(9.0).map(|x| x + far);
             (corner(), corner(), corner())
         }),
-        |(a, b, c)| solution(point(a), point(b), point(c)),
-        |(a, b, c)| area(point(a), point(b), point(c)),
+        [triangle_area, yours],
+        |triangle_area, (a, b, c)| triangle_area(point(a), point(b), point(c)),
     );
 }
 
@@ -24,7 +23,7 @@ pub const VARIANTS: &[Variant] = &[
         check(c, |p, q, r| (p - r).cross(q - r).magnitude() * 0.5);
     }),
     wrong("half of the parallelogram", |c| {
-        check(c, |p, q, r| 2.0 * solution(p, q, r));
+        check(c, |p, q, r| 2.0 * triangle_area(p, q, r));
     }),
     wrong("Heron's sides lose the height of a flat triangle", |c| {
         check(c, |p, q, r| {

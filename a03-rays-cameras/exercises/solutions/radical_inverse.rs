@@ -1,6 +1,6 @@
 //! The radical inverse: numbers that fill the way from 0 to 1 evenly.
 
-use testing::assert_close;
+use crate::prelude::*;
 
 /// The digits of `n` in a `base` of at least 2, mirrored at the point: 6 is 110
 /// in base 2, and becomes 0.011, which is 3/8.

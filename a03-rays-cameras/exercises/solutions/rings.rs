@@ -1,6 +1,6 @@
 //! A sky of rings.
 
-use a02_math::Vector3;
+use crate::prelude::*;
 
 /// The ring that a ray in the `direction` meets: 0 around the `pole`, 1 around that, and so
 /// on, each as wide as the angle `width` in radians. Directions have any length but 0.

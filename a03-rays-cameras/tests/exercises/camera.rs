@@ -34,15 +34,14 @@ pub fn compare<P: Input, L: Camera, Y: Camera>(
     check: &mut Check,
     words: &str,
     first: P,
-    mut any: impl FnMut(&mut Random) -> P,
+    any: fn(&mut Random) -> P,
     lesson: impl Fn(P) -> Made<L>,
     yours: impl Fn(P) -> Made<Y>,
 ) {
+    type New<'a, P> = &'a dyn Fn(P) -> Made<Box<dyn Camera>>;
+    let lesson: New<P> = &|parameters| Ok(Box::new(lesson(parameters)?));
+    let yours: New<P> = &|parameters| Ok(Box::new(yours(parameters)?));
     let mistake = check.usual(&USUAL).unwrap_or(Camera::ray_for);
-    let ray = |camera: &dyn Camera, [width, height]: [u32; 2], [x, y]: [f64; 2], ray: Rays| {
-        let size = Size::new(width, height).ok()?;
-        Some(answer(&ray(camera, size, x, y)))
-    };
     let places = [[2.0, 1.0], [0.0, 1.0], [2.0, 0.0], [4.0, 2.0], [2.5, 0.5]];
     check.compare(
         &format!("{words}, picture of {{}} pixels, place {{}}"),
@@ -52,8 +51,11 @@ pub fn compare<P: Input, L: Camera, Y: Camera>(
             let place = size.map(|n| r.between(-0.5, f64::from(n) - 0.5));
             (any(r), size, place)
         }),
-        |(camera, size, place)| ray(&lesson(camera).ok()?, size, place, Camera::ray_for),
-        |(camera, size, place)| ray(&yours(camera).ok()?, size, place, mistake),
+        [(lesson, Camera::ray_for as Rays), (yours, mistake)],
+        |(new, ray), (camera, [width, height], [x, y])| {
+            let size = Size::new(width, height).ok()?;
+            Some(answer(&ray(&*new(camera).ok()?, size, x, y)))
+        },
     );
 }
 

@@ -1,7 +1,6 @@
 //! Fisheyes anywhere, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::fisheye::Fisheye;
 
 fn basis(e: [f64; 3], gaze: [f64; 3]) -> Made<Basis> {
     Basis::new(point(e), vector(gaze), vector([0.0, 1.0, 0.0]))

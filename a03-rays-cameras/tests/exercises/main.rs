@@ -6,13 +6,13 @@ mod camera;
 mod sky;
 
 testing::exercises! {
-    use {a02_math::*, a03_rays_cameras::*, common::*, crate::camera::*, crate::sky::*};
+    use {a02_math::*, a02_math::lab::extremes::{point, vector}, a03_rays_cameras::*, common::*, crate::camera::*, crate::sky::*};
     starters {
         ray => |check| ray::check(check, at, t_of);
         perspective => |check| perspective::check(check, PerspectiveCamera::new);
         pinhole => |check| pinhole::check(check, PinholeCamera::new);
         stripe => |check| stripe::check(check, Sky::new, Sky::stripe);
-        picture => |check| picture::check(check, picture);
+        picture => |check| picture::check(check, &picture);
     }
     solutions {
         rings => |check| rings::check(check, ring);

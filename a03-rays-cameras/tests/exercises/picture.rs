@@ -2,13 +2,19 @@
 
 use crate::prelude::*;
 
+pub fn picture(
+    camera: &dyn Camera,
+    radiance: &(dyn Fn(&Ray) -> Color + Sync),
+    settings: &Settings,
+) -> Result<Image, Error> {
+    render(camera, radiance, settings, &())
+}
+
 type Radiance<'a> = &'a (dyn Fn(&Ray) -> Color + Sync);
-type Picture<'a> = &'a dyn Fn(&Settings) -> Result<Image, Error>;
-type Input = (Sampling, u32, [u32; 2], [u32; 2]);
 
 pub fn check(
     check: &mut Check,
-    yours: impl Fn(&dyn Camera, Radiance, &Settings) -> Result<Image, Error>,
+    yours: &dyn Fn(&dyn Camera, Radiance, &Settings) -> Result<Image, Error>,
 ) {
     // The rays begin at their place in the picture.
     let ahead = Vector3::new(0.0, 0.0, -1.0);
@@ -17,16 +23,6 @@ pub fn check(
     let radiance = |ray: &Ray| {
         let (x, y) = (ray.origin().x(), ray.origin().y());
         Color::new(x, y, x * x)
-    };
-    let pixel = |(sampling, samples, [width, height], [x, y]): Input, picture: Picture| {
-        let size = Size::new(width, height).ok()?;
-        let settings = Settings {
-            size,
-            sampling,
-            samples,
-            ..Settings::default()
-        };
-        picture(&settings).ok()?.get(x, y).map(Color::channels)
     };
     check.compare(
         "{} sampling, {} samples, picture of {} pixels: the mean of (x, y, x²) in column and row {}",
@@ -37,8 +33,17 @@ pub fn check(
             let sampling = grids[r.below(3) as usize];
             (sampling, 1 + r.below(9), size, size.map(|n| r.below(n)))
         }),
-        |input| pixel(input, &|settings| render(&places, radiance, settings, &())),
-        |input| pixel(input, &|settings| yours(&places, &radiance, settings)),
+        [&picture as _, yours],
+        |picture, (sampling, samples, [width, height], [x, y])| {
+            let settings = Settings {
+                size: Size::new(width, height).ok()?,
+                sampling,
+                samples,
+                ..Settings::default()
+            };
+            let image = picture(&places, &radiance, &settings).ok()?;
+            image.get(x, y).map(Color::channels)
+        },
     );
     scene(check, |settings, View { camera, world: sky }| {
         yours(&camera, &|ray| sky.color_for(ray), settings)
@@ -48,7 +53,7 @@ pub fn check(
 /// A picture whose pixels follow from the colours of their samples and the wanted number, and
 /// whose rows are counted from the top or from below.
 fn variant(c: &mut Check, is_flipped: bool, mean: fn(&[Color], u32) -> Color) {
-    check(c, |camera, radiance, settings| {
+    check(c, &|camera, radiance, settings| {
         let (size, sampler) = (settings.size, Sampler::new(settings));
         Image::from_fn(size, |x, y| {
             let row = if is_flipped { size.height() - 1 - y } else { y };

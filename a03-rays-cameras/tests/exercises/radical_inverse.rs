@@ -1,9 +1,8 @@
 //! Numbers in many bases, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::radical_inverse::radical_inverse as solution;
 
-pub fn check(check: &mut Check, inverse: impl Fn(u32, u32) -> f64) {
+pub fn check(check: &mut Check, yours: fn(u32, u32) -> f64) {
     let large = [(1234, 10), (120, 10), (u32::MAX, 7)];
     check.compare(
         "{} in base {}",
@@ -12,14 +11,14 @@ pub fn check(check: &mut Check, inverse: impl Fn(u32, u32) -> f64) {
             let bits = 1 + r.below(31);
             (r.below(1 << bits), 2 + r.below(35))
         }),
-        |(n, base)| solution(n, base),
-        |(n, base)| inverse(n, base),
+        [radical_inverse, yours],
+        |radical_inverse, (n, base)| radical_inverse(n, base),
     );
     check.picture(|settings| {
         let mut image = Image::black(settings.size)?;
         let [width, height] = [settings.size.width(), settings.size.height()].map(f64::from);
         for n in 0..1500 {
-            let (x, y) = (inverse(n, 2) * width, inverse(n, 3) * height);
+            let (x, y) = (yours(n, 2) * width, yours(n, 3) * height);
             image.set(x as u32, y as u32, Color::WHITE);
         }
         Ok(image)
@@ -39,10 +38,10 @@ pub const VARIANTS: &[Variant] = &[
         });
     }),
     wrong("digits stand behind the point, not before it", |c| {
-        check(c, |n, base| solution(n, base) * f64::from(base));
+        check(c, |n, base| radical_inverse(n, base) * f64::from(base));
     }),
     wrong("the base need not be 2", |c| {
-        check(c, |n, _| solution(n, 2))
+        check(c, |n, _| radical_inverse(n, 2))
     }),
     wrong("all digits are mirrored, not the last alone", |c| {
         check(c, |n, base| f64::from(n % base) / f64::from(base));

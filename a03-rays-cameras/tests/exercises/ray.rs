@@ -2,14 +2,15 @@
 
 use crate::prelude::*;
 
-pub fn check(
-    check: &mut Check,
-    at: impl Fn(&Ray, f64) -> Point3 + Sync,
-    t_of: impl Fn(&Ray, Point3) -> f64 + Sync,
-) {
-    let ray = |o, d| Ray::derived(point(o), vector(d));
-    let answer =
-        |at: Point3, t_of: f64| Answer::named("at", at.to_glam().to_array()).and("t_of", t_of);
+pub fn at(ray: &Ray, t: f64) -> Point3 {
+    ray.at(t)
+}
+
+pub fn t_of(ray: &Ray, point: Point3) -> f64 {
+    ray.t_of(point)
+}
+
+pub fn check(check: &mut Check, at: fn(&Ray, f64) -> Point3, t_of: fn(&Ray, Point3) -> f64) {
     check.compare(
         "ray from {} along {}, t = {}, point {}",
         [
@@ -20,8 +21,11 @@ pub fn check(
             let (o, d, length, p) = (r.triple(9.0), r.triple(5.0), r.scale(), r.triple(9.0));
             (o, d.map(|x| x * length), r.between(-9.0, 9.0), p)
         }),
-        |(o, d, t, p)| answer(ray(o, d).at(t), ray(o, d).t_of(point(p))),
-        |(o, d, t, p)| answer(at(&ray(o, d), t), t_of(&ray(o, d), point(p))),
+        [(Ray::at as _, Ray::t_of as _), (at, t_of)],
+        |(at, t_of), (o, d, t, p)| {
+            let ray = Ray::derived(point(o), vector(d));
+            Answer::named("at", at(&ray, t).to_glam().to_array()).and("t_of", t_of(&ray, point(p)))
+        },
     );
     scene(check, |settings, View { camera, world: sky }| {
         let radiance = |ray: &Ray| {
@@ -38,10 +42,9 @@ fn unit(ray: &Ray) -> Vector3 {
 
 pub const VARIANTS: &[Variant] = &[
     right("with a direction of length 1", |c| {
-        let length = |ray: &Ray| ray.direction().magnitude();
-        let at = |ray: &Ray, t| ray.origin() + unit(ray) * (t * length(ray));
+        let at = |ray: &Ray, t| ray.origin() + unit(ray) * (t * ray.direction().magnitude());
         check(c, at, |ray, p| {
-            (p - ray.origin()).dot(unit(ray)) / length(ray)
+            (p - ray.origin()).dot(unit(ray)) / ray.direction().magnitude()
         });
     }),
     wrong("t is no distance: d may have any length", |c| {

@@ -17,19 +17,8 @@ pub fn scene(
     });
 }
 
-/// A value, or the argument of its constructor that is wrong.
-pub type Made<T> = Result<T, ArgumentError>;
-
 /// The direction of a camera's ray through the place (`x`, `y`), for examples.
 pub fn direction(camera: &impl Camera, size: Size, x: f64, y: f64) -> [f64; 3] {
     let ray = camera.ray_for(size, x, y);
     ray.direction().to_glam().to_array()
-}
-
-pub fn point(xyz: [f64; 3]) -> Point3 {
-    Point3::from_glam(xyz.into())
-}
-
-pub fn vector(xyz: [f64; 3]) -> Vector3 {
-    Vector3::from_glam(xyz.into())
 }

@@ -2,26 +2,37 @@
 
 use crate::prelude::*;
 
+pub struct Sky(StripedSky);
+
+impl Sky {
+    pub fn new(camera: &PinholeCamera, size: Size, stripes: u32) -> Result<Self, ArgumentError> {
+        StripedSky::new(camera, size, stripes, StripeRule::Direction).map(Self)
+    }
+
+    pub fn stripe(&self, ray: &Ray) -> u32 {
+        self.0.stripe(ray)
+    }
+}
+
 pub fn check<S: Sync>(
     check: &mut Check,
     new: impl Fn(&PinholeCamera, Size, u32) -> Made<S>,
     stripe: impl Fn(&S, &Ray) -> u32 + Sync,
 ) {
     let camera = |angle| PinholeCamera::new(Point3::ORIGIN, angle);
-    let ray = |d| Ray::new(Point3::ORIGIN, vector(d));
+    let codes: [&dyn Fn(&PinholeCamera, u32, &Ray) -> Option<u32>; 2] = [
+        &|camera, count, ray| Some(Sky::new(camera, Size::COURSE, count).ok()?.stripe(ray)),
+        &|camera, count, ray| Some(stripe(&new(camera, Size::COURSE, count).ok()?, ray)),
+    ];
     let ahead = [[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0]];
     check.compare(
         "opening angle {}, {} stripes, direction {}",
         ahead.map(|d| (1.0, 10, d)),
         random(|r| (r.between(0.2, 2.8), 1 + r.below(12), r.triple(1.0))),
-        |(angle, count, d)| {
-            let rule = StripeRule::Direction;
-            let sky = StripedSky::new(&camera(angle).ok()?, Size::COURSE, count, rule);
-            Some(sky.ok()?.stripe(&ray(d).ok()?) as usize)
-        },
-        |(angle, count, d)| {
-            let sky = new(&camera(angle).ok()?, Size::COURSE, count).ok()?;
-            Some(stripe(&sky, &ray(d).ok()?) as usize)
+        codes,
+        |code, (angle, count, d)| {
+            let ray = Ray::new(Point3::ORIGIN, vector(d)).ok()?;
+            code(&camera(angle).ok()?, count, &ray)
         },
     );
     scene(check, |settings, _| {

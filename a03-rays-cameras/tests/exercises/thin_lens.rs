@@ -1,20 +1,13 @@
 //! Rays through all places of lenses, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::thin_lens::through_lens as solution;
 
-type Through<'a> = &'a dyn Fn(&Basis, f64, &Ray, (f64, f64)) -> Ray;
-type Input = ([f64; 3], [f64; 3], f64, [f64; 2], [f64; 2]);
+type Through = fn(&Basis, f64, &Ray, (f64, f64)) -> Ray;
 
-pub fn check(check: &mut Check, through: impl Fn(&Basis, f64, &Ray, (f64, f64)) -> Ray) {
+pub fn check(check: &mut Check, yours: Through) {
     let camera = |e, gaze| {
         let up = vector([0.0, 1.0, 0.0]);
         PerspectiveCamera::new(point(e), vector(gaze), up, FRAC_PI_4)
-    };
-    let lens = |(e, gaze, focus, [x, y], place): Input, through: Through| {
-        let camera = camera(e, gaze).ok()?;
-        let ray = camera.ray_for(Size::new(5, 3).ok()?, x, y);
-        Some(answer(&through(&camera.basis(), focus, &ray, place.into())))
     };
     let places = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     check.compare(
@@ -25,8 +18,12 @@ pub fn check(check: &mut Check, through: impl Fn(&Basis, f64, &Ray, (f64, f64)) 
             let pixel = [r.between(-0.5, 4.5), r.between(-0.5, 2.5)];
             (r.triple(9.0), r.triple(3.0), focus, pixel, place)
         }),
-        |input| lens(input, &solution),
-        |input| lens(input, &through),
+        [through_lens, yours],
+        |through, (e, gaze, focus, [x, y], place)| {
+            let camera = camera(e, gaze).ok()?;
+            let ray = camera.ray_for(Size::new(5, 3).ok()?, x, y);
+            Some(answer(&through(&camera.basis(), focus, &ray, place.into())))
+        },
     );
     // Three walls of holes, one behind the other; the middle one is in focus.
     check.picture(|settings| {
@@ -39,7 +36,7 @@ pub fn check(check: &mut Check, through: impl Fn(&Basis, f64, &Ray, (f64, f64)) 
             let mut sum = Color::BLACK;
             for n in (0..u64::from(samples)).map(|n| 2 * n) {
                 let lens = [n, n + 1].map(|n| 0.3 * (random.uniform(n) - 0.5));
-                sum += wall(&through(&camera.basis(), 5.0, &ray, lens.into()));
+                sum += wall(&yours(&camera.basis(), 5.0, &ray, lens.into()));
             }
             sum.map(|channel| channel / f64::from(samples))
         })
@@ -68,18 +65,21 @@ fn wall(ray: &Ray) -> Color {
 pub const VARIANTS: &[Variant] = &[
     wrong("the focus is a plane, not a ball", |c| {
         check(c, |basis, focus, ray, place| {
-            solution(basis, focus * -basis.w.dot(ray.direction()), ray, place)
+            through_lens(basis, focus * -basis.w.dot(ray.direction()), ray, place)
         });
     }),
     wrong("the direction has length 1", |c| {
         check(c, |basis, focus, ray, place| {
-            let ray = solution(basis, focus, ray, place);
+            let ray = through_lens(basis, focus, ray, place);
             Ray::derived(ray.origin(), ray.direction() * focus)
         });
     }),
     wrong("from another place, the direction is another", |c| {
         check(c, |basis, focus, ray, place| {
-            Ray::derived(solution(basis, focus, ray, place).origin(), ray.direction())
+            Ray::derived(
+                through_lens(basis, focus, ray, place).origin(),
+                ray.direction(),
+            )
         });
     }),
 ];

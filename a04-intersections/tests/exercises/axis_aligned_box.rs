@@ -2,15 +2,15 @@
 
 use crate::prelude::*;
 
-pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Point3, Point3) -> Made<G>) {
-    compare_boxes(check, AxisAlignedBox::new, &new);
+pub fn check(check: &mut Check, new: &dyn Fn(Point3, Point3) -> Made<Shape>) {
+    compare_boxes(check, &|lbf, run| boxed(AxisAlignedBox::new(lbf, run)), new);
     let [lbf, run] = [point([-0.5, 0.0, -0.5]), point([0.5, 1.0, 0.5])];
     scene(check, "scene-3", scene_3, new(lbf, run));
 }
 
 /// The slabs of all axes at once: a ray is in the box from the last entry to the first exit.
 fn slabs(c: &mut Check, is_crossed: fn(f64, f64) -> bool) {
-    check(c, move |lbf, run| {
+    check(c, &move |lbf, run| {
         own(move |ray: &Ray, within| {
             let (o, d) = (ray.origin().to_glam(), ray.direction().to_glam());
             let [a, b] = [lbf, run].map(|corner| (corner.to_glam() - o) / d);

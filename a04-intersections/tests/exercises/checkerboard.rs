@@ -1,9 +1,8 @@
 //! Points in cubes and on their faces, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::checkerboard::checkerboard as solution;
 
-pub fn check(check: &mut Check, checkerboard: impl Fn(Point3, Normal3) -> Color + Sync) {
+pub fn check(check: &mut Check, yours: fn(Point3, Normal3) -> Color) {
     let cubes = [[0, 0, 0], [1, 0, 0], [0, -1, 0], [-2, 0, -1]];
     let middles = cubes.map(|cube| cube.map(|x| f64::from(x) + 0.5));
     check.compare(
@@ -16,19 +15,21 @@ pub fn check(check: &mut Check, checkerboard: impl Fn(Point3, Normal3) -> Color 
             n[axis] = if r.below(2) == 0 { 1.0 } else { -1.0 };
             (p, n)
         }),
-        |(p, n)| solution(point(p), vector(n).as_normal()).channels(),
-        |(p, n)| checkerboard(point(p), vector(n).as_normal()).channels(),
+        [checkerboard, yours],
+        |checkerboard, (p, n)| checkerboard(point(p), vector(n).as_normal()).channels(),
     );
     let (eye, at) = ([3.0, 4.0, 7.0], [0.0, 0.6, 0.0]);
-    show_world(check, floor_and_box(), eye, at, |(), p, n| {
-        checkerboard(p, n) * 0.7 + Color::gray(0.15)
+    show_world(check, floor_and_box(), eye, at, &|_, p, n| {
+        yours(p, n) * 0.7 + Color::gray(0.15)
     });
 }
 
-fn floor_and_box() -> Made<World<()>> {
+fn floor_and_box() -> Made<World<Color>> {
     let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
     let cube = AxisAlignedBox::new(point([-2.0, 0.0, -2.0]), point([1.0, 2.0, 1.0]))?;
-    Ok(World::new(Color::gray(0.1))?.with(floor, ()).with(cube, ()))
+    Ok(World::new(Color::gray(0.1))?
+        .with(floor, Color::WHITE)
+        .with(cube, Color::WHITE))
 }
 
 const NONE: Normal3 = Normal3::new(0.0, 0.0, 0.0);
@@ -37,13 +38,13 @@ pub const VARIANTS: &[Variant] = &[
     wrong("a cast cuts off: -0.5 and 0.5 become 0", |c| {
         check(c, |p, n| {
             let below = p - Vector3::from(n) * 1e-6;
-            solution(Point3::from_glam(below.to_glam().trunc()), NONE)
+            checkerboard(Point3::from_glam(below.to_glam().trunc()), NONE)
         });
     }),
     wrong("on a face, rounding chooses the cube", |c| {
-        check(c, |p, _| solution(p, NONE));
+        check(c, |p, _| checkerboard(p, NONE));
     }),
     wrong("below the surface is against the normal", |c| {
-        check(c, |p, n| solution(p, -n))
+        check(c, |p, n| checkerboard(p, -n))
     }),
 ];

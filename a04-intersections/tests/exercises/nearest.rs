@@ -1,34 +1,35 @@
 //! Spheres and a smooth triangle in all orders, compared with the lesson's `World`.
 
 use crate::prelude::*;
-use crate::solutions::nearest::nearest as lesson;
 
-type Found = Option<(Hit, usize)>;
+pub fn nearest(world: &World<usize>, ray: &Ray, within: Interval) -> Option<(Hit, usize)> {
+    world.hit(ray, within).map(|(hit, number)| (hit, *number))
+}
 
-pub fn check(check: &mut Check, nearest: impl Fn(&World<usize>, &Ray, Interval) -> Found + Sync) {
-    type Nearest<'a> = &'a dyn Fn(&World<usize>, &Ray, Interval) -> Found;
-    let found = |zs: [f64; 3], ray, nearest: Nearest| {
-        let world = world(1.0, &zs.map(|z| [0.0, 0.0, z])).ok()?;
-        let (ray, within) = ray_within(ray);
-        let (hit, number) = nearest(&world, &ray, within).unzip();
-        Some(answer(hit).and("number", number))
-    };
+type Nearest = fn(&World<usize>, &Ray, Interval) -> Option<(Hit, usize)>;
+
+pub fn check(check: &mut Check, yours: Nearest) {
     let ahead = [0.0, 4.5, 7.5].map(|min| ([0.0; 3], [0.0, 0.0, -1.0], min, 99.0));
     let orders = [[-3.0, -6.0, -9.0], [-9.0, -6.0, -3.0], [-6.0, -9.0, -3.0]];
     let rays = world(1.0, &orders[0].map(|z| [0.0, 0.0, z])).map_or(Vec::new(), |world| {
-        rays(&Own(move |ray: &Ray, i| Some(lesson(&world, ray, i)?.0)))
+        rays(&Own(move |ray: &Ray, i| Some(nearest(&world, ray, i)?.0)))
     });
     let with = |order| rays.iter().map(move |ray| (order, *ray));
     check.compare(
         &format!("spheres of radius 1 at z = {{}}, a triangle at z = 1; {RAY}"),
         orders.into_iter().flat_map(|zs| ahead.map(|ray| (zs, ray))),
         orders.into_iter().flat_map(with),
-        |(zs, ray)| found(zs, ray, &lesson),
-        |(zs, ray)| found(zs, ray, &nearest),
+        [nearest, yours],
+        |nearest, (zs, ray)| {
+            let world = world(1.0, &zs.map(|z| [0.0, 0.0, z])).ok()?;
+            let (ray, within) = ray_within(ray);
+            let (hit, number) = nearest(&world, &ray, within).unzip();
+            Some(answer(hit).and("number", number))
+        },
     );
     check.scene(&a04_intersections::stage(), "scene-5", |settings| {
         let world = world(0.5, &[[-1.0, 0.0, -3.0], [1.0, 0.0, -6.0]])?;
-        let color = |ray: &Ray| match nearest(&world, ray, Interval::AHEAD) {
+        let color = |ray: &Ray| match yours(&world, ray, Interval::AHEAD) {
             Some(_) => Color::RED,
             None => Color::BLACK,
         };
@@ -66,12 +67,12 @@ pub const VARIANTS: &[Variant] = &[
     }),
     wrong("a hit before the interval hides one in it", |c| {
         check(c, |world, ray, i| {
-            lesson(world, ray, Interval::AHEAD).filter(|(hit, _)| i.contains(hit.t))
+            nearest(world, ray, Interval::AHEAD).filter(|(hit, _)| i.contains(hit.t))
         });
     }),
     wrong("the face, not the normal, says what is seen", |c| {
         check(c, |world, ray, i| {
-            let (hit, number) = lesson(world, ray, i)?;
+            let (hit, number) = nearest(world, ray, i)?;
             Some((turned(hit, hit.normal, ray), number))
         });
     }),

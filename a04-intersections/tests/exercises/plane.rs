@@ -2,14 +2,14 @@
 
 use crate::prelude::*;
 
-pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Point3, Normal3) -> Made<G>) {
+pub fn check(check: &mut Check, new: &dyn Fn(Point3, Normal3) -> Made<Shape>) {
     compare(
         check,
         "plane through {}, normal {}",
         ([0.0, 1.0, 0.0], [0.0, 1.0, 0.0]),
         |r| (r.triple(5.0), r.triple(5.0)),
-        |(a, n)| Plane::new(point(a), vector(n).as_normal()),
-        |(a, n)| new(point(a), vector(n).as_normal()),
+        &|(a, n)| boxed(Plane::new(point(a), vector(n).as_normal())),
+        &|(a, n)| new(point(a), vector(n).as_normal()),
     );
     let plane = new(point([0.0, -1.0, 0.0]), Normal3::new(0.0, 1.0, 0.0));
     scene(check, "scene-1", scene_1, plane);
@@ -17,7 +17,7 @@ pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Point3, Normal3) -> Ma
 
 pub const VARIANTS: &[Variant] = &[
     right("the plane as n · p + k = 0", |c| {
-        check(c, |a, n| {
+        check(c, &|a, n| {
             let n = n.unit("n")?;
             let k = -n.dot(a - Point3::ORIGIN);
             own(move |ray: &Ray, within| {
@@ -27,6 +27,6 @@ pub const VARIANTS: &[Variant] = &[
         });
     }),
     wrong("a plane need not pass through the origin", |c| {
-        check(c, |_, n| Plane::new(Point3::ORIGIN, n))
+        check(c, &|_, n| boxed(Plane::new(Point3::ORIGIN, n)))
     }),
 ];

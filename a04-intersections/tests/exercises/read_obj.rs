@@ -1,7 +1,6 @@
 //! Texts that are right, broken, and random, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::read_obj::read_obj as solution;
 
 /// Lines after three corners.
 const LINES: [&str; 14] = [
@@ -28,16 +27,17 @@ v -1 0 -1.5\nv 1 0 -1.5\nv 1 1 -1.5\nv 0 1.8 -1.5\nv -1 1 -1.5
 f 1 2 3 4 5\nf 10 9 8 7 6\nf 2 7 8 3\nf 6 1 5 10\nf 3 8 9 4\nf 4 9 10 5
 ";
 
-pub fn check(check: &mut Check, read_obj: impl Fn(&str) -> Result<Vec<Triangle>, String>) {
+pub fn check(check: &mut Check, yours: fn(&str) -> Result<Vec<Triangle>, String>) {
     let lines = LINES.map(|line| format!("v 0 0 0\nv 4 0 0\nv 0 5e-1 -3\n{line}\n"));
     check.compare(
         "the text {}",
         lines,
         random(mesh),
-        |text| answer(solution(&text)),
-        |text| answer(read_obj(&text)),
+        [read_obj, yours],
+        |read_obj, text| answer(read_obj(&text)),
     );
-    let house = read_obj(HOUSE).into_iter().flatten();
+    let house = yours(HOUSE).into_iter().flatten();
+    let house = house.map(|triangle| Box::new(triangle) as Shape);
     show(check, house, [4.0, 3.0, 5.0], [0.0, 0.8, -0.2]);
 }
 
@@ -71,14 +71,14 @@ fn mesh(random: &mut Random) -> String {
 
 pub const VARIANTS: &[Variant] = &[
     wrong("n corners make n - 2 triangles", |c| {
-        check(c, |text| Ok(solution(text)?.into_iter().take(1).collect()));
+        check(c, |text| Ok(read_obj(text)?.into_iter().take(1).collect()));
     }),
     wrong("lines are counted from 1", |c| {
         check(c, |text| {
-            solution(text).map_err(|error| error.replace("line 4", "line 3"))
+            read_obj(text).map_err(|error| error.replace("line 4", "line 3"))
         });
     }),
     wrong("vt and vn are no corners", |c| {
-        check(c, |text| solution(&text.replace("vt ", "v ")))
+        check(c, |text| read_obj(&text.replace("vt ", "v ")))
     }),
 ];

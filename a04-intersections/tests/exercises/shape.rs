@@ -6,8 +6,11 @@ use std::fmt;
 
 use crate::prelude::*;
 
-/// A value, or the argument of its constructor that is wrong.
-pub type Made<T> = Result<T, ArgumentError>;
+pub type Shape = Box<dyn Geometry>;
+
+pub fn boxed(shape: Made<impl Geometry>) -> Made<Shape> {
+    Ok(Box::new(shape?))
+}
 
 /// Origin and direction of a ray, and the ends of the interval.
 pub type RayWithin = ([f64; 3], [f64; 3], f64, f64);
@@ -19,8 +22,8 @@ pub const RAY: &str = "ray from {} along {}, t from {} to {}";
 pub struct Own<F>(pub F);
 
 #[expect(clippy::unnecessary_wraps, reason = "a constructor returns a result")]
-pub fn own<F: Fn(&Ray, Interval) -> Option<Hit>>(hit: F) -> Made<Own<F>> {
-    Ok(Own(hit))
+pub fn own(hit: impl Fn(&Ray, Interval) -> Option<Hit> + Send + Sync + 'static) -> Made<Shape> {
+    Ok(Box::new(Own(hit)))
 }
 
 impl<F> fmt::Debug for Own<F> {
@@ -40,14 +43,6 @@ pub fn smooth_triangle(z: f64) -> Made<Triangle> {
     let corners = [(-2.0, -2.0), (2.0, -2.0), (0.0, 2.0)];
     let [a, b, c] = corners.map(|(x, y)| Point3::new(x, y, z));
     Triangle::new(a, b, c)?.with_normals([Normal3::new(4.0, 1.0, 1.0); 3])
-}
-
-pub fn point(xyz: [f64; 3]) -> Point3 {
-    Point3::from_glam(xyz.into())
-}
-
-pub fn vector(xyz: [f64; 3]) -> Vector3 {
-    Vector3::from_glam(xyz.into())
 }
 
 /// The ray and the interval of an input.
@@ -121,38 +116,37 @@ fn simple() -> impl Iterator<Item = [[f64; 3]; 2]> {
 /// Compares shapes with the lesson's, whose words have `{}` in the place of each parameter:
 /// the `first` one, near the origin and of round numbers, with simple rays, and eight of `any`
 /// parameters with rays from everywhere.
-pub fn compare<P: Input, L: Geometry, Y: Geometry>(
+pub fn compare<P: Input>(
     check: &mut Check,
     words: &str,
     first: P,
-    any: impl FnMut(&mut Random) -> P,
-    lesson: impl Fn(P) -> Made<L>,
-    yours: impl Fn(P) -> Made<Y>,
+    any: fn(&mut Random) -> P,
+    lesson: &dyn Fn(P) -> Made<Shape>,
+    yours: &dyn Fn(P) -> Made<Shape>,
 ) {
     let with = |shape: P| {
-        let rays = lesson(shape.clone()).map_or(Vec::new(), |shape| rays(&shape));
+        let rays = lesson(shape.clone()).map_or(Vec::new(), |shape| rays(&*shape));
         rays.into_iter().map(move |ray| (shape.clone(), ray))
     };
     let mistake = check.usual(&USUAL).unwrap_or(Geometry::hit);
-    let hit = |shape: &dyn Geometry, ray, hit: Flaw| {
-        let (ray, within) = ray_within(ray);
-        answer(hit(shape, &ray, within))
-    };
     let from_everywhere = with(first.clone()).chain(random(any).take(8).flat_map(with));
     check.compare(
         &format!("{words}; {RAY}"),
         simple().map(move |[o, d]| (first.clone(), (o, d, 0.0, f64::INFINITY))),
         from_everywhere,
-        |(shape, ray)| Some(hit(&lesson(shape).ok()?, ray, Geometry::hit)),
-        |(shape, ray)| Some(hit(&yours(shape).ok()?, ray, mistake)),
+        [(lesson, Geometry::hit as Flaw), (yours, mistake)],
+        |(new, hit), (shape, ray)| {
+            let (ray, within) = ray_within(ray);
+            Some(answer(hit(&*new(shape).ok()?, &ray, within)))
+        },
     );
 }
 
 /// Compares boxes between two corners.
-pub fn compare_boxes<L: Geometry, Y: Geometry>(
+pub fn compare_boxes(
     check: &mut Check,
-    lesson: impl Fn(Point3, Point3) -> Made<L>,
-    yours: impl Fn(Point3, Point3) -> Made<Y>,
+    lesson: &dyn Fn(Point3, Point3) -> Made<Shape>,
+    yours: &dyn Fn(Point3, Point3) -> Made<Shape>,
 ) {
     compare(
         check,
@@ -162,8 +156,8 @@ pub fn compare_boxes<L: Geometry, Y: Geometry>(
             let lbf = r.triple(5.0);
             (lbf, lbf.map(|low| low + r.between(0.1, 3.0)))
         },
-        |(lbf, run)| lesson(point(lbf), point(run)),
-        |(lbf, run)| yours(point(lbf), point(run)),
+        &|(lbf, run)| lesson(point(lbf), point(run)),
+        &|(lbf, run)| yours(point(lbf), point(run)),
     );
 }
 
@@ -219,7 +213,7 @@ pub fn scene(
     check: &mut Check,
     name: &str,
     view: fn() -> Made<View<World<Color>>>,
-    shape: Made<impl Geometry>,
+    shape: Made<Shape>,
 ) {
     check.scene(&a04_intersections::stage(), name, |settings| {
         let View { camera, world } = view()?;
@@ -234,17 +228,17 @@ pub fn scene(
 /// red faces right or left, green up or down, blue near or far.
 pub fn show(
     check: &mut Check,
-    shapes: impl IntoIterator<Item = impl Geometry>,
+    shapes: impl IntoIterator<Item = Shape>,
     eye: [f64; 3],
     at: [f64; 3],
 ) {
     let world = World::new(Color::gray(0.1)).map(|mut world| {
         for shape in shapes {
-            world = world.with(shape, ());
+            world = world.with(shape, Color::WHITE);
         }
         world
     });
-    show_world(check, world, eye, at, |(), _, normal| {
+    show_world(check, world, eye, at, &|_, _, normal| {
         let [r, g, b] = normal.to_glam().abs().to_array();
         Color::new(r, g, b)
     });
@@ -252,19 +246,19 @@ pub fn show(
 
 /// Shows a world to an eye that looks at the point `at`, coloured by surface, place and
 /// normal.
-pub fn show_world<S: Sync>(
+pub fn show_world(
     check: &mut Check,
-    world: Made<World<S>>,
+    world: Made<World<Color>>,
     eye: [f64; 3],
     at: [f64; 3],
-    color: impl Fn(&S, Point3, Normal3) -> Color + Sync,
+    color: &(dyn Fn(Color, Point3, Normal3) -> Color + Sync),
 ) {
     check.picture(|settings| {
         let world = world?;
         let up = Vector3::new(0.0, 1.0, 0.0);
         let camera = PerspectiveCamera::new(point(eye), point(at) - point(eye), up, FRAC_PI_4)?;
         let paint = |ray: &Ray| match world.hit(ray, Interval::AHEAD) {
-            Some((hit, surface)) => color(surface, ray.at(hit.t), hit.normal),
+            Some((hit, surface)) => color(*surface, ray.at(hit.t), hit.normal),
             None => world.background(),
         };
         render(&camera, paint, settings, &())

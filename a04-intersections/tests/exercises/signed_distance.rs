@@ -1,12 +1,8 @@
 //! Points on both sides of planes, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::signed_distance::signed_distance as solution;
 
-pub fn check(check: &mut Check, signed_distance: impl Fn(Point3, Normal3, Point3) -> f64) {
-    let distance = |[a, n, p]: [[f64; 3]; 3], f: &dyn Fn(Point3, Normal3, Point3) -> f64| {
-        f(point(a), vector(n).as_normal(), point(p))
-    };
+pub fn check(check: &mut Check, yours: fn(Point3, Normal3, Point3) -> f64) {
     let (a, up) = ([7.0, -1.0, 0.0], [0.0, 1.0, 0.0]);
     let above = [[0.0, 0.0, 0.0], [0.0, -3.0, 5.0], [-4.0, -1.0, 9.0]].map(|p| [a, up, p]);
     let long = [[0.0; 3], [0.0, 0.0, 2.0], [1.0, 1.0, 3.0]];
@@ -14,8 +10,8 @@ pub fn check(check: &mut Check, signed_distance: impl Fn(Point3, Normal3, Point3
         "a, n and p {}",
         above.into_iter().chain([long]),
         random(|r| [(); 3].map(|()| r.triple(9.0))),
-        |input| distance(input, &solution),
-        |input| distance(input, &signed_distance),
+        [signed_distance, yours],
+        |distance, [a, n, p]| distance(point(a), vector(n).as_normal(), point(p)),
     );
 }
 

@@ -2,21 +2,21 @@
 
 use crate::prelude::*;
 
-pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Point3, f64) -> Made<G>) {
+pub fn check(check: &mut Check, new: &dyn Fn(Point3, f64) -> Made<Shape>) {
     compare(
         check,
         "sphere around {} of radius {}",
         ([0.0, 0.0, 0.0], 1.0),
         |r| (r.triple(5.0), r.between(0.2, 4.0)),
-        |(c, r)| Sphere::new(point(c), r),
-        |(c, r)| new(point(c), r),
+        &|(c, r)| boxed(Sphere::new(point(c), r)),
+        &|(c, r)| new(point(c), r),
     );
     scene(check, "scene-2", scene_2, new(point([0.0, 0.0, -3.0]), 0.5));
 }
 
 /// The textbook's `a t² + 2 b t + k = 0`, with a choice among its roots.
 fn textbook(c: &mut Check, choose: fn([f64; 2], Interval) -> Option<f64>) {
-    check(c, move |c, r| {
+    check(c, &move |c, r| {
         own(move |ray: &Ray, within| {
             let (f, d) = (ray.origin() - c, ray.direction());
             let (a, b) = (d.dot(d), f.dot(d));

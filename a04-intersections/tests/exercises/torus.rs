@@ -1,22 +1,21 @@
 //! Tori of many sizes, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::torus::Torus;
 
-pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(f64, f64) -> Made<G>) {
+pub fn check(check: &mut Check, new: &dyn Fn(f64, f64) -> Made<Shape>) {
     compare(
         check,
         "circle of radius {}, tube of radius {}",
         (2.0, 0.5),
         |r| (r.between(2.0, 5.0), r.between(0.5, 1.5)),
-        |(ring, r)| Torus::new(ring, r),
-        |(ring, r)| new(ring, r),
+        &|(ring, r)| boxed(Torus::new(ring, r)),
+        &|(ring, r)| new(ring, r),
     );
     show(check, new(2.0, 0.5), [2.0, 5.0, 7.0], [0.0, -0.2, 0.0]);
 }
 
 pub const VARIANTS: &[Variant] = &[wrong("fixed steps pass over what is thinner", |c| {
-    check(c, |ring, r| {
+    check(c, &|ring, r| {
         let torus = Torus::new(ring, r)?;
         own(move |ray: &Ray, i| {
             let hit = torus.hit(ray, i)?;

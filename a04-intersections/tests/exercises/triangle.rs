@@ -2,14 +2,14 @@
 
 use crate::prelude::*;
 
-pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Point3, Point3, Point3) -> Made<G>) {
+pub fn check(check: &mut Check, new: &dyn Fn(Point3, Point3, Point3) -> Made<Shape>) {
     compare(
         check,
         "triangle {}",
         [[0.0, 0.0, 1.0], [2.0, 0.0, 1.0], [0.0, 2.0, 1.0]],
         |r| [(); 3].map(|()| r.triple(5.0)),
-        |[a, b, c]| Triangle::new(point(a), point(b), point(c)),
-        |[a, b, c]| new(point(a), point(b), point(c)),
+        &|[a, b, c]| boxed(Triangle::new(point(a), point(b), point(c))),
+        &|[a, b, c]| new(point(a), point(b), point(c)),
     );
     let [a, b, c] = [[-0.5, 0.5, -3.0], [0.5, 0.5, -3.0], [0.5, -0.5, -3.0]].map(point);
     scene(check, "scene-4", scene_4, new(a, b, c));
@@ -17,7 +17,7 @@ pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Point3, Point3, Point3
 
 /// The test of Möller and Trumbore, which accepts two coordinates.
 fn moeller_trumbore(c: &mut Check, is_inside: fn(f64, f64) -> bool) {
-    check(c, move |a, b, c| {
+    check(c, &move |a, b, c| {
         let (ab, ac) = (b - a, c - a);
         own(move |ray: &Ray, within| {
             let (d, ao) = (ray.direction(), ray.origin() - a);

@@ -1,11 +1,6 @@
 //! A highlight by the vector half way between light and eye.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::Hit;
-use a05_lighting::Illumination;
-use common::Color;
-use testing::assert_close;
+use crate::prelude::*;
 
 /// The light of one lamp that a hit reflects back along the ray:
 /// `cd cl max(0, n · l) + cs cl max(0, n · h)^p`.

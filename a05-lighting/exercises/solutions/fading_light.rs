@@ -1,8 +1,6 @@
 //! A lamp that is weaker the farther away it is.
 
-use a02_math::{Direction, Point3, Vector3};
-use a05_lighting::Illumination;
-use common::Color;
+use crate::prelude::*;
 
 /// The light that arrives at a point from a lamp, whose colour is that at the distance 1.
 /// None in the lamp itself.

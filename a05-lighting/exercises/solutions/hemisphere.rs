@@ -1,7 +1,6 @@
 //! A matt surface between a bright sky and a dark ground.
 
-use a02_math::{Direction, Normal3, Vector3};
-use common::Color;
+use crate::prelude::*;
 
 /// The colour of a surface with the normal `n`, of length 1, which scatters `diffuse` of the
 /// light of the whole sky and of the whole ground.

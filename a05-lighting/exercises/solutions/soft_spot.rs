@@ -1,9 +1,6 @@
 //! A spot light whose rim fades.
 
-use a02_math::{Point3, Vector3};
-use a05_lighting::{Illumination, Light, PointLight};
-use common::Color;
-use testing::assert_close;
+use crate::prelude::*;
 
 /// The light that arrives at a point from a lamp that shines along `direction`: full up to the
 /// angle `inner` from there, and gone from the larger angle `outer` on, both in radians.

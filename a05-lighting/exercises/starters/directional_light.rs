@@ -1,8 +1,6 @@
 //! A light that shines from infinitely far away, like the sun.
 
-use a02_math::{Direction, Point3, Vector3};
-use a05_lighting::Illumination;
-use common::Color;
+use crate::prelude::*;
 
 /// The light that travels in a direction of any length, as it arrives at every point. None if
 /// the direction has no length.

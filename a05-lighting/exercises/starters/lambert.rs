@@ -1,11 +1,6 @@
 //! A matt surface, equally bright from every direction.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::Hit;
-use a05_lighting::{DirectionalLight, Lighting, LitWorld};
-use common::Color;
-use testing::assert_close;
+use crate::prelude::*;
 
 /// The light that a surface of this diffuse colour reflects from the hit back along the ray:
 /// of the ambient light and of each light that reaches the hit.

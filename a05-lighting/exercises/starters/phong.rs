@@ -1,11 +1,6 @@
 //! A matt surface with highlights, where it mirrors a light.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::Hit;
-use a05_lighting::{DirectionalLight, Lighting, LitWorld};
-use common::Color;
-use testing::assert_close;
+use crate::prelude::*;
 
 /// The light that a shiny surface reflects from the hit back along the ray: of the ambient
 /// light and, matt and as a highlight, of each light that reaches the hit.

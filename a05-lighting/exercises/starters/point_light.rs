@@ -1,8 +1,6 @@
 //! A light that shines from one point in all directions.
 
-use a02_math::{Direction, Point3, Vector3};
-use a05_lighting::Illumination;
-use common::Color;
+use crate::prelude::*;
 
 /// The light of a lamp that arrives at a point: its colour, the direction of length 1 from
 /// the point to the lamp, and the distance. None in the lamp itself.

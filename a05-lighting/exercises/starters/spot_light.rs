@@ -1,8 +1,6 @@
 //! A light that shines from one point into a cone.
 
-use a02_math::{Direction, Point3, Vector3};
-use a05_lighting::{Illumination, Light, PointLight};
-use common::Color;
+use crate::prelude::*;
 
 /// The light of a lamp that arrives at a point in the cone around `axis`, which has length 1
 /// and leads away from the lamp. The half angle is in radians, up to π.

@@ -1,14 +1,10 @@
 //! Shiny surfaces, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::blinn_phong::blinn_phong as solution;
 
-type Shiny<'a> = &'a (dyn Fn([Color; 2], f64, &Ray, &Hit, &Illumination) -> Color + Sync);
+type Shiny = fn([Color; 2], f64, &Ray, &Hit, &Illumination) -> Color;
 
-pub fn check(
-    check: &mut Check,
-    shiny: impl Fn([Color; 2], f64, &Ray, &Hit, &Illumination) -> Color + Sync,
-) {
+pub fn check(check: &mut Check, yours: Shiny) {
     let all = |of: Shiny, colors: [Color; 2], p, ray: &Ray, hit: &Hit, lights: &dyn Lighting| {
         sum(colors[0], ray, hit, lights, |light| {
             of(colors, p, ray, hit, light)
@@ -20,13 +16,13 @@ pub fn check(
             "diffuse and specular {}, exponent {}",
             &([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], p),
             |r| ([channels(r), channels(r)], r.between(0.5, 40.0)),
-            |(cs, p), ray, hit, lights| all(&solution, cs.map(color), p, ray, hit, lights),
-            |(cs, p), ray, hit, lights| all(&shiny, cs.map(color), p, ray, hit, lights),
+            &|(cs, p), ray, hit, lights| all(blinn_phong, cs.map(color), p, ray, hit, lights),
+            &|(cs, p), ray, hit, lights| all(yours, cs.map(color), p, ray, hit, lights),
         );
     }
     check.picture(shaded(scenes::phong(), |diffuse, ray, hit, lights| {
         let colors = [diffuse, Color::gray(0.7)];
-        all(&shiny, colors, 64.0, ray, hit, lights)
+        all(yours, colors, 64.0, ray, hit, lights)
     }));
 }
 

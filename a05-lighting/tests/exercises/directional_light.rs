@@ -1,9 +1,13 @@
 //! Far lights, compared with the lesson's.
 
 use crate::prelude::*;
-use crate::solutions::directional_light::directional_light as lesson;
 
-pub fn check(check: &mut Check, light: impl Fn(Color, Vector3) -> Arriving + Sync) {
+pub fn directional_light(color: Color, direction: Vector3) -> Option<Illumination> {
+    let sun = DirectionalLight::new(color, direction);
+    sun.ok()?.illumination(Point3::ORIGIN)
+}
+
+pub fn check(check: &mut Check, yours: fn(Color, Vector3) -> Arriving) {
     compare_lights(
         check,
         "light {} that travels along {}",
@@ -12,17 +16,17 @@ pub fn check(check: &mut Check, light: impl Fn(Color, Vector3) -> Arriving + Syn
             let length = r.scale();
             (channels(r), r.triple(5.0).map(|x| x * length))
         },
-        |(c, d), _| lesson(color(c), vector(d)),
-        |(c, d), _| light(color(c), vector(d)),
+        &|(c, d), _| directional_light(color(c), vector(d)),
+        &|(c, d), _| yours(color(c), vector(d)),
     );
-    let sun = |_| light(Color::WHITE, vector([-1.0; 3]));
+    let sun = |_| yours(Color::WHITE, vector([-1.0; 3]));
     let picture = lit(scenes::phong_directional(), sun);
     check.scene(&stage(), "phong-directional", picture);
 }
 
 pub const VARIANTS: &[Variant] = &[right("divided by the length", |c| {
     check(c, |color, d| {
-        let mut light = lesson(color, d)?;
+        let mut light = directional_light(color, d)?;
         light.direction = d * (-1.0 / d.magnitude());
         Some(light)
     });

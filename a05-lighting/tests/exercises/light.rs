@@ -3,13 +3,7 @@
 
 use std::array;
 
-use a02_math::Point3;
-use a05_lighting::{Illumination, LitWorld, Material, Phong};
-use common::{Color, Error, Image, Settings};
-use testing::exercise::{Answer, Check, Input, Random, random};
-
-use crate::material::{Lights, shaded};
-use crate::scene::{Scene, array, point};
+use crate::prelude::*;
 
 /// The light that arrives at a point.
 pub type Arriving = Option<Illumination>;
@@ -40,9 +34,9 @@ pub fn compare_lights<P: Input>(
     check: &mut Check,
     words: &str,
     first: &P,
-    any: impl FnMut(&mut Random) -> P,
-    lesson: impl Fn(P, Point3) -> Arriving,
-    yours: impl Fn(P, Point3) -> Arriving,
+    any: fn(&mut Random) -> P,
+    lesson: &dyn Fn(P, Point3) -> Arriving,
+    yours: &dyn Fn(P, Point3) -> Arriving,
 ) {
     let mistake = check.usual(MISTAKES).unwrap_or(|_| ());
     let mut places = Random::new(2);
@@ -57,29 +51,26 @@ pub fn compare_lights<P: Input>(
         }
         [p, p.map(|x| 1e6 * x), ends[0], ends[1]].map(|p| (light.clone(), p))
     };
-    let answer = |light: Arriving| {
-        light.map_or(Answer::words("no light"), |light| {
-            Answer::named("colour", light.color.channels())
-                .and("direction", array(light.direction))
-                .and("distance", light.distance)
-        })
-    };
     check.compare(
         &format!("{words}, seen from {{}}"),
         PLACES.map(|p| (first.clone(), p)),
         random(any).flat_map(points),
-        |(light, p)| answer(lesson(light, point(p))),
-        |(light, p)| {
-            let mut arriving = yours(light, point(p));
+        [(lesson, (|_| ()) as Mistake), (yours, mistake)],
+        |(light, mistake), (parameters, p)| {
+            let mut arriving = light(parameters, point(p));
             arriving.iter_mut().for_each(mistake);
-            answer(arriving)
+            arriving.map_or(Answer::words("no light"), |light| {
+                Answer::named("colour", light.color.channels())
+                    .and("direction", array(light.direction))
+                    .and("distance", light.distance)
+            })
         },
     );
 }
 
 /// The picture of a scene of shiny objects in the student's light.
 pub fn lit(
-    view: Scene<LitWorld>,
+    view: Made<View<LitWorld>>,
     light: impl Fn(Point3) -> Arriving + Sync,
 ) -> impl FnOnce(&Settings) -> Result<Image, Error> {
     shaded(view, move |diffuse, ray, hit, world| {

@@ -1,14 +1,7 @@
 //! Compares materials: in light from before, from behind and along the surface, with normals
 //! aslant to the face, for eyes at all distances.
 
-use a02_math::{Direction, Point3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Hit, Interval};
-use a05_lighting::{Illumination, Lighting, LitWorld};
-use common::{Color, Error, Image, Settings};
-use testing::exercise::{Check, Input, Random, random};
-
-use crate::scene::{Scene, array, channels, color, rendered, unit, vector};
+use crate::prelude::*;
 
 /// Direction to the eye and its distance, normal and face, ambient light, and the colour of
 /// each light and the direction to it. Directions have any length.
@@ -78,22 +71,19 @@ pub fn compare_materials<P: Input>(
     check: &mut Check,
     words: &str,
     first: &P,
-    mut any: impl FnMut(&mut Random) -> P,
-    lesson: impl Fn(P, &Ray, &Hit, &dyn Lighting) -> Color,
-    yours: impl Fn(P, &Ray, &Hit, &dyn Lighting) -> Color,
+    any: fn(&mut Random) -> P,
+    lesson: &dyn Fn(P, &Ray, &Hit, &dyn Lighting) -> Color,
+    yours: &dyn Fn(P, &Ray, &Hit, &dyn Lighting) -> Color,
 ) {
     let mistake = check.usual(MISTAKES).unwrap_or(|_, _| ());
     check.compare(
         &format!("{words}, {SEEN}"),
         simple().map(|seen| (first.clone(), seen)),
         random(|r| (any(r), any_seen(r))),
-        |(material, seen)| {
-            let (ray, hit, lights) = parts(seen, |_, _| ());
-            lesson(material, &ray, &hit, &lights).channels()
-        },
-        |(material, seen)| {
+        [(lesson, (|_, _| ()) as Mistake), (yours, mistake)],
+        |(material, mistake), (parameters, seen)| {
             let (ray, hit, lights) = parts(seen, mistake);
-            yours(material, &ray, &hit, &lights).channels()
+            material(parameters, &ray, &hit, &lights).channels()
         },
     );
 }
@@ -129,7 +119,7 @@ pub fn sum(
 /// The picture of a scene in the colours of this function, which takes the diffuse colour of
 /// the material, the ray, its hit, and the lights.
 pub fn shaded(
-    view: Scene<LitWorld>,
+    view: Made<View<LitWorld>>,
     color: impl Fn(Color, &Ray, &Hit, &dyn Lighting) -> Color + Sync,
 ) -> impl FnOnce(&Settings) -> Result<Image, Error> {
     rendered(view, move |world: &LitWorld, ray, _| {

@@ -1,22 +1,26 @@
 //! Shiny surfaces, compared with the lesson's.
 
 use crate::prelude::*;
-use crate::solutions::phong::phong as lesson;
+
+pub fn phong([d, s]: [Color; 2], p: f64, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
+    let shiny = Phong::new(d, s, p);
+    shiny.map_or(Color::BLACK, |shiny| shiny.color_for(ray, hit, lighting))
+}
 
 pub fn check(
     check: &mut Check,
-    shiny: impl Fn([Color; 2], f64, &Ray, &Hit, &dyn Lighting) -> Color + Sync,
+    yours: &(dyn Fn([Color; 2], f64, &Ray, &Hit, &dyn Lighting) -> Color + Sync),
 ) {
     compare_materials(
         check,
         "diffuse and specular {}, exponent {}",
         &([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], 2.0),
         |r| ([channels(r), channels(r)], r.between(0.5, 40.0)),
-        |(colors, p), ray, hit, lights| lesson(colors.map(color), p, ray, hit, lights),
-        |(colors, p), ray, hit, lights| shiny(colors.map(color), p, ray, hit, lights),
+        &|(colors, p), ray, hit, lights| phong(colors.map(color), p, ray, hit, lights),
+        &|(colors, p), ray, hit, lights| yours(colors.map(color), p, ray, hit, lights),
     );
     let picture = shaded(scenes::phong(), |d, ray, hit, lights| {
-        shiny([d, Color::WHITE], 64.0, ray, hit, lights)
+        yours([d, Color::WHITE], 64.0, ray, hit, lights)
     });
     check.scene(&stage(), "phong", picture);
 }
@@ -24,7 +28,7 @@ pub fn check(
 /// The sum over the lights, with a highlight that follows from 1 for light from before or
 /// 0, the cosine, and the exponent.
 fn textbook(c: &mut Check, highlight: fn(f64, f64, f64) -> f64) {
-    check(c, |[diffuse, specular], p, ray, hit, lights| {
+    check(c, &|[diffuse, specular], p, ray, hit, lights| {
         sum(diffuse, ray, hit, lights, |light| {
             let (n, l) = (hit.normal, light.direction);
             // The eye mirrored in the place of the light.

@@ -1,10 +1,8 @@
 //! Pictures of students' code, and vectors and colours from numbers.
 
-use a02_math::Vector3;
 pub use a02_math::lab::extremes::{point, vector};
-use a03_rays_cameras::{Ray, View, render};
-use common::{ArgumentError, Color, Error, Image, Settings};
-use testing::exercise::Random;
+
+use crate::prelude::*;
 
 /// The direction of length 1; all zeros where there is none.
 pub fn unit(xyz: [f64; 3]) -> Vector3 {
@@ -24,18 +22,15 @@ pub fn channels(random: &mut Random) -> [f64; 3] {
     [(); 3].map(|()| random.between(0.0, 1.5))
 }
 
-/// A scene of a stage: the camera and the world before it.
-pub type Scene<W> = Result<View<W>, ArgumentError>;
-
 /// The picture of a scene in the colours of this function, which takes the world, a ray and
 /// the depth.
 pub fn rendered<W: Sync>(
-    view: Scene<W>,
+    view: Made<View<W>>,
     color: impl Fn(&W, &Ray, u32) -> Color + Sync,
 ) -> impl FnOnce(&Settings) -> Result<Image, Error> {
     move |settings| {
         let View { camera, world } = view?;
-        let color = |ray: &Ray| color(&world, ray, settings.depth);
+        let color: &(dyn Fn(&Ray) -> Color + Sync) = &|ray| color(&world, ray, settings.depth);
         render(&camera, color, settings, &())
     }
 }

@@ -1,12 +1,8 @@
 //! Spots with narrow and wide rims, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::soft_spot::soft_spot as solution;
 
-pub fn check(
-    check: &mut Check,
-    spot: impl Fn(Color, Point3, Vector3, [f64; 2], Point3) -> Arriving + Sync,
-) {
+pub fn check(check: &mut Check, yours: fn(Color, Point3, Vector3, [f64; 2], Point3) -> Arriving) {
     compare_lights(
         check,
         "light {} at {}, which shines along {}, inner and outer angle {}",
@@ -16,12 +12,12 @@ pub fn check(
             let angles = [inner, inner + r.between(0.05, 1.6)];
             (channels(r), r.triple(5.0), r.triple(5.0), angles)
         },
-        |(c, lamp, d, angles), p| solution(color(c), point(lamp), vector(d), angles, p),
-        |(c, lamp, d, angles), p| spot(color(c), point(lamp), vector(d), angles, p),
+        &|(c, lamp, d, angles), p| soft_spot(color(c), point(lamp), vector(d), angles, p),
+        &|(c, lamp, d, angles), p| yours(color(c), point(lamp), vector(d), angles, p),
     );
     let (lamp, inwards) = (point([4.0; 3]), vector([-1.0; 3]));
-    let spot = |p| spot(Color::WHITE, lamp, inwards, [0.1, 0.3], p);
-    check.picture(lit(scenes::phong_spot(), spot));
+    let yours = |p| yours(Color::WHITE, lamp, inwards, [0.1, 0.3], p);
+    check.picture(lit(scenes::phong_spot(), yours));
 }
 
 pub const VARIANTS: &[Variant] = &[wrong("the share has no crease", |c| {

@@ -2,12 +2,22 @@
 
 use std::f64::consts::PI;
 
+pub fn spot_light(
+    color: Color,
+    lamp: Point3,
+    axis: Vector3,
+    half_angle: f64,
+    point: Point3,
+) -> Option<Illumination> {
+    let spot = SpotLight::new(color, lamp, axis, half_angle);
+    spot.ok()?.illumination(point)
+}
+
 use crate::prelude::*;
-use crate::solutions::spot_light::spot_light as lesson;
 
 pub fn check(
     check: &mut Check,
-    light: impl Fn(Color, Point3, Vector3, f64, Point3) -> Arriving + Sync,
+    yours: &(dyn Fn(Color, Point3, Vector3, f64, Point3) -> Arriving + Sync),
 ) {
     for half_angle in [1.0, PI] {
         compare_lights(
@@ -18,17 +28,17 @@ pub fn check(
                 let [lamp, axis] = [(); 2].map(|()| r.triple(5.0));
                 (channels(r), lamp, axis, r.between(0.05, 3.1))
             },
-            |(c, lamp, axis, angle), p| lesson(color(c), point(lamp), unit(axis), angle, p),
-            |(c, lamp, axis, angle), p| light(color(c), point(lamp), unit(axis), angle, p),
+            &|(c, lamp, axis, angle), p| spot_light(color(c), point(lamp), unit(axis), angle, p),
+            &|(c, lamp, axis, angle), p| yours(color(c), point(lamp), unit(axis), angle, p),
         );
     }
-    let spot = |p| light(Color::WHITE, point([4.0; 3]), unit([-1.0; 3]), PI / 14.0, p);
+    let spot = |p| yours(Color::WHITE, point([4.0; 3]), unit([-1.0; 3]), PI / 14.0, p);
     check.scene(&stage(), "phong-spot", lit(scenes::phong_spot(), spot));
 }
 
 /// The light where this function accepts the angle of the point and the half angle.
 fn textbook(c: &mut Check, accepts: fn(f64, f64) -> bool) {
-    check(c, |color, lamp, axis, half_angle, p| {
+    check(c, &|color, lamp, axis, half_angle, p| {
         let light = PointLight::new(color, lamp).ok()?.illumination(p)?;
         let angle = libm::acos(axis.dot(-light.direction).clamp(-1.0, 1.0));
         accepts(angle, half_angle).then_some(light)

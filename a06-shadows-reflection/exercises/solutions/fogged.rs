@@ -1,7 +1,6 @@
 //! Fog: distant objects take on its colour.
 
-use common::Color;
-use testing::assert_close;
+use crate::prelude::*;
 
 /// The rest of a colour behind fog of this thickness, plus the colour of the fog.
 ///

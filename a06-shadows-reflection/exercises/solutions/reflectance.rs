@@ -1,6 +1,6 @@
 //! Fresnel's formulas: how much water or glass mirrors.
 
-use testing::assert_close;
+use crate::prelude::*;
 
 /// The share of unpolarised light that a surface mirrors, whose angle to the
 /// normal has the cosine `cos`, from 0 to 1. It comes from where the

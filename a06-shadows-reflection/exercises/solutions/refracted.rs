@@ -1,7 +1,6 @@
 //! Refraction: the direction in which a ray goes on in water or glass.
 
-use a02_math::{Direction, Normal3, Vector3};
-use testing::assert_close;
+use crate::prelude::*;
 
 /// The direction of length 1 behind a surface with the normal `n`, or none if
 /// all light is mirrored. Both `d` and `n` have the length 1; `n` points out,

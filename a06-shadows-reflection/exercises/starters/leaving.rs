@@ -1,8 +1,6 @@
 //! `secondary_ray`: a ray that leaves a surface without hitting it again.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::Hit;
+use crate::prelude::*;
 
 /// The ray that leaves the hit of `ray` in a direction of length 1, to either side of the
 /// surface. Its origin is `ray.at(hit.t)`, offset along the normal `hit.face` of length 1 by

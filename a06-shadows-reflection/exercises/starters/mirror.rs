@@ -1,11 +1,6 @@
 //! `trace`: the colour that a ray brings back from a world of mirrors.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Interval, Plane};
-use a05_lighting::Material;
-use a06_shadows_reflection::{RecursiveTracer, Reflective, ShadowedWorld, Surface, secondary_ray};
-use common::Color;
+use crate::prelude::*;
 
 /// The colour that a ray brings back if it may hit `depth` surfaces in turn. The last of
 /// them mirrors black.

@@ -1,11 +1,6 @@
 //! `is_shadowed`: whether an object lies between a hit and a light.
 
-use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Hit, Interval, Plane, Sphere, World};
-use a05_lighting::{Illumination, SingleColor};
-use a06_shadows_reflection::{Surface, secondary_ray};
-use common::Color;
+use crate::prelude::*;
 
 /// Whether any object of the world lies between the hit of `ray` and a light.
 ///

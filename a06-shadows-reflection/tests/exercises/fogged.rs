@@ -1,9 +1,8 @@
 //! Colours in fog, thick and thin, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::fogged::fogged as solution;
 
-pub fn check(check: &mut Check, fogged: impl Fn(Color, Color, f64, f64) -> Color + Sync) {
+pub fn check(check: &mut Check, yours: &(dyn Fn(Color, Color, f64, f64) -> Color + Sync)) {
     let (red, blue) = ([1.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
     let infinity = f64::INFINITY;
     check.compare(
@@ -20,20 +19,20 @@ pub fn check(check: &mut Check, fogged: impl Fn(Color, Color, f64, f64) -> Color
             let [c, fog] = [(); 2].map(|()| channels(r));
             (c, fog, r.between(0.0, 0.5), r.between(0.0, 9.0))
         }),
-        |(c, fog, density, t)| solution(color(c), color(fog), density, t).channels(),
-        |(c, fog, density, t)| fogged(color(c), color(fog), density, t).channels(),
+        [&fogged as _, yours],
+        |fogged, (c, fog, density, t)| fogged(color(c), color(fog), density, t).channels(),
     );
     check.picture(rendered(scenes::sphere(), |world, ray, depth| {
         let clear = RecursiveTracer::new(world).trace(ray, depth);
         let nearest = world.objects().hit(ray, Interval::AHEAD);
         let distance = nearest.map_or(f64::INFINITY, |(hit, _)| hit.t);
-        fogged(clear, Color::new(0.7, 0.75, 0.8), 0.08, distance)
+        yours(clear, Color::new(0.7, 0.75, 0.8), 0.08, distance)
     }));
 }
 
 /// The mixture by the share that is left of the colour.
 fn mixed(c: &mut Check, left: fn(f64, f64) -> f64) {
-    check(c, |color, fog, density, distance| {
+    check(c, &|color, fog, density, distance| {
         let left = left(density, distance);
         color * left + fog * (1.0 - left)
     });
@@ -47,8 +46,8 @@ pub const VARIANTS: &[Variant] = &[
         mixed(c, |density, t| 1.0 - (density * t).min(1.0));
     }),
     wrong("the fog adds its own colour", |c| {
-        check(c, |color, _, density, t| {
-            solution(color, Color::BLACK, density, t)
+        check(c, &|color, _, density, t| {
+            fogged(color, Color::BLACK, density, t)
         });
     }),
 ];

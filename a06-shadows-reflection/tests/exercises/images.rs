@@ -1,9 +1,8 @@
 //! Lamps between mirrors, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::images::images as solution;
 
-pub fn check(check: &mut Check, images: impl Fn(f64, f64, u32) -> [f64; 2]) {
+pub fn check(check: &mut Check, yours: &dyn Fn(f64, f64, u32) -> [f64; 2]) {
     check.compare(
         "mirrors {} apart, lamp at {}, after {} reflections",
         [0, 1, 2, 3].map(|n| (10.0, 3.0, n)),
@@ -11,14 +10,14 @@ pub fn check(check: &mut Check, images: impl Fn(f64, f64, u32) -> [f64; 2]) {
             let width = r.between(1.0, 20.0);
             (width, r.between(0.0, width), r.below(12))
         }),
-        |(width, lamp, n)| solution(width, lamp, n),
-        |(width, lamp, n)| images(width, lamp, n),
+        [&images as _, yours],
+        |images, (width, lamp, n)| images(width, lamp, n),
     );
 }
 
 /// Images of which each step makes the next ones.
 fn steps(c: &mut Check, step: fn(f64, [f64; 2]) -> [f64; 2]) {
-    check(c, |width, lamp, n| {
+    check(c, &|width, lamp, n| {
         (0..n).fold([lamp; 2], |images, _| step(width, images))
     });
 }

@@ -2,14 +2,13 @@
 //! both sides, compared with the lesson's.
 
 use crate::prelude::*;
-use crate::solutions::leaving::secondary_ray as lesson;
 
 /// Shape, its normal, size, point in sizes, way from there to the eye, and the direction.
 type Left = (&'static str, [f64; 3], f64, [f64; 3], [f64; 3], [f64; 3]);
 
 const SHAPES: [&str; 3] = ["plane", "sphere", "smooth triangle"];
 
-pub fn check(check: &mut Check, leaving: impl Fn(&Ray, &Hit, Vector3) -> Ray + Sync) {
+pub fn check(check: &mut Check, yours: &(dyn Fn(&Ray, &Hit, Vector3) -> Ray + Sync)) {
     let simple = |d, size| SHAPES.map(|s| (s, [0.0, 1.0, 0.0], size, [0.0; 3], [0.0, 2.0, 1.0], d));
     let (up, down) = ([4.0, 3.0, 0.0], [4.0, -3.0, 0.0]);
     check.compare(
@@ -25,11 +24,11 @@ pub fn check(check: &mut Check, leaving: impl Fn(&Ray, &Hit, Vector3) -> Ray + S
             let (shape, p) = (SHAPES[r.below(3) as usize], p.map(|x| x * far));
             (shape, array(n), r.scale(), p, array(eye), array(d))
         }),
-        |input| left(input, &lesson),
-        |input| left(input, &leaving),
+        [&secondary_ray as _, yours],
+        |leaving, input| left(input, leaving),
     );
     let picture = rendered(scenes::sphere(), |world, ray, depth| {
-        Tracer(world, &is_shadowed, &leaving).trace(ray, depth)
+        Tracer(world, &is_shadowed, yours).trace(ray, depth)
     });
     check.scene(&stage(), "sphere", picture);
 }
@@ -68,7 +67,7 @@ fn numbers(ray: &Ray, hit: &Hit) -> [f64; 3] {
 
 /// The ray that is offset along this vector, by a length that follows from the numbers.
 fn offset(c: &mut Check, along: fn(&Hit, Vector3) -> Vector3, length: fn([f64; 3]) -> f64) {
-    check(c, |ray, hit, d| {
+    check(c, &|ray, hit, d| {
         let along = along(hit, d);
         let length = length(numbers(ray, hit)).copysign(along.dot(d));
         Ray::derived(ray.at(hit.t) + along * length, d)

@@ -1,15 +1,12 @@
 //! Rays in random worlds of mirrors, compared with the lesson's tracer.
 
 use crate::prelude::*;
-use crate::solutions::mirror::trace as lesson;
 
-type Trace<'a> = &'a dyn Fn(&ShadowedWorld, &Ray, u32) -> Color;
+pub fn trace(world: &ShadowedWorld, ray: &Ray, depth: u32) -> Color {
+    RecursiveTracer::new(world).trace(ray, depth)
+}
 
-pub fn check(check: &mut Check, trace: impl Fn(&ShadowedWorld, &Ray, u32) -> Color + Sync) {
-    let color = |((c, r), mirror, [o, d], depth): ((_, _), _, [_; 2], _), trace: Trace| {
-        let world = mirrors(c, r, mirror).ok()?;
-        Some(trace(&world, &Ray::derived(point(o), unit(d)), depth).channels())
-    };
+pub fn check(check: &mut Check, yours: &(dyn Fn(&ShadowedWorld, &Ray, u32) -> Color + Sync)) {
     // To the background, to the floor, which mirrors it, and to the triangle.
     let ends = [[4.0, 3.0, 0.0], [4.0, -3.0, 0.0], [0.0, -2.5, -8.0]];
     let simple = [1, 2, 0, 5].map(|depth| {
@@ -27,15 +24,18 @@ pub fn check(check: &mut Check, trace: impl Fn(&ShadowedWorld, &Ray, u32) -> Col
             let d = point([u / 2.0, v.abs(), w - 4.0]) - point(o);
             (ball, mirror, [o, array(d)], r.below(7))
         }),
-        |input| color(input, &lesson),
-        |input| color(input, &trace),
+        [&trace as _, yours],
+        |trace, ((c, r), mirror, [o, d], depth)| {
+            let world = mirrors(c, r, mirror).ok()?;
+            Some(trace(&world, &Ray::derived(point(o), unit(d)), depth).channels())
+        },
     );
-    check.scene(&stage(), "sphere", rendered(scenes::sphere(), trace));
+    check.scene(&stage(), "sphere", rendered(scenes::sphere(), yours));
 }
 
 /// The recursion, whose reflected rays go along this direction.
 fn reflected(c: &mut Check, direction: fn(&Ray, &Hit) -> Vector3) {
-    check(c, |world, ray, depth| {
+    check(c, &|world, ray, depth| {
         let leaving = |ray: &Ray, hit: &Hit, _| secondary_ray(ray, hit, direction(ray, hit));
         Tracer(world, &is_shadowed, &leaving).trace(ray, depth)
     });
@@ -46,7 +46,7 @@ pub const VARIANTS: &[Variant] = &[
         reflected(c, |ray, hit| (-ray.direction()).reflected_on(hit.normal));
     }),
     wrong("the last surface mirrors black", |c| {
-        check(c, |world, ray, depth| lesson(world, ray, depth + 1));
+        check(c, &|world, ray, depth| trace(world, ray, depth + 1));
     }),
     wrong("a mirror is seen by its normal, not by its face", |c| {
         reflected(c, |ray, hit| (-ray.direction()).reflected_on(hit.face));

@@ -2,12 +2,8 @@
 //! the solution.
 
 use crate::prelude::*;
-use crate::solutions::refracted::refracted as solution;
 
-pub fn check(
-    check: &mut Check,
-    refracted: impl Fn(Vector3, Normal3, f64) -> Option<Vector3> + Sync,
-) {
+pub fn check(check: &mut Check, yours: fn(Vector3, Normal3, f64) -> Option<Vector3>) {
     // Straight in and out, aslant in, and mirrored.
     let ends = [(0.0, -1.0), (0.0, 1.0), (4.0, -3.0), (4.0, 3.0)];
     check.compare(
@@ -21,14 +17,14 @@ pub fn check(
             let limit = array(aside * sin + n * (1.0 - sin * sin).sqrt());
             ([d, limit][r.below(2) as usize], array(n), index)
         }),
-        |(d, n, index)| solution(unit(d), unit(n).as_normal(), index).map(array),
-        |(d, n, index)| refracted(unit(d), unit(n).as_normal(), index).map(array),
+        [refracted, yours],
+        |refracted, (d, n, index)| refracted(unit(d), unit(n).as_normal(), index).map(array),
     );
     // Objects below the surface of a water, seen from above.
     let (surface, up) = (2.5, Normal3::new(0.0, 1.0, 0.0));
     check.picture(rendered(scenes::sphere(), |world, ray, depth| {
         let at = ray.at((surface - ray.origin().y()) / ray.direction().y());
-        let below = refracted(ray.direction(), up, 4.0 / 3.0);
+        let below = yours(ray.direction(), up, 4.0 / 3.0);
         below.map_or(Color::BLACK, |below| {
             RecursiveTracer::new(world).trace(&Ray::derived(at, below), depth)
         })
@@ -55,7 +51,7 @@ pub const VARIANTS: &[Variant] = &[
     }),
     wrong("no sine is more than 1", |c| {
         check(c, |d, n, index| {
-            solution(d, n, index).or(Some((-d).reflected_on(n)))
+            refracted(d, n, index).or(Some((-d).reflected_on(n)))
         });
     }),
 ];

@@ -1,22 +1,11 @@
 //! A ball before, behind and beyond lights in worlds of all sizes, compared with the lesson.
 
 use crate::prelude::*;
-use crate::solutions::shadowed::is_shadowed as lesson;
 
 pub fn check(
     check: &mut Check,
-    is_shadowed: impl Fn(&Objects, &Ray, &Hit, &Illumination) -> bool + Sync,
+    yours: &(dyn Fn(&Objects, &Ray, &Hit, &Illumination) -> bool + Sync),
 ) {
-    let answer = |(p, (c, r), to_light, distance): ([f64; 3], (_, _), _, _), f: IsShadowed| {
-        // The eye is beside the point, as far as the lamp or 1.
-        let away = vector([3.0, 2.0, 1.0]) * if distance < 1e9 { distance } else { 1.0 };
-        let ray = Ray::new(point(p) + away, -away).ok()?;
-        let world = mirrors(c, r, [0.0; 3]).ok()?;
-        let (hit, _) = world.objects().hit(&ray, Interval::AHEAD)?;
-        let mut light = Illumination::default();
-        (light.direction, light.distance) = (unit(to_light), distance);
-        Some(f(world.objects(), &ray, &hit, &light))
-    };
     let lit = |y, r, distance| ([0.0; 3], ([0.0, y, 0.0], r), [0.0, 1.0, 0.0], distance);
     let simple = [
         lit(4.0, 1.0, 8.0),
@@ -42,18 +31,27 @@ pub fn check(
             let radius = size * (to - from) / 2.0;
             (array(p), (array(c), radius), array(l), size)
         }),
-        |input| answer(input, &lesson),
-        |input| answer(input, &is_shadowed),
+        [&is_shadowed as _, yours],
+        |is_shadowed, (p, (c, r), to_light, distance)| {
+            // The eye is beside the point, as far as the lamp or 1.
+            let away = vector([3.0, 2.0, 1.0]) * if distance < 1e9 { distance } else { 1.0 };
+            let ray = Ray::new(point(p) + away, -away).ok()?;
+            let world = mirrors(c, r, [0.0; 3]).ok()?;
+            let (hit, _) = world.objects().hit(&ray, Interval::AHEAD)?;
+            let mut light = Illumination::default();
+            (light.direction, light.distance) = (unit(to_light), distance);
+            Some(is_shadowed(world.objects(), &ray, &hit, &light))
+        },
     );
     let picture = rendered(scenes::aab(), |world, ray, depth| {
-        Tracer(world, &is_shadowed, &secondary_ray).trace(ray, depth)
+        Tracer(world, yours, &secondary_ray).trace(ray, depth)
     });
     check.scene(&stage(), "aab", picture);
 }
 
 /// Whether anything is hit from the surface on, up to this distance.
 fn up_to(c: &mut Check, end: fn(f64) -> f64) {
-    check(c, |world, ray, hit, light| {
+    check(c, &|world, ray, hit, light| {
         let to_light = secondary_ray(ray, hit, light.direction);
         let between = Interval::before(end(light.distance));
         world.hit(&to_light, between).is_some()

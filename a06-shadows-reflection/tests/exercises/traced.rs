@@ -1,13 +1,6 @@
 //! Worlds of mirrors, and a tracer with the student's code in it.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::Ray;
-use a04_intersections::{Hit, Interval, Plane, Sphere, Triangle, World};
-use a05_lighting::{Illumination, Light, Lighting, PointLight};
-use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, Surface};
-use common::{ArgumentError, Color};
-
-use crate::scene::{color, point, vector};
+use crate::prelude::*;
 
 /// The objects of a world.
 pub type Objects = World<Box<dyn Surface>>;
@@ -53,7 +46,7 @@ impl Lighting for Tracer<'_> {
 }
 
 /// A floor y = 0, a ball and a smooth triangle that mirror, and a lamp.
-pub fn mirrors(c: [f64; 3], r: f64, reflection: [f64; 3]) -> Result<ShadowedWorld, ArgumentError> {
+pub fn mirrors(c: [f64; 3], r: f64, reflection: [f64; 3]) -> Made<ShadowedWorld> {
     let of = |own| Reflective::new(own, Color::WHITE, 8.0, color(reflection)).map(Box::new);
     let lamp = PointLight::new(Color::WHITE, Point3::new(3.0, 9.0, 4.0))?;
     let triangle = smooth_triangle(point([0.0, 1.5, -4.0]), vector([0.0, -0.5, 1.0]), 2.0)?;
@@ -66,7 +59,7 @@ pub fn mirrors(c: [f64; 3], r: f64, reflection: [f64; 3]) -> Result<ShadowedWorl
 }
 
 /// A triangle around a point with the normal `n`, whose corners have another one.
-pub fn smooth_triangle(p: Point3, n: Vector3, size: f64) -> Result<Triangle, ArgumentError> {
+pub fn smooth_triangle(p: Point3, n: Vector3, size: f64) -> Made<Triangle> {
     let u = n.cross(Vector3::new(n.y(), n.z(), -n.x())).unit("side")? * size;
     let v = n.unit("normal")?.cross(u);
     let [a, b, c] = [(2.0, 0.0), (-1.0, 2.0), (-1.0, -2.0)].map(|(x, y)| p + u * x + v * y);

@@ -2,7 +2,7 @@
 
 use crate::prelude::*;
 
-type Children = Vec<Box<dyn Geometry>>;
+type Children = Vec<Shape>;
 
 /// A small ball in a large one, and a triangle whose corners have normals aslant.
 fn children() -> Made<Children> {
@@ -21,8 +21,8 @@ pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Transform, Children) -
         "two balls and a triangle under {}",
         vec![],
         Step::random,
-        |steps| Ok(lesson(transform(&steps), children()?)),
-        |steps| Ok(new(transform(&steps), children()?)),
+        &|steps| Ok(Box::new(lesson(transform(&steps), children()?))),
+        &|steps| Ok(Box::new(new(transform(&steps), children()?))),
     );
     box_scene(check, |child| {
         new(transform(&steps_of_box()), vec![Box::new(child)])

@@ -1,9 +1,8 @@
 //! Rings anywhere, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::ring::Ring;
 
-pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Point3, Normal3, f64, f64) -> Made<G>) {
+pub fn check(check: &mut Check, new: &dyn Fn(Point3, Normal3, f64, f64) -> Made<Shape>) {
     compare(
         check,
         "ring around {}, normal {}, from {} to {}",
@@ -12,8 +11,8 @@ pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Point3, Normal3, f64, 
             let (hole, width) = (r.between(0.5, 2.0), r.between(0.5, 2.0));
             (r.triple(3.0), r.triple(5.0), hole, hole + width)
         },
-        |(c, n, hole, r)| Ring::new(point(c), vector(n).as_normal(), hole, r),
-        |(c, n, hole, r)| new(point(c), vector(n).as_normal(), hole, r),
+        &|(c, n, hole, r)| boxed(Ring::new(point(c), vector(n).as_normal(), hole, r)),
+        &|(c, n, hole, r)| new(point(c), vector(n).as_normal(), hole, r),
     );
     let saturn = || {
         let ring = new(Point3::ORIGIN, Normal3::new(0.3, 1.0, 0.1), 1.3, 2.2)?;
@@ -25,7 +24,7 @@ pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Point3, Normal3, f64, 
 }
 
 pub const VARIANTS: &[Variant] = &[wrong("both borders belong to the ring", |c| {
-    check(c, |c, n, hole, r| {
+    check(c, &|c, n, hole, r| {
         let ring = Ring::new(c, n, hole, r)?;
         own(move |ray: &Ray, i| {
             let hit = ring.hit(ray, i)?;

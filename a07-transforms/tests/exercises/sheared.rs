@@ -1,9 +1,6 @@
 //! A smooth triangle and a ball that lean, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::sheared::Sheared;
-
-type Shape = Box<dyn Geometry>;
 
 /// A ball, or a triangle whose corners have normals aslant.
 fn upright(is_ball: bool) -> Made<Shape> {
@@ -18,8 +15,8 @@ pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Shape, f64) -> G) {
         "a shape (a ball: {}) sheared by {}",
         (true, 0.5),
         |r| (r.below(2) == 0, r.between(-3.0, 3.0)),
-        |(is_ball, by)| Ok(Sheared::new(upright(is_ball)?, by)),
-        |(is_ball, by)| Ok(new(upright(is_ball)?, by)),
+        &|(is_ball, by)| Ok(Box::new(Sheared::new(upright(is_ball)?, by))),
+        &|(is_ball, by)| Ok(Box::new(new(upright(is_ball)?, by))),
     );
     let world = || {
         let beam = AxisAlignedBox::new(point([-2.3, 0.0, -0.7]), point([-1.0, 2.0, 0.7]))?;

@@ -116,7 +116,7 @@ pub fn steps_of_box() -> [Step; 4] {
 /// Shows a world to an eye that looks at the point `at`. Surfaces that face right, up or the
 /// eye are brighter than others.
 pub fn show_lit(check: &mut Check, world: Made<World<Color>>, eye: [f64; 3], at: [f64; 3]) {
-    show_world(check, world, eye, at, |color: &Color, _, n: Normal3| {
-        *color * (0.5 + 0.15 * n.x() + 0.3 * n.y() + 0.2 * n.z())
+    show_world(check, world, eye, at, &|color, _, n| {
+        color * (0.5 + 0.15 * n.x() + 0.3 * n.y() + 0.2 * n.z())
     });
 }

@@ -1,35 +1,40 @@
 //! Rays and normals under chains of steps, compared with the lesson's.
 
 use crate::prelude::*;
-use crate::solutions::under_transform as lesson;
+
+pub fn ray_to_object(transform: &Transform, ray: &Ray) -> Ray {
+    transform.ray_to_object(ray)
+}
+
+pub fn normal_from_object(transform: &Transform, n: Normal3) -> Option<Normal3> {
+    transform.normal_from_object(n)
+}
 
 type RayToObject = fn(&Transform, &Ray) -> Ray;
 type NormalFromObject = fn(&Transform, Normal3) -> Option<Normal3>;
-type Input = (Vec<Step>, [[f64; 3]; 3]);
 
-pub fn check(check: &mut Check, ray_to_object: RayToObject, normal_from_object: NormalFromObject) {
-    let moved = |(steps, [o, d, n]): Input, ray: RayToObject, normal: NormalFromObject| {
-        let transform = transform(&steps);
-        let ray = ray(&transform, &Ray::derived(point(o), vector(d)));
-        let n = normal(&transform, vector(n).as_normal());
-        Answer::named("origin", ray.origin().to_glam().to_array())
-            .and("direction", ray.direction().to_glam().to_array())
-            .and("the normal", n.map(|n| n.to_glam().to_array()))
-    };
+pub fn check(check: &mut Check, ray: RayToObject, normal: NormalFromObject) {
     let (step, double) = (Step::Translate([2.0, 0.0, 0.0]), Step::Scale([2.0; 3]));
     check.compare(
         "chain {}; origin and direction of the ray, and normal {}",
         [step, double].map(|step| (vec![step], [[0.0; 3], [0.0, 0.0, -2.0], [0.6, 0.8, 0.0]])),
         random(|r| (Step::random(r), [(); 3].map(|()| r.triple(5.0)))),
-        |input| moved(input, lesson::ray_to_object, lesson::normal_from_object),
-        |input| moved(input, ray_to_object, normal_from_object),
+        [(ray_to_object as _, normal_from_object as _), (ray, normal)],
+        |(ray, normal): (RayToObject, NormalFromObject), (steps, [o, d, n])| {
+            let transform = transform(&steps);
+            let ray = ray(&transform, &Ray::derived(point(o), vector(d)));
+            let n = normal(&transform, vector(n).as_normal());
+            Answer::named("origin", ray.origin().to_glam().to_array())
+                .and("direction", ray.direction().to_glam().to_array())
+                .and("the normal", n.map(|n| n.to_glam().to_array()))
+        },
     );
     locked_scene(check, "sphere-transformation", 20.0, ABOVE, |world| {
         let transform = Transform::IDENTITY.scale(6.0, 1.2, 4.0)?;
         let child = Sphere::new(Point3::ORIGIN, 1.0)?;
-        let moved = Own(move |ray: &Ray, within: Interval| {
-            let Hit { t, normal, .. } = child.hit(&ray_to_object(&transform, ray), within)?;
-            Some(Hit::new(t, normal_from_object(&transform, normal)?))
+        let moved = Own(move |outer: &Ray, within: Interval| {
+            let hit = child.hit(&ray(&transform, outer), within)?;
+            Some(Hit::new(hit.t, normal(&transform, hit.normal)?))
         });
         let material = Phong::new(Color::new(0.6, 0.0, 0.0), Color::WHITE, 64.0)?;
         Ok(world.with(moved, Box::new(material)))
@@ -55,7 +60,7 @@ pub const VARIANTS: &[Variant] = &[
         let forward = |t: &Transform, ray: &Ray| {
             Ray::derived(t.matrix() * ray.origin(), t.matrix() * ray.direction())
         };
-        check(c, forward, lesson::normal_from_object);
+        check(c, forward, normal_from_object);
     }),
     wrong("the direction keeps its length", |c| {
         let shortened = |t: &Transform, ray: &Ray| {
@@ -63,11 +68,9 @@ pub const VARIANTS: &[Variant] = &[
             let d = ray.direction().normalized();
             Ray::derived(ray.origin(), d.unwrap_or_default())
         };
-        check(c, shortened, lesson::normal_from_object);
+        check(c, shortened, normal_from_object);
     }),
     wrong("a normal is no vector", |c| {
-        check(c, lesson::ray_to_object, |t, n| {
-            unit(t.matrix() * Vector3::from(n))
-        });
+        check(c, ray_to_object, |t, n| unit(t.matrix() * Vector3::from(n)));
     }),
 ];

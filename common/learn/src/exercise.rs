@@ -90,20 +90,27 @@ mod tests {
     use super::*;
     use crate::{enter_workspace, files};
 
-    /// Each section has its files and each solution its section; starters lack something;
-    /// hints are words, as no test would compile code in them; and the checks of the core
-    /// path accept another style.
+    /// Each section has its files and each file its section; starters lack something; hints
+    /// are words, as no test would compile code in them; and the checks of the core path
+    /// accept another style.
     #[test]
     fn sections_and_files_agree() {
         enter_workspace().unwrap();
-        let (mut names, mut solutions) = (BTreeSet::new(), BTreeSet::new());
+        let (mut names, mut files) = (BTreeSet::new(), BTreeSet::new());
         for exercise in read_all().unwrap() {
             let (stage, name, hints) = (exercise.stage, exercise.name, exercise.hints.concat());
-            assert!(names.insert(name), "{name} is the name of two exercises");
-            let solution = format!("{stage}/exercises/solutions/{name}.rs");
-            assert!(fs::exists(&solution).unwrap(), "{solution}");
-            let folder = fs::read_dir(format!("{stage}/exercises/solutions")).unwrap();
-            solutions.extend(folder.map(|file| file.unwrap().path()));
+            assert!(
+                names.insert(name.into()),
+                "{name} is the name of two exercises"
+            );
+            for folder in ["starters", "solutions"] {
+                let folder = fs::read_dir(format!("{stage}/exercises/{folder}"));
+                let paths = folder
+                    .into_iter()
+                    .flatten()
+                    .map(|file| file.unwrap().path());
+                files.extend(paths.map(|path| path.file_stem().unwrap().to_owned()));
+            }
             let starter = files::starter(&exercise).unwrap();
             for part in ["testing::missing(", "testing::examples!"] {
                 assert!(starter.contains(part), "{name}: {part}");
@@ -112,9 +119,13 @@ mod tests {
             let count = |brace| starter.matches(brace).count();
             assert_eq!(count('{'), count('}'), "{name}");
             assert!(!hints.is_empty() && !hints.contains("```rust"), "{name}");
+            assert!(
+                fs::exists(exercise.solution.trim_matches('`')).unwrap(),
+                "{name}"
+            );
             let check = fs::read_to_string(format!("{stage}/tests/exercises/{name}.rs")).unwrap();
             assert!(!exercise.is_core || check.contains("right(\""), "{name}");
         }
-        assert_eq!(solutions.len(), names.len(), "each solution has a section");
+        assert_eq!(files, names);
     }
 }

@@ -6,17 +6,19 @@
 //! 1. Where the student writes a part of the lesson, the starter,
 //!    `exercises/starters/NAME.rs`, compiles, calls [`missing`] in the place of the code that
 //!    is left to the student, and ends with three to six [`examples!`](crate::examples); the
-//!    solution, `exercises/solutions/NAME.rs`, is the lesson. Elsewhere write only the
-//!    solution, with examples. The student's part stands in
-//!    `missing!("what is missing", a value for now, {`, ends with a line `})`, and is cut
-//!    out of the starter.
-//! 2. The check, `tests/exercises/NAME.rs`, compares the student's code with the lesson or
-//!    the solution by [`Check::compare`]. Its `VARIANTS` are right solutions in another style,
+//!    solution is the lesson's type, or a function in the file of the check that calls it.
+//!    Elsewhere write the solution, `exercises/solutions/NAME.rs`, with examples. The
+//!    student's part stands in `missing!("what is missing", a value for now, {`, ends with a
+//!    line `})`, and is cut out of the starter.
+//! 2. The check, `tests/exercises/NAME.rs`, compares the student's code with the
+//!    solution by [`Check::compare`]. Its `VARIANTS` are right solutions in another style,
 //!    and mistakes of learners: at least three with those of its kind ([`Check::usual`]).
 //! 3. Add a line to [`exercises!`](crate::exercises) in `tests/exercises/main.rs`, and a
 //!    section to the page `book/src/aNN-exercises.md`: task, minutes and hints.
 //! 4. `cargo test -p STAGE --test exercises -- NAME` proves it, shows the messages that
 //!    students read, and leaves the picture of the solution in `out/exercises/`.
+
+use common::ArgumentError;
 
 mod answer;
 mod check;
@@ -34,6 +36,9 @@ pub use input::Input;
 pub use judge::judge;
 pub use prove::prove;
 pub use random::{Random, random};
+
+/// A value, or the argument of its constructor that is wrong.
+pub type Made<T> = Result<T, ArgumentError>;
 
 /// The examples of a file and the check of its code.
 #[derive(Clone, Copy)]
@@ -86,10 +91,10 @@ macro_rules! examples {
 }
 
 /// Writes the modules and the `main` of a stage's `tests/exercises/main.rs`. The first
-/// line makes `crate::prelude`, whose names checks and examples use. The next ones are
-/// exercises with a starter of their own, in the folder `starters`, and exercises whose
-/// starter is the solution without its code: each the name and a check, which sees the
-/// public items of the file.
+/// line makes `crate::prelude`, whose names checks and examples use; the solutions are among
+/// them. The next ones are exercises with a starter of their own, in the folder `starters`,
+/// whose solution is the lesson, and exercises whose starter is the solution without its
+/// code: each the name and a check, which sees the public items of the file.
 ///
 /// The test proves all checks, and does not read the students' files: a file that does
 /// not compile fails no test. `cargo learn` builds the test program with the
@@ -97,17 +102,37 @@ macro_rules! examples {
 /// file of that name.
 #[macro_export]
 macro_rules! exercises {
-    (use $names:tt; $($folder:ident { $($name:ident => $check:expr;)* })+) => {
+    (
+        use $names:tt;
+        starters { $($own:ident => $own_check:expr;)* }
+        solutions { $($name:ident => $check:expr;)* }
+    ) => {
         /// All names that checks and examples use.
-        #[allow(unused_imports)]
+        #[allow(unused_imports, ambiguous_glob_reexports)]
         mod prelude {
             pub use $names;
             pub use $crate::{assert_close, exercise::*};
+            $(#[cfg(any(not(learn), $name))] pub use super::solutions::$name::*;)*
         }
 
+        #[path = "../../exercises/solutions"]
+        mod solutions {
+            macro_rules! missing {
+                ($what:expr, $for_now:expr, $code:expr) => { $code };
+            }
+            $(#[cfg(any(not(learn), $name))] pub mod $name;)*
+        }
+
+        $crate::exercises! {
+            starters { $($own => $own_check;)* }
+            solutions { $($name => $check;)* }
+        }
+    };
+    ($($folder:ident { $($name:ident => $check:expr;)* })+) => {
         $($(
             #[cfg(any(not(learn), $name))]
-            #[allow(clippy::semicolon_if_nothing_returned, clippy::manual_midpoint)]
+            #[allow(clippy::semicolon_if_nothing_returned)]
+            #[allow(clippy::manual_midpoint, clippy::type_complexity)]
             mod $name;
         )*)+
 
@@ -129,24 +154,17 @@ macro_rules! exercises {
             $(pub mod $folder { $(pub mod $name;)* })+
         }
 
-        #[path = "../../exercises/solutions"]
-        mod solutions {
-            macro_rules! missing {
-                ($what:expr, $for_now:expr, $code:expr) => { $code };
-            }
-            $($(#[cfg(any(not(learn), $name))] pub mod $name;)*)+
-        }
-
         /// The examples of starters, with the code of the solutions.
         #[cfg(not(learn))]
         #[allow(unused_imports, clippy::all, clippy::pedantic)]
         mod proved {
             $($(pub fn $name() {
-                use super::{prelude::*, solutions::$name::*};
+                use super::{prelude::*, $name::*};
                 super::starters::$folder::$name::body!();
             })*)+
         }
 
+        #[allow(unused_imports)]
         fn main() -> std::process::ExitCode {
             use $crate::exercise::{Code, Exercise, judge, prove};
             let stage = env!("CARGO_PKG_NAME");
@@ -165,7 +183,7 @@ macro_rules! exercises {
                     Code { examples, check: $check }
                 },
                 solution: {
-                    use solutions::$name::*;
+                    use {prelude::*, $name::*};
                     Code { examples: proved::$name, check: $check }
                 },
                 variants: $name::VARIANTS,

@@ -64,70 +64,71 @@ impl Check {
         Some(mistakes.get(self.mistake?)?.1)
     }
 
-    /// Compares `yours` with the `lesson` at `simple` inputs, and then at `others`. The
-    /// words describe an input, with `{}` in the place of each argument.
+    /// Compares two codes, the lesson's and yours, which `run` calls, at `simple` inputs, and
+    /// then at `others`. The words describe an input, with `{}` in the place of each argument.
     ///
     /// Yours is right if it is an answer of the lesson to an input that differs from this
     /// one by rounding: so the tolerance follows from the condition of the input. Where the
     /// lesson itself decides otherwise at such an input, both decisions are right; but
     /// `simple` inputs are numbers like 0, 1 and 2, which every formula computes without
     /// rounding, and at them decisions must be equal, as for a ray that just touches.
-    pub fn compare<I: Input, A: Into<Answer>, B: Into<Answer>>(
+    pub fn compare<I: Input, F: Copy, A: Into<Answer>>(
         &mut self,
         words: &str,
         simple: impl IntoIterator<Item = I>,
         others: impl IntoIterator<Item = I>,
-        lesson: impl Fn(I) -> A,
-        yours: impl Fn(I) -> B,
+        codes: [F; 2],
+        run: impl Fn(F, I) -> A,
     ) {
-        let simple = simple.into_iter().map(|input| (true, input));
-        let others = others.into_iter().map(|input| (false, input));
-        let mut inputs = simple.chain(others);
-        self.compare_at(words, &mut inputs, &|i| lesson(i).into(), &|i| {
-            yours(i).into()
-        });
+        let run = &run;
+        let [lesson, yours] = codes.map(|code| move |input| run(code, input).into());
+        for input in simple {
+            if !self.compare_at(words, true, &input, &lesson, &yours) {
+                return;
+            }
+        }
+        for input in others {
+            if !self.compare_at(words, false, &input, &lesson, &yours) {
+                return;
+            }
+        }
     }
 
-    /// Like `compare`, compiled once for all code with the same kind of input.
+    /// Compares at one input, and returns whether the next one matters, too. It is compiled
+    /// once for all code with the same kind of input.
     fn compare_at<I: Input>(
         &mut self,
         words: &str,
-        inputs: &mut dyn Iterator<Item = (bool, I)>,
+        is_simple: bool,
+        input: &I,
         lesson: &dyn Fn(I) -> Answer,
         yours: &dyn Fn(I) -> Answer,
-    ) {
-        let unit = self.lacks.map_or(UNIT, |_| ROUNDING);
-        for (is_simple, input) in inputs {
-            if !self.is_watched && self.differ > 0 {
-                return;
-            }
-            let right = lesson(input.clone());
-            let allowed = |unit| {
-                let moved = input.moved(unit).filter(|_| !is_simple);
-                right.tolerances(unit, moved.map(|pair| pair.map(lesson)))
+    ) -> bool {
+        let right = lesson(input.clone());
+        let allowed = |unit| {
+            let moved = input.moved(unit).filter(|_| !is_simple);
+            right.tolerances(unit, moved.map(|pair| pair.map(lesson)))
+        };
+        let Some(tolerances) = allowed(self.lacks.map_or(UNIT, |_| ROUNDING)) else {
+            self.skipped += 1;
+            return true;
+        };
+        let Ok(got) = catch_unwind(AssertUnwindSafe(|| yours(input.clone()))) else {
+            let panics = "it panics, with the message above";
+            self.conclude(Some(described(words, input, panics)));
+            return false;
+        };
+        let is_near = |allowed: Vec<f64>| right.difference(&got, &allowed).is_none();
+        let difference = right.difference(&got, &tolerances).map(|difference| {
+            let is_rounding = allowed(UNIT).is_none_or(is_near);
+            let about = match self.lacks.filter(|_| is_rounding) {
+                Some(it) => format!("{difference}\n    right but for rounding: the formula {it}"),
+                None => difference,
             };
-            let Some(tolerances) = allowed(unit) else {
-                self.skipped += 1;
-                continue;
-            };
-            let got = catch_unwind(AssertUnwindSafe(|| yours(input.clone())));
-            let Ok(got) = got else {
-                let panics = "it panics, with the message above";
-                return self.conclude(Some(described(words, &input, panics)));
-            };
-            let is_near = |allowed: Vec<f64>| right.difference(&got, &allowed).is_none();
-            let difference = right.difference(&got, &tolerances).map(|difference| {
-                let is_rounding = allowed(UNIT).is_none_or(is_near);
-                let about = match self.lacks.filter(|_| is_rounding) {
-                    Some(it) => {
-                        format!("{difference}\n    right but for rounding: the formula {it}")
-                    }
-                    None => difference,
-                };
-                described(words, &input, &about)
-            });
-            self.conclude(difference);
-        }
+            described(words, input, &about)
+        });
+        self.conclude(difference);
+        self.is_watched || self.differ == 0
     }
 
     fn conclude(&mut self, difference: Option<String>) {

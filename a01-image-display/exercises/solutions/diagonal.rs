@@ -1,7 +1,0 @@
-//! `diagonal`: the lesson's own.
-
-use crate::prelude::*;
-
-pub fn diagonal(size: Size) -> Result<Image, Error> {
-    PaintDiagonal::new(size).image()
-}

@@ -1,3 +1,0 @@
-//! `PerspectiveCamera`: the lesson's own.
-
-pub use a03_rays_cameras::PerspectiveCamera;

@@ -1,3 +1,0 @@
-//! `PinholeCamera`: the lesson's own.
-
-pub use a03_rays_cameras::PinholeCamera;

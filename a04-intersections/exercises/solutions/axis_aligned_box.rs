@@ -1,3 +1,0 @@
-//! `AxisAlignedBox`: the lesson's own.
-
-pub use a04_intersections::AxisAlignedBox;

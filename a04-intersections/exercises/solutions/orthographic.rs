@@ -1,3 +1,0 @@
-//! `OrthographicCamera`: the lesson's own.
-
-pub use a03_rays_cameras::OrthographicCamera;

@@ -1,3 +1,0 @@
-//! `Plane`: the lesson's own.
-
-pub use a04_intersections::Plane;

@@ -1,3 +1,0 @@
-//! `Sphere`: the lesson's own.
-
-pub use a04_intersections::Sphere;

@@ -1,3 +1,0 @@
-//! `Triangle`: the lesson's own.
-
-pub use a04_intersections::Triangle;

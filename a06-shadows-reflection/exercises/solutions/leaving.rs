@@ -1,3 +1,0 @@
-//! `secondary_ray`: the lesson's own.
-
-pub use a06_shadows_reflection::secondary_ray;

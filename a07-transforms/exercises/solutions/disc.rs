@@ -1,3 +1,0 @@
-//! `Disc`: the lesson's own.
-
-pub use a07_transforms::Disc;

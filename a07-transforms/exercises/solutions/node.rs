@@ -1,3 +1,0 @@
-//! `Node`: the lesson's own.
-
-pub use a07_transforms::Node;
