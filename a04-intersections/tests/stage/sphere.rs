@@ -1,41 +1,12 @@
-//! Spheres: from near, from inside and along their border. Spheres far away are the extreme
-//! cases A01 to A06 and S10, and the chord of a ray just inside the border is A21.
+//! Spheres: where rays enter and leave. Spheres from far away, from their surface and along
+//! their border are the extreme cases A01 to A22 and S10.
 
 use a02_math::{Direction, Point3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::{Geometry, Interval, Sphere};
 use approx::assert_abs_diff_eq;
 
-use super::support::{assert_hits, point, random_vector};
-
-const AHEAD: [f64; 3] = [0.0, 0.0, -1.0];
-const TOWARDS: [f64; 3] = [0.0, 0.0, 1.0];
-const RIGHT: [f64; 3] = [1.0, 0.0, 0.0];
-
-#[test]
-fn a_sphere_is_hit_in_front_from_inside_and_along_its_border() {
-    let (above, below) = (1_f64.next_up(), -1_f64.next_up());
-    assert_hits(
-        &Sphere::new(Point3::ORIGIN, 1.0).unwrap(),
-        &[
-            ([0.0, 0.0, 3.0], AHEAD, Some((2.0, TOWARDS))),
-            ([0.0, 0.0, 0.5], AHEAD, Some((1.5, AHEAD))),
-            ([0.0, 0.0, 0.0], AHEAD, Some((1.0, AHEAD))),
-            ([0.0, 0.0, -0.5], AHEAD, Some((0.5, AHEAD))),
-            // From its surface: inwards, outwards, along it.
-            ([0.0, 0.0, 1.0], AHEAD, Some((2.0, AHEAD))),
-            ([0.0, 0.0, -1.0], AHEAD, None),
-            ([1.0, 0.0, 0.0], AHEAD, None),
-            // Behind, and beside.
-            ([0.0, 0.0, -3.0], AHEAD, None),
-            ([1.1, 0.0, 5.0], AHEAD, None),
-            // Tangents belong to the sphere, and rounding does not widen it.
-            ([-5.0, 1.0, 0.0], RIGHT, Some((5.0, [0.0, 1.0, 0.0]))),
-            ([-5.0, above, 0.0], RIGHT, None),
-            ([-5.0, below, 0.0], RIGHT, None),
-        ],
-    );
-}
+use super::support::{point, random_vector};
 
 /// Bound: 4 eps of the distance or the radius, whichever is greater, for the
 /// formula, and as much for the direction, for `at` and for checking. Along the

@@ -1,59 +1,35 @@
-//! Compares the hits of the engine with the hits of the lesson's list, bit by bit.
+//! Compares the hits of the engine with the hits of the lesson's list, bit by bit: both
+//! render a picture in which a pixel is the hit of a ray of its own.
 
-use std::sync::Mutex;
+use std::hash::{DefaultHasher, Hash, Hasher};
 
-use a02_math::{Normal3, Vector3};
-use a03_rays_cameras::{Ray, Sampler};
+use a02_math::Vector3;
+use a03_rays_cameras::{Camera, Ray, Sampler, fast, render};
 use a04_intersections::fast::{Translate, add_objects};
 use a04_intersections::{Hit, Interval, World};
 use common::{Color, Settings, Size};
-use engine::{Camera, Renderer, Scene, Shading, Surface};
+use engine::{Renderer, Scene, Shading, Surface};
 
-/// A ray and its hit: all their numbers, bit by bit, and the surface of the object.
-type Found = ([[u64; 3]; 5], usize);
+/// The rays of a picture of 32 columns, four for each square of pixels, which the engine
+/// traces together.
+struct Rays(Vec<Ray>);
 
-fn found(ray: &Ray, Hit { t, normal, face }: Hit, surface: usize) -> Found {
-    let (origin, direction) = (ray.origin().to_glam(), ray.direction().to_glam());
-    let [normal, face] = [normal, face].map(Normal3::to_glam);
-    let numbers = [origin, direction, [t; 3].into(), normal, face];
-    (numbers.map(|v| v.to_array().map(f64::to_bits)), surface)
-}
-
-fn hits_of_list(world: &World<usize>, rays: &[Ray]) -> Vec<Found> {
-    let hit = |ray| {
-        let (hit, surface) = world.hit(ray, Interval::AHEAD)?;
-        Some(found(ray, hit, *surface))
-    };
-    rays.iter().filter_map(hit).collect()
-}
-
-/// Each ray is a pixel of a picture with 64 rays in each pair of rows, and the surfaces write down
-/// their hits.
-fn hits_of_engine(world: &World<usize>, shapes: Translate, rays: &[Ray]) -> Vec<Found> {
-    let hits = Mutex::new(Vec::new());
-    let mut scene = Scene::new(Color::BLACK, Color::BLACK, 1);
-    add_objects(&mut scene, world, shapes, |surface| {
-        let hits = &hits;
-        Surface::matt(Shading::Other(Box::new(move |ray, hit| {
-            let found = found(&ray.into(), hit.into(), *surface);
-            hits.lock().unwrap().push(found);
-            Color::BLACK
-        })))
-    });
-    let settings = Settings {
-        size: Size::new(32, 2 * (rays.len() / 64) as u32).unwrap(),
-        ..Settings::default()
-    };
-    let camera = Camera::Other(Box::new(|_, x, y| {
+impl Camera for Rays {
+    fn ray_for(&self, _: Size, x: f64, y: f64) -> Ray {
         let [x, y] = [x, y].map(|at| at as usize);
-        // The engine traces squares of four pixels together.
-        (&rays[64 * (y / 2) + 4 * (x / 2) + 2 * (y % 2) + x % 2]).into()
-    }));
-    let renderer = Renderer::new(scene, camera, &settings);
-    let sampler = Sampler::new(&settings);
-    renderer.render(&sampler, &settings, &()).unwrap();
-    drop(renderer);
-    hits.into_inner().unwrap()
+        self.0[64 * (y / 2) + 4 * (x / 2) + 2 * (y % 2) + x % 2]
+    }
+}
+
+/// A hit as a pixel: `t`, a hash of all other numbers of ray and hit, and the surface.
+fn pixel(ray: &Ray, hit: &Hit, surface: usize) -> Color {
+    let [o, d] = [ray.origin().to_glam(), ray.direction().to_glam()];
+    let numbers = [o, d, hit.normal.to_glam(), hit.face.to_glam()];
+    let mut hasher = DefaultHasher::new();
+    numbers
+        .map(|v| v.to_array().map(f64::to_bits))
+        .hash(&mut hasher);
+    Color::new(hit.t, (hasher.finish() >> 11) as f64, surface as f64)
 }
 
 /// Compares the hits of these rays, and returns the number of rays that hit anything.
@@ -73,14 +49,26 @@ pub fn compare(world: &World<usize>, shapes: Translate, rays: &[Ray]) -> usize {
     let some = rays.iter().step_by(33);
     all.extend(some.flat_map(|ray| (0..64).map(|k| near(ray, k))));
 
-    let mut of_engine = hits_of_engine(world, shapes, &all);
-    let mut of_list = hits_of_list(world, &all);
-    of_engine.sort_unstable();
-    of_list.sort_unstable();
-    for (engine, list) in of_engine.iter().zip(&of_list) {
-        let numbers = |(numbers, _): &Found| numbers.map(|v| v.map(f64::from_bits));
-        assert!(engine == list, "{:?}, {:?}", numbers(engine), numbers(list));
+    let settings = Settings {
+        size: Size::new(32, 2 * (all.len() / 64) as u32).unwrap(),
+        ..Settings::default()
+    };
+    let camera = Rays(all);
+    let nearest = |ray: &Ray| match world.hit(ray, Interval::AHEAD) {
+        Some((hit, surface)) => pixel(ray, &hit, *surface),
+        None => world.background(),
+    };
+    let of_list = render(&camera, nearest, &settings, &()).unwrap();
+    let mut scene = Scene::new(world.background(), Color::BLACK, 1);
+    add_objects(&mut scene, world, shapes, |surface| {
+        let shade = |ray: &_, hit: &_| pixel(&Ray::from(ray), &Hit::from(hit), *surface);
+        Surface::matt(Shading::Other(Box::new(shade)))
+    });
+    let renderer = Renderer::new(scene, fast::camera(&camera), &settings);
+    let of_engine = renderer.render(&Sampler::new(&settings), &settings, &());
+    for (engine, list) in of_engine.unwrap().pixels().iter().zip(of_list.pixels()) {
+        assert_eq!(engine, list);
     }
-    assert_eq!(of_engine.len(), of_list.len());
-    hits_of_list(world, rays).len()
+    let is_hit = |ray: &&Ray| world.is_hit(ray, Interval::AHEAD);
+    rays.iter().filter(is_hit).count()
 }
