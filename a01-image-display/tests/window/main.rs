@@ -6,7 +6,6 @@
 mod display;
 mod files;
 mod keys;
-mod menu;
 mod pictures;
 mod rendering;
 
@@ -54,14 +53,6 @@ fn wait_for_picture(window: &Display, scene: &str) {
 /// Waits until this is the only text at the bottom of the window.
 fn wait_for_text(window: &Display, text: &str) {
     window.wait_for(&[&format!("texts: [\"{text}\"]")]);
-}
-
-/// Presses keys, and waits after each of them for a part of the window's state.
-fn press_and_wait(window: &Display, steps: &[(&str, &str)]) {
-    for (key, state) in steps {
-        window.press(key);
-        window.wait_for(&[state]);
-    }
 }
 
 /// Waits until the painter's picture is saved in this folder.

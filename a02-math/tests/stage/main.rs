@@ -3,6 +3,5 @@
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
 mod acceptance;
-mod properties;
+mod laws;
 mod scenes;
-mod vectors;

@@ -6,4 +6,3 @@ mod cameras;
 mod rays;
 mod sampling;
 mod stripes;
-mod work;

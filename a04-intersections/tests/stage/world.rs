@@ -86,6 +86,11 @@ fn a_search_for_any_object_ends_at_the_first() {
 }
 
 #[test]
+fn where_nothing_is_hit_the_background_is_seen() {
+    assert_eq!(empty().color_for(&random_ray(0)), Color::BLUE);
+}
+
+#[test]
 fn backgrounds_of_no_numbers_are_refused() {
     for bad in [f64::NAN, f64::INFINITY, -0.5, 1e51] {
         let world = World::<Color>::new(Color::new(0.0, 0.0, bad));

@@ -1,8 +1,23 @@
 //! Arguments and files that are refused.
 
 use std::fs;
+#[cfg(unix)]
+use std::process::Command;
 
-use super::{PICTURES, assert_refused, folder, left, program, test_card};
+use tempfile::TempDir;
+
+use super::{files, folder, program, run, test_card};
+
+/// The program must end with this code and one sentence that holds `sentence`,
+/// say nothing else, and leave the files as they were.
+fn assert_refused(folder: &TempDir, line: &str, code: i32, sentence: &str) {
+    let before = files(folder.path());
+    let (ended, said, complaint) = run(program(folder, line));
+    assert!(complaint.contains(sentence), "{line}: {complaint}");
+    assert_eq!(complaint.matches("error: ").count(), 1, "{complaint}");
+    assert_eq!((ended, &*said), (Some(code), ""), "{line}: {complaint}");
+    assert_eq!(files(folder.path()), before, "{line}");
+}
 
 /// The picture to open is missing, too, but only the rendering notices that.
 #[test]
@@ -11,7 +26,7 @@ fn an_unwritable_output_is_refused_before_the_rendering() {
     for file in ["file", "out"] {
         fs::write(folder.path().join(file), "").unwrap();
     }
-    fs::create_dir_all(folder.path().join("there").join(PICTURES[2])).unwrap();
+    fs::create_dir_all(folder.path().join("there/a01-image-display-show-image.png")).unwrap();
     for (output, sentence) in [
         ("-o missing/a.png", "no folder missing; create it first"),
         ("-o missing/folder", "no folder missing; create it first"),
@@ -68,31 +83,29 @@ fn wrong_arguments_are_refused_with_the_right_ones() {
 fn pictures_that_cannot_be_opened_leave_no_file() {
     let folder = folder();
     let card = test_card();
-    let file = |name: &str| folder.path().join(name);
-    fs::write(file("half.png"), &card[..card.len() / 2]).unwrap();
-    fs::write(
-        file("corrupt.png"),
-        [&card[..200], b"?", &card[201..]].concat(),
-    )
-    .unwrap();
-    fs::write(file("old.png"), &card).unwrap();
+    for (name, bytes) in [
+        ("half.png", &card[..card.len() / 2]),
+        ("corrupt.png", &[&card[..200], b"?", &card[201..]].concat()),
+        ("old.png", &card),
+    ] {
+        fs::write(folder.path().join(name), bytes).unwrap();
+    }
     for (name, reason) in [
         ("missing.png", "there is no such file"),
         ("half.png", "the file ends too early"),
         ("corrupt.png", "the file is damaged"),
     ] {
-        let sentence = format!("cannot open {name}: {reason}");
+        // `show` reports this and not a missing display.
+        let sentence = format!("error: cannot open {name}: {reason}");
         for command in [
             "render show-image",
-            "render show-image -o old.png",
+            "render -o old.png show-image",
             "show show-image",
         ] {
-            // `show` reports this and not a missing display.
-            let sentence = format!("error: {sentence}");
             assert_refused(&folder, &format!("{command} --open {name}"), 1, &sentence);
         }
     }
-    assert_eq!(fs::read(file("old.png")).unwrap(), card);
+    assert_eq!(fs::read(folder.path().join("old.png")).unwrap(), card);
 }
 
 /// Every user can limit the length of files.
@@ -100,20 +113,19 @@ fn pictures_that_cannot_be_opened_leave_no_file() {
 #[cfg(unix)]
 fn a_picture_without_room_keeps_the_old_one() {
     let folder = folder();
-    fs::write(folder.path().join("old.png"), "old").unwrap();
+    let old = folder.path().join("old.png");
+    fs::write(&old, "old").unwrap();
     let render = program(&folder, "render painter -o old.png");
-    let mut limited = std::process::Command::new("sh");
+    let mut limited = Command::new("sh");
     let script = "trap '' XFSZ; ulimit -f 0; exec \"$@\"";
     limited.args(["-c", script, "sh"]).arg(render.get_program());
-    let output = limited
-        .args(render.get_args())
-        .current_dir(&folder)
-        .output();
-    let output = output.unwrap();
-    let complaint = String::from_utf8_lossy(&output.stderr);
+    limited.args(render.get_args()).current_dir(&folder);
+    let (code, _, complaint) = run(limited);
     let sentence = "error: cannot write old.png: there is no room left; make some";
     assert!(complaint.starts_with(sentence), "{complaint}");
-    assert_eq!(output.status.code(), Some(1));
-    assert_eq!(left(&folder), ["old.png"]);
-    assert_eq!(fs::read(folder.path().join("old.png")).unwrap(), b"old");
+    assert_eq!(
+        (code, files(folder.path())),
+        (Some(1), vec!["old.png".to_owned()])
+    );
+    assert_eq!(fs::read(old).unwrap(), b"old");
 }
