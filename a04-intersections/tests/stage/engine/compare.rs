@@ -1,25 +1,14 @@
-//! Compares the hits of the engine with the hits of the lesson's list, bit by bit: both
-//! render a picture in which a pixel is the hit of a ray of its own.
+//! Compares the hits of the engine with the hits of the lesson's list, bit by bit, in a
+//! picture in which a pixel is the hit of a ray of its own.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use a02_math::Vector3;
-use a03_rays_cameras::{Camera, Ray, Sampler, fast, render};
+use a03_rays_cameras::{Ray, Sampler};
 use a04_intersections::fast::{Translate, add_objects};
 use a04_intersections::{Hit, Interval, World};
 use common::{Color, Settings, Size};
-use engine::{Renderer, Scene, Shading, Surface};
-
-/// The rays of a picture of 32 columns, four for each square of pixels, which the engine
-/// traces together.
-struct Rays(Vec<Ray>);
-
-impl Camera for Rays {
-    fn ray_for(&self, _: Size, x: f64, y: f64) -> Ray {
-        let [x, y] = [x, y].map(|at| at as usize);
-        self.0[64 * (y / 2) + 4 * (x / 2) + 2 * (y % 2) + x % 2]
-    }
-}
+use engine::{Camera, Renderer, Scene, Shading, Surface};
 
 /// A hit as a pixel: `t`, a hash of all other numbers of ray and hit, and the surface.
 fn pixel(ray: &Ray, hit: &Hit, surface: usize) -> Color {
@@ -32,43 +21,55 @@ fn pixel(ray: &Ray, hit: &Hit, surface: usize) -> Color {
     Color::new(hit.t, (hasher.finish() >> 11) as f64, surface as f64)
 }
 
+/// The number of the ray of a pixel in a picture of 32 columns: four for each square of pixels,
+/// which the engine traces together.
+const fn number(x: usize, y: usize) -> usize {
+    64 * (y / 2) + 4 * (x / 2) + 2 * (y % 2) + x % 2
+}
+
 /// Compares the hits of these rays, and returns the number of rays that hit anything.
 pub fn compare(world: &World<usize>, shapes: Translate, rays: &[Ray]) -> usize {
+    let of_list = |ray: Ray| match world.hit(&ray, Interval::AHEAD) {
+        Some((hit, surface)) => (ray, pixel(&ray, &hit, *surface)),
+        None => (ray, Color::BLACK),
+    };
+    let alone: Vec<_> = rays.iter().map(|ray| of_list(*ray)).collect();
     // Neighbours of ten kinds go different ways; rays ten apart are alike.
-    let mut all = rays.to_vec();
+    let mut all = alone.clone();
     for kind in 0..10 {
-        all.extend(rays.iter().skip(kind).step_by(10).copied());
+        all.extend(alone.iter().skip(kind).step_by(10));
     }
     // Rays that differ little traverse the tree together: four of each ray, and 64 of some.
     let near = |ray: &Ray, k: u32| {
         let aside = Vector3::new(1e-3, -2e-4, 3e-4) * f64::from(k);
-        Ray::new(ray.origin(), ray.direction() + aside).unwrap()
+        of_list(Ray::new(ray.origin(), ray.direction() + aside).unwrap())
     };
-    all.extend(rays.iter().flat_map(|ray| (0..4).map(|k| near(ray, k))));
-    all.resize(all.len().next_multiple_of(64), rays[0]);
-    let some = rays.iter().step_by(33);
-    all.extend(some.flat_map(|ray| (0..64).map(|k| near(ray, k))));
+    for same @ (ray, _) in &alone {
+        all.extend([*same, near(ray, 1), near(ray, 2), near(ray, 3)]);
+    }
+    all.resize(all.len().next_multiple_of(64), alone[0]);
+    for ray in rays.iter().step_by(33) {
+        all.extend((0..64).map(|k| near(ray, k)));
+    }
 
-    let settings = Settings {
-        size: Size::new(32, 2 * (all.len() / 64) as u32).unwrap(),
-        ..Settings::default()
-    };
-    let camera = Rays(all);
-    let nearest = |ray: &Ray| match world.hit(ray, Interval::AHEAD) {
-        Some((hit, surface)) => pixel(ray, &hit, *surface),
-        None => world.background(),
-    };
-    let of_list = render(&camera, nearest, &settings, &()).unwrap();
-    let mut scene = Scene::new(world.background(), Color::BLACK, 1);
+    let mut scene = Scene::new(Color::BLACK, Color::BLACK, 1);
     add_objects(&mut scene, world, shapes, |surface| {
         let shade = |ray: &_, hit: &_| pixel(&Ray::from(ray), &Hit::from(hit), *surface);
         Surface::matt(Shading::Other(Box::new(shade)))
     });
-    let renderer = Renderer::new(scene, fast::camera(&camera), &settings);
+    let height = 2 * (all.len() / 64);
+    let settings = Settings {
+        size: Size::new(32, height as u32).unwrap(),
+        ..Settings::default()
+    };
+    let ray_for = |_, x: f64, y: f64| (&all[number(x as usize, y as usize)].0).into();
+    let renderer = Renderer::new(scene, Camera::Other(Box::new(ray_for)), &settings);
     let of_engine = renderer.render(&Sampler::new(&settings), &settings, &());
-    for (engine, list) in of_engine.unwrap().pixels().iter().zip(of_list.pixels()) {
-        assert_eq!(engine, list);
+    for (y, row) in (0..height).rev().zip(of_engine.unwrap().rows()) {
+        for (x, engine) in row.iter().enumerate() {
+            let (ray, list) = &all[number(x, y)];
+            assert_eq!(engine, list, "{ray:?}");
+        }
     }
-    let is_hit = |ray: &&Ray| world.is_hit(ray, Interval::AHEAD);
-    rays.iter().filter(is_hit).count()
+    alone.iter().filter(|(_, hit)| *hit != Color::BLACK).count()
 }
