@@ -39,20 +39,20 @@ pub use random::PixelRandom;
 /// Light at positions in a picture, in the coordinates of the camera: whole numbers are the
 /// middles of pixels, and y counts upwards.
 pub trait Radiance: Sync {
-    /// Memory that one call after the other uses.
-    type Memory: Default;
-
-    /// The light at some positions.
-    fn light<'m>(&self, positions: &[(f64, f64)], memory: &'m mut Self::Memory) -> &'m [Color];
+    /// A function that replaces colours by the light at some positions. It is for one thread,
+    /// and keeps its memory from one call to the next.
+    fn tracer(&self) -> LightAt<'_>;
 }
 
-impl<F: Fn(f64, f64) -> Color + Sync> Radiance for F {
-    type Memory = Vec<Color>;
+/// Replaces colours by the light at some positions.
+pub type LightAt<'a> = Box<dyn FnMut(&[(f64, f64)], &mut Vec<Color>) + 'a>;
 
-    fn light<'m>(&self, positions: &[(f64, f64)], light: &'m mut Vec<Color>) -> &'m [Color] {
-        light.clear();
-        light.extend(positions.iter().map(|(x, y)| self(*x, *y)));
-        light
+impl<F: Fn(f64, f64) -> Color + Sync> Radiance for F {
+    fn tracer(&self) -> LightAt<'_> {
+        Box::new(|positions, light| {
+            light.clear();
+            light.extend(positions.iter().map(|(x, y)| self(*x, *y)));
+        })
     }
 }
 
@@ -85,7 +85,7 @@ const GROWTH: u32 = 4;
 /// not fit into memory.
 pub fn render_image(
     max_error: f64,
-    radiance: &impl Radiance,
+    radiance: &dyn Radiance,
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Image, Error> {
@@ -102,11 +102,7 @@ pub fn render_image(
 
 /// Takes samples until the check shows that the error is at most `max_error`, or a pixel would
 /// need more than `max_pairs` pairs.
-fn converge<R: Radiance>(
-    picture: &mut Picture<R>,
-    max_pairs: u32,
-    max_error: f64,
-) -> Result<Sampled, Error> {
+fn converge(picture: &mut Picture, max_pairs: u32, max_error: f64) -> Result<Sampled, Error> {
     let mut convergence = Convergence::new(picture, max_pairs, max_error);
     for _ in 0..CHECKS {
         let goal = refine(picture, convergence.target())?;
@@ -138,7 +134,7 @@ struct Convergence {
 
 impl Convergence {
     /// Takes the first pilot samples.
-    fn new<R: Radiance>(picture: &mut Picture<R>, max_pairs: u32, max_error: f64) -> Self {
+    fn new(picture: &mut Picture, max_pairs: u32, max_error: f64) -> Self {
         let pixels = picture.pixels().len();
         let allowed = max_error * max_error * CHANNELS * pixels as f64;
         let mut sampled = Sampled {
@@ -205,7 +201,7 @@ impl Convergence {
     }
 
     /// The report, with the samples of all pixels.
-    fn sampled<R: Radiance>(mut self, picture: &Picture<R>) -> Sampled {
+    fn sampled(mut self, picture: &Picture) -> Sampled {
         let pairs = || picture.pixels().par_iter().map(Pixel::pairs);
         self.sampled.samples += pairs().map(|pairs| u64::from(2 * pairs)).sum::<u64>();
         self.sampled.most = 2 * pairs().max().unwrap_or(0);
@@ -221,10 +217,10 @@ fn remaining(allowed: f64, unseen: f64) -> f64 {
 /// Takes half of the samples that the target gives to each pixel with an expected variance. The
 /// other half is for the check. Returns the number of pairs that a pixel is to have then, as a
 /// function of its index and itself.
-fn refine<R: Radiance>(
-    picture: &mut Picture<R>,
+fn refine(
+    picture: &mut Picture,
     target: Target,
-) -> Result<impl Fn(usize, &Pixel) -> u32 + Sync + use<R>, Error> {
+) -> Result<impl Fn(usize, &Pixel) -> u32 + Sync + use<>, Error> {
     let Target {
         min_pairs,
         max_pairs,

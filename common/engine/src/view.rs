@@ -8,8 +8,7 @@ use common::{Color, Error, Image, Progress, Settings};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
-use crate::adaptive::Radiance;
-use crate::lanes::RayPacket;
+use crate::adaptive::{LightAt, Radiance};
 use crate::sampler::image_position;
 use crate::trace::{BATCH, Batch, Tracer};
 use crate::{Camera, Sampler};
@@ -61,7 +60,7 @@ impl View<'_, '_> {
     ) -> bool {
         let (samples, size) = (sampler.samples(), self.settings.size);
         let pixels_per_batch = (BATCH / samples as usize).max(1);
-        let (mut positions, mut memory) = (Vec::new(), Memory::default());
+        let (mut positions, mut light, mut tracer) = (Vec::new(), Vec::new(), self.tracer());
         for batch in order.chunks(pixels_per_batch) {
             for start in (0..samples).step_by(BATCH) {
                 if self.progress.stopped() {
@@ -76,7 +75,7 @@ impl View<'_, '_> {
                         positions.push(image_position(size, pixel, in_pixel));
                     }
                 }
-                let light = self.light(&positions, &mut memory);
+                tracer(&positions, &mut light);
                 for ((column, row), light) in batch.iter().zip(light.chunks(some.len())) {
                     let pixel = &mut pixels[(row * size.width() + column) as usize];
                     *pixel = light.iter().fold(*pixel, |sum, light| sum + *light);
@@ -92,25 +91,16 @@ impl View<'_, '_> {
     }
 }
 
-/// Memory that one batch after the other uses.
-#[derive(Default)]
-pub(crate) struct Memory {
-    rays: Vec<RayPacket>,
-    batch: Batch,
-    light: Vec<Color>,
-}
-
 impl Radiance for View<'_, '_> {
-    type Memory = Memory;
-
-    fn light<'m>(&self, positions: &[(f64, f64)], memory: &'m mut Memory) -> &'m [Color] {
-        let Memory { rays, batch, light } = memory;
-        rays.clear();
-        self.camera.rays(self.settings.size, positions, rays);
-        tally::count_all(Work::PrimaryRay, positions.len() as u64);
-        light.resize(positions.len(), Color::BLACK);
-        self.tracer.trace(rays, light, batch);
-        light
+    fn tracer(&self) -> LightAt<'_> {
+        let (mut rays, mut batch) = (Vec::new(), Batch::default());
+        Box::new(move |positions, light| {
+            rays.clear();
+            self.camera.rays(self.settings.size, positions, &mut rays);
+            tally::count_all(Work::PrimaryRay, positions.len() as u64);
+            light.resize(positions.len(), Color::BLACK);
+            self.tracer.trace(&rays, light, &mut batch);
+        })
     }
 }
 

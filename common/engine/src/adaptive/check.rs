@@ -2,7 +2,6 @@
 
 use std::ops::AddAssign;
 
-use super::Radiance;
 use super::picture::Picture;
 use super::pilot::Pilot;
 use super::pixel::Pixel;
@@ -50,8 +49,8 @@ pub struct Checked {
 
 /// Takes the samples that each pixel lacks, and compares them with those before. The goal is
 /// the number of pairs that a pixel is to have, as a function of its index and itself.
-pub fn check<R: Radiance>(
-    picture: &mut Picture<R>,
+pub fn check(
+    picture: &mut Picture,
     pilot: &Pilot,
     goal: impl Fn(usize, &Pixel) -> u32 + Sync,
 ) -> Checked {

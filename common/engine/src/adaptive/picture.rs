@@ -4,22 +4,22 @@ use std::mem;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use common::{Color, Error, Progress, Settings};
+use common::{Error, Progress, Settings};
 use rayon::iter::{IndexedParallelIterator, ParallelExtend, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
-use super::Radiance;
 use super::pixel::Pixel;
 use super::random::PixelRandom;
 use super::sequence::Sequence;
+use super::{LightAt, Radiance};
 use crate::sampler::image_position;
 
 /// Pairs of samples in a batch.
 const BATCH_PAIRS: usize = 32;
 
 /// The pixels of a picture, and where their light comes from.
-pub struct Picture<'a, R> {
-    radiance: &'a R,
+pub struct Picture<'a> {
+    radiance: &'a dyn Radiance,
     settings: &'a Settings,
     progress: &'a dyn Progress,
     pixels: Vec<Pixel>,
@@ -29,10 +29,10 @@ pub struct Picture<'a, R> {
     brightest: AtomicU32,
 }
 
-impl<'a, R: Radiance> Picture<'a, R> {
+impl<'a> Picture<'a> {
     /// A picture without samples.
     pub fn new(
-        radiance: &'a R,
+        radiance: &'a dyn Radiance,
         settings: &'a Settings,
         progress: &'a dyn Progress,
     ) -> Result<Self, Error> {
@@ -72,18 +72,21 @@ impl<'a, R: Radiance> Picture<'a, R> {
         f32::from_bits(self.brightest.load(Ordering::Relaxed)).into()
     }
 
-    /// The light at some positions; none once the rendering is stopped.
-    fn light<'m>(&self, positions: &[(f64, f64)], memory: &'m mut R::Memory) -> &'m [Color] {
-        if self.progress.stopped() {
-            return &[];
-        }
-        let light = self.radiance.light(positions, memory);
-        let channels = light.iter().flat_map(|light| light.channels());
-        let finite = channels.filter(|channel| channel.is_finite());
-        let brightest = finite.fold(0.0, f64::max) as f32;
-        self.brightest
-            .fetch_max(brightest.to_bits(), Ordering::Relaxed);
-        light
+    /// A function that gives the light at some positions; none once the rendering is stopped.
+    fn tracer(&self) -> LightAt<'_> {
+        let mut tracer = self.radiance.tracer();
+        Box::new(move |positions, light| {
+            light.clear();
+            if self.progress.stopped() {
+                return;
+            }
+            tracer(positions, light);
+            let channels = light.iter().flat_map(|light| light.channels());
+            let finite = channels.filter(|channel| channel.is_finite());
+            let brightest = finite.fold(0.0, f64::max) as f32;
+            self.brightest
+                .fetch_max(brightest.to_bits(), Ordering::Relaxed);
+        })
     }
 
     /// Takes samples of each pixel up to its goal, a number of pairs as a function of its index and
@@ -107,9 +110,10 @@ impl<'a, R: Radiance> Picture<'a, R> {
             let size = picture.settings.size;
             let middle = |column| image_position(size, (column, row as u32), (0.5, 0.5));
             let middles: Vec<_> = (0..size.width()).map(middle).collect();
-            let mut memory = R::Memory::default();
-            for (pixel, light) in pixels.iter_mut().zip(picture.light(&middles, &mut memory)) {
-                *pixel = Pixel::of_middle(*light);
+            let mut light = Vec::new();
+            picture.tracer()(&middles, &mut light);
+            for (pixel, light) in pixels.iter_mut().zip(light) {
+                *pixel = Pixel::of_middle(light);
             }
         });
     }
@@ -140,10 +144,10 @@ impl<'a, R: Radiance> Picture<'a, R> {
     ) -> Vec<(u32, Pixel)> {
         let row = row as u32;
         let (mut columns, mut positions) = (Vec::new(), Vec::new());
-        let mut memory = R::Memory::default();
+        let (mut tracer, mut light) = (self.tracer(), Vec::new());
         let mut pixels: Vec<(u32, Pixel)> = Vec::new();
         let mut take_batch = |columns: &mut Vec<u32>, positions: &mut Vec<_>| {
-            let light = self.light(positions, &mut memory);
+            tracer(positions, &mut light);
             for (column, pair) in columns.drain(..).zip(light.chunks_exact(2)) {
                 let pair = Pixel::of_pair([pair[0], pair[1]]);
                 match pixels.last_mut() {
