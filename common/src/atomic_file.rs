@@ -4,6 +4,8 @@ use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 
+#[cfg(unix)]
+use rustix::process::{Resource, getrlimit};
 use tempfile::NamedTempFile;
 
 use crate::Error;
@@ -14,6 +16,13 @@ use crate::Error;
 /// programs always find the old file or the complete new one.
 pub fn write(path: &Path, content: &[u8]) -> Result<(), Error> {
     let mut file = temporary_file(path)?;
+    // Beyond its limit, Unix ends the process, and the temporary file would stay.
+    #[cfg(unix)]
+    if let Some(most) = getrlimit(Resource::Fsize).current
+        && content.len() as u64 > most
+    {
+        return Err(cannot_write(path, &ErrorKind::FileTooLarge.into()));
+    }
     // Errors of the inner file do not contain the temporary name.
     let inner = file.as_file_mut();
     // Some file systems rename first and write later: without `sync_all`, a power

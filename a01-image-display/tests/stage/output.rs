@@ -52,7 +52,8 @@ fn pictures_go_to_a_folder_or_to_the_file_that_is_named() {
     let note = "note: --size changes nothing in show-image\n";
     written("render --all --size 32x24", all, note);
     let two = "there/painter.png 8x6, there/diagonal.png 8x6";
-    written("render painter diagonal --size 8x6 -o there", two, "");
+    let twice = "render painter diagonal painter --size 8x6 -o there";
+    written(twice, two, "");
     let replaced = written("render painter --size 1x1 -o mine.PNG", "mine.PNG 1x1", "");
     assert_eq!(replaced[0].pixels(), [Color::RED]);
     let card = written("render show-image -o a.png", "a.png 640x480", "");
@@ -115,5 +116,19 @@ fn a_closed_pipe_is_no_error() {
         let mut program = program(&folder, line);
         let status = program.stdout(closed()).stderr(closed()).status();
         assert_eq!(status.unwrap().code(), Some(code), "{line}");
+    }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_full_device_is_an_error() {
+    let folder = folder();
+    for line in ["list", "--help", "render diagonal"] {
+        let full = fs::File::options().write(true).open("/dev/full").unwrap();
+        let output = program(&folder, line).stdout(full).output().unwrap();
+        let complaint = String::from_utf8(output.stderr).unwrap();
+        let sentence = "error: cannot write standard output: there is no room left";
+        assert!(complaint.starts_with(sentence), "{line}: {complaint}");
+        assert_eq!(output.status.code(), Some(1), "{line}");
     }
 }

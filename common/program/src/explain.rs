@@ -12,20 +12,20 @@ use crate::print::print;
 
 /// Prints the work that the renderer skips and how much that saves, and returns the picture.
 pub fn explain(scene: &Scene, settings: &Settings, options: &Options) -> Result<Image, Error> {
-    print(&format!("{}  {}", scene.name, settings.size));
+    print(&format!("{}  {}", scene.name, settings.size))?;
     let threads = options.thread_pool()?;
     threads.install(|| {
         let comparison = Comparison::new(scene, settings)?;
         if scene.uses.sampling {
-            print(&comparison.to_string());
+            print(&comparison.to_string())?;
             let times = times(scene, [settings, &complete(settings)])?;
-            print(&comparison_of(&times));
+            print(&comparison_of(&times))?;
             let difference = comparison.difference;
             print(&format!(
                 "  largest difference of a channel {difference:.1e}"
-            ));
+            ))?;
         } else {
-            print("  nothing to leave out: the picture takes no rays");
+            print("  nothing to leave out: the picture takes no rays")?;
         }
         Ok(comparison.image)
     })

@@ -12,17 +12,16 @@ pub fn show_extremes(stage: &Stage, names: &[String]) -> Result<(), Error> {
     if cases.is_empty() {
         let has_none = format!("{} has no extreme cases", stage.name);
         if names.is_empty() {
-            print(&has_none);
-            return Ok(());
+            return print(&has_none);
         }
         return Err(Error::Usage(has_none));
     }
     let cases = extremes::select(cases, names)?;
     for case in &cases {
-        print(&case.to_string());
+        print(&case.to_string())?;
     }
     let failed = cases.iter().filter(|case| !case.holds()).count();
-    print(&format!("{} cases, {failed} of them failed", cases.len()));
+    print(&format!("{} cases, {failed} of them failed", cases.len()))?;
     if failed > 0 {
         return Err(Error::Extremes(failed));
     }

@@ -1,6 +1,9 @@
 //! The flags that change how a scene is rendered.
 
+use std::fmt::Display;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 use common::{Error, Renderer, Sampling, Scene, Settings, Size, Transfer, UsedSettings};
 
@@ -10,11 +13,11 @@ use crate::named::{SAMPLINGS, TRANSFERS, by_name};
 #[derive(Clone, Debug, Default, clap::Args)]
 pub struct Options {
     /// Width and height in pixels [default: the scene's]
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<Size>,
 
     /// Samples per pixel [default: the scene's]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole(1..=1_000_000_u32))]
     samples: Option<u32>,
 
     /// Where samples lie [default: center for one sample, else stratified]
@@ -29,15 +32,15 @@ pub struct Options {
     max_error: Option<f64>,
 
     /// Selects the random numbers [default: 0]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole(0..=u64::MAX))]
     seed: Option<u64>,
 
     /// Surfaces that a ray may hit in turn; 1 shows no reflection [default: the scene's]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole(1..=u32::MAX))]
     depth: Option<u32>,
 
     /// Threads to render with [default: one for each core]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole(1..=1024_u16))]
     threads: Option<u16>,
 
     /// Curve between light and the values in the file
@@ -59,6 +62,21 @@ pub struct Options {
 
 /// Most samples of a pixel in adaptive sampling if `--samples` is not given.
 const MAX_SAMPLES: u32 = 1024;
+
+/// Reads a whole number of this range.
+fn whole<T>(range: RangeInclusive<T>) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync
+where
+    T: FromStr + PartialOrd + Display + Clone + Send + Sync,
+{
+    move |text| match text.parse() {
+        Ok(number) if range.contains(&number) => Ok(number),
+        _ => Err(format!(
+            "a whole number from {} to {} is needed",
+            range.start(),
+            range.end()
+        )),
+    }
+}
 
 /// Reads a number or a fraction, above 0 and at most 1.
 fn error_bound(text: &str) -> Result<f64, String> {

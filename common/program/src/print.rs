@@ -1,13 +1,27 @@
 //! Prints lines on stdout and stderr.
 
-use std::io::{self, Write};
+use std::io::{self, ErrorKind, Write};
+use std::path::Path;
+
+use common::{Error, atomic_file};
 
 /// Prints a line on stdout. A closed pipe is no error: its reader has ended.
-pub fn print(line: &str) {
-    let _ = writeln!(io::stdout(), "{line}");
+pub fn print(line: &str) -> Result<(), Error> {
+    printed(writeln!(io::stdout(), "{line}"))
 }
 
-/// Prints a line on stderr. A closed pipe is no error there either.
+/// The error of output that is lost, unless its reader has ended.
+pub fn printed(outcome: io::Result<()>) -> Result<(), Error> {
+    match outcome {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            let stdout = Path::new("standard output");
+            Err(atomic_file::cannot_write(stdout, &error))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Prints a line on stderr. Nobody could read of an error there.
 pub fn warn(line: &str) {
     let _ = writeln!(io::stderr(), "{line}");
 }

@@ -37,7 +37,7 @@ pub fn render_to_files(
         };
         let path = target.write(stage, scene, &image, options.transfer)?;
         let (size, time) = (image.size(), start.elapsed().as_secs_f64());
-        print(&format!("{}  {size}  {time:.2} s", path.display()));
+        print(&format!("{}  {size}  {time:.2} s", path.display()))?;
     }
     Ok(())
 }

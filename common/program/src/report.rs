@@ -62,9 +62,9 @@ fn measure(
         if let Some(bar) = bar {
             bar.finish_and_clear();
         }
-        print(&measured.table());
+        print(&measured.table())?;
         for path in measured.write(&folder, stage.name)? {
-            print(&format!("  {}", path.display()));
+            print(&format!("  {}", path.display()))?;
         }
     }
     Ok(())

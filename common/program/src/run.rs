@@ -10,7 +10,7 @@ use measure::Stage;
 
 use crate::Viewer;
 use crate::grammar::{Command, CommandLine};
-use crate::print::{print, warn};
+use crate::print::{print, printed, warn};
 use crate::{extremes, render, show};
 
 /// Runs the program of `stage` with the arguments of this process.
@@ -34,18 +34,17 @@ pub fn run_with(
         .and_then(|matches| CommandLine::from_arg_matches(&matches));
     let outcome = match parsed {
         Ok(line) => execute(stage, viewer, line),
-        Err(help_or_error) => {
-            if let Some(scene) = scene_as_command(stage, &help_or_error) {
-                let (stage, scene) = (stage.name, scene.name);
-                warn(&format!(
-                    "error: {scene} is a scene of {stage}, not a command; try: show {scene}"
-                ));
+        Err(help_or_error) => match scene_as_command(stage, &help_or_error) {
+            Some(Scene { name, .. }) => Err(Error::Usage(format!(
+                "{name} is a scene of {}, not a command; try: show {name}",
+                stage.name
+            ))),
+            None if help_or_error.use_stderr() => {
+                let _ = help_or_error.print();
                 return ExitCode::from(2);
             }
-            // A closed pipe is no error.
-            let _ = help_or_error.print();
-            return ExitCode::from(u8::from(help_or_error.use_stderr()) * 2);
-        }
+            None => printed(help_or_error.print()),
+        },
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
@@ -69,10 +68,7 @@ fn scene_as_command<'a>(stage: &'a Stage, error: &clap::Error) -> Option<&'a Sce
 fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Result<(), Error> {
     match line.command {
         None => show::show(stage, &stage.scenes[0], viewer, &line.showing),
-        Some(Command::List) => {
-            list(stage);
-            Ok(())
-        }
+        Some(Command::List) => list(stage),
         Some(Command::Show { scene, showing }) => {
             show::show(stage, stage.scene(&scene)?, viewer, &showing)
         }
@@ -83,13 +79,18 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
             explain,
             options,
         }) => {
-            let named = scenes.iter().map(|name| stage.scene(name));
-            let scenes: Vec<&Scene> = if all {
-                stage.scenes.iter().collect()
-            } else {
-                named.collect::<Result<_, _>>()?
-            };
-            render::render_to_files(stage, &scenes, output, explain, &options)
+            let mut chosen: Vec<&Scene> = Vec::new();
+            for name in &scenes {
+                let scene = stage.scene(name)?;
+                // A scene that is named twice is rendered once.
+                if !chosen.iter().any(|chosen| chosen.name == scene.name) {
+                    chosen.push(scene);
+                }
+            }
+            if all {
+                chosen.extend(&stage.scenes);
+            }
+            render::render_to_files(stage, &chosen, output, explain, &options)
         }
         Some(Command::Report {
             names,
@@ -100,10 +101,9 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
     }
 }
 
-fn list(stage: &Stage) {
+fn list(stage: &Stage) -> Result<(), Error> {
     let names = stage.scenes.iter().map(|scene| scene.name.len());
     let width = names.max().unwrap_or(0);
-    for scene in &stage.scenes {
-        print(&format!("{:width$}  {}", scene.name, scene.about));
-    }
+    let mut scenes = stage.scenes.iter();
+    scenes.try_for_each(|scene| print(&format!("{:width$}  {}", scene.name, scene.about)))
 }

@@ -48,8 +48,7 @@ pub fn show(
     target.check(stage, scene)?;
     let image = render(scene, &settings, options)?;
     let path = target.write(stage, scene, &image, options.transfer)?;
-    print(&format!("{}  {}", path.display(), image.size()));
-    Ok(())
+    print(&format!("{}  {}", path.display(), image.size()))
 }
 
 #[cfg(test)]

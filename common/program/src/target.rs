@@ -32,6 +32,11 @@ impl Target {
         };
         let is_png = |end: &OsStr| end.eq_ignore_ascii_case("png");
         match path.extension() {
+            _ if path.as_os_str() == "-" => Err(Error::Usage(
+                "-o - must be a folder or the name of a PNG file; pictures are not written to \
+                 standard output"
+                    .to_owned(),
+            )),
             _ if path.is_dir() => Ok(Self::Folder(path)),
             None => Ok(Self::Folder(path)),
             Some(end) if !is_png(end) => Err(Error::Usage(format!(
