@@ -8,7 +8,7 @@ use a04_intersections::lab::support::Numbers;
 use a04_intersections::{Hit, Interval};
 use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Unit};
 
-use crate::lab::extremes::mirrors::mirrors;
+use crate::lab::extremes::mirrors;
 use crate::lab::extremes::self_hits::{
     AIM, LIFTED, Policy, SHAPES, THOUSANDTH, Trial, from_point, trials,
 };
