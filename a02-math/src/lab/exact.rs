@@ -13,9 +13,8 @@ pub fn sum_with_error(a: f64, b: f64) -> (f64, f64) {
 
 /// The sum of products, rounded as if computed with twice the digits.
 pub fn sum_of_products(pairs: &[(f64, f64)]) -> f64 {
-    let products = pairs
-        .iter()
-        .map(|(a, b)| DoubleDouble::from(*a) * (*b).into());
+    let product = |(a, b): &(f64, f64)| DoubleDouble::from(*a) * (*b).into();
+    let products = pairs.iter().map(product);
     products.fold(DoubleDouble::from(0.0), Add::add).value()
 }
 

@@ -83,16 +83,10 @@ fn pictures_of_few_pixels() -> [Outcome; 2] {
             Box::new(PinholeCamera::new(Point3::ORIGIN, 1.0)?),
         ];
         let sizes = [Size::new(1, 1)?, Size::new(1, 9)?, Size::new(9, 1)?];
-        let rays = cameras
-            .iter()
-            .flat_map(|camera| sizes.map(|size| camera.ray_for(size, 0.0, 0.0)));
-        let numbers = |ray: Ray| {
-            [
-                ray.direction().to_glam().to_array(),
-                ray.origin().to_glam().to_array(),
-            ]
-        };
-        Ok(rays.flat_map(numbers).map(not_numbers).sum::<usize>())
+        let rays = |camera: Box<dyn Camera>| sizes.map(|size| camera.ray_for(size, 0.0, 0.0));
+        let triples = |ray: Ray| [ray.direction().to_glam(), ray.origin().to_glam()];
+        let triples = cameras.into_iter().flat_map(rays).flat_map(triples);
+        Ok(triples.map(|v| not_numbers(v.into())).sum::<usize>())
     });
     let [one, nine] = [1.0, 9.0].map(|n| protocol::bracket_of_the_course(0.0, n));
     let theirs = [[one, one, 0.0], [one, nine, 0.0], [nine, one, 0.0]].map(not_numbers);

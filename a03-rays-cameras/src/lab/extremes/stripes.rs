@@ -72,12 +72,7 @@ fn stripes_in_the_middle() -> Counts {
     let stripe = stripe_at(WIDE, (10, Direction), Vector3::y)?;
     let rows = 0..WIDE.0.height();
     let column: Vec<_> = rows.map(|y| stripe(240.0, f64::from(y) + 0.5)).collect();
-    let differ = |i: usize| {
-        column
-            .windows(2)
-            .filter(move |pair| pair[0][i] != pair[1][i])
-    };
-    Ok([0, 1].map(|i| 1 + differ(i).count()))
+    Ok([0, 1].map(|i| column.chunk_by(|a, b| a[i] == b[i]).count()))
 }
 
 fn rows_of_several_stripes() -> Counts {

@@ -56,9 +56,8 @@ fn plane(id: Id, anchor: f64, rays: usize) -> Case {
 fn needle(id: Id, aspect: f64, rays: usize, bound: f64, says: Protocol) -> Case {
     let needles = needles(aspect, rays);
     let median = |formula: needle::Formula| {
-        let errors = needles
-            .iter()
-            .filter_map(|needle| error(needle, formula(needle)));
+        let error = |needle| error(needle, formula(needle));
+        let errors = needles.iter().filter_map(error);
         let mut errors: Vec<_> = errors.map(f64::abs).collect();
         errors.sort_by(f64::total_cmp);
         errors[errors.len() / 2]
