@@ -9,7 +9,7 @@ use common::Transfer;
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ImageResult, RgbImage};
-use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Point};
 
 use crate::stage;
 
@@ -27,7 +27,12 @@ pub fn experiments() -> Vec<Experiment<'static>> {
 
 /// An experiment that saves the picture of a scene at all qualities.
 fn saving(name: &'static str, scene: &'static str, about: &'static str) -> Experiment<'static> {
-    let curves = move |_| {
+    Experiment::new(name)
+        .asking(about)
+        .over(Axis::Work, "quality", "bytes")
+        .with_error("rms error of a channel")
+        .with_exact("against the picture that was saved")
+        .with_curves(move |_| {
         let Some(picture) = picture(scene).map(Rc::new) else {
             return Vec::new();
         };
@@ -39,19 +44,7 @@ fn saving(name: &'static str, scene: &'static str, about: &'static str) -> Exper
             ),
             Curve::new("PNG", point(&picture, None)).with_remark("what the renderer writes"),
         ]
-    };
-    Experiment {
-        name,
-        about,
-        knob: "quality",
-        work: "bytes",
-        error: "rms error of a channel",
-        unit: Unit::Light,
-        exact: "against the picture that was saved",
-        seeds: &[],
-        against: Axis::Work,
-        curves: Box::new(curves),
-    }
+})
 }
 
 fn picture(scene: &str) -> Option<RgbImage> {

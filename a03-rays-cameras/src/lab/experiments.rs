@@ -10,8 +10,7 @@ mod summation;
 
 use common::Sampling::{self, Random, Regular, Stratified};
 use common::Settings;
-use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
+use measure::experiment::{Axis, Curve, Experiment, Point};
 
 pub use coverage::{RADIUS, disc_coverage};
 use coverage::{in_disc, in_stripe, irradiance, lit, stripes};
@@ -57,33 +56,27 @@ fn samples(
     task: fn() -> Task,
     slopes: [Option<f64>; 5],
 ) -> Experiment<'static> {
-    let curves = move |effort: Effort| {
-        let methods: [(&str, &str, Places); 5] = [
-            ("random", "", |x, y, n| sampled(Random, x, y, n)),
-            ("regular", "", |x, y, n| sampled(Regular, x, y, n)),
-            ("stratified", "", |x, y, n| sampled(Stratified, x, y, n)),
-            ("n rooks", N_ROOKS, n_rooks),
-            ("R2", R2, r2),
-        ];
-        let numbers = &[1, 4, 16, 64, 256, 1024, 4096][..effort.choose(6, 7)];
-        let curve = |((method, remark, places), slope): ((_, _, Places), Option<f64>)| {
-            let curve = Curve::new(method, numbers.iter().map(|n| point(task(), places, *n)));
-            curve.with_slope(slope, (16.0, 4096.0)).with_remark(remark)
-        };
-        methods.into_iter().zip(slopes).map(curve).collect()
-    };
-    Experiment {
-        name,
-        about,
-        knob: "samples a pixel",
-        work: "rays a pixel",
-        error: "rms error of a pixel",
-        unit: Unit::Light,
-        exact: "against the pixel's mean in closed form",
-        seeds: &[0, 1, 2],
-        against: Axis::Work,
-        curves: Box::new(curves),
-    }
+    Experiment::new(name)
+        .asking(about)
+        .over(Axis::Work, "samples a pixel", "rays a pixel")
+        .with_error("rms error of a pixel")
+        .with_exact("against the pixel's mean in closed form")
+        .with_seeds(&[0, 1, 2])
+        .with_curves(move |effort| {
+            let methods: [(&str, &str, Places); 5] = [
+                ("random", "", |x, y, n| sampled(Random, x, y, n)),
+                ("regular", "", |x, y, n| sampled(Regular, x, y, n)),
+                ("stratified", "", |x, y, n| sampled(Stratified, x, y, n)),
+                ("n rooks", N_ROOKS, n_rooks),
+                ("R2", R2, r2),
+            ];
+            let numbers = &[1, 4, 16, 64, 256, 1024, 4096][..effort.choose(6, 7)];
+            let curve = |((method, remark, places), slope): ((_, _, Places), Option<f64>)| {
+                let curve = Curve::new(method, numbers.iter().map(|n| point(task(), places, *n)));
+                curve.with_slope(slope, (16.0, 4096.0)).with_remark(remark)
+            };
+            methods.into_iter().zip(slopes).map(curve).collect()
+        })
 }
 
 const N_ROOKS: &str =

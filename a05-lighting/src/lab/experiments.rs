@@ -29,17 +29,14 @@ const VIEW: f64 = 2.4;
 /// for n pixels across. At full moon the edge is dark, and the error of these
 /// pixels is smaller: `n^-2`.
 fn lambert_phase() -> Experiment<'static> {
-    Experiment {
-        name: "lambert-phase",
-        about: "How many pixels does the mean brightness of a matt ball need?",
-        knob: "pixels across",
-        work: "rays",
-        error: "rms error of the mean brightness",
-        unit: Unit::Other("full moon = 2/3"),
-        exact: "against the closed form, for random balls",
-        seeds: &[1760],
-        against: Axis::Work,
-        curves: Box::new(|effort| {
+    Experiment::new("lambert-phase")
+        .asking("How many pixels does the mean brightness of a matt ball need?")
+        .over(Axis::Work, "pixels across", "rays")
+        .with_error("rms error of the mean brightness")
+        .with_unit(Unit::Other("full moon = 2/3"))
+        .with_exact("against the closed form, for random balls")
+        .with_seeds(&[1760])
+        .with_curves(|effort| {
             let balls = effort.choose(48, 96) as u32;
             let sizes = &[32, 48, 64, 96, 128, 192, 256][..effort.choose(5, 7)];
             let point = |phase: f64, pixels: u32| {
@@ -63,8 +60,7 @@ fn lambert_phase() -> Experiment<'static> {
                 curve(1.0, "phase 1", -0.75),
                 curve(2.0, "phase 2", -0.75),
             ]
-        }),
-    }
+        })
 }
 
 /// The mean brightness of a ball whose centre and radius are no multiples of a
@@ -98,22 +94,17 @@ const HALF_ANGLE: f64 = 1e-3;
 const COS_HALF_ANGLE: f64 = 0.999_999_500_000_041_7;
 const DIRECTION: Vector3 = Vector3::new(1.0, 2.0, 3.0);
 
-/// Points near the rim of a narrow cone: inside or outside?
-///
 /// One half of the points lies inside and one outside, all at the same distance from the rim;
 /// every eighth lies straight behind.
 fn spot_rim() -> Experiment<'static> {
-    Experiment {
-        name: "spot-rim",
-        about: "How near to the rim of a spot light is inside told from outside?",
-        knob: "from rim (half angles)",
-        work: "points",
-        error: "share of points judged wrongly",
-        unit: Unit::Share,
-        exact: "against the side on which a point was put; one in eight lies behind",
-        seeds: &[12],
-        against: Axis::Knob,
-        curves: Box::new(|effort| {
+    Experiment::new("spot-rim")
+        .asking("How near to the rim of a spot light is inside told from outside?")
+        .over(Axis::Knob, "from rim (half angles)", "points")
+        .with_error("share of points judged wrongly")
+        .with_unit(Unit::Share)
+        .with_exact("against the side on which a point was put; one in eight lies behind")
+        .with_seeds(&[12])
+        .with_curves(|effort| {
             let count = effort.choose(4_096, 65_536) as u32;
             let knobs = [1e-2, 1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-11];
             let tasks = knobs.map(|knob| (knob, tasks(knob, count).unwrap_or_default()));
@@ -138,12 +129,15 @@ fn spot_rim() -> Experiment<'static> {
                 curve("cosines, as rendered", Light::illuminates)
                     .with_bound(0.0, far)
                     .with_remark("with the direction and the distance, which the material needs"),
-                curve("arc tangent", |_, p| DIRECTION.angle(p - Point3::ORIGIN) <= HALF_ANGLE).with_remark(
-                    "not in the renderer: dearer than the cosines, and no eye sees a billionth of an angle",
+                curve("arc tangent", |_, p| {
+                    DIRECTION.angle(p - Point3::ORIGIN) <= HALF_ANGLE
+                })
+                .with_remark(
+                    "not in the renderer: dearer than the cosines, and no eye sees \
+                     a billionth of an angle",
                 ),
             ]
-        }),
-    }
+        })
 }
 
 /// A light at the origin, and a point on which it shines or not.

@@ -18,24 +18,18 @@ pub fn experiments() -> Vec<Experiment<'static>> {
     vec![recursion_depth(), shadow_epsilon()]
 }
 
-/// The recursion depth needed for a given error.
-///
 /// Between two mirrors that each emit 1 and have the reflectance k, the error of D
 /// surfaces against the sum 1 / (1 - k) is `k^D / (1 - k)`. This falls by the same
 /// factor with each surface, which is no straight line in a log-log plot. So the
 /// parameter is the allowed error, and the depth follows.
 fn recursion_depth() -> Experiment<'static> {
-    Experiment {
-        name: "recursion-depth",
-        about: "How deep must the recursion go between two mirrors?",
-        knob: "asked for (white = 1)",
-        work: "rays",
-        error: "rms error of a colour",
-        unit: Unit::Light,
-        exact: "against the sum 1 / (1 - k) of all reflections",
-        seeds: &[4],
-        against: Axis::Knob,
-        curves: Box::new(|effort| {
+    Experiment::new("recursion-depth")
+        .asking("How deep must the recursion go between two mirrors?")
+        .over(Axis::Knob, "asked for (white = 1)", "rays")
+        .with_error("rms error of a colour")
+        .with_exact("against the sum 1 / (1 - k) of all reflections")
+        .with_seeds(&[4])
+        .with_curves(|effort| {
             let asked = [1e-1, 1e-2, HALF_GREY_LEVEL, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10];
             let rays: Vec<_> = (0..effort.choose(16, 256)).filter_map(ray).collect();
             let curve = |method, k: f64| {
@@ -62,8 +56,7 @@ fn recursion_depth() -> Experiment<'static> {
                 curve("k = 0.95", 0.95),
                 curve("k = 0.99", 0.99),
             ]
-        }),
-    }
+        })
 }
 
 /// The least depth D with `k^D / (1 - k)` not above the allowed error.
@@ -89,19 +82,15 @@ fn relative(ray: &Ray, hit: &Hit, light: Vector3) -> (Ray, Interval) {
     from_point(ray, hit, light, 1e-9 * eye.max(point).max(hit.t))
 }
 
-/// Methods against self-shadowing, at every size of a scene.
 fn shadow_epsilon() -> Experiment<'static> {
-    Experiment {
-        name: "shadow-epsilon",
-        about: "What keeps a surface out of its own shadow, and lets nothing else through?",
-        knob: "scene size (units)",
-        work: "shadow rays",
-        error: "share of wrong shadow rays",
-        unit: Unit::Share,
-        exact: "of the surface itself, or through an object",
-        seeds: &[13],
-        against: Axis::Knob,
-        curves: Box::new(|effort| {
+    Experiment::new("shadow-epsilon")
+        .asking("What keeps a surface out of its own shadow, and lets nothing else through?")
+        .over(Axis::Knob, "scene size (units)", "shadow rays")
+        .with_error("share of wrong shadow rays")
+        .with_unit(Unit::Share)
+        .with_exact("of the surface itself, or through an object")
+        .with_seeds(&[13])
+        .with_curves(|effort| {
             let count = effort.choose(1_024, 16_384);
             let scenes = [1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e9].map(|size| {
                 let all = SHAPES.map(|(.., shape)| trials(shape, size, count, AIM));
@@ -132,6 +121,5 @@ fn shadow_epsilon() -> Experiment<'static> {
                     .with_bound(0.0, 0.0..=f64::INFINITY)
                     .with_remark("ours; never wrong, which a logarithm cannot show"),
             ]
-        }),
-    }
+        })
 }

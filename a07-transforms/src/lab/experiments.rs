@@ -4,7 +4,6 @@ use std::rc::Rc;
 
 use a03_rays_cameras::PixelRandom;
 use common::ArgumentError;
-use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 use crate::lab::extremes::matrices::{off_identity, turn};
@@ -43,17 +42,13 @@ const METHODS: [Method; 3] = [
 const NO_INVERSE: &str = "the protocol's; no inverse at all";
 
 fn nesting() -> Experiment<'static> {
-    Experiment {
-        name: "nested-turns",
-        about: "How many turns can be nested before the inverse is no inverse?",
-        knob: "turns",
-        work: "4x4 products",
-        error: "rms error of the numbers of M I",
-        unit: Unit::Other("identity = 1"),
-        exact: "against those of the identity",
-        seeds: &[],
-        against: Axis::Knob,
-        curves: Box::new(|effort| {
+    Experiment::new("nested-turns")
+        .asking("How many turns can be nested before the inverse is no inverse?")
+        .over(Axis::Knob, "turns", "4x4 products")
+        .with_error("rms error of the numbers of M I")
+        .with_unit(Unit::Other("identity = 1"))
+        .with_exact("against those of the identity")
+        .with_curves(|effort| {
             let steps = (0..30).filter_map(|i| turn(Transform::IDENTITY, i).ok());
             let steps: Rc<[Transform]> = steps.collect();
             let counts = &[1e2, 1e3, 1e4, 1e5, 1e6][..effort.choose(4, 5)];
@@ -75,8 +70,7 @@ fn nesting() -> Experiment<'static> {
                 ),
                 same_order.with_remark(NO_INVERSE),
             ]
-        }),
-    }
+        })
 }
 
 /// The rotations before and after a scaling.
@@ -88,12 +82,14 @@ fn pair_of_turns(n: u32) -> Result<[Transform; 2], ArgumentError> {
 }
 
 fn condition() -> Experiment<'static> {
-    Experiment {
-        name: "condition",
-        about: "What does an uneven stretching by k cost in digits?",
-        knob: "stretching k",
-        seeds: &[10],
-        curves: Box::new(|effort: Effort| {
+    Experiment::new("condition")
+        .asking("What does an uneven stretching by k cost in digits?")
+        .over(Axis::Knob, "stretching k", "4x4 products")
+        .with_error("rms error of the numbers of M I")
+        .with_unit(Unit::Other("identity = 1"))
+        .with_exact("against those of the identity")
+        .with_seeds(&[10])
+        .with_curves(|effort| {
             let count = effort.choose(4_096, 65_536) as u32;
             let pairs: Rc<[_]> = (0..count).filter_map(|n| pair_of_turns(n).ok()).collect();
             let curve = |(method, products, build): Method| {
@@ -120,7 +116,5 @@ fn condition() -> Experiment<'static> {
                 of_product.with_slope(2.0, (1e2, 1e7)).with_remark("eps k²"),
                 same_order.with_remark(NO_INVERSE),
             ]
-        }),
-        ..nesting()
-    }
+        })
 }

@@ -161,18 +161,14 @@ fn plot(least: &[[f64; NAMES.len()]]) -> Result<(), Box<dyn Error>> {
         let points = points.map(|(n, least)| Point::new((*n).into(), 1.0, [least[i]], || 0.0));
         Curve::new(NAMES[i], points)
     };
-    let experiment = Experiment {
-        name: "scaling",
-        about: "How times grow with the number of objects",
-        knob: "objects",
-        work: "measurements",
-        error: "time",
-        unit: Unit::Other("nanoseconds"),
-        exact: "the least of several rounds",
-        seeds: &[1, 2],
-        against: Axis::Knob,
-        curves: Box::new(|_| (0..NAMES.len()).map(curve).collect()),
-    };
+    let experiment = Experiment::new("scaling")
+        .asking("How times grow with the number of objects")
+        .over(Axis::Knob, "objects", "measurements")
+        .with_error("time")
+        .with_unit(Unit::Other("nanoseconds"))
+        .with_exact("the least of several rounds")
+        .with_seeds(&[1, 2])
+        .with_curves(|_| (0..NAMES.len()).map(curve).collect());
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     Measured::new(&experiment, Effort::Quick, |_, _| {}).write(folder, "engine")?;
     let pictures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/pictures");

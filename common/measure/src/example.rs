@@ -1,6 +1,6 @@
 //! Curves and experiments with known points, for the tests of this crate.
 
-use crate::experiment::{Axis, Curve, Experiment, Point, Unit};
+use crate::experiment::{Axis, Curve, Experiment, Point};
 
 /// A curve with a point for each pair of work, which is also the parameter, and error.
 pub fn curve(points: &[(f64, f64)]) -> Curve<'static> {
@@ -10,23 +10,18 @@ pub fn curve(points: &[(f64, f64)]) -> Curve<'static> {
 
 /// An experiment with one curve: three errors that fall as one over the square root.
 pub fn experiment() -> Experiment<'static> {
-    Experiment {
-        name: "square-root",
-        about: "Is the error one over the square root?",
-        knob: "n",
-        work: "steps",
-        error: "rms error",
-        unit: Unit::Light,
-        exact: "against 0",
-        seeds: &[3, 4],
-        against: Axis::Work,
-        curves: Box::new(|_| {
+    Experiment::new("square-root")
+        .asking("Is the error one over the square root?")
+        .over(Axis::Work, "n", "steps")
+        .with_error("rms error")
+        .with_exact("against 0")
+        .with_seeds(&[3, 4])
+        .with_curves(|_| {
             let falling = curve(&[(1.0, 1.0), (16.0, 0.25), (256.0, 0.0625)]);
             vec![
                 falling
                     .with_slope(-0.5, (1.0, 1e9))
                     .with_remark("remarkable"),
             ]
-        }),
-    }
+        })
 }

@@ -51,27 +51,73 @@ pub enum Axis {
 pub struct Experiment<'a> {
     /// The name on the command line, in kebab case.
     pub name: &'a str,
-    /// The question, in one line: the title of its plots.
-    pub about: &'a str,
-    /// The parameter, with its unit in brackets if it has one.
-    pub knob: &'a str,
-    /// The counted work, such as rays.
-    pub work: &'a str,
-    /// The error, without its unit: "rms error of t".
-    pub error: &'a str,
-    /// The unit of the error.
-    pub unit: Unit<'a>,
-    /// The exact value: "against 30 digits", and the error of a miss.
-    pub exact: &'a str,
-    /// The seeds of its random numbers. Empty if it takes none.
-    pub seeds: &'a [u64],
-    /// The axis that slopes are taken against.
-    pub against: Axis,
+    pub(crate) about: &'a str,
+    pub(crate) knob: &'a str,
+    pub(crate) work: &'a str,
+    pub(crate) error: &'a str,
+    pub(crate) unit: Unit<'a>,
+    pub(crate) exact: &'a str,
+    pub(crate) seeds: &'a [u64],
+    pub(crate) against: Axis,
     /// Measures all methods. The first is the baseline of the times.
     pub curves: Box<dyn Fn(Effort) -> Vec<Curve<'a>> + 'a>,
 }
 
-impl Experiment<'_> {
+impl<'a> Experiment<'a> {
+    /// An experiment without methods, on errors of light, without random numbers.
+    pub fn new(name: &'a str) -> Self {
+        Self {
+            name,
+            about: "",
+            knob: "",
+            work: "",
+            error: "",
+            unit: Unit::Light,
+            exact: "",
+            seeds: &[],
+            against: Axis::Work,
+            curves: Box::new(|_| Vec::new()),
+        }
+    }
+
+    /// Adds the question, in one line: the title of its plots.
+    pub fn asking(self, about: &'a str) -> Self {
+        Self { about, ..self }
+    }
+
+    /// Adds the axis that slopes are taken against; the parameter, with its unit in brackets
+    /// if it has one; and the counted work, such as rays.
+    pub fn over(mut self, against: Axis, knob: &'a str, work: &'a str) -> Self {
+        (self.against, self.knob, self.work) = (against, knob, work);
+        self
+    }
+
+    /// Adds the error, without its unit: "rms error of t".
+    pub fn with_error(self, error: &'a str) -> Self {
+        Self { error, ..self }
+    }
+
+    /// Adds the unit of the error.
+    pub fn with_unit(self, unit: Unit<'a>) -> Self {
+        Self { unit, ..self }
+    }
+
+    /// Adds the exact value: "against 30 digits", and the error of a miss.
+    pub fn with_exact(self, exact: &'a str) -> Self {
+        Self { exact, ..self }
+    }
+
+    /// Adds the seeds of its random numbers.
+    pub fn with_seeds(self, seeds: &'a [u64]) -> Self {
+        Self { seeds, ..self }
+    }
+
+    /// Adds the measurement of all methods.
+    pub fn with_curves(mut self, curves: impl Fn(Effort) -> Vec<Curve<'a>> + 'a) -> Self {
+        self.curves = Box::new(curves);
+        self
+    }
+
     /// The line through the errors of a curve. None for shares.
     pub fn fit(&self, curve: &Curve) -> Option<Fit> {
         let fit = curve.fit(self.against)?;
@@ -96,8 +142,10 @@ pub struct Curve<'a> {
     /// A remark for the reader: for the most exact method, why it is not in the
     /// renderer. May be empty.
     pub remark: &'a str,
-    /// The slope that theory gives, if it gives one.
-    pub slope: Option<Slope>,
+    /// The slope that theory gives for log error over log work, or over the log of the
+    /// parameter; and the range of that axis in which points count: below it, theory may not
+    /// hold yet, and above it, rounding errors may be larger.
+    pub slope: Option<(f64, (f64, f64))>,
     /// The greatest root mean square error that theory allows at these values of the
     /// parameter.
     pub bound: Option<(f64, RangeInclusive<f64>)>,
@@ -162,7 +210,7 @@ impl<'a> Curve<'a> {
 
     /// Adds the slope of theory, if there is one, and the range in which it holds.
     pub fn with_slope(self, expected: impl Into<Option<f64>>, between: (f64, f64)) -> Self {
-        let slope = expected.into().map(|expected| Slope { expected, between });
+        let slope = expected.into().map(|expected| (expected, between));
         Self { slope, ..self }
     }
 
@@ -173,16 +221,6 @@ impl<'a> Curve<'a> {
             ..self
         }
     }
-}
-
-/// A slope of log error over log work, or over the log of the parameter.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slope {
-    /// The slope that theory gives.
-    pub expected: f64,
-    /// The range of the axis in which points count: below it, theory may not hold
-    /// yet, and above it, rounding errors may be larger.
-    pub between: (f64, f64),
 }
 
 /// The largest deviation of a measured slope from theory.
@@ -270,7 +308,7 @@ pub fn check(experiment: &Experiment, effort: Effort) {
     let mut wrong = Vec::new();
     for curve in &curves {
         let fit = experiment.fit(curve);
-        if let Some(Slope { expected, .. }) = curve.slope {
+        if let Some((expected, _)) = curve.slope {
             let off = |fit: Fit| (fit.slope - expected).abs();
             if !fit.is_some_and(|fit| fit.is_power_law() && off(fit) <= SLOPE_TOLERANCE) {
                 wrong.push(format!("{}: {fit:?}, not {expected}", curve.method));

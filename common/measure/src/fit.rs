@@ -89,7 +89,7 @@ impl Curve<'_> {
     /// points where it expects none. Errors of 0 have no logarithm and take no part.
     pub fn fit(&self, axis: Axis) -> Option<Fit> {
         let everywhere = (0.0, f64::INFINITY);
-        let (from, to) = self.slope.map_or(everywhere, |slope| slope.between);
+        let (from, to) = self.slope.map_or(everywhere, |(_, range)| range);
         self.fit_between(axis, from, to)
     }
 

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use common::{Error, atomic_file};
 
-use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Slope, pareto_front};
+use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, pareto_front};
 use crate::timing::Median;
 use crate::{Effort, plot, provenance};
 
@@ -113,7 +113,7 @@ impl<'e, 'a> Measured<'e, 'a> {
     fn summary(&self, curve: &Curve) -> String {
         let mut parts = Vec::new();
         if let Some(fit) = self.experiment.fit(curve) {
-            let theory = |slope: Slope| format!(" (theory {})", slope.expected);
+            let theory = |(slope, _)| format!(" (theory {slope})");
             let theory = curve.slope.map_or(String::new(), theory);
             parts.push(format!("{fit}{theory}"));
         }

@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use common::{Error, Image, Sampled, Sampling, Scene, Settings, Size};
 
 use crate::Effort;
-use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Unit};
+use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point};
 
 /// The experiment with the samples of a scene: their number and their places,
 /// compared with many samples of another seed.
@@ -24,18 +24,13 @@ pub fn experiment(scene: &Scene) -> Result<Experiment<'_>, Error> {
         ..scene.defaults.clone()
     };
     scene.render(&taking(&settings, Sampling::Center, 1), &())?;
-    Ok(Experiment {
-        name: scene.name,
-        about: "What do more samples buy, and where should they lie?",
-        knob: "samples a pixel",
-        work: "rays",
-        error: "rms error of a channel",
-        unit: Unit::Light,
-        exact: "against many stratified samples of another seed",
-        seeds: &[0, REFERENCE],
-        against: Axis::Work,
-        curves: Box::new(move |effort| curves(scene, &settings, effort)),
-    })
+    Ok(Experiment::new(scene.name)
+        .asking("What do more samples buy, and where should they lie?")
+        .over(Axis::Work, "samples a pixel", "rays")
+        .with_error("rms error of a channel")
+        .with_exact("against many stratified samples of another seed")
+        .with_seeds(&[0, REFERENCE])
+        .with_curves(move |effort| curves(scene, &settings, effort)))
 }
 
 /// The size with the same proportions, 160 pixels wide.

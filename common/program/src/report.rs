@@ -91,23 +91,13 @@ fn chosen(
 #[cfg(test)]
 mod tests {
     use common::{Image, Scene};
-    use measure::experiment::{Axis, Curve, Point, Unit};
+    use measure::experiment::{Curve, Point};
 
     use super::*;
 
     fn experiments() -> Vec<Experiment<'static>> {
-        let experiment = |name| Experiment {
-            name,
-            about: "",
-            knob: "n",
-            work: "steps",
-            error: "",
-            unit: Unit::Light,
-            exact: "",
-            seeds: &[],
-            against: Axis::Work,
-            curves: Box::new(|_| vec![Curve::new("", [Point::new(1.0, 1.0, [1.0], || 0.0)])]),
-        };
+        let curves = |_| vec![Curve::new("", [Point::new(1.0, 1.0, [1.0], || 0.0)])];
+        let experiment = |name| Experiment::new(name).with_curves(curves);
         vec![experiment("one"), experiment("two")]
     }
 

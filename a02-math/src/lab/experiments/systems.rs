@@ -3,7 +3,6 @@
 use std::array;
 
 use glam::DMat3;
-use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Unit};
 
 use super::{WholeNumbers, sets};
@@ -56,37 +55,33 @@ fn equations(m: Mat3x3, b: Vector3) -> [[f64; 4]; 3] {
 }
 
 pub fn experiment() -> Experiment<'static> {
-    let curves = |effort: Effort| {
-        let steps = [0, 5, 10, 15, 20, 25, 30, 35, 40];
-        let sets = sets(3, effort, steps, |bits| libm::scalbn(1.0, bits), task);
-        let curve = |method, slope: Option<f64>, solve: fn(Mat3x3, Vector3) -> Vector3| {
-            let error = |(.., exact): &Task, x: Vector3| (x - *exact).to_glam().to_array();
-            let curve = Curve::of_tasks(method, &sets, move |(m, b, _)| solve(*m, *b), error);
-            curve.with_slope(slope, (1e3, 1e12))
-        };
-        vec![
-            curve("Cramer's rule", Some(1.0), protocol::cramer),
-            curve("elimination", Some(1.0), eliminated),
-            // The solutions are small whole numbers.
-            curve("Cramer's rule, mended", None, refined)
-                .with_bound(0.0, 0.0..=1e9)
-                .with_remark(
-                    "not in the renderer: solving four times more for digits that no picture needs",
-                ),
-        ]
-    };
-    Experiment {
-        name: "linear-systems",
-        about: "How flat may three columns be?",
-        knob: "condition number",
-        work: "systems",
-        error: "rms error of an unknown",
-        unit: Unit::Other("its value is -1, 1 or 3"),
-        exact: "against the solution that the right side was computed from",
-        seeds: &[3],
-        against: Axis::Knob,
-        curves: Box::new(curves),
-    }
+    Experiment::new("linear-systems")
+        .asking("How flat may three columns be?")
+        .over(Axis::Knob, "condition number", "systems")
+        .with_error("rms error of an unknown")
+        .with_unit(Unit::Other("its value is -1, 1 or 3"))
+        .with_exact("against the solution that the right side was computed from")
+        .with_seeds(&[3])
+        .with_curves(|effort| {
+            let steps = [0, 5, 10, 15, 20, 25, 30, 35, 40];
+            let sets = sets(3, effort, steps, |bits| libm::scalbn(1.0, bits), task);
+            let curve = |method, slope: Option<f64>, solve: fn(Mat3x3, Vector3) -> Vector3| {
+                let error = |(.., exact): &Task, x: Vector3| (x - *exact).to_glam().to_array();
+                let curve = Curve::of_tasks(method, &sets, move |(m, b, _)| solve(*m, *b), error);
+                curve.with_slope(slope, (1e3, 1e12))
+            };
+            vec![
+                curve("Cramer's rule", Some(1.0), protocol::cramer),
+                curve("elimination", Some(1.0), eliminated),
+                // The solutions are small whole numbers.
+                curve("Cramer's rule, mended", None, refined)
+                    .with_bound(0.0, 0.0..=1e9)
+                    .with_remark(
+                        "not in the renderer: solving four times more for digits that no picture \
+                         needs",
+                    ),
+            ]
+        })
 }
 
 /// A matrix, a right side, and the solution.

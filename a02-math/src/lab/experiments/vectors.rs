@@ -1,7 +1,6 @@
 //! The angle between two vectors, from large to tiny; and vectors that were halved many
 //! times, brought to length 1.
 
-use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Unit};
 
 use super::{WholeNumbers, sets};
@@ -12,11 +11,8 @@ use crate::{Direction, Vector3};
 /// Kahan's formula, with the vectors scaled to equal length (How Futile are Mindless
 /// Assessments of Roundoff, 2006).
 fn kahan(a: Vector3, b: Vector3) -> f64 {
-    let (scaled_a, scaled_b) = (a * b.magnitude(), b * a.magnitude());
-    2.0 * libm::atan2(
-        (scaled_a - scaled_b).magnitude(),
-        (scaled_a + scaled_b).magnitude(),
-    )
+    let (a, b) = (a * b.magnitude(), b * a.magnitude());
+    2.0 * libm::atan2((a - b).magnitude(), (a + b).magnitude())
 }
 
 /// The arc tangent of sine and cosine, with the sine from exact products.
@@ -52,40 +48,35 @@ fn angle_task(numbers: &mut WholeNumbers, bits: i32) -> AngleTask {
 }
 
 pub fn angles() -> Experiment<'static> {
-    let curves = |effort: Effort| {
-        let steps = [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40];
-        let sets = sets(1, effort, steps, |bits| libm::scalbn(1.0, bits), angle_task);
-        let curve = |method, slope: f64, angle: fn(Vector3, Vector3) -> f64| {
-            // For smaller angles the arc cosine is 0 or NaN.
-            let error = |(.., exact): &AngleTask, angle: f64| {
-                let error = angle / exact - 1.0;
-                [if error.is_nan() { 1.0 } else { error }]
+    Experiment::new("angle")
+        .asking("Which formula sees small angles?")
+        .over(Axis::Knob, "1 / tangent", "angles")
+        .with_error("rms error of the angle")
+        .with_unit(Unit::Other("share of the angle"))
+        .with_exact("against the angle by construction; where there is none, the error is 1")
+        .with_seeds(&[1])
+        .with_curves(|effort| {
+            let steps = [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40];
+            let sets = sets(1, effort, steps, |bits| libm::scalbn(1.0, bits), angle_task);
+            let curve = |method, slope: f64, angle: fn(Vector3, Vector3) -> f64| {
+                // For smaller angles the arc cosine is 0 or NaN.
+                let error = |(.., exact): &AngleTask, angle: f64| {
+                    let error = angle / exact - 1.0;
+                    [if error.is_nan() { 1.0 } else { error }]
+                };
+                let curve = Curve::of_tasks(method, &sets, move |(a, b, _)| angle(*a, *b), error);
+                curve.with_slope(slope, (10.0, 1e6))
             };
-            let curve = Curve::of_tasks(method, &sets, move |(a, b, _)| angle(*a, *b), error);
-            curve.with_slope(slope, (10.0, 1e6))
-        };
-        vec![
-            curve("arc tangent", 1.0, Vector3::angle),
-            curve("arc cosine", 2.0, protocol::angle_by_arc_cosine),
-            curve("Kahan's formula", 1.0, kahan),
-            curve("exact products", 0.0, exact_products).with_remark(
-                "does not scale long and short vectors as ours does; \
-                 not in the renderer: no picture shows an angle's last digits",
-            ),
-        ]
-    };
-    Experiment {
-        name: "angle",
-        about: "Which formula sees small angles?",
-        knob: "1 / tangent",
-        work: "angles",
-        error: "rms error of the angle",
-        unit: Unit::Other("share of the angle"),
-        exact: "against the angle by construction; where there is none, the error is 1",
-        seeds: &[1],
-        against: Axis::Knob,
-        curves: Box::new(curves),
-    }
+            vec![
+                curve("arc tangent", 1.0, Vector3::angle),
+                curve("arc cosine", 2.0, protocol::angle_by_arc_cosine),
+                curve("Kahan's formula", 1.0, kahan),
+                curve("exact products", 0.0, exact_products).with_remark(
+                    "does not scale long and short vectors as ours does; \
+                     not in the renderer: no picture shows an angle's last digits",
+                ),
+            ]
+        })
 }
 
 /// Normalisation that always scales, without the short cut for usual lengths.
@@ -116,36 +107,33 @@ fn length_task(numbers: &mut WholeNumbers, halvings: i32) -> LengthTask {
 }
 
 pub fn lengths() -> Experiment<'static> {
-    let curves = |effort: Effort| {
-        let halvings = [1, 10, 100, 500, 510, 520, 530, 540, 600, 1000];
-        let sets = sets(2, effort, halvings, Into::into, length_task);
-        let curve = |method, normalized: fn(Vector3) -> Vector3| {
-            let error = |(_, exact): &LengthTask, direction: Vector3| {
-                let error = (direction - *exact).to_glam().to_array();
-                error.map(|error| if error.is_finite() { error } else { 1.0 })
+    Experiment::new("normalise")
+        .asking("How short may a vector be?")
+        .over(Axis::Knob, "halvings of the vector", "vectors")
+        .with_error("rms error of a coordinate of the direction")
+        .with_unit(Unit::Other("length = 1"))
+        .with_exact(
+            "against a quotient of whole numbers; where there is no direction, the error is 1",
+        )
+        .with_seeds(&[2])
+        .with_curves(|effort| {
+            let halvings = [1, 10, 100, 500, 510, 520, 530, 540, 600, 1000];
+            let sets = sets(2, effort, halvings, Into::into, length_task);
+            let curve = |method, normalized: fn(Vector3) -> Vector3| {
+                let error = |(_, exact): &LengthTask, direction: Vector3| {
+                    let error = (direction - *exact).to_glam().to_array();
+                    error.map(|error| if error.is_finite() { error } else { 1.0 })
+                };
+                Curve::of_tasks(method, &sets, move |(v, _)| normalized(*v), error)
             };
-            Curve::of_tasks(method, &sets, move |(v, _)| normalized(*v), error)
-        };
-        // A rounded square, root and quotient.
-        let bound = 2.0 * f64::EPSILON;
-        vec![
-            curve("ours", |v| v.normalized().unwrap_or_default()).with_bound(bound, 0.0..=1e9),
-            curve("divided by its length", protocol::normalized).with_bound(bound, 0.0..=500.0),
-            curve("always scaled", always_scaled).with_remark(
-                "not in the renderer: the same digits at a higher price for usual lengths",
-            ),
-        ]
-    };
-    Experiment {
-        name: "normalise",
-        about: "How short may a vector be?",
-        knob: "halvings of the vector",
-        work: "vectors",
-        error: "rms error of a coordinate of the direction",
-        unit: Unit::Other("length = 1"),
-        exact: "against a quotient of whole numbers; where there is no direction, the error is 1",
-        seeds: &[2],
-        against: Axis::Knob,
-        curves: Box::new(curves),
-    }
+            // A rounded square, root and quotient.
+            let bound = 2.0 * f64::EPSILON;
+            vec![
+                curve("ours", |v| v.normalized().unwrap_or_default()).with_bound(bound, 0.0..=1e9),
+                curve("divided by its length", protocol::normalized).with_bound(bound, 0.0..=500.0),
+                curve("always scaled", always_scaled).with_remark(
+                    "not in the renderer: the same digits at a higher price for usual lengths",
+                ),
+            ]
+        })
 }

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use a02_math::Point3;
 use common::{ArgumentError, Color, Image, Sampled, Sampling, Settings, Size};
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point, Unit};
+use measure::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point};
 
 use super::coverage::{disc_coverage, in_disc};
 use crate::lab::extremes::{AHEAD, UP};
@@ -75,16 +75,11 @@ fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
 }
 
 pub fn experiment() -> Experiment<'static> {
-    Experiment {
-        name: "samples-adaptive",
-        about: "What does an error cost if samples are taken only where they are needed?",
-        knob: "samples",
-        work: "rays",
-        error: "rms error of a pixel of a disc's picture",
-        unit: Unit::Light,
-        exact: "against the pixel's mean in closed form",
-        seeds: &[0],
-        against: Axis::Work,
-        curves: Box::new(|effort| curves(effort).unwrap_or_default()),
-    }
+    Experiment::new("samples-adaptive")
+        .asking("What does an error cost if samples are taken only where they are needed?")
+        .over(Axis::Work, "samples", "rays")
+        .with_error("rms error of a pixel of a disc's picture")
+        .with_exact("against the pixel's mean in closed form")
+        .with_seeds(&[0])
+        .with_curves(|effort| curves(effort).unwrap_or_default())
 }

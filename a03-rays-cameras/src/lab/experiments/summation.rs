@@ -1,7 +1,6 @@
 //! The rounding error of the sum over the samples of a pixel.
 
 use a02_math::lab::exact::sum_with_error;
-use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 
 /// The sum that keeps the rounding errors in a second number (Neumaier,
@@ -23,44 +22,38 @@ fn channels() -> impl Iterator<Item = f64> {
 }
 
 pub fn experiment() -> Experiment<'static> {
-    let curves = |effort: Effort| {
-        let curve = |method, mean: Mean| {
-            let point = |power| {
-                let n = 10_u32.pow(power);
-                let errors = channels().map(|x| mean(x, n) - x);
-                let run = move || channels().map(|x| mean(x, n)).sum::<f64>();
-                Point::new(n.into(), 16.0 * f64::from(n), errors, run)
+    Experiment::new("summation")
+        .asking("What does a sum of many samples lose?")
+        .over(Axis::Work, "terms", "additions")
+        .with_error("rms error of the mean of equal terms")
+        .with_unit(Unit::Other("terms from 1/17 to 16/17"))
+        .with_exact("against the term")
+        .with_curves(|effort| {
+            let curve = |method, mean: Mean| {
+                let point = |power| {
+                    let n = 10_u32.pow(power);
+                    let errors = channels().map(|x| mean(x, n) - x);
+                    let run = move || channels().map(|x| mean(x, n)).sum::<f64>();
+                    Point::new(n.into(), 16.0 * f64::from(n), errors, run)
+                };
+                Curve::new(method, (0..=effort.choose(6, 7) as u32).map(point))
             };
-            Curve::new(method, (0..=effort.choose(6, 7) as u32).map(point))
-        };
-        vec![
-            curve("plain sum", |x, n| {
-                (0..n).fold(0.0, |sum, _| sum + x) / f64::from(n)
-            })
-            .with_slope(1.0, (100.0, 1e6)),
-            curve("Neumaier's sum", |x, n| {
-                neumaier((0..n).map(|_| x)) / f64::from(n)
-            })
-            .with_bound(f64::EPSILON, 1.0..=1e9)
-            .with_remark(COMPENSATED),
-            // The sum stays constant once a term is less than half a unit in its last place.
-            curve("plain sum in 32 bits", |x, n| {
-                f64::from((0..n).fold(0.0_f32, |sum, _| sum + x as f32) / n as f32)
-            }),
-        ]
-    };
-    Experiment {
-        name: "summation",
-        about: "What does a sum of many samples lose?",
-        knob: "terms",
-        work: "additions",
-        error: "rms error of the mean of equal terms",
-        unit: Unit::Other("terms from 1/17 to 16/17"),
-        exact: "against the term",
-        seeds: &[],
-        against: Axis::Work,
-        curves: Box::new(curves),
-    }
+            vec![
+                curve("plain sum", |x, n| {
+                    (0..n).fold(0.0, |sum, _| sum + x) / f64::from(n)
+                })
+                .with_slope(1.0, (100.0, 1e6)),
+                curve("Neumaier's sum", |x, n| {
+                    neumaier((0..n).map(|_| x)) / f64::from(n)
+                })
+                .with_bound(f64::EPSILON, 1.0..=1e9)
+                .with_remark(COMPENSATED),
+                // The sum stays constant once a term is less than half a unit in its last place.
+                curve("plain sum in 32 bits", |x, n| {
+                    f64::from((0..n).fold(0.0_f32, |sum, _| sum + x as f32) / n as f32)
+                }),
+            ]
+        })
 }
 
 const COMPENSATED: &str =

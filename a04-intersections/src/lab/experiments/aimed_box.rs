@@ -70,17 +70,16 @@ pub fn slabs(lbf: Point3, run: Point3, ray: &Ray) -> Option<f64> {
 }
 
 pub fn experiment() -> Experiment<'static> {
-    Experiment {
-        name: "box-aimed",
-        about: "Who loses rays at the edges and corners of a box?",
-        knob: "faces aimed at",
-        work: "tests",
-        error: "share of wrong answers",
-        unit: Unit::Share,
-        exact: "a miss, or a hit elsewhere; aimed at a face, at an edge of two, at a corner of three",
-        seeds: &[21],
-        against: Axis::Knob,
-        curves: Box::new(|effort| {
+    Experiment::new("box-aimed")
+        .asking("Who loses rays at the edges and corners of a box?")
+        .over(Axis::Knob, "faces aimed at", "tests")
+        .with_error("share of wrong answers")
+        .with_unit(Unit::Share)
+        .with_exact(
+            "a miss, or a hit elsewhere; aimed at a face, at an edge of two, at a corner of three",
+        )
+        .with_seeds(&[21])
+        .with_curves(|effort| {
             let count = effort.choose(4096, 65_536);
             let aims = |faces| (0..count).map(|n| aimed(faces, n)).collect();
             let aims = [(1.0, aims(1)), (2.0, aims(2)), (3.0, aims(3))];
@@ -99,6 +98,5 @@ pub fn experiment() -> Experiment<'static> {
                     .with_bound(0.0, 1.0..=3.0)
                     .with_remark("also says which face was met, for the normal"),
             ]
-        }),
-    }
+        })
 }

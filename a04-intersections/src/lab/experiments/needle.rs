@@ -112,17 +112,14 @@ fn compensated((triangle, ray): &Needle) -> Option<f64> {
 }
 
 pub fn experiment() -> Experiment<'static> {
-    Experiment {
-        name: "triangle-needle",
-        about: "How thin may a triangle be?",
-        knob: "length / height",
-        work: "tests",
-        error: "rms error of t",
-        unit: Unit::Other("share of t"),
-        exact: "against 30 digits, away from the edges; half of the rays hit",
-        seeds: &[13, 14],
-        against: Axis::Knob,
-        curves: Box::new(|effort| {
+    Experiment::new("triangle-needle")
+        .asking("How thin may a triangle be?")
+        .over(Axis::Knob, "length / height", "tests")
+        .with_error("rms error of t")
+        .with_unit(Unit::Other("share of t"))
+        .with_exact("against 30 digits, away from the edges; half of the rays hit")
+        .with_seeds(&[13, 14])
+        .with_curves(|effort| {
             let rays = effort.choose(4096, 65_536);
             let aspects = (0..=9).map(|power| libm::pow(8.0, power.into()));
             let sets = aspects.map(|aspect| (aspect, needles(aspect, rays)));
@@ -144,6 +141,5 @@ pub fn experiment() -> Experiment<'static> {
                      computes fused multiply-add by a function call",
                 ),
             ]
-        }),
-    }
+        })
 }

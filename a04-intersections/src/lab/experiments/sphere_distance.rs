@@ -148,30 +148,24 @@ fn curves(
 
 pub fn far() -> Experiment<'static> {
     let ranges = [(8.0, 2e7), (8.0, 2e9), (8.0, 512.0)];
-    Experiment {
-        name: "sphere-far",
-        about: "How far away may a sphere of radius 1 be?",
-        knob: "distance (radii)",
-        work: "rays",
-        error: "rms error of t",
-        unit: Unit::Other("radii"),
-        exact: "against 30 digits; a miss counts as 1; seven of ten rays hit",
-        seeds: &[11],
-        against: Axis::Knob,
-        curves: Box::new(move |effort| curves((FROM_AFAR, 3), [2.0, 1.0], ranges, effort)),
-    }
+    Experiment::new("sphere-far")
+        .asking("How far away may a sphere of radius 1 be?")
+        .over(Axis::Knob, "distance (radii)", "rays")
+        .with_error("rms error of t")
+        .with_unit(Unit::Other("radii"))
+        .with_exact("against 30 digits; a miss counts as 1; seven of ten rays hit")
+        .with_seeds(&[11])
+        .with_curves(move |effort| curves((FROM_AFAR, 3), [2.0, 1.0], ranges, effort))
 }
 
 pub fn near() -> Experiment<'static> {
     let ranges = [(64.0, 2e9), (64.0, 2e9), (64.0, 3e5)];
-    Experiment {
-        name: "sphere-near",
-        about: "How large may a sphere be whose surface is near the eye?",
-        knob: "radius (eye heights)",
-        unit: Unit::Other("heights of the eye"),
-        exact: "against 30 digits; three of four rays hit",
-        seeds: &[12],
-        curves: Box::new(move |effort| curves((AT_GROUND, 6), [1.0, 0.0], ranges, effort)),
-        ..far()
-    }
+    Experiment::new("sphere-near")
+        .asking("How large may a sphere be whose surface is near the eye?")
+        .over(Axis::Knob, "radius (eye heights)", "rays")
+        .with_error("rms error of t")
+        .with_unit(Unit::Other("heights of the eye"))
+        .with_exact("against 30 digits; three of four rays hit")
+        .with_seeds(&[12])
+        .with_curves(move |effort| curves((AT_GROUND, 6), [1.0, 0.0], ranges, effort))
 }

@@ -183,17 +183,15 @@ fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
 
 /// The sphere of more and more triangles; every ray tests all of them.
 pub fn experiment() -> Experiment<'static> {
-    Experiment {
-        name: "sphere-mesh",
-        about: "How many triangles make a sphere?",
-        knob: "objects",
-        work: "tests",
-        error: "rms error of depth, Lambert or area",
-        unit: Unit::Other("radii, white = 1, or all = 1"),
-        exact: "against the sphere's closed forms; Lambert is lit from the eye, the silhouette is an area",
-        seeds: &[],
-        against: Axis::Work,
+    Experiment::new("sphere-mesh")
+        .asking("How many triangles make a sphere?")
+        .over(Axis::Work, "objects", "tests")
+        .with_error("rms error of depth, Lambert or area")
+        .with_unit(Unit::Other("radii, white = 1, or all = 1"))
+        .with_exact(
+            "against the sphere's closed forms; Lambert is lit from the eye, \
+             the silhouette is an area",
+        )
         // The arguments are constants that the constructors accept.
-        curves: Box::new(|effort| curves(effort).unwrap_or_default()),
-    }
+        .with_curves(|effort| curves(effort).unwrap_or_default())
 }

@@ -13,17 +13,13 @@ use crate::power::squaring;
 /// mean as soon as it resolves the highlight, so that only the rounding error of
 /// the sum remains.
 pub fn mean() -> Experiment<'static> {
-    Experiment {
-        name: "phong-mean",
-        about: "What does adding up many pixels cost in digits?",
-        knob: "pixels across",
-        work: "pixels",
-        error: "rms error of the mean highlight",
-        unit: Unit::Other("largest highlight = 1"),
-        exact: "against 1 / (2 (P + 1)) for the exponents P = 8 to 15",
-        seeds: &[],
-        against: Axis::Knob,
-        curves: Box::new(|effort| {
+    Experiment::new("phong-mean")
+        .asking("What does adding up many pixels cost in digits?")
+        .over(Axis::Knob, "pixels across", "pixels")
+        .with_error("rms error of the mean highlight")
+        .with_unit(Unit::Other("largest highlight = 1"))
+        .with_exact("against 1 / (2 (P + 1)) for the exponents P = 8 to 15")
+        .with_curves(|effort| {
             let sizes = &[64, 128, 256, 512, 1024, 2048, 4096][..effort.choose(4, 7)];
             let curve = |method, sum: Sum| {
                 let points = sizes.iter().map(|&across: &u32| {
@@ -41,8 +37,7 @@ pub fn mean() -> Experiment<'static> {
                      thousands is far below what can be seen",
                 ),
             ]
-        }),
-    }
+        })
 }
 
 /// A method to add up terms.
@@ -75,22 +70,16 @@ fn exact(base: DoubleDouble, exponent: u64) -> DoubleDouble {
 /// A power of `1 - d`.
 type Power = fn(d: f64, exponent: f64) -> f64;
 
-/// Methods to raise a cosine to a power.
-///
 /// Rounding the cosine changes its P-th power by the relative error eps P / 4,
 /// even if the power is exact; only methods that use 1 - cosine can do better.
 pub fn power() -> Experiment<'static> {
-    Experiment {
-        name: "phong-power",
-        about: "How exact is the power of a highlight, and what does it cost?",
-        knob: "exponent",
-        work: "powers",
-        error: "rms error of the power",
-        unit: Unit::Other("share of it"),
-        exact: "against powers with 19 digits or more",
-        seeds: &[],
-        against: Axis::Knob,
-        curves: Box::new(|effort| {
+    Experiment::new("phong-power")
+        .asking("How exact is the power of a highlight, and what does it cost?")
+        .over(Axis::Knob, "exponent", "powers")
+        .with_error("rms error of the power")
+        .with_unit(Unit::Other("share of it"))
+        .with_exact("against powers with 19 digits or more")
+        .with_curves(|effort| {
             let count = effort.choose(4_096, 65_536);
             let curve = |method, slope: Option<f64>, power: Power| {
                 let points = [1e2, 1e4, 1e6, 1e9, 1e12].map(|exponent| {
@@ -125,6 +114,5 @@ pub fn power() -> Experiment<'static> {
                      d = |e - r|² / 2, and below P = 1e9 nobody sees the difference",
                 ),
             ]
-        }),
-    }
+        })
 }

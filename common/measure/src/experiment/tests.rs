@@ -37,11 +37,7 @@ fn slopes_and_bounds_are_checked_and_shares_have_no_slope() {
             let curves = (experiment().curves)(Effort::Quick).into_iter();
             curves.map(change).collect()
         };
-        let experiment = Experiment {
-            unit,
-            curves: Box::new(curves),
-            ..experiment()
-        };
+        let experiment = experiment().with_unit(unit).with_curves(curves);
         let check = || check(&experiment, Effort::Quick);
         std::panic::catch_unwind(std::panic::AssertUnwindSafe(check)).is_ok()
     };

@@ -1,15 +1,12 @@
 use super::*;
 use crate::example::{curve, experiment};
-use crate::experiment::{Experiment, Unit};
+use crate::experiment::Unit;
 
 /// The plots of curves with these points: work, and error. The times are the works.
 fn plots_of(unit: Unit<'static>, curves: &[&[(f64, f64)]]) -> Vec<(&'static str, String)> {
     let times = |points: &&[(f64, f64)]| points.iter().map(|p| vec![p.0]).collect();
     plots(&Measured {
-        experiment: &Experiment {
-            unit,
-            ..experiment()
-        },
+        experiment: &experiment().with_unit(unit),
         curves: curves.iter().map(|points| curve(points)).collect(),
         seconds: curves.iter().map(times).collect(),
     })
