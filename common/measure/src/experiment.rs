@@ -216,10 +216,8 @@ impl<'a> Curve<'a> {
 
     /// Adds the greatest error that theory allows, and the range of the parameter for it.
     pub fn with_bound(self, bound: f64, between: RangeInclusive<f64>) -> Self {
-        Self {
-            bound: Some((bound, between)),
-            ..self
-        }
+        let bound = Some((bound, between));
+        Self { bound, ..self }
     }
 }
 
@@ -315,10 +313,8 @@ pub fn check(experiment: &Experiment, effort: Effort) {
             }
         }
         for Point { knob, rms, .. } in &curve.points {
-            let bound = curve
-                .bound
-                .as_ref()
-                .filter(|(_, range)| range.contains(knob));
+            let bound = curve.bound.as_ref();
+            let bound = bound.filter(|(_, range)| range.contains(knob));
             if bound.is_some_and(|(most, _)| rms.is_nan() || rms > most) {
                 wrong.push(format!("{} at {knob}: {rms:e}", curve.method));
             }

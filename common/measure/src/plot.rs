@@ -79,16 +79,14 @@ fn series<'a>(measured: &Measured<'_, 'a>, is_timed: bool) -> Vec<Series<'a>> {
             let work = [point.on(experiment.against); 3];
             (if is_timed { [low, value, high] } else { work }, point.rms)
         });
-        let fit = experiment
-            .fit(curve)
-            .filter(|fit| !is_timed && fit.is_power_law());
+        let points = points.filter(|(x, error)| x[0] > 0.0 && error.is_finite());
+        let fit = experiment.fit(curve);
+        let fit = fit.filter(|fit| !is_timed && fit.is_power_law());
         Series {
             name: curve.method,
             remark: fit.map_or(String::new(), |fit| fit.slope_in_words().replace('-', "−")),
             is_estimate: curve.points.iter().any(|point| point.is_estimate),
-            points: points
-                .filter(|(x, error)| x[0] > 0.0 && error.is_finite())
-                .collect(),
+            points: points.collect(),
         }
     });
     curves.collect()
@@ -109,9 +107,8 @@ fn leave_out_far_curve(all: &mut [Series]) {
         let gap = (from - high).max(low - to);
         if rest[0].len() <= others.len() && gap.is_finite() && gap > 2.0 * (to - from).max(1.0) {
             let arrow = if high < from { '↓' } else { '↑' };
-            let mut ends = [low, high]
-                .map(|log| rounded(libm::pow(10.0, log)))
-                .to_vec();
+            let end = |log| rounded(libm::pow(10.0, log));
+            let mut ends = vec![end(low), end(high)];
             ends.dedup();
             one.remark = format!("{arrow} off the scale: {}", ends.join(" to "));
             one.points.clear();

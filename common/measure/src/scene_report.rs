@@ -12,10 +12,8 @@ use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point};
 /// compared with many samples of another seed.
 pub fn experiment(scene: &Scene) -> Result<Experiment<'_>, Error> {
     if !scene.uses.sampling {
-        let name = scene.name;
-        return Err(Error::Usage(format!(
-            "{name} is not sampled: there is nothing to choose"
-        )));
+        let why = "is not sampled: there is nothing to choose";
+        return Err(Error::Usage(format!("{} {why}", scene.name)));
     }
     // A scene that cannot be rendered fails here already.
     let settings = Settings {

@@ -92,12 +92,11 @@ pub fn wrong<T, E>(
     trials: impl IntoIterator<Item = T>,
     are_wrong: impl Fn(T) -> Result<[bool; 2], E>,
 ) -> Result<[usize; 2], E> {
-    trials
-        .into_iter()
-        .try_fold([0; 2], |counts: [usize; 2], trial| {
-            let are_wrong = are_wrong(trial)?;
-            Ok([0, 1].map(|i| counts[i] + usize::from(are_wrong[i])))
-        })
+    let add = |counts: [usize; 2], trial| {
+        let are_wrong = are_wrong(trial)?;
+        Ok([0, 1].map(|i| counts[i] + usize::from(are_wrong[i])))
+    };
+    trials.into_iter().try_fold([0; 2], add)
 }
 
 /// The greatest magnitude of some numbers; NaN if one is NaN.
