@@ -6,7 +6,7 @@ use crate::lessons::is_lesson;
 
 /// Parts, a word by which the paths of their files are known, and their most lines. A file
 /// belongs to the first part that fits.
-const BUDGETS: [(&str, &[&str], usize); 9] = [
+const BUDGETS: [(&str, &[&str], usize); 10] = [
     (
         "exercises with their checks, and cargo learn",
         &[
@@ -14,20 +14,30 @@ const BUDGETS: [(&str, &[&str], usize); 9] = [
             "common/testing/src/exercise",
             "common/learn/",
         ],
-        7_700,
+        7_500,
     ),
     ("benchmarks", &["/benches/"], 1_700),
-    ("labs", &["/src/lab/", "/src/lab.rs"], 6_200),
+    ("labs", &["/src/lab/", "/src/lab.rs"], 5_500),
     ("engine", &["common/engine/"], 7_900),
-    ("common, program, measure and testing", &["common/"], 6_600),
-    ("fuzz targets", &["fuzz/"], 570),
-    ("checks of the book", &["book/tests/"], 740),
+    (
+        "common, program, measure and testing",
+        &[
+            "common/src/",
+            "common/program/src/",
+            "common/measure/src/",
+            "common/testing/src/",
+        ],
+        6_300,
+    ),
+    ("tests of common and program", &["common/"], 270),
+    ("fuzz targets", &["fuzz/"], 500),
+    ("checks of the book", &["book/tests/"], 600),
     ("live pages", &["book/live/"], 1_700),
-    ("tests of the stages", &["/tests/"], 5_300),
+    ("tests of the stages", &["/tests/"], 4_600),
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 44_900;
+const OF_ALL: usize = 43_500;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.

@@ -50,11 +50,8 @@ pub fn check(
     valid: bool,
     allowed: &'static str,
 ) -> Result<f64, ArgumentError> {
-    if valid {
-        Ok(value)
-    } else {
-        Err(ArgumentError::new(name, value, allowed))
-    }
+    let valid = valid.then_some(value);
+    valid.ok_or_else(|| ArgumentError::new(name, value, allowed))
 }
 
 /// A finite number.
@@ -98,12 +95,9 @@ fn check_channels(
     valid: impl Fn(&f64) -> bool,
     allowed: &'static str,
 ) -> Result<Color, ArgumentError> {
-    if value.channels().iter().all(valid) {
-        Ok(value)
-    } else {
-        let given = format!("({}, {}, {})", value.r, value.g, value.b);
-        Err(ArgumentError::new(name, given, allowed))
-    }
+    let given = || format!("({}, {}, {})", value.r, value.g, value.b);
+    let valid = value.channels().iter().all(valid).then_some(value);
+    valid.ok_or_else(|| ArgumentError::new(name, given(), allowed))
 }
 
 #[cfg(test)]

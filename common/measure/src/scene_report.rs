@@ -173,11 +173,4 @@ mod tests {
         assert_eq!(small(1600, 1).unwrap().to_string(), "160x1");
         assert!(small(1, 32_768).is_err());
     }
-
-    #[test]
-    fn a_scene_that_takes_no_samples_is_refused() {
-        let scene = Scene::painted("disc", "", |settings, _| Image::black(settings.size));
-        let error = experiment(&scene).err().unwrap().to_string();
-        assert!(error.starts_with("disc is not sampled"), "{error}");
-    }
 }

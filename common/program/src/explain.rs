@@ -88,16 +88,11 @@ mod tests {
     }
 
     #[test]
-    fn the_picture_comes_from_the_chosen_renderer() {
-        let scene = scene();
-        let image = explain(&scene, &scene.defaults, &Options::default()).unwrap();
-        assert_eq!(image.pixels(), [Color::BLACK]);
-    }
-
-    #[test]
-    fn each_renderer_has_its_own_times() {
+    fn each_renderer_has_its_own_times_and_the_chosen_one_paints_the_picture() {
         let scene = scene();
         let settings = &scene.defaults;
+        let image = explain(&scene, settings, &Options::default()).unwrap();
+        assert_eq!(image.pixels(), [Color::BLACK]);
         let [needed, all] = times(&scene, [settings, &complete(settings)]).unwrap();
         assert_eq!((needed.len(), all.len()), (Median::ROUNDS, Median::ROUNDS));
         assert!(all.iter().all(|seconds| *seconds >= 0.003));

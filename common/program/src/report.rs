@@ -76,13 +76,11 @@ fn chosen(
     names: &[String],
 ) -> Result<Vec<Experiment<'static>>, Error> {
     let known: Vec<_> = experiments.iter().map(|e| e.name).collect();
-    for name in names {
-        if !known.contains(&name.as_str()) {
-            let known = known.join(", ");
-            return Err(Error::Usage(format!(
-                "there is no experiment \"{name}\"; there are {known}, and scene NAME"
-            )));
-        }
+    if let Some(name) = names.iter().find(|name| !known.contains(&name.as_str())) {
+        let known = known.join(", ");
+        return Err(Error::Usage(format!(
+            "there is no experiment \"{name}\"; there are {known}, and scene NAME"
+        )));
     }
     let is_wanted = |e: &Experiment| names.is_empty() || names.iter().any(|name| name == e.name);
     Ok(experiments.into_iter().filter(is_wanted).collect())
