@@ -1,9 +1,6 @@
 //! The laboratory: measures the lesson of this stage, and is no part of it.
 
-#![expect(
-    clippy::must_use_candidate,
-    reason = "called by the tables, the report and their tests"
-)]
+#![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
 pub(crate) mod all_work;
 pub mod experiments;

@@ -12,6 +12,7 @@
 )]
 
 pub mod comparison;
+mod curve;
 mod effort;
 #[cfg(test)]
 mod example;

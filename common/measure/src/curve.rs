@@ -1,0 +1,152 @@
+//! `Curve`: the measurements of one method.
+
+use std::hint::black_box;
+use std::ops::RangeInclusive;
+use std::rc::Rc;
+
+use crate::experiment::Axis;
+
+/// A method at all values of the parameter.
+pub struct Curve<'a> {
+    /// Its name.
+    pub method: &'a str,
+    /// A remark for the reader: for the most exact method, why it is not in the
+    /// renderer. May be empty.
+    pub remark: &'a str,
+    /// The slope that theory gives for log error over log work, or over the log of the
+    /// parameter; and the range of that axis in which points count: below it, theory may not
+    /// hold yet, and above it, rounding errors may be larger.
+    pub slope: Option<(f64, (f64, f64))>,
+    /// The greatest root mean square error that theory allows at these values of the
+    /// parameter.
+    pub bound: Option<(f64, RangeInclusive<f64>)>,
+    /// The measurements, from coarse to fine.
+    pub points: Vec<Point<'a>>,
+}
+
+impl<'a> Curve<'a> {
+    /// A method without a remark and without a slope in theory.
+    pub fn new(method: &'a str, points: impl IntoIterator<Item = Point<'a>>) -> Self {
+        Self {
+            method,
+            remark: "",
+            slope: None,
+            bound: None,
+            points: points.into_iter().collect(),
+        }
+    }
+
+    /// A method for sets of tasks, each with its value of the parameter. The work is the
+    /// number of tasks; `answer` does one, and `errors` are those of its answer.
+    pub fn of_tasks<T: 'a, A, E: IntoIterator<Item = f64>>(
+        method: &'a str,
+        sets: &[(f64, Rc<[T]>)],
+        answer: impl Fn(&T) -> A + Copy + 'a,
+        errors: impl Fn(&T, A) -> E,
+    ) -> Self {
+        let points = sets.iter().map(|(knob, tasks)| {
+            let all = tasks.iter().flat_map(|task| errors(task, answer(task)));
+            let run = Rc::clone(tasks);
+            let run = move || {
+                run.iter()
+                    .map(answer)
+                    .for_each(|answer| drop(black_box(answer)));
+            };
+            Point::new(*knob, tasks.len() as f64, all, run)
+        });
+        Self::new(method, points)
+    }
+
+    /// Like [`of_tasks`](Self::of_tasks), with the share of wrong answers as the error.
+    pub fn of_decisions<T: 'a, A, S: Into<f64>>(
+        method: &'a str,
+        sets: &[(f64, Rc<[T]>)],
+        answer: impl Fn(&T) -> A + Copy + 'a,
+        is_wrong: impl Fn(&T, A) -> S,
+    ) -> Self {
+        let error = |task: &T, answer| [is_wrong(task, answer).into().sqrt()];
+        let mut curve = Self::of_tasks(method, sets, answer, error);
+        for point in &mut curve.points {
+            // The mean of the squares is the share.
+            point.rms *= point.rms;
+            point.max = point.rms;
+        }
+        curve
+    }
+
+    /// Adds a remark for the reader.
+    pub fn with_remark(self, remark: &'a str) -> Self {
+        Self { remark, ..self }
+    }
+
+    /// Adds the slope of theory, if there is one, and the range in which it holds.
+    pub fn with_slope(self, expected: impl Into<Option<f64>>, between: (f64, f64)) -> Self {
+        let slope = expected.into().map(|expected| (expected, between));
+        Self { slope, ..self }
+    }
+
+    /// Adds the greatest error that theory allows, and the range of the parameter for it.
+    pub fn with_bound(self, bound: f64, between: RangeInclusive<f64>) -> Self {
+        let bound = Some((bound, between));
+        Self { bound, ..self }
+    }
+}
+
+/// One measurement.
+pub struct Point<'a> {
+    /// The value of the parameter.
+    pub knob: f64,
+    /// The counted work.
+    pub work: f64,
+    /// The root mean square error.
+    pub rms: f64,
+    /// The greatest error.
+    pub max: f64,
+    /// Whether the error is only estimated, by the method itself.
+    pub is_estimate: bool,
+    /// The work itself, to be timed, without the measurement of the error.
+    pub run: Box<dyn FnMut() + 'a>,
+}
+
+impl<'a> Point<'a> {
+    /// A measurement with these errors, at least one. The result of `run` counts as used,
+    /// so that the compiler cannot remove the work.
+    pub fn new<R>(
+        knob: f64,
+        work: f64,
+        errors: impl IntoIterator<Item = f64>,
+        mut run: impl FnMut() -> R + 'a,
+    ) -> Self {
+        let (mut count, mut squares, mut max) = (0.0, 0.0, 0.0_f64);
+        for error in errors {
+            count += 1.0;
+            squares += error * error;
+            max = max.max(error.abs());
+        }
+        Self {
+            knob,
+            work,
+            rms: (squares / count).sqrt(),
+            max,
+            is_estimate: false,
+            run: Box::new(move || drop(black_box(run()))),
+        }
+    }
+
+    /// A method's own estimate of its error. It is shown beside the errors, and not
+    /// compared with them.
+    pub fn estimate<R>(knob: f64, work: f64, error: f64, run: impl FnMut() -> R + 'a) -> Self {
+        Self {
+            is_estimate: true,
+            ..Self::new(knob, work, [error], run)
+        }
+    }
+
+    /// The coordinate on an axis.
+    pub const fn on(&self, axis: Axis) -> f64 {
+        match axis {
+            Axis::Work => self.work,
+            Axis::Knob => self.knob,
+        }
+    }
+}
