@@ -1,9 +1,6 @@
 //! `Exercise`: a section of the book's pages `aNN-exercises.md`.
 
-use std::fs;
-
-/// Number of stages; each has a page.
-const STAGES: u32 = 7;
+use crate::files;
 
 /// A section of a page. Its texts live as long as the program.
 #[derive(Debug, PartialEq, Eq)]
@@ -25,14 +22,26 @@ pub struct Exercise {
 
 /// The exercises of all stages, in the order of the book.
 pub fn read_all() -> Result<Vec<Exercise>, String> {
+    let pages = (1..).map(|stage| format!("book/src/a{stage:02}-exercises.md"));
     let mut exercises = Vec::new();
-    for stage in 1..=STAGES {
-        let page = format!("book/src/a{stage:02}-exercises.md");
-        let text = fs::read_to_string(&page).map_err(|error| format!("{page}: {error}"))?;
-        let text = text.replace("\r\n", "\n").leak();
+    for page in pages.take_while(|page| files::shortest(page).exists()) {
+        let text = files::read(&page)?.replace("\r\n", "\n").leak();
         exercises.extend(sections(text).map_err(|problem| format!("{page}: {problem}"))?);
     }
     Ok(exercises)
+}
+
+/// The exercise of this name. The error is the nearest name.
+pub fn find(course: &'static [Exercise], name: &str) -> Result<&'static Exercise, String> {
+    let nearness = |e: &Exercise| strsim::jaro(e.name, name);
+    let nearest = course
+        .iter()
+        .max_by(|a, b| nearness(a).total_cmp(&nearness(b)));
+    let nearest = nearest.ok_or("there are no exercises")?;
+    let is_found = nearest.name == name;
+    is_found
+        .then_some(nearest)
+        .ok_or(format!("the nearest name is {}", nearest.name))
 }
 
 /// The exercises of a page.
@@ -70,7 +79,7 @@ fn exercise(section: &'static str, is_core: bool) -> Option<Exercise> {
         is_core,
         task: task.join("\n\n"),
         hints: hints.filter(|hints| !hints.is_empty())?,
-        solution: solution.split([',', '\n']).next()?,
+        solution: solution.split('`').nth(1)?,
     })
 }
 
@@ -86,16 +95,15 @@ fn hint(details: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeSet;
+    use std::fs;
 
     use super::*;
-    use crate::{enter_workspace, files};
 
     /// Each section has its files and each file its section; starters lack something; hints
     /// are words, as no test would compile code in them; and the checks of the core path
     /// accept another style.
     #[test]
     fn sections_and_files_agree() {
-        enter_workspace().unwrap();
         let (mut names, mut files) = (BTreeSet::new(), BTreeSet::new());
         for exercise in read_all().unwrap() {
             let (stage, name, hints) = (exercise.stage, exercise.name, exercise.hints.concat());
@@ -104,7 +112,7 @@ mod tests {
                 "{name} is the name of two exercises"
             );
             for folder in ["starters", "solutions"] {
-                let folder = fs::read_dir(format!("{stage}/exercises/{folder}"));
+                let folder = fs::read_dir(files::shortest(&format!("{stage}/exercises/{folder}")));
                 let paths = folder
                     .into_iter()
                     .flatten()
@@ -119,11 +127,8 @@ mod tests {
             let count = |brace| starter.matches(brace).count();
             assert_eq!(count('{'), count('}'), "{name}");
             assert!(!hints.is_empty() && !hints.contains("```rust"), "{name}");
-            assert!(
-                fs::exists(exercise.solution.trim_matches('`')).unwrap(),
-                "{name}"
-            );
-            let check = fs::read_to_string(format!("{stage}/tests/exercises/{name}.rs")).unwrap();
+            assert!(files::shortest(exercise.solution).exists(), "{name}");
+            let check = files::read(&format!("{stage}/tests/exercises/{name}.rs")).unwrap();
             assert!(!exercise.is_core || check.contains("right(\""), "{name}");
         }
         assert_eq!(files, names);

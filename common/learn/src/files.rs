@@ -1,24 +1,60 @@
 //! The student's file of an exercise, which begins as a copy of the starter.
 
-use std::path::PathBuf;
-use std::{fs, io};
+use std::path::{Component, Path, PathBuf};
+use std::time::SystemTime;
+use std::{env, fs};
 
 use crate::exercise::Exercise;
 
+/// The folder of the workbook, of which `cargo run` knows the newest place.
+pub fn workspace() -> PathBuf {
+    let folder = env::var_os("CARGO_MANIFEST_DIR");
+    let folder = PathBuf::from(folder.unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into()));
+    folder
+        .ancestors()
+        .nth(2)
+        .map(Path::to_owned)
+        .unwrap_or_default()
+}
+
+/// A path in the workbook, as short as it is from the current folder.
+pub fn shortest(path: &str) -> PathBuf {
+    let here = env::current_dir().unwrap_or_default();
+    let Ok(here) = here.strip_prefix(workspace()) else {
+        return workspace().join(path);
+    };
+    let path = Path::new(path).components();
+    let both = here.components().zip(path.clone());
+    let shared = both.take_while(|(a, b)| a == b).count();
+    let up = here.components().skip(shared).map(|_| Component::ParentDir);
+    up.chain(path.skip(shared)).collect()
+}
+
+/// The text of a file in the workbook.
+pub fn read(path: &str) -> Result<String, String> {
+    fs::read_to_string(shortest(path)).map_err(|error| format!("{path}: {error}"))
+}
+
 pub fn yours(exercise: &Exercise) -> PathBuf {
-    format!("{}/exercises/{}.rs", exercise.stage, exercise.name).into()
+    shortest(&format!(
+        "{}/exercises/{}.rs",
+        exercise.stage, exercise.name
+    ))
+}
+
+/// When the student's file was saved; none if there is no file.
+pub fn saved(exercise: &Exercise) -> Option<SystemTime> {
+    let file = fs::metadata(yours(exercise));
+    file.and_then(|file| file.modified()).ok()
 }
 
 /// The text of the starter: a file of its own, or the solution without its code.
 pub fn starter(exercise: &Exercise) -> Result<String, String> {
     let (stage, name) = (exercise.stage, exercise.name);
-    let own = format!("{stage}/exercises/starters/{name}.rs");
-    if let Ok(text) = fs::read_to_string(own) {
-        return Ok(text);
-    }
-    let solution = format!("{stage}/exercises/solutions/{name}.rs");
-    let text = fs::read_to_string(&solution).map_err(|error| format!("{solution}: {error}"))?;
-    Ok(without_code(&text))
+    read(&format!("{stage}/exercises/starters/{name}.rs")).or_else(|_| {
+        let solution = read(&format!("{stage}/exercises/solutions/{name}.rs"))?;
+        Ok(without_code(&solution))
+    })
 }
 
 /// Leaves out the code of each `missing!("what", for_now, {`, which ends with a line `})`.
@@ -59,27 +95,16 @@ pub fn begin(exercise: &Exercise) -> Result<(), String> {
     Ok(())
 }
 
-/// Asks, renames the student's file, and copies the starter.
+/// Renames the student's file, and copies the starter.
 pub fn reset(exercise: &Exercise) -> Result<(), String> {
     let yours = yours(exercise);
-    let file = yours.display();
-    if !is_begun(exercise) {
-        println!("{file} is the starter");
-        return begin(exercise);
+    if is_begun(exercise) {
+        let mut names = (1..).map(|n| yours.with_extension(format!("{n}.bak")));
+        let backup = names.find(|name| !name.exists()).unwrap_or_default();
+        let renamed = fs::rename(&yours, &backup);
+        renamed.map_err(|error| format!("{}: {error}", yours.display()))?;
+        println!("your file is kept: {}", backup.display());
     }
-    let mut names = (1..).map(|number| format!("{}.{number}.bak", exercise.name));
-    let is_free = |name: &String| !yours.with_file_name(name).exists();
-    let backup = names.find(is_free).unwrap_or_default();
-    // Not `print`, which keeps a line until it ends.
-    eprint!("Begin {file} anew? Your file is kept as {backup}. [y/N] ");
-    let mut answer = String::new();
-    let read = io::stdin().read_line(&mut answer);
-    read.map_err(|error| error.to_string())?;
-    if !answer.trim().eq_ignore_ascii_case("y") {
-        println!("Nothing is changed.");
-        return Ok(());
-    }
-    let renamed = fs::rename(&yours, yours.with_file_name(backup));
-    renamed.map_err(|error| format!("{file}: {error}"))?;
+    println!("the starter: {}", yours.display());
     begin(exercise)
 }

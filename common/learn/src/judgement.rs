@@ -1,55 +1,105 @@
 //! `judge`: builds the test program of a stage with a student's file, and runs it.
 
-use std::process::{Command, Stdio};
+use std::process::{Command, ExitStatus, Stdio};
+use std::time::{Duration, Instant};
+use std::{io, thread};
 
 use crate::exercise::Exercise;
-use crate::progress;
+use crate::{files, progress};
 
-/// Checks a student's file and records if it is done, which is returned. A `loud` build
-/// shows that it goes on.
-pub fn judge(exercise: &Exercise, loud: bool) -> Result<bool, String> {
-    let name = exercise.name;
-    let Some(program) = build(exercise, loud)? else {
-        println!("{name}: does not compile");
+/// The longest time that a check may take in seconds.
+const LONGEST: u64 = 10;
+
+/// Time between two looks at a running program.
+const PAUSE: Duration = Duration::from_millis(20);
+
+/// Checks a student's file, unless it `stops` before. Records whether it is done, and returns
+/// it. A `loud` build shows that it goes on.
+pub fn judge(e: &Exercise, loud: bool, stops: &mut dyn FnMut() -> bool) -> Result<bool, String> {
+    progress::record(e, false)?;
+    let Some((built, messages)) = run(&mut build(e, loud), stops)? else {
         return Ok(false);
     };
-    let status = Command::new(&program).env("RUST_BACKTRACE", "0").status();
-    let code = status
-        .map_err(|error| format!("{program}: {error}"))?
-        .code();
-    match code {
-        Some(0) => {
-            println!("{name}: done");
-            progress::record(exercise)?;
-        }
-        // The program has said why there is no judgement.
-        Some(3) => {}
-        _ => println!("{name}: not yet"),
+    if !built.success() {
+        // Cargo has printed why.
+        println!("{}: does not compile", e.name);
+        return Ok(false);
     }
-    Ok(code == Some(0))
+    let end = Instant::now() + Duration::from_secs(LONGEST);
+    let mut check = Command::new(program(&messages)?);
+    let ended = run(check.env("RUST_BACKTRACE", "0"), &mut || {
+        let is_late = Instant::now() > end;
+        if is_late {
+            println!(
+                "{}: no end after {LONGEST} seconds, probably a loop without end",
+                e.name
+            );
+        }
+        is_late || stops()
+    })?;
+    match ended.map(|(status, _)| status.code()) {
+        Some(Some(0)) => {
+            println!("{}: done", e.name);
+            progress::record(e, true)?;
+            return Ok(true);
+        }
+        // The program has said what is missing, or is stopped.
+        Some(Some(3)) | None => {}
+        _ => println!("{}: not yet", e.name),
+    }
+    Ok(false)
 }
 
-/// Builds the test program of a stage for an exercise, and returns its path. None if it
-/// does not compile; Cargo has then printed why.
-fn build(exercise: &Exercise, loud: bool) -> Result<Option<String>, String> {
-    let (stage, name) = (exercise.stage, exercise.name);
-    let build = format!("rustc --package {stage} --test exercises --profile test");
-    let output = Command::new("cargo")
-        .args(build.split(' '))
+/// Builds the test program of a stage for an exercise.
+fn build(e: &Exercise, loud: bool) -> Command {
+    let arguments = format!(
+        "rustc --package {} --test exercises --profile test",
+        e.stage
+    );
+    // Messages name the file by its shortest path, and not by way of the test.
+    let shortest = files::shortest(&format!("{}/exercises", e.stage));
+    let long = format!("{}/tests/exercises/../../exercises", e.stage);
+    let mut cargo = Command::new("cargo");
+    cargo
+        .args(arguments.split(' '))
         .args(["--message-format", "json-render-diagnostics"])
         .args((!loud).then_some("--quiet"))
-        .args(["--", "--cfg", "learn", "--cfg", name, "-A", "unused"])
-        .stderr(Stdio::inherit())
-        .output()
-        .map_err(|error| format!("cargo does not start: {error}"))?;
-    if !output.status.success() {
-        return Ok(None);
-    }
-    let messages = String::from_utf8_lossy(&output.stdout);
+        .args(["--", "--cfg", "learn", "--cfg", e.name, "-A", "unused"])
+        .arg(format!("--remap-path-prefix={long}={}", shortest.display()))
+        .current_dir(files::workspace())
+        .stdout(Stdio::piped());
+    cargo
+}
+
+/// The path of the test program, by the messages of the build.
+fn program(messages: &str) -> Result<String, String> {
     let program = messages
         .lines()
         .filter(|line| line.contains("\"kind\":[\"test\"]"))
         .find_map(|line| line.split_once("\"executable\":\"")?.1.split_once('"'));
     let (program, _) = program.ok_or("cargo does not say where the test program is")?;
-    Ok(Some(program.replace("\\\\", "\\")))
+    Ok(program.replace("\\\\", "\\"))
+}
+
+/// Runs a program, and returns its status and its piped output; none if it `stops` before.
+fn run(
+    command: &mut Command,
+    stops: &mut dyn FnMut() -> bool,
+) -> Result<Option<(ExitStatus, String)>, String> {
+    let program = command.get_program().to_owned();
+    let failed = |error| format!("{}: {error}", program.display());
+    let mut child = command.spawn().map_err(failed)?;
+    let output = child.stdout.take();
+    let output = thread::spawn(|| output.map_or(Ok(String::new()), io::read_to_string));
+    loop {
+        if let Some(status) = child.try_wait().map_err(failed)? {
+            let output = output.join().unwrap_or(Ok(String::new()));
+            return Ok(Some((status, output.map_err(failed)?)));
+        }
+        if stops() {
+            child.kill().and_then(|()| child.wait()).map_err(failed)?;
+            return Ok(None);
+        }
+        thread::sleep(PAUSE);
+    }
 }

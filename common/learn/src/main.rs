@@ -5,32 +5,26 @@
 //! one file, judges it: `testing::exercises!` explains how. So a file that does not
 //! compile stops no other exercise and no test.
 
+mod editor;
 mod exercise;
 mod files;
 mod judgement;
+mod keys;
 mod progress;
 mod watch;
 
-use std::env;
+use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
-use clap::builder::PossibleValuesParser;
 use clap::{Arg, Command};
 
 use exercise::Exercise;
 
-/// All paths are relative to the workspace.
-fn enter_workspace() -> Result<(), String> {
-    let workspace = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-    env::set_current_dir(workspace).map_err(|error| format!("{workspace}: {error}"))
-}
-
-fn command(course: &[Exercise]) -> Command {
+fn command(course: &'static [Exercise]) -> Command {
     let name = Arg::new("name")
         .help("An exercise")
         .value_name("EXERCISE")
-        .value_parser(PossibleValuesParser::new(course.iter().map(|e| e.name)))
-        .hide_possible_values(true);
+        .value_parser(move |name: &str| exercise::find(course, name));
     let or_next = name
         .clone()
         .help("An exercise [default: the next that is not done]");
@@ -41,6 +35,10 @@ fn command(course: &[Exercise]) -> Command {
         .args_conflicts_with_subcommands(true)
         .arg(&or_next)
         .subcommand(sub("list", "Lists all exercises, done and open"))
+        .subcommand(sub(
+            "editor",
+            "Writes the settings of rust-analyzer for VS Code",
+        ))
         .subcommand(sub("hint", "Shows the hints of an exercise").arg(&or_next))
         .subcommand(sub("check", "Checks an exercise once").arg(&or_next))
         .subcommand(
@@ -56,32 +54,45 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<ExitCode, String> {
-    enter_workspace()?;
-    let course = exercise::read_all()?;
-    let matches = command(&course).get_matches();
+    let course = exercise::read_all()?.leak();
+    let matches = command(course).get_matches();
     let (command, matches) = matches.subcommand().unwrap_or(("watch", &matches));
-    if command == "list" {
-        progress::list(&course);
-        return Ok(ExitCode::SUCCESS);
+    match command {
+        "list" => return print(&progress::list(course)),
+        "editor" => return print(&editor::write_settings()?),
+        _ => {}
     }
-    let exercise = match matches.get_one::<String>("name") {
-        Some(name) => course.iter().find(|e| e.name == name),
-        None => progress::next(&course, None),
+    let exercise = match matches.get_one("name") {
+        Some(exercise) => Some(*exercise),
+        None => progress::next(course, None),
     };
     let Some(exercise) = exercise else {
-        println!("all exercises are done; with a name, one is shown again");
-        return Ok(ExitCode::SUCCESS);
+        return print("all exercises are done; with a name, one is shown again");
     };
     match command {
-        "hint" => println!("{}\n{}", exercise.title, exercise.hints.join("\n")),
+        "hint" => {
+            return print(&format!(
+                "{}\n{}",
+                exercise.title,
+                exercise.hints.join("\n")
+            ));
+        }
         "reset" => files::reset(exercise)?,
         "check" => {
             files::begin(exercise)?;
-            if !judgement::judge(exercise, true)? {
+            if !judgement::judge(exercise, true, &mut || false)? {
                 return Ok(ExitCode::FAILURE);
             }
         }
-        _ => watch::watch(&course, exercise)?,
+        _ => watch::watch(course, exercise)?,
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Prints a text. The reader of a pipe may close it early.
+fn print(text: &str) -> Result<ExitCode, String> {
+    match writeln!(io::stdout(), "{text}") {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error.to_string()),
+        _ => Ok(ExitCode::SUCCESS),
+    }
 }

@@ -1,7 +1,6 @@
 //! The exercises that are done, by name, in a file that no commit contains.
 
-use std::fs::{self, File};
-use std::io::{self, Write};
+use std::fs;
 
 use crate::exercise::Exercise;
 use crate::files;
@@ -11,19 +10,19 @@ const FILE: &str = ".learn";
 /// Length of a bar in characters.
 const BAR: usize = 30;
 
+/// Whether the last check has said so, and the student's file is still there.
 pub fn is_done(exercise: &Exercise) -> bool {
-    let done = fs::read_to_string(FILE).unwrap_or_default();
-    done.lines().any(|name| name == exercise.name)
+    let done = files::read(FILE).unwrap_or_default();
+    done.lines().any(|name| name == exercise.name) && files::saved(exercise).is_some()
 }
 
-/// Records that an exercise is done.
-pub fn record(exercise: &Exercise) -> Result<(), String> {
-    if is_done(exercise) {
-        return Ok(());
-    }
-    let file = File::options().append(true).create(true).open(FILE);
-    file.and_then(|mut file| writeln!(file, "{}", exercise.name))
-        .map_err(|error| format!("{FILE}: {error}"))
+/// Records what the last check has said.
+pub fn record(exercise: &Exercise, is_done: bool) -> Result<(), String> {
+    let known = files::read(FILE).unwrap_or_default();
+    let others = known.lines().filter(|name| *name != exercise.name);
+    let done = others.chain(is_done.then_some(exercise.name));
+    let done: String = done.map(|name| [name, "\n"].concat()).collect();
+    fs::write(files::shortest(FILE), done).map_err(|error| format!("{FILE}: {error}"))
 }
 
 /// The next open exercise: a later one on the same path as the `last`, or the first of the
@@ -47,8 +46,8 @@ pub fn bars(course: &[Exercise]) -> String {
     format!("{}\n{}", bar("core path", true), bar("further  ", false))
 }
 
-/// Prints all exercises. The reader of a pipe may close it early.
-pub fn list(course: &[Exercise]) {
+/// All exercises, one a line.
+pub fn list(course: &[Exercise]) -> String {
     let row = |e: &Exercise| {
         let mark = match (is_done(e), files::is_begun(e)) {
             (true, _) => "done",
@@ -64,5 +63,5 @@ pub fn list(course: &[Exercise]) {
         lines.push(exercises[0].stage.to_owned());
         lines.extend(exercises.iter().map(row));
     }
-    let _ = writeln!(io::stdout(), "{}\n\n{}", lines.join("\n"), bars(course));
+    format!("{}\n\n{}", lines.join("\n"), bars(course))
 }

@@ -1,27 +1,23 @@
 //! `watch`: shows an exercise, and checks the file whenever it is saved.
 
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::mpsc::RecvTimeoutError::{Disconnected, Timeout};
 use std::time::Duration;
-use std::{fs, io, thread};
+
+use console::Term;
 
 use crate::exercise::Exercise;
 use crate::judgement::judge;
-use crate::{files, progress};
+use crate::{files, keys, progress};
 
 /// Time between two looks at the file.
 const PAUSE: Duration = Duration::from_millis(100);
 
-const KEYS: &str = "save the file to check it; or h and Enter: hint, n: next, l: list, q: quit";
+const KEYS: &str = "save the file to check it; keys: h hint, n next, l list, q quit";
 
 /// Shows one exercise after the other until the student quits or all are done.
 pub fn watch(course: &[Exercise], first: &Exercise) -> Result<(), String> {
-    let (sender, typed) = channel();
-    thread::spawn(move || {
-        let mut lines = io::stdin().lines().map_while(Result::ok);
-        lines.try_for_each(|line| sender.send(line))
-    });
     let mut exercise = first;
-    while work_on(course, exercise, &typed)? {
+    while work_on(course, exercise)? {
         let Some(next) = progress::next(course, Some(exercise)) else {
             println!("\n{}\n\nall exercises are done", progress::bars(course));
             break;
@@ -31,36 +27,59 @@ pub fn watch(course: &[Exercise], first: &Exercise) -> Result<(), String> {
     Ok(())
 }
 
-/// Shows an exercise, and checks the file whenever it is saved. Returns whether the student
-/// goes on to the next exercise.
-fn work_on(course: &[Exercise], e: &Exercise, typed: &Receiver<String>) -> Result<bool, String> {
+/// Checks the file of an exercise whenever it is saved. Returns whether the student goes on to
+/// the next exercise.
+fn work_on(course: &[Exercise], e: &Exercise) -> Result<bool, String> {
     files::begin(e)?;
     let file = files::yours(e);
-    println!("\n{}\n", progress::bars(course));
-    let (title, minutes, place, task) = (e.title, e.minutes, file.display(), &e.task);
-    println!("{title}, {minutes} minutes, in {place}\n\n{task}\n");
-    let mut hints = e.hints.iter().cycle();
-    let mut checked = None;
+    let (mut checked, mut hints, mut typed) = (None, e.hints.iter().cycle(), keys::ask());
     loop {
-        // None while an editor replaces the file.
-        let saved = fs::metadata(&file).and_then(|file| file.modified()).ok();
-        if saved != checked && saved.is_some() {
-            let is_done = judge(e, checked.is_none())?;
-            checked = saved;
+        let (saved, mut key) = (files::saved(e), None);
+        if saved.is_none() && checked.is_some() {
+            println!("{} is deleted; Enter begins it anew", file.display());
+        } else if saved != checked {
+            let terminal = Term::stdout();
+            if terminal.is_term() {
+                // If it fails, old text remains.
+                let _ = terminal.clear_screen();
+            }
+            let (title, minutes, place) = (e.title, e.minutes, file.display());
+            println!(
+                "{}\n\n{title}, {minutes} minutes, in {place}",
+                progress::bars(course)
+            );
+            println!("\n{}\n", e.task);
+            // A key or the next save stops a program that does not end.
+            let judged = judge(e, checked.is_none(), &mut || {
+                key = typed.try_recv().ok();
+                key.is_some() || files::saved(e) != saved
+            });
+            // While a key is waited for, no error may end the program.
+            let is_done = judged.unwrap_or_else(|problem| {
+                println!("{problem}");
+                false
+            });
             if is_done {
-                println!("solution: {}\nEnter: the next exercise", e.solution);
+                let solution = files::shortest(e.solution);
+                println!("solution: {}\nEnter: the next exercise", solution.display());
             } else {
                 println!("{KEYS}");
             }
         }
-        match typed.recv_timeout(PAUSE).as_deref().map(str::trim) {
-            Ok("h") => println!("{}", hints.next().map_or("", |hint| hint)),
-            Ok("l") => progress::list(course),
-            Ok("n") => return Ok(true),
-            Ok("") if progress::is_done(e) => return Ok(true),
-            Ok("q") | Err(RecvTimeoutError::Disconnected) => return Ok(false),
+        checked = saved;
+        match key.map_or_else(|| typed.recv_timeout(PAUSE), Ok) {
+            Ok('q') | Err(Disconnected) => return Ok(false),
+            Err(Timeout) => continue,
+            Ok('n') => return Ok(true),
+            Ok('\n') if progress::is_done(e) => return Ok(true),
+            Ok('\n') => {
+                files::begin(e)?;
+                checked = None;
+            }
+            Ok('h') => println!("{}", hints.next().map_or("", |hint| hint)),
+            Ok('l') => println!("{}", progress::list(course)),
             Ok(_) => println!("{KEYS}"),
-            Err(RecvTimeoutError::Timeout) => {}
         }
+        typed = keys::ask();
     }
 }

@@ -82,13 +82,10 @@ impl Check {
     ) {
         let run = &run;
         let [lesson, yours] = codes.map(|code| move |input| run(code, input).into());
-        for input in simple {
-            if !self.compare_at(words, true, &input, &lesson, &yours) {
-                return;
-            }
-        }
-        for input in others {
-            if !self.compare_at(words, false, &input, &lesson, &yours) {
+        let simple = simple.into_iter().map(|input| (true, input));
+        let others = others.into_iter().map(|input| (false, input));
+        for (is_simple, input) in simple.chain(others) {
+            if !self.compare_at(words, is_simple, &input, &lesson, &yours) {
                 return;
             }
         }

@@ -1,7 +1,7 @@
 //! The pictures of students' code: saved to be looked at, and compared with the book's.
 
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::{env, fs};
 
 use common::{Image, Transfer, picture_file};
 
@@ -10,11 +10,16 @@ use crate::picture_lock::{compare_with_file, leave_pictures};
 /// The workspace.
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
-/// The folder for the pictures of exercises. If it cannot be made, saving fails.
+/// The folder for the pictures of exercises, as seen from the current one. If it cannot be
+/// made, saving fails.
 fn folder() -> PathBuf {
     let folder = Path::new(ROOT).join("out/exercises");
     let _ = fs::create_dir_all(&folder);
-    folder.canonicalize().unwrap_or(folder)
+    let folder = folder.canonicalize().unwrap_or(folder);
+    let here = env::current_dir().unwrap_or_default();
+    folder
+        .strip_prefix(here)
+        .map_or(folder.clone(), Path::to_owned)
 }
 
 /// The picture of this name in the book.

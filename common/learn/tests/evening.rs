@@ -1,0 +1,114 @@
+//! An evening with `cargo learn` and a small workbook: each step is answered soon, also after
+//! a program that does not end.
+
+use std::io::{BufRead, BufReader, Write};
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::sync::mpsc::channel;
+use std::time::Duration;
+use std::{fs, thread};
+
+const WORKBOOK: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/workbook");
+const PAGE: &str = include_str!("../../../book/src/a01-exercises.md");
+const PACKAGE: &str = "[package]\nname = \"a01-image-display\"\nedition = \"2024\"\n\
+    [[test]]\nname = \"exercises\"\npath = \"main.rs\"\nharness = false\n[workspace]";
+
+/// A student's file, whose check ends with an exit code, or does not end.
+const TO_DO: &str = "pub fn check() -> i32 { println!(\"to do\"); 3 }";
+const RIGHT: &str = "pub fn check() -> i32 { 0 }";
+const WRONG: &str = "pub fn check() -> i32 { 1 }";
+const PANIC: &str = "pub fn check() -> i32 { panic!() }";
+const BROKEN: &str = "pub fn check() -> i32 {";
+const ENDLESS: &str = "pub fn check() -> i32 { println!(\"starts\"); loop {} }";
+
+/// Exercise, the key that is typed or the text that is saved, and words of the answer.
+const STEPS: [(&str, &str, &str); 21] = [
+    ("set_pixel", "h", "Hint"),
+    ("set_pixel", ENDLESS, "starts"),
+    ("set_pixel", RIGHT, "set_pixel: done"),
+    ("set_pixel", WRONG, "set_pixel: not yet"),
+    ("set_pixel", "", "set_pixel: not yet"),
+    ("set_pixel", RIGHT, "set_pixel: done"),
+    ("set_pixel", "", "The diagonal, 10 minutes"),
+    ("diagonal", PANIC, "diagonal: not yet"),
+    ("diagonal", ENDLESS, "starts"),
+    ("diagonal", "h", "Hint"),
+    ("diagonal", BROKEN, "diagonal: does not compile"),
+    ("diagonal", "deleted", "diagonal.rs is deleted"),
+    ("diagonal", "", "to do"),
+    ("diagonal", RIGHT, "diagonal: done"),
+    ("diagonal", "l", "done   core  diagonal"),
+    ("diagonal", "deleted", "diagonal.rs is deleted"),
+    ("diagonal", "l", "         core  diagonal"),
+    ("diagonal", "", "to do"),
+    ("diagonal", RIGHT, "diagonal: done"),
+    (
+        "diagonal",
+        "n",
+        "minutes, in a01-image-display/exercises/ppm.rs",
+    ),
+    ("ppm", ENDLESS, "ppm: no end after 10 seconds"),
+];
+
+fn write(path: &str, text: &str) {
+    let path = Path::new(WORKBOOK).join(path);
+    fs::create_dir_all(path.parent().unwrap()).unwrap();
+    fs::write(path, text).unwrap();
+}
+
+fn learn(arguments: &[&str]) -> Command {
+    let mut learn = Command::new(env!("CARGO_BIN_EXE_learn"));
+    learn.env("CARGO_MANIFEST_DIR", [WORKBOOK, "/common/learn"].concat());
+    learn.args(arguments).current_dir(WORKBOOK);
+    learn
+}
+
+#[test]
+fn each_step_is_answered() {
+    let _ = fs::remove_dir_all(WORKBOOK);
+    write("Cargo.toml", PACKAGE);
+    write("book/src/a01-exercises.md", PAGE);
+    let modules = ["set_pixel", "diagonal", "ppm"].map(|name| {
+        let folder = "a01-image-display/exercises";
+        write(&format!("{folder}/starters/{name}.rs"), TO_DO);
+        format!("#[cfg({name})] #[path = \"{folder}/{name}.rs\"] mod yours;\n")
+    });
+    let main = "fn main() { std::process::exit(yours::check()) }";
+    write("main.rs", &[&modules.concat(), main].concat());
+
+    let output = learn(&["hint", "diagnal"]).output().unwrap();
+    assert!(String::from_utf8_lossy(&output.stderr).contains("diagonal"));
+    if cfg!(target_os = "linux") {
+        let full = fs::File::create("/dev/full").unwrap();
+        let status = learn(&["list"]).stdout(full).status().unwrap();
+        assert_eq!(status.code(), Some(1), "the list is lost");
+    }
+
+    let mut learn = learn(&[]);
+    let learn = learn.stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut learn = learn.spawn().unwrap();
+    let (sender, printed) = channel();
+    let lines = BufReader::new(learn.stdout.take().unwrap()).lines();
+    thread::spawn(move || {
+        lines
+            .map_while(Result::ok)
+            .try_for_each(|line| sender.send(line))
+    });
+    let answered = |step: &str, words: &str| {
+        let limit = if words.contains("seconds") { 20 } else { 9 };
+        let line = || printed.recv_timeout(Duration::from_secs(limit));
+        while !line().expect(step).contains(words) {}
+    };
+    answered("start", "to do");
+    for (name, step, words) in STEPS {
+        let file = format!("a01-image-display/exercises/{name}.rs");
+        match step {
+            "deleted" => fs::remove_file(Path::new(WORKBOOK).join(file)).unwrap(),
+            text if text.len() > 1 => write(&file, text),
+            key => writeln!(learn.stdin.as_mut().unwrap(), "{key}").unwrap(),
+        }
+        answered(step, words);
+    }
+    drop(learn.stdin.take());
+    assert!(learn.wait().unwrap().success(), "the end of the input");
+}
