@@ -18,29 +18,21 @@ pub fn check(check: &mut Check, yours: &dyn Fn(Size) -> Result<Image, Error>) {
 }
 
 /// Red in column x and row y of a picture of this width and height.
-fn red(c: &mut Check, is_red: fn([u32; 2], [u32; 2]) -> bool) {
-    check(c, &|size| {
+fn red(is_red: fn([u32; 2], [u32; 2]) -> bool) -> impl Fn(Size) -> Result<Image, Error> {
+    move |size| {
         let is_red = |x, y| is_red([x, y], [size.width(), size.height()]);
         let color = |is_red| if is_red { Color::RED } else { Color::BLACK };
         Image::from_fn(size, |x, y| color(is_red(x, y)))
-    });
+    }
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("a loop over one side", |c| {
-        check(c, &|size| {
-            let mut image = Image::black(size)?;
-            (0..size.height()).for_each(|at| image.set(at, at, Color::RED));
-            Ok(image)
-        });
-    }),
-    wrong("the line is not stretched to the corner", |c| {
-        red(c, |[x, y], [w, h]| x * h == y * w);
-    }),
-    wrong("rows are counted from the top", |c| {
-        red(c, |[x, y], [_, h]| x + y + 1 == h);
-    }),
-    wrong("the last row counts, too", |c| {
-        red(c, |[x, y], [_, h]| x == y && y + 1 < h);
-    }),
-];
+variants! { check:
+    right "a loop over one side" => &|size| {
+        let mut image = Image::black(size)?;
+        (0..size.height()).for_each(|at| image.set(at, at, Color::RED));
+        Ok(image)
+    };
+    wrong "the line is not stretched to the corner" => &red(|[x, y], [w, h]| x * h == y * w);
+    wrong "rows are counted from the top" => &red(|[x, y], [_, h]| x + y + 1 == h);
+    wrong "the last row counts, too" => &red(|[x, y], [_, h]| x == y && y + 1 < h);
+}

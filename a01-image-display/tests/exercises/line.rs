@@ -35,14 +35,10 @@ fn nearest(i: u32, length: u32, steps: u32) -> u32 {
     (i * length + steps / 2) / steps
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("a high picture has a pixel in every row", |c| {
-        steps(c, |right, _| right, nearest);
-    }),
-    wrong("the nearest pixel need not be the one below", |c| {
-        steps(c, u32::max, |i, length, steps| i * length / steps);
-    }),
-    wrong("a slope is no whole number", |c| {
-        steps(c, u32::max, |i, length, steps| i * (length / steps));
-    }),
-];
+variants! { steps:
+    wrong "a high picture has a pixel in every row" => |right, _| right, nearest;
+    wrong "the nearest pixel need not be the one below" => u32::max, |i, length, steps| {
+        i * length / steps
+    };
+    wrong "a slope is no whole number" => u32::max, |i, length, steps| i * (length / steps);
+}

@@ -27,14 +27,8 @@ fn lines(c: &mut Check, lines: fn(u32, u32) -> String) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("the width comes before the height", |c| {
-        lines(c, |w, h| format!("P6\n{h} {w}\n255\n"));
-    }),
-    wrong("a line feed ends 255, and no line is empty", |c| {
-        lines(c, |w, h| format!("P6\n{w} {h}\n255\n\n"));
-    }),
-    wrong("P6 has bytes, P3 numbers in words", |c| {
-        lines(c, |w, h| format!("P3\n{w} {h}\n255\n"));
-    }),
-];
+variants! { lines:
+    wrong "the width comes before the height" => |w, h| format!("P6\n{h} {w}\n255\n");
+    wrong "a line feed ends 255, and no line is empty" => |w, h| format!("P6\n{w} {h}\n255\n\n");
+    wrong "P6 has bytes, P3 numbers in words" => |w, h| format!("P3\n{w} {h}\n255\n");
+}

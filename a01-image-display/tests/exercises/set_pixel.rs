@@ -28,31 +28,23 @@ pub fn check(check: &mut Check, yours: &dyn Fn(&mut Image, u32, u32, Color)) {
 }
 
 /// Paints the pixel at an index that follows from x, y, width and height.
-fn indexed(c: &mut Check, index: fn(u32, u32, u32, u32) -> u32) {
-    check(c, &|image, x, y, color| {
+fn indexed(index: fn(u32, u32, u32, u32) -> u32) -> impl Fn(&mut Image, u32, u32, Color) {
+    move |image, x, y, color| {
         let index = index(x, y, image.size().width(), image.size().height());
         if let Some(pixel) = image.pixels_mut().get_mut(index as usize) {
             *pixel = color;
         }
-    });
+    }
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("a pixel of a row", |c| {
-        check(c, &|image, x, y, color| {
-            let row = image.rows_mut().nth(y as usize);
-            if let Some(pixel) = row.and_then(|row| row.get_mut(x as usize)) {
-                *pixel = color;
-            }
-        });
-    }),
-    wrong("x beyond the width is no pixel of the next row", |c| {
-        indexed(c, |x, y, w, _| y * w + x);
-    }),
-    wrong("a row is as long as the picture is wide", |c| {
-        indexed(c, |x, y, _, h| y * h + x);
-    }),
-    wrong("the list is row after row, not column by column", |c| {
-        indexed(c, |x, y, _, h| x * h + y);
-    }),
-];
+variants! { check:
+    right "a pixel of a row" => &|image, x, y, color| {
+        let row = image.rows_mut().nth(y as usize);
+        if let Some(pixel) = row.and_then(|row| row.get_mut(x as usize)) {
+            *pixel = color;
+        }
+    };
+    wrong "x beyond the width is no pixel of the next row" => &indexed(|x, y, w, _| y * w + x);
+    wrong "a row is as long as the picture is wide" => &indexed(|x, y, _, h| y * h + x);
+    wrong "the list is row after row, not column by column" => &indexed(|x, y, _, h| x * h + y);
+}

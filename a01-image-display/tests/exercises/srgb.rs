@@ -36,14 +36,10 @@ fn curve_from(border: f64, linear: f64) -> f64 {
     }
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("the curve is near to a power of 2.2, but another", |c| {
-        check(c, |x| libm::pow(x, 1.0 / 2.2), |v| libm::pow(v, 2.2));
-    }),
-    wrong("near black the curve is a straight line", |c| {
-        check(c, |x| curve_from(-1.0, x), light);
-    }),
-    wrong("light and values have different borders", |c| {
-        check(c, |x| curve_from(0.040_45, x), light);
-    }),
-];
+variants! { check:
+    wrong "the curve is near to a power of 2.2, but another" => |x| libm::pow(x, 1.0 / 2.2), |v| {
+        libm::pow(v, 2.2)
+    };
+    wrong "near black the curve is a straight line" => |x| curve_from(-1.0, x), light;
+    wrong "light and values have different borders" => |x| curve_from(0.040_45, x), light;
+}

@@ -34,14 +34,10 @@ fn mean(c: &mut Check, mean: fn(Vec<f64>, f64) -> f64) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("a mean is over the whole square, not one pixel", |c| {
-        mean(c, |greys, _| greys[0]);
-    }),
-    wrong("a square that the edge cuts off has fewer pixels", |c| {
-        mean(c, |greys, n| greys.iter().sum::<f64>() / (n * n));
-    }),
-    wrong("a square has n times n pixels", |c| {
-        mean(c, |greys, n| greys.iter().sum::<f64>() / n);
-    }),
-];
+variants! { mean:
+    wrong "a mean is over the whole square, not one pixel" => |greys, _| greys[0];
+    wrong "a square that the edge cuts off has fewer pixels" => |greys, n| {
+        greys.iter().sum::<f64>() / (n * n)
+    };
+    wrong "a square has n times n pixels" => |greys, n| greys.iter().sum::<f64>() / n;
+}

@@ -26,22 +26,16 @@ fn cosine(a: Vector3, b: Vector3) -> f64 {
     a.dot(b) / (a.magnitude() * b.magnitude())
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("half the angle, in a rhombus", |c| {
-        check(c, |a, b| {
-            let (a, b) = (a * b.magnitude(), b * a.magnitude());
-            2.0 * libm::atan2((a - b).magnitude(), (a + b).magnitude())
-        });
-    }),
-    wrong("the cosine of a tiny angle rounds to 1", |c| {
-        check(c, |a, b| libm::acos(cosine(a, b).clamp(-1.0, 1.0)));
-    }),
-    wrong("the dot product contains both lengths", |c| {
-        check(c, |a, b| libm::acos(a.dot(b).clamp(-1.0, 1.0)));
-    }),
-    wrong("an obtuse angle has the sine of an acute one", |c| {
-        check(c, |a, b| {
-            libm::asin((1.0 - cosine(a, b) * cosine(a, b)).sqrt())
-        });
-    }),
-];
+variants! { check:
+    right "half the angle, in a rhombus" => |a, b| {
+        let (a, b) = (a * b.magnitude(), b * a.magnitude());
+        2.0 * libm::atan2((a - b).magnitude(), (a + b).magnitude())
+    };
+    wrong "the cosine of a tiny angle rounds to 1" => |a, b| {
+        libm::acos(cosine(a, b).clamp(-1.0, 1.0))
+    };
+    wrong "the dot product contains both lengths" => |a, b| libm::acos(a.dot(b).clamp(-1.0, 1.0));
+    wrong "an obtuse angle has the sine of an acute one" => |a, b| {
+        libm::asin((1.0 - cosine(a, b) * cosine(a, b)).sqrt())
+    };
+}

@@ -30,19 +30,13 @@ pub fn check(check: &mut Check, yours: fn(Point3, [Point3; 3]) -> Option<[f64; 3
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("outside, a share is negative", |c| {
-        check(c, |p, t| {
-            barycentric(p, t).map(|shares| shares.map(f64::abs))
-        });
-    }),
-    wrong("corners on a line have no shares", |c| {
-        check(c, |p, t| barycentric(p, t).or(Some([f64::NAN; 3])));
-    }),
-    wrong("a small triangle is no line", |c| {
-        check(c, |p, [a, b, c]| {
-            let area = (b - a).parallelogram_area(c - a);
-            barycentric(p, [a, b, c]).filter(|_| area > 1e-9)
-        });
-    }),
-];
+variants! { check:
+    wrong "outside, a share is negative" => |p, t| {
+        barycentric(p, t).map(|shares| shares.map(f64::abs))
+    };
+    wrong "corners on a line have no shares" => |p, t| barycentric(p, t).or(Some([f64::NAN; 3]));
+    wrong "a small triangle is no line" => |p, [a, b, c]| {
+        let area = (b - a).parallelogram_area(c - a);
+        barycentric(p, [a, b, c]).filter(|_| area > 1e-9)
+    };
+}

@@ -26,12 +26,8 @@ fn divided(c: &mut Check, by: fn(f64, f64, f64) -> f64) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("squares overflow", |c| divided(c, |_, _, _| 1.0)),
-    wrong("the largest coordinate may be negative", |c| {
-        divided(c, |x, y, z| x.max(y).max(z));
-    }),
-    wrong("0 / 0 is not a number", |c| {
-        divided(c, |x, y, z| x.abs().max(y.abs()).max(z.abs()));
-    }),
-];
+variants! { divided:
+    wrong "squares overflow" => |_, _, _| 1.0;
+    wrong "the largest coordinate may be negative" => |x, y, z| x.max(y).max(z);
+    wrong "0 / 0 is not a number" => |x, y, z| x.abs().max(y.abs()).max(z.abs());
+}

@@ -2,6 +2,8 @@
 
 use glam::Vec3Swizzles;
 
+use crate::prelude::*;
+
 pub fn dot(a: Vector3, b: Vector3) -> f64 {
     a.dot(b)
 }
@@ -9,8 +11,6 @@ pub fn dot(a: Vector3, b: Vector3) -> f64 {
 pub fn cross(a: Vector3, b: Vector3) -> Vector3 {
     a.cross(b)
 }
-
-use crate::prelude::*;
 
 type Product<T> = fn(Vector3, Vector3) -> T;
 
@@ -29,23 +29,14 @@ pub fn check(check: &mut Check, dot: Product<f64>, cross: Product<Vector3>) {
     scene(check, |f| (f.dot, f.cross) = (dot, cross));
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("with shifted coordinates", |c| {
-        let dot = |a: Vector3, b: Vector3| (a.to_glam() * b.to_glam()).element_sum();
-        check(c, dot, |a, b| {
-            let (a, b) = (a.to_glam(), b.to_glam());
-            Vector3::from_glam((a * b.yzx() - a.yzx() * b).yzx())
-        });
-    }),
-    wrong("a vector has three coordinates", |c| {
-        check(c, |a, b| a.x() * b.x() + a.y() * b.y(), Vector3::cross);
-    }),
-    wrong("a × b is not b × a", |c| {
-        check(c, Direction::dot, |a, b| b.cross(a));
-    }),
-    wrong("each coordinate is made of the two others", |c| {
-        check(c, Direction::dot, |a, b| {
-            Vector3::from_glam(a.to_glam() * b.to_glam())
-        });
-    }),
-];
+variants! { check:
+    right "with shifted coordinates" => |a, b| (a.to_glam() * b.to_glam()).element_sum(), |a, b| {
+        let (a, b) = (a.to_glam(), b.to_glam());
+        Vector3::from_glam((a * b.yzx() - a.yzx() * b).yzx())
+    };
+    wrong "a vector has three coordinates" => |a, b| a.x() * b.x() + a.y() * b.y(), Vector3::cross;
+    wrong "a × b is not b × a" => Direction::dot, |a, b| b.cross(a);
+    wrong "each coordinate is made of the two others" => Direction::dot, |a, b| {
+        Vector3::from_glam(a.to_glam() * b.to_glam())
+    };
+}

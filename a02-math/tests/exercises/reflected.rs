@@ -23,18 +23,14 @@ pub fn check(check: &mut Check, yours: fn(Vector3, Normal3) -> Vector3) {
     scene(check, |f| f.reflected = yours);
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("the part along the normal less the rest", |c| {
-        check(c, |v, n| {
-            let along = Vector3::from(n) * n.dot(v);
-            along - (v - along)
-        });
-    }),
-    wrong("v points away", |c| check(c, |v, n| -v.reflected_on(n))),
-    wrong("twice the part along the normal", |c| {
-        check(c, |v, n| Vector3::from(n) * n.dot(v) - v);
-    }),
-    wrong("a vector behind the surface stays behind", |c| {
-        check(c, |v, n| Vector3::from(n) * (2.0 * n.dot(v).abs()) - v);
-    }),
-];
+variants! { check:
+    right "the part along the normal less the rest" => |v, n| {
+        let along = Vector3::from(n) * n.dot(v);
+        along - (v - along)
+    };
+    wrong "v points away" => |v, n| -v.reflected_on(n);
+    wrong "twice the part along the normal" => |v, n| Vector3::from(n) * n.dot(v) - v;
+    wrong "a vector behind the surface stays behind" => |v, n| {
+        Vector3::from(n) * (2.0 * n.dot(v).abs()) - v
+    };
+}

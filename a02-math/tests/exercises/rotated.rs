@@ -18,20 +18,16 @@ pub fn check(check: &mut Check, yours: fn(Vector3, Vector3, f64) -> Vector3) {
     );
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("k × v points to the left, v × k to the right", |c| {
-        check(c, |v, axis, angle| rotated(v, axis, -angle));
-    }),
-    wrong("the part along the axis stays", |c| {
-        check(c, |v, axis, angle| {
-            let along = v.projected_on(axis).unwrap_or_default();
-            rotated(v - along, axis, angle)
-        });
-    }),
-    wrong("the axis may have any length", |c| {
-        check(c, |v, k, angle| {
-            let (sin, cos) = libm::sincos(angle);
-            v * cos + k.cross(v) * sin + k * (k.dot(v) * (1.0 - cos))
-        });
-    }),
-];
+variants! { check:
+    wrong "k × v points to the left, v × k to the right" => |v, axis, angle| {
+        rotated(v, axis, -angle)
+    };
+    wrong "the part along the axis stays" => |v, axis, angle| {
+        let along = v.projected_on(axis).unwrap_or_default();
+        rotated(v - along, axis, angle)
+    };
+    wrong "the axis may have any length" => |v, k, angle| {
+        let (sin, cos) = libm::sincos(angle);
+        v * cos + k.cross(v) * sin + k * (k.dot(v) * (1.0 - cos))
+    };
+}

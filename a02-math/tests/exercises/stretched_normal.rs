@@ -19,19 +19,15 @@ pub fn check(check: &mut Check, yours: fn(Normal3, [f64; 3]) -> Option<Normal3>)
     );
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("a normal is divided where points are multiplied", |c| {
-        check(c, |n, factors| {
-            stretched_normal(n, factors.map(|f| 1.0 / f))
-        });
-    }),
-    wrong("a mirror turns the normal, too", |c| {
-        check(c, |n, factors| stretched_normal(n, factors.map(f64::abs)));
-    }),
-    wrong("the normal is to have length 1 again", |c| {
-        check(c, |n, [x, y, z]| {
-            let divided = Normal3::new(n.x() / x, n.y() / y, n.z() / z);
-            stretched_normal(n, [x, y, z]).map(|_| divided)
-        });
-    }),
-];
+variants! { check:
+    wrong "a normal is divided where points are multiplied" => |n, factors| {
+        stretched_normal(n, factors.map(|f| 1.0 / f))
+    };
+    wrong "a mirror turns the normal, too" => |n, factors| {
+        stretched_normal(n, factors.map(f64::abs))
+    };
+    wrong "the normal is to have length 1 again" => |n, [x, y, z]| {
+        let divided = Normal3::new(n.x() / x, n.y() / y, n.z() / z);
+        stretched_normal(n, [x, y, z]).map(|_| divided)
+    };
+}

@@ -18,24 +18,16 @@ pub fn check(check: &mut Check, yours: fn(Point3, Point3, Point3) -> f64) {
     );
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("from another corner", |c| {
-        check(c, |p, q, r| (p - r).cross(q - r).magnitude() * 0.5);
-    }),
-    wrong("half of the parallelogram", |c| {
-        check(c, |p, q, r| 2.0 * triangle_area(p, q, r));
-    }),
-    wrong("Heron's sides lose the height of a flat triangle", |c| {
-        check(c, |p, q, r| {
-            let [a, b, c] = [r - q, p - r, q - p].map(Vector3::magnitude);
-            let s = (a + b + c) / 2.0;
-            (s * (s - a) * (s - b) * (s - c)).sqrt()
-        });
-    }),
-    wrong("sides from the origin lose digits far away", |c| {
-        check(c, |p, q, r| {
-            let [p, q, r] = [p, q, r].map(|corner| corner - Point3::ORIGIN);
-            (p.cross(q) + q.cross(r) + r.cross(p)).magnitude() / 2.0
-        });
-    }),
-];
+variants! { check:
+    right "from another corner" => |p, q, r| (p - r).cross(q - r).magnitude() * 0.5;
+    wrong "half of the parallelogram" => |p, q, r| 2.0 * triangle_area(p, q, r);
+    wrong "Heron's sides lose the height of a flat triangle" => |p, q, r| {
+        let [a, b, c] = [r - q, p - r, q - p].map(Vector3::magnitude);
+        let s = (a + b + c) / 2.0;
+        (s * (s - a) * (s - b) * (s - c)).sqrt()
+    };
+    wrong "sides from the origin lose digits far away" => |p, q, r| {
+        let [p, q, r] = [p, q, r].map(|corner| corner - Point3::ORIGIN);
+        (p.cross(q) + q.cross(r) + r.cross(p)).magnitude() / 2.0
+    };
+}

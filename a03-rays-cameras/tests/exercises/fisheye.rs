@@ -31,8 +31,8 @@ pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Basis, f64) -> Made<C>) 
     });
 }
 
-pub const VARIANTS: &[Variant] = &[wrong("the distance is the angle, not its tangent", |c| {
-    check(c, |Basis { e, v, w, .. }, angle| {
+variants! { check:
+    wrong "the distance is the angle, not its tangent" => |Basis { e, v, w, .. }, angle| {
         PerspectiveCamera::new(e, -w, v, angle)
-    });
-})];
+    };
+}

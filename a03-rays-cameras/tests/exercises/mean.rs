@@ -19,19 +19,15 @@ pub fn check(check: &mut Check, yours: fn(&[f64]) -> f64) {
     );
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("the errors of a plain sum add up", |c| {
-        check(c, |numbers| {
-            numbers.iter().sum::<f64>() / numbers.len().max(1) as f64
-        });
-    }),
-    wrong("a running mean rounds as often", |c| {
-        check(c, |numbers| {
-            let numbered = (1_u32..).zip(numbers);
-            numbered.fold(0.0, |mean, (n, x)| mean + (x - mean) / f64::from(n))
-        });
-    }),
-    wrong("the mean of nothing is 0, not 0 / 0", |c| {
-        check(c, |numbers| mean(numbers) + 0.0 / numbers.len() as f64);
-    }),
-];
+variants! { check:
+    wrong "the errors of a plain sum add up" => |numbers| {
+        numbers.iter().sum::<f64>() / numbers.len().max(1) as f64
+    };
+    wrong "a running mean rounds as often" => |numbers| {
+        let numbered = (1_u32..).zip(numbers);
+        numbered.fold(0.0, |mean, (n, x)| mean + (x - mean) / f64::from(n))
+    };
+    wrong "the mean of nothing is 0, not 0 / 0" => |numbers| {
+        mean(numbers) + 0.0 / numbers.len() as f64
+    };
+}

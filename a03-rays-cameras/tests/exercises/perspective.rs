@@ -33,11 +33,7 @@ fn variant(c: &mut Check, v: fn(Vector3, Vector3) -> Vector3) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("the part of the up vector across the gaze", |c| {
-        variant(c, |w, t| t - w * t.dot(w));
-    }),
-    wrong("v is perpendicular to w, and t is not", |c| {
-        variant(c, |_, t| t)
-    }),
-];
+variants! { variant:
+    right "the part of the up vector across the gaze" => |w, t| t - w * t.dot(w);
+    wrong "v is perpendicular to w, and t is not" => |_, t| t;
+}

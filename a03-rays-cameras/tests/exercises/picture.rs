@@ -79,15 +79,9 @@ fn share(samples: &[Color], wanted: u32) -> Color {
     samples.fold(Color::BLACK, |sum, color| sum + *color * weight)
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("a running mean", |c| variant(c, false, running_mean)),
-    wrong("rows are counted from the top", |c| {
-        variant(c, true, running_mean)
-    }),
-    wrong("a grid may have fewer samples", |c| {
-        variant(c, false, share)
-    }),
-    wrong("a pixel is a mean, not a sum", |c| {
-        variant(c, false, |samples, _| share(samples, 1));
-    }),
-];
+variants! { variant:
+    right "a running mean" => false, running_mean;
+    wrong "rows are counted from the top" => true, running_mean;
+    wrong "a grid may have fewer samples" => false, share;
+    wrong "a pixel is a mean, not a sum" => false, |samples, _| share(samples, 1);
+}

@@ -29,7 +29,7 @@ fn variant(c: &mut Check, factor: f64) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("at the distance 1", |c| variant(c, 0.5)),
-    wrong("half of the angle is above the middle", |c| variant(c, 1.0)),
-];
+variants! { variant:
+    right "at the distance 1" => 0.5;
+    wrong "half of the angle is above the middle" => 1.0;
+}

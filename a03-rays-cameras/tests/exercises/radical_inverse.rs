@@ -25,25 +25,21 @@ pub fn check(check: &mut Check, yours: fn(u32, u32) -> f64) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("a sum of fractions", |c| {
-        check(c, |mut n, base| {
-            let (mut sum, mut place) = (0.0, 1.0);
-            while n > 0 {
-                place /= f64::from(base);
-                sum += f64::from(n % base) * place;
-                n /= base;
-            }
-            sum
-        });
-    }),
-    wrong("digits stand behind the point, not before it", |c| {
-        check(c, |n, base| radical_inverse(n, base) * f64::from(base));
-    }),
-    wrong("the base need not be 2", |c| {
-        check(c, |n, _| radical_inverse(n, 2))
-    }),
-    wrong("all digits are mirrored, not the last alone", |c| {
-        check(c, |n, base| f64::from(n % base) / f64::from(base));
-    }),
-];
+variants! { check:
+    right "a sum of fractions" => |mut n, base| {
+        let (mut sum, mut place) = (0.0, 1.0);
+        while n > 0 {
+            place /= f64::from(base);
+            sum += f64::from(n % base) * place;
+            n /= base;
+        }
+        sum
+    };
+    wrong "digits stand behind the point, not before it" => |n, base| {
+        radical_inverse(n, base) * f64::from(base)
+    };
+    wrong "the base need not be 2" => |n, _| radical_inverse(n, 2);
+    wrong "all digits are mirrored, not the last alone" => |n, base| {
+        f64::from(n % base) / f64::from(base)
+    };
+}

@@ -40,20 +40,19 @@ fn unit(ray: &Ray) -> Vector3 {
     ray.direction().normalized().unwrap_or_default()
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("with a direction of length 1", |c| {
-        let at = |ray: &Ray, t| ray.origin() + unit(ray) * (t * ray.direction().magnitude());
-        check(c, at, |ray, p| {
-            (p - ray.origin()).dot(unit(ray)) / ray.direction().magnitude()
-        });
-    }),
-    wrong("t is no distance: d may have any length", |c| {
-        check(c, Ray::at, |ray, p| (p - ray.origin()).magnitude());
-    }),
-    wrong("the dot product has the length of d twice", |c| {
-        check(c, Ray::at, |ray, p| (p - ray.origin()).dot(unit(ray)));
-    }),
-    wrong("t counts steps of d, of any length", |c| {
-        check(c, |ray, t| ray.origin() + unit(ray) * t, Ray::t_of);
-    }),
-];
+fn length(ray: &Ray) -> f64 {
+    ray.direction().magnitude()
+}
+
+variants! { check:
+    right "with a direction of length 1" =>
+        |ray, t| ray.origin() + unit(ray) * (t * length(ray)),
+        |ray, p| (p - ray.origin()).dot(unit(ray)) / length(ray);
+    wrong "t is no distance: d may have any length" => Ray::at, |ray, p| {
+        (p - ray.origin()).magnitude()
+    };
+    wrong "the dot product has the length of d twice" => Ray::at, |ray, p| {
+        (p - ray.origin()).dot(unit(ray))
+    };
+    wrong "t counts steps of d, of any length" => |ray, t| ray.origin() + unit(ray) * t, Ray::t_of;
+}

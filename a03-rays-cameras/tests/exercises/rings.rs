@@ -29,19 +29,15 @@ pub fn check(check: &mut Check, yours: fn(Vector3, Vector3, f64) -> u32) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("an arc cosine near 1 has few digits", |c| {
-        check(c, |d, pole, width| {
-            let cosine = d.dot(pole) / (d.magnitude() * pole.magnitude());
-            (libm::acos(cosine.clamp(-1.0, 1.0)) / width) as u32
-        });
-    }),
-    wrong("rings are behind the pole, too", |c| {
-        check(c, |d, pole, width| {
-            (d.angle(pole).min(d.angle(-pole)) / width) as u32
-        });
-    }),
-    wrong("a number of a ring is rounded down", |c| {
-        check(c, |d, pole, width| (d.angle(pole) / width).round() as u32);
-    }),
-];
+variants! { check:
+    wrong "an arc cosine near 1 has few digits" => |d, pole, width| {
+        let cosine = d.dot(pole) / (d.magnitude() * pole.magnitude());
+        (libm::acos(cosine.clamp(-1.0, 1.0)) / width) as u32
+    };
+    wrong "rings are behind the pole, too" => |d, pole, width| {
+        (d.angle(pole).min(d.angle(-pole)) / width) as u32
+    };
+    wrong "a number of a ring is rounded down" => |d, pole, width| {
+        (d.angle(pole) / width).round() as u32
+    };
+}

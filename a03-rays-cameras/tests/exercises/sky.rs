@@ -10,10 +10,8 @@ pub fn scene(
     render: impl FnOnce(&Settings, View<StripedSky>) -> Result<Image, Error>,
 ) {
     check.scene(&a03_rays_cameras::stage(), "striped-sky", |settings| {
-        render(
-            settings,
-            scenes::striped_sky(settings.size, StripeRule::Direction)?,
-        )
+        let view = scenes::striped_sky(settings.size, StripeRule::Direction)?;
+        render(settings, view)
     });
 }
 

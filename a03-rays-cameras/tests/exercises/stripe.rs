@@ -58,19 +58,11 @@ fn variant(c: &mut Check, number: fn(f64, f64) -> f64) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("in halves of the picture", |c| {
-        variant(c, |height, n| (n / 2.0 * (height + 1.0)).min(n - 1.0));
-    }),
-    wrong("above the picture is the last stripe", |c| {
-        variant(c, |height, n| (height + 1.0) / 2.0 * n);
-    }),
-    wrong("stripes are counted from below", |c| {
-        variant(c, |height, n| ((1.0 - height) / 2.0 * n).min(n - 1.0));
-    }),
-    wrong("a number of a stripe is rounded down", |c| {
-        variant(c, |height, n| {
-            (n / 2.0 * (height + 1.0)).round().min(n - 1.0)
-        });
-    }),
-];
+variants! { variant:
+    right "in halves of the picture" => |height, n| (n / 2.0 * (height + 1.0)).min(n - 1.0);
+    wrong "above the picture is the last stripe" => |height, n| (height + 1.0) / 2.0 * n;
+    wrong "stripes are counted from below" => |height, n| ((1.0 - height) / 2.0 * n).min(n - 1.0);
+    wrong "a number of a stripe is rounded down" => |height, n| {
+        (n / 2.0 * (height + 1.0)).round().min(n - 1.0)
+    };
+}

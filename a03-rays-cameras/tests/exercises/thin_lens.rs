@@ -62,24 +62,18 @@ fn wall(ray: &Ray) -> Color {
     Color::gray(0.05)
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("the focus is a plane, not a ball", |c| {
-        check(c, |basis, focus, ray, place| {
-            through_lens(basis, focus * -basis.w.dot(ray.direction()), ray, place)
-        });
-    }),
-    wrong("the direction has length 1", |c| {
-        check(c, |basis, focus, ray, place| {
-            let ray = through_lens(basis, focus, ray, place);
-            Ray::derived(ray.origin(), ray.direction() * focus)
-        });
-    }),
-    wrong("from another place, the direction is another", |c| {
-        check(c, |basis, focus, ray, place| {
-            Ray::derived(
-                through_lens(basis, focus, ray, place).origin(),
-                ray.direction(),
-            )
-        });
-    }),
-];
+variants! { check:
+    wrong "the focus is a plane, not a ball" => |basis, focus, ray, place| {
+        through_lens(basis, focus * -basis.w.dot(ray.direction()), ray, place)
+    };
+    wrong "the direction has length 1" => |basis, focus, ray, place| {
+        let ray = through_lens(basis, focus, ray, place);
+        Ray::derived(ray.origin(), ray.direction() * focus)
+    };
+    wrong "from another place, the direction is another" => |basis, focus, ray, place| {
+        Ray::derived(
+            through_lens(basis, focus, ray, place).origin(),
+            ray.direction(),
+        )
+    };
+}

@@ -25,9 +25,7 @@ fn slabs(c: &mut Check, is_crossed: fn(f64, f64) -> bool) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("all axes at once", |c| slabs(c, |near, far| near <= far)),
-    wrong("edges belong to the box", |c| {
-        slabs(c, |near, far| near < far)
-    }),
-];
+variants! { slabs:
+    right "all axes at once" => |near, far| near <= far;
+    wrong "edges belong to the box" => |near, far| near < far;
+}

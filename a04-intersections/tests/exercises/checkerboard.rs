@@ -34,17 +34,11 @@ fn floor_and_box() -> Made<World<Color>> {
 
 const NONE: Normal3 = Normal3::new(0.0, 0.0, 0.0);
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("a cast cuts off: -0.5 and 0.5 become 0", |c| {
-        check(c, |p, n| {
-            let below = p - Vector3::from(n) * 1e-6;
-            checkerboard(Point3::from_glam(below.to_glam().trunc()), NONE)
-        });
-    }),
-    wrong("on a face, rounding chooses the cube", |c| {
-        check(c, |p, _| checkerboard(p, NONE));
-    }),
-    wrong("below the surface is against the normal", |c| {
-        check(c, |p, n| checkerboard(p, -n))
-    }),
-];
+variants! { check:
+    wrong "a cast cuts off: -0.5 and 0.5 become 0" => |p, n| {
+        let below = p - Vector3::from(n) * 1e-6;
+        checkerboard(Point3::from_glam(below.to_glam().trunc()), NONE)
+    };
+    wrong "on a face, rounding chooses the cube" => |p, _| checkerboard(p, NONE);
+    wrong "below the surface is against the normal" => |p, n| checkerboard(p, -n);
+}

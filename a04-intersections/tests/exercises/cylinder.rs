@@ -14,12 +14,12 @@ pub fn check(check: &mut Check, new: &dyn Fn(f64, f64) -> Made<Shape>) {
     show(check, new(1.0, 2.0), [1.5, 4.5, 4.5], [0.0, 0.9, 0.0]);
 }
 
-pub const VARIANTS: &[Variant] = &[wrong("rim and bottom belong to the tube", |c| {
-    check(c, &|r, height| {
+variants! { check:
+    wrong "rim and bottom belong to the tube" => &|r, height| {
         let tube = Cylinder::new(r, height)?;
         own(move |ray: &Ray, i| {
             let is_between = |y| 0.0 < y && y < height;
             tube.hit(ray, i).filter(|hit| is_between(ray.at(hit.t).y()))
         })
-    });
-})];
+    };
+}

@@ -21,16 +21,14 @@ pub fn check(check: &mut Check, yours: fn(Point3, f64, &Ray) -> bool) {
     );
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("a ray has nothing behind its origin", |c| {
-        check(c, |c, r, ray| (ray.at(ray.t_of(c)) - c).magnitude() <= r);
-    }),
-    wrong("inside it is near, though its centre is behind", |c| {
-        check(c, |c, r, ray| ray.t_of(c) >= 0.0 && may_meet(c, r, ray));
-    }),
-    wrong("a ray that just touches comes near enough", |c| {
-        check(c, |c, r, ray| {
-            (ray.at(ray.t_of(c).max(0.0)) - c).magnitude() < r
-        });
-    }),
-];
+variants! { check:
+    wrong "a ray has nothing behind its origin" => |c, r, ray| {
+        (ray.at(ray.t_of(c)) - c).magnitude() <= r
+    };
+    wrong "inside it is near, though its centre is behind" => |c, r, ray| {
+        ray.t_of(c) >= 0.0 && may_meet(c, r, ray)
+    };
+    wrong "a ray that just touches comes near enough" => |c, r, ray| {
+        (ray.at(ray.t_of(c).max(0.0)) - c).magnitude() < r
+    };
+}

@@ -52,28 +52,20 @@ fn hits(world: &World<usize>, ray: &Ray, within: Interval) -> impl Iterator<Item
     objects.filter_map(move |(shape, number)| Some((shape.hit(ray, within)?, *number)))
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("all hits, and then the first", |c| {
-        check(c, |world, ray, i| {
-            let first = hits(world, ray, i).min_by(|(a, _), (b, _)| a.t.total_cmp(&b.t));
-            first.map(|(hit, number)| (turned(hit, hit.face, ray), number))
-        });
-    }),
-    wrong("the nearest counts, not the last", |c| {
-        check(c, |world, ray, i| {
-            let last = hits(world, ray, i).last();
-            last.map(|(hit, number)| (turned(hit, hit.face, ray), number))
-        });
-    }),
-    wrong("a hit before the interval hides one in it", |c| {
-        check(c, |world, ray, i| {
-            nearest(world, ray, Interval::AHEAD).filter(|(hit, _)| i.contains(hit.t))
-        });
-    }),
-    wrong("the face, not the normal, says what is seen", |c| {
-        check(c, |world, ray, i| {
-            let (hit, number) = nearest(world, ray, i)?;
-            Some((turned(hit, hit.normal, ray), number))
-        });
-    }),
-];
+variants! { check:
+    right "all hits, and then the first" => |world, ray, i| {
+        let first = hits(world, ray, i).min_by(|(a, _), (b, _)| a.t.total_cmp(&b.t));
+        first.map(|(hit, number)| (turned(hit, hit.face, ray), number))
+    };
+    wrong "the nearest counts, not the last" => |world, ray, i| {
+        let last = hits(world, ray, i).last();
+        last.map(|(hit, number)| (turned(hit, hit.face, ray), number))
+    };
+    wrong "a hit before the interval hides one in it" => |world, ray, i| {
+        nearest(world, ray, Interval::AHEAD).filter(|(hit, _)| i.contains(hit.t))
+    };
+    wrong "the face, not the normal, says what is seen" => |world, ray, i| {
+        let (hit, number) = nearest(world, ray, i)?;
+        Some((turned(hit, hit.normal, ray), number))
+    };
+}

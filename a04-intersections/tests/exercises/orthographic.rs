@@ -31,15 +31,11 @@ fn variant(c: &mut Check, place: fn([f64; 2], [f64; 2]) -> [f64; 2]) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("from the lower left pixel on", |c| {
-        variant(c, |[w, h], [x, y]| {
-            [w / h * (x / (w - 1.0) - 0.5), y / (h - 1.0) - 0.5]
-        });
-    }),
-    wrong("a wide picture shows more to the sides", |c| {
-        variant(c, |[w, h], [x, y]| {
-            [x / (w - 1.0) - 0.5, y / (h - 1.0) - 0.5]
-        });
-    }),
-];
+variants! { variant:
+    right "from the lower left pixel on" => |[w, h], [x, y]| {
+        [w / h * (x / (w - 1.0) - 0.5), y / (h - 1.0) - 0.5]
+    };
+    wrong "a wide picture shows more to the sides" => |[w, h], [x, y]| {
+        [x / (w - 1.0) - 0.5, y / (h - 1.0) - 0.5]
+    };
+}

@@ -15,18 +15,16 @@ pub fn check(check: &mut Check, new: &dyn Fn(Point3, Normal3) -> Made<Shape>) {
     scene(check, "scene-1", scene_1, plane);
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("the plane as n · p + k = 0", |c| {
-        check(c, &|a, n| {
-            let n = n.unit("n")?;
-            let k = -n.dot(a - Point3::ORIGIN);
-            own(move |ray: &Ray, within| {
-                let t = -(n.dot(ray.origin() - Point3::ORIGIN) + k) / n.dot(ray.direction());
-                within.contains(t).then(|| Hit::new(t, n))
-            })
-        });
-    }),
-    wrong("a plane need not pass through the origin", |c| {
-        check(c, &|_, n| boxed(Plane::new(Point3::ORIGIN, n)))
-    }),
-];
+variants! { check:
+    right "the plane as n · p + k = 0" => &|a, n| {
+        let n = n.unit("n")?;
+        let k = -n.dot(a - Point3::ORIGIN);
+        own(move |ray: &Ray, within| {
+            let t = -(n.dot(ray.origin() - Point3::ORIGIN) + k) / n.dot(ray.direction());
+            within.contains(t).then(|| Hit::new(t, n))
+        })
+    };
+    wrong "a plane need not pass through the origin" => &|_, n| {
+        boxed(Plane::new(Point3::ORIGIN, n))
+    };
+}

@@ -69,16 +69,12 @@ fn mesh(random: &mut Random) -> String {
     format!("{corners}f{}\nv 0 0 0\n", names.collect::<String>())
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("n corners make n - 2 triangles", |c| {
-        check(c, |text| Ok(read_obj(text)?.into_iter().take(1).collect()));
-    }),
-    wrong("lines are counted from 1", |c| {
-        check(c, |text| {
-            read_obj(text).map_err(|error| error.replace("line 4", "line 3"))
-        });
-    }),
-    wrong("vt and vn are no corners", |c| {
-        check(c, |text| read_obj(&text.replace("vt ", "v ")))
-    }),
-];
+variants! { check:
+    wrong "n corners make n - 2 triangles" => |text| {
+        Ok(read_obj(text)?.into_iter().take(1).collect())
+    };
+    wrong "lines are counted from 1" => |text| {
+        read_obj(text).map_err(|error| error.replace("line 4", "line 3"))
+    };
+    wrong "vt and vn are no corners" => |text| read_obj(&text.replace("vt ", "v "));
+}

@@ -15,16 +15,10 @@ pub fn check(check: &mut Check, yours: fn(Point3, Normal3, Point3) -> f64) {
     );
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("n may have any length: divide by it", |c| {
-        check(c, |a, n, p| (p - a).dot(n))
-    }),
-    wrong("n · n is the length squared", |c| {
-        check(c, |a, n, p| (p - a).dot(n) / n.dot(n))
-    }),
-    wrong("the distance from the plane is not that from a", |c| {
-        check(c, |a, n, p| {
-            Vector3::magnitude(p - a).copysign((p - a).dot(n))
-        });
-    }),
-];
+variants! { check:
+    wrong "n may have any length: divide by it" => |a, n, p| (p - a).dot(n);
+    wrong "n · n is the length squared" => |a, n, p| (p - a).dot(n) / n.dot(n);
+    wrong "the distance from the plane is not that from a" => |a, n, p| {
+        Vector3::magnitude(p - a).copysign((p - a).dot(n))
+    };
+}

@@ -20,16 +20,12 @@ fn variant(c: &mut Check, choose: fn(&SixPlanes, Hit, &Ray, Interval, [Point3; 2
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("rounding puts a hit beside its own plane", |c| {
-        variant(c, |_, hit, ray, _, corners| {
-            let [p, lbf, run] = [ray.at(hit.t), corners[0], corners[1]].map(Point3::to_glam);
-            Some(hit).filter(|_| lbf.min(p) == lbf && run.max(p) == run)
-        });
-    }),
-    wrong("the nearest plane counts, not the last", |c| {
-        variant(c, |planes, hit, ray, i, _| {
-            planes.hit(ray, Interval { min: hit.t, ..i }).or(Some(hit))
-        });
-    }),
-];
+variants! { variant:
+    wrong "rounding puts a hit beside its own plane" => |_, hit, ray, _, corners| {
+        let [p, lbf, run] = [ray.at(hit.t), corners[0], corners[1]].map(Point3::to_glam);
+        Some(hit).filter(|_| lbf.min(p) == lbf && run.max(p) == run)
+    };
+    wrong "the nearest plane counts, not the last" => |planes, hit, ray, i, _| {
+        planes.hit(ray, Interval { min: hit.t, ..i }).or(Some(hit))
+    };
+}

@@ -31,14 +31,12 @@ fn first(roots: [f64; 2], within: Interval) -> Option<f64> {
     roots.into_iter().find(|t| within.contains(*t))
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("the textbook's discriminant", |c| textbook(c, first)),
-    wrong("from inside, only the far root is ahead", |c| {
-        textbook(c, |[near, _], i| Some(near).filter(|t| i.contains(*t)));
-    }),
-    wrong("a ray that touches hits: no root is below 0", |c| {
-        textbook(c, |roots, i| {
-            first(roots, i).filter(|_| roots[0] < roots[1])
-        });
-    }),
-];
+variants! { textbook:
+    right "the textbook's discriminant" => first;
+    wrong "from inside, only the far root is ahead" => |[near, _], i| {
+        Some(near).filter(|t| i.contains(*t))
+    };
+    wrong "a ray that touches hits: no root is below 0" => |roots, i| {
+        first(roots, i).filter(|_| roots[0] < roots[1])
+    };
+}

@@ -14,8 +14,8 @@ pub fn check(check: &mut Check, new: &dyn Fn(f64, f64) -> Made<Shape>) {
     show(check, new(2.0, 0.5), [2.0, 5.0, 7.0], [0.0, -0.2, 0.0]);
 }
 
-pub const VARIANTS: &[Variant] = &[wrong("fixed steps pass over what is thinner", |c| {
-    check(c, &|ring, r| {
+variants! { check:
+    wrong "fixed steps pass over what is thinner" => &|ring, r| {
         let torus = Torus::new(ring, r)?;
         own(move |ray: &Ray, i| {
             let hit = torus.hit(ray, i)?;
@@ -24,5 +24,5 @@ pub const VARIANTS: &[Variant] = &[wrong("fixed steps pass over what is thinner"
             let next = torus.hit(ray, Interval { min: hit.t, max });
             next.is_none().then_some(hit)
         })
-    });
-})];
+    };
+}

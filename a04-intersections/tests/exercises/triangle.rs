@@ -31,11 +31,7 @@ fn moeller_trumbore(c: &mut Check, is_inside: fn(f64, f64) -> bool) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("Möller and Trumbore", |c| {
-        moeller_trumbore(c, |b, g| b >= 0.0 && g >= 0.0 && b + g <= 1.0);
-    }),
-    wrong("edges belong to the triangle", |c| {
-        moeller_trumbore(c, |b, g| b > 0.0 && g > 0.0 && b + g < 1.0);
-    }),
-];
+variants! { moeller_trumbore:
+    right "Möller and Trumbore" => |b, g| b >= 0.0 && g >= 0.0 && b + g <= 1.0;
+    wrong "edges belong to the triangle" => |b, g| b > 0.0 && g > 0.0 && b + g < 1.0;
+}

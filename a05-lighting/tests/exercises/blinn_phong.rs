@@ -26,11 +26,11 @@ pub fn check(check: &mut Check, yours: Shiny) {
     }));
 }
 
-pub const VARIANTS: &[Variant] = &[wrong("the vector half way has length 1", |c| {
-    check(c, |[cd, cs], p, ray, hit, light| {
+variants! { check:
+    wrong "the vector half way has length 1" => |[cd, cs], p, ray, hit, light| {
         let half = (light.direction - ray.direction()) * 0.5;
         let [cosine, highlight] = [light.direction, half].map(|d| hit.normal.dot(d).max(0.0));
         let is_before = f64::from(cosine > 0.0);
         (cd * cosine + cs * (is_before * libm::pow(highlight, p))) * light.color
-    });
-})];
+    };
+}

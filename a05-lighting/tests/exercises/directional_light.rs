@@ -24,10 +24,10 @@ pub fn check(check: &mut Check, yours: fn(Color, Vector3) -> Arriving) {
     check.scene(&stage(), "phong-directional", picture);
 }
 
-pub const VARIANTS: &[Variant] = &[right("divided by the length", |c| {
-    check(c, |color, d| {
+variants! { check:
+    right "divided by the length" => |color, d| {
         let mut light = directional_light(color, d)?;
         light.direction = d * (-1.0 / d.magnitude());
         Some(light)
-    });
-})];
+    };
+}

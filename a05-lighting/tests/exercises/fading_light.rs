@@ -15,8 +15,8 @@ pub fn check(check: &mut Check, yours: fn(Color, Point3, Point3) -> Arriving) {
     check.picture(lit(scenes::phong(), lamp));
 }
 
-pub const VARIANTS: &[Variant] = &[wrong("twice as far away is a quarter, not half", |c| {
-    check(c, |color, lamp, p| {
+variants! { check:
+    wrong "twice as far away is a quarter, not half" => |color, lamp, p| {
         fading_light(color * (lamp - p).magnitude(), lamp, p)
-    });
-})];
+    };
+}

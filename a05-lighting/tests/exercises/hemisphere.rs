@@ -25,10 +25,10 @@ fn mixed(c: &mut Check, share: fn(f64) -> f64) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("walls see half the sky", |c| mixed(c, |cos| cos.max(0.0))),
-    wrong("a share is between 0 and 1", |c| mixed(c, |cosine| cosine)),
-    wrong("the share follows from the cosine, not the angle", |c| {
-        mixed(c, |cosine| 1.0 - libm::acos(cosine) / std::f64::consts::PI);
-    }),
-];
+variants! { mixed:
+    wrong "walls see half the sky" => |cos| cos.max(0.0);
+    wrong "a share is between 0 and 1" => |cosine| cosine;
+    wrong "the share follows from the cosine, not the angle" => |cosine| {
+        1.0 - libm::acos(cosine) / std::f64::consts::PI
+    };
+}

@@ -31,7 +31,7 @@ fn textbook(c: &mut Check, share: fn(f64) -> f64) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("the share first", |c| textbook(c, |cosine| cosine.max(0.0))),
-    wrong("no light is negative", |c| textbook(c, |cosine| cosine)),
-];
+variants! { textbook:
+    right "the share first" => |cosine| cosine.max(0.0);
+    wrong "no light is negative" => |cosine| cosine;
+}

@@ -39,16 +39,12 @@ fn textbook(c: &mut Check, highlight: fn(f64, f64, f64) -> f64) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("the eye mirrored in the place of the light", |c| {
-        textbook(c, |is_before, cosine, p| is_before * libm::pow(cosine, p));
-    }),
-    wrong("light from behind has no highlight", |c| {
-        textbook(c, |_, cosine, p| libm::pow(cosine, p));
-    }),
-    wrong("an exponent may be a fraction", |c| {
-        textbook(c, |is_before, cosine, p| {
-            is_before * libm::pow(cosine, p.trunc())
-        });
-    }),
-];
+variants! { textbook:
+    right "the eye mirrored in the place of the light" => |is_before, cosine, p| {
+        is_before * libm::pow(cosine, p)
+    };
+    wrong "light from behind has no highlight" => |_, cosine, p| libm::pow(cosine, p);
+    wrong "an exponent may be a fraction" => |is_before, cosine, p| {
+        is_before * libm::pow(cosine, p.trunc())
+    };
+}

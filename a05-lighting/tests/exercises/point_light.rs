@@ -19,11 +19,11 @@ pub fn check(check: &mut Check, yours: fn(Color, Point3, Point3) -> Arriving) {
     check.scene(&stage(), "phong", lit(scenes::phong(), lamp));
 }
 
-pub const VARIANTS: &[Variant] = &[right("divided by the distance", |c| {
-    check(c, |color, lamp, p| {
+variants! { check:
+    right "divided by the distance" => |color, lamp, p| {
         let mut light = point_light(color, lamp, p)?;
         light.distance = (lamp - p).magnitude();
         light.direction = (lamp - p) * (1.0 / light.distance);
         Some(light)
-    });
-})];
+    };
+}

@@ -1,7 +1,5 @@
 //! Pictures of students' code, and vectors and colours from numbers.
 
-pub use a02_math::lab::extremes::{point, vector};
-
 use crate::prelude::*;
 
 /// The direction of length 1; all zeros where there is none.

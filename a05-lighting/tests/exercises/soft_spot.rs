@@ -20,11 +20,11 @@ pub fn check(check: &mut Check, yours: fn(Color, Point3, Vector3, [f64; 2], Poin
     check.picture(lit(scenes::phong_spot(), yours));
 }
 
-pub const VARIANTS: &[Variant] = &[wrong("the share has no crease", |c| {
-    check(c, |color, lamp, d, [inner, outer], p| {
+variants! { check:
+    wrong "the share has no crease" => |color, lamp, d, [inner, outer], p| {
         let light = PointLight::new(color, lamp).ok()?.illumination(p)?;
         let share = (outer - (-light.direction).angle(d)) / (outer - inner);
         let color = color * share.min(1.0);
         (share > 0.0).then_some(Illumination { color, ..light })
-    });
-})];
+    };
+}

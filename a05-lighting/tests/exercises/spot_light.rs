@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use crate::prelude::*;
+
 pub fn spot_light(
     color: Color,
     lamp: Point3,
@@ -12,8 +14,6 @@ pub fn spot_light(
     let spot = SpotLight::new(color, lamp, axis, half_angle);
     spot.ok()?.illumination(point)
 }
-
-use crate::prelude::*;
 
 pub fn check(
     check: &mut Check,
@@ -45,9 +45,7 @@ fn textbook(c: &mut Check, accepts: fn(f64, f64) -> bool) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("angles", |c| textbook(c, |angle, half| angle <= half)),
-    wrong("a wide cone shines behind the lamp, too", |c| {
-        textbook(c, |angle, half| angle <= half.min(PI / 2.0));
-    }),
-];
+variants! { textbook:
+    right "angles" => |angle, half| angle <= half;
+    wrong "a wide cone shines behind the lamp, too" => |angle, half| angle <= half.min(PI / 2.0);
+}

@@ -4,17 +4,11 @@ use crate::prelude::*;
 
 pub fn check(check: &mut Check, yours: &(dyn Fn(Color, Color, f64, f64) -> Color + Sync)) {
     let (red, blue) = ([1.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
-    let infinity = f64::INFINITY;
+    let inf = f64::INFINITY;
+    let amounts = [(1.0, 0.0), (0.0, 2.0), (1.0, 1.0), (1.0, inf), (0.0, inf)];
     check.compare(
         "colour {}, fog {}, density {}, distance {}",
-        [
-            (1.0, 0.0),
-            (0.0, 2.0),
-            (1.0, 1.0),
-            (1.0, infinity),
-            (0.0, infinity),
-        ]
-        .map(|(density, distance)| (red, blue, density, distance)),
+        amounts.map(|(density, distance)| (red, blue, density, distance)),
         random(|r| {
             let [c, fog] = [(); 2].map(|()| channels(r));
             (c, fog, r.between(0.0, 0.5), r.between(0.0, 9.0))
@@ -31,23 +25,19 @@ pub fn check(check: &mut Check, yours: &(dyn Fn(Color, Color, f64, f64) -> Color
 }
 
 /// The mixture by the share that is left of the colour.
-fn mixed(c: &mut Check, left: fn(f64, f64) -> f64) {
-    check(c, &|color, fog, density, distance| {
+fn mixed(left: fn(f64, f64) -> f64) -> impl Fn(Color, Color, f64, f64) -> Color {
+    move |color, fog, density, distance| {
         let left = left(density, distance);
         color * left + fog * (1.0 - left)
-    });
+    }
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("0 times infinity is not a number", |c| {
-        mixed(c, |density, t| libm::exp(-density * t));
-    }),
-    wrong("each metre takes a share of what is left", |c| {
-        mixed(c, |density, t| 1.0 - (density * t).min(1.0));
-    }),
-    wrong("the fog adds its own colour", |c| {
-        check(c, &|color, _, density, t| {
-            fogged(color, Color::BLACK, density, t)
-        });
-    }),
-];
+variants! { check:
+    wrong "0 times infinity is not a number" => &mixed(|density, t| libm::exp(-density * t));
+    wrong "each metre takes a share of what is left" => &mixed(|density, t| {
+        1.0 - (density * t).min(1.0)
+    });
+    wrong "the fog adds its own colour" => &|color, _, density, t| {
+        fogged(color, Color::BLACK, density, t)
+    };
+}

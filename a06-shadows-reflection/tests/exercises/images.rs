@@ -22,14 +22,10 @@ fn steps(c: &mut Check, step: fn(f64, [f64; 2]) -> [f64; 2]) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("a mirror shows the image in the other one", |c| {
-        steps(c, |width, [left, right]| [-left, 2.0 * width - right]);
-    }),
-    wrong("a mirror at x = m moves x to 2m - x", |c| {
-        steps(c, |width, [left, right]| [-right, width - left]);
-    }),
-    wrong("both images are replaced at once", |c| {
-        steps(c, |width, [_, right]| [-right, 2.0 * width + right]);
-    }),
-];
+variants! { steps:
+    wrong "a mirror shows the image in the other one" => |width, [left, right]| {
+        [-left, 2.0 * width - right]
+    };
+    wrong "a mirror at x = m moves x to 2m - x" => |width, [left, right]| [-right, width - left];
+    wrong "both images are replaced at once" => |width, [_, right]| [-right, 2.0 * width + right];
+}

@@ -78,22 +78,15 @@ fn face(hit: &Hit, _: Vector3) -> Vector3 {
     hit.face.into()
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("a share of the sum", |c| {
-        offset(c, face, |[o, p, t]| 1e-13 * (o + p + t))
-    }),
-    wrong("no length is fixed", |c| offset(c, face, |_| 1e-9)),
-    wrong("the errors of the coordinates count, too", |c| {
-        offset(c, face, |[_, _, t]| 1e-12 * t);
-    }),
-    wrong("the error of t counts, too", |c| {
-        offset(c, face, |[_, p, _]| 1e-12 * p);
-    }),
-    wrong("a grazing ray does not leave along itself", |c| {
-        offset(c, |_, d| d, |[o, p, t]| 1e-14 * o.max(p).max(t));
-    }),
-    wrong("the face says where the surface is", |c| {
-        let normal = |hit: &Hit, _| hit.normal.into();
-        offset(c, normal, |[o, p, t]| 1e-14 * o.max(p).max(t));
-    }),
-];
+fn largest([o, p, t]: [f64; 3]) -> f64 {
+    1e-14 * o.max(p).max(t)
+}
+
+variants! { offset:
+    right "a share of the sum" => face, |[o, p, t]| 1e-13 * (o + p + t);
+    wrong "no length is fixed" => face, |_| 1e-9;
+    wrong "the errors of the coordinates count, too" => face, |[_, _, t]| 1e-12 * t;
+    wrong "the error of t counts, too" => face, |[_, p, _]| 1e-12 * p;
+    wrong "a grazing ray does not leave along itself" => |_, d| d, largest;
+    wrong "the face says where the surface is" => |hit, _| hit.normal.into(), largest;
+}

@@ -34,24 +34,22 @@ pub fn check(check: &mut Check, yours: &(dyn Fn(&ShadowedWorld, &Ray, u32) -> Co
 }
 
 /// The recursion, whose reflected rays go along this direction.
-fn reflected(c: &mut Check, direction: fn(&Ray, &Hit) -> Vector3) {
-    check(c, &|world, ray, depth| {
+fn reflected(
+    direction: fn(&Ray, &Hit) -> Vector3,
+) -> impl Fn(&ShadowedWorld, &Ray, u32) -> Color + Sync {
+    move |world, ray, depth| {
         let leaving = |ray: &Ray, hit: &Hit, _| secondary_ray(ray, hit, direction(ray, hit));
         Tracer(world, &is_shadowed, &leaving).trace(ray, depth)
-    });
+    }
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("the recursion", |c| {
-        reflected(c, |ray, hit| (-ray.direction()).reflected_on(hit.normal));
-    }),
-    wrong("the last surface mirrors black", |c| {
-        check(c, &|world, ray, depth| trace(world, ray, depth + 1));
-    }),
-    wrong("a mirror is seen by its normal, not by its face", |c| {
-        reflected(c, |ray, hit| (-ray.direction()).reflected_on(hit.face));
-    }),
-    wrong("the formula wants a vector away from the surface", |c| {
-        reflected(c, |ray, hit| ray.direction().reflected_on(hit.normal));
-    }),
-];
+variants! { check:
+    right "the recursion" => &reflected(|ray, hit| (-ray.direction()).reflected_on(hit.normal));
+    wrong "the last surface mirrors black" => &|world, ray, depth| trace(world, ray, depth + 1);
+    wrong "a mirror is seen by its normal, not by its face" => &reflected(|ray, hit| {
+        (-ray.direction()).reflected_on(hit.face)
+    });
+    wrong "the formula wants a vector away from the surface" => &reflected(|ray, hit| {
+        ray.direction().reflected_on(hit.normal)
+    });
+}

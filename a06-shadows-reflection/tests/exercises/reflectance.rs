@@ -3,21 +3,11 @@
 use crate::prelude::*;
 
 pub fn check(check: &mut Check, yours: fn(f64, f64, f64) -> f64) {
+    let index = |r: &mut Random| r.between(1.0, 2.5);
     check.compare(
         "cosine and indices {}",
-        [
-            [1.0, 1.0, 2.0],
-            [0.5, 1.0, 2.0],
-            [0.0, 1.0, 2.0],
-            [0.5, 2.0, 1.0],
-        ],
-        random(|r| {
-            [
-                r.between(0.0, 1.0),
-                r.between(1.0, 2.5),
-                r.between(1.0, 2.5),
-            ]
-        }),
+        [[1.0, 2.0], [0.5, 2.0], [0.0, 2.0], [0.5, 0.5]].map(|[cosine, to]| [cosine, 1.0, to]),
+        random(|r| [r.between(0.0, 1.0), index(r), index(r)]),
         [reflectance, yours],
         |reflectance, [cosine, from, to]| reflectance(cosine, from, to),
     );
@@ -33,17 +23,15 @@ pub fn check(check: &mut Check, yours: fn(f64, f64, f64) -> f64) {
     }));
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("Schlick's formula is only near to Fresnel's", |c| {
-        check(c, |cosine, from, to| {
-            let straight = reflectance(1.0, from, to);
-            straight + (1.0 - straight) * libm::pow(1.0 - cosine, 5.0)
-        });
-    }),
-    wrong("a share is the square of an amplitude", |c| {
-        check(c, |cosine, from, to| reflectance(cosine, from, to).sqrt());
-    }),
-    wrong("where no light gets through, all is mirrored", |c| {
-        check(c, |cosine, from, to| reflectance(cosine, from, to) % 1.0);
-    }),
-];
+variants! { check:
+    wrong "Schlick's formula is only near to Fresnel's" => |cosine, from, to| {
+        let straight = reflectance(1.0, from, to);
+        straight + (1.0 - straight) * libm::pow(1.0 - cosine, 5.0)
+    };
+    wrong "a share is the square of an amplitude" => |cosine, from, to| {
+        reflectance(cosine, from, to).sqrt()
+    };
+    wrong "where no light gets through, all is mirrored" => |cosine, from, to| {
+        reflectance(cosine, from, to) % 1.0
+    };
+}

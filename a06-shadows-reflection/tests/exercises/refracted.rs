@@ -38,20 +38,14 @@ fn snell(d: Vector3, n: Normal3, ratio: f64) -> Option<Vector3> {
     (squared >= 0.0).then(|| d * ratio + n * (ratio * cos - squared.sqrt()))
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("the way out bends away from the normal", |c| {
-        check(c, |d, n, index| {
-            snell(d, if d.dot(n) > 0.0 { -n } else { n }, 1.0 / index)
-        });
-    }),
-    wrong("from inside, the normal points along the light", |c| {
-        check(c, |d, n, index| {
-            snell(d, n, if d.dot(n) > 0.0 { index } else { 1.0 / index })
-        });
-    }),
-    wrong("no sine is more than 1", |c| {
-        check(c, |d, n, index| {
-            refracted(d, n, index).or(Some((-d).reflected_on(n)))
-        });
-    }),
-];
+variants! { check:
+    wrong "the way out bends away from the normal" => |d, n, index| {
+        snell(d, if d.dot(n) > 0.0 { -n } else { n }, 1.0 / index)
+    };
+    wrong "from inside, the normal points along the light" => |d, n, index| {
+        snell(d, n, if d.dot(n) > 0.0 { index } else { 1.0 / index })
+    };
+    wrong "no sine is more than 1" => |d, n, index| {
+        refracted(d, n, index).or(Some((-d).reflected_on(n)))
+    };
+}

@@ -58,10 +58,10 @@ fn up_to(c: &mut Check, end: fn(f64) -> f64) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("a nearest hit", |c| up_to(c, |d| d * (1.0 - 1e-6))),
-    wrong("objects beyond it cast none", |c| up_to(c, |_| 1e300)),
-    wrong("the lamp's ceiling blocks nothing", |c| up_to(c, |d| d)),
-    wrong("no length is fixed", |c| up_to(c, |d| d - 1e-6)),
-    wrong("an object before it is seen", |c| up_to(c, |d| d * 0.99)),
-];
+variants! { up_to:
+    right "a nearest hit" => |d| d * (1.0 - 1e-6);
+    wrong "objects beyond it cast none" => |_| 1e300;
+    wrong "the lamp's ceiling blocks nothing" => |d| d;
+    wrong "no length is fixed" => |d| d - 1e-6;
+    wrong "an object before it is seen" => |d| d * 0.99;
+}

@@ -35,33 +35,21 @@ fn product(factors: impl Iterator<Item = Mat4x4>) -> Mat4x4 {
     factors.fold(Mat4x4::IDENTITY, |a, b| a * b)
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("two products", |c| {
-        check(c, |steps| {
-            let back = steps.iter().rev().map(|step| step.inverse());
-            [
-                product(steps.iter().map(|step| step.matrix())),
-                product(back),
-            ]
-        });
-    }),
-    wrong("the last step is applied first", |c| {
-        check(c, |steps| {
-            chain(&steps.iter().rev().copied().collect::<Vec<_>>())
-        });
-    }),
-    wrong("the last step is undone last", |c| {
-        check(c, |steps| {
-            [
-                chain(steps)[0],
-                product(steps.iter().map(|step| step.inverse())),
-            ]
-        });
-    }),
-    wrong("only a turn is undone by its transpose", |c| {
-        check(c, |steps| {
-            let [matrix, _] = chain(steps);
-            [matrix, matrix.transposed()]
-        });
-    }),
-];
+variants! { check:
+    right "two products" => |steps| {
+        let there = steps.iter().map(|step| step.matrix());
+        let back = steps.iter().rev().map(|step| step.inverse());
+        [product(there), product(back)]
+    };
+    wrong "the last step is applied first" => |steps| {
+        chain(&steps.iter().rev().copied().collect::<Vec<_>>())
+    };
+    wrong "the last step is undone last" => |steps| {
+        let back = steps.iter().map(|step| step.inverse());
+        [chain(steps)[0], product(back)]
+    };
+    wrong "only a turn is undone by its transpose" => |steps| {
+        let [matrix, _] = chain(steps);
+        [matrix, matrix.transposed()]
+    };
+}

@@ -31,9 +31,7 @@ fn variant(c: &mut Check, is_on_disc: fn(f64, f64) -> bool) {
     });
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("the distance, not its square", |c| {
-        variant(c, |d, r| d <= r)
-    }),
-    wrong("the rim belongs to the disc", |c| variant(c, |d, r| d < r)),
-];
+variants! { variant:
+    right "the distance, not its square" => |d, r| d <= r;
+    wrong "the rim belongs to the disc" => |d, r| d < r;
+}

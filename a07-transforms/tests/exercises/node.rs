@@ -50,14 +50,9 @@ fn first(hits: &mut dyn Iterator<Item = Hit>) -> Option<Hit> {
     hits.min_by(|a, b| a.t.total_cmp(&b.t))
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("all hits, and then the first", |c| {
-        variant(c, first, Transform::normal_from_object)
-    }),
-    wrong("not the first of the list, but the nearest", |c| {
-        variant(c, |hits| hits.next(), Transform::normal_from_object);
-    }),
-    wrong("both normals are led out of the node", |c| {
-        variant(c, first, |_, face| Some(face))
-    }),
-];
+variants! { variant:
+    right "all hits, and then the first" => first, Transform::normal_from_object;
+    wrong "not the first of the list, but the nearest" =>
+        |hits| hits.next(), Transform::normal_from_object;
+    wrong "both normals are led out of the node" => first, |_, face| Some(face);
+}

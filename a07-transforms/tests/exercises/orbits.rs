@@ -34,19 +34,13 @@ fn twelve_months(orbits: impl Fn(f64, f64) -> Made<[Transform; 2]>) -> Made<Worl
     Ok(world)
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("the earth is turned after it is moved", |c| {
-        check(c, |year, month| {
-            let moved = Transform::IDENTITY.translate(Point3::new(5.0, 0.0, 0.0))?;
-            Ok([moved.rotate_y(year)?, orbits(year, month)?[1]])
-        });
-    }),
-    wrong("the moon is a child of the earth", |c| {
-        check(c, |year, month| {
-            Ok([orbits(year, month)?[0], orbits(0.0, month)?[1]])
-        });
-    }),
-    wrong("the month is seen by the turned earth", |c| {
-        check(c, |year, month| orbits(year, month - year));
-    }),
-];
+variants! { check:
+    wrong "the earth is turned after it is moved" => |year, month| {
+        let moved = Transform::IDENTITY.translate(Point3::new(5.0, 0.0, 0.0))?;
+        Ok([moved.rotate_y(year)?, orbits(year, month)?[1]])
+    };
+    wrong "the moon is a child of the earth" => |year, month| {
+        Ok([orbits(year, month)?[0], orbits(0.0, month)?[1]])
+    };
+    wrong "the month is seen by the turned earth" => |year, month| orbits(year, month - year);
+}

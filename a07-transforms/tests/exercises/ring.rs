@@ -23,13 +23,13 @@ pub fn check(check: &mut Check, new: &dyn Fn(Point3, Normal3, f64, f64) -> Made<
     show_lit(check, saturn(), [1.0, 2.0, 6.0], [0.0; 3]);
 }
 
-pub const VARIANTS: &[Variant] = &[wrong("both borders belong to the ring", |c| {
-    check(c, &|c, n, hole, r| {
+variants! { check:
+    wrong "both borders belong to the ring" => &|c, n, hole, r| {
         let ring = Ring::new(c, n, hole, r)?;
         own(move |ray: &Ray, i| {
             let hit = ring.hit(ray, i)?;
             let distance = (ray.at(hit.t) - c).magnitude();
             (hole < distance && distance < r).then_some(hit)
         })
-    });
-})];
+    };
+}

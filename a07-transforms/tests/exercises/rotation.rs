@@ -29,19 +29,13 @@ pub fn check(check: &mut Check, yours: fn(Vector3, f64) -> Made<Transform>) {
     show_lit(check, wheel(), [4.0, 4.5, 5.0], [0.6; 3]);
 }
 
-pub const VARIANTS: &[Variant] = &[
-    wrong("a turn about x leads from z down", |c| {
-        check(c, |k, angle| {
-            rotation(Vector3::new(k.x(), -k.y(), k.z()), angle)
-        });
-    }),
-    wrong("the arc tangent of x / z knows no quadrant", |c| {
-        check(c, |k, angle| {
-            let side = k.z().signum();
-            rotation(Vector3::new(side * k.x(), k.y(), side * k.z()), angle)
-        });
-    }),
-    wrong("counterclockwise, for an eye before the axis", |c| {
-        check(c, |axis, angle| rotation(axis, -angle));
-    }),
-];
+variants! { check:
+    wrong "a turn about x leads from z down" => |k, angle| {
+        rotation(Vector3::new(k.x(), -k.y(), k.z()), angle)
+    };
+    wrong "the arc tangent of x / z knows no quadrant" => |k, angle| {
+        let side = k.z().signum();
+        rotation(Vector3::new(side * k.x(), k.y(), side * k.z()), angle)
+    };
+    wrong "counterclockwise, for an eye before the axis" => |axis, angle| rotation(axis, -angle);
+}

@@ -29,12 +29,12 @@ pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Shape, f64) -> G) {
     show_lit(check, world(), [0.3, 2.6, 7.5], [0.3, 0.8, 0.0]);
 }
 
-pub const VARIANTS: &[Variant] = &[wrong("both normals lean", |c| {
-    check(c, |shape, by| {
+variants! { check:
+    wrong "both normals lean" => |shape, by| {
         let leaning = Sheared::new(shape, by);
         Own(move |ray: &Ray, i: Interval| {
             let Hit { t, normal, .. } = leaning.hit(ray, i)?;
             Some(Hit::new(t, normal))
         })
-    });
-})];
+    };
+}

@@ -45,32 +45,27 @@ fn unit(v: Vector3) -> Option<Normal3> {
     v.normalized().map(Vector3::as_normal)
 }
 
-pub const VARIANTS: &[Variant] = &[
-    right("a direction between two points", |c| {
-        let to_object = |t: &Transform, ray: &Ray| {
-            let [from, to] = [0.0, 1.0].map(|at| t.inverse() * ray.at(at));
-            Ray::derived(from, to - from)
-        };
-        check(c, to_object, |t, n| {
-            let [x, y, z, _] = t.inverse().rows().map(|[x, y, z, _]| Vector3::new(x, y, z));
-            unit(x * n.x() + y * n.y() + z * n.z())
-        });
-    }),
-    wrong("the inverse leads to the object", |c| {
-        let forward = |t: &Transform, ray: &Ray| {
-            Ray::derived(t.matrix() * ray.origin(), t.matrix() * ray.direction())
-        };
-        check(c, forward, normal_from_object);
-    }),
-    wrong("the direction keeps its length", |c| {
-        let shortened = |t: &Transform, ray: &Ray| {
-            let ray = t.ray_to_object(ray);
-            let d = ray.direction().normalized();
-            Ray::derived(ray.origin(), d.unwrap_or_default())
-        };
-        check(c, shortened, normal_from_object);
-    }),
-    wrong("a normal is no vector", |c| {
-        check(c, ray_to_object, |t, n| unit(t.matrix() * Vector3::from(n)));
-    }),
-];
+fn between_points(t: &Transform, ray: &Ray) -> Ray {
+    let [from, to] = [0.0, 1.0].map(|at| t.inverse() * ray.at(at));
+    Ray::derived(from, to - from)
+}
+
+fn forward(t: &Transform, ray: &Ray) -> Ray {
+    Ray::derived(t.matrix() * ray.origin(), t.matrix() * ray.direction())
+}
+
+fn shortened(t: &Transform, ray: &Ray) -> Ray {
+    let ray = t.ray_to_object(ray);
+    let d = ray.direction().normalized();
+    Ray::derived(ray.origin(), d.unwrap_or_default())
+}
+
+variants! { check:
+    right "a direction between two points" => between_points, |t, n| {
+        let [x, y, z, _] = t.inverse().rows().map(|[x, y, z, _]| Vector3::new(x, y, z));
+        unit(x * n.x() + y * n.y() + z * n.z())
+    };
+    wrong "the inverse leads to the object" => forward, normal_from_object;
+    wrong "the direction keeps its length" => shortened, normal_from_object;
+    wrong "a normal is no vector" => ray_to_object, |t, n| unit(t.matrix() * Vector3::from(n));
+}

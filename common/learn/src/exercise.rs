@@ -34,14 +34,14 @@ pub fn read_all() -> Result<Vec<Exercise>, String> {
 /// The exercise of this name. The error is the nearest name.
 pub fn find(course: &'static [Exercise], name: &str) -> Result<&'static Exercise, String> {
     let nearness = |e: &Exercise| strsim::jaro(e.name, name);
-    let nearest = course
-        .iter()
-        .max_by(|a, b| nearness(a).total_cmp(&nearness(b)));
-    let nearest = nearest.ok_or("there are no exercises")?;
-    let is_found = nearest.name == name;
-    is_found
-        .then_some(nearest)
-        .ok_or(format!("the nearest name is {}", nearest.name))
+    let by_nearness = |a: &&Exercise, b: &&Exercise| nearness(a).total_cmp(&nearness(b));
+    match course.iter().max_by(by_nearness) {
+        Some(e) if e.name == name => Ok(e),
+        nearest => Err(format!(
+            "the nearest is {}",
+            nearest.map_or("none", |e| e.name)
+        )),
+    }
 }
 
 /// The exercises of a page.
@@ -129,7 +129,7 @@ mod tests {
             assert!(!hints.is_empty() && !hints.contains("```rust"), "{name}");
             assert!(files::shortest(exercise.solution).exists(), "{name}");
             let check = files::read(&format!("{stage}/tests/exercises/{name}.rs")).unwrap();
-            assert!(!exercise.is_core || check.contains("right(\""), "{name}");
+            assert!(!exercise.is_core || check.contains("right \""), "{name}");
         }
         assert_eq!(files, names);
     }

@@ -16,13 +16,14 @@ const PAUSE: Duration = Duration::from_millis(20);
 /// Checks a student's file, unless it `stops` before. Records whether it is done, and returns
 /// it. A `loud` build shows that it goes on.
 pub fn judge(e: &Exercise, loud: bool, stops: &mut dyn FnMut() -> bool) -> Result<bool, String> {
+    let name = e.name;
     progress::record(e, false)?;
     let Some((built, messages)) = run(&mut build(e, loud), stops)? else {
         return Ok(false);
     };
     if !built.success() {
         // Cargo has printed why.
-        println!("{}: does not compile", e.name);
+        println!("{name}: does not compile");
         return Ok(false);
     }
     let end = Instant::now() + Duration::from_secs(LONGEST);
@@ -30,22 +31,19 @@ pub fn judge(e: &Exercise, loud: bool, stops: &mut dyn FnMut() -> bool) -> Resul
     let ended = run(check.env("RUST_BACKTRACE", "0"), &mut || {
         let is_late = Instant::now() > end;
         if is_late {
-            println!(
-                "{}: no end after {LONGEST} seconds, probably a loop without end",
-                e.name
-            );
+            println!("{name}: no end after {LONGEST} seconds, probably a loop without end");
         }
         is_late || stops()
     })?;
     match ended.map(|(status, _)| status.code()) {
         Some(Some(0)) => {
-            println!("{}: done", e.name);
+            println!("{name}: done");
             progress::record(e, true)?;
             return Ok(true);
         }
         // The program has said what is missing, or is stopped.
         Some(Some(3)) | None => {}
-        _ => println!("{}: not yet", e.name),
+        _ => println!("{name}: not yet"),
     }
     Ok(false)
 }

@@ -1,9 +1,8 @@
 //! `cargo learn`: leads through the exercises of all stages, and checks them on save.
 //!
-//! An exercise is a section of the book's page `aNN-exercises.md` and a starter, which
-//! is copied to a file of the student. The test program of the stage, built with that
-//! one file, judges it: `testing::exercises!` explains how. So a file that does not
-//! compile stops no other exercise and no test.
+//! An exercise is a section of the book's page `aNN-exercises.md` and a starter, which is
+//! copied to the student's file. The test program of the stage judges it, built with this file
+//! alone, so that a file that does not compile stops no other exercise.
 
 mod editor;
 mod exercise;
@@ -71,11 +70,8 @@ fn run() -> Result<ExitCode, String> {
     };
     match command {
         "hint" => {
-            return print(&format!(
-                "{}\n{}",
-                exercise.title,
-                exercise.hints.join("\n")
-            ));
+            let (title, hints) = (exercise.title, exercise.hints.join("\n"));
+            return print(&format!("{title}\n{hints}"));
         }
         "reset" => files::reset(exercise)?,
         "check" => {

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::mpsc::channel;
 use std::time::Duration;
-use std::{fs, thread};
+use std::{env, fs, thread};
 
 const WORKBOOK: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/workbook");
 const PAGE: &str = include_str!("../../../book/src/a01-exercises.md");
@@ -22,7 +22,8 @@ const BROKEN: &str = "pub fn check() -> i32 {";
 const ENDLESS: &str = "pub fn check() -> i32 { println!(\"starts\"); loop {} }";
 
 /// Exercise, the key that is typed or the text that is saved, and words of the answer.
-const STEPS: [(&str, &str, &str); 21] = [
+const STEPS: [(&str, &str, &str); 22] = [
+    ("set_pixel", "start", "to do"),
     ("set_pixel", "h", "Hint"),
     ("set_pixel", ENDLESS, "starts"),
     ("set_pixel", RIGHT, "set_pixel: done"),
@@ -50,31 +51,29 @@ const STEPS: [(&str, &str, &str); 21] = [
     ("ppm", ENDLESS, "ppm: no end after 10 seconds"),
 ];
 
-fn write(path: &str, text: &str) {
-    let path = Path::new(WORKBOOK).join(path);
-    fs::create_dir_all(path.parent().unwrap()).unwrap();
-    fs::write(path, text).unwrap();
-}
-
 fn learn(arguments: &[&str]) -> Command {
     let mut learn = Command::new(env!("CARGO_BIN_EXE_learn"));
     learn.env("CARGO_MANIFEST_DIR", [WORKBOOK, "/common/learn"].concat());
-    learn.args(arguments).current_dir(WORKBOOK);
+    learn.args(arguments);
     learn
 }
 
 #[test]
 fn each_step_is_answered() {
     let _ = fs::remove_dir_all(WORKBOOK);
-    write("Cargo.toml", PACKAGE);
-    write("book/src/a01-exercises.md", PAGE);
+    for folder in ["book/src", "a01-image-display/exercises/starters"] {
+        fs::create_dir_all(Path::new(WORKBOOK).join(folder)).unwrap();
+    }
+    env::set_current_dir(WORKBOOK).unwrap();
+    let file = |name: &str| format!("a01-image-display/exercises/{name}.rs");
     let modules = ["set_pixel", "diagonal", "ppm"].map(|name| {
-        let folder = "a01-image-display/exercises";
-        write(&format!("{folder}/starters/{name}.rs"), TO_DO);
-        format!("#[cfg({name})] #[path = \"{folder}/{name}.rs\"] mod yours;\n")
+        fs::write(file(&format!("starters/{name}")), TO_DO).unwrap();
+        format!("#[cfg({name})] #[path = \"{}\"] mod yours;\n", file(name))
     });
     let main = "fn main() { std::process::exit(yours::check()) }";
-    write("main.rs", &[&modules.concat(), main].concat());
+    fs::write("main.rs", [&modules.concat(), main].concat()).unwrap();
+    fs::write("Cargo.toml", PACKAGE).unwrap();
+    fs::write("book/src/a01-exercises.md", PAGE).unwrap();
 
     let output = learn(&["hint", "diagnal"]).output().unwrap();
     assert!(String::from_utf8_lossy(&output.stderr).contains("diagonal"));
@@ -86,6 +85,7 @@ fn each_step_is_answered() {
 
     let mut learn = learn(&[]);
     let learn = learn.stdin(Stdio::piped()).stdout(Stdio::piped());
+    let learn = learn.stderr(Stdio::null());
     let mut learn = learn.spawn().unwrap();
     let (sender, printed) = channel();
     let lines = BufReader::new(learn.stdout.take().unwrap()).lines();
@@ -94,20 +94,16 @@ fn each_step_is_answered() {
             .map_while(Result::ok)
             .try_for_each(|line| sender.send(line))
     });
-    let answered = |step: &str, words: &str| {
+    for (name, step, words) in STEPS {
+        match step {
+            "start" => {}
+            "deleted" => fs::remove_file(file(name)).unwrap(),
+            text if text.len() > 1 => fs::write(file(name), text).unwrap(),
+            key => writeln!(learn.stdin.as_mut().unwrap(), "{key}").unwrap(),
+        }
         let limit = if words.contains("seconds") { 20 } else { 9 };
         let line = || printed.recv_timeout(Duration::from_secs(limit));
         while !line().expect(step).contains(words) {}
-    };
-    answered("start", "to do");
-    for (name, step, words) in STEPS {
-        let file = format!("a01-image-display/exercises/{name}.rs");
-        match step {
-            "deleted" => fs::remove_file(Path::new(WORKBOOK).join(file)).unwrap(),
-            text if text.len() > 1 => write(&file, text),
-            key => writeln!(learn.stdin.as_mut().unwrap(), "{key}").unwrap(),
-        }
-        answered(step, words);
     }
     drop(learn.stdin.take());
     assert!(learn.wait().unwrap().success(), "the end of the input");

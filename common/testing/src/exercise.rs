@@ -10,9 +10,9 @@
 //!    Elsewhere write the solution, `exercises/solutions/NAME.rs`, with examples. The
 //!    student's part stands in `missing!("what is missing", a value for now, {`, ends with a
 //!    line `})`, and is cut out of the starter.
-//! 2. The check, `tests/exercises/NAME.rs`, compares the student's code with the
-//!    solution by [`Check::compare`]. Its `VARIANTS` are right solutions in another style,
-//!    and mistakes of learners: at least three with those of its kind ([`Check::usual`]).
+//! 2. The check, `tests/exercises/NAME.rs`, compares the student's code with the solution by
+//!    [`Check::compare`]. Its [`variants!`](crate::variants) are right solutions in another
+//!    style, and mistakes of learners: at least three with those of its kind ([`Check::usual`]).
 //! 3. Add a line to [`exercises!`](crate::exercises) in `tests/exercises/main.rs`, and a
 //!    section to the page `book/src/aNN-exercises.md`: task, minutes and hints.
 //! 4. `cargo test -p STAGE --test exercises -- NAME` proves it, shows the messages that
@@ -65,16 +65,26 @@ pub struct Exercise {
 /// about, and the check of its code.
 pub struct Variant(bool, &'static str, fn(&mut Check));
 
-/// A right solution in another style, which the check must accept.
+/// A right solution in another style.
 #[must_use]
 pub const fn right(about: &'static str, check: fn(&mut Check)) -> Variant {
     Variant(true, about, check)
 }
 
-/// A usual mistake, with a sentence that a learner can use, which the check must refuse.
+/// A usual mistake, with a sentence that a learner can use.
 #[must_use]
 pub const fn wrong(about: &'static str, check: fn(&mut Check)) -> Variant {
     Variant(false, about, check)
+}
+
+/// Writes `VARIANTS`: `variants! { check: right "in another style" => code; ... }`. The function
+/// is called with a check and the codes of each row.
+#[macro_export]
+macro_rules! variants {
+    ($check:ident: $($kind:ident $about:literal => $($code:expr),+;)+) => {
+        pub const VARIANTS: &[$crate::exercise::Variant] =
+            &[$($crate::exercise::$kind($about, |c| $check(c, $($code),+))),+];
+    };
 }
 
 /// The examples at the end of a starter: assertions, which run before the check.
@@ -102,16 +112,12 @@ macro_rules! examples {
 /// file of that name.
 #[macro_export]
 macro_rules! exercises {
-    (
-        use $names:tt;
-        starters { $($own:ident => $own_check:expr;)* }
-        solutions { $($name:ident => $check:expr;)* }
-    ) => {
+    (use $names:tt; starters $starters:tt solutions { $($name:ident => $check:expr;)* }) => {
         /// All names that checks and examples use.
         #[allow(unused_imports, ambiguous_glob_reexports)]
         mod prelude {
             pub use $names;
-            pub use $crate::{assert_close, exercise::*};
+            pub use $crate::{assert_close, exercise::*, variants};
             $(#[cfg(any(not(learn), $name))] pub use super::solutions::$name::*;)*
         }
 
@@ -123,10 +129,7 @@ macro_rules! exercises {
             $(#[cfg(any(not(learn), $name))] pub mod $name;)*
         }
 
-        $crate::exercises! {
-            starters { $($own => $own_check;)* }
-            solutions { $($name => $check;)* }
-        }
+        $crate::exercises! { starters $starters solutions { $($name => $check;)* } }
     };
     ($($folder:ident { $($name:ident => $check:expr;)* })+) => {
         $($(
