@@ -48,7 +48,7 @@ const STEPS: [(&str, &str, &str); 22] = [
         "n",
         "minutes, in a01-image-display/exercises/ppm.rs",
     ),
-    ("ppm", ENDLESS, "ppm: no end after 10 seconds"),
+    ("ppm", ENDLESS, "ppm: no end after 2 seconds"),
 ];
 
 fn learn(arguments: &[&str]) -> Command {
@@ -84,7 +84,10 @@ fn each_step_is_answered() {
     }
 
     let mut learn = learn(&[]);
-    let learn = learn.stdin(Stdio::piped()).stdout(Stdio::piped());
+    let learn = learn
+        .env("LEARN_SECONDS", "2")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped());
     let learn = learn.stderr(Stdio::null());
     let mut learn = learn.spawn().unwrap();
     let (sender, printed) = channel();
@@ -101,8 +104,7 @@ fn each_step_is_answered() {
             text if text.len() > 1 => fs::write(file(name), text).unwrap(),
             key => writeln!(learn.stdin.as_mut().unwrap(), "{key}").unwrap(),
         }
-        let limit = if words.contains("seconds") { 20 } else { 9 };
-        let line = || printed.recv_timeout(Duration::from_secs(limit));
+        let line = || printed.recv_timeout(Duration::from_secs(9));
         while !line().expect(step).contains(words) {}
     }
     drop(learn.stdin.take());
