@@ -37,3 +37,11 @@ const openTarget = () => {
 };
 addEventListener('hashchange', openTarget);
 openTarget();
+
+// On a phone a wide table folds, by the style sheet; its cells then need their heads.
+for (const table of document.querySelectorAll('main table')) {
+    const heads = [...table.querySelectorAll('th')].map((head) => head.textContent);
+    for (const row of table.tBodies[0]?.rows ?? []) {
+        [...row.cells].forEach((cell, column) => (cell.dataset.head = heads[column] ?? ''));
+    }
+}

@@ -281,6 +281,8 @@ async function tryAll() {
             await chromium.until(`${figure}.root.dataset.drawn`);
             const box = await chromium.value(`${figure}.root.scrollWidth - ${figure}.root.clientWidth`);
             expect(box <= 0, `the figure ${name} is ${box} pixels too wide on a phone`);
+            const handles = await chromium.value(`(${figure}.handles ?? []).map(({ circle }) => circle.getBoundingClientRect().width)`);
+            expect(handles.every((handle) => handle >= 32), `the figure ${name} has handles of ${handles} pixels on a phone`);
             await shot(`phone-${name}`, `${figure}.root`);
         }
     }
