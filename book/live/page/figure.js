@@ -13,6 +13,12 @@
 //         draw(pen, state, answer),
 //     });
 //
+// `picture` is the size of a picture that the module answers; with `over`, the drawing
+// lies over it. A figure whose state has `yaw` and `pitch` turns. One that `grows` is a
+// list of rows, `[page, heading, title, hint, more]`: it stands at the end of each of these
+// sections, with the row's number as `step` of its state; the other numbers are common.
+// `numbers` says how many of the state the module takes, if not all.
+//
 // The numbers come from the module alone: the code of the stages.
 live.figures = {};
 
@@ -73,8 +79,9 @@ live.Pen = class {
 };
 
 live.Figure = class {
-    constructor(name, figure, after) {
-        Object.assign(this, { name, figure });
+    constructor(name, figure, after, together = []) {
+        Object.assign(this, { name, figure, together });
+        together.push(this);
         this.state = { ...figure.state };
         this.change = live.newest(() => this.answer());
         this.root = live.element('figure', { className: 'live-figure' });
@@ -86,10 +93,11 @@ live.Figure = class {
         this.addValues();
         this.root.append(live.element('figcaption', {}, figure.hint));
         after.after(this.root);
+        this.isStale = true;
         // The module is loaded when the reader is about to see a figure.
-        new IntersectionObserver(([entry], observer) => {
-            if (entry.isIntersecting) {
-                observer.disconnect();
+        new IntersectionObserver(([entry]) => {
+            this.isSeen = entry.isIntersecting;
+            if (this.isSeen && this.isStale) {
                 this.change();
             }
         }, { rootMargin: '200px' }).observe(this.root);
@@ -116,8 +124,8 @@ live.Figure = class {
     }
 
     addDrawing() {
-        const { area, picture } = this.figure;
-        const drawings = live.element('div', { className: 'live-drawings' });
+        const { area, picture, over } = this.figure;
+        const drawings = live.element('div', { className: over ? 'live-drawings live-over' : 'live-drawings' });
         if (area) {
             this.area = area;
             const { height } = new live.Pen(area);
@@ -128,11 +136,14 @@ live.Figure = class {
             this.drawn = document.createElementNS('http://www.w3.org/2000/svg', 'g');
             this.svg.append(this.drawn);
             drawings.append(this.svg);
+            if ('yaw' in this.figure.state) {
+                this.turnBy(this.svg);
+            }
             this.handles = (this.figure.handles ?? []).map((handle) => this.addHandle(handle));
         }
         if (picture) {
             this.canvas = live.element('canvas', { width: picture[0], height: picture[1] });
-            drawings.append(this.canvas);
+            over ? drawings.prepend(this.canvas) : drawings.append(this.canvas);
         }
         this.root.append(drawings);
     }
@@ -144,35 +155,32 @@ live.Figure = class {
             circle.setAttribute(key, value);
         }
         const move = (x, y) => this.set(handle.move(this.state, x, y));
-        let dragged = false;
-        circle.onpointerdown = (event) => {
-            dragged = true;
-            circle.setPointerCapture(event.pointerId);
-        };
-        circle.onpointermove = (event) => {
-            if (dragged) {
-                const box = this.svg.getBoundingClientRect();
-                const shrunk = live.Pen.width / box.width;
-                const place = [(event.clientX - box.left) * shrunk, (event.clientY - box.top) * shrunk];
-                move(...this.inside(new live.Pen(this.area).from(place)));
-            }
-        };
-        circle.onpointerup = circle.onpointercancel = () => {
-            dragged = false;
-        };
-        circle.onkeydown = (event) => {
-            const step = (this.area.x[1] - this.area.x[0]) / 60;
-            const by = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
-            if (by) {
-                event.preventDefault();
-                // The book turns pages with the arrow keys.
-                event.stopPropagation();
-                const [x, y] = handle.at(this.state);
-                move(...this.inside([x + by[0] * step, y + by[1] * step]));
-            }
-        };
+        live.drag(circle, (event) => {
+            const box = this.svg.getBoundingClientRect();
+            const shrunk = live.Pen.width / box.width;
+            const place = [(event.clientX - box.left) * shrunk, (event.clientY - box.top) * shrunk];
+            move(...this.inside(new live.Pen(this.area).from(place)));
+        });
+        const step = (this.area.x[1] - this.area.x[0]) / 60;
+        live.arrows(circle, (right, up) => {
+            const [x, y] = handle.at(this.state);
+            move(...this.inside([x + right * step, y + up * step]));
+        });
         this.svg.append(circle);
         return { ...handle, circle };
+    }
+
+    // A drag beside the handles, or arrow keys, turn the view of a figure.
+    turnBy(svg) {
+        const turn = (right, up) => this.set({
+            yaw: this.state.yaw - right,
+            pitch: Math.min(Math.max(this.state.pitch - up, 0.05), 1.5),
+        });
+        svg.setAttribute('tabindex', 0);
+        svg.setAttribute('aria-label', `${this.figure.title}. Arrow keys turn.`);
+        svg.classList.add('live-turns');
+        live.drag(svg, (_, right, down) => turn(right * 0.01, -down * 0.01));
+        live.arrows(svg, (right, up) => turn(right * 0.1, up * 0.1));
     }
 
     inside([x, y]) {
@@ -210,13 +218,21 @@ live.Figure = class {
 
     // Changes numbers of the state; resolves once they are answered and drawn.
     set(numbers) {
-        Object.assign(this.state, numbers);
+        for (const figure of this.together) {
+            const { step } = figure.state;
+            Object.assign(figure.state, numbers, step === undefined ? {} : { step });
+            figure.isStale = true;
+            if (figure !== this && figure.isSeen) {
+                figure.change();
+            }
+        }
         return this.change();
     }
 
     async answer() {
+        this.isStale = false;
         try {
-            const answer = await live.ask(this.name, Object.values(this.state));
+            const answer = await live.ask(this.name, Object.values(this.state).slice(0, this.figure.numbers));
             // Some figures need a second answer.
             const more = await this.figure.more?.(this.state);
             this.show({ ...more, ...answer });
@@ -251,15 +267,73 @@ live.Figure = class {
     }
 };
 
-// Shows a figure on the page that has its diagram, behind the diagram's caption.
+// Shows a figure on the page that has its diagram, behind the diagram's caption; or one that
+// grows, at the end of its sections.
 live.figure = (name, figure) => {
-    const image = live.works && document.querySelector(`main img[src$="${figure.below}"]`);
+    if (!live.works) {
+        return;
+    }
+    const image = figure.below && document.querySelector(`main img[src$="${figure.below}"]`);
     if (image) {
         const paragraph = image.closest('p');
         const caption = paragraph.nextElementSibling;
         live.figures[name] = new live.Figure(name, figure, caption?.matches('p') ? caption : paragraph);
     }
+    const together = [];
+    (figure.grows ?? []).forEach(([page, heading, title, hint, more], step) => {
+        let last = location.pathname.includes(page) && document.querySelector(`main > h2#${heading}`);
+        while (last?.nextElementSibling && !last.nextElementSibling.matches('h2, details')) {
+            last = last.nextElementSibling;
+        }
+        if (last) {
+            const row = { ...figure, title, hint, ...more, state: { ...figure.state, ...more?.state, step } };
+            live.figures[`${name}-${step}`] = new live.Figure(name, row, last, together);
+        }
+    });
 };
+
+// Calls `move` with the event, and how far to the right and down, while an element is dragged.
+live.drag = (element, move) => {
+    let last;
+    element.addEventListener('pointerdown', (event) => {
+        if (event.target === element || !event.target.closest('.live-handle')) {
+            last = [event.clientX, event.clientY];
+            element.setPointerCapture(event.pointerId);
+        }
+    });
+    element.addEventListener('pointermove', (event) => {
+        if (last) {
+            const [x, y] = last;
+            last = [event.clientX, event.clientY];
+            move(event, event.clientX - x, event.clientY - y);
+        }
+    });
+    for (const end of ['pointerup', 'pointercancel']) {
+        element.addEventListener(end, () => (last = undefined));
+    }
+};
+
+// Calls `move` with 1, 0 or -1 to the right and upwards when an arrow key is pressed.
+live.arrows = (element, move) => {
+    element.addEventListener('keydown', (event) => {
+        const by = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+        if (by) {
+            event.preventDefault();
+            // The book turns pages with the arrow keys, and handles lie in figures that turn.
+            event.stopPropagation();
+            move(...by);
+        }
+    });
+};
+
+// Space on the page: a parallel view of a point, turned by the yaw and the pitch of a state.
+live.flat = ({ yaw, pitch }, [x, y, z]) => {
+    const [sine, cosine] = [Math.sin(yaw), Math.cos(yaw)];
+    return [cosine * x - sine * z, Math.cos(pitch) * y - Math.sin(pitch) * (sine * x + cosine * z)];
+};
+
+// A list of coordinates as points of space.
+live.points = (list = []) => Array.from({ length: list.length / 3 }, (_, i) => list.slice(3 * i, 3 * i + 3));
 
 // A handle for two numbers of the state.
 live.handle = (label, x, y) => ({

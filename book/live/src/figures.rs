@@ -11,6 +11,7 @@ mod lift;
 mod mirrors;
 mod normals;
 mod samples;
+mod scene;
 mod shading;
 mod slabs;
 mod sphere;
@@ -19,7 +20,8 @@ mod vectors;
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Interval};
+use a04_intersections::{Geometry, Interval, World};
+use a06_shadows_reflection::secondary_ray;
 use common::Error;
 
 use crate::Answered;
@@ -27,7 +29,7 @@ use crate::Answered;
 /// Answers for the figure of this name.
 pub fn answer(figure: &str, numbers: &[f64]) -> Answered {
     match figure {
-        "color" => Ok(color::answer(expect(figure, numbers)?)),
+        "color" => color::answer(expect(figure, numbers)?),
         "vectors" => Ok(vectors::answer(expect(figure, numbers)?)),
         "angle" => Ok(angle::answer(expect(figure, numbers)?)),
         "sphere" => sphere::answer(expect(figure, numbers)?),
@@ -37,6 +39,7 @@ pub fn answer(figure: &str, numbers: &[f64]) -> Answered {
         "shading" => shading::answer(expect(figure, numbers)?),
         "samples" => Ok(samples::answer(expect(figure, numbers)?)),
         "sample-errors" => Ok(samples::errors(expect(figure, numbers)?)),
+        "scene" => scene::answer(expect(figure, numbers)?),
         "slabs" => slabs::answer(expect(figure, numbers)?),
         "barycentric" => barycentric::answer(expect(figure, numbers)?),
         "spot" => spot::answer(expect(figure, numbers)?),
@@ -88,4 +91,29 @@ fn both_hits(shape: &impl Geometry, ray: &Ray) -> Vec<f64> {
         line.min = hit.t;
     }
     hits
+}
+
+/// The points of a ray's path, from its origin over at most `depth` surfaces, and how many
+/// it hits; those that mirror reflect it.
+fn path<S>(
+    world: &World<S>,
+    mut ray: Ray,
+    depth: u32,
+    mirrors: impl Fn(&S) -> bool,
+) -> (Vec<Point3>, usize) {
+    let mut path = vec![ray.origin()];
+    for hits in 0..depth as usize {
+        let Some((hit, surface)) = world.hit(&ray, Interval::AHEAD) else {
+            path.push(ray.at(10.0));
+            return (path, hits);
+        };
+        path.push(ray.at(hit.t));
+        if !mirrors(surface) {
+            break;
+        }
+        let reflected = (-ray.direction()).reflected_on(hit.normal);
+        ray = secondary_ray(&ray, &hit, reflected);
+    }
+    let hits = path.len() - 1;
+    (path, hits)
 }

@@ -151,7 +151,7 @@ const settings = (figure) => `(() => {
     return [0, 1, 2, 3, 4].map((round) => {
         const entries = Object.entries(state).map(([name, value], index) => {
             const { min, max, step, choices } = sliders[name] ?? {};
-            if (round === 0) return [name, value];
+            if (round === 0 || name === 'step') return [name, value];
             if (choices) return [name, round % choices.length];
             if (step) return [name, min + step * Math.floor(((max - min) / step) * ((round + 0.5) / 5))];
             return [name, value + 0.07 * round * (index % 2 ? 1 : -1)];
@@ -163,7 +163,8 @@ const settings = (figure) => `(() => {
 // Displayed values against those that the native library gives.
 async function tryValues(name, figure) {
     const states = await chromium.value(settings(figure));
-    const requests = states.map((state) => [name, ...Object.values(state)].join(' '));
+    const [request, count] = await chromium.value(`[${figure}.name, ${figure}.figure.numbers]`);
+    const requests = states.map((state) => [request, ...Object.values(state).slice(0, count ?? undefined)].join(' '));
     const { stdout } = spawnSync(answers, { input: requests.join('\n'), encoding: 'utf8' });
     for (const [index, line] of stdout.trimEnd().split('\n').entries()) {
         await chromium.value(`${figure}.set(${JSON.stringify(states[index])}).then(() => 0)`);
@@ -187,7 +188,7 @@ async function tryValues(name, figure) {
 async function tryQuestion(name, figure) {
     const asked = () => chromium.value(`${figure}.root.dataset.asked !== undefined`);
     if (!(await asked())) {
-        expect(false, `${name}: has no question before the answer`);
+        expect(await chromium.value(`${figure}.figure.grows`), `${name}: has no question before the answer`);
         return;
     }
     await chromium.click(`${figure}.root.querySelector('.live-question button')`);
@@ -220,6 +221,19 @@ async function tryFigure(name) {
         await chromium.key('ArrowUp');
         expect((await state()) !== before, `${label}: does not answer the keyboard`);
     }
+    if (await chromium.value(`'yaw' in ${figure}.state`)) {
+        const yaw = () => chromium.value(`${figure}.state.yaw`);
+        const before = await yaw();
+        // At a corner there is no handle.
+        const [x, y] = await chromium.value(`(({ x, y }) => [x + 5, y + 5])(${figure}.svg.getBoundingClientRect())`);
+        await chromium.swipe(x, y, 20, 10);
+        const dragged = await yaw();
+        expect(dragged !== before, `${name}: does not turn by a drag`);
+        await chromium.value(`${figure}.svg.focus()`);
+        await chromium.key('ArrowLeft');
+        expect((await yaw()) > dragged, `${name}: does not turn by an arrow key`);
+        expect(await chromium.value(`${figure}.together.every((other) => other.state.yaw === ${figure}.state.yaw)`), `${name}: turns alone`);
+    }
     const sliders = await chromium.value(`[...${figure}.root.querySelectorAll('.live-controls input')].length`);
     if (sliders) {
         await settled();
@@ -238,6 +252,23 @@ async function tryFigure(name) {
     await tryValues(name, figure);
     await chromium.value(`${figure}.set(${figure}.figure.state).then(() => 0)`);
     await shot(`figure-${name}`, `${figure}.root`);
+}
+
+// A word points to lines of the listing and to parts of the figure, by mouse and keyboard.
+async function tryWords() {
+    await open('a04-intersections.html');
+    const word = `live.words.find((word) => word.textContent === 'near')`;
+    await chromium.middle(`live.figures.slabs.root`);
+    await chromium.until(`live.figures.slabs.root.dataset.drawn`);
+    const pointed = () => chromium.value(`[CSS.highlights.get('live-pointed')?.size ?? 0, document.querySelectorAll('.live-pointed').length]`);
+    await chromium.mouse('mouseMoved', ...(await chromium.middle(word)));
+    await chromium.until(`CSS.highlights.has('live-pointed')`);
+    const byMouse = await pointed();
+    expect(byMouse.every((count) => count >= 3), `the word near points to ${byMouse} lines and shapes`);
+    await chromium.mouse('mouseMoved', 1, 1);
+    await chromium.until(`!CSS.highlights.has('live-pointed')`);
+    await chromium.value(`${word}.focus()`);
+    expect(`${await pointed()}` === `${byMouse}`, 'a word points elsewhere by keyboard');
 }
 
 async function tryAll() {
@@ -267,6 +298,10 @@ async function tryAll() {
     }
     console.log(`${found.size} live pictures have the locked bytes; ${pairs.length} pairs slide; ${figures.length} figures answer: ${figures.map(([, name]) => name).join(', ')}`);
 
+    for (const [name, steps] of [['vectors', 5], ['camera', 6], ['scene', 16]]) {
+        expect(figures.filter(([, figure]) => figure.startsWith(`${name}-`)).length === steps, `a section of the figure ${name} has another heading`);
+    }
+    await tryWords();
     await tryTools();
 
     // A phone, in the dark.

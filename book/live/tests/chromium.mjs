@@ -113,7 +113,10 @@ export class Chromium {
     }
 
     async drag(element, right, down) {
-        const [x, y] = await this.middle(element);
+        await this.swipe(...(await this.middle(element)), right, down);
+    }
+
+    async swipe(x, y, right, down) {
         await this.mouse('mouseMoved', x, y);
         await this.mouse('mousePressed', x, y);
         const pressed = { button: 'left', buttons: 1 };

@@ -1,12 +1,10 @@
-// A camera in the scene: its eye, gaze, up vector and opening, and the picture.
+// A camera that grows: a ray from its eye, its axes, and the rays through its picture.
 {
-    // A parallel projection of space for the drawing, from the side and from above; and
-    // back, for a known height.
-    const [cos, sin, tilt] = [Math.cos(-0.45), Math.sin(-0.45), 0.34];
-    const flat = ([x, y, z]) => [cos * x - sin * z, 0.94 * y - tilt * (sin * x + cos * z)];
-    const unflat = (px, py, y) => {
-        const depth = (0.94 * y - py) / tilt;
-        return { x: cos * px + sin * depth, z: cos * depth - sin * px };
+    const flat = live.flat;
+    // The point of this height in the drawing.
+    const unflat = ({ yaw, pitch }, px, py, y) => {
+        const depth = (Math.cos(pitch) * y - py) / Math.sin(pitch);
+        return { x: Math.cos(yaw) * px + Math.sin(yaw) * depth, z: Math.cos(yaw) * depth - Math.sin(yaw) * px };
     };
     const add = (p, v, t = 1) => p.map((x, i) => x + t * v[i]);
 
@@ -31,65 +29,98 @@
         return add(add(eye(state), g, ahead), v, ahead * Math.tan((state.opening * radians) / 2));
     };
 
+    const eyeHandle = {
+        label: 'the eye, at its height',
+        at: (state) => flat(state, eye(state)),
+        move: (state, px, py) => unflat(state, px, py, state.y),
+    };
+    const gazeHandle = live.follow('the gaze', (state) => flat(state, add(eye(state), gaze(state), ahead)), {
+        around: [-180, 180],
+        upwards: [-80, 80],
+    });
+
     live.figure('camera', {
-        below: 'camera-basis.svg',
-        title: 'Drag the eye, the gaze, the up vector and the opening',
-        hint: 'Four handles: the eye, at its height; the middle of the picture, for the gaze; the end of the up vector t, dashed; the middle of the upper edge, for the opening. u, v and w are computed by Basis::new, and the edges of the pyramid are the rays through the corners of the picture on the right, rendered by the lesson.',
-        question: {
-            text: 'The up vector leans to the right. In the picture, the objects lean…',
-            choices: ['to the left', 'to the right', 'not at all'],
-            right: 0,
-            because: 'the picture’s upward axis v follows the up vector; seen from a head that leans right, the world leans left.',
-        },
         area: { x: [-3.8, 7.4], y: [-1.9, 5.5] },
-        state: { x: 4, y: 4, z: 4, around: 45, upwards: -35, roll: 0, opening: 45 },
-        sliders: {
-            y: { label: 'height of the eye', min: 0.2, max: 6, step: 0.1 },
-            around: { label: 'gaze around', min: -180, max: 180, step: 1 },
-            upwards: { label: 'gaze upwards', min: -80, max: 80, step: 1 },
-            roll: { label: 'up vector leans', min: -80, max: 80, step: 1 },
-            opening: { label: 'opening angle', min: 5, max: 120, step: 1 },
-        },
+        state: { x: 4, y: 4, z: 4, around: 45, upwards: -35, roll: 0, opening: 45, step: 0, yaw: -0.45, pitch: 0.35 },
+        numbers: 8,
         handles: [
-            {
-                label: 'the eye, at its height',
-                at: (state) => flat(eye(state)),
-                move: ({ y }, px, py) => unflat(px, py, y),
-            },
-            live.follow('the gaze', (state) => flat(add(eye(state), gaze(state), ahead)), {
-                around: [-180, 180],
-                upwards: [-80, 80],
-            }),
-            live.follow('the up vector', (state) => flat(add(eye(state), up(state), 1.8)), { roll: [-80, 80] }),
-            live.follow('the opening', (state) => flat(top(state)), { opening: [5, 120] }),
+            eyeHandle,
+            gazeHandle,
+            live.follow('the up vector', (state) => flat(state, add(eye(state), up(state), 1.8)), { roll: [-80, 80] }),
+            live.follow('the opening', (state) => flat(state, top(state)), { opening: [5, 120] }),
         ],
         picture: [240, 180],
-        values: {
-            'u.0': 'u =', 'u.1': '', 'u.2': '',
-            'v.0': 'v =', 'v.1': '', 'v.2': '',
-            'w.0': 'w =', 'w.1': '', 'w.2': '',
-        },
-        draw(pen, state, { u, v, w, gaze, up, corners }) {
+        draw(pen, state, { u, v, w, gaze, up, origins, corners, samples }) {
+            const { step } = state;
             const e = eye(state);
-            const outline = (points, kind) => pen.path(points.map(flat), kind, true);
+            const to = (point) => flat(state, point);
+            const outline = (points, kind) => pen.path(points.map(to), kind, true);
             outline([[-3, 0, -3], [3, 0, -3], [3, 0, 3], [-3, 0, 3]], 'thin');
-            const box = (y) => [[-1.5, y, 0.5], [-0.5, y, 0.5], [-0.5, y, 1.5], [-1.5, y, 1.5]];
-            outline(box(0.5), 'a');
-            outline(box(1.5), 'a pale');
-            pen.circle(flat([1, 1, 1]), 0.5, 'c pale');
-            outline([[0, 0, -1], [1, 0, -1], [1, 1, -1]], 'b pale');
+            if (step !== 4) {
+                const box = (y) => [[-1.5, y, 0.5], [-0.5, y, 0.5], [-0.5, y, 1.5], [-1.5, y, 1.5]];
+                outline(box(0.5), 'a');
+                outline(box(1.5), 'a pale');
+                pen.circle(to([1, 1, 1]), 0.5, 'c pale');
+                outline([[0, 0, -1], [1, 0, -1], [1, 1, -1]], 'b pale');
+            }
+            pen.dot(to(e), 'ink');
+            pen.line(to(e), to([e[0], 0, e[2]]), 'thin');
+            if (step === 0) {
+                pen.arrow(to(e), to(add(e, gaze, 8)), 'ink');
+                for (let t = 0; t < 8; t += 1) {
+                    pen.dot(to(add(e, gaze, t)), 'b', 3);
+                    pen.text(to(add(e, gaze, t)), t % 2 ? '' : `t = ${t}`, 'b');
+                }
+                return;
+            }
+            [[u, 'a part-right', 'u'], [v, 'c', 'v'], [w, 'b', 'w']].forEach(([axis, kind, name]) => {
+                pen.arrow(to(e), to(add(e, axis, 1.3)), kind);
+                pen.text(to(add(e, axis, 1.5)), name, kind);
+            });
+            pen.line(to(e), to(add(e, up, 1.8)), 'thin');
+            pen.text(to(add(e, up, 1.8)), 't');
+            if (step === 1) {
+                return;
+            }
             // The rays, up to the plane of the picture.
             const along = (d) => ahead / d.reduce((sum, x, i) => sum + x * gaze[i], 0);
-            const picture = [0, 3, 6, 9].map((i) => corners.slice(i, i + 3)).map((d) => add(e, d, along(d)));
-            picture.forEach((corner) => pen.line(flat(e), flat(corner), 'thin'));
+            const starts = live.points(origins);
+            const directions = live.points(corners);
+            const picture = directions.map((d, i) => add(starts[i], d, along(d)));
+            picture.forEach((corner, i) => pen.line(to(starts[i]), to(corner), 'thin'));
             outline(picture, 'ink pale');
-            [[u, 'a', 'u'], [v, 'c', 'v'], [w, 'b', 'w']].forEach(([axis, kind, name]) => {
-                pen.arrow(flat(e), flat(add(e, axis, 1.3)), kind);
-                pen.text(flat(add(e, axis, 1.5)), name, kind);
-            });
-            pen.line(flat(e), flat(add(e, up, 1.8)), 'thin');
-            pen.text(flat(add(e, up, 1.8)), 't');
-            pen.line(flat(e), flat([e[0], 0, e[2]]), 'thin');
+            if (step === 2) {
+                outline(starts, 'ink');
+            } else if (step === 5) {
+                live.points(samples).forEach((d) => pen.line(to(e), to(add(e, d, along(d))), 'b'));
+            }
         },
+        grows: [
+            ['a03', 'the-ray', 'A ray from an eye', 'The line is the ray, the dots are Ray::at for each t: a step of t is one length of the direction, which is 1. The picture is the goal of the chapter: it has a ray of this kind for each pixel. Drag the eye and the gaze, or turn the drawing by a drag beside them.', { handles: [eyeHandle, gazeHandle] }],
+            ['a03', 'the-cameras-own-axes', 'Three axes on the eye', 'Handles: the eye, at its height; the gaze; the end of the up vector t, dashed; the opening angle. The axes u, v and w are computed by Basis::new. A drag beside the handles turns the drawing.', {
+                question: {
+                    text: 'The up vector leans to the right. In the picture, the objects lean…',
+                    choices: ['to the left', 'to the right', 'not at all'],
+                    right: 0,
+                    because: 'the picture’s upward axis v follows the up vector; seen from a head that leans right, the world leans left.',
+                },
+                sliders: {
+                    y: { label: 'height of the eye', min: 0.2, max: 6, step: 0.1 },
+                    around: { label: 'gaze around', min: -180, max: 180, step: 1 },
+                    upwards: { label: 'gaze upwards', min: -80, max: 80, step: 1 },
+                    roll: { label: 'up vector leans', min: -80, max: 80, step: 1 },
+                    opening: { label: 'opening angle', min: 5, max: 120, step: 1 },
+                },
+                values: {
+                    'u.0': 'u =', 'u.1': '', 'u.2': '',
+                    'v.0': 'v =', 'v.1': '', 'v.2': '',
+                    'w.0': 'w =', 'w.1': '', 'w.2': '',
+                },
+            }],
+            ['a03', 'orthographic', 'All rays are parallel', 'The rays through the corners of the picture start in a rectangle around the eye, by OrthographicCamera. In the picture, edges that are parallel stay so.'],
+            ['a03', 'perspective', 'All rays start in the eye', 'The edges of the pyramid are the rays through the corners of the picture, by PerspectiveCamera. A wider opening shows more, and all of it smaller.'],
+            ['a03', 'the-striped-sky', 'A sky', 'The rays meet nothing: their directions alone choose the stripes. Let the gaze climb, and the stripes bend.', { state: { upwards: 0 } }],
+            ['a03', 'many-rays-a-pixel', 'Sixteen rays a pixel', 'The fan goes through one pixel, drawn as large as a quarter of the picture is wide, at the stratified places of Sampler. The edges in the picture have no stairs any more.'],
+        ],
     });
 }

@@ -26,7 +26,7 @@ live.figure('lambert', {
         pen.line([-foot, 0], [foot, 0], 'b wide');
         pen.arrow([0, 0], [0, 1], 'c');
         pen.text([0, 1], 'n', 'c');
-        pen.arrow([0, 0], at([0, 0], 0.9), 'b');
+        pen.arrow([0, 0], at([0, 0], 0.9), 'b part-light');
         pen.text(at([0, 0], 0.8), 'l', 'b');
         if (cosine <= 0) {
             pen.text([0, 0.4], 'behind the floor: no light');

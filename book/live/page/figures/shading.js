@@ -26,9 +26,9 @@ live.figure('shading', {
         pen.text([0, 1.1], 'n', 'c');
         pen.arrow(o, at(light, 1.1), 'b');
         pen.text(at(light, 1.2), 'light', 'b', 'middle');
-        pen.arrow(o, reflected, 'thin');
+        pen.arrow(o, reflected, 'thin part-cosine');
         pen.text(reflected, 'r');
-        pen.arrow(at(eye, 1.1), o, 'ink');
+        pen.arrow(at(eye, 1.1), o, 'ink part-cosine');
         pen.text(at(eye, 1.2), 'eye', '', 'middle');
     },
 });

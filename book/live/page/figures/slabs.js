@@ -44,7 +44,7 @@ live.figure('slabs', {
             const y = -2.45 - 0.4 * row;
             pen.text([-2.95, y - 0.22], name, kind);
             if (slab.length) {
-                pen.line([along(slab[0]), y], [along(slab[1]), y], `${kind} wide`);
+                pen.line([along(slab[0]), y], [along(slab[1]), y], `${kind} wide part-near_axis part-far_axis`);
             }
         });
         pen.line([along(0), -3.5], [along(9.6), -3.5], 'ink');
@@ -53,6 +53,11 @@ live.figure('slabs', {
             pen.text([along(t), -3.95], `${t}`, '', 'middle');
         });
         pen.text([along(9.2), -3.95], 't', '', 'middle');
-        both.forEach((t) => pen.line([along(t), -2.2], [along(t), -3.5], 'b thin'));
+        both.forEach((t, i) => {
+            const name = ['near', 'far'][i];
+            pen.line([along(t), -2.2], [along(t), -3.5], `b thin part-${name}`);
+            pen.dot(at(t), `b part-${name}`);
+            pen.text([along(t), -2.2], name, `b part-${name}`, 'middle');
+        });
     },
 });

@@ -2,7 +2,7 @@
 live.figure('sphere', {
     below: 'sphere-quadratic.svg',
     title: 'Drag the ray and the sphere, then move the origin far away',
-    hint: 'The roots t₀ and t₁, counted from the origin of the ray, by the code of this stage and by the protocol’s formula, whose rings in the drawing then leave the dots of ours. Errors are against a computation with 30 digits, in radii. Our discriminant r² − l·l is shown times 4a, which makes it b² − 4ac.',
+    hint: 'The roots t₀ and t₁, counted from the origin of the ray, by the code of this stage and by the protocol’s formula: from far away its rings leave the dots of ours, and the dashed circle is the sphere that it sees. Errors are against a computation with 30 digits, in radii. Our discriminant r² − l·l is shown times 4a, which makes it b² − 4ac.',
     question: {
         text: 'A double has 16 digits. From how far away does the protocol’s formula no longer find the sphere where it is?',
         choices: ['a million radii', 'a hundred million radii', 'never'],
@@ -10,7 +10,7 @@ live.figure('sphere', {
         because: 'b² and 4ac are as large as the squared distance. At 10⁸ radii that is 10¹⁶, and they agree in all 16 digits: their difference, which decides hit or miss, is rounding. Slide the distance up and watch both errors and discriminants.',
     },
     area: { x: [-2.4, 2.4], y: [-1.5, 1.5] },
-    state: { x: -0.6, y: 0.5, angle: 0.1, power: 0.3, cx: 0, cy: 0 },
+    state: { x: -0.5, y: 0.5, angle: 0.1, power: 0.2, cx: 0, cy: 0 },
     sliders: {
         power: { label: 'distance of the origin: 10 to the', min: 0, max: 8.5, step: 0.1 },
     },
@@ -30,20 +30,48 @@ live.figure('sphere', {
         our_discriminant: 'ours',
         protocol_discriminant: 'protocol',
     },
-    draw(pen, { x, y, power, cx, cy }, { origin, direction: [dx, dy], ours, protocol }) {
+    draw(pen, { x, y, angle, power, cx, cy }, { direction: [dx, dy], ours, protocol }) {
         const far = 10 ** power;
         // From the point that the reader drags, since the origin may be far away.
         const at = (t) => [x + (t - far) * dx, y + (t - far) * dy];
+        // An origin beyond the drawing is drawn at its border, behind a gap in the ray.
+        const nearest = Math.min(far, dx ? (x + Math.sign(dx) * 2.15) / dx : far, dy ? (y + Math.sign(dy) * 1.3) / dy : far);
+        const [isFar, origin] = [nearest < far, at(far - Math.max(nearest, 0))];
         pen.circle([cx, cy], 1, 'a pale');
-        pen.dot([cx, cy], 'a');
-        pen.arrow(at(Math.max(0, far - 6)), at(far + 6), 'ink');
+        pen.arrow(origin, at(far + 6), 'ink');
         pen.dot(origin, 'ink');
-        pen.text(origin, 'o');
+        pen.text([origin[0], origin[1] - 0.35], isFar ? `o, ${live.show(Number(far.toPrecision(2)))} radii away` : 'o', '', dx < 0 ? 'end' : 'start');
+        if (isFar) {
+            [0.22, 0.28].forEach((t) => {
+                const [gx, gy] = [origin[0] + t * dx, origin[1] + t * dy];
+                pen.line([gx - 0.03, gy - 0.1], [gx + 0.03, gy + 0.1], 'ink');
+            });
+        }
+        // The sphere that the protocol's roots belong to: their middle instead of ours.
+        if (protocol.length) {
+            const along = (cx - x) * dx + (cy - y) * dy;
+            const beside = [cx - x - along * dx, cy - y - along * dy];
+            const middle = (protocol[0] + protocol[1]) / 2;
+            const [mx, my] = at(middle);
+            pen.circle([mx + beside[0], my + beside[1]], Math.hypot(...beside, (protocol[1] - protocol[0]) / 2), 'b thin');
+        } else {
+            pen.text([cx, cy + 1.1], 'protocol: no hit', 'b', 'middle');
+        }
         protocol.forEach((t) => pen.circle(at(t), 0.09, 'b'));
+        if (ours.length) {
+            const middle = at((ours[0] + ours[1]) / 2);
+            pen.line([cx, cy], middle, 'a thin');
+            pen.line(middle, at(ours[1]), 'c part-discriminant');
+            pen.dot(middle, 'ink part-middle', 3);
+            pen.text(middle, 'm', 'part-middle', 'middle');
+        }
         ours.forEach((t, i) => {
             pen.dot(at(t), 'c');
-            pen.text(at(t), ['t₀', 't₁'][i], 'c');
+            pen.text(at(t), ['t₀', 't₁'][i], 'c', 'end');
         });
-        pen.text([-2.35, -1.45], 'filled: ours, rings: protocol');
+        pen.text([x, y], 'point');
+        pen.text([x + 0.7 * Math.cos(angle), y + 0.7 * Math.sin(angle)], 'd');
+        pen.text([cx, cy], 'c', 'a');
+        pen.text([-2.35, -1.45], 'filled: ours; rings and dashes: protocol');
     },
 });

@@ -19,9 +19,9 @@ live.figure('spot', {
         const at = (angle, length) => [length * Math.cos(angle), length * Math.sin(angle)];
         const rim = Array.from({ length: 33 }, (_, i) => at(axis - half + (half * i) / 16, 6));
         pen.path([[0, 0], ...rim], 'b pale', true);
-        pen.arrow([0, 0], at(axis, 1.4), 'ink');
+        pen.arrow([0, 0], at(axis, 1.4), 'ink part-direction');
         pen.arrow([0, 0], [x, y], lit ? 'b' : 'thin');
-        pen.dot([0, 0], 'b', 6);
+        pen.dot([0, 0], 'b part-source', 6);
         pen.text([x, y], lit ? 'lit' : 'dark');
     },
 });

@@ -1,17 +1,27 @@
 //! A camera: its axes, the rays through the corners of its picture, and the picture.
 
 use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{Camera, PerspectiveCamera, render};
+use a03_rays_cameras::{
+    Camera, OrthographicCamera, PerspectiveCamera, PinholeCamera, Ray, Sampler, StripeRule,
+    StripedSky, render,
+};
 use a05_lighting::scenes::phong;
-use common::{Settings, Size};
+use common::{Sampling, Settings, Size};
 
 use super::Answered;
 use crate::picture::pixels;
 
+/// The steps of the page that are not the perspective camera with one ray a pixel before
+/// the scene `phong`.
+const ORTHOGRAPHIC: f64 = 2.0;
+const SKY: f64 = 4.0;
+const SAMPLES: f64 = 5.0;
+
 /// Numbers: the eye, the gaze as angles around the vertical and upwards, the angle of
-/// the up vector around the gaze of the world, and the opening angle; in degrees. The
-/// picture shows the scene `phong`.
-pub fn answer([x, y, z, around, upwards, roll, opening]: [f64; 7]) -> Answered {
+/// the up vector around the gaze of the world, and the opening angle, in degrees; the step.
+/// The corners are the directions of rays, each with its origin; the samples are the
+/// directions through a pixel of a quarter of the picture.
+pub fn answer([x, y, z, around, upwards, roll, opening, step]: [f64; 8]) -> Answered {
     let [around, upwards, roll, opening] = [around, upwards, roll, opening].map(f64::to_radians);
     let e = Point3::new(x, y, z);
     let level = libm::cos(upwards);
@@ -22,33 +32,51 @@ pub fn answer([x, y, z, around, upwards, roll, opening]: [f64; 7]) -> Answered {
     );
     let right = Vector3::new(libm::cos(around), 0.0, -libm::sin(around));
     let up = Vector3::new(0.0, libm::cos(roll), 0.0) + right * libm::sin(roll);
-    let camera = PerspectiveCamera::new(e, gaze, up, opening)?;
+    let perspective = PerspectiveCamera::new(e, gaze, up, opening)?;
+    let basis = perspective.basis();
+    let camera: Box<dyn Camera> = if step == ORTHOGRAPHIC {
+        let height = 5.0 * libm::tan(opening / 2.0);
+        Box::new(OrthographicCamera::new(e, gaze, up, height)?)
+    } else {
+        Box::new(perspective)
+    };
 
-    let size = Size::new(240, 180)?;
-    let (last_x, last_y) = (239.5, 179.5);
-    let corners = [
-        (-0.5, -0.5),
-        (last_x, -0.5),
-        (last_x, last_y),
-        (-0.5, last_y),
-    ];
-    let corners = corners.into_iter();
-    let corners =
-        corners.flat_map(|(x, y)| camera.ray_for(size, x, y).direction().to_glam().to_array());
-    let basis = camera.basis();
-    let [u, v, w] = [basis.u, basis.v, basis.w].map(|axis| axis.to_glam().to_array());
-
-    let world = phong()?.world;
     let settings = Settings {
-        size,
+        size: Size::new(240, 180)?,
+        samples: if step == SAMPLES { 16 } else { 1 },
+        sampling: Sampling::Stratified,
         ..Settings::default()
     };
-    let image = render(&camera, |ray| world.color_for(ray), &settings, &())?;
+    let size = settings.size;
+    let pinhole = PinholeCamera::new(Point3::ORIGIN, opening)?;
+    let sky = StripedSky::new(&pinhole, size, 10, StripeRule::Direction)?;
+    let world = phong()?.world;
+    let radiance = |ray: &Ray| match step {
+        SKY => sky.color_for(ray),
+        _ => world.color_for(ray),
+    };
+    let image = render(&camera, radiance, &settings, &())?;
+
+    let ends = [(-0.5, -0.5), (239.5, -0.5), (239.5, 179.5), (-0.5, 179.5)];
+    let corners = ends.map(|(x, y)| camera.ray_for(size, x, y));
+    let places = Sampler::new(&settings).places(0, 0);
+    let samples = places.map(|(x, y)| camera.ray_for(size, 90.0 + 60.0 * x, 67.0 + 45.0 * y));
+    let list = |v: Vector3| v.to_glam().to_array();
     Ok(pixels(&image)
-        .with("u", u)
-        .with("v", v)
-        .with("w", w)
-        .with("gaze", gaze.to_glam().to_array())
-        .with("up", up.to_glam().to_array())
-        .with("corners", corners))
+        .with("u", list(basis.u))
+        .with("v", list(basis.v))
+        .with("w", list(basis.w))
+        .with("gaze", list(gaze))
+        .with("up", list(up))
+        .with(
+            "origins",
+            corners
+                .iter()
+                .flat_map(|ray| list(ray.origin() - Point3::ORIGIN)),
+        )
+        .with(
+            "corners",
+            corners.iter().flat_map(|ray| list(ray.direction())),
+        )
+        .with("samples", samples.flat_map(|ray| list(ray.direction()))))
 }

@@ -2,11 +2,10 @@
 
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{Interval, Plane, Sphere, World};
-use a06_shadows_reflection::secondary_ray;
+use a04_intersections::{Plane, Sphere, World};
 use common::Color;
 
-use super::{Answered, direction, place, point};
+use super::{Answered, direction, path, place, point};
 use crate::Answer;
 
 /// Numbers: origin and angle of the ray, the number of surfaces that it may hit, and the
@@ -18,24 +17,16 @@ pub fn answer([x, y, angle, depth, share]: [f64; 5]) -> Answered {
         .with(wall(-2.0)?, ())
         .with(wall(2.0)?, ())
         .with(Sphere::new(Point3::ORIGIN, 0.6)?, ());
-    let mut ray = Ray::new(point(x, y), direction(angle))?;
-    let mut path = place(ray.origin()).to_vec();
-    let mut shares = Vec::new();
-    let mut mirrored = 1.0;
-    for _ in 0..depth as u32 {
-        let Some((hit, ())) = world.hit(&ray, Interval::AHEAD) else {
-            path.extend(place(ray.at(10.0)));
-            break;
-        };
-        path.extend(place(ray.at(hit.t)));
-        mirrored *= share;
-        shares.push(mirrored);
-        let reflected = (-ray.direction()).reflected_on(hit.normal);
-        ray = secondary_ray(&ray, &hit, reflected);
-    }
+    let ray = Ray::new(point(x, y), direction(angle))?;
+    let (path, hits) = path(&world, ray, depth as u32, |()| true);
+    let product = |left: &mut f64, _| {
+        *left *= share;
+        Some(*left)
+    };
+    let shares: Vec<_> = (0..hits).scan(1.0, product).collect();
     Ok(Answer::default()
-        .with("path", path)
-        .with("hits", [shares.len() as f64])
-        .with("left", [mirrored])
+        .with("path", path.into_iter().flat_map(place))
+        .with("hits", [hits as f64])
+        .with("left", [shares.last().copied().unwrap_or(1.0)])
         .with("shares", shares))
 }

@@ -14,6 +14,7 @@ pub fn answer([ax, ay, bx, by]: [f64; 4]) -> Answer {
     Answer::default()
         .with("dot", [a.dot(b)])
         .with("cosine", [a.dot(b) / (a.magnitude() * b.magnitude())])
+        .with("cross", a.cross(b).to_glam().to_array())
         .with("area", [a.parallelogram_area(b)])
         .with("angle", [a.angle(b).to_degrees()])
         .with("projection", projection.into_iter().flat_map(flat))

@@ -201,7 +201,7 @@ fn the_order_of_a_chain_matters() {
 /// ahead.
 #[test]
 fn the_corners_of_a_picture_span_its_opening() {
-    let answer = ask("camera", &[0.0, 0.0, 9.0, 0.0, 0.0, 0.0, 90.0]);
+    let answer = ask("camera", &[0.0, 0.0, 9.0, 0.0, 0.0, 0.0, 90.0, 3.0]);
     assert_near(answer.get("u"), &[1.0, 0.0, 0.0]);
     assert_near(answer.get("w"), &[0.0, 0.0, 1.0]);
     let [x, y, z] = answer.get("corners")[6..9] else {
