@@ -31,15 +31,17 @@ live.words = [];
         return found;
     };
 
+    const rule = document.head.appendChild(live.element('style'));
     const point = (word, listings, name) => {
         const ranges = listings.flatMap((listing) => lines(listing, name));
         CSS.highlights.set('live-pointed', new Highlight(...ranges));
-        const part = word.textContent.split('.').pop();
-        document.querySelectorAll(`.live-figure svg .part-${CSS.escape(part)}`).forEach((shape) => shape.classList.add('live-pointed'));
+        // A rule outlives the next drawing of a figure, which has new shapes.
+        const part = CSS.escape(word.textContent.split('.').pop());
+        rule.textContent = `.live-figure svg .part-${part} { stroke-width: 6; stroke-dasharray: none; font-weight: 800 }`;
     };
     const end = () => {
         CSS.highlights.delete('live-pointed');
-        document.querySelectorAll('.live-pointed').forEach((shape) => shape.classList.remove('live-pointed'));
+        rule.textContent = '';
     };
 
     const sections = [[]];

@@ -8,7 +8,6 @@ mod camera;
 mod chain;
 mod color;
 mod lift;
-mod mirrors;
 mod normals;
 mod samples;
 mod scene;
@@ -20,8 +19,7 @@ mod vectors;
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Interval, World};
-use a06_shadows_reflection::secondary_ray;
+use a04_intersections::{Geometry, Interval};
 use common::Error;
 
 use crate::Answered;
@@ -43,7 +41,6 @@ pub fn answer(figure: &str, numbers: &[f64]) -> Answered {
         "slabs" => slabs::answer(expect(figure, numbers)?),
         "barycentric" => barycentric::answer(expect(figure, numbers)?),
         "spot" => spot::answer(expect(figure, numbers)?),
-        "mirrors" => mirrors::answer(expect(figure, numbers)?),
         "spaces" | "normals" => normals::answer(expect(figure, numbers)?),
         "chain" => chain::answer(expect(figure, numbers)?),
         _ => Err(Error::Usage(format!("there is no figure \"{figure}\""))),
@@ -65,6 +62,13 @@ const fn point(x: f64, y: f64) -> Point3 {
 /// A direction of a flat figure, from its angle to the right, in radians.
 fn direction(angle: f64) -> Vector3 {
     Vector3::new(libm::cos(angle), libm::sin(angle), 0.0)
+}
+
+/// The direction of a gaze, turned around the vertical and upwards, in radians.
+fn gaze(around: f64, upwards: f64) -> Vector3 {
+    let level = libm::cos(upwards);
+    let (x, z) = (-libm::sin(around) * level, -libm::cos(around) * level);
+    Vector3::new(x, libm::sin(upwards), z)
 }
 
 /// The first two coordinates.
@@ -91,29 +95,4 @@ fn both_hits(shape: &impl Geometry, ray: &Ray) -> Vec<f64> {
         line.min = hit.t;
     }
     hits
-}
-
-/// The points of a ray's path, from its origin over at most `depth` surfaces, and how many
-/// it hits; those that mirror reflect it.
-fn path<S>(
-    world: &World<S>,
-    mut ray: Ray,
-    depth: u32,
-    mirrors: impl Fn(&S) -> bool,
-) -> (Vec<Point3>, usize) {
-    let mut path = vec![ray.origin()];
-    for hits in 0..depth as usize {
-        let Some((hit, surface)) = world.hit(&ray, Interval::AHEAD) else {
-            path.push(ray.at(10.0));
-            return (path, hits);
-        };
-        path.push(ray.at(hit.t));
-        if !mirrors(surface) {
-            break;
-        }
-        let reflected = (-ray.direction()).reflected_on(hit.normal);
-        ray = secondary_ray(&ray, &hit, reflected);
-    }
-    let hits = path.len() - 1;
-    (path, hits)
 }

@@ -260,7 +260,7 @@ async function tryWords() {
     const word = `live.words.find((word) => word.textContent === 'near')`;
     await chromium.middle(`live.figures.slabs.root`);
     await chromium.until(`live.figures.slabs.root.dataset.drawn`);
-    const pointed = () => chromium.value(`[CSS.highlights.get('live-pointed')?.size ?? 0, document.querySelectorAll('.live-pointed').length]`);
+    const pointed = () => chromium.value(`[CSS.highlights.get('live-pointed')?.size ?? 0, [...document.querySelectorAll('.live-figure svg *')].filter((shape) => getComputedStyle(shape).strokeWidth === '6px').length]`);
     await chromium.mouse('mouseMoved', ...(await chromium.middle(word)));
     await chromium.until(`CSS.highlights.has('live-pointed')`);
     const byMouse = await pointed();

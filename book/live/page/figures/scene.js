@@ -15,7 +15,7 @@
         over: true,
         picture: [360, 270],
         area: { x: [-2.67, 2.67], y: [-2, 2] },
-        state: { x: 0.2, y: 1.2, yaw: 0.8, pitch: 0.35 },
+        state: { x: 0.2, y: 1.2, depth: 6, yaw: 0.8, pitch: 0.35 },
         handles: [
             live.follow('the pixel', (state) => flat(state, [state.x, state.y, screen]), { x: [-0.55, 0.55], y: [1, 1.8] }),
         ],
@@ -32,10 +32,11 @@
                 pen.dot(to(bulb), 'b', 6);
                 pen.text(to(bulb), 'lamp', 'b');
             }
-            live.points(hits).forEach((hit) => {
+            live.points(hits).forEach((hit, i) => {
                 const t = Math.hypot(...hit.map((x, i) => x - eye[i]));
                 pen.dot(to(hit), 'none');
-                pen.text(to(hit), step === nearest ? `t = ${live.show(Number(t.toPrecision(3)))}` : '', '', 'middle');
+                const [x, y] = to(hit);
+                pen.text([x, y + 0.25 * i], step === nearest ? `t = ${live.show(Number(t.toPrecision(3)))}` : '', '', x > 1.6 ? 'end' : 'middle');
             });
             const way = live.points(path).map(to);
             way.slice(1).forEach((end, i) => pen.arrow(way[i], end, i ? 'c part-mirrored' : 'ink'));
@@ -67,11 +68,20 @@
             ['a05', 'three-lights', 'The scene so far: a spot light', 'The lamp lights a cone; ambient light does the rest.'],
             ['a06', 'is-the-light-in-sight', 'The scene so far: shadows', 'The dashed line to the lamp is a shadow ray that meets something, at the cross. Drag the pixel into a shadow.'],
             ['a06', 'the-mirror', 'The scene so far: mirrors', 'All surfaces mirror three tenths, and a ray may hit two of them: the green arrow is the reflected ray.'],
-            ['a06', 'how-deep', 'The scene so far: six surfaces deep', 'Mirrors in mirrors. Drag the pixel to the place where sphere and plane meet, and follow the path.'],
+            ['a06', 'how-deep', 'The scene so far: six surfaces deep', 'Mirrors in mirrors. Drag the pixel to the place where sphere and plane meet, and follow the path, bounce by bounce: World::hit, reflected_on and secondary_ray, in the order of the loop.', {
+                question: {
+                    text: 'Each mirror reflects one half. After how many surfaces is a white lamp at the end below one step of a byte, 1/255?',
+                    choices: ['3', '8', '255'],
+                    right: 1,
+                    because: 'one half to the 8th is 1/256. These mirrors reflect three tenths: five of them leave 0.24 %, below one step.',
+                },
+                sliders: { depth: { label: 'surfaces', min: 1, max: 12, step: 1 } },
+                values: { left: 'share left after the last surface', ...lit },
+            }],
             ['a07', 'four-rows-for-three-dimensions', 'The scene so far: a scaled sphere', 'The sphere is in a node now, scaled by 0.6, 1.4 and 0.6 about its centre.'],
             ['a07', 'the-order-of-the-steps', 'The scene so far: a turned box', 'The box is first turned about z and then about y.'],
-            ['a07', 'node', 'The scene so far: nodes in a node', 'One more node around all objects turns them together.'],
-            ['a07', 'disc', 'The whole scene', 'On a disc. All seven stages are in this picture.'],
+            ['a07', 'node', 'The scene so far: nodes in a node', 'One more node around all objects turns them together.', { state: { x: 0.31 } }],
+            ['a07', 'disc', 'The whole scene', 'On a disc. All seven stages are in this picture.', { state: { x: 0.31 } }],
         ],
     });
 }

@@ -57,7 +57,7 @@ live.figure('slabs', {
             const name = ['near', 'far'][i];
             pen.line([along(t), -2.2], [along(t), -3.5], `b thin part-${name}`);
             pen.dot(at(t), `b part-${name}`);
-            pen.text([along(t), -2.2], name, `b part-${name}`, 'middle');
+            pen.text([along(t), -2.4], name, `b part-${name}`, 'middle');
         });
     },
 });

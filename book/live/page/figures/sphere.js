@@ -63,15 +63,15 @@ live.figure('sphere', {
             pen.line([cx, cy], middle, 'a thin');
             pen.line(middle, at(ours[1]), 'c part-discriminant');
             pen.dot(middle, 'ink part-middle', 3);
-            pen.text(middle, 'm', 'part-middle', 'middle');
+            pen.text([middle[0], middle[1] - 0.4], 'm', 'part-middle', 'middle');
         }
         ours.forEach((t, i) => {
             pen.dot(at(t), 'c');
             pen.text(at(t), ['t₀', 't₁'][i], 'c', 'end');
         });
-        pen.text([x, y], 'point');
-        pen.text([x + 0.7 * Math.cos(angle), y + 0.7 * Math.sin(angle)], 'd');
-        pen.text([cx, cy], 'c', 'a');
+        pen.text([x, y + 0.18], 'point', '', 'middle');
+        pen.text([x + 0.7 * Math.cos(angle), y + 0.7 * Math.sin(angle) + 0.18], 'd', '', 'middle');
+        pen.text([cx, cy - 0.58], 'c', 'a', 'middle');
         pen.text([-2.35, -1.45], 'filled: ours; rings and dashes: protocol');
     },
 });

@@ -8,7 +8,7 @@ use a03_rays_cameras::{
 use a05_lighting::scenes::phong;
 use common::{Sampling, Settings, Size};
 
-use super::Answered;
+use super::{Answered, gaze};
 use crate::picture::pixels;
 
 /// The steps of the page that are not the perspective camera with one ray a pixel before
@@ -24,12 +24,7 @@ const SAMPLES: f64 = 5.0;
 pub fn answer([x, y, z, around, upwards, roll, opening, step]: [f64; 8]) -> Answered {
     let [around, upwards, roll, opening] = [around, upwards, roll, opening].map(f64::to_radians);
     let e = Point3::new(x, y, z);
-    let level = libm::cos(upwards);
-    let gaze = Vector3::new(
-        -libm::sin(around) * level,
-        libm::sin(upwards),
-        -libm::cos(around) * level,
-    );
+    let gaze = gaze(around, upwards);
     let right = Vector3::new(libm::cos(around), 0.0, -libm::sin(around));
     let up = Vector3::new(0.0, libm::cos(roll), 0.0) + right * libm::sin(roll);
     let perspective = PerspectiveCamera::new(e, gaze, up, opening)?;

@@ -98,28 +98,3 @@ pub fn errors([sampling]: [f64; 1]) -> Answer {
         .with("counts", counts)
         .with("errors", counts.map(error))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A half plane through the centre covers one half; one that cuts off a corner at
-    /// 45 degrees, a right isosceles triangle.
-    #[test]
-    fn areas_are_those_of_geometry() {
-        let near = |found: f64, expected: f64| {
-            assert!((found - expected).abs() < 1e-14, "{found} {expected}");
-        };
-        for degrees in [0.0_f64, 30.0, 45.0, 90.0, 200.0] {
-            near(Edge::new(degrees.to_radians(), 0.0).area(), 0.5);
-        }
-        near(Edge::new(0.0, 0.25).area(), 0.75);
-        // The triangle's height is h, so its area is h^2.
-        let corner = std::f64::consts::FRAC_1_SQRT_2;
-        let h = 0.3;
-        near(
-            Edge::new(std::f64::consts::FRAC_PI_4, corner - h).area(),
-            1.0 - h * h,
-        );
-    }
-}

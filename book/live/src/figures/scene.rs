@@ -10,20 +10,16 @@ use a06_shadows_reflection::{
 use a07_transforms::{Disc, Node, Transform};
 use common::{ArgumentError, Color, Settings, Size};
 
-use super::{Answered, path};
+use super::{Answered, gaze};
 use crate::picture::pixels;
 
-/// The steps from which on the scene has an object, a surface, a light or a transform. The
-/// page counts them in the same order.
-const SPHERE: u32 = 1;
-const BOX: u32 = 2;
-const TRIANGLE: u32 = 3;
+/// The steps from which on the scene has an object, a surface, a light or a transform; the
+/// page counts them in the same order, and the first four have an object each.
 const LAMBERT: u32 = 6;
 const PHONG: u32 = 7;
 const SPOT: u32 = 8;
 const SHADOW: u32 = 9;
 const MIRROR: u32 = 10;
-const DEPTH: u32 = 11;
 const SCALED: u32 = 12;
 const TURNED: u32 = 13;
 const NODE: u32 = 14;
@@ -34,16 +30,12 @@ const LAMP: Point3 = Point3::new(-0.6, 3.0, 2.4);
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 
 fn surface(step: u32, color: Color) -> Result<Box<dyn Surface>, ArgumentError> {
+    let shine = Color::gray(0.7);
     Ok(match step {
         ..LAMBERT => Box::new(SingleColor::new(color)?),
-        ..PHONG => Box::new(Lambert::new(color)?),
-        ..MIRROR => Box::new(Phong::new(color, Color::gray(0.7), 64.0)?),
-        _ => Box::new(Reflective::new(
-            color * 0.7,
-            Color::gray(0.7),
-            64.0,
-            Color::gray(0.3),
-        )?),
+        LAMBERT..PHONG => Box::new(Lambert::new(color)?),
+        PHONG..MIRROR => Box::new(Phong::new(color, shine, 64.0)?),
+        _ => Box::new(Reflective::new(color * 0.7, shine, 64.0, Color::gray(0.3))?),
     })
 }
 
@@ -56,119 +48,94 @@ fn world(step: u32) -> Result<ShadowedWorld, ArgumentError> {
     };
     let mut world = ShadowedWorld::empty(Color::gray(0.1), Color::gray(0.25))?.lit_by(lamp);
 
-    let upwards = Normal3::new(0.0, 1.0, 0.0);
-    let [ball, cube] = [Point3::new(0.8, 0.5, 0.9), Point3::new(-0.8, 0.5, 0.6)];
+    let (o, upwards) = (Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0));
+    let [ball, cube] = [Vector3::new(0.8, 0.5, 0.9), Vector3::new(-0.8, 0.5, 0.6)];
     let half = Vector3::new(0.5, 0.5, 0.5);
     let [a, b, c] = [(-0.6, 0.0), (0.6, 0.0), (0.6, 1.5)].map(|(x, y)| Point3::new(x, y, -0.8));
-    let squeeze = |t: Transform| t.scale(0.6, 1.4, 0.6);
-    let turn = |t: Transform| t.rotate_y(0.6)?.rotate_z(0.5);
-    let objects: [(u32, Box<dyn Geometry>, Transform, Color); 5] = [
-        (
-            0,
-            Box::new(Plane::new(Point3::ORIGIN, upwards)?),
-            Transform::IDENTITY,
-            Color::gray(0.4),
-        ),
-        (
-            SPHERE,
-            Box::new(Sphere::new(ball, 0.5)?),
-            about(ball, step >= SCALED, squeeze)?,
-            Color::new(0.9, 0.25, 0.2),
-        ),
-        (
-            BOX,
-            Box::new(AxisAlignedBox::new(cube - half, cube + half)?),
-            about(cube, step >= TURNED, turn)?,
-            Color::new(0.2, 0.4, 0.9),
-        ),
-        (
-            TRIANGLE,
-            Box::new(Triangle::new(a, b, c)?),
-            Transform::IDENTITY,
-            Color::new(0.9, 0.7, 0.1),
-        ),
-        (
-            DISC,
-            Box::new(Disc::new(Point3::new(0.0, 0.02, 0.6), upwards, 1.8)?),
-            Transform::IDENTITY,
-            Color::new(0.1, 0.5, 0.3),
-        ),
+    let shapes: [Box<dyn Geometry>; 5] = [
+        Box::new(Plane::new(o, upwards)?),
+        Box::new(Sphere::new(o + ball, 0.5)?),
+        Box::new(AxisAlignedBox::new(o + cube - half, o + cube + half)?),
+        Box::new(Triangle::new(a, b, c)?),
+        Box::new(Disc::new(Point3::new(0.0, 0.02, 0.6), upwards, 1.8)?),
     ];
-    let group = about(Point3::ORIGIN, step >= NODE, |t| t.rotate_y(0.35))?;
-    for (from, shape, own, color) in objects {
-        if step < from {
-            continue;
+    let colors = [0x66_6666, 0xe6_4033, 0x33_66e6, 0xe6_b31a, 0x1a_804d];
+    let turned = if step < NODE { 0.0 } else { 0.35 };
+    let group = Transform::IDENTITY.rotate_y(turned)?;
+    let still = Transform::IDENTITY;
+    for (index, (shape, color)) in (0..).zip(shapes.into_iter().zip(colors)) {
+        if step < index || (index == 4 && step < DISC) {
+            break;
         }
-        let surface = surface(step, color)?;
-        world = if step < SCALED {
-            world.with(shape, surface)
-        } else {
-            world.with(Node::new(group).with(Node::new(own).with(shape)), surface)
+        let surface = surface(step, Color::from_packed(color))?;
+        // A ball and a cube in a node are transformed about their centres.
+        let own = match index {
+            1 => group
+                .translate(o + ball)?
+                .scale(0.6, 1.4, 0.6)?
+                .translate(o - ball)?,
+            2 if step >= TURNED => {
+                let turned = still.translate(o + cube)?.rotate_y(0.6)?;
+                turned.rotate_z(0.5)?.translate(o - cube)?
+            }
+            _ => still,
+        };
+        world = match step {
+            ..SCALED => world.with(shape, surface),
+            _ => world.with(Node::new(group).with(Node::new(own).with(shape)), surface),
         };
     }
     Ok(world)
 }
 
-/// A step of a chain about a point, once it is there.
-fn about(
-    point: Point3,
-    is_there: bool,
-    step: impl Fn(Transform) -> Result<Transform, ArgumentError>,
-) -> Result<Transform, ArgumentError> {
-    if !is_there {
-        return Ok(Transform::IDENTITY);
-    }
-    let back = Point3::ORIGIN - (point - Point3::ORIGIN);
-    step(Transform::IDENTITY.translate(point)?)?.translate(back)
-}
-
-/// Numbers: a point of the ray from the eye, before all objects; the angles under which the
-/// scene is seen; and the step.
-pub fn answer([x, y, yaw, pitch, step]: [f64; 5]) -> Answered {
+/// Numbers: a point of the ray from the eye, before all objects; the surfaces that a ray may
+/// hit from the step after `MIRROR` on; the angles under which the scene is seen; the step.
+pub fn answer([x, y, depth, yaw, pitch, step]: [f64; 6]) -> Answered {
     let step = step as u32;
     let world = world(step)?;
     let tracer = RecursiveTracer::new(&world);
     let depth = match step {
         ..MIRROR => 1,
-        ..DEPTH => 2,
-        _ => 6,
+        MIRROR => 2,
+        _ => depth as u32,
     };
-    let level = libm::cos(pitch);
-    let towards = Vector3::new(
-        libm::sin(yaw) * level,
-        libm::sin(pitch),
-        libm::cos(yaw) * level,
-    );
-    let middle = Point3::new(0.0, 1.25, 1.6);
-    let camera = OrthographicCamera::new(middle + towards * 30.0, -towards, UP, 4.0)?;
+    let (middle, gaze) = (Point3::new(0.0, 1.25, 1.6), gaze(yaw, -pitch));
+    let camera = OrthographicCamera::new(middle - gaze * 30.0, gaze, UP, 4.0)?;
     let settings = Settings {
         size: Size::new(360, 270)?,
         ..Settings::default()
     };
     let image = render(&camera, |ray| tracer.trace(ray, depth), &settings, &())?;
 
-    let ray = Ray::new(EYE, Point3::new(x, y, 3.2) - EYE)?;
+    let first = Ray::new(EYE, Point3::new(x, y, 3.2) - EYE)?;
     let list = |p: Point3| p.to_glam().to_array();
     let objects = world.objects();
-    let (path, _) = path(objects, ray, depth, |surface| {
-        surface.reflection() != Color::BLACK
-    });
-    let hits = objects
-        .objects()
-        .filter_map(|(shape, _)| shape.hit(&ray, Interval::AHEAD));
-    let color = tracer.trace(&ray, depth);
+    let (mut ray, mut path, mut left) = (first, vec![EYE], 1.0);
+    for _ in 0..depth {
+        let met = objects.hit(&ray, Interval::AHEAD);
+        path.push(ray.at(met.map_or(10.0, |(hit, _)| hit.t)));
+        let Some((hit, surface)) = met.filter(|_| step >= MIRROR) else {
+            break;
+        };
+        left *= surface.reflection().r;
+        ray = secondary_ray(&ray, &hit, (-ray.direction()).reflected_on(hit.normal));
+    }
+    let each = objects.objects();
+    let hits = each.filter_map(|(shape, _)| shape.hit(&first, Interval::AHEAD));
+    let color = tracer.trace(&first, depth);
     let answer = pixels(&image)
         .with("path", path.into_iter().flat_map(list))
-        .with("hits", hits.flat_map(|hit| list(ray.at(hit.t))))
+        .with("left", [left])
+        .with("hits", hits.flat_map(|hit| list(first.at(hit.t))))
         .with("lamp", list(LAMP))
         .with("color", [color.r, color.g, color.b]);
-    let Some((hit, _)) = objects.hit(&ray, Interval::AHEAD) else {
+    let Some((hit, _)) = objects.hit(&first, Interval::AHEAD) else {
         return Ok(answer);
     };
-    let point = ray.at(hit.t);
+    let point = first.at(hit.t);
     let light = world.lights()[0].illumination(point);
     let blocked = light.and_then(|light| {
-        let to_light = secondary_ray(&ray, &hit, light.direction);
+        let to_light = secondary_ray(&first, &hit, light.direction);
         let (met, _) = objects.hit(&to_light, Interval::before(light.distance))?;
         Some(to_light.at(met.t)).filter(|_| step >= SHADOW)
     });
