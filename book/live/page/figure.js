@@ -162,10 +162,10 @@ live.Figure = class {
             move(...this.inside(new live.Pen(this.area).from(place)));
         });
         const step = (this.area.x[1] - this.area.x[0]) / 60;
-        live.arrows(circle, (right, up) => {
+        live.keys(circle, live.arrows((right, up) => {
             const [x, y] = handle.at(this.state);
             move(...this.inside([x + right * step, y + up * step]));
-        });
+        }));
         this.svg.append(circle);
         return { ...handle, circle };
     }
@@ -180,7 +180,7 @@ live.Figure = class {
         svg.setAttribute('aria-label', `${this.figure.title}. Arrow keys turn.`);
         svg.classList.add('live-turns');
         live.drag(svg, (_, right, down) => turn(right * 0.01, -down * 0.01));
-        live.arrows(svg, (right, up) => turn(right * 0.1, up * 0.1));
+        live.keys(svg, live.arrows((right, up) => turn(right * 0.1, up * 0.1)));
     }
 
     inside([x, y]) {
@@ -288,40 +288,6 @@ live.figure = (name, figure) => {
         if (last) {
             const row = { ...figure, title, hint, ...more, state: { ...figure.state, ...more?.state, step } };
             live.figures[`${name}-${step}`] = new live.Figure(name, row, last, together);
-        }
-    });
-};
-
-// Calls `move` with the event, and how far to the right and down, while an element is dragged.
-live.drag = (element, move) => {
-    let last;
-    element.addEventListener('pointerdown', (event) => {
-        if (event.target === element || !event.target.closest('.live-handle')) {
-            last = [event.clientX, event.clientY];
-            element.setPointerCapture(event.pointerId);
-        }
-    });
-    element.addEventListener('pointermove', (event) => {
-        if (last) {
-            const [x, y] = last;
-            last = [event.clientX, event.clientY];
-            move(event, event.clientX - x, event.clientY - y);
-        }
-    });
-    for (const end of ['pointerup', 'pointercancel']) {
-        element.addEventListener(end, () => (last = undefined));
-    }
-};
-
-// Calls `move` with 1, 0 or -1 to the right and upwards when an arrow key is pressed.
-live.arrows = (element, move) => {
-    element.addEventListener('keydown', (event) => {
-        const by = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
-        if (by) {
-            event.preventDefault();
-            // The book turns pages with the arrow keys, and handles lie in figures that turn.
-            event.stopPropagation();
-            move(...by);
         }
     });
 };

@@ -92,6 +92,45 @@ addEventListener(
     true,
 );
 
+// Calls `move` with the event, and how far to the right and down, while an element is dragged.
+live.drag = (element, move) => {
+    let last;
+    element.addEventListener('pointerdown', (event) => {
+        if (event.target === element) {
+            last = event;
+            element.setPointerCapture(event.pointerId);
+        }
+    });
+    element.addEventListener('pointermove', (event) => {
+        if (last) {
+            move(event, event.clientX - last.clientX, event.clientY - last.clientY);
+            last = event;
+        }
+    });
+    const end = () => (last = undefined);
+    element.addEventListener('pointerup', end);
+    element.addEventListener('pointercancel', end);
+};
+
+// Acts on keys. The book turns pages with arrows, and handles lie in figures that turn.
+live.keys = (element, actions) => {
+    element.addEventListener('keydown', (event) => {
+        if (actions[event.key]) {
+            event.preventDefault();
+            event.stopPropagation();
+            actions[event.key]();
+        }
+    });
+};
+
+// Arrow keys that move by 1 to the right and upwards.
+live.arrows = (move) => ({
+    ArrowLeft: () => move(-1, 0),
+    ArrowRight: () => move(1, 0),
+    ArrowUp: () => move(0, 1),
+    ArrowDown: () => move(0, -1),
+});
+
 // A number as the reader sees it: six digits at most.
 live.show = (number) => {
     if (number === undefined || Number.isNaN(number)) {

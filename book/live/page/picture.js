@@ -15,12 +15,7 @@ live.Picture = class {
         (image.closest('label') ?? image).replaceWith(this.frame);
         this.frame.append(image);
         this.frame.onclick = () => this.begin();
-        this.frame.onkeydown = (event) => {
-            if (!this.begun && (event.key === 'Enter' || event.key === ' ')) {
-                event.preventDefault();
-                this.begin();
-            }
-        };
+        live.keys(this.frame, { Enter: () => this.begin(), ' ': () => this.begin() });
     }
 
     async begin() {
@@ -146,27 +141,15 @@ live.Picture = class {
 
     listen() {
         const { canvas, frame } = this;
-        let dragged;
-        canvas.onpointerdown = (event) => {
-            dragged = [event.clientX, event.clientY];
-            canvas.setPointerCapture(event.pointerId);
-        };
+        // The width of the picture is half a turn.
+        live.drag(canvas, (_, ...by) => this.turn(...by.map((way) => (way * Math.PI) / canvas.clientWidth)));
         canvas.onpointermove = (event) => {
-            if (dragged) {
-                // The width of the picture is half a turn.
-                const scale = Math.PI / canvas.clientWidth;
-                const [x, y] = dragged;
-                dragged = [event.clientX, event.clientY];
-                this.turn((event.clientX - x) * scale, (event.clientY - y) * scale);
-            } else {
+            if (!event.buttons) {
                 const { width, height } = this.settings;
                 const column = Math.floor((event.offsetX / canvas.clientWidth) * width);
                 const row = Math.floor((event.offsetY / canvas.clientHeight) * height);
                 this.look(Math.min(Math.max(column, 0), width - 1), Math.min(Math.max(row, 0), height - 1));
             }
-        };
-        canvas.onpointerup = canvas.onpointercancel = () => {
-            dragged = undefined;
         };
         // Only after a click into the picture, so that the page still scrolls.
         frame.addEventListener('wheel', (event) => {
@@ -175,23 +158,12 @@ live.Picture = class {
                 this.zoom(Math.exp(event.deltaY * 0.001));
             }
         });
-        const keys = {
-            ArrowLeft: () => this.turn(-0.1, 0),
-            ArrowRight: () => this.turn(0.1, 0),
-            ArrowUp: () => this.turn(0, -0.1),
-            ArrowDown: () => this.turn(0, 0.1),
+        live.keys(frame, {
+            ...live.arrows((right, up) => this.turn(right * 0.1, -up * 0.1)),
             '+': () => this.zoom(0.8),
             '-': () => this.zoom(1.25),
             0: () => this.startAgain(),
-        };
-        frame.onkeydown = (event) => {
-            if (keys[event.key]) {
-                event.preventDefault();
-                // The book turns pages with the arrow keys.
-                event.stopPropagation();
-                keys[event.key]();
-            }
-        };
+        });
     }
 
     async probe(column, row) {

@@ -4,31 +4,20 @@ live.words = [];
 {
     // The lines of a listing that have a name, as ranges.
     const lines = (listing, name) => {
-        const nodes = document.createTreeWalker(listing, NodeFilter.SHOW_TEXT);
-        const ranges = [];
-        let start = 0;
-        for (const line of listing.textContent.split('\n')) {
-            const end = start + line.length;
-            if (name.test(line)) {
-                ranges.push([start, end]);
-            }
-            start = end + 1;
+        const places = [];
+        for (const texts = document.createTreeWalker(listing, NodeFilter.SHOW_TEXT); texts.nextNode(); ) {
+            const { currentNode } = texts;
+            places.push(...Array.from({ length: currentNode.length }, (_, i) => [currentNode, i]));
         }
-        const found = ranges.map(() => document.createRange());
-        let before = 0;
-        while (nodes.nextNode()) {
-            const { length } = nodes.currentNode;
-            ranges.forEach(([from, to], i) => {
-                if (from >= before && from < before + length) {
-                    found[i].setStart(nodes.currentNode, from - before);
-                }
-                if (to > before && to <= before + length) {
-                    found[i].setEnd(nodes.currentNode, to - before);
-                }
-            });
-            before += length;
-        }
-        return found;
+        let end = -1;
+        return listing.textContent.split('\n').flatMap((line) => {
+            const start = end + 1;
+            end = start + line.length;
+            const range = document.createRange();
+            range.setStart(...(places[start] ?? [listing, 0]));
+            range.setEnd(...(places[end] ?? [listing, 0]));
+            return name.test(line) ? [range] : [];
+        });
     };
 
     const rule = document.head.appendChild(live.element('style'));

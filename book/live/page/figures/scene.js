@@ -6,8 +6,8 @@
     // The middle of the drawing.
     const middle = [0, 1.25, 1.6];
     const flat = (state, point) => live.flat(state, point.map((x, i) => x - middle[i]));
-    // What the drawing has from which step on.
-    const [nearest, lamp, highlight, shadow] = [4, 5, 7, 9];
+    // Steps with a drawing of their own; the lamp stays.
+    const [nearest, lamp, highlight] = [4, 5, 7];
     const met = { t: 't of the hit' };
     const lit = { ...met, cosine: 'n · l', 'color.0': 'colour: red', 'color.1': 'green', 'color.2': 'blue' };
 

@@ -34,32 +34,30 @@ live.figure('sphere', {
         const far = 10 ** power;
         // From the point that the reader drags, since the origin may be far away.
         const at = (t) => [x + (t - far) * dx, y + (t - far) * dy];
-        // An origin beyond the drawing is drawn at its border, behind a gap in the ray.
+        // An origin beyond the drawing is drawn at its border, before dashes.
         const nearest = Math.min(far, dx ? (x + Math.sign(dx) * 2.15) / dx : far, dy ? (y + Math.sign(dy) * 1.3) / dy : far);
         const [isFar, origin] = [nearest < far, at(far - Math.max(nearest, 0))];
         pen.circle([cx, cy], 1, 'a pale');
-        pen.arrow(origin, at(far + 6), 'ink');
+        const gap = at(far - Math.max(nearest - (isFar ? 0.5 : 0), 0));
+        pen.line(origin, gap, 'thin');
+        pen.arrow(gap, at(far + 6), 'ink');
         pen.dot(origin, 'ink');
         pen.text([origin[0], origin[1] - 0.35], isFar ? `o, ${live.show(Number(far.toPrecision(2)))} radii away` : 'o', '', dx < 0 ? 'end' : 'start');
-        if (isFar) {
-            [0.22, 0.28].forEach((t) => {
-                const [gx, gy] = [origin[0] + t * dx, origin[1] + t * dy];
-                pen.line([gx - 0.03, gy - 0.1], [gx + 0.03, gy + 0.1], 'ink');
-            });
-        }
-        // The sphere that the protocol's roots belong to: their middle instead of ours.
+        // The middle of the chord, and the sphere that the protocol's roots belong to.
+        const middle = at(far + (cx - x) * dx + (cy - y) * dy);
+        let radius = 0;
         if (protocol.length) {
-            const along = (cx - x) * dx + (cy - y) * dy;
-            const beside = [cx - x - along * dx, cy - y - along * dy];
-            const middle = (protocol[0] + protocol[1]) / 2;
-            const [mx, my] = at(middle);
-            pen.circle([mx + beside[0], my + beside[1]], Math.hypot(...beside, (protocol[1] - protocol[0]) / 2), 'b thin');
-        } else {
-            pen.text([cx, cy + 1.1], 'protocol: no hit', 'b', 'middle');
+            const [t0, t1] = protocol;
+            const seen = at((t0 + t1) / 2);
+            const beside = [cx - middle[0], cy - middle[1]];
+            radius = Math.hypot(...beside, (t1 - t0) / 2);
+            pen.circle([seen[0] + beside[0], seen[1] + beside[1]], radius, 'b thin');
+        }
+        if (Math.abs(radius - 1) > 0.01) {
+            pen.text([cx, cy + 1.05], radius ? `protocol: a radius of ${live.show(Number(radius.toPrecision(2)))}` : 'protocol: no hit', 'b', 'middle');
         }
         protocol.forEach((t) => pen.circle(at(t), 0.09, 'b'));
         if (ours.length) {
-            const middle = at((ours[0] + ours[1]) / 2);
             pen.line([cx, cy], middle, 'a thin');
             pen.line(middle, at(ours[1]), 'c part-discriminant');
             pen.dot(middle, 'ink part-middle', 3);

@@ -18,7 +18,7 @@
             if (step >= 1) {
                 pen.path([o, a, to(ax + bx, ay + by), b], 'c pale', true);
                 pen.arrow(o, to(0, 0, cross[2] / 2), 'c');
-                pen.text(to(0, 0, cross[2] / 2), '½ a × b', 'c');
+                pen.text(to(0, 0, cross[2] / 2), '½ a × b ', 'c', 'end');
             }
             if (step >= 2 && angle) {
                 const start = Math.atan2(by, bx);
