@@ -10,17 +10,15 @@ fn main() -> io::Result<()> {
         let figure = words.next().unwrap_or_default();
         let numbers: Vec<f64> = words.filter_map(|word| word.parse().ok()).collect();
         match live::call(figure, &numbers) {
-            Ok(answer) => println!("{}", lists(&answer)),
+            Ok(answer) => {
+                let lists = answer.numbers.iter().map(|(name, numbers)| {
+                    let numbers: Vec<_> = numbers.iter().map(f64::to_string).collect();
+                    format!("{name}={}", numbers.join(","))
+                });
+                println!("{}", lists.collect::<Vec<_>>().join(" "));
+            }
             Err(error) => println!("error: {error}"),
         }
     }
     Ok(())
-}
-
-fn lists(answer: &live::Answer) -> String {
-    let lists = answer.numbers.iter().map(|(name, numbers)| {
-        let numbers: Vec<_> = numbers.iter().map(f64::to_string).collect();
-        format!("{name}={}", numbers.join(","))
-    });
-    lists.collect::<Vec<_>>().join(" ")
 }

@@ -51,21 +51,17 @@ pub fn scene(picture: &str) -> Result<Scene, Error> {
 
 /// The traced scene of a stage whose picture has this name.
 pub fn traced_scene(picture: &str) -> Option<TracedScene> {
-    let scenes: [(&str, Vec<TracedScene>); 5] = [
-        ("a03-rays-cameras", a03_rays_cameras::traced_scenes().into()),
-        (
-            "a04-intersections",
-            a04_intersections::traced_scenes().into(),
-        ),
-        ("a05-lighting", a05_lighting::traced_scenes().into()),
-        (
-            "a06-shadows-reflection",
-            a06_shadows_reflection::traced_scenes().into(),
-        ),
-        ("a07-transforms", a07_transforms::traced_scenes().into()),
-    ];
-    scenes.into_iter().find_map(|(stage, scenes)| {
-        let name = picture.strip_prefix(stage)?.strip_prefix('-')?;
-        scenes.into_iter().find(|scene| scene.name == name)
-    })
+    let scenes: Vec<TracedScene> = match picture.get(..3)? {
+        "a03" => a03_rays_cameras::traced_scenes().into(),
+        "a04" => a04_intersections::traced_scenes().into(),
+        "a05" => a05_lighting::traced_scenes().into(),
+        "a06" => a06_shadows_reflection::traced_scenes().into(),
+        "a07" => a07_transforms::traced_scenes().into(),
+        _ => return None,
+    };
+    let stage = stages()
+        .into_iter()
+        .find(|stage| picture.starts_with(stage.name))?;
+    let scene = picture.strip_prefix(stage.name)?.strip_prefix('-')?;
+    scenes.into_iter().find(|known| known.name == scene)
 }

@@ -62,23 +62,19 @@ fn world(step: u32) -> Result<ShadowedWorld, ArgumentError> {
     let colors = [0x66_6666, 0xe6_4033, 0x33_66e6, 0xe6_b31a, 0x1a_804d];
     let turned = if step < NODE { 0.0 } else { 0.35 };
     let group = Transform::IDENTITY.rotate_y(turned)?;
-    let still = Transform::IDENTITY;
+    // A transform about a centre.
+    let about = |centre: Vector3, step: fn(Transform) -> Result<Transform, ArgumentError>| {
+        step(Transform::IDENTITY.translate(o + centre)?)?.translate(o - centre)
+    };
     for (index, (shape, color)) in (0..).zip(shapes.into_iter().zip(colors)) {
         if step < index || (index == 4 && step < DISC) {
             break;
         }
         let surface = surface(step, Color::from_packed(color))?;
-        // A ball and a cube in a node are transformed about their centres.
         let own = match index {
-            1 => group
-                .translate(o + ball)?
-                .scale(0.6, 1.4, 0.6)?
-                .translate(o - ball)?,
-            2 if step >= TURNED => {
-                let turned = still.translate(o + cube)?.rotate_y(0.6)?;
-                turned.rotate_z(0.5)?.translate(o - cube)?
-            }
-            _ => still,
+            1 => about(ball, |t| t.scale(0.6, 1.4, 0.6))?,
+            2 if step >= TURNED => about(cube, |t| t.rotate_y(0.6)?.rotate_z(0.5))?,
+            _ => Transform::IDENTITY,
         };
         world = match step {
             ..SCALED => world.with(shape, surface),

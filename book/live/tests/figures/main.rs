@@ -23,13 +23,7 @@ fn assert_near(found: &[f64], expected: &[f64]) {
 #[test]
 fn a_sphere_is_hit_half_a_chord_around_the_middle() {
     let half = 0.75_f64.sqrt();
-    for [cx, cy] in [
-        [0.0, 0.0],
-        [0.5, 0.0],
-        [0.0, -0.25],
-        [-1.0, 1.0],
-        [2.0, 0.5],
-    ] {
+    for [cx, cy] in [[0.0, 0.0], [0.5, -0.25], [-1.0, 1.0]] {
         let answer = ask("sphere", &[cx, cy + 0.5, 0.0, 1.0, cx, cy]);
         for name in ["ours", "protocol", "exact"] {
             assert_near(answer.get(name), &[10.0 - half, 10.0 + half]);
@@ -240,16 +234,6 @@ fn a_probe_says_what_a_ray_meets() {
     assert_eq!(middle.text, "Sphere, Phong");
     assert_near(middle.get("t"), &[3.0 * 3.0_f64.sqrt() - 0.5]);
     assert_eq!(at(0.0, 480.0).text, "Plane, Phong");
-}
-
-/// As many cases as the stage has, and all hold.
-#[test]
-fn extreme_cases_hold() {
-    let answer = ask("extremes a02-math", &[]);
-    let cases = (a02_math::stage().extremes)(measure::Effort::Quick).len() as f64;
-    assert_eq!(answer.get("cases"), [cases]);
-    assert_eq!(answer.get("held"), [cases]);
-    assert_eq!(answer.text.split("\n\n").count() as f64, cases);
 }
 
 #[test]
