@@ -218,6 +218,12 @@ live.Figure = class {
 
     // Changes numbers of the state; resolves once they are answered and drawn.
     set(numbers) {
+        // A large picture is rendered small at once and in full when the reader pauses.
+        if ('coarse' in this.state && !('coarse' in numbers)) {
+            numbers.coarse = 2;
+            clearTimeout(this.pause);
+            this.pause = setTimeout(() => this.set({ coarse: 1 }), 250);
+        }
         for (const figure of this.together) {
             const { step } = figure.state;
             Object.assign(figure.state, numbers, step === undefined ? {} : { step });
@@ -260,6 +266,7 @@ live.Figure = class {
         }
         if (this.canvas) {
             const [width, height] = answer.size;
+            Object.assign(this.canvas, { width, height });
             const pixels = new ImageData(new Uint8ClampedArray(answer.pixels), width, height);
             this.canvas.getContext('2d').putImageData(pixels, 0, 0);
         }

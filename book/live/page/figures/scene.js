@@ -15,7 +15,7 @@
         over: true,
         picture: [360, 270],
         area: { x: [-2.67, 2.67], y: [-2, 2] },
-        state: { x: 0.2, y: 1.2, depth: 6, yaw: 0.8, pitch: 0.35 },
+        state: { x: 0.2, y: 1.2, depth: 6, coarse: 1, yaw: 0.8, pitch: 0.35 },
         handles: [
             live.follow('the pixel', (state) => flat(state, [state.x, state.y, screen]), { x: [-0.55, 0.55], y: [1, 1.8] }),
         ],

@@ -85,8 +85,9 @@ fn world(step: u32) -> Result<ShadowedWorld, ArgumentError> {
 }
 
 /// Numbers: a point of the ray from the eye, before all objects; the surfaces that a ray may
-/// hit from the step after `MIRROR` on; the angles under which the scene is seen; the step.
-pub fn answer([x, y, depth, yaw, pitch, step]: [f64; 6]) -> Answered {
+/// hit from the step after `MIRROR` on; the divisor of the picture's size; the angles under
+/// which the scene is seen; the step.
+pub fn answer([x, y, depth, coarse, yaw, pitch, step]: [f64; 7]) -> Answered {
     let step = step as u32;
     let world = world(step)?;
     let tracer = RecursiveTracer::new(&world);
@@ -98,7 +99,7 @@ pub fn answer([x, y, depth, yaw, pitch, step]: [f64; 6]) -> Answered {
     let (middle, gaze) = (Point3::new(0.0, 1.25, 1.6), gaze(yaw, -pitch));
     let camera = OrthographicCamera::new(middle - gaze * 30.0, gaze, UP, 4.0)?;
     let settings = Settings {
-        size: Size::new(360, 270)?,
+        size: Size::new((360.0 / coarse) as u32, (270.0 / coarse) as u32)?,
         ..Settings::default()
     };
     let image = render(&camera, |ray| tracer.trace(ray, depth), &settings, &())?;

@@ -161,12 +161,12 @@ fn a_spot_lights_its_cone() {
 /// The lamp is at (-0.6, 3, 2.4), and from step 11 on mirrors pass on three tenths.
 #[test]
 fn a_ray_through_the_scene_meets_its_floor() {
-    let flat = ask("scene", &[0.0, 1.05, 6.0, 0.8, 0.35, 0.0]);
+    let flat = ask("scene", &[0.0, 1.05, 6.0, 1.0, 0.8, 0.35, 0.0]);
     assert_near(flat.get("t"), &[5.0]);
     assert_near(flat.get("path"), &[0.0, 1.4, 4.4, 0.0, 0.0, -0.4]);
     let way = (0.36_f64 + 9.0 + 2.8 * 2.8).sqrt();
     assert_near(flat.get("cosine"), &[3.0 / way]);
-    let mirrored = ask("scene", &[0.0, 1.05, 2.0, 0.8, 0.35, 11.0]);
+    let mirrored = ask("scene", &[0.0, 1.05, 2.0, 2.0, 0.8, 0.35, 11.0]);
     assert_near(mirrored.get("left"), &[0.3 * 0.3]);
 }
 
