@@ -32,8 +32,8 @@ const BUDGETS: [(&str, &[&str], usize); 10] = [
     ("tests of common and program", &["common/"], 270),
     ("fuzz targets", &["fuzz/"], 500),
     ("checks of the book", &["book/tests/"], 600),
-    ("live pages", &["book/live/"], 1_730),
-    ("tests of the stages", &["/tests/"], 4_600),
+    ("live pages", &["book/live/"], 1_800),
+    ("tests of the stages", &["/tests/"], 4_530),
 ];
 
 /// The most lines of all files, and of one.

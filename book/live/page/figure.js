@@ -265,10 +265,7 @@ live.Figure = class {
             }
         }
         if (this.canvas) {
-            const [width, height] = answer.size;
-            Object.assign(this.canvas, { width, height });
-            const pixels = new ImageData(new Uint8ClampedArray(answer.pixels), width, height);
-            this.canvas.getContext('2d').putImageData(pixels, 0, 0);
+            live.paint(this.canvas, answer);
         }
         this.root.dataset.drawn = (Number(this.root.dataset.drawn) || 0) + 1;
     }

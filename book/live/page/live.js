@@ -8,22 +8,23 @@ const live = {
     works: typeof WebAssembly === 'object' && typeof DecompressionStream === 'function',
 };
 
-// The file `live-module.js` calls this with the module, compressed, as base64.
+// The file of a module calls this with the module, compressed, as base64.
 live.receive = (base64) => {
     live.compressed = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
 };
 
-live.load = () =>
+live.load = (file) =>
     new Promise((resolve, reject) => {
         const script = document.createElement('script');
-        script.src = new URL('live-module.js', live.folder);
+        script.src = new URL(file, live.folder);
         script.onload = resolve;
         script.onerror = () => reject(new Error('the module of the live pictures is missing'));
         document.head.append(script);
     });
 
-live.start = async () => {
-    await live.load();
+// Starts a module: a function that posts messages to it, and one that stops it.
+live.start = async (file = 'live-module.js') => {
+    await live.load(file);
     const source = `${bindModule}\n(${liveWorker})()`;
     const worker = new Worker(URL.createObjectURL(new Blob([source])));
     const open = new Map();
@@ -38,8 +39,13 @@ live.start = async () => {
             open.set(++last, { resolve, reject });
             worker.postMessage({ id: last, ...message });
         });
-    await post({ compressed: live.compressed });
+    const compiled = post({ compressed: live.compressed });
     delete live.compressed;
+    await compiled;
+    post.stop = (reason) => {
+        worker.terminate();
+        open.forEach(({ reject }) => reject(new Error(reason)));
+    };
     return post;
 };
 
@@ -130,6 +136,13 @@ live.arrows = (move) => ({
     ArrowUp: () => move(0, 1),
     ArrowDown: () => move(0, -1),
 });
+
+// Puts the pixels of an answer on a canvas.
+live.paint = (canvas, { size: [width, height], pixels }) => {
+    Object.assign(canvas, { width, height });
+    const image = new ImageData(new Uint8ClampedArray(pixels), width, height);
+    canvas.getContext('2d').putImageData(image, 0, 0);
+};
 
 // A number as the reader sees it: six digits at most.
 live.show = (number) => {

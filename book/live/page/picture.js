@@ -33,6 +33,7 @@ live.Picture = class {
         }
         this.canvas = live.element('canvas', { className: 'live-canvas' });
         this.canvas.style.width = `${this.about.size[0]}px`;
+        this.yours = live.Yours.of(this);
         this.update = live.newest((moving) => this.render(moving));
         this.look = live.newest((column, row) => this.probe(column, row));
         this.reset();
@@ -87,11 +88,11 @@ live.Picture = class {
         if (moving && this.milliseconds > 50) {
             this.shrunk = 4;
         }
-        const [width, height] = answer.size;
-        Object.assign(this.canvas, { width, height });
-        const pixels = new ImageData(new Uint8ClampedArray(answer.pixels), width, height);
-        this.canvas.getContext('2d').putImageData(pixels, 0, 0);
-        this.say(answer.text, `${width} × ${height}`);
+        live.paint(this.canvas, answer);
+        this.say(answer.text, answer.size.join(' × '));
+        if (!moving) {
+            this.yours.forEach((yours) => yours.update(answer));
+        }
     }
 
     say(hash, size) {

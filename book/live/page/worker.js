@@ -5,7 +5,10 @@ function liveWorker() {
     let ask;
 
     const start = async () => {
-        ask = bindModule((await WebAssembly.instantiate(compiled, {})).exports);
+        const { exports } = await WebAssembly.instantiate(compiled, {});
+        // Only a module of the reader's code has a `main`.
+        exports.main?.(0, 0);
+        ask = bindModule(exports);
     };
 
     const compile = async (compressed) => {
@@ -24,8 +27,8 @@ function liveWorker() {
                 postMessage({ id, answer }, [answer.pixels.buffer]);
             }
         } catch (error) {
-            // After a trap the module's memory is in no known state.
-            if (error instanceof WebAssembly.RuntimeError) {
+            // After a trap, or too deep a recursion, the module's memory is in no known state.
+            if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) {
                 await start();
             }
             postMessage({ id, error: error.message });

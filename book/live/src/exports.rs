@@ -7,7 +7,7 @@
 
 use std::cell::RefCell;
 
-use crate::{Answer, call};
+use super::{Answer, call};
 
 /// Room for the request: its text, and the bytes of its numbers.
 type Request = [Vec<u8>; 2];

@@ -6,6 +6,7 @@
 
 mod answer;
 mod catalogue;
+mod exchange;
 #[cfg(target_family = "wasm")]
 mod exports;
 mod extremes;

@@ -2,51 +2,21 @@
 
 use a02_math::Vector3;
 use a03_rays_cameras::{Camera, View, camera_coordinates};
-use common::{Color, Error, Image, Renderer, Sampling, Scene, Settings, Size, Transfer, fnv1a};
+use common::{Color, Error, Sampling, Settings};
 
+use crate::exchange::settings;
 use crate::turned::{Turn, Turned};
 use crate::view::{centre, meet, view};
 use crate::{Answer, Answered, catalogue};
 
-/// The place of the samples that a page gives as a number: their place in the list of all.
-pub fn sampling(number: f64) -> Sampling {
-    let found = Sampling::ALL.get(number as usize);
-    found.copied().unwrap_or_default()
-}
+pub use crate::exchange::{pixels, sampling};
 
-/// The description of a picture by a page: width, height, samples, the number of their
-/// place, seed, depth, 1 for the engine, yaw, pitch and zoom.
-fn settings(scene: &Scene, numbers: &[f64]) -> Result<(Settings, Turn), Error> {
-    let &[
-        width,
-        height,
-        samples,
-        place,
-        seed,
-        depth,
-        engine,
-        yaw,
-        pitch,
-        zoom,
-        ..,
-    ] = numbers
-    else {
-        return Ok((scene.defaults.clone(), Turn::NONE));
-    };
-    let settings = Settings {
-        size: Size::new(width as u32, height as u32)?,
-        samples: samples as u32,
-        sampling: sampling(place),
-        seed: seed as u64,
-        depth: depth as u32,
-        renderer: if engine == 1.0 {
-            Renderer::Engine
-        } else {
-            Renderer::Lesson
-        },
-        ..scene.defaults.clone()
-    };
-    Ok((settings, Turn { yaw, pitch, zoom }))
+/// How far a page has turned the camera: yaw, pitch and zoom, after the settings.
+fn turn(numbers: &[f64]) -> Turn {
+    match *numbers {
+        [_, _, _, _, _, _, _, yaw, pitch, zoom, ..] => Turn { yaw, pitch, zoom },
+        _ => Turn::NONE,
+    }
 }
 
 /// The view of a picture, with its camera turned.
@@ -64,32 +34,21 @@ fn turned(picture: &str, settings: &Settings, turn: Turn) -> Result<Option<View>
 /// Renders a picture: its pixels, its size and, as text, the hash that the tests lock.
 pub fn render(picture: &str, numbers: &[f64]) -> Answered {
     let scene = catalogue::scene(picture)?;
-    let (settings, turn) = settings(&scene, numbers)?;
-    let image = match turned(picture, &settings, turn)? {
+    let settings = settings(&scene.defaults, numbers)?;
+    let image = match turned(picture, &settings, turn(numbers))? {
         Some(view) => view.render(&settings, &()),
         None => scene.render(&settings, &()),
     };
     image.map(|image| pixels(&image))
 }
 
-/// The pixels, size and hash of a picture.
-pub fn pixels(image: &Image) -> Answer {
-    let rgb = image.to_rgb8(Transfer::Linear);
-    let rgba = rgb.as_chunks::<3>().0.iter();
-    let (width, height) = (image.size().width(), image.size().height());
-    Answer {
-        pixels: rgba.flat_map(|[r, g, b]| [*r, *g, *b, 255]).collect(),
-        ..Answer::text(format!("{:016x}", fnv1a(&rgb)))
-    }
-    .with("size", [width.into(), height.into()])
-}
-
 /// Looks along the ray through the middle of a pixel, whose column and row follow the
 /// settings: its linear colour, and if it meets a surface, `t`, point and normal.
 pub fn probe(picture: &str, numbers: &[f64]) -> Answered {
     let scene = catalogue::scene(picture)?;
-    let (settings, turn) = settings(&scene, numbers)?;
-    let (Some(view), [.., column, row]) = (turned(picture, &settings, turn)?, numbers) else {
+    let settings = settings(&scene.defaults, numbers)?;
+    let view = turned(picture, &settings, turn(numbers))?;
+    let (Some(view), [.., column, row]) = (view, numbers) else {
         return Ok(Answer::text("painted, without a ray"));
     };
     let (column, row) = (*column as u32, *row as u32);

@@ -4,6 +4,7 @@
 //! copied to the student's file. The test program of the stage judges it, built with this file
 //! alone, so that a file that does not compile stops no other exercise.
 
+mod book;
 mod editor;
 mod exercise;
 mod files;
@@ -40,6 +41,7 @@ fn command(course: &'static [Exercise]) -> Command {
         ))
         .subcommand(sub("hint", "Shows the hints of an exercise").arg(&or_next))
         .subcommand(sub("check", "Checks an exercise once").arg(&or_next))
+        .subcommand(sub("book", "Builds the book with your pictures in it"))
         .subcommand(
             sub("reset", "Begins an exercise anew, and keeps your file").arg(name.required(true)),
         )
@@ -57,6 +59,7 @@ fn run() -> Result<ExitCode, String> {
     let matches = command(course).get_matches();
     let (command, matches) = matches.subcommand().unwrap_or(("watch", &matches));
     match command {
+        "book" => return book::build(course),
         "list" => return print(&progress::list(course)),
         "editor" => return print(&editor::write_settings()?),
         _ => {}

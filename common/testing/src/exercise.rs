@@ -24,8 +24,11 @@ mod answer;
 mod check;
 mod findings;
 mod input;
+#[cfg_attr(target_family = "wasm", path = "../../../book/live/src/yours.rs")]
 mod judge;
+#[cfg(not(target_family = "wasm"))]
 mod picture;
+#[cfg(not(target_family = "wasm"))]
 mod prove;
 mod random;
 
@@ -34,6 +37,7 @@ pub use check::Check;
 pub use findings::{assert_close, missing};
 pub use input::Input;
 pub use judge::judge;
+#[cfg(not(target_family = "wasm"))]
 pub use prove::prove;
 pub use random::{Random, random};
 
@@ -109,7 +113,7 @@ macro_rules! examples {
 /// The test proves all checks, and does not read the students' files: a file that does
 /// not compile fails no test. `cargo learn` builds the test program with the
 /// configurations `learn` and `NAME` instead, and such a program judges the student's
-/// file of that name.
+/// file of that name; built for a page of the book, it renders the scenes of several names.
 #[macro_export]
 macro_rules! exercises {
     (use $names:tt; starters $starters:tt solutions { $($name:ident => $check:expr;)* }) => {
@@ -169,17 +173,19 @@ macro_rules! exercises {
 
         #[allow(unused_imports)]
         fn main() -> std::process::ExitCode {
-            use $crate::exercise::{Code, Exercise, judge, prove};
+            use $crate::exercise::{Code, Exercise, judge};
             let stage = env!("CARGO_PKG_NAME");
             $($(
                 #[cfg($name)]
-                return judge(stage, stringify!($name), {
+                let judged = judge(stage, stringify!($name), {
                     use yours::$name::*;
                     Code { examples, check: $check }
                 });
             )*)+
+            #[cfg(learn)]
+            return judged;
             #[cfg(not(learn))]
-            prove(stage, [$($(Exercise {
+            $crate::exercise::prove(stage, [$($(Exercise {
                 name: stringify!($name),
                 starter: {
                     use starters::$folder::$name::*;
