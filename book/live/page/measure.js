@@ -3,7 +3,7 @@ live.Measure = class {
     static samplings = [[1, 'a regular grid', 'a'], [2, 'random', 'b'], [3, 'a stratified grid', 'c']];
     static size = [120, 90];
     // Logarithms of milliseconds and of errors.
-    static area = { x: [-0.5, 4], y: [-3.4, -0.4] };
+    static area = { x: [-0.7, 4], y: [-3.4, -0.4] };
 
     constructor(before) {
         const scenes = Object.keys(live.locks).filter((name) => /^a0[4-7]/.test(name));

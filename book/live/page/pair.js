@@ -9,9 +9,9 @@ live.Pair = class {
         this.canvas.setAttribute('role', 'img');
         this.canvas.setAttribute('aria-label', image.alt);
         this.slider = live.element('input', { type: 'range', min: 0, max: 100, value: 50 });
-        this.slider.setAttribute('aria-label', 'from the right picture to the wrong one');
+        this.slider.setAttribute('aria-label', 'how much of the wrong picture lies over the right one');
         this.slider.oninput = () => this.draw();
-        const row = live.element('label', {}, 'right ', this.slider, ' wrong');
+        const row = live.element('label', {}, 'wrong ', this.slider, ' right');
         after.after(live.element('figure', { className: 'live-pair' }, this.canvas, row));
         image.decode().then(() => this.draw(), () => {});
     }

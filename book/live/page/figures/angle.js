@@ -9,7 +9,7 @@ live.figure('angle', {
         right: 1,
         because: 'the cosine differs from 1 by half of t², which is 5 · 10⁻¹⁹. The numbers just below 1 lie 10⁻¹⁶ apart, so the cosine rounds to 1, and the arc cosine of 1 is 0.',
     },
-    area: { x: [-13.4, 0.5], y: [-7.2, 0.7] },
+    area: { x: [-14, 0.5], y: [-7.2, 0.7] },
     state: { power: -3 },
     sliders: { power: { label: 't: 10 to the', min: -12, max: 0, step: 0.25 } },
     values: { tangent: 't', ours: 'angle, by the arc tangent', by_cosine: 'by the arc cosine', our_error: 'relative error of the arc tangent', cosine_error: 'of the arc cosine' },
@@ -18,7 +18,7 @@ live.figure('angle', {
         const log = (error) => Math.log10(Math.max(error, 1e-17)) / 2.5;
         [1, 1e-8, 1e-16].forEach((error, i) => {
             pen.line([-12, log(error)], [0, log(error)], 'thin');
-            pen.text([-13.25, log(error) - 0.45], ['1', '10⁻⁸', '10⁻¹⁶'][i]);
+            pen.text([-12.2, log(error) - 0.5], ['1', '10⁻⁸', '10⁻¹⁶'][i], '', 'end');
         });
         pen.line([-12, log(0)], [0, log(0)], 'ink');
         pen.path(powers.map((power, i) => [power, log(errors[i])]), 'b');

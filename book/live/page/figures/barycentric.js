@@ -26,7 +26,7 @@ live.figure('barycentric', {
         pen.path([p, b, c], 'a pale', true);
         pen.path([a, p, c], 'b pale', true);
         pen.path([a, b, p], 'c pale', true);
-        [[a, 'a'], [b, 'b'], [c, 'c']].forEach(([corner, name]) => pen.text(corner, name, name));
+        [[a, 'a'], [b, 'b'], [c, 'c']].forEach(([[x, y], name]) => pen.text([1.18 * x, 1.18 * y - 0.13], name, name, 'middle'));
         if (weights.length) {
             pen.arrow(p, [x + normal[0], y + normal[1]], 'ink');
         } else {

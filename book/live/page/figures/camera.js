@@ -40,7 +40,7 @@
     });
 
     live.figure('camera', {
-        area: { x: [-3.8, 7.4], y: [-1.9, 5.5] },
+        area: { x: [-3.8, 7.4], y: [-1.9, 5.7] },
         state: { x: 4, y: 4, z: 4, around: 45, upwards: -35, roll: 0, opening: 45, step: 0, yaw: -0.45, pitch: 0.35 },
         numbers: 8,
         handles: [
@@ -69,7 +69,7 @@
                 pen.arrow(to(e), to(add(e, gaze, 8)), 'ink');
                 for (let t = 0; t < 8; t += 1) {
                     pen.dot(to(add(e, gaze, t)), 'b', 3);
-                    pen.text(to(add(e, gaze, t)), t % 2 ? '' : `t = ${t}`, 'b');
+                    pen.text(to(add(e, gaze, t)), t % 2 ? '' : `t = ${t}`, 'b', 'end');
                 }
                 return;
             }
@@ -78,7 +78,7 @@
                 pen.text(to(add(e, axis, 1.5)), name, kind);
             });
             pen.line(to(e), to(add(e, up, 1.8)), 'thin');
-            pen.text(to(add(e, up, 1.8)), 't');
+            pen.text(to(add(e, up, 1.9)), 't', '', 'end');
             if (step === 1) {
                 return;
             }

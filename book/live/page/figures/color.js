@@ -24,7 +24,7 @@ live.figure('color', {
             const [lamp, point, eye] = [[i + 0.04, 0.98], [i + 0.34, 0.74], [i + 0.96, 0.62]];
             pen.arrow(lamp, point, 'b');
             pen.arrow(point, eye, 'b');
-            pen.text([i + 0.1, 0.84], short(light), 'b');
+            pen.text([i + 0.14, 0.8], short(light), 'b');
             pen.text([i + 0.98, 0.64], short(sent), 'b', 'end');
             pen.text([i + 0.03, 0.0], name);
             pen.text([i + 0.98, 0.0], `${byte}`, '', 'end');

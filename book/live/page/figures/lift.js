@@ -21,8 +21,8 @@ live.figure('lift', {
         band(0, rounding, 'b');
         band(objects, 3, 'a');
         pen.line([0, 0], [4, 0], 'ink wide');
-        pen.text([4, 0.05], 'roundings of the hit', 'b', 'end');
-        pen.text([4, 2.7], 'objects that cast shadows', 'a', 'end');
+        pen.text([3.93, 0.05], 'roundings of the hit', 'b', 'end');
+        pen.text([3.93, 2.7], 'objects that cast shadows', 'a', 'end');
         [-12, -6].forEach((power) => pen.text([0, height(power) - 0.1], power === -12 ? '10⁻¹²' : '10⁻⁶'));
         const start = [1.6, height(power)];
         pen.arrow([1.6, 0], start, 'c part-LIFT');

@@ -51,8 +51,8 @@
             }
             pen.path(counts.map((n, i) => log(n, Math.max(errors[i], 1e-4))), 'c');
             counts.forEach((n, i) => pen.dot(log(n, Math.max(errors[i], 1e-4)), 'c'));
-            pen.text([1.35, -0.12], '1 sample');
-            pen.text([2.4, -0.12], '1024', '', 'end');
+            pen.text([1.35, -0.18], '1 sample');
+            pen.text([2.4, -0.18], '1024', '', 'end');
             pen.text([1.37, 1.02], 'error');
         },
     });

@@ -53,7 +53,7 @@
             }
             if (step === highlight) {
                 pen.arrow(point, to(reflected), 'b');
-                pen.text(to(reflected), 'r', 'b');
+                pen.text(to(reflected), 'r', 'b', 'end');
             }
         },
         grows: [

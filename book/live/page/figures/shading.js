@@ -25,10 +25,10 @@ live.figure('shading', {
         pen.arrow(o, [0, 1.1], 'c');
         pen.text([0, 1.1], 'n', 'c');
         pen.arrow(o, at(light, 1.1), 'b');
-        pen.text(at(light, 1.2), 'light', 'b', 'middle');
+        pen.text(at(light, 1.28), 'light', 'b', 'middle');
         pen.arrow(o, reflected, 'thin part-cosine');
         pen.text(reflected, 'r');
         pen.arrow(at(eye, 1.1), o, 'ink part-cosine');
-        pen.text(at(eye, 1.2), 'eye', '', 'middle');
+        pen.text(at(eye, 1.28), 'eye', '', 'middle');
     },
 });

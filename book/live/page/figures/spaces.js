@@ -32,7 +32,7 @@ live.figure('spaces', {
         const around = Array.from({ length: 73 }, (_, i) => [Math.cos((i * Math.PI) / 36), Math.sin((i * Math.PI) / 36)]);
         pen.path(around.map(([x, y]) => [m[0] * x + m[1] * y + m[3], m[4] * x + m[5] * y + m[7]]), 'a pale', true);
         pen.arrow([ox, oy], [ox + 7 * dx, oy + 7 * dy], 'ink');
-        pen.text([ox, oy], 'o');
+        pen.text([ox, oy - 0.75], 'o', '', 'end');
         // The space of the object lies on the right, around (4.5, 0).
         const right = ([x, y]) => [x + 4.5, y];
         pen.shapes.push(`<rect class="live-paper" x="${pen.to([3, 0])[0]}" y="0" width="${3 * pen.scale}" height="${pen.height}"/>`);

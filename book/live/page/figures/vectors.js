@@ -18,14 +18,15 @@
             if (step >= 1) {
                 pen.path([o, a, to(ax + bx, ay + by), b], 'c pale', true);
                 pen.arrow(o, to(0, 0, cross[2] / 2), 'c');
-                pen.text(to(0, 0, cross[2] / 2), '½ a × b ', 'c', 'end');
+                pen.text(to(0, 0, cross[2] / 2 + 0.2), '½ a × b ', 'c', 'end');
             }
             if (step >= 2 && angle) {
                 const start = Math.atan2(by, bx);
                 const turn = Math.sign(cross[2] || 1) * -angle * (Math.PI / 180);
                 const at = (i) => to(0.4 * Math.cos(start + (turn * i) / 24), 0.4 * Math.sin(start + (turn * i) / 24));
                 pen.path(Array.from({ length: 25 }, (_, i) => at(i)), 'ink');
-                pen.text(at(12), 'α');
+                const [x, y] = at(12);
+                pen.text([1.7 * x, 1.7 * y - 0.2], 'α', '', 'middle');
             }
             if (p.length) {
                 step === 3 ? pen.arrow(o, to(...p), 'c wide part-share') : pen.line(o, to(...p), 'c wide part-share');
