@@ -1,4 +1,4 @@
-//! What the program prints, and the pictures that it writes.
+//! The lines that the program prints, and the pictures that it writes.
 
 use std::fs;
 use std::process::Stdio;

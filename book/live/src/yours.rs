@@ -10,7 +10,7 @@ use measure::Stage;
 use super::{Check, Code};
 use answer::Answer;
 
-// The page speaks with this module as with that of the lessons.
+// The page speaks with this module as with the module of the lessons.
 #[path = "answer.rs"]
 mod answer;
 #[path = "exchange.rs"]

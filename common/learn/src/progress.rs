@@ -10,13 +10,13 @@ const FILE: &str = ".learn";
 /// Length of a bar in characters.
 const BAR: usize = 30;
 
-/// Whether the last check has said so, and the student's file is still there.
+/// Whether the last check found it done, and the student's file is still there.
 pub fn is_done(exercise: &Exercise) -> bool {
     let done = files::read(FILE).unwrap_or_default();
     done.lines().any(|name| name == exercise.name) && files::saved(exercise).is_some()
 }
 
-/// Records what the last check has said.
+/// Records the verdict of the last check.
 pub fn record(exercise: &Exercise, is_done: bool) -> Result<(), String> {
     let known = files::read(FILE).unwrap_or_default();
     let others = known.lines().filter(|name| *name != exercise.name);

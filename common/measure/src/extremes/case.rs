@@ -75,8 +75,8 @@ impl Case {
     }
 }
 
-/// A row that compares two outcomes with an `exact` one from elsewhere: ours, and that of the
-/// protocol's formula.
+/// A row that compares our outcome and the outcome of the protocol's formula with an `exact`
+/// one from elsewhere.
 pub fn case(
     id: Id,
     what: impl Into<String>,
