@@ -33,18 +33,16 @@ fn saving(name: &'static str, scene: &'static str, about: &'static str) -> Exper
         .with_error("rms error of a channel")
         .with_exact("against the picture that was saved")
         .with_curves(move |_| {
-        let Some(picture) = picture(scene).map(Rc::new) else {
-            return Vec::new();
-        };
-        let qualities = [10, 25, 50, 75, 90, 95, 98, 99, 100].map(Some);
-        let jpeg = qualities.iter().filter_map(|jpeg| point(&picture, *jpeg));
-        vec![
-            Curve::new("JPEG", jpeg).with_remark(
-                "not in the renderer: even its best quality changes bytes, most of all beside edges",
-            ),
-            Curve::new("PNG", point(&picture, None)).with_remark("what the renderer writes"),
-        ]
-})
+            let Some(picture) = picture(scene).map(Rc::new) else {
+                return Vec::new();
+            };
+            let qualities = [10, 25, 50, 75, 90, 95, 98, 99, 100].map(Some);
+            let jpeg = qualities.iter().filter_map(|jpeg| point(&picture, *jpeg));
+            vec![
+                Curve::new("JPEG", jpeg),
+                Curve::new("PNG", point(&picture, None)),
+            ]
+        })
 }
 
 fn picture(scene: &str) -> Option<RgbImage> {

@@ -30,5 +30,6 @@ pub fn stage() -> Stage {
         ],
         experiments,
         extremes: |_| Vec::new(),
+        open: None,
     }
 }

@@ -14,6 +14,15 @@ pub trait Direction: Copy {
     fn dot(self, other: impl Direction) -> f64 {
         self.components().dot(other.components())
     }
+
+    /// The dot product of the magnitudes of all components: |ax bx| + |ay by| + |az bz|.
+    ///
+    /// The rounding error of [`dot`](Self::dot) is at most 1.5 epsilon times this (Higham,
+    /// Accuracy and Stability of Numerical Algorithms, 2nd edition, section 3.1).
+    #[must_use]
+    fn dot_of_magnitudes(self, other: impl Direction) -> f64 {
+        self.components().abs().dot(other.components().abs())
+    }
 }
 
 impl Direction for Vector3 {

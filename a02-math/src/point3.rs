@@ -43,6 +43,12 @@ impl Point3 {
     pub fn largest_coordinate(self) -> f64 {
         self.0.abs().max_element()
     }
+
+    /// The point of the magnitudes of all coordinates.
+    #[must_use]
+    pub fn magnitudes(self) -> Self {
+        Self(self.0.abs())
+    }
 }
 
 // ANCHOR: difference

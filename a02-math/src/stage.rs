@@ -20,5 +20,6 @@ pub fn stage() -> Stage {
         )],
         experiments: experiments::experiments,
         extremes: extremes::cases,
+        open: None,
     }
 }

@@ -2,7 +2,9 @@
 
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
+mod drawing;
 pub mod experiments;
 pub mod extremes;
+mod pixel_trace;
 pub mod protocol;
-pub(crate) mod watched;
+pub mod watched;

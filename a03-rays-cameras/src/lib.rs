@@ -6,6 +6,7 @@
 mod bounded_ray;
 mod camera;
 pub mod fast;
+pub mod from_file;
 #[doc(hidden)]
 pub mod lab;
 mod orthographic_camera;

@@ -1,5 +1,6 @@
 //! `stage`: the scenes, experiments and extreme cases of this stage for its program.
 
+use common::steps::{self, Step};
 use common::{Color, Sampling, Settings, Size};
 use measure::Stage;
 
@@ -39,6 +40,7 @@ pub fn stage() -> Stage {
         scenes: scenes().map(Into::into).into(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
+        open: None,
     }
 }
 
@@ -49,6 +51,12 @@ impl TracedWorld for StripedSky {
     }
 
     fn watched(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
-        self
+        Box::new(move |ray: &Ray| {
+            let section = "a03-rays-cameras.md#the-striped-sky";
+            let (stripe, color) = (f64::from(self.stripe(ray)), self.color_for(ray));
+            let step = Step::new("color", "colour of the stripe", section);
+            steps::push(step.with("number", [stripe]).with("c", color.channels()));
+            color
+        })
     }
 }

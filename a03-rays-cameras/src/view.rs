@@ -2,10 +2,13 @@
 //! renderer; and `TracedScene`, the scene that a view belongs to.
 
 use std::any::Any;
+use std::sync::Arc;
 
 use common::{
     ArgumentError, Color, Error, Image, Progress, Renderer, Scene, Settings, Size, tally,
 };
+
+use scene_file::{POV_RAY, TOML, export};
 
 use crate::lab::watched;
 use crate::{Camera, Ray, fast, render};
@@ -32,8 +35,9 @@ pub trait TracedWorld: Any + Send + Sync {
         None
     }
 
-    /// The same world with wrappers around its parts, which count its work; with `all_work`
-    /// they also do the work that the lesson leaves out. The colours do not change.
+    /// The same world with wrappers around its parts, which count its work and record its steps;
+    /// with `all_work` they also do the work that the lesson leaves out. The colours do not
+    /// change.
     fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld>;
 }
 
@@ -77,6 +81,11 @@ impl<W: TracedWorld> View<W> {
 impl View {
     /// Renders the picture with the renderer of the settings.
     pub fn render(self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
+        let bounds = settings.max_error.map(|max_error| {
+            let scene = self.world.for_engine(settings.depth);
+            let max_radiance = scene.map_or(f64::INFINITY, |scene| scene.max_radiance());
+            (max_error, max_radiance)
+        });
         let Self { camera, world } = match settings.renderer {
             Renderer::Engine => {
                 if let Some(scene) = self.world.for_engine(settings.depth) {
@@ -89,15 +98,25 @@ impl View {
             Renderer::Lesson => self,
         };
         let radiance = |ray: &Ray| world.radiance(ray, settings.depth);
-        let Some(max_error) = settings.max_error else {
+        let Some((max_error, max_radiance)) = bounds else {
             return render(&camera, radiance, settings, progress);
         };
         let light = |x, y| radiance(&camera.ray_for(settings.size, x, y));
-        engine::adaptive::render_image(max_error, &light, settings, progress)
+        engine::adaptive::render_image(max_error, max_radiance, &light, settings, progress)
     }
 
-    /// The view with wrappers that count its work.
-    fn watched(self, settings: &Settings, all_work: bool) -> Self {
+    /// The scene as text in a language, `toml` or `povray`.
+    pub(crate) fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {
+        let scene = self.world.for_engine(settings.depth);
+        let phrases = if language == "povray" { POV_RAY } else { TOML };
+        let camera = fast::camera(&*self.camera);
+        let text = scene.map(|scene| export(phrases, &scene, &camera, settings));
+        let text = text.unwrap_or_else(|| Err("its world is a formula, without shapes".to_owned()));
+        text.map_err(|reason| Error::Usage(format!("this scene cannot be written: {reason}")))
+    }
+
+    /// The view with wrappers that count its work and record its steps.
+    pub(crate) fn watched(self, settings: &Settings, all_work: bool) -> Self {
         Self {
             camera: watched::camera(self.camera, settings, all_work),
             world: self.world.watched(all_work),
@@ -149,12 +168,27 @@ impl TracedScene {
 /// The scene for the program of the stage.
 impl From<TracedScene> for Scene {
     fn from(row: TracedScene) -> Self {
-        let view = row.view;
-        let paint = move |settings: &Settings, progress: &dyn Progress| {
-            view(settings.size)?.render(settings, progress)
-        };
-        let mut scene = Self::traced(row.name, row.about, paint).with_defaults(row.defaults);
+        let view = move |size| Ok((row.view)(size)?);
+        let mut scene = scene_of(row.name, row.about, view).with_defaults(row.defaults);
         scene.uses.depth = row.reflects;
         scene
     }
+}
+
+/// The name of a scene, and the function that makes its view for each picture.
+pub(crate) struct ViewOf<F>(pub &'static str, pub F);
+
+/// A scene for the program.
+pub(crate) fn scene_of<F>(name: &'static str, about: &'static str, view: F) -> Scene
+where
+    F: Fn(Size) -> Result<View, Error> + Send + Sync + 'static,
+{
+    let source = Arc::new(ViewOf(name, view));
+    let explained = Arc::clone(&source);
+    let paint = move |settings: &Settings, progress: &dyn Progress| {
+        source.1(settings.size)?.render(settings, progress)
+    };
+    let mut scene = Scene::traced(name, about, paint);
+    scene.explained = Some(explained);
+    scene
 }

@@ -6,6 +6,7 @@ use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
 use common::Color;
 
+use crate::from_file::Mesh;
 use crate::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
 
 impl From<Hit> for engine::Hit {
@@ -14,6 +15,7 @@ impl From<Hit> for engine::Hit {
             t: hit.t,
             normal: hit.normal.to_glam(),
             face: hit.face.to_glam(),
+            magnitude: hit.magnitude,
         }
     }
 }
@@ -24,6 +26,7 @@ impl From<&engine::Hit> for Hit {
             t: hit.t,
             normal: Normal3::from_glam(hit.normal),
             face: Normal3::from_glam(hit.face),
+            magnitude: hit.magnitude,
         }
     }
 }
@@ -47,6 +50,10 @@ pub fn shapes<'a>(geometry: &'a dyn Geometry, add: &mut dyn FnMut(engine::Shape<
     add(
         if let Some(boxed) = any.downcast_ref::<Box<dyn Geometry>>() {
             return shapes(&**boxed, add);
+        } else if let Some(Mesh(triangles)) = any.downcast_ref() {
+            return triangles
+                .objects()
+                .for_each(|(triangle, ())| shapes(triangle, add));
         } else if let Some(sphere) = any.downcast_ref::<Sphere>() {
             engine::Shape::Sphere(engine::Sphere {
                 center: sphere.c.to_glam(),

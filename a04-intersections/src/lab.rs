@@ -2,6 +2,9 @@
 
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
+pub mod aimed_box;
+pub mod certified;
+pub mod enclosure;
 pub mod exact;
 pub mod experiments;
 pub mod extremes;

@@ -6,6 +6,7 @@
 
 mod axis_aligned_box;
 pub mod fast;
+pub mod from_file;
 mod geometry;
 mod hit;
 mod interval;

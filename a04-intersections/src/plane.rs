@@ -37,9 +37,13 @@ impl Plane {
 impl Geometry for Plane {
     // ANCHOR: hit
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        let t = (self.a - ray.origin()).dot(self.n) / ray.direction().dot(self.n);
+        let to_a = self.a - ray.origin();
+        let t = to_a.dot(self.n) / ray.direction().dot(self.n);
         // A parallel ray gives infinity or NaN, which no interval contains.
-        within.contains(t).then(|| Hit::new(t, self.n))
+        within.contains(t).then(|| {
+            let magnitude = to_a.dot_of_magnitudes(self.n);
+            Hit::new(t, self.n).with_magnitude(magnitude)
+        })
     }
     // ANCHOR_END: hit
 }

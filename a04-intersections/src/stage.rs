@@ -1,13 +1,14 @@
 //! `stage`: the scenes, experiments and extreme cases of this stage for its program, and its
 //! world for the renderers.
 
-use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
+use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View, from_file};
 use common::Color;
+use common::steps;
 use measure::Stage;
 
 use crate::lab::{experiments, extremes, watched};
 use crate::scenes::{scene_1, scene_2, scene_3, scene_4, scene_5, scene_6};
-use crate::{World, fast};
+use crate::{Interval, World, fast};
 
 /// The traced scenes in the order of the course.
 #[must_use]
@@ -42,6 +43,7 @@ pub fn stage() -> Stage {
         scenes: scenes().map(Into::into).into(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
+        open: Some(|path| from_file::scene(path, 4, crate::from_file::view)),
     }
 }
 
@@ -55,6 +57,17 @@ impl TracedWorld for World<Color> {
     }
 
     fn watched(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
-        Box::new(watched::world(*self, watched::geometry, |color| color))
+        let world = watched::world(*self, watched::plain, |color| color);
+        Box::new(move |ray: &Ray| {
+            let color = world.color_for(ray);
+            if steps::is_on()
+                && let Some((hit, color)) = steps::paused(|| world.hit(ray, Interval::AHEAD))
+            {
+                watched::push_hit(ray, &hit);
+                watched::push_color("colour", *color);
+            }
+            watched::push_background(world.background());
+            color
+        })
     }
 }

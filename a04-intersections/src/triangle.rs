@@ -62,6 +62,12 @@ impl Triangle {
         mean.normalized().unwrap_or(self.face)
     }
     // ANCHOR_END: normal
+
+    /// The largest of the terms whose sums are the corners' heights above the face.
+    fn magnitude(&self, ray: &Ray) -> f64 {
+        let terms = |c: Point3| (c - ray.origin()).dot_of_magnitudes(self.face);
+        self.corners.map(terms).into_iter().fold(0.0, f64::max)
+    }
 }
 
 /// The normal of a face: perpendicular to two of its edges.
@@ -116,6 +122,7 @@ impl Geometry for Triangle {
             t,
             normal: self.interpolated_normal(v / determinant, w / determinant),
             face: self.face,
+            magnitude: self.magnitude(ray),
         })
     }
     // ANCHOR_END: hit

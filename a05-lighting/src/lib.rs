@@ -6,6 +6,7 @@
 
 mod directional_light;
 pub mod fast;
+pub mod from_file;
 #[doc(hidden)]
 pub mod lab;
 mod lambert;

@@ -1,8 +1,8 @@
 //! `stage`: the scenes, experiments and extreme cases of this stage for its program, and its
 //! world for the renderers.
 
-use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
-use a04_intersections::watched::geometry;
+use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View, from_file};
+use a04_intersections::watched::{plain, push_background};
 use common::Color;
 use measure::Stage;
 
@@ -49,6 +49,7 @@ pub fn stage() -> Stage {
         scenes: scenes().map(Into::into).into(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
+        open: Some(|path| from_file::scene(path, 5, crate::from_file::view)),
     }
 }
 
@@ -63,6 +64,11 @@ impl TracedWorld for LitWorld {
 
     fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
         let surface = |material| watched::material(material, all_work);
-        Box::new(watched::world(*self, geometry, surface))
+        let world = watched::world(*self, plain, surface, watched::light);
+        Box::new(move |ray: &Ray| {
+            let color = world.color_for(ray);
+            push_background(world.objects().background());
+            color
+        })
     }
 }

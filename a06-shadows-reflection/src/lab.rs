@@ -5,5 +5,6 @@
 pub(crate) mod all_work;
 pub mod experiments;
 pub mod extremes;
+pub mod lit_points;
 pub mod protocol;
 pub(crate) mod watched;

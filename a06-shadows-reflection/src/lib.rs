@@ -4,6 +4,7 @@
 //! and follows reflected rays from surface to surface.
 
 pub mod fast;
+pub mod from_file;
 #[doc(hidden)]
 pub mod lab;
 mod light_source;

@@ -9,8 +9,8 @@ use a02_math::{Direction, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 
-/// Ray offset along the normal, relative to the largest number in `o + t d`. For a
-/// plane, all roundings are less than 20 epsilon; 64 leave room for other shapes.
+/// Ray offset along the normal, relative to the largest of the numbers of ray and shape.
+/// For a plane, all roundings are less than 20 epsilon; 64 leave room for other shapes.
 const LIFT: f64 = 64.0 * f64::EPSILON;
 
 /// The ray that leaves the hit of `ray` in a direction of length 1: to a light,
@@ -27,7 +27,8 @@ pub fn secondary_ray(ray: &Ray, hit: &Hit, direction: Vector3) -> Ray {
         .origin()
         .largest_coordinate()
         .max(point.largest_coordinate())
-        .max(hit.t);
+        .max(hit.t)
+        .max(hit.magnitude);
     let lift = (LIFT * magnitude).copysign(hit.face.dot(direction));
     Ray::derived(point + Vector3::from(hit.face) * lift, direction)
 }

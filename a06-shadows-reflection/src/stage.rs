@@ -1,7 +1,7 @@
 //! `stage`: the scenes, experiments and extreme cases of this stage for its program, and its
 //! world for the renderers.
 
-use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
+use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View, from_file};
 use a04_intersections::Geometry;
 use a04_intersections::fast::{Translate, shapes};
 use common::Color;
@@ -34,6 +34,7 @@ pub fn stage() -> Stage {
         scenes: scenes().map(Into::into).into(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
+        open: Some(|path| from_file::scene(path, 6, crate::from_file::view)),
     }
 }
 

@@ -2,6 +2,7 @@
 
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
+pub mod certified;
 pub mod experiments;
 pub mod extremes;
 pub mod protocol;

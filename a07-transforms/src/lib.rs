@@ -5,6 +5,7 @@
 
 mod disc;
 pub mod fast;
+pub mod from_file;
 #[doc(hidden)]
 pub mod lab;
 mod mat4x4;

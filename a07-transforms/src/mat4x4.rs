@@ -42,6 +42,12 @@ impl Mat4x4 {
         Self(self.0.transpose())
     }
 
+    /// The matrix of the magnitudes of all entries.
+    #[must_use]
+    pub fn magnitudes(self) -> Self {
+        Self(self.0.abs())
+    }
+
     /// Whether the magnitude of every entry is at most `limit`; false for NaN.
     #[must_use]
     pub fn is_within(self, limit: f64) -> bool {

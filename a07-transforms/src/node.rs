@@ -8,9 +8,8 @@ use crate::Transform;
 /// A node of the scene graph: children with a common transform. As it is a
 /// geometry, it can be a child of another node.
 ///
-/// A long translation and a second one back lose digits in between, and a
-/// surface may then shadow itself: the translation of a node should not be much
-/// larger than the scene.
+/// A long translation and a second one back lose digits in between: the
+/// translation of a node should not be much larger than the scene.
 ///
 /// A node has one surface in the world, which all its children share. Objects of
 /// different surfaces need a node each, with the same transform.
@@ -45,7 +44,7 @@ impl Geometry for Node {
         let mut nearest = None;
         for child in &self.children {
             let hit = child.hit(&object_ray, within);
-            if let Some(hit) = hit.and_then(|hit| self.as_seen_around(hit)) {
+            if let Some(hit) = hit.and_then(|hit| self.as_seen_around(hit, ray)) {
                 within.max = hit.t;
                 nearest = Some(hit);
             }
@@ -57,11 +56,12 @@ impl Geometry for Node {
 
 impl Node {
     /// The hit in the space around the node.
-    fn as_seen_around(&self, hit: Hit) -> Option<Hit> {
+    fn as_seen_around(&self, hit: Hit, ray: &Ray) -> Option<Hit> {
         Some(Hit {
             t: hit.t,
             normal: self.transform.normal_from_object(hit.normal)?,
             face: self.transform.normal_from_object(hit.face)?,
+            magnitude: self.transform.magnitude_from_object(&hit, ray),
         })
     }
 }

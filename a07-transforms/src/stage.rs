@@ -1,6 +1,6 @@
 //! `stage`: the scenes, experiments and extreme cases of this stage for its program.
 
-use a03_rays_cameras::{TracedScene, View};
+use a03_rays_cameras::{TracedScene, View, from_file};
 use a06_shadows_reflection::{RecursiveWorld, ShadowedWorld};
 use measure::Stage;
 
@@ -37,6 +37,7 @@ pub fn stage() -> Stage {
         scenes: scenes().map(Into::into).into(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
+        open: Some(|path| from_file::scene(path, 7, crate::from_file::view)),
     }
 }
 

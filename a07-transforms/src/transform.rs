@@ -3,8 +3,9 @@
 //! Every elementary step has a known inverse. The product of these inverses is
 //! more accurate than the inverse of the finished matrix.
 
-use a02_math::{Normal3, Point3, Vector3};
+use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
+use a04_intersections::Hit;
 use common::{ArgumentError, argument};
 
 use crate::Mat4x4;
@@ -127,7 +128,7 @@ impl Transform {
     /// `m' = m T` and, in the opposite order, `i' = T⁻¹ i`: the inverse undoes the
     /// last step first.
     // ANCHOR: chain
-    fn chain(self, t: Mat4x4, t_inverse: Mat4x4) -> Result<Self, ArgumentError> {
+    pub(crate) fn chain(self, t: Mat4x4, t_inverse: Mat4x4) -> Result<Self, ArgumentError> {
         let chained = Self {
             m: self.m * t,
             i: t_inverse * self.i,
@@ -167,4 +168,17 @@ impl Transform {
         n.normalized().map(Vector3::as_normal)
     }
     // ANCHOR_END: normal
+
+    /// The magnitude of a hit in the space around the object.
+    ///
+    /// The terms of `i o` and `i p` may be much larger than their sums, and are rounded like
+    /// the numbers of the shape. A length along the normal `n` in the space of the object is
+    /// `|transpose(i) n|` times as long as around it.
+    #[must_use]
+    pub fn magnitude_from_object(&self, hit: &Hit, ray: &Ray) -> f64 {
+        let [o, p] = [ray.origin(), ray.at(hit.t)].map(Point3::magnitudes);
+        let terms = self.i.magnitudes() * (o + (p - Point3::ORIGIN)) - Point3::ORIGIN;
+        let n = self.i.transposed() * Vector3::from(hit.face);
+        (terms.dot_of_magnitudes(hit.face) + hit.magnitude) / n.magnitude()
+    }
 }

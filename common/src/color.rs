@@ -73,6 +73,12 @@ impl Color {
         [self.r, self.g, self.b]
     }
 
+    /// The largest channel that is a number, but at least 0.
+    #[must_use]
+    pub fn largest_channel(self) -> f64 {
+        self.channels().into_iter().fold(0.0, f64::max)
+    }
+
     /// The colour with `f` applied to each channel.
     #[must_use]
     pub fn map(self, f: impl Fn(f64) -> f64) -> Self {

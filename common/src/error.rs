@@ -13,7 +13,7 @@ pub enum Error {
     /// A constructor refused an argument.
     #[error(transparent)]
     Argument(#[from] ArgumentError),
-    /// A picture file could not be opened.
+    /// A file could not be opened.
     #[error("cannot open {}: {reason}", path.display())]
     Open {
         /// The file.
@@ -21,6 +21,9 @@ pub enum Error {
         /// The reason, and a remedy if there is one.
         reason: String,
     },
+    /// A scene file has a mistake: the file, the position and the mistake.
+    #[error("{0}")]
+    SceneFile(String),
     /// A picture file could not be written.
     #[error("cannot write {}: {reason}", path.display())]
     Write {

@@ -20,41 +20,53 @@ pub struct Sampled {
     /// The largest squared error by objects that no sample met, with 95 % confidence, summed
     /// over the pixels.
     pub unseen: f64,
+    /// The brightest channel that these objects are assumed to have.
+    pub brightest: f64,
+    /// Upper bound of the light that any ray brings back; infinite if it is unknown.
+    pub max_radiance: f64,
 }
 
+/// The standard deviations between the mean of a normal distribution and the number that 95 % of
+/// it lie below.
+const ONE_SIDED: f64 = 1.645;
+
 impl Sampled {
-    /// The least and the largest root mean square error of a channel: it lies between them
-    /// with 95 % confidence. A normal distribution lies within two standard deviations.
+    /// Upper bound of the root mean square error of a channel, with 95 % confidence.
     #[must_use]
-    pub fn error(&self) -> [f64; 2] {
-        let doubt = 2.0 * self.variance.sqrt();
-        let sum = self.squared_error;
-        let squares = [sum - doubt, sum.max(0.0) + doubt + self.unseen];
-        squares.map(|sum| (sum.max(0.0) / self.pixels as f64).sqrt())
+    pub fn max_error(&self) -> f64 {
+        let doubt = ONE_SIDED * self.variance.sqrt();
+        let sum = self.squared_error + doubt + self.unseen;
+        (sum.max(0.0) / self.pixels as f64).sqrt()
     }
 
     /// Whether the error may be larger than the requested one.
     #[must_use]
     pub fn misses(&self, asked: Option<f64>) -> bool {
-        asked.is_some_and(|asked| self.error()[1] > asked)
+        asked.is_some_and(|asked| self.max_error() > asked)
+    }
+
+    /// Whether an object that no sample met may be brighter than assumed.
+    #[must_use]
+    pub fn is_conditional(&self) -> bool {
+        self.max_radiance > self.brightest
     }
 }
 
 impl fmt::Display for Sampled {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            samples,
-            most,
-            audited,
-            ..
-        } = self;
+        let Self { samples, most, .. } = self;
         let mean = *samples as f64 / self.pixels as f64;
-        let [least, largest] = self.error();
+        let largest = self.max_error();
         write!(
             f,
-            "{samples} samples, {mean:.2} a pixel and at most {most}; root mean square error \
-             between {least:.6} and {largest:.6} (95 %), {audited} pixels audited"
-        )
+            "{samples} samples, {mean:.2} a pixel and at most {most}; root mean square error at \
+             most {largest:.6} (95 %)"
+        )?;
+        if self.is_conditional() {
+            let Self { brightest, .. } = self;
+            write!(f, ", if no light is brighter than {brightest:.2}")?;
+        }
+        Ok(())
     }
 }
 
@@ -62,7 +74,7 @@ impl fmt::Display for Sampled {
 mod tests {
     use super::*;
 
-    /// The squared errors are 1 - 2 x 1/4 and 1 + 2 x 1/4 + 3/4, of 4 pixels.
+    /// The squared errors are 1 + 1.645 x 1/4 + 1.58875, of 4 pixels.
     const SAMPLED: Sampled = Sampled {
         pixels: 4,
         samples: 10,
@@ -70,15 +82,26 @@ mod tests {
         audited: 3,
         squared_error: 1.0,
         variance: 0.0625,
-        unseen: 0.75,
+        unseen: 1.588_75,
+        brightest: 1.5,
+        max_radiance: 1.5,
     };
 
     #[test]
     fn means_and_errors_are_per_pixel() {
-        assert!(SAMPLED.misses(Some(0.74)) && !SAMPLED.misses(Some(0.75)));
+        assert!(SAMPLED.misses(Some(0.865)) && !SAMPLED.misses(Some(0.867)));
         assert!(!SAMPLED.misses(None));
-        let text = "10 samples, 2.50 a pixel and at most 7; root mean square error between \
-                    0.353553 and 0.750000 (95 %), 3 pixels audited";
+        let text = "10 samples, 2.50 a pixel and at most 7; root mean square error at most \
+                    0.866025 (95 %)";
         assert_eq!(SAMPLED.to_string(), text);
+        let max_radiance = f64::INFINITY;
+        let unknown = Sampled {
+            max_radiance,
+            ..SAMPLED
+        };
+        assert_eq!(
+            unknown.to_string(),
+            format!("{text}, if no light is brighter than 1.50")
+        );
     }
 }

@@ -1,6 +1,9 @@
 //! `Scene`: a picture of a stage, and the code that renders it.
 
-use crate::{Color, Error, Image, Progress, Settings, Size};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::{Color, Error, Image, PixelTrace, Progress, Settings, Size};
 
 type Paint = dyn Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync;
 
@@ -18,7 +21,21 @@ pub struct UsedSettings {
     pub file: bool,
 }
 
-/// A picture of a stage, under the name that the course gives it.
+/// A scene whose rays can be followed one by one.
+pub trait Explained: Send + Sync {
+    /// The numbers behind a pixel, whose column and row lie in the picture, by the renderer of
+    /// the settings. The engine has only those of the samples.
+    fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error>;
+
+    /// The rays of the first sample from the side and from above, as SVG.
+    fn drawing(&self, settings: &Settings, trace: &PixelTrace) -> Result<String, Error>;
+
+    /// The scene as text in a language: `toml` or `povray`.
+    fn export(&self, language: &str, settings: &Settings) -> Result<String, Error>;
+}
+
+/// A picture of a stage, under the name that the course gives it. A copy shares the code.
+#[derive(Clone)]
 pub struct Scene {
     /// The name on the command line, in kebab case.
     pub name: &'static str,
@@ -28,7 +45,13 @@ pub struct Scene {
     pub defaults: Settings,
     /// The settings that change its picture.
     pub uses: UsedSettings,
-    paint: Box<Paint>,
+    /// Whether only the fast renderer has its picture soon.
+    pub is_large: bool,
+    /// The files that it is made of, the scene file first; none for a scene of the stage.
+    pub files: Vec<PathBuf>,
+    /// The way to the numbers behind its pixels and to its text, for a scene of rays.
+    pub explained: Option<Arc<dyn Explained>>,
+    paint: Arc<Paint>,
 }
 
 impl Scene {
@@ -47,7 +70,10 @@ impl Scene {
             about,
             defaults: Settings::default(),
             uses,
-            paint: Box::new(paint),
+            is_large: false,
+            files: Vec::new(),
+            explained: None,
+            paint: Arc::new(paint),
         }
     }
 
@@ -126,6 +152,13 @@ impl Scene {
     pub fn with_defaults(mut self, defaults: Settings) -> Self {
         self.defaults = defaults;
         self
+    }
+
+    /// The text of the scene in a language: `toml` or `povray`.
+    pub fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {
+        let lacks = || Error::Usage(format!("{} has no rays to write", self.name));
+        let explained = self.explained.as_ref().ok_or_else(lacks)?;
+        explained.export(language, settings)
     }
 
     /// Renders the picture.

@@ -7,5 +7,6 @@
 #![expect(clippy::missing_panics_doc, reason = "every check panics")]
 
 pub mod images;
+pub mod scene_files;
 pub mod scenes;
 pub mod values;

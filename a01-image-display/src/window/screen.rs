@@ -90,6 +90,9 @@ impl Screen {
     pub fn run(&mut self, gallery: &mut Gallery) -> Result<(), NotShown> {
         let mut drawn_at = Instant::now();
         while self.window.is_open() {
+            if let Err(error) = gallery.reopen() {
+                self.notify(format!("error: {error}"));
+            }
             if let Some(outcome) = gallery.finished() {
                 self.finish(gallery, outcome);
             }

@@ -16,6 +16,18 @@ pub fn check(check: &mut Check, yours: &dyn Fn(Size) -> Result<Image, Error>) {
     check.picture(|settings| yours(settings.size));
 }
 
+variants! { steps:
+    wrong "a high picture has a pixel in every row" => |right, _| right, nearest;
+    wrong "the nearest pixel need not be the one below" => u32::max, |i, length, steps| {
+        i * length / steps
+    };
+    wrong "a slope is no whole number" => u32::max, |i, length, steps| i * (length / steps);
+}
+
+fn nearest(i: u32, length: u32, steps: u32) -> u32 {
+    (i * length + steps / 2) / steps
+}
+
 /// Steps from corner to corner, whose number follows from the last column and row; and the
 /// place on a side after i of them.
 fn steps(c: &mut Check, count: fn(u32, u32) -> u32, place: fn(u32, u32, u32) -> u32) {
@@ -29,16 +41,4 @@ fn steps(c: &mut Check, count: fn(u32, u32) -> u32, place: fn(u32, u32, u32) -> 
         }
         Ok(image)
     });
-}
-
-fn nearest(i: u32, length: u32, steps: u32) -> u32 {
-    (i * length + steps / 2) / steps
-}
-
-variants! { steps:
-    wrong "a high picture has a pixel in every row" => |right, _| right, nearest;
-    wrong "the nearest pixel need not be the one below" => u32::max, |i, length, steps| {
-        i * length / steps
-    };
-    wrong "a slope is no whole number" => u32::max, |i, length, steps| i * (length / steps);
 }

@@ -19,16 +19,16 @@ pub fn check(check: &mut Check, yours: &dyn Fn(&Image) -> Vec<u8>) {
     );
 }
 
+variants! { lines:
+    wrong "the width comes before the height" => |w, h| format!("P6\n{h} {w}\n255\n");
+    wrong "a line feed ends 255, and no line is empty" => |w, h| format!("P6\n{w} {h}\n255\n\n");
+    wrong "P6 has bytes, P3 numbers in words" => |w, h| format!("P3\n{w} {h}\n255\n");
+}
+
 /// A file whose first lines follow from width and height.
 fn lines(c: &mut Check, lines: fn(u32, u32) -> String) {
     check(c, &|image| {
         let lines = lines(image.size().width(), image.size().height());
         [lines.into_bytes(), image.to_rgb8(Transfer::Linear)].concat()
     });
-}
-
-variants! { lines:
-    wrong "the width comes before the height" => |w, h| format!("P6\n{h} {w}\n255\n");
-    wrong "a line feed ends 255, and no line is empty" => |w, h| format!("P6\n{w} {h}\n255\n\n");
-    wrong "P6 has bytes, P3 numbers in words" => |w, h| format!("P3\n{w} {h}\n255\n");
 }

@@ -27,6 +27,14 @@ pub fn check(check: &mut Check, encode: fn(f64) -> f64, decode: fn(f64) -> f64) 
     });
 }
 
+variants! { check:
+    wrong "the curve is near to a power of 2.2, but another" => |x| libm::pow(x, 1.0 / 2.2), |v| {
+        libm::pow(v, 2.2)
+    };
+    wrong "near black the curve is a straight line" => |x| curve_from(-1.0, x), light;
+    wrong "light and values have different borders" => |x| curve_from(0.040_45, x), light;
+}
+
 /// The value where the curve begins at this light.
 fn curve_from(border: f64, linear: f64) -> f64 {
     if linear <= border {
@@ -34,12 +42,4 @@ fn curve_from(border: f64, linear: f64) -> f64 {
     } else {
         1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055
     }
-}
-
-variants! { check:
-    wrong "the curve is near to a power of 2.2, but another" => |x| libm::pow(x, 1.0 / 2.2), |v| {
-        libm::pow(v, 2.2)
-    };
-    wrong "near black the curve is a straight line" => |x| curve_from(-1.0, x), light;
-    wrong "light and values have different borders" => |x| curve_from(0.040_45, x), light;
 }

@@ -23,6 +23,14 @@ pub fn check(check: &mut Check, yours: &dyn Fn(&Image, u32) -> Result<Image, Err
     check.picture(|_| yours(&ShowImage::test_card()?.into_image(), 4));
 }
 
+variants! { mean:
+    wrong "a mean is over the whole square, not one pixel" => |greys, _| greys[0];
+    wrong "a square that the edge cuts off has fewer pixels" => |greys, n| {
+        greys.iter().sum::<f64>() / (n * n)
+    };
+    wrong "a square has n times n pixels" => |greys, n| greys.iter().sum::<f64>() / n;
+}
+
 /// Another mean of the greys in a square of n by n.
 fn mean(c: &mut Check, mean: fn(Vec<f64>, f64) -> f64) {
     check(c, &|image, n| {
@@ -32,12 +40,4 @@ fn mean(c: &mut Check, mean: fn(Vec<f64>, f64) -> f64) {
             Color::gray(mean(greys.collect(), n.into()))
         })
     });
-}
-
-variants! { mean:
-    wrong "a mean is over the whole square, not one pixel" => |greys, _| greys[0];
-    wrong "a square that the edge cuts off has fewer pixels" => |greys, n| {
-        greys.iter().sum::<f64>() / (n * n)
-    };
-    wrong "a square has n times n pixels" => |greys, n| greys.iter().sum::<f64>() / n;
 }

@@ -46,6 +46,7 @@ fn program_of_long_renderings() {
         ],
         experiments: Vec::new,
         extremes: |_| Vec::new(),
+        open: None,
     };
     let line = ["stage", "--threads", "1"].map(Into::into);
     assert_eq!(program::run_with(&stage, viewer(), line), ExitCode::SUCCESS);

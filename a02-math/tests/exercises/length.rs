@@ -17,6 +17,12 @@ pub fn check(check: &mut Check, yours: &dyn Fn(f64, f64, f64) -> f64) {
     );
 }
 
+variants! { divided:
+    wrong "squares overflow" => |_, _, _| 1.0;
+    wrong "the largest coordinate may be negative" => |x, y, z| x.max(y).max(z);
+    wrong "0 / 0 is not a number" => |x, y, z| x.abs().max(y.abs()).max(z.abs());
+}
+
 /// Divided by this number first, and multiplied by it afterwards.
 fn divided(c: &mut Check, by: fn(f64, f64, f64) -> f64) {
     check(c, &|x, y, z| {
@@ -24,10 +30,4 @@ fn divided(c: &mut Check, by: fn(f64, f64, f64) -> f64) {
         let [x, y, z] = [x / by, y / by, z / by];
         by * (x * x + y * y + z * z).sqrt()
     });
-}
-
-variants! { divided:
-    wrong "squares overflow" => |_, _, _| 1.0;
-    wrong "the largest coordinate may be negative" => |x, y, z| x.max(y).max(z);
-    wrong "0 / 0 is not a number" => |x, y, z| x.abs().max(y.abs()).max(z.abs());
 }

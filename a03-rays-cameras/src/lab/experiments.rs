@@ -63,25 +63,21 @@ fn samples(
         .with_exact("against the pixel's mean in closed form")
         .with_seeds(&[0, 1, 2])
         .with_curves(move |effort| {
-            let methods: [(&str, &str, Places); 5] = [
-                ("random", "", |x, y, n| sampled(Random, x, y, n)),
-                ("regular", "", |x, y, n| sampled(Regular, x, y, n)),
-                ("stratified", "", |x, y, n| sampled(Stratified, x, y, n)),
-                ("n rooks", N_ROOKS, n_rooks),
-                ("R2", R2, r2),
+            let methods: [(&str, Places); 5] = [
+                ("random", |x, y, n| sampled(Random, x, y, n)),
+                ("regular", |x, y, n| sampled(Regular, x, y, n)),
+                ("stratified", |x, y, n| sampled(Stratified, x, y, n)),
+                ("n rooks", n_rooks),
+                ("R2", r2),
             ];
             let numbers = &[1, 4, 16, 64, 256, 1024, 4096][..effort.choose(6, 7)];
-            let curve = |((method, remark, places), slope): ((_, _, Places), Option<f64>)| {
+            let curve = |((method, places), slope): ((_, Places), Option<f64>)| {
                 let curve = Curve::new(method, numbers.iter().map(|n| point(task(), places, *n)));
-                curve.with_slope(slope, (16.0, 4096.0)).with_remark(remark)
+                curve.with_slope(slope, (16.0, 4096.0))
             };
             methods.into_iter().zip(slopes).map(curve).collect()
         })
 }
-
-const N_ROOKS: &str =
-    "not in the renderer: best at level edges only, and every pixel needs a shuffled list";
-const R2: &str = "not in the renderer: about as good as stratified, and slower";
 
 fn point((radiance, pixels): Task, places: Places, n: u32) -> Point<'static> {
     let mean = move |x: u32, y: u32| {

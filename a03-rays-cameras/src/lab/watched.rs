@@ -1,7 +1,8 @@
-//! Counts primary rays and random numbers, by a wrapper around the camera.
+//! Counts primary rays and random numbers, and records the rays, by a wrapper around the camera.
 
 use std::hint::black_box;
 
+use common::steps::{self, RAY, Step};
 use common::tally::{self, Work};
 use common::{Settings, Size};
 
@@ -37,6 +38,23 @@ impl Camera for Watched {
                 black_box(random.uniform(black_box(n)));
             }
         }
-        self.camera.ray_for(size, x, y)
+        let ray = self.camera.ray_for(size, x, y);
+        if steps::is_on() {
+            let section = "a03-rays-cameras.md#the-ray";
+            steps::heading(ray_step(RAY, "ray from the camera", section, &ray));
+        }
+        ray
     }
+}
+
+/// A step with the origin and the direction of a ray.
+pub fn ray_step(
+    kind: &'static str,
+    name: impl Into<String>,
+    section: &'static str,
+    ray: &Ray,
+) -> Step {
+    Step::new(kind, name, section)
+        .with("o", ray.origin().to_glam().to_array())
+        .with("d", ray.direction().to_glam().to_array())
 }

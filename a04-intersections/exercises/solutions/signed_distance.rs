@@ -1,6 +1,6 @@
 //! How far a point is from a plane, and on which side.
 
-use a02_math::{Direction, Normal3, Point3, Vector3};
+use crate::prelude::*;
 
 /// The distance of `p` from the plane through `a` with a normal `n` of any length but 0:
 /// positive on the side that `n` points to, negative on the far side, and 0 in the plane.

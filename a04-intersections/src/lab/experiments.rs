@@ -1,6 +1,5 @@
 //! Error against run time of the intersection formulas.
 
-pub mod aimed_box;
 pub mod needle;
 pub mod sphere_distance;
 pub mod sphere_mesh;
@@ -13,6 +12,5 @@ pub fn experiments() -> Vec<Experiment<'static>> {
         sphere_distance::near(),
         sphere_mesh::experiment(),
         needle::experiment(),
-        aimed_box::experiment(),
     ]
 }

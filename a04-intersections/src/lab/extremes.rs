@@ -20,7 +20,7 @@ use crate::Geometry;
 
 pub fn cases(effort: Effort) -> Vec<Case> {
     let mut cases = [
-        sphere::cases(),
+        sphere::cases(effort),
         axis_aligned_box::cases(),
         triangle::cases(),
         bytes(),

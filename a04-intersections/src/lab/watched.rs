@@ -1,35 +1,133 @@
-//! Counts intersection tests, by a wrapper around each geometry.
+//! Counts and records intersection tests, by a wrapper around each geometry.
+
+use std::any::Any;
 
 use a03_rays_cameras::Ray;
+use common::Color;
+use common::steps::{self, HIT, RAY, REFLECTED, Step, TEST, type_name};
 use common::tally::{self, Work};
 
+use crate::from_file::Mesh;
 use crate::{Geometry, Hit, Interval, World};
 
-/// A geometry that counts the rays tested against it.
-#[derive(Debug)]
-struct Watched(Box<dyn Geometry>);
+const WORLD: &str = "a04-intersections.md#hit-and-world";
 
-/// Wraps this geometry to count intersection tests.
-pub fn geometry(geometry: Box<dyn Geometry>) -> Box<dyn Geometry> {
-    Box::new(Watched(geometry))
+/// A geometry whose tests are counted and recorded.
+#[derive(Debug)]
+struct Watched {
+    geometry: Box<dyn Geometry>,
+    /// The number of tests for a ray: of each triangle of a mesh, otherwise one.
+    tests: u64,
+    name: String,
+    section: &'static str,
+}
+
+/// Wraps a geometry, counted from 1 in its list, and before that by `inner`.
+pub fn geometry(
+    number: usize,
+    geometry: Box<dyn Geometry>,
+    inner: impl FnOnce(Box<dyn Geometry>) -> Box<dyn Geometry>,
+) -> Box<dyn Geometry> {
+    let name = type_name(&geometry);
+    let mesh = (&*geometry as &dyn Any).downcast_ref::<Mesh>();
+    let tests = mesh.map_or(1, |Mesh(triangles)| triangles.objects.len() as u64);
+    let section = match &*name {
+        "Plane" => "a04-intersections.md#plane",
+        "Sphere" => "a04-intersections.md#sphere",
+        "AxisAlignedBox" => "a04-intersections.md#box",
+        "Triangle" => "a04-intersections.md#triangle",
+        "Disc" => "a07-transforms.md#disc",
+        "Node" => "a07-transforms.md#node",
+        _ => "a04-intersections.md#one-question-and-an-interval",
+    };
+    Box::new(Watched {
+        geometry: inner(geometry),
+        tests,
+        name: format!("object {number}: {name}"),
+        section,
+    })
 }
 
 impl Geometry for Watched {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        tally::count(Work::IntersectionTest);
-        self.0.hit(ray, within)
+        tally::count_all(Work::IntersectionTest, self.tests);
+        if !steps::is_on() {
+            return self.geometry.hit(ray, within);
+        }
+        steps::push(Step::new(TEST, &*self.name, self.section));
+        let at = steps::so_far(|steps| steps.len()) - 1;
+        let hit = steps::inside(|| self.geometry.hit(ray, within));
+        let (t, outcome) = steps::paused(|| self.answer(ray, hit));
+        steps::so_far(|steps| {
+            steps[at].values.extend(t.map(|t| ("t", vec![t])));
+            outcome.clone_into(&mut steps[at].outcome);
+        });
+        hit
     }
 }
 
-/// The world with its geometries and surfaces replaced by these functions of them.
+impl Watched {
+    /// The `t` of a hit; of a ray without one, the `t` that the geometry gives for the whole
+    /// ray, or else for the whole line.
+    fn answer(&self, ray: &Ray, hit: Option<Hit>) -> (Option<f64>, &str) {
+        let line = Interval {
+            min: f64::NEG_INFINITY,
+            ..Interval::AHEAD
+        };
+        let nearest = |within| self.geometry.hit(ray, within).map(|hit| hit.t);
+        if let Some(hit) = hit {
+            (Some(hit.t), HIT)
+        } else if let Some(t) = nearest(Interval::AHEAD) {
+            (Some(t), "beyond the interval")
+        } else if let Some(t) = nearest(line) {
+            (Some(t), "behind the origin of the ray")
+        } else {
+            (None, "beside the ray")
+        }
+    }
+}
+
+/// Records the nearest hit, which is shaded.
+pub fn push_hit(ray: &Ray, hit: &Hit) {
+    let step = Step::new(HIT, "the nearest hit", WORLD)
+        .with("t", [hit.t])
+        .with("p", ray.at(hit.t).to_glam().to_array())
+        .with("n", hit.normal.to_glam().to_array());
+    steps::push(step.with("face", hit.face.to_glam().to_array()));
+}
+
+/// Records the background if the last ray has hit nothing.
+pub fn push_background(background: Color) {
+    let last = |steps: &mut Vec<Step>| {
+        let mut kinds = steps.iter().rev().map(|step| step.kind);
+        kinds.find(|kind| [RAY, REFLECTED, HIT].contains(kind))
+    };
+    if steps::is_on() && steps::so_far(last).is_some_and(|kind| kind != HIT) {
+        push_color("no hit: the background", background);
+    }
+}
+
+/// Records the colour of an object or the background.
+pub fn push_color(name: &str, color: Color) {
+    steps::push(Step::new("color", name, WORLD).with("c", color.channels()));
+}
+
+/// The world with its geometries, counted from 1, and surfaces replaced by these functions of
+/// them.
 pub fn world<S, T>(
     world: World<S>,
-    geometry: impl Fn(Box<dyn Geometry>) -> Box<dyn Geometry>,
+    geometry: impl Fn(usize, Box<dyn Geometry>) -> Box<dyn Geometry>,
     surface: impl Fn(S) -> T,
 ) -> World<T> {
-    let objects = world.objects.into_iter();
+    let objects = (1..).zip(world.objects);
+    let objects = objects.map(|(number, (g, s))| (geometry(number, g), surface(s)));
     World {
         background: world.background,
-        objects: objects.map(|(g, s)| (geometry(g), surface(s))).collect(),
+        objects: objects.collect(),
     }
+}
+
+/// Wraps a geometry of this stage.
+pub fn plain(number: usize, own: Box<dyn Geometry>) -> Box<dyn Geometry> {
+    geometry(number, own, |own| own)
 }

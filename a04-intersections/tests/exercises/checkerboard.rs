@@ -32,8 +32,6 @@ fn floor_and_box() -> Made<World<Color>> {
         .with(cube, Color::WHITE))
 }
 
-const NONE: Normal3 = Normal3::new(0.0, 0.0, 0.0);
-
 variants! { check:
     wrong "a cast cuts off: -0.5 and 0.5 become 0" => |p, n| {
         let below = p - Vector3::from(n) * 1e-6;
@@ -42,3 +40,5 @@ variants! { check:
     wrong "on a face, rounding chooses the cube" => |p, _| checkerboard(p, NONE);
     wrong "below the surface is against the normal" => |p, n| checkerboard(p, -n);
 }
+
+const NONE: Normal3 = Normal3::new(0.0, 0.0, 0.0);

@@ -2,7 +2,7 @@
 //! just inside and just outside of borders, and in intervals that end at hits.
 
 use std::f64::consts::FRAC_PI_4;
-use std::fmt;
+use std::{fmt, iter};
 
 use crate::prelude::*;
 
@@ -124,12 +124,20 @@ pub fn compare<P: Input>(
     lesson: &dyn Fn(P) -> Made<Shape>,
     yours: &dyn Fn(P) -> Made<Shape>,
 ) {
-    let with = |shape: P| {
-        let rays = lesson(shape.clone()).map_or(Vec::new(), |shape| rays(&*shape));
-        rays.into_iter().map(move |ray| (shape.clone(), ray))
-    };
     let mistake = check.usual(&USUAL).unwrap_or(Geometry::hit);
-    let from_everywhere = with(first.clone()).chain(random(any).take(8).flat_map(with));
+    let shapes = iter::once(first.clone()).chain(random(any).take(8));
+    let mut from_everywhere = Vec::new();
+    for shape in shapes {
+        let rays = check.recorded(|| {
+            let rays = lesson(shape.clone()).map_or(Vec::new(), |shape| rays(&*shape));
+            let numbers =
+                |([ox, oy, oz], [x, y, z], min, max): RayWithin| [ox, oy, oz, x, y, z, min, max];
+            rays.into_iter().map(numbers).collect()
+        });
+        from_everywhere.extend(rays.iter().map(|[ox, oy, oz, x, y, z, min, max]| {
+            (shape.clone(), ([*ox, *oy, *oz], [*x, *y, *z], *min, *max))
+        }));
+    }
     check.compare(
         &format!("{words}; {RAY}"),
         simple().map(move |[o, d]| (first.clone(), (o, d, 0.0, f64::INFINITY))),

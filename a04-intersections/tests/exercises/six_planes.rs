@@ -12,14 +12,6 @@ pub fn check(check: &mut Check, new: &dyn Fn(Point3, Point3) -> Made<Shape>) {
     show(check, shape, [2.0, 2.2, 2.9], [0.05, 0.6, 0.0]);
 }
 
-/// The solution with another choice of its hit.
-fn variant(c: &mut Check, choose: fn(&SixPlanes, Hit, &Ray, Interval, [Point3; 2]) -> Option<Hit>) {
-    check(c, &move |lbf, run| {
-        let planes = SixPlanes::new(lbf, run)?;
-        own(move |ray: &Ray, i| choose(&planes, planes.hit(ray, i)?, ray, i, [lbf, run]))
-    });
-}
-
 variants! { variant:
     wrong "rounding puts a hit beside its own plane" => |_, hit, ray, _, corners| {
         let [p, lbf, run] = [ray.at(hit.t), corners[0], corners[1]].map(Point3::to_glam);
@@ -28,4 +20,12 @@ variants! { variant:
     wrong "the nearest plane counts, not the last" => |planes, hit, ray, i, _| {
         planes.hit(ray, Interval { min: hit.t, ..i }).or(Some(hit))
     };
+}
+
+/// The solution with another choice of its hit.
+fn variant(c: &mut Check, choose: fn(&SixPlanes, Hit, &Ray, Interval, [Point3; 2]) -> Option<Hit>) {
+    check(c, &move |lbf, run| {
+        let planes = SixPlanes::new(lbf, run)?;
+        own(move |ray: &Ray, i| choose(&planes, planes.hit(ray, i)?, ray, i, [lbf, run]))
+    });
 }

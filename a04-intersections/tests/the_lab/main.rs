@@ -2,8 +2,11 @@
 //!
 //! `cargo test` runs them after the tests of the lesson, which they measure.
 
+use a03_rays_cameras::View;
+use a04_intersections::lab::certified::{decide, geometry, picture};
 use a04_intersections::lab::exact::{DoubleDouble as Number, plane, sphere, triangle};
 use a04_intersections::lab::experiments::sphere_distance::{FROM_AFAR, OURS, shots, stable};
+use a04_intersections::{scenes, watched};
 
 testing::check_lab! { a04_intersections::stage() }
 
@@ -63,4 +66,22 @@ fn planes_and_needles_are_met_where_mpmath_says() {
     assert!(off < 1e-22, "{error:e}");
     assert!((beta.value() - 2_136_675.135_227_814).abs() < 1e-8);
     assert!((gamma.value() + 4_273_348.187_262_596).abs() < 1e-8);
+}
+
+/// Of the rays through the middles of pixels, only those to an edge of the triangle are open.
+#[test]
+fn every_decision_in_the_pictures_is_right() {
+    for (name, scene, on_an_edge) in [
+        ("scene-1", scenes::scene_1(), 0),
+        ("scene-2", scenes::scene_2(), 0),
+        ("scene-3", scenes::scene_3(), 0),
+        ("scene-4", scenes::scene_4(), 194),
+        ("scene-5", scenes::scene_5(), 0),
+        ("scene-6", scenes::scene_6(), 0),
+    ] {
+        let View { camera, world } = scene.unwrap();
+        let world = watched::world(world, |_, shape| geometry(shape, decide), |color| color);
+        let counts = picture(&*camera, |ray| world.color_for(ray));
+        assert_eq!(counts, [on_an_edge, 0], "{name}");
+    }
 }

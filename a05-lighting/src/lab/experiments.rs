@@ -117,8 +117,7 @@ fn spot_rim() -> Experiment<'static> {
             vec![
                 curve("arc cosine (protocol)", |_, p| {
                     protocol::spot_light_illuminates(Point3::ORIGIN, DIRECTION, HALF_ANGLE, p)
-                })
-                .with_remark("lights one in four points straight behind"),
+                }),
                 // As the renderer's light decides, but without a direction of length 1.
                 curve("cosines", |_, p| {
                     let v = p - Point3::ORIGIN;
@@ -126,16 +125,10 @@ fn spot_rim() -> Experiment<'static> {
                     v.dot(DIRECTION) >= COS_HALF_ANGLE * lengths
                 })
                 .with_bound(0.0, far.clone()),
-                curve("cosines, as rendered", Light::illuminates)
-                    .with_bound(0.0, far)
-                    .with_remark("with the direction and the distance, which the material needs"),
+                curve("cosines, as rendered", Light::illuminates).with_bound(0.0, far),
                 curve("arc tangent", |_, p| {
                     DIRECTION.angle(p - Point3::ORIGIN) <= HALF_ANGLE
-                })
-                .with_remark(
-                    "not in the renderer: dearer than the cosines, and no eye sees \
-                     a billionth of an angle",
-                ),
+                }),
             ]
         })
 }

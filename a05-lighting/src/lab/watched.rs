@@ -1,30 +1,63 @@
-//! Counts powers, by a wrapper around each material; with all work, every material computes
-//! the light of all lights, and a Phong material a power for each.
+//! Counts powers and records light and colours, by wrappers around materials and lights; with
+//! all work, every material computes the light of all lights, and a Phong material a power for
+//! each.
 
 use std::any::Any;
 use std::cell::Cell;
 use std::hint::black_box;
 
-use a02_math::Direction;
+use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, watched};
 use common::Color;
+use common::steps::{self, HIT, Step, TEST, type_name};
 use common::tally::{self, Work};
 
 use crate::power::power;
-use crate::{Illumination, Lighting, LitWorld, Material, Phong};
+use crate::{Illumination, Lambert, Light, Lighting, LitWorld, Material, Phong};
 
-/// The world with the same lights, and with its geometries and surfaces replaced by these
-/// functions of them.
+const LIGHT: &str = "light";
+const REFLECTED: &str = "reflected light";
+
+/// The world with its geometries, surfaces and lights replaced by these functions of them;
+/// geometries and lights are counted from 1.
 pub fn world<S, T, L>(
     world: LitWorld<S, L>,
-    geometry: impl Fn(Box<dyn Geometry>) -> Box<dyn Geometry>,
+    geometry: impl Fn(usize, Box<dyn Geometry>) -> Box<dyn Geometry>,
     surface: impl Fn(S) -> T,
+    light: impl Fn((usize, L)) -> L,
 ) -> LitWorld<T, L> {
     LitWorld {
         world: watched::world(world.world, geometry, surface),
-        lights: world.lights,
+        lights: (1..).zip(world.lights).map(light).collect(),
         ambient: world.ambient,
+    }
+}
+
+/// A light whose steps are recorded.
+#[derive(Debug)]
+struct WatchedLight(usize, Box<dyn Light>);
+
+/// Wraps a light, counted from 1, to record its steps.
+pub fn light((number, light): (usize, Box<dyn Light>)) -> Box<dyn Light> {
+    Box::new(WatchedLight(number, light))
+}
+
+impl Light for WatchedLight {
+    fn illumination(&self, point: Point3) -> Option<Illumination> {
+        let light = self.1.illumination(point);
+        if steps::is_on() {
+            let name = format!("light {}: {}", self.0, type_name(&self.1));
+            let step = Step::new(LIGHT, name, "a05-lighting.md#three-lights");
+            steps::heading(match light {
+                None => step,
+                Some(light) => step
+                    .with("cl", light.color.channels())
+                    .with("l", light.direction.to_glam().to_array())
+                    .with("distance", [light.distance]),
+            });
+        }
+        light
     }
 }
 
@@ -53,45 +86,148 @@ pub struct Watched<M: ?Sized> {
 
 impl<M: Material + ?Sized> Material for Watched<M> {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
-        let light = WatchedLight {
+        let light = WatchedLighting {
+            ray,
+            hit,
             watched: self,
             lighting,
             is_used: Cell::new(false),
         };
-        let color = self.material.color_for(ray, hit, &light);
+        if steps::is_on() {
+            watched::push_hit(ray, hit);
+        }
+        let color = steps::inside(|| {
+            let color = self.material.color_for(ray, hit, &light);
+            if steps::is_on() {
+                steps::heading(self.step("color", "colour").with("c", color.channels()));
+            }
+            color
+        });
         if self.all_work && !light.is_used.get() {
-            light.for_each_light(ray, hit, &mut |_| ());
+            steps::paused(|| light.for_each_light(ray, hit, &mut |_| ()));
         }
         color
     }
 }
 
+impl<M: Material + ?Sized> Watched<M> {
+    fn step(&self, kind: &'static str, part: &str) -> Step {
+        let name = type_name(&self.material);
+        let section = match &*name {
+            "Lambert" => "a05-lighting.md#lambert-the-cosine",
+            "Phong" | "Reflective" => "a05-lighting.md#phong-the-highlight",
+            _ => "a05-lighting.md#two-questions",
+        };
+        Step::new(kind, format!("{part} of {name}"), section)
+    }
+
+    /// Records the part of one light that the material reflects, and both terms of a Phong
+    /// material.
+    fn push_reflected(&self, ray: &Ray, hit: &Hit, light: &Illumination) {
+        let only = OneLight(Color::BLACK, Some(*light));
+        let mut step = self.step(REFLECTED, "light");
+        if let Some(phong) = (self.as_phong)(&self.material) {
+            let r = light.direction.reflected_on(hit.normal);
+            let diffuse = phong.matt.share(hit, light);
+            let matt = Lambert {
+                diffuse: Color::BLACK,
+            };
+            let specular = Phong { matt, ..*phong }.color_for(ray, hit, &only);
+            step = step
+                .with("diffuse", diffuse.channels())
+                .with("cs", phong.specular.channels())
+                .with("e·r", [(-ray.direction()).dot(r)])
+                .with("exponent", [phong.exponent])
+                .with("specular", specular.channels());
+        }
+        let color = self.material.color_for(ray, hit, &only);
+        steps::push(step.with("c", color.channels()));
+    }
+}
+
+/// Ambient light and at most one light that arrives, for one term of a material's sum.
+struct OneLight(Color, Option<Illumination>);
+
+impl Lighting for OneLight {
+    fn ambient(&self) -> Color {
+        self.0
+    }
+
+    fn for_each_light(&self, _: &Ray, _: &Hit, shade: &mut dyn FnMut(&Illumination)) {
+        self.1.iter().for_each(shade);
+    }
+}
+
 /// Light on its way to a material, which may take a power for it.
-struct WatchedLight<'a, M: ?Sized> {
+struct WatchedLighting<'a, M: ?Sized> {
     watched: &'a Watched<M>,
+    /// The ray and the hit that are shaded.
+    ray: &'a Ray,
+    hit: &'a Hit,
     lighting: &'a dyn Lighting,
     /// Whether the material has used the lights.
     is_used: Cell<bool>,
 }
 
-impl<M: ?Sized> Lighting for WatchedLight<'_, M> {
+impl<M: Material + ?Sized> Lighting for WatchedLighting<'_, M> {
     fn ambient(&self) -> Color {
-        self.lighting.ambient()
+        let ambient = self.lighting.ambient();
+        if steps::is_on() {
+            let material = &self.watched.material;
+            let of = |ambient| material.color_for(self.ray, self.hit, &OneLight(ambient, None));
+            let step = self.watched.step("ambient", "ambient light");
+            let step = step.with("ca", ambient.channels());
+            let step = step.with("cd", of(Color::WHITE).channels());
+            steps::push(step.with("c", of(ambient).channels()));
+        }
+        ambient
     }
 
     fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
         self.is_used.set(true);
         let watched = self.watched;
         let phong = (watched.as_phong)(&watched.material);
+        let first = steps::is_on().then(|| steps::so_far(|steps| steps.len()));
         self.lighting.for_each_light(ray, hit, &mut |light| {
             if let Some(phong) = phong {
                 count_power(phong, watched.all_work, ray, hit, light);
             }
             let is_behind = hit.normal.dot(light.direction) <= 0.0;
             if watched.is_lit_from_behind || !is_behind {
+                if steps::is_on() {
+                    watched.push_reflected(ray, hit, light);
+                }
                 shade(light);
             }
         });
+        if let Some(first) = first {
+            steps::so_far(|steps| add_outcomes(&mut steps[first..], hit));
+        }
+    }
+}
+
+/// Adds to the step of each light whether it arrives at the hit, or why it does not.
+fn add_outcomes(steps: &mut [Step], hit: &Hit) {
+    let level = steps.first().map_or(0, |step| step.level);
+    for block in steps.chunk_by_mut(|_, next| next.level > level) {
+        let is_blocked = |step: &&Step| step.kind == TEST && step.outcome == HIT;
+        let occluder = block.iter().find(is_blocked).map(|step| step.name.clone());
+        let is_used = block.iter().any(|step| step.kind == REFLECTED);
+        let light = &mut block[0];
+        let Some(l) = light.value("l").map(|l| Vector3::from_glam(l.into())) else {
+            "does not shine here".clone_into(&mut light.outcome);
+            continue;
+        };
+        let cosine = hit.normal.dot(l);
+        light.outcome = match occluder {
+            _ if is_used => "arrives".to_owned(),
+            _ if cosine <= 0.0 => "behind the surface".to_owned(),
+            Some(occluder) => format!("blocked by {occluder}"),
+            None => "not used".to_owned(),
+        };
+        let angle = Vector3::from(hit.normal).angle(l).to_degrees();
+        light.values.push(("n·l", vec![cosine]));
+        light.values.push(("degrees", vec![angle]));
     }
 }
 

@@ -18,17 +18,17 @@ pub fn check(check: &mut Check, yours: &(dyn Fn([Color; 3], Normal3) -> Color + 
     }));
 }
 
-/// Sky and ground with another share of the sky, from the cosine of the angle to up.
-fn mixed(c: &mut Check, share: fn(f64) -> f64) {
-    check(c, &|[diffuse, sky, ground], n| {
-        diffuse * (sky * share(n.y()) + ground * (1.0 - share(n.y())))
-    });
-}
-
 variants! { mixed:
     wrong "walls see half the sky" => |cos| cos.max(0.0);
     wrong "a share is between 0 and 1" => |cosine| cosine;
     wrong "the share follows from the cosine, not the angle" => |cosine| {
         1.0 - libm::acos(cosine) / std::f64::consts::PI
     };
+}
+
+/// Sky and ground with another share of the sky, from the cosine of the angle to up.
+fn mixed(c: &mut Check, share: fn(f64) -> f64) {
+    check(c, &|[diffuse, sky, ground], n| {
+        diffuse * (sky * share(n.y()) + ground * (1.0 - share(n.y())))
+    });
 }

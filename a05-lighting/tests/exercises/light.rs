@@ -40,7 +40,7 @@ pub fn compare_lights<P: Input>(
 ) {
     let mistake = check.usual(MISTAKES).unwrap_or(|_| ());
     let mut places = Random::new(2);
-    let points = |light: P| {
+    let border = |light: P| {
         let is_lit = |p| lesson(light.clone(), point(p)).is_some();
         let p = places.triple(9.0);
         // Between a point that is lit and one that is not, there is a border.
@@ -49,12 +49,22 @@ pub fn compare_lights<P: Input>(
             let middle = array::from_fn(|i| f64::midpoint(ends[0][i], ends[1][i]));
             ends[usize::from(is_lit(middle) != is_lit(p))] = middle;
         }
-        [p, p.map(|x| 1e6 * x), ends[0], ends[1]].map(|p| (light.clone(), p))
+        let [[x, y, z], [ax, ay, az], [bx, by, bz]] = [p, ends[0], ends[1]];
+        [x, y, z, ax, ay, az, bx, by, bz]
     };
+    let borders = check.recorded(|| random(any).map(border).collect());
+    let points =
+        random(any)
+            .zip(&borders)
+            .flat_map(|(light, [x, y, z, ax, ay, az, bx, by, bz])| {
+                let ends = [[*ax, *ay, *az], [*bx, *by, *bz]];
+                [[*x, *y, *z], [x, y, z].map(|x| 1e6 * x), ends[0], ends[1]]
+                    .map(|p| (light.clone(), p))
+            });
     check.compare(
         &format!("{words}, seen from {{}}"),
         PLACES.map(|p| (first.clone(), p)),
-        random(any).flat_map(points),
+        points,
         [(lesson, (|_| ()) as Mistake), (yours, mistake)],
         |(light, mistake), (parameters, p)| {
             let mut arriving = light(parameters, point(p));

@@ -92,7 +92,8 @@ pub fn compare_materials<P: Input>(
 fn parts((eye, t, normals, ambient, lights): Seen, mistake: Mistake) -> (Ray, Hit, Lights) {
     let ray = Ray::derived(Point3::ORIGIN + unit(eye) * t, -unit(eye));
     let [normal, face] = normals.map(|n| unit(n).as_normal());
-    let mut hit = Hit { t, normal, face };
+    let mut hit = Hit::new(t, normal);
+    hit.face = face;
     let lights = lights.into_iter().map(|[light, direction]| {
         let mut arriving = Illumination::default();
         (arriving.color, arriving.direction) = (color(light), unit(direction));

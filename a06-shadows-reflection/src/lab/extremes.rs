@@ -4,14 +4,13 @@
 //! Each mirror emits 1 and has the reflectance k. After D mirrors a ray has brought back
 //! 1 + k + ... + k^(D-1) = (1 - k^D) / (1 - k).
 
-pub mod self_hits;
 mod shadows;
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Plane;
 use a04_intersections::lab::support::Numbers;
-use a04_intersections::watched::geometry;
+use a04_intersections::watched::plain;
 use a05_lighting::{DirectionalLight, SingleColor, watched};
 use common::tally::{self, Work};
 use common::{ArgumentError, Color, Error};
@@ -23,7 +22,7 @@ use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld};
 
 pub fn cases(effort: Effort) -> Vec<Case> {
     let shadows = shadows::cases(effort);
-    [shadows, in_mirrors(), self_hits::cases(effort)].concat()
+    [shadows, in_mirrors()].concat()
 }
 
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
@@ -80,7 +79,7 @@ fn in_mirrors() -> Vec<Case> {
     // the last, needs no reflected ray.
     let searches = |id, what: &str, two: Mirrors, depth: u32| {
         let count = |trace: fn(&ShadowedWorld, u32) -> Color| tried(|| {
-            let world = watched::world(mirrors(two)?, geometry, |surface| surface);
+            let world = watched::world(mirrors(two)?, plain, |surface| surface, |(_, light)| light);
             let (_, tally) = tally::counted(|| trace(&world, depth))?;
             Ok(tally[Work::IntersectionTest] as f64 / 2.0)
         });

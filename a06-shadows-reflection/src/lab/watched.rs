@@ -1,17 +1,21 @@
-//! Counts shadow rays, reflected rays and powers, by wrappers around the objects of a world.
+//! Counts and records shadow rays, reflected rays and colours, by wrappers around the objects
+//! of a world.
 
 use std::any::Any;
 use std::cell::Cell;
 
+use a02_math::Point3;
+use a03_rays_cameras::lab::watched::ray_step;
 use a03_rays_cameras::{Ray, TracedWorld};
 use a04_intersections::{Geometry, Hit, Interval, watched as geometries};
 use a05_lighting::watched::{self as materials, Watched};
 use a05_lighting::{Lighting, Material, Phong};
 use common::Color;
+use common::steps::{self, HIT, REFLECTED, Step};
 use common::tally::{self, Work};
 
 use crate::lab::all_work::NaiveTracer;
-use crate::{RecursiveTracer, Reflective, ShadowedWorld, Surface};
+use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface};
 
 thread_local! {
     /// The ray for which the world is searched next; none for a ray from the camera.
@@ -32,10 +36,9 @@ impl WatchedWorld {
         watched: fn(Box<dyn Geometry>) -> Box<dyn Geometry>,
         all_work: bool,
     ) -> Self {
-        let is_first = Cell::new(true);
-        let geometry = |geometry| {
-            let geometry = geometries::geometry(watched(geometry));
-            if is_first.replace(false) {
+        let geometry = |number, geometry| {
+            let geometry = geometries::geometry(number, geometry, watched);
+            if number == 1 {
                 Box::new(First(geometry))
             } else {
                 geometry
@@ -49,8 +52,12 @@ impl WatchedWorld {
                 all_work,
             })) as _
         };
+        let light = |(number, source): (usize, LightSource)| LightSource {
+            light: materials::light((number, source.light)),
+            ..source
+        };
         Self {
-            world: materials::world(world, geometry, surface),
+            world: materials::world(world, geometry, surface, light),
             all_work,
         }
     }
@@ -59,11 +66,13 @@ impl WatchedWorld {
 impl TracedWorld for WatchedWorld {
     fn radiance(&self, ray: &Ray, depth: u32) -> Color {
         NEXT.set(None);
-        if self.all_work {
+        let color = if self.all_work {
             NaiveTracer(&self.world).trace(ray, depth)
         } else {
             RecursiveTracer::new(&self.world).trace(ray, depth)
-        }
+        };
+        geometries::push_background(self.world.objects().background());
+        color
     }
 
     fn watched(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
@@ -78,11 +87,39 @@ struct First(Box<dyn Geometry>);
 impl Geometry for First {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         match NEXT.get() {
-            Some(work) => tally::count(work),
+            Some(work) => {
+                tally::count(work);
+                if steps::is_on() {
+                    push_ray(work, ray, within);
+                }
+            }
             None => NEXT.set(Some(Work::ReflectedRay)),
         }
         self.0.hit(ray, within)
     }
+}
+
+/// Records a shadow ray or a reflected ray, and the lift of its origin off the last hit.
+fn push_ray(work: Work, ray: &Ray, within: Interval) {
+    let is_hit = |step: &&Step| step.kind == HIT;
+    let p = steps::so_far(|steps| steps.iter().rev().find(is_hit)?.value("p"));
+    let p = Point3::from_glam(p.unwrap_or_default().into());
+    if work == Work::ShadowRay {
+        let section = "a06-shadows-reflection.md#is-the-light-in-sight";
+        let step = ray_step("shadow ray", "shadow ray", section, ray);
+        steps::push(step.with("end", [within.max]));
+    } else {
+        let of_sample = |steps: &mut Vec<Step>| {
+            let steps = steps.iter().rev().take_while(|step| step.level > 0);
+            1 + steps.filter(|step| step.kind == REFLECTED).count()
+        };
+        let name = format!("reflected ray {}", steps::so_far(of_sample));
+        let section = "a06-shadows-reflection.md#the-mirror";
+        steps::heading(ray_step(REFLECTED, name, section, ray));
+    }
+    let section = "a06-shadows-reflection.md#getting-off-the-surface";
+    let lift = (ray.origin() - p).magnitude();
+    steps::push(Step::new("lift", "lift off the surface", section).with("|p' - p|", [lift]));
 }
 
 /// A surface whose shadow rays and powers are counted.
@@ -100,7 +137,13 @@ impl Material for WatchedSurface {
 
 impl Surface for WatchedSurface {
     fn reflection(&self) -> Color {
-        self.0.material.reflection()
+        let reflection = self.0.material.reflection();
+        if steps::is_on() {
+            let section = "a06-shadows-reflection.md#the-mirror";
+            let step = Step::new("mirror", "share of the mirror", section);
+            steps::push(step.with("cr", reflection.channels()));
+        }
+        reflection
     }
 }
 

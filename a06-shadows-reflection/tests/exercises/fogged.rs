@@ -24,14 +24,6 @@ pub fn check(check: &mut Check, yours: &(dyn Fn(Color, Color, f64, f64) -> Color
     }));
 }
 
-/// The mixture by the share that is left of the colour.
-fn mixed(left: fn(f64, f64) -> f64) -> impl Fn(Color, Color, f64, f64) -> Color {
-    move |color, fog, density, distance| {
-        let left = left(density, distance);
-        color * left + fog * (1.0 - left)
-    }
-}
-
 variants! { check:
     wrong "0 times infinity is not a number" => &mixed(|density, t| libm::exp(-density * t));
     wrong "each metre takes a share of what is left" => &mixed(|density, t| {
@@ -40,4 +32,12 @@ variants! { check:
     wrong "the fog adds its own colour" => &|color, _, density, t| {
         fogged(color, Color::BLACK, density, t)
     };
+}
+
+/// The mixture by the share that is left of the colour.
+fn mixed(left: fn(f64, f64) -> f64) -> impl Fn(Color, Color, f64, f64) -> Color {
+    move |color, fog, density, distance| {
+        let left = left(density, distance);
+        color * left + fog * (1.0 - left)
+    }
 }

@@ -15,17 +15,17 @@ pub fn check(check: &mut Check, yours: &dyn Fn(f64, f64, u32) -> [f64; 2]) {
     );
 }
 
-/// Images of which each step makes the next ones.
-fn steps(c: &mut Check, step: fn(f64, [f64; 2]) -> [f64; 2]) {
-    check(c, &|width, lamp, n| {
-        (0..n).fold([lamp; 2], |images, _| step(width, images))
-    });
-}
-
 variants! { steps:
     wrong "a mirror shows the image in the other one" => |width, [left, right]| {
         [-left, 2.0 * width - right]
     };
     wrong "a mirror at x = m moves x to 2m - x" => |width, [left, right]| [-right, width - left];
     wrong "both images are replaced at once" => |width, [_, right]| [-right, 2.0 * width + right];
+}
+
+/// Images of which each step makes the next ones.
+fn steps(c: &mut Check, step: fn(f64, [f64; 2]) -> [f64; 2]) {
+    check(c, &|width, lamp, n| {
+        (0..n).fold([lamp; 2], |images, _| step(width, images))
+    });
 }

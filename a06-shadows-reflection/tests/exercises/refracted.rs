@@ -31,13 +31,6 @@ pub fn check(check: &mut Check, yours: fn(Vector3, Normal3, f64) -> Option<Vecto
     }));
 }
 
-/// Snell's law with the normal on the side of the light, and the ratio of the indices.
-fn snell(d: Vector3, n: Normal3, ratio: f64) -> Option<Vector3> {
-    let cos = -d.dot(n);
-    let squared = 1.0 - ratio * ratio * (1.0 - cos * cos);
-    (squared >= 0.0).then(|| d * ratio + n * (ratio * cos - squared.sqrt()))
-}
-
 variants! { check:
     wrong "the way out bends away from the normal" => |d, n, index| {
         snell(d, if d.dot(n) > 0.0 { -n } else { n }, 1.0 / index)
@@ -48,4 +41,11 @@ variants! { check:
     wrong "no sine is more than 1" => |d, n, index| {
         refracted(d, n, index).or(Some((-d).reflected_on(n)))
     };
+}
+
+/// Snell's law with the normal on the side of the light, and the ratio of the indices.
+fn snell(d: Vector3, n: Normal3, ratio: f64) -> Option<Vector3> {
+    let cos = -d.dot(n);
+    let squared = 1.0 - ratio * ratio * (1.0 - cos * cos);
+    (squared >= 0.0).then(|| d * ratio + n * (ratio * cos - squared.sqrt()))
 }

@@ -1,5 +1,5 @@
 //! Each light has its own shadow. Lamps in surfaces, just above them and on the ceiling are
-//! the extreme cases I01 to I18, rays that leave a surface S13 to S51, and the shapes that
+//! the extreme cases I01 to I18, rays that leave a surface the experiment `acne`, and the shapes that
 //! cast a shadow are compared in random worlds.
 
 use a02_math::{Point3, Vector3};

@@ -60,7 +60,7 @@ fn check(scene: &Scene) {
 fn edges_and_highlights() {
     let stage = a05_lighting::stage();
     for name in ["lambert", "phong", "phong-spot"] {
-        check(stage.scene(name).expect("a scene"));
+        check(&stage.scene(name).expect("a scene"));
     }
 }
 

@@ -9,7 +9,9 @@ mod compare;
 mod dahlia;
 mod disc;
 mod engine;
+mod explained;
 mod node;
+mod scene_files;
 #[path = "../../../a04-intersections/tests/stage/support.rs"]
 #[expect(dead_code, reason = "stage 4 uses more of it")]
 mod support;

@@ -4,9 +4,65 @@
 
 use std::collections::HashSet;
 
+use a03_rays_cameras::View;
+use a04_intersections::lab::certified::picture;
+use a05_lighting::{LitWorld, watched};
+use a06_shadows_reflection::RecursiveTracer;
+use a07_transforms::lab::certified::geometry;
 use measure::Effort;
 
 testing::check_lab! { a07_transforms::stage() }
+
+/// The world with geometries whose decisions are certified.
+fn certified<S, L>(world: LitWorld<S, L>) -> LitWorld<S, L> {
+    watched::world(
+        world,
+        |_, shape| geometry(shape),
+        |surface| surface,
+        |(_, light)| light,
+    )
+}
+
+/// Each hit, and which of two is nearer, for the rays as they were rounded.
+#[test]
+fn every_decision_in_the_lit_pictures_is_right() {
+    use a05_lighting::scenes as lit;
+    for (name, scene) in [
+        ("lighting-1", lit::lighting_1()),
+        ("lambert", lit::lambert()),
+        ("phong", lit::phong()),
+        ("phong-directional", lit::phong_directional()),
+        ("phong-spot", lit::phong_spot()),
+        ("phong-spot-ambient", lit::phong_spot_ambient()),
+    ] {
+        let View { camera, world } = scene.unwrap();
+        let world = certified(world);
+        let counts = picture(&*camera, |ray| world.color_for(ray));
+        assert_eq!(counts, [0, 0], "{name}");
+    }
+}
+
+/// Likewise for shadow rays and reflected rays.
+#[test]
+fn every_decision_in_the_shadowed_pictures_is_right() {
+    use a06_shadows_reflection::scenes as shadowed;
+    use a07_transforms::scenes as transformed;
+    for (name, scene) in [
+        ("sphere", shadowed::sphere()),
+        ("aab", shadowed::aab()),
+        (
+            "sphere-transformation",
+            transformed::sphere_transformation(),
+        ),
+        ("box-transformations", transformed::box_transformations()),
+        ("disc", transformed::disc()),
+    ] {
+        let View { camera, world } = scene.unwrap();
+        let world = certified(world);
+        let counts = picture(&*camera, |ray| RecursiveTracer::new(&world).trace(ray, 6));
+        assert_eq!(counts, [0, 0], "{name}");
+    }
+}
 
 /// The rows of the tables of all stages have ids of their own, and the errata page names
 /// them as its evidence.

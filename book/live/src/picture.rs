@@ -1,12 +1,12 @@
 //! Renders the pictures of the book for its pages, and looks along single rays.
 
-use a02_math::Vector3;
-use a03_rays_cameras::{Camera, View, camera_coordinates};
-use common::{Color, Error, Sampling, Settings};
+use a03_rays_cameras::View;
+use common::steps::{HIT, TEST};
+use common::{Error, Sampling, Settings};
 
 use crate::exchange::settings;
 use crate::turned::{Turn, Turned};
-use crate::view::{centre, meet, view};
+use crate::view::{centre, view};
 use crate::{Answer, Answered, catalogue};
 
 pub use crate::exchange::{pixels, sampling};
@@ -51,21 +51,28 @@ pub fn probe(picture: &str, numbers: &[f64]) -> Answered {
     let (Some(view), [.., column, row]) = (view, numbers) else {
         return Ok(Answer::text("painted, without a ray"));
     };
-    let (column, row) = (*column as u32, *row as u32);
-    let row = row.min(settings.size.height() - 1);
-    let (x, y) = camera_coordinates(settings.size, column, row, (0.5, 0.5));
-    let ray = view.camera.ray_for(settings.size, x, y);
-    let Color { r, g, b } = view.world.radiance(&ray, settings.depth);
-    let Some(met) = meet(&view, &ray) else {
-        return Ok(Answer::text("the background").with("color", [r, g, b]));
+    let row = (*row as u32).min(settings.size.height() - 1);
+    let settings = Settings {
+        samples: 1,
+        sampling: Sampling::Center,
+        ..settings
     };
-    let normal = Vector3::from(met.hit.normal).to_glam().to_array();
-    let point = ray.at(met.hit.t).to_glam().to_array();
-    Ok(Answer::text(met.names)
-        .with("color", [r, g, b])
-        .with("t", [met.hit.t])
-        .with("point", point)
-        .with("normal", normal))
+    let trace = view.trace(&settings, [*column as u32, row])?;
+    let step = |kind| trace.steps.iter().find(|step| step.kind == kind);
+    let name = |kind| step(kind).map_or("", |step| &step.name);
+    let color = trace.color.channels();
+    let Some(hit) = step(HIT) else {
+        return Ok(Answer::text("the background").with("color", color));
+    };
+    let (_, object) = name(TEST).split_once(": ").unwrap_or_default();
+    let material = name("color")
+        .replace("colour of ", ", ")
+        .replace("colour", "");
+    Ok(Answer::text(format!("{object}{material}"))
+        .with("color", color)
+        .with("t", hit.value("t").unwrap_or([f64::NAN]))
+        .with("point", hit.value("p").unwrap_or([f64::NAN; 3]))
+        .with("normal", hit.value("n").unwrap_or([f64::NAN; 3])))
 }
 
 /// The settings that a picture has by default, and those that change it.

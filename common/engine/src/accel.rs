@@ -21,6 +21,7 @@ mod tree_space;
 
 use crate::shape::Bounds;
 use bvh::Bvh;
+pub(crate) use ids::Kind;
 use ids::{Leaf, ShapeId};
 pub(crate) use nearest::{NearestHits, NearestQuery};
 pub(crate) use packet_culling::PACKETS;

@@ -3,16 +3,17 @@
 //!
 //! 1. Each pixel gets pilot samples, more of them if the picture is small: enough to find each
 //!    object that is large enough to matter (`pilot`).
-//! 2. Where they differ, the expected variance sets a number of samples, and half of them are
-//!    taken (`expected_variance`, `allocation`).
-//! 3. The other half checks the picture: no decision has seen these samples (`check`). If the
-//!    error may be above the bound, 2 and 3 are repeated with a lower target.
+//! 2. Where samples differ, the expected variance sets a number of samples, and the pixel takes
+//!    as many as it has (`expected_variance`, `allocation`).
+//! 3. The difference of the new samples from those before estimates the error (`check`). A
+//!    target error falls step by step, and 1 to 3 are repeated.
 //!
-//! All samples are part of the picture.
+//! The bound only ends this. So a smaller bound takes the same samples, and more. All samples
+//! are part of the picture.
 //!
 //! (To take more samples where the first differ is Whitted's way, An Improved Illumination
-//! Model for Shaded Display, 1980; to estimate errors by two independent halves, the way
-//! of Rousselle, Knaus, Zwicker, Adaptive Rendering with Non-Local Means Filtering, 2012.)
+//! Model for Shaded Display, 1980; to estimate errors by two halves, the way of Rousselle,
+//! Knaus, Zwicker, Adaptive Rendering with Non-Local Means Filtering, 2012.)
 
 mod allocation;
 mod check;
@@ -29,10 +30,10 @@ use rayon::iter::{
 };
 
 use allocation::{Allocation, Target};
-use check::{Checked, Estimate};
+use check::{Checked, Estimate, check};
 use expected_variance::expected_variances;
 use picture::Picture;
-use pilot::Pilot;
+use pilot::{Pilot, UNSEEN};
 use pixel::Pixel;
 pub use random::PixelRandom;
 
@@ -58,23 +59,22 @@ impl<F: Fn(f64, f64) -> Color + Sync> Radiance for F {
 
 /// Channels of a pixel: squared errors are added up over them.
 const CHANNELS: f64 = 3.0;
-/// Target of the expected squared error, relative to the allowed one without that of objects
-/// between all samples. The rest is for errors that the check cannot exclude.
-const TARGET: f64 = 0.7;
+/// The error to begin with, and the factor of its square from one target to the next.
+const FIRST_ERROR: f64 = 1.0 / 16.0;
+const STEP: f64 = 0.7;
+/// The last target: the squared error is this part of the allowed one. If the error is still not
+/// below the bound, pixels need more samples than they may have.
+const LAST_TARGET: f64 = 1.0 / 8.0;
+/// The least and the largest expected squared error of refined pixels, relative to the one of the
+/// step.
+const REFINED: [f64; 2] = [0.06, 0.6];
 /// Samples beyond the pilot samples, relative to their number, that the target does not limit:
 /// they cost little and make the error smaller.
 const SPARE_SAMPLES: f64 = 0.25;
-/// Upper bounds of the number of checks, and of refinements before each check.
-const CHECKS: u32 = 10;
-const REFINEMENTS: u32 = 12;
-/// A further refinement has to change more than one pixel of this many.
-const PIXELS_PER_REFINED: usize = 300;
-/// Upper bound of the factor by which one refinement multiplies the samples of a pixel: a
-/// variance from few samples is uncertain.
-const GROWTH: u32 = 4;
 
 /// Renders the picture of the light at each position, until its root mean square error is at
-/// most `max_error`, with 95 % confidence.
+/// most `max_error`, with 95 % confidence. No light is brighter than `max_radiance`, which may
+/// be infinite if that is unknown.
 ///
 /// `progress` gets the estimated error, which may be above `max_error` if that would need more
 /// samples of a pixel than the settings allow. Four are always allowed.
@@ -85,14 +85,16 @@ const GROWTH: u32 = 4;
 /// not fit into memory.
 pub fn render_image(
     max_error: f64,
+    max_radiance: f64,
     radiance: &dyn Radiance,
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Image, Error> {
     let mut image = Image::black(settings.size)?;
     let mut picture = Picture::new(radiance, settings, progress)?;
-    let max_pairs = (settings.samples / 2).max(2);
-    progress.sampled(&converge(&mut picture, max_pairs, max_error)?);
+    let mut refinement = Refinement::new(&mut picture, max_radiance, settings);
+    refinement.until(max_error, &mut picture)?;
+    progress.sampled(&refinement.sampled(&picture));
 
     let colors = picture.pixels().par_iter().map(Pixel::mean);
     let pixels = image.pixels_mut().par_iter_mut().zip(colors);
@@ -100,78 +102,108 @@ pub fn render_image(
     Ok(image)
 }
 
-/// Takes samples until the check shows that the error is at most `max_error`, or a pixel would
-/// need more than `max_pairs` pairs.
-fn converge(picture: &mut Picture, max_pairs: u32, max_error: f64) -> Result<Sampled, Error> {
-    let mut convergence = Convergence::new(picture, max_pairs, max_error);
-    for _ in 0..CHECKS {
-        let goal = refine(picture, convergence.target())?;
-        let checked = check::check(picture, &convergence.pilot, goal);
-        picture.check_stopped()?;
-        let error = convergence.estimate(&checked, picture.brightest());
-        if convergence.has_ended(max_error) {
-            break;
-        }
-        convergence.lower_target(&error, picture.brightest());
-    }
-    Ok(convergence.sampled(picture))
-}
-
-/// The state of sampling between two checks.
-struct Convergence {
+/// The refinement of a picture, target by target.
+struct Refinement {
     pilot: Pilot,
     max_pairs: u32,
-    /// The allowed squared error, added up over pixels and channels.
-    allowed: f64,
-    /// The target of the expected squared error.
-    target: f64,
+    max_radiance: f64,
+    /// The squared error of the present step, added up over pixels and channels.
+    squared_error: f64,
+    /// The variances of the samples of each pixel.
+    own_variances: Vec<f32>,
     /// The error that all checks have found in pixels with pilot samples only.
     unrefined: Estimate,
-    /// The number of checks, the last ones, without a sample.
-    empty_checks: u32,
     sampled: Sampled,
 }
 
-impl Convergence {
+impl Refinement {
     /// Takes the first pilot samples.
-    fn new(picture: &mut Picture, max_pairs: u32, max_error: f64) -> Self {
-        let pixels = picture.pixels().len();
-        let allowed = max_error * max_error * CHANNELS * pixels as f64;
+    fn new(picture: &mut Picture, max_radiance: f64, settings: &Settings) -> Self {
+        let max_pairs = (settings.samples / 2).max(2);
         let mut sampled = Sampled {
-            pixels: pixels as u64,
+            pixels: picture.pixels().len() as u64,
+            max_radiance,
             ..Sampled::default()
         };
-        let mut pilot = Pilot::new(allowed, max_pairs);
+        let squared_error = sum_of_squares(FIRST_ERROR, &sampled);
+        let mut pilot = Pilot::new(squared_error, max_pairs);
         if pilot.middles {
             picture.take_middles();
             sampled.samples += sampled.pixels;
         } else {
-            picture.take(|_, _| pilot.pairs.div_ceil(2));
+            picture.take(pilot.pairs.div_ceil(2));
         }
-        pilot.widen(picture.brightest());
+        pilot.widen(picture.brightest().min(max_radiance));
         Self {
-            target: TARGET * remaining(allowed, pilot.unseen(1.0)),
             pilot,
             max_pairs,
-            allowed,
+            max_radiance,
+            squared_error,
+            own_variances: Vec::new(),
             unrefined: Estimate::default(),
-            empty_checks: 0,
             sampled,
         }
     }
 
-    /// The target of the next refinements.
-    fn target(&self) -> Target {
-        Target {
-            min_pairs: self.pilot.pairs,
-            max_pairs: self.max_pairs,
-            error: self.target,
-            spare_samples: SPARE_SAMPLES * self.pilot.samples() * self.sampled.pixels as f64,
+    /// Takes samples until the error is at most `max_error`, or a finer target would not help.
+    fn until(&mut self, max_error: f64, picture: &mut Picture) -> Result<(), Error> {
+        let last = LAST_TARGET * sum_of_squares(max_error, &self.sampled);
+        loop {
+            let goals = self.goals(picture);
+            let checked = check(picture, &self.pilot, self.brightest(picture), goals);
+            picture.check_stopped()?;
+            self.record(&checked, self.brightest(picture));
+            let is_exhausted = checked.pixels == 0 && self.pilot.pairs == self.max_pairs;
+            let is_last = is_exhausted || self.squared_error < last;
+            if is_last || !self.sampled.misses(Some(max_error)) {
+                return Ok(());
+            }
+            self.lower_target(self.brightest(picture));
         }
     }
 
-    /// The error of the picture after a check, which is recorded in the report.
-    fn estimate(&mut self, checked: &Checked, brightest: f64) -> Estimate {
+    /// The brightest light that an object between all samples is assumed to have.
+    fn brightest(&self, picture: &Picture) -> f64 {
+        picture.brightest().min(self.max_radiance)
+    }
+
+    /// The number of pairs that a pixel is to have after the next check, as a function of its
+    /// index and itself: as many again if the target wants more, so that the check compares halves.
+    fn goals(&mut self, picture: &Picture) -> impl Fn(usize, &Pixel) -> u32 + Sync + use<> {
+        let (pixels, width) = (picture.pixels(), picture.width());
+        let variances = expected_variances(pixels, width, &mut self.own_variances);
+        let (min_pairs, max_pairs) = (self.pilot.pairs, self.max_pairs);
+        let target = Target {
+            min_pairs,
+            max_pairs,
+            error: self.refined_part(picture) * self.squared_error,
+            spare_samples: SPARE_SAMPLES * self.pilot.samples() * pixels.len() as f64,
+        };
+        let allocation = Allocation::new(&variances, target);
+        move |i: usize, pixel: &Pixel| {
+            let goal = allocation.pairs(variances[i]);
+            if goal > pixel.pairs().max(min_pairs) {
+                (2 * pixel.pairs()).clamp(min_pairs + 1, max_pairs)
+            } else {
+                min_pairs
+            }
+        }
+    }
+
+    /// The part of the step's squared error that refined pixels may have.
+    ///
+    /// The search by `p` pilot samples leaves the squared error `u`, which falls as `p^-2`;
+    /// refinement by `r` samples leaves `e`, which falls as `r^-1.5` at edges. The last sample of
+    /// each gains equally if `e = 4/3 u r/p`. The check estimates about twice the expected `e`.
+    fn refined_part(&self, picture: &Picture) -> f64 {
+        let pilot = self.pilot.samples() * self.sampled.pixels as f64;
+        let refined = (self.sampled.samples + picture.samples()) as f64 - pilot;
+        let [least, largest] = REFINED;
+        (0.5 * 4.0 / 3.0 * UNSEEN * refined / pilot).clamp(least, largest)
+    }
+
+    /// Records the error of the picture after a check in the report.
+    fn record(&mut self, checked: &Checked, brightest: f64) {
         self.unrefined += checked.unrefined;
         let mut error = checked.known;
         error += self.unrefined;
@@ -179,75 +211,30 @@ impl Convergence {
         self.sampled.squared_error = error.sum / CHANNELS;
         self.sampled.variance = error.variance / (CHANNELS * CHANNELS);
         self.sampled.unseen = self.pilot.unseen(brightest) / CHANNELS;
-        self.empty_checks = match checked.pixels {
-            0 => self.empty_checks + 1,
-            _ => 0,
-        };
-        error
+        self.sampled.brightest = brightest;
     }
 
-    /// Whether the error is low enough, or no pixel may have more samples.
-    fn has_ended(&self, max_error: f64) -> bool {
-        !self.sampled.misses(Some(max_error)) || self.empty_checks == 2
-    }
-
-    /// Lowers the target after a check with an error that is too large.
-    fn lower_target(&mut self, error: &Estimate, brightest: f64) {
-        let left = remaining(self.allowed, self.pilot.unseen(brightest));
-        self.target *= (TARGET * left / error.largest()).clamp(0.125, 0.7);
-        if self.pilot.widen_after(&self.unrefined, brightest) {
+    /// Goes on to the next target.
+    fn lower_target(&mut self, brightest: f64) {
+        self.squared_error *= STEP;
+        if self
+            .pilot
+            .widen_for(self.squared_error, &self.unrefined, brightest)
+        {
             self.unrefined = Estimate::default();
         }
     }
 
     /// The report, with the samples of all pixels.
     fn sampled(mut self, picture: &Picture) -> Sampled {
-        let pairs = || picture.pixels().par_iter().map(Pixel::pairs);
-        self.sampled.samples += pairs().map(|pairs| u64::from(2 * pairs)).sum::<u64>();
-        self.sampled.most = 2 * pairs().max().unwrap_or(0);
+        let pairs = picture.pixels().par_iter().map(Pixel::pairs);
+        self.sampled.samples += picture.samples();
+        self.sampled.most = 2 * pairs.max().unwrap_or(0);
         self.sampled
     }
 }
 
-/// The allowed error without that of objects between all samples, but at least a tenth.
-fn remaining(allowed: f64, unseen: f64) -> f64 {
-    (allowed - unseen).max(0.1 * allowed)
-}
-
-/// Takes half of the samples that the target gives to each pixel with an expected variance. The
-/// other half is for the check. Returns the number of pairs that a pixel is to have then, as a
-/// function of its index and itself.
-fn refine(
-    picture: &mut Picture,
-    target: Target,
-) -> Result<impl Fn(usize, &Pixel) -> u32 + Sync + use<>, Error> {
-    let Target {
-        min_pairs,
-        max_pairs,
-        ..
-    } = target;
-    let (mut refinements, mut own_variances) = (0..REFINEMENTS, Vec::new());
-    let (variances, allocation) = loop {
-        let variances = expected_variances(picture.pixels(), picture.width(), &mut own_variances);
-        let allocation = Allocation::new(&variances, target);
-        let half = |i: usize, pixel: &Pixel| {
-            let goal = allocation.pairs(variances[i]);
-            let half = if goal > min_pairs { goal / 2 } else { 0 };
-            half.min(GROWTH * pixel.pairs().max(1))
-        };
-        let refined = picture.take(half);
-        picture.check_stopped()?;
-        // The last few pixels are left to the check.
-        if refined <= variances.len() / PIXELS_PER_REFINED || refinements.next().is_none() {
-            break (variances, allocation);
-        }
-    };
-    Ok(move |i: usize, pixel: &Pixel| {
-        let (pairs, mut goal) = (pixel.pairs(), allocation.pairs(variances[i]));
-        if pairs >= goal && pairs > pixel.checked_pairs() {
-            // It has enough samples, but they are not checked yet.
-            goal = 2 * pairs;
-        }
-        goal.min((2 * pairs).max(min_pairs + 1)).min(max_pairs)
-    })
+/// The squared errors of all pixels and channels, for a root mean square error.
+fn sum_of_squares(error: f64, sampled: &Sampled) -> f64 {
+    error * error * CHANNELS * sampled.pixels as f64
 }

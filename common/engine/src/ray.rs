@@ -22,6 +22,9 @@ pub struct Hit {
     pub normal: DVec3,
     /// The geometric normal, of length 1.
     pub face: DVec3,
+    /// How large the numbers of the shape are from which the hit was computed, as a length
+    /// along the geometric normal.
+    pub magnitude: f64,
 }
 
 impl Hit {
@@ -35,6 +38,7 @@ impl Hit {
             t,
             normal,
             face: normal,
+            magnitude: 0.0,
         }
     }
 }

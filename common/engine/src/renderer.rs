@@ -7,7 +7,7 @@ use glam::DVec3;
 use crate::accel::Accelerator;
 use crate::adaptive;
 use crate::flatten::flatten;
-use crate::shade::RadianceBound;
+use crate::shade::{RadianceBound, max_radiance};
 use crate::shape::Bounds;
 use crate::trace::Tracer;
 use crate::view::View;
@@ -29,6 +29,10 @@ impl<'a> Renderer<'a> {
     /// flattened and reflections cut off.
     #[must_use]
     pub fn new(scene: Scene<'a>, camera: Camera<'a>, settings: &Settings) -> Self {
+        let cutoff = settings.max_error.map(|max_error| RadianceBound {
+            max_radiance: max_radiance(&scene),
+            threshold: max_error * CUTOFF,
+        });
         let Scene {
             background,
             ambient,
@@ -44,10 +48,6 @@ impl<'a> Renderer<'a> {
             }
         }
         let accelerator = Accelerator::new(shapes);
-        let cutoff = settings.max_error.map(|max_error| {
-            let threshold = max_error * CUTOFF;
-            RadianceBound::new(background, ambient, &lights, &surfaces, threshold)
-        });
         let tracer = Tracer {
             background,
             ambient,
@@ -77,7 +77,11 @@ impl<'a> Renderer<'a> {
             progress,
         };
         match settings.max_error {
-            Some(max_error) => adaptive::render_image(max_error, &view, settings, progress),
+            Some(max_error) => {
+                let bound = self.tracer.cutoff.as_ref();
+                let max = bound.map_or(f64::INFINITY, |bound| bound.max_radiance.largest_channel());
+                adaptive::render_image(max_error, max, &view, settings, progress)
+            }
             None => view.render(sampler),
         }
     }

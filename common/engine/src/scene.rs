@@ -2,18 +2,24 @@
 
 use common::Color;
 
-use crate::accel::Shapes;
-use crate::{Light, Shape, Surface};
+use crate::accel::{Kind, Shapes};
+use crate::shade::max_radiance;
+use crate::shape::List;
+use crate::{Light, Shape, Surface, Transform};
 
 /// A scene.
 #[derive(Debug)]
 pub struct Scene<'a> {
-    pub(crate) background: Color,
-    pub(crate) ambient: Color,
+    /// The colour of rays without a hit.
+    pub background: Color,
+    /// The ambient light.
+    pub ambient: Color,
     pub(crate) depth: u32,
     pub(crate) shapes: Shapes<'a>,
-    pub(crate) surfaces: Vec<Surface<'a>>,
-    pub(crate) lights: Vec<Light<'a>>,
+    /// The surfaces, by their indices.
+    pub surfaces: Vec<Surface<'a>>,
+    /// The lights.
+    pub lights: Vec<Light<'a>>,
 }
 
 impl<'a> Scene<'a> {
@@ -46,5 +52,38 @@ impl<'a> Scene<'a> {
     /// Adds a light.
     pub fn add_light(&mut self, light: Light<'a>) {
         self.lights.push(light);
+    }
+
+    /// Upper bound of the channels of the light that any ray brings back; infinite where a light
+    /// or a material is not one of the engine's.
+    #[must_use]
+    pub fn max_radiance(&self) -> f64 {
+        max_radiance(self).largest_channel()
+    }
+
+    /// Passes on each shape, in the order in which they were added: its transforms, from the
+    /// outermost to the innermost, the shape under them, and the index of its surface. A shape
+    /// that the engine does not know is passed on as one without hits.
+    pub fn for_each_shape(&self, mut each: impl FnMut(&[Transform], &Shape<'_>, u32)) {
+        let shapes = &self.shapes;
+        let mut ids: Vec<_> = shapes.ids().map(|id| (shapes.attributes(id), id)).collect();
+        ids.sort_unstable_by_key(|(own, _)| own.order);
+        for (own, id) in ids {
+            let index = id.index as usize;
+            let shape = match id.kind {
+                Kind::Transformed => {
+                    let transformed = &shapes.transformed.shapes[index];
+                    each(&transformed.steps, &transformed.shape, own.surface);
+                    continue;
+                }
+                Kind::Sphere => Shape::Sphere(shapes.spheres.shapes[index]),
+                Kind::Triangle => Shape::Triangle(shapes.triangles.shapes.get(index)),
+                Kind::Box => Shape::Box(shapes.boxes.shapes[index]),
+                Kind::Plane => Shape::Plane(shapes.planes.shapes[index]),
+                Kind::Disc => Shape::Disc(shapes.discs.shapes[index]),
+                Kind::Other => Shape::other(|_| None),
+            };
+            each(&[], &shape, own.surface);
+        }
     }
 }

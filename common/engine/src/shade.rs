@@ -10,5 +10,5 @@ pub(crate) use light::IlluminationPacket;
 pub use light::{Illumination, Light, LightFn, LightKind};
 pub use phong::Phong;
 pub(crate) use phong::PhongPacket;
-pub(crate) use radiance_bound::RadianceBound;
+pub(crate) use radiance_bound::{RadianceBound, max_radiance};
 pub use surface::{ShadeFn, Shading, Surface};

@@ -94,7 +94,7 @@ impl Tracer<'_> {
             }
             path.active = hit_mask;
             if hit_mask != 0 {
-                vertices.push(self.vertex(i, self.accelerator.shapes.hits(query)));
+                vertices.push(self.vertex(i, &self.accelerator.shapes.hits(query)));
             }
         }
     }

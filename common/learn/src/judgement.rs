@@ -18,7 +18,7 @@ const PAUSE: Duration = Duration::from_millis(20);
 pub fn judge(e: &Exercise, loud: bool, stops: &mut dyn FnMut() -> bool) -> Result<bool, String> {
     let name = e.name;
     progress::record(e, false)?;
-    let Some((built, messages)) = run(&mut build(e, loud), stops)? else {
+    let Some((built, messages)) = run(&mut cargo(loud, &arguments(e)), stops)? else {
         return Ok(false);
     };
     if !built.success() {
@@ -50,29 +50,49 @@ pub fn judge(e: &Exercise, loud: bool, stops: &mut dyn FnMut() -> bool) -> Resul
     Ok(false)
 }
 
-/// Builds the test program of a stage for an exercise.
-fn build(e: &Exercise, loud: bool) -> Command {
-    let arguments = format!(
-        "rustc --package {} --test exercises --profile test",
-        e.stage
-    );
+/// Builds the test program of a stage that proves its exercises, and returns its path.
+#[cfg(feature = "course")]
+pub fn proofs(stage: &str) -> Result<String, String> {
+    match run(&mut cargo(false, &of_stage(stage)), &mut || false)? {
+        Some((status, messages)) if status.success() => program(&messages),
+        _ => Err(format!("the checks of {stage} do not compile")),
+    }
+}
+
+/// Cargo's words for the test program of a stage.
+fn of_stage(stage: &str) -> Vec<String> {
+    let words = "--test exercises --profile test --message-format json-render-diagnostics";
+    let words = format!("rustc --package {stage} {words}");
+    words.split(' ').map(str::to_owned).collect()
+}
+
+/// Cargo's words for the test program of an exercise.
+pub fn arguments(e: &Exercise) -> Vec<String> {
     // Messages name the file by its shortest path, and not by way of the test.
     let shortest = files::shortest(&format!("{}/exercises", e.stage));
     let long = format!("{}/tests/exercises/../../exercises", e.stage);
+    let prefix = format!("--remap-path-prefix={long}={}", shortest.display());
+    let own = [
+        "--", "--cfg", "learn", "--cfg", e.name, "-A", "unused", &prefix,
+    ];
+    of_stage(e.stage)
+        .into_iter()
+        .chain(own.map(str::to_owned))
+        .collect()
+}
+
+fn cargo(loud: bool, arguments: &[String]) -> Command {
     let mut cargo = Command::new("cargo");
     cargo
-        .args(arguments.split(' '))
-        .args(["--message-format", "json-render-diagnostics"])
         .args((!loud).then_some("--quiet"))
-        .args(["--", "--cfg", "learn", "--cfg", e.name, "-A", "unused"])
-        .arg(format!("--remap-path-prefix={long}={}", shortest.display()))
+        .args(arguments)
         .current_dir(files::workspace())
         .stdout(Stdio::piped());
     cargo
 }
 
 /// The path of the test program, by the messages of the build.
-fn program(messages: &str) -> Result<String, String> {
+pub fn program(messages: &str) -> Result<String, String> {
     let program = messages
         .lines()
         .filter(|line| line.contains("\"kind\":[\"test\"]"))

@@ -10,9 +10,6 @@ use crate::experiment::Axis;
 pub struct Curve<'a> {
     /// Its name.
     pub method: &'a str,
-    /// A remark for the reader: for the most exact method, why it is not in the
-    /// renderer. May be empty.
-    pub remark: &'a str,
     /// The slope that theory gives for log error over log work, or over the log of the
     /// parameter; and the range of that axis in which points count: below it, theory may not
     /// hold yet, and above it, rounding errors may be larger.
@@ -25,11 +22,10 @@ pub struct Curve<'a> {
 }
 
 impl<'a> Curve<'a> {
-    /// A method without a remark and without a slope in theory.
+    /// A method without a slope in theory.
     pub fn new(method: &'a str, points: impl IntoIterator<Item = Point<'a>>) -> Self {
         Self {
             method,
-            remark: "",
             slope: None,
             bound: None,
             points: points.into_iter().collect(),
@@ -72,11 +68,6 @@ impl<'a> Curve<'a> {
             point.max = point.rms;
         }
         curve
-    }
-
-    /// Adds a remark for the reader.
-    pub fn with_remark(self, remark: &'a str) -> Self {
-        Self { remark, ..self }
     }
 
     /// Adds the slope of theory, if there is one, and the range in which it holds.

@@ -19,6 +19,6 @@ pub fn experiment() -> Experiment<'static> {
         .with_curves(|_| {
             let falling = curve(&[(1.0, 1.0), (16.0, 0.25), (256.0, 0.0625)]);
             let falling = falling.with_slope(-0.5, (1.0, 1e9));
-            vec![falling.with_remark("remarkable")]
+            vec![falling]
         })
 }

@@ -9,7 +9,7 @@ mod case;
 mod outcome;
 mod table;
 
-pub use bound::Bound::{self, Absolute, Equal, Finite, Ulps};
+pub use bound::Bound::{self, Absolute, Equal, Ulps};
 pub use case::Protocol::{self, Fails, Holds};
 pub use case::{Case, Id, case};
 pub use outcome::Outcome::{self, Nothing, Refused};

@@ -8,6 +8,9 @@ use crate::experiment::{Axis, Curve};
 /// residuals in decades: a factor of about the square root of two.
 const MOST_SCATTER: f64 = 0.15;
 
+/// The most by which the slopes of both halves of a power law differ.
+const MOST_BEND: f64 = 0.2;
+
 /// The least range of a power law, in decades.
 const LEAST_DECADES: f64 = 1.0;
 
@@ -24,6 +27,8 @@ pub struct Fit {
     pub scatter: f64,
     /// The range of work or parameter, in decades.
     pub decades: f64,
+    /// The slope of the second half of six or more points, less that of the first; else 0.
+    pub bend: f64,
 }
 
 impl Fit {
@@ -52,13 +57,19 @@ impl Fit {
             r_squared: if up > 0.0 { 1.0 - squares / up } else { 1.0 },
             scatter: variance.sqrt(),
             decades: high - low,
+            bend: bend(points),
         })
     }
 
     /// Whether the points follow a power law: over a decade or more, they stray from the
-    /// line by less than a factor of the square root of two.
+    /// line by less than a factor of the square root of two, and it does not bend.
     pub fn is_power_law(&self) -> bool {
-        self.decades >= LEAST_DECADES && self.scatter <= MOST_SCATTER
+        self.decades >= LEAST_DECADES && self.scatter <= MOST_SCATTER && !self.bends()
+    }
+
+    /// Whether both halves of the points follow other lines, beyond their noise.
+    fn bends(&self) -> bool {
+        self.bend.abs() > MOST_BEND.max(6.0 * self.standard_error)
     }
 
     /// The slope with its standard error.
@@ -77,11 +88,20 @@ impl fmt::Display for Fit {
         } else if self.scatter > MOST_SCATTER {
             let factor = libm::pow(10.0, self.scatter).min(99.0);
             write!(f, "no power law: a factor of {factor:.1} off a line")
+        } else if self.bends() {
+            let (slope, bend) = (self.slope_in_words(), self.bend);
+            write!(f, "no power law: {slope}, but it changes by {bend:.2}")
         } else {
             let r_squared = self.r_squared;
             write!(f, "{}, R² {r_squared:.4}", self.slope_in_words())
         }
     }
+}
+
+fn bend(points: &[(f64, f64)]) -> f64 {
+    let (first, second) = points.split_at(points.len() / 2);
+    let halves = [first, second].map(|half| Some(Fit::through(half)?.slope));
+    halves[1].zip(halves[0]).map_or(0.0, |(b, a)| b - a)
 }
 
 impl Curve<'_> {
@@ -164,6 +184,13 @@ mod tests {
         let bent = fit(&[(10.0, 1e-1), (100.0, 1e-1), (1000.0, 1e-4)]).unwrap();
         assert!(!bent.is_power_law() && (bent.slope + 1.5).abs() < 1e-12);
         assert!(bent.to_string().starts_with("no power law: a factor"));
+        // The error grows with the work, and from 100 on with its square.
+        let kink = [0.0, 1.0, 2.0, 4.0, 6.0, 8.0];
+        let kink: Vec<_> = (0..6)
+            .map(|n| (libm::exp10(n.into()), libm::exp10(kink[n as usize])))
+            .collect();
+        let kink = fit(&kink).unwrap();
+        assert!(kink.bends() && (kink.bend - 1.0).abs() < 1e-12, "{kink:?}");
         let short = fit(&[(1.0, 1.0), (2.0, 0.5), (4.0, 0.25)]).unwrap();
         assert_eq!(short.to_string(), "no power law: less than a decade");
         assert_eq!(fit(&[(1.0, 1.0), (1000.0, 0.5)]), None);

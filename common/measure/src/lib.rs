@@ -27,4 +27,5 @@ mod stage;
 pub mod timing;
 
 pub use effort::Effort;
+pub use plot::{Svg, color as svg_color};
 pub use stage::Stage;

@@ -12,7 +12,7 @@ use crate::provenance;
 use crate::report::Measured;
 use crate::timing::Median;
 use axis::{LogAxis, rounded};
-use svg::{Svg, color};
+pub use svg::{Svg, color};
 
 /// The size of the picture, and the sides of the plot in it, in pixels.
 const SIZE: [f64; 2] = [780.0, 468.0];

@@ -100,17 +100,46 @@ impl<'e, 'a> Measured<'e, 'a> {
                 );
             }
         }
-        for curve in &self.curves {
-            let summary = self.summary(curve);
+        for (c, curve) in self.curves.iter().enumerate() {
+            let summary = self.summary(c, curve);
             if !summary.is_empty() {
                 let _ = writeln!(text, "  {}: {summary}", curve.method);
             }
         }
+        let _ = writeln!(text, "  {}", self.unbeaten());
         text
     }
 
-    /// Slope, work to reach half a grey level, and remark.
-    fn summary(&self, curve: &Curve) -> String {
+    /// The methods of which no other has both a smaller error and, beyond noise, a shorter
+    /// time: for errors against work, at any parameter; else at the greatest.
+    fn unbeaten(&self) -> String {
+        let knobs = self.curves.iter().flat_map(|curve| &curve.points);
+        let greatest = knobs.map(|point| point.knob).fold(f64::MIN, f64::max);
+        let against = self.experiment.against;
+        let mut all = Vec::new();
+        for (c, Curve { method, points, .. }) in self.curves.iter().enumerate() {
+            for (p, point) in points.iter().enumerate() {
+                let is_compared = against == Axis::Work || point.knob == greatest;
+                if is_compared && !point.is_estimate {
+                    all.push((*method, point.rms, self.time(c, p)));
+                }
+            }
+        }
+        let beats = |(_, error, time): &(_, f64, Median), (_, other, slower): &(_, f64, Median)| {
+            error <= other && time.high < slower.low || error < other && time.value <= slower.value
+        };
+        let is_unbeaten = |one: &&_| !all.iter().any(|other| beats(other, one));
+        let mut front: Vec<_> = all.iter().filter(is_unbeaten).collect();
+        front.sort_by(|a, b| a.2.value.total_cmp(&b.2.value));
+        let named = |(method, error, time): &(&str, f64, Median)| {
+            format!("{method} (error {error:.1e}, {})", duration(time.value))
+        };
+        let front: Vec<_> = front.into_iter().map(named).collect();
+        format!("unbeaten in error and time: {}", front.join(", "))
+    }
+
+    /// Slope, work to reach half a grey level, and time and error beside the first method's.
+    fn summary(&self, c: usize, curve: &Curve) -> String {
         let mut parts = Vec::new();
         if let Some(fit) = self.experiment.fit(curve) {
             let theory = |(slope, _)| format!(" (theory {slope})");
@@ -125,10 +154,27 @@ impl<'e, 'a> Measured<'e, 'a> {
             let unit = self.experiment.work;
             parts.push(format!("1/510 takes {work:.0} {unit}{beyond}"));
         }
-        if !curve.remark.is_empty() {
-            parts.push(curve.remark.to_owned());
+        if !is_estimate {
+            parts.extend(self.beside_first(c));
         }
         parts.join("; ")
+    }
+
+    /// The time and the error of a method at the last value of the parameter that it shares
+    /// with the first, over those of the first.
+    fn beside_first(&self, c: usize) -> Option<String> {
+        let points = &self.curves[c].points;
+        let last = |p| Some((p, self.ratio(c, p)?));
+        let (p, time) = (0..points.len()).rev().find_map(last)?;
+        let (first, own) = (self.curves[0].points[p].rms, points[p].rms);
+        let error = match own / first {
+            0.0 => "no error".to_owned(),
+            ratio @ 0.01..1e4 => format!("{ratio:.2} times its error"),
+            ratio if ratio.is_finite() => format!("{ratio:.1e} times its error"),
+            _ => format!("an error of {own:.1e}, where it has none"),
+        };
+        let (method, knob) = (self.curves[0].method, compact(points[p].knob));
+        Some(format!("beside {method} at {knob}: {error}, time {time}"))
     }
 
     /// All measurements as comma-separated values, below lines with `#` about their

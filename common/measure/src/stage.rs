@@ -1,10 +1,15 @@
 //! `Stage`: the scenes, experiments and extreme cases of a stage.
 
+use std::path::Path;
+
 use common::{Error, Scene};
 
 use crate::Effort;
 use crate::experiment::Experiment;
 use crate::extremes::Case;
+
+/// Reads the scene of a scene file.
+pub type OpenScene = fn(&Path) -> Result<Scene, Error>;
 
 /// One stage of the course: its name, scenes, experiments and extreme cases.
 pub struct Stage {
@@ -18,13 +23,21 @@ pub struct Stage {
     pub experiments: fn() -> Vec<Experiment<'static>>,
     /// The stiff and extreme cases.
     pub extremes: fn(Effort) -> Vec<Case>,
+    /// Opens a scene file, if the stage knows any.
+    pub open: Option<OpenScene>,
 }
 
 impl Stage {
-    /// The scene of this name, or an error that lists the scenes of the stage.
-    pub fn scene(&self, name: &str) -> Result<&Scene, Error> {
+    /// The scene of this name, or of the scene file of this name, which ends in `.toml`. The
+    /// error lists the scenes of the stage.
+    pub fn scene(&self, name: &str) -> Result<Scene, Error> {
+        let path = Path::new(name);
+        if path.extension().is_some_and(|end| end == "toml") {
+            let none = || format!("{} opens no scene files; stages 4 to 7 do", self.name);
+            return self.open.ok_or_else(|| Error::Usage(none()))?(path);
+        }
         let known = self.scenes.iter().find(|scene| scene.name == name);
-        known.ok_or_else(|| {
+        known.cloned().ok_or_else(|| {
             let names: Vec<_> = self.scenes.iter().map(|scene| scene.name).collect();
             let (stage, names) = (self.name, names.join(", "));
             Error::Usage(format!("{stage} has no scene \"{name}\"; it has {names}"))

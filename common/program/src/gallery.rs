@@ -9,12 +9,16 @@ use measure::Stage;
 
 use crate::LivePicture;
 use crate::options::Options;
+use crate::print::warn;
 use crate::target::make_default_folder;
+use crate::watch::Watch;
 
 /// The scenes of a stage, the one that is being shown, and its rendering.
 pub struct Gallery<'scope, 'a> {
     stage: &'scope Stage,
-    current: usize,
+    scene: Scene,
+    /// The files of the scene, if they are watched.
+    watch: Option<Watch>,
     options: Options,
     scope: &'scope Scope<'scope, 'a>,
     rendering: Option<Rendering<'scope>>,
@@ -23,34 +27,46 @@ pub struct Gallery<'scope, 'a> {
 impl<'scope, 'a> Gallery<'scope, 'a> {
     pub(crate) fn new(
         stage: &'scope Stage,
-        scene: &Scene,
+        scene: Scene,
+        watch: Option<Watch>,
         options: Options,
         scope: &'scope Scope<'scope, 'a>,
     ) -> Self {
-        let mut scenes = stage.scenes.iter();
         Self {
             stage,
-            current: scenes.position(|s| s.name == scene.name).unwrap_or(0),
+            scene,
+            watch,
             options,
             scope,
             rendering: None,
         }
     }
 
-    fn scene(&self) -> &'scope Scene {
-        &self.stage.scenes[self.current]
+    /// Opens the watched scene file if it has been saved, and starts to render it. A broken file
+    /// leaves the picture as it is; its error goes to the terminal, too.
+    pub fn reopen(&mut self) -> Result<(), Error> {
+        let stage = self.stage;
+        let Some(opened) = self.watch.as_mut().and_then(|watch| watch.reopen(stage)) else {
+            return Ok(());
+        };
+        let started = opened.and_then(|scene| {
+            self.options.settings(&scene)?;
+            self.scene = scene;
+            self.start()
+        });
+        started.inspect_err(|error| warn(&format!("error: {error}")))
     }
 
     /// Stage and scene, for the title of the window.
     #[must_use]
     pub fn title(&self) -> String {
-        format!("{}: {}", self.stage.name, self.scene().name)
+        format!("{}: {}", self.stage.name, self.scene.name)
     }
 
     /// Whether the scene shows a file that can be chosen.
     #[must_use]
     pub fn opens_files(&self) -> bool {
-        self.scene().uses.file
+        self.scene.uses.file
     }
 
     /// Whether a file has been chosen.
@@ -66,13 +82,19 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
 
     /// Goes to the next scene, and from the last to the first.
     pub fn go_to_next(&mut self) {
-        self.current = (self.current + 1) % self.stage.scenes.len();
+        self.go(1);
     }
 
     /// Goes to the previous scene, and from the first to the last.
     pub fn go_to_previous(&mut self) {
-        let scenes = self.stage.scenes.len();
-        self.current = (self.current + scenes - 1) % scenes;
+        self.go(self.stage.scenes.len() - 1);
+    }
+
+    /// Goes forward by this number of scenes. The scene of a file counts as the first.
+    fn go(&mut self, steps: usize) {
+        let scenes = &self.stage.scenes;
+        let current = scenes.iter().position(|s| s.name == self.scene.name);
+        self.scene = scenes[(current.unwrap_or(0) + steps) % scenes.len()].clone();
     }
 
     /// The curve between light and the values that are shown.
@@ -84,8 +106,8 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
     /// Starts to render the scene in a separate thread. An earlier rendering stops.
     pub fn start(&mut self) -> Result<(), Error> {
         self.rendering = None;
-        let scene = self.scene();
-        let settings = self.options.settings(scene)?;
+        let scene = self.scene.clone();
+        let settings = self.options.settings(&scene)?;
         let threads = self.options.thread_pool()?;
         let picture = Arc::new(LivePicture::new(settings.size, self.transfer()));
         let progress = Arc::clone(&picture);
@@ -117,7 +139,7 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
     /// picture of this name is kept, and the new one gets a number.
     pub fn save(&self, image: &Image) -> Result<PathBuf, Error> {
         let folder = make_default_folder()?;
-        let name = format!("{}-{}", self.stage.name, self.scene().name);
+        let name = format!("{}-{}", self.stage.name, self.scene.name);
         let rgb = image.to_rgb8(self.transfer());
         save_beside_others(folder, &name, image.size(), &rgb)
     }

@@ -6,6 +6,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand};
 use common::{Scene, UsedSettings};
 use measure::Stage;
 
+use crate::explain_pixel::Explaining;
 use crate::options::Options;
 
 /// The whole command line; without a command the first scene is shown.
@@ -30,6 +31,10 @@ pub struct Showing {
     #[arg(long)]
     pub no_window: bool,
 
+    /// Show a scene file anew when it is saved
+    #[arg(long)]
+    pub watch: bool,
+
     #[command(flatten)]
     pub options: Options,
 }
@@ -41,14 +46,14 @@ pub enum Command {
     List,
     /// Show a scene in a window; without a display, write its PNG
     Show {
-        /// The scene, as `list` names it
+        /// The scene, as `list` names it, or a scene file that ends in .toml
         scene: String,
         #[command(flatten)]
         showing: Showing,
     },
     /// Write scenes as PNG
     Render {
-        /// The scenes, as `list` names them
+        /// The scenes, as `list` names them, or scene files that end in .toml
         #[arg(required_unless_present = "all", conflicts_with = "all")]
         scenes: Vec<String>,
 
@@ -60,9 +65,36 @@ pub enum Command {
         #[arg(short, long, value_name = "FILE|DIR")]
         output: Option<PathBuf>,
 
+        /// Render a scene file anew when it is saved
+        #[arg(long, conflicts_with_all = ["all", "explain"])]
+        watch: bool,
+
         /// List the work that the renderer leaves out, and the time that this saves
         #[arg(long, conflicts_with = "no_omit")]
         explain: bool,
+
+        #[command(flatten)]
+        options: Options,
+    },
+    /// List every number behind a pixel, by the lesson's own functions
+    Explain {
+        /// The scene, as `list` names it
+        scene: String,
+        #[command(flatten)]
+        explaining: Explaining,
+    },
+    /// Write a scene as text for others to read
+    Export {
+        /// The scene, as `list` names it, or a scene file that ends in .toml
+        scene: String,
+
+        /// The language: `toml`, for scene files, or `povray`
+        #[arg(long, value_name = "LANGUAGE", value_parser = ["toml", "povray"])]
+        to: String,
+
+        /// The file [default: standard output]
+        #[arg(short, long, value_name = "FILE")]
+        output: Option<PathBuf>,
 
         #[command(flatten)]
         options: Options,
@@ -115,6 +147,7 @@ impl CommandLine {
             .about(stage.about)
             .after_help(examples(stage.name, &stage.scenes, is_sampled))
             .mut_subcommands(hide)
+            .mut_subcommand("explain", |explain| explain.hide(!is_sampled))
     }
 }
 

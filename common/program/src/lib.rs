@@ -5,6 +5,7 @@
 //! the build has a window. Only this crate reads arguments and prints.
 
 mod explain;
+mod explain_pixel;
 mod extremes;
 mod gallery;
 mod grammar;
@@ -19,6 +20,7 @@ mod show;
 mod target;
 mod terminal_progress;
 mod viewer;
+mod watch;
 
 pub use gallery::Gallery;
 pub use live_picture::LivePicture;
@@ -36,5 +38,6 @@ fn stage_of(scenes: Vec<common::Scene>) -> measure::Stage {
         scenes,
         experiments: Vec::new,
         extremes: |_| Vec::new(),
+        open: None,
     }
 }

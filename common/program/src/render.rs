@@ -1,9 +1,10 @@
 //! `render`: renders scenes into PNG files.
 
 use std::path::PathBuf;
-use std::time::Instant;
+use std::thread;
+use std::time::{Duration, Instant};
 
-use common::{Error, Image, Scene, Settings};
+use common::{Error, Image, Renderer, Scene, Settings};
 use measure::Stage;
 
 use crate::explain::explain;
@@ -11,12 +12,13 @@ use crate::options::Options;
 use crate::print::{print, warn};
 use crate::target::Target;
 use crate::terminal_progress::TerminalProgress;
+use crate::watch::Watch;
 
 /// Writes the pictures of these scenes, and prints the path and the time of each.
 /// Wrong arguments are refused before the first picture is begun.
 pub fn render_to_files(
     stage: &Stage,
-    scenes: &[&Scene],
+    scenes: &[Scene],
     output: Option<PathBuf>,
     explained: bool,
     options: &Options,
@@ -24,7 +26,7 @@ pub fn render_to_files(
     let target = Target::new(output, scenes.len())?;
     let mut jobs = Vec::new();
     for scene in scenes {
-        jobs.push((*scene, options.settings(scene)?));
+        jobs.push((scene, options.settings(scene)?));
         target.check(stage, scene)?;
     }
     for (scene, settings) in jobs {
@@ -40,6 +42,24 @@ pub fn render_to_files(
         print(&format!("{}  {size}  {time:.2} s", path.display()))?;
     }
     Ok(())
+}
+
+/// Renders a scene of a file, and renders it anew whenever the file is saved. A broken file leaves
+/// the picture as it is.
+pub fn watch(
+    stage: &Stage,
+    scenes: &[Scene],
+    render: impl Fn(&[Scene]) -> Result<(), Error>,
+) -> Result<(), Error> {
+    let mut watch = Watch::new(scenes)?;
+    render(scenes)?;
+    loop {
+        thread::sleep(Duration::from_millis(200));
+        let opened = watch.reopen(stage);
+        if let Some(Err(error)) = opened.map(|scene| render(&[scene?])) {
+            warn(&format!("error: {error}"));
+        }
+    }
 }
 
 /// Renders a scene, with a bar on the terminal.
@@ -68,9 +88,13 @@ pub fn render(scene: &Scene, settings: &Settings, options: &Options) -> Result<I
     Ok(image)
 }
 
-/// Prints a note for each flag that does not change this scene.
+/// Prints a note for each flag that does not change this scene, and about a slow renderer.
 pub fn warn_unused(scene: &Scene, options: &Options, settings: &Settings) {
     for flag in options.unused(scene.uses, settings) {
         warn(&format!("note: {flag} changes nothing in {}", scene.name));
+    }
+    if scene.is_large && settings.renderer != Renderer::Engine {
+        let note = "has more than 10000 triangles, and each ray tests all; --fast renders it soon";
+        warn(&format!("note: {} {note}", scene.name));
     }
 }

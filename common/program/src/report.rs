@@ -28,7 +28,8 @@ pub fn report(
         }
         Some((first, scenes)) if first == "scene" => {
             let scenes = scenes.iter().map(|name| stage.scene(name));
-            let experiments = scenes.map(|scene| scene_report::experiment(scene?));
+            let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
+            let experiments = scenes.iter().map(scene_report::experiment);
             let experiments = experiments.collect::<Result<Vec<_>, _>>()?;
             measure(stage, &experiments, effort, output)
         }

@@ -5,13 +5,13 @@ use std::process::ExitCode;
 
 use clap::FromArgMatches;
 use clap::error::{ContextKind, ContextValue};
-use common::{Error, Scene};
+use common::{Error, Scene, atomic_file};
 use measure::Stage;
 
 use crate::Viewer;
 use crate::grammar::{Command, CommandLine};
 use crate::print::{print, printed, warn};
-use crate::{extremes, render, show};
+use crate::{explain_pixel, extremes, render, show};
 
 /// Runs the program of `stage` with the arguments of this process.
 ///
@@ -70,16 +70,17 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
         None => show::show(stage, &stage.scenes[0], viewer, &line.showing),
         Some(Command::List) => list(stage),
         Some(Command::Show { scene, showing }) => {
-            show::show(stage, stage.scene(&scene)?, viewer, &showing)
+            show::show(stage, &stage.scene(&scene)?, viewer, &showing)
         }
         Some(Command::Render {
             scenes,
             all,
             output,
+            watch,
             explain,
             options,
         }) => {
-            let mut chosen: Vec<&Scene> = Vec::new();
+            let mut chosen: Vec<Scene> = Vec::new();
             for name in &scenes {
                 let scene = stage.scene(name)?;
                 // A scene that is named twice is rendered once.
@@ -88,9 +89,32 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
                 }
             }
             if all {
-                chosen.extend(&stage.scenes);
+                chosen.extend_from_slice(&stage.scenes);
             }
-            render::render_to_files(stage, &chosen, output, explain, &options)
+            let render = |scenes: &[Scene]| {
+                render::render_to_files(stage, scenes, output.clone(), explain, &options)
+            };
+            if watch {
+                render::watch(stage, &chosen, render)
+            } else {
+                render(&chosen)
+            }
+        }
+        Some(Command::Export {
+            scene,
+            to,
+            output,
+            options,
+        }) => {
+            let scene = stage.scene(&scene)?;
+            let text = scene.export(&to, &options.settings(&scene)?)?;
+            match output {
+                Some(path) => atomic_file::write(&path, text.as_bytes()),
+                None => print(text.trim_end()),
+            }
+        }
+        Some(Command::Explain { scene, explaining }) => {
+            explain_pixel::explain_pixel(&stage.scene(&scene)?, &explaining)
         }
         Some(Command::Report {
             names,

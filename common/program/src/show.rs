@@ -1,6 +1,6 @@
 //! `show`: shows a scene in a window, or writes its PNG where there is none.
 
-use std::thread;
+use std::{slice, thread};
 
 use common::{Error, Scene};
 use measure::Stage;
@@ -9,6 +9,7 @@ use crate::grammar::Showing;
 use crate::print::{print, warn};
 use crate::render::{render, warn_unused};
 use crate::target::Target;
+use crate::watch::Watch;
 use crate::{Gallery, NotShown, Viewer};
 
 /// Shows the scene until its window is closed. Without a window, writes its picture
@@ -21,6 +22,10 @@ pub fn show(
 ) -> Result<(), Error> {
     let options = &showing.options;
     let settings = options.settings(scene)?;
+    let watch = showing
+        .watch
+        .then(|| Watch::new(slice::from_ref(scene)))
+        .transpose()?;
     warn_unused(scene, options, &settings);
     if !showing.no_window {
         let shown = thread::scope(|scope| {
@@ -28,7 +33,7 @@ pub fn show(
                 let reason = "this build has none; the feature `window` brings it";
                 return Err(NotShown::NoWindow(reason.to_owned()));
             };
-            let mut gallery = Gallery::new(stage, scene, options.clone(), scope);
+            let mut gallery = Gallery::new(stage, scene.clone(), watch, options.clone(), scope);
             // A viewer may choose another file first.
             if !scene.uses.file {
                 gallery.start()?;
@@ -40,6 +45,9 @@ pub fn show(
             Err(NotShown::Failed(error)) => return Err(error),
             Err(NotShown::NoWindow(reason)) => warn(&format!("no window: {reason}")),
         }
+    }
+    if showing.watch {
+        warn("note: without a window --watch shows one picture; render --watch writes each");
     }
     if scene.uses.file && options.open.is_none() {
         warn("note: this is the picture of the program; --open FILE shows one of yours");
@@ -72,6 +80,7 @@ mod tests {
         let stage = crate::stage_of(vec![scene]);
         let options = Showing {
             no_window: false,
+            watch: false,
             options: Options::default(),
         };
         let shown = show(&stage, &stage.scenes[0], Some(&Failing), &options);

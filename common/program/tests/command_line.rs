@@ -57,6 +57,7 @@ fn run_many() {
 
 const COMMANDS: &str = "| list | show traced | show opened --no-window | show cube | render painted
     | render traced painted | render --all | render traced --explain | render -- --all
+    | explain traced --pixel 1,1 | explain painted --pixel 9
     | report --quick | report scene traced | extremes A B01 | render --help | rendr traced | -";
 
 const FLAGS: &str = "--size --samples --sampling --max-error --seed --depth --threads
@@ -155,6 +156,7 @@ fn stage() -> Stage {
             .into(),
         experiments: Vec::new,
         extremes: |_| vec![Case::new("A01", "a number", 1.0, Bound::Equal, 1.0)],
+        open: None,
     }
 }
 

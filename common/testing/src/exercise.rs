@@ -13,6 +13,7 @@
 //! 2. The check, `tests/exercises/NAME.rs`, compares the student's code with the solution by
 //!    [`Check::compare`]. Its [`variants!`](crate::variants) are right solutions in another
 //!    style, and mistakes of learners: at least three with those of its kind ([`Check::usual`]).
+//!    What only they use stands after them: a handout without solutions ends before.
 //! 3. Add a line to [`exercises!`](crate::exercises) in `tests/exercises/main.rs`, and a
 //!    section to the page `book/src/aNN-exercises.md`: task, minutes and hints.
 //! 4. `cargo test -p STAGE --test exercises -- NAME` proves it, shows the messages that
@@ -31,6 +32,9 @@ mod picture;
 #[cfg(not(target_family = "wasm"))]
 mod prove;
 mod random;
+#[cfg(not(target_family = "wasm"))]
+mod replay;
+mod tape;
 
 pub use answer::Answer;
 pub use check::Check;

@@ -130,18 +130,34 @@ const RENDERERS: [(Renderer, &str); 3] = [
     ),
 ];
 
+/// The scene of a file that the export of a scene makes, if the stage reads scene files.
+fn read_again(stage: &Stage, scene: &Scene) -> Option<Scene> {
+    let open = stage.open?;
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join(scene.name).with_extension("toml");
+    let text = scene.export("toml", &scene.defaults);
+    std::fs::write(&file, text.expect("the scene has phrases")).expect("a file");
+    Some(open(&file).expect("the scene file is right"))
+}
+
 /// Renders a scene with all renderers and compares the pictures with its lock: all with the
-/// expected PNG, and the lesson's with the snapshot of its hash, too.
+/// expected PNG, and the lesson's with the snapshot of its hash, too. The same holds for the scene
+/// that is written as a scene file and read again, if the stage reads scene files.
 pub fn check(stage: &Stage, test: &str, places: &Places) {
     let scene = stage.scene(&test.replace('_', "-")).expect("a scene");
-    let expected = places.expected(&picture_name(stage, scene));
-    for (renderer, differs) in RENDERERS {
+    let expected = places.expected(&picture_name(stage, &scene));
+    let read = read_again(stage, &scene).map(|read| (read, " from its file"));
+    let scenes: Vec<_> = [(scene, "")].into_iter().chain(read).collect();
+    for ((scene, from), (renderer, differs)) in scenes
+        .iter()
+        .flat_map(|scene| RENDERERS.map(|renderer| (scene, renderer)))
+    {
         let settings = Settings {
             renderer,
             ..scene.defaults.clone()
         };
         let image = render(scene, &settings);
-        let differs = format!("the picture of {} {differs}", scene.name);
+        let differs = format!("the picture of {}{from} {differs}", scene.name);
         if renderer == Renderer::Lesson {
             check_lesson(scene, &image, &expected, places, &differs);
         } else if let Err(difference) = compare_with_file(&expected, &image) {

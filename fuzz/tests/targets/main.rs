@@ -5,7 +5,7 @@ mod numbers;
 use std::fs::{self, DirEntry};
 
 use arbitrary::Unstructured;
-use fuzz::{images, scenes};
+use fuzz::{images, scene_files, scenes};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
@@ -62,6 +62,13 @@ proptest! {
 
 proptest! {
     #![proptest_config(config(3000))]
+
+    #[test]
+    fn scene_files_do_no_harm(bytes in vec(any::<u8>(), 0..1000), changes in vec(change(), 0..=8)) {
+        let example = include_bytes!("../../../a07-transforms/scenes/shapes.toml");
+        scene_files::check(&changed(example.to_vec(), &changes));
+        scene_files::check_structure(&bytes);
+    }
 
     #[test]
     fn scenes_do_no_harm(bytes in vec(any::<u8>(), 0..1000)) {

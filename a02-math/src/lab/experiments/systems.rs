@@ -74,12 +74,7 @@ pub fn experiment() -> Experiment<'static> {
                 curve("Cramer's rule", Some(1.0), protocol::cramer),
                 curve("elimination", Some(1.0), eliminated),
                 // The solutions are small whole numbers.
-                curve("Cramer's rule, mended", None, refined)
-                    .with_bound(0.0, 0.0..=1e9)
-                    .with_remark(
-                        "not in the renderer: solving four times more for digits that no picture \
-                         needs",
-                    ),
+                curve("Cramer's rule, mended", None, refined).with_bound(0.0, 0.0..=1e9),
             ]
         })
 }

@@ -71,10 +71,7 @@ pub fn angles() -> Experiment<'static> {
                 curve("arc tangent", 1.0, Vector3::angle),
                 curve("arc cosine", 2.0, protocol::angle_by_arc_cosine),
                 curve("Kahan's formula", 1.0, kahan),
-                curve("exact products", 0.0, exact_products).with_remark(
-                    "does not scale long and short vectors as ours does; \
-                     not in the renderer: no picture shows an angle's last digits",
-                ),
+                curve("exact products", 0.0, exact_products),
             ]
         })
 }
@@ -131,9 +128,7 @@ pub fn lengths() -> Experiment<'static> {
             vec![
                 curve("ours", |v| v.normalized().unwrap_or_default()).with_bound(bound, 0.0..=1e9),
                 curve("divided by its length", protocol::normalized).with_bound(bound, 0.0..=500.0),
-                curve("always scaled", always_scaled).with_remark(
-                    "not in the renderer: the same digits at a higher price for usual lengths",
-                ),
+                curve("always scaled", always_scaled),
             ]
         })
 }

@@ -57,7 +57,7 @@ fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
             ..settings.clone()
         };
         let (image, sampled) = picture(&settings)?;
-        let ([_, largest], samples) = (sampled.error(), sampled.samples as f64);
+        let (largest, samples) = (sampled.max_error(), sampled.samples as f64);
         let again = settings.clone();
         let run = move || picture(&again);
         promised.push(Point::estimate(samples, samples, largest, run));
@@ -68,9 +68,7 @@ fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
         // Mitchell, Consequences of Stratified Sampling in Graphics, 1996.
         Curve::new("stratified everywhere", everywhere).with_slope(-0.75, (1e4, 1e9)),
         Curve::new("adaptive", adaptive),
-        Curve::new("adaptive, as promised", promised).with_remark(
-            "the largest error that the renderer's check leaves possible, with 95 % confidence",
-        ),
+        Curve::new("adaptive, as promised", promised),
     ])
 }
 

@@ -65,7 +65,7 @@ pub const FROM_AFAR: Shots = |distance, n| {
 
 /// A sphere of this radius whose top is the origin, as a ground, and rays from
 /// one to two units above it, three of four of them downwards.
-const AT_GROUND: Shots = |radius, n| {
+pub const AT_GROUND: Shots = |radius, n| {
     let mut numbers = Numbers::new(12, n);
     let o = numbers.triple(-1.0, 1.0);
     let o = Vector3::new(o.x(), numbers.between(1.0, 2.0), o.z());
@@ -88,7 +88,7 @@ pub fn shots<F: Real>(shots: Shots, knob: f64, rays: usize) -> Rc<[Shot<F>]> {
 
 /// The error of a `t`, except near the rim of the sphere, where rounding of the ray itself
 /// has an effect. A miss counts as 1.
-fn error<F: Real>((c, r, o, d): &Shot<F>, found: Option<F>) -> Option<f64> {
+pub fn error<F: Real>((c, r, o, d): &Shot<F>, found: Option<F>) -> Option<f64> {
     let [centre, origin, direction] = [c, o, d].map(|triple| triple.map(Into::into));
     let radius = (*r).into();
     let exact = exact::sphere(&centre, radius, &origin, &direction);
@@ -120,11 +120,6 @@ fn curve<F: Real + 'static>(
     Curve::of_tasks(method, sets, answer, error)
 }
 
-/// Remark on the formula that is more exact than needed.
-const TOO_EXACT: &str = "not in the renderer: it pays only near a sphere so huge that a plane is \
-     cheaper, and from afar its digits are lost in t itself; without the processor's fused \
-     multiply-add, as here by default, it is dearer than it must be";
-
 /// All formulas, with the slopes of the protocol's and of the compensated one; and the ranges
 /// in which the protocol's slope holds, the others, and those in single precision.
 fn curves(
@@ -138,9 +133,7 @@ fn curves(
     vec![
         curve("protocol", &doubles, protocol::sphere).with_slope(theirs, until_lost),
         curve("stable (ours)", &doubles, stable).with_slope(1.0, everywhere),
-        curve("compensated", &doubles, compensated)
-            .with_slope(least, everywhere)
-            .with_remark(TOO_EXACT),
+        curve("compensated", &doubles, compensated).with_slope(least, everywhere),
         curve("protocol (single)", &singles, protocol::sphere::<f32>).with_slope(theirs, single),
         curve("stable (single)", &singles, stable).with_slope(1.0, single),
     ]

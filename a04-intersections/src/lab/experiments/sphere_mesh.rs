@@ -168,16 +168,10 @@ fn curves(effort: Effort) -> Result<Vec<Curve<'static>>, ArgumentError> {
     Ok(vec![
         curve("silhouette", &balls, at_rim, silhouette).with_slope(-1.0, all),
         shading("depth", &balls, depth).with_slope(-1.0, all),
-        shading("smooth Lambert", &balls, |hit| hit.normal.dot(W))
-            .with_slope(-1.0, all)
-            .with_remark(
-                "normals interpolated between the corners double the slope for next to nothing",
-            ),
+        shading("smooth Lambert", &balls, |hit| hit.normal.dot(W)).with_slope(-1.0, all),
         shading("flat Lambert", &balls, |hit| hit.face.dot(W)).with_slope(-0.5, all),
         // The rounding of roots near 1.
-        shading("depth of the sphere", &sphere, depth)
-            .with_bound(4.0 * f64::EPSILON, 1.0..=1.0)
-            .with_remark("one object instead of thousands, and exact: spheres are no meshes here"),
+        shading("depth of the sphere", &sphere, depth).with_bound(4.0 * f64::EPSILON, 1.0..=1.0),
     ])
 }
 

@@ -6,7 +6,7 @@ use common::Error;
 use measure::Effort;
 use measure::extremes::{Case, Equal, Fails, Holds, Id, Protocol, case};
 
-use crate::lab::experiments::aimed_box::{Aimed, LBF, NAIVE, RUN, aimed, is_wrong};
+use crate::lab::aimed_box::{Aimed, LBF, NAIVE, RUN, aimed, is_wrong};
 use crate::lab::experiments::sphere_mesh::Mesh;
 use crate::lab::protocol;
 use crate::lab::support::{Numbers, first};

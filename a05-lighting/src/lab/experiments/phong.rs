@@ -32,10 +32,7 @@ pub fn mean() -> Experiment<'static> {
             };
             vec![
                 curve("plain sum", |terms| terms.sum()),
-                curve("Neumaier's sum", |terms| neumaier(terms)).with_remark(
-                    "not in the renderer: a pixel adds up few samples, and the rounding of \
-                     thousands is far below what can be seen",
-                ),
+                curve("Neumaier's sum", |terms| neumaier(terms)),
             ]
         })
 }
@@ -100,19 +97,13 @@ pub fn power() -> Experiment<'static> {
                 Curve::new(method, points).with_slope(slope, (1e2, 1e12))
             };
             vec![
-                curve("libm::pow", Some(1.0), |d, p| libm::pow(1.0 - d, p))
-                    .with_remark("the renderer's, unless the exponent is small and whole"),
+                curve("libm::pow", Some(1.0), |d, p| libm::pow(1.0 - d, p)),
                 curve("repeated squaring", Some(1.0), |d, p| {
                     squaring(1.0 - d, p as u64)
-                })
-                .with_remark("the renderer's up to the exponent 1024, if it is whole"),
+                }),
                 curve("exp(P ln1p(-d))", None, |d, p| {
                     libm::exp(p * libm::log1p(-d))
-                })
-                .with_remark(
-                    "not in the renderer, though cheaper: the course's formula has e · r and not \
-                     d = |e - r|² / 2, and below P = 1e9 nobody sees the difference",
-                ),
+                }),
             ]
         })
 }

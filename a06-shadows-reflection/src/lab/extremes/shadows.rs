@@ -3,7 +3,7 @@
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::lab::support::Numbers;
-use a04_intersections::watched::geometry;
+use a04_intersections::watched::plain;
 use a04_intersections::{Geometry, Interval, Plane, Sphere, World};
 use a05_lighting::{DirectionalLight, Lambert, Light, PointLight, SpotLight, watched};
 use common::tally::{self, Work};
@@ -47,7 +47,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     // The number of rays tested against the floor, without the camera's ray.
     let shadow_rays = |id, what: &str, light| {
         let ours = tried(|| {
-            let world = watched::world(lit_from(light)?, geometry, |surface| surface);
+            let world = watched::world(lit_from(light)?, plain, |surface| surface, |(_, light)| light);
             let (_, tally) = tally::counted(|| RecursiveTracer::new(&world).trace(&LOOK, 1))?;
             Ok(tally[Work::IntersectionTest] as f64 - 1.0)
         });

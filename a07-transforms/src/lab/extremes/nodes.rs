@@ -6,14 +6,14 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::PixelRandom;
 use a04_intersections::lab::support::{Line, Triple, first, point, raw_ray};
-use a04_intersections::{AxisAlignedBox, Geometry, Interval, Plane, Sphere, Triangle, World};
-use a06_shadows_reflection::lab::extremes::self_hits::{Named, rows, world};
+use a04_intersections::{AxisAlignedBox, Interval, Sphere};
+use a06_shadows_reflection::lab::lit_points::world;
 use common::{ArgumentError, Error};
 use measure::Effort;
 use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Protocol, tried};
 
 use crate::lab::protocol::{self, normal_as_point, normal_as_vector, transposed_normal};
-use crate::{Disc, Mat4x4, Node, Transform};
+use crate::{Mat4x4, Node, Transform};
 
 /// The `t` of the first hit of a node.
 fn t(id: Id, what: &str, line: Line, exact: f64, bound: f64, node: Result<Node, Error>) -> Case {
@@ -22,9 +22,7 @@ fn t(id: Id, what: &str, line: Line, exact: f64, bound: f64, node: Result<Node, 
 }
 
 pub fn cases(effort: Effort) -> Vec<Case> {
-    let sizes = [1e-6, 1.0, 1e4, 1e9];
-    let self_hits = rows(&SHAPES, sizes, (7, MIDDLE, [9.0, 0.3]), effort);
-    [normals(), hits(effort), self_hits].concat()
+    [normals(), hits(effort)].concat()
 }
 
 #[rustfmt::skip]
@@ -148,35 +146,4 @@ fn normals() -> Vec<Case> {
         normal("G31", "(0, 1, 0) under translate (1, 2, 3), moved like a point",
             up, step.translate(Point3::new(1.0, 2.0, 3.0)), [0.0, 1.0, 0.0], normal_as_point),
     ]
-}
-
-/// Shapes under transforms, which no ray may hit again that leaves them.
-#[rustfmt::skip]
-const SHAPES: [Named<4>; 5] = [
-    ("a sphere under a node", ["S61", "S62", "S63", "S64"],
-        |size| transformed(size, Sphere::new(Point3::ORIGIN, 1.0)?)),
-    ("a plane under a node", ["S65", "S66", "S67", "S68"],
-        |size| transformed(size, Plane::new(Point3::ORIGIN, SLANTED)?)),
-    ("a box under a node", ["S69", "S70", "S71", "S72"],
-        |size| transformed(size, AxisAlignedBox::new(point([-0.3, -0.4, -0.1]), point([0.3, 0.2, 0.5]))?)),
-    ("a triangle under a node", ["S73", "S74", "S75", "S76"], |size| {
-        let [a, b, c] = [[-1.1, -0.2, -0.9], [1.3, 0.1, -0.7], [0.2, 0.3, 1.7]].map(point);
-        transformed(size, Triangle::new(a, b, c)?)
-    }),
-    ("a disc under a node", ["S77", "S78", "S79", "S80"],
-        |size| transformed(size, Disc::new(point([0.0, 0.1, 0.0]), SLANTED, 1.5)?)),
-];
-
-const SLANTED: Normal3 = Normal3::new(0.3, 1.0, 0.2);
-
-/// Where the transforms move the origin, in sizes of the scene.
-const MIDDLE: Triple = [0.3, -0.2, 0.7];
-
-fn transformed(size: f64, shape: impl Geometry) -> Result<World<()>, Error> {
-    let transform = Transform::IDENTITY
-        .translate(point(MIDDLE.map(|x| x * size)))?
-        .rotate_x(0.4)?
-        .rotate_y(1.1)?
-        .scale(size, 0.5 * size, 2.0 * size)?;
-    world(Node::new(transform).with(shape))
 }

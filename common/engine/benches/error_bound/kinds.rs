@@ -5,74 +5,82 @@ use engine::{Camera, Hit, Ray, Renderer, Scene, Shading, Shape, Surface};
 use glam::{DVec3, dvec3};
 
 use crate::support::Numbers;
+use crate::support::scene;
 use crate::support::scenes::SCENES;
-use crate::support::{scene, world};
 
-/// The name of a kind, and a function that makes the variant of these numbers.
+/// The name of a kind, an upper bound of its light, and a function that makes the variant of
+/// these numbers.
 pub type Kind = (
     &'static str,
+    f64,
     fn(&mut Numbers, &Settings) -> Renderer<'static>,
 );
 
+/// The bound of a scene follows from its lights and materials.
+const ANY: f64 = f64::INFINITY;
 /// The width of a pixel where 160 lie side by side.
 const PIXEL: f64 = 1.0 / 160.0;
 const SMALL: [f64; 2] = [0.1 * PIXEL, 0.8 * PIXEL];
 
 /// All kinds.
-pub const KINDS: [Kind; 17] = [
-    ("needles", |numbers, settings| {
+pub const KINDS: [Kind; 25] = [
+    ("needles", 1.0, |numbers, settings| {
         let ranges = [[3.0, 15.0], [0.2, 1.0], [0.001, 0.01]];
         let needle = |u: f64, v: f64| when(u > 0.0 && v.abs() < 1.0 - u);
         things(numbers, settings, ranges, needle)
     }),
-    ("rims of spot lights", |numbers, settings| {
+    ("rims of spot lights", 1.0, |numbers, settings| {
         let ranges = [[1.0, 6.0], [0.005, 0.06], [0.3, 1.0]];
         let spot = |u, v| disc(u, v).map(|light| light - 0.5 * (u * u + v * v));
         things(numbers, settings, ranges, spot)
     }),
-    ("flat ellipsoids", |numbers, settings| {
+    ("flat ellipsoids", 2.0, |numbers, settings| {
         let ranges = [[2.0, 20.0], [0.02, 0.3], [0.002, 0.03]];
         things(numbers, settings, ranges, ball)
     }),
-    ("foliage", |numbers, settings| {
+    ("foliage", 1.0, |numbers, settings| {
         let ranges = [[30.0, 90.0], [0.003, 0.08], [0.05, 0.5]];
         let leaf = |u: f64, v: f64| when(u.abs() + v.abs() < 1.0);
         things(numbers, settings, ranges, leaf)
     }),
-    ("crossing wires", |numbers, settings| {
+    ("crossing wires", 1.0, |numbers, settings| {
         let ranges = [[2.0, 10.0], [1.0; 2], [0.0003, 0.0025]];
         things(numbers, settings, ranges, |_, v| when(v.abs() < 1.0))
     }),
-    ("glaring highlights", |numbers, settings| {
+    ("glaring highlights", 6.0, |numbers, settings| {
         let ranges = [[1.0, 30.0], [0.01, 0.2], [1.0; 2]];
         let glaring = |u, v| lit(u, v).map(|lit| lit + 5.0 * libm::pow(lit, 1000.0));
         things(numbers, settings, ranges, glaring)
     }),
-    ("glints", |numbers, settings| {
+    ("glints", 8.0, |numbers, settings| {
         let glint = |u, v| disc(u, v).map(|light| 8.0 * light);
         things(numbers, settings, [[1.0, 25.0], SMALL, [1.0; 2]], glint)
     }),
-    ("a lone box", |numbers, settings| {
+    ("a lone box", 1.0, |numbers, settings| {
         let square = |u: f64, v: f64| when(u.abs().max(v.abs()) < 1.0);
         things(numbers, settings, [[1.0; 2], SMALL, [1.0; 2]], square)
     }),
-    ("stars and far spheres", |numbers, settings| {
+    ("stars and far spheres", 2.0, |numbers, settings| {
         things(numbers, settings, [[1.0, 120.0], SMALL, [1.0; 2]], ball)
     }),
-    ("checkered floor to the horizon", |numbers, settings| {
-        let (height, near) = (numbers.between(0.2, 0.5), numbers.between(0.05, 0.5));
-        let ((sin, cos), colors) = (numbers.turn(), [numbers.color(), numbers.color()]);
-        picture(settings, move |x, y| {
-            if y >= height {
-                return Color::new(0.5, 0.6, 0.9);
-            }
-            let far = near / (height - y);
-            let u = 4.0 * far * (x - 0.5);
-            let square = (u * cos - far * sin).floor() + (u * sin + far * cos).floor();
-            colors[square.rem_euclid(2.0) as usize]
-        })
-    }),
-    ("fence thinner than a pixel", |numbers, settings| {
+    (
+        "checkered floor to the horizon",
+        1.0,
+        |numbers, settings| {
+            let (height, near) = (numbers.between(0.2, 0.5), numbers.between(0.05, 0.5));
+            let ((sin, cos), colors) = (numbers.turn(), [numbers.color(), numbers.color()]);
+            picture(settings, move |x, y| {
+                if y >= height {
+                    return Color::new(0.5, 0.6, 0.9);
+                }
+                let far = near / (height - y);
+                let u = 4.0 * far * (x - 0.5);
+                let square = (u * cos - far * sin).floor() + (u * sin + far * cos).floor();
+                colors[square.rem_euclid(2.0) as usize]
+            })
+        },
+    ),
+    ("fence thinner than a pixel", 1.0, |numbers, settings| {
         let (pitch, share) = (numbers.between(0.8, 6.0), numbers.between(0.05, 0.4));
         let (slant, color) = (numbers.between(-0.2, 0.2), numbers.color());
         let (top, bottom) = (numbers.between(0.4, 0.7), numbers.between(0.05, 0.3));
@@ -82,7 +90,7 @@ pub const KINDS: [Kind; 17] = [
             fence.unwrap_or(Color::gray(0.3 + 0.4 * y))
         })
     }),
-    ("almost level edges", |numbers, settings| {
+    ("almost level edges", 1.0, |numbers, settings| {
         let mut edges = numbers.list([1.0, 4.0], |numbers| {
             let slope = libm::pow(numbers.between(-0.1, 0.1), 3.0);
             (numbers.between(0.0, 0.75), slope, numbers.color())
@@ -93,17 +101,41 @@ pub const KINDS: [Kind; 17] = [
             above.map_or(Color::gray(0.9), |(_, _, color)| *color)
         })
     }),
-    ("narrowing rings", |numbers, settings| {
+    ("narrowing rings", 1.0, |numbers, settings| {
         let ((left, low), rate) = (numbers.place(), numbers.between(50.0, 3000.0));
         picture(settings, move |x, y| {
             let squared = (x - left) * (x - left) + (y - low) * (y - low);
             Color::gray(0.5 + 0.5 * libm::cos(rate * squared))
         })
     }),
-    ("spheres", |numbers, settings| seen(2, numbers, settings)),
-    ("mirrors", |numbers, settings| seen(0, numbers, settings)),
-    ("nodes", |numbers, settings| seen(9, numbers, settings)),
-    ("lamps", |numbers, settings| seen(10, numbers, settings)),
+    ("specks in a glaring light", 40.0, |numbers, settings| {
+        let speck = |u: f64, v: f64| when(u.abs().max(v.abs()) < 1.0).map(|lit| 40.0 * lit);
+        let ranges = [[12.0; 2], [0.05 * PIXEL, 0.09 * PIXEL], [1.0; 2]];
+        things(numbers, settings, ranges, speck)
+    }),
+    ("mirrors", ANY, |numbers, settings| {
+        seen(0, numbers, settings)
+    }),
+    ("objects", ANY, |numbers, settings| {
+        seen(1, numbers, settings)
+    }),
+    ("spheres", ANY, |numbers, settings| {
+        seen(2, numbers, settings)
+    }),
+    ("torus", ANY, |numbers, settings| seen(3, numbers, settings)),
+    ("swarm", ANY, |numbers, settings| seen(4, numbers, settings)),
+    ("boxes", ANY, |numbers, settings| seen(7, numbers, settings)),
+    ("discs", ANY, |numbers, settings| seen(8, numbers, settings)),
+    ("nodes", ANY, |numbers, settings| seen(9, numbers, settings)),
+    ("lamps", ANY, |numbers, settings| {
+        seen(10, numbers, settings)
+    }),
+    ("hills", ANY, |numbers, settings| {
+        seen(12, numbers, settings)
+    }),
+    ("hairs", ANY, |numbers, settings| {
+        seen(13, numbers, settings)
+    }),
 ];
 
 /// A scene of the benchmark `peers`, seen from a random place.
@@ -114,7 +146,7 @@ fn seen(scene: usize, numbers: &mut Numbers, settings: &Settings) -> Renderer<'s
         view,
         ..SCENES[scene]
     };
-    world::prepare(&scene, settings)
+    scene.prepare(settings)
 }
 
 /// Things at random places, turned by random angles, before light that changes evenly. The

@@ -19,7 +19,6 @@
 //! mesh while it reads, so that its time is in no column.) Memory is the peak of the process.
 //! Behind the table stand the targets, and the scenes that miss them.
 
-mod language;
 mod program;
 mod report;
 #[path = "../support/mod.rs"]
@@ -35,9 +34,9 @@ use common::{Settings, Size, Transfer, picture_file};
 use rayon::ThreadPoolBuilder;
 
 use crate::program::{PROGRAMS, Run, by_turns};
+use crate::support::Grid;
 use crate::support::scene::Scene;
 use crate::support::scenes::SCENES;
-use crate::support::{Grid, world};
 
 /// Compares the engine with POV-Ray and Tachyon.
 #[derive(Parser)]
@@ -127,7 +126,7 @@ fn render(scene: &Scene, side: u32, size: Size, threads: u16, file: &Path) -> Ou
     let pool = ThreadPoolBuilder::new().num_threads(threads.into());
     let rgb = pool.build()?.install(|| {
         let started = Instant::now();
-        let renderer = world::prepare(scene, &settings);
+        let renderer = scene.prepare(&settings);
         println!("build: {} seconds", started.elapsed().as_secs_f64());
 
         let started = Instant::now();

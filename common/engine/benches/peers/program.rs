@@ -1,20 +1,20 @@
 //! Programs run as child processes, by turns, and their times, memory and pictures.
 
-use std::fs::File;
-use std::io::{self, BufWriter, Write};
+use std::fs;
+use std::io;
 use std::path::PathBuf;
 use std::process::Command;
 
-use common::{Error, Image, Size, picture_file};
+use common::{Error, Image, Settings, Size, picture_file};
+use scene_file::{POV_RAY, Phrases, export};
 
-use crate::language::{self, POV_RAY, TACHYON};
 use crate::support::scene::Scene;
 
 /// A program that renders.
 pub struct Program {
     pub name: &'static str,
     /// Its file and its language; none for this benchmark itself.
-    other: Option<(&'static str, &'static str)>,
+    other: Option<(&'static str, Phrases)>,
     /// The arguments, with words in brackets.
     arguments: &'static str,
     /// The words before the seconds to build and to trace in its output.
@@ -39,7 +39,7 @@ pub static PROGRAMS: [Program; 3] = [
     },
     Program {
         name: "Tachyon",
-        other: Some(("tachyon", TACHYON)),
+        other: Some(("tachyon", Phrases(include_str!("tachyon.txt"), " "))),
         arguments: "[file].scene -o [file].png -numthreads [threads] \
                     -format PNG -fullshade -shade_phong +V",
         labels: ["Preprocessing Time:", "Ray Tracing Time:"],
@@ -84,9 +84,14 @@ impl Run {
         let Some((_, language)) = self.program.other else {
             return Ok(());
         };
-        let mut out = BufWriter::new(File::create(folder().join(self.name() + ".scene"))?);
-        language::write(&mut out, language, self.scene.items(self.size))?;
-        out.flush()
+        let settings = Settings {
+            size: self.size,
+            depth: self.scene.depth,
+            ..Settings::default()
+        };
+        let (world, camera) = self.scene.world();
+        let text = export(language, &world, &camera, &settings).map_err(io::Error::other)?;
+        fs::write(folder().join(self.name() + ".scene"), text)
     }
 
     fn render(&mut self) -> io::Result<()> {

@@ -4,7 +4,6 @@
 mod objects;
 pub mod scene;
 pub mod scenes;
-pub mod world;
 
 use engine::Sampler;
 use engine::adaptive::PixelRandom;

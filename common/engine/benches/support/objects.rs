@@ -2,68 +2,89 @@
 
 use std::f64::consts::TAU;
 
+use common::Color;
+use engine::{AxisAlignedBox, LightKind, Plane, Shape, Sphere, Transform, Triangle};
 use glam::{DMat4, DVec3, dvec3};
 
 use super::Numbers;
-use super::scene::{GREY, Item, Items, Kind, item};
+use super::scene::{GREY, Objects, color};
 
-pub fn lamp(position: DVec3) -> Item {
-    item(Kind::Point, &[DVec3::ONE, position], 0)
+pub fn lamp(position: DVec3) -> LightKind<'static> {
+    let color = Color::WHITE;
+    LightKind::Point { color, position }
 }
 
-pub fn sun(color: DVec3, direction: DVec3) -> Item {
-    let direction = direction.normalize();
-    item(
-        Kind::Directional,
-        &[color, direction * -1000.0, direction],
-        0,
-    )
+pub fn sun(light: DVec3, direction: DVec3) -> LightKind<'static> {
+    let (color, direction) = (color(light), direction.normalize());
+    LightKind::Directional { color, direction }
 }
 
 /// A cone from above towards the middle of the floor.
-pub fn spot(color: DVec3, x: f64, z: f64) -> Item {
-    let (position, direction) = (dvec3(x, 9.0, z), dvec3(-x, -9.0, -z - 2.0).normalize());
-    let (target, angle) = (position + direction, DVec3::splat(18.0));
-    item(Kind::Spot, &[color, position, direction, target, angle], 0)
+pub fn spot(light: DVec3, x: f64, z: f64) -> LightKind<'static> {
+    LightKind::Spot {
+        color: color(light),
+        position: dvec3(x, 9.0, z),
+        direction: dvec3(-x, -9.0, -z - 2.0).normalize(),
+        cos_half_angle: libm::cos(18_f64.to_radians()),
+    }
 }
 
-pub fn floor() -> Item {
-    item(Kind::Plane, &[DVec3::Y], GREY)
+/// A plane through the origin: Tachyon misplaces others.
+pub fn floor() -> (Shape<'static>, usize) {
+    let (point, normal) = (DVec3::ZERO, DVec3::Y);
+    (Shape::Plane(Plane { point, normal }), GREY)
 }
 
-pub fn sphere(center: DVec3, radius: f64, color: usize) -> Item {
-    item(Kind::Sphere, &[center, DVec3::splat(radius)], color)
+pub fn sphere(center: DVec3, radius: f64) -> Shape<'static> {
+    Shape::Sphere(Sphere { center, radius })
 }
 
-/// The cube with half of its edge.
-pub fn cube(center: DVec3, half: f64, color: usize) -> Item {
-    item(Kind::Cube, &[center - half, center + half], color)
+/// The cube with half of its edge: Tachyon turns the faces of other boxes.
+pub fn cube(center: DVec3, half: f64) -> Shape<'static> {
+    let [min, max] = [center - half, center + half].map(|corner| corner.to_array());
+    Shape::Box(AxisAlignedBox { min, max })
+}
+
+/// A triangle, with the normals of its corners if it is smooth.
+pub fn triangle([a, b, c]: [DVec3; 3], normals: Option<[DVec3; 3]>) -> Shape<'static> {
+    let face = (b - a).cross(c - a).normalize();
+    Shape::Triangle(Triangle {
+        corners: [a, b, c],
+        normals: normals.unwrap_or([face; 3]),
+        face,
+    })
 }
 
 /// Objects of all colours, each made of random numbers of its own.
-pub fn random(count: u32, make: impl Fn(usize, &mut Numbers) -> Item + 'static) -> Items {
-    Box::new((0..count).map(move |i| Item {
-        color: i as usize % GREY,
-        ..make(i as usize, &mut Numbers::new(0, i))
+pub fn random(
+    count: u32,
+    make: impl Fn(usize, &mut Numbers) -> Shape<'static> + 'static,
+) -> Objects {
+    Box::new((0..count).map(move |i| {
+        let index = i as usize;
+        (make(index, &mut Numbers::new(0, i)), index % GREY)
     }))
 }
 
 /// Spheres anywhere in a cube around the origin, with radii between two.
-pub fn scattered(count: u32, smallest: f64, largest: f64) -> Items {
+pub fn scattered(count: u32, smallest: f64, largest: f64) -> Objects {
     random(count, move |_, numbers| {
         let center = numbers.in_cube(10.0);
-        sphere(center, numbers.between(smallest, largest), 0)
+        sphere(center, numbers.between(smallest, largest))
     })
 }
 
 /// The spheres and cubes that are not too near to an eye or a lamp.
-pub fn leaving_room(places: [DVec3; 2], objects: Items) -> Items {
+pub fn leaving_room(places: [DVec3; 2], objects: Objects) -> Objects {
     const ROOM: f64 = 0.25;
-    Box::new(objects.filter(move |object| {
-        let [a, b, ..] = object.vectors;
-        let (center, radius) = match object.kind {
-            Kind::Cube => (a.midpoint(b), a.distance(b) / 2.0),
-            _ => (a, b.x),
+    Box::new(objects.filter(move |(shape, _)| {
+        let (center, radius) = match shape {
+            Shape::Sphere(sphere) => (sphere.center, sphere.radius),
+            Shape::Box(cube) => {
+                let [a, b] = [cube.min, cube.max].map(DVec3::from);
+                (a.midpoint(b), a.distance(b) / 2.0)
+            }
+            _ => return true,
         };
         let mut distances = places.iter().map(|place| place.distance(center));
         distances.all(|distance| distance > radius + ROOM)
@@ -72,43 +93,42 @@ pub fn leaving_room(places: [DVec3; 2], objects: Items) -> Items {
 
 /// A branch of a tree, and all branches that it bears. The transforms lead from its base to
 /// the floor.
-pub fn branches(base: &[DMat4]) -> Vec<Item> {
+pub fn branches(base: &[DMat4]) -> Vec<(Shape<'static>, usize)> {
     const LEVELS: usize = 5;
     let level = base.len();
     let stretched = DMat4::from_scale(dvec3(0.12, 0.55, 0.12));
     let raised = DMat4::from_translation(DVec3::Y * 0.5) * stretched;
-    let transform = |matrix: &DMat4| {
-        let columns = [0, 1, 2, 3].map(|i| matrix.col(i).truncate());
-        item(Kind::Transform, &columns, 0)
+    let moved = |shape: Shape<'static>| {
+        std::iter::once(&raised)
+            .chain(base)
+            .fold(shape, |shape, matrix| {
+                let (matrix, inverse) = (*matrix, matrix.inverse());
+                shape.transformed(&Transform { matrix, inverse })
+            })
     };
-    let mut items: Vec<_> = std::iter::once(&raised)
-        .chain(base)
-        .map(transform)
-        .collect();
     if level == LEVELS {
-        items.push(cube(DVec3::ZERO, 1.0, level));
-        return items;
+        return vec![(moved(cube(DVec3::ZERO, 1.0)), level)];
     }
-    items.push(sphere(DVec3::ZERO, 1.0, level));
+    let mut objects = vec![(moved(sphere(DVec3::ZERO, 1.0)), level)];
     for i in 0..4 {
         let step = DMat4::from_translation(DVec3::Y * 0.95)
             * DMat4::from_rotation_y(TAU * (f64::from(i) / 4.0 + 0.05))
             * DMat4::from_rotation_z(0.7)
             * DMat4::from_scale(dvec3(0.7, 0.75, 0.65));
-        items.extend(branches(&[&[step], base].concat()));
+        objects.extend(branches(&[&[step], base].concat()));
     }
-    items
+    objects
 }
 
 /// Thin triangles on a ball around the origin, evenly distributed.
-pub fn hairs(count: u32) -> Items {
+pub fn hairs(count: u32) -> Objects {
     random(count, move |i, numbers| {
         let y = 1.0 - 2.0 * (i as f64 + 0.5) / f64::from(count);
         let (around, beside) = (numbers.between(0.0, TAU), libm::sqrt(1.0 - y * y));
         let root = dvec3(beside * libm::cos(around), y, beside * libm::sin(around));
         let tip = root + 1.5 * (root + numbers.in_cube(0.6)).normalize();
         let across = root.any_orthonormal_vector() * 0.0075;
-        item(Kind::Triangle, &[root - across, root + across, tip], 0)
+        triangle([root - across, root + across, tip], None)
     })
 }
 
@@ -134,7 +154,7 @@ pub fn waves(x: f64, z: f64) -> DVec3 {
 
 /// A mesh of two triangles in each cell of a lattice on a surface. Its points have two
 /// parameters from 0 to 1; where it `is_closed`, it ends where it begins.
-pub fn surface(steps: [usize; 2], is_closed: bool, point: impl Fn(f64, f64) -> DVec3) -> Items {
+pub fn surface(steps: [usize; 2], is_closed: bool, point: impl Fn(f64, f64) -> DVec3) -> Objects {
     const STEP: f64 = 1e-5;
     let [rows, columns] = steps.map(|steps| steps + usize::from(!is_closed));
     let place = |n: usize| {
@@ -154,9 +174,10 @@ pub fn surface(steps: [usize; 2], is_closed: bool, point: impl Fn(f64, f64) -> D
             place(i + 1, j),
             place(i + 1, j + 1),
         ];
-        [[a, b, d], [a, d, c]]
-            .map(|[a, b, c]| item(Kind::Smooth, &[a.0, b.0, c.0, a.1, b.1, c.1], 1))
+        [[a, b, d], [a, d, c]].map(|corners| {
+            let normals = Some(corners.map(|(_, normal)| normal));
+            (triangle(corners.map(|(corner, _)| corner), normals), 1)
+        })
     });
-    let [begin, end] = [Kind::Mesh, Kind::EndOfMesh].map(|kind| item(kind, &[], 1));
-    Box::new(std::iter::once(begin).chain(triangles).chain([end]))
+    Box::new(triangles)
 }

@@ -1,12 +1,13 @@
 //! The scenes that are compared, as one table.
 
+use engine::{Disc, LightKind, Plane, Shape};
 use glam::{DVec3, dvec3};
 
 use super::objects::{
     branches, cube, floor, hairs, lamp, leaving_room, random, ring, scattered, sphere, spot, sun,
-    surface, waves,
+    surface, triangle, waves,
 };
-use super::scene::{GREY, Item, Kind, Scene, item};
+use super::scene::{GREY, Scene, color};
 
 /// The scene from which the others differ.
 const SPHERES: Scene = Scene {
@@ -31,7 +32,7 @@ pub const SCENES: [Scene; 14] = [
         objects: || {
             let spheres = (0..9).map(|i| {
                 let [x, z] = [i % 3, i / 3].map(|place| 2.5 * (place as f64 - 1.0));
-                sphere(dvec3(x, 1.0, z), 1.0, i % GREY)
+                (sphere(dvec3(x, 1.0, z), 1.0), i % GREY)
             });
             Box::new(spheres.chain([floor()]))
         },
@@ -44,14 +45,10 @@ pub const SCENES: [Scene; 14] = [
         shares: [0.0, 0.0],
         objects: || {
             let corners = [[0.0, 0.0, -1.0], [1.0, 0.0, -1.0], [1.0, 1.0, -1.0]];
-            let plane = Item {
-                color: 0,
-                ..floor()
-            };
-            let sphere = sphere(DVec3::ONE, 0.5, 1);
-            let cube = cube(dvec3(-1.0, 1.0, 1.0), 0.5, 2);
-            let triangle = item(Kind::Triangle, &corners.map(DVec3::from), 3);
-            Box::new([plane, sphere, cube, triangle].into_iter())
+            let sphere = sphere(DVec3::ONE, 0.5);
+            let cube = cube(dvec3(-1.0, 1.0, 1.0), 0.5);
+            let triangle = triangle(corners.map(DVec3::from), None);
+            Box::new([(floor().0, 0), (sphere, 1), (cube, 2), (triangle, 3)].into_iter())
         },
         ..SPHERES
     },
@@ -77,7 +74,7 @@ pub const SCENES: [Scene; 14] = [
         objects: || {
             random(50_000, |i, numbers| {
                 let radius = 3.0 * libm::pow((i + 1) as f64, -3.0 / libm::log10(50_000.0));
-                sphere(numbers.in_cube(10.0), radius, 0)
+                sphere(numbers.in_cube(10.0), radius)
             })
         },
         ..SPHERES
@@ -104,7 +101,7 @@ pub const SCENES: [Scene; 14] = [
         objects: || {
             let cubes = random(800, |_, numbers| {
                 let center = numbers.in_box(dvec3(-10.0, 0.5, -10.0), dvec3(10.0, 7.0, 10.0));
-                cube(center, numbers.between(0.15, 0.45), 0)
+                cube(center, numbers.between(0.15, 0.45))
             });
             let cubes = leaving_room([dvec3(0.0, 3.0, 9.0), dvec3(2.0, 6.0, 4.0)], cubes);
             Box::new(cubes.chain([floor()]))
@@ -115,9 +112,10 @@ pub const SCENES: [Scene; 14] = [
         about: "5,000 discs",
         objects: || {
             random(5_000, |_, numbers| {
-                let (center, normal) = (numbers.in_cube(10.0), numbers.in_cube(1.0));
-                let radius = DVec3::splat(numbers.between(0.2, 0.5));
-                item(Kind::Disc, &[center, normal.normalize(), radius], 0)
+                let (point, normal) = (numbers.in_cube(10.0), numbers.in_cube(1.0).normalize());
+                let plane = Plane { point, normal };
+                let radius = numbers.between(0.2, 0.5);
+                Shape::Disc(Disc { plane, radius })
             })
         },
         ..SPHERES
@@ -135,7 +133,10 @@ pub const SCENES: [Scene; 14] = [
         about: "two points, three spots and a far light on 300 solids",
         view: [dvec3(0.0, 7.0, 13.0), dvec3(0.0, -7.0, -12.0)],
         lights: || {
-            let point = |color, position| item(Kind::Point, &[color, position], 0);
+            let point = |light, position| {
+                let color = color(light);
+                LightKind::Point { color, position }
+            };
             vec![
                 point(dvec3(0.4, 0.3, 0.2), dvec3(-9.0, 5.0, 6.0)),
                 point(dvec3(0.2, 0.3, 0.4), dvec3(9.0, 5.0, 6.0)),
@@ -153,8 +154,8 @@ pub const SCENES: [Scene; 14] = [
                 let half = numbers.between(0.15, 0.6);
                 let center = center.with_y(half);
                 match (i / 6) % 2 {
-                    0 => sphere(center, half, 0),
-                    _ => cube(center, half, 0),
+                    0 => sphere(center, half),
+                    _ => cube(center, half),
                 }
             });
             Box::new(solids.chain([floor()]))
@@ -193,7 +194,7 @@ pub const SCENES: [Scene; 14] = [
         view: [dvec3(0.0, 1.0, 6.2), dvec3(0.0, -1.0, -6.2)],
         lights: || vec![lamp(dvec3(6.0, 9.0, 8.0))],
         shares: [0.3, 0.0],
-        objects: || Box::new(hairs(10_000).chain([sphere(DVec3::ZERO, 1.0, GREY)])),
+        objects: || Box::new(hairs(10_000).chain([(sphere(DVec3::ZERO, 1.0), GREY)])),
         ..SPHERES
     },
 ];

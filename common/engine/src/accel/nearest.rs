@@ -3,7 +3,8 @@
 use super::ids::{Kind, ShapeId};
 use super::query::Query;
 use super::shapes::{Shapes, with_list};
-use crate::lanes::{Lanes, PacketHit, RayPacket, Vector3x4, bits, mask, select};
+use crate::Hit;
+use crate::lanes::{Lanes, PacketHit, RayPacket, bits, mask, select};
 use crate::shape::{List, Primitive, Rays};
 
 /// The nearest hits of four rays.
@@ -106,7 +107,7 @@ impl Shapes<'_> {
     #[inline]
     pub fn hits(&self, query: &NearestQuery) -> NearestHits {
         let hit_mask = query.hit_mask();
-        let mut hit = PacketHit::with_normals(query.t, Vector3x4::splat(glam::DVec3::ZERO));
+        let mut hit = PacketHit::new([Hit::NONE; 4]);
         let mut surfaces = [0; 4];
         let shapes = query.shapes.to_array();
         let mut left = hit_mask;

@@ -74,6 +74,11 @@ impl<'a> Shapes<'a> {
         }
     }
 
+    /// Order and surface of a shape.
+    pub fn attributes(&self, id: ShapeId) -> Attributes {
+        with_list!(self, id.kind, |list| list.attributes[id.index as usize])
+    }
+
     /// All shapes.
     pub fn ids(&self) -> impl Iterator<Item = ShapeId> {
         let len = |kind| with_list!(self, kind, |list| list.attributes.len() as u32);

@@ -1,4 +1,4 @@
-//! The check: new samples, which no decision has seen, show the error of the picture.
+//! The check: new samples show the error of the picture by their difference from those before.
 
 use std::ops::AddAssign;
 
@@ -48,14 +48,16 @@ pub struct Checked {
 }
 
 /// Takes the samples that each pixel lacks, and compares them with those before. The goal is
-/// the number of pairs that a pixel is to have, as a function of its index and itself.
+/// the number of pairs that a pixel is to have, as a function of its index and itself; no object
+/// that no sample met is brighter than `brightest`.
 pub fn check(
     picture: &mut Picture,
     pilot: &Pilot,
+    brightest: f64,
     goal: impl Fn(usize, &Pixel) -> u32 + Sync,
 ) -> Checked {
     let min_pairs = pilot.pairs;
-    let unseen = pilot.unseen(picture.brightest());
+    let unseen = pilot.unseen(brightest);
     let rows = picture.change_rows(|picture, row, pixels| {
         let mut checked = Checked::default();
         let mut lacking = Vec::new();

@@ -5,7 +5,9 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use common::{Error, Progress, Settings};
-use rayon::iter::{IndexedParallelIterator, ParallelExtend, ParallelIterator};
+use rayon::iter::{
+    IndexedParallelIterator, IntoParallelRefIterator, ParallelExtend, ParallelIterator,
+};
 use rayon::slice::ParallelSliceMut;
 
 use super::pixel::Pixel;
@@ -57,6 +59,12 @@ impl<'a> Picture<'a> {
         &self.pixels
     }
 
+    /// The number of samples in pairs of all pixels.
+    pub fn samples(&self) -> u64 {
+        let pairs = self.pixels.par_iter().map(Pixel::pairs);
+        pairs.map(|pairs| u64::from(2 * pairs)).sum()
+    }
+
     /// The number of pixels in a row.
     pub fn width(&self) -> usize {
         self.settings.size.width() as usize
@@ -89,19 +97,14 @@ impl<'a> Picture<'a> {
         })
     }
 
-    /// Takes samples of each pixel up to its goal, a number of pairs as a function of its index and
-    /// itself. Returns the number of pixels with new samples.
-    pub fn take(&mut self, goal: impl Fn(usize, &Pixel) -> u32 + Sync) -> usize {
-        let rows = self.change_rows(|picture, row, pixels| {
-            let indexed = pixels.iter().zip(row * pixels.len()..);
-            let lacking = indexed.map(|(pixel, i)| pixel.pairs()..goal(i, pixel));
-            let new = picture.sample(row, (0..).zip(lacking));
-            for (column, new) in &new {
-                pixels[*column as usize].merge(new);
+    /// Takes the first pairs of samples of each pixel.
+    pub fn take(&mut self, pairs: u32) {
+        self.change_rows(|picture, row, pixels| {
+            let columns = 0..pixels.len() as u32;
+            for (column, new) in picture.sample(row, columns.map(|column| (column, 0..pairs))) {
+                pixels[column as usize] = new;
             }
-            new.len()
         });
-        rows.into_iter().sum()
     }
 
     /// Takes a sample in the middle of each pixel.

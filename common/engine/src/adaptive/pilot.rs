@@ -11,7 +11,7 @@ use super::check::Estimate;
 /// with 95 % confidence.
 const RULE_OF_THREE: f64 = 3.0;
 /// Squared error of objects between all samples, relative to the allowed one.
-const UNSEEN: f64 = 0.5;
+pub const UNSEEN: f64 = 0.6;
 
 /// The pilot samples of a picture.
 #[derive(Debug)]
@@ -71,9 +71,10 @@ impl Pilot {
         }
     }
 
-    /// Increases the samples if the check `found` too large an error in pixels with pilot samples
-    /// only. Returns whether it does.
-    pub fn widen_after(&mut self, found: &Estimate, brightest: f64) -> bool {
+    /// Increases the samples for this allowed squared error, and more if the checks `found` too
+    /// large an error in pixels with pilot samples only. Returns whether it does.
+    pub fn widen_for(&mut self, allowed: f64, found: &Estimate, brightest: f64) -> bool {
+        self.max_unseen = UNSEEN * allowed;
         let (fraction, pairs) = (self.fraction, self.pairs);
         self.widen(brightest);
         let ratio = (found.largest() + self.unseen(brightest)) / self.max_unseen;
@@ -111,13 +112,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn unseen_objects_have_at_most_half_of_the_allowed_error() {
+    fn unseen_objects_have_at_most_their_share_of_the_allowed_error() {
         for allowed in [1e-6, 0.01, 1.0, 7.0, 30.0, 1e4] {
             for brightest in [1.0, 1.7, 20.0] {
                 let mut pilot = Pilot::new(allowed, 1 << 20);
                 pilot.widen(brightest);
                 let unseen = pilot.unseen(brightest);
-                assert!(unseen <= 0.501 * allowed, "{unseen} of {allowed}");
+                assert!(unseen <= 0.601 * allowed, "{unseen} of {allowed}");
             }
         }
     }

@@ -68,6 +68,8 @@ pub struct PacketHit {
     pub normal: Vector3x4,
     /// The geometric normals.
     pub face: Vector3x4,
+    /// How large the numbers of the shapes are, as lengths along the geometric normals.
+    pub magnitude: Lanes,
 }
 
 impl PacketHit {
@@ -78,16 +80,18 @@ impl PacketHit {
             t: Lanes::new(hits.map(|hit| hit.t)),
             normal: Vector3x4::new(hits.map(|hit| hit.normal)),
             face: Vector3x4::new(hits.map(|hit| hit.face)),
+            magnitude: Lanes::new(hits.map(|hit| hit.magnitude)),
         }
     }
 
-    /// Hits at these `t` whose shading normals are the geometric ones.
+    /// Hits at these `t`, of these magnitudes, whose shading normals are the geometric ones.
     #[inline]
-    pub const fn with_normals(t: Lanes, normal: Vector3x4) -> Self {
+    pub const fn with_normals(t: Lanes, normal: Vector3x4, magnitude: Lanes) -> Self {
         Self {
             t,
             normal,
             face: normal,
+            magnitude,
         }
     }
 
@@ -96,10 +100,12 @@ impl PacketHit {
     pub fn to_hits(self) -> [Hit; 4] {
         let t = self.t.to_array();
         let (normals, faces) = (self.normal.to_lanes(), self.face.to_lanes());
+        let magnitude = self.magnitude.to_array();
         [0, 1, 2, 3].map(|lane| Hit {
             t: t[lane],
             normal: normals[lane],
             face: faces[lane],
+            magnitude: magnitude[lane],
         })
     }
 
@@ -110,6 +116,7 @@ impl PacketHit {
             t: select(mask, self.t, others.t),
             normal: self.normal.or(mask, others.normal),
             face: self.face.or(mask, others.face),
+            magnitude: select(mask, self.magnitude, others.magnitude),
         }
     }
 
@@ -118,9 +125,9 @@ impl PacketHit {
     pub fn facing(self, rays: &RayPacket) -> Self {
         let from_behind = self.face.dot(rays.direction).simd_gt(Lanes::ZERO);
         Self {
-            t: self.t,
             normal: self.normal.negated(from_behind),
             face: self.face.negated(from_behind),
+            ..self
         }
     }
 }

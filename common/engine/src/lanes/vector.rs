@@ -53,6 +53,14 @@ impl Vector3x4 {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
+    /// The magnitudes of all coordinates.
+    #[inline]
+    pub fn abs(self) -> Self {
+        let Self { x, y, z } = self;
+        let [x, y, z] = [x, y, z].map(Lanes::abs);
+        Self { x, y, z }
+    }
+
     /// The vectors of length 1 in the same directions, and a mask of the lanes that
     /// hold them. The other lanes hold anything: the scalar formula has to scale their
     /// vectors first, or they have no direction.
@@ -72,7 +80,7 @@ impl Vector3x4 {
     /// anything.
     #[inline]
     pub fn largest_coordinate(self) -> Lanes {
-        let (x, y, z) = (self.x.abs(), self.y.abs(), self.z.abs());
+        let Self { x, y, z } = self.abs();
         x.fast_max(y).fast_max(z)
     }
 

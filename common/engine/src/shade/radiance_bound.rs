@@ -10,40 +10,33 @@
 
 use common::Color;
 
-use super::{Light, Surface};
+use super::Light;
+use crate::Scene;
+
+/// Upper bound of the radiance in a scene; infinite where a light or a material is not one of
+/// the engine's, or a mirror reflects everything.
+pub(crate) fn max_radiance(scene: &Scene) -> Color {
+    let lights = scene.lights.iter().map(Light::max_radiance);
+    let lights = lights.fold(Color::BLACK, |sum, light| sum + light);
+    let (mut c, mut k) = (scene.background, Color::BLACK);
+    for surface in &scene.surfaces {
+        c = largest(c, surface.max_radiance(scene.ambient, lights));
+        k = largest(k, surface.reflection);
+    }
+    // The endless sum is infinite, or NaN without mirrors: neither is below any threshold.
+    c * k.map(|k| 1.0 / (1.0 - k))
+}
 
 /// Upper bound of the radiance in a scene, and the threshold of the reflection cutoff.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RadianceBound {
-    max_radiance: Color,
-    threshold: f64,
+    /// Upper bound of the radiance in the scene.
+    pub max_radiance: Color,
+    /// The least light that counts, in each channel.
+    pub threshold: f64,
 }
 
 impl RadianceBound {
-    /// The cutoff below `threshold` for a scene.
-    pub fn new(
-        background: Color,
-        ambient: Color,
-        lights: &[Light],
-        surfaces: &[Surface],
-        threshold: f64,
-    ) -> Self {
-        let lights = lights.iter().map(Light::max_radiance);
-        let lights = lights.fold(Color::BLACK, |sum, light| sum + light);
-        let (mut c, mut k) = (background, Color::BLACK);
-        for surface in surfaces {
-            c = largest(c, surface.max_radiance(ambient, lights));
-            k = largest(k, surface.reflection);
-        }
-        // The endless sum is infinite, or NaN without mirrors: neither is below any
-        // threshold.
-        let series = k.map(|k| 1.0 / (1.0 - k));
-        Self {
-            max_radiance: c * series,
-            threshold,
-        }
-    }
-
     /// Whether reflected rays with this throughput change the picture by less than the threshold,
     /// in all channels.
     #[inline]

@@ -93,6 +93,6 @@ impl Boxes {
         let enters = near.simd_gt(Lanes::ZERO);
         let [x, y, z] = [0, 1, 2].map(|axis| select(enters, near_normal[axis], far_normal[axis]));
         let t = without(missed, first_positive(near, far));
-        PacketHit::with_normals(t, Vector3x4 { x, y, z })
+        PacketHit::with_normals(t, Vector3x4 { x, y, z }, Lanes::ZERO)
     }
 }

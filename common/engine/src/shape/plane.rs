@@ -39,7 +39,9 @@ impl Primitive for &Plane {
     }
 
     #[inline]
-    fn hits(self, _: &Rays, t: Lanes, _: u32) -> PacketHit {
-        PacketHit::with_normals(t, Vector3x4::splat(self.normal))
+    fn hits(self, rays: &Rays, t: Lanes, _: u32) -> PacketHit {
+        let to_point = Vector3x4::splat(self.point) - rays.packet.origin;
+        let normal = Vector3x4::splat(self.normal);
+        PacketHit::with_normals(t, normal, to_point.abs().dot(normal.abs()))
     }
 }

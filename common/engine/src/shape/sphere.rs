@@ -82,6 +82,6 @@ impl Primitive for &Sphere {
     fn hits(self, rays: &Rays, t: Lanes, _: u32) -> PacketHit {
         let f = rays.packet.origin - Vector3x4::splat(self.center);
         let (normal, _) = (f + rays.packet.direction * t).normalized();
-        PacketHit::with_normals(t, normal)
+        PacketHit::with_normals(t, normal, Lanes::splat(self.radius))
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::{DMat4, DVec3};
 
-use crate::lanes::{RayPacket, Vector3x4};
+use crate::lanes::{Lanes, PacketHit, RayPacket, Vector3x4};
 
 /// A matrix and its inverse.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,6 +53,18 @@ impl Transform {
     pub(super) fn normals(&self, n: Vector3x4) -> Vector3x4 {
         let [x, y, z, _] = self.columns().map(|column| Vector3x4::splat(column).dot(n));
         Vector3x4 { x, y, z }.normalized().0
+    }
+
+    /// The magnitudes of four hits of the object in the space around it.
+    #[inline]
+    pub(super) fn magnitudes(&self, hit: &PacketHit, rays: &RayPacket) -> Lanes {
+        let columns = self.columns().map(Vector3x4::splat);
+        let [x, y, z] = [columns[0], columns[1], columns[2]].map(|column| column.dot(hit.face));
+        let length = Vector3x4 { x, y, z };
+        let point = rays.origin.abs() + rays.at(hit.t).abs();
+        let [x, y, z, w] = columns.map(Vector3x4::abs);
+        let terms = x * point.x + y * point.y + z * point.z + w;
+        (terms.dot(hit.face.abs()) + hit.magnitude) / length.dot(length).sqrt()
     }
 
     /// The columns of the inverse.

@@ -16,7 +16,7 @@ use crate::lanes::{Lanes, PacketHit};
 pub struct Transformed<'a> {
     /// From the outermost transform to the innermost.
     pub(crate) steps: Vec<Transform>,
-    pub(super) shape: Box<Shape<'a>>,
+    pub(crate) shape: Box<Shape<'a>>,
 }
 
 impl Transformed<'_> {
@@ -33,6 +33,21 @@ impl Transformed<'_> {
     fn rays_inside(&self, rays: &Rays) -> Rays {
         let steps = self.steps.iter();
         rays.moved(steps.fold(rays.packet, |rays, step| step.rays(&rays)))
+    }
+
+    /// The hits of the shape under these steps, the innermost.
+    fn hits_in(&self, steps: &[Transform], rays: &Rays, t: Lanes, active: u32) -> PacketHit {
+        let Some((step, inner)) = steps.split_first() else {
+            return self.shape.hits(rays, t, active);
+        };
+        let object_rays = rays.moved(step.rays(&rays.packet));
+        let hit = self.hits_in(inner, &object_rays, t, active);
+        PacketHit {
+            t,
+            normal: step.normals(hit.normal),
+            face: step.normals(hit.face),
+            magnitude: step.magnitudes(&hit, &rays.packet),
+        }
     }
 }
 
@@ -62,11 +77,6 @@ impl Primitive for &Transformed<'_> {
     }
 
     fn hits(self, rays: &Rays, t: Lanes, active: u32) -> PacketHit {
-        let hit = self.shape.hits(&self.rays_inside(rays), t, active);
-        self.steps.iter().rev().fold(hit, |hit, step| PacketHit {
-            t,
-            normal: step.normals(hit.normal),
-            face: step.normals(hit.face),
-        })
+        self.hits_in(&self.steps, rays, t, active)
     }
 }

@@ -114,8 +114,19 @@ impl Primitive for Triangle {
     fn hits(self, rays: &Rays, t: Lanes, _: u32) -> PacketHit {
         let face = Vector3x4::splat(self.face);
         let [a, b, c] = self.normals.map(Vector3x4::splat);
+        let magnitude = self
+            .corners
+            .map(|corner| Vector3x4::splat(corner) - rays.packet.origin)
+            .map(|to_corner| to_corner.abs().dot(face.abs()))
+            .into_iter()
+            .fold(Lanes::ZERO, Lanes::fast_max);
         if self.is_flat() {
-            return PacketHit { t, normal: a, face };
+            return PacketHit {
+                t,
+                normal: a,
+                face,
+                magnitude,
+            };
         }
         let corners = Self::four([self; 4]);
         let corners = corners
@@ -131,7 +142,12 @@ impl Primitive for Triangle {
             let one = |lane: usize| self.interpolated_normal(beta[lane], gamma[lane]);
             normal = Vector3x4::new([0, 1, 2, 3].map(one));
         }
-        PacketHit { t, normal, face }
+        PacketHit {
+            t,
+            normal,
+            face,
+            magnitude,
+        }
     }
 }
 

@@ -25,13 +25,13 @@ const BLACK: Phong = Phong {
 impl Tracer<'_> {
     /// The vertex of a path, under ambient light.
     #[inline]
-    pub(super) fn vertex(&self, path: usize, hits: NearestHits) -> Vertex {
-        let material = self.material(&hits);
+    pub(super) fn vertex(&self, path: usize, hits: &NearestHits) -> Vertex {
+        let material = self.material(hits);
         Vertex {
             path,
             color: material.ambient(self.ambient),
             material,
-            hits,
+            hits: *hits,
         }
     }
 

@@ -17,7 +17,8 @@ pub(super) fn offset_rays(rays: &RayPacket, hit: &PacketHit, direction: Vector3x
         .origin
         .largest_coordinate()
         .fast_max(point.largest_coordinate())
-        .fast_max(hit.t);
+        .fast_max(hit.t)
+        .fast_max(hit.magnitude);
     let side = hit.face.dot(direction) & Lanes::splat(-0.0);
     let offset = (Lanes::splat(OFFSET) * magnitude) | side;
     RayPacket {

@@ -14,9 +14,6 @@ pub enum Bound {
     Ulps(f64),
     /// At most this distance.
     Absolute(f64),
-    /// Any finite number, or nothing, where only NaN, infinity and a panic would
-    /// be wrong.
-    Finite,
 }
 
 impl Bound {
@@ -29,7 +26,6 @@ impl Bound {
             Self::Equal => exact == outcome,
             Self::Ulps(ulps) => within(ulps * ulp(exact.magnitude())),
             Self::Absolute(bound) => within(bound),
-            Self::Finite => outcome.numbers().iter().all(|number| number.is_finite()),
         }
     }
 }
@@ -40,7 +36,6 @@ impl fmt::Display for Bound {
             Self::Equal => f.write_str("equal"),
             Self::Ulps(ulps) => write!(f, "{ulps} ulp"),
             Self::Absolute(bound) => write!(f, "{bound:.1e}"),
-            Self::Finite => f.write_str("finite"),
         }
     }
 }

@@ -6,18 +6,18 @@ use super::input::{Input, shown};
 
 /// A result: named values.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Answer(Vec<Part>);
+pub struct Answer(pub(super) Vec<Part>);
 
 /// Words, as `no hit`, which must be equal, and numbers, which may differ a little.
 #[derive(Clone, Debug, Default, PartialEq)]
-struct Part {
-    name: &'static str,
-    words: String,
-    numbers: Vec<f64>,
+pub(super) struct Part {
+    pub name: &'static str,
+    pub words: String,
+    pub numbers: Vec<f64>,
 }
 
 impl Answer {
-    fn of(words: String, numbers: Vec<f64>) -> Self {
+    pub(super) fn of(words: String, numbers: Vec<f64>) -> Self {
         let part = Part {
             words,
             numbers,

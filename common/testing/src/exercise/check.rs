@@ -6,6 +6,7 @@ use common::{Error, Image, Settings, Size};
 #[cfg(not(target_family = "wasm"))]
 use {super::picture, measure::Stage, program::picture_name};
 
+use super::tape::Tape;
 use super::{Answer, Input};
 
 /// The change of an input by which right answers may differ, relative to each of its
@@ -36,6 +37,9 @@ pub struct Check {
     /// Whether somebody looks at pictures, and at the count of differences.
     pub(super) is_watched: bool,
     pub(super) picture: Option<Image>,
+    /// The answers of the lesson or the solution, with their tolerances, and the student's.
+    pub(super) lesson: Tape,
+    pub(super) yours: Tape,
 }
 
 impl Check {
@@ -85,6 +89,8 @@ impl Check {
         if cfg!(target_family = "wasm") {
             return;
         }
+        self.lesson.begin();
+        self.yours.begin();
         let simple = simple.into_iter().map(|input| (true, input));
         let others = others.into_iter().map(|input| (false, input));
         for (is_simple, input) in simple.chain(others) {
@@ -104,23 +110,30 @@ impl Check {
         lesson: &dyn Fn(I) -> Answer,
         yours: &dyn Fn(I) -> Answer,
     ) -> bool {
-        let right = lesson(input.clone());
-        let allowed = |unit| {
-            let moved = input.moved(unit).filter(|_| !is_simple);
-            right.tolerances(unit, moved.map(|pair| pair.map(lesson)))
+        let Some(right) = self.lesson.next(|| Some(lesson(input.clone()))) else {
+            self.conclude(Some("the recorded answers are incomplete".to_owned()));
+            return false;
         };
-        let Some(tolerances) = allowed(self.lacks.map_or(UNIT, |_| ROUNDING)) else {
+        let mut allowed = |unit| {
+            let moved = input.moved(unit).filter(|_| !is_simple);
+            let moved = moved.map(|pair| pair.map(lesson));
+            self.lesson.numbers(|| right.tolerances(unit, moved))
+        };
+        let strict = self.lacks.map(|_| allowed(ROUNDING));
+        let usual = allowed(UNIT);
+        let Some(tolerances) = strict.unwrap_or_else(|| usual.clone()) else {
             self.skipped += 1;
             return true;
         };
-        let Ok(got) = catch_unwind(AssertUnwindSafe(|| yours(input.clone()))) else {
+        let run = || catch_unwind(AssertUnwindSafe(|| yours(input.clone()))).ok();
+        let Some(got) = self.yours.next(run) else {
             let panics = "it panics, with the message above";
             self.conclude(Some(described(words, input, panics)));
             return false;
         };
         let is_near = |allowed: Vec<f64>| right.difference(&got, &allowed).is_none();
         let difference = right.difference(&got, &tolerances).map(|difference| {
-            let is_rounding = allowed(UNIT).is_none_or(is_near);
+            let is_rounding = usual.is_none_or(is_near);
             let about = match self.lacks.filter(|_| is_rounding) {
                 Some(it) => format!("{difference}\n    right but for rounding: the formula {it}"),
                 None => difference,
@@ -151,8 +164,9 @@ impl Check {
             return;
         }
         let compared = stage.scene(name).and_then(|scene| {
-            let image = self.picture.insert(render(&scene.defaults)?);
-            let locked = picture::in_book(&picture_name(stage, scene));
+            let image = self.painted(&scene.defaults, render)?;
+            let image = self.picture.insert(image);
+            let locked = picture::in_book(&picture_name(stage, &scene));
             Ok(picture::compare(&locked, image, self.is_watched))
         });
         let verdict = compared.unwrap_or_else(|error| Err(error.to_string()));

@@ -8,7 +8,7 @@ use common::{Image, Transfer, picture_file};
 use crate::picture_lock::{compare_with_file, leave_pictures};
 
 /// The workspace.
-const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+pub(super) const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// The folder for the pictures of exercises, as seen from the current one. If it cannot be
 /// made, saving fails.

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use libtest_mimic::{Arguments, Failed, Trial};
 
 use super::findings::Findings;
-use super::{Check, Code, Exercise, Variant, picture};
+use super::{Check, Code, Exercise, Variant, picture, replay};
 
 /// Proves that starters are to do, that examples hold for the solutions, and that checks
 /// accept all right variants and refuse all mistakes.
@@ -15,6 +15,10 @@ use super::{Check, Code, Exercise, Variant, picture};
 /// mistakes are printed, and the pictures of the solutions are saved.
 #[must_use]
 pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>) -> ExitCode {
+    let exercises: Vec<_> = exercises.into_iter().collect();
+    if let Some(exit) = replay::replay(&exercises) {
+        return exit;
+    }
     // Checks share the list of missing parts.
     let arguments = Arguments {
         test_threads: Some(1),
@@ -34,13 +38,18 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
             let is_to_do = !found.missing.is_empty();
             is_to_do.then_some(()).ok_or("nothing is missing".into())
         }));
+        // The solution is not here.
+        if replay::recorded(stage, name).is_file() {
+            continue;
+        }
         let picture = format!("{stage}-exercise-{}.png", name.replace('_', "-"));
         trials.push(Trial::test(format!("{name}::solution"), move || {
             let found = Findings::of(exercise.solution, Check::new(true, None));
             accept(&found, &picture, shows)?;
             let usual = found.check.usual;
             let mistakes = variants.iter().filter(|Variant(is_right, ..)| !is_right);
-            if mistakes.count() + usual.len() < 3 {
+            // A handout has no variants.
+            if !variants.is_empty() && mistakes.count() + usual.len() < 3 {
                 return Err("there are less than three mistakes".into());
             }
             let mut usual = usual.into_iter().enumerate();

@@ -2,11 +2,9 @@
 
 use a02_math::Point3;
 use a03_rays_cameras::Ray;
-use measure::experiment::{Axis, Curve, Experiment, Unit};
 
-use crate::AxisAlignedBox;
 use crate::lab::protocol::{self, Compared};
-use crate::lab::support::{Numbers, arrays, first};
+use crate::lab::support::{Numbers, arrays};
 
 /// The corners of the box: numbers that no double holds exactly.
 pub const LBF: Point3 = Point3::new(0.1, 0.2, 0.3);
@@ -67,36 +65,4 @@ pub fn slabs(lbf: Point3, run: Point3, ray: &Ray) -> Option<f64> {
     }
     let is_hit = !(near > far || far < 0.0);
     is_hit.then_some(if near >= 0.0 { near } else { far })
-}
-
-pub fn experiment() -> Experiment<'static> {
-    Experiment::new("box-aimed")
-        .asking("Who loses rays at the edges and corners of a box?")
-        .over(Axis::Knob, "faces aimed at", "tests")
-        .with_error("share of wrong answers")
-        .with_unit(Unit::Share)
-        .with_exact(
-            "a miss, or a hit elsewhere; aimed at a face, at an edge of two, at a corner of three",
-        )
-        .with_seeds(&[21])
-        .with_curves(|effort| {
-            let count = effort.choose(4096, 65_536);
-            let aims = |faces| (0..count).map(|n| aimed(faces, n)).collect();
-            let aims = [(1.0, aims(1)), (2.0, aims(2)), (3.0, aims(3))];
-            let curve = |method, formula: Formula| {
-                Curve::of_decisions(method, &aims, move |(ray, _)| formula(ray), is_wrong)
-            };
-            let [three, two, slabs] = NAIVE;
-            // The arguments are constants that the constructor accepts.
-            let ours = AxisAlignedBox::new(LBF, RUN).ok();
-            let ours = move |(ray, _): &Aimed| first(ours.as_ref()?, ray);
-            vec![
-                curve("protocol (three)", three),
-                curve("protocol (two)", two),
-                curve("naive slabs", slabs),
-                Curve::of_decisions("slabs (ours)", &aims, ours, is_wrong)
-                    .with_bound(0.0, 1.0..=3.0)
-                    .with_remark("also says which face was met, for the normal"),
-            ]
-        })
 }

@@ -1,0 +1,85 @@
+//! The numbers behind a pixel of a view.
+
+use common::steps::{self, Step};
+use common::{Color, Error, Explained, PixelTrace, Renderer, Sampling, Settings, Size};
+
+use super::drawing;
+use crate::view::ViewOf;
+use crate::{Camera, Ray, Sampler, View, camera_coordinates, fast};
+
+const SAMPLES: &str = "a03-rays-cameras.md#many-rays-a-pixel";
+const LOOP: &str = "a03-rays-cameras.md#the-only-loop";
+
+/// A camera with one ray.
+struct OneRay(Ray);
+
+impl Camera for OneRay {
+    fn ray_for(&self, _: Size, _: f64, _: f64) -> Ray {
+        self.0
+    }
+}
+
+impl View {
+    /// The steps from a pixel, whose column and row lie in the picture, to its colour, by the
+    /// renderer of the settings. The engine takes only the steps of the loop over the samples.
+    pub fn trace(self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error> {
+        let ([column, row], size, sampler) = (pixel, settings.size, Sampler::new(settings));
+        let one_pixel = Settings {
+            size: Size::new(1, 1)?,
+            samples: 1,
+            sampling: Sampling::Center,
+            ..settings.clone()
+        };
+        let view = match settings.renderer {
+            Renderer::Engine => self,
+            renderer => self.watched(settings, renderer == Renderer::AllWork),
+        };
+        let radiance = |ray: &Ray| match view.world.for_engine(settings.depth) {
+            Some(scene) if settings.renderer == Renderer::Engine => {
+                let image = fast::render(scene, &OneRay(*ray), &one_pixel, &())?;
+                Ok::<_, Error>(image.pixels()[0])
+            }
+            _ => Ok(view.world.radiance(ray, settings.depth)),
+        };
+        let (color, steps) = steps::recorded(|| {
+            let mut sum = Color::BLACK;
+            for (i, place) in (1..).zip(sampler.places(column, row)) {
+                let name = format!("sample {i} of {}", sampler.samples());
+                let (x, y) = camera_coordinates(size, column, row, place);
+                let step = Step::new("sample", name, SAMPLES).with("place", [place.0, place.1]);
+                steps::push(step.with("x", [x]).with("y", [y]));
+                sum += steps::inside(|| {
+                    let color = radiance(&view.camera.ray_for(size, x, y))?;
+                    let step = Step::new("radiance", "light along the ray", LOOP);
+                    steps::heading(step.with("f", color.channels()));
+                    Ok::<_, Error>(color)
+                })?;
+            }
+            let mean = sum.map(|sum| sum / f64::from(sampler.samples()));
+            let step = Step::new("mean", "mean of the samples", LOOP);
+            steps::push(step.with("c", mean.channels()));
+            Ok::<_, Error>(mean)
+        });
+        let color = color?;
+        Ok(PixelTrace {
+            pixel,
+            color,
+            steps,
+        })
+    }
+}
+
+impl<F: Fn(Size) -> Result<View, Error> + Send + Sync> Explained for ViewOf<F> {
+    fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error> {
+        self.1(settings.size)?.trace(settings, pixel)
+    }
+
+    fn drawing(&self, settings: &Settings, trace: &PixelTrace) -> Result<String, Error> {
+        let world = self.1(settings.size)?.world.watched(false);
+        Ok(drawing::svg(&*world, &trace.steps, self.0))
+    }
+
+    fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {
+        self.1(settings.size)?.export(language, settings)
+    }
+}

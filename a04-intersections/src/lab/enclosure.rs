@@ -1,0 +1,118 @@
+//! `Enclosure`: interval arithmetic with outward rounding, which proves what rounding leaves open.
+//!
+//! The result of an operation holds the exact result for all numbers that its operands hold
+//! (R. E. Moore, R. B. Kearfott, M. J. Cloud: Introduction to Interval Analysis, 2009, chapter 2).
+
+use std::ops::{Add, Div, Mul, Sub};
+
+/// All numbers from `low` to `high`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Enclosure {
+    pub low: f64,
+    pub high: f64,
+}
+
+impl Enclosure {
+    pub const EVERYTHING: Self = Self {
+        low: f64::NEG_INFINITY,
+        high: f64::INFINITY,
+    };
+
+    /// The numbers between rounded ends, which are off by less than one unit in the last place.
+    fn outwards(low: f64, high: f64) -> Self {
+        Self {
+            low: low.next_down(),
+            high: high.next_up(),
+        }
+    }
+
+    /// Whether all numbers are above 0 (true) or below (false); `None` if it is open.
+    pub fn sign(self) -> Option<bool> {
+        (self.low > 0.0 || self.high < 0.0).then_some(self.low > 0.0)
+    }
+
+    /// From the least to the greatest result of the ends.
+    fn hull(self, other: Self, operation: fn(f64, f64) -> f64) -> Self {
+        let ends = [self.low, self.high].map(|a| [other.low, other.high].map(|b| operation(a, b)));
+        let ends = ends.as_flattened();
+        // `min` and `max` drop a NaN.
+        if ends.iter().any(|end| end.is_nan()) {
+            return Self::EVERYTHING;
+        }
+        let low = ends.iter().copied().fold(f64::INFINITY, f64::min);
+        Self::outwards(low, ends.iter().copied().fold(f64::NEG_INFINITY, f64::max))
+    }
+
+    fn is_zero(self) -> bool {
+        self.low == 0.0 && self.high == 0.0
+    }
+
+    /// The root of numbers that are not negative.
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        Self::outwards(self.low.max(0.0).sqrt(), self.high.sqrt())
+    }
+}
+
+impl From<f64> for Enclosure {
+    fn from(number: f64) -> Self {
+        Self {
+            low: number,
+            high: number,
+        }
+    }
+}
+
+impl Add for Enclosure {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        // A sum with 0 is exact.
+        if self.is_zero() {
+            other
+        } else if other.is_zero() {
+            self
+        } else {
+            Self::outwards(self.low + other.low, self.high + other.high)
+        }
+    }
+}
+
+impl Sub for Enclosure {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        // The difference of two equal doubles is exact.
+        if self == other && self.low == self.high {
+            return Self::from(0.0);
+        }
+        let (low, high) = (-other.high, -other.low);
+        self + Self { low, high }
+    }
+}
+
+impl Mul for Enclosure {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            return Self::from(0.0);
+        }
+        self.hull(other, Mul::mul)
+    }
+}
+
+/// By numbers that may be 0, everything.
+impl Div for Enclosure {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        if other.sign().is_none() {
+            return Self::EVERYTHING;
+        }
+        if self.is_zero() {
+            return self;
+        }
+        self.hull(other, Div::div)
+    }
+}

@@ -1,0 +1,39 @@
+//! Certified decisions of discs and of shapes under nodes: see the laboratory of stage 4.
+
+use a03_rays_cameras::Ray;
+use a04_intersections::lab::certified::{self, Decision, difference, plane};
+use a04_intersections::lab::enclosure::Enclosure;
+use a04_intersections::lab::support::{arrays, dot};
+use a04_intersections::{Geometry, Interval};
+
+use crate::Disc;
+use crate::lab::watched::children;
+
+/// Wraps a geometry to certify its decisions; of a node, those of its children for the rays in
+/// their space.
+pub fn geometry(mut geometry: Box<dyn Geometry>) -> Box<dyn Geometry> {
+    if children(&mut geometry, self::geometry) {
+        geometry
+    } else {
+        certified::geometry(geometry, decide)
+    }
+}
+
+fn decide(shape: &dyn Geometry, ray: &Ray, within: Interval) -> Decision {
+    let any: &dyn std::any::Any = shape;
+    let Some(disc) = any.downcast_ref::<Disc>() else {
+        return certified::decide(shape, ray, within);
+    };
+    let line @ [o, d] = arrays(ray).map(|triple| triple.map(Enclosure::from));
+    let [c, n] = [disc.c.to_glam(), disc.plane.normal().to_glam()];
+    let [c, n] = [c, n].map(|v| v.to_array().map(Enclosure::from));
+    let t = plane(&c, &n, &line);
+    let at: [Enclosure; 3] = std::array::from_fn(|axis| o[axis] + d[axis] * t);
+    let (from_c, r) = (difference(&at, &c), Enclosure::from(disc.r));
+    let beyond = (dot(&from_c, &from_c) - r * r).sign();
+    match (certified::decide(&disc.plane, ray, within), beyond) {
+        (Some(false), _) | (_, Some(true)) => Some(false),
+        (is_hit, Some(false)) => is_hit,
+        (_, None) => None,
+    }
+}

@@ -1,0 +1,136 @@
+//! `explain`: every number behind a pixel, by the lesson's own functions.
+
+use std::path::PathBuf;
+
+use common::pixel_trace::digits;
+use common::{Color, Error, Renderer, Scene, Settings, Transfer, atomic_file};
+
+use crate::options::Options;
+use crate::print::{print, warn};
+use crate::render::{render, warn_unused};
+
+/// Most samples whose steps are recorded: each takes about 10 kB.
+const MOST_SAMPLES: u32 = 4096;
+
+/// How a pixel is explained.
+#[derive(clap::Args)]
+pub struct Explaining {
+    /// Column and row of the pixel, counted from 0 in the upper left corner
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true, value_parser = pixel)]
+    pixel: [u32; 2],
+
+    /// Print JSON, for programs
+    #[arg(long, conflicts_with = "beside")]
+    json: bool,
+
+    /// Write an SVG of the first sample's rays, from the side and from above
+    #[arg(long, value_name = "FILE")]
+    drawing: Option<PathBuf>,
+
+    /// Find the first step at which the renderer of --fast or --no-omit parts from the lesson
+    #[arg(long)]
+    beside: bool,
+
+    #[command(flatten)]
+    options: Options,
+}
+
+fn pixel(text: &str) -> Result<[u32; 2], String> {
+    let numbers = text.split_once(',');
+    match numbers.map(|(x, y)| (x.trim().parse(), y.trim().parse())) {
+        Some((Ok(x), Ok(y))) => Ok([x, y]),
+        _ => Err("two whole numbers are needed, column and row, such as 320,240".to_owned()),
+    }
+}
+
+/// Explains a pixel of the scene, and compares its colour with the rendered picture.
+pub fn explain_pixel(scene: &Scene, explaining: &Explaining) -> Result<(), Error> {
+    let Explaining {
+        pixel,
+        json,
+        drawing,
+        beside,
+        options,
+    } = explaining;
+    let ([x, y], settings) = (*pixel, options.settings(scene)?);
+    check(&settings, explaining)?;
+    let Some(explained) = &scene.explained else {
+        let name = scene.name;
+        return usage(format!(
+            "explain follows rays, and {name} has no camera and world for them"
+        ));
+    };
+    if let Some(path) = drawing {
+        atomic_file::check_writable(path)?;
+    }
+    warn_unused(scene, options, &settings);
+    let mut traced = settings.clone();
+    if *beside || settings.renderer == Renderer::Engine {
+        traced.renderer = Renderer::Lesson;
+    }
+    let trace = explained.trace(&traced, *pixel)?;
+    if *json {
+        print(&trace.to_json(options.transfer))?;
+    } else {
+        print(&format!(
+            "{} {}, pixel {x},{y}\n{trace}",
+            scene.name, settings.size
+        ))?;
+        print(&bytes_of(trace.color, options.transfer))?;
+    }
+    if let Some(path) = drawing {
+        atomic_file::write(path, explained.drawing(&settings, &trace)?.as_bytes())?;
+        warn(&format!("note: the drawing is {}", path.display()));
+    }
+    if *beside {
+        let other = explained.trace(&settings, *pixel)?;
+        let is_same = |a: f64, b: f64| a.to_bits() == b.to_bits();
+        print(&match trace.first_difference(&other, is_same) {
+            Some((place, value, Some(other))) => {
+                format!("first difference: {place} is {value:?}, by the other renderer {other:?}")
+            }
+            _ => "the other renderer has the same numbers in each step that both take".to_owned(),
+        })?;
+    }
+    let image = render(scene, &settings, options)?;
+    let rendered = image.get(x, y).map(Color::channels);
+    let traced = trace.color.channels();
+    if rendered.map(|rendered| rendered.map(f64::to_bits)) != Some(traced.map(f64::to_bits)) {
+        warn(&format!(
+            "warning: the rendered picture has another colour: {rendered:?}, not {traced:?}"
+        ));
+    } else if !json {
+        print("the rendered picture has the same colour, to the last bit")?;
+    }
+    Ok(())
+}
+
+fn bytes_of(color: Color, transfer: Transfer) -> String {
+    let (bytes, color) = (transfer.bytes(color), digits(&color.channels()));
+    format!("bytes {bytes:?} of the linear colour {color}")
+}
+
+fn usage(reason: impl Into<String>) -> Result<(), Error> {
+    Err(Error::Usage(reason.into()))
+}
+
+/// An error if a pixel cannot be explained with these settings.
+fn check(settings: &Settings, explaining: &Explaining) -> Result<(), Error> {
+    let (size, [x, y]) = (settings.size, explaining.pixel);
+    if settings.max_error.is_some() {
+        return usage("--max-error chooses samples for a whole picture; explain takes --samples");
+    }
+    if x >= size.width() || y >= size.height() {
+        let (right, bottom) = (size.width() - 1, size.height() - 1);
+        return usage(format!(
+            "--pixel {x},{y} is outside of the picture, whose pixels are 0,0 to {right},{bottom}"
+        ));
+    }
+    if settings.samples > MOST_SAMPLES {
+        return usage(format!("explain follows at most {MOST_SAMPLES} samples"));
+    }
+    if explaining.beside && settings.renderer == Renderer::Lesson {
+        return usage("--beside compares with another renderer; add --fast or --no-omit");
+    }
+    Ok(())
+}

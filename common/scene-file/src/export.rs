@@ -1,0 +1,198 @@
+//! `export`: writes a scene of the engine in a language.
+
+mod shape;
+
+use std::collections::HashMap;
+
+use common::{Color, Settings};
+use engine::{Camera, Light, LightKind, Scene, Shading, Surface};
+use glam::DVec3;
+
+use crate::Phrases;
+
+/// Writes a scene in a language. The error is a part that it has no phrase for.
+pub fn export(
+    language: Phrases,
+    scene: &Scene,
+    camera: &Camera,
+    settings: &Settings,
+) -> Result<String, String> {
+    let mut text = head(language, scene, camera, settings)?;
+    // A language without words for a light that casts no shadow may have words for shapes.
+    let no_shadow = if scene.lights.iter().any(|light| light.casts_shadows) {
+        String::new()
+    } else {
+        language.word("NoShadow")
+    };
+    // Surfaces with the same phrase share a material.
+    let (mut names, mut uses) = (HashMap::new(), Vec::new());
+    for surface in &scene.surfaces {
+        let [material, used] = material(language, surface, scene.ambient)?;
+        let name = format!("m{}", names.len());
+        let name = names.entry(material).or_insert_with_key(|material| {
+            text += &material.replace("[name]", &name);
+            name
+        });
+        let used = used.replace("[name]", name);
+        uses.push(used.replace("[no_shadow]", &no_shadow));
+    }
+    for source in &scene.lights {
+        let shadows = if source.casts_shadows || !no_shadow.is_empty() {
+            String::new()
+        } else {
+            language.find("LightWithoutShadows", "", &[])?
+        };
+        text += &light(language, source)?.replace("[shadows]", &shadows);
+    }
+    let (begin, end, mut result) = (language.word("Mesh"), language.word("EndOfMesh"), Ok(()));
+    scene.for_each_shape(|steps, shape, surface| {
+        let used = &uses[surface as usize];
+        match shape::text(language, shape, steps, used) {
+            Ok(words) => {
+                // Triangles of one material become one mesh.
+                let end = end.replace("[use]", used);
+                let is_more = text.ends_with(&end) && words.ends_with(&end);
+                let triangle = words.strip_prefix(&begin).filter(|_| is_more);
+                text.truncate(text.len() - triangle.map_or(0, |_| end.len()));
+                text += triangle.unwrap_or(&words);
+            }
+            Err(lacking) => result = Err(lacking),
+        }
+    });
+    result.map(|()| text + &language.word("End"))
+}
+
+/// The picture, the camera, the background and the ambient light.
+fn head(
+    language: Phrases,
+    scene: &Scene,
+    camera: &Camera,
+    settings: &Settings,
+) -> Result<String, String> {
+    let [width, height] = [settings.size.width(), settings.size.height()].map(f64::from);
+    let (samples, depth) = (f64::from(settings.samples), f64::from(settings.depth));
+    let size: [&[f64]; 3] = [&[width], &[height], &[depth]];
+    let mut text = language.find("Start", "width height depth", &size)?;
+    let default = Settings::default();
+    text += &unless(default.samples.into(), language, "Samples", &[samples]);
+    text += &unless(default.depth.into(), language, "Depth", &[depth]);
+    let (kind, basis, half) = match camera {
+        Camera::Perspective {
+            basis,
+            half_tangent,
+        } => ("Perspective", basis, *half_tangent),
+        Camera::Orthographic { basis, scale } => ("Orthographic", basis, *scale),
+        Camera::Other(_) => return language.find("CameraOfFormula", "", &[]),
+    };
+    let angle = exact_angle(2.0 * libm::atan(half), |angle| {
+        libm::tan(angle / 2.0) == half
+    });
+    // The sides of Tachyon's pictures are half a pixel beside ours.
+    let (right, step) = (half * width / height, half / height);
+    let frustum = [right + step, step - right, -half - step, half - step];
+    // The y axis, which is shorter, if the camera is held upright.
+    let is_upright = basis.u.y == 0.0 && basis.v.y > 0.0;
+    let up = if is_upright { DVec3::Y } else { basis.v };
+    let [e, up, u, v, w] = [basis.e, up, basis.u, basis.v, -basis.w].map(|v| v.to_array());
+    let (gaze, focus) = (short(-basis.w), 0.5 / half);
+    let names = "eye gaze up right upwards ahead angle focus scale frustum";
+    let values: [&[f64]; 10] = [
+        &e,
+        &gaze,
+        &up,
+        &u,
+        &v,
+        &w,
+        &[angle],
+        &[focus],
+        &[half],
+        &frustum,
+    ];
+    text += &language.find(kind, names, &values)?;
+    text += &unless(0.0, language, "Background", &scene.background.channels());
+    text += &unless(0.0, language, "Ambient", &scene.ambient.channels());
+    Ok(text)
+}
+
+/// The phrase of numbers, unless all of them are the default.
+fn unless(default: f64, language: Phrases, phrase: &str, numbers: &[f64]) -> String {
+    let is_default = numbers.iter().all(|number| *number == default);
+    let words = language.find(phrase, "value", &[numbers]);
+    words.ok().filter(|_| !is_default).unwrap_or_default()
+}
+
+/// A material and its use by a shape.
+fn material(language: Phrases, surface: &Surface, ambient: Color) -> Result<[String; 2], String> {
+    let (kind, color, specular, exponent) = match &surface.shading {
+        Shading::SingleColor(color) => ("Single", *color, Color::BLACK, 0.0),
+        Shading::Phong(phong) => {
+            let kind = match phong.specular {
+                Color::BLACK => "Matt",
+                gray if gray == Color::gray(gray.r) => "Shiny",
+                _ => "ColoredHighlight",
+            };
+            (kind, phong.diffuse, phong.specular, phong.exponent)
+        }
+        Shading::Other(_) => ("MaterialOfFormula", Color::BLACK, Color::BLACK, 0.0),
+    };
+    let colors = [color, specular, surface.reflection, ambient];
+    let [color, specular, reflection, ambient] = colors.map(Color::channels);
+    let names = "color specular highlight exponent reflection mirror ambient glow";
+    let values: [&[f64]; 8] = [
+        &color,
+        &specular,
+        &specular[..1],
+        &[exponent],
+        &reflection,
+        &reflection[..1],
+        &ambient,
+        &ambient[..1],
+    ];
+    let mirrored = unless(0.0, language, "Reflection", &reflection);
+    let words = language.find(kind, names, &values)? + &mirrored;
+    Ok([words, language.find(&format!("Use{kind}"), names, &values)?])
+}
+
+fn light(language: Phrases, light: &Light) -> Result<String, String> {
+    let (kind, color, position, axis, angle) = match light.kind {
+        LightKind::Point { color, position } => ("Point", color, position, DVec3::X, 0.0),
+        LightKind::Spot {
+            color,
+            position,
+            direction,
+            cos_half_angle: cosine,
+        } => {
+            let angle = exact_angle(libm::acos(cosine), |angle| libm::cos(angle) == cosine);
+            ("Spot", color, position, direction, angle)
+        }
+        LightKind::Directional { color, direction } => {
+            ("Directional", color, direction * -1e4, direction, 0.0)
+        }
+        LightKind::Other(_) => return language.find("LightOfFormula", "", &[]),
+    };
+    let [p, a, target] = [position, axis, position + axis].map(|v| v.to_array());
+    let (color, direction) = (color.channels(), short(axis));
+    let names = "color position direction axis target half_angle";
+    language.find(
+        kind,
+        names,
+        &[&color, &p, &direction, &a, &target, &[angle]],
+    )
+}
+
+/// A direction with a largest coordinate of 1, which often makes all of them short.
+fn short(direction: DVec3) -> [f64; 3] {
+    (direction / direction.abs().max_element()).to_array()
+}
+
+/// The angle in degrees, next to another in radians, for which a function has exactly a value;
+/// if there is none, the other.
+fn exact_angle(near: f64, is_exact: impl Fn(f64) -> bool) -> f64 {
+    let near = near.to_degrees();
+    let short = (near * 1e6).round() / 1e6;
+    let away = |ulps| f64::from_bits(near.to_bits().saturating_add_signed(ulps));
+    let neighbours = (0..=16).flat_map(|ulps| [away(ulps), away(-ulps)]);
+    let mut candidates = std::iter::once(short).chain(neighbours);
+    let exact = candidates.find(|angle| is_exact(angle.to_radians()));
+    exact.unwrap_or(near)
+}

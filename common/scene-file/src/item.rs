@@ -1,0 +1,158 @@
+//! `Item`: a table of a scene file with its values.
+
+use common::ArgumentError;
+
+use crate::error::nearest;
+use crate::{Error, Key, Kind, Mesh, Place};
+
+/// A value in the form that its key has.
+#[derive(Debug)]
+pub enum Data {
+    /// Finite numbers, row after row.
+    Numbers(Vec<f64>),
+    /// A text.
+    Text(String),
+    /// True or false.
+    Flag(bool),
+    /// Steps of a transform.
+    Steps(Vec<Item>),
+    /// The triangles of a file.
+    Mesh(Mesh),
+}
+
+/// A table of a scene file.
+#[derive(Debug)]
+pub struct Item {
+    /// Its kind.
+    pub kind: &'static Kind,
+    /// The last part of its name.
+    pub name: String,
+    /// Where it begins.
+    pub place: Place,
+    /// Its values, with the names of their keys and their positions.
+    pub values: Vec<(&'static str, Place, Data)>,
+    /// The shapes of a group, in their order.
+    pub shapes: Vec<Item>,
+}
+
+impl Item {
+    /// A table without keys.
+    pub(crate) const fn new(kind: &'static Kind, place: Place) -> Self {
+        Self {
+            kind,
+            name: String::new(),
+            place,
+            values: Vec::new(),
+            shapes: Vec::new(),
+        }
+    }
+
+    /// The value of a key, if it is there.
+    #[must_use]
+    pub fn find(&self, key: &str) -> Option<&Data> {
+        let mut values = self.values.iter();
+        values.find_map(|(name, _, data)| (*name == key).then_some(data))
+    }
+
+    /// The numbers of a key in rows of `M`, if it is there.
+    #[must_use]
+    pub fn find_rows<const M: usize, const N: usize>(&self, key: &str) -> Option<[[f64; M]; N]> {
+        match self.find(key)? {
+            Data::Numbers(numbers) => numbers.as_chunks().0.try_into().ok(),
+            _ => None,
+        }
+    }
+
+    /// The numbers of a key in rows of `M`. It is an error if it is missing.
+    pub fn rows<const M: usize, const N: usize>(&self, key: &str) -> Result<[[f64; M]; N], Error> {
+        self.find_rows(key).ok_or_else(|| self.lacks(key))
+    }
+
+    /// The three numbers of a key as a point, vector or colour, if it is there.
+    pub fn find_vector<T>(&self, key: &str, new: fn(f64, f64, f64) -> T) -> Option<T> {
+        self.find_rows(key).map(|[[x, y, z]]| new(x, y, z))
+    }
+
+    /// The three numbers of a key as a point, vector or colour. It is an error if it is missing.
+    pub fn vector<T>(&self, key: &str, new: fn(f64, f64, f64) -> T) -> Result<T, Error> {
+        self.find_vector(key, new).ok_or_else(|| self.lacks(key))
+    }
+
+    /// The number of a key. It is an error if it is missing.
+    pub fn number(&self, key: &str) -> Result<f64, Error> {
+        self.rows(key).map(|[[number]]| number)
+    }
+
+    /// The angle of a key in radians. It is an error if it is missing.
+    pub fn angle(&self, key: &str) -> Result<f64, Error> {
+        self.number(key).map(f64::to_radians)
+    }
+
+    /// The flag of a key, if it is there.
+    #[must_use]
+    pub fn flag(&self, key: &str) -> Option<bool> {
+        match self.find(key)? {
+            Data::Flag(flag) => Some(*flag),
+            _ => None,
+        }
+    }
+
+    /// The error of a missing key.
+    #[must_use]
+    pub fn lacks(&self, key: &str) -> Error {
+        let form = self.kind.key(key).map_or_else(String::new, Key::needed);
+        self.error(key, format!("{} lacks {key}, {form}", self.kind.name))
+    }
+
+    /// The whole number of a key, from 1 to `most`, if it is there.
+    pub fn find_whole<const N: usize>(
+        &self,
+        key: &str,
+        most: u32,
+    ) -> Result<Option<[u32; N]>, Error> {
+        let Some([numbers]) = self.find_rows::<N, 1>(key) else {
+            return Ok(None);
+        };
+        let is_right = |n: &f64| n.fract() == 0.0 && (1.0..=f64::from(most)).contains(n);
+        if numbers.iter().all(is_right) {
+            return Ok(Some(numbers.map(|number| number as u32)));
+        }
+        let text = format!("{key} must be whole, from 1 to {most}, not {numbers:?}");
+        Err(self.error(key, text))
+    }
+
+    /// The result of a constructor. Its error gets the position of the argument.
+    pub fn check<T>(&self, made: Result<T, ArgumentError>) -> Result<T, Error> {
+        made.map_err(|error| {
+            let words = error.name.replace("centre", "center");
+            let key = words.split(' ').next().unwrap_or_default();
+            self.error(key, format!("{}: {error}", self.kind.name))
+        })
+    }
+
+    /// An error at a key, or at the table if the key is missing.
+    pub fn error(&self, key: &str, text: impl Into<String>) -> Error {
+        let value = self.values.iter().find(|(name, ..)| *name == key);
+        let place = value.map_or(self.place, |(_, place, _)| *place);
+        let text = text.into();
+        Error { place, text }
+    }
+
+    /// The item that a key names, or an error with the nearest name.
+    pub fn named<'a>(
+        &self,
+        key: &str,
+        items: impl Iterator<Item = &'a Self> + Clone,
+    ) -> Result<&'a Self, Error> {
+        let Some(Data::Text(name)) = self.find(key) else {
+            return Err(self.lacks(key));
+        };
+        items
+            .clone()
+            .find(|item| item.name == *name)
+            .ok_or_else(|| {
+                let nearest = nearest(items.map(|item| item.name.as_str()), name);
+                self.error(key, format!("there is no {key} \"{name}\"{nearest}"))
+            })
+    }
+}

@@ -1,0 +1,24 @@
+//! Scenes as text: reads the numbers of a scene from a TOML file, and writes the scenes of
+//! the engine as TOML and for POV-Ray.
+//!
+//! [`KINDS`] is the list of all tables and keys. [`SceneFile`] holds the numbers of a file with
+//! their positions. Each stage makes shapes, lights and materials of them with its own
+//! constructors, which check the ranges. Only [`Files`] reads other files, so that the crate
+//! works in a browser.
+
+mod error;
+mod export;
+mod item;
+mod kind;
+mod mesh;
+mod numbers;
+mod phrases;
+mod reader;
+
+pub use error::{Error, Place};
+pub use export::export;
+pub use item::{Data, Item};
+pub use kind::{KINDS, Key, Kind, Role};
+pub use mesh::Mesh;
+pub use phrases::{POV_RAY, Phrases, TOML};
+pub use reader::{Files, SceneFile};

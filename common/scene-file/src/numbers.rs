@@ -1,0 +1,33 @@
+//! `numbers`: reads a number, a list of numbers, or a list of such lists.
+
+use toml::de::DeValue;
+
+/// Finite numbers in a form such as `3 x 4 numbers`; none if the value has another form.
+pub fn numbers(value: &DeValue, form: &str) -> Option<Vec<f64>> {
+    let words = form
+        .strip_suffix("numbers")
+        .or(form.strip_suffix("number"))?;
+    let lengths = words
+        .split_whitespace()
+        .filter_map(|word| word.parse().ok());
+    let mut numbers = Vec::new();
+    add_numbers(value, &lengths.collect::<Vec<_>>(), &mut numbers)?;
+    Some(numbers)
+}
+
+/// Adds the numbers of a value, whose lists have these lengths, the outermost first.
+fn add_numbers(value: &DeValue, lengths: &[usize], numbers: &mut Vec<f64>) -> Option<()> {
+    let number: f64 = match (value, lengths) {
+        (DeValue::Array(rows), [length, lengths @ ..]) if rows.len() == *length => {
+            return rows
+                .iter()
+                .try_for_each(|row| add_numbers(row.get_ref(), lengths, numbers));
+        }
+        (DeValue::Float(number), []) => number.as_str().parse().ok()?,
+        (DeValue::Integer(number), []) => {
+            i128::from_str_radix(number.as_str(), number.radix()).ok()? as f64
+        }
+        _ => return None,
+    };
+    number.is_finite().then(|| numbers.push(number))
+}

@@ -1,0 +1,178 @@
+//! `PixelTrace`: all numbers behind a pixel, as text, as JSON, and compared with those of
+//! another renderer.
+
+use std::collections::{BTreeSet, HashMap};
+use std::fmt;
+
+use crate::steps::Step;
+use crate::{Color, Transfer};
+
+/// The steps from a pixel to its colour.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PixelTrace {
+    /// Column and row, counted from 0 in the upper left corner.
+    pub pixel: [u32; 2],
+    /// The linear colour: the mean over the samples.
+    pub color: Color,
+    /// The steps in their order.
+    pub steps: Vec<Step>,
+}
+
+/// The place of a value in a trace, by the names of its steps and its symbol; the value; and the
+/// other trace's value, if it has one.
+pub type Difference<'a> = (String, &'a [f64], Option<&'a [f64]>);
+
+impl PixelTrace {
+    /// The first value that this trace and another both have, and that is not the same in both;
+    /// if there is none, the first value of this trace that the other does not have.
+    pub fn first_difference<'a>(
+        &'a self,
+        other: &'a Self,
+        is_same: impl Fn(f64, f64) -> bool,
+    ) -> Option<Difference<'a>> {
+        let others: HashMap<_, _> = other.values().collect();
+        let pairs = || {
+            let values = self.values();
+            values.map(|(place, value)| (others.get(&place).copied(), (place, value)))
+        };
+        let differs = |(other, (_, value)): &(Option<&[f64]>, (_, &[f64]))| {
+            other.is_some_and(|other| !value.iter().zip(other).all(|(a, b)| is_same(*a, *b)))
+        };
+        let first = pairs().find(differs);
+        let first = first.or_else(|| pairs().find(|(other, _)| other.is_none()));
+        first.map(|(other, (place, value))| (place, value, other))
+    }
+
+    /// All values with their places.
+    fn values(&self) -> impl Iterator<Item = (String, &[f64])> {
+        let mut path: Vec<&str> = Vec::new();
+        self.steps.iter().flat_map(move |step| {
+            path.truncate(step.level);
+            path.push(&step.name);
+            let place = path.join(", ");
+            let values = step.values.iter();
+            values.map(move |(symbol, value)| (format!("{place}: {symbol}"), &**value))
+        })
+    }
+
+    /// The trace for programs: `pixel`, `color`, `bytes` and `steps`, one on a line, whose
+    /// values are lists of numbers. A number that JSON does not have is `null`.
+    #[must_use]
+    pub fn to_json(&self, transfer: Transfer) -> String {
+        let numbers = |numbers: &[f64]| {
+            let text = format!("{numbers:?}").replace("-inf", "null");
+            text.replace("inf", "null").replace("NaN", "null")
+        };
+        // Names have no characters that Rust and JSON escape differently.
+        let step = |Step {
+                        level,
+                        kind,
+                        name,
+                        outcome,
+                        values,
+                        section,
+                    }: &Step| {
+            let values = values.iter();
+            let values = values.map(|(symbol, value)| format!("{symbol:?}: {}", numbers(value)));
+            let values = values.collect::<Vec<_>>().join(", ");
+            format!(
+                r#"{{"level": {level}, "kind": {kind:?}, "name": {name:?}, "outcome": {outcome:?}, "values": {{{values}}}, "section": {section:?}}}"#
+            )
+        };
+        let steps = self.steps.iter().map(step).collect::<Vec<_>>().join(",\n");
+        let (pixel, bytes) = (self.pixel, transfer.bytes(self.color));
+        let color = numbers(&self.color.channels());
+        format!(
+            r#"{{"pixel": {pixel:?}, "color": {color}, "bytes": {bytes:?}, "steps": [
+{steps}
+]}}"#
+        )
+    }
+}
+
+/// A number with at most four significant digits, or a point, vector or colour of them.
+#[must_use]
+pub fn digits(numbers: &[f64]) -> String {
+    let digits = |number: &f64| match format!("{number:.3e}").parse().unwrap_or(*number) {
+        x if x != 0.0 && !(1e-3..1e6).contains(&f64::abs(x)) && x.is_finite() => format!("{x:e}"),
+        x => (x + 0.0).to_string(),
+    };
+    match numbers {
+        [number] => digits(number),
+        _ => format!(
+            "({})",
+            numbers.iter().map(digits).collect::<Vec<_>>().join(", ")
+        ),
+    }
+}
+
+/// The steps, one on a line and indented by their level, and the sections that explain them.
+impl fmt::Display for PixelTrace {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let names = self.steps.iter();
+        let names: Vec<_> = names
+            .map(|step| "  ".repeat(step.level) + &step.name)
+            .collect();
+        let width = names.iter().map(String::len).max().unwrap_or(0);
+        for (name, step) in names.iter().zip(&self.steps) {
+            let values = step.values.iter();
+            let values = values.map(|(symbol, value)| format!("  {symbol} {}", digits(value)));
+            let outcome = match &*step.outcome {
+                "" => String::new(),
+                outcome => format!("  {outcome}"),
+            };
+            writeln!(f, "{name:width$}{outcome}{}", values.collect::<String>())?;
+        }
+        let sections: BTreeSet<_> = self.steps.iter().map(|step| step.section).collect();
+        let sections: Vec<_> = sections.into_iter().collect();
+        write!(f, "explained in book/src/\n  {}", sections.join("\n  "))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn trace(names: &[&str], numbers: &[f64]) -> PixelTrace {
+        let step = |name: &&str| Step::new("kind", *name, "").with("x", numbers);
+        PixelTrace {
+            pixel: [1, 2],
+            color: Color::gray(0.5),
+            steps: names.iter().map(step).collect(),
+        }
+    }
+
+    #[test]
+    fn traces_part_at_another_number_or_else_at_a_missing_step() {
+        let ours = trace(&["a", "b"], &[1.0]);
+        let first = |names: &[&str], number| {
+            let other = trace(names, &[number]);
+            let first = ours.first_difference(&other, |a, b| a == b);
+            first.map(|(place, _, other)| (place, other.map(|other| other[0])))
+        };
+        assert_eq!(first(&["a", "b"], 1.0), None);
+        assert_eq!(
+            first(&["c", "b"], 2.0),
+            Some(("b: x".to_owned(), Some(2.0)))
+        );
+        assert_eq!(first(&["b", "c"], 1.0), Some(("a: x".to_owned(), None)));
+    }
+
+    #[test]
+    fn json_has_all_digits_and_text_has_four() {
+        let trace = trace(&["a"], &[1.0 / 3.0, f64::INFINITY, 1.5e-7]);
+        let json = trace.to_json(Transfer::Linear);
+        let start = r#"{"pixel": [1, 2], "color": [0.5, 0.5, 0.5], "bytes": [128, 128, 128], "#;
+        assert!(json.starts_with(start), "{json}");
+        assert!(
+            json.contains(r#"{"x": [0.3333333333333333, null, 1.5e-7]}"#),
+            "{json}"
+        );
+        assert!(
+            trace
+                .to_string()
+                .starts_with("a  x (0.3333, inf, 1.5e-7)\n"),
+            "{trace}"
+        );
+    }
+}

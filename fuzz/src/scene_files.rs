@@ -1,0 +1,74 @@
+//! Scene files of any bytes, and of any tables with any numbers. Each one is refused at a position
+//! within it, or rendered with finite numbers by the stage that reads it.
+
+use arbitrary::{Result, Unstructured};
+use common::{Settings, Size};
+use scene_file::SceneFile;
+
+use crate::values::number;
+
+/// A file with every table, with empty lines between them.
+const EXAMPLE: &str = include_str!("../../a07-transforms/scenes/shapes.toml");
+
+/// Reads bytes as a scene file and as a mesh, and renders what is right of them.
+pub fn check(bytes: &[u8]) {
+    let text = String::from_utf8_lossy(bytes);
+    for stage in 4..=7 {
+        // The file is its own mesh.
+        let read = SceneFile::read(&text, stage, &|_| Ok(bytes.to_vec()));
+        let view = read.and_then(|file| match stage {
+            4 => a04_intersections::from_file::view(&file),
+            5 => a05_lighting::from_file::view(&file),
+            6 => a06_shadows_reflection::from_file::view(&file),
+            _ => a07_transforms::from_file::view(&file),
+        });
+        match view {
+            Ok(view) => {
+                let settings = Settings {
+                    size: Size::new(3, 2).expect("a size"),
+                    ..Settings::default()
+                };
+                let image = view.render(&settings, &()).expect("a picture");
+                assert_eq!(image.count_non_finite(), 0, "{text}");
+            }
+            Err(error) => {
+                let lines = text.split('\n').count();
+                assert!((1..=lines).contains(&error.place.line), "{error} in {text}");
+                assert_eq!(error.text.lines().count(), 1, "{error} in {text}");
+            }
+        }
+    }
+}
+
+/// Reads a scene file with any of the tables of the example, with other numbers.
+pub fn check_structure(bytes: &[u8]) {
+    let u = &mut Unstructured::new(bytes);
+    let (once, often) = EXAMPLE.split_once("\n[[").expect("lists of tables");
+    let often: Vec<_> = often.split("\n[[").collect();
+    let mut text = String::new();
+    if add(u, once, &mut text).is_ok() {
+        while !u.is_empty()
+            && let Ok(table) = u.choose(&often)
+        {
+            text += "\n[[";
+            if add(u, table, &mut text).is_err() {
+                break;
+            }
+        }
+    }
+    check(text.as_bytes());
+}
+
+/// Adds tables. One in eight of their numbers are others.
+fn add(u: &mut Unstructured, tables: &str, text: &mut String) -> Result<()> {
+    for word in tables.split_inclusive([' ', '[', ',', ']', '\n']) {
+        let known = word.trim_end_matches([',', ']', '\n', ' ']);
+        if known.parse::<f64>().is_ok() && u.ratio(1, 8)? {
+            *text += &format!("{:?}", number(u)?).replace("NaN", "nan");
+            *text += &word[known.len()..];
+        } else {
+            *text += word;
+        }
+    }
+    Ok(())
+}
