@@ -2,6 +2,9 @@
 //!
 //! Channels are not limited to 0..=1 while light is added up and filtered;
 //! they are clamped once, when a picture becomes bytes.
+//!
+//! Functions that run for every ray are marked `#[inline]`, because an incremental build inlines
+//! no others across crates.
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 
@@ -34,12 +37,14 @@ impl Color {
 
     /// The colour of these three channels.
     #[must_use]
+    #[inline]
     pub const fn new(r: f64, g: f64, b: f64) -> Self {
         Self { r, g, b }
     }
 
     /// The grey whose three channels are `value`.
     #[must_use]
+    #[inline]
     pub const fn gray(value: f64) -> Self {
         Self::new(value, value, value)
     }
@@ -69,6 +74,7 @@ impl Color {
 
     /// Red, green and blue, in this order.
     #[must_use]
+    #[inline]
     pub const fn channels(self) -> [f64; 3] {
         [self.r, self.g, self.b]
     }
@@ -81,6 +87,7 @@ impl Color {
 
     /// The colour with `f` applied to each channel.
     #[must_use]
+    #[inline]
     pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
         Self::new(f(self.r), f(self.g), f(self.b))
     }
@@ -95,12 +102,14 @@ impl Color {
 impl Add for Color {
     type Output = Self;
 
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self::new(self.r + other.r, self.g + other.g, self.b + other.b)
     }
 }
 
 impl AddAssign for Color {
+    #[inline]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
@@ -109,6 +118,7 @@ impl AddAssign for Color {
 impl Sub for Color {
     type Output = Self;
 
+    #[inline]
     fn sub(self, other: Self) -> Self {
         Self::new(self.r - other.r, self.g - other.g, self.b - other.b)
     }
@@ -118,6 +128,7 @@ impl Sub for Color {
 impl Mul for Color {
     type Output = Self;
 
+    #[inline]
     fn mul(self, other: Self) -> Self {
         Self::new(self.r * other.r, self.g * other.g, self.b * other.b)
     }
@@ -126,6 +137,7 @@ impl Mul for Color {
 impl Mul<f64> for Color {
     type Output = Self;
 
+    #[inline]
     fn mul(self, factor: f64) -> Self {
         self.map(|channel| channel * factor)
     }
