@@ -1,4 +1,4 @@
-//! Error against the task's difficulty: angles, linear systems, and lengths.
+//! Error against the task's difficulty: angles and linear systems.
 //!
 //! The inputs are numbers with few binary digits, so that the solution is known
 //! exactly and only the method rounds.
@@ -11,10 +11,10 @@ use std::rc::Rc;
 use measure::Effort;
 use measure::experiment::Experiment;
 
-pub use systems::{from_columns, refined};
+pub use systems::{conditions, from_columns, refined};
 
 pub fn experiments() -> Vec<Experiment<'static>> {
-    vec![vectors::angles(), systems::experiment(), vectors::lengths()]
+    vec![vectors::angles(), systems::experiment()]
 }
 
 /// Random tasks for each value of a parameter.

@@ -7,7 +7,7 @@ use measure::Effort;
 use measure::extremes::greatest;
 use measure::extremes::{Absolute, Bound, Case, Equal, Fails, Holds, Id, Outcome, Protocol, Ulps};
 
-use crate::lab::experiments::{from_columns, refined};
+use crate::lab::experiments::{conditions, from_columns, refined};
 use crate::lab::protocol;
 use crate::{Direction, Mat3x3, Normal3, Point3, Vector3};
 
@@ -88,6 +88,7 @@ fn angle(id: Id, what: &str, [a, b]: [[f64; 3]; 2], exact: f64) -> Case {
     let bound = if exact == 0.0 { Equal } else { Ulps(4.0) };
     let what = format!("angle between {what}");
     Case::new(id, what, exact, bound, a.angle(b))
+        .condition((exact > 0.0).then_some(2.0 / exact))
         .protocol(Fails, protocol::angle_by_arc_cosine(a, b))
 }
 
@@ -118,7 +119,9 @@ fn angles() -> Vec<Case> {
 
 fn solved(id: Id, what: &str, exact: [f64; 3], (m, b): (Mat3x3, Vector3), says: Protocol) -> Case {
     let bound = Ulps(4.0);
-    Case::new(id, what, exact, bound, refined(m, b)).protocol(says, protocol::cramer(m, b))
+    let case = Case::new(id, what, exact, bound, refined(m, b));
+    case.condition(conditions(m, b, vector(exact)).into_iter().reduce(f64::max))
+        .protocol(says, protocol::cramer(m, b))
 }
 
 #[rustfmt::skip]

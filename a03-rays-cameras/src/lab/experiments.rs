@@ -4,7 +4,6 @@
 //! good for one kind may be poor for another. Every pixel's mean has a closed
 //! form, so no reference picture with more samples is needed.
 
-mod adaptive;
 mod coverage;
 mod summation;
 
@@ -33,7 +32,6 @@ pub fn experiments() -> Vec<Experiment<'static>> {
         samples("samples-smooth-shading", "Where should samples lie in a pixel of smooth shading?",
             || (lit, pixels(16, 16, irradiance)),
             [Some(-0.5), Some(-1.0), Some(-1.0), None, None]),
-        adaptive::experiment(),
         summation::experiment(),
     ]
 }

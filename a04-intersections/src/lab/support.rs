@@ -40,6 +40,44 @@ pub fn first(shape: &impl Geometry, ray: &Ray) -> Option<f64> {
     shape.hit(ray, Interval::AHEAD).map(|hit| hit.t)
 }
 
+/// The condition of a hit's `t`: by how many units in its last place it changes, if each number of
+/// ray and surface changes by one. If a surface of the normal `n` is moved by δs and the ray by δo
+/// and δd, the hit moves by `δt = n · (δs - δo - t δd) / (n · d)`. The numbers that move the surface
+/// along each axis add up to `surface`.
+pub fn condition(n: Triple, surface: Triple, [o, d]: &[Triple; 2], t: f64) -> f64 {
+    let moved = |i: usize| n[i].abs() * (surface[i] + o[i].abs() + (t * d[i]).abs());
+    ((0..3).map(moved).sum::<f64>() / (dot(&n, d) * t)).abs()
+}
+
+/// The condition at a hit of a sphere, whose radius moves it along the normal.
+pub fn sphere_condition(c: &Triple, r: f64, line: &[Triple; 2], t: f64) -> f64 {
+    let n = std::array::from_fn(|i| (line[0][i] - c[i] + t * line[1][i]) / r);
+    condition(
+        n,
+        std::array::from_fn(|i| c[i].abs() + r * n[i].abs()),
+        line,
+        t,
+    )
+}
+
+/// The condition at a hit of a triangle, whose corners move it by their shares.
+pub fn triangle_condition(
+    corners: &[Triple; 3],
+    [beta, gamma]: [f64; 2],
+    line: &[Triple; 2],
+    t: f64,
+) -> f64 {
+    let [a, b, c] = corners.map(|corner| vector(corner));
+    let n = (b - a).cross(c - a).to_glam().to_array();
+    let shares = [1.0 - beta - gamma, beta, gamma];
+    let moved = |i: usize| {
+        (0..3)
+            .map(|k: usize| (shares[k] * corners[k][i]).abs())
+            .sum()
+    };
+    condition(n, std::array::from_fn(moved), line, t)
+}
+
 /// `f32` or `f64`, for formulas in either precision.
 pub trait Real: Float + Into<f64> {
     /// The number nearest to a double.

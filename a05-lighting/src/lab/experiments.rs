@@ -15,7 +15,7 @@ use crate::lab::protocol;
 use crate::{DirectionalLight, Lambert, Light, LitWorld, SpotLight};
 
 pub fn experiments() -> Vec<Experiment<'static>> {
-    vec![lambert_phase(), phong::mean(), phong::power(), spot_rim()]
+    vec![lambert_phase(), phong::power(), spot_rim()]
 }
 
 const VIEW: f64 = 2.4;

@@ -171,7 +171,8 @@ fn materials() -> Vec<Case> {
         let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
         let ours = highlight(exponent, Vector3::new(sine, 0.0, cosine), FRONT);
         let what = format!("highlight, cosine {cosine}, exponent {exponent:e}");
-        Case::new(id, what, exact, bound, ours).protocol(says, protocol::highlight(cosine, exponent))
+        let case = Case::new(id, what, exact, bound, ours).condition((cosine > 0.0).then_some(exponent));
+        case.protocol(says, protocol::highlight(cosine, exponent))
     };
     vec![
         power("F14", -0.3, 0.0, Number(0.0), Equal, Fails),

@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use a03_rays_cameras::PixelRandom;
 use common::ArgumentError;
-use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
+use measure::experiment::{Axis, Curve, Deviation, Experiment, Point, Unit};
 
 use crate::lab::extremes::matrices::{off_identity, turn};
 use crate::lab::protocol::Chained;
@@ -59,7 +59,8 @@ fn nesting() -> Experiment<'static> {
                     let steps = Rc::clone(&steps);
                     let build = move || build(&mut steps.iter().cycle().take(*count as usize));
                     let (m, i) = build();
-                    Point::new(*count, products * count, off_identity(m, i), build)
+                    let errors = off_identity(m, i).map(|error| Deviation::new(error, 1.0, 1.0));
+                    Point::new(*count, products * count, errors, build)
                 });
                 Curve::new(method, points)
             };
@@ -94,6 +95,7 @@ fn condition() -> Experiment<'static> {
                     let build = move |[a, b]: &[_; 2]| build(&mut [a, &stretch, b].into_iter());
                     let built = pairs.iter().map(&build);
                     let errors = built.flat_map(|(m, i)| off_identity(m, i));
+                    let errors = errors.map(|error| Deviation::new(error, 1.0, k));
                     let (all, work) = (Rc::clone(&pairs), 3.0 * products * f64::from(count));
                     let run = move || {
                         let built = all.iter().map(&build);

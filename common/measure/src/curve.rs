@@ -4,7 +4,9 @@ use std::hint::black_box;
 use std::ops::RangeInclusive;
 use std::rc::Rc;
 
+use crate::deviation::{Deviation, Problem, rms};
 use crate::experiment::Axis;
+use crate::report::compact;
 
 /// A method at all values of the parameter.
 pub struct Curve<'a> {
@@ -34,7 +36,7 @@ impl<'a> Curve<'a> {
 
     /// A method for sets of tasks, each with its value of the parameter. The work is the
     /// number of tasks; `answer` does one, and `errors` are those of its answer.
-    pub fn of_tasks<T: 'a, A, E: IntoIterator<Item = f64>>(
+    pub fn of_tasks<T: 'a, A, E: IntoIterator<Item: Into<Deviation>>>(
         method: &'a str,
         sets: &[(f64, Rc<[T]>)],
         answer: impl Fn(&T) -> A + Copy + 'a,
@@ -65,9 +67,24 @@ impl<'a> Curve<'a> {
         for point in &mut curve.points {
             // The mean of the squares is the share.
             point.rms *= point.rms;
-            point.max = point.rms;
+            (point.p99, point.max) = (point.rms, point.rms);
         }
         curve
+    }
+
+    /// Whether the problem or the formula is to blame for the errors, where conditions are
+    /// known: beyond ten times the errors of the problem, the formula is.
+    pub(crate) fn blame(&self) -> Option<String> {
+        let points = self.points.iter();
+        let faults = points.filter_map(|point| Some((point.problem?.fault, point.knob)));
+        let (fault, knob) = faults.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some(match fault {
+            ..=10.0 => format!("at most {fault:.2} times condition · ulp: the problem is to blame"),
+            _ => format!(
+                "up to {fault:.0e} times condition · ulp, at {}: the formula is to blame",
+                compact(knob)
+            ),
+        })
     }
 
     /// Adds the slope of theory, if there is one, and the range in which it holds.
@@ -91,8 +108,13 @@ pub struct Point<'a> {
     pub work: f64,
     /// The root mean square error.
     pub rms: f64,
+    /// The least error that 99 of a hundred do not exceed, and the greatest: in units in the
+    /// last place of the exact value, if these are known.
+    pub p99: f64,
     /// The greatest error.
     pub max: f64,
+    /// The errors beside those that the problem itself has, if its condition is known.
+    pub problem: Option<Problem>,
     /// Whether the error is only estimated, by the method itself.
     pub is_estimate: bool,
     /// The work itself, to be timed, without the measurement of the error.
@@ -105,20 +127,21 @@ impl<'a> Point<'a> {
     pub fn new<R>(
         knob: f64,
         work: f64,
-        errors: impl IntoIterator<Item = f64>,
+        errors: impl IntoIterator<Item: Into<Deviation>>,
         mut run: impl FnMut() -> R + 'a,
     ) -> Self {
-        let (mut count, mut squares, mut max) = (0.0, 0.0, 0.0_f64);
-        for error in errors {
-            count += 1.0;
-            squares += error * error;
-            max = max.max(error.abs());
-        }
+        let all: Vec<Deviation> = errors.into_iter().map(Into::into).collect();
+        let mut sizes: Vec<_> = all.iter().map(Deviation::size).collect();
+        sizes.sort_by(f64::total_cmp);
+        let rank = |share: f64| (share * sizes.len() as f64).ceil() as usize;
+        let at = |share| sizes.get(rank(share).saturating_sub(1)).copied();
         Self {
             knob,
             work,
-            rms: (squares / count).sqrt(),
-            max,
+            rms: rms(all.iter().map(|one| one.error)),
+            p99: at(0.99).unwrap_or(f64::NAN),
+            max: at(1.0).unwrap_or(f64::NAN),
+            problem: Problem::of(&all),
             is_estimate: false,
             run: Box::new(move || drop(black_box(run()))),
         }

@@ -9,6 +9,7 @@ use std::fmt;
 
 use crate::Effort;
 pub use crate::curve::{Curve, Point};
+pub use crate::deviation::{Deviation, Problem};
 use crate::fit::Fit;
 
 /// Half a grey level of an 8-bit picture: smaller errors can't be seen.

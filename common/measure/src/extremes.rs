@@ -11,7 +11,7 @@ mod table;
 
 pub use bound::Bound::{self, Absolute, Equal, Ulps};
 pub use case::Protocol::{self, Fails, Holds};
-pub use case::{Case, Id, case};
+pub use case::{Both, Case, Id, case};
 pub use outcome::Outcome::{self, Nothing, Refused};
 pub use outcome::{greatest, tried, wrong};
 pub use table::{check, select};

@@ -13,6 +13,7 @@
 
 pub mod comparison;
 mod curve;
+mod deviation;
 mod effort;
 #[cfg(test)]
 mod example;

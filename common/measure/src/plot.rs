@@ -38,6 +38,8 @@ struct Series<'a> {
     is_estimate: bool,
     /// The points: the ends of an interval with the middle between them, and the error.
     points: Vec<([f64; 3], f64)>,
+    /// The errors of the problem at the same places, where its condition is known.
+    limit: Vec<(f64, f64)>,
 }
 
 /// The plots of an experiment, each with the suffix of its file name: error against
@@ -80,6 +82,8 @@ fn series<'a>(measured: &Measured<'_, 'a>, is_timed: bool) -> Vec<Series<'a>> {
             (if is_timed { [low, value, high] } else { work }, point.rms)
         });
         let points = points.filter(|(x, error)| x[0] > 0.0 && error.is_finite());
+        let limit = curve.points.iter();
+        let limit = limit.filter_map(|p| Some((p.on(experiment.against), p.problem?.error)));
         let fit = experiment.fit(curve);
         let fit = fit.filter(|fit| !is_timed && fit.is_power_law());
         Series {
@@ -87,6 +91,7 @@ fn series<'a>(measured: &Measured<'_, 'a>, is_timed: bool) -> Vec<Series<'a>> {
             remark: fit.map_or(String::new(), |fit| fit.slope_in_words().replace('-', "−")),
             is_estimate: curve.points.iter().any(|point| point.is_estimate),
             points: points.collect(),
+            limit: limit.filter(|_| !is_timed).collect(),
         }
     });
     curves.collect()
@@ -133,7 +138,11 @@ fn draw(measured: &Measured, label: &str, source: &str, mut all: Vec<Series>) ->
     let bottom = if has_zeros { BOTTOM - STRIP } else { BOTTOM };
     let errors = points().map(|(_, error)| *error);
     let errors = errors.filter(|error| *error > 0.0);
-    let y = LogAxis::new(errors.chain(level), (bottom, TOP));
+    let limits = all
+        .iter()
+        .flat_map(|one| &one.limit)
+        .map(|(_, limit)| *limit);
+    let y = LogAxis::new(errors.chain(level).chain(limits), (bottom, TOP));
     let x = LogAxis::new(points().flat_map(|(x, _)| *x), (LEFT, RIGHT));
 
     let mut svg = Svg::new(SIZE, experiment.about);
@@ -164,6 +173,16 @@ fn draw(measured: &Measured, label: &str, source: &str, mut all: Vec<Series>) ->
         names.push((y.at(level), name, remark, "level".to_owned(), None));
     }
     for (index, one) in all.iter().enumerate() {
+        let is_new = all[..index].iter().all(|other| other.limit != one.limit);
+        if let Some((_, last)) = one.limit.last().filter(|_| is_new) {
+            let at = one
+                .limit
+                .iter()
+                .map(|(place, limit)| [x.at(*place), y.at(*limit)]);
+            svg.line("level", &at.collect::<Vec<_>>());
+            let (name, class) = ("condition · ulp", "level".to_owned());
+            names.push((y.at(*last), name, one.name, class, None));
+        }
         let dashes = if one.is_estimate { "estimate" } else { "" };
         let class = format!("curve {} {dashes}", color(index));
         let at = |(x_of, error): &([f64; 3], f64)| [x.at(x_of[1]), height(*error)];

@@ -74,27 +74,36 @@ impl<'e, 'a> Measured<'e, 'a> {
         let e = self.experiment;
         let front = pareto_front(&self.curves);
         let (name, about, unit, exact) = (e.name, e.about, e.unit, e.exact);
-        let mut text = format!("{name}: {about}\n  {} ({unit}), {exact}\n", e.error);
+        let in_ulps = self
+            .curves
+            .iter()
+            .flat_map(|curve| &curve.points)
+            .any(|p| p.problem.is_some());
+        let ulps = if in_ulps { "; 99 % and max in ulp" } else { "" };
+        let mut text = format!("{name}: {about}\n  {} ({unit}), {exact}{ulps}\n", e.error);
         let width = |name: &str, least: usize| name.chars().count().max(least);
         let (k, w) = (width(e.knob, 12), width(e.work, 14));
         let _ = writeln!(
             text,
-            "  {:24} {:>k$} {:>w$}     error       max       time  time / first method",
+            "  {:24} {:>k$} {:>w$}     error      99 %       max condition       time  time / first method",
             "method", e.knob, e.work
         );
         for (c, curve) in self.curves.iter().enumerate() {
             for (p, point) in curve.points.iter().enumerate() {
                 let ratio = self.ratio(c, p).map(|ratio| format!("  {ratio}"));
                 let is_best = e.against == Axis::Work && front[c][p];
+                let condition = point.problem.map(|one| format!("{:.1e}", one.condition));
                 let _ = writeln!(
                     text,
-                    "{} {:24} {:>k$} {:>w$} {:>9.1e} {:>9.1e} {:>10}{}",
+                    "{} {:24} {:>k$} {:>w$} {:>9.1e} {:>9.1e} {:>9.1e} {:>9} {:>10}{}",
                     if is_best { "*" } else { " " },
                     curve.method,
                     compact(point.knob),
                     compact(point.work),
                     point.rms,
+                    point.p99,
                     point.max,
+                    condition.unwrap_or_default(),
                     duration(self.time(c, p).value),
                     ratio.unwrap_or_default(),
                 );
@@ -154,6 +163,7 @@ impl<'e, 'a> Measured<'e, 'a> {
             let unit = self.experiment.work;
             parts.push(format!("1/510 takes {work:.0} {unit}{beyond}"));
         }
+        parts.extend(curve.blame());
         if !is_estimate {
             parts.extend(self.beside_first(c));
         }
@@ -201,19 +211,25 @@ impl<'e, 'a> Measured<'e, 'a> {
         let [knob, work, error] = [e.knob, e.work, e.error].map(quoted);
         let _ = writeln!(
             text,
-            "experiment,method,{knob},{work},{error},max error,seconds,low,high,estimate,pareto"
+            "experiment,method,{knob},{work},{error},99 %,max,condition,problem's error,\
+             seconds,low,high,estimate,pareto"
         );
         let front = pareto_front(&self.curves);
         for (c, curve) in self.curves.iter().enumerate() {
             for (p, point) in curve.points.iter().enumerate() {
                 let Median { low, value, high } = self.time(c, p);
+                let problem = point
+                    .problem
+                    .map(|one| format!("{:e},{:e}", one.condition, one.error));
+                let problem = problem.as_deref().unwrap_or(",");
                 let _ = writeln!(
                     text,
-                    "{name},{},{},{},{:e},{:e},{value:e},{low:e},{high:e},{},{}",
+                    "{name},{},{},{},{:e},{:e},{:e},{problem},{value:e},{low:e},{high:e},{},{}",
                     quoted(curve.method),
                     point.knob,
                     point.work,
                     point.rms,
+                    point.p99,
                     point.max,
                     point.is_estimate,
                     front[c][p],
@@ -258,7 +274,7 @@ fn quoted(field: &str) -> String {
 }
 
 /// A number in few characters.
-fn compact(number: f64) -> String {
+pub(crate) fn compact(number: f64) -> String {
     if number == 0.0 || (1e-3..1e10).contains(&number.abs()) {
         format!("{}", libm::round(number * 1e4) / 1e4)
     } else {

@@ -3,7 +3,7 @@
 use std::array;
 
 use glam::DMat3;
-use measure::experiment::{Axis, Curve, Experiment, Unit};
+use measure::experiment::{Axis, Curve, Deviation, Experiment, Unit};
 
 use super::{WholeNumbers, sets};
 use crate::lab::exact::sum_of_products;
@@ -66,8 +66,7 @@ pub fn experiment() -> Experiment<'static> {
             let steps = [0, 5, 10, 15, 20, 25, 30, 35, 40];
             let sets = sets(3, effort, steps, |bits| libm::scalbn(1.0, bits), task);
             let curve = |method, slope: Option<f64>, solve: fn(Mat3x3, Vector3) -> Vector3| {
-                let error = |(.., exact): &Task, x: Vector3| (x - *exact).to_glam().to_array();
-                let curve = Curve::of_tasks(method, &sets, move |(m, b, _)| solve(*m, *b), error);
+                let curve = Curve::of_tasks(method, &sets, move |(m, b, _)| solve(*m, *b), errors);
                 curve.with_slope(slope, (1e3, 1e12))
             };
             vec![
@@ -81,6 +80,25 @@ pub fn experiment() -> Experiment<'static> {
 
 /// A matrix, a right side, and the solution.
 type Task = (Mat3x3, Vector3, Vector3);
+
+/// The errors of the unknowns.
+fn errors(&(m, b, exact): &Task, x: Vector3) -> [Deviation; 3] {
+    let (conditions, error) = (conditions(m, b, exact), (x - exact).to_glam());
+    let exact = exact.to_glam();
+    array::from_fn(|i| Deviation::new(error[i], exact[i], conditions[i]))
+}
+
+/// The conditions of the unknowns: rounding the numbers of `M x = b` moves `x` by
+/// `|M⁻¹| (|M| |x| + |b|)` roundings (R. D. Skeel, Scaling for Numerical Stability in Gaussian
+/// Elimination, 1979).
+pub fn conditions(m: Mat3x3, b: Vector3, x: Vector3) -> [f64; 3] {
+    let rows = equations(m, b).map(|[x, y, z, _]| [x, y, z]);
+    let (m, x) = (
+        DMat3::from_cols_array_2d(&rows).transpose(),
+        x.to_glam().abs(),
+    );
+    (m.inverse().abs() * (m.abs() * x + b.to_glam().abs()) / x).to_array()
+}
 
 /// Columns of whole numbers below 2^26. The third is the sum of the others plus
 /// numbers that are smaller by a power of two. The right sides are exact sums.

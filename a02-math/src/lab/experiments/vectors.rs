@@ -1,11 +1,10 @@
-//! The angle between two vectors, from large to tiny; and vectors that were halved many
-//! times, brought to length 1.
+//! The angle between two vectors, from large to tiny.
 
-use measure::experiment::{Axis, Curve, Experiment, Unit};
+use measure::experiment::{Axis, Curve, Deviation, Experiment, Unit};
 
 use super::{WholeNumbers, sets};
 use crate::lab::exact::sum_of_products;
-use crate::lab::{extremes::vector, protocol};
+use crate::lab::protocol;
 use crate::{Direction, Vector3};
 
 /// Kahan's formula, with the vectors scaled to equal length (How Futile are Mindless
@@ -61,8 +60,13 @@ pub fn angles() -> Experiment<'static> {
             let curve = |method, slope: f64, angle: fn(Vector3, Vector3) -> f64| {
                 // For smaller angles the arc cosine is 0 or NaN.
                 let error = |(.., exact): &AngleTask, angle: f64| {
-                    let error = angle / exact - 1.0;
-                    [if error.is_nan() { 1.0 } else { error }]
+                    let error = if angle.is_nan() {
+                        *exact
+                    } else {
+                        angle - exact
+                    };
+                    // Each vector turns by its own rounding, whatever the angle is.
+                    [Deviation::new(error, *exact, 2.0 / exact).as_share_of(*exact)]
                 };
                 let curve = Curve::of_tasks(method, &sets, move |(a, b, _)| angle(*a, *b), error);
                 curve.with_slope(slope, (10.0, 1e6))
@@ -72,63 +76,6 @@ pub fn angles() -> Experiment<'static> {
                 curve("arc cosine", 2.0, protocol::angle_by_arc_cosine),
                 curve("Kahan's formula", 1.0, kahan),
                 curve("exact products", 0.0, exact_products),
-            ]
-        })
-}
-
-/// Normalisation that always scales, without the short cut for usual lengths.
-fn always_scaled(v: Vector3) -> Vector3 {
-    let largest = v.to_glam().abs().max_element();
-    let scaled = v.to_glam().map(|x| libm::scalbn(x, -libm::ilogb(largest)));
-    Vector3::from_glam(scaled / scaled.length())
-}
-
-/// Whole numbers whose squares add up to a square: x, y, z and the root.
-const WHOLE: [[f64; 4]; 6] = [
-    [1.0, 2.0, 2.0, 3.0],
-    [2.0, 3.0, 6.0, 7.0],
-    [1.0, 4.0, 8.0, 9.0],
-    [4.0, 4.0, 7.0, 9.0],
-    [2.0, 6.0, 9.0, 11.0],
-    [6.0, 6.0, 7.0, 11.0],
-];
-
-/// A vector and its exact direction.
-type LengthTask = (Vector3, Vector3);
-
-fn length_task(numbers: &mut WholeNumbers, halvings: i32) -> LengthTask {
-    let [x, y, z, length] = WHOLE[numbers.signed(20).abs() as usize % WHOLE.len()];
-    let whole = [x, y, z].map(|x: f64| x.copysign(numbers.signed(1) - 0.5));
-    let halved = whole.map(|x| libm::scalbn(x, -halvings));
-    (vector(halved), vector(whole.map(|x| x / length)))
-}
-
-pub fn lengths() -> Experiment<'static> {
-    Experiment::new("normalise")
-        .asking("How short may a vector be?")
-        .over(Axis::Knob, "halvings of the vector", "vectors")
-        .with_error("rms error of a coordinate of the direction")
-        .with_unit(Unit::Other("length = 1"))
-        .with_exact(
-            "against a quotient of whole numbers; where there is no direction, the error is 1",
-        )
-        .with_seeds(&[2])
-        .with_curves(|effort| {
-            let halvings = [1, 10, 100, 500, 510, 520, 530, 540, 600, 1000];
-            let sets = sets(2, effort, halvings, Into::into, length_task);
-            let curve = |method, normalized: fn(Vector3) -> Vector3| {
-                let error = |(_, exact): &LengthTask, direction: Vector3| {
-                    let error = (direction - *exact).to_glam().to_array();
-                    error.map(|error| if error.is_finite() { error } else { 1.0 })
-                };
-                Curve::of_tasks(method, &sets, move |(v, _)| normalized(*v), error)
-            };
-            // A rounded square, root and quotient.
-            let bound = 2.0 * f64::EPSILON;
-            vec![
-                curve("ours", |v| v.normalized().unwrap_or_default()).with_bound(bound, 0.0..=1e9),
-                curve("divided by its length", protocol::normalized).with_bound(bound, 0.0..=500.0),
-                curve("always scaled", always_scaled),
             ]
         })
 }

@@ -1,7 +1,7 @@
 //! The rounding error of the sum over the samples of a pixel.
 
 use a02_math::lab::exact::sum_with_error;
-use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
+use measure::experiment::{Axis, Curve, Deviation, Experiment, Point, Unit};
 
 /// The sum that keeps the rounding errors in a second number (Neumaier,
 /// Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen, 1974).
@@ -32,7 +32,7 @@ pub fn experiment() -> Experiment<'static> {
             let curve = |method, mean: Mean| {
                 let point = |power| {
                     let n = 10_u32.pow(power);
-                    let errors = channels().map(|x| mean(x, n) - x);
+                    let errors = channels().map(|x| Deviation::new(mean(x, n) - x, x, 1.0));
                     let run = move || channels().map(|x| mean(x, n)).sum::<f64>();
                     Point::new(n.into(), 16.0 * f64::from(n), errors, run)
                 };

@@ -4,10 +4,10 @@ use std::rc::Rc;
 
 use a02_math::{Direction, Point3};
 use a03_rays_cameras::Ray;
-use measure::experiment::{Axis, Curve, Experiment, Unit};
+use measure::experiment::{Axis, Curve, Deviation, Experiment, Unit};
 
 use crate::Triangle;
-use crate::lab::support::{Numbers, arrays, first};
+use crate::lab::support::{Numbers, arrays, first, triangle_condition};
 use crate::lab::{exact, protocol};
 
 /// A triangle and a ray. Half of the rays hit, far from grazing.
@@ -41,13 +41,17 @@ fn needle(n: usize, aspect: f64, rays: usize) -> impl Iterator<Item = Needle> {
 
 /// The relative error of a `t`, if the exact barycentric coordinates are not near 0. A
 /// miss counts as 1.
-pub fn error((triangle, ray): &Needle, found: Option<f64>) -> Option<f64> {
-    let [o, d] = arrays(ray);
+pub fn error((triangle, ray): &Needle, found: Option<f64>) -> Option<Deviation> {
+    let line @ [o, d] = arrays(ray);
     let corners = triangle.corners.map(|corner| corner.to_glam().to_array());
     let [t, beta, gamma] = exact::triangle(&corners, &o, &d);
     let [beta, gamma] = [beta.value(), gamma.value()];
     let least = beta.min(gamma).min(1.0 - beta - gamma);
-    (least > 0.05).then(|| found.map_or(1.0, |found| t.error_of(found) / t.value()))
+    (least > 0.05).then(|| {
+        let error = found.map_or(t.value(), |found| t.error_of(found));
+        let condition = triangle_condition(&corners, [beta, gamma], &line, t.value());
+        Deviation::new(error, t.value(), condition).as_share_of(t.value())
+    })
 }
 
 /// A formula for the distance of the triangle along the ray.

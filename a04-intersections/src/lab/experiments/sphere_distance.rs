@@ -6,10 +6,12 @@ use a02_math::lab::exact::DoubleDouble;
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Unit};
+use measure::experiment::{Axis, Curve, Deviation, Experiment, Unit};
 
 use crate::Sphere;
-use crate::lab::support::{Numbers, Real, arrays, difference, dot, first, point, raw_ray};
+use crate::lab::support::{
+    Numbers, Real, arrays, difference, dot, first, point, raw_ray, sphere_condition,
+};
 use crate::lab::{exact, protocol};
 
 /// A ray towards a sphere: the sphere's centre and radius, and the ray's origin and direction.
@@ -88,13 +90,22 @@ pub fn shots<F: Real>(shots: Shots, knob: f64, rays: usize) -> Rc<[Shot<F>]> {
 
 /// The error of a `t`, except near the rim of the sphere, where rounding of the ray itself
 /// has an effect. A miss counts as 1.
-pub fn error<F: Real>((c, r, o, d): &Shot<F>, found: Option<F>) -> Option<f64> {
+pub fn error<F: Real>((c, r, o, d): &Shot<F>, found: Option<F>) -> Option<Deviation> {
     let [centre, origin, direction] = [c, o, d].map(|triple| triple.map(Into::into));
     let radius = (*r).into();
     let exact = exact::sphere(&centre, radius, &origin, &direction);
     let [near, _] = exact.roots?;
     let counts = exact.distance < 0.9 * radius && near.value() > 0.0;
-    counts.then(|| found.map_or(1.0, |t| near.error_of(t.into())))
+    counts.then(|| {
+        let error = found.map_or(1.0, |t| near.error_of(t.into()));
+        let condition = sphere_condition(&centre, radius, &[origin, direction], near.value());
+        let error = Deviation::new(error, near.value(), condition);
+        if F::epsilon().into() > f64::EPSILON {
+            error.of_singles()
+        } else {
+            error
+        }
+    })
 }
 
 /// The first powers of 8 and their rays.

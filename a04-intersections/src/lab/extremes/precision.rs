@@ -5,11 +5,10 @@ use a02_math::{Direction, Normal3, Point3};
 use a03_rays_cameras::Ray;
 use common::Error;
 use measure::Effort;
-use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Outcome, Protocol};
+use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Outcome};
 use measure::extremes::{case, greatest, wrong};
 
 use super::EPSILON;
-use crate::lab::experiments::needle::{self, CRAMER, error, needles};
 use crate::lab::experiments::sphere_distance::{FROM_AFAR, Formula, OURS, Shot, shots, stable};
 use crate::lab::protocol::Compared;
 use crate::lab::support::{Numbers, Real, Triple, any_ray, arrays, first, point};
@@ -50,20 +49,6 @@ fn plane(id: Id, anchor: f64, rays: usize) -> Case {
     let ours = errors(&|a, n, ray| first(&Plane::new(a, n).ok()?, ray));
     let what = format!("{rays} rays at a plane whose point is {anchor:e} away: error in roundings");
     Case::new(id, what, 0.0, Absolute(2.0), ours).protocol(Holds, errors(&protocol::plane))
-}
-
-/// The median of the relative errors of `t`.
-fn needle(id: Id, aspect: f64, rays: usize, bound: f64, says: Protocol) -> Case {
-    let needles = needles(aspect, rays);
-    let median = |formula: needle::Formula| {
-        let error = |needle| error(needle, formula(needle));
-        let errors = needles.iter().filter_map(error);
-        let mut errors: Vec<_> = errors.map(f64::abs).collect();
-        errors.sort_by(f64::total_cmp);
-        errors[errors.len() / 2]
-    };
-    let what = format!("{rays} rays at triangles of aspect {aspect:e}: median relative error of t");
-    Case::new(id, what, 0.0, Absolute(bound), median(needle::OURS)).protocol(says, median(CRAMER))
 }
 
 /// Coordinates are multiples of this: they are exact after a translation by 2^30.
@@ -129,7 +114,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     let moved = (1.0, libm::scalbn(1.0, 30));
     let scales = (-300..=300).step_by(50).map(|power| libm::scalbn(1.0, power));
     let scaled: Vec<_> = scales.map(|scale| (scale, 0.0)).collect();
-    let (rays, needles) = (effort.choose(1000, 3000), effort.choose(1024, 4096));
+    let rays = effort.choose(1000, 3000);
     let [double, single] = [effort.choose(1000, 4000), effort.choose(2000, 20_000)];
     let doubles = [OURS, protocol::sphere].map(|formula| wrong_hits(1e8, double, formula));
     let singles = [stable, protocol::sphere].map(|formula: Formula<f32>| wrong_hits(1e3, single, formula));
@@ -147,8 +132,5 @@ pub fn cases(effort: Effort) -> Vec<Case> {
         plane("S16a", 1.0, rays),
         plane("S16b", 1e6, rays),
         plane("S16c", 1e12, rays),
-        needle("S17a", 1.0, needles, 1e-15, Holds),
-        needle("S17b", 1e4, needles, 1e-14, Fails),
-        needle("S17c", 1e8, needles, 1e-10, Fails),
     ]
 }

@@ -3,13 +3,15 @@
 use a02_math::{Direction, Normal3, Point3};
 use common::{ArgumentError, Color};
 use measure::Effort;
-use measure::extremes::{Absolute, Bound, Case, Equal, Fails, Holds, Id, Outcome, Ulps};
+use measure::extremes::{Absolute, Both, Bound, Case, Equal, Fails, Holds, Id, Outcome, Ulps};
 use measure::extremes::{case, greatest, tried};
 
 use super::{EPSILON, MISS, REFUSED, meeting};
 use crate::lab::experiments::sphere_distance::{AT_GROUND, OURS, error, shots};
 use crate::lab::protocol;
-use crate::lab::support::{Line, Triple, any_ray, arrays, first, point, raw_ray, unit_ray, vector};
+use crate::lab::support::{
+    Line, Triple, any_ray, arrays, first, point, raw_ray, sphere_condition, unit_ray, vector,
+};
 use crate::{Geometry, Interval, Sphere, World};
 
 /// Centre and radius.
@@ -25,10 +27,12 @@ fn stable(length: f64, cos: f64) -> Bound {
 }
 
 /// The first hit of a sphere, by our formula and by the protocol's.
-fn met((c, r): Ball, line: Line) -> [Outcome; 2] {
-    let [o, d] = arrays(&any_ray(line));
+fn met((c, r): Ball, line: Line) -> Both {
+    let ours = meeting(Sphere::new(point(c), r), line);
+    let line @ [o, d] = arrays(&any_ray(line));
+    let condition = |t: &f64| sphere_condition(&c, r, &line, *t);
     let theirs = protocol::sphere(&c, r, &o, &d);
-    [meeting(Sphere::new(point(c), r), line), theirs.into()]
+    Both([ours, theirs.into()], ours.numbers().first().map(condition))
 }
 
 /// The unit sphere from 3 away along a direction of another length: distances.
@@ -55,7 +59,7 @@ fn off_ground(radius: f64, count: usize) -> [Outcome; 2] {
     let shots = shots(AT_GROUND, radius, count);
     [OURS, protocol::sphere].map(|formula| {
         let off = |shot @ (c, r, o, d): &_| error(shot, formula(c, *r, o, d));
-        greatest(shots.iter().filter_map(off)).into()
+        greatest(shots.iter().filter_map(off).map(|off| off.error)).into()
     })
 }
 

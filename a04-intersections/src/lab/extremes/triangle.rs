@@ -3,12 +3,15 @@
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
 use common::ArgumentError;
-use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Outcome, Ulps};
+use measure::extremes::{Absolute, Both, Case, Equal, Fails, Holds, Ulps};
 use measure::extremes::{case, tried, wrong};
 
 use super::{MISS, REFUSED, meeting};
+use crate::lab::exact::{self, DoubleDouble};
 use crate::lab::protocol;
-use crate::lab::support::{Line, Numbers, Triple, any_ray, first, point, raw_ray, unit_ray};
+use crate::lab::support::{
+    Line, Numbers, Triple, any_ray, arrays, first, point, raw_ray, triangle_condition, unit_ray,
+};
 use crate::{Geometry, Interval, Triangle};
 
 type Corners = [Triple; 3];
@@ -25,13 +28,18 @@ fn triangle(corners: Corners) -> Result<Triangle, ArgumentError> {
 }
 
 /// The first hit of a triangle, by our formula and by the protocol's.
-fn met(corners: Corners, line: Line) -> [Outcome; 2] {
-    let theirs = protocol::triangle(&corners.map(point), &any_ray(line));
-    [meeting(triangle(corners), line), theirs.into()]
+fn met(corners: Corners, line: Line) -> Both {
+    let ours = meeting(triangle(corners), line);
+    let ray = any_ray(line);
+    let theirs = protocol::triangle(&corners.map(point), &ray);
+    let line @ [o, d] = arrays(&ray);
+    let [_, beta, gamma] = exact::triangle(&corners, &o, &d).map(DoubleDouble::value);
+    let condition = |t: &f64| triangle_condition(&corners, [beta, gamma], &line, *t);
+    Both([ours, theirs.into()], ours.numbers().first().map(condition))
 }
 
 /// A triangle of this size, seen from the same distance, at β = γ = 1/4.
-fn sized(size: f64) -> [Outcome; 2] {
+fn sized(size: f64) -> Both {
     let corners = [[0.0; 3], [size, 0.0, 0.0], [0.0, size, 0.0]];
     met(corners, ([0.25 * size, 0.25 * size, size], DOWN))
 }
@@ -68,7 +76,7 @@ pub fn cases() -> Vec<Case> {
     let raw = protocol::triangle(&HALF.map(point), &raw_ray(long));
     // Whether the ray hits the one and the other of two neighbours as it should.
     let neighbours = |pair: [Corners; 2], line, right: fn([bool; 2]) -> bool| {
-        let hits = pair.map(|corners| met(corners, line).map(|outcome| outcome != MISS));
+        let hits = pair.map(|corners| met(corners, line).0.map(|outcome| outcome != MISS));
         [0, 1].map(|by| right(hits.map(|hits| hits[by])).into())
     };
     // The mean of three normals is shorter than each of them.
@@ -85,7 +93,7 @@ pub fn cases() -> Vec<Case> {
         let beta = numbers.between(0.01, 0.98);
         (beta, numbers.between(0.005, 0.99 - beta))
     });
-    let is_met = |&(x, y): &(f64, f64)| met(HALF, at(x, y))[0] == 1.0.into();
+    let is_met = |&(x, y): &(f64, f64)| met(HALF, at(x, y)).0[0] == 1.0.into();
     let by_the_text = points.clone().filter(|(x, y)| protocol::is_inside_by_the_text(*x, *y));
     vec![
         case("D01", "at corner a", met(HALF, at(0.0, 0.0)), 1.0, Equal, Fails),

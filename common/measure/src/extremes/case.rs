@@ -17,6 +17,7 @@ pub struct Case {
     pub what: String,
     exact: Outcome,
     bound: Bound,
+    condition: Option<f64>,
     protocol: Option<(Outcome, Protocol)>,
     ours: Outcome,
 }
@@ -47,6 +48,7 @@ impl Case {
             exact,
             // Nothing else has a distance.
             bound: if has_bound { bound } else { Bound::Equal },
+            condition: None,
             protocol: None,
             ours: ours.into(),
         }
@@ -57,6 +59,12 @@ impl Case {
         let refused = [Outcome::Refused; 2];
         let both = counts.map_or(refused, |counts| counts.map(Outcome::from));
         case(id, what, both, 0.0, Bound::Equal, Protocol::Fails)
+    }
+
+    /// Adds the condition of the problem: by how many units in its last place the exact number
+    /// changes, if each given number changes by one.
+    pub fn condition(self, condition: Option<f64>) -> Self {
+        Self { condition, ..self }
     }
 
     /// Adds the outcome of the protocol's formula.
@@ -75,17 +83,28 @@ impl Case {
     }
 }
 
+/// Our outcome and the protocol's, and the condition of the problem, if it is known.
+pub struct Both(pub [Outcome; 2], pub Option<f64>);
+
+impl From<[Outcome; 2]> for Both {
+    fn from(both: [Outcome; 2]) -> Self {
+        Self(both, None)
+    }
+}
+
 /// A row that compares our outcome and the outcome of the protocol's formula with an `exact`
 /// one from elsewhere.
 pub fn case(
     id: Id,
     what: impl Into<String>,
-    [ours, theirs]: [Outcome; 2],
+    both: impl Into<Both>,
     exact: impl Into<Outcome>,
     bound: Bound,
     says: Protocol,
 ) -> Case {
-    Case::new(id, what, exact, bound, ours).protocol(says, theirs)
+    let Both([ours, theirs], condition) = both.into();
+    let case = Case::new(id, what, exact, bound, ours).protocol(says, theirs);
+    case.condition(condition)
 }
 
 impl fmt::Display for Case {
@@ -93,7 +112,11 @@ impl fmt::Display for Case {
         let (exact, ours, bound) = (self.exact, self.ours, self.bound);
         let verdict = if self.holds() { "ok" } else { "FAILED" };
         writeln!(f, "{}  {verdict:6}  {}", self.id, self.what)?;
-        writeln!(f, "     exact     {exact}   (bound: {bound})")?;
+        write!(f, "     exact     {exact}   (bound: {bound}")?;
+        if let Some(condition) = self.condition.filter(|_| !exact.numbers().is_empty()) {
+            write!(f, "; condition: {condition:.1e}")?;
+        }
+        writeln!(f, ")")?;
         if let Some((theirs, says)) = self.protocol {
             let says = match says {
                 Protocol::Holds => "",

@@ -21,7 +21,7 @@ pub enum Outcome {
 
 impl Outcome {
     /// Its numbers, if it has any.
-    pub(super) fn numbers(&self) -> &[f64] {
+    pub fn numbers(&self) -> &[f64] {
         match self {
             Self::Number(number) => slice::from_ref(number),
             Self::Triple(numbers) => numbers,

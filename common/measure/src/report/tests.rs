@@ -38,12 +38,12 @@ fn remarks_are_computed_from_errors_and_times() {
     let rows = "\
 square-root: Is the error one over the square root?
   rms error (white = 1), against 0
-  method                              n          steps     error       max       time  time / first method
-  a < b                              10             10    5.0e-1    5.0e-1      2.0ms
-  a < b                              20             20    2.5e-1    2.5e-1      4.0ms
-* clever, new                        10             10    1.0e-1    1.0e-1      1.0ms  0.50 (0.50-0.50)
-  clever, new                        20             20    5.0e-1    5.0e-1      4.0ms  no difference beyond 34 %
-  clever, new                        30             30    5.0e-1    5.0e-1       3.0s
+  method                              n          steps     error      99 %       max condition       time  time / first method
+  a < b                              10             10    5.0e-1    5.0e-1    5.0e-1                2.0ms
+  a < b                              20             20    2.5e-1    2.5e-1    2.5e-1                4.0ms
+* clever, new                        10             10    1.0e-1    1.0e-1    1.0e-1                1.0ms  0.50 (0.50-0.50)
+  clever, new                        20             20    5.0e-1    5.0e-1    5.0e-1                4.0ms  no difference beyond 34 %
+  clever, new                        30             30    5.0e-1    5.0e-1    5.0e-1                 3.0s
 ";
     let table = measured(&experiment).table();
     assert!(table.starts_with(rows), "{table}");
@@ -67,12 +67,12 @@ fn csv_has_all_digits_below_its_origin_and_is_written_with_plots() {
         assert!(csv.contains(&format!("\n# {name}")), "{name}: {csv}");
     }
     let table = "\
-experiment,method,n,steps,rms error,max error,seconds,low,high,estimate,pareto
-square-root,a < b,10,10,5e-1,5e-1,2e-3,2e-3,3e-3,false,false
-square-root,a < b,20,20,2.5e-1,2.5e-1,4e-3,4e-3,6e-3,false,false
-square-root,\"clever, new\",10,10,1e-1,1e-1,1e-3,1e-3,1.5e-3,false,true
-square-root,\"clever, new\",20,20,5e-1,5e-1,4e-3,3e-3,7.5e-3,false,false
-square-root,\"clever, new\",30,30,5e-1,5e-1,3e0,3e0,4.5e0,false,false
+experiment,method,n,steps,rms error,99 %,max,condition,problem's error,seconds,low,high,estimate,pareto
+square-root,a < b,10,10,5e-1,5e-1,5e-1,,,2e-3,2e-3,3e-3,false,false
+square-root,a < b,20,20,2.5e-1,2.5e-1,2.5e-1,,,4e-3,4e-3,6e-3,false,false
+square-root,\"clever, new\",10,10,1e-1,1e-1,1e-1,,,1e-3,1e-3,1.5e-3,false,true
+square-root,\"clever, new\",20,20,5e-1,5e-1,5e-1,,,4e-3,3e-3,7.5e-3,false,false
+square-root,\"clever, new\",30,30,5e-1,5e-1,5e-1,,,3e0,3e0,4.5e0,false,false
 ";
     assert!(csv.ends_with(table), "{csv}");
 
