@@ -30,6 +30,7 @@ pub fn stage() -> Stage {
         ],
         experiments,
         extremes: |_| Vec::new(),
+        search: None,
         open: None,
     }
 }

@@ -20,6 +20,7 @@ pub fn stage() -> Stage {
         )],
         experiments: experiments::experiments,
         extremes: extremes::cases,
+        search: None,
         open: None,
     }
 }

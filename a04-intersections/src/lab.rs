@@ -9,5 +9,6 @@ pub mod exact;
 pub mod experiments;
 pub mod extremes;
 pub mod protocol;
+pub mod search;
 pub mod support;
 pub mod watched;

@@ -6,7 +6,7 @@ use common::Color;
 use common::steps;
 use measure::Stage;
 
-use crate::lab::{experiments, extremes, watched};
+use crate::lab::{experiments, extremes, search, watched};
 use crate::scenes::{scene_1, scene_2, scene_3, scene_4, scene_5, scene_6};
 use crate::{Interval, World, fast};
 
@@ -43,6 +43,7 @@ pub fn stage() -> Stage {
         scenes: scenes().map(Into::into).into(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
+        search: Some(search::search),
         open: Some(|path| from_file::scene(path, 4, crate::from_file::view)),
     }
 }

@@ -38,6 +38,7 @@ pub fn stage() -> Stage {
         scenes: vec![scene.into()],
         experiments: Vec::new,
         extremes: |_| Vec::new(),
+        search: None,
         open: None,
     }
 }

@@ -37,6 +37,7 @@ pub fn stage() -> Stage {
         scenes: scenes().map(Into::into).into(),
         experiments: experiments::experiments,
         extremes: extremes::cases,
+        search: None,
         open: Some(|path| from_file::scene(path, 7, crate::from_file::view)),
     }
 }

@@ -46,6 +46,7 @@ fn program_of_long_renderings() {
         ],
         experiments: Vec::new,
         extremes: |_| Vec::new(),
+        search: None,
         open: None,
     };
     let line = ["stage", "--threads", "1"].map(Into::into);

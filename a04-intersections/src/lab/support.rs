@@ -36,7 +36,7 @@ pub fn arrays(ray: &Ray) -> [Triple; 2] {
 }
 
 /// The `t` of a ray's nearest hit of a shape.
-pub fn first(shape: &impl Geometry, ray: &Ray) -> Option<f64> {
+pub fn first(shape: &(impl Geometry + ?Sized), ray: &Ray) -> Option<f64> {
     shape.hit(ray, Interval::AHEAD).map(|hit| hit.t)
 }
 
@@ -44,7 +44,7 @@ pub fn first(shape: &impl Geometry, ray: &Ray) -> Option<f64> {
 /// ray and surface changes by one. If a surface of the normal `n` is moved by δs and the ray by δo
 /// and δd, the hit moves by `δt = n · (δs - δo - t δd) / (n · d)`. The numbers that move the surface
 /// along each axis add up to `surface`.
-pub fn condition(n: Triple, surface: Triple, [o, d]: &[Triple; 2], t: f64) -> f64 {
+fn condition(n: Triple, surface: Triple, [o, d]: &[Triple; 2], t: f64) -> f64 {
     let moved = |i: usize| n[i].abs() * (surface[i] + o[i].abs() + (t * d[i]).abs());
     ((0..3).map(moved).sum::<f64>() / (dot(&n, d) * t)).abs()
 }
@@ -60,6 +60,12 @@ pub fn sphere_condition(c: &Triple, r: f64, line: &[Triple; 2], t: f64) -> f64 {
     )
 }
 
+/// The condition at a hit of a plane, which its normal turns around its point.
+pub fn plane_condition(a: &Triple, n: Triple, line @ [o, d]: &[Triple; 2], t: f64) -> f64 {
+    let moved = |i: usize| a[i].abs() + (o[i] + t * d[i] - a[i]).abs();
+    condition(n, std::array::from_fn(moved), line, t)
+}
+
 /// The condition at a hit of a triangle, whose corners move it by their shares.
 pub fn triangle_condition(
     corners: &[Triple; 3],
@@ -67,7 +73,7 @@ pub fn triangle_condition(
     line: &[Triple; 2],
     t: f64,
 ) -> f64 {
-    let [a, b, c] = corners.map(|corner| vector(corner));
+    let [a, b, c] = corners.map(vector);
     let n = (b - a).cross(c - a).to_glam().to_array();
     let shares = [1.0 - beta - gamma, beta, gamma];
     let moved = |i: usize| {

@@ -4,6 +4,8 @@
 use std::f64::consts::FRAC_PI_4;
 use std::{fmt, iter};
 
+use a04_intersections::lab::search::Subject;
+
 use crate::prelude::*;
 
 pub type Shape = Box<dyn Geometry>;
@@ -229,6 +231,15 @@ pub fn scene(
         let black = World::new(world.background())?;
         let world = black.with(shape?, color.unwrap_or(Color::WHITE));
         render(&camera, |ray: &Ray| world.color_for(ray), settings, &())
+    });
+}
+
+/// Remarks the worst ray and shape for the student's formula, whose shape some numbers describe.
+pub fn search(check: &mut Check, name: &str, yours: &dyn Fn(&[f64]) -> Made<Shape>) {
+    check.remark(|| {
+        let subject = Subject::named(name)?;
+        let t = |x: &[f64], ray: &Ray| Some(yours(x).ok()?.hit(ray, Interval::AHEAD)?.t);
+        Ok(subject.in_words("your formula", &subject.worst(&t)))
     });
 }
 

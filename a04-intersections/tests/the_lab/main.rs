@@ -6,6 +6,7 @@ use a03_rays_cameras::View;
 use a04_intersections::lab::certified::{decide, geometry, picture};
 use a04_intersections::lab::exact::{DoubleDouble as Number, plane, sphere, triangle};
 use a04_intersections::lab::experiments::sphere_distance::{FROM_AFAR, OURS, shots, stable};
+use a04_intersections::lab::search::Subject;
 use a04_intersections::{scenes, watched};
 
 testing::check_lab! { a04_intersections::stage() }
@@ -20,6 +21,18 @@ fn the_stable_formula_is_that_of_the_renderer() {
     });
     let hits = hits.count();
     assert!((600..800).contains(&hits), "{hits}");
+}
+
+/// The search finds the protocol's cancelling discriminant, and no fault of ours: a handful of
+/// roundings lie between the given numbers and `t`.
+#[test]
+fn the_worst_inputs_are_found() {
+    for (name, least) in [("sphere", 1e6), ("plane", 1.0)] {
+        let subject = Subject::named(name).unwrap();
+        assert!(subject.worst(&subject.protocol).error > least, "{name}");
+        let ours = subject.worst(&|x, ray| subject.lesson(x, ray));
+        assert!(ours.error < 8.0 && ours.wrong.is_none(), "{name}: {ours:?}");
+    }
 }
 
 /// The nearest double of the exact value, and the nearest double of the rest, by mpmath.

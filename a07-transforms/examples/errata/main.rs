@@ -39,6 +39,7 @@ pub fn stage() -> Stage {
         ],
         experiments: Vec::new,
         extremes: |_| Vec::new(),
+        search: None,
         open: None,
     }
 }

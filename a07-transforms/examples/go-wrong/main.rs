@@ -24,6 +24,7 @@ pub fn stage() -> Stage {
         scenes: vec![lift(), gamma(), cracks()],
         experiments: Vec::new,
         extremes: |_| Vec::new(),
+        search: None,
         open: None,
     }
 }

@@ -34,6 +34,12 @@ impl Deviation {
         self
     }
 
+    /// The error in multiples of condition times ulp; infinite for NaN.
+    pub fn fault(&self) -> f64 {
+        let fault = self.size() / self.condition;
+        if fault.is_nan() { f64::INFINITY } else { fault }
+    }
+
     /// Its magnitude: in units in the last place, if these are known.
     pub(crate) fn size(&self) -> f64 {
         let unit = if self.ulp.is_nan() { 1.0 } else { self.ulp };
@@ -72,7 +78,7 @@ impl Problem {
         (is_known && !all.is_empty()).then(|| Self {
             condition: greatest(|one| one.condition),
             error: rms(all.iter().map(|one| one.condition * one.ulp)),
-            fault: greatest(|one| one.size() / one.condition),
+            fault: greatest(Deviation::fault),
         })
     }
 }

@@ -23,6 +23,8 @@ pub struct Stage {
     pub experiments: fn() -> Vec<Experiment<'static>>,
     /// The stiff and extreme cases.
     pub extremes: fn(Effort) -> Vec<Case>,
+    /// Searches for the worst input of the formulas of a shape, and returns it in words.
+    pub search: Option<fn(&str) -> Result<String, Error>>,
     /// Opens a scene file, if the stage knows any.
     pub open: Option<OpenScene>,
 }

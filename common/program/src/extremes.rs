@@ -28,6 +28,12 @@ pub fn show_extremes(stage: &Stage, names: &[String]) -> Result<(), Error> {
     Ok(())
 }
 
+/// Prints the worst inputs of the formulas of a shape.
+pub fn show_worst(stage: &Stage, shape: &str) -> Result<(), Error> {
+    let none = || Error::Usage(format!("{} searches no shapes; stage 4 does", stage.name));
+    print(&stage.search.ok_or_else(none)?(shape)?)
+}
+
 #[cfg(test)]
 mod tests {
     use measure::extremes::{Bound, Case};

@@ -116,6 +116,10 @@ pub enum Command {
     Extremes {
         /// Beginnings of ids, such as A or A01 [default: all]
         names: Vec<String>,
+
+        /// Search for the worst input of a shape's formulas, and print it as a test in Rust
+        #[arg(long, value_name = "SHAPE", conflicts_with = "names")]
+        search: Option<String>,
     },
 }
 

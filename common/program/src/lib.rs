@@ -38,6 +38,7 @@ fn stage_of(scenes: Vec<common::Scene>) -> measure::Stage {
         scenes,
         experiments: Vec::new,
         extremes: |_| Vec::new(),
+        search: None,
         open: None,
     }
 }

@@ -121,7 +121,10 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
             quick,
             output,
         }) => crate::report::report(stage, &names, quick, output),
-        Some(Command::Extremes { names }) => extremes::show_extremes(stage, &names),
+        Some(Command::Extremes { names, search }) => match search {
+            Some(shape) => extremes::show_worst(stage, &shape),
+            None => extremes::show_extremes(stage, &names),
+        },
     }
 }
 

@@ -156,6 +156,7 @@ fn stage() -> Stage {
             .into(),
         experiments: Vec::new,
         extremes: |_| vec![Case::new("A01", "a number", 1.0, Bound::Equal, 1.0)],
+        search: None,
         open: None,
     }
 }

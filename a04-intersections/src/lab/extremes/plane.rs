@@ -10,7 +10,7 @@ use measure::extremes::{Both, Case, case, wrong};
 use super::{EPSILON, MISS, REFUSED, meeting};
 use crate::lab::protocol;
 use crate::lab::support::{
-    Line, Numbers, Triple, any_ray, arrays, condition, first, point, raw_ray, vector,
+    Line, Numbers, Triple, any_ray, arrays, first, plane_condition, point, raw_ray, vector,
 };
 use crate::{Geometry, Interval, Plane};
 
@@ -18,16 +18,12 @@ const UP: Triple = [0.0, 1.0, 0.0];
 
 /// The first hit of a plane, by our formula and by the protocol's.
 fn met((a, n): (Triple, Triple), line: Line) -> Both {
-    let ([o, d], origin) = (arrays(&any_ray(line)), a);
-    let (a, n) = (point(a), vector(n).as_normal());
+    let (origin, a, n) = (a, point(a), vector(n).as_normal());
     // The protocol also normalises, except where its formula fails.
     let unit = n.normalized().unwrap_or(n);
     let theirs = protocol::plane(a, unit, &any_ray(line));
-    let ours = meeting(Plane::new(a, n), line);
-    // Roundings of the normal turn the plane around its point.
-    let moved = |t: f64, i: usize| origin[i].abs() + (o[i] + t * d[i] - origin[i]).abs();
-    let unit = unit.to_glam().to_array();
-    let condition = |t: &f64| condition(unit, std::array::from_fn(|i| moved(*t, i)), &[o, d], *t);
+    let (ours, unit) = (meeting(Plane::new(a, n), line), unit.to_glam().to_array());
+    let condition = |t: &f64| plane_condition(&origin, unit, &arrays(&any_ray(line)), *t);
     Both([ours, theirs.into()], ours.numbers().first().map(condition))
 }
 

@@ -174,6 +174,15 @@ impl Check {
         self.conclude(wrong.map(|wrong| format!("the picture of scene {name}: {wrong}")));
     }
 
+    /// Adds a remark on code that is right, if somebody looks at it.
+    pub fn remark(&mut self, remark: impl FnOnce() -> Result<String, Error>) {
+        if self.is_watched && self.differ == 0 {
+            let remark = remark().unwrap_or_else(|error| error.to_string());
+            let notes = self.note.take().into_iter().chain([remark]);
+            self.note = Some(notes.collect::<Vec<_>>().join("\n"));
+        }
+    }
+
     /// Paints a small picture with the student's code, if somebody looks at it.
     pub fn picture(&mut self, paint: impl FnOnce(&Settings) -> Result<Image, Error>) {
         if !self.is_watched {

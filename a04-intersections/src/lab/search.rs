@@ -1,0 +1,235 @@
+//! `search`: looks for the ray and the shape at which a formula is worst.
+//!
+//! Half of the inputs are random bit patterns; each of the others changes a number of the worst
+//! input so far, a climb. Errors count in multiples of condition times ulp, so that the search
+//! finds faults of the formula and no hard problems. Interval arithmetic proves decisions wrong.
+
+use a03_rays_cameras::Ray;
+use common::Error;
+use measure::experiment::Deviation;
+
+use super::exact::{self, DoubleDouble};
+use super::support::{
+    Numbers, Triple, arrays, first, plane_condition, point, sphere_condition, triangle_condition,
+    vector,
+};
+use super::{certified, protocol};
+use crate::{Geometry, Interval, Plane, Sphere, Triangle};
+
+/// A shape that some numbers describe.
+pub struct Subject {
+    name: &'static str,
+    /// Its constructor in Rust, with `#` in the place of each number.
+    written: &'static str,
+    make: fn(&[f64]) -> Option<Box<dyn Geometry>>,
+    /// The point near the shape that three numbers, mostly from -1 to 1, stand for.
+    aim: fn(&[f64], &[f64]) -> Triple,
+    /// The `t` of a hit with 30 digits, and its condition.
+    exact: fn(&[f64], &[Triple; 2]) -> Option<(DoubleDouble, f64)>,
+    pub protocol: fn(&[f64], &Ray) -> Option<f64>,
+}
+
+const SUBJECTS: [Subject; 3] = [
+    Subject {
+        name: "sphere",
+        written: "Sphere::new(Point3::new(#, #, #), #)",
+        make: |x| Some(Box::new(Sphere::new(point(triple(x)), x[3]).ok()?)),
+        aim: |x, aim| std::array::from_fn(|i| x[i] + x[3] * aim[i]),
+        exact: |x, line @ [o, d]| {
+            let roots = exact::sphere(&triple(x), x[3], o, d).roots?;
+            let t = roots.into_iter().find(|t| t.value() > 0.0)?;
+            Some((t, sphere_condition(&triple(x), x[3], line, t.value())))
+        },
+        protocol: |x, ray| {
+            let [o, d] = arrays(ray);
+            protocol::sphere(&triple(x), x[3], &o, &d)
+        },
+    },
+    Subject {
+        name: "plane",
+        written: "Plane::new(Point3::new(#, #, #), Normal3::new(#, #, #))",
+        make: |x| Some(Box::new(plane(x)?)),
+        aim: |x, aim| std::array::from_fn(|i| x[i] + aim[i]),
+        exact: |x, line @ [o, d]| {
+            let n = plane(x)?.normal().to_glam().to_array();
+            let t = exact::plane(&triple(x), &n, o, d);
+            Some((t, plane_condition(&triple(x), n, line, t.value())))
+        },
+        protocol: |x, ray| protocol::plane(point(triple(x)), plane(x)?.normal(), ray),
+    },
+    Subject {
+        name: "triangle",
+        written: "Triangle::new(Point3::new(#, #, #), Point3::new(#, #, #), Point3::new(#, #, #))",
+        make: |x| {
+            let [a, b, c] = corners(x).map(point);
+            Some(Box::new(Triangle::new(a, b, c).ok()?))
+        },
+        aim: |x, aim| {
+            let [a, b, c] = corners(x);
+            std::array::from_fn(|i| a[i] + (b[i] - a[i]) * aim[0] + (c[i] - a[i]) * aim[1])
+        },
+        exact: |x, line @ [o, d]| {
+            let [t, beta, gamma] = exact::triangle(&corners(x), o, d);
+            let shares = [beta.value(), gamma.value()];
+            Some((t, triangle_condition(&corners(x), shares, line, t.value())))
+        },
+        protocol: |x, ray| protocol::triangle(&corners(x).map(point), ray),
+    },
+];
+
+fn triple(x: &[f64]) -> Triple {
+    [x[0], x[1], x[2]]
+}
+
+fn corners(x: &[f64]) -> [Triple; 3] {
+    [0, 3, 6].map(|corner| triple(&x[corner..]))
+}
+
+fn plane(x: &[f64]) -> Option<Plane> {
+    Plane::new(point(triple(x)), vector(triple(&x[3..])).as_normal()).ok()
+}
+
+/// The worst input of a formula, with its error in multiples of condition times ulp; and the first
+/// input at which it hits or misses wrongly. The last six numbers are the ray's.
+#[derive(Debug, Default)]
+pub struct Worst {
+    pub error: f64,
+    pub input: Vec<f64>,
+    pub wrong: Option<Vec<f64>>,
+}
+
+/// The number of inputs of a search.
+const INPUTS: usize = 200_000;
+
+impl Subject {
+    /// The shape of this name.
+    pub fn named(name: &str) -> Result<&'static Self, Error> {
+        let found = SUBJECTS.iter().find(|subject| subject.name == name);
+        let names = || SUBJECTS.map(|subject| subject.name).join(", ");
+        let none = || format!("no shape \"{name}\" is searched; there are {}", names());
+        found.ok_or_else(|| Error::Usage(none()))
+    }
+
+    fn numbers(&self) -> usize {
+        self.written.matches('#').count()
+    }
+
+    /// The worst input of a formula for the `t` of the nearest hit.
+    pub fn worst(&self, formula: &dyn Fn(&[f64], &Ray) -> Option<f64>) -> Worst {
+        let (mut numbers, mut worst) = (Numbers::new(71, 0), Worst::default());
+        for n in 0..INPUTS {
+            let mut input: Vec<_> = (0..self.numbers() + 6)
+                .map(|_| bits(&mut numbers))
+                .collect();
+            let aim = self.numbers() + 3;
+            (aim..aim + 3).for_each(|i| input[i] = numbers.between(-1.0, 1.0));
+            if n > INPUTS / 2 && !worst.input.is_empty() {
+                let changed = numbers.below(input.len());
+                let random = std::mem::replace(&mut input, worst.input.clone())[changed];
+                let size = libm::exp2(numbers.between(-50.0, 0.0));
+                let near = input[changed] * (1.0 + size * numbers.between(-1.0, 1.0));
+                input[changed] = if numbers.below(8) == 0 { random } else { near };
+            }
+            match self.error(formula, &input) {
+                Some(f64::INFINITY) => drop(worst.wrong.get_or_insert(input)),
+                Some(error) if error > worst.error => (worst.error, worst.input) = (error, input),
+                _ => {}
+            }
+        }
+        worst
+    }
+
+    fn ray(&self, input: &[f64]) -> Ray {
+        let (shape, ray) = input.split_at(self.numbers());
+        let (o, to) = (point(triple(ray)), point((self.aim)(shape, &ray[3..])));
+        Ray::derived(o, (to - o) * (1.0 / (to - o).magnitude()))
+    }
+
+    /// Infinite where the formula hits or misses wrongly.
+    fn error(&self, formula: &dyn Fn(&[f64], &Ray) -> Option<f64>, input: &[f64]) -> Option<f64> {
+        let (shape, ray) = ((self.make)(input)?, self.ray(input));
+        let is_hit = certified::decide(&*shape, &ray, Interval::AHEAD)?;
+        let found = formula(input, &ray);
+        if found.is_some() != is_hit {
+            return Some(f64::INFINITY);
+        }
+        let (t, condition) = (self.exact)(input, &arrays(&ray))?;
+        Some(Deviation::new(t.error_of(found?), t.value(), condition).fault())
+    }
+
+    /// A line of Rust for a test that the lesson's formula passes, if its error is at most eight
+    /// times condition times ulp.
+    fn test(&self, input: &[f64]) -> String {
+        let ray = self.ray(input);
+        let [o, d] = arrays(&ray);
+        let written = format!(
+            "{}.unwrap().hit(&Ray::derived(Point3::new(#, #, #), Vector3::new(#, #, #)), \
+             Interval::AHEAD)",
+            self.written
+        );
+        let mut pieces = written.split('#');
+        let mut line = format!("assert!({}", pieces.next().unwrap_or_default());
+        let all = input[..self.numbers()].iter().chain(&o).chain(&d);
+        for (number, piece) in all.zip(pieces) {
+            line += &format!("{number:?}{piece}");
+        }
+        let exact = (self.exact)(input, &[o, d]).filter(|_| {
+            let shape = (self.make)(input);
+            shape.is_some_and(|shape| {
+                certified::decide(&*shape, &ray, Interval::AHEAD) == Some(true)
+            })
+        });
+        line += &match exact {
+            Some((t, condition)) => {
+                let (t, bound) = (t.value(), 8.0 * condition * f64::EPSILON * t.value());
+                format!(".is_some_and(|hit| (hit.t - {t:?}).abs() <= {bound:.1e}));")
+            }
+            None => ".is_none());".to_owned(),
+        };
+        line
+    }
+
+    /// The worst input in words, and as lines of Rust.
+    pub fn in_words(
+        &self,
+        whose: &str,
+        Worst {
+            error,
+            input,
+            wrong,
+        }: &Worst,
+    ) -> String {
+        let name = self.name;
+        let mut text = format!("{name}, {whose}: off by up to {error:.1e} times condition · ulp");
+        if !input.is_empty() {
+            text += &format!("\n  {}", self.test(input));
+        }
+        text += &match wrong {
+            Some(input) => format!("\n  it hits or misses wrongly\n  {}", self.test(input)),
+            None => "\n  it hits and misses as it should".to_owned(),
+        };
+        text
+    }
+
+    /// The lesson's formula.
+    pub fn lesson(&self, numbers: &[f64], ray: &Ray) -> Option<f64> {
+        first(&*(self.make)(numbers)?, ray)
+    }
+}
+
+/// A number of any sign, with an exponent from -20 to 20 and random digits.
+fn bits(numbers: &mut Numbers) -> f64 {
+    let sign = if numbers.below(2) == 0 { 1.0 } else { -1.0 };
+    let exponent = numbers.below(41) as i32 - 20;
+    libm::scalbn(sign * numbers.between(1.0, 2.0), exponent)
+}
+
+/// The worst inputs of the protocol's formula and the lesson's, in words and as lines of Rust.
+pub fn search(name: &str) -> Result<String, Error> {
+    let subject = Subject::named(name)?;
+    let theirs = subject.worst(&subject.protocol);
+    let theirs = subject.in_words("the protocol's formula", &theirs);
+    let ours = subject.worst(&|x, ray| subject.lesson(x, ray));
+    let ours = subject.in_words("the lesson's formula", &ours);
+    Ok(format!("{theirs}\n{ours}"))
+}
