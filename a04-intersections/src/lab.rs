@@ -8,6 +8,7 @@ pub mod enclosure;
 pub mod exact;
 pub mod experiments;
 pub mod extremes;
+pub mod mesh;
 pub mod protocol;
 pub mod search;
 pub mod support;

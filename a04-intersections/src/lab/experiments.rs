@@ -2,7 +2,6 @@
 
 pub mod needle;
 pub mod sphere_distance;
-pub mod sphere_mesh;
 
 use measure::experiment::Experiment;
 
@@ -10,7 +9,6 @@ pub fn experiments() -> Vec<Experiment<'static>> {
     vec![
         sphere_distance::far(),
         sphere_distance::near(),
-        sphere_mesh::experiment(),
         needle::experiment(),
     ]
 }

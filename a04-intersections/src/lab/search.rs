@@ -157,36 +157,27 @@ impl Subject {
         Some(Deviation::new(t.error_of(found?), t.value(), condition).fault())
     }
 
-    /// A line of Rust for a test that the lesson's formula passes, if its error is at most eight
+    /// A line of Rust for a test: the ray hits and misses as it should, or its `t` is within eight
     /// times condition times ulp.
-    fn test(&self, input: &[f64]) -> String {
-        let ray = self.ray(input);
-        let [o, d] = arrays(&ray);
+    fn test(&self, input: &[f64], is_decision: bool) -> Option<String> {
+        let (shape, ray) = ((self.make)(input)?, self.ray(input));
+        let line @ [o, d] = arrays(&ray);
         let written = format!(
-            "{}.unwrap().hit(&Ray::derived(Point3::new(#, #, #), Vector3::new(#, #, #)), \
+            "assert!({}.unwrap().hit(&Ray::derived(Point3::new(#, #, #), Vector3::new(#, #, #)), \
              Interval::AHEAD)",
             self.written
         );
-        let mut pieces = written.split('#');
-        let mut line = format!("assert!({}", pieces.next().unwrap_or_default());
         let all = input[..self.numbers()].iter().chain(&o).chain(&d);
-        for (number, piece) in all.zip(pieces) {
-            line += &format!("{number:?}{piece}");
-        }
-        let exact = (self.exact)(input, &[o, d]).filter(|_| {
-            let shape = (self.make)(input);
-            shape.is_some_and(|shape| {
-                certified::decide(&*shape, &ray, Interval::AHEAD) == Some(true)
-            })
-        });
-        line += &match exact {
+        let written = all.fold(written, |text, x| text.replacen('#', &format!("{x:?}"), 1));
+        let is_hit = certified::decide(&*shape, &ray, Interval::AHEAD)?;
+        Some(match (self.exact)(input, &line).filter(|_| is_hit) {
+            None => format!("{written}.is_none());"),
+            Some((t, _)) if is_decision => format!("{written}.is_some()); // t is {:?}", t.value()),
             Some((t, condition)) => {
                 let (t, bound) = (t.value(), 8.0 * condition * f64::EPSILON * t.value());
-                format!(".is_some_and(|hit| (hit.t - {t:?}).abs() <= {bound:.1e}));")
+                format!("{written}.is_some_and(|hit| (hit.t - {t:?}).abs() <= {bound:.1e}));")
             }
-            None => ".is_none());".to_owned(),
-        };
-        line
+        })
     }
 
     /// The worst input in words, and as lines of Rust.
@@ -201,13 +192,16 @@ impl Subject {
     ) -> String {
         let name = self.name;
         let mut text = format!("{name}, {whose}: off by up to {error:.1e} times condition · ulp");
-        if !input.is_empty() {
-            text += &format!("\n  {}", self.test(input));
+        for (input, is_decision) in [(Some(input), false), (wrong.as_ref(), true)] {
+            if let Some(test) = input.and_then(|input| self.test(input, is_decision)) {
+                let wrong = if is_decision {
+                    "it hits or misses wrongly:\n  "
+                } else {
+                    ""
+                };
+                text += &format!("\n  {wrong}{test}");
+            }
         }
-        text += &match wrong {
-            Some(input) => format!("\n  it hits or misses wrongly\n  {}", self.test(input)),
-            None => "\n  it hits and misses as it should".to_owned(),
-        };
         text
     }
 

@@ -115,8 +115,6 @@ pub struct Point<'a> {
     pub max: f64,
     /// The errors beside those that the problem itself has, if its condition is known.
     pub problem: Option<Problem>,
-    /// Whether the error is only estimated, by the method itself.
-    pub is_estimate: bool,
     /// The work itself, to be timed, without the measurement of the error.
     pub run: Box<dyn FnMut() + 'a>,
 }
@@ -142,17 +140,7 @@ impl<'a> Point<'a> {
             p99: at(0.99).unwrap_or(f64::NAN),
             max: at(1.0).unwrap_or(f64::NAN),
             problem: Problem::of(&all),
-            is_estimate: false,
             run: Box::new(move || drop(black_box(run()))),
-        }
-    }
-
-    /// A method's own estimate of its error. It is shown beside the errors, and not
-    /// compared with them.
-    pub fn estimate<R>(knob: f64, work: f64, error: f64, run: impl FnMut() -> R + 'a) -> Self {
-        Self {
-            is_estimate: true,
-            ..Self::new(knob, work, [error], run)
         }
     }
 

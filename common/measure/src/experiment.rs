@@ -138,14 +138,14 @@ impl<'a> Experiment<'a> {
 const SLOPE_TOLERANCE: f64 = 0.05;
 
 /// The Pareto front, by curve and point: true for a point if no other has both
-/// less work and a smaller error. Estimates take no part.
+/// less work and a smaller error.
 pub fn pareto_front(curves: &[Curve]) -> Vec<Vec<bool>> {
     let beats = |a: &Point, b: &Point| {
         a.work <= b.work && a.rms <= b.rms && (a.work < b.work || a.rms < b.rms)
     };
     let all: Vec<_> = curves.iter().flat_map(|curve| &curve.points).collect();
-    let is_beaten = |point: &Point| all.iter().any(|one| !one.is_estimate && beats(one, point));
-    let unbeaten = |point: &Point| !point.is_estimate && !is_beaten(point);
+    let is_beaten = |point: &Point| all.iter().any(|one| beats(one, point));
+    let unbeaten = |point: &Point| !is_beaten(point);
     let of_curve = |curve: &Curve| curve.points.iter().map(unbeaten).collect();
     curves.iter().map(of_curve).collect()
 }

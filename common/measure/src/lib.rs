@@ -20,6 +20,7 @@ mod example;
 pub mod experiment;
 pub mod extremes;
 pub mod fit;
+mod front;
 mod plot;
 mod provenance;
 pub mod report;

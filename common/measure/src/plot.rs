@@ -35,48 +35,41 @@ struct Series<'a> {
     name: &'a str,
     /// A remark beside the plot, the slope for example.
     remark: String,
-    is_estimate: bool,
     /// The points: the ends of an interval with the middle between them, and the error.
     points: Vec<([f64; 3], f64)>,
     /// The errors of the problem at the same places, where its condition is known.
     limit: Vec<(f64, f64)>,
 }
 
-/// The plots of an experiment, each with the suffix of its file name: error against
-/// counted work or the parameter, and, where the parameter changes the time, error
-/// against time.
-pub fn plots(measured: &Measured) -> Vec<(&'static str, String)> {
+/// The plots of an experiment, each with the suffix of its file name: error against counted work
+/// or the parameter, and error against time with the front, of the points that can be compared.
+pub fn plots(measured: &Measured) -> [(&'static str, String); 2] {
     let experiment = measured.experiment;
     let label = match experiment.against {
         Axis::Work => experiment.work,
         Axis::Knob => experiment.knob,
     };
-    let mut plots = vec![(".svg", draw(measured, label, "", series(measured, false)))];
-    if (0..measured.curves.len()).any(|curve| time_changes(measured, curve)) {
-        let [(_, machine), (_, version)] = provenance::lines();
-        let source = format!("medians, with intervals of 95 %; {machine}; {version}");
-        let timed = series(measured, true);
-        let plot = draw(measured, "time (seconds)", &source, timed);
-        plots.push(("-time.svg", plot));
-    }
-    plots
-}
-
-/// Whether a method's work and time change with the parameter: the time by more than a
-/// factor of two, beyond its noise.
-fn time_changes(measured: &Measured, c: usize) -> bool {
-    let points = &measured.curves[c].points;
-    let times = (0..points.len()).map(|p| measured.time(c, p));
-    let longer = times.clone().map(|time| time.low).fold(0.0, f64::max);
-    let shorter = times.map(|time| time.high).fold(f64::MAX, f64::min);
-    points.windows(2).any(|pair| pair[0].work != pair[1].work) && longer > 2.0 * shorter
+    let [(_, machine), (_, version)] = provenance::lines();
+    let source = format!("medians, with intervals of 95 %; {machine}; {version}");
+    let front = measured.front().into_iter();
+    let front: Vec<_> = front.map(|(_, error, time)| (time.value, error)).collect();
+    let [by_work, by_time] = [false, true].map(|is_timed| series(measured, is_timed));
+    [
+        (".svg", draw(measured, label, "", by_work, &[])),
+        (
+            "-time.svg",
+            draw(measured, "time (seconds)", &source, by_time, &front),
+        ),
+    ]
 }
 
 /// The curves against time, or against work or parameter.
 fn series<'a>(measured: &Measured<'_, 'a>, is_timed: bool) -> Vec<Series<'a>> {
     let experiment = measured.experiment;
     let curves = measured.curves.iter().enumerate().map(|(c, curve)| {
-        let points = curve.points.iter().enumerate().map(|(p, point)| {
+        let points = curve.points.iter().enumerate();
+        let points = points.filter(|(_, point)| !is_timed || measured.is_compared(point));
+        let points = points.map(|(p, point)| {
             let Median { low, value, high } = measured.time(c, p);
             let work = [point.on(experiment.against); 3];
             (if is_timed { [low, value, high] } else { work }, point.rms)
@@ -89,12 +82,13 @@ fn series<'a>(measured: &Measured<'_, 'a>, is_timed: bool) -> Vec<Series<'a>> {
         Series {
             name: curve.method,
             remark: fit.map_or(String::new(), |fit| fit.slope_in_words().replace('-', "−")),
-            is_estimate: curve.points.iter().any(|point| point.is_estimate),
             points: points.collect(),
             limit: limit.filter(|_| !is_timed).collect(),
         }
     });
-    curves.collect()
+    curves
+        .filter(|one| !is_timed || !one.points.is_empty())
+        .collect()
 }
 
 /// Empties a curve that is farther from all others than twice their height, and has no
@@ -128,9 +122,17 @@ fn range(numbers: &[f64]) -> [f64; 2] {
     (numbers.iter()).fold(ends, |[a, b], x| [a.min(*x), b.max(*x)])
 }
 
-fn draw(measured: &Measured, label: &str, source: &str, mut all: Vec<Series>) -> String {
+fn draw(
+    measured: &Measured,
+    label: &str,
+    source: &str,
+    mut all: Vec<Series>,
+    front: &[(f64, f64)],
+) -> String {
     let experiment = measured.experiment;
-    leave_out_far_curve(&mut all);
+    if front.is_empty() {
+        leave_out_far_curve(&mut all);
+    }
     let points = || all.iter().flat_map(|one| &one.points);
     let has_zeros = points().any(|(_, error)| *error == 0.0);
     let is_seen = experiment.can_be_seen(&measured.curves);
@@ -165,6 +167,20 @@ fn draw(measured: &Measured, label: &str, source: &str, mut all: Vec<Series>) ->
         }
     }
     let mut names = Vec::new();
+    let shown = front.iter().filter(|(_, error)| y.holds(*error));
+    let steps: Vec<_> = shown
+        .map(|(time, error)| [x.at(*time), y.at(*error)])
+        .collect();
+    if let [_, .., [_, end]] = steps[..] {
+        svg.line("front", &steps);
+        names.push((
+            end,
+            "the front",
+            "no method beats it",
+            "front".to_owned(),
+            None,
+        ));
+    }
     let rounding = Some(ROUNDING).filter(|rounding| y.holds(*rounding));
     let half = level.map(|level| (level, "half a grey level", "1/510"));
     let rounding = rounding.map(|level| (level, "rounding of 1", "2⁻⁵²"));
@@ -183,8 +199,7 @@ fn draw(measured: &Measured, label: &str, source: &str, mut all: Vec<Series>) ->
             let (name, class) = ("condition · ulp", "level".to_owned());
             names.push((y.at(*last), name, one.name, class, None));
         }
-        let dashes = if one.is_estimate { "estimate" } else { "" };
-        let class = format!("curve {} {dashes}", color(index));
+        let class = format!("curve {}", color(index));
         let at = |(x_of, error): &([f64; 3], f64)| [x.at(x_of[1]), height(*error)];
         // No line leads to an error of 0, which lies infinitely far below.
         for part in one.points.split(|(_, error)| *error == 0.0) {

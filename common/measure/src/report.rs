@@ -115,36 +115,8 @@ impl<'e, 'a> Measured<'e, 'a> {
                 let _ = writeln!(text, "  {}: {summary}", curve.method);
             }
         }
-        let _ = writeln!(text, "  {}", self.unbeaten());
+        let _ = writeln!(text, "  unbeaten in error and time: {}", self.unbeaten());
         text
-    }
-
-    /// The methods of which no other has both a smaller error and, beyond noise, a shorter
-    /// time: for errors against work, at any parameter; else at the greatest.
-    fn unbeaten(&self) -> String {
-        let knobs = self.curves.iter().flat_map(|curve| &curve.points);
-        let greatest = knobs.map(|point| point.knob).fold(f64::MIN, f64::max);
-        let against = self.experiment.against;
-        let mut all = Vec::new();
-        for (c, Curve { method, points, .. }) in self.curves.iter().enumerate() {
-            for (p, point) in points.iter().enumerate() {
-                let is_compared = against == Axis::Work || point.knob == greatest;
-                if is_compared && !point.is_estimate {
-                    all.push((*method, point.rms, self.time(c, p)));
-                }
-            }
-        }
-        let beats = |(_, error, time): &(_, f64, Median), (_, other, slower): &(_, f64, Median)| {
-            error <= other && time.high < slower.low || error < other && time.value <= slower.value
-        };
-        let is_unbeaten = |one: &&_| !all.iter().any(|other| beats(other, one));
-        let mut front: Vec<_> = all.iter().filter(is_unbeaten).collect();
-        front.sort_by(|a, b| a.2.value.total_cmp(&b.2.value));
-        let named = |(method, error, time): &(&str, f64, Median)| {
-            format!("{method} (error {error:.1e}, {})", duration(time.value))
-        };
-        let front: Vec<_> = front.into_iter().map(named).collect();
-        format!("unbeaten in error and time: {}", front.join(", "))
     }
 
     /// Slope, work to reach half a grey level, and time and error beside the first method's.
@@ -155,8 +127,7 @@ impl<'e, 'a> Measured<'e, 'a> {
             let theory = curve.slope.map_or(String::new(), theory);
             parts.push(format!("{fit}{theory}"));
         }
-        let is_estimate = curve.points.iter().any(|point| point.is_estimate);
-        let has_mark = self.experiment.can_be_seen(&self.curves) && !is_estimate;
+        let has_mark = self.experiment.can_be_seen(&self.curves);
         let mark = has_mark.then(|| curve.work_to_reach(HALF_GREY_LEVEL));
         if let Some((work, beyond)) = mark.flatten() {
             let beyond = if beyond { ", extrapolated" } else { "" };
@@ -164,9 +135,7 @@ impl<'e, 'a> Measured<'e, 'a> {
             parts.push(format!("1/510 takes {work:.0} {unit}{beyond}"));
         }
         parts.extend(curve.blame());
-        if !is_estimate {
-            parts.extend(self.beside_first(c));
-        }
+        parts.extend(self.beside_first(c));
         parts.join("; ")
     }
 
@@ -212,7 +181,7 @@ impl<'e, 'a> Measured<'e, 'a> {
         let _ = writeln!(
             text,
             "experiment,method,{knob},{work},{error},99 %,max,condition,problem's error,\
-             seconds,low,high,estimate,pareto"
+             seconds,low,high,pareto"
         );
         let front = pareto_front(&self.curves);
         for (c, curve) in self.curves.iter().enumerate() {
@@ -224,14 +193,13 @@ impl<'e, 'a> Measured<'e, 'a> {
                 let problem = problem.as_deref().unwrap_or(",");
                 let _ = writeln!(
                     text,
-                    "{name},{},{},{},{:e},{:e},{:e},{problem},{value:e},{low:e},{high:e},{},{}",
+                    "{name},{},{},{},{:e},{:e},{:e},{problem},{value:e},{low:e},{high:e},{}",
                     quoted(curve.method),
                     point.knob,
                     point.work,
                     point.rms,
                     point.p99,
                     point.max,
-                    point.is_estimate,
                     front[c][p],
                 );
             }
@@ -283,7 +251,7 @@ pub(crate) fn compact(number: f64) -> String {
 }
 
 /// A time, in the unit in which it has few digits.
-fn duration(seconds: f64) -> String {
+pub(crate) fn duration(seconds: f64) -> String {
     format!(
         "{:.1?}",
         Duration::try_from_secs_f64(seconds).unwrap_or_default()

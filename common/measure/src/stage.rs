@@ -11,6 +11,9 @@ use crate::extremes::Case;
 /// Reads the scene of a scene file.
 pub type OpenScene = fn(&Path) -> Result<Scene, Error>;
 
+/// Searches for the worst input of the formulas of a shape.
+pub type Search = fn(&str) -> Result<String, Error>;
+
 /// One stage of the course: its name, scenes, experiments and extreme cases.
 pub struct Stage {
     /// The crate's name, with which the names of its pictures begin.
@@ -23,8 +26,8 @@ pub struct Stage {
     pub experiments: fn() -> Vec<Experiment<'static>>,
     /// The stiff and extreme cases.
     pub extremes: fn(Effort) -> Vec<Case>,
-    /// Searches for the worst input of the formulas of a shape, and returns it in words.
-    pub search: Option<fn(&str) -> Result<String, Error>>,
+    /// The search for worst inputs, which returns them in words, if the stage knows any shape.
+    pub search: Option<Search>,
     /// Opens a scene file, if the stage knows any.
     pub open: Option<OpenScene>,
 }

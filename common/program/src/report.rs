@@ -54,6 +54,7 @@ fn measure(
     for experiment in experiments {
         report::check_writable(experiment, &folder, stage.name)?;
     }
+    let mut rows = Vec::new();
     for experiment in experiments {
         let mut bar = None;
         let measured = Measured::new(experiment, effort, |done, all| {
@@ -64,11 +65,13 @@ fn measure(
             bar.finish_and_clear();
         }
         print(&measured.table())?;
+        rows.push(measured.row());
         for path in measured.write(&folder, stage.name)? {
             print(&format!("  {}", path.display()))?;
         }
     }
-    Ok(())
+    print("\n| experiment | question | unbeaten in error and time |\n|---|---|---|")?;
+    print(&rows.join("\n"))
 }
 
 /// The experiments with these names; without a name, all experiments.
@@ -117,8 +120,11 @@ mod tests {
             files.sort();
             Ok::<_, Error>(files)
         };
-        assert_eq!(report(&["two"]).unwrap(), ["a00-two.csv", "a00-two.svg"]);
-        assert_eq!(report(&[]).unwrap().len(), 4);
+        assert_eq!(
+            report(&["two"]).unwrap(),
+            ["a00-two-time.svg", "a00-two.csv", "a00-two.svg"]
+        );
+        assert_eq!(report(&[]).unwrap().len(), 6);
         for (names, expected) in [
             (
                 &["two", "three"][..],

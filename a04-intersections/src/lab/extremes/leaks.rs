@@ -7,7 +7,7 @@ use measure::Effort;
 use measure::extremes::{Case, Equal, Fails, Holds, Id, Protocol, case};
 
 use crate::lab::aimed_box::{Aimed, LBF, NAIVE, RUN, aimed, is_wrong};
-use crate::lab::experiments::sphere_mesh::Mesh;
+use crate::lab::mesh::Mesh;
 use crate::lab::protocol;
 use crate::lab::support::{Numbers, first};
 use crate::{AxisAlignedBox, Triangle};

@@ -1,14 +1,12 @@
 //! Errors over many rays, compared with 30 digits; and translated and scaled scenes, whose
 //! hits must not change.
 
-use a02_math::{Direction, Normal3, Point3};
-use a03_rays_cameras::Ray;
+use a02_math::Normal3;
 use common::Error;
 use measure::Effort;
-use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Outcome};
-use measure::extremes::{case, greatest, wrong};
+use measure::extremes::{Case, Equal, Fails, Holds, Outcome};
+use measure::extremes::{case, wrong};
 
-use super::EPSILON;
 use crate::lab::experiments::sphere_distance::{FROM_AFAR, Formula, OURS, Shot, shots, stable};
 use crate::lab::protocol::Compared;
 use crate::lab::support::{Numbers, Real, Triple, any_ray, arrays, first, point};
@@ -27,28 +25,6 @@ fn wrong_hits<F: Real>(distance: f64, rays: usize, formula: Formula<F>) -> Outco
     };
     let shots = shots(FROM_AFAR, distance, rays);
     shots.iter().filter(is_wrong).count().into()
-}
-
-/// The greatest error of a plane's `t`, relative to the theoretical bound: rounding
-/// errors of the lengths over the cosine.
-fn plane(id: Id, anchor: f64, rays: usize) -> Case {
-    let errors = |of: &dyn Fn(Point3, Normal3, &Ray) -> Option<f64>| {
-        greatest((0..rays).filter_map(|n| {
-            let mut numbers = Numbers::new(61, n);
-            let [normal, within] = numbers.perpendicular();
-            let a = Point3::ORIGIN + within * anchor;
-            let eye = Point3::ORIGIN + normal * numbers.between(1.0, 5.0);
-            let ray = Ray::derived(eye, numbers.direction());
-            let t = of(a, normal.as_normal(), &ray)?;
-            let [a, n] = [a.to_glam(), normal.to_glam()].map(|v| v.to_array());
-            let [o, d] = arrays(&ray);
-            let error = exact::plane(&a, &n, &o, &d).error_of(t);
-            Some(error * ray.direction().dot(normal) / (EPSILON * (anchor + t)))
-        }))
-    };
-    let ours = errors(&|a, n, ray| first(&Plane::new(a, n).ok()?, ray));
-    let what = format!("{rays} rays at a plane whose point is {anchor:e} away: error in roundings");
-    Case::new(id, what, 0.0, Absolute(2.0), ours).protocol(Holds, errors(&protocol::plane))
 }
 
 /// Coordinates are multiples of this: they are exact after a translation by 2^30.
@@ -114,7 +90,6 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     let moved = (1.0, libm::scalbn(1.0, 30));
     let scales = (-300..=300).step_by(50).map(|power| libm::scalbn(1.0, power));
     let scaled: Vec<_> = scales.map(|scale| (scale, 0.0)).collect();
-    let rays = effort.choose(1000, 3000);
     let [double, single] = [effort.choose(1000, 4000), effort.choose(2000, 20_000)];
     let doubles = [OURS, protocol::sphere].map(|formula| wrong_hits(1e8, double, formula));
     let singles = [stable, protocol::sphere].map(|formula: Formula<f32>| wrong_hits(1e3, single, formula));
@@ -129,8 +104,5 @@ pub fn cases(effort: Effort) -> Vec<Case> {
             singles, 0.0, Equal, Fails),
         Case::wrong("S12", "four shapes in 13 scales from 2^-300 to 2^300: distances that change more than the scale",
             differing(&scaled, effort.choose(400, 8000))),
-        plane("S16a", 1.0, rays),
-        plane("S16b", 1e6, rays),
-        plane("S16c", 1e12, rays),
     ]
 }
