@@ -9,6 +9,7 @@ pub fn experiments() -> Vec<Experiment<'static>> {
     vec![
         sphere_distance::far(),
         sphere_distance::near(),
+        sphere_distance::decisions(),
         needle::experiment(),
     ]
 }

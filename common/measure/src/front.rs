@@ -1,7 +1,7 @@
 //! The front: the methods that no other beats in error and time.
 
 use crate::curve::Point;
-use crate::experiment::Axis;
+use crate::experiment::{Axis, Unit};
 use crate::report::{Measured, duration};
 use crate::timing::Median;
 
@@ -19,9 +19,19 @@ impl Measured<'_, '_> {
     pub(crate) fn front(&self) -> Vec<(&str, f64, Median)> {
         let mut all = Vec::new();
         for (c, curve) in self.curves.iter().enumerate() {
-            let points = curve.points.iter().enumerate();
-            let points = points.filter(|(_, point)| self.is_compared(point));
-            all.extend(points.map(|(p, point)| (curve.method, point.rms, self.time(c, p))));
+            // A rule for decisions must be right for all parameters.
+            let of_all = curve
+                .points
+                .iter()
+                .map(|point| point.rms)
+                .fold(0.0, f64::max);
+            for (p, point) in curve.points.iter().enumerate() {
+                let is_share = self.experiment.unit == Unit::Share;
+                let error = if is_share { of_all } else { point.rms };
+                if self.is_compared(point) {
+                    all.push((curve.method, error, self.time(c, p)));
+                }
+            }
         }
         let beats = |(_, error, time): &(_, f64, Median), (_, other, slower): &(_, f64, Median)| {
             error <= other && time.high < slower.low || error < other && time.value <= slower.value

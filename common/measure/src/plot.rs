@@ -11,7 +11,7 @@ use crate::experiment::{Axis, HALF_GREY_LEVEL};
 use crate::provenance;
 use crate::report::Measured;
 use crate::timing::Median;
-use axis::{LogAxis, rounded};
+use axis::LogAxis;
 pub use svg::{Svg, color};
 
 /// The size of the picture, and the sides of the plot in it, in pixels.
@@ -54,12 +54,10 @@ pub fn plots(measured: &Measured) -> [(&'static str, String); 2] {
     let front = measured.front().into_iter();
     let front: Vec<_> = front.map(|(_, error, time)| (time.value, error)).collect();
     let [by_work, by_time] = [false, true].map(|is_timed| series(measured, is_timed));
+    let by_time = draw(measured, "time (seconds)", &source, &by_time, &front);
     [
-        (".svg", draw(measured, label, "", by_work, &[])),
-        (
-            "-time.svg",
-            draw(measured, "time (seconds)", &source, by_time, &front),
-        ),
+        (".svg", draw(measured, label, "", &by_work, &[])),
+        ("-time.svg", by_time),
     ]
 }
 
@@ -91,48 +89,14 @@ fn series<'a>(measured: &Measured<'_, 'a>, is_timed: bool) -> Vec<Series<'a>> {
         .collect()
 }
 
-/// Empties a curve that is farther from all others than twice their height, and has no
-/// more points: on one axis it would flatten them. Its errors are written beside the plot.
-fn leave_out_far_curve(all: &mut [Series]) {
-    let logs = |one: &Series| -> Vec<f64> {
-        let errors = one.points.iter().map(|point| libm::log10(point.1));
-        errors.filter(|log| log.is_finite()).collect()
-    };
-    let all_logs: Vec<_> = all.iter().map(logs).collect();
-    for (index, one) in all.iter_mut().enumerate() {
-        let (before, rest) = all_logs.split_at(index);
-        let others = [before.concat(), rest[1..].concat()].concat();
-        let [[low, high], [from, to]] = [&rest[0], &others].map(|logs| range(logs));
-        let gap = (from - high).max(low - to);
-        if rest[0].len() <= others.len() && gap.is_finite() && gap > 2.0 * (to - from).max(1.0) {
-            let arrow = if high < from { '↓' } else { '↑' };
-            let end = |log| rounded(libm::pow(10.0, log));
-            let mut ends = vec![end(low), end(high)];
-            ends.dedup();
-            one.remark = format!("{arrow} off the scale: {}", ends.join(" to "));
-            one.points.clear();
-            return;
-        }
-    }
-}
-
-/// The least and the greatest number.
-fn range(numbers: &[f64]) -> [f64; 2] {
-    let ends = [f64::INFINITY, f64::NEG_INFINITY];
-    (numbers.iter()).fold(ends, |[a, b], x| [a.min(*x), b.max(*x)])
-}
-
 fn draw(
     measured: &Measured,
     label: &str,
     source: &str,
-    mut all: Vec<Series>,
+    all: &[Series],
     front: &[(f64, f64)],
 ) -> String {
     let experiment = measured.experiment;
-    if front.is_empty() {
-        leave_out_far_curve(&mut all);
-    }
     let points = || all.iter().flat_map(|one| &one.points);
     let has_zeros = points().any(|(_, error)| *error == 0.0);
     let is_seen = experiment.can_be_seen(&measured.curves);
@@ -212,11 +176,9 @@ fn draw(
             svg.mark(index, at(point));
         }
         let last = one.points.iter().max_by(|a, b| a.0[1].total_cmp(&b.0[1]));
-        let is_above = one.remark.starts_with('↑');
-        let off = if is_above { TOP } else { bottom };
         let is_exact = last.is_some() && one.points.iter().all(|(_, error)| *error == 0.0);
         let remark = if is_exact { "no error" } else { &one.remark };
-        let end = last.map_or(off, |last| at(last)[1]);
+        let end = last.map_or(bottom, |last| at(last)[1]);
         names.push((end, one.name, remark, class, Some(index)));
     }
     draw_names(&mut svg, names);

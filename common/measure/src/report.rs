@@ -147,7 +147,7 @@ impl<'e, 'a> Measured<'e, 'a> {
         let (p, time) = (0..points.len()).rev().find_map(last)?;
         let (first, own) = (self.curves[0].points[p].rms, points[p].rms);
         let error = match own / first {
-            0.0 => "no error".to_owned(),
+            _ if own == 0.0 => "no error".to_owned(),
             ratio @ 0.01..1e4 => format!("{ratio:.2} times its error"),
             ratio if ratio.is_finite() => format!("{ratio:.1e} times its error"),
             _ => format!("an error of {own:.1e}, where it has none"),

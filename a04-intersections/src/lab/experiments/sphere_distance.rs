@@ -108,6 +108,15 @@ pub fn error<F: Real>((c, r, o, d): &Shot<F>, found: Option<F>) -> Option<Deviat
     })
 }
 
+/// Whether a formula hits or misses the unit sphere wrongly, though the ray passes the rim at more
+/// than four rounding errors of the numbers given.
+pub fn is_wrong<F: Real>((c, r, o, d): &Shot<F>, found: Option<F>) -> bool {
+    let [centre, origin, direction] = [c, o, d].map(|triple| triple.map(Into::into));
+    let exact = exact::sphere(&centre, (*r).into(), &origin, &direction);
+    let margin = 4.0 * F::epsilon().into() * dot(&origin, &origin).sqrt();
+    (exact.distance - 1.0).abs() > margin && found.is_some() != exact.roots.is_some()
+}
+
 /// The first powers of 8 and their rays.
 fn sets<F: Real>(all: Shots, powers: i32, effort: Effort) -> Vec<(f64, Rc<[Shot<F>]>)> {
     let rays = effort.choose(4096, 65_536);
@@ -172,4 +181,32 @@ pub fn near() -> Experiment<'static> {
         .with_exact("against 30 digits; three of four rays hit")
         .with_seeds(&[12])
         .with_curves(move |effort| curves((AT_GROUND, 6), [1.0, 0.0], ranges, effort))
+}
+
+pub fn decisions() -> Experiment<'static> {
+    fn curve<'a, F: Real + 'a>(
+        method: &'a str,
+        powers: i32,
+        effort: Effort,
+        of: Formula<F>,
+    ) -> Curve<'a> {
+        let answer = move |(c, r, o, d): &Shot<F>| of(c, *r, o, d);
+        Curve::of_decisions(method, &sets(FROM_AFAR, powers, effort), answer, is_wrong)
+    }
+    Experiment::new("sphere-decisions")
+        .asking("From how far away is a sphere of radius 1 hit and missed as it should?")
+        .over(Axis::Knob, "distance (radii)", "rays")
+        .with_error("share of rays that hit or miss wrongly")
+        .with_unit(Unit::Share)
+        .with_exact("against 30 digits, more than four roundings beside the rim")
+        .with_seeds(&[11])
+        .with_curves(|effort| {
+            let all = 0.0..=f64::INFINITY;
+            vec![
+                curve("protocol", 10, effort, protocol::sphere::<f64>),
+                curve("stable (ours)", 10, effort, stable::<f64>).with_bound(0.0, all.clone()),
+                curve("protocol (single)", 6, effort, protocol::sphere::<f32>),
+                curve("stable (single)", 6, effort, stable::<f32>).with_bound(0.0, all),
+            ]
+        })
 }

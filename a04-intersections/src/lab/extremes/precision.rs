@@ -7,23 +7,16 @@ use measure::Effort;
 use measure::extremes::{Case, Equal, Fails, Holds, Outcome};
 use measure::extremes::{case, wrong};
 
-use crate::lab::experiments::sphere_distance::{FROM_AFAR, Formula, OURS, Shot, shots, stable};
+use crate::lab::experiments::sphere_distance::{FROM_AFAR, Formula, OURS, is_wrong, shots, stable};
+use crate::lab::protocol;
 use crate::lab::protocol::Compared;
 use crate::lab::support::{Numbers, Real, Triple, any_ray, arrays, first, point};
-use crate::lab::{exact, protocol};
 use crate::{AxisAlignedBox, Plane, Sphere, Triangle};
 
-/// Number of rays with a wrong decision between hit and miss of a unit sphere,
-/// among rays that pass its rim at more than four rounding errors of the distance.
+/// Number of rays from a distance with a wrong decision between hit and miss of a unit sphere.
 fn wrong_hits<F: Real>(distance: f64, rays: usize, formula: Formula<F>) -> Outcome {
-    let margin = 4.0 * F::epsilon().into() * distance;
-    let is_wrong = |(c, r, o, d): &&Shot<F>| {
-        let [centre, origin, direction] = [c, o, d].map(|v| v.map(Into::into));
-        let exact = exact::sphere(&centre, 1.0, &origin, &direction);
-        let is_clear = (exact.distance - 1.0).abs() > margin;
-        is_clear && formula(c, *r, o, d).is_some() != exact.roots.is_some()
-    };
     let shots = shots(FROM_AFAR, distance, rays);
+    let is_wrong = |shot @ (c, r, o, d): &&_| is_wrong(shot, formula(c, *r, o, d));
     shots.iter().filter(is_wrong).count().into()
 }
 

@@ -88,14 +88,6 @@ fn label(factor: i32, power: i32, is_plain: bool) -> String {
     }
 }
 
-/// A positive number, rounded to one digit.
-pub fn rounded(number: f64) -> String {
-    let text = format!("{number:.0e}");
-    let (factor, power) = text.split_once('e').unwrap_or((&text, "0"));
-    let (factor, power) = (factor.parse().unwrap_or(1), power.parse().unwrap_or(0));
-    label(factor, power, (-2..=3).contains(&power))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -113,8 +105,6 @@ mod tests {
         assert_eq!(labels(&[4e6, 3e7]), ["5·10⁶", "10⁷", "2·10⁷"]);
         assert_eq!(labels(&[1.0, 3.0]), ["1", "2", "3"]);
         assert_eq!(labels(&[]), ["1", "2", "5", "10"]);
-        let shown = [0.31, 2.2e-16, 1.9e7, 1.0, 0.0096].map(rounded);
-        assert_eq!(shown, ["0.3", "2·10⁻¹⁶", "2·10⁷", "1", "0.01"]);
     }
 
     /// Wherever an axis lies, and however short it is, its labels are two or more
