@@ -25,9 +25,11 @@ pub struct Subject {
     /// The point near the shape that three numbers, mostly from -1 to 1, stand for.
     aim: fn(&[f64], &[f64]) -> Triple,
     /// The `t` of a hit with 30 digits, and its condition.
-    exact: fn(&[f64], &[Triple; 2]) -> Option<(DoubleDouble, f64)>,
+    exact: fn(&[f64], &[Triple; 2]) -> Exact,
     pub protocol: fn(&[f64], &Ray) -> Option<f64>,
 }
+
+type Exact = Option<(DoubleDouble, f64)>;
 
 const SUBJECTS: [Subject; 3] = [
     Subject {
@@ -90,13 +92,16 @@ fn plane(x: &[f64]) -> Option<Plane> {
 }
 
 /// The worst input of a formula, with its error in multiples of condition times ulp; and the first
-/// input at which it hits or misses wrongly. The last six numbers are the ray's.
+/// input at which it hits or misses wrongly.
 #[derive(Debug, Default)]
 pub struct Worst {
     pub error: f64,
-    pub input: Vec<f64>,
-    pub wrong: Option<Vec<f64>>,
+    pub input: Option<Input>,
+    pub wrong: Option<Input>,
 }
+
+/// The numbers of a shape, and six of a ray.
+type Input = Vec<f64>;
 
 /// The number of inputs of a search.
 const INPUTS: usize = 200_000;
@@ -118,21 +123,25 @@ impl Subject {
     pub fn worst(&self, formula: &dyn Fn(&[f64], &Ray) -> Option<f64>) -> Worst {
         let (mut numbers, mut worst) = (Numbers::new(71, 0), Worst::default());
         for n in 0..INPUTS {
-            let mut input: Vec<_> = (0..self.numbers() + 6)
-                .map(|_| bits(&mut numbers))
-                .collect();
+            // Of one size or of many.
+            let least = numbers.below(41);
+            let sizes = [least, numbers.below(41).max(least)];
+            let bits = |_| bits(&mut numbers, sizes);
+            let mut input: Vec<_> = (0..self.numbers() + 6).map(bits).collect();
             let aim = self.numbers() + 3;
             (aim..aim + 3).for_each(|i| input[i] = numbers.between(-1.0, 1.0));
-            if n > INPUTS / 2 && !worst.input.is_empty() {
+            if let Some(best) = worst.input.as_ref().filter(|_| n > INPUTS / 2) {
                 let changed = numbers.below(input.len());
-                let random = std::mem::replace(&mut input, worst.input.clone())[changed];
+                let random = std::mem::replace(&mut input, best.clone())[changed];
                 let size = libm::exp2(numbers.between(-50.0, 0.0));
                 let near = input[changed] * (1.0 + size * numbers.between(-1.0, 1.0));
                 input[changed] = if numbers.below(8) == 0 { random } else { near };
             }
             match self.error(formula, &input) {
                 Some(f64::INFINITY) => drop(worst.wrong.get_or_insert(input)),
-                Some(error) if error > worst.error => (worst.error, worst.input) = (error, input),
+                Some(error) if error > worst.error => {
+                    (worst.error, worst.input) = (error, Some(input));
+                }
                 _ => {}
             }
         }
@@ -181,28 +190,20 @@ impl Subject {
     }
 
     /// The worst input in words, and as lines of Rust.
-    pub fn in_words(
-        &self,
-        whose: &str,
-        Worst {
-            error,
-            input,
-            wrong,
-        }: &Worst,
-    ) -> String {
-        let name = self.name;
-        let mut text = format!("{name}, {whose}: off by up to {error:.1e} times condition · ulp");
-        for (input, is_decision) in [(Some(input), false), (wrong.as_ref(), true)] {
-            if let Some(test) = input.and_then(|input| self.test(input, is_decision)) {
-                let wrong = if is_decision {
-                    "it hits or misses wrongly:\n  "
-                } else {
-                    ""
-                };
-                text += &format!("\n  {wrong}{test}");
-            }
-        }
-        text
+    pub fn in_words(&self, whose: &str, worst: &Worst) -> String {
+        let line = |(input, is_decision): (&Option<Input>, bool)| {
+            let test = self.test(input.as_ref()?, is_decision)?;
+            let wrong = if is_decision {
+                "it hits or misses wrongly:\n  "
+            } else {
+                ""
+            };
+            Some(format!("\n  {wrong}{test}"))
+        };
+        let lines = [(&worst.input, false), (&worst.wrong, true)].into_iter();
+        let lines: String = lines.filter_map(line).collect();
+        let (name, error) = (self.name, worst.error);
+        format!("{name}, {whose}: off by up to {error:.1e} times condition · ulp{lines}")
     }
 
     /// The lesson's formula.
@@ -211,11 +212,11 @@ impl Subject {
     }
 }
 
-/// A number of any sign, with an exponent from -20 to 20 and random digits.
-fn bits(numbers: &mut Numbers) -> f64 {
+/// A number of any sign with random digits, and an exponent between two that are greater by 20.
+fn bits(numbers: &mut Numbers, [least, most]: [usize; 2]) -> f64 {
     let sign = if numbers.below(2) == 0 { 1.0 } else { -1.0 };
-    let exponent = numbers.below(41) as i32 - 20;
-    libm::scalbn(sign * numbers.between(1.0, 2.0), exponent)
+    let exponent = least + numbers.below(most - least + 1);
+    libm::scalbn(sign * numbers.between(1.0, 2.0), exponent as i32 - 20)
 }
 
 /// The worst inputs of the protocol's formula and the lesson's, in words and as lines of Rust.

@@ -1,6 +1,6 @@
 //! Error against run time for transforms and their inverses.
 
-mod nested_nodes;
+pub mod nested_nodes;
 
 use std::rc::Rc;
 

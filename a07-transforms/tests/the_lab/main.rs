@@ -8,7 +8,9 @@ use a03_rays_cameras::View;
 use a04_intersections::lab::certified::picture;
 use a05_lighting::{LitWorld, watched};
 use a06_shadows_reflection::RecursiveTracer;
+use a06_shadows_reflection::lab::lit_points::LIFTED;
 use a07_transforms::lab::certified::geometry;
+use a07_transforms::lab::experiments::nested_nodes::lit_points;
 use measure::Effort;
 
 testing::check_lab! { a07_transforms::stage() }
@@ -61,6 +63,19 @@ fn every_decision_in_the_shadowed_pictures_is_right() {
         let world = certified(world);
         let counts = picture(&*camera, |ray| RecursiveTracer::new(&world).trace(ray, 6));
         assert_eq!(counts, [0, 0], "{name}");
+    }
+}
+
+/// Of three million points a condition, none has acne or a leak:
+/// `cargo test --release -p a07-transforms --test the_lab -- --ignored`.
+#[test]
+#[ignore = "takes minutes"]
+fn thirty_million_points_under_nodes_are_right() {
+    for condition in [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9] {
+        for trial in (1_000..1_300).flat_map(|seed| lit_points(10_000, seed, condition).unwrap()) {
+            assert!(!trial.shades_itself(LIFTED), "acne, {condition}");
+            assert!(![1e-4, 1e-9].iter().any(|near| trial.leaks(LIFTED, *near)));
+        }
     }
 }
 

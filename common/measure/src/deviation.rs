@@ -22,10 +22,10 @@ impl Deviation {
         }
     }
 
-    /// Given numbers and result are in single precision, whose units are larger by 2^29.
-    pub fn of_singles(self) -> Self {
-        let ulp = self.ulp * (f64::from(f32::EPSILON) / f64::EPSILON);
-        Self { ulp, ..self }
+    /// Given numbers and result have a precision of this epsilon.
+    pub fn of_epsilon(mut self, epsilon: f64) -> Self {
+        self.ulp *= epsilon / f64::EPSILON;
+        self
     }
 
     /// The error as a share of a number.
@@ -114,6 +114,6 @@ mod tests {
         let worse = all.map(|one| Deviation::new(1e3 * one.error, 1.0, one.condition));
         assert!(blame(worse).starts_with("up to 3e3 times condition · ulp, at 8: the formula"));
         assert_eq!(all[0].as_share_of(-2.0).size(), 6.0);
-        assert_eq!(all[0].of_singles().size() * f64::from(1 << 29), 6.0);
+        assert_eq!(all[0].of_epsilon(3.0 * eps).size(), 2.0);
     }
 }

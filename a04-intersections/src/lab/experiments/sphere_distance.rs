@@ -99,12 +99,7 @@ pub fn error<F: Real>((c, r, o, d): &Shot<F>, found: Option<F>) -> Option<Deviat
     counts.then(|| {
         let error = found.map_or(1.0, |t| near.error_of(t.into()));
         let condition = sphere_condition(&centre, radius, &[origin, direction], near.value());
-        let error = Deviation::new(error, near.value(), condition);
-        if F::epsilon().into() > f64::EPSILON {
-            error.of_singles()
-        } else {
-            error
-        }
+        Deviation::new(error, near.value(), condition).of_epsilon(F::epsilon().into())
     })
 }
 

@@ -7,7 +7,7 @@ use a02_math::{Normal3, Point3};
 use a04_intersections::lab::support::Numbers;
 use a04_intersections::{AxisAlignedBox, Geometry, Sphere};
 use a06_shadows_reflection::lab::experiments::secondary_rays::{Sets, acne, leaks};
-use a06_shadows_reflection::lab::lit_points::{Look, SEED, trials, world};
+use a06_shadows_reflection::lab::lit_points::{Look, SEED, Trial, trials, world};
 use common::Error;
 use measure::Effort;
 use measure::experiment::Experiment;
@@ -27,10 +27,15 @@ pub fn experiments() -> Vec<Experiment<'static>> {
 fn by_condition(effort: Effort) -> Sets {
     let count = effort.choose(4_096, 65_536);
     let set = |condition| {
-        let points = trials(count, SEED, 1.0, |numbers| look(numbers, condition));
+        let points = lit_points(count, SEED, condition);
         (condition, points.unwrap_or_default().into())
     };
     [1.0, 1e3, 1e5, 1e7, 1e9].map(set).into()
+}
+
+/// Lit points of shapes under nodes of this condition.
+pub fn lit_points(count: usize, seed: u64, condition: f64) -> Result<Vec<Trial>, Error> {
+    trials(count, seed, 1.0, |numbers| look(numbers, condition))
 }
 
 /// A look at a box, ball or disc under one to three nodes, each of which translates, flattens
