@@ -1,17 +1,26 @@
 //! The front: the methods that no other beats in error and time.
 
-use crate::curve::Point;
-use crate::experiment::{Axis, Unit};
+use crate::experiment::{Axis, Curve, Experiment, Unit};
 use crate::report::{Measured, duration};
 use crate::timing::Median;
 
 impl Measured<'_, '_> {
-    /// Whether the errors of points can be compared: for errors against work, all; else those of
-    /// the greatest parameter, the hardest problem.
-    pub(crate) fn is_compared(&self, point: &Point) -> bool {
+    /// The points of a curve that can be compared with those of others, with their errors: for
+    /// errors against work, all; else those of the greatest parameter, the hardest problem. A rule
+    /// for decisions must be right for all parameters, so that its greatest share of errors counts.
+    pub(crate) fn compared(&self, curve: &Curve) -> Vec<(usize, f64)> {
         let knobs = self.curves.iter().flat_map(|curve| &curve.points);
-        let greatest = knobs.map(|point| point.knob).fold(f64::MIN, f64::max);
-        self.experiment.against == Axis::Work || point.knob == greatest
+        let hardest = knobs.map(|point| point.knob).fold(f64::MIN, f64::max);
+        let greatest = curve
+            .points
+            .iter()
+            .map(|point| point.rms)
+            .fold(0.0, f64::max);
+        let Experiment { against, unit, .. } = *self.experiment;
+        let points = curve.points.iter().enumerate();
+        let points = points.filter(|(_, p)| against == Axis::Work || p.knob == hardest);
+        let error = |rms| if unit == Unit::Share { greatest } else { rms };
+        points.map(|(p, point)| (p, error(point.rms))).collect()
     }
 
     /// The method, error and time of the points of which no other has both a smaller error and,
@@ -19,19 +28,8 @@ impl Measured<'_, '_> {
     pub(crate) fn front(&self) -> Vec<(&str, f64, Median)> {
         let mut all = Vec::new();
         for (c, curve) in self.curves.iter().enumerate() {
-            // A rule for decisions must be right for all parameters.
-            let of_all = curve
-                .points
-                .iter()
-                .map(|point| point.rms)
-                .fold(0.0, f64::max);
-            for (p, point) in curve.points.iter().enumerate() {
-                let is_share = self.experiment.unit == Unit::Share;
-                let error = if is_share { of_all } else { point.rms };
-                if self.is_compared(point) {
-                    all.push((curve.method, error, self.time(c, p)));
-                }
-            }
+            let points = self.compared(curve).into_iter();
+            all.extend(points.map(|(p, error)| (curve.method, error, self.time(c, p))));
         }
         let beats = |(_, error, time): &(_, f64, Median), (_, other, slower): &(_, f64, Median)| {
             error <= other && time.high < slower.low || error < other && time.value <= slower.value

@@ -65,13 +65,19 @@ pub fn plots(measured: &Measured) -> [(&'static str, String); 2] {
 fn series<'a>(measured: &Measured<'_, 'a>, is_timed: bool) -> Vec<Series<'a>> {
     let experiment = measured.experiment;
     let curves = measured.curves.iter().enumerate().map(|(c, curve)| {
-        let points = curve.points.iter().enumerate();
-        let points = points.filter(|(_, point)| !is_timed || measured.is_compared(point));
-        let points = points.map(|(p, point)| {
-            let Median { low, value, high } = measured.time(c, p);
-            let work = [point.on(experiment.against); 3];
-            (if is_timed { [low, value, high] } else { work }, point.rms)
-        });
+        let points: Vec<_> = if is_timed {
+            let timed = |(p, error)| {
+                let Median { low, value, high } = measured.time(c, p);
+                ([low, value, high], error)
+            };
+            measured.compared(curve).into_iter().map(timed).collect()
+        } else {
+            let points = curve.points.iter();
+            points
+                .map(|p| ([p.on(experiment.against); 3], p.rms))
+                .collect()
+        };
+        let points = points.into_iter();
         let points = points.filter(|(x, error)| x[0] > 0.0 && error.is_finite());
         let limit = curve.points.iter();
         let limit = limit.filter_map(|p| Some((p.on(experiment.against), p.problem?.error)));
