@@ -23,10 +23,10 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise",
             "common/learn/",
         ],
-        7_600,
+        7_623,
     ),
     ("benchmarks", &["/benches/"], 1_576),
-    ("labs", &["/src/lab/", "/src/lab.rs"], 6_508),
+    ("labs", &["/src/lab/", "/src/lab.rs"], 6_472),
     ("engine", &["common/engine/"], 7_900),
     (
         "reader and writer of scene files",
@@ -41,17 +41,17 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/measure/src/",
             "common/testing/src/",
         ],
-        7_116,
+        7_326,
     ),
     ("tests of common and program", &["common/"], 270),
     ("fuzz targets", &["fuzz/"], 588),
     ("checks of the book", &["book/tests/"], 600),
     ("live pages", &["book/live/"], 1_760),
-    ("tests of the stages", &["/tests/"], 4_723),
+    ("tests of the stages", &["/tests/"], 4_759),
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 47_872;
+const OF_ALL: usize = 48_119;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.
