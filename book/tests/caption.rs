@@ -38,33 +38,3 @@ fn unnamed(page: &str, listing: &str, caption: &str) -> Option<String> {
     let path = paths.find(|path| !caption.contains(path))?;
     Some(format!("this listing has no caption *{path}* behind it"))
 }
-
-mod tests {
-    use super::*;
-
-    const LISTING: &str = "```rust,ignore\n{{#include ../../a/src/b.rs:c}}\n```\n";
-
-    #[test]
-    fn missing_captions_are_found() {
-        let right = format!("![a](a.png)\n\n*A, seen\nfrom `b`*\n\n{LISTING}\n*a/src/b.rs*\n");
-        let table =
-            "| a |\n|---|\n| ![b](c.png) |\n\nd\n\n```rust\nassert!(true);\n\nvec![0]\n```\n";
-        let picture = |behind| format!("# A\n\n![a](a.png)\n\n{behind}\n");
-        let listing = |behind| format!("{LISTING}\n{behind}\n");
-        let no_caption = "book/src/a.md:3: this picture has no *caption* behind it";
-        let no_file = "book/src/a.md:1: this listing has no caption *a/src/b.rs* behind it";
-        for (text, expected) in [
-            (right, None),
-            (table.to_owned(), None),
-            (picture("text"), Some(no_caption)),
-            (picture("*emphasis* and text"), Some(no_caption)),
-            (picture("*one* and *two*"), Some(no_caption)),
-            (picture("**bold**"), Some(no_caption)),
-            (listing("text"), Some(no_file)),
-            (listing("*a/src/c.rs*"), Some(no_file)),
-        ] {
-            let found = complaints(&Files::of([("book/src/a.md", &text)]));
-            assert!(found.iter().eq(expected.iter()), "{text}: {found:?}");
-        }
-    }
-}

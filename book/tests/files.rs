@@ -68,11 +68,6 @@ impl Files {
         let all = self.below("");
         all.filter(move |(path, _)| ending(path) == "rs" && !is_own(path))
     }
-
-    /// Files of a test.
-    pub fn of<const N: usize>(files: [(&str, &str); N]) -> Self {
-        Self(files.map(|(path, text)| (path.into(), text.into())).into())
-    }
 }
 
 /// The part of a path behind its last dot.
@@ -116,27 +111,4 @@ pub fn blocks(text: &str) -> Vec<(usize, &str)> {
     blocks.push((start, text[start..].trim_end()));
     blocks.retain(|(_, block)| !block.is_empty());
     blocks
-}
-
-mod tests {
-    use super::*;
-
-    #[test]
-    fn paths_are_relative_to_the_page() {
-        for (path, expected) in [
-            ("./pictures/a.png", Some("book/src/pictures/a.png")),
-            ("../../common/src/a.rs", Some("common/src/a.rs")),
-            ("../../../a.rs", None),
-        ] {
-            assert_eq!(resolve("book/src/a.md", path).as_deref(), expected);
-        }
-    }
-
-    #[test]
-    fn a_fence_is_one_block_with_its_blank_lines() {
-        let text = "# A\n\n\n```rust\na\n\nb\n```\n\n*c*\nd\n";
-        let expected = [(0, "# A"), (6, "```rust\na\n\nb\n```"), (24, "*c*\nd")];
-        assert_eq!(blocks(text), expected);
-        assert_eq!(complaint("a.md", text, 24, "no"), "a.md:10: no");
-    }
 }

@@ -34,25 +34,3 @@ fn is_file(span: &str) -> bool {
     let tops = ["a0", "book/", "common/", "fuzz/"];
     ending(span) == "rs" && span.contains("/src/") && tops.iter().any(|top| span.starts_with(top))
 }
-
-mod tests {
-    use super::*;
-
-    #[test]
-    fn unreached_pages_and_pictures_and_missing_files_are_found() {
-        let files = Files::of([
-            (SUMMARY, "- [A](a.md)"),
-            ("book/src/a.md", "[c](c.md) ![b](pictures/b.png)"),
-            ("book/src/c.md", "`a01/src/a.rs` `lib.rs`\n\n`a01/src/b.rs`"),
-            ("book/src/pictures/b.png", ""),
-            ("book/src/pictures/d.png", ""),
-            ("a01/src/a.rs", ""),
-        ]);
-        let expected = [
-            "book/src/c.md: no link leads here",
-            "book/src/pictures/d.png: no link leads here",
-            "book/src/c.md:3: there is no file a01/src/b.rs",
-        ];
-        assert_eq!(complaints(&files), expected);
-    }
-}
