@@ -1,41 +1,15 @@
-//! The engine hits transformed shapes and discs as the lesson's nodes do, to the last
-//! bit.
+//! The engine hits transformed shapes and discs as the lesson's nodes do, to the last bit, in
+//! random worlds.
 
-use std::f64::consts::PI;
-
-use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::{PixelRandom, Ray};
+use a02_math::{Point3, Vector3};
+use a03_rays_cameras::Ray;
+use a04_intersections::lab::support::Numbers;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Sphere, Triangle, World};
 use a07_transforms::fast::shapes;
-use a07_transforms::{Disc, Node, Transform};
-use common::Color;
+use a07_transforms::{Disc, Mat4x4, Node, Transform};
+use common::{ArgumentError, Color};
 
 use super::compare::compare;
-
-const RINGS: u32 = 6;
-
-/// A point of the unit sphere between two poles, in a grid of rings.
-fn place(ring: u32, step: u32) -> Point3 {
-    let polar = PI * f64::from(ring) / f64::from(RINGS);
-    let around = 2.0 * PI * f64::from(step % RINGS) / f64::from(RINGS);
-    let (sin, cos) = (libm::sin(polar), libm::cos(polar));
-    Point3::new(sin * libm::cos(around), cos, sin * libm::sin(around))
-}
-
-/// A closed mesh round the origin; the narrow triangles at the poles are left
-/// out.
-fn mesh(mut node: Node) -> Node {
-    for ring in 1..RINGS - 1 {
-        for step in 0..RINGS {
-            let (a, b) = (place(ring, step), place(ring, step + 1));
-            let (c, d) = (place(ring + 1, step), place(ring + 1, step + 1));
-            node = node
-                .with(Triangle::new(a, b, c).unwrap())
-                .with(Triangle::new(b, d, c).unwrap());
-        }
-    }
-    node
-}
 
 /// A shape of a student's own.
 #[derive(Debug)]
@@ -47,110 +21,88 @@ impl Geometry for Own {
     }
 }
 
-fn scaled(s: f64) -> Transform {
-    Transform::IDENTITY.scale(s, s, s).unwrap()
+fn point(numbers: &mut Numbers) -> Point3 {
+    Point3::ORIGIN + numbers.triple(-1.0, 1.0)
 }
 
-/// Two meshes, one of them mirrored, stretched and nested, with simpler shapes
-/// round about; and as many places worth aiming at, on edges and rims.
-fn world(s: f64, far: f64) -> (World<usize>, Vec<Point3>) {
-    let at = |x: f64, y: f64| Point3::new(x * s + far, y * s, -far);
-    let turned = Transform::IDENTITY
-        .translate(at(0.0, 0.0))
-        .and_then(|t| t.scale(s, s, s)?.rotate_x(0.7)?.rotate_y(-0.4))
-        .unwrap();
-    let inner = Transform::IDENTITY
-        .scale(-1.0, 0.5, 2.0)
-        .and_then(|t| t.rotate_z(1.1))
-        .unwrap();
-    let outer = Transform::IDENTITY
-        .translate(at(3.0, 1.0))
-        .and_then(|t| t.scale(s, s, s)?.rotate_y(0.3))
-        .unwrap();
-    let unit = Sphere::new(Point3::ORIGIN, 1.0).unwrap();
-    let corner = Point3::new(0.5, 0.5, 0.5);
-    let cube = AxisAlignedBox::new(Point3::new(-0.5, -0.5, -0.5), corner).unwrap();
-    let tilted = Normal3::new(1.0, 2.0, -1.0);
-    let disc = Disc::new(at(-2.0, 2.0), tilted, s).unwrap();
-    let side = |x, y| Transform::IDENTITY.translate(at(x, y)).unwrap();
-    let small = |x, y| side(x, y).scale(s, s, s).unwrap();
-    let ellipsoid = side(0.0, 3.0).scale(2.0 * s, 0.1 * s, s).unwrap();
-    // So unequal that the engine calls the node's own `hit`.
-    let needle = side(0.0, -3.0).scale(2e7 * s, s, s).unwrap();
-    let turned_inside = Transform::IDENTITY.rotate_z(0.3).unwrap();
+/// Translates, turns, stretches and mirrors. One in eight stretches so unequally that the engine
+/// calls the node's own `hit`.
+fn transform(numbers: &mut Numbers) -> Result<Transform, ArgumentError> {
+    let [x, y, z] = [(); 3].map(|()| libm::exp2(numbers.between(-1.0, 1.0)));
+    let thin = if numbers.below(8) == 0 { 2e7 } else { 1.0 };
+    Transform::IDENTITY
+        .translate(point(numbers))?
+        .rotate_x(numbers.between(-3.0, 3.0))?
+        .rotate_z(numbers.between(-3.0, 3.0))?
+        .scale(x * thin, -y, z)
+}
 
-    let nested = Node::new(outer)
-        .with(mesh(Node::new(inner)))
-        .with(Node::new(scaled(0.3)).with(Own(unit)).with(cube));
-    let world = World::new(Color::BLACK)
-        .unwrap()
-        .with(mesh(Node::new(turned)), 0)
-        .with(nested, 1)
-        .with(Node::new(small(-3.0, 0.0)).with(cube), 2)
-        .with(Node::new(ellipsoid).with(unit), 3)
-        .with(disc, 4)
-        .with(
-            Node::new(needle).with(Node::new(turned_inside).with(unit)),
-            5,
-        )
-        // Where two are met at once, the first of the list counts.
-        .with(Node::new(small(-3.0, 0.0)).with(cube), 6);
-
-    let mut targets = Vec::new();
-    for ring in 1..RINGS {
-        for step in 0..RINGS {
-            let (p, q) = (place(ring, step), place(ring, step + 1));
-            let edge = p + (q - p) * 0.5;
-            for p in [p, edge] {
-                targets.push(turned.matrix() * p);
-                targets.push(outer.matrix() * (inner.matrix() * p));
-                targets.push(ellipsoid.matrix() * p);
-            }
+/// Adds random shapes to a node, some under nodes of their own; and places worth aiming at, in the
+/// space that the matrix leads to: corners, and points on edges and spheres.
+fn fill(
+    mut node: Node,
+    to_world: Mat4x4,
+    levels: usize,
+    numbers: &mut Numbers,
+    targets: &mut Vec<Point3>,
+) -> Result<Node, ArgumentError> {
+    for _ in 0..3 {
+        let kind = numbers.below(6);
+        if levels > 0 && kind < 3 {
+            let inner = transform(numbers)?;
+            let to_world = to_world * inner.matrix();
+            let inner = fill(Node::new(inner), to_world, levels - 1, numbers, targets)?;
+            node = node.with(inner);
+            continue;
         }
-    }
-    let cube = small(-3.0, 0.0).matrix();
-    for i in 0..8 {
-        let [x, y, z] = [1, 2, 4].map(|bit| if i & bit == 0 { -0.5 } else { 0.5 });
-        targets.push(cube * Point3::new(x, y, z));
-    }
-    (world, targets)
-}
-
-/// From anywhere round about to the targets, to near by, and past them.
-fn rays(targets: &[Point3], s: f64) -> impl Iterator<Item = Ray> {
-    (0..8_000).map(move |i| {
-        let random = PixelRandom::new(7, i, 0);
-        let number = |n| 2.0 * random.uniform(n) - 1.0;
-        let way = Vector3::new(number(0), number(1), number(2));
-        let target = targets[i as usize % targets.len()];
-        let target = match i % 3 {
-            0 => target,
-            1 => target + Vector3::new(number(3), number(4), number(5)) * (1e-9 * s),
-            _ => target + Vector3::new(number(3), number(4), number(5)) * s,
+        let [a, b, c] = [(); 3].map(|()| point(numbers));
+        let radius = numbers.between(0.1, 0.5);
+        let (ball, on_ball) = (Sphere::new(a, radius)?, a + numbers.direction() * radius);
+        node = match kind {
+            0 => node.with(Own(ball)),
+            1 => node.with(AxisAlignedBox::new(a, b)?),
+            2 => node.with(Disc::new(a, (b - a).as_normal(), 0.5)?),
+            3 => node.with(ball),
+            // Two triangles with an edge in common.
+            _ => node
+                .with(Triangle::new(a, b, c)?)
+                .with(Triangle::new(b, a, Point3::ORIGIN)?),
         };
-        let origin = target + way * (if i % 5 == 0 { 1e4 } else { 6.0 } * s);
-        Ray::new(origin, target - origin).unwrap()
-    })
+        targets.extend([a, b, on_ball, a + (b - a) * 0.5].map(|target| to_world * target));
+    }
+    Ok(node)
 }
 
-fn check(s: f64, far: f64) {
-    let (world, targets) = world(s, far);
-    let mut met = [0; 7];
-    let rays: Vec<_> = rays(&targets, s).collect();
-    for ray in &rays {
-        if let Some((_, surface)) = world.hit(ray, Interval::AHEAD) {
-            met[*surface] += 1;
-        }
+/// A world of nodes of this size, this far away. Each stands there twice: the first counts.
+fn check(seed: u64, size: f64, far: f64) -> Result<(), ArgumentError> {
+    let place = Transform::IDENTITY
+        .translate(Point3::new(far, 0.0, -far))?
+        .scale(size, size, size)?;
+    let (mut world, mut targets) = (World::new(Color::BLACK)?, Vec::new());
+    for i in 0..8 {
+        let (numbers, node) = (&mut Numbers::new(seed, i / 2), Node::new(place));
+        let node = fill(node, place.matrix(), 2, numbers, &mut targets)?;
+        world = world.with(node, i);
     }
-    compare(&world, shapes, &rays);
-    // All are met, but the twin of the cube behind it in the list.
-    assert!(met[..6].iter().all(|times| *times > 100), "{met:?}");
-    assert_eq!(met[6], 0);
+    let numbers = &mut Numbers::new(seed, 99);
+    let mut rays = Vec::new();
+    for i in 0..3_000 {
+        // To a target, near by, and past it.
+        let off = numbers.triple(-1.0, 1.0) * (size * [0.0, 1e-9, 1.0][i % 3]);
+        let target = targets[numbers.below(targets.len())] + off;
+        let distance = if i % 5 == 0 { 1e4 } else { 6.0 };
+        let way: Vector3 = numbers.direction() * (size * distance);
+        rays.push(Ray::new(target + way, -way)?);
+    }
+    let hits = compare(&world, shapes, &rays);
+    assert!((1_000..3_000).contains(&hits), "{hits}");
+    Ok(())
 }
 
 #[test]
 fn nodes_of_all_sizes_and_far_away_are_met_alike() {
-    for (s, far) in [(1.0, 0.0), (1e-6, 0.0), (1e6, 0.0), (1.0, 1e7)] {
-        check(s, far);
+    let places = [(1.0, 0.0), (1e-6, 0.0), (1e6, 0.0), (1.0, 1e7)];
+    for (seed, (size, far)) in (0..).zip(places) {
+        check(seed, size, far).unwrap();
     }
 }
