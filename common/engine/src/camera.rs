@@ -1,7 +1,5 @@
 //! `Camera`: computes the rays through positions in a picture.
 
-use std::fmt;
-
 use common::Size;
 use glam::DVec3;
 
@@ -31,16 +29,6 @@ pub enum Camera<'a> {
     },
     /// A camera that the engine does not know: each ray comes from this function.
     Other(RayFn<'a>),
-}
-
-impl fmt::Debug for Camera<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Perspective { .. } => "Perspective",
-            Self::Orthographic { .. } => "Orthographic",
-            Self::Other(_) => "Other",
-        })
-    }
 }
 
 /// An eye and three axes of length 1, perpendicular to each other.

@@ -18,7 +18,6 @@ use crate::{Camera, Sampler, Scene};
 const CUTOFF: f64 = 1.0 / 8.0;
 
 /// A scene and a camera, prepared for rendering.
-#[derive(Debug)]
 pub struct Renderer<'a> {
     camera: Camera<'a>,
     tracer: Tracer<'a>,

@@ -8,7 +8,6 @@ use crate::shape::List;
 use crate::{Light, Shape, Surface, Transform};
 
 /// A scene.
-#[derive(Debug)]
 pub struct Scene<'a> {
     /// The colour of rays without a hit.
     pub background: Color,

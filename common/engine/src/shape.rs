@@ -16,8 +16,6 @@ mod transformed;
 mod transformed_bounds;
 mod triangle;
 
-use std::fmt;
-
 use glam::DVec3;
 
 use crate::lanes::{Lanes, PacketHit, is_set};
@@ -42,7 +40,6 @@ pub use triangle::Triangle;
 pub type HitFn<'a> = Box<dyn Fn(&Ray) -> Option<Hit> + Send + Sync + 'a>;
 
 /// A shape.
-#[derive(Debug)]
 pub enum Shape<'a> {
     /// All points at one distance from a centre.
     Sphere(Sphere),
@@ -62,12 +59,6 @@ pub enum Shape<'a> {
 
 /// The function of a shape that the engine does not know.
 pub struct Other<'a>(HitFn<'a>);
-
-impl fmt::Debug for Other<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Other")
-    }
-}
 
 impl<'a> Shape<'a> {
     /// A shape that the engine does not know.

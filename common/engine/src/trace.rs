@@ -24,7 +24,6 @@ use offset_ray::offset_rays;
 pub(crate) const BATCH: usize = 4 * PACKETS;
 
 /// A scene that is ready for rays.
-#[derive(Debug)]
 pub(crate) struct Tracer<'a> {
     pub background: Color,
     pub ambient: Color,

@@ -7,7 +7,7 @@ use crate::shape::{
 };
 
 /// All shapes of a scene.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(crate) struct Shapes<'a> {
     pub spheres: ShapeList<Vec<Sphere>>,
     pub triangles: ShapeList<Mesh>,

@@ -1,7 +1,5 @@
 //! `Light`: the light that a source sends to one point and to four points.
 
-use std::fmt;
-
 use common::Color;
 use glam::DVec3;
 
@@ -9,7 +7,6 @@ use crate::lanes::{ColorPacket, Lanes, Vector3x4, is_set};
 use crate::vector::normalized;
 
 /// A source of light.
-#[derive(Debug)]
 pub struct Light<'a> {
     /// Its kind and numbers.
     pub kind: LightKind<'a>,
@@ -49,17 +46,6 @@ pub enum LightKind<'a> {
     },
     /// A light that the engine does not know: this function computes its light at a point.
     Other(LightFn<'a>),
-}
-
-impl fmt::Debug for LightKind<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Point { .. } => "Point",
-            Self::Spot { .. } => "Spot",
-            Self::Directional { .. } => "Directional",
-            Self::Other(_) => "Other",
-        })
-    }
 }
 
 /// The light that a source sends to a point, without shadows.

@@ -1,14 +1,11 @@
 //! `Surface`: the material of an object and its reflectance.
 
-use std::fmt;
-
 use common::Color;
 
 use super::Phong;
 use crate::{Hit, Ray};
 
 /// A surface.
-#[derive(Debug)]
 pub struct Surface<'a> {
     /// The material: the light that it scatters.
     pub shading: Shading<'a>,
@@ -27,16 +24,6 @@ pub enum Shading<'a> {
     Phong(Phong),
     /// A material that the engine does not know: each hit is shaded by this function.
     Other(ShadeFn<'a>),
-}
-
-impl fmt::Debug for Shading<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::SingleColor(color) => f.debug_tuple("SingleColor").field(color).finish(),
-            Self::Phong(phong) => phong.fmt(f),
-            Self::Other(_) => f.write_str("Other"),
-        }
-    }
 }
 
 impl<'a> Surface<'a> {

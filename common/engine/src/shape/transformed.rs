@@ -12,7 +12,6 @@ use super::{Bounds, Primitive, Rays, Shape, Transform};
 use crate::lanes::{Lanes, PacketHit};
 
 /// A shape under transforms.
-#[derive(Debug)]
 pub struct Transformed<'a> {
     /// From the outermost transform to the innermost.
     pub(crate) steps: Vec<Transform>,
