@@ -2,7 +2,7 @@
 //! the bound, and the report of its samples is right.
 
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicI32, Ordering};
 
 use common::{Color, Error, Image, Progress, Sampled, Settings, Size};
 use engine::adaptive::{PixelRandom, render_image};
@@ -20,20 +20,26 @@ const DISC: Light = |x, y| {
 };
 
 /// Settings for pictures of this error.
-fn settings(max_error: f64) -> Settings {
+fn settings(max_error: f64, seed: u64) -> Settings {
     Settings {
         size: Size::new(80, 60).unwrap(),
         samples: 1024,
         max_error: Some(max_error),
+        seed,
         ..Settings::default()
     }
 }
 
-fn adaptive(light: Light, settings: &Settings) -> (Image, Sampled) {
+/// The picture and its report, if no light is brighter than `max_radiance`.
+fn adaptive(
+    light: impl Fn(f64, f64) -> f64 + Sync,
+    max_radiance: f64,
+    settings: &Settings,
+) -> (Image, Sampled) {
     let sampled = Mutex::new(Sampled::default());
     let light = |x, y| Color::gray(light(x, y));
     let max_error = settings.max_error.unwrap();
-    let image = render_image(max_error, 1.0, &light, settings, &sampled).unwrap();
+    let image = render_image(max_error, max_radiance, &light, settings, &sampled).unwrap();
     (image, sampled.into_inner().unwrap())
 }
 
@@ -65,16 +71,12 @@ fn root_mean_square(a: &Image, b: &Image) -> f64 {
 /// Checks a picture against 64 x 64 samples a pixel, and that a smaller bound takes no fewer
 /// samples. Returns error and samples for the smallest bound.
 fn check(light: Light) -> (f64, Sampled) {
-    let reference = stratified(light, settings(1.0).size, 64);
+    let reference = stratified(light, settings(1.0, 0).size, 64);
     let mut last = (0.0, Sampled::default());
     for seed in [0, 1] {
         let mut before = 0;
         for bound in BOUNDS {
-            let settings = Settings {
-                seed,
-                ..settings(bound)
-            };
-            let (image, sampled) = adaptive(light, &settings);
+            let (image, sampled) = adaptive(light, 1.0, &settings(bound, seed));
             let error = root_mean_square(&image, &reference);
             assert!(error <= bound, "{error} of {bound}, seed {seed}");
             assert!(!sampled.misses(Some(bound)), "{sampled}");
@@ -90,50 +92,42 @@ fn check(light: Light) -> (f64, Sampled) {
 fn a_disc_keeps_the_bound_with_a_fraction_of_the_samples() {
     let (error, sampled) = check(DISC);
     let mean = sampled.samples as f64 / sampled.pixels as f64;
-    let size = settings(1.0).size;
+    let size = Size::new(80, 60).unwrap();
     let everywhere = stratified(DISC, size, mean.sqrt().ceil() as u32);
     let uniform = root_mean_square(&everywhere, &stratified(DISC, size, 64));
     assert!(uniform > 1.5 * error, "{error}, {uniform}; {sampled}");
 }
 
-/// Edges in the very middle of the picture, between two pixels: without jitter, all
-/// corners of a pixel would lie on one side.
 #[test]
-fn a_quarter_whose_edges_lie_between_pixels_keeps_the_bound() {
-    check(|x, y| f64::from(u8::from(x > 39.5 && y > 29.5)));
-}
-
-/// Five times as bright as white: 0.2 of a pixel makes it white, and samples that agree by luck
-/// show no variance.
-#[test]
-fn a_glaring_half_plane_keeps_the_bound() {
-    check(|x, y| if y > 0.31 * x + 17.3 { 5.0 } else { 0.0 });
-}
-
-/// Thinner than a pixel, so that most middles lie beside it.
-#[test]
-fn a_thin_line_keeps_the_bound() {
-    check(|x, y| f64::from(u8::from((y - 0.4 * x - 12.3).abs() < 0.3)));
-}
-
-#[test]
-fn a_highlight_keeps_the_bound() {
-    check(|x, y| {
-        let (x, y) = ((x - 40.2) / 6.0, (y - 30.7) / 4.0);
-        1.4 / (1.0 + x * x + y * y)
-    });
+fn edges_lines_and_highlights_keep_the_bound() {
+    let lights: [Light; 4] = [
+        // Edges in the very middle of the picture, between two pixels: without jitter, all
+        // corners of a pixel would lie on one side.
+        |x, y| f64::from(u8::from(x > 39.5 && y > 29.5)),
+        // Five times as bright as white: 0.2 of a pixel makes it white, and samples that agree
+        // by luck show no variance.
+        |x, y| if y > 0.31 * x + 17.3 { 5.0 } else { 0.0 },
+        // Thinner than a pixel, so that most middles lie beside it.
+        |x, y| f64::from(u8::from((y - 0.4 * x - 12.3).abs() < 0.3)),
+        |x, y| {
+            let (x, y) = ((x - 40.2) / 6.0, (y - 30.7) / 4.0);
+            1.4 / (1.0 + x * x + y * y)
+        },
+    ];
+    for light in lights {
+        check(light);
+    }
 }
 
 /// The middle sees light that changes evenly at its mean, and so does the pair that checks it.
 #[test]
 fn smooth_light_takes_the_fewest_samples() {
     let slope: Light = |x, y| 0.1 + 0.002 * x + 0.003 * y;
+    let settings = settings(1.0 / 64.0, 0);
     // The mean of a pixel is the light in its middle.
-    let exact = Image::from_fn(settings(1.0).size, |column, row| {
-        Color::gray(slope(f64::from(column), f64::from(59 - row)))
-    });
-    let exact = exact.unwrap();
-    let (image, sampled) = adaptive(slope, &settings(1.0 / 64.0));
+    let exact = |column, row| Color::gray(slope(f64::from(column), f64::from(59 - row)));
+    let exact = Image::from_fn(settings.size, exact).unwrap();
+    let (image, sampled) = adaptive(slope, 1.0, &settings);
     assert_eq!((sampled.most, sampled.samples), (2, 3 * sampled.pixels));
     assert!(root_mean_square(&image, &exact) < 1e-12);
 }
@@ -142,9 +136,8 @@ fn smooth_light_takes_the_fewest_samples() {
 /// the root of 3 / 0.09 samples may be wrong make its square, even if all is empty.
 #[test]
 fn an_empty_picture_is_searched_for_small_objects() {
-    let size = settings(1.0).size;
-    let bound = 0.09 / (size.pixels() as f64).sqrt();
-    let (image, sampled) = adaptive(|_, _| 0.25, &settings(bound));
+    let bound = 0.09 / (80.0 * 60.0_f64).sqrt();
+    let (image, sampled) = adaptive(|_, _| 0.25, 1.0, &settings(bound, 0));
     assert!(image.pixels().iter().all(|c| *c == Color::gray(0.25)));
     let needed = 3_f64.sqrt() / 0.09 * sampled.pixels as f64;
     assert!(sampled.samples as f64 >= needed, "{sampled}");
@@ -155,19 +148,10 @@ fn an_empty_picture_is_searched_for_small_objects() {
 /// probability is below 5 % in each, and the seeds are fixed.
 #[test]
 fn a_lone_object_that_matters_is_found() {
-    let speck: Light = |x, y| {
-        let near = (x - 40.2).abs() < 0.2 && (y - 30.1).abs() < 0.2;
-        f64::from(u8::from(near))
-    };
-    let settings = settings(HALF_GREY_LEVEL);
-    let reference = stratified(speck, settings.size, 64);
+    let speck: Light = |x, y| f64::from(u8::from((x - 40.2).abs().max((y - 30.1).abs()) < 0.2));
+    let reference = stratified(speck, settings(1.0, 0).size, 64);
     let missed = (0..20).filter(|seed| {
-        let seed = *seed;
-        let settings = Settings {
-            seed,
-            ..settings.clone()
-        };
-        let (image, sampled) = adaptive(speck, &settings);
+        let (image, sampled) = adaptive(speck, 1.0, &settings(HALF_GREY_LEVEL, *seed));
         let above = root_mean_square(&image, &reference) > HALF_GREY_LEVEL;
         above && !sampled.misses(Some(HALF_GREY_LEVEL))
     });
@@ -179,38 +163,29 @@ fn a_lone_object_that_matters_is_found() {
 #[test]
 fn the_promise_holds_up_to_the_brightest_light_that_is_possible_or_was_seen() {
     for (max_radiance, is_conditional) in [(0.25, false), (1.0, false), (40.0, true)] {
-        let light = |_, _| Color::gray(0.25);
-        let sampled = Mutex::new(Sampled::default());
-        render_image(1.0 / 64.0, max_radiance, &light, &settings(1.0), &sampled).unwrap();
-        let sampled = sampled.into_inner().unwrap();
+        let (_, sampled) = adaptive(|_, _| 0.25, max_radiance, &settings(1.0 / 64.0, 0));
         assert_eq!(sampled.is_conditional(), is_conditional, "{sampled}");
     }
 }
 
 #[test]
 fn threads_do_not_change_the_picture_and_the_seed_does() {
+    let render = |seed| adaptive(DISC, 1.0, &settings(HALF_GREY_LEVEL, seed));
     let [one, two] = [1, 2].map(|threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-        let pool = pool.build().unwrap();
-        pool.install(|| adaptive(DISC, &settings(HALF_GREY_LEVEL)))
+        pool.build().unwrap().install(|| render(0))
     });
     assert_eq!(one, two);
-    let other = Settings {
-        seed: 1,
-        ..settings(HALF_GREY_LEVEL)
-    };
-    assert_ne!(one.0, adaptive(DISC, &other).0);
+    assert_ne!(one.0, render(1).0);
 }
 
 /// The report says so if the allowed samples are too few for the bound.
 #[test]
 fn no_pixel_takes_more_samples_than_allowed() {
     for (samples, most) in [(1, 4), (4, 4), (21, 20), (64, 64)] {
-        let few = Settings {
-            samples,
-            ..settings(1e-5)
-        };
-        let (_, sampled) = adaptive(DISC, &few);
+        let mut settings = settings(1e-5, 0);
+        settings.samples = samples;
+        let (_, sampled) = adaptive(DISC, 1.0, &settings);
         assert!(sampled.most <= most, "{sampled}");
         assert!(sampled.misses(Some(1e-5)), "{sampled}");
     }
@@ -222,11 +197,8 @@ fn small_pictures_keep_the_bound_or_say_that_they_may_not() {
     for (width, height) in [(1, 1), (1, 2), (3, 1), (5, 7), (17, 33)] {
         let size = Size::new(width, height).unwrap();
         let half_plane: Light = |x, y| f64::from(u8::from(y > 0.31 * x + 0.1));
-        let small = Settings {
-            size,
-            ..settings(HALF_GREY_LEVEL)
-        };
-        let (image, sampled) = adaptive(half_plane, &small);
+        let settings = settings(HALF_GREY_LEVEL, 0);
+        let (image, sampled) = adaptive(half_plane, 1.0, &Settings { size, ..settings });
         assert_eq!(sampled.pixels, size.pixels() as u64);
         let error = root_mean_square(&image, &stratified(half_plane, size, 64));
         let misses = sampled.misses(Some(HALF_GREY_LEVEL));
@@ -237,58 +209,35 @@ fn small_pictures_keep_the_bound_or_say_that_they_may_not() {
 #[test]
 fn light_that_is_not_finite_comes_to_an_end() {
     for bad in [f64::NAN, f64::INFINITY, f64::MAX] {
-        let half = |x, _| Color::gray(if DISC(x, 30.0) > 0.0 { bad } else { 0.0 });
-        let settings = settings(HALF_GREY_LEVEL);
-        let image = render_image(HALF_GREY_LEVEL, f64::INFINITY, &half, &settings, &()).unwrap();
-        assert_eq!(image.size(), settings.size);
+        let half = |x, _| if x > 30.0 { bad } else { 0.0 };
+        adaptive(half, f64::INFINITY, &settings(HALF_GREY_LEVEL, 0));
     }
 }
 
-/// Counts rows.
-#[derive(Default)]
-struct Counter {
-    announced: AtomicU32,
-    finished: AtomicU32,
-    stopped: bool,
-}
+/// The number of rows that are still to be painted, and whether the rendering is stopped.
+struct Rows(AtomicI32, bool);
 
-impl Progress for Counter {
+impl Progress for Rows {
     fn row(&self, _: u32, _: &mut dyn Iterator<Item = Color>) {
-        self.finished.fetch_add(1, Ordering::Relaxed);
+        assert!(self.0.fetch_sub(1, Ordering::Relaxed) > 0);
     }
 
     fn more_rows(&self, rows: u32) {
-        self.announced.fetch_add(rows, Ordering::Relaxed);
+        self.0.fetch_add(rows as i32, Ordering::Relaxed);
     }
 
     fn stopped(&self) -> bool {
-        self.stopped
+        self.1
     }
 }
 
 #[test]
-fn rows_are_announced_before_they_are_painted_again() {
-    let (counter, settings) = (Counter::default(), settings(HALF_GREY_LEVEL));
-    let light = |x, y| Color::gray(DISC(x, y));
-    render_image(HALF_GREY_LEVEL, f64::INFINITY, &light, &settings, &counter).unwrap();
-    let announced = counter.announced.into_inner();
-    assert!(announced > 0);
-    assert_eq!(counter.finished.into_inner(), 60 + announced);
-}
-
-#[test]
-fn a_stopped_rendering_is_an_error() {
-    let stopped = Counter {
-        stopped: true,
-        ..Counter::default()
-    };
-    let light = |x, y| Color::gray(DISC(x, y));
-    let result = render_image(
-        HALF_GREY_LEVEL,
-        f64::INFINITY,
-        &light,
-        &settings(1.0),
-        &stopped,
-    );
-    assert!(matches!(result, Err(Error::Stopped)));
+fn rows_are_announced_before_they_are_painted_again_unless_the_rendering_is_stopped() {
+    for stopped in [false, true] {
+        let rows = Rows(60.into(), stopped);
+        let (light, settings) = (|x, y| Color::gray(DISC(x, y)), settings(1.0, 0));
+        let result = render_image(HALF_GREY_LEVEL, 1.0, &light, &settings, &rows);
+        assert_eq!(matches!(result, Err(Error::Stopped)), stopped);
+        assert!(stopped || rows.0.into_inner() == 0);
+    }
 }
