@@ -119,7 +119,7 @@ impl Numbers {
 
     fn surface(&mut self) -> Result<Box<dyn Surface>, ArgumentError> {
         let (diffuse, specular, reflection) = (self.color(), self.color(), self.color());
-        let exponent = [0.0, 1.0, 2.5, 64.0][self.one_of(4) as usize];
+        let exponent = [0.0, 1.0, 2.5, 3.0, 64.0, 1024.0][self.one_of(6) as usize];
         Ok(match self.one_of(6) {
             0 => Box::new(SingleColor::new(diffuse)?),
             1 => Box::new(Lambert::new(diffuse)?),

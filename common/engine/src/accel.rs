@@ -14,8 +14,6 @@ mod shape_list;
 mod shapes;
 mod slabs;
 mod split;
-#[cfg(test)]
-mod tests;
 mod traverse;
 mod tree_space;
 
@@ -34,7 +32,6 @@ use tree_space::TreeSpace;
 const LINEAR_SCAN_SHAPES: usize = 16;
 
 /// The shapes of a scene, prepared for many rays.
-#[derive(Debug)]
 pub(crate) struct Accelerator<'a> {
     pub shapes: Shapes<'a>,
     /// The shapes with finite bounds.

@@ -107,29 +107,3 @@ impl<L: List> ShapeList<L> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::Plane;
-    use glam::DVec3;
-
-    #[test]
-    fn shapes_and_their_attributes_are_reordered() {
-        let mut list = ShapeList::<Vec<Plane>>::default();
-        for order in 0..6 {
-            let point = DVec3::splat(order.into());
-            let (normal, surface) = (DVec3::Z, 10 + order);
-            let attributes = Attributes { order, surface };
-            list.with(attributes).push(Plane { point, normal });
-        }
-        // Two cycles, of three and of two, and one that stays.
-        let order = [2, 0, 1, 3, 5, 4];
-        list.reorder(order.to_vec());
-        for (index, was) in order.into_iter().enumerate() {
-            assert_eq!(list.shapes[index].point.x, f64::from(was));
-            let Attributes { order, surface } = list.attributes[index];
-            assert_eq!([order, surface], [was, 10 + was]);
-        }
-    }
-}

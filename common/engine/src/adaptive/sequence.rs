@@ -81,31 +81,3 @@ const fn mirrored(reversed: u32, seed: u32) -> u32 {
         scrambled(reversed, seed)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Every rectangle with the sides 2^-a and 2^(a - k) holds one of the first 2^k points,
-    /// and one of the next.
-    #[test]
-    fn points_are_spread_over_all_rectangles_of_equal_area() {
-        for seed in 0..8 {
-            let sequence = Sequence::new(PixelRandom::new(seed, 3, 4));
-            for k in 1..8_u32 {
-                for a in 0..=k {
-                    let pairs = 1 << (k - 1);
-                    for first in [0, pairs, 5 * pairs] {
-                        let mut held = vec![0; 1 << k];
-                        for (x, y) in (first..first + pairs).flat_map(|i| sequence.pair(i)) {
-                            let column = (x * f64::from(1 << a)) as usize;
-                            let row = (y * f64::from(1 << (k - a))) as usize;
-                            held[(row << a) + column] += 1;
-                        }
-                        assert!(held.iter().all(|n| *n == 1), "{seed} {k} {a}");
-                    }
-                }
-            }
-        }
-    }
-}

@@ -78,18 +78,6 @@ pub(in crate::accel) fn cluster(count: u32, at: f32, size: f32) -> impl Iterator
 }
 
 #[test]
-fn a_split_lies_between_groups() {
-    for (low, high) in [(2, 5), (5, 2)] {
-        let groups = cluster(high, 90.0, 1.0).chain(cluster(low, 0.0, 1.0));
-        let mut shapes: Vec<_> = groups.collect();
-        assert_eq!(by_sah(&mut shapes), Some(low as usize));
-        let (left, right) = shapes.split_at(low as usize);
-        assert!(left.iter().all(|item| item.bounds.max[0] <= 1.0));
-        assert!(right.iter().all(|item| item.bounds.min[0] >= 90.0));
-    }
-}
-
-#[test]
 fn shapes_with_one_centroid_are_split_at_the_median() {
     let mut shapes = [item([-1.0; 3], [1.0; 3], 0); 9];
     assert_eq!(by_sah(&mut shapes), None);
