@@ -63,7 +63,7 @@ fn read(path: &Path, most: u64) -> Result<Vec<u8>, String> {
 }
 
 /// The settings of the table `picture`.
-fn settings(picture: &Item) -> Result<Settings, scene_file::Error> {
+pub fn settings(picture: &Item) -> Result<Settings, scene_file::Error> {
     let mut settings = Settings::default();
     if let Some([width, height]) = picture.find_whole("size", u32::MAX)? {
         let size = Size::new(width, height);

@@ -18,8 +18,9 @@ const WIDTH: f64 = 480.0;
 const HEIGHT: f64 = 360.0;
 const CELL: f64 = 3.0;
 
-/// The lines of the first sample, with their classes; and the eye and the lights by name.
-type Lines<'a> = (Vec<([Point3; 2], &'static str)>, BTreeMap<&'a str, Point3>);
+/// The lines of the first sample, with their classes, which have the number of the ray; and the eye
+/// and the lights by name.
+type Lines<'a> = (Vec<([Point3; 2], String)>, BTreeMap<&'a str, Point3>);
 
 /// The lines of a trace.
 fn lines(trace: &[Step]) -> Lines<'_> {
@@ -31,14 +32,15 @@ fn lines(trace: &[Step]) -> Lines<'_> {
         .unwrap_or_default();
     // A ray that hits nothing ends beyond the middle of the scene.
     let far = 1.5 * eye.magnitude().max(2.0);
-    let mut hit = point(eye);
+    let (mut hit, mut ray) = (point(eye), 0);
     let (mut lines, mut named) = (Vec::new(), BTreeMap::from([("eye", hit)]));
     let sample = trace.iter().enumerate();
     for (_, step) in sample.take_while(|(i, step)| *i == 0 || step.level > 0) {
         let [o, d, p, l] = ["o", "d", "p", "l"].map(|symbol| vector(step, symbol));
         if let (RAY | REFLECTED, Some(o), Some(d)) = (step.kind, o, d) {
             let length = if step.kind == RAY { far } else { far / 3.0 };
-            lines.push(([o, o + d * length].map(point), "curve"));
+            ray += 1;
+            lines.push(([o, o + d * length].map(point), format!("curve ray{ray}")));
         } else if let (Some(p), Some((line, _))) = (p, lines.last_mut()) {
             hit = point(p);
             line[1] = hit;
@@ -46,6 +48,7 @@ fn lines(trace: &[Step]) -> Lines<'_> {
             let light = hit + l * distance.min(far);
             let arrives = step.outcome == "arrives";
             let class = if arrives { "curve" } else { "curve estimate" };
+            let class = format!("{class} ray{ray}");
             // The last line remains the ray that has hit.
             lines.insert(lines.len() - 1, ([hit, light], class));
             if distance.is_finite() {

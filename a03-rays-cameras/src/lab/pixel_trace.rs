@@ -67,6 +67,13 @@ impl View {
             steps,
         })
     }
+
+    /// The rays of the first sample of these steps from the side and from above, as SVG, whose
+    /// title has a name of the scene.
+    #[must_use]
+    pub fn drawing(self, steps: &[Step], name: &str) -> String {
+        drawing::svg(&*self.world.watched(false), steps, name)
+    }
 }
 
 impl<F: Fn(Size) -> Result<View, Error> + Send + Sync> Explained for ViewOf<F> {
@@ -75,8 +82,7 @@ impl<F: Fn(Size) -> Result<View, Error> + Send + Sync> Explained for ViewOf<F> {
     }
 
     fn drawing(&self, settings: &Settings, trace: &PixelTrace) -> Result<String, Error> {
-        let world = self.1(settings.size)?.world.watched(false);
-        Ok(drawing::svg(&*world, &trace.steps, self.0))
+        Ok(self.1(settings.size)?.drawing(&trace.steps, self.0))
     }
 
     fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {

@@ -1,8 +1,14 @@
 //! The pictures of the book that its pages can render, by the names of their files.
 
-use a03_rays_cameras::TracedScene;
-use common::{Error, Scene};
+use a02_math::Point3;
+use a03_rays_cameras::{TracedScene, View};
+use common::{Error, Scene, Settings};
 use measure::Stage;
+
+use crate::file;
+
+/// The name of the picture of a scene file begins with it; the text of the file follows.
+const FILE: &str = "file\n";
 
 // The pictures of the errata are examples of the last stage.
 #[path = "../../../a07-transforms/examples/errata/main.rs"]
@@ -40,8 +46,11 @@ pub fn names() -> Vec<String> {
     names.collect()
 }
 
-/// The scene whose picture has this name.
+/// The scene whose picture has this name, or of the file with this text.
 pub fn scene(picture: &str) -> Result<Scene, Error> {
+    if let Some(text) = picture.strip_prefix(FILE) {
+        return file::scene(text);
+    }
     let found = stages().into_iter().find_map(|stage| {
         let mut scenes = stage.scenes.into_iter();
         scenes.find(|scene| name(stage.name, scene) == picture)
@@ -49,19 +58,30 @@ pub fn scene(picture: &str) -> Result<Scene, Error> {
     found.ok_or_else(|| Error::Usage(format!("there is no picture \"{picture}\"")))
 }
 
-/// The traced scene of a stage whose picture has this name.
-pub fn traced_scene(picture: &str) -> Option<TracedScene> {
-    let scenes: Vec<TracedScene> = match picture.get(..3)? {
+/// The view of a picture; none if the picture is not a traced scene of a stage or of a file.
+pub fn view(picture: &str, settings: &Settings) -> Result<Option<View>, Error> {
+    if let Some(text) = picture.strip_prefix(FILE) {
+        return file::open(text).map(|(_, view)| Some(view));
+    }
+    let scenes: Vec<TracedScene> = match picture.get(..3).unwrap_or_default() {
         "a03" => a03_rays_cameras::traced_scenes().into(),
         "a04" => a04_intersections::traced_scenes().into(),
         "a05" => a05_lighting::traced_scenes().into(),
         "a06" => a06_shadows_reflection::traced_scenes().into(),
         "a07" => a07_transforms::traced_scenes().into(),
-        _ => return None,
+        _ => return Ok(None),
     };
-    let stage = stages()
-        .into_iter()
-        .find(|stage| picture.starts_with(stage.name))?;
-    let scene = picture.strip_prefix(stage.name)?.strip_prefix('-')?;
-    scenes.into_iter().find(|known| known.name == scene)
+    let name = scene(picture)?.name;
+    let found = scenes.into_iter().find(|known| known.name == name);
+    Ok(found.map(|found| (found.view)(settings.size)).transpose()?)
+}
+
+/// The point that the camera of a picture is turned around.
+pub fn centre(picture: &str) -> Point3 {
+    // The objects that a camera at the origin looks at are three to six before it.
+    match picture {
+        "a04-intersections-scene-2" | "a04-intersections-scene-4" => Point3::new(0.0, 0.0, -3.0),
+        "a04-intersections-scene-5" | "a04-intersections-scene-6" => Point3::new(0.0, 0.0, -4.5),
+        _ => Point3::ORIGIN,
+    }
 }

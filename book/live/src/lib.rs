@@ -11,9 +11,9 @@ mod exchange;
 mod exports;
 mod extremes;
 mod figures;
+mod file;
 mod picture;
 mod turned;
-mod view;
 
 use common::Error;
 
@@ -22,13 +22,15 @@ pub use answer::Answer;
 /// The answer to a request, or the reason why there is none.
 type Answered = Result<Answer, Error>;
 
-/// Answers a request of a page: `render PICTURE`, `probe PICTURE` or `about PICTURE`,
-/// with the settings as numbers, `extremes STAGE`, `pictures`, or the name of a figure
-/// with its numbers. An error is a sentence for the reader.
+/// Answers a request of a page: `render`, `about`, `trace` or `drawing` and a picture, with the
+/// settings and a pixel as numbers, `extremes STAGE`, `pictures`, or the name of a figure
+/// with its numbers. The text of a scene file is a picture, too, behind a line `file`. An error is a
+/// sentence for the reader.
 pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
     let answer = match request.split_once(' ') {
         Some(("render", name)) => picture::render(name, numbers),
-        Some(("probe", name)) => picture::probe(name, numbers),
+        Some(("trace", name)) => picture::trace(name, numbers),
+        Some(("drawing", name)) => picture::drawing(name, numbers),
         Some(("about", name)) => picture::about(name),
         Some(("extremes", stage)) => extremes::extremes(stage),
         None if request == "pictures" => Ok(Answer::text(catalogue::names().join("\n"))),

@@ -1,12 +1,10 @@
-//! Renders the pictures of the book for its pages, and looks along single rays.
+//! Renders the pictures of the book for its pages, and takes the numbers behind a pixel.
 
 use a03_rays_cameras::View;
-use common::steps::{HIT, TEST};
-use common::{Error, Sampling, Settings};
+use common::{Error, PixelTrace, Sampling, Settings, Transfer};
 
 use crate::exchange::settings;
 use crate::turned::{Turn, Turned};
-use crate::view::{centre, view};
 use crate::{Answer, Answered, catalogue};
 
 pub use crate::exchange::{pixels, sampling};
@@ -19,60 +17,58 @@ fn turn(numbers: &[f64]) -> Turn {
     }
 }
 
-/// The view of a picture, with its camera turned.
-fn turned(picture: &str, settings: &Settings, turn: Turn) -> Result<Option<View>, Error> {
-    let view = view(picture, settings)?;
-    Ok(view.map(|view| {
+/// The settings in the numbers of a page, and the view of a picture with its camera turned; none
+/// if the picture is painted without rays.
+fn turned(picture: &str, numbers: &[f64]) -> Result<(Settings, Option<View>), Error> {
+    let settings = settings(&catalogue::scene(picture)?.defaults, numbers)?;
+    let (view, turn) = (catalogue::view(picture, &settings)?, turn(numbers));
+    let view = view.map(|view| {
         if turn == Turn::NONE {
             return view;
         }
-        let camera = Turned::new(view.camera, settings.size, centre(picture), turn);
+        let camera = Turned::new(view.camera, settings.size, catalogue::centre(picture), turn);
         View::new(camera, view.world)
-    }))
+    });
+    Ok((settings, view))
 }
 
 /// Renders a picture: its pixels, its size and, as text, the hash that the tests lock.
 pub fn render(picture: &str, numbers: &[f64]) -> Answered {
-    let scene = catalogue::scene(picture)?;
-    let settings = settings(&scene.defaults, numbers)?;
-    let image = match turned(picture, &settings, turn(numbers))? {
-        Some(view) => view.render(&settings, &()),
-        None => scene.render(&settings, &()),
+    let image = match turned(picture, numbers)? {
+        (settings, Some(view)) => view.render(&settings, &()),
+        (settings, None) => catalogue::scene(picture)?.render(&settings, &()),
     };
     image.map(|image| pixels(&image))
 }
 
-/// Looks along the ray through the middle of a pixel, whose column and row follow the
-/// settings: its linear colour, and if it meets a surface, `t`, point and normal.
-pub fn probe(picture: &str, numbers: &[f64]) -> Answered {
-    let scene = catalogue::scene(picture)?;
-    let settings = settings(&scene.defaults, numbers)?;
-    let view = turned(picture, &settings, turn(numbers))?;
-    let (Some(view), [.., column, row]) = (view, numbers) else {
-        return Ok(Answer::text("painted, without a ray"));
+/// The numbers behind a pixel, whose column and row follow the settings.
+fn traced(picture: &str, numbers: &[f64]) -> Result<PixelTrace, Error> {
+    let (settings, view) = turned(picture, numbers)?;
+    let pixel = match numbers.get(10..12) {
+        Some(&[column, row]) => [column, row].map(|place| place as u32),
+        _ => [u32::MAX; 2],
     };
-    let row = (*row as u32).min(settings.size.height() - 1);
-    let settings = Settings {
-        samples: 1,
-        sampling: Sampling::Center,
-        ..settings
-    };
-    let trace = view.trace(&settings, [*column as u32, row])?;
-    let step = |kind| trace.steps.iter().find(|step| step.kind == kind);
-    let name = |kind| step(kind).map_or("", |step| &step.name);
-    let color = trace.color.channels();
-    let Some(hit) = step(HIT) else {
-        return Ok(Answer::text("the background").with("color", color));
-    };
-    let (_, object) = name(TEST).split_once(": ").unwrap_or_default();
-    let material = name("color")
-        .replace("colour of ", ", ")
-        .replace("colour", "");
-    Ok(Answer::text(format!("{object}{material}"))
-        .with("color", color)
-        .with("t", hit.value("t").unwrap_or([f64::NAN]))
-        .with("point", hit.value("p").unwrap_or([f64::NAN; 3]))
-        .with("normal", hit.value("n").unwrap_or([f64::NAN; 3])))
+    if pixel[0] >= settings.size.width() || pixel[1] >= settings.size.height() {
+        let size = settings.size;
+        return Err(Error::Usage(format!("the pixel is not in {size} pixels")));
+    }
+    let painted = || Error::Usage("a painted picture has no rays".to_owned());
+    view.ok_or_else(painted)?.trace(&settings, pixel)
+}
+
+/// The numbers behind a pixel as JSON.
+pub fn trace(picture: &str, numbers: &[f64]) -> Answered {
+    traced(picture, numbers).map(|trace| Answer::text(trace.to_json(Transfer::Linear)))
+}
+
+/// The rays of a sample, whose number from 0 follows the pixel, as SVG.
+pub fn drawing(picture: &str, numbers: &[f64]) -> Answered {
+    let steps = traced(picture, numbers)?.steps;
+    let sample = numbers.get(12).map_or(0, |sample| *sample as usize);
+    let sample = steps.chunk_by(|_, next| next.level > 0).nth(sample);
+    let (_, view) = turned(picture, numbers)?;
+    let drawing = view.map(|view| view.drawing(sample.unwrap_or_default(), "the picture"));
+    Ok(Answer::text(drawing.unwrap_or_default()))
 }
 
 /// The settings that a picture has by default, and those that change it.
@@ -81,7 +77,7 @@ pub fn about(picture: &str) -> Answered {
     let defaults = &scene.defaults;
     let mut places = Sampling::ALL.iter();
     let sampling = places.position(|place| *place == defaults.sampling);
-    let turns = catalogue::traced_scene(picture).is_some();
+    let turns = catalogue::view(picture, defaults)?.is_some();
     let flag = |is_set| f64::from(u8::from(is_set));
     let (width, height) = (defaults.size.width(), defaults.size.height());
     Ok(Answer::text(scene.about)

@@ -1,13 +1,12 @@
 //! The scene that grows from chapter to chapter, seen from aside, and one ray through it.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
-use a03_rays_cameras::{OrthographicCamera, Ray, render};
-use a04_intersections::{AxisAlignedBox, Geometry, Interval, Plane, Sphere, Triangle};
+use a03_rays_cameras::{OrthographicCamera, PerspectiveCamera, View, render};
+use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle};
 use a05_lighting::{Lambert, Light, Phong, PointLight, SingleColor, SpotLight};
-use a06_shadows_reflection::{
-    LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, secondary_ray,
-};
-use a07_transforms::{Disc, Node, Transform};
+use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface};
+use a07_transforms::{Disc, Node, Transform, traced};
+use common::steps::{HIT, RAY, REFLECTED, Step, TEST};
 use common::{ArgumentError, Color, Settings, Size};
 
 use super::{Answered, gaze};
@@ -104,43 +103,68 @@ pub fn answer([x, y, depth, coarse, yaw, pitch, step]: [f64; 7]) -> Answered {
     };
     let image = render(&camera, |ray| tracer.trace(ray, depth), &settings, &())?;
 
-    let first = Ray::new(EYE, Point3::new(x, y, 3.2) - EYE)?;
+    // The steps of the ray from the eye: those of a picture of one pixel.
+    let camera = PerspectiveCamera::new(EYE, Point3::new(x, y, 3.2) - EYE, UP, 1.0)?;
+    let one_pixel = Settings {
+        size: Size::new(1, 1)?,
+        depth,
+        ..Settings::default()
+    };
+    let view = traced(View::new(camera, self::world(step)?));
+    let trace = view.trace(&one_pixel, [0, 0])?;
     let list = |p: Point3| p.to_glam().to_array();
-    let objects = world.objects();
-    let (mut ray, mut path, mut left) = (first, vec![EYE], 1.0);
-    for _ in 0..depth {
-        let met = objects.hit(&ray, Interval::AHEAD);
-        path.push(ray.at(met.map_or(10.0, |(hit, _)| hit.t)));
-        let Some((hit, surface)) = met.filter(|_| step >= MIRROR) else {
-            break;
-        };
-        left *= surface.reflection().r;
-        ray = secondary_ray(&ray, &hit, (-ray.direction()).reflected_on(hit.normal));
+    let (mut path, mut left) = (vec![list(EYE)], 1.0);
+    for step in &trace.steps {
+        match (step.kind, step.value("p"), step.value::<3>("cr")) {
+            (RAY | REFLECTED, ..) => path.push(point(step, 10.0)),
+            (HIT, Some(p), _) => path.splice(path.len() - 1.., [p]).for_each(drop),
+            (_, _, Some([red, ..])) => left *= red,
+            _ => {}
+        }
     }
-    let each = objects.objects();
-    let hits = each.filter_map(|(shape, _)| shape.hit(&first, Interval::AHEAD));
-    let color = tracer.trace(&first, depth);
+    let hits = tests(&trace.steps, RAY).map(|(_, hit)| hit);
     let answer = pixels(&image)
-        .with("path", path.into_iter().flat_map(list))
+        .with("path", path.into_iter().flatten())
         .with("left", [left])
-        .with("hits", hits.flat_map(|hit| list(first.at(hit.t))))
+        .with("hits", hits.flatten())
         .with("lamp", list(LAMP))
-        .with("color", [color.r, color.g, color.b]);
-    let Some((hit, _)) = objects.hit(&first, Interval::AHEAD) else {
+        .with("color", trace.color.channels());
+    let hit = trace.steps.iter().find(|step| step.kind == HIT);
+    let vector = |symbol| hit?.value(symbol).map(|v| Vector3::from_glam(v.into()));
+    let (Some(p), Some(normal)) = (vector("p"), vector("n")) else {
         return Ok(answer);
     };
-    let point = first.at(hit.t);
+    let point = Point3::ORIGIN + p;
     let light = world.lights()[0].illumination(point);
-    let blocked = light.and_then(|light| {
-        let to_light = secondary_ray(&first, &hit, light.direction);
-        let (met, _) = objects.hit(&to_light, Interval::before(light.distance))?;
-        Some(to_light.at(met.t)).filter(|_| step >= SHADOW)
-    });
-    let reflected = light.map(|light| point + light.direction.reflected_on(hit.normal));
+    let reflected = light.map(|light| point + light.direction.reflected_on(normal.as_normal()));
+    let blocked = tests(&trace.steps, "shadow ray").filter(|(test, _)| test.outcome == HIT);
     Ok(answer
-        .with("t", [hit.t])
-        .with("normal", list(point + Vector3::from(hit.normal)))
-        .with("cosine", light.map(|light| hit.normal.dot(light.direction)))
+        .with(
+            "t",
+            hit.and_then(|hit| hit.value("t")).unwrap_or([f64::NAN]),
+        )
+        .with("normal", list(point + normal))
+        .with("cosine", light.map(|light| normal.dot(light.direction)))
         .with("reflected", reflected.into_iter().flat_map(list))
-        .with("blocked", blocked.into_iter().flat_map(list)))
+        .with("blocked", blocked.flat_map(|(_, hit)| hit)))
+}
+
+/// The point of a recorded ray at a distance.
+fn point(ray: &Step, t: f64) -> [f64; 3] {
+    let [o, d] = ["o", "d"].map(|symbol| ray.value(symbol).unwrap_or([0.0; 3]));
+    [0, 1, 2].map(|i| o[i] + t * d[i])
+}
+
+/// The tests of the objects before the first ray of a kind, with their points on it.
+fn tests<'a>(steps: &'a [Step], kind: &str) -> impl Iterator<Item = (&'a Step, [f64; 3])> {
+    let at = steps.iter().position(|step| step.kind == kind);
+    let (ray, steps) = steps[at.unwrap_or(steps.len())..].split_first().unzip();
+    let tests = steps.unwrap_or_default().iter();
+    let tests = tests.take_while(|step| ![HIT, "reflected light"].contains(&step.kind));
+    let tests = tests.filter(|step| step.kind == TEST);
+    let level = tests.clone().map(|test| test.level).min();
+    tests.filter_map(move |test| {
+        let [t] = test.value("t").filter(|[t]| *t > 0.0)?;
+        (Some(test.level) == level).then_some((test, point(ray?, t)))
+    })
 }

@@ -224,16 +224,40 @@ fn too_little_lift_and_too_much_are_wrong() {
 
 /// The camera of `phong` looks from (4, 4, 4) at the sphere around (1, 1, 1).
 #[test]
-fn a_probe_says_what_a_ray_meets() {
-    let settings = [641.0, 481.0, 1.0, 0.0, 0.0, 6.0, 0.0, 0.0, 0.0, 1.0];
-    let at = |column, row| {
-        let numbers = [&settings[..], &[column, row]].concat();
-        ask("probe a05-lighting-phong", &numbers)
+fn a_pixel_is_traced_to_the_surface_of_the_sphere() {
+    let picture = [641.0, 481.0, 1.0, 0.0, 0.0, 6.0, 0.0, 0.0, 0.0, 1.0];
+    let numbers = [&picture[..], &[320.0, 240.0]].concat();
+    let text = ask("trace a05-lighting-phong", &numbers).text;
+    let hit = text.lines().find(|line| line.contains("\"kind\": \"hit\""));
+    let (_, t) = hit.unwrap().split_once("\"t\": [").unwrap();
+    let (t, _) = t.split_once(']').unwrap();
+    assert_near(&[t.parse().unwrap()], &[3.0 * 3.0_f64.sqrt() - 0.5]);
+    let svg = ask("drawing a05-lighting-phong", &numbers).text;
+    assert!(
+        svg.contains(r#"class="curve ray1""#) && svg.contains("Sphere"),
+        "{svg}"
+    );
+    let below = [&picture[..], &[320.0, 481.0]].concat();
+    let error = call("trace a05-lighting-phong", &below).unwrap_err();
+    assert_eq!(error, "the pixel is not in 641x481 pixels");
+}
+
+/// From (0, 0, 3) along -z to the sphere: 2 away. The second line is wrong.
+#[test]
+fn a_scene_file_is_a_picture() {
+    let scene = |key| {
+        let camera = "[camera]\neye = [0, 0, 3]\ngaze = [0, 0, -1]\nangle = 40";
+        format!("file\n{camera}\n[[sphere]]\ncenter = [0, 0, 0]\n{key} = 1\ncolor = [1, 0, 0]")
     };
-    let middle = at(320.0, 240.0);
-    assert_eq!(middle.text, "Sphere, Phong");
-    assert_near(middle.get("t"), &[3.0 * 3.0_f64.sqrt() - 0.5]);
-    assert_eq!(at(0.0, 480.0).text, "Plane, Phong");
+    let image = ask(&format!("render {}", scene("radius")), &[]);
+    assert_eq!(image.pixels[4 * (240 * 640 + 320)..][..4], [255, 0, 0, 255]);
+    let error = call(&format!("about {}", scene("radios")), &[]).unwrap_err();
+    assert_eq!(
+        error,
+        "7:1: sphere has no \"radios\"; the nearest is radius"
+    );
+    let large = call("about file\n[picture]\nsize = [1000, 5000]", &[]).unwrap_err();
+    assert!(large.starts_with("2:8: this page takes at most"), "{large}");
 }
 
 #[test]

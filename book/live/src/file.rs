@@ -1,0 +1,42 @@
+//! Scenes of the text that a reader writes on the page, as a scene file of the last stage.
+
+use a03_rays_cameras::{View, from_file};
+use common::{Error, Scene, Settings};
+use scene_file::SceneFile;
+
+/// The mesh beside the example of the last stage: a page has no other files.
+const PYRAMID: &[u8] = include_bytes!("../../../a07-transforms/scenes/pyramid.obj");
+
+/// Most samples of a picture on the page, so that it is there within seconds.
+const MOST_SAMPLES: u64 = 640 * 480 * 16;
+
+/// The settings and the view of a scene file.
+pub fn open(text: &str) -> Result<(Settings, View), Error> {
+    let read = || {
+        let mesh = |name: &str| match name {
+            "pyramid.obj" => Ok(PYRAMID.to_vec()),
+            _ => Err("on this page the only mesh is pyramid.obj".to_owned()),
+        };
+        let file = SceneFile::read(text, 7, &mesh)?;
+        let settings = from_file::settings(&file.picture)?;
+        let pixels = u64::from(settings.size.width()) * u64::from(settings.size.height());
+        if pixels * u64::from(settings.samples) > MOST_SAMPLES {
+            let most =
+                format!("this page takes at most {MOST_SAMPLES} samples, as 640x480 with 16");
+            return Err(file.picture.error("size", most));
+        }
+        Ok((settings, a07_transforms::from_file::view(&file)?))
+    };
+    read().map_err(|error: scene_file::Error| Error::SceneFile(error.to_string()))
+}
+
+/// The scene of a scene file.
+pub fn scene(text: &str) -> Result<Scene, Error> {
+    let (defaults, _) = open(text)?;
+    let text = text.to_owned();
+    let paint = move |settings: &Settings, progress: &dyn common::Progress| {
+        open(&text)?.1.render(settings, progress)
+    };
+    let scene = Scene::traced("file", "a scene of a file", paint).with_defaults(defaults);
+    Ok(scene.reflecting())
+}
