@@ -5,17 +5,13 @@ live.Extremes = class {
         this.stage = live.element('select', {}, ...stages.map((name) => live.element('option', {}, name)));
         this.button = live.element('button', { type: 'button' }, 'compute');
         this.button.onclick = () => this.run();
-        this.filter = live.element('input', { type: 'search', size: 12 });
-        this.filter.setAttribute('aria-label', 'show only cases with this text');
-        this.filter.oninput = () => this.show();
+        this.filter = live.element('input', { type: 'search', size: 12, 'aria-label': 'show only cases with this text', oninput: () => this.show() });
         this.status = live.element('output');
         this.rows = live.element('pre', { className: 'live-rows' });
         this.cases = [];
-        before.before(live.element('figure', { className: 'live-figure' },
-            live.element('strong', {}, 'Ask the hard questions here'),
+        before.before(live.panel('Ask the hard questions here', 'The same cases as the program’s, by the same code, with as many rays as its quick reports.',
             live.element('div', { className: 'live-controls' }, this.stage, ' ', this.button, ' only: ', this.filter, ' ', this.status),
-            this.rows,
-            live.element('figcaption', {}, 'The same cases as the program’s, by the same code, with as many rays as its quick reports.')));
+            this.rows));
     }
 
     async run() {
@@ -38,9 +34,4 @@ live.Extremes = class {
     }
 };
 
-{
-    const heading = live.works && document.querySelector('main #which-letter-is-where');
-    if (heading) {
-        live.extremes = new live.Extremes(heading);
-    }
-}
+live.extremes = live.tool('which-letter-is-where', (heading) => new live.Extremes(heading));

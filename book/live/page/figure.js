@@ -50,17 +50,17 @@ live.Pen = class {
         this.path([from, to], kind);
     }
 
-    // An arrow of a fixed head, so that short vectors are seen.
-    arrow(from, to, kind) {
+    // An arrow of a fixed head, so that short vectors are seen, and its name at the tip.
+    arrow(from, to, kind, name = '', anchor = 'start') {
         const [x, y] = [to[0] - from[0], to[1] - from[1]];
         const length = Math.hypot(x, y);
-        if (!(length > 0)) {
-            return;
+        if (length > 0) {
+            this.line(from, to, kind);
+            const head = 9 / this.scale / length;
+            const side = (s) => [to[0] - head * (x + s * y * 0.5), to[1] - head * (y - s * x * 0.5)];
+            this.path([side(1), to, side(-1)], kind);
         }
-        this.line(from, to, kind);
-        const head = 9 / this.scale / length;
-        const side = (s) => [to[0] - head * (x + s * y * 0.5), to[1] - head * (y - s * x * 0.5)];
-        this.path([side(1), to, side(-1)], kind);
+        this.text(to, name, kind.replace(/ink|thin/, ''), anchor);
     }
 
     circle(centre, radius, kind) {
@@ -74,7 +74,8 @@ live.Pen = class {
 
     text(at, words, kind = '', anchor = 'start') {
         const [x, y] = this.to(at);
-        this.shapes.push(`<text class="${kind}" text-anchor="${anchor}" x="${x + (anchor === 'start' ? 9 : 0)}" y="${y - 11}">${words}</text>`);
+        const place = `text-anchor="${anchor}" x="${x + (anchor === 'start' ? 9 : 0)}" y="${y - 11}"`;
+        this.shapes.push(words && `<text class="${kind}" ${place}>${words}</text>`);
     }
 };
 
@@ -128,13 +129,9 @@ live.Figure = class {
         const drawings = live.element('div', { className: over ? 'live-drawings live-over' : 'live-drawings' });
         if (area) {
             this.area = area;
-            const { height } = new live.Pen(area);
-            this.svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-            this.svg.setAttribute('viewBox', `0 0 ${live.Pen.width} ${height}`);
-            this.svg.setAttribute('role', 'group');
-            this.svg.setAttribute('aria-label', this.figure.title);
-            this.drawn = document.createElementNS('http://www.w3.org/2000/svg', 'g');
-            this.svg.append(this.drawn);
+            this.drawn = live.svg('g', {});
+            const box = `0 0 ${live.Pen.width} ${new live.Pen(area).height}`;
+            this.svg = live.svg('svg', { viewBox: box, role: 'group', 'aria-label': this.figure.title }, this.drawn);
             drawings.append(this.svg);
             if ('yaw' in this.figure.state) {
                 this.turnBy(this.svg);
@@ -149,11 +146,7 @@ live.Figure = class {
     }
 
     addHandle(handle) {
-        const circle = document.createElementNS('http://www.w3.org/2000/svg', 'circle');
-        const attributes = { r: 11, class: 'live-handle', tabindex: 0, role: 'button', 'aria-label': `${handle.label}: drag, or arrow keys` };
-        for (const [key, value] of Object.entries(attributes)) {
-            circle.setAttribute(key, value);
-        }
+        const circle = live.svg('circle', { r: 11, class: 'live-handle', tabindex: 0, role: 'button', 'aria-label': `${handle.label}: drag, or arrow keys` });
         const move = (x, y) => this.set(handle.move(this.state, x, y));
         live.drag(circle, (event) => {
             const box = this.svg.getBoundingClientRect();
@@ -190,17 +183,10 @@ live.Figure = class {
 
     addSliders() {
         const sliders = live.element('div', { className: 'live-controls' });
-        this.sliders = Object.entries(this.figure.sliders ?? {}).map(([name, { label, choices, ...range }]) => {
-            const input = choices
-                ? live.element('select', {}, ...choices.map((choice, value) => live.element('option', { value }, choice)))
-                : live.element('input', { type: 'range', ...range });
-            const value = live.element('output');
-            input.oninput = () => this.set({ [name]: Number(input.value) });
-            sliders.append(live.element('label', {}, `${label} `, input, ' ', choices ? '' : value));
-            return () => {
-                input.value = this.state[name];
-                value.value = live.show(this.state[name]);
-            };
+        this.sliders = Object.entries(this.figure.sliders ?? {}).map(([name, { label, ...range }]) => {
+            const control = live.control(label, range, (value) => this.set({ [name]: value }));
+            sliders.append(control.element);
+            return () => control.show(this.state[name], live.show(this.state[name]));
         });
         this.root.append(sliders);
     }
@@ -279,9 +265,7 @@ live.figure = (name, figure) => {
     }
     const image = figure.below && document.querySelector(`main img[src$="${figure.below}"]`);
     if (image) {
-        const paragraph = image.closest('p');
-        const caption = paragraph.nextElementSibling;
-        live.figures[name] = new live.Figure(name, figure, caption?.matches('p') ? caption : paragraph);
+        live.figures[name] = new live.Figure(name, figure, live.caption(image));
     }
     const together = [];
     (figure.grows ?? []).forEach(([page, heading, title, hint, more], step) => {

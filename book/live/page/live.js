@@ -42,6 +42,7 @@ live.start = async (file = 'live-module.js') => {
     const compiled = post({ compressed: live.compressed });
     delete live.compressed;
     await compiled;
+    post.isBusy = () => open.size > 0;
     post.stop = (reason) => {
         worker.terminate();
         open.forEach(({ reject }) => reject(new Error(reason)));
@@ -56,8 +57,18 @@ live.ask = async (request, numbers = []) => {
     return post({ request, numbers });
 };
 
+// Stops the module if it computes; the next request starts it anew.
+live.stop = async (reason) => {
+    const post = await live.started;
+    if (post?.isBusy()) {
+        live.started = undefined;
+        post.stop(reason);
+    }
+};
+
 // `work`, called with the newest arguments only while an earlier call still runs: a
-// drag sends requests faster than answers come. Resolves when nothing is left to do.
+// drag sends requests faster than answers come. Resolves when nothing is left to do;
+// `forget` leaves out the call that waits.
 live.newest = (work) => {
     let waiting;
     let running;
@@ -68,13 +79,13 @@ live.newest = (work) => {
             await work(...now);
         }
     };
-    return (...now) => {
+    const start = (...now) => {
         waiting = now;
-        running ??= run().finally(() => {
-            running = undefined;
-        });
+        running ??= run().finally(() => (running = undefined));
         return running;
     };
+    start.forget = () => (waiting = undefined);
+    return start;
 };
 
 // An HTML element with attributes and children.
@@ -87,35 +98,84 @@ live.element = (name, attributes = {}, ...children) => {
     return element;
 };
 
-// The book turns pages with the arrow keys; in a slider or a list they belong to it.
+// A shape of a drawing, with attributes and children.
+live.svg = (name, attributes, ...children) => {
+    const element = document.createElementNS('http://www.w3.org/2000/svg', name);
+    Object.entries(attributes).forEach(([key, value]) => element.setAttribute(key, value));
+    element.append(...children);
+    return element;
+};
+
+// A panel with a title and an explanation.
+live.panel = (title, hint, ...children) =>
+    live.element('figure', { className: 'live-figure' }, live.element('strong', {}, title), ...children, live.element('figcaption', {}, hint));
+
+// A slider, or a list of choices, with its label. `show` gives it a value, and another text.
+live.control = (label, { choices, ...range }, change) => {
+    const input = choices
+        ? live.element('select', {}, ...choices.map((choice, value) => live.element('option', { value }, choice)))
+        : live.element('input', { type: 'range', step: 1, ...range });
+    const output = live.element('output');
+    input.oninput = () => change(Number(input.value));
+    const show = (value, text = value) => {
+        input.value = value;
+        output.value = choices ? '' : text;
+    };
+    return { show, element: live.element('label', {}, `${label} `, input, ' ', output) };
+};
+
+// Makes a tool before a heading, on the page that has it.
+live.tool = (heading, make) => {
+    const place = live.works && document.querySelector(`main #${heading}`);
+    return place && make(place);
+};
+
+// The caption of a picture, or else its paragraph.
+live.caption = (image) => {
+    const paragraph = image.closest('p');
+    const caption = paragraph.nextElementSibling;
+    return caption?.matches('p') ? caption : paragraph;
+};
+
+// The book turns pages with the arrow keys; in a slider, a list or a text they belong to it.
 addEventListener(
     'keydown',
     (event) => {
-        if (event.target.closest?.('.live-controls, .live-pair')) {
+        if (event.target.closest?.('.live-controls, .live-pair, .live-editor textarea')) {
             event.stopPropagation();
         }
     },
     true,
 );
 
-// Calls `move` with the event, and how far to the right and down, while an element is dragged.
-live.drag = (element, move) => {
+// Calls `move` with the event, and how far to the right and down, while an element is dragged;
+// and `tap` if it is only touched.
+live.drag = (element, move, tap = () => {}) => {
     let last;
+    let moved;
     element.addEventListener('pointerdown', (event) => {
         if (event.target === element) {
             last = event;
+            moved = false;
             element.setPointerCapture(event.pointerId);
         }
     });
     element.addEventListener('pointermove', (event) => {
-        if (last) {
-            move(event, event.clientX - last.clientX, event.clientY - last.clientY);
+        const by = last ? [event.clientX - last.clientX, event.clientY - last.clientY] : [0, 0];
+        // A finger that touches moves a little.
+        moved ||= Math.hypot(...by) > 3;
+        if (last && moved) {
+            move(event, ...by);
             last = event;
         }
     });
-    const end = () => (last = undefined);
-    element.addEventListener('pointerup', end);
-    element.addEventListener('pointercancel', end);
+    element.addEventListener('pointerup', (event) => {
+        if (last && !moved) {
+            tap(event);
+        }
+        last = undefined;
+    });
+    element.addEventListener('pointercancel', () => (last = undefined));
 };
 
 // Acts on keys. The book turns pages with arrows, and handles lie in figures that turn.

@@ -12,14 +12,11 @@ live.Measure = class {
         this.button = live.element('button', { type: 'button' }, 'measure');
         this.button.onclick = () => this.run([1, 4, 16, 64, 256], 1024);
         this.status = live.element('output');
-        this.svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-        const { height } = new live.Pen(live.Measure.area);
-        this.svg.setAttribute('viewBox', `0 0 ${live.Pen.width} ${height}`);
-        before.before(live.element('figure', { className: 'live-figure' },
-            live.element('strong', {}, 'Error against run time, on this machine'),
+        this.svg = live.svg('svg', { viewBox: `0 0 ${live.Pen.width} ${new live.Pen(live.Measure.area).height}` });
+        const hint = 'Rendered by the lesson at 120 × 90, against 1024 stratified samples a pixel. Both are rounded to bytes, so that no error falls much below 1/510, the level line.';
+        before.before(live.panel('Error against run time, on this machine', hint,
             live.element('div', { className: 'live-controls' }, this.scene, ' ', this.button, ' ', this.status),
-            live.element('div', { className: 'live-drawings' }, this.svg),
-            live.element('figcaption', {}, 'Rendered by the lesson at 120 × 90, against 1024 stratified samples a pixel. Both are rounded to bytes, so that no error falls much below 1/510, the level line.')));
+            live.element('div', { className: 'live-drawings' }, this.svg)));
         this.draw([]);
     }
 
@@ -85,9 +82,4 @@ live.Measure = class {
     }
 };
 
-{
-    const heading = live.works && document.querySelector('main #the-slope');
-    if (heading) {
-        live.measure = new live.Measure(heading);
-    }
-}
+live.measure = live.tool('the-slope', (heading) => new live.Measure(heading));

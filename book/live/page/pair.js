@@ -5,12 +5,9 @@ live.Pair = class {
 
     constructor(image, after) {
         this.image = image;
-        this.canvas = live.element('canvas');
-        this.canvas.setAttribute('role', 'img');
-        this.canvas.setAttribute('aria-label', image.alt);
-        this.slider = live.element('input', { type: 'range', min: 0, max: 100, value: 50 });
-        this.slider.setAttribute('aria-label', 'how much of the wrong picture lies over the right one');
-        this.slider.oninput = () => this.draw();
+        this.canvas = live.element('canvas', { role: 'img', 'aria-label': image.alt });
+        const label = 'how much of the wrong picture lies over the right one';
+        this.slider = live.element('input', { type: 'range', min: 0, max: 100, value: 50, 'aria-label': label, oninput: () => this.draw() });
         const row = live.element('label', {}, 'wrong ', this.slider, ' right');
         after.after(live.element('figure', { className: 'live-pair' }, this.canvas, row));
         image.decode().then(() => this.draw(), () => {});
@@ -35,8 +32,6 @@ live.Pair = class {
 live.pairs = [];
 if (live.works) {
     for (const image of document.querySelectorAll('main :is(img[src*="/errata-"], img[src$="/go-wrong-cracks.png"]):not(.img-wrapper > img)')) {
-        const paragraph = image.closest('p');
-        const caption = paragraph.nextElementSibling;
-        live.pairs.push(new live.Pair(image, caption?.matches('p') ? caption : paragraph));
+        live.pairs.push(new live.Pair(image, live.caption(image)));
     }
 }

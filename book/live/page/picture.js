@@ -4,13 +4,10 @@
 live.Picture = class {
     // Names as the module counts them.
     static places = ['one in the middle', 'a regular grid', 'random', 'a stratified grid'];
-    static unturned = { yaw: 0, pitch: 0, zoom: 1 };
 
     constructor(image, name, lock) {
         Object.assign(this, { image, name, lock });
-        this.frame = live.element('span', { className: 'live-picture', tabIndex: 0 });
-        this.frame.setAttribute('role', 'button');
-        this.frame.setAttribute('aria-label', `Render here: ${image.alt}`);
+        this.frame = live.element('span', { className: 'live-picture', tabIndex: 0, role: 'button', 'aria-label': `Render here: ${image.alt}` });
         // mdBook puts an image into a label that enlarges it.
         (image.closest('label') ?? image).replaceWith(this.frame);
         this.frame.append(image);
@@ -23,21 +20,24 @@ live.Picture = class {
             return;
         }
         this.begun = true;
-        this.status = live.element('output', { className: 'live-status' }, 'Rendering …');
+        this.status ??= live.element('output', { className: 'live-status' });
+        this.status.value = 'Rendering …';
         this.frame.after(this.status);
         try {
             this.about = await live.ask(`about ${this.name}`);
         } catch (error) {
             this.status.value = `This picture cannot be rendered here: ${error.message}.`;
+            this.begun = false;
             return;
         }
         this.canvas = live.element('canvas', { className: 'live-canvas' });
-        this.canvas.style.width = `${this.about.size[0]}px`;
+        this.canvas.style.width = `${this.about.settings[0]}px`;
         this.yours = live.Yours.of(this);
         this.update = live.newest((moving) => this.render(moving));
-        this.look = live.newest((column, row) => this.probe(column, row));
+        const complain = ({ message }) => (this.probed.value = message);
+        this.look = live.newest((column, row) => this.probe(column, row).catch(complain));
         this.reset();
-        await this.update(false);
+        await this.update(!this.lock);
         this.frame.append(this.canvas);
         this.frame.classList.add('live-begun');
         this.frame.setAttribute('role', 'application');
@@ -47,38 +47,30 @@ live.Picture = class {
     }
 
     reset() {
-        const { size, samples, sampling, seed, depth } = this.about;
         this.shrunk = 2;
-        this.settings = {
-            width: size[0],
-            height: size[1],
-            samples: samples[0],
-            sampling: sampling[0],
-            seed: seed[0],
-            depth: depth[0],
-            engine: 0,
-            ...live.Picture.unturned,
-        };
+        const [width, height, samples, sampling, seed, depth, engine] = this.about.settings;
+        this.settings = { width, height, samples, sampling, seed, depth, engine, yaw: 0, pitch: 0, zoom: 1 };
         this.defaults = { ...this.settings };
     }
 
-    // The settings in the order of the module; while the reader drags, with few samples,
-    // and half as wide and high, or a quarter where that takes too long.
-    numbers(moving) {
+    // The settings in the order of the module, some of them changed.
+    numbers(changes) {
+        return Object.values({ ...this.settings, ...changes });
+    }
+
+    // While the reader drags: few samples, and half as wide and high, or a quarter where that
+    // takes too long.
+    small() {
         const { width, height, samples } = this.settings;
-        const small = {
-            width: Math.ceil(width / this.shrunk),
-            height: Math.ceil(height / this.shrunk),
-            samples: Math.min(samples, 4),
-        };
-        return Object.values(moving ? { ...this.settings, ...small } : this.settings);
+        const [w, h] = [width, height].map((side) => Math.ceil(side / this.shrunk));
+        return { width: w, height: h, samples: Math.min(samples, 4) };
     }
 
     async render(moving) {
         const start = performance.now();
         let answer;
         try {
-            answer = await live.ask(`render ${this.name}`, this.numbers(moving));
+            answer = await live.ask(`render ${this.name}`, this.numbers(moving && this.small()));
         } catch (error) {
             this.status.value = error.message;
             return;
@@ -92,15 +84,13 @@ live.Picture = class {
         this.say(answer.text, answer.size.join(' × '));
         if (!moving) {
             this.yours.forEach((yours) => yours.update(answer));
+            this.explained?.update();
         }
     }
 
     say(hash, size) {
-        const isDefault = Object.keys(this.defaults).every(
-            (key) => this.settings[key] === this.defaults[key],
-        );
-        const equal = hash === this.lock;
-        this.frame.dataset.state = !isDefault ? 'changed' : equal ? 'tested' : 'different';
+        const isChanged = Object.entries(this.defaults).some(([key, value]) => this.settings[key] !== value);
+        this.frame.dataset.state = isChanged || !this.lock ? 'changed' : hash === this.lock ? 'tested' : 'different';
         const verdict = {
             tested: `The same bytes as the tested picture: hash ${hash}.`,
             different: `NOT the bytes of the tested picture: hash ${hash}, locked ${this.lock}.`,
@@ -120,17 +110,12 @@ live.Picture = class {
     }
 
     turn(right, up) {
-        if (this.about.turns[0]) {
-            const { yaw, pitch } = this.settings;
-            this.change({ yaw: yaw - right, pitch: Math.max(-3, Math.min(3, pitch - up)) });
-        }
+        const { yaw, pitch } = this.settings;
+        this.change({ yaw: yaw - right, pitch: Math.max(-3, Math.min(3, pitch - up)) });
     }
 
     zoom(factor) {
-        if (this.about.turns[0]) {
-            const zoom = Math.max(0.05, Math.min(20, this.settings.zoom * factor));
-            this.change({ zoom });
-        }
+        this.change({ zoom: Math.max(0.05, Math.min(20, this.settings.zoom * factor)) });
     }
 
     startAgain() {
@@ -142,16 +127,22 @@ live.Picture = class {
 
     listen() {
         const { canvas, frame } = this;
-        // The width of the picture is half a turn.
-        live.drag(canvas, (_, ...by) => this.turn(...by.map((way) => (way * Math.PI) / canvas.clientWidth)));
+        const pixel = ({ offsetX, offsetY }) => {
+            const { width, height } = this.settings;
+            const [column, row] = [(offsetX / canvas.clientWidth) * width, (offsetY / canvas.clientHeight) * height];
+            return [Math.min(Math.max(Math.floor(column), 0), width - 1), Math.min(Math.max(Math.floor(row), 0), height - 1)];
+        };
         canvas.onpointermove = (event) => {
             if (!event.buttons) {
-                const { width, height } = this.settings;
-                const column = Math.floor((event.offsetX / canvas.clientWidth) * width);
-                const row = Math.floor((event.offsetY / canvas.clientHeight) * height);
-                this.look(Math.min(Math.max(column, 0), width - 1), Math.min(Math.max(row, 0), height - 1));
+                this.look(...pixel(event));
             }
         };
+        if (!this.about.turns[0]) {
+            return;
+        }
+        // The width of the picture is half a turn.
+        const turn = (_, ...by) => this.turn(...by.map((way) => (way * Math.PI) / canvas.clientWidth));
+        live.drag(canvas, turn, (event) => this.explain(...pixel(event)));
         // Only after a click into the picture, so that the page still scrolls.
         frame.addEventListener('wheel', (event) => {
             if (document.activeElement === frame) {
@@ -173,80 +164,68 @@ live.Picture = class {
             this.probed.value = `Pixel ${column}, ${row}: the bytes ${r}, ${g}, ${b}`;
             return;
         }
-        const { color, text, t, point, normal } = await live.ask(`probe ${this.name}`, [
-            ...this.numbers(false),
-            column,
-            row,
-        ]);
+        const { color, steps } = await this.trace({ samples: 1, sampling: 0 }, [column, row]);
         const list = (numbers) => `(${numbers.map((x) => live.show(Number(x.toPrecision(3)))).join(', ')})`;
-        const met = t ? `${text} at t = ${live.show(t[0])}, p = ${list(point)}, n = ${list(normal)}` : text;
-        this.probed.value = `Pixel ${column}, ${row}: ${color ? `${list(color)}; ` : ''}${met}`;
+        const step = (kind) => steps.find((step) => step.kind === kind);
+        const { t, p, n } = step('hit')?.values ?? {};
+        const met = t ? `${step('test').name}, at t = ${live.show(t[0])}, p = ${list(p)}, n = ${list(n)}` : 'the background';
+        this.probed.value = `Pixel ${column}, ${row}: ${list(color)}; ${met}`;
+    }
+
+    // The numbers behind a pixel, with some settings changed.
+    async trace(changes, pixel) {
+        const { text } = await live.ask(`trace ${this.name}`, [...this.numbers(changes), ...pixel]);
+        return JSON.parse(text);
+    }
+
+    // Opens the page where the scene is a text.
+    async edit() {
+        const { text } = await live.ask(`export ${this.name}`);
+        location.href = `scene-editor.html#scene=${encodeURIComponent(text)}`;
+    }
+
+    explain(...pixel) {
+        this.explained ??= new live.Trace(this);
+        return this.explained.open(pixel);
     }
 
     addControls() {
         const { uses_sampling, uses_depth, turns } = this.about;
         const panel = live.element('span', { className: 'live-controls' });
         this.controls = [];
-        const add = (label, input, show, read) => {
-            panel.append(live.element('label', {}, `${label} `, input));
-            this.controls.push(() => show(input));
-            input.oninput = () => this.change(read(input));
+        const add = (label, range, show, read) => {
+            const control = live.control(label, range, (value) => this.change(read(value)));
+            panel.append(control.element);
+            this.controls.push(() => control.show(...show(this.settings)));
         };
-        const slider = (min, max) => live.element('input', { type: 'range', min, max, step: 1 });
-        const choice = (names) =>
-            live.element('select', {}, ...names.map((name, value) => live.element('option', { value }, name)));
         if (uses_sampling[0]) {
-            const samples = live.element('output');
-            add(
-                'samples',
-                slider(1, 12),
-                (input) => {
-                    input.value = Math.round(Math.sqrt(this.settings.samples));
-                    samples.value = this.settings.samples;
-                },
-                // A grid has as many columns as rows, and a middle has one place.
-                (input) => ({
-                    samples: input.value ** 2,
-                    sampling: input.value > 1 ? this.settings.sampling || 1 : this.settings.sampling,
-                }),
-            );
-            panel.lastChild.append(samples);
-            add(
-                'their places',
-                choice(live.Picture.places),
-                (input) => (input.value = this.settings.sampling),
-                (input) => ({ sampling: Number(input.value) }),
-            );
+            // A grid has as many columns as rows, and a middle has one place.
+            add('samples', { min: 1, max: 12 }, ({ samples }) => [Math.sqrt(samples), samples], (side) => ({
+                samples: side ** 2,
+                sampling: side > 1 ? this.settings.sampling || 1 : this.settings.sampling,
+            }));
+            add('their places', { choices: live.Picture.places }, ({ sampling }) => [sampling], (sampling) => ({ sampling }));
         }
         if (uses_depth[0]) {
-            const depth = live.element('output');
-            add(
-                'surfaces a ray may hit',
-                slider(1, 12),
-                (input) => (input.value = depth.value = this.settings.depth),
-                (input) => ({ depth: Number(input.value) }),
-            );
-            panel.lastChild.append(depth);
+            add('surfaces a ray may hit', { min: 1, max: 12 }, ({ depth }) => [depth], (depth) => ({ depth }));
         }
+        const button = (words, onclick) => panel.append(live.element('button', { type: 'button', onclick }, words), ' ');
         if (turns[0]) {
-            const zoom = (input) => (input.value = Math.round(-8 * Math.log2(this.settings.zoom)));
-            add('closer', slider(-24, 24), zoom, (input) => ({ zoom: 2 ** (-input.value / 8) }));
+            add('closer', { min: -24, max: 24 }, ({ zoom }) => [Math.round(-8 * Math.log2(zoom)), ''], (step) => ({ zoom: 2 ** (-step / 8) }));
             const sizes = ['quarter size', 'half size', 'full size', 'double size'];
-            const [width, height] = this.about.size;
-            add(
-                '',
-                choice(sizes),
-                (input) => (input.value = Math.log2(this.settings.width / width) + 2),
-                (input) => ({
-                    width: width * 2 ** (input.value - 2),
-                    height: Math.round(height * 2 ** (input.value - 2)),
-                }),
-            );
+            add('', { choices: sizes }, ({ width }) => [Math.round(Math.log2(width / this.defaults.width)) + 2], (size) => {
+                const [width, height] = this.about.settings.map((side) => Math.max(1, Math.round(side * 2 ** (size - 2))));
+                return { width, height };
+            });
+            button('explain a pixel', () => this.explain(this.settings.width >> 1, this.settings.height >> 1));
         }
-        panel.append(live.element('button', { type: 'button', onclick: () => this.startAgain() }, 'reset'));
+        if (turns[0] && this.lock) {
+            button('edit the scene', () => this.edit().catch(({ message }) => (this.probed.value = message)));
+        }
+        button('reset', () => this.startAgain());
         this.probed = live.element('output', { className: 'live-probe' });
         this.probed.value = turns[0]
-            ? 'Drag to turn, wheel to zoom; arrow keys, + and - do the same. Point at a pixel to see the surface that its ray met.'
+            ? 'Drag to turn, wheel to zoom; arrow keys, + and - do the same. Point at a pixel to see the surface that its ray met; click on it to see every number behind it.'
             : 'Point at a pixel to see its bytes.';
         this.status.after(panel, this.probed);
         this.showSettings();

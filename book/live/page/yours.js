@@ -28,7 +28,7 @@ live.Yours = class {
             post.stop('no end within 10 seconds');
         }, 10_000);
         try {
-            const numbers = picture.numbers(false);
+            const numbers = picture.numbers();
             const answer = await post({ request: `${name} ${picture.name}`, numbers });
             if (!answer.size) {
                 // The exercise draws another scene.

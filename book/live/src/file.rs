@@ -7,8 +7,9 @@ use scene_file::SceneFile;
 /// The mesh beside the example of the last stage: a page has no other files.
 const PYRAMID: &[u8] = include_bytes!("../../../a07-transforms/scenes/pyramid.obj");
 
-/// Most samples of a picture on the page, so that it is there within seconds.
+/// Most samples of a picture, and most surfaces of a ray, so that the picture is soon there.
 const MOST_SAMPLES: u64 = 640 * 480 * 16;
+const MOST_SURFACES: u32 = 50;
 
 /// The settings and the view of a scene file.
 pub fn open(text: &str) -> Result<(Settings, View), Error> {
@@ -24,6 +25,10 @@ pub fn open(text: &str) -> Result<(Settings, View), Error> {
             let most =
                 format!("this page takes at most {MOST_SAMPLES} samples, as 640x480 with 16");
             return Err(file.picture.error("size", most));
+        }
+        if settings.depth > MOST_SURFACES {
+            let most = format!("this page takes a depth of at most {MOST_SURFACES}");
+            return Err(file.picture.error("depth", most));
         }
         Ok((settings, a07_transforms::from_file::view(&file)?))
     };

@@ -22,13 +22,14 @@ pub use answer::Answer;
 /// The answer to a request, or the reason why there is none.
 type Answered = Result<Answer, Error>;
 
-/// Answers a request of a page: `render`, `about`, `trace` or `drawing` and a picture, with the
+/// Answers a request of a page: `render`, `about`, `export`, `trace` or `drawing` and a picture, with the
 /// settings and a pixel as numbers, `extremes STAGE`, `pictures`, or the name of a figure
 /// with its numbers. The text of a scene file is a picture, too, behind a line `file`. An error is a
 /// sentence for the reader.
 pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
     let answer = match request.split_once(' ') {
         Some(("render", name)) => picture::render(name, numbers),
+        Some(("export", name)) => picture::export(name),
         Some(("trace", name)) => picture::trace(name, numbers),
         Some(("drawing", name)) => picture::drawing(name, numbers),
         Some(("about", name)) => picture::about(name),

@@ -71,6 +71,12 @@ pub fn drawing(picture: &str, numbers: &[f64]) -> Answered {
     Ok(Answer::text(drawing.unwrap_or_default()))
 }
 
+/// The scene of a picture as a scene file.
+pub fn export(picture: &str) -> Answered {
+    let scene = catalogue::scene(picture)?;
+    scene.export("toml", &scene.defaults).map(Answer::text)
+}
+
 /// The settings that a picture has by default, and those that change it.
 pub fn about(picture: &str) -> Answered {
     let scene = catalogue::scene(picture)?;
@@ -79,13 +85,14 @@ pub fn about(picture: &str) -> Answered {
     let sampling = places.position(|place| *place == defaults.sampling);
     let turns = catalogue::view(picture, defaults)?.is_some();
     let flag = |is_set| f64::from(u8::from(is_set));
-    let (width, height) = (defaults.size.width(), defaults.size.height());
+    let [width, height] = [defaults.size.width(), defaults.size.height()].map(f64::from);
+    let (samples, place) = (defaults.samples.into(), sampling.unwrap_or(0) as f64);
+    let (seed, depth) = (defaults.seed as f64, defaults.depth.into());
     Ok(Answer::text(scene.about)
-        .with("size", [width.into(), height.into()])
-        .with("samples", [defaults.samples.into()])
-        .with("sampling", [sampling.unwrap_or(0) as f64])
-        .with("seed", [defaults.seed as f64])
-        .with("depth", [defaults.depth.into()])
+        .with(
+            "settings",
+            [width, height, samples, place, seed, depth, 0.0],
+        )
         .with("uses_sampling", [flag(scene.uses.sampling)])
         .with("uses_depth", [flag(scene.uses.depth)])
         .with("turns", [flag(turns)]))

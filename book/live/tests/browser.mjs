@@ -7,9 +7,13 @@
 // natively.
 import { spawnSync } from 'node:child_process';
 import { readdirSync, writeFileSync } from 'node:fs';
+import { resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { Chromium } from './chromium.mjs';
 
 const [program, answers, screenshots] = process.argv.slice(2);
+const top = new URL('../../../', import.meta.url);
+const stages = readdirSync(top).filter((name) => /^a0\d/.test(name));
 const book = new URL('../../../target/book/', import.meta.url);
 const pages = readdirSync(book)
     .filter((name) => name.endsWith('.html') && !['print.html', 'toc.html', '404.html', 'index.html'].includes(name));
@@ -56,6 +60,17 @@ async function tryByHand() {
     await chromium.until(`/^Pixel .*t = /.test(${picture}.probed.value)`);
     await chromium.key('0');
     await chromium.until(`${picture}.frame.dataset.state === 'tested'`);
+    expect(!(await chromium.value(`${picture}.explained`)), 'a drag explains a pixel');
+    await chromium.click(`${picture}.canvas`);
+    await chromium.until(`${picture}.explained.shadow.querySelector('.ray1')`);
+    const station = () => chromium.value(`${picture}.explained.where.value`);
+    const first = await station();
+    await chromium.key('ArrowRight');
+    expect((await station()) !== first, 'an arrow key does not go to the next ray');
+    await chromium.key('ArrowLeft');
+    expect((await station()) === first, 'an arrow key does not go back');
+    await shot('explained', `${picture}.explained.root`);
+    await chromium.key('Escape');
 
     // A slider keeps its keys, with which the book would turn the page.
     await chromium.value(`${picture}.frame.parentElement.querySelector('.live-controls input').focus()`);
@@ -92,6 +107,60 @@ async function tryPictures(page) {
         expect(state === 'tested', `${page}, ${name}: ${status}`);
     }
     return states.map(([name]) => name);
+}
+
+// Pixels of the traced pictures with these names: each ray shows the numbers that the command prints.
+// Returns how many.
+async function tryPixels(names) {
+    const traced = await chromium.value(`live.pictures.map(({ about, name }) => [about.turns[0] ? name : '', ...about.settings])`);
+    let pixels = 0;
+    for (const [index, [name, width, height]] of traced.entries()) {
+        const stage = stages.find((stage) => name.startsWith(`${stage}-`));
+        for (const pixel of stage && names.includes(name) ? [[0.5, 0.5], [0.16, 0.84], [0.78, 0.62]].map(([x, y]) => [Math.floor(x * width), Math.floor(y * height)]) : []) {
+            const { stdout } = spawnSync(new URL(`../${stage}`, pathToFileURL(resolve(answers))).pathname, ['explain', name.slice(stage.length + 1), '--pixel', `${pixel}`, '--json'], { encoding: 'utf8' });
+            const [shown, printed, status] = await chromium.value(`(async ({ steps }) => {
+                const picture = live.pictures[${index}];
+                await picture.explain(${pixel});
+                const { explained } = picture;
+                const shown = explained.rays.flatMap(() => {
+                    const texts = [...explained.list.querySelectorAll('span')].map((span) => span.textContent);
+                    explained.root.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight' }));
+                    return texts;
+                });
+                const printed = steps.flatMap(({ values }) => Object.entries(values).map(([symbol, list]) =>
+                    list.length === 1 ? \`\${symbol} = \${live.show(list[0])}\` : \`\${symbol} = (\${list.map(live.show).join(', ')})\`));
+                return [shown, printed, explained.status.value];
+            })(${stdout})`);
+            expect(shown.length > 1 && `${shown}` === `${printed}`, `${name}, pixel ${pixel}: shows ${shown}, the command prints ${printed}`);
+            expect(/, as in the picture$/.test(status), `${name}, pixel ${pixel}: ${status}`);
+            pixels += 1;
+        }
+    }
+    return pixels;
+}
+
+// The page of a scene file: mistakes below their lines, and the scene in the link.
+async function tryEditor() {
+    await open('scene-editor.html');
+    const write = (change) => chromium.value(`(() => {
+        const { text } = live.editor;
+        text.value = text.value.${change};
+        text.oninput();
+    })()`);
+    await chromium.until(`live.editor.picture.controls`);
+    await write(`replace('radius = 0.8', 'radios = 0.8')`);
+    await chromium.until(`live.editor.mistake.value === 'line 51: sphere has no "radios"; the nearest is radius'`);
+    await shot('editor', `document.querySelector('.live-editor')`);
+    // Between two mirrors each ray hits fifty surfaces, until the text is another.
+    await write(`replace('depth = 4', 'depth = 50').replace('radios = 0.8', 'radius = 0.8').replace('[0.5, 0.55, 0.6]', '[1, 1, 1]') + '[[plane]]\\npoint = [0, 9, 0]\\nnormal = [0, -1, 0]\\nmaterial = "water"'`);
+    await chromium.until(`location.hash.includes('depth%20%3D%2050')`);
+    await write(`replace('depth = 50', 'depth = 2').replace('[640, 480]', '[64, 48]')`);
+    await chromium.until(`/64 × 48/.test(live.editor.picture.status.value)`);
+    const link = await chromium.value('location.href');
+    await chromium.go('about:blank');
+    await chromium.go(link);
+    await chromium.until(`/64 × 48/.test(live.editor?.picture.status?.value)`);
+    expect(/depth = 2/.test(await chromium.value('live.editor.text.value')), 'a link does not carry its scene');
 }
 
 // The pairs of a page: the slider shows more or less of the wrong picture. Returns their
@@ -279,8 +348,11 @@ async function tryAll() {
     let locks = {};
     const figures = [];
     const pairs = [];
+    let pixels = 0;
     for (const page of pages) {
-        (await tryPictures(page)).forEach((name) => found.add(name));
+        const names = (await tryPictures(page)).filter((name) => !found.has(name));
+        names.forEach((name) => found.add(name));
+        pixels += await tryPixels(names);
         pairs.push(...(await tryPairs(page)));
         await tryWidths(page, 1280);
         locks = await chromium.value('live.locks');
@@ -301,8 +373,11 @@ async function tryAll() {
     for (const [name, steps] of [['vectors', 5], ['camera', 6], ['scene', 16]]) {
         expect(figures.filter(([, figure]) => figure.startsWith(`${name}-`)).length === steps, `a section of the figure ${name} has another heading`);
     }
+    expect(pixels >= 50, `only ${pixels} pixels were explained`);
+    console.log(`${pixels} explained pixels have the numbers of the command`);
     await tryWords();
     await tryTools();
+    await tryEditor();
 
     // A phone, in the dark.
     await chromium.resize(390, 844);

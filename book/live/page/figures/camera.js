@@ -1,11 +1,6 @@
 // A camera that grows: a ray from its eye, its axes, and the rays through its picture.
 {
     const flat = live.flat;
-    // The point of this height in the drawing.
-    const unflat = ({ yaw, pitch }, px, py, y) => {
-        const depth = (Math.cos(pitch) * y - py) / Math.sin(pitch);
-        return { x: Math.cos(yaw) * px + Math.sin(yaw) * depth, z: Math.cos(yaw) * depth - Math.sin(yaw) * px };
-    };
     const add = (p, v, t = 1) => p.map((x, i) => x + t * v[i]);
 
     // Places of the handles; the axes of the drawing come from the module.
@@ -29,11 +24,7 @@
         return add(add(eye(state), g, ahead), v, ahead * Math.tan((state.opening * radians) / 2));
     };
 
-    const eyeHandle = {
-        label: 'the eye, at its height',
-        at: (state) => flat(state, eye(state)),
-        move: (state, px, py) => unflat(state, px, py, state.y),
-    };
+    const eyeHandle = live.follow('the eye, at its height', (state) => flat(state, eye(state)), { x: [-9, 9], z: [-9, 9] });
     const gazeHandle = live.follow('the gaze', (state) => flat(state, add(eye(state), gaze(state), ahead)), {
         around: [-180, 180],
         upwards: [-80, 80],

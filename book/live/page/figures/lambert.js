@@ -24,8 +24,7 @@ live.figure('lambert', {
         }
         pen.line([-2, 0], [2, 0], 'ink');
         pen.line([-foot, 0], [foot, 0], 'b wide');
-        pen.arrow([0, 0], [0, 1], 'c');
-        pen.text([0, 1], 'n', 'c');
+        pen.arrow([0, 0], [0, 1], 'c', 'n');
         pen.arrow([0, 0], at([0, 0], 0.9), 'b part-light');
         pen.text(at([0, 0], 0.8), 'l', 'b');
         if (cosine <= 0) {

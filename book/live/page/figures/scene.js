@@ -45,15 +45,13 @@
             }
             const [, point] = way;
             pen.dot(point, 'ink');
-            pen.arrow(point, to(normal), 'a part-face part-hit');
-            pen.text(to(normal), 'n', 'a part-face part-hit');
+            pen.arrow(point, to(normal), 'a part-face part-hit', 'n');
             if (step >= lamp) {
                 pen.line(point, to(bulb), blocked.length ? 'b thin part-light part-way' : 'b part-light part-way');
                 live.points(blocked).forEach((stop) => pen.text(to(stop), '✕', 'b', 'middle'));
             }
             if (step === highlight) {
-                pen.arrow(point, to(reflected), 'b');
-                pen.text(to(reflected), 'r', 'b', 'end');
+                pen.arrow(point, to(reflected), 'b', 'r', 'end');
             }
         },
         grows: [

@@ -22,12 +22,10 @@ live.figure('shading', {
         const at = (angle, length) => [length * Math.cos(angle), length * Math.sin(angle)];
         pen.line([-1.5, 0], [1.5, 0], 'ink');
         pen.path(lobe.map((sum, i) => at((Math.PI * i) / (lobe.length - 1), sum)), 'a pale', true);
-        pen.arrow(o, [0, 1.1], 'c');
-        pen.text([0, 1.1], 'n', 'c');
+        pen.arrow(o, [0, 1.1], 'c', 'n');
         pen.arrow(o, at(light, 1.1), 'b');
         pen.text(at(light, 1.28), 'light', 'b', 'middle');
-        pen.arrow(o, reflected, 'thin part-cosine');
-        pen.text(reflected, 'r');
+        pen.arrow(o, reflected, 'thin part-cosine', 'r');
         pen.arrow(at(eye, 1.1), o, 'ink part-cosine');
         pen.text(at(eye, 1.28), 'eye', '', 'middle');
     },

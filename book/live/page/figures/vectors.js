@@ -34,14 +34,11 @@
                 if (step >= 4) {
                     const [wx, wy] = [by, -bx].map((x) => (1.5 * x) / Math.hypot(bx, by));
                     pen.line(to(-wx, -wy), to(wx, wy), 'ink wide');
-                    pen.arrow(o, to(...reflected), 'a');
-                    pen.text(to(...reflected), 'r', 'a');
+                    pen.arrow(o, to(...reflected), 'a', 'r');
                 }
             }
-            pen.arrow(o, a, 'a');
-            pen.arrow(o, b, 'b');
-            pen.text(a, 'a', 'a');
-            pen.text(b, 'b', 'b');
+            pen.arrow(o, a, 'a', 'a');
+            pen.arrow(o, b, 'b', 'b');
         },
         grows: [
             ['a02', 'the-dot-product', 'Drag the vectors, and turn the table', 'Both vectors lie on the table. The wide line is the shadow of a on b; its length times that of b is the dot product. A drag beside the vectors turns the table.', {

@@ -258,6 +258,8 @@ fn a_scene_file_is_a_picture() {
     );
     let large = call("about file\n[picture]\nsize = [1000, 5000]", &[]).unwrap_err();
     assert!(large.starts_with("2:8: this page takes at most"), "{large}");
+    let deep = call("about file\n[picture]\ndepth = 51", &[]).unwrap_err();
+    assert_eq!(deep, "2:9: this page takes a depth of at most 50");
 }
 
 #[test]
