@@ -36,7 +36,7 @@ impl Files {
                 self.read_folder(&entry.path(), &format!("{path}/"))?;
                 continue;
             }
-            let is_text = matches!(ending(&path), "md" | "rs");
+            let is_text = matches!(ending(&path), "md" | "rs" | "toml");
             let text = is_text.then(|| fs::read_to_string(entry.path()));
             self.0.insert(path, text.transpose()?.unwrap_or_default());
         }

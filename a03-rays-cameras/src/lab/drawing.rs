@@ -109,7 +109,9 @@ impl View<'_> {
         }
         for x in middles(WIDTH) {
             let below = self.first_hit([x, 0.0], 0.0, 1);
-            if let Some((name, y)) = below.filter(|(name, _)| !seen.contains_key(name)) {
+            if let Some((name, y)) =
+                below.filter(|(name, y)| *y < HEIGHT && !seen.contains_key(name))
+            {
                 stroke(&mut edges, name, x, y);
             }
         }

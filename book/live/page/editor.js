@@ -5,9 +5,10 @@ live.Editor = class {
         this.text = live.element('textarea', { value: listing.textContent, spellcheck: false, 'aria-label': 'scene file' });
         this.mistake = live.element('output', { className: 'live-mistake' });
         this.picture = new live.Picture(image);
-        const column = live.element('div', {}, image.closest('p'));
-        const left = live.element('div', {}, this.text, this.mistake);
-        listing.closest('pre').replaceWith(live.element('div', { className: 'live-editor' }, left, column));
+        const [pre, paragraph] = [listing.closest('pre'), image.closest('p')];
+        const left = live.element('div', {}, this.text, this.mistake, pre.nextElementSibling);
+        const right = live.element('div', {}, paragraph, live.caption(image));
+        pre.replaceWith(live.element('div', { className: 'live-editor' }, left, right));
         this.update = live.newest(() => this.draw());
         this.text.oninput = () => {
             clearTimeout(this.pause);

@@ -32,12 +32,12 @@ live.Yours = class {
             const answer = await post({ request: `${name} ${picture.name}`, numbers });
             if (!answer.size) {
                 // The exercise draws another scene.
-                picture.yours = picture.yours.filter((yours) => yours !== this);
+                picture.yours = picture.yours?.filter((yours) => yours !== this);
                 return post.stop();
             }
             live.paint(this.canvas, answer);
-            const differs = answer.pixels.some((byte, i) => Math.abs(byte - lesson.pixels[i]) > 1);
-            const verdict = differs ? 'does NOT draw the same' : 'draws the same';
+            const differs = lesson?.pixels.some((byte, i) => Math.abs(answer.pixels[i] - byte) > 1);
+            const verdict = differs ? 'does NOT draw the same' : lesson ? 'draws the same' : 'draws this';
             this.say(yaw || pitch || zoom !== 1 ? 'draws it by the camera of the scene' : verdict);
         } catch ({ message }) {
             this.say(message === 'unreachable' ? 'panics' : `fails: ${message}`);
@@ -53,3 +53,15 @@ live.Yours = class {
         }
     }
 };
+
+// The pictures of other exercises than those of the core path: the reader's code alone draws them.
+for (const image of live.works && live.yours ? document.querySelectorAll('main img[src*="-exercise-"]:not(.img-wrapper > img)') : []) {
+    const [, name, stage, exercise] = /(([^/]+)-exercise-([^/]+))\.png$/.exec(image.src);
+    const file = exercise.replaceAll('-', '_');
+    if (live.yours[stage]?.includes(file)) {
+        const frame = image.closest('label') ?? image;
+        const yours = new live.Yours({ name, frame, canvas: image, settings: { zoom: 1 }, numbers: () => [] }, stage, file);
+        const button = live.element('button', { type: 'button', onclick: () => yours.update() }, `draw it by your ${file}.rs`);
+        image.closest('p').append(' ', button);
+    }
+}

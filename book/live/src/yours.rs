@@ -36,7 +36,8 @@ pub fn judge(_: &str, name: &'static str, code: Code) -> ExitCode {
 fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
     let (exercise, picture) = request.split_once(' ').unwrap_or_default();
     WANTED.set((picture.to_owned(), numbers.to_owned()));
-    let mut check = Check::default();
+    // A picture of an exercise, and of no scene, is painted if somebody looks.
+    let mut check = Check::new(picture.contains("-exercise-"), None);
     let codes = YOURS.with_borrow(Vec::clone);
     if let Some((_, code)) = codes.iter().find(|(name, _)| *name == exercise) {
         (code.check)(&mut check);
