@@ -95,7 +95,7 @@ fn a_drawing_shows_objects_and_rays() {
         ("1: Plane", 2),
         ("4: Sphere", 2),
         ("light 1", 2),
-        (r#"class="curve""#, 10),
+        (r#"class="curve ray"#, 10),
     ] {
         assert_eq!(drawing.matches(part).count(), times, "{part}");
     }

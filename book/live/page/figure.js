@@ -244,11 +244,7 @@ live.Figure = class {
             const pen = new live.Pen(this.area);
             this.figure.draw(pen, this.state, answer);
             this.drawn.innerHTML = pen.shapes.join('');
-            for (const { circle, at } of this.handles) {
-                const [x, y] = pen.to(at(this.state));
-                circle.setAttribute('cx', x);
-                circle.setAttribute('cy', y);
-            }
+            this.handles.forEach(({ circle, at }) => circle.setAttribute('transform', `translate(${pen.to(at(this.state))})`));
         }
         if (this.canvas) {
             live.paint(this.canvas, answer);

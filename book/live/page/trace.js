@@ -1,7 +1,7 @@
 // Every number behind a pixel of a live picture, taken by the code of the lesson: the rays of a
 // sample from the side and from above, and the steps of one ray, with their formulas.
 live.Trace = class {
-    // By the kind of the step; for a test, by the type of the object. The symbols are those of
+    // By the kind of the step, or by the type of the object or material. The symbols are those of
     // the chapters, and of the numbers beside them.
     static formulas = {
         sample: 'x = column + (place₁ − ½),  y = height − 1 − row − (place₂ − ½)',
@@ -19,7 +19,8 @@ live.Trace = class {
         lift: 'p′ = p ± 64 ε m n',
         Lambert: 'c = cd cl (n·l)',
         Phong: 'c = cd cl (n·l) + cs cl (e·r)^exponent',
-        color: 'c = ambient light + light of each lamp',
+        'color of Lambert': 'c = ambient light + light of each lamp',
+        'color of Phong': 'c = ambient light + light of each lamp',
         mirror: 'cr: the share that the reflected ray adds',
         'reflected ray': 'd′ = d − 2 (d·n) n',
         radiance: 'f = c₁ + cr₁ (c₂ + cr₂ (c₃ + …))',
@@ -27,7 +28,8 @@ live.Trace = class {
     };
 
     constructor(picture) {
-        Object.assign(this, { picture, at: 0, pixel: [0, 0] });
+        Object.assign(this, { picture, at: 0, pixel: [0, 0], rays: [] });
+        const go = (by) => this.show(this.at + by).catch(({ message }) => (this.status.value = message));
         this.update = live.newest(() => this.answer());
         this.numbers = ['column', 'row'].map((name, i) => {
             const change = ({ target }) => this.open(Object.assign([...this.pixel], { [i]: Number(target.value) }));
@@ -44,10 +46,10 @@ live.Trace = class {
         this.root = live.panel('Every number behind a pixel', hint,
             live.element('div', { className: 'live-controls' }, 'column ', this.numbers[0], ' row ', this.numbers[1], ' ', this.status),
             this.drawings,
-            live.element('div', {}, button('←', () => this.show(this.at - 1)), ' ', button('→', () => this.show(this.at + 1)), ' ', this.where, ' ', button('close', () => this.close())),
+            live.element('div', {}, button('←', () => go(-1)), ' ', button('→', () => go(1)), ' ', this.where, ' ', button('close', () => this.close())),
             this.list);
         this.root.tabIndex = 0;
-        live.keys(this.root, { ArrowLeft: () => this.show(this.at - 1), ArrowRight: () => this.show(this.at + 1), Escape: () => this.close() });
+        live.keys(this.root, { ArrowLeft: () => go(-1), ArrowRight: () => go(1), Escape: () => this.close() });
     }
 
     // Shows a pixel by its column and row.
@@ -109,6 +111,9 @@ live.Trace = class {
     async show(at) {
         this.at = Math.min(Math.max(at, 0), this.rays.length - 1);
         const steps = this.rays[this.at];
+        if (!steps) {
+            return;
+        }
         this.where.value = `${this.at + 1} of ${this.rays.length}: ${steps[0].name}`;
         this.list.replaceChildren(...steps.map((step) => this.step(step)));
         const samples = this.rays.slice(0, this.at + 1).flatMap(([{ kind }], i) => (kind === 'sample' ? [i] : []));
@@ -139,8 +144,9 @@ live.Trace = class {
 
     // A step: its name, which leads to its section, outcome, numbers and formula.
     step({ level, kind, name, outcome, values, section }) {
-        const type = name.split(/[ :]+/).at(-1);
-        const formula = live.Trace.formulas[kind] ?? live.Trace.formulas[type === 'Reflective' ? 'Phong' : type] ?? '';
+        const type = name.split(/[ :]+/).at(-1).replace('Reflective', 'Phong');
+        const { formulas } = live.Trace;
+        const formula = formulas[`${kind} of ${type}`] ?? formulas[kind] ?? formulas[type] ?? '';
         const numbers = Object.entries(values).map(([symbol, list]) => {
             const shown = list.map(live.show);
             return live.element('span', {}, `${symbol} = ${list.length === 1 ? shown : `(${shown.join(', ')})`}`);

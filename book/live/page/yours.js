@@ -61,7 +61,6 @@ for (const image of live.works && live.yours ? document.querySelectorAll('main i
     if (live.yours[stage]?.includes(file)) {
         const frame = image.closest('label') ?? image;
         const yours = new live.Yours({ name, frame, canvas: image, settings: { zoom: 1 }, numbers: () => [] }, stage, file);
-        const button = live.element('button', { type: 'button', onclick: () => yours.update() }, `draw it by your ${file}.rs`);
-        image.closest('p').append(' ', button);
+        image.closest('p').append(' ', live.element('button', { type: 'button', onclick: () => yours.update() }, `draw it by your ${file}.rs`));
     }
 }
