@@ -36,7 +36,7 @@ live.Editor = class {
     async change() {
         clearTimeout(this.picture.pause);
         this.picture.update?.forget();
-        await live.stop('the text has changed');
+        await live.stop('stopped: the text has changed');
         await this.update();
     }
 
