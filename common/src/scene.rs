@@ -154,11 +154,10 @@ impl Scene {
         self
     }
 
-    /// The text of the scene in a language: `toml` or `povray`.
-    pub fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {
-        let lacks = || Error::Usage(format!("{} has no rays to write", self.name));
-        let explained = self.explained.as_ref().ok_or_else(lacks)?;
-        explained.export(language, settings)
+    /// The way to the numbers behind its pixels and to its text; an error if it has no rays.
+    pub fn rays(&self) -> Result<&dyn Explained, Error> {
+        let lacks = || Error::Usage(format!("{} is painted, without rays to follow", self.name));
+        self.explained.as_deref().ok_or_else(lacks)
     }
 
     /// Renders the picture.

@@ -55,7 +55,7 @@ fn the_steps_of_a_pixel_add_up_to_its_colour() {
                 ..scene.defaults.clone()
             };
             let image = scene.render(&settings, &()).unwrap();
-            let explained = scene.explained.as_ref().unwrap();
+            let explained = scene.rays().unwrap();
             for (i, pixel) in (0..).zip(image.pixels()) {
                 let trace = explained.trace(&settings, [i % 10, i / 10]).unwrap();
                 assert_eq!(
@@ -88,7 +88,7 @@ fn the_steps_of_a_pixel_add_up_to_its_colour() {
 #[test]
 fn a_drawing_shows_objects_and_rays() {
     let scene = &a06_shadows_reflection::stage().scenes[0];
-    let explained = scene.explained.as_ref().unwrap();
+    let explained = scene.rays().unwrap();
     let trace = explained.trace(&scene.defaults, [250, 250]).unwrap();
     let drawing = explained.drawing(&scene.defaults, &trace).unwrap();
     for (part, times) in [

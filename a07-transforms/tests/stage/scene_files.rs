@@ -37,7 +37,8 @@ fn the_example_has_every_key_and_the_same_picture_by_all_renderers() {
     }
     let folder = folder();
     let scene = open(folder.path(), EXAMPLE.as_bytes()).unwrap();
-    let again = scene.export("toml", &scene.defaults).unwrap();
+    let rays = scene.rays().unwrap();
+    let again = rays.export("toml", &scene.defaults).unwrap();
     let again = open(folder.path(), again.as_bytes()).unwrap();
     let render = |scene: &Scene, size, renderer| {
         let settings = Settings {

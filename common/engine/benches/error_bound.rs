@@ -23,7 +23,7 @@ use common::{Color, Error, Image, Sampled, Settings, Size};
 use engine::Renderer;
 use measure::experiment::{Curve, Point};
 
-use crate::kinds::{KINDS, Kind};
+use crate::kinds::{Kind, kinds};
 use crate::support::{Grid, Numbers, print_head, print_row};
 
 /// Compares the true errors of pictures with their bounds.
@@ -57,7 +57,7 @@ fn main() -> Result<(), Error> {
     let names = &options.kinds;
     let is_named = |(kind, ..): &Kind| names.iter().any(|name| kind.contains(name.as_str()));
     let mut all = Vec::new();
-    for kind in &KINDS {
+    for kind in &kinds() {
         if !names.is_empty() && !is_named(kind) {
             continue;
         }
@@ -115,16 +115,16 @@ struct Trial {
 
 /// A variant of a kind at a size, two independent pictures of many samples, and the errors of
 /// stratified sampling against the samples of a pixel.
-struct Subject {
-    kind: &'static Kind,
+struct Subject<'a> {
+    kind: &'a Kind,
     variant: u32,
     settings: Settings,
     references: [Image; 2],
     stratified: Curve<'static>,
 }
 
-impl Subject {
-    fn new(kind: &'static Kind, variant: u32, size: Size, side: u32) -> Result<Self, Error> {
+impl<'a> Subject<'a> {
+    fn new(kind: &'a Kind, variant: u32, size: Size, side: u32) -> Result<Self, Error> {
         let settings = Settings {
             size,
             samples: 1024,

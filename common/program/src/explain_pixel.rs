@@ -54,12 +54,7 @@ pub fn explain_pixel(scene: &Scene, explaining: &Explaining) -> Result<(), Error
     } = explaining;
     let ([x, y], settings) = (*pixel, options.settings(scene)?);
     check(&settings, explaining)?;
-    let Some(explained) = &scene.explained else {
-        let name = scene.name;
-        return usage(format!(
-            "explain follows rays, and {name} has no camera and world for them"
-        ));
-    };
+    let explained = scene.rays()?;
     if let Some(path) = drawing {
         atomic_file::check_writable(path)?;
     }

@@ -107,7 +107,7 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
             options,
         }) => {
             let scene = stage.scene(&scene)?;
-            let text = scene.export(&to, &options.settings(&scene)?)?;
+            let text = scene.rays()?.export(&to, &options.settings(&scene)?)?;
             match output {
                 Some(path) => atomic_file::write(&path, text.as_bytes()),
                 None => print(text.trim_end()),

@@ -1,29 +1,22 @@
 //! Kinds of pictures, with variants by random numbers.
 
 use common::{Color, Settings};
-use engine::{Camera, Hit, Ray, Renderer, Scene, Shading, Shape, Surface};
+use engine::{Camera, Hit, Ray, Renderer, Shading, Shape, Surface};
 use glam::{DVec3, dvec3};
 
 use crate::support::Numbers;
-use crate::support::scene;
-use crate::support::scenes::SCENES;
+use crate::support::scene::SCENES;
 
 /// The name of a kind, an upper bound of its light, and a function that makes the variant of
 /// these numbers.
-pub type Kind = (
-    &'static str,
-    f64,
-    fn(&mut Numbers, &Settings) -> Renderer<'static>,
-);
+pub type Kind<M = Make> = (&'static str, f64, M);
+type Make = Box<dyn Fn(&mut Numbers, &Settings) -> Renderer<'static>>;
 
-/// The bound of a scene follows from its lights and materials.
-const ANY: f64 = f64::INFINITY;
 /// The width of a pixel where 160 lie side by side.
 const PIXEL: f64 = 1.0 / 160.0;
 const SMALL: [f64; 2] = [0.1 * PIXEL, 0.8 * PIXEL];
 
-/// All kinds.
-pub const KINDS: [Kind; 25] = [
+const PICTURES: [Kind<fn(&mut Numbers, &Settings) -> Renderer<'static>>; 14] = [
     ("needles", 1.0, |numbers, settings| {
         let ranges = [[3.0, 15.0], [0.2, 1.0], [0.001, 0.01]];
         let needle = |u: f64, v: f64| when(u > 0.0 && v.abs() < 1.0 - u);
@@ -113,40 +106,29 @@ pub const KINDS: [Kind; 25] = [
         let ranges = [[12.0; 2], [0.05 * PIXEL, 0.09 * PIXEL], [1.0; 2]];
         things(numbers, settings, ranges, speck)
     }),
-    ("mirrors", ANY, |numbers, settings| {
-        seen(0, numbers, settings)
-    }),
-    ("objects", ANY, |numbers, settings| {
-        seen(1, numbers, settings)
-    }),
-    ("spheres", ANY, |numbers, settings| {
-        seen(2, numbers, settings)
-    }),
-    ("torus", ANY, |numbers, settings| seen(3, numbers, settings)),
-    ("swarm", ANY, |numbers, settings| seen(4, numbers, settings)),
-    ("boxes", ANY, |numbers, settings| seen(7, numbers, settings)),
-    ("discs", ANY, |numbers, settings| seen(8, numbers, settings)),
-    ("nodes", ANY, |numbers, settings| seen(9, numbers, settings)),
-    ("lamps", ANY, |numbers, settings| {
-        seen(10, numbers, settings)
-    }),
-    ("hills", ANY, |numbers, settings| {
-        seen(12, numbers, settings)
-    }),
-    ("hairs", ANY, |numbers, settings| {
-        seen(13, numbers, settings)
-    }),
 ];
 
-/// A scene of the benchmark `peers`, seen from a random place.
-fn seen(scene: usize, numbers: &mut Numbers, settings: &Settings) -> Renderer<'static> {
-    let [eye, gaze] = SCENES[scene].view;
-    let view = [eye + numbers.in_cube(0.3), gaze];
-    let scene = scene::Scene {
-        view,
-        ..SCENES[scene]
-    };
-    scene.prepare(settings)
+/// Scenes of the benchmark `peers`, whose bounds follow from their lights and materials.
+const SEEN: [&str; 11] = [
+    "mirrors", "objects", "spheres", "torus", "swarm", "boxes", "discs", "nodes", "lamps", "hills",
+    "hairs",
+];
+
+/// All kinds.
+pub fn kinds() -> Vec<Kind> {
+    let scenes = SCENES.iter().filter(|scene| SEEN.contains(&scene.name));
+    // From a random place.
+    let scenes = scenes.map(|scene| {
+        let make: Make = Box::new(|numbers, settings| {
+            let mut scene = *scene;
+            scene.view[0] += numbers.in_cube(0.3);
+            scene.prepare(settings)
+        });
+        (scene.name, f64::INFINITY, make)
+    });
+    let pictures = PICTURES.into_iter();
+    let pictures = pictures.map(|(name, bound, make)| (name, bound, Box::new(make) as Make));
+    pictures.chain(scenes).collect()
 }
 
 /// Things at random places, turned by random angles, before light that changes evenly. The
@@ -222,7 +204,7 @@ fn picture(
     settings: &Settings,
     light: impl Fn(f64, f64) -> Color + Send + Sync + 'static,
 ) -> Renderer<'static> {
-    let mut scene = Scene::new(Color::BLACK, Color::BLACK, 1);
+    let mut scene = engine::Scene::new(Color::BLACK, Color::BLACK, 1);
     let shading = Shading::Other(Box::new(move |ray, _| light(ray.origin.x, ray.origin.y)));
     let surface = scene.add_surface(Surface::matt(shading));
     scene.add_shape(Shape::other(|_| Some(Hit::new(1.0, DVec3::Z))), surface);

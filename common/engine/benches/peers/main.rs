@@ -35,8 +35,7 @@ use rayon::ThreadPoolBuilder;
 
 use crate::program::{PROGRAMS, Run, by_turns};
 use crate::support::Grid;
-use crate::support::scene::Scene;
-use crate::support::scenes::SCENES;
+use crate::support::scene::{SCENES, Scene};
 
 /// Compares the engine with POV-Ray and Tachyon.
 #[derive(Parser)]
@@ -74,8 +73,8 @@ fn main() -> Outcome {
     let is_named = |scene: &&Scene| names.is_empty() || names.iter().any(|n| n == scene.name);
     let scenes: Vec<_> = SCENES.iter().filter(is_named).collect();
     if scenes.len() < names.len() {
-        let known = SCENES.each_ref().map(|scene| scene.name).join(", ");
-        return Err(format!("the scenes are {known}").into());
+        let known: Vec<_> = SCENES.iter().map(|scene| scene.name).collect();
+        return Err(format!("the scenes are {}", known.join(", ")).into());
     }
     match &options.render {
         Some(file) => render(scenes[0], 1, options.size, options.threads[0], file),

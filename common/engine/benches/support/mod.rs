@@ -3,7 +3,6 @@
 
 mod objects;
 pub mod scene;
-pub mod scenes;
 
 use engine::Sampler;
 use engine::adaptive::PixelRandom;

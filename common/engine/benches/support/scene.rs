@@ -1,81 +1,106 @@
-//! `Scene`: a scene of the benchmarks, which makes the engine's.
+//! `Scene`: a scene of the benchmarks, a row of `scenes.md`, which makes the engine's.
 //!
 //! The background is black, because Tachyon paints it, unweakened, where the last mirror
 //! that a ray may meet would show something. All lights cast shadows: Tachyon has no other.
 
+use std::sync::LazyLock;
+
 use common::{Color, Settings};
-use engine::{Basis, Camera, Light, LightKind, Phong, Renderer, Shading, Shape, Surface};
-use glam::{DVec3, dvec3};
+use engine::{Basis, Camera, Light, LightKind, Phong, Plane, Renderer, Shading, Shape, Surface};
+use glam::DVec3;
+
+use super::objects::{has_room, objects};
+
+/// The scenes in the order of the tables.
+pub static SCENES: LazyLock<Vec<Scene>> = LazyLock::new(|| {
+    let rows = include_str!("scenes.md").lines().skip(2);
+    let mut scenes = Vec::new();
+    for row in rows {
+        let mut cells = row.split('|').skip(1).map(str::trim);
+        let mut cell = || cells.next().unwrap_or_default();
+        scenes.push(Scene {
+            name: cell(),
+            about: cell(),
+            view: [cell(), cell()].map(|text| vectors(text)[0]),
+            depth: cell().parse().expect("a depth"),
+            shares: numbers(cell())[..].try_into().expect("two shares"),
+            floor: cell().parse().ok(),
+            lights: cell(),
+        });
+    }
+    scenes
+});
 
 /// A scene in numbers.
+#[derive(Clone, Copy)]
 pub struct Scene {
     pub name: &'static str,
     pub about: &'static str,
     /// The place of the camera, and the direction in which it looks.
     pub view: [DVec3; 2],
-    pub lights: fn() -> Vec<LightKind<'static>>,
     /// How many surfaces a ray may meet.
     pub depth: u32,
     /// The shares of light in highlights and mirrors, the same for all materials.
-    pub shares: [f64; 2],
-    /// Makes the objects one after the other: a list of them would count among
-    /// the memory of the program that we measure.
-    pub objects: fn() -> Objects,
+    shares: [f64; 2],
+    /// The color of the plane through the origin, if there is one: Tachyon misplaces others.
+    floor: Option<usize>,
+    lights: &'static str,
 }
-
-/// Shapes, each with the index of its colour.
-pub type Objects = Box<dyn Iterator<Item = (Shape<'static>, usize)>>;
 
 /// Six colours and a dark grey.
-const COLORS: [DVec3; 7] = [
-    dvec3(0.8, 0.1, 0.1),
-    dvec3(0.1, 0.7, 0.2),
-    dvec3(0.1, 0.2, 0.8),
-    dvec3(0.8, 0.7, 0.1),
-    dvec3(0.7, 0.1, 0.7),
-    dvec3(0.1, 0.7, 0.7),
-    dvec3(0.2, 0.2, 0.2),
+const COLORS: [[f64; 3]; 7] = [
+    [0.8, 0.1, 0.1],
+    [0.1, 0.7, 0.2],
+    [0.1, 0.2, 0.8],
+    [0.8, 0.7, 0.1],
+    [0.7, 0.1, 0.7],
+    [0.1, 0.7, 0.7],
+    [0.2, 0.2, 0.2],
 ];
-
-/// The index of the grey, which is also the number of colours before it.
-pub const GREY: usize = 6;
 /// The share of each colour that is seen without any light.
 const AMBIENT: f64 = 0.1;
-/// Half the vertical opening angle of all cameras, in radians.
-const HALF_ANGLE: f64 = std::f64::consts::FRAC_PI_8;
-
-pub fn color(vector: DVec3) -> Color {
-    let [r, g, b] = vector.to_array();
-    Color::new(r, g, b)
-}
 
 impl Scene {
-    /// The scene and the camera for the engine.
+    /// The scene and the camera for the engine. Nothing is too near to the eye or a lamp.
     pub fn world(&self) -> (engine::Scene<'static>, Camera<'static>) {
         let mut world = engine::Scene::new(Color::BLACK, Color::gray(AMBIENT), self.depth);
-        let surfaces = COLORS.map(|diffuse| {
+        let surfaces = COLORS.map(|[r, g, b]| {
             world.add_surface(Surface {
                 shading: Shading::Phong(Phong {
-                    diffuse: color(diffuse),
+                    diffuse: Color::new(r, g, b),
                     specular: Color::gray(self.shares[0]),
                     exponent: 32.0,
                 }),
                 reflection: Color::gray(self.shares[1]),
             })
         });
-        for kind in (self.lights)() {
+        let mut places = vec![self.view[0]];
+        for light in self.lights.split("; ") {
+            let kind = kind(light);
+            if let LightKind::Point { position, .. } = kind {
+                places.push(position);
+            }
             let casts_shadows = true;
             world.add_light(Light {
                 kind,
                 casts_shadows,
             });
         }
-        for (shape, color) in (self.objects)() {
+        for (shape, color) in objects(self.name).filter(|(shape, _)| has_room(shape, &places)) {
             world.add_shape(shape, surfaces[color]);
         }
+        if let Some(color) = self.floor {
+            let (point, normal) = (DVec3::ZERO, DVec3::Y);
+            world.add_shape(Shape::Plane(Plane { point, normal }), surfaces[color]);
+        }
+        // The camera is held upright.
+        let [e, gaze] = self.view;
+        let w = -gaze.normalize();
+        let u = DVec3::Y.cross(w).normalize();
+        let v = w.cross(u);
         let camera = Camera::Perspective {
-            basis: self.basis(),
-            half_tangent: libm::tan(HALF_ANGLE),
+            basis: Basis { e, u, v, w },
+            half_tangent: libm::tan(std::f64::consts::FRAC_PI_8),
         };
         (world, camera)
     }
@@ -85,13 +110,38 @@ impl Scene {
         let (world, camera) = self.world();
         Renderer::new(world, camera, settings)
     }
+}
 
-    /// The axes of the camera, which is held upright.
-    fn basis(&self) -> Basis {
-        let [e, gaze] = self.view;
-        let w = -gaze.normalize();
-        let u = DVec3::Y.cross(w).normalize();
-        let v = w.cross(u);
-        Basis { e, u, v, w }
+/// A light: its kind, colour, place and direction.
+fn kind(light: &str) -> LightKind<'static> {
+    let vectors = vectors(light);
+    let [r, g, b] = vectors[0].to_array();
+    let (color, position) = (Color::new(r, g, b), vectors[1]);
+    match vectors.get(2).map(|direction| direction.normalize()) {
+        None => LightKind::Point { color, position },
+        Some(direction) if light.starts_with("far") => LightKind::Directional { color, direction },
+        Some(direction) => LightKind::Spot {
+            color,
+            position,
+            direction,
+            cos_half_angle: libm::cos(18_f64.to_radians()),
+        },
     }
+}
+
+/// The numbers among the words of a text.
+fn numbers(text: &str) -> Vec<f64> {
+    let words = text.split(' ');
+    words.filter_map(|word| word.parse().ok()).collect()
+}
+
+fn vectors(text: &str) -> Vec<DVec3> {
+    let numbers = numbers(text);
+    numbers
+        .as_chunks()
+        .0
+        .iter()
+        .copied()
+        .map(DVec3::from_array)
+        .collect()
 }
