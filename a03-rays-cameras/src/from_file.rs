@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
+use std::sync::Mutex;
 
 use a02_math::{Point3, Vector3};
 use common::{Color, Error, Sampling, Scene, Settings, Size};
@@ -38,12 +39,15 @@ pub fn scene(path: &Path, stage: u8, make_view: MakeView) -> Result<Scene, Error
     };
     let file = SceneFile::read(&text, stage, &mesh).map_err(&at_place)?;
     let defaults = settings(&file.picture).map_err(&at_place)?;
-    // All constructors must accept the numbers.
-    make_view(&file).map_err(&at_place)?;
+    // All constructors must accept the numbers. The first picture takes the view that they make.
+    let first = Mutex::new(Some(make_view(&file).map_err(&at_place)?));
     let is_large = file.triangles > 10_000;
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let name = stem.into_owned().leak();
-    let view = move |_| make_view(&file).map_err(&at_place);
+    let view = move |_| match first.lock().map(|mut first| first.take()) {
+        Ok(Some(view)) => Ok(view),
+        _ => make_view(&file).map_err(&at_place),
+    };
     let mut scene = scene_of(name, "a scene of a file", view).with_defaults(defaults);
     scene.uses.depth = stage > 5;
     scene.is_large = is_large;

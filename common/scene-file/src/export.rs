@@ -71,7 +71,7 @@ fn head(
 ) -> Result<String, String> {
     let [width, height] = [settings.size.width(), settings.size.height()].map(f64::from);
     let (samples, depth) = (f64::from(settings.samples), f64::from(settings.depth));
-    let size: [&[f64]; 3] = [&[width], &[height], &[depth]];
+    let size = [&[width][..], &[height], &[depth]];
     let mut text = language.find("Start", "width height depth", &size)?;
     let default = Settings::default();
     text += &unless(default.samples.into(), language, "Samples", &[samples]);
@@ -94,20 +94,9 @@ fn head(
     let is_upright = basis.u.y == 0.0 && basis.v.y > 0.0;
     let up = if is_upright { DVec3::Y } else { basis.v };
     let [e, up, u, v, w] = [basis.e, up, basis.u, basis.v, -basis.w].map(|v| v.to_array());
-    let (gaze, focus) = (short(-basis.w), 0.5 / half);
+    let (gaze, angle, focus, scale) = (short(-basis.w), [angle], [0.5 / half], [half]);
     let names = "eye gaze up right upwards ahead angle focus scale frustum";
-    let values: [&[f64]; 10] = [
-        &e,
-        &gaze,
-        &up,
-        &u,
-        &v,
-        &w,
-        &[angle],
-        &[focus],
-        &[half],
-        &frustum,
-    ];
+    let values: [&[f64]; 10] = [&e, &gaze, &up, &u, &v, &w, &angle, &focus, &scale, &frustum];
     text += &language.find(kind, names, &values)?;
     text += &unless(0.0, language, "Background", &scene.background.channels());
     text += &unless(0.0, language, "Ambient", &scene.ambient.channels());
@@ -135,18 +124,20 @@ fn material(language: Phrases, surface: &Surface, ambient: Color) -> Result<[Str
         }
         Shading::Other(_) => ("MaterialOfFormula", Color::BLACK, Color::BLACK, 0.0),
     };
+    let (first, exponent) = ([specular.r, surface.reflection.r, ambient.r], [exponent]);
+    let [highlight, mirror, glow] = first.map(|channel| [channel]);
     let colors = [color, specular, surface.reflection, ambient];
     let [color, specular, reflection, ambient] = colors.map(Color::channels);
-    let names = "color specular highlight exponent reflection mirror ambient glow";
+    let names = "color specular reflection ambient exponent highlight mirror glow";
     let values: [&[f64]; 8] = [
         &color,
         &specular,
-        &specular[..1],
-        &[exponent],
         &reflection,
-        &reflection[..1],
         &ambient,
-        &ambient[..1],
+        &exponent,
+        &highlight,
+        &mirror,
+        &glow,
     ];
     let mirrored = unless(0.0, language, "Reflection", &reflection);
     let words = language.find(kind, names, &values)? + &mirrored;
@@ -171,13 +162,9 @@ fn light(language: Phrases, light: &Light) -> Result<String, String> {
         LightKind::Other(_) => return language.find("LightOfFormula", "", &[]),
     };
     let [p, a, target] = [position, axis, position + axis].map(|v| v.to_array());
-    let (color, direction) = (color.channels(), short(axis));
+    let (color, direction, angle) = (color.channels(), short(axis), [angle]);
     let names = "color position direction axis target half_angle";
-    language.find(
-        kind,
-        names,
-        &[&color, &p, &direction, &a, &target, &[angle]],
-    )
+    language.find(kind, names, &[&color, &p, &direction, &a, &target, &angle])
 }
 
 /// A direction with a largest coordinate of 1, which often makes all of them short.

@@ -17,7 +17,6 @@
 //! depend on the objects alone; for the engine that includes making its scene. Tracing is the
 //! rest, without reading the scene and writing the file. (POV-Ray builds the structure of a
 //! mesh while it reads, so that its time is in no column.) Memory is the peak of the process.
-//! Behind the table stand the targets, and the scenes that miss them.
 
 mod program;
 mod report;
@@ -83,7 +82,7 @@ fn main() -> Outcome {
     }
 }
 
-/// Prints a row for each scene and number of threads, and then the targets.
+/// Prints a row for each scene and number of threads.
 fn compare(options: &Options, scenes: &[&'static Scene]) -> Outcome {
     fs::create_dir_all(program::folder())?;
     report::head();
@@ -104,7 +103,6 @@ fn compare(options: &Options, scenes: &[&'static Scene]) -> Outcome {
         }
         comparisons.extend(runs);
     }
-    report::targets(&comparisons, options.alone);
     if options.book {
         report::book(&comparisons);
         let pictures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/pictures");

@@ -1,4 +1,4 @@
-//! The table of all figures, the table of the book, and the targets of the engine.
+//! The table of all figures, and the table of the book.
 
 use crate::program::{BUILD, MEMORY, Run, TOTAL, TRACE};
 use crate::support::{print_head, print_row};
@@ -67,41 +67,4 @@ pub fn book(comparisons: &[Comparison]) {
         }
         println!();
     }
-}
-
-/// The least that POV-Ray's and Tachyon's figures should be, as multiples of ours.
-const TARGETS: [(&str, usize, [f64; 2]); 4] = [
-    ("trace time", TRACE, [5.0, 1.5]),
-    ("trace time", TRACE, [10.0, 3.0]),
-    ("total time", TOTAL, [1.0, 1.0]),
-    ("memory", MEMORY, [1.0, 1.0]),
-];
-const GAIN_OF_TWO_THREADS: f64 = 1.9;
-
-/// Prints which scenes miss the targets, and on how many threads. Alone there is only the last.
-pub fn targets(comparisons: &[Comparison], alone: bool) {
-    for (name, figure, least) in TARGETS.into_iter().filter(|_| !alone) {
-        let [povray, tachyon] = least;
-        print!("\n- {name} of POV-Ray {povray} times ours, of Tachyon {tachyon}; missed by:");
-        for runs in comparisons {
-            for i in [1, 2] {
-                let ratio = ratio(runs, i, figure);
-                if ratio < least[i - 1] {
-                    let (scene, threads) = (runs[0].scene.name, runs[0].threads);
-                    print!(" {scene} ({threads}: {} {ratio:.2})", runs[i].program.name);
-                }
-            }
-        }
-    }
-    print!("\n- two threads {GAIN_OF_TWO_THREADS} times as fast as one; missed by:");
-    for pair in comparisons.windows(2) {
-        let [one, two] = [&pair[0][0], &pair[1][0]];
-        let is_pair = one.scene.name == two.scene.name && [one.threads, two.threads] == [1, 2];
-        let gain = one.best[TRACE] / two.best[TRACE];
-        // Shorter times are those of starting threads.
-        if is_pair && one.best[TRACE] > 0.05 && gain < GAIN_OF_TWO_THREADS {
-            print!(" {} ({gain:.2})", one.scene.name);
-        }
-    }
-    println!();
 }

@@ -37,19 +37,12 @@ pub fn text(
         Shape::Box(b) => find("Box", "lbf run", &[&b.min, &b.max]),
         Shape::Disc(d) => {
             let (center, normal) = (d.plane.point.as_ref(), d.plane.normal.as_ref());
-            find(
-                "Disc",
-                "center normal radius",
-                &[center, normal, &[d.radius]],
-            )
+            let values: [&[f64]; 3] = [center, normal, &[d.radius]];
+            find("Disc", "center normal radius", &values)
         }
         Shape::Triangle(t) => {
-            let is_flat = t.normals == [t.face; 3];
-            let phrase = if is_flat {
-                "Triangle"
-            } else {
-                "SmoothTriangle"
-            };
+            let is_smooth = t.normals != [t.face; 3];
+            let phrase = ["Triangle", "SmoothTriangle"][usize::from(is_smooth)];
             let [a, b, c] = t.corners.map(|v| v.to_array());
             let [u, v, w] = t.normals.map(|v| v.to_array());
             find(phrase, "a b c u v w", &[&a, &b, &c, &u, &v, &w])
