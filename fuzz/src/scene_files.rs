@@ -3,7 +3,7 @@
 
 use arbitrary::{Result, Unstructured};
 use common::{Settings, Size};
-use scene_file::SceneFile;
+use scene_file::{Mesh, SceneFile};
 
 use crate::values::number;
 
@@ -12,6 +12,8 @@ const EXAMPLE: &str = include_str!("../../a07-transforms/scenes/shapes.toml");
 
 /// Reads bytes as a scene file and as a mesh, and renders what is right of them.
 pub fn check(bytes: &[u8]) {
+    let triangles = Mesh::read(bytes).map(|mesh| mesh.triangles().count());
+    assert_ne!(triangles, Ok(0), "a mesh without triangles");
     let text = String::from_utf8_lossy(bytes);
     for stage in 4..=7 {
         // The file is its own mesh.

@@ -35,6 +35,9 @@ fn the_example_has_every_key_and_the_same_picture_by_all_renderers() {
         let has_it = EXAMPLE.contains(&format!("{} = ", key.name));
         assert!(has_it || key.name == "inverse", "{}", key.name);
     }
+    let schema = include_str!("../../scenes/schema.json");
+    let renew = "cargo run -p scene-file --example schema > a07-transforms/scenes/schema.json";
+    assert!(schema == scene_file::schema(), "renew it: {renew}");
     let folder = folder();
     let scene = open(folder.path(), EXAMPLE.as_bytes()).unwrap();
     let rays = scene.rays().unwrap();

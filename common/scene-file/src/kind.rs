@@ -38,6 +38,8 @@ pub struct Key {
     pub form: &'static str,
     /// The first stage that knows it.
     pub stage: u8,
+    /// Its meaning, unit and range.
+    pub about: &'static str,
 }
 
 impl Kind {
@@ -79,7 +81,13 @@ pub static KINDS: LazyLock<Vec<Kind>> = LazyLock::new(|| {
         let mut cell = || cells.next().unwrap_or_default();
         let (table, name, form) = (cell(), cell(), cell());
         let stage = cell().parse().unwrap_or(0);
-        let key = Key { name, form, stage };
+        let about = cell();
+        let key = Key {
+            name,
+            form,
+            stage,
+            about,
+        };
         if table == "every shape" {
             let shapes = kinds.iter_mut().filter(|kind| kind.role == Role::Shape);
             shapes.for_each(|kind| kind.keys.push(key));

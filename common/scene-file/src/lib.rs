@@ -13,7 +13,9 @@ mod kind;
 mod mesh;
 mod numbers;
 mod phrases;
+mod ply;
 mod reader;
+mod schema;
 
 pub use error::{Error, Place};
 pub use export::export;
@@ -22,3 +24,4 @@ pub use kind::{KINDS, Key, Kind, Role};
 pub use mesh::Mesh;
 pub use phrases::{POV_RAY, Phrases, TOML};
 pub use reader::{Files, SceneFile};
+pub use schema::schema;

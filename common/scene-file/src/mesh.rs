@@ -1,42 +1,45 @@
-//! `Mesh`: the triangles of an OBJ file.
+//! `Mesh`: the triangles of an OBJ or PLY file.
 
 use tobj::{LoadError, LoadOptions};
 
+use crate::ply;
+
 /// Triangles that share corners and normals.
 #[derive(Debug)]
-pub struct Mesh {
-    models: Vec<tobj::Model>,
-}
+pub struct Mesh(Vec<tobj::Mesh>);
 
 /// Three corners, and their normals if the file has them.
 pub type Triangle = ([[f64; 3]; 3], Option<[[f64; 3]; 3]>);
 
 impl Mesh {
-    /// Reads an OBJ file. Polygons become triangles; its materials are ignored.
+    /// Reads an OBJ or PLY file. Polygons become triangles; its materials are ignored.
     pub fn read(mut bytes: &[u8]) -> Result<Self, String> {
-        if bytes.starts_with(b"ply") {
-            return Err("it is a PLY file; a program such as Blender saves it as OBJ".into());
-        }
         let options = LoadOptions {
             triangulate: true,
             ignore_points: true,
             ignore_lines: true,
             ..LoadOptions::default()
         };
-        let without_materials = |_: &_| Err(LoadError::OpenFileFailed);
-        let read = tobj::load_obj_buf(&mut bytes, &options, without_materials);
-        let (models, _) = read.map_err(|error| format!("it is no OBJ file: {error}"))?;
-        let mesh = Self { models };
+        let mesh = Self(if bytes.starts_with(b"ply") {
+            let read = ply::read(bytes);
+            vec![read.map_err(|error| format!("it is no PLY file that can be read: {error}"))?]
+        } else {
+            let without_materials = |_: &_| Err(LoadError::OpenFileFailed);
+            let read = tobj::load_obj_buf(&mut bytes, &options, without_materials);
+            let (models, _) = read.map_err(|error| format!("it is no OBJ file: {error}"))?;
+            models.into_iter().map(|model| model.mesh).collect()
+        });
         if mesh.triangles().next().is_none() {
-            return Err("it has no triangles, which are lines such as f 1 2 3".into());
+            return Err(
+                "it has no triangles, which are lines such as f 1 2 3 in an OBJ file".into(),
+            );
         }
         Ok(mesh)
     }
 
     /// The triangles in the order of the file.
     pub fn triangles(&self) -> impl Iterator<Item = Triangle> {
-        self.models.iter().flat_map(|model| {
-            let mesh = &model.mesh;
+        self.0.iter().flat_map(|mesh| {
             let corners = mesh.indices.chunks_exact(3);
             corners.enumerate().filter_map(|(i, indices)| {
                 let normals = mesh.normal_indices.get(3 * i..3 * i + 3);

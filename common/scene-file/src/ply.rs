@@ -1,0 +1,122 @@
+//! Reads PLY files (Turk, *The PLY Polygon File Format*, 1994): text, and bytes in both orders.
+
+use tobj::Mesh;
+
+/// The vertices with their normals, and the faces, cut into triangles from their first corner.
+/// The error is a clause.
+pub fn read(bytes: &[u8]) -> Result<Mesh, String> {
+    let (format, rest) = ("", bytes);
+    let mut numbers = Numbers { format, rest };
+    // Names and counts, and the words of each property behind the first.
+    let mut elements: Vec<(&str, u64, Vec<Vec<&str>>)> = Vec::new();
+    loop {
+        let end = numbers.rest.iter().position(|byte| *byte == b'\n');
+        let (line, below) = numbers.rest.split_at(end.ok_or("it has no end_header")?);
+        numbers.rest = &below[1..];
+        let line = str::from_utf8(line).map_err(|_| "its header is no text")?;
+        let words: Vec<_> = line.split_whitespace().collect();
+        let count = words.get(2).and_then(|count| count.parse().ok());
+        match (words.first(), elements.last_mut()) {
+            (Some(&"ply" | &"comment" | &"obj_info"), _) => (),
+            (Some(&"format"), _) => numbers.format = words.get(1).unwrap_or(&""),
+            (Some(&"element"), _) if let Some(count) = count => {
+                elements.push((words[1], count, Vec::new()));
+            }
+            (Some(&"property"), Some(element)) => element.2.push(words[1..].to_vec()),
+            (Some(&"end_header"), _) => break,
+            _ => return Err(format!("its header has the line \"{line}\"")),
+        }
+    }
+    let mut mesh = Mesh::default();
+    for (name, count, properties) in elements {
+        // Nothing takes no bytes, so that the file bounds the loop.
+        for i in 0..if properties.is_empty() { 0 } else { count } {
+            let added = numbers.add(name, &properties, &mut mesh);
+            added.ok_or_else(|| format!("{name} {i} lacks numbers"))?;
+        }
+    }
+    let vertices = mesh.positions.len() / 3;
+    if let Some(corner) = mesh.indices.iter().find(|i| **i as usize >= vertices) {
+        return Err(format!(
+            "a face has the corner {corner} of {vertices}, from 0"
+        ));
+    }
+    if mesh.normals.iter().any(|number| number.is_finite()) {
+        mesh.normal_indices.clone_from(&mesh.indices);
+    }
+    Ok(mesh)
+}
+
+/// The numbers behind the header.
+struct Numbers<'a> {
+    format: &'a str,
+    rest: &'a [u8],
+}
+
+impl Numbers<'_> {
+    /// Adds a vertex or a face with these properties to the mesh; none if a number is missing.
+    fn add(&mut self, element: &str, properties: &[Vec<&str>], mesh: &mut Mesh) -> Option<()> {
+        let mut vertex = [f64::NAN; 6];
+        for property in properties {
+            match property[..] {
+                [kind, name] => {
+                    let number = self.next(kind)?;
+                    let names = ["x", "y", "z", "nx", "ny", "nz"];
+                    if let Some(i) = names.iter().position(|known| *known == name) {
+                        vertex[i] = number;
+                    }
+                }
+                ["list", count, kind, name] => {
+                    let count = self.next(count)? as u64;
+                    let list = (0..count).map(|_| self.next(kind));
+                    let list = list.collect::<Option<Vec<_>>>()?;
+                    if element == "face" && name.starts_with("vertex_ind") {
+                        let index = |i: f64| if i >= 0.0 { i as u32 } else { u32::MAX };
+                        let sides = list.windows(2).skip(1);
+                        let corners = sides.flat_map(|side| [list[0], side[0], side[1]]);
+                        mesh.indices.extend(corners.map(index));
+                    }
+                }
+                _ => return None,
+            }
+        }
+        if element == "vertex" {
+            mesh.positions.extend(&vertex[..3]);
+            mesh.normals.extend(&vertex[3..]);
+        }
+        Some(())
+    }
+
+    /// The next number of a type.
+    fn next(&mut self, kind: &str) -> Option<f64> {
+        if self.format == "ascii" {
+            let text = self.rest.trim_ascii_start();
+            let end = text.iter().position(u8::is_ascii_whitespace);
+            let word;
+            (word, self.rest) = text.split_at(end.unwrap_or(text.len()));
+            return str::from_utf8(word).ok()?.parse().ok();
+        }
+        Some(match kind {
+            "char" | "int8" => i8::from_le_bytes(self.bytes()?).into(),
+            "uchar" | "uint8" => u8::from_le_bytes(self.bytes()?).into(),
+            "short" | "int16" => i16::from_le_bytes(self.bytes()?).into(),
+            "ushort" | "uint16" => u16::from_le_bytes(self.bytes()?).into(),
+            "int" | "int32" => i32::from_le_bytes(self.bytes()?).into(),
+            "uint" | "uint32" => u32::from_le_bytes(self.bytes()?).into(),
+            "float" | "float32" => f32::from_le_bytes(self.bytes()?).into(),
+            "double" | "float64" => f64::from_le_bytes(self.bytes()?),
+            _ => return None,
+        })
+    }
+
+    /// The next bytes, the least first.
+    fn bytes<const N: usize>(&mut self) -> Option<[u8; N]> {
+        let (bytes, rest) = self.rest.split_first_chunk()?;
+        self.rest = rest;
+        let mut bytes = *bytes;
+        if self.format == "binary_big_endian" {
+            bytes.reverse();
+        }
+        Some(bytes)
+    }
+}
