@@ -1,35 +1,35 @@
-//! Reads PLY files (Turk, *The PLY Polygon File Format*, 1994): text, and bytes in both orders.
+//! Reads PLY files (Turk, *The PLY Polygon File Format*, 1994): text, and bytes with the least
+//! first.
 
 use tobj::Mesh;
 
 /// The vertices with their normals, and the faces, cut into triangles from their first corner.
 /// The error is a clause.
 pub fn read(bytes: &[u8]) -> Result<Mesh, String> {
-    let (format, rest) = ("", bytes);
-    let mut numbers = Numbers { format, rest };
+    let (mut is_text, mut rest) = (true, bytes);
     // Names and counts, and the words of each property behind the first.
     let mut elements: Vec<(&str, u64, Vec<Vec<&str>>)> = Vec::new();
     loop {
-        let end = numbers.rest.iter().position(|byte| *byte == b'\n');
-        let (line, below) = numbers.rest.split_at(end.ok_or("it has no end_header")?);
-        numbers.rest = &below[1..];
+        let end = rest.iter().position(|byte| *byte == b'\n');
+        let (line, below) = rest.split_at(end.ok_or("it has no end_header")?);
+        rest = &below[1..];
         let line = str::from_utf8(line).map_err(|_| "its header is no text")?;
         let words: Vec<_> = line.split_whitespace().collect();
-        let count = words.get(2).and_then(|count| count.parse().ok());
-        match (words.first(), elements.last_mut()) {
-            (Some(&"ply" | &"comment" | &"obj_info"), _) => (),
-            (Some(&"format"), _) => numbers.format = words.get(1).unwrap_or(&""),
-            (Some(&"element"), _) if let Some(count) = count => {
-                elements.push((words[1], count, Vec::new()));
+        match (&words[..], elements.last_mut()) {
+            (["ply" | "comment" | "obj_info", ..], _) => (),
+            (["format", "ascii", ..], _) => is_text = true,
+            (["format", "binary_little_endian", ..], _) => is_text = false,
+            (["element", name, count], _) if let Ok(count) = count.parse() => {
+                elements.push((name, count, Vec::new()));
             }
-            (Some(&"property"), Some(element)) => element.2.push(words[1..].to_vec()),
-            (Some(&"end_header"), _) => break,
-            _ => return Err(format!("its header has the line \"{line}\"")),
+            (["property", words @ ..], Some((.., properties))) => properties.push(words.to_vec()),
+            (["end_header"], _) => break,
+            _ => return Err(format!("its header has the unknown line \"{line}\"")),
         }
     }
-    let mut mesh = Mesh::default();
+    let (mut numbers, mut mesh) = (Numbers { is_text, rest }, Mesh::default());
     for (name, count, properties) in elements {
-        // Nothing takes no bytes, so that the file bounds the loop.
+        // Things without properties take no bytes, so that any number of them may be promised.
         for i in 0..if properties.is_empty() { 0 } else { count } {
             let added = numbers.add(name, &properties, &mut mesh);
             added.ok_or_else(|| format!("{name} {i} lacks numbers"))?;
@@ -49,7 +49,7 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, String> {
 
 /// The numbers behind the header.
 struct Numbers<'a> {
-    format: &'a str,
+    is_text: bool,
     rest: &'a [u8],
 }
 
@@ -89,7 +89,7 @@ impl Numbers<'_> {
 
     /// The next number of a type.
     fn next(&mut self, kind: &str) -> Option<f64> {
-        if self.format == "ascii" {
+        if self.is_text {
             let text = self.rest.trim_ascii_start();
             let end = text.iter().position(u8::is_ascii_whitespace);
             let word;
@@ -109,14 +109,9 @@ impl Numbers<'_> {
         })
     }
 
-    /// The next bytes, the least first.
     fn bytes<const N: usize>(&mut self) -> Option<[u8; N]> {
-        let (bytes, rest) = self.rest.split_first_chunk()?;
-        self.rest = rest;
-        let mut bytes = *bytes;
-        if self.format == "binary_big_endian" {
-            bytes.reverse();
-        }
-        Some(bytes)
+        let bytes;
+        (bytes, self.rest) = self.rest.split_first_chunk()?;
+        Some(*bytes)
     }
 }

@@ -26,7 +26,7 @@ pub fn row(runs: &Comparison) {
     let ours = &runs[0];
     let mut numbers = vec![ours.threads.into()];
     numbers.extend([1e3 * ours.best[BUILD], 1e3 * ours.best[TRACE]]);
-    numbers.push(ours.best[MEMORY] / 1_048_576.0);
+    numbers.push(ours.best[MEMORY] / 1024.0);
     for figure in [TRACE, TOTAL, MEMORY] {
         numbers.extend([1, 2].map(|program| ratio(runs, program, figure)));
     }
