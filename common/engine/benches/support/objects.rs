@@ -23,9 +23,8 @@ pub fn objects(scene: &str) -> Objects {
         })),
         "objects" => {
             let corners = [[0.0, 0.0, -1.0], [1.0, 0.0, -1.0], [1.0, 1.0, -1.0]];
-            let sphere = sphere(DVec3::ONE, 0.5);
-            let cube = cube(dvec3(-1.0, 1.0, 1.0), 0.5);
             let triangle = triangle(corners.map(DVec3::from), None);
+            let (sphere, cube) = (sphere(DVec3::ONE, 0.5), cube(dvec3(-1.0, 1.0, 1.0), 0.5));
             Box::new([(sphere, 1), (cube, 2), (triangle, 3)].into_iter())
         }
         "spheres" => scattered(1_000, 0.3, 0.8),
@@ -102,7 +101,6 @@ fn scattered(count: u32, smallest: f64, largest: f64) -> Objects {
 
 /// Whether a sphere or cube is not too near to an eye or a lamp.
 pub fn has_room(shape: &Shape, places: &[DVec3]) -> bool {
-    const ROOM: f64 = 0.25;
     let (center, radius) = match shape {
         Shape::Sphere(sphere) => (sphere.center, sphere.radius),
         Shape::Box(cube) => {
@@ -111,8 +109,8 @@ pub fn has_room(shape: &Shape, places: &[DVec3]) -> bool {
         }
         _ => return true,
     };
-    let mut distances = places.iter().map(|place| place.distance(center));
-    distances.all(|distance| distance > radius + ROOM)
+    let mut places = places.iter();
+    places.all(|place| place.distance(center) > radius + 0.25)
 }
 
 /// A branch of a tree, and all branches that it bears. The transforms lead from its base to
