@@ -82,9 +82,8 @@ pub fn settings(picture: &Item) -> Result<Settings, scene_file::Error> {
             settings.sampling = Sampling::Stratified;
         }
     }
-    if let Some([depth]) = picture.find_whole("depth", u32::MAX)? {
-        settings.depth = depth;
-    }
+    let depth = picture.find_whole("depth", u32::MAX)?;
+    settings.depth = depth.map_or(settings.depth, |[depth]| depth);
     Ok(settings)
 }
 

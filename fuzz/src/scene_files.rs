@@ -1,6 +1,7 @@
 //! Scene files of any bytes, and of any tables with any numbers. Each one is refused at a position
 //! within it, or rendered with finite numbers by the stage that reads it.
 
+use a03_rays_cameras::from_file::MakeView;
 use arbitrary::{Result, Unstructured};
 use common::{Settings, Size};
 use scene_file::{Mesh, SceneFile};
@@ -15,16 +16,16 @@ pub fn check(bytes: &[u8]) {
     let triangles = Mesh::read(bytes).map(|mesh| mesh.triangles().count());
     assert_ne!(triangles, Ok(0), "a mesh without triangles");
     let text = String::from_utf8_lossy(bytes);
-    for stage in 4..=7 {
+    let views: [MakeView; 4] = [
+        a04_intersections::from_file::view,
+        a05_lighting::from_file::view,
+        a06_shadows_reflection::from_file::view,
+        a07_transforms::from_file::view,
+    ];
+    for (stage, make_view) in (4..).zip(views) {
         // The file is its own mesh.
         let read = SceneFile::read(&text, stage, &|_| Ok(bytes.to_vec()));
-        let view = read.and_then(|file| match stage {
-            4 => a04_intersections::from_file::view(&file),
-            5 => a05_lighting::from_file::view(&file),
-            6 => a06_shadows_reflection::from_file::view(&file),
-            _ => a07_transforms::from_file::view(&file),
-        });
-        match view {
+        match read.and_then(|file| make_view(&file)) {
             Ok(view) => {
                 let settings = Settings {
                     size: Size::new(3, 2).expect("a size"),

@@ -111,17 +111,6 @@ fn each_mistake_is_refused_in_a_sentence_with_its_position() {
         let place = format!("scene.toml:{line}:");
         assert!(error.contains(&place) || goes_on, "{error}, not {place}");
     }
-    // Some of these are right: a center may be 0, and a text may end behind a table.
-    let zeros = with_values("[0, 0, 0]").chain(with_values("-1"));
-    let misspelt = EXAMPLE.match_indices(" = ").map(|(at, _)| {
-        let (before, after) = EXAMPLE.split_at(at);
-        format!("{before}e{after}")
-    });
-    let ends = (0..EXAMPLE.len()).step_by(7);
-    let cut_off = ends.map(|end| EXAMPLE[..end].to_owned());
-    let texts = zeros.map(|(_, text)| text).chain(misspelt).chain(cut_off);
-    let refused = texts.filter(|text| open(folder.path(), text.as_bytes()).is_err());
-    assert!(refused.count() > 150);
 }
 
 #[test]
@@ -131,11 +120,9 @@ fn other_files_than_scenes_and_meshes_are_refused() {
     let groups = format!("[[{}sphere]]", "group.".repeat(5_000));
     let brackets = "a = ".to_owned() + &"[".repeat(100_000);
     let large = "#".repeat((16 << 20) + 1);
-    for text in [&*groups, &brackets, &large, ""]
-        .map(str::as_bytes)
-        .into_iter()
-        .chain([&*utf_16, b"\xff"])
-    {
+    let cut_off = &EXAMPLE[..EXAMPLE.len() - 9];
+    let texts = [&*groups, &brackets, &large, "", cut_off, "[camera"].map(str::as_bytes);
+    for text in texts.into_iter().chain([&*utf_16, b"\xff"]) {
         assert!(open(folder.path(), text).is_err());
     }
     let mesh = folder.path().join("pyramid.obj");

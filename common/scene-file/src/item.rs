@@ -147,12 +147,10 @@ impl Item {
         let Some(Data::Text(name)) = self.find(key) else {
             return Err(self.lacks(key));
         };
-        items
-            .clone()
-            .find(|item| item.name == *name)
-            .ok_or_else(|| {
-                let nearest = nearest(items.map(|item| item.name.as_str()), name);
-                self.error(key, format!("there is no {key} \"{name}\"{nearest}"))
-            })
+        let found = items.clone().find(|item| item.name == *name);
+        found.ok_or_else(|| {
+            let nearest = nearest(items.map(|item| item.name.as_str()), name);
+            self.error(key, format!("there is no {key} \"{name}\"{nearest}"))
+        })
     }
 }

@@ -74,12 +74,9 @@ impl Key {
 pub static KINDS: LazyLock<Vec<Kind>> = LazyLock::new(|| {
     let mut kinds: Vec<Kind> = Vec::new();
     for row in include_str!("keys.md").lines().skip(2) {
-        let mut cells = row
-            .split('|')
-            .skip(1)
-            .map(|cell| cell.trim().trim_matches('`'));
+        let mut cells = row.split('|').skip(1).map(str::trim);
         let mut cell = || cells.next().unwrap_or_default();
-        let (table, name, form) = (cell(), cell(), cell());
+        let (table, name, form) = (cell().trim_matches('`'), cell().trim_matches('`'), cell());
         let stage = cell().parse().unwrap_or(0);
         let about = cell();
         let key = Key {

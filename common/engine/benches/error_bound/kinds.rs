@@ -11,12 +11,13 @@ use crate::support::scene::SCENES;
 /// these numbers.
 pub type Kind<M = Make> = (&'static str, f64, M);
 type Make = Box<dyn Fn(&mut Numbers, &Settings) -> Renderer<'static>>;
+type MakePicture = fn(&mut Numbers, &Settings) -> Renderer<'static>;
 
 /// The width of a pixel where 160 lie side by side.
 const PIXEL: f64 = 1.0 / 160.0;
 const SMALL: [f64; 2] = [0.1 * PIXEL, 0.8 * PIXEL];
 
-const PICTURES: [Kind<fn(&mut Numbers, &Settings) -> Renderer<'static>>; 14] = [
+const PICTURES: [Kind<MakePicture>; 14] = [
     ("needles", 1.0, |numbers, settings| {
         let ranges = [[3.0, 15.0], [0.2, 1.0], [0.001, 0.01]];
         let needle = |u: f64, v: f64| when(u > 0.0 && v.abs() < 1.0 - u);

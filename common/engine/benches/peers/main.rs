@@ -53,7 +53,7 @@ struct Options {
     /// Width and height of the pictures.
     #[arg(long, default_value = "1280x960")]
     size: Size,
-    /// Print the table of the book, too, and renew its pictures of these scenes.
+    /// Renew the pictures of these scenes in the book.
     #[arg(long)]
     book: bool,
     /// Render one scene into this file with the engine; the benchmark calls itself with it.
@@ -82,11 +82,11 @@ fn main() -> Outcome {
     }
 }
 
-/// Prints a row for each scene and number of threads.
+/// Prints a row for each scene.
 fn compare(options: &Options, scenes: &[&'static Scene]) -> Outcome {
     fs::create_dir_all(program::folder())?;
     report::head();
-    let mut comparisons = Vec::new();
+    let pictures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/pictures");
     for scene in scenes {
         let run = |program, threads| Run {
             program,
@@ -98,15 +98,8 @@ fn compare(options: &Options, scenes: &[&'static Scene]) -> Outcome {
         let comparison = |threads: &u16| PROGRAMS.each_ref().map(|program| run(program, *threads));
         let mut runs: Vec<_> = options.threads.iter().map(comparison).collect();
         by_turns(runs.as_flattened_mut(), options.rounds, options.alone)?;
-        for runs in &runs {
-            report::row(runs);
-        }
-        comparisons.extend(runs);
-    }
-    if options.book {
-        report::book(&comparisons);
-        let pictures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/pictures");
-        for scene in scenes {
+        report::row(&runs);
+        if options.book {
             let file = pictures.join(format!("peers-{}.png", scene.name));
             render(scene, 4, Size::new(144, 108)?, 1, &file)?;
         }

@@ -1,37 +1,48 @@
-//! The table of all figures, and the table of the book.
+//! The table of all figures, whose first columns are the table of the book.
 
 use crate::program::{BUILD, MEMORY, Run, TOTAL, TRACE};
-use crate::support::{print_head, print_row};
 
 /// A scene on a number of threads: the runs of all programs, ours first.
 pub type Comparison = [Run; 3];
 
-/// How many times our figure that of another program is.
-fn ratio(runs: &Comparison, program: usize, figure: usize) -> f64 {
-    runs[program].best[figure] / runs[0].best[figure]
-}
-
-/// Prints the head of the table of all figures.
+/// Prints the head of the table.
 pub fn head() {
-    println!("Figures of POV-Ray and Tachyon are multiples of ours; pixels differ from ours if");
-    println!("a channel does by more than 8 of 255, and the mean is that of all channels.\n");
-    let ours = ["threads", "build ms", "trace ms", "MiB"];
-    let others = ["trace", "trace", "total", "total", "memory", "memory"];
-    let pictures = ["differ %", "mean", "differ %", "mean"];
-    print_head("scene", &[&ours[..], &others, &pictures].concat());
+    println!("Figures of POV-Ray and Tachyon are multiples of ours. Pixels differ from ours if");
+    println!("a channel does by more than 8 of 255; the mean is that of all channels. Numbers of");
+    println!("a cell are for each number of threads.\n");
+    let others = "trace: POV-Ray | Tachyon | total: POV-Ray | Tachyon | memory: POV-Ray | Tachyon";
+    let ours = "build ms | trace ms | MiB | POV-Ray differs % | mean | Tachyon differs % | mean";
+    println!(
+        "| | scene | {others} | {ours} |\n|---|---|{}",
+        "---:|".repeat(13)
+    );
 }
 
-/// Prints our figures, and how many times as much the two others take.
-pub fn row(runs: &Comparison) {
-    let ours = &runs[0];
-    let mut numbers = vec![ours.threads.into()];
-    numbers.extend([1e3 * ours.best[BUILD], 1e3 * ours.best[TRACE]]);
-    numbers.push(ours.best[MEMORY] / 1024.0);
+/// Prints the row of a scene on all numbers of threads.
+pub fn row(comparisons: &[Comparison]) {
+    let (name, about) = (comparisons[0][0].scene.name, comparisons[0][0].scene.about);
+    print!("| ![{name}](pictures/peers-{name}.png) | {about} |");
+    let cell = |number: &dyn Fn(&Comparison) -> f64| {
+        let numbers = comparisons
+            .iter()
+            .map(number)
+            .filter(|number| number.is_finite());
+        let numbers: Vec<_> = numbers.map(|number| format!("{number:.1}")).collect();
+        print!(" {} |", numbers.join(" / "));
+    };
     for figure in [TRACE, TOTAL, MEMORY] {
-        numbers.extend([1, 2].map(|program| ratio(runs, program, figure)));
+        for program in [1, 2] {
+            cell(&|runs| runs[program].best[figure] / runs[0].best[figure]);
+        }
     }
-    numbers.extend(runs[1..].iter().flat_map(|other| difference(ours, other)));
-    print_row(ours.scene.name, numbers);
+    for (figure, unit) in [(BUILD, 1e-3), (TRACE, 1e-3), (MEMORY, 1024.0)] {
+        cell(&|runs| runs[0].best[figure] / unit);
+    }
+    for program in [1, 2] {
+        cell(&|runs| difference(&runs[0], &runs[program])[0]);
+        cell(&|runs| difference(&runs[0], &runs[program])[1]);
+    }
+    println!();
 }
 
 /// The percentage of pixels that differ by more than 8 of 255 in any channel, and the mean
@@ -47,24 +58,4 @@ fn difference(ours: &Run, other: &Run) -> [f64; 2] {
         sum += apart.iter().sum::<f64>();
     }
     [100.0 * different as f64, sum / 3.0].map(|sum| sum / a.pixels().len() as f64)
-}
-
-/// Prints the table of the book: the ratios of POV-Ray and Tachyon. A cell with two numbers
-/// is for one thread and for two, any other for one.
-pub fn book(comparisons: &[Comparison]) {
-    let heads = "trace: POV-Ray | Tachyon | total: POV-Ray | Tachyon | memory: POV-Ray | Tachyon";
-    println!("\n| | scene | {heads} |\n|---|---|---:|---:|---:|---:|---:|---:|");
-    for both in comparisons.chunk_by(|a, b| a[0].scene.name == b[0].scene.name) {
-        let (name, about) = (both[0][0].scene.name, both[0][0].scene.about);
-        print!("| ![{name}](pictures/peers-{name}.png) | {about} |");
-        for (comparisons, figure) in [(both, TRACE), (&both[..1], TOTAL), (&both[..1], MEMORY)] {
-            for program in [1, 2] {
-                let ratios = comparisons.iter().map(|runs| ratio(runs, program, figure));
-                let ratios = ratios.filter(|ratio| ratio.is_finite());
-                let cells: Vec<_> = ratios.map(|ratio| format!("{ratio:.1}")).collect();
-                print!(" {} |", cells.join(" / "));
-            }
-        }
-        println!();
-    }
 }
