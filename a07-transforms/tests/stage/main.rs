@@ -10,7 +10,6 @@ mod dahlia;
 mod disc;
 mod engine;
 mod explained;
-mod meshes;
 mod node;
 mod scene_files;
 #[path = "../../../a04-intersections/tests/stage/support.rs"]

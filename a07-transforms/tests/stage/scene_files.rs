@@ -5,6 +5,7 @@ use std::{env, fs};
 
 use a07_transforms::stage;
 use common::{Error, Renderer, Scene, Settings, Size, Transfer, picture_file};
+use scene_file::Mesh;
 
 const EXAMPLE: &str = include_str!("../../scenes/shapes.toml");
 const PYRAMID: &str = include_str!("../../scenes/pyramid.obj");
@@ -85,31 +86,29 @@ fn all_scenes_have_the_same_picture_by_all_renderers_and_from_their_export() {
     }
 }
 
-/// The example with another value in each line that has one, with the number of the line.
-fn with_values(value: &str) -> impl Iterator<Item = (usize, String)> {
-    let lines: Vec<_> = EXAMPLE.lines().collect();
-    (0..lines.len()).filter_map(move |i| {
-        let (key, _) = lines[i].split_once(" = ")?;
-        // A step stays in its braces.
-        let end = if lines[i].ends_with("},") { " }," } else { "" };
-        let mut changed = lines.clone();
-        let line = format!("{key} = {value}{end}");
-        changed[i] = &line;
-        Some((i + 1, changed.join("\n")))
-    })
-}
-
 #[test]
 fn each_mistake_is_refused_in_a_sentence_with_its_position() {
-    let folder = folder();
+    let (folder, lines) = (folder(), EXAMPLE.lines().collect::<Vec<_>>());
     let wrong = "nan|inf|[[1], 2]|1e999|{}|\"no\\u0000such\"|1979-05-27";
-    for (line, text) in wrong.split('|').flat_map(with_values) {
-        let error = open(folder.path(), text.as_bytes()).err();
-        let error = error.unwrap_or_else(|| panic!("accepted:\n{text}"));
-        // A list of steps goes on behind its line.
-        let goes_on = EXAMPLE.lines().nth(line - 1).unwrap().ends_with('[');
-        let place = format!("scene.toml:{line}:");
-        assert!(error.contains(&place) || goes_on, "{error}, not {place}");
+    for (i, line) in lines
+        .iter()
+        .enumerate()
+        .filter(|(_, line)| line.contains(" = "))
+    {
+        let (key, value) = line.split_once(" = ").unwrap();
+        // A step stays in its braces, and a list of steps goes on behind its line.
+        let end = if value.ends_with("},") { " }," } else { "" };
+        for wrong in wrong.split('|') {
+            let changed = format!("{key} = {wrong}{end}");
+            let text = [&lines[..i], &[&*changed], &lines[i + 1..]]
+                .concat()
+                .join("\n");
+            let error = open(folder.path(), text.as_bytes()).err();
+            let error = error.unwrap_or_else(|| panic!("accepted:\n{text}"));
+            let place = format!("scene.toml:{}:", i + 1);
+            let is_there = error.contains(&place) || value.ends_with('[');
+            assert!(is_there, "{error}, not {place}");
+        }
     }
 }
 
@@ -134,13 +133,63 @@ fn other_files_than_scenes_and_meshes_are_refused() {
         let error = of_mesh(text).err().unwrap();
         assert!(error.contains("scene.toml:"), "{error}");
     }
-    let triangles = "f 1 2 3\n".repeat(10_001);
-    let large = of_mesh(&format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{triangles}"));
-    assert!(large.unwrap().is_large);
+    // A wall of one square, and of 200,978 triangles.
+    let corners = (0..318 * 318).map(|i| format!("v {} {} -3\n", i / 318 - 9, i % 318 - 9));
+    let cells = (0..318 * 317).filter(|i| i % 318 < 317);
+    let cells = cells.map(|i| format!("f {} {} {} {}\n", i + 1, i + 319, i + 320, i + 2));
+    let wall = "v -9 -9 -3\nv 308 -9 -3\nv 308 308 -3\nv -9 308 -3\nf 1 2 3 4";
+    let [one, many] = [wall, &corners.chain(cells).collect::<String>()].map(|text| {
+        let scene = of_mesh(text).unwrap();
+        let settings = Settings {
+            size: Size::new(16, 12).unwrap(),
+            renderer: Renderer::Engine,
+            ..scene.defaults.clone()
+        };
+        let image = scene.render(&settings, &()).unwrap();
+        (scene.is_large, image.to_rgb8(Transfer::Linear))
+    });
+    assert!(!one.0 && many == (true, one.1));
     fs::remove_file(&mesh).unwrap();
     assert!(open(folder.path(), EXAMPLE.as_bytes()).is_err());
     fs::create_dir(&mesh).unwrap();
     assert!(open(folder.path(), EXAMPLE.as_bytes()).is_err());
     let opened = (stage().open.unwrap())(folder.path());
     assert!(matches!(opened, Err(Error::Open { .. })));
+}
+
+/// A square, whose numbers have any type.
+const SQUARE: &str = "ply\nformat ascii 1.0\ncomment a square\nelement vertex 4\nproperty KIND x\n\
+    property KIND y\nproperty KIND quality\nproperty KIND z\nelement face 1\n\
+    property list KIND KIND vertex_indices\nend_header\n";
+const NUMBERS: &str = "0 0 9 0  1 0 9 0  1 1 9 0  0 1 9 0  4 0 1 2 3";
+/// Its half, twice.
+const OBJ: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+
+#[test]
+fn a_mesh_is_the_same_in_all_formats() {
+    let expected: Vec<_> = Mesh::read(OBJ.as_bytes()).unwrap().triangles().collect();
+    assert_eq!(expected.len(), 2);
+    let is_right = |file: &[u8]| {
+        let read = Mesh::read(file).unwrap();
+        assert_eq!(read.triangles().collect::<Vec<_>>(), expected);
+        for end in 0..file.len() {
+            assert!(Mesh::read(&file[..end]).is_err(), "{end} bytes");
+        }
+    };
+    is_right(&[SQUARE, NUMBERS].concat().into_bytes());
+    for kind in ["char", "int", "float"] {
+        let bytes = |word: &str| match kind {
+            "char" => vec![word.parse::<u8>().unwrap()],
+            "int" => word.parse::<i32>().unwrap().to_le_bytes().into(),
+            _ => word.parse::<f32>().unwrap().to_le_bytes().into(),
+        };
+        let header = SQUARE.replace("KIND", kind);
+        let header = header.replace("ascii", "binary_little_endian");
+        let numbers = NUMBERS.split_whitespace().flat_map(bytes);
+        is_right(&[header.into_bytes(), numbers.collect()].concat());
+    }
+    for wrong in ["0 1 2 4", "0 1 2 -3", "0 1 2 x"] {
+        let file = [SQUARE, &NUMBERS.replace("0 1 2 3", wrong)].concat();
+        assert!(Mesh::read(file.as_bytes()).is_err(), "{wrong}");
+    }
 }

@@ -10,6 +10,8 @@ pub struct Kind {
     pub name: &'static str,
     /// How its tables are written.
     pub role: Role,
+    /// An example of that, such as `[[sphere]]`.
+    pub written: &'static str,
     /// Its keys.
     pub keys: Vec<Key>,
 }
@@ -78,12 +80,11 @@ pub static KINDS: LazyLock<Vec<Kind>> = LazyLock::new(|| {
         let mut cell = || cells.next().unwrap_or_default();
         let (table, name, form) = (cell().trim_matches('`'), cell().trim_matches('`'), cell());
         let stage = cell().parse().unwrap_or(0);
-        let about = cell();
         let key = Key {
             name,
             form,
             stage,
-            about,
+            about: cell(),
         };
         if table == "every shape" {
             let shapes = kinds.iter_mut().filter(|kind| kind.role == Role::Shape);
@@ -103,6 +104,7 @@ pub static KINDS: LazyLock<Vec<Kind>> = LazyLock::new(|| {
             _ => kinds.push(Kind {
                 name,
                 role,
+                written: table,
                 keys: vec![key],
             }),
         }

@@ -21,8 +21,7 @@ impl Mesh {
             ..LoadOptions::default()
         };
         let mesh = Self(if bytes.starts_with(b"ply") {
-            let read = ply::read(bytes);
-            vec![read.map_err(|error| format!("it is no PLY file that can be read: {error}"))?]
+            vec![ply::read(bytes).map_err(|error| format!("it is no PLY file: {error}"))?]
         } else {
             let without_materials = |_: &_| Err(LoadError::OpenFileFailed);
             let read = tobj::load_obj_buf(&mut bytes, &options, without_materials);
@@ -30,9 +29,7 @@ impl Mesh {
             models.into_iter().map(|model| model.mesh).collect()
         });
         if mesh.triangles().next().is_none() {
-            return Err(
-                "it has no triangles, which are lines such as f 1 2 3 in an OBJ file".into(),
-            );
+            return Err("it has no faces, such as f 1 2 3 in an OBJ file".into());
         }
         Ok(mesh)
     }

@@ -4,14 +4,10 @@ use toml::de::DeValue;
 
 /// Finite numbers in a form such as `3 x 4 numbers`; none if the value has another form.
 pub fn numbers(value: &DeValue, form: &str) -> Option<Vec<f64>> {
-    let words = form
-        .strip_suffix("numbers")
-        .or(form.strip_suffix("number"))?;
-    let lengths = words
-        .split_whitespace()
-        .filter_map(|word| word.parse().ok());
+    let words = form.split_at(form.find("number")?).0.split_whitespace();
+    let lengths: Vec<_> = words.filter_map(|word| word.parse().ok()).collect();
     let mut numbers = Vec::new();
-    add_numbers(value, &lengths.collect::<Vec<_>>(), &mut numbers)?;
+    add_numbers(value, &lengths, &mut numbers)?;
     Some(numbers)
 }
 
@@ -19,9 +15,8 @@ pub fn numbers(value: &DeValue, form: &str) -> Option<Vec<f64>> {
 fn add_numbers(value: &DeValue, lengths: &[usize], numbers: &mut Vec<f64>) -> Option<()> {
     let number: f64 = match (value, lengths) {
         (DeValue::Array(rows), [length, lengths @ ..]) if rows.len() == *length => {
-            return rows
-                .iter()
-                .try_for_each(|row| add_numbers(row.get_ref(), lengths, numbers));
+            let mut rows = rows.iter();
+            return rows.try_for_each(|row| add_numbers(row.get_ref(), lengths, numbers));
         }
         (DeValue::Float(number), []) => number.as_str().parse().ok()?,
         (DeValue::Integer(number), []) => {

@@ -135,13 +135,8 @@ impl Reader<'_> {
     ) -> Result<(), Error> {
         let name = kind.name;
         let wrong = |value| {
-            let right = match kind.role {
-                Role::Single => format!("[{name}]"),
-                Role::Named => format!("[{name}.NAME]"),
-                Role::Light | Role::Shape => format!("[[{name}]]"),
-                Role::Step => "{ scale = [1, 2, 1] }".to_owned(),
-            };
-            self.error(value, format!("a {name} must be a table: {right}"))
+            let text = format!("a {name} must be a table: {}", kind.written);
+            self.error(value, text)
         };
         let tables: Vec<(&str, _)> = match (kind.role, value.get_ref()) {
             (Role::Single | Role::Step, _) => vec![(name, value)],

@@ -135,7 +135,9 @@ fn read_again(stage: &Stage, scene: &Scene) -> Option<Scene> {
     let open = stage.open?;
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join(scene.name).with_extension("toml");
-    let text = scene.rays().and_then(|rays| rays.export("toml", &scene.defaults));
+    let text = scene
+        .rays()
+        .and_then(|rays| rays.export("toml", &scene.defaults));
     std::fs::write(&file, text.expect("the scene has phrases")).expect("a file");
     Some(open(&file).expect("the scene file is right"))
 }

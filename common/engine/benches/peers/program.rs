@@ -113,7 +113,10 @@ impl Run {
         let output = command.current_dir(folder()).output().map_err(missing)?;
         let log = [output.stdout, output.stderr].concat();
         let log = String::from_utf8_lossy(&log);
-        let [build, trace, memory] = self.program.labels.map(|label| number(&log, label));
+        let [build, trace, memory] = self
+            .program
+            .labels
+            .map(|label| number(&log, label).unwrap_or(f64::NAN));
         if trace.is_nan() {
             eprintln!("{} failed: {log}", self.program.name);
         }
@@ -137,12 +140,9 @@ pub fn by_turns(runs: &mut [Run], rounds: u32, alone: bool) -> io::Result<()> {
     Ok(())
 }
 
-/// The last number in the last line with this label; NaN if there is none.
-fn number(log: &str, label: &str) -> f64 {
-    let number = || {
-        let (_, after) = log.rsplit_once(label)?;
-        let mut words = after.lines().next()?.rsplit([' ', '(']);
-        words.find_map(|word| word.parse().ok())
-    };
-    number().unwrap_or(f64::NAN)
+/// The last number in the last line with this label; none if there is none.
+fn number(log: &str, label: &str) -> Option<f64> {
+    let (_, after) = log.rsplit_once(label)?;
+    let mut words = after.lines().next()?.rsplit([' ', '(']);
+    words.find_map(|word| word.parse().ok())
 }

@@ -8,8 +8,7 @@ pub type Comparison = [Run; 3];
 /// Prints the head of the table.
 pub fn head() {
     println!("Figures of POV-Ray and Tachyon are multiples of ours. Pixels differ from ours if");
-    println!("a channel does by more than 8 of 255; the mean is that of all channels. Numbers of");
-    println!("a cell are for each number of threads.\n");
+    println!("a channel does by more than 8 of 255. Numbers of a cell are for 1, 2 ... threads.\n");
     let others = "trace: POV-Ray | Tachyon | total: POV-Ray | Tachyon | memory: POV-Ray | Tachyon";
     let ours = "build ms | trace ms | MiB | POV-Ray differs % | mean | Tachyon differs % | mean";
     println!(

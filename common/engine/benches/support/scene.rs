@@ -13,9 +13,8 @@ use super::objects::{has_room, objects};
 
 /// The scenes in the order of the tables.
 pub static SCENES: LazyLock<Vec<Scene>> = LazyLock::new(|| {
-    let rows = include_str!("scenes.md").lines().skip(2);
     let mut scenes = Vec::new();
-    for row in rows {
+    for row in include_str!("scenes.md").lines().skip(2) {
         let mut cells = row.split('|').skip(1).map(str::trim);
         let mut cell = || cells.next().unwrap_or_default();
         scenes.push(Scene {
@@ -23,7 +22,7 @@ pub static SCENES: LazyLock<Vec<Scene>> = LazyLock::new(|| {
             about: cell(),
             view: [cell(), cell()].map(|text| vectors(text)[0]),
             depth: cell().parse().expect("a depth"),
-            shares: numbers(cell())[..].try_into().expect("two shares"),
+            shine: vectors(cell())[0],
             floor: cell().parse().ok(),
             lights: cell(),
         });
@@ -40,8 +39,8 @@ pub struct Scene {
     pub view: [DVec3; 2],
     /// How many surfaces a ray may meet.
     pub depth: u32,
-    /// The shares of light in highlights and mirrors, the same for all materials.
-    shares: [f64; 2],
+    /// Highlight, mirror and exponent, the same for all materials.
+    shine: DVec3,
     /// The color of the plane through the origin, if there is one: Tachyon misplaces others.
     floor: Option<usize>,
     lights: &'static str,
@@ -68,10 +67,10 @@ impl Scene {
             world.add_surface(Surface {
                 shading: Shading::Phong(Phong {
                     diffuse: Color::new(r, g, b),
-                    specular: Color::gray(self.shares[0]),
-                    exponent: 32.0,
+                    specular: Color::gray(self.shine.x),
+                    exponent: self.shine.z,
                 }),
-                reflection: Color::gray(self.shares[1]),
+                reflection: Color::gray(self.shine.y),
             })
         });
         let mut places = vec![self.view[0]];
@@ -129,14 +128,10 @@ fn kind(light: &str) -> LightKind<'static> {
     }
 }
 
-/// The numbers among the words of a text.
-fn numbers(text: &str) -> Vec<f64> {
-    let words = text.split(' ');
-    words.filter_map(|word| word.parse().ok()).collect()
-}
-
+/// The numbers among the words of a text, in threes.
 fn vectors(text: &str) -> Vec<DVec3> {
-    let numbers = numbers(text);
+    let words = text.split(' ').filter_map(|word| word.parse().ok());
+    let numbers: Vec<f64> = words.collect();
     numbers
         .as_chunks()
         .0
