@@ -74,7 +74,8 @@ pub fn drawing(picture: &str, numbers: &[f64]) -> Answered {
 /// The scene of a picture as a scene file.
 pub fn export(picture: &str) -> Answered {
     let scene = catalogue::scene(picture)?;
-    scene.export("toml", &scene.defaults).map(Answer::text)
+    let text = scene.rays()?.export("toml", &scene.defaults)?;
+    Ok(Answer::text(text))
 }
 
 /// The settings that a picture has by default, and those that change it.
