@@ -4,7 +4,6 @@
 use common::Scene;
 use measure::Stage;
 
-use crate::lab::experiments;
 use crate::scenes::{diagonal, painter, show_image};
 
 /// The stage for its program.
@@ -28,9 +27,12 @@ pub fn stage() -> Stage {
                 |settings, _| show_image(settings.file.as_deref()),
             ),
         ],
-        experiments,
+        experiments: crate::lab::experiments,
+        #[cfg(not(handout))]
         extremes: |_| Vec::new(),
+        #[cfg(not(handout))]
         search: None,
+        #[cfg(not(handout))]
         open: None,
     }
 }

@@ -4,6 +4,8 @@
 //! [`Normal3`] the direction that a surface faces. Each wraps three numbers of
 //! glam; meaningless operations, like the sum of two points, do not compile.
 
+#[doc(hidden)]
+pub mod arrays;
 mod direction;
 #[doc(hidden)]
 pub mod lab;

@@ -4,7 +4,6 @@
 use common::Scene;
 use measure::Stage;
 
-use crate::lab::{experiments, extremes};
 use crate::scenes::vectors;
 
 /// The stage for its program.
@@ -18,9 +17,11 @@ pub fn stage() -> Stage {
             "sum, cross product, projection and reflection of vectors",
             |settings, _| vectors(settings.size),
         )],
-        experiments: experiments::experiments,
-        extremes: extremes::cases,
+        experiments: crate::lab::experiments::experiments,
+        extremes: crate::lab::extremes::cases,
+        #[cfg(not(handout))]
         search: None,
+        #[cfg(not(handout))]
         open: None,
     }
 }

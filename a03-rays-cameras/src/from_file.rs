@@ -48,8 +48,8 @@ pub fn scene(path: &Path, stage: u8, make_view: MakeView) -> Result<Scene, Error
         Ok(Some(view)) => Ok(view),
         _ => make_view(&file).map_err(&at_place),
     };
-    let mut scene = scene_of(name, "a scene of a file", view).with_defaults(defaults);
-    scene.uses.depth = stage > 5;
+    let scene = scene_of(name, "a scene of a file", stage > 5, view);
+    let mut scene = scene.with_defaults(defaults);
     scene.is_large = is_large;
     scene.files = files.into_inner();
     Ok(scene)

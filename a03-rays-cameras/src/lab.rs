@@ -8,3 +8,5 @@ pub mod extremes;
 mod pixel_trace;
 pub mod protocol;
 pub mod watched;
+
+pub(crate) use pixel_trace::ViewOf;

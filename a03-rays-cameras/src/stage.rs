@@ -1,10 +1,8 @@
 //! `stage`: the scenes, experiments and extreme cases of this stage for its program.
 
-use common::steps::{self, Step};
 use common::{Color, Sampling, Settings, Size};
 use measure::Stage;
 
-use crate::lab::{experiments, extremes};
 use crate::{Ray, StripeRule, StripedSky, TracedScene, TracedWorld, View, scenes};
 
 /// The traced scenes in the order of the course.
@@ -38,9 +36,11 @@ pub fn stage() -> Stage {
         name: "a03-rays-cameras",
         about: "Rays, cameras, sampling and the striped sky",
         scenes: scenes().map(Into::into).into(),
-        experiments: experiments::experiments,
-        extremes: extremes::cases,
+        experiments: crate::lab::experiments::experiments,
+        extremes: crate::lab::extremes::cases,
+        #[cfg(not(handout))]
         search: None,
+        #[cfg(not(handout))]
         open: None,
     }
 }
@@ -51,7 +51,9 @@ impl TracedWorld for StripedSky {
         self.color_for(ray)
     }
 
+    #[cfg(not(handout))]
     fn watched(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
+        use common::steps::{self, Step};
         Box::new(move |ray: &Ray| {
             let section = "a03-rays-cameras.md#the-striped-sky";
             let (stripe, color) = (f64::from(self.stripe(ray)), self.color_for(ray));

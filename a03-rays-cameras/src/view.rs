@@ -4,14 +4,9 @@
 use std::any::Any;
 use std::sync::Arc;
 
-use common::{
-    ArgumentError, Color, Error, Image, Progress, Renderer, Scene, Settings, Size, tally,
-};
+use common::{ArgumentError, Color, Error, Image, Progress, Renderer, Scene, Settings, Size};
 
-use scene_file::{POV_RAY, TOML, export};
-
-use crate::lab::watched;
-use crate::{Camera, Ray, fast, render};
+use crate::{Camera, Ray, render};
 
 /// A camera and the world before it.
 ///
@@ -31,6 +26,7 @@ pub trait TracedWorld: Any + Send + Sync {
     fn radiance(&self, ray: &Ray, depth: u32) -> Color;
 
     /// The world in the numbers of the engine; none if the engine has no type for it.
+    #[cfg(not(handout))]
     fn for_engine(&self, _depth: u32) -> Option<engine::Scene<'_>> {
         None
     }
@@ -38,6 +34,7 @@ pub trait TracedWorld: Any + Send + Sync {
     /// The same world with wrappers around its parts, which count its work and record its steps;
     /// with `all_work` they also do the work that the lesson leaves out. The colours do not
     /// change.
+    #[cfg(not(handout))]
     fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld>;
 }
 
@@ -47,6 +44,7 @@ impl<F: Fn(&Ray) -> Color + Send + Sync + 'static> TracedWorld for F {
         self(ray)
     }
 
+    #[cfg(not(handout))]
     fn watched(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
         self
     }
@@ -79,7 +77,19 @@ impl<W: TracedWorld> View<W> {
 }
 
 impl View {
+    /// Renders the picture with the lesson, the only renderer here.
+    #[cfg(handout)]
+    pub fn render(self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
+        if settings.renderer != Renderer::Lesson || settings.max_error.is_some() {
+            let flags = "this workbook has no --fast, --no-omit and --max-error";
+            return Err(Error::Usage(flags.to_owned()));
+        }
+        let radiance = |ray: &Ray| self.world.radiance(ray, settings.depth);
+        render(&self.camera, radiance, settings, progress)
+    }
+
     /// Renders the picture with the renderer of the settings.
+    #[cfg(not(handout))]
     pub fn render(self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
         let bounds = settings.max_error.map(|max_error| {
             let scene = self.world.for_engine(settings.depth);
@@ -89,12 +99,12 @@ impl View {
         let Self { camera, world } = match settings.renderer {
             Renderer::Engine => {
                 if let Some(scene) = self.world.for_engine(settings.depth) {
-                    return fast::render(scene, &*self.camera, settings, progress);
+                    return crate::fast::render(scene, &*self.camera, settings, progress);
                 }
                 self
             }
             Renderer::AllWork => self.watched(settings, true),
-            Renderer::Lesson if tally::is_on() => self.watched(settings, false),
+            Renderer::Lesson if common::tally::is_on() => self.watched(settings, false),
             Renderer::Lesson => self,
         };
         let radiance = |ray: &Ray| world.radiance(ray, settings.depth);
@@ -106,19 +116,22 @@ impl View {
     }
 
     /// The scene as text in a language, `toml` or `povray`.
+    #[cfg(not(handout))]
     pub(crate) fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {
+        use scene_file::{POV_RAY, TOML, export};
         let scene = self.world.for_engine(settings.depth);
         let phrases = if language == "povray" { POV_RAY } else { TOML };
-        let camera = fast::camera(&*self.camera);
+        let camera = crate::fast::camera(&*self.camera);
         let text = scene.map(|scene| export(phrases, &scene, &camera, settings));
         let text = text.unwrap_or_else(|| Err("its world is a formula, without shapes".to_owned()));
         text.map_err(|reason| Error::Usage(format!("this scene cannot be written: {reason}")))
     }
 
     /// The view with wrappers that count its work and record its steps.
+    #[cfg(not(handout))]
     pub(crate) fn watched(self, settings: &Settings, all_work: bool) -> Self {
         Self {
-            camera: watched::camera(self.camera, settings, all_work),
+            camera: crate::lab::watched::camera(self.camera, settings, all_work),
             world: self.world.watched(all_work),
         }
     }
@@ -169,26 +182,21 @@ impl TracedScene {
 impl From<TracedScene> for Scene {
     fn from(row: TracedScene) -> Self {
         let view = move |size| Ok((row.view)(size)?);
-        let mut scene = scene_of(row.name, row.about, view).with_defaults(row.defaults);
-        scene.uses.depth = row.reflects;
-        scene
+        scene_of(row.name, row.about, row.reflects, view).with_defaults(row.defaults)
     }
 }
 
-/// The name of a scene, and the function that makes its view for each picture.
-pub(crate) struct ViewOf<F>(pub &'static str, pub F);
-
-/// A scene for the program.
-pub(crate) fn scene_of<F>(name: &'static str, about: &'static str, view: F) -> Scene
+/// A scene for the program, whose surfaces may reflect rays.
+pub(crate) fn scene_of<F>(name: &'static str, about: &'static str, reflects: bool, view: F) -> Scene
 where
     F: Fn(Size) -> Result<View, Error> + Send + Sync + 'static,
 {
-    let source = Arc::new(ViewOf(name, view));
-    let explained = Arc::clone(&source);
-    let paint = move |settings: &Settings, progress: &dyn Progress| {
-        source.1(settings.size)?.render(settings, progress)
-    };
-    let mut scene = Scene::traced(name, about, paint);
-    scene.explained = Some(explained);
+    let view = Arc::new(view);
+    let painted = Arc::clone(&view);
+    let mut scene = Scene::traced(name, about, move |settings, progress| {
+        painted(settings.size)?.render(settings, progress)
+    });
+    scene.uses.depth = reflects;
+    scene.explained = Some(Arc::new(crate::lab::ViewOf(name, view)));
     scene
 }

@@ -1,14 +1,12 @@
 //! `stage`: the scenes, experiments and extreme cases of this stage for its program, and its
 //! world for the renderers.
 
-use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View, from_file};
+use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
 use common::Color;
-use common::steps;
 use measure::Stage;
 
-use crate::lab::{experiments, extremes, search, watched};
+use crate::World;
 use crate::scenes::{scene_1, scene_2, scene_3, scene_4, scene_5, scene_6};
-use crate::{Interval, World, fast};
 
 /// The traced scenes in the order of the course.
 #[must_use]
@@ -41,10 +39,10 @@ pub fn stage() -> Stage {
         name: "a04-intersections",
         about: "Where rays meet planes, boxes, triangles and spheres",
         scenes: scenes().map(Into::into).into(),
-        experiments: experiments::experiments,
-        extremes: extremes::cases,
-        search: Some(search::search),
-        open: Some(|path| from_file::scene(path, 4, crate::from_file::view)),
+        experiments: crate::lab::experiments::experiments,
+        extremes: crate::lab::extremes::cases,
+        search: Some(crate::lab::search::search),
+        open: Some(|path| a03_rays_cameras::from_file::scene(path, 4, crate::from_file::view)),
     }
 }
 
@@ -53,11 +51,15 @@ impl TracedWorld for World<Color> {
         self.color_for(ray)
     }
 
+    #[cfg(not(handout))]
     fn for_engine(&self, _: u32) -> Option<engine::Scene<'_>> {
-        Some(fast::scene(self))
+        Some(crate::fast::scene(self))
     }
 
+    #[cfg(not(handout))]
     fn watched(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
+        use crate::{Interval, watched};
+        use common::steps;
         let world = watched::world(*self, watched::plain, |color| color);
         Box::new(move |ray: &Ray| {
             let color = world.color_for(ray);

@@ -1,16 +1,14 @@
 //! `stage`: the scenes, experiments and extreme cases of this stage for its program, and its
 //! world for the renderers.
 
-use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View, from_file};
-use a04_intersections::watched::{plain, push_background};
+use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
 use common::Color;
 use measure::Stage;
 
-use crate::lab::{experiments, extremes, watched};
+use crate::LitWorld;
 use crate::scenes::{
     lambert, lighting_1, phong, phong_directional, phong_spot, phong_spot_ambient,
 };
-use crate::{LitWorld, fast};
 
 /// The traced scenes in the order of the course.
 #[must_use]
@@ -47,10 +45,11 @@ pub fn stage() -> Stage {
         name: "a05-lighting",
         about: "Lights and materials: Lambert and Phong",
         scenes: scenes().map(Into::into).into(),
-        experiments: experiments::experiments,
-        extremes: extremes::cases,
+        experiments: crate::lab::experiments::experiments,
+        extremes: crate::lab::extremes::cases,
+        #[cfg(not(handout))]
         search: None,
-        open: Some(|path| from_file::scene(path, 5, crate::from_file::view)),
+        open: Some(|path| a03_rays_cameras::from_file::scene(path, 5, crate::from_file::view)),
     }
 }
 
@@ -59,11 +58,15 @@ impl TracedWorld for LitWorld {
         self.color_for(ray)
     }
 
+    #[cfg(not(handout))]
     fn for_engine(&self, _: u32) -> Option<engine::Scene<'_>> {
-        Some(fast::scene(self))
+        Some(crate::fast::scene(self))
     }
 
+    #[cfg(not(handout))]
     fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
+        use crate::watched;
+        use a04_intersections::watched::{plain, push_background};
         let surface = |material| watched::material(material, all_work);
         let world = watched::world(*self, plain, surface, watched::light);
         Box::new(move |ray: &Ray| {

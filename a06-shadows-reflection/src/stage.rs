@@ -1,16 +1,12 @@
 //! `stage`: the scenes, experiments and extreme cases of this stage for its program, and its
 //! world for the renderers.
 
-use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View, from_file};
-use a04_intersections::Geometry;
-use a04_intersections::fast::{Translate, shapes};
+use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
 use common::Color;
 use measure::Stage;
 
-use crate::lab::watched::WatchedWorld;
-use crate::lab::{experiments, extremes};
 use crate::scenes::{aab, sphere};
-use crate::{RecursiveTracer, ShadowedWorld, fast};
+use crate::{RecursiveTracer, ShadowedWorld};
 
 /// The traced scenes in the order of the course.
 #[must_use]
@@ -32,10 +28,11 @@ pub fn stage() -> Stage {
         name: "a06-shadows-reflection",
         about: "Shadows and mirrors",
         scenes: scenes().map(Into::into).into(),
-        experiments: experiments::experiments,
-        extremes: extremes::cases,
+        experiments: crate::lab::experiments::experiments,
+        extremes: crate::lab::extremes::cases,
+        #[cfg(not(handout))]
         search: None,
-        open: Some(|path| from_file::scene(path, 6, crate::from_file::view)),
+        open: Some(|path| a03_rays_cameras::from_file::scene(path, 6, crate::from_file::view)),
     }
 }
 
@@ -44,7 +41,8 @@ pub fn stage() -> Stage {
 pub fn traced(view: View<ShadowedWorld>) -> View {
     let world = |world| RecursiveWorld {
         world,
-        shapes,
+        shapes: a04_intersections::fast::shapes,
+        #[cfg(not(handout))]
         watched: |geometry| geometry,
     };
     view.map(world).boxed()
@@ -56,9 +54,10 @@ pub struct RecursiveWorld {
     /// The world.
     pub world: ShadowedWorld,
     /// Translates a geometry for the engine.
-    pub shapes: Translate,
+    pub shapes: a04_intersections::fast::Translate,
     /// Wraps a geometry to count its work.
-    pub watched: fn(Box<dyn Geometry>) -> Box<dyn Geometry>,
+    #[cfg(not(handout))]
+    pub watched: fn(Box<dyn a04_intersections::Geometry>) -> Box<dyn a04_intersections::Geometry>,
 }
 
 impl TracedWorld for RecursiveWorld {
@@ -66,11 +65,16 @@ impl TracedWorld for RecursiveWorld {
         RecursiveTracer::new(&self.world).trace(ray, depth)
     }
 
+    #[cfg(not(handout))]
     fn for_engine(&self, depth: u32) -> Option<engine::Scene<'_>> {
-        Some(fast::scene(&self.world, depth, self.shapes))
+        Some(crate::fast::scene(&self.world, depth, self.shapes))
     }
 
+    #[cfg(not(handout))]
     fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
-        Box::new(WatchedWorld::new(self.world, self.watched, all_work))
+        let Self { world, watched, .. } = *self;
+        Box::new(crate::lab::watched::WatchedWorld::new(
+            world, watched, all_work,
+        ))
     }
 }

@@ -1,11 +1,9 @@
 //! `stage`: the scenes, experiments and extreme cases of this stage for its program.
 
-use a03_rays_cameras::{TracedScene, View, from_file};
+use a03_rays_cameras::{TracedScene, View};
 use a06_shadows_reflection::{RecursiveWorld, ShadowedWorld};
 use measure::Stage;
 
-use crate::fast::shapes;
-use crate::lab::{experiments, extremes, watched};
 use crate::scenes::{box_transformations, disc, sphere_transformation};
 
 /// The traced scenes in the order of the course.
@@ -35,10 +33,11 @@ pub fn stage() -> Stage {
         name: "a07-transforms",
         about: "Transformed geometry, the scene graph and the disc",
         scenes: scenes().map(Into::into).into(),
-        experiments: experiments::experiments,
-        extremes: extremes::cases,
+        experiments: crate::lab::experiments::experiments,
+        extremes: crate::lab::extremes::cases,
+        #[cfg(not(handout))]
         search: None,
-        open: Some(|path| from_file::scene(path, 7, crate::from_file::view)),
+        open: Some(|path| a03_rays_cameras::from_file::scene(path, 7, crate::from_file::view)),
     }
 }
 
@@ -47,8 +46,8 @@ pub fn stage() -> Stage {
 pub fn traced(view: View<ShadowedWorld>) -> View {
     let world = |world| RecursiveWorld {
         world,
-        shapes,
-        watched: watched::geometry,
+        shapes: crate::fast::shapes,
+        watched: crate::lab::watched::geometry,
     };
     view.map(world).boxed()
 }

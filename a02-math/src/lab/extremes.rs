@@ -7,20 +7,13 @@ use measure::Effort;
 use measure::extremes::greatest;
 use measure::extremes::{Absolute, Bound, Case, Equal, Fails, Holds, Id, Outcome, Protocol, Ulps};
 
+use crate::arrays::vector;
 use crate::lab::experiments::{conditions, from_columns, refined};
 use crate::lab::protocol;
 use crate::{Direction, Mat3x3, Normal3, Point3, Vector3};
 
 pub fn cases(_: Effort) -> Vec<Case> {
     [lengths(), angles(), systems()].concat()
-}
-
-pub const fn vector([x, y, z]: [f64; 3]) -> Vector3 {
-    Vector3::new(x, y, z)
-}
-
-pub const fn point([x, y, z]: [f64; 3]) -> Point3 {
-    Point3::new(x, y, z)
 }
 
 macro_rules! outcomes {

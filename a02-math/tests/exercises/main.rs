@@ -11,7 +11,7 @@ use a02_math::Normal3;
 use drawn::Vector3;
 
 testing::exercises! {
-    use {a02_math::*, a02_math::lab::extremes::{point, vector}, common::*, crate::drawn::scene};
+    use {a02_math::*, a02_math::arrays::{point, vector}, common::*, crate::drawn::scene};
     starters {
         products => |check| products::check(check, dot, cross);
         angle => |check| angle::check(check, angle);

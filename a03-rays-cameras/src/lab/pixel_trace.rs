@@ -1,10 +1,11 @@
 //! The numbers behind a pixel of a view.
 
+use std::sync::Arc;
+
 use common::steps::{self, Step};
 use common::{Color, Error, Explained, PixelTrace, Renderer, Sampling, Settings, Size};
 
 use super::drawing;
-use crate::view::ViewOf;
 use crate::{Camera, Ray, Sampler, View, camera_coordinates, fast};
 
 const SAMPLES: &str = "a03-rays-cameras.md#many-rays-a-pixel";
@@ -75,6 +76,9 @@ impl View {
         drawing::svg(&*self.world.watched(false), steps, name)
     }
 }
+
+/// The name of a scene, and the function that makes its view for each picture.
+pub struct ViewOf<F>(pub &'static str, pub Arc<F>);
 
 impl<F: Fn(Size) -> Result<View, Error> + Send + Sync> Explained for ViewOf<F> {
     fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error> {

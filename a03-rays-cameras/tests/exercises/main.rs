@@ -6,7 +6,7 @@ mod camera;
 mod sky;
 
 testing::exercises! {
-    use {a02_math::*, a02_math::lab::extremes::{point, vector}, a03_rays_cameras::*, common::*, crate::camera::*, crate::sky::*};
+    use {a02_math::*, a02_math::arrays::{point, vector}, a03_rays_cameras::*, common::*, crate::camera::*, crate::sky::*};
     starters {
         ray => |check| ray::check(check, at, t_of);
         perspective => |check| perspective::check(check, PerspectiveCamera::new);

@@ -4,7 +4,7 @@
 use std::ops::{Add, Mul};
 
 use a02_math::Vector3;
-pub use a02_math::lab::extremes::{point, vector};
+pub use a02_math::arrays::{point, vector};
 use a03_rays_cameras::{PixelRandom, Ray};
 use common::ArgumentError;
 use num_traits::{Float, NumCast};

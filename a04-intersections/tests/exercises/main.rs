@@ -7,7 +7,7 @@ mod camera;
 mod shape;
 
 testing::exercises! {
-    use {a02_math::*, a02_math::lab::extremes::{point, vector}, a03_rays_cameras::*, a04_intersections::*, a04_intersections::scenes::*, common::*, crate::shape::*};
+    use {a02_math::*, a02_math::arrays::{point, vector}, a03_rays_cameras::*, a04_intersections::*, a04_intersections::scenes::*, common::*, crate::shape::*};
     starters {
         orthographic => |check| orthographic::check(check, OrthographicCamera::new);
         plane => |check| plane::check(check, &|a, n| shape::boxed(Plane::new(a, n)));

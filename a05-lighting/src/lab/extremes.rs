@@ -4,7 +4,7 @@
 
 use std::f64::consts::PI;
 
-use a02_math::lab::extremes::{point, vector};
+use a02_math::arrays::{point, vector};
 use a02_math::lab::protocol::angle_by_arc_cosine;
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;

@@ -7,7 +7,7 @@ mod material;
 mod scene;
 
 testing::exercises! {
-    use {a02_math::*, a02_math::lab::extremes::{point, vector}, a03_rays_cameras::*, a04_intersections::*, a05_lighting::*, common::*, a05_lighting::{scenes, stage}, crate::light::*, crate::material::*, crate::scene::*};
+    use {a02_math::*, a02_math::arrays::{point, vector}, a03_rays_cameras::*, a04_intersections::*, a05_lighting::*, common::*, a05_lighting::{scenes, stage}, crate::light::*, crate::material::*, crate::scene::*};
     starters {
         lambert => |check| lambert::check(check, &lambert);
         phong => |check| phong::check(check, &phong);

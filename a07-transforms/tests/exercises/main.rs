@@ -8,7 +8,7 @@ mod shape;
 mod steps;
 
 testing::exercises! {
-    use {a02_math::*, a02_math::lab::extremes::{point, vector}, a03_rays_cameras::*, a04_intersections::*, a05_lighting::*, a06_shadows_reflection::*, a07_transforms::*, common::*, crate::shape::*, crate::steps::*};
+    use {a02_math::*, a02_math::arrays::{point, vector}, a03_rays_cameras::*, a04_intersections::*, a05_lighting::*, a06_shadows_reflection::*, a07_transforms::*, common::*, crate::shape::*, crate::steps::*};
     starters {
         chain => |check| chain::check(check, chain);
         under_transform => |check| under_transform::check(check, ray_to_object, normal_from_object);

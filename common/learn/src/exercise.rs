@@ -21,21 +21,21 @@ pub struct Exercise {
 }
 
 /// The exercises of all stages, in the order of the book.
-pub fn read_all() -> Result<Vec<Exercise>, String> {
+pub fn read_all() -> Result<&'static [Exercise], String> {
     let pages = (1..).map(|stage| format!("book/src/a{stage:02}-exercises.md"));
     let mut exercises = Vec::new();
     for page in pages.take_while(|page| files::shortest(page).exists()) {
         let text = files::read(&page)?.replace("\r\n", "\n").leak();
         exercises.extend(sections(text).map_err(|problem| format!("{page}: {problem}"))?);
     }
-    Ok(exercises)
+    Ok(exercises.leak())
 }
 
 /// The exercise of this name. The error is the nearest name.
-pub fn find(course: &'static [Exercise], name: &str) -> Result<&'static Exercise, String> {
+pub fn find(name: &str) -> Result<&'static Exercise, String> {
     let nearness = |e: &Exercise| strsim::jaro(e.name, name);
     let by_nearness = |a: &&Exercise, b: &&Exercise| nearness(a).total_cmp(&nearness(b));
-    match course.iter().max_by(by_nearness) {
+    match read_all()?.iter().max_by(by_nearness) {
         Some(e) if e.name == name => Ok(e),
         nearest => Err(format!(
             "the nearest is {}",
@@ -119,7 +119,7 @@ mod tests {
                     .map(|file| file.unwrap().path());
                 files.extend(paths.map(|path| path.file_stem().unwrap().to_owned()));
             }
-            let starter = files::starter(&exercise).unwrap();
+            let starter = files::starter(exercise).unwrap();
             for part in ["testing::missing(", "testing::examples!"] {
                 assert!(starter.contains(part), "{name}: {part}");
             }

@@ -2,7 +2,7 @@
 
 use std::path::{Component, Path, PathBuf};
 use std::time::SystemTime;
-use std::{env, fs};
+use std::{env, fs, io};
 
 use crate::exercise::Exercise;
 
@@ -32,7 +32,12 @@ pub fn shortest(path: &str) -> PathBuf {
 
 /// The text of a file in the workbook.
 pub fn read(path: &str) -> Result<String, String> {
-    fs::read_to_string(shortest(path)).map_err(|error| format!("{path}: {error}"))
+    fs::read_to_string(shortest(path)).map_err(failed(path.as_ref()))
+}
+
+/// The words about a file that cannot be read or written.
+pub fn failed(path: &Path) -> impl Fn(io::Error) -> String {
+    move |error| format!("{}: {error}", path.display())
 }
 
 pub fn yours(exercise: &Exercise) -> PathBuf {
@@ -89,8 +94,7 @@ pub fn is_begun(exercise: &Exercise) -> bool {
 pub fn begin(exercise: &Exercise) -> Result<(), String> {
     let yours = yours(exercise);
     if !yours.exists() {
-        let written = fs::write(&yours, starter(exercise)?);
-        written.map_err(|error| format!("{}: {error}", yours.display()))?;
+        fs::write(&yours, starter(exercise)?).map_err(failed(&yours))?;
     }
     Ok(())
 }
@@ -101,8 +105,7 @@ pub fn reset(exercise: &Exercise) -> Result<(), String> {
     if is_begun(exercise) {
         let mut names = (1..).map(|n| yours.with_extension(format!("{n}.bak")));
         let backup = names.find(|name| !name.exists()).unwrap_or_default();
-        let renamed = fs::rename(&yours, &backup);
-        renamed.map_err(|error| format!("{}: {error}", yours.display()))?;
+        fs::rename(&yours, &backup).map_err(failed(&yours))?;
         println!("your file is kept: {}", backup.display());
     }
     println!("the starter: {}", yours.display());

@@ -51,7 +51,7 @@ pub fn judge(e: &Exercise, loud: bool, stops: &mut dyn FnMut() -> bool) -> Resul
 }
 
 /// Builds the test program of a stage that proves its exercises, and returns its path.
-#[cfg(feature = "course")]
+#[cfg(not(handout))]
 pub fn proofs(stage: &str) -> Result<String, String> {
     match run(&mut cargo(false, &of_stage(stage)), &mut || false)? {
         Some((status, messages)) if status.success() => program(&messages),

@@ -5,7 +5,7 @@
 //! alone, so that a file that does not compile stops no other exercise.
 
 mod book;
-#[cfg(feature = "course")]
+#[cfg(not(handout))]
 mod course;
 mod editor;
 mod exercise;
@@ -13,42 +13,56 @@ mod files;
 mod judgement;
 mod keys;
 mod progress;
+mod submit;
 mod watch;
 
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
-#[cfg(not(feature = "course"))]
-use std::{env, process};
 
-use clap::{Arg, Command};
+use clap::{Args, Parser, Subcommand};
 
 use exercise::Exercise;
 
-fn command(course: &'static [Exercise]) -> Command {
-    let name = Arg::new("name")
-        .help("An exercise")
-        .value_name("EXERCISE")
-        .value_parser(move |name: &str| exercise::find(course, name));
-    let or_next = name
-        .clone()
-        .help("An exercise [default: the next that is not done]");
-    let sub = |name, about| Command::new(name).about(about);
-    Command::new("cargo learn")
-        .bin_name("cargo learn")
-        .about("Leads through the exercises of all stages, and checks them on save")
-        .args_conflicts_with_subcommands(true)
-        .arg(&or_next)
-        .subcommand(sub("list", "Lists all exercises, done and open"))
-        .subcommand(sub(
-            "editor",
-            "Writes the settings of rust-analyzer for VS Code",
-        ))
-        .subcommand(sub("hint", "Shows the hints of an exercise").arg(&or_next))
-        .subcommand(sub("check", "Checks an exercise once").arg(&or_next))
-        .subcommand(sub("book", "Builds the book with your pictures in it"))
-        .subcommand(
-            sub("reset", "Begins an exercise anew, and keeps your file").arg(name.required(true)),
-        )
+/// Leads through the exercises of all stages, and checks them on save
+#[derive(Parser)]
+#[command(bin_name = "cargo learn", args_conflicts_with_subcommands = true)]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    shown: OrNext,
+}
+
+#[derive(Args)]
+struct OrNext {
+    /// An exercise [default: the next that is not done]
+    #[arg(value_name = "EXERCISE", value_parser = exercise::find)]
+    name: Option<&'static Exercise>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Lists all exercises, done and open
+    List,
+    /// Writes the settings of rust-analyzer for VS Code
+    Editor,
+    /// Shows the hints of an exercise
+    Hint(OrNext),
+    /// Checks an exercise once
+    Check(OrNext),
+    /// Builds the book with your pictures in it
+    Book,
+    /// Begins an exercise anew, and keeps your file
+    Reset {
+        /// An exercise
+        #[arg(value_name = "EXERCISE", value_parser = exercise::find)]
+        name: &'static Exercise,
+    },
+    Submit(submit::Submit),
+    #[cfg(not(handout))]
+    Handout(course::Handout),
+    #[cfg(not(handout))]
+    Grade(course::Grade),
 }
 
 fn main() -> ExitCode {
@@ -59,62 +73,36 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<ExitCode, String> {
-    #[cfg(not(feature = "course"))]
-    if env::args()
-        .nth(1)
-        .is_some_and(|name| ["submit", "handout", "grade"].contains(&&*name))
-    {
-        return with_course();
-    }
-    let course = exercise::read_all()?.leak();
-    let command = command(course);
-    #[cfg(feature = "course")]
-    let command = command.subcommands(course::commands());
-    let matches = command.get_matches();
-    let (command, matches) = matches.subcommand().unwrap_or(("watch", &matches));
-    match command {
-        "book" => return book::build(course),
-        #[cfg(feature = "course")]
-        "submit" | "handout" | "grade" => return print(&course::run(command, course, matches)?),
-        "list" => return print(&progress::list(course)),
-        "editor" => return print(&editor::write_settings()?),
-        _ => {}
-    }
-    let exercise = match matches.get_one("name") {
-        Some(exercise) => Some(*exercise),
-        None => progress::next(course, None),
+    let course = exercise::read_all()?;
+    let CommandLine { command, shown } = CommandLine::parse();
+    let chosen = match &command {
+        Some(Command::Hint(chosen) | Command::Check(chosen)) => chosen,
+        _ => &shown,
     };
-    let Some(exercise) = exercise else {
-        return print("all exercises are done; with a name, one is shown again");
-    };
-    match command {
-        "hint" => {
-            let (title, hints) = (exercise.title, exercise.hints.join("\n"));
-            return print(&format!("{title}\n{hints}"));
+    let next = chosen.name.or_else(|| progress::next(course, None));
+    match (command, next) {
+        (Some(Command::List), _) => return print(&progress::list(course)),
+        (Some(Command::Editor), _) => return print(&editor::write_settings()?),
+        (Some(Command::Book), _) => return book::build(course),
+        (Some(Command::Reset { name }), _) => files::reset(name)?,
+        (Some(Command::Submit(submit)), _) => return print(&submit.run(course)?),
+        #[cfg(not(handout))]
+        (Some(Command::Handout(handout)), _) => return print(&handout.run(course)?),
+        #[cfg(not(handout))]
+        (Some(Command::Grade(grade)), _) => return print(&grade.run(course)?),
+        (_, None) => return print("all exercises are done; with a name, one is shown again"),
+        (None, Some(e)) => watch::watch(course, e)?,
+        (Some(Command::Hint(_)), Some(e)) => {
+            return print(&format!("{}\n{}", e.title, e.hints.join("\n")));
         }
-        "reset" => files::reset(exercise)?,
-        "check" => {
-            files::begin(exercise)?;
-            if !judgement::judge(exercise, true, &mut || false)? {
+        (Some(Command::Check(_)), Some(e)) => {
+            files::begin(e)?;
+            if !judgement::judge(e, true, &mut || false)? {
                 return Ok(ExitCode::FAILURE);
             }
         }
-        _ => watch::watch(course, exercise)?,
     }
     Ok(ExitCode::SUCCESS)
-}
-
-/// Runs this program with the feature `course`, which takes a while to build, once.
-#[cfg(not(feature = "course"))]
-fn with_course() -> Result<ExitCode, String> {
-    let words = "run --quiet --package learn --features course --";
-    let mut cargo = process::Command::new("cargo");
-    let status = cargo
-        .args(words.split(' '))
-        .args(env::args_os().skip(1))
-        .status();
-    let code = status.map_err(|error| format!("cargo: {error}"))?.code();
-    Ok(ExitCode::from(code.map_or(1, |code| code as u8)))
 }
 
 /// Prints a text. The reader of a pipe may close it early.

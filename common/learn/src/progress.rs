@@ -22,7 +22,7 @@ pub fn record(exercise: &Exercise, is_done: bool) -> Result<(), String> {
     let others = known.lines().filter(|name| *name != exercise.name);
     let done = others.chain(is_done.then_some(exercise.name));
     let done: String = done.map(|name| [name, "\n"].concat()).collect();
-    fs::write(files::shortest(FILE), done).map_err(|error| format!("{FILE}: {error}"))
+    fs::write(files::shortest(FILE), done).map_err(files::failed(FILE.as_ref()))
 }
 
 /// The next open exercise: a later one on the same path as the `last`, or the first of the

@@ -1,54 +1,54 @@
-//! An evening with `cargo learn` and a small workbook: each step is answered soon, also after
-//! a program that does not end.
+//! An evening with `cargo learn`, a small workbook and no terminal: each step is answered, also
+//! after a program that does not end. `--nocapture` shows how soon.
 
+use std::collections::BTreeSet;
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::mpsc::channel;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use std::{env, fs, thread};
 
 const WORKBOOK: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/workbook");
-const PAGE: &str = include_str!("../../../book/src/a01-exercises.md");
+const PAGES: [&str; 2] = [
+    include_str!("../../../book/src/a01-exercises.md"),
+    include_str!("../../../book/src/a02-exercises.md"),
+];
 const PACKAGE: &str = "[package]\nname = \"a01-image-display\"\nedition = \"2024\"\n\
     [[test]]\nname = \"exercises\"\npath = \"main.rs\"\nharness = false\n[workspace]";
 
-/// A student's file, whose check ends with an exit code, or does not end.
 const TO_DO: &str = "pub fn check() -> i32 { println!(\"to do\"); 3 }";
-const RIGHT: &str = "pub fn check() -> i32 { 0 }";
-const WRONG: &str = "pub fn check() -> i32 { 1 }";
-const PANIC: &str = "pub fn check() -> i32 { panic!() }";
-const BROKEN: &str = "pub fn check() -> i32 {";
-const ENDLESS: &str = "pub fn check() -> i32 { println!(\"starts\"); loop {} }";
 
-/// Exercise, the key that is typed or the text that is saved, and words of the answer.
-const STEPS: [(&str, &str, &str); 22] = [
-    ("set_pixel", "start", "to do"),
-    ("set_pixel", "h", "Hint"),
-    ("set_pixel", ENDLESS, "starts"),
-    ("set_pixel", RIGHT, "set_pixel: done"),
-    ("set_pixel", WRONG, "set_pixel: not yet"),
-    ("set_pixel", "", "set_pixel: not yet"),
-    ("set_pixel", RIGHT, "set_pixel: done"),
-    ("set_pixel", "", "The diagonal, 10 minutes"),
-    ("diagonal", PANIC, "diagonal: not yet"),
-    ("diagonal", ENDLESS, "starts"),
-    ("diagonal", "h", "Hint"),
-    ("diagonal", BROKEN, "diagonal: does not compile"),
-    ("diagonal", "deleted", "diagonal.rs is deleted"),
-    ("diagonal", "", "to do"),
-    ("diagonal", RIGHT, "diagonal: done"),
-    ("diagonal", "l", "done   core  diagonal"),
-    ("diagonal", "deleted", "diagonal.rs is deleted"),
-    ("diagonal", "l", "         core  diagonal"),
-    ("diagonal", "", "to do"),
-    ("diagonal", RIGHT, "diagonal: done"),
+/// A student's files, whose checks end with an exit code, or do not end.
+const FILES: [(&str, &str); 5] = [
+    ("right", "pub fn check() -> i32 { 0 }"),
+    ("wrong", "pub fn check() -> i32 { 1 }"),
+    ("panic", "pub fn check() -> i32 { panic!() }"),
+    ("broken", "pub fn check() -> i32 {"),
     (
-        "diagonal",
-        "n",
-        "minutes, in a01-image-display/exercises/ppm.rs",
+        "loop",
+        "pub fn check() -> i32 { println!(\"starts\"); loop {} }",
     ),
-    ("ppm", ENDLESS, "ppm: no end after 2 seconds"),
+];
+
+/// Ten exercises, and of each the steps: a file that is saved, the file's end, or the key that is
+/// typed, and words of the answer.
+#[rustfmt::skip]
+const STEPS: [(&str, &str); 14] = [
+    ("set_pixel", "start>to do|h>Hint|loop>starts|right>: done|wrong>: not yet|>: not yet|right>: done"),
+    ("set_pixel", ">The diagonal, 10 minutes"),
+    ("diagonal", "panic>: not yet|loop>starts|h>Hint|broken>: does not compile|delete>l.rs is deleted"),
+    ("diagonal", ">to do|right>: done|l>done   core  diagonal|delete>is deleted|l>         core  diagonal"),
+    ("diagonal", ">to do|right>: done|n>exercises/products.rs"),
+    ("products", "panic>: not yet|right>: done|>exercises/angle.rs"),
+    ("angle", "broken>: does not compile|n>exercises/reflected.rs"),
+    ("reflected", "right>: done|broken>: does not compile|right>: done|>exercises/angle.rs"),
+    ("angle", "right>: done|>exercises/ppm.rs"),
+    ("ppm", "panic>: not yet|n>exercises/srgb.rs"),
+    ("srgb", "delete>srgb.rs is deleted|>to do|n>exercises/line.rs"),
+    ("line", "loop>starts|n>exercises/thumbnail.rs"),
+    ("thumbnail", "right>: done|>exercises/triangle_area.rs"),
+    ("triangle_area", "loop>: no end after 2 seconds"),
 ];
 
 fn learn(arguments: &[&str]) -> Command {
@@ -66,14 +66,16 @@ fn each_step_is_answered() {
     }
     env::set_current_dir(WORKBOOK).unwrap();
     let file = |name: &str| format!("a01-image-display/exercises/{name}.rs");
-    let modules = ["set_pixel", "diagonal", "ppm"].map(|name| {
+    let names: BTreeSet<_> = STEPS.iter().map(|(name, ..)| *name).collect();
+    let modules = names.iter().map(|name| {
         fs::write(file(&format!("starters/{name}")), TO_DO).unwrap();
         format!("#[cfg({name})] #[path = \"{}\"] mod yours;\n", file(name))
     });
     let main = "fn main() { std::process::exit(yours::check()) }";
-    fs::write("main.rs", [&modules.concat(), main].concat()).unwrap();
+    fs::write("main.rs", modules.collect::<String>() + main).unwrap();
     fs::write("Cargo.toml", PACKAGE).unwrap();
-    fs::write("book/src/a01-exercises.md", PAGE).unwrap();
+    let page = PAGES.concat().replace("a02-math/", "a01-image-display/");
+    fs::write("book/src/a01-exercises.md", page).unwrap();
 
     let output = learn(&["hint", "diagnal"]).output().unwrap();
     assert!(String::from_utf8_lossy(&output.stderr).contains("diagonal"));
@@ -97,15 +99,20 @@ fn each_step_is_answered() {
             .map_while(Result::ok)
             .try_for_each(|line| sender.send(line))
     });
-    for (name, step, words) in STEPS {
-        match step {
-            "start" => {}
-            "deleted" => fs::remove_file(file(name)).unwrap(),
-            text if text.len() > 1 => fs::write(file(name), text).unwrap(),
-            key => writeln!(learn.stdin.as_mut().unwrap(), "{key}").unwrap(),
+    let steps = STEPS
+        .iter()
+        .flat_map(|(name, steps)| steps.split('|').map(move |it| (name, it)));
+    for (name, step) in steps {
+        let (asked, (act, words)) = (Instant::now(), step.split_once('>').unwrap());
+        match FILES.iter().find(|(kind, _)| *kind == act) {
+            Some((_, text)) => fs::write(file(name), text).unwrap(),
+            None if act == "delete" => fs::remove_file(file(name)).unwrap(),
+            None if act == "start" => {}
+            None => writeln!(learn.stdin.as_mut().unwrap(), "{act}").unwrap(),
         }
-        let line = || printed.recv_timeout(Duration::from_secs(9));
+        let line = || printed.recv_timeout(Duration::from_secs(60));
         while !line().expect(step).contains(words) {}
+        println!("{:4} ms  {name}  {step}", asked.elapsed().as_millis());
     }
     drop(learn.stdin.take());
     assert!(learn.wait().unwrap().success(), "the end of the input");

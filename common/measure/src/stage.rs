@@ -1,17 +1,13 @@
 //! `Stage`: the scenes, experiments and extreme cases of a stage.
 
-use std::path::Path;
-
 use common::{Error, Scene};
 
-use crate::Effort;
-use crate::experiment::Experiment;
-use crate::extremes::Case;
-
 /// Reads the scene of a scene file.
-pub type OpenScene = fn(&Path) -> Result<Scene, Error>;
+#[cfg(not(handout))]
+pub type OpenScene = fn(&std::path::Path) -> Result<Scene, Error>;
 
 /// Searches for the worst input of the formulas of a shape.
+#[cfg(not(handout))]
 pub type Search = fn(&str) -> Result<String, Error>;
 
 /// One stage of the course: its name, scenes, experiments and extreme cases.
@@ -23,12 +19,16 @@ pub struct Stage {
     /// The scenes in the order of the course; the first is shown by default.
     pub scenes: Vec<Scene>,
     /// The experiments about error against run time.
-    pub experiments: fn() -> Vec<Experiment<'static>>,
+    #[cfg(not(handout))]
+    pub experiments: fn() -> Vec<crate::experiment::Experiment<'static>>,
     /// The stiff and extreme cases.
-    pub extremes: fn(Effort) -> Vec<Case>,
+    #[cfg(not(handout))]
+    pub extremes: fn(crate::Effort) -> Vec<crate::extremes::Case>,
     /// The search for worst inputs, which returns them in words, if the stage knows any shape.
+    #[cfg(not(handout))]
     pub search: Option<Search>,
     /// Opens a scene file, if the stage knows any.
+    #[cfg(not(handout))]
     pub open: Option<OpenScene>,
 }
 
@@ -36,10 +36,10 @@ impl Stage {
     /// The scene of this name, or of the scene file of this name, which ends in `.toml`. The
     /// error lists the scenes of the stage.
     pub fn scene(&self, name: &str) -> Result<Scene, Error> {
-        let path = Path::new(name);
-        if path.extension().is_some_and(|end| end == "toml") {
+        #[cfg(not(handout))]
+        if name.rsplit_once('.').is_some_and(|(_, end)| end == "toml") {
             let none = || format!("{} opens no scene files; stages 4 to 7 do", self.name);
-            return self.open.ok_or_else(|| Error::Usage(none()))?(path);
+            return self.open.ok_or_else(|| Error::Usage(none()))?(name.as_ref());
         }
         let known = self.scenes.iter().find(|scene| scene.name == name);
         known.cloned().ok_or_else(|| {

@@ -6,7 +6,6 @@ use clap::{Args, CommandFactory, Parser, Subcommand};
 use common::{Scene, UsedSettings};
 use measure::Stage;
 
-use crate::explain_pixel::Explaining;
 use crate::options::Options;
 
 /// The whole command line; without a command the first scene is shown.
@@ -66,24 +65,27 @@ pub enum Command {
         output: Option<PathBuf>,
 
         /// Render a scene file anew when it is saved
-        #[arg(long, conflicts_with_all = ["all", "explain"])]
+        #[arg(long, conflicts_with = "all")]
         watch: bool,
 
         /// List the work that the renderer leaves out, and the time that this saves
-        #[arg(long, conflicts_with = "no_omit")]
+        #[cfg(not(handout))]
+        #[arg(long, conflicts_with_all = ["no_omit", "watch"])]
         explain: bool,
 
         #[command(flatten)]
         options: Options,
     },
     /// List every number behind a pixel, by the lesson's own functions
+    #[cfg(not(handout))]
     Explain {
         /// The scene, as `list` names it
         scene: String,
         #[command(flatten)]
-        explaining: Explaining,
+        explaining: crate::explain_pixel::Explaining,
     },
     /// Write a scene as text for others to read
+    #[cfg(not(handout))]
     Export {
         /// The scene, as `list` names it, or a scene file that ends in .toml
         scene: String,
@@ -100,6 +102,7 @@ pub enum Command {
         options: Options,
     },
     /// Report error against run time: a table, CSV and plots
+    #[cfg(not(handout))]
     Report {
         /// Experiments; or `scene` and scenes, for the error of their samples [default: all experiments]
         names: Vec<String>,
@@ -113,6 +116,7 @@ pub enum Command {
         output: Option<PathBuf>,
     },
     /// Show the stiff and extreme cases; exit code 1 if one fails
+    #[cfg(not(handout))]
     Extremes {
         /// Beginnings of ids, such as A or A01 [default: all]
         names: Vec<String>,
@@ -140,8 +144,11 @@ impl CommandLine {
         if !uses(|used| used.file) {
             hidden.push("open");
         }
+        #[cfg(handout)]
+        hidden.extend(["max_error", "fast", "no_omit", "watch"]);
         let hide = |command: clap::Command| {
-            command.mut_args(|argument| {
+            let is_unused = !is_sampled && command.get_name() == "explain";
+            command.hide(is_unused).mut_args(|argument| {
                 let is_hidden = hidden.contains(&argument.get_id().as_str());
                 argument.hide(is_hidden)
             })
@@ -151,7 +158,6 @@ impl CommandLine {
             .about(stage.about)
             .after_help(examples(stage.name, &stage.scenes, is_sampled))
             .mut_subcommands(hide)
-            .mut_subcommand("explain", |explain| explain.hide(!is_sampled))
     }
 }
 
@@ -164,7 +170,6 @@ fn examples(program: &str, scenes: &[Scene], is_sampled: bool) -> String {
         "Examples:\n  \
          {program} show {last}{samples}\n  \
          {program} render {first} --size 1280x960 -o picture.png\n  \
-         {program} render --all -o pictures\n  \
-         {program} report --quick"
+         {program} render --all -o pictures"
     )
 }

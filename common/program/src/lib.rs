@@ -4,8 +4,11 @@
 //! The crate of a stage passes its scenes to [`run`], together with a [`Viewer`] if
 //! the build has a window. Only this crate reads arguments and prints.
 
+#[cfg(not(handout))]
 mod explain;
+#[cfg(not(handout))]
 mod explain_pixel;
+#[cfg(not(handout))]
 mod extremes;
 mod gallery;
 mod grammar;
@@ -14,6 +17,7 @@ mod named;
 mod options;
 mod print;
 mod render;
+#[cfg(not(handout))]
 mod report;
 mod run;
 mod show;

@@ -7,7 +7,6 @@ use std::time::{Duration, Instant};
 use common::{Error, Image, Renderer, Scene, Settings};
 use measure::Stage;
 
-use crate::explain::explain;
 use crate::options::Options;
 use crate::print::{print, warn};
 use crate::target::Target;
@@ -20,7 +19,7 @@ pub fn render_to_files(
     stage: &Stage,
     scenes: &[Scene],
     output: Option<PathBuf>,
-    explained: bool,
+    by: impl Fn(&Scene, &Settings, &Options) -> Result<Image, Error>,
     options: &Options,
 ) -> Result<(), Error> {
     let target = Target::new(output, scenes.len())?;
@@ -32,11 +31,7 @@ pub fn render_to_files(
     for (scene, settings) in jobs {
         warn_unused(scene, options, &settings);
         let start = Instant::now();
-        let image = if explained {
-            explain(scene, &settings, options)?
-        } else {
-            render(scene, &settings, options)?
-        };
+        let image = by(scene, &settings, options)?;
         let path = target.write(stage, scene, &image, options.transfer)?;
         let (size, time) = (image.size(), start.elapsed().as_secs_f64());
         print(&format!("{}  {size}  {time:.2} s", path.display()))?;

@@ -5,13 +5,13 @@ use std::process::ExitCode;
 
 use clap::FromArgMatches;
 use clap::error::{ContextKind, ContextValue};
-use common::{Error, Scene, atomic_file};
+use common::{Error, Scene};
 use measure::Stage;
 
 use crate::Viewer;
 use crate::grammar::{Command, CommandLine};
 use crate::print::{print, printed, warn};
-use crate::{explain_pixel, extremes, render, show};
+use crate::{render, show};
 
 /// Runs the program of `stage` with the arguments of this process.
 ///
@@ -77,6 +77,7 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
             all,
             output,
             watch,
+            #[cfg(not(handout))]
             explain,
             options,
         }) => {
@@ -91,8 +92,11 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
             if all {
                 chosen.extend_from_slice(&stage.scenes);
             }
+            let by = render::render;
+            #[cfg(not(handout))]
+            let by = if explain { crate::explain::explain } else { by };
             let render = |scenes: &[Scene]| {
-                render::render_to_files(stage, scenes, output.clone(), explain, &options)
+                render::render_to_files(stage, scenes, output.clone(), by, &options)
             };
             if watch {
                 render::watch(stage, &chosen, render)
@@ -100,6 +104,7 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
                 render(&chosen)
             }
         }
+        #[cfg(not(handout))]
         Some(Command::Export {
             scene,
             to,
@@ -109,21 +114,24 @@ fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Res
             let scene = stage.scene(&scene)?;
             let text = scene.rays()?.export(&to, &options.settings(&scene)?)?;
             match output {
-                Some(path) => atomic_file::write(&path, text.as_bytes()),
+                Some(path) => common::atomic_file::write(&path, text.as_bytes()),
                 None => print(text.trim_end()),
             }
         }
+        #[cfg(not(handout))]
         Some(Command::Explain { scene, explaining }) => {
-            explain_pixel::explain_pixel(&stage.scene(&scene)?, &explaining)
+            crate::explain_pixel::explain_pixel(&stage.scene(&scene)?, &explaining)
         }
+        #[cfg(not(handout))]
         Some(Command::Report {
             names,
             quick,
             output,
         }) => crate::report::report(stage, &names, quick, output),
+        #[cfg(not(handout))]
         Some(Command::Extremes { names, search }) => match search {
-            Some(shape) => extremes::show_worst(stage, &shape),
-            None => extremes::show_extremes(stage, &names),
+            Some(shape) => crate::extremes::show_worst(stage, &shape),
+            None => crate::extremes::show_extremes(stage, &names),
         },
     }
 }

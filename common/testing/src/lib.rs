@@ -9,9 +9,13 @@
 #![allow(clippy::missing_panics_doc, reason = "every check of a test panics")]
 #![cfg_attr(target_family = "wasm", allow(dead_code, reason = "nothing is judged"))]
 
+#[cfg(not(target_family = "wasm"))]
+mod difference;
 pub mod exercise;
+#[cfg(not(handout))]
 #[cfg(not(target_family = "wasm"))]
 mod lab;
+#[cfg(not(handout))]
 #[cfg(not(target_family = "wasm"))]
 pub mod picture_lock;
 mod refusal;

@@ -4,7 +4,6 @@
 //! bytes, and the expected PNG, which is a file of the book. [`lock_pictures!`](crate::lock_pictures) writes the tests;
 //! `INSTA_UPDATE=always` accepts the new pictures, in both halves.
 
-mod difference;
 mod invariance;
 mod left_out;
 mod program_run;
@@ -15,9 +14,8 @@ use common::{Image, Renderer, Scene, Settings, Transfer, fnv1a, picture_file};
 use measure::Stage;
 use program::picture_name;
 
-use difference::compare;
+use crate::difference::{compare_with_file, leave_pictures};
 
-pub(crate) use difference::leave_pictures;
 pub use invariance::{check_narrow_sizes, check_omissions, check_threads};
 pub use left_out::check_book;
 pub use program_run::check_program;
@@ -171,13 +169,6 @@ pub fn check(stage: &Stage, test: &str, places: &Places) {
             );
         }
     }
-}
-
-/// Compares a picture with the one in a file.
-pub(crate) fn compare_with_file(expected: &Path, image: &Image) -> Result<(), String> {
-    picture_file::open(expected)
-        .map_err(|error| error.to_string())
-        .and_then(|stored| compare(&stored, image))
 }
 
 /// Compares the picture of the lesson with both halves of the lock: first with the

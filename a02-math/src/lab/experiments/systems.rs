@@ -6,8 +6,8 @@ use glam::DMat3;
 use measure::experiment::{Axis, Curve, Deviation, Experiment, Unit};
 
 use super::{WholeNumbers, sets};
+use crate::arrays::vector;
 use crate::lab::exact::sum_of_products;
-use crate::lab::extremes::vector;
 use crate::lab::protocol;
 use crate::{Direction, Mat3x3, Vector3};
 

@@ -4,18 +4,17 @@
 //! the solution and nothing of the student, compares them: so an exit code is no verdict.
 
 use std::fs::{self, File};
-use std::path::Path;
-use std::process::Command as Process;
-use std::time::Instant;
+use std::path::{Path, PathBuf};
+use std::process::Command;
 
-use clap::{Arg, ArgMatches, Command};
-
+use super::handout::Handout;
 use super::refusal::refusal;
 use super::result_file::{self, FORMATS};
 use super::sandbox::{NOTE, Sandbox};
-use super::{exercises, failed, handout, stages, submission, until};
+use super::{exercises, stages, submission};
 use crate::exercise::Exercise;
-use crate::{files, judgement};
+use crate::files::{self, failed};
+use crate::judgement;
 
 /// The most characters of a message.
 const MESSAGE: usize = 2000;
@@ -32,86 +31,79 @@ pub struct Outcome {
     pub is_right: bool,
     /// The message to the student.
     pub message: String,
-    pub seconds: f64,
 }
 
-pub fn command() -> Command {
-    let paths = Arg::new("paths").value_name("FOLDER_OR_ZIP");
-    let names = Arg::new("exercises").long("exercises");
-    let names = names.value_name("NAME,NAME").value_delimiter(',');
-    let format = Arg::new("format").long("format").default_value("table");
-    let output = Arg::new("output").short('o').long("output");
-    Command::new("grade")
-        .about("For lecturers: judges submissions, with limits")
-        .arg(paths.num_args(1..).required(true).help("Submissions"))
-        .arg(until())
-        .arg(names.help("The exercises that count [default: all of the stages]"))
-        .arg(format.value_parser(FORMATS).help("The form of the results"))
-        .arg(
-            output
-                .value_name("FILE")
-                .help("The file of the results [default: standard output]"),
-        )
+/// For lecturers: judges submissions, with limits
+#[derive(clap::Args)]
+pub struct Grade {
+    /// Submissions
+    #[arg(required = true, value_name = "FOLDER_OR_ZIP")]
+    paths: Vec<PathBuf>,
+    /// The last stage, as a04 [default: all stages]
+    #[arg(long, value_name = "STAGE")]
+    until: Option<String>,
+    /// The exercises that count [default: all of the stages]
+    #[arg(long, value_name = "NAME,NAME", value_delimiter = ',')]
+    exercises: Option<Vec<String>>,
+    /// The form of the results
+    #[arg(long, default_value = "table", value_parser = FORMATS)]
+    format: String,
 }
 
-pub fn run(course: &'static [Exercise], matches: &ArgMatches) -> Result<String, String> {
-    let all = exercises(course, matches)?;
-    let names = matches.get_many::<String>("exercises");
-    let find = |name: &String| {
-        let exercise = all.iter().copied().find(|e| e.name == name);
-        exercise.ok_or_else(|| format!("no exercise of these stages is {name}"))
-    };
-    let chosen = names.map_or(Ok(all.clone()), |names| names.map(find).collect())?;
-    let format = matches.get_one::<String>("format");
-    let format = format.map_or("", |format| format);
-    let paths = matches.get_many::<String>("paths");
-    let paths: Vec<_> = paths.into_iter().flatten().collect();
-    if ["gradescope", "classroom50"].contains(&format) && paths.len() > 1 {
-        return Err(format!("a file for {format} is about one submission"));
+impl Grade {
+    pub fn run(self, course: &'static [Exercise]) -> Result<String, String> {
+        let all = exercises(course, self.until.as_ref())?;
+        let find = |name: &String| {
+            let exercise = all.iter().copied().find(|e| e.name == name);
+            exercise.ok_or_else(|| format!("no exercise of these stages is {name}"))
+        };
+        let names = self.exercises.as_ref();
+        let chosen = names.map_or(Ok(all.clone()), |names| names.iter().map(find).collect())?;
+        let format = &*self.format;
+        if ["gradescope", "classroom50"].contains(&format) && self.paths.len() > 1 {
+            return Err(format!("a file for {format} is about one submission"));
+        }
+        if let Some(path) = self.paths.iter().find(|path| !path.exists()) {
+            return Err(format!(
+                "{}: there is no such folder or file",
+                path.display()
+            ));
+        }
+        let sandbox = prepared(&all)?;
+        let grade = |path: &PathBuf| {
+            let name = path.file_stem().unwrap_or(path.as_os_str());
+            let name = name.to_string_lossy().into_owned();
+            eprintln!("{name}");
+            let results = chosen.iter().map(|e| outcome(&sandbox, e, path)).collect();
+            Graded { name, results }
+        };
+        let graded: Vec<_> = self.paths.iter().map(grade).collect();
+        Ok(result_file::text(format, &graded))
     }
-    if let Some(path) = paths.iter().find(|path| !Path::new(path).exists()) {
-        return Err(format!("{path}: there is no such folder or file"));
-    }
-    let sandbox = prepared(&all)?;
-    let grade = |path: &String| {
-        let path = Path::new(path);
-        let name = path.file_stem().unwrap_or(path.as_os_str());
-        let name = name.to_string_lossy().into_owned();
-        eprintln!("{name}");
-        let results = chosen.iter().map(|e| outcome(&sandbox, e, path)).collect();
-        Graded { name, results }
-    };
-    let graded: Vec<_> = paths.into_iter().map(grade).collect();
-    let text = result_file::text(format, &graded);
-    let Some(file) = matches.get_one::<String>("output") else {
-        return Ok(text);
-    };
-    fs::write(file, text).map_err(failed(file.as_ref()))?;
-    Ok(format!("{file}: {} submissions", graded.len()))
 }
 
 /// A sandbox with a handout without solutions, which is built.
 fn prepared(all: &[&Exercise]) -> Result<Sandbox, String> {
     let folder = files::workspace().join("target/grading");
     let workbook = folder.join("workbook");
-    if workbook.exists() {
-        fs::remove_dir_all(&workbook).map_err(failed(&workbook))?;
-    }
-    handout::write(&workbook, all, true)?;
+    // If it remains, it is no new folder for a handout.
+    let _ = fs::remove_dir_all(&workbook);
+    let handout = Handout {
+        folder: workbook,
+        without_solutions: true,
+        ..Handout::default()
+    };
+    handout.write(all)?;
     let target = folder.join("target");
     fs::create_dir_all(&target).map_err(failed(&target))?;
     let sandbox = Sandbox { folder };
-    if sandbox
-        .run("check", "", &["test", "-d", "/course"], "")
-        .is_err()
-    {
+    let has_own_root = sandbox.run("check", "", &["test", "-d", "/course"], "");
+    if has_own_root.is_err() {
         eprintln!("{NOTE}");
     }
     let build = "cargo test --offline --quiet --no-run --test exercises";
-    let packages = stages(all)
-        .into_iter()
-        .flat_map(|stage| ["--package", stage]);
-    let build: Vec<_> = build.split(' ').chain(packages).collect();
+    let mut build: Vec<_> = build.split(' ').collect();
+    build.extend(stages(all).into_iter().flat_map(|stage| ["-p", stage]));
     sandbox.run("all", "", &build, "the handout does not build")?;
     Ok(sandbox)
 }
@@ -119,7 +111,6 @@ fn prepared(all: &[&Exercise]) -> Result<Sandbox, String> {
 /// Judges a file of a submission. Each error is a result, so that no submission ends the
 /// grading of others.
 fn outcome(sandbox: &Sandbox, exercise: &'static Exercise, path: &Path) -> Outcome {
-    let start = Instant::now();
     let verdict = submission::read(path, exercise);
     let verdict = verdict.and_then(|text| judge(sandbox, exercise, &text));
     let message = verdict.clone().err().unwrap_or_else(|| "right".to_owned());
@@ -127,7 +118,6 @@ fn outcome(sandbox: &Sandbox, exercise: &'static Exercise, path: &Path) -> Outco
         exercise,
         is_right: verdict.is_ok(),
         message: message.chars().take(MESSAGE).collect(),
-        seconds: start.elapsed().as_secs_f64(),
     }
 }
 
@@ -138,11 +128,8 @@ fn judge(sandbox: &Sandbox, e: &Exercise, text: &str) -> Result<(), String> {
     let file = file.join("exercises").join(e.name).with_extension("rs");
     fs::write(&file, text).map_err(failed(&file))?;
     let words = judgement::arguments(e);
-    let words = words.iter().map(String::as_str);
-    let build: Vec<_> = ["cargo", "--offline", "--quiet"]
-        .into_iter()
-        .chain(words)
-        .collect();
+    let mut build = vec!["cargo", "--offline", "--quiet"];
+    build.extend(words.iter().map(String::as_str));
     let built = sandbox.run("build", "", &build, "does not compile");
     // The next submission shall not find it.
     fs::remove_file(&file).map_err(failed(&file))?;
@@ -152,7 +139,7 @@ fn judge(sandbox: &Sandbox, e: &Exercise, text: &str) -> Result<(), String> {
     let answers = sandbox.output();
     let answers = File::open(&answers).map_err(failed(&answers))?;
     let proofs = judgement::proofs(e.stage)?;
-    let mut verdict = Process::new(&proofs);
+    let mut verdict = Command::new(&proofs);
     verdict.env("EXERCISE_JUDGED", e.name).stdin(answers);
     let verdict = verdict.output().map_err(failed(proofs.as_ref()))?;
     let wrong = String::from_utf8_lossy(&verdict.stdout);

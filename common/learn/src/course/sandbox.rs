@@ -5,7 +5,7 @@ use std::fs::{self, File};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-use super::failed;
+use crate::files::failed;
 
 /// The limits, and how they are set.
 const SCRIPT: &str = include_str!("../../handout/sandbox.sh");

@@ -5,7 +5,7 @@ use std::{env, fs};
 
 use common::{Image, Transfer, picture_file};
 
-use crate::picture_lock::{compare_with_file, leave_pictures};
+use crate::difference::{compare_with_file, leave_pictures};
 
 /// The workspace.
 pub(super) const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");

@@ -2,45 +2,47 @@
 
 use std::fs;
 use std::io::{Cursor, Write};
-use std::process::Command as Process;
+use std::process::Command;
 
-use clap::{Arg, ArgMatches, Command};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
-use super::failed;
 use crate::exercise::Exercise;
-use crate::{files, progress};
+use crate::files::{self, failed};
+use crate::progress;
 
-pub fn command() -> Command {
-    let name = Arg::new("name").value_name("NAME").required(true);
-    Command::new("submit")
-        .about("Packs your files into NAME.zip, which you hand in")
-        .arg(name.help("Your name, in letters, digits, - and _"))
+/// Packs your files into NAME.zip, which you hand in
+#[derive(clap::Args)]
+pub struct Submit {
+    /// Your name, in letters, digits, - and _
+    #[arg(value_name = "NAME")]
+    name: String,
 }
 
-/// Writes the zip file, and returns what is in it.
-pub fn run(course: &[Exercise], matches: &ArgMatches) -> Result<String, String> {
-    let name = matches.get_one::<String>("name").map_or("", |name| name);
-    let is_plain = |c: char| c.is_alphanumeric() || ['-', '_'].contains(&c);
-    if name.is_empty() || !name.chars().all(is_plain) {
-        return Err(format!("\"{name}\" is no name of letters, digits, - and _"));
+impl Submit {
+    /// Writes the zip file, and returns what is in it.
+    pub fn run(self, course: &[Exercise]) -> Result<String, String> {
+        let name = self.name;
+        let is_plain = |c: char| c.is_alphanumeric() || ['-', '_'].contains(&c);
+        if name.is_empty() || !name.chars().all(is_plain) {
+            return Err(format!("\"{name}\" is no name of letters, digits, - and _"));
+        }
+        let begun: Vec<_> = course.iter().filter(|e| files::is_begun(e)).collect();
+        if begun.is_empty() {
+            return Err("no exercise is begun; `cargo learn` shows the first".to_owned());
+        }
+        let path = format!("{name}.zip");
+        let bytes = packed(&begun)?;
+        fs::write(&path, bytes).map_err(failed(path.as_ref()))?;
+        let done = begun.iter().filter(|e| progress::is_done(e)).count();
+        let count = begun.len();
+        Ok(format!("{path}: {count} files, {done} of them done"))
     }
-    let begun: Vec<_> = course.iter().filter(|e| files::is_begun(e)).collect();
-    if begun.is_empty() {
-        return Err("no exercise is begun; `cargo learn` shows the first".to_owned());
-    }
-    let path = format!("{name}.zip");
-    let bytes = packed(&begun)?;
-    fs::write(&path, bytes).map_err(failed(path.as_ref()))?;
-    let done = begun.iter().filter(|e| progress::is_done(e)).count();
-    let count = begun.len();
-    Ok(format!("{path}: {count} files, {done} of them done"))
 }
 
 /// The zip file: the student's files, and the results of the last checks.
 fn packed(begun: &[&Exercise]) -> Result<Vec<u8>, String> {
-    let rustc = Process::new("rustc").arg("--version").output();
+    let rustc = Command::new("rustc").arg("--version").output();
     let rustc = rustc.map_or(Vec::new(), |said| said.stdout);
     let mut results = concat!("learn ", env!("CARGO_PKG_VERSION"), "\n").to_owned();
     results += &String::from_utf8_lossy(&rustc);

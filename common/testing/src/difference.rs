@@ -5,7 +5,7 @@ use std::path::Path;
 use common::{Color, Image, Transfer, picture_file};
 
 /// Describes the difference of a picture from the expected one, if there is one.
-pub fn compare(expected: &Image, actual: &Image) -> Result<(), String> {
+fn compare(expected: &Image, actual: &Image) -> Result<(), String> {
     let (size, other) = (expected.size(), actual.size());
     if size != other {
         return Err(format!("expected {size} pixels, got {other}"));
@@ -28,6 +28,13 @@ pub fn compare(expected: &Image, actual: &Image) -> Result<(), String> {
         first % width,
         first / width,
     ))
+}
+
+/// Compares a picture with the one in a file.
+pub fn compare_with_file(expected: &Path, image: &Image) -> Result<(), String> {
+    picture_file::open(expected)
+        .map_err(|error| error.to_string())
+        .and_then(|stored| compare(&stored, image))
 }
 
 /// Writes the actual, the expected and the difference picture into a folder, and
@@ -60,25 +67,4 @@ pub fn leave_pictures(scratch: &Path, expected: &Path, actual: &Image, differenc
         }
     }
     report.join("\n")
-}
-
-#[cfg(test)]
-mod tests {
-    use common::Size;
-
-    use super::*;
-
-    #[test]
-    fn a_difference_is_described_in_full() {
-        let black = |width| Image::black(Size::new(width, 64).unwrap()).unwrap();
-        let mut other = black(96);
-        assert_eq!(compare(&black(96), &other), Ok(()));
-        other.set(5, 2, Color::from_bytes([0, 7, 0]));
-        other.set(9, 60, Color::from_bytes([3, 0, 0]));
-        let text = "2 of 6144 pixels differ, a channel by at most 7 of 255; \
-                    the first is column 5, row 2: expected [0, 0, 0], got [0, 7, 0]";
-        assert_eq!(compare(&black(96), &other).unwrap_err(), text);
-        let text = "expected 96x64 pixels, got 97x64";
-        assert_eq!(compare(&black(96), &black(97)).unwrap_err(), text);
-    }
 }

@@ -1,0 +1,15 @@
+//! Points and vectors from arrays of numbers, as tables of inputs write them.
+
+use crate::{Point3, Vector3};
+
+/// The vector with these coordinates.
+#[must_use]
+pub const fn vector([x, y, z]: [f64; 3]) -> Vector3 {
+    Vector3::new(x, y, z)
+}
+
+/// The point with these coordinates.
+#[must_use]
+pub const fn point([x, y, z]: [f64; 3]) -> Point3 {
+    Point3::new(x, y, z)
+}
