@@ -30,9 +30,7 @@ pub fn stage() -> Stage {
         experiments: crate::lab::experiments,
         #[cfg(not(handout))]
         extremes: |_| Vec::new(),
-        #[cfg(not(handout))]
         search: None,
-        #[cfg(not(handout))]
         open: None,
     }
 }

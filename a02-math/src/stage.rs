@@ -19,9 +19,7 @@ pub fn stage() -> Stage {
         )],
         experiments: crate::lab::experiments::experiments,
         extremes: crate::lab::extremes::cases,
-        #[cfg(not(handout))]
         search: None,
-        #[cfg(not(handout))]
         open: None,
     }
 }

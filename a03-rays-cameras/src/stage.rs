@@ -38,9 +38,7 @@ pub fn stage() -> Stage {
         scenes: scenes().map(Into::into).into(),
         experiments: crate::lab::experiments::experiments,
         extremes: crate::lab::extremes::cases,
-        #[cfg(not(handout))]
         search: None,
-        #[cfg(not(handout))]
         open: None,
     }
 }

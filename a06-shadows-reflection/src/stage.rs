@@ -30,7 +30,6 @@ pub fn stage() -> Stage {
         scenes: scenes().map(Into::into).into(),
         experiments: crate::lab::experiments::experiments,
         extremes: crate::lab::extremes::cases,
-        #[cfg(not(handout))]
         search: None,
         open: Some(|path| a03_rays_cameras::from_file::scene(path, 6, crate::from_file::view)),
     }

@@ -110,7 +110,7 @@ fn each_step_is_answered() {
             None if act == "start" => {}
             None => writeln!(learn.stdin.as_mut().unwrap(), "{act}").unwrap(),
         }
-        let line = || printed.recv_timeout(Duration::from_secs(60));
+        let line = || printed.recv_timeout(Duration::from_mins(1));
         while !line().expect(step).contains(words) {}
         println!("{:4} ms  {name}  {step}", asked.elapsed().as_millis());
     }

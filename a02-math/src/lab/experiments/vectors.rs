@@ -3,7 +3,6 @@
 use measure::experiment::{Axis, Curve, Deviation, Experiment, Unit};
 
 use super::{WholeNumbers, sets};
-use crate::arrays::vector;
 use crate::lab::exact::sum_of_products;
 use crate::lab::protocol;
 use crate::{Direction, Vector3};

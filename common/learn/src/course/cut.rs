@@ -9,10 +9,11 @@ use std::collections::BTreeMap;
 /// The crates that only laboratories use, which manifests do not name then.
 const CRATES: [&str; 2] = ["engine", "scene-file"];
 
-/// The words of lines that name the modules.
+/// The words of lines that name the modules, or say that a stage has no such module.
 #[rustfmt::skip]
-const JOINTS: [&str; 7] = [
+const JOINTS: [&str; 9] = [
     "mod lab;", " lab::", "::lab::", "mod fast;", "::fast::", "mod from_file;", "::from_file::",
+    "open: None,", "search: None,",
 ];
 
 /// Leaves these items, modules and crates out of files, which are given by their paths.
