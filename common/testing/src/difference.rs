@@ -68,3 +68,24 @@ pub fn leave_pictures(scratch: &Path, expected: &Path, actual: &Image, differenc
     }
     report.join("\n")
 }
+
+#[cfg(test)]
+mod tests {
+    use common::Size;
+
+    use super::*;
+
+    #[test]
+    fn a_difference_is_described_in_full() {
+        let black = |width| Image::black(Size::new(width, 64).unwrap()).unwrap();
+        let mut other = black(96);
+        assert_eq!(compare(&black(96), &other), Ok(()));
+        other.set(5, 2, Color::from_bytes([0, 7, 0]));
+        other.set(9, 60, Color::from_bytes([3, 0, 0]));
+        let text = "2 of 6144 pixels differ, a channel by at most 7 of 255; \
+                    the first is column 5, row 2: expected [0, 0, 0], got [0, 7, 0]";
+        assert_eq!(compare(&black(96), &other).unwrap_err(), text);
+        let text = "expected 96x64 pixels, got 97x64";
+        assert_eq!(compare(&black(96), &black(97)).unwrap_err(), text);
+    }
+}
