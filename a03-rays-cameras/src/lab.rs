@@ -5,7 +5,7 @@
 mod drawing;
 pub mod experiments;
 pub mod extremes;
-mod pixel_trace;
+pub mod pixel_trace;
 pub mod protocol;
 pub mod watched;
 

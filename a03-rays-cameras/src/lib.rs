@@ -25,7 +25,7 @@ mod view;
 pub use bounded_ray::BoundedRay;
 pub use camera::{Basis, Camera};
 #[doc(hidden)]
-pub use lab::protocol;
+pub use lab::{pixel_trace::paint, protocol};
 pub use orthographic_camera::OrthographicCamera;
 pub use perspective_camera::PerspectiveCamera;
 pub use pinhole_camera::PinholeCamera;
@@ -35,6 +35,8 @@ pub use render::{camera_coordinates, render};
 pub use sampler::Sampler;
 pub use stage::{scenes as traced_scenes, stage};
 pub use striped_sky::{StripeRule, StripedSky};
+#[cfg(handout)]
+pub use view::paint;
 pub use view::{TracedScene, TracedWorld, View};
 
 /// Tests the code in this stage's chapter.

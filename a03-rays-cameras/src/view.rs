@@ -76,6 +76,16 @@ impl<W: TracedWorld> View<W> {
     }
 }
 
+/// Renders a picture, as [`render`], for code that is not in the lesson.
+#[cfg(handout)]
+pub fn paint(
+    camera: &(impl Camera + ?Sized),
+    radiance: impl Fn(&Ray) -> Color + Sync,
+    settings: &Settings,
+) -> Result<Image, Error> {
+    render(camera, radiance, settings, &())
+}
+
 impl View {
     /// Renders the picture with the lesson, the only renderer here.
     #[cfg(handout)]

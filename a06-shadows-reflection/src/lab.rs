@@ -7,4 +7,4 @@ pub mod experiments;
 pub mod extremes;
 pub mod lit_points;
 pub mod protocol;
-pub(crate) mod watched;
+pub mod watched;

@@ -21,6 +21,7 @@ mod settings;
 mod size;
 pub mod steps;
 pub mod tally;
+pub mod traced_picture;
 mod transfer;
 
 pub use argument::ArgumentError;

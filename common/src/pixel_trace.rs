@@ -18,40 +18,37 @@ pub struct PixelTrace {
     pub steps: Vec<Step>,
 }
 
-/// The place of a value in a trace, by the names of its steps and its symbol; the value; and the
-/// other trace's value, if it has one.
-pub type Difference<'a> = (String, &'a [f64], Option<&'a [f64]>);
+/// A value of a trace: its place, by the names of its steps and its symbol; its step; its numbers.
+pub type Value<'a> = (String, &'a Step, &'a [f64]);
 
 impl PixelTrace {
-    /// The first value that this trace and another both have, and that is not the same in both;
-    /// if there is none, the first value of this trace that the other does not have.
+    /// The first value that is not the same in both traces, and the other trace's, which may
+    /// lack it only if the step is not `needed`.
     pub fn first_difference<'a>(
         &'a self,
         other: &'a Self,
+        needed: impl Fn(&Step) -> bool,
         is_same: impl Fn(f64, f64) -> bool,
-    ) -> Option<Difference<'a>> {
-        let others: HashMap<_, _> = other.values().collect();
-        let pairs = || {
-            let values = self.values();
-            values.map(|(place, value)| (others.get(&place).copied(), (place, value)))
-        };
-        let differs = |(other, (_, value)): &(Option<&[f64]>, (_, &[f64]))| {
-            other.is_some_and(|other| !value.iter().zip(other).all(|(a, b)| is_same(*a, *b)))
-        };
-        let first = pairs().find(differs);
-        let first = first.or_else(|| pairs().find(|(other, _)| other.is_none()));
-        first.map(|(other, (place, value))| (place, value, other))
+    ) -> Option<(Value<'a>, Option<&'a [f64]>)> {
+        let others: HashMap<_, _> = other.values().map(|(place, _, v)| (place, v)).collect();
+        self.values().find_map(|(place, step, value)| {
+            let other = others.get(&place).copied();
+            let is_same = other.map_or(!needed(step), |other| {
+                value.iter().zip(other).all(|(a, b)| is_same(*a, *b))
+            });
+            (!is_same).then_some(((place, step, value), other))
+        })
     }
 
     /// All values with their places.
-    fn values(&self) -> impl Iterator<Item = (String, &[f64])> {
+    fn values(&self) -> impl Iterator<Item = Value<'_>> {
         let mut path: Vec<&str> = Vec::new();
         self.steps.iter().flat_map(move |step| {
             path.truncate(step.level);
             path.push(&step.name);
             let place = path.join(", ");
             let values = step.values.iter();
-            values.map(move |(symbol, value)| (format!("{place}: {symbol}"), &**value))
+            values.map(move |(symbol, value)| (format!("{place}: {symbol}"), step, &**value))
         })
     }
 
@@ -143,19 +140,17 @@ mod tests {
     }
 
     #[test]
-    fn traces_part_at_another_number_or_else_at_a_missing_step() {
+    fn traces_part_at_another_number_or_at_a_missing_step() {
         let ours = trace(&["a", "b"], &[1.0]);
-        let first = |names: &[&str], number| {
+        let first = |names: &[&str], number, is_needed| {
             let other = trace(names, &[number]);
-            let first = ours.first_difference(&other, |a, b| a == b);
-            first.map(|(place, _, other)| (place, other.map(|other| other[0])))
+            let first = ours.first_difference(&other, |_| is_needed, |a, b| a == b);
+            first.map(|((place, ..), other)| (place, other.map(|other| other[0])))
         };
-        assert_eq!(first(&["a", "b"], 1.0), None);
-        assert_eq!(
-            first(&["c", "b"], 2.0),
-            Some(("b: x".to_owned(), Some(2.0)))
-        );
-        assert_eq!(first(&["b", "c"], 1.0), Some(("a: x".to_owned(), None)));
+        assert_eq!(first(&["b"], 1.0, false), None);
+        let at_b = Some(("b: x".to_owned(), Some(2.0)));
+        assert_eq!(first(&["c", "b"], 2.0, false), at_b);
+        assert_eq!(first(&["b"], 1.0, true), Some(("a: x".to_owned(), None)));
     }
 
     #[test]

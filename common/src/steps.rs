@@ -62,6 +62,8 @@ pub const REFLECTED: &str = "reflected ray";
 pub const TEST: &str = "test";
 /// The kind of the nearest hit, which is shaded; and the outcome of a test that finds a hit.
 pub const HIT: &str = "hit";
+/// The name of the step at which a ray without a hit takes the background.
+pub const NO_HIT: &str = "no hit: the background";
 
 #[derive(Default)]
 struct Record {

@@ -3,10 +3,12 @@
 use std::sync::Arc;
 
 use common::steps::{self, Step};
-use common::{Color, Error, Explained, PixelTrace, Renderer, Sampling, Settings, Size};
+use common::traced_picture::trace_chosen;
+use common::{Color, Error, Explained, Image, PixelTrace, Renderer, Sampling, Settings, Size};
 
 use super::drawing;
-use crate::{Camera, Ray, Sampler, View, camera_coordinates, fast};
+use super::watched::push_ray;
+use crate::{Camera, Ray, Sampler, View, camera_coordinates, fast, render};
 
 const SAMPLES: &str = "a03-rays-cameras.md#many-rays-a-pixel";
 const LOOP: &str = "a03-rays-cameras.md#the-only-loop";
@@ -24,7 +26,7 @@ impl View {
     /// The steps from a pixel, whose column and row lie in the picture, to its colour, by the
     /// renderer of the settings. The engine takes only the steps of the loop over the samples.
     pub fn trace(self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error> {
-        let ([column, row], size, sampler) = (pixel, settings.size, Sampler::new(settings));
+        let size = settings.size;
         let one_pixel = Settings {
             size: Size::new(1, 1)?,
             samples: 1,
@@ -42,30 +44,8 @@ impl View {
             }
             _ => Ok(view.world.radiance(ray, settings.depth)),
         };
-        let (color, steps) = steps::recorded(|| {
-            let mut sum = Color::BLACK;
-            for (i, place) in (1..).zip(sampler.places(column, row)) {
-                let name = format!("sample {i} of {}", sampler.samples());
-                let (x, y) = camera_coordinates(size, column, row, place);
-                let step = Step::new("sample", name, SAMPLES).with("place", [place.0, place.1]);
-                steps::push(step.with("x", [x]).with("y", [y]));
-                sum += steps::inside(|| {
-                    let color = radiance(&view.camera.ray_for(size, x, y))?;
-                    let step = Step::new("radiance", "light along the ray", LOOP);
-                    steps::heading(step.with("f", color.channels()));
-                    Ok::<_, Error>(color)
-                })?;
-            }
-            let mean = sum.map(|sum| sum / f64::from(sampler.samples()));
-            let step = Step::new("mean", "mean of the samples", LOOP);
-            steps::push(step.with("c", mean.channels()));
-            Ok::<_, Error>(mean)
-        });
-        let color = color?;
-        Ok(PixelTrace {
-            pixel,
-            color,
-            steps,
+        trace_samples(settings, pixel, |x, y| {
+            radiance(&view.camera.ray_for(size, x, y))
         })
     }
 
@@ -75,6 +55,59 @@ impl View {
     pub fn drawing(self, steps: &[Step], name: &str) -> String {
         drawing::svg(&*self.world.watched(false), steps, name)
     }
+}
+
+/// The steps from a pixel to the mean of this function of the places of its samples.
+fn trace_samples(
+    settings: &Settings,
+    pixel: [u32; 2],
+    color: impl Fn(f64, f64) -> Result<Color, Error>,
+) -> Result<PixelTrace, Error> {
+    let ([column, row], size, sampler) = (pixel, settings.size, Sampler::new(settings));
+    let (color, steps) = steps::recorded(|| {
+        let mut sum = Color::BLACK;
+        for (i, place) in (1..).zip(sampler.places(column, row)) {
+            let name = format!("sample {i} of {}", sampler.samples());
+            let (x, y) = camera_coordinates(size, column, row, place);
+            let step = Step::new("sample", name, SAMPLES).with("place", [place.0, place.1]);
+            steps::push(step.with("x", [x]).with("y", [y]));
+            sum += steps::inside(|| {
+                let color = color(x, y)?;
+                let step = Step::new("radiance", "light along the ray", LOOP);
+                steps::heading(step.with("f", color.channels()));
+                Ok::<_, Error>(color)
+            })?;
+        }
+        let mean = sum.map(|sum| sum / f64::from(sampler.samples()));
+        let step = Step::new("mean", "mean of the samples", LOOP);
+        steps::push(step.with("c", mean.channels()));
+        Ok::<_, Error>(mean)
+    });
+    let color = color?;
+    Ok(PixelTrace {
+        pixel,
+        color,
+        steps,
+    })
+}
+
+/// Renders a picture, as [`render`], and traces its chosen pixel: for code that is not in the
+/// lesson, as that of exercises.
+pub fn paint(
+    camera: &(impl Camera + ?Sized),
+    radiance: impl Fn(&Ray) -> Color + Sync,
+    settings: &Settings,
+) -> Result<Image, Error> {
+    let image = render(camera, &radiance, settings, &())?;
+    trace_chosen(&image, |pixel| {
+        let color = |x, y| {
+            let ray = camera.ray_for(settings.size, x, y);
+            push_ray(&ray);
+            Ok(radiance(&ray))
+        };
+        trace_samples(settings, pixel, color).ok()
+    });
+    Ok(image)
 }
 
 /// The name of a scene, and the function that makes its view for each picture.

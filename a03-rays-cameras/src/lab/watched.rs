@@ -39,11 +39,16 @@ impl Camera for Watched {
             }
         }
         let ray = self.camera.ray_for(size, x, y);
-        if steps::is_on() {
-            let section = "a03-rays-cameras.md#the-ray";
-            steps::heading(ray_step(RAY, "ray from the camera", section, &ray));
-        }
+        push_ray(&ray);
         ray
+    }
+}
+
+/// Records a ray from the camera.
+pub fn push_ray(ray: &Ray) {
+    if steps::is_on() {
+        let section = "a03-rays-cameras.md#the-ray";
+        steps::heading(ray_step(RAY, "ray from the camera", section, ray));
     }
 }
 

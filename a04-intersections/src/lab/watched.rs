@@ -4,7 +4,7 @@ use std::any::Any;
 
 use a03_rays_cameras::Ray;
 use common::Color;
-use common::steps::{self, HIT, RAY, REFLECTED, Step, TEST, type_name};
+use common::steps::{self, HIT, NO_HIT, RAY, REFLECTED, Step, TEST, type_name};
 use common::tally::{self, Work};
 
 use crate::from_file::Mesh;
@@ -89,6 +89,9 @@ impl Watched {
 
 /// Records the nearest hit, which is shaded.
 pub fn push_hit(ray: &Ray, hit: &Hit) {
+    if !steps::is_on() {
+        return;
+    }
     let step = Step::new(HIT, "the nearest hit", WORLD)
         .with("t", [hit.t])
         .with("p", ray.at(hit.t).to_glam().to_array())
@@ -103,7 +106,7 @@ pub fn push_background(background: Color) {
         kinds.find(|kind| [RAY, REFLECTED, HIT].contains(kind))
     };
     if steps::is_on() && steps::so_far(last).is_some_and(|kind| kind != HIT) {
-        push_color("no hit: the background", background);
+        push_color(NO_HIT, background);
     }
 }
 

@@ -1,5 +1,8 @@
 //! Spheres and a smooth triangle in all orders, compared with the lesson's `World`.
 
+#[cfg(not(handout))]
+use a04_intersections::watched::{push_background, push_hit};
+
 use crate::prelude::*;
 
 pub fn nearest(world: &World<usize>, ray: &Ray, within: Interval) -> Option<(Hit, usize)> {
@@ -29,11 +32,15 @@ pub fn check(check: &mut Check, yours: Nearest) {
     );
     check.scene(&a04_intersections::stage(), "scene-5", |settings| {
         let world = world(0.5, &[[-1.0, 0.0, -3.0], [1.0, 0.0, -6.0]])?;
-        let color = |ray: &Ray| match yours(&world, ray, Interval::AHEAD) {
-            Some(_) => Color::RED,
-            None => Color::BLACK,
+        let color = |ray: &Ray| {
+            let hit = yours(&world, ray, Interval::AHEAD);
+            #[cfg(not(handout))]
+            let hit = hit.inspect(|(hit, _)| push_hit(ray, hit));
+            #[cfg(not(handout))]
+            push_background(Color::BLACK);
+            hit.map_or(Color::BLACK, |_| Color::RED)
         };
-        render(&scene_5()?.camera, color, settings, &())
+        paint(&scene_5()?.camera, color, settings)
     });
 }
 

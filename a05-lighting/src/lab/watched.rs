@@ -47,18 +47,23 @@ impl Light for WatchedLight {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
         let light = self.1.illumination(point);
         if steps::is_on() {
-            let name = format!("light {}: {}", self.0, type_name(&self.1));
-            let step = Step::new(LIGHT, name, "a05-lighting.md#three-lights");
-            steps::heading(match light {
-                None => step,
-                Some(light) => step
-                    .with("cl", light.color.channels())
-                    .with("l", light.direction.to_glam().to_array())
-                    .with("distance", [light.distance]),
-            });
+            push_light(self.0, &type_name(&self.1), light);
         }
         light
     }
+}
+
+/// Records the light that arrives from a source, counted from 1, of this type.
+pub fn push_light(number: usize, name: &str, light: Option<Illumination>) {
+    let name = format!("light {number}: {name}");
+    let step = Step::new(LIGHT, name, "a05-lighting.md#three-lights");
+    steps::heading(match light {
+        None => step,
+        Some(light) => step
+            .with("cl", light.color.channels())
+            .with("l", light.direction.to_glam().to_array())
+            .with("distance", [light.distance]),
+    });
 }
 
 /// Wraps this material to count its powers.
@@ -93,9 +98,7 @@ impl<M: Material + ?Sized> Material for Watched<M> {
             lighting,
             is_used: Cell::new(false),
         };
-        if steps::is_on() {
-            watched::push_hit(ray, hit);
-        }
+        watched::push_hit(ray, hit);
         let color = steps::inside(|| {
             let color = self.material.color_for(ray, hit, &light);
             if steps::is_on() {
@@ -228,6 +231,7 @@ fn add_outcomes(steps: &mut [Step], hit: &Hit) {
         let angle = Vector3::from(hit.normal).angle(l).to_degrees();
         light.values.push(("n·l", vec![cosine]));
         light.values.push(("degrees", vec![angle]));
+        light.values.push(("arrives", vec![f64::from(is_used)]));
     }
 }
 

@@ -20,7 +20,7 @@ pub fn check(check: &mut Check, yours: fn(Color, Vector3) -> Arriving) {
         &|(c, d), _| yours(color(c), vector(d)),
     );
     let sun = |_| yours(Color::WHITE, vector([-1.0; 3]));
-    let picture = lit(scenes::phong_directional(), sun);
+    let picture = lit(scenes::phong_directional(), "DirectionalLight", sun);
     check.scene(&stage(), "phong-directional", picture);
 }
 

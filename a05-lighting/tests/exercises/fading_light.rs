@@ -12,7 +12,7 @@ pub fn check(check: &mut Check, yours: fn(Color, Point3, Point3) -> Arriving) {
         &|(c, lamp), p| yours(color(c), point(lamp), p),
     );
     let lamp = |p| yours(Color::gray(2.5), point([0.2, 2.2, 1.5]), p);
-    check.picture(lit(scenes::phong(), lamp));
+    check.picture(lit(scenes::phong(), "", lamp));
 }
 
 variants! { check:

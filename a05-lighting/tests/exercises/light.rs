@@ -3,6 +3,9 @@
 
 use std::array;
 
+#[cfg(not(handout))]
+use a05_lighting::watched::push_light;
+
 use crate::prelude::*;
 
 /// The light that arrives at a point.
@@ -78,13 +81,17 @@ pub fn compare_lights<P: Input>(
     );
 }
 
-/// The picture of a scene of shiny objects in the student's light.
+/// The picture of a scene of shiny objects in the student's light, whose type is `name`.
 pub fn lit(
     view: Made<View<LitWorld>>,
+    name: &str,
     light: impl Fn(Point3) -> Arriving + Sync,
 ) -> impl FnOnce(&Settings) -> Result<Image, Error> {
     shaded(view, move |diffuse, ray, hit, world| {
-        let lights = Lights(world.ambient(), Vec::from_iter(light(ray.at(hit.t))));
+        let light = light(ray.at(hit.t));
+        let lights = Lights(world.ambient(), Vec::from_iter(light));
+        #[cfg(not(handout))]
+        push_light(1, name, light);
         let shiny = Phong::new(diffuse, Color::WHITE, 64.0);
         shiny.map_or(Color::BLACK, |shiny| shiny.color_for(ray, hit, &lights))
     })

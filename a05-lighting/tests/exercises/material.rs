@@ -1,6 +1,13 @@
 //! Compares materials: in light from before, from behind and along the surface, with normals
 //! aslant to the face, for eyes at all distances.
 
+#[cfg(not(handout))]
+use {
+    a04_intersections::watched::{push_background, push_hit},
+    a05_lighting::watched as recorded,
+    common::steps::{self, Step, type_name},
+};
+
 use crate::prelude::*;
 
 /// Direction to the eye and its distance, normal and face, ambient light, and the colour of
@@ -123,11 +130,34 @@ pub fn shaded(
     view: Made<View<LitWorld>>,
     color: impl Fn(Color, &Ray, &Hit, &dyn Lighting) -> Color + Sync,
 ) -> impl FnOnce(&Settings) -> Result<Image, Error> {
+    #[cfg(not(handout))]
+    let view = view.map(|view| {
+        view.map(|world| recorded::world(world, |_, own| own, |own| own, recorded::light))
+    });
     rendered(view, move |world: &LitWorld, ray, _| {
+        let background = world.objects().background();
         let nearest = world.objects().hit(ray, Interval::AHEAD);
-        nearest.map_or(world.objects().background(), |(hit, material)| {
+        let shown = nearest.map_or(background, |(hit, material)| {
             let diffuse = material.color_for(ray, &hit, &Lights(Color::WHITE, Vec::new()));
-            color(diffuse, ray, &hit, world)
-        })
+            let shaded = || color(diffuse, ray, &hit, world);
+            #[cfg(not(handout))]
+            let shaded = || shaded_in_steps(ray, &hit, type_name(material), shaded);
+            shaded()
+        });
+        #[cfg(not(handout))]
+        push_background(background);
+        shown
     })
+}
+
+/// The colour of a hit, with its steps recorded.
+#[cfg(not(handout))]
+fn shaded_in_steps(ray: &Ray, hit: &Hit, name: &str, shaded: impl Fn() -> Color) -> Color {
+    push_hit(ray, hit);
+    let color = steps::inside(shaded);
+    if steps::is_on() {
+        let step = Step::new("color", format!("colour of {name}"), "");
+        steps::inside(|| steps::heading(step.with("c", color.channels())));
+    }
+    color
 }

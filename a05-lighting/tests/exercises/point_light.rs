@@ -16,7 +16,8 @@ pub fn check(check: &mut Check, yours: fn(Color, Point3, Point3) -> Arriving) {
         &|(c, lamp), p| yours(color(c), point(lamp), p),
     );
     let lamp = |p| yours(Color::WHITE, point([4.0; 3]), p);
-    check.scene(&stage(), "phong", lit(scenes::phong(), lamp));
+    let picture = lit(scenes::phong(), "PointLight", lamp);
+    check.scene(&stage(), "phong", picture);
 }
 
 variants! { check:

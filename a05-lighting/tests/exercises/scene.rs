@@ -29,6 +29,6 @@ pub fn rendered<W: Sync>(
     move |settings| {
         let View { camera, world } = view?;
         let color: &(dyn Fn(&Ray) -> Color + Sync) = &|ray| color(&world, ray, settings.depth);
-        render(&camera, color, settings, &())
+        paint(&camera, color, settings)
     }
 }

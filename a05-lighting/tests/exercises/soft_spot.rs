@@ -17,7 +17,7 @@ pub fn check(check: &mut Check, yours: fn(Color, Point3, Vector3, [f64; 2], Poin
     );
     let (lamp, inwards) = (point([4.0; 3]), vector([-1.0; 3]));
     let yours = |p| yours(Color::WHITE, lamp, inwards, [0.1, 0.3], p);
-    check.picture(lit(scenes::phong_spot(), yours));
+    check.picture(lit(scenes::phong_spot(), "", yours));
 }
 
 variants! { check:

@@ -33,7 +33,8 @@ pub fn check(
         );
     }
     let spot = |p| yours(Color::WHITE, point([4.0; 3]), unit([-1.0; 3]), PI / 14.0, p);
-    check.scene(&stage(), "phong-spot", lit(scenes::phong_spot(), spot));
+    let picture = lit(scenes::phong_spot(), "SpotLight", spot);
+    check.scene(&stage(), "phong-spot", picture);
 }
 
 /// The light where this function accepts the angle of the point and the half angle.

@@ -61,18 +61,23 @@ impl WatchedWorld {
             all_work,
         }
     }
+
+    /// The colour that this function of the world finds for a ray from the camera.
+    pub fn color(&self, trace: impl FnOnce(&ShadowedWorld) -> Color) -> Color {
+        NEXT.set(None);
+        let color = trace(&self.world);
+        geometries::push_background(self.world.objects().background());
+        color
+    }
 }
 
 impl TracedWorld for WatchedWorld {
     fn radiance(&self, ray: &Ray, depth: u32) -> Color {
-        NEXT.set(None);
-        let color = if self.all_work {
-            NaiveTracer(&self.world).trace(ray, depth)
+        if self.all_work {
+            self.color(|world| NaiveTracer(world).trace(ray, depth))
         } else {
-            RecursiveTracer::new(&self.world).trace(ray, depth)
-        };
-        geometries::push_background(self.world.objects().background());
-        color
+            self.color(|world| RecursiveTracer::new(world).trace(ray, depth))
+        }
     }
 
     fn watched(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {

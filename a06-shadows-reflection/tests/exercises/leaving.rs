@@ -27,7 +27,7 @@ pub fn check(check: &mut Check, yours: &(dyn Fn(&Ray, &Hit, Vector3) -> Ray + Sy
         [&secondary_ray as _, yours],
         |leaving, input| left(input, leaving),
     );
-    let picture = rendered(scenes::sphere(), |world, ray, depth| {
+    let picture = reflected_scene(scenes::sphere(), |world, ray, depth| {
         Tracer(world, &is_shadowed, yours).trace(ray, depth)
     });
     check.scene(&stage(), "sphere", picture);

@@ -30,7 +30,7 @@ pub fn check(check: &mut Check, yours: &(dyn Fn(&ShadowedWorld, &Ray, u32) -> Co
             Some(trace(&world, &Ray::derived(point(o), unit(d)), depth).channels())
         },
     );
-    check.scene(&stage(), "sphere", rendered(scenes::sphere(), yours));
+    check.scene(&stage(), "sphere", reflected_scene(scenes::sphere(), yours));
 }
 
 /// The recursion, whose reflected rays go along this direction.

@@ -43,7 +43,7 @@ pub fn check(
             Some(is_shadowed(world.objects(), &ray, &hit, &light))
         },
     );
-    let picture = rendered(scenes::aab(), |world, ray, depth| {
+    let picture = reflected_scene(scenes::aab(), |world, ray, depth| {
         Tracer(world, yours, &secondary_ray).trace(ray, depth)
     });
     check.scene(&stage(), "aab", picture);

@@ -1,5 +1,8 @@
 //! Worlds of mirrors, and a tracer with the student's code in it.
 
+#[cfg(not(handout))]
+use a06_shadows_reflection::lab::watched::WatchedWorld;
+
 use crate::prelude::*;
 
 /// The objects of a world.
@@ -24,8 +27,8 @@ impl Tracer<'_> {
             return objects.background() * f64::from(depth.min(1));
         };
         let direction = (-ray.direction()).reflected_on(hit.normal);
-        let reflected = self.trace(&leaving(ray, &hit, direction), depth - 1);
-        surface.color_for(ray, &hit, self) + surface.reflection() * reflected
+        let color = surface.color_for(ray, &hit, self);
+        color + surface.reflection() * self.trace(&leaving(ray, &hit, direction), depth - 1)
     }
 }
 
@@ -43,6 +46,22 @@ impl Lighting for Tracer<'_> {
             .filter(|light| !is_shadowed(world.objects(), ray, hit, light))
             .for_each(|light| shade(&light));
     }
+}
+
+#[cfg(handout)]
+pub use crate::scene::rendered as reflected_scene;
+
+/// The picture of a scene in the colours of this function, which records its steps.
+#[cfg(not(handout))]
+pub fn reflected_scene(
+    view: Made<View<ShadowedWorld>>,
+    color: impl Fn(&ShadowedWorld, &Ray, u32) -> Color + Sync,
+) -> impl FnOnce(&Settings) -> Result<Image, Error> {
+    let watched = |world| WatchedWorld::new(world, |geometry| geometry, false);
+    let view = view.map(|view| view.map(watched));
+    rendered(view, move |world: &WatchedWorld, ray, depth| {
+        world.color(|world| color(world, ray, depth))
+    })
 }
 
 /// A floor y = 0, a ball and a smooth triangle that mirror, and a lamp.

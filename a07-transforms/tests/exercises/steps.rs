@@ -2,6 +2,9 @@
 
 pub use std::f64::consts::{FRAC_PI_2, TAU};
 
+#[cfg(not(handout))]
+use a06_shadows_reflection::lab::watched::WatchedWorld;
+
 use crate::prelude::*;
 
 /// A step of a transform: the transform alone.
@@ -88,9 +91,13 @@ pub fn locked_scene(
         let light = PointLight::new(Color::WHITE, point(light))?;
         let world = ShadowedWorld::empty(Color::BLACK, Color::gray(ambient))?;
         let world = fill(world.lit_by(LightSource::new(light, casts_shadows)))?;
-        let (camera, tracer) = (diagonal_camera(eye)?, RecursiveTracer::new(&world));
-        let color = |ray: &Ray| tracer.trace(ray, settings.depth);
-        render(&camera, color, settings, &())
+        #[cfg(handout)]
+        let color = |ray: &Ray| RecursiveTracer::new(&world).trace(ray, settings.depth);
+        #[cfg(not(handout))]
+        let world = WatchedWorld::new(world, |geometry| geometry, false);
+        #[cfg(not(handout))]
+        let color = |ray: &Ray| world.radiance(ray, settings.depth);
+        paint(&diagonal_camera(eye)?, color, settings)
     });
 }
 

@@ -113,10 +113,8 @@ mod tests {
             );
             for folder in ["starters", "solutions"] {
                 let folder = fs::read_dir(files::shortest(&format!("{stage}/exercises/{folder}")));
-                let paths = folder
-                    .into_iter()
-                    .flatten()
-                    .map(|file| file.unwrap().path());
+                let entries = folder.into_iter().flatten();
+                let paths = entries.map(|file| file.unwrap().path());
                 files.extend(paths.map(|path| path.file_stem().unwrap().to_owned()));
             }
             let starter = files::starter(exercise).unwrap();

@@ -10,11 +10,8 @@ use crate::exercise::Exercise;
 pub fn workspace() -> PathBuf {
     let folder = env::var_os("CARGO_MANIFEST_DIR");
     let folder = PathBuf::from(folder.unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into()));
-    folder
-        .ancestors()
-        .nth(2)
-        .map(Path::to_owned)
-        .unwrap_or_default()
+    let workspace = folder.ancestors().nth(2);
+    workspace.map(Path::to_owned).unwrap_or_default()
 }
 
 /// A path in the workbook, as short as it is from the current folder.
@@ -67,15 +64,13 @@ fn without_code(solution: &str) -> String {
     let mut starter = String::new();
     let mut lines = solution.lines();
     while let Some(line) = lines.next() {
-        let head = line
-            .strip_suffix(", {")
-            .and_then(|head| head.split_once("missing!("));
+        let head = line.strip_suffix(", {");
+        let head = head.and_then(|head| head.split_once("missing!("));
         if let Some((before, arguments)) = head {
             let indent = &line[..line.len() - line.trim_start().len()];
             let end = format!("{indent}}})");
-            let rest = lines
-                .find_map(|line| line.strip_prefix(&end))
-                .unwrap_or_default();
+            let rest = lines.find_map(|line| line.strip_prefix(&end));
+            let rest = rest.unwrap_or_default();
             starter += &[before, "testing::missing(", arguments, ")", rest, "\n"].concat();
         } else {
             starter += &[line, "\n"].concat();

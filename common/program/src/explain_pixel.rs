@@ -80,8 +80,8 @@ pub fn explain_pixel(scene: &Scene, explaining: &Explaining) -> Result<(), Error
     if *beside {
         let other = explained.trace(&settings, *pixel)?;
         let is_same = |a: f64, b: f64| a.to_bits() == b.to_bits();
-        print(&match trace.first_difference(&other, is_same) {
-            Some((place, value, Some(other))) => {
+        print(&match trace.first_difference(&other, |_| false, is_same) {
+            Some(((place, _, value), Some(other))) => {
                 format!("first difference: {place} is {value:?}, by the other renderer {other:?}")
             }
             _ => "the other renderer has the same numbers in each step that both take".to_owned(),

@@ -23,10 +23,14 @@ use common::ArgumentError;
 
 mod answer;
 mod check;
+#[cfg(not(target_family = "wasm"))]
+mod divergence;
 mod findings;
 mod input;
 #[cfg_attr(target_family = "wasm", path = "../../../book/live/src/yours.rs")]
 mod judge;
+#[cfg_attr(target_family = "wasm", allow(dead_code))]
+mod known;
 #[cfg(not(target_family = "wasm"))]
 mod picture;
 #[cfg(not(target_family = "wasm"))]
@@ -73,13 +77,16 @@ pub struct Exercise {
 /// about, and the check of its code.
 pub struct Variant(bool, &'static str, fn(&mut Check));
 
+/// The check of the solution, and the variants of an exercise.
+pub type Known = (fn(&mut Check), &'static [Variant]);
+
 /// A right solution in another style.
 #[must_use]
 pub const fn right(about: &'static str, check: fn(&mut Check)) -> Variant {
     Variant(true, about, check)
 }
 
-/// A usual mistake, with a sentence that a learner can use.
+/// A usual mistake, with the fact that it overlooks, after which learners read "that".
 #[must_use]
 pub const fn wrong(about: &'static str, check: fn(&mut Check)) -> Variant {
     Variant(false, about, check)
@@ -186,6 +193,9 @@ macro_rules! exercises {
                 let judged = judge(stage, stringify!($name), {
                     use yours::$name::*;
                     Code { examples, check: $check }
+                }, {
+                    use {prelude::*, $name::*};
+                    ($check, $name::VARIANTS)
                 });
             )*)+
             #[cfg(learn)]

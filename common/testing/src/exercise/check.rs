@@ -4,8 +4,14 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use common::{Error, Image, Settings, Size};
 #[cfg(not(target_family = "wasm"))]
-use {super::picture, measure::Stage, program::picture_name};
+use {
+    super::{divergence, findings::found_missing, picture},
+    common::{picture_file, traced_picture::traced},
+    measure::Stage,
+    program::picture_name,
+};
 
+use super::known::{self, Known};
 use super::tape::Tape;
 use super::{Answer, Input};
 
@@ -36,10 +42,16 @@ pub struct Check {
     pub(super) mistake: Option<usize>,
     /// Whether somebody looks at pictures, and at the count of differences.
     pub(super) is_watched: bool,
+    /// Whether the code is in a student's file.
+    pub(super) is_yours: bool,
     pub(super) picture: Option<Image>,
     /// The answers of the lesson or the solution, with their tolerances, and the student's.
     pub(super) lesson: Tape,
     pub(super) yours: Tape,
+    /// The results of the comparisons, if somebody looks; and a student's results while a known
+    /// mistake is compared with them.
+    pub(super) results: Vec<known::Result>,
+    pub(super) known: Option<Known>,
 }
 
 impl Check {
@@ -110,6 +122,10 @@ impl Check {
         lesson: &dyn Fn(I) -> Answer,
         yours: &dyn Fn(I) -> Answer,
     ) -> bool {
+        if let Some(known) = &mut self.known {
+            let unit = self.lacks.map_or(UNIT, |_| ROUNDING);
+            return known.compare_at(unit, is_simple, input, yours);
+        }
         let Some(right) = self.lesson.next(|| Some(lesson(input.clone()))) else {
             self.conclude(Some("the recorded answers are incomplete".to_owned()));
             return false;
@@ -123,6 +139,7 @@ impl Check {
         let usual = allowed(UNIT);
         let Some(tolerances) = strict.unwrap_or_else(|| usual.clone()) else {
             self.skipped += 1;
+            self.results.push(None);
             return true;
         };
         let run = || catch_unwind(AssertUnwindSafe(|| yours(input.clone()))).ok();
@@ -140,6 +157,7 @@ impl Check {
             };
             described(words, input, &about)
         });
+        self.results.push(Some((got, difference.is_some())));
         self.conclude(difference);
         self.is_watched || self.differ == 0
     }
@@ -151,8 +169,8 @@ impl Check {
     }
 
     /// Renders a scene of the stage with the student's code, and compares the picture
-    /// with the locked one, unless an earlier comparison of this check has failed: then
-    /// the numbers say more.
+    /// with the locked one. If they differ, the worst pixel is traced by both. After an earlier
+    /// failure, only students see the picture.
     #[cfg(not(target_family = "wasm"))]
     pub fn scene(
         &mut self,
@@ -160,18 +178,37 @@ impl Check {
         name: &str,
         render: impl FnOnce(&Settings) -> Result<Image, Error>,
     ) {
-        if self.differ > 0 {
+        // Unfinished code has no picture.
+        let is_shown = self.is_yours && found_missing().is_empty();
+        if self.known.is_some() || self.differ > 0 && !is_shown {
             return;
         }
         let compared = stage.scene(name).and_then(|scene| {
-            let image = self.painted(&scene.defaults, render)?;
-            let image = self.picture.insert(image);
             let locked = picture::in_book(&picture_name(stage, &scene));
-            Ok(picture::compare(&locked, image, self.is_watched))
+            let expected = picture_file::open(&locked).ok();
+            let worst = move |image: &Image| divergence::worst_pixel(expected.as_ref()?, image);
+            let (image, yours) = traced(worst, || self.painted(&scene.defaults, render));
+            let image = self.picture.insert(image?);
+            let compared = picture::compare(&locked, image, self.is_watched);
+            let is_right = compared.is_ok();
+            let mut text = compared.unwrap_or_else(|wrong| wrong);
+            if let (Some(yours), Some(explained), true) =
+                (yours, &scene.explained, self.differ > 0 || !is_right)
+            {
+                let lesson = explained.trace(&scene.defaults, yours.pixel)?;
+                let parts = divergence::first_divergence(&lesson, &yours);
+                text.extend(parts.map(|parts| format!("\n{parts}")));
+            }
+            Ok((is_right, text))
         });
-        let verdict = compared.unwrap_or_else(|error| Err(error.to_string()));
-        let wrong = verdict.map(|note| self.note = Some(note)).err();
-        self.conclude(wrong.map(|wrong| format!("the picture of scene {name}: {wrong}")));
+        let (is_right, text) = compared.unwrap_or_else(|error| (false, error.to_string()));
+        let text = format!("the picture of scene {name}: {text}");
+        if self.differ > 0 || is_right {
+            self.compared += usize::from(is_right);
+            self.note = Some(text);
+        } else {
+            self.conclude(Some(text));
+        }
     }
 
     /// Adds a remark on code that is right, if somebody looks at it.

@@ -7,7 +7,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use super::{Answer, Check, Code};
 
 /// The parts that the running check has found missing.
-fn found_missing() -> MutexGuard<'static, Vec<String>> {
+pub(super) fn found_missing() -> MutexGuard<'static, Vec<String>> {
     static MISSING: Mutex<Vec<String>> = Mutex::new(Vec::new());
     MISSING.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -43,8 +43,8 @@ pub(super) struct Findings {
 }
 
 impl Findings {
-    /// Runs the examples of a code, and its check if they hold, or if parts are missing.
-    /// The empty `check` says whether somebody looks at pictures.
+    /// Runs the examples of a code, and its check. The empty `check` says whether somebody looks
+    /// at pictures.
     pub fn of(code: Code, mut check: Check) -> Self {
         found_missing().clear();
         let mut wrong = Vec::new();
@@ -53,17 +53,15 @@ impl Findings {
             let fails = "an example at the end of the file fails, with the message above";
             wrong.push(fails.to_owned());
         }
-        if wrong.is_empty() || !found_missing().is_empty() {
-            if fails(&mut || (code.check)(&mut check)) {
-                wrong.push("it panics, with the message above".to_owned());
-            }
-            wrong.extend(check.first.take());
-            if check.differ > 0 {
-                let (differ, compared) = (check.differ, check.compared);
-                wrong.push(format!("{differ} of {compared} comparisons differ"));
-            } else if check.compared <= check.skipped {
-                wrong.push("nothing is compared".to_owned());
-            }
+        if fails(&mut || (code.check)(&mut check)) {
+            wrong.push("it panics, with the message above".to_owned());
+        }
+        wrong.extend(check.first.take());
+        if check.differ > 0 {
+            let (differ, compared) = (check.differ, check.compared);
+            wrong.push(format!("{differ} of {compared} comparisons differ"));
+        } else if check.compared <= check.skipped {
+            wrong.push("nothing is compared".to_owned());
         }
         Self {
             missing: mem::take(&mut found_missing()),

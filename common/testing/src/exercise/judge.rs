@@ -4,12 +4,13 @@ use std::panic::{self, Location};
 use std::process::ExitCode;
 
 use super::findings::Findings;
-use super::{Check, Code, picture};
+use super::known::recognised;
+use super::{Check, Code, Known, picture, replay};
 
 /// Runs the examples and the check of a student's file, prints the findings, and exits with
 /// 0 if the code is right, with 1 if it is not, and with 3 if parts are still missing.
 #[must_use]
-pub fn judge(stage: &str, name: &'static str, code: Code) -> ExitCode {
+pub fn judge(stage: &str, name: &'static str, code: Code, known: Known) -> ExitCode {
     panic::set_hook(Box::new(move |panic| {
         let line = panic.location().map_or(0, Location::line);
         let message = panic.payload_as_str().unwrap_or_default();
@@ -23,7 +24,10 @@ pub fn judge(stage: &str, name: &'static str, code: Code) -> ExitCode {
         println!("to do: {}", found.missing.join("; "));
         return ExitCode::from(3);
     }
-    for line in found.wrong.iter().chain(&found.check.note) {
+    // Without the solution, nothing is known about mistakes.
+    let has_known = !found.wrong.is_empty() && !replay::recorded(stage, name).is_file();
+    let known = has_known.then(|| recognised(&found.check, known)).flatten();
+    for line in found.wrong.iter().chain(&found.check.note).chain(&known) {
         println!("{line}");
     }
     ExitCode::from(u8::from(!found.wrong.is_empty()))

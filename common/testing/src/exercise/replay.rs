@@ -28,6 +28,7 @@ impl Check {
     /// A check of the student's code.
     pub(super) fn of_yours(stage: &str, name: &str) -> Self {
         let mut check = Self::new(true, None);
+        check.is_yours = true;
         if let Ok(record) = fs::read_to_string(recorded(stage, name)) {
             check.lesson = Tape::read(&record);
         }
