@@ -141,7 +141,7 @@ pub fn shaded(
             let diffuse = material.color_for(ray, &hit, &Lights(Color::WHITE, Vec::new()));
             let shaded = || color(diffuse, ray, &hit, world);
             #[cfg(not(handout))]
-            let shaded = || shaded_in_steps(ray, &hit, type_name(material), shaded);
+            let shaded = || shaded_in_steps(ray, &hit, &**material, shaded);
             shaded()
         });
         #[cfg(not(handout))]
@@ -152,11 +152,16 @@ pub fn shaded(
 
 /// The colour of a hit, with its steps recorded.
 #[cfg(not(handout))]
-fn shaded_in_steps(ray: &Ray, hit: &Hit, name: &str, shaded: impl Fn() -> Color) -> Color {
+fn shaded_in_steps(
+    ray: &Ray,
+    hit: &Hit,
+    material: &dyn Material,
+    shaded: impl Fn() -> Color,
+) -> Color {
     push_hit(ray, hit);
     let color = steps::inside(shaded);
     if steps::is_on() {
-        let step = Step::new("color", format!("colour of {name}"), "");
+        let step = Step::new("color", format!("colour of {}", type_name(material)), "");
         steps::inside(|| steps::heading(step.with("c", color.channels())));
     }
     color
