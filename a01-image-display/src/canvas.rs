@@ -152,7 +152,7 @@ fn drawable(points: &[(f64, f64)]) -> bool {
 }
 
 /// The distance of a point from the line between two others.
-fn distance(at: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
+pub fn distance(at: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
     let (line_x, line_y) = (to.0 - from.0, to.1 - from.1);
     let (x, y) = (at.0 - from.0, at.1 - from.1);
     let square = line_x * line_x + line_y * line_y;

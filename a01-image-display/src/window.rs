@@ -1,49 +1,44 @@
 //! `Window`: shows the scenes of a stage while they are rendered.
 
+mod appearance;
 mod command;
+mod content;
 mod drawing;
+mod execute;
 mod frame;
-mod input;
 mod keyboard;
-mod log;
-mod menu_bar;
+mod letters;
+mod mouse;
 mod placement;
 mod screen;
-mod text;
 
-use common::{Image, Size};
 use program::{Gallery, NotShown, Viewer};
-
-use screen::Screen;
 
 /// Shown when the file dialog is cancelled.
 const NO_FILE: &str = "no file was chosen; the argument --open FILE shows one, too";
 
-/// A window that has the size of the picture and can save it.
+/// A window with the picture, menus, and a panel of its numbers.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Window;
 
 impl Viewer for Window {
     fn show(&self, gallery: &mut Gallery) -> Result<(), NotShown> {
-        let asks = gallery.opens_files() && !gallery.has_file();
-        let chosen = asks.then(choose_file).flatten();
-        let has_chosen = chosen.is_some();
-        if let Some(file) = chosen {
-            gallery.open(file);
+        let asks = gallery.scene.uses.file && gallery.options.open.is_none();
+        if asks {
+            gallery.options.open = choose_file();
         }
-        if let Some(picture) = gallery.picture() {
-            return Screen::open(gallery, picture.size())?.run(gallery);
-        }
-        // The size of a file is not known before it has been read.
-        gallery.start()?;
-        let outcome = match gallery.wait() {
+        let has_chosen = asks && gallery.options.open.is_some();
+        if gallery.scene.uses.file {
+            // The size of a file is not known before it has been read.
+            gallery.start()?;
+            gallery.wait();
             // A file of the command line: the error goes to the terminal.
-            Err(error) if !has_chosen => return Err(error.into()),
-            outcome => outcome,
-        };
-        let size = outcome.as_ref().map_or(Size::COURSE, Image::size);
-        let mut screen = Screen::open(gallery, size)?;
-        screen.finish(gallery, outcome);
+            let is_error = |outcome: &mut Result<_, _>| outcome.is_err() && !has_chosen;
+            if let Some(Err(error)) = gallery.outcome.take_if(is_error) {
+                return Err(error.into());
+            }
+        }
+        let mut screen = screen::Screen::open(gallery)?;
         if asks && !has_chosen {
             screen.notify(NO_FILE.to_owned());
         }

@@ -7,6 +7,8 @@ pub mod experiments;
 pub mod extremes;
 pub mod pixel_trace;
 pub mod protocol;
+mod seen_rays;
+pub mod turned;
 pub mod watched;
 
 pub(crate) use pixel_trace::ViewOf;

@@ -31,6 +31,12 @@ pub trait TracedWorld: Any + Send + Sync {
         None
     }
 
+    /// The places of the lights that have one, so that they can be moved.
+    #[cfg(not(handout))]
+    fn light_places(&mut self) -> Vec<&mut a02_math::Point3> {
+        Vec::new()
+    }
+
     /// The same world with wrappers around its parts, which count its work and record its steps;
     /// with `all_work` they also do the work that the lesson leaves out. The colours do not
     /// change.
@@ -201,12 +207,15 @@ pub(crate) fn scene_of<F>(name: &'static str, about: &'static str, reflects: boo
 where
     F: Fn(Size) -> Result<View, Error> + Send + Sync + 'static,
 {
-    let view = Arc::new(view);
-    let painted = Arc::clone(&view);
+    let make = Arc::new(view);
+    let made = Arc::clone(&make);
     let mut scene = Scene::traced(name, about, move |settings, progress| {
-        painted(settings.size)?.render(settings, progress)
+        let view = made(settings.size)?;
+        #[cfg(not(handout))]
+        let view = view.moved(settings, &*made)?;
+        view.render(settings, progress)
     });
     scene.uses.depth = reflects;
-    scene.explained = Some(Arc::new(crate::lab::ViewOf(name, view)));
+    scene.explained = Some(Arc::new(crate::lab::ViewOf(name, make)));
     scene
 }

@@ -4,5 +4,8 @@
 
 pub mod experiments;
 pub mod extremes;
+mod light_places;
 pub mod protocol;
 pub mod watched;
+
+pub use light_places::light_places;

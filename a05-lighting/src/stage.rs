@@ -63,6 +63,11 @@ impl TracedWorld for LitWorld {
     }
 
     #[cfg(not(handout))]
+    fn light_places(&mut self) -> Vec<&mut a02_math::Point3> {
+        crate::lab::light_places(self, |light| &mut **light)
+    }
+
+    #[cfg(not(handout))]
     fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
         use crate::watched;
         use a04_intersections::watched::{plain, push_background};

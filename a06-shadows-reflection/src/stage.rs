@@ -70,6 +70,11 @@ impl TracedWorld for RecursiveWorld {
     }
 
     #[cfg(not(handout))]
+    fn light_places(&mut self) -> Vec<&mut a02_math::Point3> {
+        a05_lighting::lab::light_places(&mut self.world, |source| &mut *source.light)
+    }
+
+    #[cfg(not(handout))]
     fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
         let Self { world, watched, .. } = *self;
         Box::new(crate::lab::watched::WatchedWorld::new(

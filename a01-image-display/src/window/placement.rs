@@ -5,10 +5,9 @@ use common::Size;
 use super::frame::Area;
 
 /// The scale of the picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Zoom {
-    /// As large as fits: enlarged by a whole factor, or shrunk.
-    #[default]
+    /// As large as fits: enlarged by a whole factor, which keeps pixels sharp, or shrunk.
     Fit,
     /// Enlarged by a whole factor, this place of the picture in the middle.
     Factor(u32, (f64, f64)),
@@ -18,11 +17,11 @@ pub enum Zoom {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
     /// Window pixels per picture pixel.
-    scale: f64,
+    pub scale: f64,
     /// Position of the picture's upper left corner.
     corner: (f64, f64),
-    picture: Size,
-    area: Area,
+    pub picture: Size,
+    pub area: Area,
 }
 
 /// The largest factor by which a picture can be enlarged beyond the size that fits.
@@ -32,88 +31,119 @@ impl Placement {
     /// The place of a picture in this part of the window.
     pub fn new(picture: Size, area: Area, zoom: Zoom) -> Self {
         let [width, height] = [picture.width(), picture.height()].map(f64::from);
+        let fit = (f64::from(area.width) / width).min(f64::from(area.height) / height);
         let (scale, middle) = match zoom {
-            Zoom::Fit => {
-                let fit = (f64::from(area.width) / width).min(f64::from(area.height) / height);
-                // Whole factors keep pixels crisp.
-                let scale = if fit >= 1.0 { fit.floor() } else { fit };
-                (scale, (width / 2.0, height / 2.0))
-            }
+            Zoom::Fit if fit >= 1.0 => (fit.floor(), (width / 2.0, height / 2.0)),
+            Zoom::Fit => (fit, (width / 2.0, height / 2.0)),
             Zoom::Factor(factor, middle) => (factor.into(), middle),
         };
         // Whole coordinates, so that at scale 1 the pixels coincide.
         let corner = |start: i32, side: i32, middle: f64| {
             (f64::from(start) + f64::from(side) / 2.0 - middle * scale).floor()
         };
+        let x = corner(area.x, area.width, middle.0);
+        let y = corner(area.y, area.height, middle.1);
         Self {
             scale,
-            corner: (
-                corner(area.x, area.width, middle.0),
-                corner(area.y, area.height, middle.1),
-            ),
+            corner: (x, y),
             picture,
             area,
         }
     }
 
-    /// The part of the window that is left for the picture.
-    pub const fn area(&self) -> Area {
-        self.area
-    }
-
-    /// The point of the picture at a point of the window.
-    fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
+    /// The point of the window at a point of the picture.
+    pub fn in_window(&self, [x, y]: [f64; 2]) -> (f64, f64) {
         let (left, top) = self.corner;
-        ((x - left) / self.scale, (y - top) / self.scale)
+        (left + x * self.scale, top + y * self.scale)
     }
 
-    /// Column and row of the picture's pixel that is shown at a pixel of the
-    /// window, if there is one.
-    pub fn pixel(&self, x: i32, y: i32) -> Option<(u32, u32)> {
-        let (column, row) = self.place(middle_of(x, y));
-        let inside = self.area.contains(x, y)
-            && (0.0..self.picture.width().into()).contains(&column)
-            && (0.0..self.picture.height().into()).contains(&row);
-        inside.then_some((column as u32, row as u32))
+    /// Column and row of the picture's pixel that is shown at a pixel of the window.
+    pub fn pixel(&self, (x, y): (i32, i32)) -> Option<(u32, u32)> {
+        let (column, row) = (self.columns(x, 1).next()??, self.rows(y, 1).next()??);
+        self.area.contains((x, y)).then_some((column, row))
     }
 
-    /// Enlarged by the next whole factor; the pixel under the cursor, if the cursor is
-    /// over the picture, stays in place.
-    pub fn zoomed_in(&self, cursor: Option<(i32, i32)>) -> Zoom {
-        let factor = self.scale.floor() as u32;
-        // A picture of few pixels may fit enlarged by more than that.
-        let factor = (factor + 1).min(GREATEST_FACTOR.max(factor));
-        self.zoomed(factor, cursor)
+    /// The columns of the picture at some places in a pixel of the window; none beside the
+    /// picture.
+    pub fn columns(&self, x: i32, places: u32) -> impl Iterator<Item = Option<u32>> {
+        spread(x, places, self.corner.0, self.scale, self.picture.width())
     }
 
-    /// Shrunk to the next smaller whole factor; as large as fits if that is larger.
-    pub fn zoomed_out(&self, cursor: Option<(i32, i32)>) -> Zoom {
-        let factor = (self.scale.ceil() as u32).saturating_sub(1);
-        let fit = Self::new(self.picture, self.area, Zoom::Fit);
-        if f64::from(factor) > fit.scale {
-            self.zoomed(factor, cursor)
+    /// The rows of the picture, likewise.
+    pub fn rows(&self, y: i32, places: u32) -> impl Iterator<Item = Option<u32>> {
+        spread(y, places, self.corner.1, self.scale, self.picture.height())
+    }
+
+    /// Zoomed in to the next whole factor, or out, at most until it fits. The place under the
+    /// cursor, if that is over the picture, stays there.
+    pub fn zoomed(&self, larger: bool, cursor: (i32, i32)) -> Zoom {
+        let fit = Self::new(self.picture, self.area, Zoom::Fit).scale;
+        let factor = if larger {
+            let factor = self.scale.floor() as u32;
+            // A picture of few pixels may fit enlarged by more than that.
+            (factor + 1).min(GREATEST_FACTOR.max(factor))
         } else {
-            Zoom::Fit
+            (self.scale.ceil() as u32).saturating_sub(1)
+        };
+        if f64::from(factor) <= fit && !larger {
+            return Zoom::Fit;
         }
+        let (middle, at) = (self.middle(), self.place(cursor));
+        let to = self.pixel(cursor).map_or(middle, |_| at);
+        // The place under the cursor stays there if the middle moves towards it.
+        let share = self.scale / f64::from(factor);
+        let moved = |to: f64, from: f64| to + (from - to) * share;
+        Zoom::Factor(factor, (moved(to.0, middle.0), moved(to.1, middle.1)))
     }
 
-    fn zoomed(&self, factor: u32, cursor: Option<(i32, i32)>) -> Zoom {
-        let (x, y) = self.place((
-            f64::from(self.area.x) + f64::from(self.area.width) / 2.0,
-            f64::from(self.area.y) + f64::from(self.area.height) / 2.0,
-        ));
-        let over = cursor.filter(|(x, y)| self.pixel(*x, *y).is_some());
-        let (to_x, to_y) = over.map_or((x, y), |(x, y)| self.place(middle_of(x, y)));
-        // The point under the cursor stays there if the middle moves towards it.
-        let share = self.scale / f64::from(factor);
-        let middle = (to_x + (x - to_x) * share, to_y + (y - to_y) * share);
-        Zoom::Factor(factor, middle)
+    /// Moved by pixels of the window, if it is zoomed.
+    pub fn panned(&self, zoom: Zoom, (x, y): (i32, i32)) -> Zoom {
+        let Zoom::Factor(factor, (across, down)) = zoom else {
+            return zoom;
+        };
+        let moved = |middle: f64, way: i32, side: u32| {
+            (middle - f64::from(way) / self.scale).clamp(0.0, f64::from(side))
+        };
+        let across = moved(across, x, self.picture.width());
+        Zoom::Factor(factor, (across, moved(down, y, self.picture.height())))
+    }
+
+    /// The point of the picture at the middle of a pixel of the window.
+    fn place(&self, (x, y): (i32, i32)) -> (f64, f64) {
+        let place = |at: i32, corner| (f64::from(at) + 0.5 - corner) / self.scale;
+        (place(x, self.corner.0), place(y, self.corner.1))
+    }
+
+    /// The point of the picture in the middle of the area.
+    fn middle(&self) -> (f64, f64) {
+        let Area {
+            x,
+            y,
+            width,
+            height,
+        } = self.area;
+        let place =
+            |at, side, corner| (f64::from(at) + f64::from(side) / 2.0 - corner) / self.scale;
+        (
+            place(x, width, self.corner.0),
+            place(y, height, self.corner.1),
+        )
     }
 }
 
-/// The middle of a pixel of the window.
-fn middle_of(x: i32, y: i32) -> (f64, f64) {
-    (f64::from(x) + 0.5, f64::from(y) + 0.5)
+/// Columns, or rows, of a picture at places that are evenly spread over a pixel of the window.
+fn spread(
+    at: i32,
+    places: u32,
+    start: f64,
+    scale: f64,
+    side: u32,
+) -> impl Iterator<Item = Option<u32>> {
+    (0..places).map(move |i| {
+        let at = f64::from(at) + (f64::from(i) + 0.5) / f64::from(places);
+        let place = (at - start) / scale;
+        (0.0..side.into()).contains(&place).then_some(place as u32)
+    })
 }
 
 #[cfg(test)]
@@ -128,14 +158,14 @@ mod tests {
     #[test]
     fn zooming_keeps_the_pixel_under_the_cursor_or_the_middle() {
         // Beside the picture, the cursor does not count.
-        for (cursor, (x, y)) in [((500, 100), (500, 100)), ((5, 5), (320, 258))] {
+        for (cursor, under) in [((500, 100), (500, 100)), ((5, 5), (320, 258))] {
             let mut placement = placed(640, 480, Zoom::Fit);
-            let under = placement.pixel(x, y);
+            let pixel = placement.pixel(under);
             for factor in 2..7 {
-                let zoom = placement.zoomed_in(Some(cursor));
+                let zoom = placement.zoomed(true, cursor);
                 assert!(matches!(zoom, Zoom::Factor(found, _) if found == factor));
                 placement = placed(640, 480, zoom);
-                assert_eq!(placement.pixel(x, y), under);
+                assert_eq!(placement.pixel(under), pixel);
             }
         }
     }
@@ -145,13 +175,14 @@ mod tests {
     #[test]
     fn zooming_ends_where_the_picture_fits_and_at_64_times() {
         for (side, first, last) in [(100, 5, 64), (960, 1, 64), (1, 480, 480)] {
-            let zoom_in = |zoom, _| placed(side, side, zoom).zoomed_in(None);
+            let zoom_in = |zoom, _| placed(side, side, zoom).zoomed(true, (0, 0));
             let first_zoom = zoom_in(Zoom::Fit, 0);
             let last_zoom = (0..100).fold(Zoom::Fit, zoom_in);
             let middle = (f64::from(side) / 2.0, f64::from(side) / 2.0);
             assert_eq!(first_zoom, Zoom::Factor(first, middle));
             assert_eq!(last_zoom, Zoom::Factor(last, middle));
-            assert_eq!(placed(side, side, first_zoom).zoomed_out(None), Zoom::Fit);
+            let back = placed(side, side, first_zoom).zoomed(false, (0, 0));
+            assert_eq!(back, Zoom::Fit);
         }
     }
 }

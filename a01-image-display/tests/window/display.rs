@@ -3,35 +3,31 @@
 //! The window writes a line for each of its states into a file; a test waits for the state
 //! that it expects, and never for a time.
 
-use std::fs;
 use std::io::{self, BufRead, BufReader, Read, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
+use std::{fs, thread};
 
-use common::fnv1a;
 use tempfile::{NamedTempFile, TempPath};
 
 /// After this time a test stops waiting and fails.
 const PATIENCE: Duration = Duration::from_mins(1);
 
-/// Height of the window's menu bar.
-pub const BAR: u32 = 18;
-
 /// A program, its window and the display. Both processes end when it is dropped.
 pub struct Display {
     server: Child,
     name: String,
-    program: Child,
+    pub program: Child,
     log: TempPath,
     window: String,
 }
 
 impl Display {
-    /// Starts a program in a folder with the arguments of a line, on a screen of
-    /// 1600x1300 pixels, and gives its window the keyboard. The environment leads to no
-    /// other display and to no file dialog. On a machine without Xvfb or xdotool none, and
-    /// a sentence on stderr.
+    /// Starts a program in a folder with the arguments of a line, on a screen of 1600x1300
+    /// pixels, and gives its window the keyboard. The environment leads to no other display,
+    /// to no file dialog and to no settings of a system. On a machine without Xvfb or xdotool
+    /// none, and a sentence on stderr.
     pub fn start(program: &Path, line: &str, folder: &Path) -> Option<Self> {
         for (tool, argument) in [("Xvfb", "-help"), ("xdotool", "version")] {
             if let Err(error) = Command::new(tool).arg(argument).output() {
@@ -47,8 +43,6 @@ impl Display {
             .args(line.split_whitespace())
             .current_dir(folder)
             .env_remove("WAYLAND_DISPLAY")
-            .env_remove("WAYLAND_SOCKET")
-            .env_remove("XDG_RUNTIME_DIR")
             .env("DISPLAY", &name)
             .env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/dev/null")
             .env("PATH", "")
@@ -76,21 +70,26 @@ impl Display {
 
     /// Runs xdotool and returns its output; none if it fails.
     fn xdotool(&self, line: &str) -> Option<String> {
-        let output = Command::new("xdotool")
+        let mut command = Command::new("xdotool");
+        let output = command
             .args(line.split_whitespace())
             .env("DISPLAY", &self.name)
-            .output()
-            .expect("xdotool runs");
+            .output();
+        let output = output.expect("xdotool runs");
         let text = String::from_utf8_lossy(&output.stdout).trim().to_owned();
         output.status.success().then_some(text)
     }
 
-    /// Executes commands of xdotool, such as `keydown s` or `mousedown 1`; `WINDOW`
-    /// stands for the window.
+    /// Executes commands of xdotool, such as `key ctrl+s`; `WINDOW` stands for the window.
     pub fn act(&self, line: &str) {
         let line = line.replace("WINDOW", &self.window);
         // It fails, without effect, if a busy server does not answer.
         wait_for(&line, || self.xdotool(&line));
+    }
+
+    /// Presses and releases keys one after the other.
+    pub fn press(&self, keys: &str) {
+        self.act(&format!("key {keys}"));
     }
 
     /// Gives the keyboard to the window, and waits until the program has noticed.
@@ -101,15 +100,39 @@ impl Display {
         });
     }
 
-    /// Presses and releases keys, such as `ctrl+s`, one after the other.
-    pub fn press(&self, keys: &str) {
-        self.act(&format!("key {keys}"));
+    /// Moves the mouse to a pixel of the window.
+    pub fn point_at(&self, x: i32, y: i32) {
+        self.act(&format!("mousemove --window WINDOW {x} {y}"));
+        self.wait_for(&[&format!("at: ({x}, {y})")]);
     }
 
-    /// Moves the mouse to a pixel of the window.
-    pub fn point_at(&self, x: u32, y: u32) {
-        self.act(&format!("mousemove --window WINDOW {x} {y}"));
-        self.wait_for(&[&format!("cursor: Some(({x}, {y}))")]);
+    /// Presses a button of the mouse, does something, and releases the button. The program sees
+    /// no click that begins and ends between two turns of its loop.
+    pub fn hold(&self, button: u8, task: impl FnOnce()) {
+        let name = if button == 1 { "left" } else { "right" };
+        self.act(&format!("mousedown {button}"));
+        self.wait_for(&[&format!("{name}: true")]);
+        task();
+        self.act(&format!("mouseup {button}"));
+        self.wait_for(&[&format!("{name}: false")]);
+    }
+
+    /// Clicks on the item of this text, at a share of its width.
+    pub fn click(&self, text: &str, share: f64) {
+        let state = self.state();
+        let mut items = state.split("Item { area: Area { ");
+        let item = items
+            .find(|item| item.contains(&format!("text: {text:?}")))
+            .expect(text);
+        let numbers = item
+            .split([' ', ',', '}'])
+            .filter_map(|word| word.parse().ok());
+        let numbers: Vec<f64> = numbers.take(4).collect();
+        let [x, y, width, height] = numbers[..] else {
+            panic!("{item}")
+        };
+        self.point_at((x + width * share) as i32, (y + height / 2.0) as i32);
+        self.hold(1, || ());
     }
 
     /// The current state of the window, as it writes it into its log.
@@ -127,27 +150,21 @@ impl Display {
         });
     }
 
-    /// The folder of the program's process in `/proc`.
-    pub fn process(&self) -> PathBuf {
-        Path::new("/proc").join(self.program.id().to_string())
-    }
-
     /// Waits for the program's end, which must be one without an error.
     pub fn wait_for_end(mut self) {
         let status = wait_for("the program's end", || {
-            self.program.try_wait().expect("the program's state")
+            self.program.try_wait().expect("a state")
         });
         let mut stderr = String::new();
-        if let Some(mut pipe) = self.program.stderr.take() {
-            pipe.read_to_string(&mut stderr).expect("text");
-        }
+        let pipe = self.program.stderr.as_mut().expect("a pipe");
+        pipe.read_to_string(&mut stderr).expect("text");
         assert_eq!((status.code(), stderr.as_str()), (Some(0), ""));
     }
 }
 
 impl Drop for Display {
     fn drop(&mut self) {
-        if std::thread::panicking() {
+        if thread::panicking() {
             eprintln!("the last state of the window: {}", self.state());
         }
         for process in [&mut self.program, &mut self.server] {
@@ -178,14 +195,6 @@ fn server() -> Option<(Child, String)> {
     Some((server, format!(":{}", number.trim())))
 }
 
-/// The part of a state that names the finished picture below the menu bar, which has this
-/// width and height and these packed colours.
-pub fn picture(width: u32, height: u32, color: impl Fn(u32, u32) -> u32) -> String {
-    let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
-    let bytes = places.flat_map(|(x, y)| color(x, y).to_le_bytes());
-    format!("picture: Some({})", fnv1a(&bytes.collect::<Vec<_>>()))
-}
-
 /// Waits until `find` returns a value; fails after a minute, with `what` in the message.
 pub fn wait_for<T>(what: &str, mut find: impl FnMut() -> Option<T>) -> T {
     let start = Instant::now();
@@ -194,6 +203,6 @@ pub fn wait_for<T>(what: &str, mut find: impl FnMut() -> Option<T>) -> T {
             return found;
         }
         assert!(start.elapsed() < PATIENCE, "waited in vain: {what}");
-        std::thread::sleep(Duration::from_millis(5));
+        thread::sleep(Duration::from_millis(5));
     }
 }

@@ -1,49 +1,84 @@
-//! The window while a rendering goes on, and afterwards.
+//! The window while a rendering goes on, and with a scene of rays.
 
 use std::path::Path;
 use std::process::ExitCode;
-use std::thread::sleep;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
-use std::{env, fs};
+use std::{env, fs, thread};
 
 use a01_image_display::viewer;
-use common::{Color, Error, Image, Progress, Scene, Settings};
+use common::{
+    Color, Error, Explained, Image, PixelTrace, Progress, Scene, SeenLine, Settings, fnv1a,
+};
 use measure::Stage;
 
-use crate::display::{Display, picture, wait_for};
-use crate::{packed, wait_for_picture, with_window, with_window_of};
+use crate::display::{Display, wait_for};
+use crate::{with_window, with_window_of};
 
-/// A row each five milliseconds.
-fn slow(settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
-    let color = |x, y| Color::from_bytes([x as u8, y as u8, 9]);
-    let image = Image::from_fn(settings.size, color)?;
-    for (y, row) in (0..).zip(image.rows()) {
-        sleep(Duration::from_millis(5));
-        progress.row(y, &mut row.iter().copied());
+/// A picture whose colour has the numbers that the window can change. At its full size, it is
+/// rendered until it is stopped, unless it has one sample.
+fn numbers(settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
+    let light = settings.moves.lights.first().map_or(0.0, |way| way[0]);
+    let [r, g] = settings.moves.turn;
+    let color = Color::new(r, g, light + f64::from(settings.depth) / 8.0);
+    let image = Image::from_fn(settings.size, |_, _| color)?;
+    progress.row(
+        0,
+        &mut image
+            .pixels()
+            .iter()
+            .copied()
+            .take(settings.size.width() as usize),
+    );
+    while settings.samples > 1 && !progress.stopped() {
+        thread::sleep(Duration::from_millis(5));
     }
-    Ok(image)
+    if progress.stopped() {
+        Err(Error::Stopped)
+    } else {
+        Ok(image)
+    }
 }
 
-/// Goes on until it is stopped.
-fn endless(_: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
-    while !progress.stopped() {
-        sleep(Duration::from_millis(5));
+struct OneLight;
+
+impl Explained for OneLight {
+    fn trace(&self, _: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error> {
+        let (color, steps) = (Color::RED, vec![common::steps::Step::new("", "a step", "")]);
+        Ok(PixelTrace {
+            pixel,
+            color,
+            steps,
+        })
     }
-    Err(Error::Stopped)
+
+    fn drawing(&self, _: &Settings, _: &PixelTrace) -> Result<String, Error> {
+        Ok(String::new())
+    }
+
+    fn seen_rays(&self, _: &Settings, _: &PixelTrace) -> Result<Vec<SeenLine>, Error> {
+        Ok(Vec::new())
+    }
+
+    fn light_places(&self, _: &Settings) -> Result<Vec<[f64; 3]>, Error> {
+        Ok(vec![[1.0, 2.0, 3.0]])
+    }
+
+    fn export(&self, _: &str, _: &Settings) -> Result<String, Error> {
+        Ok(String::new())
+    }
 }
 
 /// The program of the tests below, which start it in a process of its own.
 #[test]
 #[ignore = "is no test"]
-fn program_of_long_renderings() {
+fn program_with_rays() {
+    let mut scene = Scene::traced("numbers", "", numbers).reflecting();
+    scene.explained = Some(Arc::new(OneLight));
     let stage = Stage {
         name: "stage",
         about: "",
-        scenes: vec![
-            Scene::traced("endless", "", endless),
-            Scene::traced("slow", "", slow),
-            Scene::traced("endless-too", "", endless),
-        ],
+        scenes: vec![scene],
         experiments: Vec::new,
         extremes: |_| Vec::new(),
         search: None,
@@ -55,72 +90,80 @@ fn program_of_long_renderings() {
 
 fn with_rendering(test: impl FnOnce(Display, &Path)) {
     let program = env::current_exe().expect("this test");
-    let line = "rendering::program_of_long_renderings --exact --ignored";
-    with_window_of(&program, line, test);
+    with_window_of(
+        &program,
+        "rendering::program_with_rays --exact --ignored",
+        test,
+    );
 }
 
-fn threads(window: &Display) -> usize {
-    window.process().join("task").read_dir().unwrap().count()
+/// Waits for the finished picture of these numbers.
+fn wait_for_numbers(window: &Display, color: [u8; 3]) {
+    let hash = fnv1a(&color.repeat(640 * 480));
+    window.wait_for(&[&format!("picture: Some({hash})")]);
 }
 
 #[test]
-fn closing_ends_a_rendering_which_is_not_saved() {
+fn camera_and_lights_move_and_return() {
+    // Depth 6 of 8.
+    const START: [u8; 3] = [0, 0, 191];
+    with_rendering(|window, _| {
+        wait_for_numbers(&window, START);
+        window.point_at(300, 100);
+        window.hold(3, || window.point_at(250, 80));
+        // 50 pixels to the left and 20 up, of 0.01 each.
+        wait_for_numbers(&window, [128, 51, 191]);
+        window.hold(3, || window.point_at(300, 100));
+        wait_for_numbers(&window, START);
+        window.press("ctrl+Left");
+        wait_for_numbers(&window, [51, 0, 191]);
+        window.click("Depth", 0.0);
+        wait_for_numbers(&window, [51, 0, 32]);
+        // The slider stays selected: the next one is that of the light.
+        window.press("Down Right Right");
+        wait_for_numbers(&window, [51, 0, 159]);
+        window.press("r");
+        wait_for_numbers(&window, START);
+        window.press("i");
+        window.wait_for(&[
+            "pixel: Some([320, 240])",
+            "explained: true",
+            "text: \"a step\"",
+        ]);
+        window.press("Right");
+        window.wait_for(&["pixel: Some([321, 240])", "explained: true"]);
+    });
+}
+
+#[test]
+fn a_rendering_that_goes_on_answers_and_ends() {
     with_rendering(|window, folder| {
-        window.wait_for(&[" to go\"]", "picture: None"]);
+        window.click("Samples", 0.99);
+        window.wait_for(&[" to go\"", "picture: None"]);
         window.press("s");
-        window.wait_for(&["texts: [\"the picture is not finished yet\", ", " to go\"]"]);
-        window.press("Escape");
+        window.wait_for(&["the picture is not finished yet"]);
+        window.press("Escape Escape");
         window.wait_for_end();
         assert_eq!(folder.read_dir().unwrap().count(), 0, "no file");
     });
 }
 
 #[test]
-fn the_picture_grows_and_another_scene_takes_its_place() {
-    with_rendering(|window, _| {
-        window.wait_for(&[" to go\"]"]);
-        let of_one_rendering = threads(&window);
-        window.press("Right");
-        wait_for("finished rows beside unfinished ones", || {
-            let state = window.state();
-            let done = state
-                .split_once("\"stage: slow\"")?
-                .1
-                .split_once("done: ")?;
-            let done: f64 = done.1.split_once(" }")?.0.parse().ok()?;
-            (0.0 < done && done < 1.0).then_some(())
-        });
-        let image = slow(&Settings::default(), &()).unwrap();
-        let finished = picture(640, 480, |x, y| packed(&image, x, y));
-        window.wait_for(&[&finished, "texts: []"]);
-
-        for (key, scene) in [("Left", "endless"), ("Left", "endless-too")] {
-            window.press(key);
-            window.wait_for(&[&format!("\"stage: {scene}\""), "picture: None"]);
-        }
-        wait_for("the end of the first renderings", || {
-            (threads(&window) == of_one_rendering).then_some(())
-        });
-        window.press("Escape");
-        window.wait_for_end();
-    });
-}
-
-#[test]
 fn a_finished_window_has_one_thread_and_hardly_computes() {
     with_window("show painter", |window, _| {
-        wait_for_picture(&window, "painter");
+        let process = Path::new("/proc").join(window.program.id().to_string());
         wait_for("the end of other threads", || {
-            (threads(&window) == 1).then_some(())
+            let threads = process.join("task").read_dir().unwrap().count();
+            (threads == 1 && window.state().contains("finished: true")).then_some(())
         });
         // Nanoseconds that the thread had a processor.
         let time = || {
-            let statistics = fs::read_to_string(window.process().join("schedstat")).unwrap();
+            let statistics = fs::read_to_string(process.join("schedstat")).unwrap();
             let nanoseconds = statistics.split(' ').next().unwrap().parse();
             Duration::from_nanos(nanoseconds.unwrap())
         };
         let (start, before) = (Instant::now(), time());
-        std::thread::sleep(Duration::from_secs(3));
+        thread::sleep(Duration::from_secs(3));
         let (time, elapsed) = (time().abs_diff(before), start.elapsed());
         assert!(time < elapsed / 10, "{time:?} in {elapsed:?}");
     });

@@ -20,10 +20,10 @@ const CELL: f64 = 3.0;
 
 /// The lines of the first sample, with their classes, which have the number of the ray; and the eye
 /// and the lights by name.
-type Lines<'a> = (Vec<([Point3; 2], String)>, BTreeMap<&'a str, Point3>);
+pub type Lines<'a> = (Vec<([Point3; 2], String)>, BTreeMap<&'a str, Point3>);
 
 /// The lines of a trace.
-fn lines(trace: &[Step]) -> Lines<'_> {
+pub fn lines(trace: &[Step]) -> Lines<'_> {
     let vector = |step: &Step, symbol| step.value(symbol).map(|v| Vector3::from_glam(v.into()));
     let point = |v| Point3::ORIGIN + v;
     let eye = trace

@@ -4,10 +4,12 @@ use std::sync::Arc;
 
 use common::steps::{self, Step};
 use common::traced_picture::trace_chosen;
-use common::{Color, Error, Explained, Image, PixelTrace, Renderer, Sampling, Settings, Size};
+use common::{
+    Color, Error, Explained, Image, PixelTrace, Renderer, Sampling, SeenLine, Settings, Size,
+};
 
-use super::drawing;
 use super::watched::push_ray;
+use super::{drawing, seen_rays};
 use crate::{Camera, Ray, Sampler, View, camera_coordinates, fast, render};
 
 const SAMPLES: &str = "a03-rays-cameras.md#many-rays-a-pixel";
@@ -113,16 +115,33 @@ pub fn paint(
 /// The name of a scene, and the function that makes its view for each picture.
 pub struct ViewOf<F>(pub &'static str, pub Arc<F>);
 
+impl<F: Fn(Size) -> Result<View, Error>> ViewOf<F> {
+    fn view(&self, settings: &Settings) -> Result<View, Error> {
+        self.1(settings.size)?.moved(settings, &*self.1)
+    }
+}
+
 impl<F: Fn(Size) -> Result<View, Error> + Send + Sync> Explained for ViewOf<F> {
     fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error> {
-        self.1(settings.size)?.trace(settings, pixel)
+        self.view(settings)?.trace(settings, pixel)
     }
 
     fn drawing(&self, settings: &Settings, trace: &PixelTrace) -> Result<String, Error> {
-        Ok(self.1(settings.size)?.drawing(&trace.steps, self.0))
+        Ok(self.view(settings)?.drawing(&trace.steps, self.0))
+    }
+
+    fn seen_rays(&self, settings: &Settings, trace: &PixelTrace) -> Result<Vec<SeenLine>, Error> {
+        let view = self.view(settings)?.watched(settings, false);
+        Ok(seen_rays::seen_rays(&view, settings.size, &trace.steps))
+    }
+
+    fn light_places(&self, settings: &Settings) -> Result<Vec<[f64; 3]>, Error> {
+        let mut view = self.view(settings)?;
+        let places = view.world.light_places().into_iter();
+        Ok(places.map(|place| place.to_glam().to_array()).collect())
     }
 
     fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {
-        self.1(settings.size)?.export(language, settings)
+        self.view(settings)?.export(language, settings)
     }
 }

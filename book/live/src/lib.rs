@@ -13,7 +13,6 @@ mod extremes;
 mod figures;
 mod file;
 mod picture;
-mod turned;
 
 use common::Error;
 

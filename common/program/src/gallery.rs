@@ -4,41 +4,95 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread::{Scope, ScopedJoinHandle};
 
-use common::{Error, Image, Scene, Size, Transfer, picture_file};
+use common::{
+    Error, Image, PixelTrace, Renderer, Sampling, Scene, SeenLine, Settings, Size, Transfer,
+    picture_file,
+};
 use measure::Stage;
 
-use crate::LivePicture;
+use crate::appearance::Appearance;
+use crate::grammar::Showing;
+use crate::live_picture::Coarse;
 use crate::options::Options;
 use crate::print::warn;
 use crate::target::make_default_folder;
 use crate::watch::Watch;
+use crate::{LivePicture, Slider};
 
-/// The scenes of a stage, the one that is being shown, and its rendering.
+/// The scenes of a stage, the one that is being shown, its rendering, and an explained pixel.
 pub struct Gallery<'scope, 'a> {
-    stage: &'scope Stage,
-    scene: Scene,
+    /// The stage.
+    pub stage: &'scope Stage,
+    /// The scene that is shown.
+    pub scene: Scene,
     /// The files of the scene, if they are watched.
     watch: Option<Watch>,
-    options: Options,
+    /// The flags of the command line.
+    pub options: Options,
+    /// How the window looks.
+    pub appearance: Appearance,
+    /// The sliders of the scene.
+    pub sliders: Vec<Slider>,
+    /// Way of the mouse that turns the camera, to the right and down.
+    turned: [i32; 2],
+    renderer: Option<Renderer>,
+    /// Whether a number of the scene has changed since the rendering began.
+    is_changed: bool,
+    /// The picture as far as it is known; none before the file of a scene has been read.
+    pub picture: Option<Arc<LivePicture>>,
+    /// The finished picture, or the reason for its absence; none while it is rendered.
+    pub outcome: Option<Result<Image, Error>>,
+    /// The pixel that is explained.
+    pub pixel: Option<[u32; 2]>,
+    /// The numbers behind the pixel, as soon as they are known.
+    pub explanation: Option<Result<Explanation, Error>>,
     scope: &'scope Scope<'scope, 'a>,
-    rendering: Option<Rendering<'scope>>,
+    rendering: Option<Task<'scope, Image>>,
+    explaining: Option<Task<'scope, Explanation>>,
 }
+
+/// A task in a thread of its own.
+type Task<'scope, T> = ScopedJoinHandle<'scope, Result<T, Error>>;
+
+/// The numbers behind a pixel, and its rays in the picture.
+pub struct Explanation {
+    /// The numbers.
+    pub trace: PixelTrace,
+    /// The rays after the camera's.
+    pub rays: Vec<SeenLine>,
+}
+
+/// Most samples of an explained pixel: of more, it is explained by one in its middle.
+const MOST_SAMPLES: u32 = 16;
+
+/// The angle by which the camera turns for a pixel of the mouse's way, in radians.
+const TURN: f64 = 0.01;
 
 impl<'scope, 'a> Gallery<'scope, 'a> {
     pub(crate) fn new(
         stage: &'scope Stage,
         scene: Scene,
         watch: Option<Watch>,
-        options: Options,
+        showing: &Showing,
         scope: &'scope Scope<'scope, 'a>,
     ) -> Self {
         Self {
             stage,
             scene,
             watch,
-            options,
+            options: showing.options.clone(),
+            appearance: showing.appearance,
+            sliders: Vec::new(),
+            turned: [0; 2],
+            renderer: None,
+            is_changed: false,
+            picture: None,
+            outcome: None,
+            pixel: None,
+            explanation: None,
             scope,
             rendering: None,
+            explaining: None,
         }
     }
 
@@ -52,6 +106,7 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
         let started = opened.and_then(|scene| {
             self.options.settings(&scene)?;
             self.scene = scene;
+            self.sliders.clear();
             self.start()
         });
         started.inspect_err(|error| warn(&format!("error: {error}")))
@@ -63,76 +118,174 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
         format!("{}: {}", self.stage.name, self.scene.name)
     }
 
-    /// Whether the scene shows a file that can be chosen.
+    /// The size of the picture; the course's before it is known.
     #[must_use]
-    pub fn opens_files(&self) -> bool {
-        self.scene.uses.file
+    pub fn size(&self) -> Size {
+        self.picture
+            .as_ref()
+            .map_or(Size::COURSE, |picture| picture.size())
     }
 
-    /// Whether a file has been chosen.
+    /// The number of the scene; the scene of a file counts as the first.
     #[must_use]
-    pub fn has_file(&self) -> bool {
-        self.options.open.is_some()
+    pub fn number(&self) -> usize {
+        let mut scenes = self.stage.scenes.iter();
+        scenes
+            .position(|scene| scene.name == self.scene.name)
+            .unwrap_or(0)
     }
 
-    /// Chooses the file that the scene shows.
-    pub fn open(&mut self, file: PathBuf) {
-        self.options.open = Some(file);
+    /// Shows the scene of this number.
+    pub fn go_to(&mut self, number: usize) {
+        if let Some(scene) = self.stage.scenes.get(number) {
+            self.scene = scene.clone();
+        }
+        (self.picture, self.pixel) = (None, None);
+        self.reset();
     }
 
-    /// Goes to the next scene, and from the last to the first.
-    pub fn go_to_next(&mut self) {
-        self.go(1);
+    /// Moves a slider to one of its values.
+    pub fn slide(&mut self, slider: usize, to: usize) {
+        if let Some(slider) = self.sliders.get_mut(slider) {
+            let to = to.min(slider.last());
+            self.is_changed |= std::mem::replace(&mut slider.at, to) != to;
+        }
     }
 
-    /// Goes to the previous scene, and from the first to the last.
-    pub fn go_to_previous(&mut self) {
-        self.go(self.stage.scenes.len() - 1);
+    /// Turns the camera around the middle of the scene, by a way of the mouse.
+    pub fn turn(&mut self, right: i32, down: i32) {
+        self.turned = [self.turned[0] - right, self.turned[1] - down];
+        self.is_changed |= self.scene.explained.is_some();
     }
 
-    /// Goes forward by this number of scenes. The scene of a file counts as the first.
-    fn go(&mut self, steps: usize) {
-        let scenes = &self.stage.scenes;
-        let current = scenes.iter().position(|s| s.name == self.scene.name);
-        self.scene = scenes[(current.unwrap_or(0) + steps) % scenes.len()].clone();
-    }
-
-    /// The curve between light and the values that are shown.
+    /// The chosen renderer.
     #[must_use]
-    pub const fn transfer(&self) -> Transfer {
-        self.options.transfer
+    pub fn renderer(&self) -> Renderer {
+        self.settings()
+            .map_or(Renderer::Lesson, |settings| settings.renderer)
+    }
+
+    /// Chooses a renderer.
+    pub fn render_with(&mut self, renderer: Renderer) {
+        self.renderer = Some(renderer);
+        self.is_changed = true;
+    }
+
+    /// Returns camera, lights and sliders to their places at the start.
+    pub fn reset(&mut self) {
+        self.turned = [0; 2];
+        self.sliders.clear();
+        self.start_or_fail();
+    }
+
+    fn settings(&self) -> Result<Settings, Error> {
+        let mut settings = self.options.settings(&self.scene)?;
+        settings.renderer = self.renderer.unwrap_or(settings.renderer);
+        for slider in self
+            .sliders
+            .iter()
+            .filter(|slider| slider.at != slider.start)
+        {
+            slider.apply(&mut settings);
+        }
+        settings.moves.turn = self.turned.map(|way| TURN * f64::from(way));
+        Ok(settings)
     }
 
     /// Starts to render the scene in a separate thread. An earlier rendering stops.
     pub fn start(&mut self) -> Result<(), Error> {
-        self.rendering = None;
-        let scene = self.scene.clone();
-        let settings = self.options.settings(&scene)?;
+        self.stop();
+        let settings = self.settings()?;
+        if self.sliders.is_empty() {
+            self.sliders = Slider::all(&self.scene, &settings)?;
+        }
         let threads = self.options.thread_pool()?;
-        let picture = Arc::new(LivePicture::new(settings.size, self.transfer()));
-        let progress = Arc::clone(&picture);
-        let render = move || threads.install(|| scene.render(&settings, &*progress));
-        self.rendering = Some(Rendering {
-            picture,
-            thread: Some(self.scope.spawn(render)),
-        });
+        let picture = Arc::new(LivePicture::new(settings.size, self.options.transfer));
+        if let Some(earlier) = self.picture.take() {
+            picture.begin_with(&earlier);
+        }
+        self.picture = Some(Arc::clone(&picture));
+        let scene = self.scene.clone();
+        let render = move || {
+            for (side, settings) in coarse(&scene, &settings) {
+                // The last rendering reports an error.
+                let _ = scene.render(&settings, &Coarse(&picture, side));
+            }
+            scene.render(&settings, &*picture)
+        };
+        self.rendering = Some(self.scope.spawn(move || threads.install(render)));
         Ok(())
     }
 
-    /// The picture as far as it is finished, while it is rendered.
-    #[must_use]
-    pub fn picture(&self) -> Option<&LivePicture> {
-        Some(&self.rendering.as_ref()?.picture)
+    fn start_or_fail(&mut self) {
+        if let Err(error) = self.start() {
+            self.outcome = Some(Err(error));
+        }
     }
 
-    /// The finished picture, or the error, of a rendering that has just ended.
-    pub fn finished(&mut self) -> Option<Result<Image, Error>> {
-        Some(self.rendering.take_if(|r| r.is_over())?.join())
+    fn stop(&mut self) {
+        if let Some(picture) = &self.picture {
+            picture.stop();
+        }
+        (self.is_changed, self.rendering, self.explaining) = (false, None, None);
+        (self.outcome, self.explanation) = (None, None);
+    }
+
+    /// Takes the results of threads that have ended, and renders a changed scene anew, once the
+    /// rendering before has shown something. True if the picture has just been finished.
+    pub fn update(&mut self) -> bool {
+        let shows = |picture: &Arc<LivePicture>| picture.changes() > 0;
+        if self.is_changed && self.picture.as_ref().is_none_or(shows) {
+            self.start_or_fail();
+        }
+        if self.explaining.is_none() && self.explanation.is_none() {
+            self.explain(self.pixel);
+        }
+        if let Some(task) = self.explaining.take_if(|task| task.is_finished()) {
+            self.explanation = Some(result(task));
+        }
+        let finished = self
+            .rendering
+            .as_ref()
+            .is_some_and(ScopedJoinHandle::is_finished);
+        if finished {
+            self.wait();
+        }
+        finished
     }
 
     /// Waits for the end of the rendering.
-    pub fn wait(&mut self) -> Result<Image, Error> {
-        self.rendering.take().ok_or(Error::Stopped)?.join()
+    pub fn wait(&mut self) {
+        let Some(outcome) = self.rendering.take().map(result) else {
+            return;
+        };
+        if let Ok(image) = &outcome {
+            // The size of a file is not known before.
+            let (size, transfer) = (image.size(), self.options.transfer);
+            let same = self.picture.take_if(|picture| picture.size() == size);
+            let picture = same.unwrap_or_else(|| Arc::new(LivePicture::new(size, transfer)));
+            picture.finish(image);
+            self.picture = Some(picture);
+        }
+        self.outcome = Some(outcome);
+    }
+
+    /// Chooses the pixel that is explained.
+    pub fn explain(&mut self, pixel: Option<[u32; 2]>) {
+        (self.pixel, self.explanation, self.explaining) = (pixel, None, None);
+        if let (Some(pixel), Some(explained), Ok(mut settings)) =
+            (pixel, self.scene.explained.clone(), self.settings())
+        {
+            if settings.max_error.take().is_some() || settings.samples > MOST_SAMPLES {
+                (settings.samples, settings.sampling) = (1, Sampling::Center);
+            }
+            settings.renderer = Renderer::Lesson;
+            self.explaining = Some(self.scope.spawn(move || {
+                let trace = explained.trace(&settings, pixel)?;
+                let rays = explained.seen_rays(&settings, &trace)?;
+                Ok(Explanation { trace, rays })
+            }));
+        }
     }
 
     /// Saves a picture as `out/STAGE-SCENE.png` and returns its path. A different
@@ -140,9 +293,42 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
     pub fn save(&self, image: &Image) -> Result<PathBuf, Error> {
         let folder = make_default_folder()?;
         let name = format!("{}-{}", self.stage.name, self.scene.name);
-        let rgb = image.to_rgb8(self.transfer());
+        let rgb = image.to_rgb8(self.options.transfer);
         save_beside_others(folder, &name, image.size(), &rgb)
     }
+}
+
+/// A window that is closed ends the rendering.
+impl Drop for Gallery<'_, '_> {
+    fn drop(&mut self) {
+        self.stop();
+    }
+}
+
+fn result<T>(task: Task<T>) -> Result<T, Error> {
+    task.join()
+        .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+}
+
+/// The sides of the pixels of coarse pictures that are rendered first, and the settings. All
+/// together take a small part of the time of the picture.
+fn coarse(scene: &Scene, settings: &Settings) -> impl Iterator<Item = (u32, Settings)> {
+    let has_rays = scene.explained.is_some();
+    let (size, samples) = (settings.size, settings.samples);
+    let sides = [8, 4, 2, 1].into_iter();
+    sides
+        .filter(move |side| has_rays && samples.saturating_mul(side * side) >= 16)
+        .map(move |side| {
+            let size = Size::new(size.width().div_ceil(side), size.height().div_ceil(side));
+            let settings = Settings {
+                size: size.unwrap_or(settings.size),
+                samples: 1,
+                sampling: Sampling::Center,
+                max_error: None,
+                ..settings.clone()
+            };
+            (side, settings)
+        })
 }
 
 fn save_beside_others(folder: &Path, name: &str, size: Size, rgb: &[u8]) -> Result<PathBuf, Error> {
@@ -161,32 +347,6 @@ fn save_beside_others(folder: &Path, name: &str, size: Size, rgb: &[u8]) -> Resu
     }
     picture_file::save_png(&path, size, rgb)?;
     Ok(path)
-}
-
-/// A rendering in a separate thread. Dropping it stops it.
-struct Rendering<'scope> {
-    picture: Arc<LivePicture>,
-    thread: Option<ScopedJoinHandle<'scope, Result<Image, Error>>>,
-}
-
-impl Rendering<'_> {
-    fn is_over(&self) -> bool {
-        let thread = self.thread.as_ref();
-        thread.is_none_or(ScopedJoinHandle::is_finished)
-    }
-
-    fn join(mut self) -> Result<Image, Error> {
-        let thread = self.thread.take().ok_or(Error::Stopped)?;
-        thread
-            .join()
-            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-    }
-}
-
-impl Drop for Rendering<'_> {
-    fn drop(&mut self) {
-        self.picture.stop();
-    }
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand};
 use common::{Scene, UsedSettings};
 use measure::Stage;
 
+use crate::appearance::Appearance;
 use crate::options::Options;
 
 /// The whole command line; without a command the first scene is shown.
@@ -33,6 +34,9 @@ pub struct Showing {
     /// Show a scene file anew when it is saved
     #[arg(long)]
     pub watch: bool,
+
+    #[command(flatten)]
+    pub appearance: Appearance,
 
     #[command(flatten)]
     pub options: Options,

@@ -4,6 +4,7 @@
 //! The crate of a stage passes its scenes to [`run`], together with a [`Viewer`] if
 //! the build has a window. Only this crate reads arguments and prints.
 
+mod appearance;
 #[cfg(not(handout))]
 mod explain;
 #[cfg(not(handout))]
@@ -21,15 +22,18 @@ mod render;
 mod report;
 mod run;
 mod show;
+mod slider;
 mod target;
 mod terminal_progress;
 mod viewer;
 mod watch;
 
+pub use appearance::Theme;
 pub use gallery::Gallery;
 pub use live_picture::LivePicture;
 pub use named::{Named, SAMPLINGS, by_name};
 pub use run::{run, run_with};
+pub use slider::Slider;
 pub use target::picture_name;
 pub use viewer::{NotShown, Viewer};
 

@@ -3,10 +3,10 @@
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::time::{Duration, Instant};
 
-use common::{Color, Progress, Size, Transfer};
+use common::{Color, Image, Progress, Size, Transfer};
 
-/// The packed 0xRRGGBB pixels of a picture while it is rendered. Unfinished rows
-/// are black.
+/// The packed 0xRRGGBB pixels of a picture while it is rendered. Before a row is finished, it
+/// shows a coarse picture, if there is one.
 ///
 /// All threads of the rendering write it, and the window's thread reads it, without
 /// a lock: a pixel is one number, and the window soon shows it again.
@@ -14,13 +14,19 @@ use common::{Color, Progress, Size, Transfer};
 pub struct LivePicture {
     size: Size,
     transfer: Transfer,
+    /// Each with `COARSE` or `FINAL` above the colour; 0 where nothing is known.
     pixels: Vec<AtomicU32>,
     rows: AtomicU32,
+    changes: AtomicU32,
     /// The number of rows to paint; a row that is painted again counts again.
     rows_to_paint: AtomicU32,
     stopped: AtomicBool,
-    started: Instant,
+    /// The time when the rendering began.
+    pub started: Instant,
 }
+
+const COARSE: u32 = 1 << 24;
+const FINAL: u32 = 2 << 24;
 
 impl LivePicture {
     /// A picture without a finished row.
@@ -31,6 +37,7 @@ impl LivePicture {
             transfer,
             pixels: (0..size.pixels()).map(|_| AtomicU32::new(0)).collect(),
             rows: AtomicU32::new(0),
+            changes: AtomicU32::new(0),
             rows_to_paint: AtomicU32::new(size.height()),
             stopped: AtomicBool::new(false),
             started: Instant::now(),
@@ -43,24 +50,60 @@ impl LivePicture {
         self.size
     }
 
-    /// The current value of a pixel, counted row after row from the top.
+    /// The current colour of a pixel inside of the picture; none before there is one.
     #[must_use]
-    pub fn pixel(&self, index: usize) -> Option<u32> {
-        let pixel = self.pixels.get(index)?;
-        Some(pixel.load(Ordering::Relaxed))
+    pub fn pixel(&self, x: u32, y: u32) -> Option<u32> {
+        let pixel = self.load(x, y);
+        (pixel >= COARSE).then_some(pixel & 0xFF_FFFF)
     }
 
-    /// The number of finished rows; a row that is painted again counts again.
+    /// Whether a row inside of the picture is finished.
     #[must_use]
-    pub fn rows(&self) -> u32 {
-        self.rows.load(Ordering::Relaxed)
+    pub fn is_finished(&self, y: u32) -> bool {
+        self.load(0, y) >= FINAL
+    }
+
+    fn load(&self, x: u32, y: u32) -> u32 {
+        let index = y as usize * self.size.width() as usize + x as usize;
+        self.pixels[index].load(Ordering::Relaxed)
+    }
+
+    /// A number that grows with each change of the picture; 0 for an empty one.
+    #[must_use]
+    pub fn changes(&self) -> u32 {
+        self.changes.load(Ordering::Relaxed)
+    }
+
+    /// Shows an earlier picture of the same size until this one has pixels.
+    pub fn begin_with(&self, earlier: &Self) {
+        let is_same = self.size == earlier.size;
+        for (pixel, earlier) in self.pixels.iter().zip(&earlier.pixels).filter(|_| is_same) {
+            let earlier = earlier.load(Ordering::Relaxed);
+            pixel.store(earlier.min(COARSE) | earlier & 0xFF_FFFF, Ordering::Relaxed);
+        }
+    }
+
+    /// Shows a finished picture.
+    pub fn finish(&self, image: &Image) {
+        for (y, row) in (0..).zip(image.rows()) {
+            self.paint(y, &mut row.iter().copied(), FINAL);
+        }
+    }
+
+    fn paint(&self, y: u32, pixels: &mut dyn Iterator<Item = Color>, state: u32) {
+        let width = self.size.width() as usize;
+        let row = self.pixels.iter().skip(y as usize * width).take(width);
+        for (live, color) in row.zip(pixels) {
+            live.store(self.transfer.pack(color) | state, Ordering::Relaxed);
+        }
+        self.changes.fetch_add(1, Ordering::Relaxed);
     }
 
     /// The finished share of the work known so far, from 0 to 1.
     #[must_use]
     pub fn share(&self) -> f64 {
-        let all = self.rows_to_paint.load(Ordering::Relaxed);
-        f64::from(self.rows()) / f64::from(all)
+        let [rows, all] = [&self.rows, &self.rows_to_paint].map(|n| n.load(Ordering::Relaxed));
+        f64::from(rows) / f64::from(all)
     }
 
     /// The time since the rendering began.
@@ -86,11 +129,7 @@ impl LivePicture {
 
 impl Progress for LivePicture {
     fn row(&self, y: u32, pixels: &mut dyn Iterator<Item = Color>) {
-        let width = self.size.width() as usize;
-        let start = y as usize * width;
-        for (live, color) in self.pixels[start..start + width].iter().zip(pixels) {
-            live.store(self.transfer.pack(color), Ordering::Relaxed);
-        }
+        self.paint(y, pixels, FINAL);
         self.rows.fetch_add(1, Ordering::Relaxed);
     }
 
@@ -100,6 +139,25 @@ impl Progress for LivePicture {
 
     fn stopped(&self) -> bool {
         self.stopped.load(Ordering::Relaxed)
+    }
+}
+
+/// Paints a coarse picture, whose pixels are squares of this side, into a live one.
+pub struct Coarse<'a>(pub &'a LivePicture, pub u32);
+
+impl Progress for Coarse<'_> {
+    fn row(&self, y: u32, pixels: &mut dyn Iterator<Item = Color>) {
+        let Self(live, side) = *self;
+        let row: Vec<_> = pixels
+            .flat_map(|color| std::iter::repeat_n(color, side as usize))
+            .collect();
+        for y in (y * side)..((y + 1) * side).min(live.size.height()) {
+            live.paint(y, &mut row.iter().copied(), COARSE);
+        }
+    }
+
+    fn stopped(&self) -> bool {
+        self.0.stopped()
     }
 }
 
@@ -117,10 +175,14 @@ mod tests {
             ..LivePicture::new(Size::new(3, 4).unwrap(), Transfer::Linear)
         };
         assert_eq!(picture.remaining(), None);
-        picture.row(2, &mut [Color::RED, Color::GREEN, Color::WHITE].into_iter());
-        let pixels = [5, 6, 7, 8, 9, 12].map(|index| picture.pixel(index));
+        let row = |y| [0, 1, 2].map(|x| picture.pixel(x, y));
         let [red, green, white] = [0xFF_0000, 0x00_FF00, 0xFF_FFFF].map(Some);
-        assert_eq!(pixels, [Some(0), red, green, white, Some(0), None]);
+        Coarse(&picture, 2).row(1, &mut [Color::RED, Color::GREEN].into_iter());
+        assert_eq!((row(2), row(3)), ([red, red, green], [red, red, green]));
+        assert!(!picture.is_finished(2));
+        picture.row(2, &mut [Color::RED, Color::GREEN, Color::WHITE].into_iter());
+        assert_eq!((row(1), row(2)), ([None; 3], [red, green, white]));
+        assert!(picture.is_finished(2));
         let remaining = picture.remaining().unwrap();
         assert!((3 * minute..4 * minute).contains(&remaining));
 
@@ -132,6 +194,6 @@ mod tests {
         picture.more_rows(1);
         assert_eq!(picture.share(), 0.8);
         picture.row(2, &mut [Color::WHITE; 3].into_iter());
-        assert_eq!((picture.share(), picture.pixel(6)), (1.0, white));
+        assert_eq!((picture.share(), picture.pixel(0, 2)), (1.0, white));
     }
 }

@@ -64,7 +64,9 @@ pub struct Options {
 const MAX_SAMPLES: u32 = 1024;
 
 /// Reads a whole number of this range.
-fn whole<T>(range: RangeInclusive<T>) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync
+pub fn whole<T>(
+    range: RangeInclusive<T>,
+) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync
 where
     T: FromStr + PartialOrd + Display + Clone + Send + Sync,
 {
@@ -147,6 +149,7 @@ impl Options {
                 (false, false) => defaults.renderer,
             },
             file: self.open.clone().or_else(|| defaults.file.clone()),
+            moves: defaults.moves.clone(),
         })
     }
 

@@ -33,7 +33,7 @@ pub fn show(
                 let reason = "this build has none; the feature `window` brings it";
                 return Err(NotShown::NoWindow(reason.to_owned()));
             };
-            let mut gallery = Gallery::new(stage, scene.clone(), watch, options.clone(), scope);
+            let mut gallery = Gallery::new(stage, scene.clone(), watch, showing, scope);
             // A viewer may choose another file first.
             if !scene.uses.file {
                 gallery.start()?;
@@ -64,6 +64,7 @@ mod tests {
     use common::Image;
 
     use super::*;
+    use crate::appearance::Appearance;
     use crate::options::Options;
 
     struct Failing;
@@ -81,6 +82,7 @@ mod tests {
         let options = Showing {
             no_window: false,
             watch: false,
+            appearance: Appearance::default(),
             options: Options::default(),
         };
         let shown = show(&stage, &stage.scenes[0], Some(&Failing), &options);

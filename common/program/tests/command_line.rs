@@ -169,9 +169,11 @@ impl Viewer for Looker {
         let title = gallery.title();
         loop {
             gallery.start()?;
-            let picture = gallery.wait()?;
-            gallery.save(&picture)?;
-            gallery.go_to_next();
+            gallery.wait();
+            if let Some(Ok(picture)) = &gallery.outcome {
+                gallery.save(picture)?;
+            }
+            gallery.go_to((gallery.number() + 1) % gallery.stage.scenes.len());
             if gallery.title() == title {
                 return Ok(());
             }

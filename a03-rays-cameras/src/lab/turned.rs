@@ -1,8 +1,10 @@
 //! `Turned`: a camera, turned around a point and moved towards it.
 
 use a02_math::{Direction, Point3, Vector3};
-use a03_rays_cameras::{Camera, Ray};
-use common::Size;
+use common::steps::{self, HIT};
+use common::{Error, Settings, Size};
+
+use crate::{Camera, Ray, View};
 
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 
@@ -72,6 +74,56 @@ impl Camera for Turned {
     }
 }
 
+impl View {
+    /// The view, made by a function of the size, with the moves of its lights and its camera in
+    /// these settings.
+    pub fn moved(
+        mut self,
+        settings: &Settings,
+        make: impl Fn(Size) -> Result<Self, Error>,
+    ) -> Result<Self, Error> {
+        let (size, moves) = (settings.size, &settings.moves);
+        for (place, way) in self.world.light_places().into_iter().zip(&moves.lights) {
+            *place = *place + Vector3::from_glam((*way).into());
+        }
+        if moves.turn != [0.0; 2] {
+            let middle = middle(&make(size)?.watched(settings, false), size);
+            self.camera = camera(self.camera, size, middle, moves.turn);
+        }
+        Ok(self)
+    }
+}
+
+/// Turns a camera by two angles: around the vertical, and upwards.
+fn camera(
+    camera: Box<dyn Camera>,
+    size: Size,
+    centre: Point3,
+    [yaw, pitch]: [f64; 2],
+) -> Box<dyn Camera> {
+    let turn = Turn {
+        yaw,
+        pitch,
+        ..Turn::NONE
+    };
+    Box::new(Turned::new(camera, size, centre, turn))
+}
+
+/// The middle of the scene of a watched view: the point of the gaze that is nearest to the
+/// origin, if that lies ahead; else the point that the gaze hits; else one 3 ahead.
+pub fn middle(view: &View, size: Size) -> Point3 {
+    let [x, y] = [size.width(), size.height()].map(|side| f64::from(side - 1) / 2.0);
+    let gaze = view.camera.ray_for(size, x, y);
+    let ahead = (Point3::ORIGIN - gaze.origin()).dot(gaze.direction());
+    if ahead > 0.1 {
+        return gaze.at(ahead);
+    }
+    let (_, steps) = steps::recorded(|| view.world.radiance(&gaze, 1));
+    let hit = steps.iter().find(|step| step.kind == HIT);
+    let [t] = hit.and_then(|hit| hit.value("t")).unwrap_or([3.0]);
+    gaze.at(t)
+}
+
 /// The vector `v`, rotated by an angle about an axis of length 1: the formula of
 /// Rodrigues, `v cos + (k × v) sin + k (k · v) (1 - cos)`.
 fn rotated(v: Vector3, k: Vector3, angle: f64) -> Vector3 {
@@ -83,7 +135,7 @@ fn rotated(v: Vector3, k: Vector3, angle: f64) -> Vector3 {
 mod tests {
     use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-    use a03_rays_cameras::PerspectiveCamera;
+    use crate::PerspectiveCamera;
 
     use super::*;
 
