@@ -1,4 +1,4 @@
-//! The letters of diagrams and of the window: 8x8 dots each.
+//! The letters of diagrams: 8x8 dots each.
 
 use font8x8::legacy::{BASIC_LEGACY, GREEK_LEGACY, LATIN_LEGACY, MISC_LEGACY};
 

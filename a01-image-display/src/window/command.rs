@@ -45,29 +45,23 @@ pub enum Page {
     Pixel,
 }
 
+use Command::{Letters, RenderWith, Zoom};
+
 /// The menu, with the characters that are typed for its entries.
 pub const MENU: [(&str, &str, Command); 16] = [
     ("Save as PNG", "S", Command::Save),
     ("Open …", "Ctrl O", Command::Open),
     ("Close", "Ctrl W", Command::Close),
-    ("The lesson", "L", Command::RenderWith(Renderer::Lesson)),
-    (
-        "The engine, --fast",
-        "E",
-        Command::RenderWith(Renderer::Engine),
-    ),
-    (
-        "All work, --no-omit",
-        "A",
-        Command::RenderWith(Renderer::AllWork),
-    ),
+    ("The lesson", "L", RenderWith(Renderer::Lesson)),
+    ("The engine, --fast", "E", RenderWith(Renderer::Engine)),
+    ("All work, --no-omit", "A", RenderWith(Renderer::AllWork)),
     ("All back to the start", "R", Command::Reset),
     ("Explain a pixel", "I", Command::Explain),
-    ("Zoom in", "+", Command::Zoom(true)),
-    ("Zoom out", "-", Command::Zoom(false)),
+    ("Zoom in", "+", Zoom(true)),
+    ("Zoom out", "-", Zoom(false)),
     ("Fit to the window", "0", Command::Fit),
-    ("Larger letters", "Ctrl +", Command::Letters(true)),
-    ("Smaller letters", "Ctrl -", Command::Letters(false)),
+    ("Larger letters", "Ctrl +", Letters(true)),
+    ("Smaller letters", "Ctrl -", Letters(false)),
     ("Dark or light", "D", Command::Theme),
     ("Numbers of the scene", "N", Command::Page(Page::Scene)),
     ("This menu", "H", Command::Page(Page::Menu)),

@@ -88,8 +88,11 @@ impl Placement {
         if f64::from(factor) <= fit && !larger {
             return Zoom::Fit;
         }
-        let (middle, at) = (self.middle(), self.place(cursor));
-        let to = self.pixel(cursor).map_or(middle, |_| at);
+        let area = self.area;
+        let half = |start: i32, side: i32| f64::from(start) + f64::from(side) / 2.0;
+        let middle = self.place(half(area.x, area.width), half(area.y, area.height));
+        let under = || self.place(f64::from(cursor.0) + 0.5, f64::from(cursor.1) + 0.5);
+        let to = self.pixel(cursor).map_or(middle, |_| under());
         // The place under the cursor stays there if the middle moves towards it.
         let share = self.scale / f64::from(factor);
         let moved = |to: f64, from: f64| to + (from - to) * share;
@@ -108,25 +111,11 @@ impl Placement {
         Zoom::Factor(factor, (across, moved(down, y, self.picture.height())))
     }
 
-    /// The point of the picture at the middle of a pixel of the window.
-    fn place(&self, (x, y): (i32, i32)) -> (f64, f64) {
-        let place = |at: i32, corner| (f64::from(at) + 0.5 - corner) / self.scale;
-        (place(x, self.corner.0), place(y, self.corner.1))
-    }
-
-    /// The point of the picture in the middle of the area.
-    fn middle(&self) -> (f64, f64) {
-        let Area {
-            x,
-            y,
-            width,
-            height,
-        } = self.area;
-        let place =
-            |at, side, corner| (f64::from(at) + f64::from(side) / 2.0 - corner) / self.scale;
+    /// The point of the picture at a point of the window.
+    fn place(&self, x: f64, y: f64) -> (f64, f64) {
         (
-            place(x, width, self.corner.0),
-            place(y, height, self.corner.1),
+            (x - self.corner.0) / self.scale,
+            (y - self.corner.1) / self.scale,
         )
     }
 }
@@ -150,39 +139,20 @@ fn spread(
 mod tests {
     use super::*;
 
-    fn placed(width: u32, height: u32, zoom: Zoom) -> Placement {
-        let area = Area::new(0, 18, 640, 480);
-        Placement::new(Size::new(width, height).unwrap(), area, zoom)
-    }
-
-    #[test]
-    fn zooming_keeps_the_pixel_under_the_cursor_or_the_middle() {
-        // Beside the picture, the cursor does not count.
-        for (cursor, under) in [((500, 100), (500, 100)), ((5, 5), (320, 258))] {
-            let mut placement = placed(640, 480, Zoom::Fit);
-            let pixel = placement.pixel(under);
-            for factor in 2..7 {
-                let zoom = placement.zoomed(true, cursor);
-                assert!(matches!(zoom, Zoom::Factor(found, _) if found == factor));
-                placement = placed(640, 480, zoom);
-                assert_eq!(placement.pixel(under), pixel);
-            }
-        }
-    }
-
     /// A shrunk picture is first shown in its own size. One that fits enlarged by more than
     /// the greatest factor is not shrunk by zooming in.
     #[test]
     fn zooming_ends_where_the_picture_fits_and_at_64_times() {
         for (side, first, last) in [(100, 5, 64), (960, 1, 64), (1, 480, 480)] {
-            let zoom_in = |zoom, _| placed(side, side, zoom).zoomed(true, (0, 0));
-            let first_zoom = zoom_in(Zoom::Fit, 0);
-            let last_zoom = (0..100).fold(Zoom::Fit, zoom_in);
+            let size = Size::new(side, side).unwrap();
+            let placed = |zoom| Placement::new(size, Area::new(0, 18, 640, 480), zoom);
+            let zoom_in = |zoom, _| placed(zoom).zoomed(true, (0, 0));
             let middle = (f64::from(side) / 2.0, f64::from(side) / 2.0);
+            let first_zoom = zoom_in(Zoom::Fit, 0);
             assert_eq!(first_zoom, Zoom::Factor(first, middle));
+            let last_zoom = (0..100).fold(Zoom::Fit, zoom_in);
             assert_eq!(last_zoom, Zoom::Factor(last, middle));
-            let back = placed(side, side, first_zoom).zoomed(false, (0, 0));
-            assert_eq!(back, Zoom::Fit);
+            assert_eq!(placed(first_zoom).zoomed(false, (0, 0)), Zoom::Fit);
         }
     }
 }

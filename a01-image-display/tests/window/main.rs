@@ -134,7 +134,7 @@ fn wheel_keys_and_drags_zoom_and_move_the_picture() {
             window.act(
                 "mousedown 1 sleep 0.03 mouseup 1 sleep 0.03 mousedown 1 sleep 0.03 mouseup 1",
             );
-            window.wait_for(&["left: false", "pixel: Some([320, 240])"]);
+            window.wait_for(&["left: false"]);
             window.state().contains("zoom: Fit").then_some(())
         });
         window.press("Escape");

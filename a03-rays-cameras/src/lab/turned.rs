@@ -88,25 +88,16 @@ impl View {
         }
         if moves.turn != [0.0; 2] {
             let middle = middle(&make(size)?.watched(settings, false), size);
-            self.camera = camera(self.camera, size, middle, moves.turn);
+            let ([yaw, pitch], zoom) = (moves.turn, 1.0);
+            self.camera = Box::new(Turned::new(
+                self.camera,
+                size,
+                middle,
+                Turn { yaw, pitch, zoom },
+            ));
         }
         Ok(self)
     }
-}
-
-/// Turns a camera by two angles: around the vertical, and upwards.
-fn camera(
-    camera: Box<dyn Camera>,
-    size: Size,
-    centre: Point3,
-    [yaw, pitch]: [f64; 2],
-) -> Box<dyn Camera> {
-    let turn = Turn {
-        yaw,
-        pitch,
-        ..Turn::NONE
-    };
-    Box::new(Turned::new(camera, size, centre, turn))
 }
 
 /// The middle of the scene of a watched view: the point of the gaze that is nearest to the
