@@ -229,11 +229,14 @@ impl Screen {
             Some(Ok(explanation)) => {
                 for step in explanation.trace.steps.iter().take(MOST_STEPS) {
                     add(step.level, Kind::Text, &step.name);
-                    let values = step.values.iter();
-                    let values =
-                        values.map(|(symbol, value)| format!("   {symbol} {}", digits(value)));
-                    let text = format!("{}{}", step.outcome, values.collect::<String>());
-                    add(step.level, Kind::Muted, text.trim());
+                    let mut text = step.outcome.clone();
+                    for (symbol, value) in &step.values {
+                        // A line breaks between values only.
+                        let value = format!("{symbol} {}", digits(value)).replace(' ', "\u{a0}");
+                        text += "   ";
+                        text += &value;
+                    }
+                    add(step.level, Kind::Muted, text.trim_start());
                 }
             }
         }

@@ -105,8 +105,14 @@ impl Screen {
             Kind::Text | Kind::Entry(false) => {}
         }
         self.letters.write(frame, area, color, &item.text);
-        area.x += area.width - self.letters.width(&item.value);
-        self.letters.write(frame, area, colors.muted, &item.value);
+        let (text, value) = (
+            self.letters.width(&item.text),
+            self.letters.width(&item.value),
+        );
+        if text + value <= area.width {
+            area.x += area.width - value;
+            self.letters.write(frame, area, colors.muted, &item.value);
+        }
     }
 }
 
