@@ -1,10 +1,11 @@
 //! The rays of a trace as the camera sees them, for the picture.
 
 use a02_math::{Direction, Point3, Vector3};
-use common::steps::{self, HIT, Step};
+use common::steps::Step;
 use common::{SeenLine, Size};
 
 use super::drawing::lines;
+use super::turned;
 use crate::{Camera, View};
 
 /// The pieces of a ray; each is drawn straight, and as hidden or not.
@@ -54,7 +55,7 @@ fn place(view: &View, size: Size, point: Point3) -> Option<([f64; 2], bool)> {
         let error = point - at(x, y);
         if error.magnitude() < 1e-6 * distance {
             // The surface where a ray begins is not before it.
-            let nearest = nearest_hit(view, &ray).unwrap_or(f64::INFINITY);
+            let nearest = turned::nearest(view, &ray).unwrap_or(f64::INFINITY);
             let is_hidden = nearest < distance * (1.0 - 1e-4);
             return Some(([x + 0.5, height - 0.5 - y], is_hidden));
         }
@@ -67,11 +68,4 @@ fn place(view: &View, size: Size, point: Point3) -> Option<([f64; 2], bool)> {
         y += (a * u - b * r) / determinant;
     }
     None
-}
-
-/// The distance of the nearest object along a ray.
-fn nearest_hit(view: &View, ray: &crate::Ray) -> Option<f64> {
-    let (_, steps) = steps::recorded(|| view.world.radiance(ray, 1));
-    let hit = steps.iter().find(|step| step.kind == HIT)?;
-    hit.value("t").map(|[t]| t)
 }

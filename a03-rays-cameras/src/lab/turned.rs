@@ -109,10 +109,14 @@ pub fn middle(view: &View, size: Size) -> Point3 {
     if ahead > 0.1 {
         return gaze.at(ahead);
     }
-    let (_, steps) = steps::recorded(|| view.world.radiance(&gaze, 1));
-    let hit = steps.iter().find(|step| step.kind == HIT);
-    let [t] = hit.and_then(|hit| hit.value("t")).unwrap_or([3.0]);
-    gaze.at(t)
+    gaze.at(nearest(view, &gaze).unwrap_or(3.0))
+}
+
+/// The distance of the nearest object along a ray.
+pub fn nearest(view: &View, ray: &Ray) -> Option<f64> {
+    let (_, steps) = steps::recorded(|| view.world.radiance(ray, 1));
+    let hit = steps.iter().find(|step| step.kind == HIT)?;
+    hit.value("t").map(|[t]| t)
 }
 
 /// The vector `v`, rotated by an angle about an axis of length 1: the formula of

@@ -1,20 +1,19 @@
 //! `Gallery`: the scenes of a stage, which a window shows one at a time.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::thread::{Scope, ScopedJoinHandle};
 
-use common::{
-    Error, Image, PixelTrace, Renderer, Sampling, Scene, SeenLine, Settings, Size, Transfer,
-    picture_file,
-};
+use common::{Error, Image, Renderer, Scene, Settings, Size};
 use measure::Stage;
 
 use crate::appearance::Appearance;
+use crate::explanation::Explanation;
 use crate::grammar::Showing;
-use crate::live_picture::Coarse;
+use crate::live_picture::{Coarse, coarse};
 use crate::options::Options;
 use crate::print::warn;
+use crate::save::save_beside_others;
 use crate::target::make_default_folder;
 use crate::watch::Watch;
 use crate::{LivePicture, Slider};
@@ -53,17 +52,6 @@ pub struct Gallery<'scope, 'a> {
 
 /// A task in a thread of its own.
 type Task<'scope, T> = ScopedJoinHandle<'scope, Result<T, Error>>;
-
-/// The numbers behind a pixel, and its rays in the picture.
-pub struct Explanation {
-    /// The numbers.
-    pub trace: PixelTrace,
-    /// The rays after the camera's.
-    pub rays: Vec<SeenLine>,
-}
-
-/// Most samples of an explained pixel: of more, it is explained by one in its middle.
-const MOST_SAMPLES: u32 = 16;
 
 /// The angle by which the camera turns for a pixel of the mouse's way, in radians.
 const TURN: f64 = 0.01;
@@ -273,19 +261,11 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
     /// Chooses the pixel that is explained.
     pub fn explain(&mut self, pixel: Option<[u32; 2]>) {
         (self.pixel, self.explanation, self.explaining) = (pixel, None, None);
-        if let (Some(pixel), Some(explained), Ok(mut settings)) =
-            (pixel, self.scene.explained.clone(), self.settings())
-        {
-            if settings.max_error.take().is_some() || settings.samples > MOST_SAMPLES {
-                (settings.samples, settings.sampling) = (1, Sampling::Center);
-            }
-            settings.renderer = Renderer::Lesson;
-            self.explaining = Some(self.scope.spawn(move || {
-                let trace = explained.trace(&settings, pixel)?;
-                let rays = explained.seen_rays(&settings, &trace)?;
-                Ok(Explanation { trace, rays })
-            }));
-        }
+        let task = |pixel| Some((pixel, self.scene.explained.clone()?, self.settings().ok()?));
+        self.explaining = pixel.and_then(task).map(|(pixel, explained, settings)| {
+            let explain = move || Explanation::new(&*explained, settings, pixel);
+            self.scope.spawn(explain)
+        });
     }
 
     /// Saves a picture as `out/STAGE-SCENE.png` and returns its path. A different
@@ -308,67 +288,4 @@ impl Drop for Gallery<'_, '_> {
 fn result<T>(task: Task<T>) -> Result<T, Error> {
     task.join()
         .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-}
-
-/// The sides of the pixels of coarse pictures that are rendered first, and the settings. All
-/// together take a small part of the time of the picture.
-fn coarse(scene: &Scene, settings: &Settings) -> impl Iterator<Item = (u32, Settings)> {
-    let has_rays = scene.explained.is_some();
-    let (size, samples) = (settings.size, settings.samples);
-    let sides = [8, 4, 2, 1].into_iter();
-    sides
-        .filter(move |side| has_rays && samples.saturating_mul(side * side) >= 16)
-        .map(move |side| {
-            let size = Size::new(size.width().div_ceil(side), size.height().div_ceil(side));
-            let settings = Settings {
-                size: size.unwrap_or(settings.size),
-                samples: 1,
-                sampling: Sampling::Center,
-                max_error: None,
-                ..settings.clone()
-            };
-            (side, settings)
-        })
-}
-
-fn save_beside_others(folder: &Path, name: &str, size: Size, rgb: &[u8]) -> Result<PathBuf, Error> {
-    let is_same = |path: &Path| {
-        picture_file::open(path)
-            .is_ok_and(|other| other.size() == size && other.to_rgb8(Transfer::Linear) == rgb)
-    };
-    let mut path = folder.join(format!("{name}.png"));
-    let mut number = 1;
-    while path.exists() {
-        if is_same(&path) {
-            return Ok(path);
-        }
-        number += 1;
-        path = folder.join(format!("{name}-{number}.png"));
-    }
-    picture_file::save_png(&path, size, rgb)?;
-    Ok(path)
-}
-
-#[cfg(test)]
-mod tests {
-    use common::Color;
-
-    use super::*;
-
-    #[test]
-    fn files_of_other_content_are_never_overwritten() {
-        let folder = tempfile::tempdir().unwrap();
-        std::fs::write(folder.path().join("a.png"), "a letter").unwrap();
-        let size = Size::new(1, 1).unwrap();
-        // The same picture is there already when it is saved again.
-        for (gray, name) in [(2, "a-2.png"), (3, "a-3.png"), (2, "a-2.png")] {
-            let path = save_beside_others(folder.path(), "a", size, &[gray; 3]).unwrap();
-            assert_eq!(path.file_name().unwrap(), name);
-            let saved = picture_file::open(&path).unwrap();
-            assert_eq!(saved.pixels(), [Color::from_bytes([gray; 3])]);
-        }
-        let kept = std::fs::read_to_string(folder.path().join("a.png")).unwrap();
-        assert_eq!(kept, "a letter");
-        assert_eq!(folder.path().read_dir().unwrap().count(), 3);
-    }
 }

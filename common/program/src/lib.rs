@@ -9,6 +9,7 @@ mod appearance;
 mod explain;
 #[cfg(not(handout))]
 mod explain_pixel;
+mod explanation;
 #[cfg(not(handout))]
 mod extremes;
 mod gallery;
@@ -21,6 +22,7 @@ mod render;
 #[cfg(not(handout))]
 mod report;
 mod run;
+mod save;
 mod show;
 mod slider;
 mod target;
@@ -29,6 +31,7 @@ mod viewer;
 mod watch;
 
 pub use appearance::Theme;
+pub use explanation::Explanation;
 pub use gallery::Gallery;
 pub use live_picture::LivePicture;
 pub use named::{Named, SAMPLINGS, by_name};

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::time::{Duration, Instant};
 
-use common::{Color, Image, Progress, Size, Transfer};
+use common::{Color, Image, Progress, Sampling, Scene, Settings, Size, Transfer};
 
 /// The packed 0xRRGGBB pixels of a picture while it is rendered. Before a row is finished, it
 /// shows a coarse picture, if there is one.
@@ -159,6 +159,27 @@ impl Progress for Coarse<'_> {
     fn stopped(&self) -> bool {
         self.0.stopped()
     }
+}
+
+/// The sides of the pixels of coarse pictures that are rendered first, and the settings. All
+/// together take a small part of the time of the picture.
+pub fn coarse(scene: &Scene, settings: &Settings) -> impl Iterator<Item = (u32, Settings)> {
+    let has_rays = scene.explained.is_some();
+    let (size, samples) = (settings.size, settings.samples);
+    let sides = [8, 4, 2, 1].into_iter();
+    sides
+        .filter(move |side| has_rays && samples.saturating_mul(side * side) >= 16)
+        .map(move |side| {
+            let size = Size::new(size.width().div_ceil(side), size.height().div_ceil(side));
+            let settings = Settings {
+                size: size.unwrap_or(settings.size),
+                samples: 1,
+                sampling: Sampling::Center,
+                max_error: None,
+                ..settings.clone()
+            };
+            (side, settings)
+        })
 }
 
 #[cfg(test)]
