@@ -187,7 +187,12 @@ impl Screen {
 
     fn add_menu(&self, content: &mut Content, gallery: &Gallery) {
         let line = self.ui(24.0);
-        for (text, key, command) in MENU {
+        let is_useful = |command: &Command| match command {
+            Command::Open => gallery.scene.uses.file,
+            Command::RenderWith(_) => gallery.scene.uses.sampling,
+            _ => true,
+        };
+        for (text, key, command) in MENU.into_iter().filter(|(.., command)| is_useful(command)) {
             let is_chosen = command == Command::RenderWith(gallery.renderer());
             content
                 .push(line, Kind::Entry(is_chosen), text, key)

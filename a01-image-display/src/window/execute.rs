@@ -27,9 +27,7 @@ impl Screen {
                     Err(error) => format!("error: {error}"),
                 },
             }),
-            Command::Open if !gallery.scene.uses.file => {
-                self.notify("only the scene show-image opens files".to_owned());
-            }
+            Command::Open if !gallery.scene.uses.file => {}
             Command::Open => match choose_file() {
                 None => self.notify(NO_FILE.to_owned()),
                 file => {

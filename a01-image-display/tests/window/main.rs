@@ -89,7 +89,7 @@ fn the_menu_works_by_keyboard_and_by_mouse() {
     with_window("show painter", |window, folder| {
         wait_for_picture(&window, "painter");
         let keys =
-            "F10 Some(Save), Down Some(Open), Down Some(Close), Up Some(Open), Up Some(Save)";
+            "F10 Some(Save), Down Some(Close), Up Some(Save), Up Some(Scene(2)), Down Some(Save)";
         for (key, selected) in in_steps(keys) {
             window.press(key);
             window.wait_for(&[&format!("selected: {selected}")]);
