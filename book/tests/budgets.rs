@@ -23,15 +23,15 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise",
             "common/learn/",
         ],
-        7_676,
+        7_945,
     ),
-    ("benchmarks", &["/benches/"], 1_576),
-    ("labs", &["/src/lab/", "/src/lab.rs"], 6_482),
+    ("benchmarks", &["/benches/"], 1_359),
+    ("labs", &["/src/lab/", "/src/lab.rs"], 6_810),
     ("engine", &["common/engine/"], 7_239),
     (
         "reader and writer of scene files",
         &["common/scene-file/"],
-        930,
+        1_088,
     ),
     (
         "common, program, measure and testing",
@@ -41,17 +41,17 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/measure/src/",
             "common/testing/src/",
         ],
-        7_323,
+        7_797,
     ),
-    ("tests of common and program", &["common/"], 270),
-    ("fuzz targets", &["fuzz/"], 588),
+    ("tests of common and program", &["common/"], 269),
+    ("fuzz targets", &["fuzz/"], 593),
     ("checks of the book", &["book/tests/"], 438),
-    ("live pages", &["book/live/"], 1_760),
-    ("tests of the stages", &["/tests/"], 4_711),
+    ("live pages", &["book/live/"], 1_747),
+    ("tests of the stages", &["/tests/"], 4_643),
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 47_325;
+const OF_ALL: usize = 48_861;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.
