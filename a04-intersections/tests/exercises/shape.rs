@@ -237,6 +237,7 @@ pub fn scene(
 }
 
 /// Remarks the worst ray and shape for the student's formula, whose shape some numbers describe.
+#[cfg(not(handout))]
 pub fn search(check: &mut Check, name: &str, yours: &dyn Fn(&[f64]) -> Made<Shape>) {
     check.remark(|| {
         let subject = Subject::named(name)?;
