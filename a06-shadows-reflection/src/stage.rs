@@ -39,6 +39,7 @@ pub fn stage() -> Stage {
 #[must_use]
 pub fn traced(view: View<ShadowedWorld>) -> View {
     let world = |world| RecursiveWorld {
+        // The lesson needs nothing else.
         world,
         shapes: a04_intersections::fast::shapes,
         #[cfg(not(handout))]

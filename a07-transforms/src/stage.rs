@@ -44,6 +44,7 @@ pub fn stage() -> Stage {
 #[must_use]
 pub fn traced(view: View<ShadowedWorld>) -> View {
     let world = |world| RecursiveWorld {
+        // The lesson needs nothing else.
         world,
         shapes: crate::fast::shapes,
         watched: crate::lab::watched::geometry,

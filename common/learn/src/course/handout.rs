@@ -18,7 +18,7 @@ const README: &str = include_str!("../../handout/README.md");
 /// What Git has of the workbook, without the stages and their pages.
 const PARTS: &str = ".cargo .gitignore Cargo.lock Cargo.toml LICENSE clippy.toml common";
 /// What a handout without laboratories lacks of it.
-const LABS: &str = ":!common/engine :!common/scene-file :!common/learn/handout :!*/examples";
+const LABS: &str = ":!common/engine :!common/scene-file :!common/learn/handout :!*/examples/*";
 
 /// For lecturers: writes a workbook for students
 #[derive(clap::Args, Default)]
