@@ -23,7 +23,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise",
             "common/learn/",
         ],
-        7_951,
+        7_956,
     ),
     ("benchmarks", &["/benches/"], 1_359),
     ("labs", &["/src/lab/", "/src/lab.rs"], 6_810),
@@ -51,7 +51,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 48_869;
+const OF_ALL: usize = 48_874;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.

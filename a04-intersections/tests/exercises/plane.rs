@@ -15,7 +15,10 @@ pub fn check(check: &mut Check, new: &dyn Fn(Point3, Normal3) -> Made<Shape>) {
     scene(check, "scene-1", scene_1, plane);
     #[cfg(not(handout))]
     search(check, "plane", &|x| {
-        new(Point3::new(x[0], x[1], x[2]), Normal3::new(x[3], x[4], x[5]))
+        new(
+            Point3::new(x[0], x[1], x[2]),
+            Normal3::new(x[3], x[4], x[5]),
+        )
     });
 }
 

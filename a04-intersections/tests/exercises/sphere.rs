@@ -13,7 +13,9 @@ pub fn check(check: &mut Check, new: &dyn Fn(Point3, f64) -> Made<Shape>) {
     );
     scene(check, "scene-2", scene_2, new(point([0.0, 0.0, -3.0]), 0.5));
     #[cfg(not(handout))]
-    search(check, "sphere", &|x| new(Point3::new(x[0], x[1], x[2]), x[3]));
+    search(check, "sphere", &|x| {
+        new(Point3::new(x[0], x[1], x[2]), x[3])
+    });
 }
 
 /// The textbook's `a t² + 2 b t + k = 0`, with a choice among its roots.
