@@ -149,7 +149,8 @@ async function tryEditor() {
     })()`);
     await chromium.until(`live.editor.picture.controls`);
     await write(`replace('radius = 0.8', 'radios = 0.8')`);
-    await chromium.until(`live.editor.mistake.value === 'line 51: sphere has no "radios"; the nearest is radius'`);
+    const line = await chromium.value(`live.editor.text.value.split('radios')[0].split('\\n').length`);
+    await chromium.until(`live.editor.mistake.value === 'line ${line}: sphere has no "radios"; the nearest is radius'`);
     await shot('editor', `document.querySelector('.live-editor')`);
     // Between two mirrors each ray hits fifty surfaces, until the text is another.
     await write(`replace('depth = 4', 'depth = 50').replace('radios = 0.8', 'radius = 0.8').replace('[0.5, 0.55, 0.6]', '[1, 1, 1]') + '[[plane]]\\npoint = [0, 9, 0]\\nnormal = [0, -1, 0]\\nmaterial = "water"'`);
