@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Write;
 use std::time::{Duration, Instant};
 
-use common::fnv1a;
+use common::{Color, Image, fnv1a};
 use minifb::{ScaleMode, WindowOptions};
 use program::{Gallery, NotShown, Theme};
 
@@ -170,18 +170,10 @@ impl Screen {
                 .outcome
                 .as_ref()
                 .and_then(|outcome| outcome.as_ref().ok());
-            let hash = image.map(|image| {
-                let bytes = |color| gallery.options.transfer.bytes(color);
-                fnv1a(
-                    image
-                        .pixels()
-                        .iter()
-                        .copied()
-                        .flat_map(bytes)
-                        .collect::<Vec<_>>()
-                        .as_slice(),
-                )
-            });
+            // Not by `to_rgb8`, which would start threads that a test does not expect.
+            let bytes = |color: &Color| gallery.options.transfer.bytes(*color);
+            let bytes = |image: &Image| image.pixels().iter().flat_map(bytes).collect::<Vec<_>>();
+            let hash = image.map(|image| fnv1a(&bytes(image)));
             let _ = writeln!(log, "{state} picture: {hash:?} {content:?}");
         }
     }

@@ -88,13 +88,13 @@ impl View {
         }
         if moves.turn != [0.0; 2] {
             let middle = middle(&make(size)?.watched(settings, false), size);
-            let ([yaw, pitch], zoom) = (moves.turn, 1.0);
-            self.camera = Box::new(Turned::new(
-                self.camera,
-                size,
-                middle,
-                Turn { yaw, pitch, zoom },
-            ));
+            let [yaw, pitch] = moves.turn;
+            let turn = Turn {
+                yaw,
+                pitch,
+                ..Turn::NONE
+            };
+            self.camera = Box::new(Turned::new(self.camera, size, middle, turn));
         }
         Ok(self)
     }
