@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use common::{Error, Image, Settings};
 use measure::Stage;
 
-use super::{Check, Code, Known};
+use super::{Check, Code, Mistakes};
 use answer::Answer;
 
 // The page speaks with this module as with the module of the lessons.
@@ -26,7 +26,7 @@ thread_local! {
 
 /// Keeps the code of an exercise for the page.
 #[must_use]
-pub fn judge(_: &str, name: &'static str, code: Code, _: Known) -> ExitCode {
+pub fn judge(_: &str, name: &'static str, code: Code, _: Mistakes) -> ExitCode {
     YOURS.with_borrow_mut(|yours| yours.push((name, code)));
     ExitCode::SUCCESS
 }

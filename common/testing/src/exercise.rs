@@ -78,7 +78,7 @@ pub struct Exercise {
 pub struct Variant(bool, &'static str, fn(&mut Check));
 
 /// The check of the solution, and the variants of an exercise.
-pub type Known = (fn(&mut Check), &'static [Variant]);
+pub type Mistakes = (fn(&mut Check), &'static [Variant]);
 
 /// A right solution in another style.
 #[must_use]

@@ -5,12 +5,12 @@ use std::process::ExitCode;
 
 use super::findings::Findings;
 use super::known::recognised;
-use super::{Check, Code, Known, picture, replay};
+use super::{Check, Code, Mistakes, picture, replay};
 
 /// Runs the examples and the check of a student's file, prints the findings, and exits with
 /// 0 if the code is right, with 1 if it is not, and with 3 if parts are still missing.
 #[must_use]
-pub fn judge(stage: &str, name: &'static str, code: Code, known: Known) -> ExitCode {
+pub fn judge(stage: &str, name: &'static str, code: Code, known: Mistakes) -> ExitCode {
     panic::set_hook(Box::new(move |panic| {
         let line = panic.location().map_or(0, Location::line);
         let message = panic.payload_as_str().unwrap_or_default();

@@ -3,7 +3,7 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::{Answer, Check, Input, Variant};
+use super::{Answer, Check, Input, Mistakes, Variant};
 
 /// The answer of a student's code at an input, and whether it is wrong; none where the lesson's
 /// answer depends on rounding.
@@ -54,7 +54,7 @@ impl Known {
 
 /// A sentence about the mistake that has the results of a checked code, or of the one that is
 /// clearly nearest to it. The solution makes the usual mistakes.
-pub(super) fn recognised(found: &Check, (solution, variants): super::Known) -> Option<String> {
+pub(super) fn recognised(found: &Check, (solution, variants): Mistakes) -> Option<String> {
     let most = found.differ / 20;
     let usual = (0..).zip(&found.usual);
     let usual = usual.map(|(index, about)| (*about, solution, Some(index)));

@@ -7,7 +7,7 @@ use libtest_mimic::{Arguments, Failed, Trial};
 
 use super::findings::Findings;
 use super::known::recognised;
-use super::{Check, Code, Exercise, Known, Variant, picture, replay};
+use super::{Check, Code, Exercise, Mistakes, Variant, picture, replay};
 
 /// Proves that starters are to do, that examples hold for the solutions, and that checks
 /// accept all right variants and refuse all mistakes.
@@ -93,7 +93,7 @@ fn accept(found: &Findings, name: &str, save: bool) -> Result<(), Failed> {
 }
 
 /// Fails if the check has accepted a mistake, or if it is not recognised.
-fn refuse(about: &str, found: &Findings, known: Known, show: bool) -> Result<(), Failed> {
+fn refuse(about: &str, found: &Findings, known: Mistakes, show: bool) -> Result<(), Failed> {
     let known = recognised(&found.check, known).unwrap_or_default();
     if show {
         println!("{about}\n  {}\n  {known}", found.wrong.join("\n  "));
