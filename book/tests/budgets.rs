@@ -31,7 +31,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
     (
         "reader and writer of scene files",
         &["common/scene-file/"],
-        1_088,
+        1_120,
     ),
     (
         "common, program, measure and testing",
@@ -41,7 +41,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/measure/src/",
             "common/testing/src/",
         ],
-        7_797,
+        7_802,
     ),
     ("tests of common and program", &["common/"], 269),
     ("fuzz targets", &["fuzz/"], 593),
@@ -51,7 +51,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 48_874;
+const OF_ALL: usize = 48_902;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.

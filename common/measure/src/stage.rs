@@ -37,9 +37,13 @@ impl Stage {
     /// error lists the scenes of the stage.
     pub fn scene(&self, name: &str) -> Result<Scene, Error> {
         #[cfg(not(handout))]
-        if name.rsplit_once('.').is_some_and(|(_, end)| end == "toml") {
-            let none = || format!("{} opens no scene files; stages 4 to 7 do", self.name);
-            return self.open.ok_or_else(|| Error::Usage(none()))?(name.as_ref());
+        if let Some((_, end)) = name.rsplit_once('.') {
+            let none = match self.open {
+                Some(open) if end == "toml" => return open(name.as_ref()),
+                Some(_) => format!("{name} is no scene file, which ends in .toml"),
+                None => format!("{} opens no scene files; stages 4 to 7 do", self.name),
+            };
+            return Err(Error::Usage(none));
         }
         let known = self.scenes.iter().find(|scene| scene.name == name);
         known.cloned().ok_or_else(|| {

@@ -48,6 +48,7 @@ pub fn watch(
 ) -> Result<(), Error> {
     let mut watch = Watch::new(scenes)?;
     render(scenes)?;
+    warn("note: each save of the file renders it anew; Ctrl+C ends this");
     loop {
         thread::sleep(Duration::from_millis(200));
         let opened = watch.reopen(stage);

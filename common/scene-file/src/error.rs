@@ -19,9 +19,14 @@ pub struct Error {
     pub text: String,
 }
 
-/// The known name that is nearest to a misspelt one, as the end of an error.
-pub(crate) fn nearest<'a>(known: impl Iterator<Item = &'a str>, name: &str) -> String {
-    let nearness = |known: &&str| strsim::jaro(known, name);
-    let nearest = known.max_by(|a, b| nearness(a).total_cmp(&nearness(b)));
-    nearest.map_or_else(String::new, |nearest| format!("; the nearest is {nearest}"))
+/// The known name that is nearest to a misspelt one, or all if none is near, as the end of an
+/// error.
+pub(crate) fn nearest(known: &[&str], name: &str) -> String {
+    let nearness = |known: &str| strsim::normalized_damerau_levenshtein(known, name);
+    let known_by_nearness = known.iter().map(|known| (nearness(known), known));
+    match known_by_nearness.max_by(|a, b| a.0.total_cmp(&b.0)) {
+        Some((0.5.., nearest)) => format!("; the nearest is {nearest}"),
+        Some(_) if known.len() <= 16 => format!("; there is {}", known.join(", ")),
+        _ => String::new(),
+    }
 }

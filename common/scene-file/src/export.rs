@@ -22,7 +22,7 @@ pub fn export(
     let no_shadow = if scene.lights.iter().any(|light| light.casts_shadows) {
         String::new()
     } else {
-        language.word("NoShadow")
+        language.word("no shadow")
     };
     // Surfaces with the same phrase share a material.
     let (mut names, mut uses) = (HashMap::new(), Vec::new());
@@ -40,11 +40,11 @@ pub fn export(
         let shadows = if source.casts_shadows || !no_shadow.is_empty() {
             String::new()
         } else {
-            language.find("LightWithoutShadows", "", &[])?
+            language.find("light without shadows", "", &[])?
         };
         text += &light(language, source)?.replace("[shadows]", &shadows);
     }
-    let (begin, end, mut result) = (language.word("Mesh"), language.word("EndOfMesh"), Ok(()));
+    let (begin, end, mut result) = (language.word("mesh"), language.word("end of mesh"), Ok(()));
     scene.for_each_shape(|steps, shape, surface| {
         let used = &uses[surface as usize];
         match shape::text(language, shape, steps, used) {
@@ -59,7 +59,7 @@ pub fn export(
             Err(lacking) => result = Err(lacking),
         }
     });
-    result.map(|()| text + &language.word("End"))
+    result.map(|()| text + &language.word("end"))
 }
 
 /// The picture, the camera, the background and the ambient light.
@@ -72,17 +72,17 @@ fn head(
     let [width, height] = [settings.size.width(), settings.size.height()].map(f64::from);
     let (samples, depth) = (f64::from(settings.samples), f64::from(settings.depth));
     let size = [&[width][..], &[height], &[depth]];
-    let mut text = language.find("Start", "width height depth", &size)?;
+    let mut text = language.find("start", "width height depth", &size)?;
     let default = Settings::default();
-    text += &unless(default.samples.into(), language, "Samples", &[samples]);
-    text += &unless(default.depth.into(), language, "Depth", &[depth]);
+    text += &unless(default.samples.into(), language, "samples", &[samples]);
+    text += &unless(default.depth.into(), language, "depth", &[depth]);
     let (kind, basis, half) = match camera {
         Camera::Perspective {
             basis,
             half_tangent,
-        } => ("Perspective", basis, *half_tangent),
-        Camera::Orthographic { basis, scale } => ("Orthographic", basis, *scale),
-        Camera::Other(_) => return language.find("CameraOfFormula", "", &[]),
+        } => ("perspective", basis, *half_tangent),
+        Camera::Orthographic { basis, scale } => ("orthographic", basis, *scale),
+        Camera::Other(_) => return language.find("camera by formula", "", &[]),
     };
     let angle = exact_angle(2.0 * libm::atan(half), |angle| {
         libm::tan(angle / 2.0) == half
@@ -98,8 +98,8 @@ fn head(
     let names = "eye gaze up right upwards ahead angle focus scale frustum";
     let values: [&[f64]; 10] = [&e, &gaze, &up, &u, &v, &w, &angle, &focus, &scale, &frustum];
     text += &language.find(kind, names, &values)?;
-    text += &unless(0.0, language, "Background", &scene.background.channels());
-    text += &unless(0.0, language, "Ambient", &scene.ambient.channels());
+    text += &unless(0.0, language, "background", &scene.background.channels());
+    text += &unless(0.0, language, "ambient", &scene.ambient.channels());
     Ok(text)
 }
 
@@ -113,16 +113,16 @@ fn unless(default: f64, language: Phrases, phrase: &str, numbers: &[f64]) -> Str
 /// A material and its use by a shape.
 fn material(language: Phrases, surface: &Surface, ambient: Color) -> Result<[String; 2], String> {
     let (kind, color, specular, exponent) = match &surface.shading {
-        Shading::SingleColor(color) => ("Single", *color, Color::BLACK, 0.0),
+        Shading::SingleColor(color) => ("single", *color, Color::BLACK, 0.0),
         Shading::Phong(phong) => {
             let kind = match phong.specular {
-                Color::BLACK => "Matt",
-                gray if gray == Color::gray(gray.r) => "Shiny",
-                _ => "ColoredHighlight",
+                Color::BLACK => "matt",
+                gray if gray == Color::gray(gray.r) => "shiny",
+                _ => "colored highlight",
             };
             (kind, phong.diffuse, phong.specular, phong.exponent)
         }
-        Shading::Other(_) => ("MaterialOfFormula", Color::BLACK, Color::BLACK, 0.0),
+        Shading::Other(_) => ("material by formula", Color::BLACK, Color::BLACK, 0.0),
     };
     let (first, exponent) = ([specular.r, surface.reflection.r, ambient.r], [exponent]);
     let [highlight, mirror, glow] = first.map(|channel| [channel]);
@@ -139,14 +139,17 @@ fn material(language: Phrases, surface: &Surface, ambient: Color) -> Result<[Str
         &mirror,
         &glow,
     ];
-    let mirrored = unless(0.0, language, "Reflection", &reflection);
+    let mirrored = unless(0.0, language, "reflection", &reflection);
     let words = language.find(kind, names, &values)? + &mirrored;
-    Ok([words, language.find(&format!("Use{kind}"), names, &values)?])
+    Ok([
+        words,
+        language.find(&format!("use {kind}"), names, &values)?,
+    ])
 }
 
 fn light(language: Phrases, light: &Light) -> Result<String, String> {
     let (kind, color, position, axis, angle) = match light.kind {
-        LightKind::Point { color, position } => ("Point", color, position, DVec3::X, 0.0),
+        LightKind::Point { color, position } => ("point", color, position, DVec3::X, 0.0),
         LightKind::Spot {
             color,
             position,
@@ -154,12 +157,12 @@ fn light(language: Phrases, light: &Light) -> Result<String, String> {
             cos_half_angle: cosine,
         } => {
             let angle = exact_angle(libm::acos(cosine), |angle| libm::cos(angle) == cosine);
-            ("Spot", color, position, direction, angle)
+            ("spot", color, position, direction, angle)
         }
         LightKind::Directional { color, direction } => {
-            ("Directional", color, direction * -1e4, direction, 0.0)
+            ("directional", color, direction * -1e4, direction, 0.0)
         }
-        LightKind::Other(_) => return language.find("LightOfFormula", "", &[]),
+        LightKind::Other(_) => return language.find("light by formula", "", &[]),
     };
     let [p, a, target] = [position, axis, position + axis].map(|v| v.to_array());
     let (color, direction, angle) = (color.channels(), short(axis), [angle]);

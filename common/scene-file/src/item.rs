@@ -117,7 +117,8 @@ impl Item {
         if numbers.iter().all(is_right) {
             return Ok(Some(numbers.map(|number| number as u32)));
         }
-        let text = format!("{key} must be whole, from 1 to {most}, not {numbers:?}");
+        let given = numbers.map(|number| number.to_string()).join(" and ");
+        let text = format!("{key} must be whole, from 1 to {most}, not {given}");
         Err(self.error(key, text))
     }
 
@@ -125,8 +126,15 @@ impl Item {
     pub fn check<T>(&self, made: Result<T, ArgumentError>) -> Result<T, Error> {
         made.map_err(|error| {
             let words = error.name.replace("centre", "center");
+            let words = words.replace("half angle", "half_angle");
             let key = words.split(' ').next().unwrap_or_default();
-            self.error(key, format!("{}: {error}", self.kind.name))
+            // Constructors take radians.
+            let degrees = |key: &&Key| key.about.contains("degrees");
+            let text = match self.kind.key(key).filter(degrees) {
+                Some(angle) => format!("{}: {key} must be {}", self.kind.name, angle.about),
+                None => format!("{}: {error}", self.kind.name),
+            };
+            self.error(key, text)
         })
     }
 
@@ -149,7 +157,8 @@ impl Item {
         };
         let found = items.clone().find(|item| item.name == *name);
         found.ok_or_else(|| {
-            let nearest = nearest(items.map(|item| item.name.as_str()), name);
+            let names: Vec<_> = items.map(|item| item.name.as_str()).collect();
+            let nearest = nearest(&names, name);
             self.error(key, format!("there is no {key} \"{name}\"{nearest}"))
         })
     }

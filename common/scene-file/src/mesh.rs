@@ -21,11 +21,11 @@ impl Mesh {
             ..LoadOptions::default()
         };
         let mesh = Self(if bytes.starts_with(b"ply") {
-            vec![ply::read(bytes).map_err(|error| format!("it is no PLY file: {error}"))?]
+            vec![ply::read(bytes).map_err(|error| format!("a mistake in this PLY: {error}"))?]
         } else {
             let without_materials = |_: &_| Err(LoadError::OpenFileFailed);
             let read = tobj::load_obj_buf(&mut bytes, &options, without_materials);
-            let (models, _) = read.map_err(|error| format!("it is no OBJ file: {error}"))?;
+            let (models, _) = read.map_err(|error| format!("a mistake in this OBJ: {error}"))?;
             models.into_iter().map(|model| model.mesh).collect()
         });
         if mesh.triangles().next().is_none() {

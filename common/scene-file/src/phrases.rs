@@ -22,7 +22,7 @@ impl Phrases {
     ) -> Result<String, String> {
         let mut lines = self.0.lines();
         let found = lines.find_map(|line| line.strip_prefix(phrase)?.strip_prefix(':'));
-        let found = found.ok_or_else(|| format!("the language has no phrase for {phrase}"))?;
+        let found = found.ok_or_else(|| format!("the language has no words for a {phrase}"))?;
         let mut text = found.trim_start_matches(' ').replace("\\n", "\n");
         for (name, numbers) in names.split(' ').zip(values) {
             let numbers: Vec<_> = numbers.iter().map(|n| number(*n)).collect();

@@ -12,6 +12,10 @@ use crate::{Data, Error, Item, KINDS, Kind, Mesh, Place, Role};
 /// Reads the file of this name, beside the scene file. The error is one clause.
 pub type Files<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
 
+/// The error of a name that is there twice.
+const DUPLICATE: &str = "this name is taken: spheres, lights and the like have two pairs of \
+    brackets, as [[sphere]], and the shapes of a group stand behind its [[group]]";
+
 /// Most groups inside each other.
 const MOST_GROUPS: usize = 32;
 
@@ -42,7 +46,10 @@ impl SceneFile {
         };
         let table = DeTable::parse(text).map_err(|error| Error {
             place: reader.place(error.span().unwrap_or_default().start),
-            text: error.message().replace('\n', ", "),
+            text: match error.message() {
+                "duplicate key" => DUPLICATE.to_owned(),
+                message => message.replace('\n', ", "),
+            },
         })?;
         let mut items = Vec::new();
         for (name, value) in table.get_ref() {
@@ -121,8 +128,16 @@ impl Reader<'_> {
                 (false, false) => (),
             }
         }
-        let nearest = nearest(names.into_iter(), text);
-        Err(self.error(name, format!("{within} has no \"{text}\"{nearest}")))
+        // A key of the camera at the top of the file, or the transform of a mesh.
+        let mut owners = KINDS.iter().filter(|kind| kind.stage() <= own);
+        let owner = owners.find(|kind| {
+            (kind.role == Role::Single || kind.name == "group") && kind.key(text).is_some()
+        });
+        let right = match owner {
+            Some(owner) => format!("; {} has it", owner.written),
+            None => nearest(&names, text),
+        };
+        Err(self.error(name, format!("{within} has no \"{text}\"{right}")))
     }
 
     /// Adds the tables of a kind.
