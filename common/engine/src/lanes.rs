@@ -11,7 +11,7 @@ mod vector;
 
 pub use color::ColorPacket;
 pub use ray_packet::{PacketHit, RayPacket};
-pub use vector::{Vector3x4, is_square_of_a_length};
+pub use vector::Vector3x4;
 
 /// Four numbers side by side. A comparison of them yields a mask: all bits of a lane
 /// are set, or none.

@@ -139,8 +139,12 @@ fn a_sphere_rounded_to_a_point() {
     for far in [1e14, 1e15, 1e16, 1e17, 1e18, 1e20] {
         rays.extend(many(200, || towards(centre + any(numbers) * far, centre)));
     }
-    let hits = hits(&[Sphere::new(centre, 1.0).unwrap()], &rays);
-    assert!((200..rays.len()).contains(&hits), "{hits}");
+    let met = hits(&[Sphere::new(centre, 1.0).unwrap()], &rays);
+    assert!((200..rays.len()).contains(&met), "{met}");
+    // The square of the normal is below all numbers.
+    let beside = Sphere::new(Point3::new(0.0, 1e-300, 0.0), 1.0).unwrap();
+    let rays = [towards(Point3::new(1e20, 0.0, 0.0), Point3::ORIGIN); 40];
+    assert_eq!(hits(&[beside], &rays), 40);
 }
 
 /// The normals of two corners are opposite: half way between them is none.

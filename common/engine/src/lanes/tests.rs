@@ -3,7 +3,8 @@
 
 use glam::DVec3;
 
-use super::{Lanes, Vector3x4, is_square_of_a_length};
+use super::vector::is_square_of_a_length;
+use super::{Lanes, Vector3x4};
 use crate::vector::normalized;
 
 /// Ordinary numbers and the extremes of all kinds.

@@ -7,9 +7,9 @@ use glam::DVec3;
 
 use super::{Primitive, Rays};
 use crate::lanes::{
-    Lanes, NO_HIT, PacketHit, Vector3x4, copysign, first_positive, is_square_of_a_length, select,
-    without,
+    Lanes, NO_HIT, PacketHit, Vector3x4, copysign, first_positive, select, without,
 };
+use crate::vector::normalized;
 
 /// All points at one distance from a centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,16 +72,22 @@ impl Primitive for &Sphere {
         let in_order = t0.simd_lt(t1);
         let (near, far) = (select(in_order, t0, t1), select(in_order, t1, t0));
         let t = first_positive(near, far);
-        // Only a hit on the centre itself has no normal. A hit is a radius away from the
-        // centre, or by rounding on it, so no other vector is too short to be squared.
+        // Only a hit that is rounded to the centre has no normal.
         let outwards = f + d * t;
-        without(!is_square_of_a_length(outwards.dot(outwards)), t)
+        let largest = outwards.largest_coordinate();
+        without(!largest.simd_gt(Lanes::ZERO), t)
     }
 
     #[inline]
     fn hits(self, rays: &Rays, t: Lanes, _: u32) -> PacketHit {
         let f = rays.packet.origin - Vector3x4::splat(self.center);
-        let (normal, _) = (f + rays.packet.direction * t).normalized();
+        let outwards = f + rays.packet.direction * t;
+        let (mut normal, is_unit) = outwards.normalized();
+        if !(is_unit | t.is_nan()).all() {
+            // A distant ray is rounded almost to the centre.
+            let one = |v| normalized(v).unwrap_or(v);
+            normal = Vector3x4::new(outwards.to_lanes().map(one));
+        }
         PacketHit::with_normals(t, normal, Lanes::splat(self.radius))
     }
 }
