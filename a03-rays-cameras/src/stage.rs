@@ -56,7 +56,7 @@ impl TracedWorld for StripedSky {
             let section = "a03-rays-cameras.md#the-striped-sky";
             let (stripe, color) = (f64::from(self.stripe(ray)), self.color_for(ray));
             let step = Step::new("color", "colour of the stripe", section);
-            steps::push(step.with("number", [stripe]).with("c", color.channels()));
+            steps::push(|| step.with("number", [stripe]).with("c", color.channels()));
             color
         })
     }

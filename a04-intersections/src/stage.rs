@@ -63,11 +63,9 @@ impl TracedWorld for World<Color> {
         let world = watched::world(*self, watched::plain, |color| color);
         Box::new(move |ray: &Ray| {
             let color = world.color_for(ray);
-            if steps::is_on()
-                && let Some((hit, color)) = steps::paused(|| world.hit(ray, Interval::AHEAD))
-            {
-                watched::push_hit(ray, &hit);
-                watched::push_color("colour", *color);
+            let nearest = || world.hit(ray, Interval::AHEAD);
+            if let Some((hit, color)) = steps::is_on().then(|| steps::paused(nearest)).flatten() {
+                watched::shaded(ray, &hit, || watched::push_color("colour", *color));
             }
             watched::push_background(world.background());
             color

@@ -23,10 +23,10 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise",
             "common/learn/",
         ],
-        7_956,
+        7_941,
     ),
     ("benchmarks", &["/benches/"], 1_359),
-    ("labs", &["/src/lab/", "/src/lab.rs"], 6_810),
+    ("labs", &["/src/lab/", "/src/lab.rs"], 6_797),
     ("engine", &["common/engine/"], 7_246),
     (
         "reader and writer of scene files",
@@ -41,7 +41,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/measure/src/",
             "common/testing/src/",
         ],
-        7_802,
+        7_800,
     ),
     ("tests of common and program", &["common/"], 269),
     ("fuzz targets", &["fuzz/"], 593),
@@ -51,7 +51,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 48_912;
+const OF_ALL: usize = 48_875;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.

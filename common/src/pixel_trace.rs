@@ -4,7 +4,7 @@
 use std::collections::{BTreeSet, HashMap};
 use std::fmt;
 
-use crate::steps::Step;
+use crate::steps::{Step, TEST};
 use crate::{Color, Transfer};
 
 /// The steps from a pixel to its colour.
@@ -23,32 +23,35 @@ pub type Value<'a> = (String, &'a Step, &'a [f64]);
 
 impl PixelTrace {
     /// The first value that is not the same in both traces, and the other trace's, which may
-    /// lack it only if the step is not `needed`.
+    /// lack it only if place and step are not `needed`.
     pub fn first_difference<'a>(
         &'a self,
         other: &'a Self,
-        needed: impl Fn(&Step) -> bool,
+        needed: impl Fn(&str, &Step) -> bool,
         is_same: impl Fn(f64, f64) -> bool,
     ) -> Option<(Value<'a>, Option<&'a [f64]>)> {
         let others: HashMap<_, _> = other.values().map(|(place, _, v)| (place, v)).collect();
         self.values().find_map(|(place, step, value)| {
             let other = others.get(&place).copied();
-            let is_same = other.map_or(!needed(step), |other| {
+            let is_same = other.map_or(!needed(&place, step), |other| {
                 value.iter().zip(other).all(|(a, b)| is_same(*a, *b))
             });
             (!is_same).then_some(((place, step, value), other))
         })
     }
 
-    /// All values with their places.
+    /// All values with their places. A test without `t` counts as a hit at infinity.
     fn values(&self) -> impl Iterator<Item = Value<'_>> {
         let mut path: Vec<&str> = Vec::new();
         self.steps.iter().flat_map(move |step| {
             path.truncate(step.level);
             path.push(&step.name);
             let place = path.join(", ");
-            let values = step.values.iter();
-            values.map(move |(symbol, value)| (format!("{place}: {symbol}"), step, &**value))
+            let is_missed = step.kind == TEST && step.value::<1>("t").is_none();
+            let missed = is_missed.then_some(("t", &[f64::INFINITY][..]));
+            let values = step.values.iter().map(|(name, value)| (*name, &**value));
+            let values = missed.into_iter().chain(values);
+            values.map(move |(symbol, value)| (format!("{place}: {symbol}"), step, value))
         })
     }
 
@@ -60,18 +63,13 @@ impl PixelTrace {
             let text = format!("{numbers:?}").replace("-inf", "null");
             text.replace("inf", "null").replace("NaN", "null")
         };
-        // Names have no characters that Rust and JSON escape differently.
-        let step = |Step {
-                        level,
-                        kind,
-                        name,
-                        outcome,
-                        values,
-                        section,
-                    }: &Step| {
-            let values = values.iter();
+        let step = |step: &Step| {
+            let (level, kind, name) = (step.level, step.kind, &step.name);
+            let (outcome, section) = (&step.outcome, step.section);
+            let values = step.values.iter();
             let values = values.map(|(symbol, value)| format!("{symbol:?}: {}", numbers(value)));
             let values = values.collect::<Vec<_>>().join(", ");
+            // Names have no characters that Rust and JSON escape differently.
             format!(
                 r#"{{"level": {level}, "kind": {kind:?}, "name": {name:?}, "outcome": {outcome:?}, "values": {{{values}}}, "section": {section:?}}}"#
             )
@@ -94,31 +92,22 @@ pub fn digits(numbers: &[f64]) -> String {
         x if x != 0.0 && !(1e-3..1e6).contains(&f64::abs(x)) && x.is_finite() => format!("{x:e}"),
         x => (x + 0.0).to_string(),
     };
-    match numbers {
-        [number] => digits(number),
-        _ => format!(
-            "({})",
-            numbers.iter().map(digits).collect::<Vec<_>>().join(", ")
-        ),
+    let all: Vec<_> = numbers.iter().map(digits).collect();
+    match &*all {
+        [number] => number.clone(),
+        _ => format!("({})", all.join(", ")),
     }
 }
 
 /// The steps, one on a line and indented by their level, and the sections that explain them.
 impl fmt::Display for PixelTrace {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let names = self.steps.iter();
-        let names: Vec<_> = names
-            .map(|step| "  ".repeat(step.level) + &step.name)
-            .collect();
-        let width = names.iter().map(String::len).max().unwrap_or(0);
-        for (name, step) in names.iter().zip(&self.steps) {
-            let values = step.values.iter();
-            let values = values.map(|(symbol, value)| format!("  {symbol} {}", digits(value)));
-            let outcome = match &*step.outcome {
-                "" => String::new(),
-                outcome => format!("  {outcome}"),
-            };
-            writeln!(f, "{name:width$}{outcome}{}", values.collect::<String>())?;
+        let indented = |step: &Step| "  ".repeat(step.level) + &step.name;
+        let widths = self.steps.iter().map(|step| indented(step).len());
+        let width = widths.max().unwrap_or(0);
+        for step in &self.steps {
+            let words = step.words().map(|word| format!("  {word}"));
+            writeln!(f, "{:width$}{}", indented(step), words.collect::<String>())?;
         }
         let sections: BTreeSet<_> = self.steps.iter().map(|step| step.section).collect();
         let sections: Vec<_> = sections.into_iter().collect();
@@ -144,7 +133,7 @@ mod tests {
         let ours = trace(&["a", "b"], &[1.0]);
         let first = |names: &[&str], number, is_needed| {
             let other = trace(names, &[number]);
-            let first = ours.first_difference(&other, |_| is_needed, |a, b| a == b);
+            let first = ours.first_difference(&other, |_, _| is_needed, |a, b| a == b);
             first.map(|((place, ..), other)| (place, other.map(|other| other[0])))
         };
         assert_eq!(first(&["b"], 1.0, false), None);
@@ -156,18 +145,11 @@ mod tests {
     #[test]
     fn json_has_all_digits_and_text_has_four() {
         let trace = trace(&["a"], &[1.0 / 3.0, f64::INFINITY, 1.5e-7]);
-        let json = trace.to_json(Transfer::Linear);
-        let start = r#"{"pixel": [1, 2], "color": [0.5, 0.5, 0.5], "bytes": [128, 128, 128], "#;
-        assert!(json.starts_with(start), "{json}");
-        assert!(
-            json.contains(r#"{"x": [0.3333333333333333, null, 1.5e-7]}"#),
-            "{json}"
-        );
-        assert!(
-            trace
-                .to_string()
-                .starts_with("a  x (0.3333, inf, 1.5e-7)\n"),
-            "{trace}"
-        );
+        let json = r#"{"pixel": [1, 2], "color": [0.5, 0.5, 0.5], "bytes": [128, 128, 128], "steps": [
+{"level": 0, "kind": "kind", "name": "a", "outcome": "", "values": {"x": [0.3333333333333333, null, 1.5e-7]}, "section": ""}
+]}"#;
+        assert_eq!(trace.to_json(Transfer::Linear), json);
+        let text = trace.to_string();
+        assert!(text.starts_with("a  x (0.3333, inf, 1.5e-7)\n"), "{text}");
     }
 }

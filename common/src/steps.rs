@@ -5,8 +5,11 @@
 //! earlier step it belongs. Each thread has a record of its own; where none is kept, the cost
 //! is one test of a flag.
 
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 use std::fmt::Debug;
+use std::mem;
+
+use crate::pixel_trace::digits;
 
 /// A step of a computation.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +49,14 @@ impl Step {
         self
     }
 
+    /// The outcome, and each value with its symbol.
+    pub fn words(&self) -> impl Iterator<Item = String> {
+        let values = self.values.iter();
+        let values = values.map(|(symbol, value)| format!("{symbol} {}", digits(value)));
+        let outcome = Some(self.outcome.clone()).filter(|outcome| !outcome.is_empty());
+        outcome.into_iter().chain(values)
+    }
+
     /// The value of this symbol, if it has this many numbers.
     #[must_use]
     pub fn value<const N: usize>(&self, symbol: &str) -> Option<[f64; N]> {
@@ -62,83 +73,83 @@ pub const REFLECTED: &str = "reflected ray";
 pub const TEST: &str = "test";
 /// The kind of the nearest hit, which is shaded; and the outcome of a test that finds a hit.
 pub const HIT: &str = "hit";
+/// The kind of a light at a hit.
+pub const LIGHT: &str = "light";
 /// The name of the step at which a ray without a hit takes the background.
 pub const NO_HIT: &str = "no hit: the background";
 
 #[derive(Default)]
 struct Record {
     steps: Vec<Step>,
-    /// The level of headings, and whether there was one on it.
-    level: usize,
-    has_heading: bool,
+    /// The level of the next heading, and of the next other step.
+    levels: [usize; 2],
 }
 
-thread_local! {
-    static IS_ON: Cell<bool> = const { Cell::new(false) };
-    static RECORD: RefCell<Record> = RefCell::default();
+// No record: the thread records nothing.
+thread_local!(static RECORD: RefCell<Option<Record>> = const { RefCell::new(None) });
+
+/// Runs `task` with another record, and returns its result and the record.
+fn with_record<T>(record: Option<Record>, task: impl FnOnce() -> T) -> (T, Option<Record>) {
+    let outer = RECORD.replace(record);
+    let result = task();
+    (result, RECORD.replace(outer))
+}
+
+/// Changes the record, if there is one.
+fn edit<T>(edit: impl FnOnce(&mut Record) -> T) -> Option<T> {
+    RECORD.with_borrow_mut(|record| record.as_mut().map(edit))
 }
 
 /// Runs `task`, and returns its result and the steps that it took in this thread. Tests for a
 /// hit that are beside each other are in the order of `t`.
 pub fn recorded<T>(task: impl FnOnce() -> T) -> (T, Vec<Step>) {
-    let (outer, was_on) = (RECORD.take(), IS_ON.replace(true));
-    let result = task();
-    IS_ON.set(was_on);
-    (result, in_order(&RECORD.replace(outer).steps))
+    let (result, record) = with_record(Some(Record::default()), task);
+    (result, in_order(&record.unwrap_or_default().steps))
 }
 
 /// Runs `task` without recording its steps.
 pub fn paused<T>(task: impl FnOnce() -> T) -> T {
-    let was_on = IS_ON.replace(false);
-    let result = task();
-    IS_ON.set(was_on);
-    result
+    with_record(None, task).0
 }
 
 /// Whether steps are recorded in this thread.
-#[inline]
 #[must_use]
 pub fn is_on() -> bool {
-    IS_ON.get()
+    RECORD.with_borrow(Option::is_some)
 }
 
-/// Reads and changes the steps so far.
-pub fn so_far<T>(edit: impl FnOnce(&mut Vec<Step>) -> T) -> T {
-    RECORD.with_borrow_mut(|record| edit(&mut record.steps))
+/// Reads and changes the steps so far, if steps are recorded.
+pub fn so_far<T>(change: impl FnOnce(&mut Vec<Step>) -> T) -> Option<T> {
+    edit(|record| change(&mut record.steps))
 }
 
 /// Records a step, if steps are recorded.
-pub fn push(step: Step) {
+pub fn push(step: impl FnOnce() -> Step) {
     if is_on() {
-        RECORD.with_borrow_mut(|record| {
-            let level = record.level + usize::from(record.has_heading);
+        let step = step();
+        edit(|record| {
+            let level = record.levels[1];
             record.steps.push(Step { level, ..step });
         });
     }
 }
 
 /// Records a step to which the following ones belong, up to the next heading.
-pub fn heading(step: Step) {
-    if is_on() {
-        RECORD.with_borrow_mut(|record| record.has_heading = false);
-        push(step);
-        RECORD.with_borrow_mut(|record| record.has_heading = true);
-    }
+pub fn heading(step: impl FnOnce() -> Step) {
+    edit(|record| record.levels[1] = record.levels[0]);
+    push(step);
+    edit(|record| record.levels[1] += 1);
 }
 
-/// Runs `task`, whose steps belong to the last step.
-pub fn inside<T>(task: impl FnOnce() -> T) -> T {
-    if !is_on() {
-        return task();
-    }
-    let outer = RECORD.with_borrow_mut(|record| {
-        let outer = (record.level, record.has_heading);
-        record.level += 1 + usize::from(record.has_heading);
-        record.has_heading = false;
-        outer
+/// Records a step, and runs `task`, whose steps belong to it.
+pub fn inside<T>(step: impl FnOnce() -> Step, task: impl FnOnce() -> T) -> T {
+    push(step);
+    let outer = edit(|record| {
+        let inner = [record.levels[1] + 1; 2];
+        mem::replace(&mut record.levels, inner)
     });
     let result = task();
-    RECORD.with_borrow_mut(|record| (record.level, record.has_heading) = outer);
+    edit(|record| record.levels = outer.unwrap_or_default());
     result
 }
 

@@ -2,7 +2,6 @@
 //!
 //! The list is drawn, finds the target of the mouse, and is what the tests read.
 
-use common::pixel_trace::digits;
 use program::Gallery;
 
 use super::command::{Command, HELP, MENU, Page};
@@ -234,14 +233,10 @@ impl Screen {
             Some(Ok(explanation)) => {
                 for step in explanation.trace.steps.iter().take(MOST_STEPS) {
                     add(step.level, Kind::Text, &step.name);
-                    let mut text = step.outcome.clone();
-                    for (symbol, value) in &step.values {
-                        // A line breaks between values only.
-                        let value = format!("{symbol} {}", digits(value)).replace(' ', "\u{a0}");
-                        text += "   ";
-                        text += &value;
-                    }
-                    add(step.level, Kind::Muted, text.trim_start());
+                    // A line breaks between values only.
+                    let words = step.words().map(|word| word.replace(' ', "\u{a0}"));
+                    let text = words.collect::<Vec<_>>().join("   ");
+                    add(step.level, Kind::Muted, &text);
                 }
             }
         }

@@ -7,9 +7,10 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use a02_math::{Direction, Point3, Vector3};
-use common::steps::{self, HIT, RAY, REFLECTED, Step, TEST};
+use common::steps::{RAY, REFLECTED, Step};
 use measure::{Svg, svg_color};
 
+use super::turned::nearest;
 use crate::{Ray, TracedWorld};
 
 /// Width and height of a view in pixels, and the side of a square in which one ray finds the
@@ -26,33 +27,36 @@ pub type Lines<'a> = (Vec<([Point3; 2], String)>, BTreeMap<&'a str, Point3>);
 pub fn lines(trace: &[Step]) -> Lines<'_> {
     let vector = |step: &Step, symbol| step.value(symbol).map(|v| Vector3::from_glam(v.into()));
     let point = |v| Point3::ORIGIN + v;
-    let eye = trace
-        .iter()
-        .find_map(|step| vector(step, "o"))
-        .unwrap_or_default();
+    let eye = trace.iter().find_map(|step| vector(step, "o"));
+    let eye = eye.unwrap_or_default();
     // A ray that hits nothing ends beyond the middle of the scene.
     let far = 1.5 * eye.magnitude().max(2.0);
-    let (mut hit, mut ray) = (point(eye), 0);
-    let (mut lines, mut named) = (Vec::new(), BTreeMap::from([("eye", hit)]));
-    let sample = trace.iter().enumerate();
-    for (_, step) in sample.take_while(|(i, step)| *i == 0 || step.level > 0) {
+    let mut lines = vec![];
+    let (mut named, mut ray) = (BTreeMap::from([("eye", point(eye))]), 0);
+    let sample = trace.chunk_by(|_, next| next.level > 0).next();
+    for step in sample.unwrap_or_default() {
         let [o, d, p, l] = ["o", "d", "p", "l"].map(|symbol| vector(step, symbol));
         if let (RAY | REFLECTED, Some(o), Some(d)) = (step.kind, o, d) {
             let length = if step.kind == RAY { far } else { far / 3.0 };
             ray += 1;
             lines.push(([o, o + d * length].map(point), format!("curve ray{ray}")));
-        } else if let (Some(p), Some((line, _))) = (p, lines.last_mut()) {
-            hit = point(p);
-            line[1] = hit;
+        }
+        let Some(([_, end], _)) = lines.last_mut() else {
+            continue;
+        };
+        if let Some(p) = p {
+            *end = point(p);
         } else if let (Some(l), Some([distance])) = (l, step.value("distance")) {
-            let light = hit + l * distance.min(far);
-            let arrives = step.outcome == "arrives";
-            let class = if arrives { "curve" } else { "curve estimate" };
-            let class = format!("{class} ray{ray}");
+            let light = [*end, *end + l * distance.min(far)];
+            let dashed = if step.outcome == "arrives" {
+                ""
+            } else {
+                " estimate"
+            };
             // The last line remains the ray that has hit.
-            lines.insert(lines.len() - 1, ([hit, light], class));
+            lines.insert(lines.len() - 1, (light, format!("curve{dashed} ray{ray}")));
             if distance.is_finite() {
-                named.insert(step.name.split(':').next().unwrap_or_default(), light);
+                named.insert(step.name.split(':').next().unwrap_or_default(), light[1]);
             }
         }
     }
@@ -81,53 +85,40 @@ impl View<'_> {
 
     /// The name of the first object, and its distance in pixels, on the ray from a place of
     /// the view at this height against an axis.
-    fn first_hit(&self, place: [f64; 2], height: f64, axis: usize) -> Option<(String, f64)> {
+    fn nearest(&self, x: f64, y: f64, height: f64, axis: usize) -> Option<(String, f64)> {
         let [right, up, front] = self.axes;
-        let [x, y] = [place[0] - WIDTH / 2.0, HEIGHT / 2.0 - place[1]];
-        let o = self.middle + (right * x + up * y + front * height) * self.pixel;
-        let ray = Ray::derived(o, -self.axes[axis]);
-        let (_, steps) = steps::recorded(|| self.world.radiance(&ray, 1));
-        let is_hit = |step: &Step| step.level == 0 && step.kind == TEST && step.outcome == HIT;
-        let hit = steps.into_iter().find(is_hit)?;
-        let [t] = hit.value("t")?;
-        Some((hit.name, t / self.pixel))
+        let o = right * (x - WIDTH / 2.0) + up * (HEIGHT / 2.0 - y) + front * height;
+        let ray = Ray::derived(self.middle + o * self.pixel, -self.axes[axis]);
+        nearest(self.world, &ray).map(|(name, t)| (name, t / self.pixel))
     }
 
     /// The strokes of each object where it is seen; and for an object that is seen nowhere, as
     /// a plane from its edge, the first below the top of the view, at the depth of the middle.
     fn objects(&self) -> BTreeMap<String, String> {
         let middles = |side: f64| (0..(side / CELL) as u32).map(|i| (f64::from(i) + 0.5) * CELL);
-        let stroke = |objects: &mut BTreeMap<_, String>, name, x: f64, y: f64| {
+        let cells = middles(HEIGHT).flat_map(|y| middles(WIDTH).map(move |x| (x, y)));
+        let seen = cells.filter_map(|(x, y)| Some((self.nearest(x, y, 100.0 * WIDTH, 2)?.0, x, y)));
+        let mut strokes = seen.collect::<Vec<_>>();
+        let edges = middles(WIDTH).filter_map(|x| {
+            let (name, y) = self.nearest(x, 0.0, 0.0, 1)?;
+            let is_edge = y < HEIGHT && strokes.iter().all(|(seen, ..)| *seen != name);
+            is_edge.then_some((name, x, y))
+        });
+        strokes.extend(edges.collect::<Vec<_>>());
+        let mut objects = BTreeMap::<_, String>::new();
+        for (name, x, y) in strokes {
             let (x, y) = (self.corner[0] + x - CELL / 2.0, self.corner[1] + y);
             let _ = write!(objects.entry(name).or_default(), "M{x:.1} {y:.1}h{CELL}");
-        };
-        let (mut seen, mut edges) = (BTreeMap::new(), BTreeMap::new());
-        for (x, y) in middles(HEIGHT).flat_map(|y| middles(WIDTH).map(move |x| (x, y))) {
-            if let Some((name, _)) = self.first_hit([x, y], 100.0 * WIDTH, 2) {
-                stroke(&mut seen, name, x, y);
-            }
         }
-        for x in middles(WIDTH) {
-            let below = self.first_hit([x, 0.0], 0.0, 1);
-            if let Some((name, y)) =
-                below.filter(|(name, y)| *y < HEIGHT && !seen.contains_key(name))
-            {
-                stroke(&mut edges, name, x, y);
-            }
-        }
-        seen.extend(edges);
-        seen
+        objects
     }
 
     fn draw(&self, svg: &mut Svg, title: &str, (lines, named): &Lines) {
         let [left, top] = self.corner;
         svg.text("", [left, top - 10.0], title);
         for (i, (name, path)) in (1..).zip(self.objects()) {
-            let number = name
-                .split([' ', ':'])
-                .nth(1)
-                .and_then(|number| number.parse().ok());
-            let color = svg_color(number.unwrap_or(0));
+            let number = name.split([' ', ':']).nth(1).map(str::parse);
+            let color = svg_color(number.and_then(Result::ok).unwrap_or(0));
             svg.path(&format!("object {color}"), &path);
             let y = top + HEIGHT + 18.0 * f64::from(i);
             svg.line(&format!("key {color}"), &[[left, y], [left + 12.0, y]]);
@@ -148,10 +139,8 @@ impl View<'_> {
 /// The rays of the first sample of a trace, in a world with wrappers that record its steps.
 pub fn svg(world: &dyn TracedWorld, trace: &[Step], scene: &str) -> String {
     let lines = lines(trace);
-    let points = lines
-        .0
-        .iter()
-        .flat_map(|(line, _)| line.map(Point3::to_glam));
+    let points = lines.0.iter().flat_map(|(line, _)| line);
+    let points = points.map(|point| point.to_glam());
     let low = points
         .clone()
         .reduce(|low, p| p.min(low))
@@ -163,14 +152,13 @@ pub fn svg(world: &dyn TracedWorld, trace: &[Step], scene: &str) -> String {
         .map(|axis: [f64; 3]| Vector3::from_glam(axis.into()));
     let title = format!("The rays of a pixel of {scene}");
     let mut svg = Svg::new([2.0 * WIDTH + 30.0, HEIGHT + 200.0], &title);
-    for (title, axes, left) in [
-        ("from the side: x to the right, y up", [x, y, z], 10.0),
-        (
-            "from above: x to the right, z down",
-            [x, -z, y],
-            WIDTH + 20.0,
-        ),
-    ] {
+    let side = ("from the side: x to the right, y up", [x, y, z], 10.0);
+    let above = (
+        "from above: x to the right, z down",
+        [x, -z, y],
+        WIDTH + 20.0,
+    );
+    for (title, axes, left) in [side, above] {
         let view = View {
             world,
             axes,

@@ -69,26 +69,27 @@ fn trace_samples(
     let (color, steps) = steps::recorded(|| {
         let mut sum = Color::BLACK;
         for (i, place) in (1..).zip(sampler.places(column, row)) {
-            let name = format!("sample {i} of {}", sampler.samples());
             let (x, y) = camera_coordinates(size, column, row, place);
-            let step = Step::new("sample", name, SAMPLES).with("place", [place.0, place.1]);
-            steps::push(step.with("x", [x]).with("y", [y]));
-            sum += steps::inside(|| {
+            let sample = || {
+                let name = format!("sample {i} of {}", sampler.samples());
+                let step = Step::new("sample", name, SAMPLES).with("place", [place.0, place.1]);
+                step.with("x", [x]).with("y", [y])
+            };
+            sum += steps::inside(sample, || {
                 let color = color(x, y)?;
                 let step = Step::new("radiance", "light along the ray", LOOP);
-                steps::heading(step.with("f", color.channels()));
+                steps::heading(|| step.with("f", color.channels()));
                 Ok::<_, Error>(color)
             })?;
         }
         let mean = sum.map(|sum| sum / f64::from(sampler.samples()));
         let step = Step::new("mean", "mean of the samples", LOOP);
-        steps::push(step.with("c", mean.channels()));
+        steps::push(|| step.with("c", mean.channels()));
         Ok::<_, Error>(mean)
     });
-    let color = color?;
     Ok(PixelTrace {
         pixel,
-        color,
+        color: color?,
         steps,
     })
 }

@@ -5,7 +5,7 @@ use common::steps::Step;
 use common::{SeenLine, Size};
 
 use super::drawing::lines;
-use super::turned;
+use super::turned::nearest;
 use crate::{Camera, View};
 
 /// The pieces of a ray; each is drawn straight, and as hidden or not.
@@ -55,8 +55,8 @@ fn place(view: &View, size: Size, point: Point3) -> Option<([f64; 2], bool)> {
         let error = point - at(x, y);
         if error.magnitude() < 1e-6 * distance {
             // The surface where a ray begins is not before it.
-            let nearest = turned::nearest(view, &ray).unwrap_or(f64::INFINITY);
-            let is_hidden = nearest < distance * (1.0 - 1e-4);
+            let nearest = nearest(&*view.world, &ray);
+            let is_hidden = nearest.is_some_and(|(_, t)| t < distance * (1.0 - 1e-4));
             return Some(([x + 0.5, height - 0.5 - y], is_hidden));
         }
         let (right, up): (Vector3, Vector3) =

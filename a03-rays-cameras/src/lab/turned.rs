@@ -1,10 +1,10 @@
 //! `Turned`: a camera, turned around a point and moved towards it.
 
 use a02_math::{Direction, Point3, Vector3};
-use common::steps::{self, HIT};
+use common::steps::{self, HIT, Step, TEST};
 use common::{Error, Settings, Size};
 
-use crate::{Camera, Ray, View};
+use crate::{Camera, Ray, TracedWorld, View};
 
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 
@@ -109,14 +109,16 @@ pub fn middle(view: &View, size: Size) -> Point3 {
     if ahead > 0.1 {
         return gaze.at(ahead);
     }
-    gaze.at(nearest(view, &gaze).unwrap_or(3.0))
+    gaze.at(nearest(&*view.world, &gaze).map_or(3.0, |(_, t)| t))
 }
 
-/// The distance of the nearest object along a ray.
-pub fn nearest(view: &View, ray: &Ray) -> Option<f64> {
-    let (_, steps) = steps::recorded(|| view.world.radiance(ray, 1));
-    let hit = steps.iter().find(|step| step.kind == HIT)?;
-    hit.value("t").map(|[t]| t)
+/// The name of the nearest object along a ray in a watched world, and its distance.
+pub fn nearest(world: &dyn TracedWorld, ray: &Ray) -> Option<(String, f64)> {
+    let (_, steps) = steps::recorded(|| world.radiance(ray, 1));
+    let is_hit = |step: &Step| step.level == 0 && step.kind == TEST && step.outcome == HIT;
+    let hit = steps.into_iter().find(is_hit)?;
+    let [t] = hit.value("t")?;
+    Some((hit.name, t))
 }
 
 /// The vector `v`, rotated by an angle about an axis of length 1: the formula of

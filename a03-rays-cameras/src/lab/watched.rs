@@ -46,10 +46,8 @@ impl Camera for Watched {
 
 /// Records a ray from the camera.
 pub fn push_ray(ray: &Ray) {
-    if steps::is_on() {
-        let section = "a03-rays-cameras.md#the-ray";
-        steps::heading(ray_step(RAY, "ray from the camera", section, ray));
-    }
+    let section = "a03-rays-cameras.md#the-ray";
+    steps::heading(|| ray_step(RAY, "ray from the camera", section, ray));
 }
 
 /// A step with the origin and the direction of a ray.

@@ -51,52 +51,47 @@ pub fn geometry(
 impl Geometry for Watched {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         tally::count_all(Work::IntersectionTest, self.tests);
-        if !steps::is_on() {
-            return self.geometry.hit(ray, within);
-        }
-        steps::push(Step::new(TEST, &*self.name, self.section));
-        let at = steps::so_far(|steps| steps.len()) - 1;
-        let hit = steps::inside(|| self.geometry.hit(ray, within));
-        let (t, outcome) = steps::paused(|| self.answer(ray, hit));
-        steps::so_far(|steps| {
-            steps[at].values.extend(t.map(|t| ("t", vec![t])));
-            outcome.clone_into(&mut steps[at].outcome);
-        });
-        hit
+        let step = || steps::paused(|| self.step(ray, within));
+        steps::inside(step, || self.geometry.hit(ray, within))
     }
 }
 
 impl Watched {
-    /// The `t` of a hit; of a ray without one, the `t` that the geometry gives for the whole
+    /// The step of a test. A ray without a hit gets the `t` that the geometry gives for the whole
     /// ray, or else for the whole line.
-    fn answer(&self, ray: &Ray, hit: Option<Hit>) -> (Option<f64>, &str) {
+    fn step(&self, ray: &Ray, within: Interval) -> Step {
         let line = Interval {
             min: f64::NEG_INFINITY,
             ..Interval::AHEAD
         };
-        let nearest = |within| self.geometry.hit(ray, within).map(|hit| hit.t);
-        if let Some(hit) = hit {
-            (Some(hit.t), HIT)
-        } else if let Some(t) = nearest(Interval::AHEAD) {
-            (Some(t), "beyond the interval")
-        } else if let Some(t) = nearest(line) {
-            (Some(t), "behind the origin of the ray")
-        } else {
-            (None, "beside the ray")
+        let intervals = [
+            (within, HIT),
+            (Interval::AHEAD, "beyond the interval"),
+            (line, "behind the origin of the ray"),
+        ];
+        let found = intervals.into_iter().find_map(|(within, outcome)| {
+            let hit = self.geometry.hit(ray, within)?;
+            Some((vec![("t", vec![hit.t])], outcome))
+        });
+        let (values, outcome) = found.unwrap_or((Vec::new(), "beside the ray"));
+        Step {
+            outcome: outcome.to_owned(),
+            values,
+            ..Step::new(TEST, &*self.name, self.section)
         }
     }
 }
 
-/// Records the nearest hit, which is shaded.
-pub fn push_hit(ray: &Ray, hit: &Hit) {
-    if !steps::is_on() {
-        return;
-    }
-    let step = Step::new(HIT, "the nearest hit", WORLD)
-        .with("t", [hit.t])
-        .with("p", ray.at(hit.t).to_glam().to_array())
-        .with("n", hit.normal.to_glam().to_array());
-    steps::push(step.with("face", hit.face.to_glam().to_array()));
+/// Records the nearest hit and the steps of `shade`, which computes its colour.
+pub fn shaded<T>(ray: &Ray, hit: &Hit, shade: impl FnOnce() -> T) -> T {
+    let step = || {
+        Step::new(HIT, "the nearest hit", WORLD)
+            .with("t", [hit.t])
+            .with("p", ray.at(hit.t).to_glam().to_array())
+            .with("n", hit.normal.to_glam().to_array())
+            .with("face", hit.face.to_glam().to_array())
+    };
+    steps::inside(step, shade)
 }
 
 /// Records the background if the last ray has hit nothing.
@@ -105,14 +100,17 @@ pub fn push_background(background: Color) {
         let mut kinds = steps.iter().rev().map(|step| step.kind);
         kinds.find(|kind| [RAY, REFLECTED, HIT].contains(kind))
     };
-    if steps::is_on() && steps::so_far(last).is_some_and(|kind| kind != HIT) {
+    if steps::so_far(last)
+        .flatten()
+        .is_some_and(|kind| kind != HIT)
+    {
         push_color(NO_HIT, background);
     }
 }
 
 /// Records the colour of an object or the background.
 pub fn push_color(name: &str, color: Color) {
-    steps::push(Step::new("color", name, WORLD).with("c", color.channels()));
+    steps::push(|| Step::new("color", name, WORLD).with("c", color.channels()));
 }
 
 /// The world with its geometries, counted from 1, and surfaces replaced by these functions of

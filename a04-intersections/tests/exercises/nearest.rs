@@ -1,7 +1,7 @@
 //! Spheres and a smooth triangle in all orders, compared with the lesson's `World`.
 
 #[cfg(not(handout))]
-use a04_intersections::watched::{push_background, push_hit};
+use a04_intersections::watched::{push_background, shaded};
 
 use crate::prelude::*;
 
@@ -35,7 +35,7 @@ pub fn check(check: &mut Check, yours: Nearest) {
         let color = |ray: &Ray| {
             let hit = yours(&world, ray, Interval::AHEAD);
             #[cfg(not(handout))]
-            let hit = hit.inspect(|(hit, _)| push_hit(ray, hit));
+            let hit = hit.inspect(|(hit, _)| shaded(ray, hit, || ()));
             #[cfg(not(handout))]
             push_background(Color::BLACK);
             hit.map_or(Color::BLACK, |_| Color::RED)

@@ -4,19 +4,19 @@
 
 use std::any::Any;
 use std::cell::Cell;
+use std::fmt::Debug;
 use std::hint::black_box;
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Hit, watched};
 use common::Color;
-use common::steps::{self, HIT, Step, TEST, type_name};
+use common::steps::{self, HIT, LIGHT, Step, TEST, type_name};
 use common::tally::{self, Work};
 
 use crate::power::power;
 use crate::{Illumination, Lambert, Light, Lighting, LitWorld, Material, Phong};
 
-const LIGHT: &str = "light";
 const REFLECTED: &str = "reflected light";
 
 /// The world with its geometries, surfaces and lights replaced by these functions of them;
@@ -46,23 +46,21 @@ pub fn light((number, light): (usize, Box<dyn Light>)) -> Box<dyn Light> {
 impl Light for WatchedLight {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
         let light = self.1.illumination(point);
-        if steps::is_on() {
-            push_light(self.0, &type_name(&self.1), light);
-        }
+        push_light(self.0, &type_name(&self.1), light);
         light
     }
 }
 
 /// Records the light that arrives from a source, counted from 1, of this type.
 pub fn push_light(number: usize, name: &str, light: Option<Illumination>) {
-    let name = format!("light {number}: {name}");
-    let step = Step::new(LIGHT, name, "a05-lighting.md#three-lights");
-    steps::heading(match light {
-        None => step,
-        Some(light) => step
-            .with("cl", light.color.channels())
-            .with("l", light.direction.to_glam().to_array())
-            .with("distance", [light.distance]),
+    steps::heading(|| {
+        let name = format!("light {number}: {name}");
+        let step = Step::new(LIGHT, name, "a05-lighting.md#three-lights");
+        light.into_iter().fold(step, |step, light| {
+            step.with("cl", light.color.channels())
+                .with("l", light.direction.to_glam().to_array())
+                .with("distance", [light.distance])
+        })
     });
 }
 
@@ -98,13 +96,8 @@ impl<M: Material + ?Sized> Material for Watched<M> {
             lighting,
             is_used: Cell::new(false),
         };
-        watched::push_hit(ray, hit);
-        let color = steps::inside(|| {
-            let color = self.material.color_for(ray, hit, &light);
-            if steps::is_on() {
-                steps::heading(self.step("color", "colour").with("c", color.channels()));
-            }
-            color
+        let color = shaded(ray, hit, &self.material, || {
+            self.material.color_for(ray, hit, &light)
         });
         if self.all_work && !light.is_used.get() {
             steps::paused(|| light.for_each_light(ray, hit, &mut |_| ()));
@@ -113,38 +106,62 @@ impl<M: Material + ?Sized> Material for Watched<M> {
     }
 }
 
+/// Records the nearest hit, and the colour of its material with the steps of `shade`, which
+/// computes it.
+pub fn shaded<M: Debug + ?Sized>(
+    ray: &Ray,
+    hit: &Hit,
+    material: &M,
+    shade: impl FnOnce() -> Color,
+) -> Color {
+    watched::shaded(ray, hit, || {
+        let color = shade();
+        steps::heading(|| step("color", "colour", material).with("c", color.channels()));
+        color
+    })
+}
+
+/// The step of a part of a material's colour.
+fn step<M: Debug + ?Sized>(kind: &'static str, part: &str, material: &M) -> Step {
+    let name = type_name(material);
+    let section = match &*name {
+        "Lambert" => "a05-lighting.md#lambert-the-cosine",
+        "Phong" | "Reflective" => "a05-lighting.md#phong-the-highlight",
+        _ => "a05-lighting.md#two-questions",
+    };
+    Step::new(kind, format!("{part} of {name}"), section)
+}
+
 impl<M: Material + ?Sized> Watched<M> {
-    fn step(&self, kind: &'static str, part: &str) -> Step {
-        let name = type_name(&self.material);
-        let section = match &*name {
-            "Lambert" => "a05-lighting.md#lambert-the-cosine",
-            "Phong" | "Reflective" => "a05-lighting.md#phong-the-highlight",
-            _ => "a05-lighting.md#two-questions",
-        };
-        Step::new(kind, format!("{part} of {name}"), section)
+    /// The ambient light that the material reflects.
+    fn ambient(&self, ray: &Ray, hit: &Hit, ambient: Color) -> Step {
+        let of = |ambient| self.material.color_for(ray, hit, &OneLight(ambient, None));
+        step("ambient", "ambient light", &self.material)
+            .with("ca", ambient.channels())
+            .with("cd", of(Color::WHITE).channels())
+            .with("c", of(ambient).channels())
     }
 
-    /// Records the part of one light that the material reflects, and both terms of a Phong
-    /// material.
-    fn push_reflected(&self, ray: &Ray, hit: &Hit, light: &Illumination) {
+    /// The part of one light that the material reflects, and both terms of a Phong material.
+    fn reflected(&self, ray: &Ray, hit: &Hit, light: &Illumination) -> Step {
         let only = OneLight(Color::BLACK, Some(*light));
-        let mut step = self.step(REFLECTED, "light");
+        let mut step = step(REFLECTED, "light", &self.material);
         if let Some(phong) = (self.as_phong)(&self.material) {
-            let r = light.direction.reflected_on(hit.normal);
-            let diffuse = phong.matt.share(hit, light);
-            let matt = Lambert {
-                diffuse: Color::BLACK,
+            let diffuse = Color::BLACK;
+            let highlight = Phong {
+                matt: Lambert { diffuse },
+                ..*phong
             };
-            let specular = Phong { matt, ..*phong }.color_for(ray, hit, &only);
+            let r = light.direction.reflected_on(hit.normal);
             step = step
-                .with("diffuse", diffuse.channels())
+                .with("diffuse", phong.matt.share(hit, light).channels())
                 .with("cs", phong.specular.channels())
                 .with("e·r", [(-ray.direction()).dot(r)])
                 .with("exponent", [phong.exponent])
-                .with("specular", specular.channels());
+                .with("specular", highlight.color_for(ray, hit, &only).channels());
         }
         let color = self.material.color_for(ray, hit, &only);
-        steps::push(step.with("c", color.channels()));
+        step.with("c", color.channels())
     }
 }
 
@@ -175,14 +192,7 @@ struct WatchedLighting<'a, M: ?Sized> {
 impl<M: Material + ?Sized> Lighting for WatchedLighting<'_, M> {
     fn ambient(&self) -> Color {
         let ambient = self.lighting.ambient();
-        if steps::is_on() {
-            let material = &self.watched.material;
-            let of = |ambient| material.color_for(self.ray, self.hit, &OneLight(ambient, None));
-            let step = self.watched.step("ambient", "ambient light");
-            let step = step.with("ca", ambient.channels());
-            let step = step.with("cd", of(Color::WHITE).channels());
-            steps::push(step.with("c", of(ambient).channels()));
-        }
+        steps::push(|| self.watched.ambient(self.ray, self.hit, ambient));
         ambient
     }
 
@@ -190,22 +200,18 @@ impl<M: Material + ?Sized> Lighting for WatchedLighting<'_, M> {
         self.is_used.set(true);
         let watched = self.watched;
         let phong = (watched.as_phong)(&watched.material);
-        let first = steps::is_on().then(|| steps::so_far(|steps| steps.len()));
+        let first = steps::so_far(|steps| steps.len()).unwrap_or(0);
         self.lighting.for_each_light(ray, hit, &mut |light| {
             if let Some(phong) = phong {
                 count_power(phong, watched.all_work, ray, hit, light);
             }
             let is_behind = hit.normal.dot(light.direction) <= 0.0;
             if watched.is_lit_from_behind || !is_behind {
-                if steps::is_on() {
-                    watched.push_reflected(ray, hit, light);
-                }
+                steps::push(|| watched.reflected(ray, hit, light));
                 shade(light);
             }
         });
-        if let Some(first) = first {
-            steps::so_far(|steps| add_outcomes(&mut steps[first..], hit));
-        }
+        steps::so_far(|steps| add_outcomes(&mut steps[first..], hit));
     }
 }
 
@@ -213,25 +219,25 @@ impl<M: Material + ?Sized> Lighting for WatchedLighting<'_, M> {
 fn add_outcomes(steps: &mut [Step], hit: &Hit) {
     let level = steps.first().map_or(0, |step| step.level);
     for block in steps.chunk_by_mut(|_, next| next.level > level) {
-        let is_blocked = |step: &&Step| step.kind == TEST && step.outcome == HIT;
-        let occluder = block.iter().find(is_blocked).map(|step| step.name.clone());
-        let is_used = block.iter().any(|step| step.kind == REFLECTED);
-        let light = &mut block[0];
+        let Some((light, parts)) = block.split_first_mut() else {
+            continue;
+        };
+        let arrives = parts.iter().any(|step| step.kind == REFLECTED);
+        light.values.push(("arrives", vec![f64::from(arrives)]));
         let Some(l) = light.value("l").map(|l| Vector3::from_glam(l.into())) else {
             "does not shine here".clone_into(&mut light.outcome);
             continue;
         };
         let cosine = hit.normal.dot(l);
-        light.outcome = match occluder {
-            _ if is_used => "arrives".to_owned(),
-            _ if cosine <= 0.0 => "behind the surface".to_owned(),
-            Some(occluder) => format!("blocked by {occluder}"),
-            None => "not used".to_owned(),
+        let mut tests = parts.iter().filter(|step| step.kind == TEST);
+        light.outcome = match tests.find(|test| test.outcome == HIT) {
+            _ if arrives => "arrives".to_owned(),
+            Some(test) if cosine > 0.0 => format!("blocked by {}", test.name),
+            _ => "behind the surface".to_owned(),
         };
         let angle = Vector3::from(hit.normal).angle(l).to_degrees();
         light.values.push(("n·l", vec![cosine]));
         light.values.push(("degrees", vec![angle]));
-        light.values.push(("arrives", vec![f64::from(is_used)]));
     }
 }
 

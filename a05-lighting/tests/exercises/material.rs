@@ -2,11 +2,7 @@
 //! aslant to the face, for eyes at all distances.
 
 #[cfg(not(handout))]
-use {
-    a04_intersections::watched::{push_background, push_hit},
-    a05_lighting::watched as recorded,
-    common::steps::{self, Step, type_name},
-};
+use {a04_intersections::watched::push_background, a05_lighting::watched as recorded};
 
 use crate::prelude::*;
 
@@ -141,28 +137,11 @@ pub fn shaded(
             let diffuse = material.color_for(ray, &hit, &Lights(Color::WHITE, Vec::new()));
             let shaded = || color(diffuse, ray, &hit, world);
             #[cfg(not(handout))]
-            let shaded = || shaded_in_steps(ray, &hit, &**material, shaded);
+            let shaded = || recorded::shaded(ray, &hit, material, shaded);
             shaded()
         });
         #[cfg(not(handout))]
         push_background(background);
         shown
     })
-}
-
-/// The colour of a hit, with its steps recorded.
-#[cfg(not(handout))]
-fn shaded_in_steps(
-    ray: &Ray,
-    hit: &Hit,
-    material: &dyn Material,
-    shaded: impl Fn() -> Color,
-) -> Color {
-    push_hit(ray, hit);
-    let color = steps::inside(shaded);
-    if steps::is_on() {
-        let step = Step::new("color", format!("colour of {}", type_name(material)), "");
-        steps::inside(|| steps::heading(step.with("c", color.channels())));
-    }
-    color
 }

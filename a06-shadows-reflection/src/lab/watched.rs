@@ -94,9 +94,7 @@ impl Geometry for First {
         match NEXT.get() {
             Some(work) => {
                 tally::count(work);
-                if steps::is_on() {
-                    push_ray(work, ray, within);
-                }
+                push_ray(work, ray, within);
             }
             None => NEXT.set(Some(Work::ReflectedRay)),
         }
@@ -106,25 +104,28 @@ impl Geometry for First {
 
 /// Records a shadow ray or a reflected ray, and the lift of its origin off the last hit.
 fn push_ray(work: Work, ray: &Ray, within: Interval) {
-    let is_hit = |step: &&Step| step.kind == HIT;
-    let p = steps::so_far(|steps| steps.iter().rev().find(is_hit)?.value("p"));
-    let p = Point3::from_glam(p.unwrap_or_default().into());
+    let before = |steps: &mut Vec<Step>| {
+        let of_sample = steps.iter().rev().take_while(|step| step.level > 0);
+        let reflected = of_sample.clone().filter(|step| step.kind == REFLECTED);
+        let hit = of_sample.clone().find(|step| step.kind == HIT);
+        (1 + reflected.count(), hit.and_then(|hit| hit.value("p")))
+    };
+    let Some((number, p)) = steps::so_far(before) else {
+        return;
+    };
     if work == Work::ShadowRay {
         let section = "a06-shadows-reflection.md#is-the-light-in-sight";
         let step = ray_step("shadow ray", "shadow ray", section, ray);
-        steps::push(step.with("end", [within.max]));
+        steps::push(|| step.with("end", [within.max]));
     } else {
-        let of_sample = |steps: &mut Vec<Step>| {
-            let steps = steps.iter().rev().take_while(|step| step.level > 0);
-            1 + steps.filter(|step| step.kind == REFLECTED).count()
-        };
-        let name = format!("reflected ray {}", steps::so_far(of_sample));
+        let name = format!("reflected ray {number}");
         let section = "a06-shadows-reflection.md#the-mirror";
-        steps::heading(ray_step(REFLECTED, name, section, ray));
+        steps::heading(|| ray_step(REFLECTED, name, section, ray));
     }
     let section = "a06-shadows-reflection.md#getting-off-the-surface";
-    let lift = (ray.origin() - p).magnitude();
-    steps::push(Step::new("lift", "lift off the surface", section).with("|p' - p|", [lift]));
+    let lift = ray.origin() - Point3::from_glam(p.unwrap_or_default().into());
+    let step = Step::new("lift", "lift off the surface", section);
+    steps::push(|| step.with("|p' - p|", [lift.magnitude()]));
 }
 
 /// A surface whose shadow rays and powers are counted.
@@ -143,11 +144,11 @@ impl Material for WatchedSurface {
 impl Surface for WatchedSurface {
     fn reflection(&self) -> Color {
         let reflection = self.0.material.reflection();
-        if steps::is_on() {
+        steps::push(|| {
             let section = "a06-shadows-reflection.md#the-mirror";
             let step = Step::new("mirror", "share of the mirror", section);
-            steps::push(step.with("cr", reflection.channels()));
-        }
+            step.with("cr", reflection.channels())
+        });
         reflection
     }
 }

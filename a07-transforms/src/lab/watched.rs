@@ -18,18 +18,11 @@ struct Watched(Box<dyn Geometry>, Transform);
 impl Geometry for Watched {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         tally::count(Work::MovedRay);
-        if steps::is_on() {
-            let (name, section) = (
-                "ray in object space",
-                "a07-transforms.md#the-ray-in-object-space",
-            );
-            steps::push(ray_step(
-                "object ray",
-                name,
-                section,
-                &self.1.ray_to_object(ray),
-            ));
-        }
+        steps::push(|| {
+            let section = "a07-transforms.md#the-ray-in-object-space";
+            let ray = self.1.ray_to_object(ray);
+            ray_step("object ray", "ray in object space", section, &ray)
+        });
         self.0.hit(ray, within)
     }
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use common::pixel_trace::digits;
-use common::{Color, Error, Renderer, Scene, Settings, Transfer, atomic_file};
+use common::{Color, Error, Renderer, Scene, Settings, atomic_file};
 
 use crate::options::Options;
 use crate::print::{print, warn};
@@ -45,87 +45,77 @@ fn pixel(text: &str) -> Result<[u32; 2], String> {
 
 /// Explains a pixel of the scene, and compares its colour with the rendered picture.
 pub fn explain_pixel(scene: &Scene, explaining: &Explaining) -> Result<(), Error> {
-    let Explaining {
-        pixel,
-        json,
-        drawing,
-        beside,
-        options,
-    } = explaining;
+    let Explaining { pixel, options, .. } = explaining;
     let ([x, y], settings) = (*pixel, options.settings(scene)?);
     check(&settings, explaining)?;
     let explained = scene.rays()?;
-    if let Some(path) = drawing {
+    if let Some(path) = &explaining.drawing {
         atomic_file::check_writable(path)?;
     }
     warn_unused(scene, options, &settings);
     let mut traced = settings.clone();
-    if *beside || settings.renderer == Renderer::Engine {
+    if explaining.beside || settings.renderer == Renderer::Engine {
         traced.renderer = Renderer::Lesson;
     }
     let trace = explained.trace(&traced, *pixel)?;
-    if *json {
-        print(&trace.to_json(options.transfer))?;
+    let color = trace.color;
+    print(&if explaining.json {
+        trace.to_json(options.transfer)
     } else {
-        print(&format!(
-            "{} {}, pixel {x},{y}\n{trace}",
-            scene.name, settings.size
-        ))?;
-        print(&bytes_of(trace.color, options.transfer))?;
-    }
-    if let Some(path) = drawing {
+        let (name, size, bytes) = (scene.name, settings.size, options.transfer.bytes(color));
+        let linear = digits(&color.channels());
+        format!(
+            "{name} {size}, pixel {x},{y}\n{trace}\nbytes {bytes:?} of the linear colour {linear}"
+        )
+    })?;
+    if let Some(path) = &explaining.drawing {
         atomic_file::write(path, explained.drawing(&settings, &trace)?.as_bytes())?;
         warn(&format!("note: the drawing is {}", path.display()));
     }
-    if *beside {
+    if explaining.beside {
         let other = explained.trace(&settings, *pixel)?;
         let is_same = |a: f64, b: f64| a.to_bits() == b.to_bits();
-        print(&match trace.first_difference(&other, |_| false, is_same) {
-            Some(((place, _, value), Some(other))) => {
-                format!("first difference: {place} is {value:?}, by the other renderer {other:?}")
-            }
-            _ => "the other renderer has the same numbers in each step that both take".to_owned(),
-        })?;
+        print(
+            &match trace.first_difference(&other, |_, _| false, is_same) {
+                Some(((place, _, value), Some(other))) => {
+                    format!(
+                        "first difference: {place} is {value:?}, by the other renderer {other:?}"
+                    )
+                }
+                _ => {
+                    "the other renderer has the same numbers in each step that both take".to_owned()
+                }
+            },
+        )?;
     }
-    let image = render(scene, &settings, options)?;
-    let rendered = image.get(x, y).map(Color::channels);
-    let traced = trace.color.channels();
-    if rendered.map(|rendered| rendered.map(f64::to_bits)) != Some(traced.map(f64::to_bits)) {
+    let rendered = render(scene, &settings, options)?.get(x, y);
+    if rendered != Some(color) {
+        let (rendered, color) = (rendered.map(Color::channels), color.channels());
         warn(&format!(
-            "warning: the rendered picture has another colour: {rendered:?}, not {traced:?}"
+            "warning: the rendered picture has another colour: {rendered:?}, not {color:?}"
         ));
-    } else if !json {
+    } else if !explaining.json {
         print("the rendered picture has the same colour, to the last bit")?;
     }
     Ok(())
 }
 
-fn bytes_of(color: Color, transfer: Transfer) -> String {
-    let (bytes, color) = (transfer.bytes(color), digits(&color.channels()));
-    format!("bytes {bytes:?} of the linear colour {color}")
-}
-
-fn usage(reason: impl Into<String>) -> Result<(), Error> {
-    Err(Error::Usage(reason.into()))
-}
-
 /// An error if a pixel cannot be explained with these settings.
 fn check(settings: &Settings, explaining: &Explaining) -> Result<(), Error> {
     let (size, [x, y]) = (settings.size, explaining.pixel);
-    if settings.max_error.is_some() {
-        return usage("--max-error chooses samples for a whole picture; explain takes --samples");
-    }
-    if x >= size.width() || y >= size.height() {
-        let (right, bottom) = (size.width() - 1, size.height() - 1);
-        return usage(format!(
+    let [right, bottom] = [size.width() - 1, size.height() - 1];
+    let reason = if settings.max_error.is_some() {
+        "--max-error chooses samples for a whole picture; explain takes --samples".to_owned()
+    } else if x > right || y > bottom {
+        format!(
             "--pixel {x},{y} is outside of the picture, whose pixels are 0,0 to {right},{bottom}"
-        ));
-    }
-    if settings.samples > MOST_SAMPLES {
-        return usage(format!("explain follows at most {MOST_SAMPLES} samples"));
-    }
-    if explaining.beside && settings.renderer == Renderer::Lesson {
-        return usage("--beside compares with another renderer; add --fast or --no-omit");
-    }
-    Ok(())
+        )
+    } else if settings.samples > MOST_SAMPLES {
+        format!("explain follows at most {MOST_SAMPLES} samples")
+    } else if explaining.beside && settings.renderer == Renderer::Lesson {
+        "--beside compares with another renderer; add --fast or --no-omit".to_owned()
+    } else {
+        return Ok(());
+    };
+    Err(Error::Usage(reason))
 }

@@ -30,6 +30,19 @@ fn compare(expected: &Image, actual: &Image) -> Result<(), String> {
     ))
 }
 
+/// The pixel with the largest difference of a channel in pictures of the same size, and that
+/// difference.
+pub fn largest(expected: &Image, actual: &Image) -> Option<([u32; 2], f64)> {
+    let apart = |(a, b): (&Color, &Color)| {
+        let channels = (*a - *b).channels().map(f64::abs);
+        channels.into_iter().fold(0.0, f64::max)
+    };
+    let apart = expected.pixels().iter().zip(actual.pixels()).map(apart);
+    let (at, most) = (0..).zip(apart).max_by(|(_, a), (_, b)| a.total_cmp(b))?;
+    let width = actual.size().width();
+    (expected.size() == actual.size()).then_some(([at % width, at / width], most))
+}
+
 /// Compares a picture with the one in a file.
 pub fn compare_with_file(expected: &Path, image: &Image) -> Result<(), String> {
     picture_file::open(expected)
@@ -55,22 +68,24 @@ pub fn leave_pictures(scratch: &Path, expected: &Path, actual: &Image, differenc
             "  expected:   {}",
             write(".expected.png", &expected)
         ));
-        let apart = Image::from_fn(actual.size(), |x, y| {
-            let pixel = |image: &Image| image.get(x, y).unwrap_or(Color::WHITE);
-            (pixel(actual) - pixel(&expected)).map(f64::abs)
-        });
-        if let Ok(mut apart) = apart {
+        if let Some(([column, row], most)) = largest(&expected, actual) {
             // Small differences are seen, too.
-            let channels = apart.pixels().iter().flat_map(|color| color.channels());
-            let most = channels.fold(0.0, f64::max).clamp(1.0 / 255.0, 1.0);
-            let times = (1.0 / most).floor();
-            apart
-                .pixels_mut()
-                .iter_mut()
-                .for_each(|color| *color = *color * times);
+            let times = (1.0 / most.clamp(1.0 / 255.0, 1.0)).floor();
+            let shown = Image::from_fn(actual.size(), |x, y| {
+                let pixel = |image: &Image| image.get(x, y).unwrap_or_default();
+                let from_largest = x.abs_diff(column).max(y.abs_diff(row));
+                if (5..7).contains(&from_largest) {
+                    Color::new(1.0, 1.0, 0.0)
+                } else {
+                    (pixel(actual) - pixel(&expected)).map(f64::abs) * times
+                }
+            });
+            let path = shown.map_or_else(
+                |error| error.to_string(),
+                |shown| write(".difference.png", &shown),
+            );
             report.push(format!(
-                "  difference: {}, {times} times as large",
-                write(".difference.png", &apart)
+                "  difference: {path}, {times} times as large, the largest in a yellow frame"
             ));
         }
     }

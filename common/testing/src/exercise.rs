@@ -42,6 +42,8 @@ mod tape;
 
 pub use answer::Answer;
 pub use check::Check;
+#[cfg(not(target_family = "wasm"))]
+pub use divergence::{first_divergence, worst_pixel};
 pub use findings::{assert_close, missing};
 pub use input::Input;
 pub use judge::judge;
