@@ -6,4 +6,5 @@ pub mod certified;
 pub mod experiments;
 pub mod extremes;
 pub mod protocol;
+pub mod search;
 pub(crate) mod watched;

@@ -35,7 +35,7 @@ pub fn stage() -> Stage {
         scenes: scenes().map(Into::into).into(),
         experiments: crate::lab::experiments::experiments,
         extremes: crate::lab::extremes::cases,
-        search: None,
+        search: Some(crate::lab::search::search),
         open: Some(|path| a03_rays_cameras::from_file::scene(path, 7, crate::from_file::view)),
     }
 }

@@ -8,35 +8,42 @@ use a03_rays_cameras::Ray;
 use common::Error;
 use measure::experiment::Deviation;
 
+use super::certified::{Decide, decide};
 use super::exact::{self, DoubleDouble};
+use super::protocol;
 use super::support::{
     Numbers, Triple, arrays, first, plane_condition, point, sphere_condition, triangle_condition,
     vector,
 };
-use super::{certified, protocol};
-use crate::{Geometry, Interval, Plane, Sphere, Triangle};
+use crate::{AxisAlignedBox, Geometry, Interval, Plane, Sphere, Triangle};
 
 /// A shape that some numbers describe.
 pub struct Subject {
-    name: &'static str,
+    pub name: &'static str,
     /// Its constructor in Rust, with `#` in the place of each number.
-    written: &'static str,
-    make: fn(&[f64]) -> Option<Box<dyn Geometry>>,
+    pub written: &'static str,
+    pub make: fn(&[f64]) -> Option<Box<dyn Geometry>>,
     /// The point near the shape that three numbers, mostly from -1 to 1, stand for.
-    aim: fn(&[f64], &[f64]) -> Triple,
+    pub aim: fn(&[f64], &[f64]) -> Triple,
+    pub decide: Decide,
     /// The `t` of a hit with 30 digits, and its condition.
-    exact: fn(&[f64], &[Triple; 2]) -> Exact,
+    pub exact: fn(&[f64], &[Triple; 2]) -> Exact,
     pub protocol: fn(&[f64], &Ray) -> Option<f64>,
 }
 
-type Exact = Option<(DoubleDouble, f64)>;
+pub type Exact = Option<(DoubleDouble, f64)>;
 
-const SUBJECTS: [Subject; 3] = [
+/// The `t` of a ray at a face of a box, the axis of the face, and its coordinate.
+type Meeting = (DoubleDouble, usize, f64);
+
+/// The shapes of this stage.
+pub static SUBJECTS: [Subject; 4] = [
     Subject {
         name: "sphere",
         written: "Sphere::new(Point3::new(#, #, #), #)",
         make: |x| Some(Box::new(Sphere::new(point(triple(x)), x[3]).ok()?)),
         aim: |x, aim| std::array::from_fn(|i| x[i] + x[3] * aim[i]),
+        decide,
         exact: |x, line @ [o, d]| {
             let roots = exact::sphere(&triple(x), x[3], o, d).roots?;
             let t = roots.into_iter().find(|t| t.value() > 0.0)?;
@@ -52,12 +59,51 @@ const SUBJECTS: [Subject; 3] = [
         written: "Plane::new(Point3::new(#, #, #), Normal3::new(#, #, #))",
         make: |x| Some(Box::new(plane(x)?)),
         aim: |x, aim| std::array::from_fn(|i| x[i] + aim[i]),
+        decide,
         exact: |x, line @ [o, d]| {
             let n = plane(x)?.normal().to_glam().to_array();
             let t = exact::plane(&triple(x), &n, o, d);
             Some((t, plane_condition(&triple(x), n, line, t.value())))
         },
         protocol: |x, ray| protocol::plane(point(triple(x)), plane(x)?.normal(), ray),
+    },
+    Subject {
+        name: "box",
+        written: "AxisAlignedBox::new(Point3::new(#, #, #), Point3::new(#, #, #))",
+        make: |x| {
+            Some(Box::new(
+                AxisAlignedBox::new(point(triple(x)), point(triple(&x[3..]))).ok()?,
+            ))
+        },
+        aim: |x, aim| std::array::from_fn(|i| x[i] + 0.5 * (x[i + 3] - x[i]) * (aim[i] + 1.0)),
+        decide,
+        exact: |x, line @ [o, d]| {
+            // The `t` of both faces of each slab, in order, and the coordinate of the face.
+            let slabs = [0, 1, 2].map(|axis| {
+                let meet = |face| {
+                    let t = (DoubleDouble::from(face) - o[axis].into()) / d[axis].into();
+                    (t, axis, face)
+                };
+                let [a, b] = [x[axis], x[axis + 3]].map(meet);
+                if a.0.value() < b.0.value() {
+                    [a, b]
+                } else {
+                    [b, a]
+                }
+            });
+            let by_t = |a: &Meeting, b: &Meeting| a.0.value().total_cmp(&b.0.value());
+            let near = slabs.map(|slab| slab[0]).into_iter().max_by(by_t)?;
+            let far = slabs.map(|slab| slab[1]).into_iter().min_by(by_t)?;
+            let (t, axis, face) = if near.0.value() > 0.0 { near } else { far };
+            let mut normal = [0.0; 3];
+            normal[axis] = 1.0;
+            Some((t, plane_condition(&[face; 3], normal, line, t.value())))
+        },
+        protocol: |x, ray| {
+            let low = std::array::from_fn(|i| x[i].min(x[i + 3]));
+            let high = std::array::from_fn(|i| x[i].max(x[i + 3]));
+            protocol::axis_aligned_box(point(low), point(high), ray, protocol::Compared::Three)
+        },
     },
     Subject {
         name: "triangle",
@@ -70,6 +116,7 @@ const SUBJECTS: [Subject; 3] = [
             let [a, b, c] = corners(x);
             std::array::from_fn(|i| a[i] + (b[i] - a[i]) * aim[0] + (c[i] - a[i]) * aim[1])
         },
+        decide,
         exact: |x, line @ [o, d]| {
             let [t, beta, gamma] = exact::triangle(&corners(x), o, d);
             let shares = [beta.value(), gamma.value()];
@@ -108,11 +155,15 @@ const INPUTS: usize = 200_000;
 
 impl Subject {
     /// The shape of this name.
-    pub fn named(name: &str) -> Result<&'static Self, Error> {
-        let found = SUBJECTS.iter().find(|subject| subject.name == name);
-        let names = || SUBJECTS.map(|subject| subject.name).join(", ");
-        let none = || format!("no shape \"{name}\" is searched; there are {}", names());
-        found.ok_or_else(|| Error::Usage(none()))
+    pub fn named<'a>(subjects: &'a [Self], name: &str) -> Result<&'a Self, Error> {
+        let found = subjects.iter().find(|subject| subject.name == name);
+        found.ok_or_else(|| {
+            let names: Vec<_> = subjects.iter().map(|subject| subject.name).collect();
+            let names = names.join(", ");
+            Error::Usage(format!(
+                "no shape \"{name}\" is searched here, only {names}"
+            ))
+        })
     }
 
     fn numbers(&self) -> usize {
@@ -157,7 +208,7 @@ impl Subject {
     /// Infinite where the formula hits or misses wrongly.
     fn error(&self, formula: &dyn Fn(&[f64], &Ray) -> Option<f64>, input: &[f64]) -> Option<f64> {
         let (shape, ray) = ((self.make)(input)?, self.ray(input));
-        let is_hit = certified::decide(&*shape, &ray, Interval::AHEAD)?;
+        let is_hit = (self.decide)(&*shape, &ray, Interval::AHEAD)?;
         let found = formula(input, &ray);
         if found.is_some() != is_hit {
             return Some(f64::INFINITY);
@@ -178,7 +229,7 @@ impl Subject {
         );
         let all = input[..self.numbers()].iter().chain(&o).chain(&d);
         let written = all.fold(written, |text, x| text.replacen('#', &format!("{x:?}"), 1));
-        let is_hit = certified::decide(&*shape, &ray, Interval::AHEAD)?;
+        let is_hit = (self.decide)(&*shape, &ray, Interval::AHEAD)?;
         Some(match (self.exact)(input, &line).filter(|_| is_hit) {
             None => format!("{written}.is_none());"),
             Some((t, _)) if is_decision => format!("{written}.is_some()); // t is {:?}", t.value()),
@@ -219,9 +270,14 @@ fn bits(numbers: &mut Numbers, [least, most]: [usize; 2]) -> f64 {
     libm::scalbn(sign * numbers.between(1.0, 2.0), exponent as i32 - 20)
 }
 
-/// The worst inputs of the protocol's formula and the lesson's, in words and as lines of Rust.
+/// The worst inputs of the formulas of a shape of this stage, in words and as lines of Rust.
 pub fn search(name: &str) -> Result<String, Error> {
-    let subject = Subject::named(name)?;
+    search_among(&SUBJECTS, name)
+}
+
+/// The worst inputs of the protocol's formula and the lesson's, for the shape of this name.
+pub fn search_among(subjects: &[Subject], name: &str) -> Result<String, Error> {
+    let subject = Subject::named(subjects, name)?;
     let theirs = subject.worst(&subject.protocol);
     let theirs = subject.in_words("the protocol's formula", &theirs);
     let ours = subject.worst(&|x, ray| subject.lesson(x, ray));

@@ -4,7 +4,7 @@
 use std::f64::consts::FRAC_PI_4;
 use std::{fmt, iter};
 
-use a04_intersections::lab::search::Subject;
+use a04_intersections::lab::search::{SUBJECTS, Subject};
 
 use crate::prelude::*;
 
@@ -240,7 +240,7 @@ pub fn scene(
 #[cfg(not(handout))]
 pub fn search(check: &mut Check, name: &str, yours: &dyn Fn(&[f64]) -> Made<Shape>) {
     check.remark(|| {
-        let subject = Subject::named(name)?;
+        let subject = Subject::named(&SUBJECTS, name)?;
         let t = |x: &[f64], ray: &Ray| Some(yours(x).ok()?.hit(ray, Interval::AHEAD)?.t);
         Ok(subject.in_words("your formula", &subject.worst(&t)))
     });

@@ -19,7 +19,8 @@ pub fn geometry(mut geometry: Box<dyn Geometry>) -> Box<dyn Geometry> {
     }
 }
 
-fn decide(shape: &dyn Geometry, ray: &Ray, within: Interval) -> Decision {
+/// The decision for discs and for the shapes of stage 4.
+pub fn decide(shape: &dyn Geometry, ray: &Ray, within: Interval) -> Decision {
     let any: &dyn std::any::Any = shape;
     let Some(disc) = any.downcast_ref::<Disc>() else {
         return certified::decide(shape, ray, within);

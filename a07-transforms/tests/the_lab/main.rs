@@ -11,6 +11,7 @@ use a06_shadows_reflection::RecursiveTracer;
 use a06_shadows_reflection::lab::lit_points::LIFTED;
 use a07_transforms::lab::certified::geometry;
 use a07_transforms::lab::experiments::nested_nodes::lit_points;
+use a07_transforms::lab::search;
 use measure::Effort;
 
 testing::check_lab! { a07_transforms::stage() }
@@ -23,6 +24,14 @@ fn certified<S, L>(world: LitWorld<S, L>) -> LitWorld<S, L> {
         |surface| surface,
         |(_, light)| light,
     )
+}
+
+/// A handful of roundings lie between the given numbers and `t`.
+#[test]
+fn the_worst_disc_is_as_good_as_its_plane() {
+    let subject = &search::SUBJECTS[0];
+    let worst = subject.worst(&|x, ray| subject.lesson(x, ray));
+    assert!(worst.error < 8.0 && worst.wrong.is_none(), "{worst:?}");
 }
 
 /// Each hit, and which of two is nearer, for the rays as they were rounded.

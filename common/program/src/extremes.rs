@@ -30,7 +30,7 @@ pub fn show_extremes(stage: &Stage, names: &[String]) -> Result<(), Error> {
 
 /// Prints the worst inputs of the formulas of a shape.
 pub fn show_worst(stage: &Stage, shape: &str) -> Result<(), Error> {
-    let none = || Error::Usage(format!("{} searches no shapes; stage 4 does", stage.name));
+    let none = || Error::Usage(format!("{} searches no shapes; 4 and 7 do", stage.name));
     print(&stage.search.ok_or_else(none)?(shape)?)
 }
 
