@@ -85,8 +85,8 @@ impl<W: TracedWorld> View<W> {
 /// Renders a picture, as [`render`], for code that is not in the lesson.
 #[cfg(handout)]
 pub fn paint(
-    camera: &(impl Camera + ?Sized),
-    radiance: impl Fn(&Ray) -> Color + Sync,
+    camera: &dyn Camera,
+    radiance: &(dyn Fn(&Ray) -> Color + Sync),
     settings: &Settings,
 ) -> Result<Image, Error> {
     render(camera, radiance, settings, &())

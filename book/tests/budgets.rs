@@ -14,7 +14,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise/replay",
             "common/testing/src/exercise/tape",
         ],
-        980,
+        986,
     ),
     (
         "exercises with their checks, and cargo learn",
@@ -23,10 +23,10 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise",
             "common/learn/",
         ],
-        7_941,
+        7_982,
     ),
     ("benchmarks", &["/benches/"], 1_359),
-    ("labs", &["/src/lab/", "/src/lab.rs"], 6_899),
+    ("labs", &["/src/lab/", "/src/lab.rs"], 6_901),
     ("engine", &["common/engine/"], 7_246),
     (
         "reader and writer of scene files",
@@ -47,11 +47,11 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
     ("fuzz targets", &["fuzz/"], 593),
     ("checks of the book", &["book/tests/"], 438),
     ("live pages", &["book/live/"], 1_747),
-    ("tests of the stages", &["/tests/"], 4_655),
+    ("tests of the stages", &["/tests/"], 4_659),
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 48_987;
+const OF_ALL: usize = 49_040;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.

@@ -97,11 +97,11 @@ fn trace_samples(
 /// Renders a picture, as [`render`], and traces its chosen pixel: for code that is not in the
 /// lesson, as that of exercises.
 pub fn paint(
-    camera: &(impl Camera + ?Sized),
-    radiance: impl Fn(&Ray) -> Color + Sync,
+    camera: &dyn Camera,
+    radiance: &(dyn Fn(&Ray) -> Color + Sync),
     settings: &Settings,
 ) -> Result<Image, Error> {
-    let image = render(camera, &radiance, settings, &())?;
+    let image = render(camera, radiance, settings, &())?;
     trace_chosen(&image, |pixel| {
         let color = |x, y| {
             let ray = camera.ray_for(settings.size, x, y);

@@ -14,7 +14,7 @@ pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Point3, Vector3, Vector3
     );
     scene(check, |settings, View { world: sky, .. }| {
         let camera = new(Point3::ORIGIN, vector(gaze), vector(up), FRAC_PI_2)?;
-        paint(&camera, |ray| sky.color_for(ray), settings)
+        paint(&camera, &|ray| sky.color_for(ray), settings)
     });
 }
 

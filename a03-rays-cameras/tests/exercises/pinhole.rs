@@ -13,7 +13,7 @@ pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Point3, f64) -> Made<C>)
     );
     scene(check, |settings, View { world: sky, .. }| {
         let camera = new(Point3::ORIGIN, FRAC_PI_2)?;
-        paint(&camera, |ray| sky.color_for(ray), settings)
+        paint(&camera, &|ray| sky.color_for(ray), settings)
     });
 }
 

@@ -32,7 +32,7 @@ pub fn check(check: &mut Check, at: fn(&Ray, f64) -> Point3, t_of: fn(&Ray, Poin
             let way = at(ray, t_of(ray, ray.at(1.0))) - ray.origin();
             sky.color_for(&Ray::derived(ray.origin(), way))
         };
-        paint(&camera, radiance, settings)
+        paint(&camera, &radiance, settings)
     });
 }
 

@@ -42,7 +42,7 @@ pub fn check<S: Sync>(
             0 => Color::from_bytes([25, 25, 112]),
             _ => Color::from_bytes([50, 205, 50]),
         };
-        paint(&camera, radiance, settings)
+        paint(&camera, &radiance, settings)
     });
 }
 

@@ -33,14 +33,13 @@ impl Enclosure {
 
     /// From the least to the greatest result of the ends.
     fn hull(self, other: Self, operation: fn(f64, f64) -> f64) -> Self {
-        let ends = [self.low, self.high].map(|a| [other.low, other.high].map(|b| operation(a, b)));
-        let ends = ends.as_flattened();
+        let [a, b] = [other.low, other.high].map(|end| operation(self.low, end));
+        let [c, d] = [other.low, other.high].map(|end| operation(self.high, end));
         // `min` and `max` drop a NaN.
-        if ends.iter().any(|end| end.is_nan()) {
+        if (a + b + c + d).is_nan() {
             return Self::EVERYTHING;
         }
-        let low = ends.iter().copied().fold(f64::INFINITY, f64::min);
-        Self::outwards(low, ends.iter().copied().fold(f64::NEG_INFINITY, f64::max))
+        Self::outwards(a.min(b).min(c).min(d), a.max(b).max(c).max(d))
     }
 
     fn is_zero(self) -> bool {

@@ -138,6 +138,9 @@ fn plane(x: &[f64]) -> Option<Plane> {
     Plane::new(point(triple(x)), vector(triple(&x[3..])).as_normal()).ok()
 }
 
+/// Finds the `t` of the nearest hit of the shape that some numbers describe.
+type Formula<'a> = &'a dyn Fn(&[f64], &Ray) -> Option<f64>;
+
 /// The worst input of a formula, with its error in multiples of condition times ulp; and the first
 /// input at which it hits or misses wrongly.
 #[derive(Debug, Default)]
@@ -150,8 +153,8 @@ pub struct Worst {
 /// The numbers of a shape, and six of a ray.
 type Input = Vec<f64>;
 
-/// The number of inputs of a search.
-const INPUTS: usize = 200_000;
+/// The number of inputs of a search, half of them random.
+pub const INPUTS: usize = 200_000;
 
 impl Subject {
     /// The shape of this name.
@@ -171,9 +174,9 @@ impl Subject {
     }
 
     /// The worst input of a formula for the `t` of the nearest hit.
-    pub fn worst(&self, formula: &dyn Fn(&[f64], &Ray) -> Option<f64>) -> Worst {
+    pub fn worst(&self, formula: Formula, inputs: usize) -> Worst {
         let (mut numbers, mut worst) = (Numbers::new(71, 0), Worst::default());
-        for n in 0..INPUTS {
+        for n in 0..inputs {
             // Of one size or of many.
             let least = numbers.below(41);
             let sizes = [least, numbers.below(41).max(least)];
@@ -181,7 +184,7 @@ impl Subject {
             let mut input: Vec<_> = (0..self.numbers() + 6).map(bits).collect();
             let aim = self.numbers() + 3;
             (aim..aim + 3).for_each(|i| input[i] = numbers.between(-1.0, 1.0));
-            if let Some(best) = worst.input.as_ref().filter(|_| n > INPUTS / 2) {
+            if let Some(best) = worst.input.as_ref().filter(|_| n > inputs / 2) {
                 let changed = numbers.below(input.len());
                 let random = std::mem::replace(&mut input, best.clone())[changed];
                 let size = libm::exp2(numbers.between(-50.0, 0.0));
@@ -206,7 +209,7 @@ impl Subject {
     }
 
     /// Infinite where the formula hits or misses wrongly.
-    fn error(&self, formula: &dyn Fn(&[f64], &Ray) -> Option<f64>, input: &[f64]) -> Option<f64> {
+    fn error(&self, formula: Formula, input: &[f64]) -> Option<f64> {
         let (shape, ray) = ((self.make)(input)?, self.ray(input));
         let is_hit = (self.decide)(&*shape, &ray, Interval::AHEAD)?;
         let found = formula(input, &ray);
@@ -278,9 +281,9 @@ pub fn search(name: &str) -> Result<String, Error> {
 /// The worst inputs of the protocol's formula and the lesson's, for the shape of this name.
 pub fn search_among(subjects: &[Subject], name: &str) -> Result<String, Error> {
     let subject = Subject::named(subjects, name)?;
-    let theirs = subject.worst(&subject.protocol);
+    let theirs = subject.worst(&subject.protocol, INPUTS);
     let theirs = subject.in_words("the protocol's formula", &theirs);
-    let ours = subject.worst(&|x, ray| subject.lesson(x, ray));
+    let ours = subject.worst(&|x, ray| subject.lesson(x, ray), INPUTS);
     let ours = subject.in_words("the lesson's formula", &ours);
     Ok(format!("{theirs}\n{ours}"))
 }

@@ -40,7 +40,7 @@ pub fn check(check: &mut Check, yours: Nearest) {
             push_background(Color::BLACK);
             hit.map_or(Color::BLACK, |_| Color::RED)
         };
-        paint(&scene_5()?.camera, color, settings)
+        paint(&*scene_5()?.camera, &color, settings)
     });
 }
 

@@ -18,7 +18,7 @@ pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Point3, Vector3, Vector3
         let world = Box::new(world).watched(false);
         let [g, up] = [Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0)];
         let camera = new(Point3::ORIGIN, g, up, 3.0)?;
-        paint(&camera, |ray: &Ray| world.radiance(ray, 1), settings)
+        paint(&camera, &|ray: &Ray| world.radiance(ray, 1), settings)
     });
 }
 

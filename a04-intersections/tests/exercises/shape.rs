@@ -4,7 +4,7 @@
 use std::f64::consts::FRAC_PI_4;
 use std::{fmt, iter};
 
-use a04_intersections::lab::search::{SUBJECTS, Subject};
+use a04_intersections::lab::search::{INPUTS, SUBJECTS, Subject};
 
 use crate::prelude::*;
 
@@ -232,7 +232,7 @@ pub fn scene(
         let world = black.with(shape?, color.unwrap_or(Color::WHITE));
         #[cfg(not(handout))]
         let world = Box::new(world).watched(false);
-        paint(&camera, |ray: &Ray| world.radiance(ray, 1), settings)
+        paint(&camera, &|ray: &Ray| world.radiance(ray, 1), settings)
     });
 }
 
@@ -242,7 +242,8 @@ pub fn search(check: &mut Check, name: &str, yours: &dyn Fn(&[f64]) -> Made<Shap
     check.remark(|| {
         let subject = Subject::named(&SUBJECTS, name)?;
         let t = |x: &[f64], ray: &Ray| Some(yours(x).ok()?.hit(ray, Interval::AHEAD)?.t);
-        Ok(subject.in_words("your formula", &subject.worst(&t)))
+        // A learner waits for it.
+        Ok(subject.in_words("your formula", &subject.worst(&t, INPUTS / 10)))
     });
 }
 
@@ -279,10 +280,10 @@ pub fn show_world(
         let world = world?;
         let up = Vector3::new(0.0, 1.0, 0.0);
         let camera = PerspectiveCamera::new(point(eye), point(at) - point(eye), up, FRAC_PI_4)?;
-        let paint = |ray: &Ray| match world.hit(ray, Interval::AHEAD) {
+        let radiance = |ray: &Ray| match world.hit(ray, Interval::AHEAD) {
             Some((hit, surface)) => color(*surface, ray.at(hit.t), hit.normal),
             None => world.background(),
         };
-        render(&camera, paint, settings, &())
+        paint(&camera, &radiance, settings)
     });
 }

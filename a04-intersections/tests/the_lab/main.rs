@@ -6,7 +6,7 @@ use a03_rays_cameras::View;
 use a04_intersections::lab::certified::{decide, geometry, picture};
 use a04_intersections::lab::exact::{DoubleDouble as Number, plane, sphere, triangle};
 use a04_intersections::lab::experiments::sphere_distance::{FROM_AFAR, OURS, shots, stable};
-use a04_intersections::lab::search::{SUBJECTS, Subject};
+use a04_intersections::lab::search::{INPUTS, SUBJECTS, Subject};
 use a04_intersections::{scenes, watched};
 
 testing::check_lab! { a04_intersections::stage() }
@@ -34,8 +34,11 @@ fn the_worst_inputs_are_found() {
         ("triangle", 1e6, f64::INFINITY),
     ] {
         let subject = Subject::named(&SUBJECTS, name).unwrap();
-        assert!(subject.worst(&subject.protocol).error > least, "{name}");
-        let ours = subject.worst(&|x, ray| subject.lesson(x, ray));
+        assert!(
+            subject.worst(&subject.protocol, INPUTS).error > least,
+            "{name}"
+        );
+        let ours = subject.worst(&|x, ray| subject.lesson(x, ray), INPUTS);
         assert!(
             ours.error < most && ours.wrong.is_none(),
             "{name}: {ours:?}"

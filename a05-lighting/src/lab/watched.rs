@@ -34,19 +34,19 @@ pub fn world<S, T, L>(
     }
 }
 
-/// A light whose steps are recorded.
+/// A light whose steps are recorded, with its number and the name of its type.
 #[derive(Debug)]
-struct WatchedLight(usize, Box<dyn Light>);
+struct WatchedLight(usize, String, Box<dyn Light>);
 
 /// Wraps a light, counted from 1, to record its steps.
 pub fn light((number, light): (usize, Box<dyn Light>)) -> Box<dyn Light> {
-    Box::new(WatchedLight(number, light))
+    Box::new(WatchedLight(number, type_name(&light), light))
 }
 
 impl Light for WatchedLight {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
-        let light = self.1.illumination(point);
-        push_light(self.0, &type_name(&self.1), light);
+        let light = self.2.illumination(point);
+        push_light(self.0, &self.1, light);
         light
     }
 }

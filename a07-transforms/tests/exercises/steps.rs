@@ -97,7 +97,7 @@ pub fn locked_scene(
         let world = WatchedWorld::new(world, |geometry| geometry, false);
         #[cfg(not(handout))]
         let color = |ray: &Ray| world.radiance(ray, settings.depth);
-        paint(&diagonal_camera(eye)?, color, settings)
+        paint(&diagonal_camera(eye)?, &color, settings)
     });
 }
 

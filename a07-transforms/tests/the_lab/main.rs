@@ -6,6 +6,7 @@ use std::collections::HashSet;
 
 use a03_rays_cameras::View;
 use a04_intersections::lab::certified::picture;
+use a04_intersections::lab::search::INPUTS;
 use a05_lighting::{LitWorld, watched};
 use a06_shadows_reflection::RecursiveTracer;
 use a06_shadows_reflection::lab::lit_points::LIFTED;
@@ -30,7 +31,7 @@ fn certified<S, L>(world: LitWorld<S, L>) -> LitWorld<S, L> {
 #[test]
 fn the_worst_disc_is_as_good_as_its_plane() {
     let subject = &search::SUBJECTS[0];
-    let worst = subject.worst(&|x, ray| subject.lesson(x, ray));
+    let worst = subject.worst(&|x, ray| subject.lesson(x, ray), INPUTS);
     assert!(worst.error < 8.0 && worst.wrong.is_none(), "{worst:?}");
 }
 

@@ -2,6 +2,7 @@
 //! the place of the lesson.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::vec::IntoIter;
 
 use super::{Answer, Check, Input, Mistakes, Variant};
 
@@ -12,7 +13,8 @@ pub(super) type Result = Option<(Answer, bool)>;
 /// The results of a student's code, compared with those of one mistake.
 #[derive(Default)]
 pub(super) struct Known {
-    results: std::vec::IntoIter<Result>,
+    results: IntoIter<Result>,
+    pub inputs: IntoIter<Vec<f64>>,
     /// The wrong results that the mistake has, too, and the results that it has not.
     same: usize,
     misses: usize,
@@ -65,7 +67,9 @@ pub(super) fn recognised(found: &Check, (solution, variants): Mistakes) -> Optio
         .map(|(about, run, mistake)| {
             let mut check = Check::new(false, mistake);
             let known = check.known.insert(Known::default());
-            (known.results, known.most) = (found.results.clone().into_iter(), most);
+            known.results = found.results.clone().into_iter();
+            known.inputs = found.inputs.clone().into_iter();
+            known.most = most;
             let fails = catch_unwind(AssertUnwindSafe(|| run(&mut check))).is_err();
             let Known { same, misses, .. } = check.known.unwrap_or_default();
             (misses + usize::from(fails), same, about)

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-use common::{Image, Transfer, picture_file};
+use common::{Error, Image, Scene, Settings, Transfer, picture_file};
 
 use crate::difference::{compare_with_file, leave_pictures};
 
@@ -25,6 +25,13 @@ fn folder() -> PathBuf {
 /// The picture of this name in the book.
 pub fn in_book(name: &str) -> PathBuf {
     Path::new(ROOT).join("book/src/pictures").join(name)
+}
+
+/// Renders a scene by the lesson into a file, and returns its path.
+pub fn of_lesson(scene: &Scene, settings: &Settings) -> Result<PathBuf, Error> {
+    let (path, image) = (folder().join("lesson.png"), scene.render(settings, &())?);
+    picture_file::save_png(&path, image.size(), &image.to_rgb8(Transfer::Linear))?;
+    Ok(path)
 }
 
 /// Saves a picture, and prints where it lies.

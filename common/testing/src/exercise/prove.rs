@@ -2,12 +2,16 @@
 
 use std::panic;
 use std::process::ExitCode;
+use std::sync::RwLock;
 
 use libtest_mimic::{Arguments, Failed, Trial};
 
 use super::findings::Findings;
 use super::known::recognised;
 use super::{Check, Code, Exercise, Mistakes, Variant, picture, replay};
+
+/// Starters write into one list of missing parts, and so run alone.
+static WITH_STARTER: RwLock<()> = RwLock::new(());
 
 /// Proves that starters are to do, that examples hold for the solutions, and that checks
 /// accept all right variants and refuse all mistakes.
@@ -20,22 +24,20 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
     if let Some(exit) = replay::replay(&exercises) {
         return exit;
     }
-    // Checks share the list of missing parts.
-    let arguments = Arguments {
-        test_threads: Some(1),
-        ..Arguments::from_args()
-    };
+    let arguments = Arguments::from_args();
     let shows = arguments.filter.is_some();
     panic::set_hook(Box::new(move |panic| {
         if shows {
             println!("{panic}");
         }
     }));
-    let mut trials = Vec::new();
+    // Starters come first, so that they do not wait for others to end.
+    let (mut starters, mut trials) = (Vec::new(), Vec::new());
     for exercise in exercises {
         let (name, variants) = (exercise.name, exercise.variants);
         let known = (exercise.solution.check, variants);
-        trials.push(Trial::test(format!("{name}::starter"), move || {
+        starters.push(Trial::test(format!("{name}::starter"), move || {
+            let _alone = WITH_STARTER.write();
             let found = Findings::of(exercise.starter, Check::default());
             let is_to_do = !found.missing.is_empty();
             is_to_do.then_some(()).ok_or("nothing is missing".into())
@@ -46,6 +48,7 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
         }
         let picture = format!("{stage}-exercise-{}.png", name.replace('_', "-"));
         trials.push(Trial::test(format!("{name}::solution"), move || {
+            let _together = WITH_STARTER.read();
             let found = Findings::of(exercise.solution, Check::new(true, None));
             accept(&found, &picture, shows)?;
             let usual = found.check.usual;
@@ -64,6 +67,7 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
             let kind = if *is_right { "right" } else { "wrong" };
             let (examples, check): (fn(), _) = (|| (), *check);
             Trial::test(format!("{name}::{kind}: {about}"), move || {
+                let _together = WITH_STARTER.read();
                 let found = Findings::of(Code { examples, check }, Check::new(!is_right, None));
                 if *is_right {
                     accept(&found, "", false)
@@ -73,7 +77,11 @@ pub fn prove(stage: &'static str, exercises: impl IntoIterator<Item = Exercise>)
             })
         }));
     }
-    libtest_mimic::run(&arguments, trials).exit_code()
+    libtest_mimic::run(
+        &arguments,
+        [starters, trials].into_iter().flatten().collect(),
+    )
+    .exit_code()
 }
 
 /// Fails if the check has refused right code, or if its picture is not the book's.
