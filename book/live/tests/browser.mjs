@@ -5,10 +5,11 @@
 //
 // ANSWERS is the program of examples/answers.rs, which computes the figures' numbers
 // natively.
-import { spawnSync } from 'node:child_process';
+import { execFile, spawnSync } from 'node:child_process';
 import { readdirSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { promisify } from 'node:util';
 import { Chromium } from './chromium.mjs';
 
 const [program, answers, screenshots] = process.argv.slice(2);
@@ -18,6 +19,7 @@ const book = new URL('../../../target/book/', import.meta.url);
 const pages = readdirSync(book)
     .filter((name) => name.endsWith('.html') && !['print.html', 'toc.html', '404.html', 'index.html'].includes(name));
 
+const run = promisify(execFile);
 const complaints = [];
 const expect = (isSo, complaint) => {
     if (!isSo) {
@@ -116,8 +118,13 @@ async function tryPixels(names) {
     let pixels = 0;
     for (const [index, [name, width, height]] of traced.entries()) {
         const stage = stages.find((stage) => name.startsWith(`${stage}-`));
-        for (const pixel of stage && names.includes(name) ? [[0.5, 0.5], [0.16, 0.84], [0.78, 0.62]].map(([x, y]) => [Math.floor(x * width), Math.floor(y * height)]) : []) {
-            const { stdout } = spawnSync(new URL(`../${stage}`, pathToFileURL(resolve(answers))).pathname, ['explain', name.slice(stage.length + 1), '--pixel', `${pixel}`, '--json'], { encoding: 'utf8' });
+        if (!stage || !names.includes(name)) {
+            continue;
+        }
+        const explain = new URL(`../${stage}`, pathToFileURL(resolve(answers))).pathname;
+        const places = [[0.5, 0.5], [0.16, 0.84], [0.78, 0.62]].map(([x, y]) => [Math.floor(x * width), Math.floor(y * height)]);
+        const printed = places.map((pixel) => run(explain, ['explain', name.slice(stage.length + 1), '--pixel', `${pixel}`, '--json']));
+        for (const [pixel, { stdout }] of (await Promise.all(printed)).map((output, index) => [places[index], output])) {
             const [shown, printed, status] = await chromium.value(`(async ({ steps }) => {
                 const picture = live.pictures[${index}];
                 await picture.explain(${pixel});
@@ -232,23 +239,29 @@ const settings = (figure) => `(() => {
 
 // Displayed values against those that the native library gives.
 async function tryValues(name, figure) {
-    const states = await chromium.value(settings(figure));
-    const [request, count] = await chromium.value(`[${figure}.name, ${figure}.figure.numbers]`);
+    const [states, request, count] = await chromium.value(`[${settings(figure)}, ${figure}.name, ${figure}.figure.numbers]`);
     const requests = states.map((state) => [request, ...Object.values(state).slice(0, count ?? undefined)].join(' '));
     const { stdout } = spawnSync(answers, { input: requests.join('\n'), encoding: 'utf8' });
-    for (const [index, line] of stdout.trimEnd().split('\n').entries()) {
-        await chromium.value(`${figure}.set(${JSON.stringify(states[index])}).then(() => 0)`);
-        const error = await chromium.value(`${figure}.root.dataset.error ?? ''`);
+    const given = stdout.trimEnd().split('\n').map((line) => Object.fromEntries(line.split(' ').map((list) => {
+        const [list_name, numbers] = list.split('=');
+        return [list_name, numbers ? numbers.replaceAll('inf', 'Infinity').split(',') : []];
+    })));
+    const rows = await chromium.value(`(async (states, given) => {
+        const rows = [];
+        for (const [index, state] of states.entries()) {
+            await ${figure}.set(state);
+            const values = ${figure}.values.map(([value, element]) => {
+                const [list, at = 0] = value.split('.');
+                const number = given[index][list]?.[at];
+                return [value, element.value, live.show(number && Number(number))];
+            });
+            rows.push([${figure}.root.dataset.error ?? '', values]);
+        }
+        return rows;
+    })(${JSON.stringify(states)}, ${JSON.stringify(given)})`);
+    for (const [index, [error, values]] of rows.entries()) {
         expect(!error, `${name}: ${error}`);
-        const lists = Object.fromEntries(line.split(' ').map((list) => {
-            const [list_name, numbers] = list.split('=');
-            return [list_name, numbers ? numbers.split(',').map((x) => Number(x.replace('inf', 'Infinity'))) : []];
-        }));
-        const shown = await chromium.value(`${figure}.values.map(([name, element]) => [name, element.value])`);
-        for (const [value, text] of shown) {
-            const [list, at = 0] = value.split('.');
-            const number = lists[list]?.[at];
-            const expected = await chromium.value(`live.show(${number === undefined ? 'undefined' : number})`);
+        for (const [value, text, expected] of values) {
             expect(text === expected, `${requests[index]}: ${value} shows ${text}, the library says ${expected}`);
         }
     }
