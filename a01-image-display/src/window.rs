@@ -1,16 +1,18 @@
 //! `Window`: shows the scenes of a stage while they are rendered.
 
 mod appearance;
-mod command;
-mod content;
+mod area;
 mod drawing;
-mod execute;
 mod frame;
+mod hand;
 mod keyboard;
+mod layout;
 mod letters;
+mod menu;
 mod mouse;
 mod placement;
 mod screen;
+mod ui;
 
 use program::{Gallery, NotShown, Viewer};
 

@@ -41,17 +41,17 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/measure/src/",
             "common/testing/src/",
         ],
-        7_800,
+        7_802,
     ),
     ("tests of common and program", &["common/"], 269),
     ("fuzz targets", &["fuzz/"], 593),
     ("checks of the book", &["book/tests/"], 438),
     ("live pages", &["book/live/"], 1_747),
-    ("tests of the stages", &["/tests/"], 4_659),
+    ("tests of the stages", &["/tests/"], 4_625),
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 49_040;
+const OF_ALL: usize = 49_029;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.

@@ -3,60 +3,59 @@
 use program::{Gallery, LivePicture};
 
 use super::appearance::{Colors, RAY};
-use super::command::Command;
-use super::content::{Content, Item, Kind};
-use super::frame::{Area, Frame};
+use super::area::Area;
+use super::frame::Frame;
 use super::placement::Placement;
 use super::screen::Screen;
-
-/// Most places of the picture, along a side, whose mean is a pixel of the window.
-const MOST_PLACES: u32 = 4;
+use super::ui::{Item, Kind};
 
 impl Screen {
     /// Draws the window.
-    pub fn draw(&mut self, content: &Content, gallery: &Gallery) {
-        let (colors, placement) = (Colors::of(self.theme), &content.placement);
+    pub fn draw(&mut self, gallery: &Gallery) {
+        let colors = Colors::of(self.theme);
         let mut frame = std::mem::take(&mut self.frame);
         frame.resize(self.window.get_size());
-        frame.clip(placement.area);
-        frame.fill(placement.area, colors.background);
-        if let Some(live) = &gallery.picture {
-            paint(&mut frame, placement, live, |x, y| {
-                let is_even = (x + y) / self.ui(6.0).max(1) % 2 == 0;
-                if is_even { colors.raised } else { colors.bar }
-            });
-            let left = placement.in_window([0.0, 0.0]).0 as i32 - self.ui(4.0);
-            for y in placement.area.y..placement.area.y + placement.area.height {
-                let row = placement.rows(y, 1).next().flatten();
-                if gallery.outcome.is_none() && row.is_some_and(|row| live.is_finished(row)) {
-                    frame.fill(Area::new(left.max(0), y, self.ui(3.0), 1), colors.accent);
-                }
-            }
+        let look = self.look(gallery);
+        if self.drawn != look {
+            self.draw_picture(&mut frame, colors, gallery);
+            self.drawn = look;
         }
-        self.draw_rays(&mut frame, placement, gallery);
-        frame.clip(Area::new(0, 0, i32::MAX, i32::MAX));
-        for item in &content.items {
+        let items = std::mem::take(&mut self.ui.items);
+        for item in &items {
             self.draw_item(&mut frame, item, colors);
         }
-        self.frame = frame;
+        (self.ui.items, self.frame) = (items, frame);
+    }
+
+    /// Draws the picture and the rays over it; the items cover what lies outside.
+    fn draw_picture(&self, frame: &mut Frame, colors: &Colors, gallery: &Gallery) {
+        let placement = self.placement(gallery);
+        let area = placement.area;
+        let Some(live) = &gallery.picture else {
+            return frame.fill(area, colors.background);
+        };
+        paint(frame, &placement, live, [colors.background, colors.raised]);
+        let left = placement.in_window([0.0; 2])[0] as i32 - self.ui.px(4.0);
+        let marks = Area::new(left.max(0), area.y, self.ui.px(3.0), area.height);
+        for ((_, y), mark) in frame.rows(marks) {
+            let is_finished = |row: &u32| live.is_finished(*row);
+            if gallery.outcome.is_none() && placement.spread(1, y).iter().any(is_finished) {
+                mark.fill(colors.accent);
+            }
+        }
+        self.draw_rays(frame, gallery);
     }
 
     /// Draws a square around the pixel that is explained, and its rays, fainter where hidden.
-    fn draw_rays(&self, frame: &mut Frame, placement: &Placement, gallery: &Gallery) {
-        let Some([x, y]) = gallery.pixel else { return };
-        let half = (placement.scale / 2.0).max(4.0 * self.scale);
-        let (x, y) = placement.in_window([f64::from(x) + 0.5, f64::from(y) + 0.5]);
-        let corners = [
-            (-half, -half),
-            (half, -half),
-            (half, half),
-            (-half, half),
-            (-half, -half),
-        ];
-        let corners = corners.map(|(right, down)| (x + right, y + down));
-        let mut lines: Vec<_> = corners
-            .windows(2)
-            .map(|ends| ([ends[0], ends[1]], 1.0))
+    fn draw_rays(&self, frame: &mut Frame, gallery: &Gallery) {
+        let Some(pixel) = gallery.pixel else { return };
+        let (placement, scale) = (self.placement(gallery), self.ui.scale);
+        let half = (placement.scale / 2.0).max(4.0 * scale);
+        let [x, y] = placement.in_window(pixel.map(|at| f64::from(at) + 0.5));
+        let sides = [(-half, -half), (half, -half), (half, half), (-half, half)];
+        let corners = sides.map(|(right, down)| [x + right, y + down]);
+        let mut lines: Vec<_> = (0..4)
+            .map(|i| ([corners[i], corners[(i + 1) % 4]], 1.0))
             .collect();
         if let Some(Ok(explanation)) = &gallery.explanation {
             lines.extend(explanation.rays.iter().map(|ray| {
@@ -66,92 +65,73 @@ impl Screen {
         }
         for (color, width) in [(0, 3.5), (RAY, 1.5)] {
             for (ends, share) in &lines {
-                frame.line(*ends, width * self.scale, color, *share);
+                frame.line(*ends, width * scale, color, *share);
             }
         }
     }
 
     fn draw_item(&mut self, frame: &mut Frame, item: &Item, colors: &Colors) {
-        let is_page =
-            item.command == self.page.map(Command::Page) && matches!(item.kind, Kind::Text);
-        if item.command.is_some() && (is_page || item.command == self.selected) {
-            frame.fill(item.area.inset(self.ui(-8.0), self.ui(1.0)), colors.raised);
+        let (mut area, mut color, scale) = (item.area, colors.text, self.ui.scale);
+        let (left, middle) = (f64::from(area.x), area.middle()[1]);
+        if item.is_selected || matches!(item.kind, Kind::Tab(true)) {
+            frame.fill(area.inset(self.ui.px(-8.0), self.ui.px(1.0)), colors.raised);
         }
-        let (mut area, mut color) = (item.area, colors.text);
-        let (left, middle) = (
-            f64::from(area.x),
-            f64::from(area.y) + f64::from(area.height) / 2.0,
-        );
         match item.kind {
             Kind::Bar => frame.fill(area, colors.bar),
             Kind::Muted => color = colors.muted,
-            Kind::Color(color) => frame.fill(area.inset(0, self.ui(3.0)), color),
+            Kind::Color(color) => frame.fill(area.inset(0, self.ui.px(3.0)), color),
             Kind::Progress(share) => {
                 area.width = (f64::from(area.width) * share) as i32;
                 frame.fill(area, colors.accent);
             }
             Kind::Entry(true) => {
-                let dot = (left - 10.0 * self.scale, middle);
-                frame.line([dot, dot], 6.0 * self.scale, colors.accent, 1.0);
+                let dot = [left - 10.0 * scale, middle];
+                frame.line([dot, dot], 6.0 * scale, colors.accent, 1.0);
             }
             Kind::Slider(share) => {
-                let y = middle + 11.0 * self.scale;
-                let end = |share: f64| (left + f64::from(area.width) * share, y);
-                frame.line([end(0.0), end(1.0)], 3.0 * self.scale, colors.muted, 0.5);
-                frame.line([end(0.0), end(share)], 3.0 * self.scale, colors.accent, 1.0);
-                frame.line([end(share); 2], 12.0 * self.scale, colors.accent, 1.0);
-                area.height = self.ui(24.0);
+                let y = middle + 11.0 * scale;
+                let end = |share: f64| [left + f64::from(area.width) * share, y];
+                frame.line([end(0.0), end(1.0)], 3.0 * scale, colors.muted, 0.5);
+                frame.line([end(0.0), end(share)], 3.0 * scale, colors.accent, 1.0);
+                frame.line([end(share); 2], 12.0 * scale, colors.accent, 1.0);
+                area.height = self.ui.px(24.0);
             }
-            Kind::Text | Kind::Entry(false) => {}
+            Kind::Text | Kind::Tab(_) | Kind::Entry(false) => {}
         }
-        self.letters.write(frame, area, color, &item.text);
-        let (text, value) = (
-            self.letters.width(&item.text),
-            self.letters.width(&item.value),
-        );
+        let letters = &mut self.ui.letters;
+        letters.write(frame, area, color, &item.text);
+        let (text, value) = (letters.width(&item.text), letters.width(&item.value));
         if text + value <= area.width {
             area.x += area.width - value;
-            self.letters.write(frame, area, colors.muted, &item.value);
+            letters.write(frame, area, colors.muted, &item.value);
         }
     }
 }
 
-/// Paints a picture. The colour of places that are not known yet depends on their place in the
-/// window.
+/// Paints a picture, with a colour beside it and one for places that are not known yet.
 fn paint(
     frame: &mut Frame,
     placement: &Placement,
     live: &LivePicture,
-    unknown: impl Fn(i32, i32) -> u32,
+    [background, unknown]: [u32; 2],
 ) {
-    let places = ((1.0 / placement.scale).ceil() as u32).clamp(1, MOST_PLACES);
     let area = placement.area;
-    let pixels = (area.x..area.x + area.width).map(|x| {
-        let columns: Option<Vec<_>> = placement.columns(x, places).collect();
-        Some((x, columns?))
-    });
-    let columns: Vec<_> = pixels.flatten().collect();
-    let Some((left, _)) = columns.first() else {
-        return;
-    };
-    let area = Area::new(*left, area.y, columns.len() as i32, area.height);
-    let mut last = (Vec::new(), Vec::new());
+    let columns = (area.x..area.x + area.width).map(|x| placement.spread(0, x));
+    let columns: Vec<_> = columns.collect();
+    let (mut last, mut colors) = (Vec::new(), vec![background; columns.len()]);
     for ((_, y), row) in frame.rows(area) {
-        let Some(rows) = placement.rows(y, places).collect::<Option<Vec<_>>>() else {
-            continue;
-        };
+        let rows = placement.spread(1, y);
         // An enlarged row is the same for some rows of the window.
-        if last.0 == rows {
-            row.copy_from_slice(&last.1);
-            continue;
+        if rows != last {
+            for (color, columns) in colors.iter_mut().zip(&columns) {
+                *color = match (columns.is_empty(), rows.is_empty()) {
+                    (false, false) => mean(live, columns, &rows).unwrap_or(unknown),
+                    _ => background,
+                };
+            }
+            last = rows;
         }
-        let mut is_known = true;
-        for ((x, columns), pixel) in columns.iter().zip(&mut *row) {
-            let color = mean(live, columns, &rows);
-            is_known &= color.is_some();
-            *pixel = color.unwrap_or_else(|| unknown(*x, y));
-        }
-        last = (if is_known { rows } else { Vec::new() }, row.to_vec());
+        row.copy_from_slice(&colors);
     }
 }
 

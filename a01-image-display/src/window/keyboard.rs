@@ -8,8 +8,6 @@ use std::rc::Rc;
 
 use minifb::{InputCallback, Key};
 
-use super::command::Command;
-
 /// The collected key presses.
 #[derive(Clone, Default)]
 pub struct Keyboard(Rc<RefCell<Typed>>);
@@ -19,19 +17,27 @@ struct Typed {
     down: Vec<Key>,
     /// Whether the last key is held and repeats itself.
     repeats: bool,
-    commands: Vec<Command>,
+    keys: Vec<String>,
 }
 
 impl Typed {
-    fn is_down(&self, keys: [Key; 2]) -> bool {
-        keys.iter().any(|key| self.down.contains(key))
+    fn add(&mut self, name: &str) {
+        let is_down = |keys: [Key; 2]| keys.iter().any(|key| self.down.contains(key));
+        let prefix = if is_down([Key::LeftCtrl, Key::RightCtrl]) {
+            "Ctrl "
+        } else if name.len() > 1 && is_down([Key::LeftShift, Key::RightShift]) {
+            "Shift "
+        } else {
+            ""
+        };
+        self.keys.push(format!("{prefix}{name}"));
     }
 }
 
 impl Keyboard {
-    /// The commands typed since the last call.
-    pub fn take(&self) -> Vec<Command> {
-        std::mem::take(&mut self.0.borrow_mut().commands)
+    /// The keys pressed since the last call, such as `S`, `Ctrl +` or `Shift Left`.
+    pub fn take(&self) -> Vec<String> {
+        std::mem::take(&mut self.0.borrow_mut().keys)
     }
 
     /// Forgets which keys are down.
@@ -41,15 +47,20 @@ impl Keyboard {
 }
 
 impl InputCallback for Keyboard {
-    /// A character of the key whose state came last.
+    /// A character of the key whose state came last; with Ctrl, a letter is a control character.
     fn add_char(&mut self, code: u32) {
         let mut typed = self.0.borrow_mut();
-        let ctrl = typed.is_down([Key::LeftCtrl, Key::RightCtrl]);
-        let character = char::from_u32(code).filter(|_| !typed.repeats);
-        let command = character.and_then(|c| Command::of_character(c, ctrl));
-        typed.commands.extend(command);
+        let letter = match char::from_u32(code).unwrap_or_default() {
+            letter @ '\0'..=' ' => char::from(letter as u8 + b'@'),
+            '=' => '+',
+            letter => letter.to_ascii_uppercase(),
+        };
+        if !typed.repeats {
+            typed.add(letter.encode_utf8(&mut [0; 4]));
+        }
     }
 
+    /// A key without a character has a name of several letters.
     fn set_key_state(&mut self, key: Key, down: bool) {
         let mut typed = self.0.borrow_mut();
         let length = typed.down.len();
@@ -57,9 +68,10 @@ impl InputCallback for Keyboard {
         typed.repeats = down && typed.down.len() < length;
         if down {
             typed.down.push(key);
-            let ctrl = typed.is_down([Key::LeftCtrl, Key::RightCtrl]);
-            let shift = typed.is_down([Key::LeftShift, Key::RightShift]);
-            typed.commands.extend(Command::of_key(key, ctrl, shift));
+            let name = format!("{key:?}");
+            if name.len() > 1 {
+                typed.add(name.trim_start_matches("NumPad"));
+            }
         }
     }
 }

@@ -1,31 +1,27 @@
 //! `Letters`: smooth text of any size.
 
 use std::collections::HashMap;
+use std::sync::LazyLock;
 
-use fontdue::{Font, Metrics};
+use fontdue::{Font, FontSettings, Metrics};
 
-use super::frame::{Area, Frame};
+use super::area::Area;
+use super::frame::Frame;
 
 /// The characters of Latin-1, Greek letters, arrows and signs from Inter.
-const INTER: &[u8] = include_bytes!("../../assets/inter.otf");
+static INTER: LazyLock<Option<Font>> = LazyLock::new(|| {
+    let file: &[u8] = include_bytes!("../../assets/inter.otf");
+    Font::from_bytes(file, FontSettings::default()).ok()
+});
 
 /// The letters of one size.
+#[derive(Default)]
 pub struct Letters {
-    font: Option<Font>,
     size: f32,
     known: HashMap<char, (Metrics, Vec<u8>)>,
 }
 
 impl Letters {
-    pub fn new() -> Self {
-        let font = Font::from_bytes(INTER, fontdue::FontSettings::default()).ok();
-        Self {
-            font,
-            size: 0.0,
-            known: HashMap::new(),
-        }
-    }
-
     /// Capitals become about 0.7 times `size` pixels high.
     pub fn resize(&mut self, size: f64) {
         self.size = size as f32;
@@ -33,8 +29,8 @@ impl Letters {
     }
 
     fn advance(&self, text: &str) -> f32 {
-        let font = self.font.as_ref();
-        let advance = |c| font.map_or(0.0, |font| font.metrics(c, self.size).advance_width);
+        let Some(font) = &*INTER else { return 0.0 };
+        let advance = |letter| font.metrics(letter, self.size).advance_width;
         text.chars().map(advance).sum()
     }
 
@@ -45,7 +41,7 @@ impl Letters {
 
     /// Writes a text in the middle of the height of an area, from its left edge.
     pub fn write(&mut self, frame: &mut Frame, area: Area, color: u32, text: &str) {
-        let Some(font) = &self.font else { return };
+        let Some(font) = &*INTER else { return };
         let base = area.y + area.height / 2 + (0.36 * self.size) as i32;
         let mut x = area.x as f32;
         for letter in text.chars() {

@@ -2,7 +2,7 @@
 
 use common::Size;
 
-use super::frame::Area;
+use super::area::Area;
 
 /// The scale of the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,7 +10,7 @@ pub enum Zoom {
     /// As large as fits: enlarged by a whole factor, which keeps pixels sharp, or shrunk.
     Fit,
     /// Enlarged by a whole factor, this place of the picture in the middle.
-    Factor(u32, (f64, f64)),
+    Factor(f64, [f64; 2]),
 }
 
 /// A picture in its part of the window.
@@ -18,121 +18,101 @@ pub enum Zoom {
 pub struct Placement {
     /// Window pixels per picture pixel.
     pub scale: f64,
+    /// The scale at which the picture fits.
+    fit: f64,
     /// Position of the picture's upper left corner.
-    corner: (f64, f64),
-    pub picture: Size,
+    corner: [f64; 2],
+    /// Width and height of the picture.
+    sides: [f64; 2],
     pub area: Area,
 }
 
 /// The largest factor by which a picture can be enlarged beyond the size that fits.
-const GREATEST_FACTOR: u32 = 64;
+const GREATEST_FACTOR: f64 = 64.0;
+
+/// Most places of the picture, along a side, whose mean is a pixel of the window.
+const MOST_PLACES: f64 = 4.0;
 
 impl Placement {
     /// The place of a picture in this part of the window.
     pub fn new(picture: Size, area: Area, zoom: Zoom) -> Self {
-        let [width, height] = [picture.width(), picture.height()].map(f64::from);
-        let fit = (f64::from(area.width) / width).min(f64::from(area.height) / height);
+        let sides = [picture.width(), picture.height()].map(f64::from);
+        let fit = (f64::from(area.width) / sides[0]).min(f64::from(area.height) / sides[1]);
+        let fit = if fit >= 1.0 { fit.floor() } else { fit };
         let (scale, middle) = match zoom {
-            Zoom::Fit if fit >= 1.0 => (fit.floor(), (width / 2.0, height / 2.0)),
-            Zoom::Fit => (fit, (width / 2.0, height / 2.0)),
-            Zoom::Factor(factor, middle) => (factor.into(), middle),
+            Zoom::Fit => (fit, sides.map(|side| side / 2.0)),
+            Zoom::Factor(factor, middle) => (factor, middle),
         };
-        // Whole coordinates, so that at scale 1 the pixels coincide.
-        let corner = |start: i32, side: i32, middle: f64| {
-            (f64::from(start) + f64::from(side) / 2.0 - middle * scale).floor()
-        };
-        let x = corner(area.x, area.width, middle.0);
-        let y = corner(area.y, area.height, middle.1);
+        let center = area.middle();
         Self {
             scale,
-            corner: (x, y),
-            picture,
+            fit,
+            // Whole coordinates, so that at scale 1 the pixels coincide.
+            corner: [0, 1].map(|axis| (center[axis] - middle[axis] * scale).floor()),
+            sides,
             area,
         }
     }
 
     /// The point of the window at a point of the picture.
-    pub fn in_window(&self, [x, y]: [f64; 2]) -> (f64, f64) {
-        let (left, top) = self.corner;
-        (left + x * self.scale, top + y * self.scale)
+    pub fn in_window(&self, point: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| self.corner[axis] + point[axis] * self.scale)
     }
 
-    /// Column and row of the picture's pixel that is shown at a pixel of the window.
-    pub fn pixel(&self, (x, y): (i32, i32)) -> Option<(u32, u32)> {
-        let (column, row) = (self.columns(x, 1).next()??, self.rows(y, 1).next()??);
-        self.area.contains((x, y)).then_some((column, row))
+    /// The point of the picture at a point of the window.
+    fn in_picture(&self, point: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| (point[axis] - self.corner[axis]) / self.scale)
     }
 
-    /// The columns of the picture at some places in a pixel of the window; none beside the
-    /// picture.
-    pub fn columns(&self, x: i32, places: u32) -> impl Iterator<Item = Option<u32>> {
-        spread(x, places, self.corner.0, self.scale, self.picture.width())
+    /// Column and row of the picture's pixel in the middle of a pixel of the window.
+    pub fn pixel(&self, at: [i32; 2]) -> Option<[u32; 2]> {
+        let [x, y] = self.in_picture(at.map(|at| f64::from(at) + 0.5));
+        let is_inside = (0.0..self.sides[0]).contains(&x) && (0.0..self.sides[1]).contains(&y);
+        (is_inside && self.area.contains(at)).then_some([x as u32, y as u32])
     }
 
-    /// The rows of the picture, likewise.
-    pub fn rows(&self, y: i32, places: u32) -> impl Iterator<Item = Option<u32>> {
-        spread(y, places, self.corner.1, self.scale, self.picture.height())
+    /// The columns of the picture in a column of the window, or its rows in a row, by the axis;
+    /// none beside the picture.
+    pub fn spread(&self, axis: usize, at: i32) -> Vec<u32> {
+        let places = (1.0 / self.scale).ceil().clamp(1.0, MOST_PLACES);
+        let at = f64::from(at) - self.corner[axis];
+        let places = (0..places as u32).map(|i| (at + (f64::from(i) + 0.5) / places) / self.scale);
+        let inside = places.filter(|place| (0.0..self.sides[axis]).contains(place));
+        inside.map(|place| place as u32).collect()
     }
 
     /// Zoomed in to the next whole factor, or out, at most until it fits. The place under the
     /// cursor, if that is over the picture, stays there.
-    pub fn zoomed(&self, larger: bool, cursor: (i32, i32)) -> Zoom {
-        let fit = Self::new(self.picture, self.area, Zoom::Fit).scale;
+    pub fn zoomed(&self, larger: bool, cursor: [i32; 2]) -> Zoom {
         let factor = if larger {
-            let factor = self.scale.floor() as u32;
-            // A picture of few pixels may fit enlarged by more than that.
-            (factor + 1).min(GREATEST_FACTOR.max(factor))
+            // A picture of few pixels may fit enlarged by more than the greatest factor.
+            (self.scale.floor() + 1.0).min(GREATEST_FACTOR.max(self.fit))
         } else {
-            (self.scale.ceil() as u32).saturating_sub(1)
+            self.scale.ceil() - 1.0
         };
-        if f64::from(factor) <= fit && !larger {
+        if !larger && factor <= self.fit {
             return Zoom::Fit;
         }
-        let area = self.area;
-        let half = |start: i32, side: i32| f64::from(start) + f64::from(side) / 2.0;
-        let middle = self.place(half(area.x, area.width), half(area.y, area.height));
-        let under = || self.place(f64::from(cursor.0) + 0.5, f64::from(cursor.1) + 0.5);
-        let to = self.pixel(cursor).map_or(middle, |_| under());
+        let middle = self.in_picture(self.area.middle());
+        let under = self.in_picture(cursor.map(|at| f64::from(at) + 0.5));
+        let fixed = self.pixel(cursor).map_or(middle, |_| under);
         // The place under the cursor stays there if the middle moves towards it.
-        let share = self.scale / f64::from(factor);
-        let moved = |to: f64, from: f64| to + (from - to) * share;
-        Zoom::Factor(factor, (moved(to.0, middle.0), moved(to.1, middle.1)))
+        let share = self.scale / factor;
+        let moved = [0, 1].map(|axis| fixed[axis] + (middle[axis] - fixed[axis]) * share);
+        Zoom::Factor(factor, moved)
     }
 
     /// Moved by pixels of the window, if it is zoomed.
-    pub fn panned(&self, zoom: Zoom, (x, y): (i32, i32)) -> Zoom {
-        let Zoom::Factor(factor, (across, down)) = zoom else {
+    pub fn panned(&self, zoom: Zoom, way: [i32; 2]) -> Zoom {
+        let Zoom::Factor(factor, middle) = zoom else {
             return zoom;
         };
-        let moved = |middle: f64, way: i32, side: u32| {
-            (middle - f64::from(way) / self.scale).clamp(0.0, f64::from(side))
-        };
-        let across = moved(across, x, self.picture.width());
-        Zoom::Factor(factor, (across, moved(down, y, self.picture.height())))
-    }
-
-    /// The point of the picture at a point of the window.
-    fn place(&self, x: f64, y: f64) -> (f64, f64) {
-        (
-            (x - self.corner.0) / self.scale,
-            (y - self.corner.1) / self.scale,
+        let moved = |axis: usize| middle[axis] - f64::from(way[axis]) / factor;
+        Zoom::Factor(
+            factor,
+            [0, 1].map(|axis| moved(axis).clamp(0.0, self.sides[axis])),
         )
     }
-}
-
-/// Columns, or rows, of a picture at places that are evenly spread over a pixel of the window.
-fn spread(
-    at: i32,
-    places: u32,
-    start: f64,
-    scale: f64,
-    side: u32,
-) -> impl Iterator<Item = Option<u32>> {
-    (0..places).map(move |i| {
-        let at = f64::from(at) + (f64::from(i) + 0.5) / f64::from(places);
-        let place = (at - start) / scale;
-        (0.0..side.into()).contains(&place).then_some(place as u32)
-    })
 }
 
 #[cfg(test)]
@@ -143,16 +123,16 @@ mod tests {
     /// the greatest factor is not shrunk by zooming in.
     #[test]
     fn zooming_ends_where_the_picture_fits_and_at_64_times() {
-        for (side, first, last) in [(100, 5, 64), (960, 1, 64), (1, 480, 480)] {
+        for (side, first, last) in [(100, 5.0, 64.0), (960, 1.0, 64.0), (1, 480.0, 480.0)] {
             let size = Size::new(side, side).unwrap();
             let placed = |zoom| Placement::new(size, Area::new(0, 18, 640, 480), zoom);
-            let zoom_in = |zoom, _| placed(zoom).zoomed(true, (0, 0));
-            let middle = (f64::from(side) / 2.0, f64::from(side) / 2.0);
+            let zoom_in = |zoom, _| placed(zoom).zoomed(true, [0; 2]);
+            let middle = [f64::from(side) / 2.0; 2];
             let first_zoom = zoom_in(Zoom::Fit, 0);
             assert_eq!(first_zoom, Zoom::Factor(first, middle));
             let last_zoom = (0..100).fold(Zoom::Fit, zoom_in);
             assert_eq!(last_zoom, Zoom::Factor(last, middle));
-            assert_eq!(placed(first_zoom).zoomed(false, (0, 0)), Zoom::Fit);
+            assert_eq!(placed(first_zoom).zoomed(false, [0; 2]), Zoom::Fit);
         }
     }
 }

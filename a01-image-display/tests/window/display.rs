@@ -1,7 +1,7 @@
 //! `Display`: a program with a window on a private X display, and the actions of a person.
 //!
-//! The window writes a line for each of its states into a file; a test waits for the state
-//! that it expects, and never for a time.
+//! The window writes its state into a file; a test waits for the state that it expects, and
+//! never for a time.
 
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::path::Path;
@@ -14,12 +14,15 @@ use tempfile::{NamedTempFile, TempPath};
 /// After this time a test stops waiting and fails.
 const PATIENCE: Duration = Duration::from_mins(1);
 
+/// Gives the keyboard to the window.
+pub const FOCUS: (&str, &str) = ("windowfocus WINDOW", "is_active: true");
+
 /// A program, its window and the display. Both processes end when it is dropped.
 pub struct Display {
     server: Child,
     name: String,
     pub program: Child,
-    log: TempPath,
+    state: TempPath,
     window: String,
 }
 
@@ -38,7 +41,7 @@ impl Display {
         }
         // A server fails if another one takes the same number at the same moment.
         let (server, name) = wait_for("a server", server);
-        let log = NamedTempFile::new().expect("a file").into_temp_path();
+        let state = NamedTempFile::new().expect("a file").into_temp_path();
         let program = Command::new(program)
             .args(line.split_whitespace())
             .current_dir(folder)
@@ -46,108 +49,88 @@ impl Display {
             .env("DISPLAY", &name)
             .env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/dev/null")
             .env("PATH", "")
-            .env("WORKBOOK_WINDOW_LOG", &log)
+            .env("WORKBOOK_WINDOW_STATE", &state)
             .stdin(Stdio::null())
             .stdout(Stdio::null())
             .stderr(Stdio::piped())
             .spawn()
             .expect("the program starts");
-        let window = String::new();
         let mut display = Self {
             server,
             name,
             program,
-            log,
-            window,
+            state,
+            window: String::new(),
         };
         display.window = wait_for("a window", || {
             let found = display.xdotool("search --onlyvisible --name .")?;
             found.lines().next().map(str::to_owned)
         });
-        display.focus();
+        display.play(&[FOCUS]);
         Some(display)
     }
 
     /// Runs xdotool and returns its output; none if it fails.
     fn xdotool(&self, line: &str) -> Option<String> {
+        let line = line.replace("WINDOW", &self.window);
         let mut command = Command::new("xdotool");
-        let output = command
+        let command = command
             .args(line.split_whitespace())
-            .env("DISPLAY", &self.name)
-            .output();
-        let output = output.expect("xdotool runs");
-        let text = String::from_utf8_lossy(&output.stdout).trim().to_owned();
+            .env("DISPLAY", &self.name);
+        let output = command.output().expect("xdotool runs");
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
         output.status.success().then_some(text)
     }
 
-    /// Executes commands of xdotool, such as `key ctrl+s`; `WINDOW` stands for the window.
-    pub fn act(&self, line: &str) {
-        let line = line.replace("WINDOW", &self.window);
-        // It fails, without effect, if a busy server does not answer.
-        wait_for(&line, || self.xdotool(&line));
+    /// Executes actions, and waits after each one until the state of the window contains some
+    /// texts, with ` & ` between them. An action is a command of xdotool, such as `key ctrl+s`,
+    /// with `WINDOW` for the window, or `item`, a share of its width, and its text, for a click.
+    pub fn play(&self, steps: &[(&str, &str)]) {
+        for (action, texts) in steps {
+            if let Some((share, text)) = action
+                .strip_prefix("item ")
+                .and_then(|it| it.split_once(' '))
+            {
+                self.click(text, share.parse().expect("a share"));
+            } else {
+                // It fails, without effect, if a busy server does not answer.
+                wait_for(action, || self.xdotool(action));
+            }
+            wait_for(&format!("{texts} after {action}"), || {
+                let state = self.state();
+                texts
+                    .split(" & ")
+                    .all(|text| state.contains(text))
+                    .then_some(())
+            });
+        }
     }
 
-    /// Presses and releases keys one after the other.
-    pub fn press(&self, keys: &str) {
-        self.act(&format!("key {keys}"));
-    }
-
-    /// Gives the keyboard to the window, and waits until the program has noticed.
-    pub fn focus(&self) {
-        wait_for("the keyboard", || {
-            self.act("windowfocus WINDOW");
-            self.state().contains("is_active: true").then_some(())
-        });
-    }
-
-    /// Moves the mouse to a pixel of the window.
-    pub fn point_at(&self, x: i32, y: i32) {
-        self.act(&format!("mousemove --window WINDOW {x} {y}"));
-        self.wait_for(&[&format!("at: ({x}, {y})")]);
-    }
-
-    /// Presses a button of the mouse, does something, and releases the button. The program sees
-    /// no click that begins and ends between two turns of its loop.
-    pub fn hold(&self, button: u8, task: impl FnOnce()) {
-        let name = if button == 1 { "left" } else { "right" };
-        self.act(&format!("mousedown {button}"));
-        self.wait_for(&[&format!("{name}: true")]);
-        task();
-        self.act(&format!("mouseup {button}"));
-        self.wait_for(&[&format!("{name}: false")]);
-    }
-
-    /// Clicks on the item of this text, at a share of its width.
-    pub fn click(&self, text: &str, share: f64) {
+    /// Clicks on the item of this text, at a share of its width. The program sees no click that
+    /// begins and ends between two turns of its loop.
+    fn click(&self, text: &str, share: f64) {
         let state = self.state();
         let mut items = state.split("Item { area: Area { ");
-        let item = items
-            .find(|item| item.contains(&format!("text: {text:?}")))
-            .expect(text);
-        let numbers = item
-            .split([' ', ',', '}'])
-            .filter_map(|word| word.parse().ok());
-        let numbers: Vec<f64> = numbers.take(4).collect();
+        let item = items.find(|item| item.contains(&format!("text: {text:?}")));
+        let words = item.expect(text).split([' ', ',', '}']);
+        let numbers: Vec<f64> = words.filter_map(|word| word.parse().ok()).take(4).collect();
         let [x, y, width, height] = numbers[..] else {
-            panic!("{item}")
+            panic!("{item:?}")
         };
-        self.point_at((x + width * share) as i32, (y + height / 2.0) as i32);
-        self.hold(1, || ());
+        let [x, y] = [x + width * share, y + height / 2.0].map(|at| at as i32);
+        self.play(&[
+            (
+                &format!("mousemove --window WINDOW {x} {y}"),
+                &format!("at: [{x}, {y}]"),
+            ),
+            ("mousedown 1", "left: true"),
+            ("mouseup 1", "left: false"),
+        ]);
     }
 
-    /// The current state of the window, as it writes it into its log.
+    /// The current state of the window.
     pub fn state(&self) -> String {
-        let log = fs::read_to_string(&self.log).expect("the log");
-        let complete = log.rsplit_once('\n').map_or("", |(lines, _)| lines);
-        complete.lines().last().unwrap_or_default().to_owned()
-    }
-
-    /// Waits until the state of the window contains all of these parts.
-    pub fn wait_for(&self, parts: &[&str]) {
-        wait_for(&format!("{parts:?}"), || {
-            let state = self.state();
-            parts.iter().all(|part| state.contains(part)).then_some(())
-        });
+        fs::read_to_string(&self.state).expect("the state")
     }
 
     /// Waits for the program's end, which must be one without an error.

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 use common::{Transfer, fnv1a, picture_file};
 
-use crate::display::{Display, wait_for};
+use crate::display::{Display, FOCUS, wait_for};
 
 /// Runs a test with the program and with its current folder, which is empty.
 fn with_window(line: &str, test: impl FnOnce(Display, &Path)) {
@@ -32,54 +32,47 @@ fn locked(scene: &str) -> PathBuf {
     Path::new(pictures).join(format!("a01-image-display-{scene}.png"))
 }
 
-/// Waits until the window shows the finished picture of a scene, byte for byte.
-fn wait_for_picture(window: &Display, scene: &str) {
+/// The state of a window that shows the finished picture of a scene, byte for byte.
+fn shown(scene: &str) -> String {
     let picture = picture_file::open(&locked(scene)).expect("a picture");
     let hash = fnv1a(&picture.to_rgb8(Transfer::Linear));
-    window.wait_for(&[&format!(": {scene}\""), &format!("picture: Some({hash})")]);
+    format!(": {scene}\" & picture: Some({hash})")
 }
 
 fn wait_for_painter_in(folder: &Path) {
     let path = folder.join("out/a01-image-display-painter.png");
     wait_for("the file", || path.exists().then_some(()));
-    assert_eq!(
-        picture_file::open(&path).unwrap(),
-        picture_file::open(&locked("painter")).unwrap()
-    );
-}
-
-/// Pairs of a key and its effect, with commas between them.
-fn in_steps(text: &str) -> impl Iterator<Item = (&str, &str)> {
-    text.split(", ")
-        .map(|step| step.split_once(' ').expect("a key and its effect"))
+    let [saved, locked] = [path, locked("painter")].map(|path| picture_file::open(&path).unwrap());
+    assert_eq!(saved, locked);
 }
 
 #[test]
 fn keys_save_close_and_go_round_the_scenes() {
     with_window("", |window, folder| {
-        // Without Ctrl, W has no effect.
-        window.press("w");
-        let steps =
-            "Right painter, Right show-image, Right diagonal, Left show-image, Left painter";
-        for (key, scene) in in_steps(steps) {
-            window.press(key);
-            wait_for_picture(&window, scene);
-        }
+        let [diagonal, painter, image] = ["diagonal", "painter", "show-image"].map(shown);
+        window.play(&[
+            // Without Ctrl, W has no effect.
+            ("key w", &diagonal),
+            ("key Right", &painter),
+            ("key Right", &image),
+            ("key Right", &diagonal),
+            ("key Left", &image),
+            ("key Left", &painter),
+        ]);
         assert_eq!(folder.read_dir().unwrap().count(), 0, "no file");
-        for key in ["s", "ctrl+s"] {
-            window.press(key);
+        for key in ["key s", "key ctrl+s"] {
+            window.play(&[(key, "saved out/a01-image-display-painter.png")]);
             wait_for_painter_in(folder);
-            window.wait_for(&["saved out/a01-image-display-painter.png"]);
             fs::remove_dir_all(folder.join("out")).unwrap();
         }
-        // Releases of keys are not reported while the window has no keyboard.
-        window.act("keydown ctrl windowunmap --sync WINDOW");
-        window.wait_for(&["is_active: false"]);
-        window.act("keyup ctrl windowmap --sync WINDOW");
-        window.focus();
-        window.press("w h");
-        window.wait_for(&["page: Some(Menu)"]);
-        window.press("ctrl+w");
+        window.play(&[
+            // Releases of keys are not reported while the window has no keyboard.
+            ("keydown ctrl windowunmap --sync WINDOW", "is_active: false"),
+            ("keyup ctrl windowmap --sync WINDOW", ""),
+            FOCUS,
+            ("key w h", "page: Some(Menu)"),
+            ("key ctrl+w", ""),
+        ]);
         window.wait_for_end();
     });
 }
@@ -87,73 +80,80 @@ fn keys_save_close_and_go_round_the_scenes() {
 #[test]
 fn the_menu_works_by_keyboard_and_by_mouse() {
     with_window("show painter", |window, folder| {
-        wait_for_picture(&window, "painter");
-        let keys =
-            "F10 Some(Save), Down Some(Close), Up Some(Save), Up Some(Scene(2)), Down Some(Save)";
-        for (key, selected) in in_steps(keys) {
-            window.press(key);
-            window.wait_for(&[&format!("selected: {selected}")]);
-        }
-        window.press("Return");
+        window.play(&[
+            ("key F10", &selected("Save as PNG")),
+            ("key Down", &selected("Close")),
+            ("key Up", &selected("Save as PNG")),
+            ("key Up", &selected("show-image")),
+            (
+                "key Down",
+                &format!("{} & {}", shown("painter"), selected("Save as PNG")),
+            ),
+            ("key Return", "saved"),
+        ]);
         wait_for_painter_in(folder);
-        window.click("diagonal", 0.5);
-        wait_for_picture(&window, "diagonal");
-        window.click("Dark or light", 0.5);
-        window.wait_for(&["Light scale: 1 "]);
-        window.press("ctrl+plus");
-        window.wait_for(&["scale: 1.125 "]);
-        for side in [(200, 100), (1, 1), (1, 600), (800, 1)] {
-            window.act(&format!("windowsize WINDOW {} {}", side.0, side.1));
-            window.wait_for(&[&format!("window: {side:?}")]);
+        window.play(&[
+            ("item 0.5 diagonal", &shown("diagonal")),
+            ("item 0.5 Dark or light", "Light scale: 1 "),
+            ("key ctrl+plus", "scale: 1.125 "),
+        ]);
+        for side in [(200, 100), (1, 1), (1, 600), (800, 1), (800, 600)] {
+            let resize = format!("windowsize WINDOW {} {}", side.0, side.1);
+            window.play(&[(&resize, &format!("window: {side:?}"))]);
         }
-        window.press("Escape Escape");
+        window.play(&[
+            ("key F10 F10", &selected("Save as PNG")),
+            ("key Down Return", ""),
+        ]);
         window.wait_for_end();
     });
+}
+
+/// The state of a window with a selected entry.
+fn selected(text: &str) -> String {
+    format!("is_selected: true, text: {text:?}")
 }
 
 #[test]
 fn wheel_keys_and_drags_zoom_and_move_the_picture() {
     with_window("show painter --ui-scale 100", |window, _| {
-        wait_for_picture(&window, "painter");
-        window.point_at(320, 240);
-        window.wait_for(&["column 320, row 240: (255, 0, 0)"]);
-        for (act, zoom) in [
-            ("click 4", "Factor(2, "),
-            ("key plus", "Factor(3, "),
-            ("key minus", "Factor(2, "),
+        window.play(&[
+            (
+                "mousemove --window WINDOW 320 240",
+                "column 320, row 240: (255, 0, 0)",
+            ),
+            ("click 4", "Factor(2.0, "),
+            ("key plus", "Factor(3.0, "),
+            ("key minus", "Factor(2.0, "),
             ("click 5", "zoom: Fit"),
-            ("click 4", "Factor(2, (320.25, 240.25))"),
-        ] {
-            window.act(act);
-            window.wait_for(&[zoom]);
-        }
-        window.hold(1, || window.point_at(300, 250));
-        window.wait_for(&["Factor(2, (330.25, 235.25))", "pixel: None"]);
+            ("click 4", "Factor(2.0, [320.25, 240.25])"),
+            ("mousedown 1", "left: true"),
+            (
+                "mousemove --window WINDOW 300 250",
+                "Factor(2.0, [330.25, 235.25])",
+            ),
+            ("mouseup 1", "left: false & pixel: None"),
+        ]);
         // The first click explains a pixel; the second one fits the picture, if it comes soon.
+        let click = "mousedown 1 sleep 0.03 mouseup 1 sleep 0.03";
         wait_for("a double click", || {
-            window.act(
-                "mousedown 1 sleep 0.03 mouseup 1 sleep 0.03 mousedown 1 sleep 0.03 mouseup 1",
-            );
-            window.wait_for(&["left: false"]);
+            window.play(&[(&format!("{click} {click}"), "left: false")]);
             window.state().contains("zoom: Fit").then_some(())
         });
-        window.press("Escape");
-        window.wait_for(&["pixel: None"]);
+        window.play(&[("key Escape", "pixel: None"), ("key Escape", "")]);
+        window.wait_for_end();
     });
 }
 
 #[test]
 fn the_window_fits_the_screen_and_the_picture_the_window() {
-    for (size, window_size, scale) in [
-        ("640x480", (640, 510), "1.0"),
-        ("3000x2000", (1080, 750), "0.36"),
-        ("1x1", (320, 190), "160.0"),
+    for (size, state) in [
+        ("640x480", "window: (640, 510) & scale: 1.0,"),
+        ("3000x2000", "window: (1080, 750) & scale: 0.36,"),
+        ("1x1", "window: (320, 190) & scale: 160.0,"),
     ] {
         with_window(&format!("show painter --size {size}"), |window, _| {
-            window.wait_for(&[
-                &format!("window: {window_size:?}"),
-                &format!("scale: {scale},"),
-            ]);
+            window.play(&[("key w", state)]);
         });
     }
 }
@@ -163,20 +163,18 @@ fn errors_are_shown_and_nothing_is_lost() {
     with_window("show diagonal --open half.png", |window, folder| {
         let card = fs::read(locked("show-image")).unwrap();
         fs::write(folder.join("half.png"), &card[..card.len() / 2]).unwrap();
-        window.press("Left");
-        window.wait_for(&["cannot open half.png: the file ends too early"]);
-        window.press("s");
-        window.wait_for(&["there is no picture to save"]);
-        window.press("Left");
-        wait_for_picture(&window, "painter");
         let out = folder.join("out");
         fs::write(&out, "a letter").unwrap();
-        window.press("s");
-        window.wait_for(&["out is a file, not a folder"]);
+        window.play(&[
+            ("key Left", "cannot open half.png: the file ends too early"),
+            ("key s", "there is no picture to save"),
+            ("key Left", &shown("painter")),
+            ("key s", "out is a file, not a folder"),
+        ]);
         assert_eq!(fs::read_to_string(&out).unwrap(), "a letter");
     });
     with_window("show show-image", |window, _| {
-        window.wait_for(&["no file was chosen; the argument --open FILE shows one, too"]);
-        wait_for_picture(&window, "show-image");
+        let message = "no file was chosen; the argument --open FILE shows one, too";
+        window.play(&[("key w", &format!("{message} & {}", shown("show-image")))]);
     });
 }

@@ -89,60 +89,45 @@ fn program_with_rays() {
 }
 
 fn with_rendering(test: impl FnOnce(Display, &Path)) {
-    let program = env::current_exe().expect("this test");
-    with_window_of(
-        &program,
-        "rendering::program_with_rays --exact --ignored",
-        test,
-    );
-}
-
-/// Waits for the finished picture of these numbers.
-fn wait_for_numbers(window: &Display, color: [u8; 3]) {
-    let hash = fnv1a(&color.repeat(640 * 480));
-    window.wait_for(&[&format!("picture: Some({hash})")]);
+    let line = "rendering::program_with_rays --exact --ignored";
+    with_window_of(&env::current_exe().expect("this test"), line, test);
 }
 
 #[test]
 fn camera_and_lights_move_and_return() {
-    // Depth 6 of 8.
-    const START: [u8; 3] = [0, 0, 191];
     with_rendering(|window, _| {
-        wait_for_numbers(&window, START);
-        window.point_at(300, 100);
-        window.hold(3, || window.point_at(250, 80));
-        // 50 pixels to the left and 20 up, of 0.01 each.
-        wait_for_numbers(&window, [128, 51, 191]);
-        window.hold(3, || window.point_at(300, 100));
-        wait_for_numbers(&window, START);
-        window.press("ctrl+Left");
-        wait_for_numbers(&window, [51, 0, 191]);
-        window.click("Depth", 0.0);
-        wait_for_numbers(&window, [51, 0, 32]);
-        // The slider stays selected: the next one is that of the light.
-        window.press("Down Right Right");
-        wait_for_numbers(&window, [51, 0, 159]);
-        window.press("r");
-        wait_for_numbers(&window, START);
-        window.press("i");
-        window.wait_for(&[
-            "pixel: Some([320, 240])",
-            "explained: true",
-            "text: \"a step\"",
+        let shown = |color: [u8; 3]| format!("picture: Some({})", fnv1a(&color.repeat(640 * 480)));
+        // Depth 6 of 8.
+        let start = shown([0, 0, 191]);
+        window.play(&[
+            ("mousemove --window WINDOW 300 100", &start),
+            ("mousedown 3", "right: true"),
+            // 50 pixels to the left and 20 up, of 0.01 each.
+            ("mousemove --window WINDOW 250 80", &shown([128, 51, 191])),
+            ("mousemove --window WINDOW 300 100", &start),
+            ("mouseup 3", "right: false"),
+            ("key ctrl+Left", &shown([51, 0, 191])),
+            ("item 0 Depth", &shown([51, 0, 32])),
+            // The slider stays selected: the next one is that of the light.
+            ("key Down Right Right", &shown([51, 0, 159])),
+            ("key r", &start),
+            (
+                "key i",
+                "pixel: Some([320, 240]) & explained: true & text: \"a step\"",
+            ),
+            ("key Right", "pixel: Some([321, 240]) & explained: true"),
         ]);
-        window.press("Right");
-        window.wait_for(&["pixel: Some([321, 240])", "explained: true"]);
     });
 }
 
 #[test]
 fn a_rendering_that_goes_on_answers_and_ends() {
     with_rendering(|window, folder| {
-        window.click("Samples", 0.99);
-        window.wait_for(&[" to go\"", "picture: None"]);
-        window.press("s");
-        window.wait_for(&["the picture is not finished yet"]);
-        window.press("Escape Escape");
+        window.play(&[
+            ("item 0.99 Samples", " to go\" & picture: None"),
+            ("key s", "the picture is not finished yet"),
+            ("key Escape Escape", ""),
+        ]);
         window.wait_for_end();
         assert_eq!(folder.read_dir().unwrap().count(), 0, "no file");
     });

@@ -141,8 +141,8 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
     }
 
     /// Turns the camera around the middle of the scene, by a way of the mouse.
-    pub fn turn(&mut self, right: i32, down: i32) {
-        self.turned = [self.turned[0] - right, self.turned[1] - down];
+    pub fn turn(&mut self, way: [i32; 2]) {
+        self.turned = [self.turned[0] - way[0], self.turned[1] - way[1]];
         self.is_changed |= self.scene.explained.is_some();
     }
 

@@ -51,6 +51,7 @@ impl LivePicture {
     }
 
     /// The current colour of a pixel inside of the picture; none before there is one.
+    #[inline]
     #[must_use]
     pub fn pixel(&self, x: u32, y: u32) -> Option<u32> {
         let pixel = self.load(x, y);
@@ -63,6 +64,7 @@ impl LivePicture {
         self.load(0, y) >= FINAL
     }
 
+    #[inline]
     fn load(&self, x: u32, y: u32) -> u32 {
         let index = y as usize * self.size.width() as usize + x as usize;
         self.pixels[index].load(Ordering::Relaxed)

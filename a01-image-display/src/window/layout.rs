@@ -1,0 +1,157 @@
+//! The layout of the window: the picture, the panel beside it, and the lines below.
+
+use std::time::Duration;
+
+use program::Gallery;
+
+use super::area::Area;
+use super::placement::Placement;
+use super::screen::{Page, Screen};
+use super::ui::Kind;
+
+/// Height of the bar and width of the panel, at scale 1.
+pub const BAR: f64 = 30.0;
+pub const PANEL: f64 = 300.0;
+
+/// Time until a notice disappears.
+const NOTICE: Duration = Duration::from_secs(6);
+
+/// Most steps of a pixel that are listed.
+const MOST_STEPS: usize = 300;
+
+impl Screen {
+    /// Lists the items of the window, and executes the commands of a person. False if the window
+    /// is to be closed.
+    pub fn lay_out(&mut self, gallery: &mut Gallery) -> bool {
+        let (width, height) = self.window.get_size();
+        let (width, height, margin) = (width as i32, height as i32, self.ui.px(12.0));
+        let error = gallery.outcome.as_ref().and_then(|it| it.as_ref().err());
+        let messages = error.map(|error| format!("error: {error}")).into_iter();
+        self.notice.take_if(|(_, since)| since.elapsed() > NOTICE);
+        let notice = self.notice.as_ref().map(|(notice, _)| notice.clone());
+        let messages = messages.chain(notice);
+        let wrap = |text: String| self.ui.letters.wrap(&text, width - 2 * margin);
+        let lines: Vec<_> = messages.flat_map(wrap).collect();
+        let (bar, line) = (self.ui.px(BAR), self.ui.px(20.0));
+        let top = height - bar - line * lines.len() as i32;
+        let side = self.page.map_or(0, |_| self.ui.px(PANEL).min(width / 2));
+        self.area = Area::new(0, 0, (width - side).max(1), top.max(1));
+        self.ui.begin(Area::new(width - side, bar, side, top - bar));
+        if !self.menu(gallery) {
+            return false;
+        }
+        match self.page {
+            Some(Page::Scene) => {
+                for number in 0..gallery.sliders.len() {
+                    if let Some(to) = self.ui.slider(&gallery.sliders[number]) {
+                        gallery.slide(number, to);
+                    }
+                }
+            }
+            Some(Page::Pixel) => self.add_pixel(gallery),
+            Some(Page::Menu) | None => {}
+        }
+        self.ui.end();
+        self.add_tabs(Area::new(width - side, 0, side, bar));
+
+        let below = Area::new(0, top, width, height - top);
+        self.ui.add(below, Kind::Bar, "", "");
+        let mut area = Area::new(margin, top, width - 2 * margin, line);
+        for text in lines {
+            self.ui.add(area, Kind::Text, &text, "");
+            area.y += line;
+        }
+        area.height = bar;
+        self.add_status(area, gallery);
+
+        for (key, lines) in [("PageUp", -8), ("PageDown", 8)] {
+            if self.ui.typed(key) {
+                self.ui.scroll += self.ui.px(20.0) * lines;
+            }
+        }
+        self.handle(gallery);
+        if !self.ui.typed("Escape") || self.ui.leave() {
+            return true;
+        }
+        let is_explained = gallery.pixel.is_some();
+        gallery.explain(None);
+        is_explained
+    }
+
+    /// Position and scale of the picture.
+    pub fn placement(&self, gallery: &Gallery) -> Placement {
+        Placement::new(gallery.size(), self.area, self.zoom)
+    }
+
+    /// Adds the names of all pages above the panel.
+    fn add_tabs(&mut self, mut area: Area) {
+        self.ui.add(area, Kind::Bar, "", "");
+        area.width /= 3;
+        let margin = self.ui.px(22.0);
+        for page in [Page::Menu, Page::Scene, Page::Pixel] {
+            let kind = Kind::Tab(self.page == Some(page));
+            self.ui
+                .add(area.inset(margin, 0), kind, &format!("{page:?}"), "");
+            if self.ui.clicked(area) {
+                self.turn_to(page);
+            }
+            area.x += area.width;
+        }
+    }
+
+    /// Adds the line below all others: progress, the pixel under the mouse, or the scene.
+    fn add_status(&mut self, area: Area, gallery: &Gallery) {
+        let placement = self.placement(gallery);
+        let pixel = placement.pixel(self.ui.mouse.at);
+        let text = match (&gallery.picture, pixel) {
+            (Some(live), _) if gallery.outcome.is_none() => {
+                let share = live.share().min(1.0);
+                let line = Area {
+                    height: self.ui.px(3.0),
+                    ..area.inset(-area.x, 0)
+                };
+                self.ui.add(line, Kind::Progress(share), "", "");
+                let clock = |seconds: u64| format!("{}:{:02}", seconds / 60, seconds % 60);
+                let remaining = live.remaining().map(|time| clock(time.as_secs()));
+                format!(
+                    "{:.0} %  {} elapsed, {} to go",
+                    100.0 * share,
+                    clock(live.elapsed().as_secs()),
+                    remaining.as_deref().unwrap_or("?")
+                )
+            }
+            (Some(live), Some([x, y])) => {
+                let [_, r, g, b] = live.pixel(x, y).unwrap_or(0).to_be_bytes();
+                format!("column {x}, row {y}: ({r}, {g}, {b})")
+            }
+            _ => format!("{}   H shows the menu", gallery.scene.name),
+        };
+        let zoom = format!("{:.0} %", 100.0 * placement.scale);
+        self.ui.add(area, Kind::Muted, &text, &zoom);
+    }
+
+    /// Adds the numbers behind the pixel that is explained.
+    fn add_pixel(&mut self, gallery: &Gallery) {
+        let Some([x, y]) = gallery.pixel else {
+            let text = "A click on the picture explains a pixel.";
+            return self.ui.text(0, Kind::Muted, text);
+        };
+        let picture = gallery.picture.as_ref();
+        let color = picture.and_then(|picture| picture.pixel(x, y));
+        self.ui.text(0, Kind::Text, &format!("Pixel {x}, {y}"));
+        self.ui.text(0, Kind::Color(color.unwrap_or(0)), "");
+        match &gallery.explanation {
+            None => {}
+            Some(Err(error)) => self.ui.text(0, Kind::Text, &error.to_string()),
+            Some(Ok(explanation)) => {
+                for step in explanation.trace.steps.iter().take(MOST_STEPS) {
+                    self.ui.text(step.level, Kind::Text, &step.name);
+                    // A line breaks between values only.
+                    let words = step.words().map(|word| word.replace(' ', "\u{a0}"));
+                    let text = words.collect::<Vec<_>>().join("   ");
+                    self.ui.text(step.level, Kind::Muted, &text);
+                }
+            }
+        }
+    }
+}
