@@ -20,6 +20,7 @@ mod scene;
 mod settings;
 mod size;
 pub mod steps;
+#[cfg(not(handout))]
 pub mod tally;
 pub mod traced_picture;
 mod transfer;
