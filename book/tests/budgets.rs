@@ -41,7 +41,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/measure/src/",
             "common/testing/src/",
         ],
-        7_805,
+        7_809,
     ),
     ("tests of common and program", &["common/"], 269),
     ("fuzz targets", &["fuzz/"], 593),
@@ -51,7 +51,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 49_032;
+const OF_ALL: usize = 49_036;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.

@@ -30,15 +30,19 @@ fn compare(expected: &Image, actual: &Image) -> Result<(), String> {
     ))
 }
 
+/// The difference of two colours in their bytes, which hold at most 1.
+fn apart(expected: Color, actual: Color) -> Color {
+    let [expected, actual] = [expected, actual].map(|color| Color::from_bytes(color.to_bytes()));
+    (actual - expected).map(f64::abs)
+}
+
 /// The pixel with the largest difference of a channel in pictures of the same size, and that
 /// difference.
 pub fn largest(expected: &Image, actual: &Image) -> Option<([u32; 2], f64)> {
-    let apart = |(a, b): (&Color, &Color)| {
-        let channels = (*a - *b).channels().map(f64::abs);
-        channels.into_iter().fold(0.0, f64::max)
-    };
-    let apart = expected.pixels().iter().zip(actual.pixels()).map(apart);
-    let (at, most) = (0..).zip(apart).max_by(|(_, a), (_, b)| a.total_cmp(b))?;
+    let pairs = expected.pixels().iter().zip(actual.pixels());
+    let channels = pairs.map(|(a, b)| apart(*a, *b).channels());
+    let most = channels.map(|channels| channels.into_iter().fold(0.0, f64::max));
+    let (at, most) = (0..).zip(most).max_by(|(_, a), (_, b)| a.total_cmp(b))?;
     let width = actual.size().width();
     (expected.size() == actual.size()).then_some(([at % width, at / width], most))
 }
@@ -77,7 +81,7 @@ pub fn leave_pictures(scratch: &Path, expected: &Path, actual: &Image, differenc
                 if (5..7).contains(&from_largest) {
                     Color::new(1.0, 1.0, 0.0)
                 } else {
-                    (pixel(actual) - pixel(&expected)).map(f64::abs) * times
+                    apart(pixel(&expected), pixel(actual)) * times
                 }
             });
             let path = shown.map_or_else(
