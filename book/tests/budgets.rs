@@ -23,7 +23,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise",
             "common/learn/",
         ],
-        7_982,
+        7_983,
     ),
     ("benchmarks", &["/benches/"], 1_359),
     ("labs", &["/src/lab/", "/src/lab.rs"], 6_901),
@@ -51,7 +51,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 49_036;
+const OF_ALL: usize = 49_037;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.

@@ -200,10 +200,11 @@ impl Check {
             // Four samples show mistakes as well as a hundred.
             let mut settings = scene.defaults.clone();
             settings.samples = settings.samples.min(4);
+            let file = picture_name(stage, &scene);
             let locked = if settings.samples == scene.defaults.samples {
-                picture::in_book(&picture_name(stage, &scene))
+                picture::in_book(&file)
             } else {
-                picture::of_lesson(&scene, &settings)?
+                picture::of_lesson(&scene, &settings, &file)?
             };
             let expected = picture_file::open(&locked).ok();
             let worst = move |image: &Image| divergence::worst_pixel(expected.as_ref()?, image);

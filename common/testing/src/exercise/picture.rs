@@ -27,9 +27,9 @@ pub fn in_book(name: &str) -> PathBuf {
     Path::new(ROOT).join("book/src/pictures").join(name)
 }
 
-/// Renders a scene by the lesson into a file, and returns its path.
-pub fn of_lesson(scene: &Scene, settings: &Settings) -> Result<PathBuf, Error> {
-    let (path, image) = (folder().join("lesson.png"), scene.render(settings, &())?);
+/// Renders a scene by the lesson into a file of this name, and returns its path.
+pub fn of_lesson(scene: &Scene, settings: &Settings, name: &str) -> Result<PathBuf, Error> {
+    let (path, image) = (folder().join(name), scene.render(settings, &())?);
     picture_file::save_png(&path, image.size(), &image.to_rgb8(Transfer::Linear))?;
     Ok(path)
 }
