@@ -1,5 +1,7 @@
 //! Draws the picture, the rays over it, and the items beside it.
 
+use std::ops::Range;
+
 use program::{Gallery, LivePicture};
 
 use super::appearance::{Colors, RAY};
@@ -8,6 +10,9 @@ use super::frame::Frame;
 use super::placement::Placement;
 use super::screen::Screen;
 use super::ui::{Item, Kind};
+
+/// Most pixels of the picture, along a side, whose mean is a pixel of the window.
+const MOST_PIXELS: usize = 4;
 
 impl Screen {
     /// Draws the window.
@@ -29,17 +34,17 @@ impl Screen {
 
     /// Draws the picture and the rays over it; the items cover what lies outside.
     fn draw_picture(&self, frame: &mut Frame, colors: &Colors, gallery: &Gallery) {
-        let placement = self.placement(gallery);
+        let placement = &self.placement;
         let area = placement.area;
         let Some(live) = &gallery.picture else {
             return frame.fill(area, colors.background);
         };
-        paint(frame, &placement, live, [colors.background, colors.raised]);
+        paint(frame, placement, live, [colors.background, colors.raised]);
         let left = placement.in_window([0.0; 2])[0] as i32 - self.ui.px(4.0);
         let marks = Area::new(left.max(0), area.y, self.ui.px(3.0), area.height);
         for ((_, y), mark) in frame.rows(marks) {
-            let is_finished = |row: &u32| live.is_finished(*row);
-            if gallery.outcome.is_none() && placement.spread(1, y).iter().any(is_finished) {
+            let mut rows = placement.pixels(1, y);
+            if gallery.outcome.is_none() && rows.any(|row| live.is_finished(row)) {
                 mark.fill(colors.accent);
             }
         }
@@ -49,7 +54,7 @@ impl Screen {
     /// Draws a square around the pixel that is explained, and its rays, fainter where hidden.
     fn draw_rays(&self, frame: &mut Frame, gallery: &Gallery) {
         let Some(pixel) = gallery.pixel else { return };
-        let (placement, scale) = (self.placement(gallery), self.ui.scale);
+        let (placement, scale) = (&self.placement, self.ui.scale);
         let half = (placement.scale / 2.0).max(4.0 * scale);
         let [x, y] = placement.in_window(pixel.map(|at| f64::from(at) + 0.5));
         let sides = [(-half, -half), (half, -half), (half, half), (-half, half)];
@@ -116,17 +121,18 @@ fn paint(
     [background, unknown]: [u32; 2],
 ) {
     let area = placement.area;
-    let columns = (area.x..area.x + area.width).map(|x| placement.spread(0, x));
+    let columns = (area.x..area.x + area.width).map(|x| placement.pixels(0, x));
     let columns: Vec<_> = columns.collect();
-    let (mut last, mut colors) = (Vec::new(), vec![background; columns.len()]);
+    let (mut last, mut colors) = (0..0, vec![background; columns.len()]);
     for ((_, y), row) in frame.rows(area) {
-        let rows = placement.spread(1, y);
+        let rows = placement.pixels(1, y);
         // An enlarged row is the same for some rows of the window.
         if rows != last {
             for (color, columns) in colors.iter_mut().zip(&columns) {
-                *color = match (columns.is_empty(), rows.is_empty()) {
-                    (false, false) => mean(live, columns, &rows).unwrap_or(unknown),
-                    _ => background,
+                *color = if columns.is_empty() || rows.is_empty() {
+                    background
+                } else {
+                    mean(live, columns, &rows).unwrap_or(unknown)
                 };
             }
             last = rows;
@@ -135,22 +141,17 @@ fn paint(
     }
 }
 
-/// The mean colour at some columns and rows; none if one is not known.
-fn mean(live: &LivePicture, columns: &[u32], rows: &[u32]) -> Option<u32> {
-    if let ([x], [y]) = (columns, rows) {
-        return live.pixel(*x, *y);
-    }
-    let mut sums = [0; 3];
-    for (x, y) in rows
-        .iter()
-        .flat_map(|y| columns.iter().map(move |x| (*x, *y)))
-    {
+/// The mean colour of some pixels at these columns and rows; none if one is not known.
+fn mean(live: &LivePicture, columns: &Range<u32>, rows: &Range<u32>) -> Option<u32> {
+    let some = |all: &Range<u32>| all.clone().step_by(all.len().div_ceil(MOST_PIXELS));
+    let (mut sums, mut count) = ([0; 3], 0);
+    for (x, y) in some(rows).flat_map(|y| some(columns).map(move |x| (x, y))) {
         let [_, color @ ..] = live.pixel(x, y)?.to_be_bytes();
         for (sum, channel) in sums.iter_mut().zip(color) {
             *sum += u32::from(channel);
         }
+        count += 1;
     }
-    let count = (columns.len() * rows.len()) as u32;
     let [r, g, b] = sums.map(|sum| ((sum + count / 2) / count) as u8);
     Some(u32::from_be_bytes([0, r, g, b]))
 }

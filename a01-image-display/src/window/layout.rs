@@ -5,7 +5,6 @@ use std::time::Duration;
 use program::Gallery;
 
 use super::area::Area;
-use super::placement::Placement;
 use super::screen::{Page, Screen};
 use super::ui::Kind;
 
@@ -35,7 +34,8 @@ impl Screen {
         let (bar, line) = (self.ui.px(BAR), self.ui.px(20.0));
         let top = height - bar - line * lines.len() as i32;
         let side = self.page.map_or(0, |_| self.ui.px(PANEL).min(width / 2));
-        self.area = Area::new(0, 0, (width - side).max(1), top.max(1));
+        let area = Area::new(0, 0, (width - side).max(1), top.max(1));
+        self.placement.place(gallery.size(), area);
         self.ui.begin(Area::new(width - side, bar, side, top - bar));
         if !self.menu(gallery) {
             return false;
@@ -78,11 +78,6 @@ impl Screen {
         is_explained
     }
 
-    /// Position and scale of the picture.
-    pub fn placement(&self, gallery: &Gallery) -> Placement {
-        Placement::new(gallery.size(), self.area, self.zoom)
-    }
-
     /// Adds the names of all pages above the panel.
     fn add_tabs(&mut self, mut area: Area) {
         self.ui.add(area, Kind::Bar, "", "");
@@ -101,8 +96,7 @@ impl Screen {
 
     /// Adds the line below all others: progress, the pixel under the mouse, or the scene.
     fn add_status(&mut self, area: Area, gallery: &Gallery) {
-        let placement = self.placement(gallery);
-        let pixel = placement.pixel(self.ui.mouse.at);
+        let pixel = self.placement.pixel(self.ui.mouse.at);
         let text = match (&gallery.picture, pixel) {
             (Some(live), _) if gallery.outcome.is_none() => {
                 let share = live.share().min(1.0);
@@ -126,7 +120,7 @@ impl Screen {
             }
             _ => format!("{}   H shows the menu", gallery.scene.name),
         };
-        let zoom = format!("{:.0} %", 100.0 * placement.scale);
+        let zoom = format!("{:.0} %", 100.0 * self.placement.scale);
         self.ui.add(area, Kind::Muted, &text, &zoom);
     }
 
