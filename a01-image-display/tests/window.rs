@@ -71,7 +71,7 @@ fn the_menu_works_by_keyboard_and_by_mouse() {
     let Some(window) = start("show painter") else {
         return;
     };
-    let selected = |text: &str| format!("is_selected: true, text: {text:?}");
+    let selected = |text: &str| format!("selected: {text:?}");
     let painter_is_shown = format!("{} & {}", shown("painter"), selected("Save as PNG"));
     window.play(&[
         ("key F10", &selected("Save as PNG")),

@@ -5,6 +5,7 @@ use std::process::Command;
 use program::Theme;
 
 /// Packed 0xRRGGBB colours.
+#[derive(Clone, Copy, Default)]
 pub struct Colors {
     pub background: u32,
     pub bar: u32,
@@ -36,10 +37,10 @@ const LIGHT: Colors = Colors {
 };
 
 impl Colors {
-    pub const fn of(theme: Theme) -> &'static Self {
+    pub const fn of(theme: Theme) -> Self {
         match theme {
-            Theme::Dark => &DARK,
-            Theme::Light => &LIGHT,
+            Theme::Dark => DARK,
+            Theme::Light => LIGHT,
         }
     }
 }

@@ -4,7 +4,6 @@ use common::Renderer;
 use program::{Gallery, Theme};
 
 use super::screen::{Page, Screen};
-use super::ui::Kind;
 use super::{NO_FILE, choose_file};
 
 const RENDERERS: [(&str, &str, Renderer); 3] = [
@@ -76,7 +75,7 @@ impl Screen {
             self.turn_to(Page::Menu);
         }
         if self.ui.is_shown {
-            self.ui.gap();
+            self.ui.place(8.0);
             let stage = gallery.stage;
             for (number, scene) in stage.scenes.iter().enumerate() {
                 let is_chosen = scene.name == gallery.scene.name;
@@ -84,9 +83,10 @@ impl Screen {
                     self.go_to(number, gallery);
                 }
             }
-            self.ui.gap();
+            self.ui.place(8.0);
             for (text, key) in HELP {
-                self.ui.line(Kind::Muted, text, key);
+                let area = self.ui.place(24.0);
+                self.ui.write(area, self.ui.colors.muted, text, key);
             }
         }
         true

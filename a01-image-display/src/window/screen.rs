@@ -9,7 +9,6 @@ use minifb::{ScaleMode, WindowOptions};
 use program::{Gallery, NotShown, Theme};
 
 use super::appearance;
-use super::frame::Frame;
 use super::hand::Hand;
 use super::keyboard::Keyboard;
 use super::layout::{BAR, PANEL};
@@ -42,8 +41,7 @@ pub struct Screen {
     keyboard: Keyboard,
     pub hand: Hand,
     pub ui: Ui,
-    pub frame: Frame,
-    /// The look of the picture in the frame.
+    /// The look of the picture in the window.
     pub drawn: String,
     pub theme: Theme,
     pub placement: Placement,
@@ -77,7 +75,6 @@ impl Screen {
             keyboard,
             hand: Hand::default(),
             ui,
-            frame: Frame::default(),
             drawn: String::new(),
             theme,
             placement: Placement::default(),
@@ -116,7 +113,7 @@ impl Screen {
             self.lay_out(gallery);
             self.draw(gallery);
             let (width, height) = self.window.get_size();
-            let pixels = &self.frame.pixels;
+            let pixels = &self.ui.frame.pixels;
             let sent = self.window.update_with_buffer(pixels, width, height);
             sent.map_err(explain)?;
             // Only tests need it.
@@ -182,13 +179,13 @@ impl Screen {
             |image: &Image| fnv1a(&image.pixels().iter().flat_map(bytes).collect::<Vec<_>>());
         let picture = gallery.outcome.as_ref().and_then(|it| it.as_ref().ok());
         let state = format!(
-            "{} is_active: {} page: {:?} {:?} picture: {:?} {:?}",
+            "{} is_active: {} page: {:?} {:?} picture: {:?} {}",
             self.drawn,
             self.window.is_active(),
             self.page,
             self.ui.mouse,
             picture.map(hash),
-            self.ui.items
+            self.ui.words
         );
         // Not even for a moment is the file incomplete.
         let new = path.with_extension("new");

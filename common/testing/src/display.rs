@@ -112,12 +112,11 @@ impl Display {
         let (share, text) = item.split_once(' ').expect("a share and a text");
         let share: f64 = share.parse().expect("a share");
         let state = self.state();
-        let mut items = state.split("Item { area: Area { ");
-        let item = items.find(|item| item.contains(&format!("text: {text:?}")));
-        let words = item.expect(text).split([' ', ',', '}']);
-        let numbers: Vec<f64> = words.filter_map(|word| word.parse().ok()).take(4).collect();
-        let [x, y, width, height] = numbers[..] else {
-            panic!("{item:?}")
+        let (_, item) = state.split_once(&format!("{text:?} ")).expect(text);
+        let (_, area) = item.split_once("Area {").expect(item);
+        let numbers = area.split([' ', ',']).filter_map(|word| word.parse().ok());
+        let [x, y, width, height] = numbers.take(4).collect::<Vec<f64>>()[..] else {
+            panic!("{item}")
         };
         let [x, y] = [x + width * share, y + height / 2.0].map(|at| at as i32);
         let there = format!("mousemove --window WINDOW {x} {y}");
