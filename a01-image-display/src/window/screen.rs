@@ -101,7 +101,7 @@ impl Screen {
                 FRAME
             } else if self.drawn != self.look(gallery) {
                 // Progress leaves most of the time for keys.
-                FRAME.max(3 * cost)
+                (3 * cost).clamp(FRAME, REFRESH)
             } else {
                 REFRESH
             };
