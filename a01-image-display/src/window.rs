@@ -35,8 +35,7 @@ impl Viewer for Window {
             gallery.start()?;
             gallery.wait();
             // A file of the command line: the error goes to the terminal.
-            let is_error = |outcome: &mut Result<_, _>| outcome.is_err() && !has_chosen;
-            if let Some(Err(error)) = gallery.outcome.take_if(is_error) {
+            if !has_chosen && let Some(Err(error)) = gallery.outcome.take_if(|it| it.is_err()) {
                 return Err(error.into());
             }
         }

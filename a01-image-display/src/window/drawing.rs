@@ -49,11 +49,16 @@ impl Screen {
         let (placement, scale) = (self.placement, self.ui.scale);
         let half = (placement.scale / 2.0).max(4.0 * scale);
         let [x, y] = placement.in_window(pixel.map(|at| f64::from(at) + 0.5));
-        let sides = [(-half, -half), (half, -half), (half, half), (-half, half)];
-        let corners = sides.map(|(right, down)| [x + right, y + down]);
-        let mut lines: Vec<_> = (0..4)
-            .map(|i| ([corners[i], corners[(i + 1) % 4]], 1.0))
-            .collect();
+        let corners = [
+            (-1.0, -1.0),
+            (1.0, -1.0),
+            (1.0, 1.0),
+            (-1.0, 1.0),
+            (-1.0, -1.0),
+        ]
+        .map(|(right, down)| [x + half * right, y + half * down]);
+        let sides = corners.windows(2).map(|ends| ([ends[0], ends[1]], 1.0));
+        let mut lines: Vec<_> = sides.collect();
         if let Some(Ok(explanation)) = &gallery.explanation {
             lines.extend(explanation.rays.iter().map(|ray| {
                 let ends = ray.ends.map(|end| placement.in_window(end));

@@ -13,27 +13,18 @@ const STILL: i32 = 3;
 /// Pixels of the mouse's way for an arrow key.
 const WAY: i32 = 20;
 
-/// A hand on the picture.
-#[derive(Default)]
-pub struct Hand {
-    /// The place where the left button went down.
-    pressed: Option<[i32; 2]>,
-    /// The time of the first click of a double click.
-    clicked: Option<Instant>,
-}
-
 impl Screen {
     /// Moves, zooms, turns or explains the picture.
     pub fn handle(&mut self, gallery: &mut Gallery) {
         let (mouse, before) = (self.ui.mouse, self.ui.before);
         let way = mouse.way_from(before.at);
         if self.ui.clicked(self.placement.area) {
-            self.hand.pressed = Some(mouse.at);
+            self.pressed = Some(mouse.at);
         }
-        if let Some(pressed) = self.hand.pressed {
+        if let Some(pressed) = self.pressed {
             self.placement.pan(way);
             if !mouse.left {
-                self.hand.pressed = None;
+                self.pressed = None;
                 if mouse.way_from(pressed).iter().all(|way| way.abs() <= STILL) {
                     self.click(gallery);
                 }
@@ -66,11 +57,11 @@ impl Screen {
 
     /// Explains the pixel under the mouse; a double click fits the picture into the window.
     fn click(&mut self, gallery: &mut Gallery) {
-        let first = self.hand.clicked.take();
+        let first = self.clicked.take();
         if first.is_some_and(|first| first.elapsed() < DOUBLE) {
             return self.placement.fit();
         }
-        self.hand.clicked = Some(Instant::now());
+        self.clicked = Some(Instant::now());
         self.explain(gallery);
     }
 

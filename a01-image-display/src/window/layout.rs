@@ -114,14 +114,7 @@ impl Screen {
                 let done = f64::from(area.width + 2 * area.x) * share;
                 let done = Area::new(0, area.y, done as i32, self.ui.px(3.0));
                 self.ui.frame.fill(done, self.ui.colors.accent);
-                let clock = |seconds: u64| format!("{}:{:02}", seconds / 60, seconds % 60);
-                let remaining = live.remaining().map(|time| clock(time.as_secs()));
-                format!(
-                    "{:.0} %  {} elapsed, {} to go",
-                    100.0 * share,
-                    clock(live.elapsed().as_secs()),
-                    remaining.as_deref().unwrap_or("?")
-                )
+                format!("{:.0} %  {}", 100.0 * share, live.times())
             }
             (Some(live), Some([x, y])) => {
                 let [_, r, g, b] = live.pixel(x, y).unwrap_or(0).to_be_bytes();

@@ -9,16 +9,12 @@ use minifb::{ScaleMode, WindowOptions};
 use program::{Gallery, NotShown, Theme};
 
 use super::appearance;
-use super::hand::Hand;
 use super::keyboard::Keyboard;
 use super::layout::{BAR, PANEL};
 use super::mouse::Mouse;
 use super::placement::Placement;
 use super::ui::Ui;
 
-/// Updates of keys and mouse per second. A click that begins and ends between two
-/// of them is lost.
-const UPDATES: usize = 250;
 /// The shortest time between two drawings of the window.
 const FRAME: Duration = Duration::from_millis(16);
 /// After this time the window is drawn although nothing has changed: another window may have
@@ -39,7 +35,6 @@ pub enum Page {
 pub struct Screen {
     pub window: minifb::Window,
     keyboard: Keyboard,
-    pub hand: Hand,
     pub ui: Ui,
     /// The look of the picture in the window.
     pub drawn: String,
@@ -48,6 +43,10 @@ pub struct Screen {
     /// The page of the panel; none if it is hidden.
     pub page: Option<Page>,
     pub notice: Option<(String, Instant)>,
+    /// The place of the picture where the left button went down.
+    pub pressed: Option<[i32; 2]>,
+    /// The time of the first click of a double click.
+    pub clicked: Option<Instant>,
 }
 
 impl Screen {
@@ -66,20 +65,20 @@ impl Screen {
         let window = minifb::Window::new(&gallery.title(), width, height, options);
         let mut window = window.map_err(explain)?;
         let keyboard = Keyboard::default();
-        window.set_target_fps(UPDATES);
         window.set_input_callback(Box::new(keyboard.clone()));
         let mut ui = Ui::default();
         ui.set_scale(scale);
         Ok(Self {
             window,
             keyboard,
-            hand: Hand::default(),
             ui,
             drawn: String::new(),
             theme,
             placement: Placement::default(),
             page,
             notice: None,
+            pressed: None,
+            clicked: None,
         })
     }
 
