@@ -83,19 +83,23 @@ fn paint(
     let area = placement.area;
     let columns = (area.x..area.x + area.width).map(|x| placement.pixels(0, x));
     let columns: Vec<_> = columns.collect();
-    let (mut last, mut colors) = (0..0, vec![background; columns.len()]);
+    // An enlarged column is the same for some columns of the window, and a row for some rows.
+    let columns = columns.chunk_by(PartialEq::eq);
+    let columns: Vec<_> = columns.map(|equal| (&equal[0], equal.len())).collect();
+    let (mut last, mut colors) = (None, Vec::new());
     for ((_, y), row) in frame.rows(area) {
         let rows = placement.pixels(1, y);
-        // An enlarged row is the same for some rows of the window.
-        if rows != last {
-            for (color, columns) in colors.iter_mut().zip(&columns) {
-                *color = if columns.is_empty() || rows.is_empty() {
+        if last.as_ref() != Some(&rows) {
+            colors.clear();
+            for (columns, count) in &columns {
+                let color = if columns.is_empty() || rows.is_empty() {
                     background
                 } else {
                     mean(live, columns, &rows).unwrap_or(unknown)
                 };
+                colors.extend(std::iter::repeat_n(color, *count));
             }
-            last = rows;
+            last = Some(rows);
         }
         row.copy_from_slice(&colors);
     }
@@ -103,6 +107,9 @@ fn paint(
 
 /// The mean colour of some pixels at these columns and rows; none if one is not known.
 fn mean(live: &LivePicture, columns: &Range<u32>, rows: &Range<u32>) -> Option<u32> {
+    if columns.len() == 1 && rows.len() == 1 {
+        return live.pixel(columns.start, rows.start);
+    }
     let some = |all: &Range<u32>| all.clone().step_by(all.len().div_ceil(MOST_PIXELS));
     let (mut sums, mut count) = ([0; 3], 0);
     for (x, y) in some(rows).flat_map(|y| some(columns).map(move |x| (x, y))) {
