@@ -18,29 +18,25 @@ pub struct Colors {
 /// Rays over a picture of any colours.
 pub const RAY: u32 = 0xFF_C83C;
 
-const DARK: Colors = Colors {
-    background: 0x16_181B,
-    bar: 0x20_2327,
-    raised: 0x3A_3F46,
-    text: 0xE4_E6E8,
-    muted: 0x9A_A0A8,
-    accent: 0x5B_A4F0,
-};
-
-const LIGHT: Colors = Colors {
-    background: 0xE4_E6E9,
-    bar: 0xF7_F8F9,
-    raised: 0xD5_DAE0,
-    text: 0x1D_2126,
-    muted: 0x5C_646E,
-    accent: 0x1B_6AC9,
-};
-
 impl Colors {
     pub const fn of(theme: Theme) -> Self {
         match theme {
-            Theme::Dark => DARK,
-            Theme::Light => LIGHT,
+            Theme::Dark => Self {
+                background: 0x16_181B,
+                bar: 0x20_2327,
+                raised: 0x3A_3F46,
+                text: 0xE4_E6E8,
+                muted: 0x9A_A0A8,
+                accent: 0x5B_A4F0,
+            },
+            Theme::Light => Self {
+                background: 0xE4_E6E9,
+                bar: 0xF7_F8F9,
+                raised: 0xD5_DAE0,
+                text: 0x1D_2126,
+                muted: 0x5C_646E,
+                accent: 0x1B_6AC9,
+            },
         }
     }
 }

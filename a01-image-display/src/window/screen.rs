@@ -184,7 +184,7 @@ impl Screen {
             self.page,
             self.ui.mouse,
             picture.map(hash),
-            self.ui.words
+            self.ui.words.join(" ")
         );
         // Not even for a moment is the file incomplete.
         let new = path.with_extension("new");

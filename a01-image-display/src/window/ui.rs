@@ -22,7 +22,7 @@ pub struct Ui {
     /// The mouse at the last input.
     pub before: Mouse,
     /// The written texts, with their places; only tests need them.
-    pub words: String,
+    pub words: Vec<String>,
     /// The part of the window for entries and sliders, which may be empty.
     pub panel: Area,
     /// The place for the next item of the panel.
@@ -100,7 +100,7 @@ impl Ui {
 
     /// Writes a text at the left edge of an area, and a value at the right edge if it has room.
     pub fn write(&mut self, mut area: Area, color: u32, text: &str, value: &str) {
-        self.words += &format!("{text:?} {value:?} {area:?} ");
+        self.words.push(format!("{text:?} {value:?} {area:?}"));
         let (frame, letters) = (&mut self.frame, &mut self.letters);
         letters.write(frame, area, color, text);
         let left = area.width - letters.width(value);
@@ -153,7 +153,7 @@ impl Ui {
         }
         if is_selected {
             self.mark(area);
-            self.words += "selected: ";
+            self.words.push("selected:".to_owned());
         }
         (area, is_selected, is_clicked)
     }
