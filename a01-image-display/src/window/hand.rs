@@ -8,7 +8,8 @@ use super::screen::{Page, Screen};
 
 /// The longest time between the two clicks of a double click.
 const DOUBLE: Duration = Duration::from_millis(400);
-/// The longest way of the mouse that is a click and no drag, in pixels.
+/// The longest distance, in pixels, between the places where the button of a click goes down
+/// and up.
 const STILL: i32 = 3;
 /// Pixels of the mouse's way for an arrow key.
 const WAY: i32 = 20;

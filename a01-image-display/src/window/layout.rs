@@ -26,11 +26,9 @@ impl Screen {
         self.ui.frame.resize(width, height);
         self.ui.colors = Colors::of(self.theme);
         let (width, height, margin) = (width as i32, height as i32, self.ui.px(12.0));
-        let messages = self.messages(gallery);
-        let lines = messages
-            .iter()
-            .flat_map(|text| self.ui.letters.wrap(text, width - 2 * margin));
-        let lines: Vec<_> = lines.collect();
+        let messages = self.messages(gallery).into_iter();
+        let wrap = |text: String| self.ui.letters.wrap(&text, width - 2 * margin);
+        let lines: Vec<_> = messages.flat_map(wrap).collect();
         let (bar, line) = (self.ui.px(BAR), self.ui.px(20.0));
         let top = height - bar - line * lines.len() as i32;
         let side = self.page.map_or(0, |_| self.ui.px(PANEL).min(width / 2));
