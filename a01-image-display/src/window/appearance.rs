@@ -47,11 +47,17 @@ fn output(program: &str, arguments: &str) -> Option<String> {
     Some(String::from_utf8_lossy(&output.ok()?.stdout).into_owned())
 }
 
-/// The theme that GNOME and its relatives, or macOS, are set to; dark elsewhere.
+/// The theme that GNOME and its relatives, KDE or macOS are set to; dark elsewhere.
 pub fn theme() -> Theme {
-    let scheme = "get org.gnome.desktop.interface color-scheme";
-    match output("gsettings", scheme).or_else(|| output("defaults", "read -g AppleInterfaceStyle"))
-    {
+    let styles = [
+        ("gsettings", "get org.gnome.desktop.interface color-scheme"),
+        ("kreadconfig6", "--group General --key ColorScheme"),
+        ("defaults", "read -g AppleInterfaceStyle"),
+    ];
+    let style = styles
+        .into_iter()
+        .find_map(|(program, arguments)| output(program, arguments));
+    match style {
         Some(style) if !style.to_lowercase().contains("dark") => Theme::Light,
         _ => Theme::Dark,
     }
