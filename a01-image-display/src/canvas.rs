@@ -91,8 +91,8 @@ impl Canvas {
     }
 
     /// Writes `text` in one row. Its top left corner is `at`, rounded to the
-    /// nearest pixel; every dot of a letter is `scale` pixels wide and high. Of the
-    /// characters, only those of ASCII, Latin-1 and Greek, ≤ and ≥ are known.
+    /// nearest pixel; every dot of a letter is `scale` pixels wide and high. Only the
+    /// characters of ASCII and Latin-1 are known.
     pub fn text(&mut self, at: (f64, f64), scale: u32, color: Color, text: &str) {
         if !drawable(&[at]) {
             return;

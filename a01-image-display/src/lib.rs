@@ -20,16 +20,14 @@ pub use paint_diagonal::PaintDiagonal;
 pub use painter::Painter;
 pub use show_image::ShowImage;
 pub use stage::stage;
-#[cfg(feature = "window")]
-pub use window::Window;
 
 /// The window in which the programs of all stages show their pictures; `None`
 /// in a build without the feature `window`.
 #[cfg(not(target_family = "wasm"))]
 #[must_use]
-pub fn viewer() -> Option<&'static dyn program::Viewer> {
+pub fn viewer() -> Option<program::Viewer> {
     #[cfg(feature = "window")]
-    return Some(&Window);
+    return Some(window::show);
     #[cfg(not(feature = "window"))]
     return None;
 }

@@ -1,4 +1,4 @@
-//! `Window`: shows the scenes of a stage while they are rendered.
+//! `window`: shows the scenes of a stage while they are rendered.
 
 mod appearance;
 mod area;
@@ -14,38 +14,32 @@ mod placement;
 mod screen;
 mod ui;
 
-use program::{Gallery, NotShown, Viewer};
+use program::{Gallery, NotShown};
 
 /// Shown when the file dialog is cancelled.
 const NO_FILE: &str = "no file was chosen; the argument --open FILE shows one, too";
 
-/// A window with the picture, menus, and a panel of its numbers.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Window;
-
-impl Viewer for Window {
-    fn show(&self, gallery: &mut Gallery) -> Result<(), NotShown> {
-        let asks = gallery.scene.uses.file && gallery.options.open.is_none();
-        if asks {
-            gallery.options.open = choose_file();
-        }
-        let has_chosen = asks && gallery.options.open.is_some();
-        if gallery.scene.uses.file {
-            // The size of a file is not known before it has been read.
-            gallery.start()?;
-            gallery.wait();
-            // A file of the command line: the error goes to the terminal.
-            let is_error = |outcome: &mut Result<_, _>| outcome.is_err() && !has_chosen;
-            if let Some(Err(error)) = gallery.outcome.take_if(is_error) {
-                return Err(error.into());
-            }
-        }
-        let mut screen = screen::Screen::open(gallery)?;
-        if asks && !has_chosen {
-            screen.notify(NO_FILE.to_owned());
-        }
-        screen.run(gallery)
+/// Shows the scenes in a window with the picture, menus, and a panel of its numbers.
+pub fn show(gallery: &mut Gallery) -> Result<(), NotShown> {
+    let asks = gallery.scene.uses.file && gallery.options.open.is_none();
+    if asks {
+        gallery.options.open = choose_file();
     }
+    let has_chosen = asks && gallery.options.open.is_some();
+    if gallery.scene.uses.file {
+        // The size of a file is not known before it has been read.
+        gallery.start()?;
+        gallery.wait();
+        // A file of the command line: the error goes to the terminal.
+        if !has_chosen && let Some(Err(error)) = gallery.outcome.take_if(|it| it.is_err()) {
+            return Err(error.into());
+        }
+    }
+    let mut screen = screen::Screen::open(gallery)?;
+    if asks && !has_chosen {
+        screen.notify(NO_FILE.to_owned());
+    }
+    screen.run(gallery)
 }
 
 fn choose_file() -> Option<std::path::PathBuf> {

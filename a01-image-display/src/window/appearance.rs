@@ -5,6 +5,7 @@ use std::process::Command;
 use program::Theme;
 
 /// Packed 0xRRGGBB colours.
+#[derive(Clone, Copy, Default)]
 pub struct Colors {
     pub background: u32,
     pub bar: u32,
@@ -17,29 +18,25 @@ pub struct Colors {
 /// Rays over a picture of any colours.
 pub const RAY: u32 = 0xFF_C83C;
 
-const DARK: Colors = Colors {
-    background: 0x16_181B,
-    bar: 0x20_2327,
-    raised: 0x3A_3F46,
-    text: 0xE4_E6E8,
-    muted: 0x9A_A0A8,
-    accent: 0x5B_A4F0,
-};
-
-const LIGHT: Colors = Colors {
-    background: 0xE4_E6E9,
-    bar: 0xF7_F8F9,
-    raised: 0xD5_DAE0,
-    text: 0x1D_2126,
-    muted: 0x5C_646E,
-    accent: 0x1B_6AC9,
-};
-
 impl Colors {
-    pub const fn of(theme: Theme) -> &'static Self {
+    pub const fn of(theme: Theme) -> Self {
         match theme {
-            Theme::Dark => &DARK,
-            Theme::Light => &LIGHT,
+            Theme::Dark => Self {
+                background: 0x16_181B,
+                bar: 0x20_2327,
+                raised: 0x3A_3F46,
+                text: 0xE4_E6E8,
+                muted: 0x9A_A0A8,
+                accent: 0x5B_A4F0,
+            },
+            Theme::Light => Self {
+                background: 0xE4_E6E9,
+                bar: 0xF7_F8F9,
+                raised: 0xD5_DAE0,
+                text: 0x1D_2126,
+                muted: 0x5C_646E,
+                accent: 0x1B_6AC9,
+            },
         }
     }
 }
@@ -50,11 +47,17 @@ fn output(program: &str, arguments: &str) -> Option<String> {
     Some(String::from_utf8_lossy(&output.ok()?.stdout).into_owned())
 }
 
-/// The theme that GNOME and its relatives, or macOS, are set to; dark elsewhere.
+/// The theme that GNOME and its relatives, KDE or macOS are set to; dark elsewhere.
 pub fn theme() -> Theme {
-    let scheme = "get org.gnome.desktop.interface color-scheme";
-    match output("gsettings", scheme).or_else(|| output("defaults", "read -g AppleInterfaceStyle"))
-    {
+    let styles = [
+        ("gsettings", "get org.gnome.desktop.interface color-scheme"),
+        ("kreadconfig6", "--group General --key ColorScheme"),
+        ("defaults", "read -g AppleInterfaceStyle"),
+    ];
+    let style = styles
+        .into_iter()
+        .find_map(|(program, arguments)| output(program, arguments));
+    match style {
         Some(style) if !style.to_lowercase().contains("dark") => Theme::Light,
         _ => Theme::Dark,
     }

@@ -1,62 +1,64 @@
-//! Draws the picture, the rays over it, and the items beside it.
+//! Draws the picture, and the rays over it.
+
+use std::ops::Range;
 
 use program::{Gallery, LivePicture};
 
-use super::appearance::{Colors, RAY};
+use super::appearance::RAY;
 use super::area::Area;
 use super::frame::Frame;
 use super::placement::Placement;
 use super::screen::Screen;
-use super::ui::{Item, Kind};
+
+/// Most pixels of the picture, along a side, whose mean is a pixel of the window.
+const MOST_PIXELS: usize = 4;
 
 impl Screen {
-    /// Draws the window.
+    /// Draws the picture and the rays over it, if they have changed.
     pub fn draw(&mut self, gallery: &Gallery) {
-        let colors = Colors::of(self.theme);
-        let mut frame = std::mem::take(&mut self.frame);
-        frame.resize(self.window.get_size());
         let look = self.look(gallery);
-        if self.drawn != look {
-            self.draw_picture(&mut frame, colors, gallery);
-            self.drawn = look;
+        if self.drawn == look {
+            return;
         }
-        let items = std::mem::take(&mut self.ui.items);
-        for item in &items {
-            self.draw_item(&mut frame, item, colors);
-        }
-        (self.ui.items, self.frame) = (items, frame);
-    }
-
-    /// Draws the picture and the rays over it; the items cover what lies outside.
-    fn draw_picture(&self, frame: &mut Frame, colors: &Colors, gallery: &Gallery) {
-        let placement = self.placement(gallery);
-        let area = placement.area;
+        self.drawn = look;
+        let (placement, colors) = (self.placement, self.ui.colors);
+        self.ui.frame.clip = placement.area;
         let Some(live) = &gallery.picture else {
-            return frame.fill(area, colors.background);
+            return self.ui.frame.fill(placement.area, colors.background);
         };
-        paint(frame, &placement, live, [colors.background, colors.raised]);
+        let around = [colors.background, colors.raised];
+        paint(&mut self.ui.frame, &placement, live, around);
         let left = placement.in_window([0.0; 2])[0] as i32 - self.ui.px(4.0);
-        let marks = Area::new(left.max(0), area.y, self.ui.px(3.0), area.height);
-        for ((_, y), mark) in frame.rows(marks) {
-            let is_finished = |row: &u32| live.is_finished(*row);
-            if gallery.outcome.is_none() && placement.spread(1, y).iter().any(is_finished) {
+        let marks = Area {
+            x: left.max(0),
+            width: self.ui.px(3.0),
+            ..placement.area
+        };
+        for ((_, y), mark) in self.ui.frame.rows(marks) {
+            let mut rows = placement.pixels(1, y);
+            if gallery.outcome.is_none() && rows.any(|row| live.is_finished(row)) {
                 mark.fill(colors.accent);
             }
         }
-        self.draw_rays(frame, gallery);
+        self.draw_rays(gallery);
     }
 
     /// Draws a square around the pixel that is explained, and its rays, fainter where hidden.
-    fn draw_rays(&self, frame: &mut Frame, gallery: &Gallery) {
+    fn draw_rays(&mut self, gallery: &Gallery) {
         let Some(pixel) = gallery.pixel else { return };
-        let (placement, scale) = (self.placement(gallery), self.ui.scale);
+        let (placement, scale) = (self.placement, self.ui.scale);
         let half = (placement.scale / 2.0).max(4.0 * scale);
         let [x, y] = placement.in_window(pixel.map(|at| f64::from(at) + 0.5));
-        let sides = [(-half, -half), (half, -half), (half, half), (-half, half)];
-        let corners = sides.map(|(right, down)| [x + right, y + down]);
-        let mut lines: Vec<_> = (0..4)
-            .map(|i| ([corners[i], corners[(i + 1) % 4]], 1.0))
-            .collect();
+        let corners = [
+            (-1.0, -1.0),
+            (1.0, -1.0),
+            (1.0, 1.0),
+            (-1.0, 1.0),
+            (-1.0, -1.0),
+        ]
+        .map(|(right, down)| [x + half * right, y + half * down]);
+        let sides = corners.windows(2).map(|ends| ([ends[0], ends[1]], 1.0));
+        let mut lines: Vec<_> = sides.collect();
         if let Some(Ok(explanation)) = &gallery.explanation {
             lines.extend(explanation.rays.iter().map(|ray| {
                 let ends = ray.ends.map(|end| placement.in_window(end));
@@ -65,45 +67,8 @@ impl Screen {
         }
         for (color, width) in [(0, 3.5), (RAY, 1.5)] {
             for (ends, share) in &lines {
-                frame.line(*ends, width * scale, color, *share);
+                self.ui.frame.line(*ends, width * scale, color, *share);
             }
-        }
-    }
-
-    fn draw_item(&mut self, frame: &mut Frame, item: &Item, colors: &Colors) {
-        let (mut area, mut color, scale) = (item.area, colors.text, self.ui.scale);
-        let (left, middle) = (f64::from(area.x), area.middle()[1]);
-        if item.is_selected || matches!(item.kind, Kind::Tab(true)) {
-            frame.fill(area.inset(self.ui.px(-8.0), self.ui.px(1.0)), colors.raised);
-        }
-        match item.kind {
-            Kind::Bar => frame.fill(area, colors.bar),
-            Kind::Muted => color = colors.muted,
-            Kind::Color(color) => frame.fill(area.inset(0, self.ui.px(3.0)), color),
-            Kind::Progress(share) => {
-                area.width = (f64::from(area.width) * share) as i32;
-                frame.fill(area, colors.accent);
-            }
-            Kind::Entry(true) => {
-                let dot = [left - 10.0 * scale, middle];
-                frame.line([dot, dot], 6.0 * scale, colors.accent, 1.0);
-            }
-            Kind::Slider(share) => {
-                let y = middle + 11.0 * scale;
-                let end = |share: f64| [left + f64::from(area.width) * share, y];
-                frame.line([end(0.0), end(1.0)], 3.0 * scale, colors.muted, 0.5);
-                frame.line([end(0.0), end(share)], 3.0 * scale, colors.accent, 1.0);
-                frame.line([end(share); 2], 12.0 * scale, colors.accent, 1.0);
-                area.height = self.ui.px(24.0);
-            }
-            Kind::Text | Kind::Tab(_) | Kind::Entry(false) => {}
-        }
-        let letters = &mut self.ui.letters;
-        letters.write(frame, area, color, &item.text);
-        let (text, value) = (letters.width(&item.text), letters.width(&item.value));
-        if text + value <= area.width {
-            area.x += area.width - value;
-            letters.write(frame, area, colors.muted, &item.value);
         }
     }
 }
@@ -116,41 +81,44 @@ fn paint(
     [background, unknown]: [u32; 2],
 ) {
     let area = placement.area;
-    let columns = (area.x..area.x + area.width).map(|x| placement.spread(0, x));
+    let columns = (area.x..area.x + area.width).map(|x| placement.pixels(0, x));
     let columns: Vec<_> = columns.collect();
-    let (mut last, mut colors) = (Vec::new(), vec![background; columns.len()]);
+    // An enlarged column is the same for some columns of the window, and a row for some rows.
+    let columns = columns.chunk_by(PartialEq::eq);
+    let columns: Vec<_> = columns.map(|equal| (&equal[0], equal.len())).collect();
+    let (mut last, mut colors) = (None, Vec::new());
     for ((_, y), row) in frame.rows(area) {
-        let rows = placement.spread(1, y);
-        // An enlarged row is the same for some rows of the window.
-        if rows != last {
-            for (color, columns) in colors.iter_mut().zip(&columns) {
-                *color = match (columns.is_empty(), rows.is_empty()) {
-                    (false, false) => mean(live, columns, &rows).unwrap_or(unknown),
-                    _ => background,
+        let rows = placement.pixels(1, y);
+        if last.as_ref() != Some(&rows) {
+            colors.clear();
+            for (columns, count) in &columns {
+                let color = if columns.is_empty() || rows.is_empty() {
+                    background
+                } else {
+                    mean(live, columns, &rows).unwrap_or(unknown)
                 };
+                colors.extend(std::iter::repeat_n(color, *count));
             }
-            last = rows;
+            last = Some(rows);
         }
         row.copy_from_slice(&colors);
     }
 }
 
-/// The mean colour at some columns and rows; none if one is not known.
-fn mean(live: &LivePicture, columns: &[u32], rows: &[u32]) -> Option<u32> {
-    if let ([x], [y]) = (columns, rows) {
-        return live.pixel(*x, *y);
+/// The mean colour of some pixels at these columns and rows; none if one is not known.
+fn mean(live: &LivePicture, columns: &Range<u32>, rows: &Range<u32>) -> Option<u32> {
+    if columns.len() == 1 && rows.len() == 1 {
+        return live.pixel(columns.start, rows.start);
     }
-    let mut sums = [0; 3];
-    for (x, y) in rows
-        .iter()
-        .flat_map(|y| columns.iter().map(move |x| (*x, *y)))
-    {
+    let some = |all: &Range<u32>| all.clone().step_by(all.len().div_ceil(MOST_PIXELS));
+    let (mut sums, mut count) = ([0; 3], 0);
+    for (x, y) in some(rows).flat_map(|y| some(columns).map(move |x| (x, y))) {
         let [_, color @ ..] = live.pixel(x, y)?.to_be_bytes();
         for (sum, channel) in sums.iter_mut().zip(color) {
             *sum += u32::from(channel);
         }
+        count += 1;
     }
-    let count = (columns.len() * rows.len()) as u32;
     let [r, g, b] = sums.map(|sum| ((sum + count / 2) / count) as u8);
     Some(u32::from_be_bytes([0, r, g, b]))
 }

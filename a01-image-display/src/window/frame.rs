@@ -3,26 +3,31 @@
 use super::area::Area;
 use crate::canvas::distance;
 
-/// Packed 0xRRGGBB pixels, row after row from the top. Drawing is clipped.
+/// Packed 0xRRGGBB pixels, row after row from the top.
 #[derive(Default)]
 pub struct Frame {
     width: usize,
+    /// The part of the window that drawing changes.
+    pub clip: Area,
     pub pixels: Vec<u32>,
 }
 
 impl Frame {
     /// Takes the size of the window.
-    pub fn resize(&mut self, (width, height): (usize, usize)) {
+    pub fn resize(&mut self, width: usize, height: usize) {
         self.width = width;
+        self.clip = Area::new(0, 0, width as i32, height as i32);
         self.pixels.resize(width * height, 0);
     }
 
     /// The rows of an area, from the top: the place of each in the window, and its pixels.
     pub fn rows(&mut self, area: Area) -> impl Iterator<Item = ((i32, i32), &mut [u32])> {
-        let inside = |at: i32, most: usize| at.clamp(0, most as i32) as usize;
-        let left = inside(area.x, self.width);
-        let right = inside(area.x + area.width, self.width).max(left);
-        let [top, bottom] = [area.y, area.y + area.height].map(|y| inside(y, self.pixels.len()));
+        let inside = |start: i32, side: i32, [first, sides]: [i32; 2]| {
+            let ends = [start, start + side.max(0)];
+            ends.map(|end| end.clamp(first, first + sides) as usize)
+        };
+        let [left, right] = inside(area.x, area.width, [self.clip.x, self.clip.width]);
+        let [top, bottom] = inside(area.y, area.height, [self.clip.y, self.clip.height]);
         let rows = self.pixels.chunks_exact_mut(self.width.max(1));
         let rows = (0..).zip(rows).take(bottom).skip(top);
         rows.map(move |(y, row)| ((left as i32, y), &mut row[left..right]))

@@ -4,48 +4,31 @@ use std::time::{Duration, Instant};
 
 use program::Gallery;
 
-use super::placement::Zoom;
 use super::screen::{Page, Screen};
 
 /// The longest time between the two clicks of a double click.
 const DOUBLE: Duration = Duration::from_millis(400);
-/// The longest way of the mouse that is a click and no drag, in pixels.
+/// The longest distance, in pixels, between the places where the button of a click goes down
+/// and up.
 const STILL: i32 = 3;
 /// Pixels of the mouse's way for an arrow key.
 const WAY: i32 = 20;
-
-/// A hand on the picture.
-#[derive(Default)]
-pub struct Hand {
-    /// Where the left button went down.
-    pressed: Option<[i32; 2]>,
-    is_dragging: bool,
-    clicked: Option<Instant>,
-}
 
 impl Screen {
     /// Moves, zooms, turns or explains the picture.
     pub fn handle(&mut self, gallery: &mut Gallery) {
         let (mouse, before) = (self.ui.mouse, self.ui.before);
-        let (way, placement) = (mouse.way_from(before.at), self.placement(gallery));
-        if self.ui.clicked(placement.area) {
-            self.hand.pressed = Some(mouse.at);
+        let way = mouse.way_from(before.at);
+        if self.ui.clicked(self.placement.area) {
+            self.pressed = Some(mouse.at);
         }
-        if let Some(pressed) = self.hand.pressed {
-            let way = mouse.way_from(pressed).map(i32::abs);
-            self.hand.is_dragging |= way.into_iter().max() > Some(STILL);
-        }
-        if self.hand.is_dragging {
-            self.zoom = placement.panned(self.zoom, way);
-        }
-        if !mouse.left && self.hand.pressed.take().is_some() {
-            let is_click = !std::mem::take(&mut self.hand.is_dragging);
-            let clicked = self.hand.clicked.filter(|at| at.elapsed() < DOUBLE);
-            self.hand.clicked = is_click.then(Instant::now);
-            if clicked.is_some() && is_click {
-                (self.zoom, self.hand.clicked) = (Zoom::Fit, None);
-            } else if is_click {
-                self.explain(gallery);
+        if let Some(pressed) = self.pressed {
+            self.placement.pan(way);
+            if !mouse.left {
+                self.pressed = None;
+                if mouse.way_from(pressed).iter().all(|way| way.abs() <= STILL) {
+                    self.click(gallery);
+                }
             }
         }
         if mouse.right && before.right && way != [0; 2] {
@@ -55,7 +38,7 @@ impl Screen {
         if self.ui.panel.contains(mouse.at) {
             self.ui.scroll -= self.ui.px(60.0) * steps;
         } else if steps != 0 {
-            self.zoom = placement.zoomed(steps > 0, mouse.at);
+            self.placement.zoom(steps > 0, mouse.at);
         }
         for (key, x, y) in [
             ("Left", -1, 0),
@@ -66,18 +49,28 @@ impl Screen {
             if self.ui.typed(&format!("Ctrl {key}")) {
                 gallery.turn([x, y].map(|way| WAY * way));
             } else if self.ui.typed(&format!("Shift {key}")) {
-                self.zoom = placement.panned(self.zoom, [x, y].map(|way| -WAY * way));
+                self.placement.pan([x, y].map(|way| -WAY * way));
             } else if self.ui.typed(key) {
                 self.go_on([x, y], gallery);
             }
         }
     }
 
+    /// Explains the pixel under the mouse; a double click fits the picture into the window.
+    fn click(&mut self, gallery: &mut Gallery) {
+        let first = self.clicked.take();
+        if first.is_some_and(|first| first.elapsed() < DOUBLE) {
+            return self.placement.fit();
+        }
+        self.clicked = Some(Instant::now());
+        self.explain(gallery);
+    }
+
     /// Explains the pixel under the mouse, or in the middle.
     pub fn explain(&mut self, gallery: &mut Gallery) {
         let size = gallery.size();
         let middle = [size.width() / 2, size.height() / 2];
-        let pixel = self.placement(gallery).pixel(self.ui.mouse.at);
+        let pixel = self.placement.pixel(self.ui.mouse.at);
         gallery.explain(Some(pixel.unwrap_or(middle)));
         (self.page, self.ui.selected) = (Some(Page::Pixel), None);
     }

@@ -4,10 +4,9 @@ use std::time::Duration;
 
 use program::Gallery;
 
+use super::appearance::Colors;
 use super::area::Area;
-use super::placement::Placement;
 use super::screen::{Page, Screen};
-use super::ui::Kind;
 
 /// Height of the bar and width of the panel, at scale 1.
 pub const BAR: f64 = 30.0;
@@ -20,22 +19,21 @@ const NOTICE: Duration = Duration::from_secs(6);
 const MOST_STEPS: usize = 300;
 
 impl Screen {
-    /// Lists the items of the window, and executes the commands of a person. False if the window
-    /// is to be closed.
+    /// Draws all but the picture, and executes the commands of a person. False if the window is
+    /// to be closed.
     pub fn lay_out(&mut self, gallery: &mut Gallery) -> bool {
         let (width, height) = self.window.get_size();
+        self.ui.frame.resize(width, height);
+        self.ui.colors = Colors::of(self.theme);
         let (width, height, margin) = (width as i32, height as i32, self.ui.px(12.0));
-        let error = gallery.outcome.as_ref().and_then(|it| it.as_ref().err());
-        let messages = error.map(|error| format!("error: {error}")).into_iter();
-        self.notice.take_if(|(_, since)| since.elapsed() > NOTICE);
-        let notice = self.notice.as_ref().map(|(notice, _)| notice.clone());
-        let messages = messages.chain(notice);
+        let messages = self.messages(gallery).into_iter();
         let wrap = |text: String| self.ui.letters.wrap(&text, width - 2 * margin);
         let lines: Vec<_> = messages.flat_map(wrap).collect();
         let (bar, line) = (self.ui.px(BAR), self.ui.px(20.0));
         let top = height - bar - line * lines.len() as i32;
         let side = self.page.map_or(0, |_| self.ui.px(PANEL).min(width / 2));
-        self.area = Area::new(0, 0, (width - side).max(1), top.max(1));
+        let area = Area::new(0, 0, (width - side).max(1), top.max(1));
+        self.placement.place(gallery.size(), area);
         self.ui.begin(Area::new(width - side, bar, side, top - bar));
         if !self.menu(gallery) {
             return false;
@@ -55,10 +53,10 @@ impl Screen {
         self.add_tabs(Area::new(width - side, 0, side, bar));
 
         let below = Area::new(0, top, width, height - top);
-        self.ui.add(below, Kind::Bar, "", "");
+        self.ui.frame.fill(below, self.ui.colors.bar);
         let mut area = Area::new(margin, top, width - 2 * margin, line);
         for text in lines {
-            self.ui.add(area, Kind::Text, &text, "");
+            self.ui.write(area, self.ui.colors.text, &text, "");
             area.y += line;
         }
         area.height = bar;
@@ -78,20 +76,26 @@ impl Screen {
         is_explained
     }
 
-    /// Position and scale of the picture.
-    pub fn placement(&self, gallery: &Gallery) -> Placement {
-        Placement::new(gallery.size(), self.area, self.zoom)
+    /// The error of the picture, and the notice.
+    fn messages(&mut self, gallery: &Gallery) -> Vec<String> {
+        self.notice.take_if(|(_, since)| since.elapsed() > NOTICE);
+        let error = gallery.outcome.as_ref().and_then(|it| it.as_ref().err());
+        let error = error.map(|error| format!("error: {error}"));
+        let notice = self.notice.as_ref().map(|(notice, _)| notice.clone());
+        error.into_iter().chain(notice).collect()
     }
 
     /// Adds the names of all pages above the panel.
     fn add_tabs(&mut self, mut area: Area) {
-        self.ui.add(area, Kind::Bar, "", "");
+        self.ui.frame.fill(area, self.ui.colors.bar);
         area.width /= 3;
-        let margin = self.ui.px(22.0);
         for page in [Page::Menu, Page::Scene, Page::Pixel] {
-            let kind = Kind::Tab(self.page == Some(page));
+            let name = area.inset(self.ui.px(22.0), 0);
+            if self.page == Some(page) {
+                self.ui.mark(name);
+            }
             self.ui
-                .add(area.inset(margin, 0), kind, &format!("{page:?}"), "");
+                .write(name, self.ui.colors.text, &format!("{page:?}"), "");
             if self.ui.clicked(area) {
                 self.turn_to(page);
             }
@@ -101,24 +105,14 @@ impl Screen {
 
     /// Adds the line below all others: progress, the pixel under the mouse, or the scene.
     fn add_status(&mut self, area: Area, gallery: &Gallery) {
-        let placement = self.placement(gallery);
-        let pixel = placement.pixel(self.ui.mouse.at);
+        let pixel = self.placement.pixel(self.ui.mouse.at);
         let text = match (&gallery.picture, pixel) {
             (Some(live), _) if gallery.outcome.is_none() => {
                 let share = live.share().min(1.0);
-                let line = Area {
-                    height: self.ui.px(3.0),
-                    ..area.inset(-area.x, 0)
-                };
-                self.ui.add(line, Kind::Progress(share), "", "");
-                let clock = |seconds: u64| format!("{}:{:02}", seconds / 60, seconds % 60);
-                let remaining = live.remaining().map(|time| clock(time.as_secs()));
-                format!(
-                    "{:.0} %  {} elapsed, {} to go",
-                    100.0 * share,
-                    clock(live.elapsed().as_secs()),
-                    remaining.as_deref().unwrap_or("?")
-                )
+                let done = f64::from(area.width + 2 * area.x) * share;
+                let done = Area::new(0, area.y, done as i32, self.ui.px(3.0));
+                self.ui.frame.fill(done, self.ui.colors.accent);
+                format!("{:.0} %  {}", 100.0 * share, live.times())
             }
             (Some(live), Some([x, y])) => {
                 let [_, r, g, b] = live.pixel(x, y).unwrap_or(0).to_be_bytes();
@@ -126,30 +120,32 @@ impl Screen {
             }
             _ => format!("{}   H shows the menu", gallery.scene.name),
         };
-        let zoom = format!("{:.0} %", 100.0 * placement.scale);
-        self.ui.add(area, Kind::Muted, &text, &zoom);
+        let zoom = format!("{:.0} %", 100.0 * self.placement.scale);
+        self.ui.write(area, self.ui.colors.muted, &text, &zoom);
     }
 
     /// Adds the numbers behind the pixel that is explained.
     fn add_pixel(&mut self, gallery: &Gallery) {
+        let Colors { text, muted, .. } = self.ui.colors;
         let Some([x, y]) = gallery.pixel else {
-            let text = "A click on the picture explains a pixel.";
-            return self.ui.text(0, Kind::Muted, text);
+            let hint = "A click on the picture explains a pixel.";
+            return self.ui.text(0, muted, hint);
         };
+        self.ui.text(0, text, &format!("Pixel {x}, {y}"));
+        let sample = self.ui.place(19.0).inset(0, self.ui.px(3.0));
         let picture = gallery.picture.as_ref();
         let color = picture.and_then(|picture| picture.pixel(x, y));
-        self.ui.text(0, Kind::Text, &format!("Pixel {x}, {y}"));
-        self.ui.text(0, Kind::Color(color.unwrap_or(0)), "");
+        self.ui.frame.fill(sample, color.unwrap_or(0));
         match &gallery.explanation {
             None => {}
-            Some(Err(error)) => self.ui.text(0, Kind::Text, &error.to_string()),
+            Some(Err(error)) => self.ui.text(0, text, &error.to_string()),
             Some(Ok(explanation)) => {
                 for step in explanation.trace.steps.iter().take(MOST_STEPS) {
-                    self.ui.text(step.level, Kind::Text, &step.name);
+                    self.ui.text(step.level, text, &step.name);
                     // A line breaks between values only.
                     let words = step.words().map(|word| word.replace(' ', "\u{a0}"));
-                    let text = words.collect::<Vec<_>>().join("   ");
-                    self.ui.text(step.level, Kind::Muted, &text);
+                    let words = words.collect::<Vec<_>>().join("   ");
+                    self.ui.text(step.level, muted, &words);
                 }
             }
         }

@@ -3,9 +3,7 @@
 use common::Renderer;
 use program::{Gallery, Theme};
 
-use super::placement::Zoom;
 use super::screen::{Page, Screen};
-use super::ui::Kind;
 use super::{NO_FILE, choose_file};
 
 const RENDERERS: [(&str, &str, Renderer); 3] = [
@@ -54,11 +52,11 @@ impl Screen {
         }
         for (text, key, larger) in [("Zoom in", "+", true), ("Zoom out", "-", false)] {
             if self.ui.entry(text, key) {
-                self.zoom = self.placement(gallery).zoomed(larger, self.ui.mouse.at);
+                self.placement.zoom(larger, self.ui.mouse.at);
             }
         }
         if self.ui.entry("Fit to the window", "0") {
-            self.zoom = Zoom::Fit;
+            self.placement.fit();
         }
         let larger = ("Larger letters", "Ctrl +", 1.125);
         for (text, key, factor) in [larger, ("Smaller letters", "Ctrl -", 1.0 / 1.125)] {
@@ -77,7 +75,7 @@ impl Screen {
             self.turn_to(Page::Menu);
         }
         if self.ui.is_shown {
-            self.ui.gap();
+            self.ui.place(8.0);
             let stage = gallery.stage;
             for (number, scene) in stage.scenes.iter().enumerate() {
                 let is_chosen = scene.name == gallery.scene.name;
@@ -85,9 +83,10 @@ impl Screen {
                     self.go_to(number, gallery);
                 }
             }
-            self.ui.gap();
+            self.ui.place(8.0);
             for (text, key) in HELP {
-                self.ui.line(Kind::Muted, text, key);
+                let area = self.ui.place(24.0);
+                self.ui.write(area, self.ui.colors.muted, text, key);
             }
         }
         true
@@ -122,7 +121,8 @@ impl Screen {
 
     /// Shows the scene of this number.
     pub fn go_to(&mut self, number: usize, gallery: &mut Gallery) {
-        (self.notice, self.zoom) = (None, Zoom::Fit);
+        self.notice = None;
+        self.placement.fit();
         gallery.go_to(number);
         self.window.set_title(&gallery.title());
     }

@@ -9,17 +9,12 @@ use minifb::{ScaleMode, WindowOptions};
 use program::{Gallery, NotShown, Theme};
 
 use super::appearance;
-use super::area::Area;
-use super::frame::Frame;
-use super::hand::Hand;
 use super::keyboard::Keyboard;
 use super::layout::{BAR, PANEL};
-use super::placement::Zoom;
+use super::mouse::Mouse;
+use super::placement::Placement;
 use super::ui::Ui;
 
-/// Updates of keys and mouse per second. A click that begins and ends between two
-/// of them is lost.
-const UPDATES: usize = 250;
 /// The shortest time between two drawings of the window.
 const FRAME: Duration = Duration::from_millis(16);
 /// After this time the window is drawn although nothing has changed: another window may have
@@ -40,19 +35,18 @@ pub enum Page {
 pub struct Screen {
     pub window: minifb::Window,
     keyboard: Keyboard,
-    pub hand: Hand,
     pub ui: Ui,
-    pub frame: Frame,
-    /// The look of the picture in the frame.
+    /// The look of the picture in the window.
     pub drawn: String,
     pub theme: Theme,
-    pub zoom: Zoom,
-    /// The part of the window for the picture.
-    pub area: Area,
+    pub placement: Placement,
     /// The page of the panel; none if it is hidden.
     pub page: Option<Page>,
     pub notice: Option<(String, Instant)>,
-    is_active: bool,
+    /// The place of the picture where the left button went down.
+    pub pressed: Option<[i32; 2]>,
+    /// The time of the first click of a double click.
+    pub clicked: Option<Instant>,
 }
 
 impl Screen {
@@ -71,62 +65,46 @@ impl Screen {
         let window = minifb::Window::new(&gallery.title(), width, height, options);
         let mut window = window.map_err(explain)?;
         let keyboard = Keyboard::default();
-        window.set_target_fps(UPDATES);
         window.set_input_callback(Box::new(keyboard.clone()));
         let mut ui = Ui::default();
         ui.set_scale(scale);
         Ok(Self {
             window,
             keyboard,
-            hand: Hand::default(),
             ui,
-            frame: Frame::default(),
             drawn: String::new(),
             theme,
-            zoom: Zoom::Fit,
-            area: Area::default(),
+            placement: Placement::default(),
             page,
             notice: None,
-            is_active: false,
+            pressed: None,
+            clicked: None,
         })
     }
 
     /// Shows the picture and executes commands until the window is closed.
     pub fn run(&mut self, gallery: &mut Gallery) -> Result<(), NotShown> {
-        let (mut due, mut drawn) = (Instant::now(), Instant::now());
-        let mut cost = FRAME;
+        let (mut drawn, mut cost) = (Instant::now(), Duration::ZERO);
+        let mut has_input = false;
         while self.window.is_open() {
-            if let Err(error) = gallery.reopen() {
-                self.notify(format!("error: {error}"));
-            }
-            if gallery.update()
-                && let Some(Ok(image)) = &gallery.outcome
-                && let bad @ 1.. = image.count_non_finite()
-            {
-                self.notify(format!("warning: {bad} pixels are no finite numbers"));
-            }
-            let is_active = self.window.is_active();
-            // Releases of keys are not reported while another window has the keyboard.
-            if std::mem::replace(&mut self.is_active, is_active) && !is_active {
-                self.keyboard.release_all();
-            }
-            let (mouse, keys) = (self.ui.mouse.now(&self.window), self.keyboard.take());
-            let before = self.ui.mouse;
-            let keys = keys.into_iter().map(|key| (key, before));
-            let moves = Some((String::new(), mouse)).filter(|_| mouse != before);
-            for (key, mouse) in keys.chain(moves) {
-                due = due.min(drawn + FRAME);
+            self.update(gallery);
+            for (key, mouse) in self.input() {
+                has_input = true;
                 (self.ui.key, self.ui.mouse) = (key, mouse);
                 if !self.lay_out(gallery) {
                     return Ok(());
                 }
                 (self.ui.key, self.ui.before) = (String::new(), mouse);
             }
-            if self.drawn != self.look(gallery) {
+            let wait = if has_input {
+                FRAME
+            } else if self.drawn != self.look(gallery) {
                 // Progress leaves most of the time for keys.
-                due = due.min(drawn + FRAME.max(3 * cost));
-            }
-            if Instant::now() < due {
+                (3 * cost).clamp(FRAME, REFRESH)
+            } else {
+                REFRESH
+            };
+            if drawn.elapsed() < wait {
                 self.window.update();
                 continue;
             }
@@ -134,30 +112,53 @@ impl Screen {
             self.lay_out(gallery);
             self.draw(gallery);
             let (width, height) = self.window.get_size();
-            let sent = self
-                .window
-                .update_with_buffer(&self.frame.pixels, width, height);
+            let pixels = &self.ui.frame.pixels;
+            let sent = self.window.update_with_buffer(pixels, width, height);
             sent.map_err(explain)?;
             // Only tests need it.
             let _ = self.report(gallery);
-            drawn = Instant::now();
-            (cost, due) = (drawn - start, drawn + REFRESH);
+            (drawn, has_input) = (Instant::now(), false);
+            cost = drawn - start;
         }
         Ok(())
+    }
+
+    /// Takes the news of the rendering and of a watched file.
+    fn update(&mut self, gallery: &mut Gallery) {
+        if let Err(error) = gallery.reopen() {
+            self.notify(format!("error: {error}"));
+        }
+        if gallery.update()
+            && let Some(Ok(image)) = &gallery.outcome
+            && let bad @ 1.. = image.count_non_finite()
+        {
+            self.notify(format!("warning: {bad} pixels are no finite numbers"));
+        }
+    }
+
+    /// The keys pressed since the last call, and the mouse if it has changed.
+    fn input(&mut self) -> Vec<(String, Mouse)> {
+        // Releases of keys are not reported while another window has the keyboard.
+        if !self.window.is_active() {
+            self.keyboard.release_all();
+        }
+        let (before, mouse) = (self.ui.mouse, self.ui.mouse.now(&self.window));
+        let keys = self.keyboard.take().into_iter().map(|key| (key, before));
+        let moves = (mouse != before).then(|| (String::new(), mouse));
+        keys.chain(moves).collect()
     }
 
     /// All that changes the picture in the window, in words.
     pub fn look(&self, gallery: &Gallery) -> String {
         let live = gallery.picture.as_ref();
         format!(
-            "title: {:?} window: {:?} {:?} scale: {} is_active: {} {:?} pixel: {:?} \
-             explained: {} changes: {:?} finished: {}",
+            "title: {:?} window: {:?} {:?} scale: {} {:?} pixel: {:?} explained: {} \
+             changes: {:?} finished: {}",
             gallery.title(),
             self.window.get_size(),
             self.theme,
             self.ui.scale,
-            self.is_active,
-            self.placement(gallery),
+            self.placement,
             gallery.pixel,
             gallery.explanation.is_some(),
             live.map(|live| (live.started, live.changes())),
@@ -167,22 +168,25 @@ impl Screen {
 
     /// Writes the state that is on the screen, and the hash of the bytes of a finished picture,
     /// to the file that the environment variable `WORKBOOK_WINDOW_STATE` names: the tests read it.
-    fn report(&self, gallery: &Gallery) -> io::Result<()> {
-        let Some(path) = env::var_os("WORKBOOK_WINDOW_STATE") else {
+    fn report(&mut self, gallery: &Gallery) -> io::Result<()> {
+        let Some(path) = env::var_os("WORKBOOK_WINDOW_STATE").map(PathBuf::from) else {
             return Ok(());
         };
-        let outcome = gallery.outcome.as_ref();
         // Not by `to_rgb8`, which would start threads that a test does not expect.
         let bytes = |color: &Color| gallery.options.transfer.bytes(*color);
-        let bytes = |image: &Image| image.pixels().iter().flat_map(bytes).collect::<Vec<_>>();
-        let image = outcome.and_then(|outcome| outcome.as_ref().ok());
-        let hash = image.map(|image| fnv1a(&bytes(image)));
+        let hash =
+            |image: &Image| fnv1a(&image.pixels().iter().flat_map(bytes).collect::<Vec<_>>());
+        let picture = gallery.outcome.as_ref().and_then(|it| it.as_ref().ok());
         let state = format!(
-            "{} zoom: {:?} page: {:?} {:?} picture: {hash:?} {:?}",
-            self.drawn, self.zoom, self.page, self.ui.mouse, self.ui.items
+            "{} is_active: {} page: {:?} {:?} picture: {:?} {}",
+            self.drawn,
+            self.window.is_active(),
+            self.page,
+            self.ui.mouse,
+            picture.map(hash),
+            self.ui.words.join(" ")
         );
         // Not even for a moment is the file incomplete.
-        let path = PathBuf::from(path);
         let new = path.with_extension("new");
         fs::write(&new, state)?;
         fs::rename(new, path)

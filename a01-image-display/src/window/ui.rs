@@ -1,52 +1,28 @@
-//! `Ui`: the items beside the picture, in immediate mode: each call adds an item, and returns
+//! `Ui`: the items beside the picture, in immediate mode: each call draws an item, and returns
 //! whether a person has used it, by its key, by the mouse, or by the arrow keys and Enter.
 
 use program::Slider;
 
+use super::appearance::Colors;
 use super::area::Area;
+use super::frame::Frame;
 use super::letters::Letters;
 use super::mouse::Mouse;
 
-/// The kind of an item, which decides how it is drawn.
-#[derive(Clone, Copy, Debug)]
-pub enum Kind {
-    /// The background of the items that follow.
-    Bar,
-    Text,
-    Muted,
-    /// The name of a page, and whether that is open.
-    Tab(bool),
-    /// An entry of a menu, with a dot if it is chosen.
-    Entry(bool),
-    /// The share of the values before the knob.
-    Slider(f64),
-    /// A line whose first share is done.
-    Progress(f64),
-    Color(u32),
-}
-
-/// A part of the window, with a text at its left edge and a value at its right edge.
-#[derive(Debug)]
-pub struct Item {
-    pub area: Area,
-    pub kind: Kind,
-    pub is_selected: bool,
-    pub text: String,
-    pub value: String,
-}
-
-/// The items, and the input for them.
+/// The drawing of the items, and the input for them.
 #[derive(Default)]
 pub struct Ui {
+    pub frame: Frame,
     pub letters: Letters,
+    pub colors: Colors,
     pub scale: f64,
     /// The pressed key, such as `S` or `Ctrl +`; empty if there is none.
     pub key: String,
     pub mouse: Mouse,
     /// The mouse at the last input.
     pub before: Mouse,
-    /// From the lowest to the topmost.
-    pub items: Vec<Item>,
+    /// The written texts, with their places; only tests need them.
+    pub words: Vec<String>,
     /// The part of the window for entries and sliders, which may be empty.
     pub panel: Area,
     /// The place for the next item of the panel.
@@ -104,10 +80,10 @@ impl Ui {
         }
         (self.panel, self.count) = (panel, 0);
         self.is_held &= self.mouse.left;
-        self.items.clear();
+        self.words.clear();
         self.next = panel.inset(self.px(22.0), self.px(8.0));
         self.next.y -= self.scroll;
-        self.add(panel, Kind::Bar, "", "");
+        self.frame.fill(panel, self.colors.bar);
     }
 
     /// Ends the panel, which scrolls no farther than its items.
@@ -122,53 +98,49 @@ impl Ui {
         selected.is_some_and(|selected| selected < self.count)
     }
 
-    /// Adds an item anywhere.
-    pub fn add(&mut self, area: Area, kind: Kind, text: &str, value: &str) {
-        self.items.push(Item {
-            area,
-            kind,
-            text: text.to_owned(),
-            value: value.to_owned(),
-            is_selected: false,
-        });
+    /// Writes a text at the left edge of an area, and a value at the right edge if it has room.
+    pub fn write(&mut self, mut area: Area, color: u32, text: &str, value: &str) {
+        self.words.push(format!("{text:?} {value:?} {area:?}"));
+        let (frame, letters) = (&mut self.frame, &mut self.letters);
+        letters.write(frame, area, color, text);
+        let left = area.width - letters.width(value);
+        if letters.width(text) <= left {
+            area.x += left;
+            letters.write(frame, area, self.colors.muted, value);
+        }
     }
 
-    /// Adds an item to the panel.
-    fn push(&mut self, height: f64, kind: Kind, text: &str, value: &str) -> Area {
+    /// The place of the next item of the panel.
+    pub fn place(&mut self, height: f64) -> Area {
         let height = self.px(height);
         let area = Area {
             height,
             ..self.next
         };
         self.next.y += height;
-        self.add(area, kind, text, value);
         area
     }
 
     /// Adds a text to the panel, on as many lines as it needs.
-    pub fn text(&mut self, level: usize, kind: Kind, text: &str) {
-        let (left, indent) = (self.next, self.px(10.0) * level as i32);
-        self.next = Area::new(left.x + indent, left.y, left.width - indent, 0);
-        for line in self.letters.wrap(text, self.next.width) {
-            self.push(19.0, kind, &line, "");
+    pub fn text(&mut self, level: usize, color: u32, text: &str) {
+        let indent = self.px(10.0) * level as i32;
+        for line in self.letters.wrap(text, self.next.width - indent) {
+            let mut area = self.place(19.0);
+            area.x += indent;
+            self.write(area, color, &line, "");
         }
-        (self.next.x, self.next.width) = (left.x, left.width);
     }
 
-    /// Adds a line of text and value to the panel.
-    pub fn line(&mut self, kind: Kind, text: &str, value: &str) {
-        self.push(24.0, kind, text, value);
+    /// Marks an area, which stands for a chosen item.
+    pub fn mark(&mut self, area: Area) {
+        let area = area.inset(self.px(-8.0), self.px(1.0));
+        self.frame.fill(area, self.colors.raised);
     }
 
-    /// Leaves a gap in the panel.
-    pub fn gap(&mut self) {
-        self.next.y += self.px(8.0);
-    }
-
-    /// Adds an entry or a slider, which a click selects: its area, whether it is selected, and
-    /// whether it is clicked.
-    fn select(&mut self, height: f64, kind: Kind, text: &str, value: &str) -> (Area, bool, bool) {
-        let area = self.push(height, kind, text, value);
+    /// Adds a place for an entry or a slider, which a click selects: its area, whether it is
+    /// selected, and whether it is clicked.
+    fn select(&mut self, height: f64) -> (Area, bool, bool) {
+        let area = self.place(height);
         let is_clicked = self.panel.contains(self.mouse.at) && self.clicked(area);
         if is_clicked {
             self.selected = Some(self.count);
@@ -179,8 +151,9 @@ impl Ui {
             let way = area.middle()[1] - self.panel.middle()[1];
             self.scroll = (self.scroll + way as i32).max(0);
         }
-        if let Some(item) = self.items.last_mut() {
-            item.is_selected = is_selected;
+        if is_selected {
+            self.mark(area);
+            self.words.push("selected:".to_owned());
         }
         (area, is_selected, is_clicked)
     }
@@ -191,7 +164,13 @@ impl Ui {
         if !self.is_shown {
             return is_typed;
         }
-        let (_, is_selected, is_clicked) = self.select(24.0, Kind::Entry(is_chosen), text, key);
+        let (area, is_selected, is_clicked) = self.select(24.0);
+        if is_chosen {
+            let dot = [f64::from(area.x - self.px(10.0)), area.middle()[1]];
+            let width = 6.0 * self.scale;
+            self.frame.line([dot; 2], width, self.colors.accent, 1.0);
+        }
+        self.write(area, self.colors.text, text, key);
         is_typed || is_clicked || is_selected && self.typed("Enter")
     }
 
@@ -202,15 +181,27 @@ impl Ui {
 
     /// Adds a slider, and returns the number of the value to which it is moved.
     pub fn slider(&mut self, slider: &Slider) -> Option<usize> {
-        let share = |at| at as f64 / slider.last().max(1) as f64;
-        let kind = Kind::Slider(share(slider.at));
-        let (area, is_selected, is_clicked) = self.select(40.0, kind, &slider.name, &slider.text());
+        let (mut area, is_selected, is_clicked) = self.select(40.0);
+        let [left, width] = [area.x, area.width].map(f64::from);
+        let share = slider.at as f64 / slider.last().max(1) as f64;
+        let y = area.middle()[1] + 11.0 * self.scale;
+        let end = |share: f64| [left + width * share, y];
+        for (from, to, width, color, opacity) in [
+            (0.0, 1.0, 3.0, self.colors.muted, 0.5),
+            (0.0, share, 3.0, self.colors.accent, 1.0),
+            (share, share, 12.0, self.colors.accent, 1.0),
+        ] {
+            let ends = [end(from), end(to)];
+            self.frame.line(ends, width * self.scale, color, opacity);
+        }
+        area.height = self.px(24.0);
+        self.write(area, self.colors.text, &slider.name, &slider.text());
         self.is_held |= is_clicked;
         if !is_selected {
             None
         } else if self.is_held {
-            let way = f64::from(self.mouse.at[0] - area.x) / f64::from(area.width.max(1));
-            Some((way.clamp(0.0, 1.0) * slider.last() as f64).round() as usize)
+            let share = (f64::from(self.mouse.at[0]) - left) / width.max(1.0);
+            Some((share.clamp(0.0, 1.0) * slider.last() as f64).round() as usize)
         } else if self.typed("Left") {
             Some(slider.at.saturating_sub(1))
         } else {

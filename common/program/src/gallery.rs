@@ -188,6 +188,9 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
             self.sliders = Slider::all(&self.scene, &settings)?;
         }
         let threads = self.options.thread_pool()?;
+        // The window answers keys while all processors render.
+        #[cfg(target_os = "linux")]
+        threads.broadcast(|_| rustix::process::nice(10));
         let picture = Arc::new(LivePicture::new(settings.size, self.options.transfer));
         if let Some(earlier) = self.picture.take() {
             picture.begin_with(&earlier);

@@ -1,9 +1,10 @@
 //! `LivePicture`: a picture while it is rendered, for the window that shows it.
 
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use common::{Color, Image, Progress, Sampling, Scene, Settings, Size, Transfer};
+use indicatif::{FormattedDuration, ProgressBar, ProgressDrawTarget};
 
 /// The packed 0xRRGGBB pixels of a picture while it is rendered. Before a row is finished, it
 /// shows a coarse picture, if there is one.
@@ -16,12 +17,11 @@ pub struct LivePicture {
     transfer: Transfer,
     /// Each with `COARSE` or `FINAL` above the colour; 0 where nothing is known.
     pixels: Vec<AtomicU32>,
-    rows: AtomicU32,
     changes: AtomicU32,
-    /// The number of rows to paint; a row that is painted again counts again.
-    rows_to_paint: AtomicU32,
+    /// Counts rows, and is not drawn; a row that is painted again counts again.
+    bar: ProgressBar,
     stopped: AtomicBool,
-    /// The time when the rendering began.
+    /// The time when the rendering began, which differs between two pictures.
     pub started: Instant,
 }
 
@@ -32,13 +32,13 @@ impl LivePicture {
     /// A picture without a finished row.
     #[must_use]
     pub fn new(size: Size, transfer: Transfer) -> Self {
+        let (rows, hidden) = (size.height().into(), ProgressDrawTarget::hidden());
         Self {
             size,
             transfer,
             pixels: (0..size.pixels()).map(|_| AtomicU32::new(0)).collect(),
-            rows: AtomicU32::new(0),
             changes: AtomicU32::new(0),
-            rows_to_paint: AtomicU32::new(size.height()),
+            bar: ProgressBar::with_draw_target(Some(rows), hidden),
             stopped: AtomicBool::new(false),
             started: Instant::now(),
         }
@@ -104,23 +104,14 @@ impl LivePicture {
     /// The finished share of the work known so far, from 0 to 1.
     #[must_use]
     pub fn share(&self) -> f64 {
-        let [rows, all] = [&self.rows, &self.rows_to_paint].map(|n| n.load(Ordering::Relaxed));
-        f64::from(rows) / f64::from(all)
+        self.bar.position() as f64 / self.bar.length().unwrap_or(1) as f64
     }
 
-    /// The time since the rendering began.
+    /// The time since the rendering began, and the time for the remaining rows, in words.
     #[must_use]
-    pub fn elapsed(&self) -> Duration {
-        self.started.elapsed()
-    }
-
-    /// The time for the remaining rows, if they take as long as the finished ones.
-    /// None before a row is finished.
-    #[must_use]
-    pub fn remaining(&self) -> Option<Duration> {
-        let share = self.share().min(1.0);
-        let to_go = (1.0 - share) / share;
-        Duration::try_from_secs_f64(self.elapsed().as_secs_f64() * to_go).ok()
+    pub fn times(&self) -> String {
+        let [elapsed, to_go] = [self.bar.elapsed(), self.bar.eta()].map(FormattedDuration);
+        format!("{elapsed} elapsed, {to_go} to go")
     }
 
     /// Ends the rendering after the rows that are being painted.
@@ -132,11 +123,11 @@ impl LivePicture {
 impl Progress for LivePicture {
     fn row(&self, y: u32, pixels: &mut dyn Iterator<Item = Color>) {
         self.paint(y, pixels, FINAL);
-        self.rows.fetch_add(1, Ordering::Relaxed);
+        self.bar.inc(1);
     }
 
     fn more_rows(&self, rows: u32) {
-        self.rows_to_paint.fetch_add(rows, Ordering::Relaxed);
+        self.bar.inc_length(rows.into());
     }
 
     fn stopped(&self) -> bool {
@@ -188,16 +179,9 @@ pub fn coarse(scene: &Scene, settings: &Settings) -> impl Iterator<Item = (u32, 
 mod tests {
     use super::*;
 
-    /// A picture of 3x4 pixels that has taken a minute. One of four rows leaves three minutes
-    /// for the others.
     #[test]
-    fn rows_appear_where_they_belong_and_tell_the_remaining_time() {
-        let minute = Duration::from_mins(1);
-        let picture = LivePicture {
-            started: Instant::now().checked_sub(minute).unwrap(),
-            ..LivePicture::new(Size::new(3, 4).unwrap(), Transfer::Linear)
-        };
-        assert_eq!(picture.remaining(), None);
+    fn rows_appear_where_they_belong_and_are_counted() {
+        let picture = LivePicture::new(Size::new(3, 4).unwrap(), Transfer::Linear);
         let row = |y| [0, 1, 2].map(|x| picture.pixel(x, y));
         let [red, green, white] = [0xFF_0000, 0x00_FF00, 0xFF_FFFF].map(Some);
         Coarse(&picture, 2).row(1, &mut [Color::RED, Color::GREEN].into_iter());
@@ -206,13 +190,11 @@ mod tests {
         picture.row(2, &mut [Color::RED, Color::GREEN, Color::WHITE].into_iter());
         assert_eq!((row(1), row(2)), ([None; 3], [red, green, white]));
         assert!(picture.is_finished(2));
-        let remaining = picture.remaining().unwrap();
-        assert!((3 * minute..4 * minute).contains(&remaining));
+        assert_eq!(picture.share(), 0.25);
 
         for y in [0, 1, 3] {
             picture.row(y, &mut [Color::BLACK; 3].into_iter());
         }
-        assert_eq!(picture.remaining(), Some(Duration::ZERO));
         // A row that is painted again is work, too.
         picture.more_rows(1);
         assert_eq!(picture.share(), 0.8);

@@ -18,7 +18,7 @@ use crate::{render, show};
 /// Every error ends in one sentence on stderr and an exit code: 2 for a wrong
 /// command line, 1 for all others.
 #[must_use]
-pub fn run(stage: &Stage, viewer: Option<&dyn Viewer>) -> ExitCode {
+pub fn run(stage: &Stage, viewer: Option<Viewer>) -> ExitCode {
     run_with(stage, viewer, std::env::args_os())
 }
 
@@ -26,7 +26,7 @@ pub fn run(stage: &Stage, viewer: Option<&dyn Viewer>) -> ExitCode {
 #[must_use]
 pub fn run_with(
     stage: &Stage,
-    viewer: Option<&dyn Viewer>,
+    viewer: Option<Viewer>,
     arguments: impl IntoIterator<Item = OsString>,
 ) -> ExitCode {
     let parsed = CommandLine::of(stage)
@@ -65,7 +65,7 @@ fn scene_as_command<'a>(stage: &'a Stage, error: &clap::Error) -> Option<&'a Sce
         })
 }
 
-fn execute(stage: &Stage, viewer: Option<&dyn Viewer>, line: CommandLine) -> Result<(), Error> {
+fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<(), Error> {
     match line.command {
         None => show::show(stage, &stage.scenes[0], viewer, &line.showing),
         Some(Command::List) => list(stage),

@@ -17,7 +17,7 @@ use crate::{Gallery, NotShown, Viewer};
 pub fn show(
     stage: &Stage,
     scene: &Scene,
-    viewer: Option<&dyn Viewer>,
+    viewer: Option<Viewer>,
     showing: &Showing,
 ) -> Result<(), Error> {
     let options = &showing.options;
@@ -38,7 +38,7 @@ pub fn show(
             if !scene.uses.file {
                 gallery.start()?;
             }
-            viewer.show(&mut gallery)
+            viewer(&mut gallery)
         });
         match shown {
             Ok(()) => return Ok(()),
@@ -67,14 +67,6 @@ mod tests {
     use crate::appearance::Appearance;
     use crate::options::Options;
 
-    struct Failing;
-
-    impl Viewer for Failing {
-        fn show(&self, _: &mut Gallery) -> Result<(), NotShown> {
-            Err(Error::Stopped.into())
-        }
-    }
-
     #[test]
     fn an_error_of_the_window_is_returned() {
         let scene = Scene::painted("one", "", |settings, _| Image::black(settings.size));
@@ -85,7 +77,8 @@ mod tests {
             appearance: Appearance::default(),
             options: Options::default(),
         };
-        let shown = show(&stage, &stage.scenes[0], Some(&Failing), &options);
+        let failing: Viewer = |_| Err(Error::Stopped.into());
+        let shown = show(&stage, &stage.scenes[0], Some(failing), &options);
         assert!(matches!(shown, Err(Error::Stopped)));
     }
 }

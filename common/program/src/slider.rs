@@ -47,20 +47,10 @@ impl Slider {
         };
         if scene.uses.sampling {
             let samples = [1.0, 4.0, 16.0, 64.0, 256.0, 1024.0, 4096.0];
-            add(
-                "Samples",
-                Number::Samples,
-                &samples,
-                settings.samples.into(),
-            );
-            let bounds = [
-                0.0,
-                1.0 / 510.0,
-                1.0 / 255.0,
-                1.0 / 128.0,
-                1.0 / 64.0,
-                1.0 / 32.0,
-            ];
+            let start = settings.samples.into();
+            add("Samples", Number::Samples, &samples, start);
+            // The first one is no bound.
+            let bounds = [f64::INFINITY, 510.0, 255.0, 128.0, 64.0, 32.0].map(f64::recip);
             let start = settings.max_error.unwrap_or(0.0);
             add("Error bound", Number::MaxError, &bounds, start);
         }
@@ -68,11 +58,9 @@ impl Slider {
             let depths: Vec<_> = (1..=12).map(f64::from).collect();
             add("Depth", Number::Depth, &depths, settings.depth.into());
         }
-        let lights = scene
-            .explained
-            .as_ref()
-            .map(|scene| scene.light_places(settings));
-        for (light, place) in lights.transpose()?.into_iter().flatten().enumerate() {
+        let explained = scene.explained.as_ref();
+        let lights = explained.map_or(Ok(Vec::new()), |scene| scene.light_places(settings))?;
+        for (light, place) in lights.into_iter().enumerate() {
             for ((axis, start), letter) in place.iter().enumerate().zip(["x", "y", "z"]) {
                 let values: Vec<_> = (-32..=32).map(|n| start + 0.25 * f64::from(n)).collect();
                 let name = format!("Light {}, {letter}", light + 1);

@@ -5,13 +5,10 @@ use common::Error;
 
 use crate::Gallery;
 
-/// Shows pictures to a person.
-pub trait Viewer {
-    /// Shows the scenes of a gallery while they are rendered, and returns when
-    /// the person closes the window. The rendering of the first scene has been started,
-    /// unless it shows a file.
-    fn show(&self, gallery: &mut Gallery) -> Result<(), NotShown>;
-}
+/// Shows the scenes of a gallery to a person while they are rendered, and returns when the
+/// person closes the window. The rendering of the first scene has been started, unless it
+/// shows a file.
+pub type Viewer = fn(&mut Gallery) -> Result<(), NotShown>;
 
 /// Why nothing was shown.
 #[derive(Debug, thiserror::Error)]

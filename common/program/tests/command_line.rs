@@ -9,7 +9,7 @@ use std::{env, fs};
 use common::{Color, Error, Image, Progress, Scene, Settings, Size, picture_file};
 use measure::Stage;
 use measure::extremes::{Bound, Case};
-use program::{Gallery, NotShown, Viewer, run_with};
+use program::{Gallery, NotShown, run_with};
 use proptest::prelude::*;
 use proptest::sample::select;
 use proptest::test_runner::{RngSeed, TestRunner};
@@ -45,7 +45,7 @@ fn run_many() {
     };
     let run = |arguments: Vec<String>| {
         let line = ["a00".to_owned()].into_iter().chain(arguments);
-        let code = run_with(&stage(), Some(&Looker), line.map(with_bytes));
+        let code = run_with(&stage(), Some(look), line.map(with_bytes));
         let documented = [0, 1, 2].map(ExitCode::from);
         assert!(documented.contains(&code), "{code:?}");
         clear(folder.path(), &place);
@@ -162,21 +162,17 @@ fn stage() -> Stage {
 }
 
 /// A person who looks at each scene, saves it and closes the window.
-struct Looker;
-
-impl Viewer for Looker {
-    fn show(&self, gallery: &mut Gallery) -> Result<(), NotShown> {
-        let title = gallery.title();
-        loop {
-            gallery.start()?;
-            gallery.wait();
-            if let Some(Ok(picture)) = &gallery.outcome {
-                gallery.save(picture)?;
-            }
-            gallery.go_to((gallery.number() + 1) % gallery.stage.scenes.len());
-            if gallery.title() == title {
-                return Ok(());
-            }
+fn look(gallery: &mut Gallery) -> Result<(), NotShown> {
+    let title = gallery.title();
+    loop {
+        gallery.start()?;
+        gallery.wait();
+        if let Some(Ok(picture)) = &gallery.outcome {
+            gallery.save(picture)?;
+        }
+        gallery.go_to((gallery.number() + 1) % gallery.stage.scenes.len());
+        if gallery.title() == title {
+            return Ok(());
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Test tools of the stages: [`lock_pictures!`] compares the pictures of a stage
 //! with locked ones, [`check_lab!`] checks its experiments and extreme cases,
-//! [`exercises!`] checks the exercises of the students, and [`assert_refused`] checks the
-//! error of a constructor.
+//! [`exercises!`] checks the exercises of the students, [`assert_refused`] checks the error of a
+//! constructor, and `display` is for tests of the window.
 //!
 //! Only tests depend on this crate, so that no program contains test code. Its checks
 //! fail by a panic.
@@ -11,6 +11,9 @@
 
 #[cfg(not(target_family = "wasm"))]
 mod difference;
+#[cfg(not(handout))]
+#[cfg(target_os = "linux")]
+pub mod display;
 pub mod exercise;
 #[cfg(not(handout))]
 #[cfg(not(target_family = "wasm"))]

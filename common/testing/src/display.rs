@@ -4,12 +4,12 @@
 //! never for a time.
 
 use std::io::{self, BufRead, BufReader, Read, Write};
-use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use std::{fs, thread};
 
-use tempfile::{NamedTempFile, TempPath};
+use common::{Image, Transfer, fnv1a};
+use tempfile::{NamedTempFile, TempDir, TempPath};
 
 /// After this time a test stops waiting and fails.
 const PATIENCE: Duration = Duration::from_mins(1);
@@ -21,17 +21,21 @@ pub const FOCUS: (&str, &str) = ("windowfocus WINDOW", "is_active: true");
 pub struct Display {
     server: Child,
     name: String,
+    /// The program.
     pub program: Child,
+    /// Its current folder, which is empty at the start.
+    pub folder: TempDir,
     state: TempPath,
     window: String,
 }
 
 impl Display {
-    /// Starts a program in a folder with the arguments of a line, on a screen of 1600x1300
+    /// Starts a program with the arguments of a line, on a screen of 1600x1300
     /// pixels, and gives its window the keyboard. The environment leads to no other display,
     /// to no file dialog and to no settings of a system. On a machine without Xvfb or xdotool
     /// none, and a sentence on stderr.
-    pub fn start(program: &Path, line: &str, folder: &Path) -> Option<Self> {
+    #[must_use]
+    pub fn start(program: &str, line: &str) -> Option<Self> {
         for (tool, argument) in [("Xvfb", "-help"), ("xdotool", "version")] {
             if let Err(error) = Command::new(tool).arg(argument).output() {
                 // The output of `eprintln!` is shown for failing tests only.
@@ -41,10 +45,11 @@ impl Display {
         }
         // A server fails if another one takes the same number at the same moment.
         let (server, name) = wait_for("a server", server);
+        let folder = tempfile::tempdir().expect("a folder");
         let state = NamedTempFile::new().expect("a file").into_temp_path();
         let program = Command::new(program)
             .args(line.split_whitespace())
-            .current_dir(folder)
+            .current_dir(&folder)
             .env_remove("WAYLAND_DISPLAY")
             .env("DISPLAY", &name)
             .env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/dev/null")
@@ -59,6 +64,7 @@ impl Display {
             server,
             name,
             program,
+            folder,
             state,
             window: String::new(),
         };
@@ -74,10 +80,9 @@ impl Display {
     fn xdotool(&self, line: &str) -> Option<String> {
         let line = line.replace("WINDOW", &self.window);
         let mut command = Command::new("xdotool");
-        let command = command
-            .args(line.split_whitespace())
-            .env("DISPLAY", &self.name);
-        let output = command.output().expect("xdotool runs");
+        let command = command.args(line.split_whitespace());
+        let output = command.env("DISPLAY", &self.name).output();
+        let output = output.expect("xdotool runs");
         let text = String::from_utf8_lossy(&output.stdout).into_owned();
         output.status.success().then_some(text)
     }
@@ -87,48 +92,43 @@ impl Display {
     /// with `WINDOW` for the window, or `item`, a share of its width, and its text, for a click.
     pub fn play(&self, steps: &[(&str, &str)]) {
         for (action, texts) in steps {
-            if let Some((share, text)) = action
-                .strip_prefix("item ")
-                .and_then(|it| it.split_once(' '))
-            {
-                self.click(text, share.parse().expect("a share"));
+            if let Some(item) = action.strip_prefix("item ") {
+                self.click(item);
             } else {
                 // It fails, without effect, if a busy server does not answer.
                 wait_for(action, || self.xdotool(action));
             }
             wait_for(&format!("{texts} after {action}"), || {
                 let state = self.state();
-                texts
-                    .split(" & ")
-                    .all(|text| state.contains(text))
-                    .then_some(())
+                let is_reached = texts.split(" & ").all(|text| state.contains(text));
+                is_reached.then_some(())
             });
         }
     }
 
-    /// Clicks on the item of this text, at a share of its width. The program sees no click that
-    /// begins and ends between two turns of its loop.
-    fn click(&self, text: &str, share: f64) {
+    /// Clicks on an item. The program sees no click that begins and ends between two turns of
+    /// its loop.
+    fn click(&self, item: &str) {
+        let (share, text) = item.split_once(' ').expect("a share and a text");
+        let share: f64 = share.parse().expect("a share");
         let state = self.state();
-        let mut items = state.split("Item { area: Area { ");
-        let item = items.find(|item| item.contains(&format!("text: {text:?}")));
-        let words = item.expect(text).split([' ', ',', '}']);
-        let numbers: Vec<f64> = words.filter_map(|word| word.parse().ok()).take(4).collect();
-        let [x, y, width, height] = numbers[..] else {
-            panic!("{item:?}")
+        let (_, item) = state.split_once(&format!("{text:?} ")).expect(text);
+        let (_, area) = item.split_once("Area {").expect(item);
+        let numbers = area.split([' ', ',']).filter_map(|word| word.parse().ok());
+        let [x, y, width, height] = numbers.take(4).collect::<Vec<f64>>()[..] else {
+            panic!("{item}")
         };
         let [x, y] = [x + width * share, y + height / 2.0].map(|at| at as i32);
+        let there = format!("mousemove --window WINDOW {x} {y}");
         self.play(&[
-            (
-                &format!("mousemove --window WINDOW {x} {y}"),
-                &format!("at: [{x}, {y}]"),
-            ),
+            (&there, &format!("at: [{x}, {y}]")),
             ("mousedown 1", "left: true"),
             ("mouseup 1", "left: false"),
         ]);
     }
 
     /// The current state of the window.
+    #[must_use]
     pub fn state(&self) -> String {
         fs::read_to_string(&self.state).expect("the state")
     }
@@ -188,4 +188,11 @@ pub fn wait_for<T>(what: &str, mut find: impl FnMut() -> Option<T>) -> T {
         assert!(start.elapsed() < PATIENCE, "waited in vain: {what}");
         thread::sleep(Duration::from_millis(5));
     }
+}
+
+/// The state of a window that shows a finished picture, byte for byte.
+#[must_use]
+pub fn shown(picture: &Image) -> String {
+    let hash = fnv1a(&picture.to_rgb8(Transfer::Linear));
+    format!("picture: Some({hash})")
 }
