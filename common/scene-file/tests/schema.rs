@@ -50,9 +50,10 @@ fn property(key: &Key) -> String {
         numbers => {
             let lengths = numbers.split(' ').rev();
             let lengths = lengths.filter_map(|word| word.parse::<u8>().ok());
-            let number = match numbers.contains("whole") {
-                true => r#""type": "integer", "minimum": 1"#,
-                false => r#""type": "number""#,
+            let number = if numbers.contains("whole") {
+                r#""type": "integer", "minimum": 1"#
+            } else {
+                r#""type": "number""#
             };
             lengths.fold(number.to_owned(), |row, n| {
                 let length = format!(r#""minItems": {n}, "maxItems": {n}"#);
