@@ -47,11 +47,12 @@ impl Key {
     pub fn needed(&self) -> String {
         match self.form {
             "number" => "a finite number".to_owned(),
-            "whole number" => "a whole number from 1 to 4294967295".to_owned(),
+            "whole number" => "a whole number from 1".to_owned(),
             "text" => "a text in quotation marks".to_owned(),
             "true or false" => self.form.to_owned(),
             "{ step }" => "a list of steps, such as [{ scale = [1, 2, 1] }]".to_owned(),
             table if table.starts_with('[') => format!("a table: {table}"),
+            form if form.contains("whole") => format!("a list of {form} from 1"),
             form => format!("a list of {form}, all of them finite"),
         }
     }

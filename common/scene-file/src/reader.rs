@@ -14,6 +14,9 @@ pub type Meshes<'a> = &'a dyn Fn(&str) -> Result<Mesh, String>;
 const DUPLICATE: &str = "this name is taken: spheres, lights and the like have two pairs of \
     brackets, as [[sphere]], and the shapes of a group stand behind its [[group]]";
 
+/// The error of a word that is no value, such as `[0 1 0]`.
+const UNQUOTED: &str = "a text stands in quotation marks, and a list has commas, as [0, 1, 0]";
+
 /// Most groups inside each other.
 const MOST_GROUPS: usize = 32;
 
@@ -42,6 +45,7 @@ impl SceneFile {
             at: error.span().unwrap_or_default().start,
             text: match error.message() {
                 "duplicate key" => DUPLICATE.to_owned(),
+                unquoted if unquoted.starts_with("string values must be") => UNQUOTED.to_owned(),
                 message => message.replace('\n', ", "),
             },
         })?;
