@@ -37,12 +37,12 @@ pub fn scene(path: &Path, stage: u8, make_view: MakeView) -> Result<Scene, Error
         triangles.update(|before| before + mesh.triangles().count());
         Ok(mesh)
     };
-    let read = SceneFile::read(&text, stage, &mesh);
+    let file = SceneFile::read(&text, stage, &mesh);
     let place = path.display().to_string();
     let at_place = move |error: scene_file::Error| {
         Error::SceneFile(format!("{place}:{}", error.within(&text)))
     };
-    let file = read.map_err(&at_place)?;
+    let file = file.map_err(&at_place)?;
     let defaults = settings(&file.picture).map_err(&at_place)?;
     // All constructors must accept the numbers. The first picture takes the view that they make.
     let first = Mutex::new(Some(make_view(&file).map_err(&at_place)?));

@@ -2,8 +2,8 @@
 
 use toml::de::DeValue;
 
-/// Finite numbers in a form such as `3 x 4 numbers` or `whole number`, which are positive; none
-/// if the value has another form.
+/// Finite numbers in a form such as `3 x 4 numbers`, or from 1 in one such as `2 whole numbers`;
+/// none if the value has another form.
 pub fn numbers(value: &DeValue, form: &str) -> Option<Vec<f64>> {
     let words = form.split_at(form.find("number")?).0.split_whitespace();
     let lengths: Vec<_> = words.filter_map(|word| word.parse().ok()).collect();
