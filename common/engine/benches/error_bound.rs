@@ -22,7 +22,6 @@ use clap::Parser;
 use common::{Color, Error, Image, Sampled, Settings, Size};
 use engine::Renderer;
 use measure::experiment::{Curve, Point};
-use measure::timing::Median;
 
 use crate::kinds::{Kind, kinds};
 use crate::support::{Grid, Numbers, print_head, print_row};
@@ -98,7 +97,9 @@ fn figures(trials: &[Trial]) -> [f64; 8] {
 }
 
 fn median(values: impl Iterator<Item = f64>) -> f64 {
-    Median::of(values.collect()).value
+    let mut values: Vec<_> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
 /// The true root mean square error of a picture as a share of the bound, whether its report
