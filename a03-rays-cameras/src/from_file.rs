@@ -1,14 +1,14 @@
 //! Reads scenes from files: the camera, the settings, and the scene for the program.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 use std::sync::Mutex;
 
 use a02_math::{Point3, Vector3};
-use common::{Color, Error, Sampling, Scene, Settings, Size};
-use scene_file::{Item, SceneFile};
+use common::{Error, Sampling, Scene, Settings, Size};
+use scene_file::{Item, Mesh, SceneFile};
 
 use crate::view::scene_of;
 use crate::{Camera, OrthographicCamera, PerspectiveCamera, View};
@@ -28,20 +28,24 @@ pub fn scene(path: &Path, stage: u8, make_view: MakeView) -> Result<Scene, Error
     let bytes = read(path, MOST_BYTES[0]).map_err(cannot_open)?;
     let no_text = |_| cannot_open("it is no text in UTF-8".to_owned());
     let text = String::from_utf8(bytes).map_err(no_text)?;
-    let place = path.display().to_string();
-    let at_place = move |error| Error::SceneFile(format!("{place}:{error}"));
-    let files = RefCell::new(vec![path.to_owned()]);
+    let (files, triangles) = (RefCell::new(vec![path.to_owned()]), Cell::new(0));
     let mesh = |name: &str| {
         let mesh = path.with_file_name(name);
         let bytes = read(&mesh, MOST_BYTES[1]);
         files.borrow_mut().push(mesh);
-        bytes
+        let mesh = Mesh::read(&bytes?)?;
+        triangles.update(|before| before + mesh.triangles().count());
+        Ok(mesh)
     };
-    let file = SceneFile::read(&text, stage, &mesh).map_err(&at_place)?;
+    let file = SceneFile::read(&text, stage, &mesh);
+    let place = path.display().to_string();
+    let at_place = move |error: scene_file::Error| {
+        Error::SceneFile(format!("{place}:{}", error.within(&text)))
+    };
+    let file = file.map_err(&at_place)?;
     let defaults = settings(&file.picture).map_err(&at_place)?;
     // All constructors must accept the numbers. The first picture takes the view that they make.
     let first = Mutex::new(Some(make_view(&file).map_err(&at_place)?));
-    let is_large = file.triangles > 10_000;
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let name = stem.into_owned().leak();
     let view = move |_| match first.lock().map(|mut first| first.take()) {
@@ -50,7 +54,7 @@ pub fn scene(path: &Path, stage: u8, make_view: MakeView) -> Result<Scene, Error
     };
     let scene = scene_of(name, "a scene of a file", stage > 5, view);
     let mut scene = scene.with_defaults(defaults);
-    scene.is_large = is_large;
+    scene.is_large = triangles.get() > 10_000;
     scene.files = files.into_inner();
     Ok(scene)
 }
@@ -69,21 +73,23 @@ fn read(path: &Path, most: u64) -> Result<Vec<u8>, String> {
 /// The settings of the table `picture`.
 pub fn settings(picture: &Item) -> Result<Settings, scene_file::Error> {
     let mut settings = Settings::default();
-    if let Some([width, height]) = picture.find_whole("size", u32::MAX)? {
-        let size = Size::new(width, height);
-        settings.size = size.map_err(|error| picture.error("size", error.to_string()))?;
+    if let Some([sides]) = picture.find_rows("size") {
+        let [width, height] = sides.map(|side| side as u32);
+        settings.size = picture.check(Size::new(width, height))?;
     }
-    if let Some([samples]) = picture.find_whole("samples", 1_000_000)? {
-        if samples.isqrt().pow(2) != samples {
-            return Err(picture.error("samples", "samples must be a square number, such as 16"));
+    if let Some([[samples]]) = picture.find_rows("samples") {
+        settings.samples = samples as u32;
+        if samples > 1e6 || settings.samples.isqrt().pow(2) != settings.samples {
+            let text = "samples must be a square number up to 1000000, such as 16";
+            return Err(picture.error("samples", text));
         }
-        settings.samples = samples;
-        if samples > 1 {
+        if samples > 1.0 {
             settings.sampling = Sampling::Stratified;
         }
     }
-    let depth = picture.find_whole("depth", u32::MAX)?;
-    settings.depth = depth.map_or(settings.depth, |[depth]| depth);
+    if let Some([[depth]]) = picture.find_rows("depth") {
+        settings.depth = depth as u32;
+    }
     Ok(settings)
 }
 
@@ -107,11 +113,4 @@ pub fn camera(file: &SceneFile) -> Result<Box<dyn Camera>, scene_file::Error> {
             Ok(Box::new(item.check(camera)?))
         }
     }
-}
-
-/// The colour of a key, black if it is missing.
-#[must_use]
-pub fn color(item: &Item, key: &str) -> Color {
-    let color = item.find_vector(key, Color::new);
-    color.unwrap_or(Color::BLACK)
 }

@@ -1,17 +1,17 @@
 //! Reads scenes from files: shapes, meshes and the world.
 
 use a02_math::{Normal3, Point3, Vector3};
-use a03_rays_cameras::from_file::{camera, color};
+use a03_rays_cameras::from_file::camera;
 use a03_rays_cameras::{Ray, View};
 use common::{ArgumentError, Color};
-use scene_file::{Data, Error, Item, Role, SceneFile};
+use scene_file::{Data, Error, Item, SceneFile};
 
 use crate::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
 
 /// The camera and the world of a file.
 pub fn view(file: &SceneFile) -> Result<View, Error> {
     let item = &file.world;
-    let mut world = item.check(World::new(color(item, "background")))?;
+    let mut world = item.check(World::new(item.color("background")))?;
     add_objects(&mut world, file, geometry, |item| {
         item.vector("color", Color::new)
     })?;
@@ -26,7 +26,7 @@ pub fn add_objects<S>(
     geometry: fn(&Item) -> Result<Box<dyn Geometry>, Error>,
     surface: impl Fn(&Item) -> Result<S, Error>,
 ) -> Result<(), Error> {
-    for item in file.all(Role::Shape) {
+    for item in &file.shapes {
         world.objects.push((geometry(item)?, surface(item)?));
     }
     Ok(())

@@ -2,11 +2,11 @@
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::View;
-use a03_rays_cameras::from_file::{camera, color};
+use a03_rays_cameras::from_file::camera;
 use a04_intersections::Geometry;
 use a04_intersections::from_file::{add_objects, geometry};
 use common::Color;
-use scene_file::{Error, Item, Role, SceneFile};
+use scene_file::{Error, Item, SceneFile};
 
 use crate::{
     DirectionalLight, Light, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
@@ -18,7 +18,7 @@ pub fn view(file: &SceneFile) -> Result<View, Error> {
         if let Some(color) = single_color(item)? {
             return Ok(Box::new(color));
         }
-        let material = item.named("material", file.all(Role::Named))?;
+        let material = item.named("material", &file.materials)?;
         let (diffuse, specular, exponent) = phong(material)?;
         Ok(Box::new(
             material.check(Phong::new(diffuse, specular, exponent))?,
@@ -41,10 +41,10 @@ pub fn world<S, L>(
     light: impl Fn(&Item) -> Result<L, Error>,
 ) -> Result<LitWorld<S, L>, Error> {
     let item = &file.world;
-    let (background, ambient) = (color(item, "background"), color(item, "ambient"));
-    let mut world = item.check(LitWorld::empty(background, ambient))?;
+    let empty = LitWorld::empty(item.color("background"), item.color("ambient"));
+    let mut world = item.check(empty)?;
     add_objects(&mut world.world, file, geometry, surface)?;
-    for item in file.all(Role::Light) {
+    for item in &file.lights {
         world.lights.push(light(item)?);
     }
     Ok(world)
@@ -84,5 +84,5 @@ pub fn phong(item: &Item) -> Result<(Color, Color, f64), Error> {
     } else {
         1.0
     };
-    Ok((color(item, "diffuse"), color(item, "specular"), exponent))
+    Ok((item.color("diffuse"), item.color("specular"), exponent))
 }

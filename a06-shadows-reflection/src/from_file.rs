@@ -1,11 +1,11 @@
 //! Reads scenes from files: mirrors, and lights that cast shadows.
 
 use a03_rays_cameras::View;
-use a03_rays_cameras::from_file::{camera, color};
+use a03_rays_cameras::from_file::camera;
 use a04_intersections::Geometry;
 use a04_intersections::from_file::geometry;
 use a05_lighting::from_file::{light, phong, single_color, world};
-use scene_file::{Error, Item, Role, SceneFile};
+use scene_file::{Error, Item, SceneFile};
 
 use crate::{LightSource, Reflective, ShadowedWorld, Surface, traced};
 
@@ -23,9 +23,9 @@ pub fn shadowed(
         if let Some(color) = single_color(item)? {
             return Ok(Box::new(color));
         }
-        let material = item.named("material", file.all(Role::Named))?;
+        let material = item.named("material", &file.materials)?;
         let (diffuse, specular, exponent) = phong(material)?;
-        let reflection = color(material, "reflection");
+        let reflection = material.color("reflection");
         let mirror = Reflective::new(diffuse, specular, exponent, reflection);
         Ok(Box::new(material.check(mirror)?))
     };

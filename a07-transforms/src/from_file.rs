@@ -6,7 +6,7 @@ use a04_intersections::Geometry;
 use a06_shadows_reflection::from_file::shadowed;
 use common::ArgumentError;
 use glam::DMat4;
-use scene_file::{Data, Error, Item, SceneFile};
+use scene_file::{Error, Item, SceneFile};
 
 use crate::{Disc, Mat4x4, Node, Transform, traced};
 
@@ -25,8 +25,10 @@ fn geometry(item: &Item) -> Result<Box<dyn Geometry>, Error> {
             Ok(Box::new(item.check(disc)?))
         }
         "group" => {
-            let mut node = Node::new(transform(item)?);
-            for shape in &item.shapes {
+            let is_step = |table: &&Item| table.kind.name == "step";
+            let (steps, shapes): (Vec<_>, Vec<_>) = item.tables.iter().partition(is_step);
+            let mut node = Node::new(steps.into_iter().try_fold(Transform::IDENTITY, chain)?);
+            for shape in shapes {
                 node.children.push(geometry(shape)?);
             }
             Ok(Box::new(node))
@@ -35,40 +37,29 @@ fn geometry(item: &Item) -> Result<Box<dyn Geometry>, Error> {
     }
 }
 
-/// The transform of a group.
-fn transform(group: &Item) -> Result<Transform, Error> {
-    let Some(Data::Steps(steps)) = group.find("transform") else {
-        return Ok(Transform::IDENTITY);
+/// A transform and a step of a group, which is applied to the object first.
+fn chain(transform: Transform, step: &Item) -> Result<Transform, Error> {
+    let keys: Vec<_> = step.values.iter().map(|(key, ..)| *key).collect();
+    let chained = match keys[..] {
+        ["translate"] => transform.translate(step.vector("translate", Point3::new)?),
+        ["scale"] => {
+            let [[x, y, z]] = step.rows("scale")?;
+            transform.scale(x, y, z)
+        }
+        ["rotate_x"] => transform.rotate_x(step.angle("rotate_x")?),
+        ["rotate_y"] => transform.rotate_y(step.angle("rotate_y")?),
+        ["rotate_z"] => transform.rotate_z(step.angle("rotate_z")?),
+        ["matrix"] | ["inverse", "matrix"] => {
+            let inverse = step.find_rows("inverse").map(matrix);
+            chain_matrix(transform, matrix(step.rows("matrix")?), inverse)
+        }
+        _ => {
+            let text = "a step has one key, such as { scale = [1, 2, 1] }; only an inverse stands \
+                beside its matrix";
+            return Err(step.error("", text));
+        }
     };
-    steps
-        .iter()
-        .try_fold(Transform::IDENTITY, |transform, step| {
-            let keys: Vec<_> = step.values.iter().map(|(key, ..)| *key).collect();
-            let chained = match keys[..] {
-                ["translate"] => transform.translate(step.vector("translate", Point3::new)?),
-                ["scale"] => {
-                    let [[x, y, z]] = step.rows("scale")?;
-                    transform.scale(x, y, z)
-                }
-                ["rotate_x"] => transform.rotate_x(step.angle("rotate_x")?),
-                ["rotate_y"] => transform.rotate_y(step.angle("rotate_y")?),
-                ["rotate_z"] => transform.rotate_z(step.angle("rotate_z")?),
-                ["matrix"] | ["inverse", "matrix"] => {
-                    let matrix = matrix(step.rows("matrix")?);
-                    chain_matrix(
-                        transform,
-                        matrix,
-                        step.find_rows("inverse").map(self::matrix),
-                    )
-                }
-                _ => {
-                    let text = "a step has one key, such as { scale = [1, 2, 1] }; only an inverse \
-                            stands beside its matrix";
-                    return Err(step.error("", text));
-                }
-            };
-            step.check(chained)
-        })
+    step.check(chained)
 }
 
 /// A matrix of three rows, and (0, 0, 0, 1) below.

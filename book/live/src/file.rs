@@ -2,7 +2,7 @@
 
 use a03_rays_cameras::{View, from_file};
 use common::{Error, Scene, Settings};
-use scene_file::SceneFile;
+use scene_file::{Mesh, SceneFile};
 
 /// The mesh beside the example of the last stage: a page has no other files.
 const PYRAMID: &[u8] = include_bytes!("../../../a07-transforms/scenes/pyramid.obj");
@@ -15,7 +15,7 @@ const MOST_SURFACES: u32 = 50;
 pub fn open(text: &str) -> Result<(Settings, View), Error> {
     let read = || {
         let mesh = |name: &str| match name {
-            "pyramid.obj" => Ok(PYRAMID.to_vec()),
+            "pyramid.obj" => Mesh::read(PYRAMID),
             _ => Err("on this page the only mesh is pyramid.obj".to_owned()),
         };
         let file = SceneFile::read(text, 7, &mesh)?;
@@ -32,7 +32,7 @@ pub fn open(text: &str) -> Result<(Settings, View), Error> {
         }
         Ok((settings, a07_transforms::from_file::view(&file)?))
     };
-    read().map_err(|error: scene_file::Error| Error::SceneFile(error.to_string()))
+    read().map_err(|error: scene_file::Error| Error::SceneFile(error.within(text)))
 }
 
 /// The scene of a scene file.

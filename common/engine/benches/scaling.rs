@@ -20,14 +20,14 @@ use std::path::Path;
 use std::time::Instant;
 
 use common::{Color, Settings, Size};
-use engine::{Basis, Camera, Hit, Ray, Renderer, Scene, Shading, Shape, Sphere, Surface};
+use engine::{Camera, Hit, Ray, Renderer, Scene, Shading, Shape, Sphere, Surface};
 use glam::DVec3;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
 use measure::report::Measured;
 use rayon::ThreadPoolBuilder;
 
-use crate::support::{Grid, Numbers, print_head, print_row};
+use crate::support::{Grid, Numbers, camera, print_head, print_row};
 
 const COUNTS: [u32; 6] = [10, 100, 1_000, 10_000, 100_000, 1_000_000];
 /// Width and height of the pictures.
@@ -74,14 +74,8 @@ fn nanoseconds(count: u32) -> Result<[f64; NAMES.len()], common::Error> {
     let radius = 0.6 / libm::cbrt(count.into());
     let center = |i| Numbers::new(1, i).in_cube(1.0);
     let spheres = (0..count).map(|i| (center(i), radius));
-    let (e, u, w) = (EYE, DVec3::X, EYE.normalize());
-    let v = w.cross(u);
-    let looking = Camera::Perspective {
-        basis: Basis { e, u, v, w },
-        half_tangent: 0.25,
-    };
     let started = Instant::now();
-    let picture = prepare(spheres.clone().map(known), looking);
+    let picture = prepare(spheres.clone().map(known), camera(EYE, -EYE, 0.25));
     let build = since(started) / f64::from(count);
     let of_rays = |from_eye| pixel(&prepare(spheres.clone().map(known), rays(from_eye)));
     let list = match count {

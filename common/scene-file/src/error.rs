@@ -1,22 +1,24 @@
 //! `Error`: a mistake in a scene file, and its position.
 
-/// A position in a scene file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Place {
-    /// The line, from 1.
-    pub line: usize,
-    /// The character of the line, from 1.
-    pub column: usize,
-}
-
-/// A mistake in a scene file, in one sentence with its line and column.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{}:{}: {text}", place.line, place.column)]
+/// A mistake in a scene file.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error {
-    /// The position of the mistake.
-    pub place: Place,
+    /// Its position: the bytes before it.
+    pub at: usize,
     /// The mistake, and what would be right.
     pub text: String,
+}
+
+impl Error {
+    /// One sentence with the line and the column in the text of the file, from 1.
+    #[must_use]
+    pub fn within(&self, file: &str) -> String {
+        let before = file.get(..self.at).unwrap_or(file);
+        let line = before.matches('\n').count() + 1;
+        let left = before.rsplit('\n').next().unwrap_or_default();
+        let column = left.chars().count() + 1;
+        format!("{line}:{column}: {}", self.text)
+    }
 }
 
 /// The known name that is nearest to a misspelt one, or all if none is near, as the end of an

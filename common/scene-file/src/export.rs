@@ -124,27 +124,14 @@ fn material(language: Phrases, surface: &Surface, ambient: Color) -> Result<[Str
         }
         Shading::Other(_) => ("material by formula", Color::BLACK, Color::BLACK, 0.0),
     };
-    let (first, exponent) = ([specular.r, surface.reflection.r, ambient.r], [exponent]);
-    let [highlight, mirror, glow] = first.map(|channel| [channel]);
     let colors = [color, specular, surface.reflection, ambient];
     let [color, specular, reflection, ambient] = colors.map(Color::channels);
-    let names = "color specular reflection ambient exponent highlight mirror glow";
-    let values: [&[f64]; 8] = [
-        &color,
-        &specular,
-        &reflection,
-        &ambient,
-        &exponent,
-        &highlight,
-        &mirror,
-        &glow,
-    ];
+    let values: [&[f64]; 5] = [&color, &specular, &reflection, &ambient, &[exponent]];
+    let names = "color specular reflection ambient exponent";
+    let words = language.find(kind, names, &values)?;
     let mirrored = unless(0.0, language, "reflection", &reflection);
-    let words = language.find(kind, names, &values)? + &mirrored;
-    Ok([
-        words,
-        language.find(&format!("use {kind}"), names, &values)?,
-    ])
+    let used = language.find(&format!("use {kind}"), names, &values)?;
+    Ok([words + &mirrored, used])
 }
 
 fn light(language: Phrases, light: &Light) -> Result<String, String> {

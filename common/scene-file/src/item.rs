@@ -1,9 +1,9 @@
 //! `Item`: a table of a scene file with its values.
 
-use common::ArgumentError;
+use common::{ArgumentError, Color};
 
 use crate::error::nearest;
-use crate::{Error, Key, Kind, Mesh, Place};
+use crate::{Error, Key, Kind, Mesh};
 
 /// A value in the form that its key has.
 #[derive(Debug)]
@@ -14,8 +14,6 @@ pub enum Data {
     Text(String),
     /// True or false.
     Flag(bool),
-    /// Steps of a transform.
-    Steps(Vec<Item>),
     /// The triangles of a file.
     Mesh(Mesh),
 }
@@ -27,26 +25,15 @@ pub struct Item {
     pub kind: &'static Kind,
     /// The last part of its name.
     pub name: String,
-    /// Where it begins.
-    pub place: Place,
+    /// Where it begins: the bytes before it.
+    pub at: usize,
     /// Its values, with the names of their keys and their positions.
-    pub values: Vec<(&'static str, Place, Data)>,
-    /// The shapes of a group, in their order.
-    pub shapes: Vec<Item>,
+    pub values: Vec<(&'static str, usize, Data)>,
+    /// The tables in it, in the order of the file: steps and shapes of a group.
+    pub tables: Vec<Self>,
 }
 
 impl Item {
-    /// A table without keys.
-    pub(crate) const fn new(kind: &'static Kind, place: Place) -> Self {
-        Self {
-            kind,
-            name: String::new(),
-            place,
-            values: Vec::new(),
-            shapes: Vec::new(),
-        }
-    }
-
     /// The value of a key, if it is there.
     #[must_use]
     pub fn find(&self, key: &str) -> Option<&Data> {
@@ -78,6 +65,12 @@ impl Item {
         self.find_vector(key, new).ok_or_else(|| self.lacks(key))
     }
 
+    /// The colour of a key, black if it is missing.
+    #[must_use]
+    pub fn color(&self, key: &str) -> Color {
+        self.find_vector(key, Color::new).unwrap_or(Color::BLACK)
+    }
+
     /// The number of a key. It is an error if it is missing.
     pub fn number(&self, key: &str) -> Result<f64, Error> {
         self.rows(key).map(|[[number]]| number)
@@ -104,22 +97,17 @@ impl Item {
         self.error(key, format!("{} lacks {key}, {form}", self.kind.name))
     }
 
-    /// The whole number of a key, from 1 to `most`, if it is there.
-    pub fn find_whole<const N: usize>(
-        &self,
-        key: &str,
-        most: u32,
-    ) -> Result<Option<[u32; N]>, Error> {
-        let Some([numbers]) = self.find_rows::<N, 1>(key) else {
-            return Ok(None);
+    /// The item that a key names, or an error with the nearest name.
+    pub fn named<'a>(&self, key: &str, items: &'a [Self]) -> Result<&'a Self, Error> {
+        let Some(Data::Text(name)) = self.find(key) else {
+            return Err(self.lacks(key));
         };
-        let is_right = |n: &f64| n.fract() == 0.0 && (1.0..=f64::from(most)).contains(n);
-        if numbers.iter().all(is_right) {
-            return Ok(Some(numbers.map(|number| number as u32)));
-        }
-        let given = numbers.map(|number| number.to_string()).join(" and ");
-        let text = format!("{key} must be whole, from 1 to {most}, not {given}");
-        Err(self.error(key, text))
+        let found = items.iter().find(|item| item.name == *name);
+        found.ok_or_else(|| {
+            let names: Vec<_> = items.iter().map(|item| item.name.as_str()).collect();
+            let nearest = nearest(&names, name);
+            self.error(key, format!("there is no {key} \"{name}\"{nearest}"))
+        })
     }
 
     /// The result of a constructor. Its error gets the position of the argument.
@@ -141,25 +129,8 @@ impl Item {
     /// An error at a key, or at the table if the key is missing.
     pub fn error(&self, key: &str, text: impl Into<String>) -> Error {
         let value = self.values.iter().find(|(name, ..)| *name == key);
-        let place = value.map_or(self.place, |(_, place, _)| *place);
+        let at = value.map_or(self.at, |(_, at, _)| *at);
         let text = text.into();
-        Error { place, text }
-    }
-
-    /// The item that a key names, or an error with the nearest name.
-    pub fn named<'a>(
-        &self,
-        key: &str,
-        items: impl Iterator<Item = &'a Self> + Clone,
-    ) -> Result<&'a Self, Error> {
-        let Some(Data::Text(name)) = self.find(key) else {
-            return Err(self.lacks(key));
-        };
-        let found = items.clone().find(|item| item.name == *name);
-        found.ok_or_else(|| {
-            let names: Vec<_> = items.map(|item| item.name.as_str()).collect();
-            let nearest = nearest(&names, name);
-            self.error(key, format!("there is no {key} \"{name}\"{nearest}"))
-        })
+        Error { at, text }
     }
 }

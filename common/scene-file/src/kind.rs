@@ -8,27 +8,10 @@ use std::sync::LazyLock;
 pub struct Kind {
     /// Its name.
     pub name: &'static str,
-    /// How its tables are written.
-    pub role: Role,
-    /// An example of that, such as `[[sphere]]`.
-    pub written: &'static str,
+    /// The form of its tables, such as `[camera]`, `[material.NAME]` or `[[sphere]]`.
+    pub form: &'static str,
     /// Its keys.
     pub keys: Vec<Key>,
-}
-
-/// How the tables of a kind are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
-    /// Once, as `[camera]`.
-    Single,
-    /// Once for each name, as `[material.gold]`.
-    Named,
-    /// As often as needed, as `[[point_light]]`.
-    Light,
-    /// As often as needed, also in a group, as `[[sphere]]` and `[[group.sphere]]`.
-    Shape,
-    /// In a list of steps, as `{ scale = [1, 2, 1] }`.
-    Step,
 }
 
 /// A key of a table.
@@ -36,7 +19,7 @@ pub enum Role {
 pub struct Key {
     /// Its name.
     pub name: &'static str,
-    /// The form of its value: `3 numbers`, or `text`.
+    /// The form of its value: `3 numbers`, `text`, or that of its tables.
     pub form: &'static str,
     /// The first stage that knows it.
     pub stage: u8,
@@ -45,12 +28,6 @@ pub struct Key {
 }
 
 impl Kind {
-    /// The first stage that knows it.
-    #[must_use]
-    pub fn stage(&self) -> u8 {
-        self.keys.iter().map(|key| key.stage).min().unwrap_or(0)
-    }
-
     /// The key of this name.
     #[must_use]
     pub fn key(&self, name: &str) -> Option<&Key> {
@@ -59,55 +36,77 @@ impl Kind {
 }
 
 impl Key {
+    /// The kind of its tables; none if its value is no table.
+    #[must_use]
+    pub fn tables(&self) -> Option<&'static Kind> {
+        KINDS.iter().find(|kind| kind.form == self.form)
+    }
+
     /// The form of its value, in words.
     #[must_use]
     pub fn needed(&self) -> String {
         match self.form {
             "number" => "a finite number".to_owned(),
+            "whole number" => "a whole number from 1".to_owned(),
             "text" => "a text in quotation marks".to_owned(),
-            "steps" => "a list of steps, such as [{ scale = [1, 2, 1] }]".to_owned(),
             "true or false" => self.form.to_owned(),
+            "{ step }" => "a list of steps, such as [{ scale = [1, 2, 1] }]".to_owned(),
+            table if table.starts_with('[') => format!("a table: {table}"),
+            form if form.contains("whole") => format!("a list of {form} from 1"),
             form => format!("a list of {form}, all of them finite"),
         }
     }
 }
 
-/// The kinds in the order of the list.
+/// Whether tables of this form are shapes.
+fn are_shapes(form: &str) -> bool {
+    form.starts_with("[[") && !form.ends_with("_light]]")
+}
+
+/// The scene file itself, whose keys are the other kinds, and these in the order of the list.
 pub static KINDS: LazyLock<Vec<Kind>> = LazyLock::new(|| {
-    let mut kinds: Vec<Kind> = Vec::new();
+    let mut kinds = vec![Kind {
+        name: "a scene file",
+        form: "",
+        keys: Vec::new(),
+    }];
     for row in include_str!("keys.md").lines().skip(2) {
-        let mut cells = row.split('|').skip(1).map(str::trim);
-        let mut cell = || cells.next().unwrap_or_default();
-        let (table, name, form) = (cell().trim_matches('`'), cell().trim_matches('`'), cell());
-        let stage = cell().parse().unwrap_or(0);
+        let mut cells = row.split('|').skip(1);
+        let mut cell = || cells.next().unwrap_or_default().trim();
+        let [table, name, form] = [cell(), cell(), cell()].map(|cell| cell.trim_matches('`'));
         let key = Key {
             name,
             form,
-            stage,
+            stage: cell().parse().unwrap_or(0),
             about: cell(),
         };
         if table == "every shape" {
-            let shapes = kinds.iter_mut().filter(|kind| kind.role == Role::Shape);
+            let shapes = kinds.iter_mut().filter(|kind| are_shapes(kind.form));
             shapes.for_each(|kind| kind.keys.push(key));
-            continue;
-        }
-        let name = table.trim_matches(['[', ']', '{', '}', ' ']);
-        let (name, role) = match name.strip_suffix(".NAME") {
-            Some(name) => (name, Role::Named),
-            None if table.starts_with('{') => (name, Role::Step),
-            None if name.ends_with("_light") => (name, Role::Light),
-            None if table.starts_with("[[") => (name, Role::Shape),
-            None => (name, Role::Single),
-        };
-        match kinds.last_mut() {
-            Some(last) if last.name == name => last.keys.push(key),
-            _ => kinds.push(Kind {
-                name,
-                role,
-                written: table,
-                keys: vec![key],
-            }),
+        } else if let Some(known) = kinds.iter_mut().find(|kind| kind.form == table) {
+            known.keys.push(key);
+        } else {
+            let name = table.trim_matches(['[', ']', '{', '}', ' ']);
+            let name = name.trim_end_matches(".NAME");
+            let form = table;
+            // Steps stand in a group only.
+            if name != "step" {
+                let about = "";
+                let key = Key {
+                    name,
+                    form,
+                    about,
+                    ..key
+                };
+                kinds[0].keys.push(key);
+            }
+            let keys = vec![key];
+            kinds.push(Kind { name, form, keys });
         }
     }
+    let mut shapes = kinds[0].keys.clone();
+    shapes.retain(|key| are_shapes(key.form));
+    let groups = kinds.iter_mut().filter(|kind| kind.name == "group");
+    groups.for_each(|group| group.keys.extend(&shapes));
     kinds
 });

@@ -3,8 +3,7 @@
 //!
 //! [`KINDS`] is the list of all tables and keys. [`SceneFile`] holds the numbers of a file with
 //! their positions. Each stage makes shapes, lights and materials of them with its own
-//! constructors, which check the ranges. Only [`Files`] reads other files, so that the crate
-//! works in a browser.
+//! constructors, which check the ranges. The crate opens no file, so that it works in a browser.
 
 mod error;
 mod export;
@@ -15,13 +14,11 @@ mod numbers;
 mod phrases;
 mod ply;
 mod reader;
-mod schema;
 
-pub use error::{Error, Place};
+pub use error::Error;
 pub use export::export;
 pub use item::{Data, Item};
-pub use kind::{KINDS, Key, Kind, Role};
+pub use kind::{KINDS, Key, Kind};
 pub use mesh::Mesh;
 pub use phrases::{POV_RAY, Phrases, TOML};
-pub use reader::{Files, SceneFile};
-pub use schema::schema;
+pub use reader::{Meshes, SceneFile};

@@ -1,6 +1,6 @@
 //! `Phrases`: a language for scenes: a file with a phrase for each kind of item, in a line.
 //!
-//! `[center]` in a phrase stands for the numbers of that name.
+//! `[center]` in a phrase stands for the numbers of that name, and `[center.0]` for the first.
 
 /// The language of scene files. The numbers that are read again have the same bits.
 pub const TOML: Phrases = Phrases(include_str!("languages/toml.txt"), ", ");
@@ -27,6 +27,7 @@ impl Phrases {
         for (name, numbers) in names.split(' ').zip(values) {
             let numbers: Vec<_> = numbers.iter().map(|n| number(*n)).collect();
             text = text.replace(&format!("[{name}]"), &numbers.join(self.1));
+            text = text.replace(&format!("[{name}.0]"), &numbers[0]);
         }
         Ok(text)
     }

@@ -3,6 +3,9 @@
 
 use tobj::Mesh;
 
+/// The properties of a vertex: its place and its normal.
+const COORDINATES: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
+
 /// The vertices with their normals, and the faces, cut into triangles from their first corner.
 /// The error is a clause.
 pub fn read(bytes: &[u8]) -> Result<Mesh, String> {
@@ -36,10 +39,8 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, String> {
         }
     }
     let vertices = mesh.positions.len() / 3;
-    if let Some(corner) = mesh.indices.iter().find(|i| **i as usize >= vertices) {
-        return Err(format!(
-            "a face has the corner {corner} of {vertices}, from 0"
-        ));
+    if let Some(i) = mesh.indices.iter().find(|i| **i as usize >= vertices) {
+        return Err(format!("a face has the corner {i} of {vertices}, from 0"));
     }
     if mesh.normals.iter().any(|number| number.is_finite()) {
         mesh.normal_indices.clone_from(&mesh.indices);
@@ -56,28 +57,26 @@ struct Numbers<'a> {
 impl Numbers<'_> {
     /// Adds a vertex or a face with these properties to the mesh; none if a number is missing.
     fn add(&mut self, element: &str, properties: &[Vec<&str>], mesh: &mut Mesh) -> Option<()> {
-        let mut vertex = [f64::NAN; 6];
+        let (mut vertex, mut list) = ([f64::NAN; 6], Vec::new());
         for property in properties {
-            match property[..] {
-                [kind, name] => {
-                    let number = self.next(kind)?;
-                    let names = ["x", "y", "z", "nx", "ny", "nz"];
-                    if let Some(i) = names.iter().position(|known| *known == name) {
-                        vertex[i] = number;
-                    }
-                }
-                ["list", count, kind, name] => {
-                    let count = self.next(count)? as u64;
-                    let list = (0..count).map(|_| self.next(kind));
-                    let list = list.collect::<Option<Vec<_>>>()?;
-                    if element == "face" && name.starts_with("vertex_ind") {
-                        let index = |i: f64| if i >= 0.0 { i as u32 } else { u32::MAX };
-                        let sides = list.windows(2).skip(1);
-                        let corners = sides.flat_map(|side| [list[0], side[0], side[1]]);
-                        mesh.indices.extend(corners.map(index));
-                    }
-                }
+            let (count, kind, name) = match property[..] {
+                [kind, name] => (1, kind, name),
+                ["list", count, kind, name] => (self.next(count)? as u64, kind, name),
                 _ => return None,
+            };
+            list.clear();
+            for _ in 0..count {
+                list.push(self.next(kind)?);
+            }
+            match (element, COORDINATES.iter().position(|known| *known == name)) {
+                ("vertex", Some(i)) => vertex[i] = *list.first()?,
+                ("face", _) if name.starts_with("vertex_ind") => {
+                    let sides = list.windows(2).skip(1);
+                    let corners = sides.flat_map(|side| [list[0], side[0], side[1]]);
+                    let index = |i: f64| if i >= 0.0 { i as u32 } else { u32::MAX };
+                    mesh.indices.extend(corners.map(index));
+                }
+                _ => (),
             }
         }
         if element == "vertex" {

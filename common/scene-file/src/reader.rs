@@ -1,25 +1,27 @@
 //! `SceneFile`: reads the tables of a scene file, and refuses unknown ones.
 
-use std::cell::Cell;
-
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeString, DeTable, DeValue};
 
 use crate::error::nearest;
 use crate::numbers::numbers;
-use crate::{Data, Error, Item, KINDS, Kind, Mesh, Place, Role};
+use crate::{Data, Error, Item, KINDS, Key, Kind, Mesh};
 
-/// Reads the file of this name, beside the scene file. The error is one clause.
-pub type Files<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
+/// Reads the mesh of this name, beside the scene file. The error is one clause.
+pub type Meshes<'a> = &'a dyn Fn(&str) -> Result<Mesh, String>;
 
 /// The error of a name that is there twice.
 const DUPLICATE: &str = "this name is taken: spheres, lights and the like have two pairs of \
     brackets, as [[sphere]], and the shapes of a group stand behind its [[group]]";
 
+/// The error of a word that is no value, such as `[0 1 0]`.
+const UNQUOTED: &str = "a text stands in quotation marks, and a list has commas, as [0, 1, 0]";
+
 /// Most groups inside each other.
 const MOST_GROUPS: usize = 32;
 
-/// The tables of a scene file. Those that may be there once have no keys if they are missing.
+/// The tables of a scene file, each kind in the order of the file. Those that may be there once
+/// have no values if they are missing.
 #[derive(Debug)]
 pub struct SceneFile {
     /// The table `[picture]`.
@@ -28,204 +30,172 @@ pub struct SceneFile {
     pub camera: Item,
     /// The table `[world]`.
     pub world: Item,
-    /// The number of triangles in meshes.
-    pub triangles: usize,
-    /// All other tables, in their order.
-    items: Vec<Item>,
+    /// The materials.
+    pub materials: Vec<Item>,
+    /// The lights.
+    pub lights: Vec<Item>,
+    /// The shapes that are in no group, and the groups.
+    pub shapes: Vec<Item>,
 }
 
 impl SceneFile {
     /// Reads the text of a scene file for a stage.
-    pub fn read(text: &str, stage: u8, files: Files) -> Result<Self, Error> {
-        let reader = Reader {
-            text,
-            lines: text.match_indices('\n').map(|(at, _)| at + 1).collect(),
-            stage,
-            files,
-            triangles: Cell::new(0),
-        };
+    pub fn read(text: &str, stage: u8, meshes: Meshes) -> Result<Self, Error> {
         let table = DeTable::parse(text).map_err(|error| Error {
-            place: reader.place(error.span().unwrap_or_default().start),
+            at: error.span().unwrap_or_default().start,
             text: match error.message() {
                 "duplicate key" => DUPLICATE.to_owned(),
+                unquoted if unquoted.starts_with("string values must be") => UNQUOTED.to_owned(),
                 message => message.replace('\n', ", "),
             },
         })?;
-        let mut items = Vec::new();
-        for (name, value) in table.get_ref() {
-            let kinds = KINDS.iter().filter(|kind| kind.role != Role::Step);
-            let kinds = kinds.map(|kind| (kind.name, kind.stage(), kind));
-            let kind = reader.known(kinds, name, "a scene file")?;
-            reader.add_items(kind, value, 0, &mut items)?;
+        let reader = Reader { stage, meshes };
+        let missing = |kind: usize| reader.item(&KINDS[kind], "", 0, &DeTable::new(), 0);
+        let mut file = Self {
+            picture: missing(1)?,
+            camera: missing(2)?,
+            world: missing(3)?,
+            materials: Vec::new(),
+            lights: Vec::new(),
+            shapes: Vec::new(),
+        };
+        for item in reader.item(&KINDS[0], "", 0, table.get_ref(), 0)?.tables {
+            match item.kind.name {
+                "picture" => file.picture = item,
+                "camera" => file.camera = item,
+                "world" => file.world = item,
+                "material" => file.materials.push(item),
+                name if name.ends_with("_light") => file.lights.push(item),
+                _ => file.shapes.push(item),
+            }
         }
-        items.sort_by_key(|item| item.place);
-        let [picture, camera, world] = [0, 1, 2].map(|i| {
-            let kind = &KINDS[i];
-            let found = items.iter().position(|item| item.kind.name == kind.name);
-            let begin = Place { line: 1, column: 1 };
-            found.map_or_else(|| Item::new(kind, begin), |found| items.remove(found))
-        });
-        let triangles = reader.triangles.get();
-        Ok(Self {
-            picture,
-            camera,
-            world,
-            triangles,
-            items,
-        })
-    }
-
-    /// The tables of a role.
-    pub fn all(&self, role: Role) -> impl Iterator<Item = &Item> + Clone {
-        self.items.iter().filter(move |item| item.kind.role == role)
+        Ok(file)
     }
 }
 
 struct Reader<'a> {
-    text: &'a str,
-    /// The first bytes of all lines but the first.
-    lines: Vec<usize>,
     stage: u8,
-    files: Files<'a>,
-    triangles: Cell<usize>,
+    meshes: Meshes<'a>,
 }
 
 impl Reader<'_> {
-    /// The position of a byte.
-    fn place(&self, at: usize) -> Place {
-        let above = self.lines.partition_point(|begin| *begin <= at);
-        let begin = above.checked_sub(1).map_or(0, |last| self.lines[last]);
-        let before = self.text.get(begin..at).unwrap_or_default();
-        Place {
-            line: above + 1,
-            column: before.chars().count() + 1,
-        }
-    }
-
-    /// An error at a value or a key.
-    fn error<T>(&self, at: &Spanned<T>, text: String) -> Error {
-        let place = self.place(at.span().start);
-        Error { place, text }
-    }
-
-    /// The item of this name among those that the stage knows: names, first stages and items.
-    fn known<T>(
-        &self,
-        known: impl Iterator<Item = (&'static str, u8, T)>,
-        name: &Spanned<impl AsRef<str>>,
-        within: &str,
-    ) -> Result<T, Error> {
-        let (text, own) = (name.get_ref().as_ref(), self.stage);
-        let mut names = Vec::new();
-        for (known, stage, item) in known {
-            match (known == text, stage <= own) {
-                (true, true) => return Ok(item),
-                (true, false) => {
-                    let text = format!("{text} is known from stage {stage} on, and this is {own}");
-                    return Err(self.error(name, text));
-                }
-                (false, true) => names.push(known),
-                (false, false) => (),
-            }
-        }
-        // A key of the camera at the top of the file, or the transform of a mesh.
-        let mut owners = KINDS.iter().filter(|kind| kind.stage() <= own);
-        let owner = owners.find(|kind| {
-            (kind.role == Role::Single || kind.name == "group") && kind.key(text).is_some()
-        });
-        let right = match owner {
-            Some(owner) => format!("; {} has it", owner.written),
-            None => nearest(&names, text),
-        };
-        Err(self.error(name, format!("{within} has no \"{text}\"{right}")))
-    }
-
-    /// Adds the tables of a kind.
-    fn add_items(
+    /// A table of a kind in a number of groups, with its values and tables.
+    fn item(
         &self,
         kind: &'static Kind,
-        value: &Spanned<DeValue>,
+        name: &str,
+        at: usize,
+        table: &DeTable,
         groups: usize,
-        items: &mut Vec<Item>,
-    ) -> Result<(), Error> {
-        let name = kind.name;
-        let wrong = |value| {
-            let text = format!("a {name} must be a table: {}", kind.written);
-            self.error(value, text)
-        };
-        let tables: Vec<(&str, _)> = match (kind.role, value.get_ref()) {
-            (Role::Single | Role::Step, _) => vec![(name, value)],
-            (Role::Named, DeValue::Table(tables)) => {
-                let tables = tables.iter();
-                tables
-                    .map(|(name, value)| (&**name.get_ref(), value))
-                    .collect()
-            }
-            (Role::Light | Role::Shape, DeValue::Array(tables)) => {
-                tables.iter().map(|value| (name, value)).collect()
-            }
-            _ => return Err(wrong(value)),
-        };
-        for (name, value) in tables {
-            let DeValue::Table(table) = value.get_ref() else {
-                return Err(wrong(value));
-            };
-            if groups > MOST_GROUPS {
-                let text = format!("there are more than {MOST_GROUPS} groups inside each other");
-                return Err(self.error(value, text));
-            }
-            let mut item = Item::new(kind, self.place(value.span().start));
-            name.clone_into(&mut item.name);
-            self.fill(&mut item, table, groups)?;
-            items.push(item);
+    ) -> Result<Item, Error> {
+        if groups > MOST_GROUPS {
+            let text = format!("there are more than {MOST_GROUPS} groups inside each other");
+            return Err(Error { at, text });
         }
-        Ok(())
+        let mut item = Item {
+            kind,
+            name: name.to_owned(),
+            at,
+            values: Vec::new(),
+            tables: Vec::new(),
+        };
+        for (name, value) in table {
+            let key = self.known(kind, name)?;
+            if groups > 0 && ["color", "material"].contains(&key.name) {
+                let text = "a shape in a group has the color or material of the outermost group";
+                return Err(error(name, text.to_owned()));
+            }
+            let Some(kind) = key.tables() else {
+                let data = self.data(key, value)?;
+                item.values.push((key.name, value.span().start, data));
+                continue;
+            };
+            let groups = groups + usize::from(item.kind.name == "group");
+            for (name, value) in tables(key, value)? {
+                let DeValue::Table(table) = value.get_ref() else {
+                    return Err(wrong(key, value));
+                };
+                let at = value.span().start;
+                item.tables.push(self.item(kind, name, at, table, groups)?);
+            }
+        }
+        item.tables.sort_by_key(|table| table.at);
+        Ok(item)
     }
 
-    /// Adds the values and shapes of a table.
-    fn fill(&self, item: &mut Item, table: &DeTable, groups: usize) -> Result<(), Error> {
-        let kind = item.kind;
-        for (name, value) in table {
-            let shape = |shape: &&Kind| shape.role == Role::Shape && shape.name == name.get_ref();
-            if kind.name == "group"
-                && let Some(shape) = KINDS.iter().find(shape)
-            {
-                self.add_items(shape, value, groups + 1, &mut item.shapes)?;
-                continue;
+    /// The key of this name, if the stage knows it.
+    fn known(&self, kind: &'static Kind, name: &Spanned<DeString>) -> Result<&'static Key, Error> {
+        let (text, own) = (name.get_ref(), self.stage);
+        match kind.key(text) {
+            Some(key) if key.stage <= own => return Ok(key),
+            Some(Key { stage, .. }) => {
+                let text = format!("{text} is known from stage {stage} on, and this is {own}");
+                return Err(error(name, text));
             }
-            if groups > 0 && ["color", "material"].contains(&&**name.get_ref()) {
-                let text = "a shape in a group has the color or material of the outermost group";
-                return Err(self.error(name, text.to_owned()));
-            }
-            let keys = kind.keys.iter().map(|key| (key.name, key.stage, key));
-            let key = self.known(keys, name, kind.name)?;
-            let data = match (key.form, value.get_ref()) {
-                ("text", DeValue::String(file)) if key.name == "file" => {
-                    let mesh = (self.files)(file).and_then(|bytes| Mesh::read(&bytes));
-                    let mesh = mesh.map_err(|error| {
-                        self.error(value, format!("cannot open {file}: {error}"))
-                    })?;
-                    let triangles = self.triangles.get() + mesh.triangles().count();
-                    self.triangles.set(triangles);
-                    Some(Data::Mesh(mesh))
-                }
-                ("text", DeValue::String(text)) => Some(Data::Text(text.to_string())),
-                ("true or false", DeValue::Boolean(flag)) => Some(Data::Flag(*flag)),
-                ("steps", DeValue::Array(steps)) => {
-                    let mut items = Vec::new();
-                    for step in steps {
-                        self.add_items(&KINDS[KINDS.len() - 1], step, groups, &mut items)?;
-                    }
-                    Some(Data::Steps(items))
-                }
-                (form, value) => numbers(value, form).map(Data::Numbers),
-            };
-            let wrong = || self.error(value, format!("{} must be {}", key.name, key.needed()));
-            let data = data.ok_or_else(wrong)?;
-            item.values
-                .push((key.name, self.place(value.span().start), data));
+            None => (),
         }
-        item.shapes.sort_by_key(|item| item.place);
-        Ok(())
+        let known = |kind: &'static Kind| kind.keys.iter().filter(|key| key.stage <= own);
+        // A key of the camera at the top of the file, or the transform of a mesh.
+        let mut owners = KINDS[1..].iter().filter(|owner| {
+            let is_near = !owner.form.starts_with("[[") || owner.name == "group";
+            is_near && known(owner).any(|key| key.name == text)
+        });
+        let right = match owners.next() {
+            Some(owner) => format!("; {} has it", owner.form),
+            None => nearest(&known(kind).map(|key| key.name).collect::<Vec<_>>(), text),
+        };
+        Err(error(
+            name,
+            format!("{} has no \"{text}\"{right}", kind.name),
+        ))
     }
+
+    /// The value of a key.
+    fn data(&self, key: &Key, value: &Spanned<DeValue>) -> Result<Data, Error> {
+        match (key.form, value.get_ref()) {
+            ("text", DeValue::String(file)) if key.name == "file" => {
+                let mesh = (self.meshes)(file);
+                let cannot = |reason| error(value, format!("cannot open {file}: {reason}"));
+                mesh.map(Data::Mesh).map_err(cannot)
+            }
+            ("text", DeValue::String(text)) => Ok(Data::Text(text.to_string())),
+            ("true or false", DeValue::Boolean(flag)) => Ok(Data::Flag(*flag)),
+            (form, numbers) => {
+                let numbers = self::numbers(numbers, form).map(Data::Numbers);
+                numbers.ok_or_else(|| wrong(key, value))
+            }
+        }
+    }
+}
+
+/// The tables of a key, with their names.
+fn tables<'a>(
+    key: &'a Key,
+    value: &'a Spanned<DeValue<'a>>,
+) -> Result<Vec<(&'a str, &'a Spanned<DeValue<'a>>)>, Error> {
+    let are_in_list = key.form.starts_with("[[") || key.form == "{ step }";
+    match value.get_ref() {
+        DeValue::Array(list) if are_in_list => {
+            Ok(list.iter().map(|table| (key.name, table)).collect())
+        }
+        DeValue::Table(tables) if key.form.ends_with(".NAME]") => {
+            let tables = tables.iter();
+            Ok(tables
+                .map(|(name, table)| (&**name.get_ref(), table))
+                .collect())
+        }
+        DeValue::Table(_) if !are_in_list => Ok(vec![(key.name, value)]),
+        _ => Err(wrong(key, value)),
+    }
+}
+
+/// An error at a value or a key.
+fn error<T>(at: &Spanned<T>, text: String) -> Error {
+    let at = at.span().start;
+    Error { at, text }
+}
+
+/// The error of a value in another form than its key has.
+fn wrong(key: &Key, value: &Spanned<DeValue>) -> Error {
+    error(value, format!("{} must be {}", key.name, key.needed()))
 }

@@ -4,8 +4,8 @@ use common::{Color, Settings};
 use engine::{Camera, Hit, Ray, Renderer, Shading, Shape, Surface};
 use glam::{DVec3, dvec3};
 
-use crate::support::Numbers;
 use crate::support::scene::SCENES;
+use crate::support::{Numbers, numbers_in};
 
 /// The name of a kind, an upper bound of its light, and a function that makes the variant of
 /// these numbers.
@@ -15,48 +15,23 @@ type MakePicture = fn(&mut Numbers, &Settings) -> Renderer<'static>;
 
 /// The width of a pixel where 160 lie side by side.
 const PIXEL: f64 = 1.0 / 160.0;
-const SMALL: [f64; 2] = [0.1 * PIXEL, 0.8 * PIXEL];
 
-const PICTURES: [Kind<MakePicture>; 14] = [
-    ("needles", 1.0, |numbers, settings| {
-        let ranges = [[3.0, 15.0], [0.2, 1.0], [0.001, 0.01]];
-        let needle = |u: f64, v: f64| when(u > 0.0 && v.abs() < 1.0 - u);
-        things(numbers, settings, ranges, needle)
-    }),
-    ("rims of spot lights", 1.0, |numbers, settings| {
-        let ranges = [[1.0, 6.0], [0.005, 0.06], [0.3, 1.0]];
-        let spot = |u, v| disc(u, v).map(|light| light - 0.5 * (u * u + v * v));
-        things(numbers, settings, ranges, spot)
-    }),
-    ("flat ellipsoids", 2.0, |numbers, settings| {
-        let ranges = [[2.0, 20.0], [0.02, 0.3], [0.002, 0.03]];
-        things(numbers, settings, ranges, ball)
-    }),
-    ("foliage", 1.0, |numbers, settings| {
-        let ranges = [[30.0, 90.0], [0.003, 0.08], [0.05, 0.5]];
-        let leaf = |u: f64, v: f64| when(u.abs() + v.abs() < 1.0);
-        things(numbers, settings, ranges, leaf)
-    }),
-    ("crossing wires", 1.0, |numbers, settings| {
-        let ranges = [[2.0, 10.0], [1.0; 2], [0.0003, 0.0025]];
-        things(numbers, settings, ranges, |_, v| when(v.abs() < 1.0))
-    }),
-    ("glaring highlights", 6.0, |numbers, settings| {
-        let ranges = [[1.0, 30.0], [0.01, 0.2], [1.0; 2]];
-        let glaring = |u, v| lit(u, v).map(|lit| lit + 5.0 * libm::pow(lit, 1000.0));
-        things(numbers, settings, ranges, glaring)
-    }),
-    ("glints", 8.0, |numbers, settings| {
-        let glint = |u, v| disc(u, v).map(|light| 8.0 * light);
-        things(numbers, settings, [[1.0, 25.0], SMALL, [1.0; 2]], glint)
-    }),
-    ("a lone box", 1.0, |numbers, settings| {
-        let square = |u: f64, v: f64| when(u.abs().max(v.abs()) < 1.0);
-        things(numbers, settings, [[1.0; 2], SMALL, [1.0; 2]], square)
-    }),
-    ("stars and far spheres", 2.0, |numbers, settings| {
-        things(numbers, settings, [[1.0, 120.0], SMALL, [1.0; 2]], ball)
-    }),
+/// The brightness of a thing in units of its extents, or none outside of it.
+fn brightness(kind: &str) -> fn(f64, f64) -> Option<f64> {
+    match kind {
+        "needles" => |u, v| when(u > 0.0 && v.abs() < 1.0 - u),
+        "rims of spot lights" => |u, v| disc(u, v).map(|light| light - 0.5 * (u * u + v * v)),
+        "foliage" => |u, v| when(u.abs() + v.abs() < 1.0),
+        "crossing wires" => |_, v| when(v.abs() < 1.0),
+        "glaring highlights" => |u, v| lit(u, v).map(|lit| lit + 5.0 * libm::pow(lit, 1000.0)),
+        "glints" => |u, v| disc(u, v).map(|light| 8.0 * light),
+        "a lone box" => square,
+        "specks in a glaring light" => |u, v| square(u, v).map(|light| 40.0 * light),
+        _ => ball,
+    }
+}
+
+const PICTURES: [Kind<MakePicture>; 4] = [
     (
         "checkered floor to the horizon",
         1.0,
@@ -102,11 +77,6 @@ const PICTURES: [Kind<MakePicture>; 14] = [
             Color::gray(0.5 + 0.5 * libm::cos(rate * squared))
         })
     }),
-    ("specks in a glaring light", 40.0, |numbers, settings| {
-        let speck = |u: f64, v: f64| when(u.abs().max(v.abs()) < 1.0).map(|lit| 40.0 * lit);
-        let ranges = [[12.0; 2], [0.05 * PIXEL, 0.09 * PIXEL], [1.0; 2]];
-        things(numbers, settings, ranges, speck)
-    }),
 ];
 
 /// Scenes of the benchmark `peers`, whose bounds follow from their lights and materials.
@@ -127,14 +97,27 @@ pub fn kinds() -> Vec<Kind> {
         });
         (scene.name, f64::INFINITY, make)
     });
-    let pictures = PICTURES.into_iter();
-    let pictures = pictures.map(|(name, bound, make)| (name, bound, Box::new(make) as Make));
-    pictures.chain(scenes).collect()
+    let things = include_str!("things.md").lines().skip(2).map(|row| {
+        let name = row.split(" | ").next().unwrap_or_default();
+        let name = name.trim_start_matches("| ");
+        let [bound, a, b, c, d, e, f] = numbers_in(row)[..].try_into().expect("7 numbers");
+        let make: Make = Box::new(move |numbers, settings| {
+            things(
+                numbers,
+                settings,
+                [[a, b], [c, d], [e, f]],
+                brightness(name),
+            )
+        });
+        (name, bound, make)
+    });
+    let pictures = PICTURES.map(|(name, bound, make)| (name, bound, Box::new(make) as Make));
+    things.chain(pictures).chain(scenes).collect()
 }
 
-/// Things at random places, turned by random angles, before light that changes evenly. The
-/// ranges are those of their number, their extent in one direction, and that in the other as
-/// a multiple of it. The function is their brightness in units of extents, or none.
+/// Things at random places, turned by random angles, before light that changes evenly. The ranges
+/// are those of their number, their extent in one direction, and that in the other as a multiple
+/// of it.
 fn things(
     numbers: &mut Numbers,
     settings: &Settings,
@@ -161,6 +144,10 @@ fn things(
 
 fn when(is_covered: bool) -> Option<f64> {
     is_covered.then_some(1.0)
+}
+
+fn square(u: f64, v: f64) -> Option<f64> {
+    when(u.abs().max(v.abs()) < 1.0)
 }
 
 fn disc(u: f64, v: f64) -> Option<f64> {

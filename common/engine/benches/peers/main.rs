@@ -32,7 +32,7 @@ use clap::Parser;
 use common::{Settings, Size, Transfer, picture_file};
 use rayon::ThreadPoolBuilder;
 
-use crate::program::{PROGRAMS, Run, by_turns};
+use crate::program::{PROGRAMS, Program};
 use crate::support::Grid;
 use crate::support::scene::{SCENES, Scene};
 
@@ -82,23 +82,31 @@ fn main() -> Outcome {
     }
 }
 
-/// Prints a row for each scene.
+/// Prints a row for each scene, with the least figures of all rounds.
 fn compare(options: &Options, scenes: &[&'static Scene]) -> Outcome {
     fs::create_dir_all(program::folder())?;
     report::head();
     let pictures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/pictures");
     for scene in scenes {
-        let run = |program, threads| Run {
-            program,
-            scene,
-            size: options.size,
-            threads,
-            best: [f64::NAN; 4],
+        let size = options.size;
+        let programs = if options.alone { 1 } else { 3 };
+        let can_render = |(_, program): &(usize, &Program)| {
+            let written = program.write(scene, size);
+            let lacks = |error| eprintln!("{}, {}: {error}", scene.name, program.name);
+            written.map_err(lacks).is_ok()
         };
-        let comparison = |threads: &u16| PROGRAMS.each_ref().map(|program| run(program, *threads));
-        let mut runs: Vec<_> = options.threads.iter().map(comparison).collect();
-        by_turns(runs.as_flattened_mut(), options.rounds, options.alone)?;
-        report::row(&runs);
+        let programs = PROGRAMS[..programs].iter().enumerate();
+        let programs: Vec<_> = programs.filter(can_render).collect();
+        let mut least = vec![[[f64::NAN; 4]; 3]; options.threads.len()];
+        for _ in 0..options.rounds {
+            for (threads, least) in options.threads.iter().zip(&mut least) {
+                for (i, program) in &programs {
+                    let now = program.render(scene, size, *threads)?;
+                    least[*i] = std::array::from_fn(|figure| least[*i][figure].min(now[figure]));
+                }
+            }
+        }
+        report::row(scene, &least);
         if options.book {
             let file = pictures.join(format!("peers-{}.png", scene.name));
             render(scene, 4, Size::new(144, 108)?, 1, &file)?;

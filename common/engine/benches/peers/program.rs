@@ -1,4 +1,4 @@
-//! Programs run as child processes, by turns, and their times, memory and pictures.
+//! `Program`: a renderer that runs as a child process, and its times, memory and picture.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -45,7 +45,11 @@ pub static PROGRAMS: [Program; 3] = [
     },
 ];
 
-/// The figures of a run.
+/// The seconds to build the structures that rays are traced in, and to trace the picture, the
+/// peak of memory in KiB, and the seconds to build and trace; NaN where there are none.
+pub type Figures = [f64; 4];
+
+/// The indices of the figures.
 pub const BUILD: usize = 0;
 pub const TRACE: usize = 1;
 pub const MEMORY: usize = 2;
@@ -56,54 +60,43 @@ pub fn folder() -> PathBuf {
     [env!("CARGO_TARGET_TMPDIR"), "peers"].iter().collect()
 }
 
-/// A scene rendered by a program, several times.
-pub struct Run {
-    pub program: &'static Program,
-    pub scene: &'static Scene,
-    pub size: Size,
-    pub threads: u16,
-    /// The least seconds to build the structures that rays are traced in, and to trace the
-    /// picture, the least peak of memory in KiB, and the least seconds to build and trace; NaN
-    /// where there are none.
-    pub best: [f64; 4],
-}
-
-impl Run {
-    /// The name of its files, without an ending.
-    fn name(&self) -> String {
-        let (scene, program, threads) = (self.scene.name, self.program.name, self.threads);
-        format!("{scene}-{program}-{threads}")
+impl Program {
+    /// The name of its files for a scene, without an ending.
+    fn file(&self, scene: &Scene) -> String {
+        format!("{}-{}", scene.name, self.name)
     }
 
-    /// The picture that was rendered.
-    pub fn picture(&self) -> Result<Image, Error> {
-        picture_file::open(&folder().join(self.name() + ".png"))
+    /// The picture that it rendered last.
+    pub fn picture(&self, scene: &Scene) -> Result<Image, Error> {
+        picture_file::open(&folder().join(self.file(scene) + ".png"))
     }
 
-    fn write_scene(&self) -> io::Result<()> {
-        let Some(language) = self.program.language else {
+    /// Writes a scene in its language.
+    pub fn write(&self, scene: &Scene, size: Size) -> io::Result<()> {
+        let Some(language) = self.language else {
             return Ok(());
         };
         let settings = Settings {
-            size: self.size,
-            depth: self.scene.depth,
+            size,
+            depth: scene.depth,
             ..Settings::default()
         };
-        let (world, camera) = self.scene.world();
+        let (world, camera) = scene.world();
         let text = export(language, &world, &camera, &settings).map_err(io::Error::other)?;
-        fs::write(folder().join(self.name() + ".scene"), text)
+        fs::write(folder().join(self.file(scene) + ".scene"), text)
     }
 
-    fn render(&mut self) -> io::Result<()> {
+    /// Renders the scene that it has a file of.
+    pub fn render(&self, scene: &Scene, size: Size, threads: u16) -> io::Result<Figures> {
         let words = [
             ("[ours]", std::env::current_exe()?.display().to_string()),
-            ("[scene]", self.scene.name.to_owned()),
-            ("[file]", self.name()),
-            ("[width]", self.size.width().to_string()),
-            ("[height]", self.size.height().to_string()),
-            ("[threads]", self.threads.to_string()),
+            ("[scene]", scene.name.to_owned()),
+            ("[file]", self.file(scene)),
+            ("[width]", size.width().to_string()),
+            ("[height]", size.height().to_string()),
+            ("[threads]", threads.to_string()),
         ];
-        let arguments = self.program.command.split_whitespace().map(|argument| {
+        let arguments = self.command.split_whitespace().map(|argument| {
             let replace = |text: String, (word, value): &(_, String)| text.replace(word, value);
             words.iter().fold(argument.to_owned(), replace)
         });
@@ -113,36 +106,20 @@ impl Run {
         let output = command.current_dir(folder()).output().map_err(missing)?;
         let log = [output.stdout, output.stderr].concat();
         let log = String::from_utf8_lossy(&log);
-        let [build, trace, memory] = self
-            .program
-            .labels
-            .map(|label| number(&log, label).unwrap_or(f64::NAN));
+        let [build, trace, memory] = self.labels.map(|label| number(&log, label));
         if trace.is_nan() {
-            eprintln!("{} failed: {log}", self.program.name);
+            eprintln!("{} failed: {log}", self.name);
         }
-        let now = [build, trace, memory, build + trace];
-        self.best = std::array::from_fn(|i| self.best[i].min(now[i]));
-        Ok(())
+        Ok([build, trace, memory, build + trace])
     }
 }
 
-/// Lets all runs that are possible take turns, round after round; only ours if we are alone.
-pub fn by_turns(runs: &mut [Run], rounds: u32, alone: bool) -> io::Result<()> {
-    let mut possible: Vec<_> = runs.iter_mut().collect();
-    possible.retain(|run| {
-        let written = run.write_scene();
-        let lacks = |error| eprintln!("{}: {error}", run.name());
-        (!alone || run.program.language.is_none()) && written.map_err(lacks).is_ok()
-    });
-    for _ in 0..rounds {
-        possible.iter_mut().try_for_each(|run| run.render())?;
-    }
-    Ok(())
-}
-
-/// The last number in the last line with this label; none if there is none.
-fn number(log: &str, label: &str) -> Option<f64> {
-    let (_, after) = log.rsplit_once(label)?;
-    let mut words = after.lines().next()?.rsplit([' ', '(']);
-    words.find_map(|word| word.parse().ok())
+/// The last number in the last line with this label; NaN if there is none.
+fn number(log: &str, label: &str) -> f64 {
+    let line = log
+        .rsplit_once(label)
+        .and_then(|(_, after)| after.lines().next());
+    let words = line.unwrap_or_default().rsplit([' ', '(']);
+    let mut numbers = words.filter_map(|word| word.parse().ok());
+    numbers.next().unwrap_or(f64::NAN)
 }

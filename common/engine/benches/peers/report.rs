@@ -1,9 +1,7 @@
 //! The table of all figures, whose first columns are the table of the book.
 
-use crate::program::{BUILD, MEMORY, Run, TOTAL, TRACE};
-
-/// A scene on a number of threads: the runs of all programs, ours first.
-pub type Comparison = [Run; 3];
+use crate::program::{BUILD, Figures, MEMORY, PROGRAMS, Program, TOTAL, TRACE};
+use crate::support::scene::Scene;
 
 /// Prints the head of the table.
 pub fn head() {
@@ -17,44 +15,45 @@ pub fn head() {
     );
 }
 
-/// Prints the row of a scene on all numbers of threads.
-pub fn row(comparisons: &[Comparison]) {
-    let (name, about) = (comparisons[0][0].scene.name, comparisons[0][0].scene.about);
+/// Prints the row of a scene: the figures of all programs on each number of threads.
+pub fn row(scene: &Scene, figures: &[[Figures; 3]]) {
+    let (name, about) = (scene.name, scene.about);
     print!("| ![{name}](pictures/peers-{name}.png) | {about} |");
-    let cell = |number: &dyn Fn(&Comparison) -> f64| {
-        let numbers = comparisons
-            .iter()
-            .map(number)
-            .filter(|number| number.is_finite());
+    let cell = |number: &dyn Fn(&[Figures; 3]) -> f64| {
+        let numbers = figures.iter().map(number);
+        let numbers = numbers.filter(|number| number.is_finite());
         let numbers: Vec<_> = numbers.map(|number| format!("{number:.1}")).collect();
         print!(" {} |", numbers.join(" / "));
     };
     for figure in [TRACE, TOTAL, MEMORY] {
         for program in [1, 2] {
-            cell(&|runs| runs[program].best[figure] / runs[0].best[figure]);
+            cell(&|of| of[program][figure] / of[0][figure]);
         }
     }
     for (figure, unit) in [(BUILD, 1e-3), (TRACE, 1e-3), (MEMORY, 1024.0)] {
-        cell(&|runs| runs[0].best[figure] / unit);
+        cell(&|of| of[0][figure] / unit);
     }
     for program in [1, 2] {
-        cell(&|runs| difference(&runs[0], &runs[program])[0]);
-        cell(&|runs| difference(&runs[0], &runs[program])[1]);
+        match difference(scene, &PROGRAMS[program]) {
+            Some([share, mean]) if figures[0][program][TRACE] > 0.0 => {
+                print!(" {share:.1} | {mean:.1} |");
+            }
+            _ => print!(" | |"),
+        }
     }
     println!();
 }
 
-/// The percentage of pixels that differ by more than 8 of 255 in any channel, and the mean
-/// difference of the channels: times can be compared only where the pictures are the same.
-fn difference(ours: &Run, other: &Run) -> [f64; 2] {
-    let (Ok(a), Ok(b), true) = (ours.picture(), other.picture(), other.best[TRACE] > 0.0) else {
-        return [f64::NAN; 2];
-    };
+/// The percentage of pixels that differ from ours by more than 8 of 255 in any channel, and the
+/// mean difference of the channels: times can be compared only where the pictures are the same.
+fn difference(scene: &Scene, other: &Program) -> Option<[f64; 2]> {
+    let ours = PROGRAMS[0].picture(scene).ok()?;
+    let other = other.picture(scene).ok()?;
     let (mut different, mut sum) = (0, 0.0);
-    for (a, b) in a.pixels().iter().zip(b.pixels()) {
+    for (a, b) in ours.pixels().iter().zip(other.pixels()) {
         let apart = (*a - *b).channels().map(|channel| 255.0 * channel.abs());
         different += usize::from(apart.iter().any(|channel| *channel > 8.0));
         sum += apart.iter().sum::<f64>();
     }
-    [100.0 * different as f64, sum / 3.0].map(|sum| sum / a.pixels().len() as f64)
+    Some([100.0 * different as f64, sum / 3.0].map(|sum| sum / ours.pixels().len() as f64))
 }

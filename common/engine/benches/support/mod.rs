@@ -4,9 +4,21 @@
 mod objects;
 pub mod scene;
 
-use engine::Sampler;
 use engine::adaptive::PixelRandom;
+use engine::{Basis, Camera, Sampler};
 use glam::DVec3;
+
+/// The camera at an eye that looks along a direction, held upright.
+pub fn camera(e: DVec3, gaze: DVec3, half_tangent: f64) -> Camera<'static> {
+    let w = -gaze.normalize();
+    let u = DVec3::Y.cross(w).normalize();
+    let v = w.cross(u);
+    let basis = Basis { e, u, v, w };
+    Camera::Perspective {
+        basis,
+        half_tangent,
+    }
+}
 
 /// Random numbers, one after the other.
 pub struct Numbers {
@@ -64,11 +76,16 @@ impl Sampler for Grid {
     }
 }
 
+/// The numbers among the words of a text.
+pub fn numbers_in(text: &str) -> Vec<f64> {
+    let words = text.split(' ').filter_map(|word| word.parse().ok());
+    words.collect()
+}
+
 /// Prints a row of a table: a name, and numbers, of which missing ones are NaN.
 pub fn print_row(name: &str, numbers: impl IntoIterator<Item = f64>) {
-    let numbers = numbers
-        .into_iter()
-        .map(|number| format!(" {number:>8.2} |"));
+    let numbers = numbers.into_iter();
+    let numbers = numbers.map(|number| format!(" {number:>8.2} |"));
     println!("| {name:<32} |{}", numbers.collect::<String>());
 }
 

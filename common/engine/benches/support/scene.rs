@@ -6,7 +6,7 @@
 use std::sync::LazyLock;
 
 use common::{Color, Settings};
-use engine::{Basis, Camera, Light, LightKind, Phong, Plane, Renderer, Shading, Shape, Surface};
+use engine::{Camera, Light, LightKind, Phong, Plane, Renderer, Shading, Shape, Surface};
 use glam::DVec3;
 
 use super::objects::{has_room, objects};
@@ -92,15 +92,9 @@ impl Scene {
             let (point, normal) = (DVec3::ZERO, DVec3::Y);
             world.add_shape(Shape::Plane(Plane { point, normal }), surfaces[color]);
         }
-        // The camera is held upright.
-        let [e, gaze] = self.view;
-        let w = -gaze.normalize();
-        let u = DVec3::Y.cross(w).normalize();
-        let v = w.cross(u);
-        let camera = Camera::Perspective {
-            basis: Basis { e, u, v, w },
-            half_tangent: libm::tan(std::f64::consts::FRAC_PI_8),
-        };
+        let [eye, gaze] = self.view;
+        let half_tangent = libm::tan(std::f64::consts::FRAC_PI_8);
+        let camera = super::camera(eye, gaze, half_tangent);
         (world, camera)
     }
 
@@ -130,13 +124,7 @@ fn kind(light: &str) -> LightKind<'static> {
 
 /// The numbers among the words of a text, in threes.
 fn vectors(text: &str) -> Vec<DVec3> {
-    let words = text.split(' ').filter_map(|word| word.parse().ok());
-    let numbers: Vec<f64> = words.collect();
-    numbers
-        .as_chunks()
-        .0
-        .iter()
-        .copied()
-        .map(DVec3::from_array)
-        .collect()
+    let numbers = super::numbers_in(text);
+    let threes = numbers.as_chunks().0.iter();
+    threes.copied().map(DVec3::from_array).collect()
 }
