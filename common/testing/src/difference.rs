@@ -38,13 +38,23 @@ fn apart(expected: Color, actual: Color) -> Color {
 
 /// The pixel with the largest difference of a channel in pictures of the same size, and that
 /// difference.
-pub fn largest(expected: &Image, actual: &Image) -> Option<([u32; 2], f64)> {
+fn largest(expected: &Image, actual: &Image) -> Option<([u32; 2], f64)> {
     let pairs = expected.pixels().iter().zip(actual.pixels());
     let channels = pairs.map(|(a, b)| apart(*a, *b).channels());
     let most = channels.map(|channels| channels.into_iter().fold(0.0, f64::max));
     let (at, most) = (0..).zip(most).max_by(|(_, a), (_, b)| a.total_cmp(b))?;
     let width = actual.size().width();
     (expected.size() == actual.size()).then_some(([at % width, at / width], most))
+}
+
+/// The pixel in which a picture differs most from the expected one; the middle one if no channel
+/// differs by more than 1 of 255.
+#[must_use]
+pub fn worst_pixel(expected: &Image, image: &Image) -> Option<[u32; 2]> {
+    let (worst, most) = largest(expected, image)?;
+    let size = image.size();
+    let middle = [size.width() / 2, size.height() / 2];
+    Some(if most > 1.5 / 255.0 { worst } else { middle })
 }
 
 /// Compares a picture with the one in a file.

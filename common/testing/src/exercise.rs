@@ -23,8 +23,6 @@ use common::ArgumentError;
 
 mod answer;
 mod check;
-#[cfg(not(target_family = "wasm"))]
-mod divergence;
 mod findings;
 mod input;
 #[cfg_attr(target_family = "wasm", path = "../../../book/live/src/yours.rs")]
@@ -42,8 +40,6 @@ mod tape;
 
 pub use answer::Answer;
 pub use check::Check;
-#[cfg(not(target_family = "wasm"))]
-pub use divergence::{first_divergence, worst_pixel};
 pub use findings::{assert_close, missing};
 pub use input::Input;
 pub use judge::judge;
