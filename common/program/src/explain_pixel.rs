@@ -79,7 +79,12 @@ pub fn explain_pixel(scene: &Scene, explaining: &Explaining) -> Result<(), Error
             "the other renderer has the same numbers in each step that both take".to_owned()
         }))?;
     }
-    let rendered = render(scene, &settings, options)?.get(x, y);
+    let mut compared = settings;
+    if scene.is_large {
+        // The lesson takes minutes for the other pixels.
+        compared.renderer = Renderer::Engine;
+    }
+    let rendered = render(scene, &compared, options)?.get(x, y);
     if rendered != Some(color) {
         let (rendered, color) = (rendered.map(Color::channels), color.channels());
         warn(&format!(
