@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use common::steps::{self, Step};
+use common::steps::{self, REFLECTED, Step};
 use common::traced_picture::trace_chosen;
 use common::{Color, Error, Explained, Image, PixelTrace, Renderer, SeenLine, Settings, Size};
 
@@ -12,6 +12,7 @@ use crate::{Camera, Ray, Sampler, View, camera_coordinates, fast, render};
 
 const SAMPLES: &str = "a03-rays-cameras.md#many-rays-a-pixel";
 const LOOP: &str = "a03-rays-cameras.md#the-only-loop";
+const MIRRORS: &str = "a06-shadows-reflection.md#how-deep";
 
 impl View {
     /// The steps from a pixel, whose column and row lie in the picture, to its colour, by the
@@ -58,7 +59,10 @@ fn trace_samples(
             };
             sum += steps::inside(sample, || {
                 let light = light(x, y);
-                let step = Step::new("radiance", "light along the ray", LOOP);
+                let is_mirror = |step: &Step| step.kind == REFLECTED;
+                let mirrors = steps::so_far(|steps| steps.iter().any(is_mirror));
+                let section = if mirrors == Some(true) { MIRRORS } else { LOOP };
+                let step = Step::new("radiance", "light along the ray", section);
                 steps::heading(|| step.with("f", light.channels()));
                 light
             });
