@@ -3,7 +3,7 @@
 
 use common::divergence::ROUNDING;
 use common::{Error, Settings, Size, Transfer};
-use testing::worst_pixel;
+use testing::exercise::worst_pixel;
 
 fn main() -> Result<(), Error> {
     let stages: Vec<_> = std::env::args().skip(1).collect();

@@ -16,7 +16,7 @@ pub fn check(check: &mut Check, yours: fn(Point3, Normal3, Point3) -> f64) {
 }
 
 variants! { check:
-    wrong "n may have any length" => |a, n, p| (p - a).dot(n);
+    wrong "n may have any length: divide by it" => |a, n, p| (p - a).dot(n);
     wrong "n · n is the length squared" => |a, n, p| (p - a).dot(n) / n.dot(n);
     wrong "the distance from the plane is not that from a" => |a, n, p| {
         Vector3::magnitude(p - a).copysign((p - a).dot(n))

@@ -38,6 +38,8 @@ mod random;
 mod replay;
 mod tape;
 
+#[cfg(not(target_family = "wasm"))]
+pub use crate::difference::worst_pixel;
 pub use answer::Answer;
 pub use check::Check;
 pub use findings::{assert_close, missing};

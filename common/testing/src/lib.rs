@@ -20,7 +20,5 @@ mod lab;
 pub mod picture_lock;
 mod refusal;
 
-#[cfg(not(target_family = "wasm"))]
-pub use difference::worst_pixel;
 pub use exercise::{assert_close, missing};
 pub use refusal::assert_refused;
