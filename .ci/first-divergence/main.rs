@@ -1,8 +1,9 @@
 //! Prints the first step at which the lesson and its broken copy part: in the worst pixel of the
 //! first scene of the named stages whose picture differs.
 
+use common::divergence::ROUNDING;
 use common::{Error, Settings, Size, Transfer};
-use testing::exercise::{first_divergence, worst_pixel};
+use testing::exercise::worst_pixel;
 
 fn main() -> Result<(), Error> {
     let stages: Vec<_> = std::env::args().skip(1).collect();
@@ -29,7 +30,7 @@ fn main() -> Result<(), Error> {
             continue;
         };
         let [right, wrong] = [lesson, broken].map(|scene| scene.rays()?.trace(&settings, pixel));
-        let parts = first_divergence(&right?, &wrong?);
+        let parts = right?.first_divergence(&wrong?, "the edit's", ROUNDING);
         let parts = parts.unwrap_or_else(|| "all steps are the same".to_owned());
         println!("{}, {parts}", lesson.name);
         return Ok(());

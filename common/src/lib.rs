@@ -9,6 +9,7 @@
 pub mod argument;
 pub mod atomic_file;
 mod color;
+pub mod divergence;
 mod error;
 mod hash;
 mod image;

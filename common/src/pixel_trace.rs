@@ -1,7 +1,6 @@
-//! `PixelTrace`: all numbers behind a pixel, as text, as JSON, and compared with those of
-//! another renderer.
+//! `PixelTrace`: all numbers behind a pixel, as text and as JSON.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 use std::fmt;
 
 use crate::steps::{Step, TEST};
@@ -18,30 +17,10 @@ pub struct PixelTrace {
     pub steps: Vec<Step>,
 }
 
-/// A value of a trace: its place, by the names of its steps and its symbol; its step; its numbers.
-pub type Value<'a> = (String, &'a Step, &'a [f64]);
-
 impl PixelTrace {
-    /// The first value that is not the same in both traces, and the other trace's, which may
-    /// lack it only if place and step are not `needed`.
-    pub fn first_difference<'a>(
-        &'a self,
-        other: &'a Self,
-        needed: impl Fn(&str, &Step) -> bool,
-        is_same: impl Fn(f64, f64) -> bool,
-    ) -> Option<(Value<'a>, Option<&'a [f64]>)> {
-        let others: HashMap<_, _> = other.values().map(|(place, _, v)| (place, v)).collect();
-        self.values().find_map(|(place, step, value)| {
-            let other = others.get(&place).copied();
-            let is_same = other.map_or(!needed(&place, step), |other| {
-                value.iter().zip(other).all(|(a, b)| is_same(*a, *b))
-            });
-            (!is_same).then_some(((place, step, value), other))
-        })
-    }
-
-    /// All values with their places. A test without `t` counts as a hit at infinity.
-    fn values(&self) -> impl Iterator<Item = Value<'_>> {
+    /// All values: the place of each, by the names of its steps and its symbol; its step; its
+    /// numbers. A test without `t` counts as a hit at infinity.
+    pub(crate) fn values(&self) -> impl Iterator<Item = (String, &Step, &[f64])> {
         let mut path: Vec<&str> = Vec::new();
         self.steps.iter().flat_map(move |step| {
             path.truncate(step.level);
@@ -119,32 +98,14 @@ impl fmt::Display for PixelTrace {
 mod tests {
     use super::*;
 
-    fn trace(names: &[&str], numbers: &[f64]) -> PixelTrace {
-        let step = |name: &&str| Step::new("kind", *name, "").with("x", numbers);
-        PixelTrace {
-            pixel: [1, 2],
-            color: Color::gray(0.5),
-            steps: names.iter().map(step).collect(),
-        }
-    }
-
-    #[test]
-    fn traces_part_at_another_number_or_at_a_missing_step() {
-        let ours = trace(&["a", "b"], &[1.0]);
-        let first = |names: &[&str], number, is_needed| {
-            let other = trace(names, &[number]);
-            let first = ours.first_difference(&other, |_, _| is_needed, |a, b| a == b);
-            first.map(|((place, ..), other)| (place, other.map(|other| other[0])))
-        };
-        assert_eq!(first(&["b"], 1.0, false), None);
-        let at_b = Some(("b: x".to_owned(), Some(2.0)));
-        assert_eq!(first(&["c", "b"], 2.0, false), at_b);
-        assert_eq!(first(&["b"], 1.0, true), Some(("a: x".to_owned(), None)));
-    }
-
     #[test]
     fn json_has_all_digits_and_text_has_four() {
-        let trace = trace(&["a"], &[1.0 / 3.0, f64::INFINITY, 1.5e-7]);
+        let numbers = [1.0 / 3.0, f64::INFINITY, 1.5e-7];
+        let trace = PixelTrace {
+            pixel: [1, 2],
+            color: Color::gray(0.5),
+            steps: vec![Step::new("kind", "a", "").with("x", numbers)],
+        };
         let json = [
             r#"{"pixel": [1, 2], "color": [0.5, 0.5, 0.5], "bytes": [128, 128, 128], "steps": ["#,
             r#"{"level": 0, "kind": "kind", "name": "a", "outcome": "", "values": {"x": [0.3333333333333333, null, 1.5e-7]}, "section": ""}"#,

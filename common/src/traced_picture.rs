@@ -21,8 +21,8 @@ pub fn traced<T>(
 }
 
 /// Called with a rendered picture: traces its chosen pixel, if there is one.
-pub fn trace_chosen(image: &Image, trace: impl FnOnce([u32; 2]) -> Option<PixelTrace>) {
+pub fn trace_chosen(image: &Image, trace: impl FnOnce([u32; 2]) -> PixelTrace) {
     let pixel = CHOICE.with_borrow(|(choose, _)| choose.as_ref()?(image));
-    let trace = pixel.and_then(trace);
+    let trace = pixel.map(trace);
     CHOICE.with_borrow_mut(|choice| choice.1 = trace);
 }

@@ -29,7 +29,7 @@ variants! { check:
         along - (v - along)
     };
     wrong "v points away" => |v, n| -v.reflected_on(n);
-    wrong "twice the part along the normal" => |v, n| Vector3::from(n) * n.dot(v) - v;
+    wrong "the part along the normal counts twice" => |v, n| Vector3::from(n) * n.dot(v) - v;
     wrong "a vector behind the surface stays behind" => |v, n| {
         Vector3::from(n) * (2.0 * n.dot(v).abs()) - v
     };

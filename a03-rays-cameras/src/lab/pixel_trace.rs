@@ -2,11 +2,9 @@
 
 use std::sync::Arc;
 
-use common::steps::{self, Step};
+use common::steps::{self, REFLECTED, Step};
 use common::traced_picture::trace_chosen;
-use common::{
-    Color, Error, Explained, Image, PixelTrace, Renderer, Sampling, SeenLine, Settings, Size,
-};
+use common::{Color, Error, Explained, Image, PixelTrace, Renderer, SeenLine, Settings, Size};
 
 use super::watched::push_ray;
 use super::{drawing, seen_rays};
@@ -14,40 +12,24 @@ use crate::{Camera, Ray, Sampler, View, camera_coordinates, fast, render};
 
 const SAMPLES: &str = "a03-rays-cameras.md#many-rays-a-pixel";
 const LOOP: &str = "a03-rays-cameras.md#the-only-loop";
-
-/// A camera with one ray.
-struct OneRay(Ray);
-
-impl Camera for OneRay {
-    fn ray_for(&self, _: Size, _: f64, _: f64) -> Ray {
-        self.0
-    }
-}
+const MIRRORS: &str = "a06-shadows-reflection.md#how-deep";
 
 impl View {
     /// The steps from a pixel, whose column and row lie in the picture, to its colour, by the
     /// renderer of the settings. The engine takes only the steps of the loop over the samples.
-    pub fn trace(self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error> {
-        let size = settings.size;
-        let one_pixel = Settings {
-            size: Size::new(1, 1)?,
-            samples: 1,
-            sampling: Sampling::Center,
-            ..settings.clone()
-        };
-        let view = match settings.renderer {
-            Renderer::Engine => self,
-            renderer => self.watched(settings, renderer == Renderer::AllWork),
-        };
-        let radiance = |ray: &Ray| match view.world.for_engine(settings.depth) {
-            Some(scene) if settings.renderer == Renderer::Engine => {
-                let image = fast::render(scene, &OneRay(*ray), &one_pixel, &())?;
-                Ok::<_, Error>(image.pixels()[0])
-            }
-            _ => Ok(view.world.radiance(ray, settings.depth)),
-        };
+    #[must_use]
+    pub fn trace(self, settings: &Settings, pixel: [u32; 2]) -> PixelTrace {
+        if settings.renderer == Renderer::Engine
+            && let Some(scene) = self.world.for_engine(settings.depth)
+        {
+            let camera = fast::camera(&*self.camera);
+            let renderer = engine::Renderer::new(scene, camera, settings);
+            return trace_samples(settings, pixel, |x, y| renderer.light_at(settings, (x, y)));
+        }
+        let view = self.watched(settings, settings.renderer == Renderer::AllWork);
         trace_samples(settings, pixel, |x, y| {
-            radiance(&view.camera.ray_for(size, x, y))
+            let ray = view.camera.ray_for(settings.size, x, y);
+            view.world.radiance(&ray, settings.depth)
         })
     }
 
@@ -59,12 +41,12 @@ impl View {
     }
 }
 
-/// The steps from a pixel to the mean of this function of the places of its samples.
+/// The steps from a pixel to the mean of the light at the places of its samples.
 fn trace_samples(
     settings: &Settings,
     pixel: [u32; 2],
-    color: impl Fn(f64, f64) -> Result<Color, Error>,
-) -> Result<PixelTrace, Error> {
+    light: impl Fn(f64, f64) -> Color,
+) -> PixelTrace {
     let ([column, row], size, sampler) = (pixel, settings.size, Sampler::new(settings));
     let (color, steps) = steps::recorded(|| {
         let mut sum = Color::BLACK;
@@ -76,22 +58,25 @@ fn trace_samples(
                 step.with("x", [x]).with("y", [y])
             };
             sum += steps::inside(sample, || {
-                let color = color(x, y)?;
-                let step = Step::new("radiance", "light along the ray", LOOP);
-                steps::heading(|| step.with("f", color.channels()));
-                Ok::<_, Error>(color)
-            })?;
+                let light = light(x, y);
+                let is_mirror = |step: &Step| step.kind == REFLECTED;
+                let mirrors = steps::so_far(|steps| steps.iter().any(is_mirror));
+                let section = if mirrors == Some(true) { MIRRORS } else { LOOP };
+                let step = Step::new("radiance", "light along the ray", section);
+                steps::heading(|| step.with("f", light.channels()));
+                light
+            });
         }
         let mean = sum.map(|sum| sum / f64::from(sampler.samples()));
         let step = Step::new("mean", "mean of the samples", LOOP);
         steps::push(|| step.with("c", mean.channels()));
-        Ok::<_, Error>(mean)
+        mean
     });
-    Ok(PixelTrace {
+    PixelTrace {
         pixel,
-        color: color?,
+        color,
         steps,
-    })
+    }
 }
 
 /// Renders a picture, as [`render`], and traces its chosen pixel: for code that is not in the
@@ -103,12 +88,11 @@ pub fn paint(
 ) -> Result<Image, Error> {
     let image = render(camera, radiance, settings, &())?;
     trace_chosen(&image, |pixel| {
-        let color = |x, y| {
+        trace_samples(settings, pixel, |x, y| {
             let ray = camera.ray_for(settings.size, x, y);
             push_ray(&ray);
-            Ok(radiance(&ray))
-        };
-        trace_samples(settings, pixel, color).ok()
+            radiance(&ray)
+        })
     });
     Ok(image)
 }
@@ -124,7 +108,7 @@ impl<F: Fn(Size) -> Result<View, Error>> ViewOf<F> {
 
 impl<F: Fn(Size) -> Result<View, Error> + Send + Sync> Explained for ViewOf<F> {
     fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error> {
-        self.view(settings)?.trace(settings, pixel)
+        Ok(self.view(settings)?.trace(settings, pixel))
     }
 
     fn drawing(&self, settings: &Settings, trace: &PixelTrace) -> Result<String, Error> {

@@ -52,7 +52,7 @@ fn first(hits: &mut dyn Iterator<Item = Hit>) -> Option<Hit> {
 
 variants! { variant:
     right "all hits, and then the first" => first, Transform::normal_from_object;
-    wrong "not the first of the list, but the nearest" =>
+    wrong "the nearest counts, not the first of the list" =>
         |hits| hits.next(), Transform::normal_from_object;
     wrong "both normals are led out of the node" => first, |_, face| Some(face);
 }

@@ -37,5 +37,5 @@ variants! { check:
         let side = k.z().signum();
         rotation(Vector3::new(side * k.x(), k.y(), side * k.z()), angle)
     };
-    wrong "counterclockwise, for an eye before the axis" => |axis, angle| rotation(axis, -angle);
+    wrong "a turn is counterclockwise for an eye before the axis" => |axis, angle| rotation(axis, -angle);
 }

@@ -53,7 +53,7 @@ fn traced(picture: &str, numbers: &[f64]) -> Result<PixelTrace, Error> {
         return Err(Error::Usage(format!("the pixel is not in {size} pixels")));
     }
     let painted = || Error::Usage("a painted picture has no rays".to_owned());
-    view.ok_or_else(painted)?.trace(&settings, pixel)
+    Ok(view.ok_or_else(painted)?.trace(&settings, pixel))
 }
 
 /// The numbers behind a pixel as JSON.

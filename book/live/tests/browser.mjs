@@ -6,7 +6,7 @@
 // ANSWERS is the program of examples/answers.rs, which computes the figures' numbers
 // natively.
 import { execFile, spawnSync } from 'node:child_process';
-import { readdirSync, writeFileSync } from 'node:fs';
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
@@ -171,6 +171,19 @@ async function tryEditor() {
     await chromium.go(link);
     await chromium.until(`/64 × 48/.test(live.editor?.picture.status?.value)`);
     expect(/depth = 2/.test(await chromium.value('live.editor.text.value')), 'a link does not carry its scene');
+}
+
+// A button draws the picture of a further exercise by the reader's code, for which an answer of two
+// black pixels stands.
+async function tryYours() {
+    await open('a01-exercises.html');
+    await chromium.value(`live.yours = { 'a01-image-display': ['line'] };
+        live.start = async () => async ({ request }) => (live.asked = request, { size: [2, 1], pixels: new Array(8).fill(0) });
+        ${readFileSync(new URL('../page/yours.js', import.meta.url), 'utf8')}`);
+    await chromium.click(`[...document.querySelectorAll('button')].find(({ textContent }) => textContent === 'draw it by your line.rs')`);
+    await chromium.until(`document.querySelector('.live-yours output')?.value === 'Your line.rs draws this.'`);
+    const drawn = await chromium.value(`live.asked + document.querySelector('.live-yours canvas').width`);
+    expect(drawn === 'line a01-image-display-exercise-line2', `the button draws ${drawn}`);
 }
 
 // The pairs of a page: the slider shows more or less of the wrong picture. Returns their
@@ -394,6 +407,7 @@ async function tryAll() {
     await tryWords();
     await tryTools();
     await tryEditor();
+    await tryYours();
 
     // A phone, in the dark.
     await chromium.resize(390, 844);

@@ -1,11 +1,11 @@
 //! `Renderer`: a scene and a camera, prepared for rendering.
 
-use common::{Error, Image, Progress, Settings};
+use common::{Color, Error, Image, Progress, Settings};
 
 use glam::DVec3;
 
 use crate::accel::Accelerator;
-use crate::adaptive;
+use crate::adaptive::{self, Radiance};
 use crate::flatten::flatten;
 use crate::shade::{RadianceBound, max_radiance};
 use crate::shape::Bounds;
@@ -69,12 +69,7 @@ impl<'a> Renderer<'a> {
         settings: &Settings,
         progress: &dyn Progress,
     ) -> Result<Image, Error> {
-        let view = View {
-            camera: &self.camera,
-            tracer: &self.tracer,
-            settings,
-            progress,
-        };
+        let view = self.view(settings, progress);
         match settings.max_error {
             Some(max_error) => {
                 let bound = self.tracer.cutoff.as_ref();
@@ -82,6 +77,23 @@ impl<'a> Renderer<'a> {
                 adaptive::render_image(max_error, max, &view, settings, progress)
             }
             None => view.render(sampler),
+        }
+    }
+
+    /// The light at a place of the picture, in camera coordinates: of one ray, to compare it.
+    #[must_use]
+    pub fn light_at(&self, settings: &Settings, place: (f64, f64)) -> Color {
+        let mut light = Vec::new();
+        self.view(settings, &()).tracer()(&[place], &mut light);
+        light[0]
+    }
+
+    fn view<'v>(&'v self, settings: &'v Settings, progress: &'v dyn Progress) -> View<'v, 'a> {
+        View {
+            camera: &self.camera,
+            tracer: &self.tracer,
+            settings,
+            progress,
         }
     }
 }

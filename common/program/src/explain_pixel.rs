@@ -74,21 +74,17 @@ pub fn explain_pixel(scene: &Scene, explaining: &Explaining) -> Result<(), Error
     }
     if explaining.beside {
         let other = explained.trace(&settings, *pixel)?;
-        let is_same = |a: f64, b: f64| a.to_bits() == b.to_bits();
-        print(
-            &match trace.first_difference(&other, |_, _| false, is_same) {
-                Some(((place, _, value), Some(other))) => {
-                    format!(
-                        "first difference: {place} is {value:?}, by the other renderer {other:?}"
-                    )
-                }
-                _ => {
-                    "the other renderer has the same numbers in each step that both take".to_owned()
-                }
-            },
-        )?;
+        let parts = trace.first_divergence(&other, "the other renderer's", 0.0);
+        print(&parts.unwrap_or_else(|| {
+            "the other renderer has the same numbers in each step that both take".to_owned()
+        }))?;
     }
-    let rendered = render(scene, &settings, options)?.get(x, y);
+    let mut compared = settings;
+    if scene.is_large {
+        // The lesson takes minutes for the other pixels.
+        compared.renderer = Renderer::Engine;
+    }
+    let rendered = render(scene, &compared, options)?.get(x, y);
     if rendered != Some(color) {
         let (rendered, color) = (rendered.map(Color::channels), color.channels());
         warn(&format!(

@@ -30,21 +30,31 @@ fn compare(expected: &Image, actual: &Image) -> Result<(), String> {
     ))
 }
 
-/// The difference of two colours in their bytes, which hold at most 1.
-fn apart(expected: Color, actual: Color) -> Color {
-    let [expected, actual] = [expected, actual].map(|color| Color::from_bytes(color.to_bytes()));
-    (actual - expected).map(f64::abs)
+/// The differences of the channels of each pixel, in the bytes of two pictures.
+fn apart(expected: &Image, actual: &Image) -> Vec<[u8; 3]> {
+    let [expected, actual] = [expected, actual].map(|image| image.to_rgb8(Transfer::Linear));
+    let channels = expected.iter().zip(&actual).map(|(e, a)| e.abs_diff(*a));
+    channels.collect::<Vec<_>>().as_chunks().0.to_vec()
 }
 
 /// The pixel with the largest difference of a channel in pictures of the same size, and that
 /// difference.
-pub fn largest(expected: &Image, actual: &Image) -> Option<([u32; 2], f64)> {
-    let pairs = expected.pixels().iter().zip(actual.pixels());
-    let channels = pairs.map(|(a, b)| apart(*a, *b).channels());
-    let most = channels.map(|channels| channels.into_iter().fold(0.0, f64::max));
-    let (at, most) = (0..).zip(most).max_by(|(_, a), (_, b)| a.total_cmp(b))?;
+fn largest(expected: &Image, actual: &Image) -> Option<([u32; 2], u8)> {
+    let pixels = apart(expected, actual).into_iter();
+    let most = pixels.map(|[r, g, b]| r.max(g).max(b));
+    let (at, most) = (0..).zip(most).max_by_key(|(_, most)| *most)?;
     let width = actual.size().width();
     (expected.size() == actual.size()).then_some(([at % width, at / width], most))
+}
+
+/// The pixel in which a picture differs most from the expected one; the middle one if no channel
+/// differs by more than 1 of 255.
+#[must_use]
+pub fn worst_pixel(expected: &Image, image: &Image) -> Option<[u32; 2]> {
+    let (worst, most) = largest(expected, image)?;
+    let size = image.size();
+    let middle = [size.width() / 2, size.height() / 2];
+    Some(if most > 1 { worst } else { middle })
 }
 
 /// Compares a picture with the one in a file.
@@ -74,15 +84,14 @@ pub fn leave_pictures(scratch: &Path, expected: &Path, actual: &Image, differenc
         ));
         if let Some(([column, row], most)) = largest(&expected, actual) {
             // Small differences are seen, too.
-            let times = (1.0 / most.clamp(1.0 / 255.0, 1.0)).floor();
+            let (times, apart) = (255 / most.max(1), apart(&expected, actual));
             let shown = Image::from_fn(actual.size(), |x, y| {
-                let pixel = |image: &Image| image.get(x, y).unwrap_or_default();
                 let from_largest = x.abs_diff(column).max(y.abs_diff(row));
                 if (5..7).contains(&from_largest) {
-                    Color::new(1.0, 1.0, 0.0)
-                } else {
-                    apart(pixel(&expected), pixel(actual)) * times
+                    return Color::new(1.0, 1.0, 0.0);
                 }
+                let pixel = apart[(y * actual.size().width() + x) as usize];
+                Color::from_bytes(pixel.map(|channel| channel * times))
             });
             let path = shown.map_or_else(
                 |error| error.to_string(),

@@ -23,8 +23,6 @@ use common::ArgumentError;
 
 mod answer;
 mod check;
-#[cfg(not(target_family = "wasm"))]
-mod divergence;
 mod findings;
 mod input;
 #[cfg_attr(target_family = "wasm", path = "../../../book/live/src/yours.rs")]
@@ -40,10 +38,10 @@ mod random;
 mod replay;
 mod tape;
 
+#[cfg(not(target_family = "wasm"))]
+pub use crate::difference::worst_pixel;
 pub use answer::Answer;
 pub use check::Check;
-#[cfg(not(target_family = "wasm"))]
-pub use divergence::{first_divergence, worst_pixel};
 pub use findings::{assert_close, missing};
 pub use input::Input;
 pub use judge::judge;

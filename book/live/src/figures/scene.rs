@@ -111,7 +111,7 @@ pub fn answer([x, y, depth, coarse, yaw, pitch, step]: [f64; 7]) -> Answered {
         ..Settings::default()
     };
     let view = traced(View::new(camera, self::world(step)?));
-    let trace = view.trace(&one_pixel, [0, 0])?;
+    let trace = view.trace(&one_pixel, [0, 0]);
     let list = |p: Point3| p.to_glam().to_array();
     let (mut path, mut left) = (vec![list(EYE)], 1.0);
     for step in &trace.steps {

@@ -6,8 +6,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use common::{Error, Image, Settings, Size};
 #[cfg(not(target_family = "wasm"))]
 use {
-    super::{divergence, findings::found_missing, picture},
-    common::{picture_file, traced_picture::traced},
+    super::{findings::found_missing, picture},
+    crate::difference::worst_pixel,
+    common::{divergence, picture_file, traced_picture::traced},
     measure::Stage,
     program::picture_name,
 };
@@ -207,7 +208,7 @@ impl Check {
                 picture::of_lesson(&scene, &settings, &file)?
             };
             let expected = picture_file::open(&locked).ok();
-            let worst = move |image: &Image| divergence::worst_pixel(expected.as_ref()?, image);
+            let worst = move |image: &Image| worst_pixel(expected.as_ref()?, image);
             let (image, yours) = traced(worst, || self.painted(&settings, render));
             let image = self.picture.insert(image?);
             let compared = picture::compare(&locked, image, self.is_watched);
@@ -217,7 +218,7 @@ impl Check {
                 (yours, &scene.explained, self.differ > 0 || !is_right)
             {
                 let lesson = explained.trace(&settings, yours.pixel)?;
-                let parts = divergence::first_divergence(&lesson, &yours);
+                let parts = lesson.first_divergence(&yours, "yours", divergence::ROUNDING);
                 text.extend(parts.map(|parts| format!("\n{parts}")));
             }
             Ok((is_right, text))

@@ -2,6 +2,7 @@
 
 use std::panic::{self, Location};
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 use super::findings::Findings;
 use super::known::recognised;
@@ -11,10 +12,14 @@ use super::{Check, Code, Mistakes, picture, replay};
 /// 0 if the code is right, with 1 if it is not, and with 3 if parts are still missing.
 #[must_use]
 pub fn judge(stage: &str, name: &'static str, code: Code, known: Mistakes) -> ExitCode {
+    let last = AtomicU32::new(0);
     panic::set_hook(Box::new(move |panic| {
         let line = panic.location().map_or(0, Location::line);
-        let message = panic.payload_as_str().unwrap_or_default();
-        println!("{name}.rs, line {line}: {message}");
+        // A picture may panic in each of its rows.
+        if last.swap(line, Ordering::Relaxed) != line {
+            let message = panic.payload_as_str().unwrap_or_default();
+            println!("{name}.rs, line {line}: {message}");
+        }
     }));
     let found = Findings::of(code, Check::of_yours(stage, name));
     if let Some(image) = &found.check.picture {
