@@ -73,17 +73,28 @@ impl<'a> Curve<'a> {
     }
 
     /// Whether the problem or the formula is to blame for the errors, where conditions are
-    /// known: beyond ten times the errors of the problem, the formula is.
+    /// known. Beyond ten times the errors of the problem, the formula is; and below a tenth of
+    /// those of the hardest problem, neither is.
     pub(crate) fn blame(&self) -> Option<String> {
-        let points = self.points.iter();
-        let faults = points.filter_map(|point| Some((point.problem?.fault, point.knob)));
-        let (fault, knob) = faults.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        Some(match fault {
-            ..=10.0 => format!("at most {fault:.2} times condition · ulp: the problem is to blame"),
-            _ => format!(
-                "up to {fault:.0e} times condition · ulp, at {}: the formula is to blame",
-                compact(knob)
-            ),
+        let known = || {
+            self.points
+                .iter()
+                .filter_map(|p| Some((p.knob, p.problem?)))
+        };
+        let (knob, worst) = known().max_by(|(_, a), (_, b)| a.fault.total_cmp(&b.fault))?;
+        let (last, hardest) =
+            known().max_by(|(_, a), (_, b)| a.condition.total_cmp(&b.condition))?;
+        let unit = "times condition · ulp";
+        Some(match (worst.fault, hardest.fault) {
+            (10.0.., _) => {
+                let (fault, knob) = (worst.fault, compact(knob));
+                format!("up to {fault:.0e} {unit}, at {knob}: the formula is to blame")
+            }
+            (_, ..0.1) => {
+                let (fault, knob) = (hardest.fault, compact(last));
+                format!("{fault:.0e} {unit} at {knob}, the hardest: neither is to blame")
+            }
+            (fault, _) => format!("at most {fault:.2} {unit}: the problem is to blame"),
         })
     }
 
