@@ -5,6 +5,7 @@
 use std::f64::consts::PI;
 
 use a02_math::arrays::{point, vector};
+use a02_math::lab::exact::DoubleDouble;
 use a02_math::lab::protocol::angle_by_arc_cosine;
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
@@ -172,7 +173,9 @@ fn materials() -> Vec<Case> {
         let ours = highlight(exponent, Vector3::new(sine, 0.0, cosine), FRONT);
         let what = format!("highlight, cosine {cosine}, exponent {exponent:e}");
         let case = Case::new(id, what, exact, bound, ours).condition((cosine > 0.0).then_some(exponent));
-        case.protocol(says, protocol::highlight(cosine, exponent))
+        let is_power = cosine > 0.0 && cosine < 1.0 && exponent.is_finite();
+        let certified = || DoubleDouble::from(cosine).power(exponent as u64).value();
+        case.certified(is_power.then(certified)).protocol(says, protocol::highlight(cosine, exponent))
     };
     vec![
         power("F14", -0.3, 0.0, Number(0.0), Equal, Fails),

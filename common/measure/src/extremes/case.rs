@@ -69,6 +69,12 @@ impl Case {
         Self { condition, ..self }
     }
 
+    /// Adds the exact outcome by another arithmetic than the one of the row.
+    pub fn certified(self, certified: Option<f64>) -> Self {
+        let certified = certified.map(Outcome::from);
+        Self { certified, ..self }
+    }
+
     /// Adds the outcome of the protocol's formula.
     pub fn protocol(mut self, says: Protocol, outcome: impl Into<Outcome>) -> Self {
         self.protocol = Some((outcome.into(), says));
@@ -188,12 +194,8 @@ mod tests {
         let holds = |says, theirs| case.clone().protocol(says, theirs).holds();
         assert!(holds(Fails, 2.0) && !holds(Fails, 1.0));
         assert!(holds(Holds, 1.0) && !holds(Holds, 2.0));
-        let certified = |outcome: Outcome| Case {
-            certified: Some(outcome),
-            ..case.clone()
-        };
-        assert!(certified(1.0.into()).holds());
-        assert!(!certified(1.1.into()).holds() && !certified(Outcome::Nothing).holds());
+        let certified = |exact| case.clone().certified(Some(exact)).holds();
+        assert!(certified(1.0) && !certified(1.1));
         let row = "A01  ok      one
      exact     1   (bound: 2 ulp)
      protocol  1.5   error 5.0e-1, out of bound
