@@ -8,7 +8,8 @@ use a03_rays_cameras::Ray;
 use common::Error;
 use measure::experiment::Deviation;
 
-use super::subject::{SUBJECTS, Subject, triple};
+use super::subject::triple;
+pub use super::subject::{SUBJECTS, Subject};
 use super::support::{Numbers, arrays, point};
 use crate::Interval;
 

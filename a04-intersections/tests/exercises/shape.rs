@@ -4,8 +4,7 @@
 use std::f64::consts::FRAC_PI_4;
 use std::{fmt, iter};
 
-use a04_intersections::lab::search::INPUTS;
-use a04_intersections::lab::subject::{SUBJECTS, Subject};
+use a04_intersections::lab::search::{INPUTS, SUBJECTS, Subject};
 
 use crate::prelude::*;
 

@@ -6,8 +6,7 @@ use a03_rays_cameras::View;
 use a04_intersections::lab::certified::{decide, geometry, picture};
 use a04_intersections::lab::exact::{DoubleDouble as Number, plane, sphere, triangle};
 use a04_intersections::lab::experiments::sphere_distance::{FROM_AFAR, OURS, shots, stable};
-use a04_intersections::lab::search::INPUTS;
-use a04_intersections::lab::subject::{SUBJECTS, Subject};
+use a04_intersections::lab::search::{INPUTS, SUBJECTS, Subject};
 use a04_intersections::{scenes, watched};
 
 testing::check_lab! { a04_intersections::stage() }
