@@ -76,25 +76,23 @@ impl<'a> Curve<'a> {
     /// known. Beyond ten times the errors of the problem, the formula is; and below a tenth of
     /// those of the hardest problem, neither is.
     pub(crate) fn blame(&self) -> Option<String> {
-        let known = || {
-            self.points
-                .iter()
-                .filter_map(|p| Some((p.knob, p.problem?)))
+        let greatest = |of: fn(&Problem) -> f64| {
+            let known = self.points.iter();
+            let known = known.filter_map(|p| Some((p.knob, p.problem?)));
+            known.max_by(|(_, a), (_, b)| of(a).total_cmp(&of(b)))
         };
-        let (knob, worst) = known().max_by(|(_, a), (_, b)| a.fault.total_cmp(&b.fault))?;
-        let (last, hardest) =
-            known().max_by(|(_, a), (_, b)| a.condition.total_cmp(&b.condition))?;
+        let (knob, worst) = greatest(|problem| problem.fault)?;
+        let (last, hardest) = greatest(|problem| problem.condition)?;
         let unit = "times condition · ulp";
-        Some(match (worst.fault, hardest.fault) {
-            (10.0.., _) => {
-                let (fault, knob) = (worst.fault, compact(knob));
-                format!("up to {fault:.0e} {unit}, at {knob}: the formula is to blame")
-            }
-            (_, ..0.1) => {
-                let (fault, knob) = (hardest.fault, compact(last));
-                format!("{fault:.0e} {unit} at {knob}, the hardest: neither is to blame")
-            }
-            (fault, _) => format!("at most {fault:.2} {unit}: the problem is to blame"),
+        let (worst, hardest) = (worst.fault, hardest.fault);
+        Some(if worst > 10.0 {
+            let knob = compact(knob);
+            format!("up to {worst:.0e} {unit}, at {knob}: the formula is to blame")
+        } else if hardest < 0.1 {
+            let knob = compact(last);
+            format!("{hardest:.0e} {unit} at {knob}, the hardest: neither is to blame")
+        } else {
+            format!("at most {worst:.2} {unit}: the problem is to blame")
         })
     }
 

@@ -92,15 +92,14 @@ impl Case {
     }
 }
 
-/// Our outcome and the protocol's.
+/// The computed outcomes of a row.
 #[derive(Clone, Copy, Debug)]
 pub struct Both {
     /// Our outcome and the protocol's.
     pub outcomes: [Outcome; 2],
     /// The condition of the problem, if it is known.
     pub condition: Option<f64>,
-    /// The exact outcome by intervals and 30 digits, unless they leave it open: the row names
-    /// one from elsewhere.
+    /// The exact outcome by another arithmetic than the one of the row, unless it is left open.
     pub certified: Option<Outcome>,
 }
 
