@@ -11,5 +11,6 @@ pub mod extremes;
 pub mod mesh;
 pub mod protocol;
 pub mod search;
+pub mod subject;
 pub mod support;
 pub mod watched;

@@ -40,6 +40,17 @@ impl DoubleDouble {
         (computed - self.0) - self.1
     }
 
+    /// The power, by repeated squaring. The rounding errors add up to P units of the 31st digit:
+    /// 19 digits are left for a P of 1e12.
+    #[must_use]
+    pub fn power(self, exponent: u64) -> Self {
+        match exponent {
+            0 => 1.0.into(),
+            odd if odd % 2 == 1 => self * self.power(odd - 1),
+            even => (self * self).power(even / 2),
+        }
+    }
+
     /// The square root of a number that is not negative.
     #[must_use]
     pub fn sqrt(self) -> Self {

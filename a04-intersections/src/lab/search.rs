@@ -8,135 +8,10 @@ use a03_rays_cameras::Ray;
 use common::Error;
 use measure::experiment::Deviation;
 
-use super::certified::{Decide, decide};
-use super::exact::{self, DoubleDouble};
-use super::protocol;
-use super::support::{
-    Numbers, Triple, arrays, first, plane_condition, point, sphere_condition, triangle_condition,
-    vector,
-};
-use crate::{AxisAlignedBox, Geometry, Interval, Plane, Sphere, Triangle};
-
-/// A shape that some numbers describe.
-pub struct Subject {
-    pub name: &'static str,
-    /// Its constructor in Rust, with `#` in the place of each number.
-    pub written: &'static str,
-    pub make: fn(&[f64]) -> Option<Box<dyn Geometry>>,
-    /// The point near the shape that three numbers, mostly from -1 to 1, stand for.
-    pub aim: fn(&[f64], &[f64]) -> Triple,
-    pub decide: Decide,
-    /// The `t` of a hit with 30 digits, and its condition.
-    pub exact: fn(&[f64], &[Triple; 2]) -> Exact,
-    pub protocol: fn(&[f64], &Ray) -> Option<f64>,
-}
-
-pub type Exact = Option<(DoubleDouble, f64)>;
-
-/// The `t` of a ray at a face of a box, the axis of the face, and its coordinate.
-type Meeting = (DoubleDouble, usize, f64);
-
-/// The shapes of this stage.
-pub static SUBJECTS: [Subject; 4] = [
-    Subject {
-        name: "sphere",
-        written: "Sphere::new(Point3::new(#, #, #), #)",
-        make: |x| Some(Box::new(Sphere::new(point(triple(x)), x[3]).ok()?)),
-        aim: |x, aim| std::array::from_fn(|i| x[i] + x[3] * aim[i]),
-        decide,
-        exact: |x, line @ [o, d]| {
-            let roots = exact::sphere(&triple(x), x[3], o, d).roots?;
-            let t = roots.into_iter().find(|t| t.value() > 0.0)?;
-            Some((t, sphere_condition(&triple(x), x[3], line, t.value())))
-        },
-        protocol: |x, ray| {
-            let [o, d] = arrays(ray);
-            protocol::sphere(&triple(x), x[3], &o, &d)
-        },
-    },
-    Subject {
-        name: "plane",
-        written: "Plane::new(Point3::new(#, #, #), Normal3::new(#, #, #))",
-        make: |x| Some(Box::new(plane(x)?)),
-        aim: |x, aim| std::array::from_fn(|i| x[i] + aim[i]),
-        decide,
-        exact: |x, line @ [o, d]| {
-            let n = plane(x)?.normal().to_glam().to_array();
-            let t = exact::plane(&triple(x), &n, o, d);
-            Some((t, plane_condition(&triple(x), n, line, t.value())))
-        },
-        protocol: |x, ray| protocol::plane(point(triple(x)), plane(x)?.normal(), ray),
-    },
-    Subject {
-        name: "box",
-        written: "AxisAlignedBox::new(Point3::new(#, #, #), Point3::new(#, #, #))",
-        make: |x| {
-            Some(Box::new(
-                AxisAlignedBox::new(point(triple(x)), point(triple(&x[3..]))).ok()?,
-            ))
-        },
-        aim: |x, aim| std::array::from_fn(|i| x[i] + 0.5 * (x[i + 3] - x[i]) * (aim[i] + 1.0)),
-        decide,
-        exact: |x, line @ [o, d]| {
-            // The `t` of both faces of each slab, in order, and the coordinate of the face.
-            let slabs = [0, 1, 2].map(|axis| {
-                let meet = |face| {
-                    let t = (DoubleDouble::from(face) - o[axis].into()) / d[axis].into();
-                    (t, axis, face)
-                };
-                let [a, b] = [x[axis], x[axis + 3]].map(meet);
-                if a.0.value() < b.0.value() {
-                    [a, b]
-                } else {
-                    [b, a]
-                }
-            });
-            let by_t = |a: &Meeting, b: &Meeting| a.0.value().total_cmp(&b.0.value());
-            let near = slabs.map(|slab| slab[0]).into_iter().max_by(by_t)?;
-            let far = slabs.map(|slab| slab[1]).into_iter().min_by(by_t)?;
-            let (t, axis, face) = if near.0.value() > 0.0 { near } else { far };
-            let mut normal = [0.0; 3];
-            normal[axis] = 1.0;
-            Some((t, plane_condition(&[face; 3], normal, line, t.value())))
-        },
-        protocol: |x, ray| {
-            let low = std::array::from_fn(|i| x[i].min(x[i + 3]));
-            let high = std::array::from_fn(|i| x[i].max(x[i + 3]));
-            protocol::axis_aligned_box(point(low), point(high), ray, protocol::Compared::Three)
-        },
-    },
-    Subject {
-        name: "triangle",
-        written: "Triangle::new(Point3::new(#, #, #), Point3::new(#, #, #), Point3::new(#, #, #))",
-        make: |x| {
-            let [a, b, c] = corners(x).map(point);
-            Some(Box::new(Triangle::new(a, b, c).ok()?))
-        },
-        aim: |x, aim| {
-            let [a, b, c] = corners(x);
-            std::array::from_fn(|i| a[i] + (b[i] - a[i]) * aim[0] + (c[i] - a[i]) * aim[1])
-        },
-        decide,
-        exact: |x, line @ [o, d]| {
-            let [t, beta, gamma] = exact::triangle(&corners(x), o, d);
-            let shares = [beta.value(), gamma.value()];
-            Some((t, triangle_condition(&corners(x), shares, line, t.value())))
-        },
-        protocol: |x, ray| protocol::triangle(&corners(x).map(point), ray),
-    },
-];
-
-fn triple(x: &[f64]) -> Triple {
-    [x[0], x[1], x[2]]
-}
-
-fn corners(x: &[f64]) -> [Triple; 3] {
-    [0, 3, 6].map(|corner| triple(&x[corner..]))
-}
-
-fn plane(x: &[f64]) -> Option<Plane> {
-    Plane::new(point(triple(x)), vector(triple(&x[3..])).as_normal()).ok()
-}
+use super::subject::triple;
+pub use super::subject::{SUBJECTS, Subject};
+use super::support::{Numbers, arrays, point};
+use crate::Interval;
 
 /// Finds the `t` of the nearest hit of the shape that some numbers describe.
 type Formula<'a> = &'a dyn Fn(&[f64], &Ray) -> Option<f64>;
@@ -157,18 +32,6 @@ type Input = Vec<f64>;
 pub const INPUTS: usize = 200_000;
 
 impl Subject {
-    /// The shape of this name.
-    pub fn named<'a>(subjects: &'a [Self], name: &str) -> Result<&'a Self, Error> {
-        let found = subjects.iter().find(|subject| subject.name == name);
-        found.ok_or_else(|| {
-            let names: Vec<_> = subjects.iter().map(|subject| subject.name).collect();
-            let names = names.join(", ");
-            Error::Usage(format!(
-                "no shape \"{name}\" is searched here, only {names}"
-            ))
-        })
-    }
-
     fn numbers(&self) -> usize {
         self.written.matches('#').count()
     }
@@ -258,11 +121,6 @@ impl Subject {
         let lines: String = lines.filter_map(line).collect();
         let (name, error) = (self.name, worst.error);
         format!("{name}, {whose}: off by up to {error:.1e} times condition · ulp{lines}")
-    }
-
-    /// The lesson's formula.
-    pub fn lesson(&self, numbers: &[f64], ray: &Ray) -> Option<f64> {
-        first(&*(self.make)(numbers)?, ray)
     }
 }
 

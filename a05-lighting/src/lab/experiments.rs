@@ -31,6 +31,7 @@ const VIEW: f64 = 2.4;
 fn lambert_phase() -> Experiment<'static> {
     Experiment::new("lambert-phase")
         .asking("How many pixels does the mean brightness of a matt ball need?")
+        .of_problems()
         .over(Axis::Work, "pixels across", "rays")
         .with_error("rms error of the mean brightness")
         .with_unit(Unit::Other("full moon = 2/3"))

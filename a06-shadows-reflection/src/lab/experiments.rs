@@ -25,6 +25,7 @@ pub fn experiments() -> Vec<Experiment<'static>> {
 fn recursion_depth() -> Experiment<'static> {
     Experiment::new("recursion-depth")
         .asking("How deep must the recursion go between two mirrors?")
+        .of_problems()
         .over(Axis::Knob, "asked for (white = 1)", "rays")
         .with_error("rms error of a colour")
         .with_exact("against the sum 1 / (1 - k) of all reflections")

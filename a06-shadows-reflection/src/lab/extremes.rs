@@ -6,6 +6,7 @@
 
 mod shadows;
 
+use a02_math::lab::exact::DoubleDouble;
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Plane;
@@ -73,7 +74,10 @@ fn in_mirrors() -> Vec<Case> {
     });
     let row = |id, two: Mirrors, depth: u32, exact: f64| {
         let what = format!("two mirrors {:e} apart, k = {}, {depth} of them met", two.0, two.1);
-        Case::new(id, what, exact, Absolute(f64::from(depth) * f64::EPSILON * exact), ours(two, depth))
+        let bound = Absolute(f64::from(depth) * f64::EPSILON * exact);
+        let [one, k] = [1.0, two.1].map(DoubleDouble::from);
+        let sum = || ((one - k.power(depth.into())) / (one - k)).value();
+        Case::new(id, what, exact, bound, ours(two, depth)).certified((k != one).then(sum))
     };
     // One search finds the hit, and tests both mirrors. A surface that does not mirror, or is
     // the last, needs no reflected ray.

@@ -8,28 +8,26 @@ use std::f64::consts::SQRT_2;
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::lab::support::{Line, Numbers, first, raw_ray};
+use a04_intersections::lab::support::{Line, Numbers, first};
 use a04_intersections::{Geometry, Interval};
 use a06_shadows_reflection::secondary_ray;
 use common::ArgumentError;
 use measure::Effort;
-use measure::extremes::{Case, Fails, Holds, Id, Nothing, Outcome, Protocol, Refused, Ulps, wrong};
+use measure::extremes::{Case, Fails, Holds, Id, Nothing, Outcome, Protocol, Refused, Ulps};
+use measure::extremes::{case, wrong};
 
 use crate::Disc;
 use crate::lab::protocol;
+use crate::lab::search::DISC;
 
 pub fn cases(effort: Effort) -> Vec<Case> {
     [discs(effort), matrices::cases(), nodes::cases(effort)].concat()
 }
 
-const UP: Normal3 = Normal3::new(0.0, 1.0, 0.0);
-
-/// The `t` at which a ray hits the disc around the origin.
+/// The `t` at which a ray hits the disc around the origin, whose normal is y.
 fn hit(id: Id, what: &str, r: f64, line: Line, exact: impl Into<Outcome>, says: Protocol) -> Case {
-    let ray = raw_ray(line);
-    let ours = Disc::new(Point3::ORIGIN, UP, r).map(|disc| first(&disc, &ray));
-    Case::new(id, format!("disc, {what}"), exact, Ulps(1.0), ours)
-        .protocol(says, protocol::disc(Point3::ORIGIN, UP, r, &ray))
+    let both = DISC.met(&[0.0, 0.0, 0.0, 0.0, 1.0, 0.0, r], line);
+    case(id, format!("disc, {what}"), both, exact, Ulps(1.0), says)
 }
 
 #[rustfmt::skip]

@@ -2,8 +2,9 @@
 
 use a02_math::Normal3;
 use a04_intersections::lab::exact;
-use a04_intersections::lab::search::{Subject, search_among};
-use a04_intersections::lab::support::{Triple, plane_condition, point, vector};
+use a04_intersections::lab::search::search_among;
+use a04_intersections::lab::subject::{Subject, triple, unit_normal};
+use a04_intersections::lab::support::{plane_condition, point, vector};
 use common::Error;
 
 use super::certified::decide;
@@ -11,7 +12,9 @@ use super::protocol;
 use crate::Disc;
 
 /// The shape of this stage.
-pub static SUBJECTS: [Subject; 1] = [Subject {
+pub static SUBJECTS: [Subject; 1] = [DISC];
+
+pub const DISC: Subject = Subject {
     name: "disc",
     written: "Disc::new(Point3::new(#, #, #), Normal3::new(#, #, #), #)",
     make: |x| Some(Box::new(disc(x)?)),
@@ -19,23 +22,19 @@ pub static SUBJECTS: [Subject; 1] = [Subject {
         // Across the normal, up to a radius from the centre.
         let across = vector([x[3], x[4], x[5]]).cross(vector([aim[0], aim[1], aim[2]]));
         let across = across.normalized().unwrap_or_default() * (x[6] * aim[0]);
-        (point(center(x)) + across).to_glam().to_array()
+        (point(triple(x)) + across).to_glam().to_array()
     },
     decide,
     exact: |x, line @ [o, d]| {
         let n = disc(x)?.plane.normal().to_glam().to_array();
-        let t = exact::plane(&center(x), &n, o, d);
-        Some((t, plane_condition(&center(x), n, line, t.value())))
+        let t = exact::plane(&triple(x), &n, o, d);
+        Some((t, plane_condition(&triple(x), n, line, t.value())))
     },
-    protocol: |x, ray| protocol::disc(point(center(x)), disc(x)?.plane.normal(), x[6], ray),
-}];
-
-fn center(x: &[f64]) -> Triple {
-    [x[0], x[1], x[2]]
-}
+    protocol: |x, ray| protocol::disc(point(triple(x)), unit_normal(x), x[6], ray),
+};
 
 fn disc(x: &[f64]) -> Option<Disc> {
-    Disc::new(point(center(x)), Normal3::new(x[3], x[4], x[5]), x[6]).ok()
+    Disc::new(point(triple(x)), Normal3::new(x[3], x[4], x[5]), x[6]).ok()
 }
 
 /// The worst inputs of the protocol's formula and the lesson's, in words and as lines of Rust.

@@ -73,17 +73,26 @@ impl<'a> Curve<'a> {
     }
 
     /// Whether the problem or the formula is to blame for the errors, where conditions are
-    /// known: beyond ten times the errors of the problem, the formula is.
+    /// known. Beyond ten times the errors of the problem, the formula is; and below a tenth of
+    /// those of the hardest problem, neither is.
     pub(crate) fn blame(&self) -> Option<String> {
-        let points = self.points.iter();
-        let faults = points.filter_map(|point| Some((point.problem?.fault, point.knob)));
-        let (fault, knob) = faults.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        Some(match fault {
-            ..=10.0 => format!("at most {fault:.2} times condition · ulp: the problem is to blame"),
-            _ => format!(
-                "up to {fault:.0e} times condition · ulp, at {}: the formula is to blame",
-                compact(knob)
-            ),
+        let greatest = |of: fn(&Problem) -> f64| {
+            let known = self.points.iter();
+            let known = known.filter_map(|p| Some((p.knob, p.problem?)));
+            known.max_by(|(_, a), (_, b)| of(a).total_cmp(&of(b)))
+        };
+        let (knob, worst) = greatest(|problem| problem.fault)?;
+        let (last, hardest) = greatest(|problem| problem.condition)?;
+        let unit = "times condition · ulp";
+        let (worst, hardest) = (worst.fault, hardest.fault);
+        Some(if worst > 10.0 {
+            let knob = compact(knob);
+            format!("up to {worst:.0e} {unit}, at {knob}: the formula is to blame")
+        } else if hardest < 0.1 {
+            let knob = compact(last);
+            format!("{hardest:.0e} {unit} at {knob}, the hardest: neither is to blame")
+        } else {
+            format!("at most {worst:.2} {unit}: the problem is to blame")
         })
     }
 

@@ -113,6 +113,10 @@ mod tests {
         assert!(blame(all).ends_with("3.00 times condition · ulp: the problem is to blame"));
         let worse = all.map(|one| Deviation::new(1e3 * one.error, 1.0, one.condition));
         assert!(blame(worse).starts_with("up to 3e3 times condition · ulp, at 8: the formula"));
+        // One unit off at the condition 2, and at 1000.
+        let exact = [2.0, 1e3].map(|c| Point::new(c, 1.0, [Deviation::new(eps, 1.0, c)], || ()));
+        let neither = "1e-3 times condition · ulp at 1000, the hardest: neither is to blame";
+        assert_eq!(Curve::new("", exact).blame().unwrap(), neither);
         assert_eq!(all[0].as_share_of(-2.0).size(), 6.0);
         assert_eq!(all[0].of_epsilon(3.0 * eps).size(), 2.0);
     }

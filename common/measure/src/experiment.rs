@@ -58,6 +58,7 @@ pub struct Experiment<'a> {
     pub(crate) exact: &'a str,
     pub(crate) seeds: &'a [u64],
     pub(crate) against: Axis,
+    pub(crate) of_problems: bool,
     /// Measures all methods. The first is the baseline of the times.
     pub curves: Box<dyn Fn(Effort) -> Vec<Curve<'a>> + 'a>,
 }
@@ -75,6 +76,7 @@ impl<'a> Experiment<'a> {
             exact: "",
             seeds: &[],
             against: Axis::Work,
+            of_problems: false,
             curves: Box::new(|_| Vec::new()),
         }
     }
@@ -104,6 +106,14 @@ impl<'a> Experiment<'a> {
     /// Adds the exact value: "against 30 digits", and the error of a miss.
     pub fn with_exact(self, exact: &'a str) -> Self {
         Self { exact, ..self }
+    }
+
+    /// One method for several problems, each with a curve: none can beat another.
+    pub fn of_problems(self) -> Self {
+        Self {
+            of_problems: true,
+            ..self
+        }
     }
 
     /// Adds the seeds of its random numbers.

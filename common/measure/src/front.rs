@@ -24,10 +24,11 @@ impl Measured<'_, '_> {
     }
 
     /// The method, error and time of the points of which no other has both a smaller error and,
-    /// beyond noise, a shorter time, from fast to slow.
+    /// beyond noise, a shorter time, from fast to slow; none of an experiment of problems.
     pub(crate) fn front(&self) -> Vec<(&str, f64, Median)> {
         let mut all = Vec::new();
-        for (c, curve) in self.curves.iter().enumerate() {
+        let methods = self.curves.iter().enumerate();
+        for (c, curve) in methods.filter(|_| !self.experiment.of_problems) {
             let points = self.compared(curve).into_iter();
             all.extend(points.map(|(p, error)| (curve.method, error, self.time(c, p))));
         }
@@ -59,9 +60,10 @@ impl Measured<'_, '_> {
         methods.map(range).collect::<Vec<_>>().join(", ")
     }
 
-    /// A row of a Markdown table: experiment, question, and front.
-    pub fn row(&self) -> String {
+    /// A row of a Markdown table, unless it compares problems: experiment, question, and front.
+    pub fn row(&self) -> Option<String> {
         let e = self.experiment;
-        format!("| `{}` | {} | {} |", e.name, e.about, self.unbeaten())
+        let row = || format!("| `{}` | {} | {} |", e.name, e.about, self.unbeaten());
+        (!e.of_problems).then(row)
     }
 }

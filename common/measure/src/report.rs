@@ -65,7 +65,8 @@ impl<'e, 'a> Measured<'e, 'a> {
     fn ratio(&self, curve: usize, point: usize) -> Option<Median> {
         let first = self.curves[0].points.get(point)?;
         let (own, first_seconds) = (&self.seconds[curve][point], &self.seconds[0].get(point)?);
-        let is_comparable = curve > 0 && first.knob == self.curves[curve].points[point].knob;
+        let is_same_knob = first.knob == self.curves[curve].points[point].knob;
+        let is_comparable = curve > 0 && is_same_knob && !self.experiment.of_problems;
         is_comparable.then(|| Median::of_quotients(own, first_seconds))
     }
 
@@ -73,6 +74,7 @@ impl<'e, 'a> Measured<'e, 'a> {
     pub fn table(&self) -> String {
         let e = self.experiment;
         let front = pareto_front(&self.curves);
+        let has_best = e.against == Axis::Work && !e.of_problems;
         let (name, about, unit, exact) = (e.name, e.about, e.unit, e.exact);
         let in_ulps = self
             .curves
@@ -91,12 +93,11 @@ impl<'e, 'a> Measured<'e, 'a> {
         for (c, curve) in self.curves.iter().enumerate() {
             for (p, point) in curve.points.iter().enumerate() {
                 let ratio = self.ratio(c, p).map(|ratio| format!("  {ratio}"));
-                let is_best = e.against == Axis::Work && front[c][p];
                 let condition = point.problem.map(|one| format!("{:.1e}", one.condition));
                 let _ = writeln!(
                     text,
                     "{} {:24} {:>k$} {:>w$} {:>9.1e} {:>9.1e} {:>9.1e} {:>9} {:>10}{}",
-                    if is_best { "*" } else { " " },
+                    if has_best && front[c][p] { "*" } else { " " },
                     curve.method,
                     compact(point.knob),
                     compact(point.work),
@@ -115,7 +116,9 @@ impl<'e, 'a> Measured<'e, 'a> {
                 let _ = writeln!(text, "  {}: {summary}", curve.method);
             }
         }
-        let _ = writeln!(text, "  unbeaten in error and time: {}", self.unbeaten());
+        if !e.of_problems {
+            let _ = writeln!(text, "  unbeaten in error and time: {}", self.unbeaten());
+        }
         text
     }
 

@@ -65,10 +65,13 @@ fn measure(
             bar.finish_and_clear();
         }
         print(&measured.table())?;
-        rows.push(measured.row());
+        rows.extend(measured.row());
         for path in measured.write(&folder, stage.name)? {
             print(&format!("  {}", path.display()))?;
         }
+    }
+    if rows.is_empty() {
+        return Ok(());
     }
     print("\n| experiment | question | unbeaten in error and time |\n|---|---|---|")?;
     print(&rows.join("\n"))

@@ -29,26 +29,26 @@ pub fn experiment() -> Experiment<'static> {
         .with_unit(Unit::Other("terms from 1/17 to 16/17"))
         .with_exact("against the term")
         .with_curves(|effort| {
-            let curve = |method, mean: Mean| {
+            let curve = |method, epsilon, mean: Mean| {
                 let point = |power| {
                     let n = 10_u32.pow(power);
-                    let errors = channels().map(|x| Deviation::new(mean(x, n) - x, x, 1.0));
+                    let error = |x| Deviation::new(mean(x, n) - x, x, 1.0).of_epsilon(epsilon);
                     let run = move || channels().map(|x| mean(x, n)).sum::<f64>();
-                    Point::new(n.into(), 16.0 * f64::from(n), errors, run)
+                    Point::new(n.into(), 16.0 * f64::from(n), channels().map(error), run)
                 };
                 Curve::new(method, (0..=effort.choose(6, 7) as u32).map(point))
             };
             vec![
-                curve("plain sum", |x, n| {
+                curve("plain sum", f64::EPSILON, |x, n| {
                     (0..n).fold(0.0, |sum, _| sum + x) / f64::from(n)
                 })
                 .with_slope(1.0, (100.0, 1e6)),
-                curve("Neumaier's sum", |x, n| {
+                curve("Neumaier's sum", f64::EPSILON, |x, n| {
                     neumaier((0..n).map(|_| x)) / f64::from(n)
                 })
                 .with_bound(f64::EPSILON, 1.0..=1e9),
                 // The sum stays constant once a term is less than half a unit in its last place.
-                curve("plain sum in 32 bits", |x, n| {
+                curve("plain sum in 32 bits", f32::EPSILON.into(), |x, n| {
                     f64::from((0..n).fold(0.0_f32, |sum, _| sum + x as f32) / n as f32)
                 }),
             ]

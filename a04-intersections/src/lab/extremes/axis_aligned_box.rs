@@ -3,13 +3,14 @@
 //! The protocol's row compares all coordinates of the computed point. Rows with
 //! the same number and an s show naive slabs instead.
 
-use measure::extremes::case;
 use measure::extremes::{Absolute, Bound, Case, Equal, Fails, Holds, Id, Outcome, Protocol, Ulps};
+use measure::extremes::{Both, case};
 
-use super::{MISS, REFUSED, meeting};
+use super::{MISS, REFUSED};
 use crate::AxisAlignedBox;
 use crate::lab::aimed_box::slabs;
 use crate::lab::protocol::{Compared, axis_aligned_box};
+use crate::lab::subject::BOX;
 use crate::lab::support::{Line, Triple, any_ray, first, point};
 
 /// Two opposite corners.
@@ -27,13 +28,14 @@ fn rows(
     bound: Bound,
     says: Protocol,
 ) -> Vec<Case> {
+    let (both, ray) = (BOX.met(&[lbf, run].concat(), line), any_ray(line));
     let (lbf, run, exact) = (point(lbf), point(run), exact.into());
-    let (ours, ray) = (meeting(AxisAlignedBox::new(lbf, run), line), any_ray(line));
     let naive = format!("{}: naive slabs", what.split(':').next().unwrap_or(what));
     let theirs = axis_aligned_box(lbf, run, &ray, Compared::Three);
     let rows = [(what, says, theirs), (&naive, Fails, slabs(lbf, run, &ray))];
     let row = |(id, (what, says, theirs)): (&Id, (&str, Protocol, Option<f64>))| {
-        case(id, what, [ours, theirs.into()], exact, bound, says)
+        let outcomes = [both.outcomes[0], theirs.into()];
+        case(id, what, Both { outcomes, ..both }, exact, bound, says)
     };
     ids.iter().zip(rows).map(row).collect()
 }

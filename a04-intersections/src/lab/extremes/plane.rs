@@ -9,22 +9,15 @@ use measure::extremes::{Both, Case, case, wrong};
 
 use super::{EPSILON, MISS, REFUSED, meeting};
 use crate::lab::protocol;
-use crate::lab::support::{
-    Line, Numbers, Triple, any_ray, arrays, first, plane_condition, point, raw_ray, vector,
-};
+use crate::lab::subject::PLANE;
+use crate::lab::support::{Line, Numbers, Triple, first, raw_ray, vector};
 use crate::{Geometry, Interval, Plane};
 
 const UP: Triple = [0.0, 1.0, 0.0];
 
 /// The first hit of a plane, by our formula and by the protocol's.
 fn met((a, n): (Triple, Triple), line: Line) -> Both {
-    let (origin, a, n) = (a, point(a), vector(n).as_normal());
-    // The protocol also normalises, except where its formula fails.
-    let unit = n.normalized().unwrap_or(n);
-    let theirs = protocol::plane(a, unit, &any_ray(line));
-    let (ours, unit) = (meeting(Plane::new(a, n), line), unit.to_glam().to_array());
-    let condition = |t: &f64| plane_condition(&origin, unit, &arrays(&any_ray(line)), *t);
-    Both([ours, theirs.into()], ours.numbers().first().map(condition))
+    PLANE.met(&[a, n].concat(), line)
 }
 
 #[rustfmt::skip]

@@ -1,17 +1,16 @@
 //! Errors over many rays, compared with 30 digits; and translated and scaled scenes, whose
 //! hits must not change.
 
-use a02_math::Normal3;
-use common::Error;
+use std::convert::Infallible;
+
 use measure::Effort;
 use measure::extremes::{Case, Equal, Fails, Holds, Outcome};
 use measure::extremes::{case, wrong};
 
 use crate::lab::experiments::sphere_distance::{FROM_AFAR, Formula, OURS, is_wrong, shots};
 use crate::lab::protocol;
-use crate::lab::protocol::Compared;
-use crate::lab::support::{Numbers, Triple, any_ray, arrays, first, point};
-use crate::{AxisAlignedBox, Plane, Sphere, Triangle};
+use crate::lab::subject::{BOX, PLANE, SPHERE, TRIANGLE};
+use crate::lab::support::{Numbers, Triple, any_ray};
 
 /// Number of rays from a distance with a wrong decision between hit and miss of a unit sphere.
 fn wrong_hits(distance: f64, rays: usize, formula: Formula<f64>) -> Outcome {
@@ -28,45 +27,36 @@ type Place = (f64, f64);
 
 const HERE: Place = (1.0, 0.0);
 
-/// The distances of a plane, a box, a triangle and a sphere at a place along the `n`-th ray,
-/// by our formulas and by the protocol's. The ray's direction does not depend on the place.
-fn distances((scale, shift): Place, n: usize) -> Result<[[Option<f64>; 4]; 2], Error> {
+/// The distances of a plane, a box, a triangle and a sphere at a place along the `n`-th ray, each
+/// by our formula and by the protocol's. The ray's direction does not depend on the place.
+fn distances((scale, shift): Place, n: usize) -> [[Option<f64>; 2]; 4] {
     let at = |triple: Triple| triple.map(|x| x * scale + shift);
     let mut numbers = Numbers::new(41, n);
     let mut on_grid = |reach: f64| (numbers.between(-reach, reach) / GRID).round() * GRID;
     let from: Triple = std::array::from_fn(|_| on_grid(4.0));
     let way: Triple = std::array::from_fn(|axis| on_grid(1.0) - from[axis]);
     let ray = any_ray((at(from), way));
-    let (a, n) = (point(at([0.25, -0.5, 1.0])), Normal3::new(1.0, 2.0, -3.0));
-    let [lbf, run] = [[-0.75, -0.5, -1.0], [0.5, 1.25, 0.75]].map(|corner| point(at(corner)));
+    let opposite = [[-0.75, -0.5, -1.0], [0.5, 1.25, 0.75]];
     let corners = [[-1.5, 0.25, 0.0], [1.0, -1.25, 0.5], [0.5, 1.5, -0.75]];
-    let corners @ [p, q, s] = corners.map(|corner| point(at(corner)));
-    let (c, r) = (at([0.25, 0.125, -0.5]), 1.25 * scale);
-    let ours = [
-        first(&Plane::new(a, n)?, &ray),
-        first(&AxisAlignedBox::new(lbf, run)?, &ray),
-        first(&Triangle::new(p, q, s)?, &ray),
-        first(&Sphere::new(point(c), r)?, &ray),
+    let [x, y, z] = at([0.25, 0.125, -0.5]);
+    let shapes = [
+        (PLANE, [at([0.25, -0.5, 1.0]), [1.0, 2.0, -3.0]].concat()),
+        (BOX, opposite.map(at).concat()),
+        (TRIANGLE, corners.map(at).concat()),
+        (SPHERE, vec![x, y, z, 1.25 * scale]),
     ];
-    let [o, d] = arrays(&ray);
-    let theirs = [
-        protocol::plane(a, n.unit("normal n")?, &ray),
-        protocol::axis_aligned_box(lbf, run, &ray, Compared::Three),
-        protocol::triangle(&corners, &ray),
-        protocol::sphere(&c, r, &o, &d),
-    ];
-    Ok([ours, theirs])
+    shapes.map(|(shape, x)| [shape.lesson(&x, &ray), (shape.protocol)(&x, &ray)])
 }
 
 /// Number of distances that differ in any bit, except for the scale, at some places: ours,
 /// and the protocol's.
-fn differing(places: &[Place], rays: usize) -> Result<[usize; 2], Error> {
+fn differing(places: &[Place], rays: usize) -> Result<[usize; 2], Infallible> {
     let shapes = (0..4).flat_map(|shape| (0..rays).map(move |n| (shape, n)));
     let trials = shapes.flat_map(|(shape, n)| places.iter().map(move |place| (shape, n, *place)));
     wrong(trials, |(shape, n, place)| {
-        let (here, there) = (distances(HERE, n)?, distances(place, n)?);
+        let (here, there) = (distances(HERE, n), distances(place, n));
         Ok([0, 1].map(|formula| {
-            let [t, u] = [here, there].map(|distances| distances[formula][shape]);
+            let [t, u] = [here, there].map(|distances| distances[shape][formula]);
             t.map(|t| (t * place.0).to_bits()) != u.map(f64::to_bits)
         }))
     })

@@ -9,9 +9,8 @@ use measure::extremes::{case, greatest, tried};
 use super::{EPSILON, MISS, REFUSED, meeting};
 use crate::lab::experiments::sphere_distance::{AT_GROUND, OURS, error, shots};
 use crate::lab::protocol;
-use crate::lab::support::{
-    Line, Triple, any_ray, arrays, first, point, raw_ray, sphere_condition, unit_ray, vector,
-};
+use crate::lab::subject::SPHERE;
+use crate::lab::support::{Line, Triple, first, raw_ray, unit_ray, vector};
 use crate::{Geometry, Interval, Sphere, World};
 
 /// Centre and radius.
@@ -27,12 +26,8 @@ fn stable(length: f64, cos: f64) -> Bound {
 }
 
 /// The first hit of a sphere, by our formula and by the protocol's.
-fn met((c, r): Ball, line: Line) -> Both {
-    let ours = meeting(Sphere::new(point(c), r), line);
-    let line @ [o, d] = arrays(&any_ray(line));
-    let condition = |t: &f64| sphere_condition(&c, r, &line, *t);
-    let theirs = protocol::sphere(&c, r, &o, &d);
-    Both([ours, theirs.into()], ours.numbers().first().map(condition))
+fn met(([x, y, z], r): Ball, line: Line) -> Both {
+    SPHERE.met(&[x, y, z, r], line)
 }
 
 /// The unit sphere from 3 away along a direction of another length: distances.

@@ -7,11 +7,9 @@ use measure::extremes::{Absolute, Both, Case, Equal, Fails, Holds, Ulps};
 use measure::extremes::{case, tried, wrong};
 
 use super::{MISS, REFUSED, meeting};
-use crate::lab::exact::{self, DoubleDouble};
 use crate::lab::protocol;
-use crate::lab::support::{
-    Line, Numbers, Triple, any_ray, arrays, first, point, raw_ray, triangle_condition, unit_ray,
-};
+use crate::lab::subject::TRIANGLE;
+use crate::lab::support::{Line, Numbers, Triple, first, point, raw_ray, unit_ray};
 use crate::{Geometry, Interval, Triangle};
 
 type Corners = [Triple; 3];
@@ -29,13 +27,7 @@ fn triangle(corners: Corners) -> Result<Triangle, ArgumentError> {
 
 /// The first hit of a triangle, by our formula and by the protocol's.
 fn met(corners: Corners, line: Line) -> Both {
-    let ours = meeting(triangle(corners), line);
-    let ray = any_ray(line);
-    let theirs = protocol::triangle(&corners.map(point), &ray);
-    let line @ [o, d] = arrays(&ray);
-    let [_, beta, gamma] = exact::triangle(&corners, &o, &d).map(DoubleDouble::value);
-    let condition = |t: &f64| triangle_condition(&corners, [beta, gamma], &line, *t);
-    Both([ours, theirs.into()], ours.numbers().first().map(condition))
+    TRIANGLE.met(&corners.concat(), line)
 }
 
 /// A triangle of this size, seen from the same distance, at β = γ = 1/4.
@@ -76,7 +68,7 @@ pub fn cases() -> Vec<Case> {
     let raw = protocol::triangle(&HALF.map(point), &raw_ray(long));
     // Whether the ray hits the one and the other of two neighbours as it should.
     let neighbours = |pair: [Corners; 2], line, right: fn([bool; 2]) -> bool| {
-        let hits = pair.map(|corners| met(corners, line).0.map(|outcome| outcome != MISS));
+        let hits = pair.map(|corners| met(corners, line).outcomes.map(|outcome| outcome != MISS));
         [0, 1].map(|by| right(hits.map(|hits| hits[by])).into())
     };
     // The mean of three normals is shorter than each of them.
@@ -93,7 +85,7 @@ pub fn cases() -> Vec<Case> {
         let beta = numbers.between(0.01, 0.98);
         (beta, numbers.between(0.005, 0.99 - beta))
     });
-    let is_met = |&(x, y): &(f64, f64)| met(HALF, at(x, y)).0[0] == 1.0.into();
+    let is_met = |&(x, y): &(f64, f64)| met(HALF, at(x, y)).outcomes[0] == 1.0.into();
     let by_the_text = points.clone().filter(|(x, y)| protocol::is_inside_by_the_text(*x, *y));
     vec![
         case("D01", "at corner a", met(HALF, at(0.0, 0.0)), 1.0, Equal, Fails),

@@ -5,16 +5,6 @@ use measure::experiment::{Axis, Curve, Deviation, Experiment, Point, Unit};
 
 use crate::power::squaring;
 
-/// `base^P` by repeated squaring with 31 digits. The rounding errors add up to P units of the
-/// last one, so that 19 digits are left for the greatest P, 1e12.
-fn exact(base: DoubleDouble, exponent: u64) -> DoubleDouble {
-    match exponent {
-        0 => 1.0.into(),
-        odd if odd % 2 == 1 => base * exact(base, odd - 1),
-        even => exact(base * base, even / 2),
-    }
-}
-
 /// A power of `1 - d`, or its condition.
 type Power = fn(d: f64, exponent: f64) -> f64;
 
@@ -36,7 +26,7 @@ pub fn power() -> Experiment<'static> {
                     let distances = eighths.map(|eighth| eighth / 8.0 / exponent);
                     let error = |d: f64| {
                         let cosine = DoubleDouble::from(1.0) - d.into();
-                        let exact = exact(cosine, exponent as u64).value();
+                        let exact = cosine.power(exponent as u64).value();
                         let error = power(d, exponent) - exact;
                         Deviation::new(error, exact, condition(d, exponent)).as_share_of(exact)
                     };

@@ -20,6 +20,7 @@ pub struct Case {
     condition: Option<f64>,
     protocol: Option<(Outcome, Protocol)>,
     ours: Outcome,
+    certified: Option<Outcome>,
 }
 
 /// Whether the protocol's formula is expected to hold.
@@ -51,6 +52,7 @@ impl Case {
             condition: None,
             protocol: None,
             ours: ours.into(),
+            certified: None,
         }
     }
 
@@ -67,6 +69,12 @@ impl Case {
         Self { condition, ..self }
     }
 
+    /// Adds the exact outcome by another arithmetic than the one of the row.
+    pub fn certified(self, certified: Option<f64>) -> Self {
+        let certified = certified.map(Outcome::from);
+        Self { certified, ..self }
+    }
+
     /// Adds the outcome of the protocol's formula.
     pub fn protocol(mut self, says: Protocol, outcome: impl Into<Outcome>) -> Self {
         self.protocol = Some((outcome.into(), says));
@@ -74,21 +82,34 @@ impl Case {
     }
 
     /// Whether our outcome is within the bound, and the protocol's is or is not, as
-    /// expected.
+    /// expected; and a certified outcome is the exact one.
     pub fn holds(&self) -> bool {
+        let is_exact = |outcome| Bound::Ulps(1.0).admits(self.exact, outcome);
         let as_said = self.protocol.is_none_or(|(outcome, says)| {
             self.bound.admits(self.exact, outcome) == (says == Protocol::Holds)
         });
-        as_said && self.bound.admits(self.exact, self.ours)
+        as_said && self.bound.admits(self.exact, self.ours) && self.certified.is_none_or(is_exact)
     }
 }
 
-/// Our outcome and the protocol's, and the condition of the problem, if it is known.
-pub struct Both(pub [Outcome; 2], pub Option<f64>);
+/// The computed outcomes of a row.
+#[derive(Clone, Copy, Debug)]
+pub struct Both {
+    /// Our outcome and the protocol's.
+    pub outcomes: [Outcome; 2],
+    /// The condition of the problem, if it is known.
+    pub condition: Option<f64>,
+    /// The exact outcome by another arithmetic than the one of the row, unless it is left open.
+    pub certified: Option<Outcome>,
+}
 
 impl From<[Outcome; 2]> for Both {
-    fn from(both: [Outcome; 2]) -> Self {
-        Self(both, None)
+    fn from(outcomes: [Outcome; 2]) -> Self {
+        Self {
+            outcomes,
+            condition: None,
+            certified: None,
+        }
     }
 }
 
@@ -102,9 +123,13 @@ pub fn case(
     bound: Bound,
     says: Protocol,
 ) -> Case {
-    let Both([ours, theirs], condition) = both.into();
-    let case = Case::new(id, what, exact, bound, ours).protocol(says, theirs);
-    case.condition(condition)
+    let both = both.into();
+    let [ours, theirs] = both.outcomes;
+    Case {
+        condition: both.condition,
+        certified: both.certified,
+        ..Case::new(id, what, exact, bound, ours).protocol(says, theirs)
+    }
 }
 
 impl fmt::Display for Case {
@@ -124,6 +149,9 @@ impl fmt::Display for Case {
             };
             let error = error(exact, theirs);
             writeln!(f, "     protocol  {theirs}   error {error}{says}")?;
+        }
+        if let Some(certified) = self.certified {
+            writeln!(f, "     certified {certified}")?;
         }
         write!(f, "     ours      {ours}   error {}", error(exact, ours))
     }
@@ -165,6 +193,8 @@ mod tests {
         let holds = |says, theirs| case.clone().protocol(says, theirs).holds();
         assert!(holds(Fails, 2.0) && !holds(Fails, 1.0));
         assert!(holds(Holds, 1.0) && !holds(Holds, 2.0));
+        let certified = |exact| case.clone().certified(Some(exact)).holds();
+        assert!(certified(1.0) && !certified(1.1));
         let row = "A01  ok      one
      exact     1   (bound: 2 ulp)
      protocol  1.5   error 5.0e-1, out of bound

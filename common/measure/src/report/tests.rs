@@ -57,6 +57,16 @@ square-root: Is the error one over the square root?
     experiment.against = Axis::Knob;
     let table = measured(&experiment).table();
     assert!(table.starts_with(&rows.replace('*', " ")), "{table}");
+    // Problems do not compete: no star, no quotient, no front.
+    experiment = Experiment {
+        against: Axis::Work,
+        ..experiment.of_problems()
+    };
+    let problems = measured(&experiment);
+    let (table, row) = (problems.table(), problems.row());
+    let remarks = ["* clever", "0.50 (", "beside", "unbeaten"];
+    assert!(remarks.iter().all(|remark| !table.contains(remark)));
+    assert_eq!(row, None);
 }
 
 #[test]
