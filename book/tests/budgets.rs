@@ -23,15 +23,15 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise",
             "common/learn/",
         ],
-        7_983,
+        7_916,
     ),
-    ("benchmarks", &["/benches/"], 1_359),
-    ("labs", &["/src/lab/", "/src/lab.rs"], 6_901),
-    ("engine", &["common/engine/"], 7_246),
+    ("benchmarks", &["/benches/"], 1_329),
+    ("labs", &["/src/lab/", "/src/lab.rs"], 6_909),
+    ("engine", &["common/engine/"], 7_258),
     (
         "reader and writer of scene files",
         &["common/scene-file/"],
-        1_120,
+        1_054,
     ),
     (
         "common, program, measure and testing",
@@ -41,17 +41,17 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/measure/src/",
             "common/testing/src/",
         ],
-        7_809,
+        8_107,
     ),
-    ("tests of common and program", &["common/"], 269),
-    ("fuzz targets", &["fuzz/"], 593),
+    ("tests of common and program", &["common/"], 265),
+    ("fuzz targets", &["fuzz/"], 592),
     ("checks of the book", &["book/tests/"], 438),
     ("live pages", &["book/live/"], 1_747),
-    ("tests of the stages", &["/tests/"], 4_625),
+    ("tests of the stages", &["/tests/"], 4_408),
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 49_037;
+const OF_ALL: usize = 48_905;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.
