@@ -60,6 +60,7 @@ fn hits(world: &World<usize>, ray: &Ray, within: Interval) -> impl Iterator<Item
 }
 
 variants! { check:
+    yours => nearest;
     right "all hits, and then the first" => |world, ray, i| {
         let first = hits(world, ray, i).min_by(|(a, _), (b, _)| a.t.total_cmp(&b.t));
         first.map(|(hit, number)| (turned(hit, hit.face, ray), number))

@@ -94,13 +94,17 @@ pub const fn wrong(about: &'static str, check: fn(&mut Check)) -> Variant {
     Variant(false, about, check)
 }
 
-/// Writes `VARIANTS`: `variants! { check: right "in another style" => code; ... }`. The function
-/// is called with a check and the codes of each row.
+/// Names the codes of a check: `variants! { variant: yours => code; right "in another style" =>
+/// code; ... }`. The function `check` is called with those of the student's file, or of the
+/// solution, and the function `variant` with those of each further row.
 #[macro_export]
 macro_rules! variants {
-    ($check:ident: $($kind:ident $about:literal => $($code:expr),+;)+) => {
+    ($variant:ident: yours => $($yours:expr),+; $($kind:ident $about:literal => $($code:expr),+;)*) => {
         pub const VARIANTS: &[$crate::exercise::Variant] =
-            &[$($crate::exercise::$kind($about, |c| $check(c, $($code),+))),+];
+            &[$($crate::exercise::$kind($about, |c| $variant(c, $($code),+))),*];
+
+        macro_rules! yours { () => { |c| check(c, $($yours),+) } }
+        pub(crate) use yours;
     };
 }
 
@@ -117,11 +121,10 @@ macro_rules! examples {
     };
 }
 
-/// Writes the modules and the `main` of a stage's `tests/exercises/main.rs`. The first
-/// line makes `crate::prelude`, whose names checks and examples use; the solutions are among
-/// them. The next ones are exercises with a starter of their own, in the folder `starters`,
-/// whose solution is the lesson, and exercises whose starter is the solution without its
-/// code: each the name and a check, which sees the public items of the file.
+/// Writes the modules and the `main` of a stage's `tests/exercises/main.rs`, after the names
+/// that checks and examples use by `crate::prelude`; the solutions are among them. The exercises
+/// are the files in `exercises/starters`, whose solution is the lesson or in the check, and those
+/// in `exercises/solutions`, whose starter is the solution without its code.
 ///
 /// The test proves all checks, and does not read the students' files: a file that does
 /// not compile fails no test. `cargo learn` builds the test program with the
@@ -129,7 +132,8 @@ macro_rules! examples {
 /// file of that name; built for a page of the book, it renders the scenes of several names.
 #[macro_export]
 macro_rules! exercises {
-    (use $names:tt; starters $starters:tt solutions { $($name:ident => $check:expr;)* }) => {
+    ($stage:ident uses $names:tt) => { $crate::listed! { $stage $names } };
+    ($names:tt starters $starters:tt solutions { $($name:ident)* }) => {
         /// All names that checks and examples use.
         #[allow(unused_imports, ambiguous_glob_reexports)]
         mod prelude {
@@ -148,9 +152,9 @@ macro_rules! exercises {
             $(#[cfg(any(not(learn), $name))] pub mod $name;)*
         }
 
-        $crate::exercises! { starters $starters solutions { $($name => $check;)* } }
+        $crate::exercises! { starters $starters solutions { $($name)* } }
     };
-    ($($folder:ident { $($name:ident => $check:expr;)* })+) => {
+    ($($folder:ident { $($name:ident)* })+) => {
         $($(
             #[cfg(any(not(learn), $name))]
             #[allow(clippy::semicolon_if_nothing_returned)]
@@ -193,11 +197,11 @@ macro_rules! exercises {
             $($(
                 #[cfg($name)]
                 let judged = judge(stage, stringify!($name), {
-                    use yours::$name::*;
-                    Code { examples, check: $check }
+                    use {yours::$name::*, $name::check};
+                    Code { examples, check: $name::yours!() }
                 }, {
                     use {prelude::*, $name::*};
-                    ($check, $name::VARIANTS)
+                    ($name::yours!(), $name::VARIANTS)
                 });
             )*)+
             #[cfg(learn)]
@@ -206,12 +210,12 @@ macro_rules! exercises {
             $crate::exercise::prove(stage, [$($(Exercise {
                 name: stringify!($name),
                 starter: {
-                    use starters::$folder::$name::*;
-                    Code { examples, check: $check }
+                    use {starters::$folder::$name::*, $name::check};
+                    Code { examples, check: $name::yours!() }
                 },
                 solution: {
                     use {prelude::*, $name::*};
-                    Code { examples: proved::$name, check: $check }
+                    Code { examples: proved::$name, check: $name::yours!() }
                 },
                 variants: $name::VARIANTS,
             },)*)+])
