@@ -1,7 +1,6 @@
 //! Spheres and a smooth triangle in all orders, compared with the lesson's `World`.
 
-#[cfg(not(handout))]
-use a04_intersections::watched::{push_background, shaded};
+use a04_intersections::lab::watched::{push_background, shaded};
 
 use crate::prelude::*;
 

@@ -3,8 +3,7 @@
 
 use std::array;
 
-#[cfg(not(handout))]
-use a05_lighting::watched::push_light;
+use a05_lighting::lab::watched::push_light;
 
 use crate::prelude::*;
 

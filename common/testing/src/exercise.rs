@@ -3,6 +3,8 @@
 //!
 //! # How to add an exercise
 //!
+//! An exercise is two files of the same name in a stage, which the build finds by themselves.
+//!
 //! 1. Where the student writes a part of the lesson, the starter,
 //!    `exercises/starters/NAME.rs`, compiles, calls [`missing`] in the place of the code that
 //!    is left to the student, and ends with three to six [`examples!`](crate::examples); the
@@ -11,11 +13,14 @@
 //!    student's part stands in `missing!("what is missing", a value for now, {`, ends with a
 //!    line `})`, and is cut out of the starter.
 //! 2. The check, `tests/exercises/NAME.rs`, compares the student's code with the solution by
-//!    [`Check::compare`]. Its [`variants!`](crate::variants) are right solutions in another
-//!    style, and mistakes of learners: at least three with those of its kind ([`Check::usual`]).
-//!    What only they use stands after them: a handout without solutions ends before.
-//! 3. Add a line to [`exercises!`](crate::exercises) in `tests/exercises/main.rs`, and a
-//!    section to the page `book/src/aNN-exercises.md`: task, minutes and hints.
+//!    [`Check::compare`]. Its [`variants!`](crate::variants) begin with the student's code; the
+//!    others are right solutions in another style, and mistakes of learners: at least three with
+//!    those of its kind ([`Check::usual`]). What only they use stands after them: a handout
+//!    without solutions ends before.
+//! 3. The task is a section of the page `book/src/aNN-exercises.md`. Without a section, the comment
+//!    at the beginning of the first file is title, minutes and task, as
+//!    `//! A camera for a dome, 20 minutes`, an empty line, and paragraphs. In the comment of the
+//!    check each paragraph after the first is a hint.
 //! 4. `cargo test -p STAGE --test exercises -- NAME` proves it, shows the messages that
 //!    students read, and leaves the picture of the solution in `out/exercises/`.
 

@@ -12,10 +12,8 @@
 #[cfg(not(target_family = "wasm"))]
 mod difference;
 pub mod exercise;
-#[cfg(not(handout))]
 #[cfg(not(target_family = "wasm"))]
 mod lab;
-#[cfg(not(handout))]
 #[cfg(not(target_family = "wasm"))]
 pub mod picture_lock;
 mod refusal;
