@@ -1,63 +1,63 @@
 //! Exercises that no page of the book sets, as those of a lecturer: the comment at the beginning
 //! of their file is the task, and the one of their check, after what it compares, the hints.
 
-use std::collections::BTreeSet;
 use std::fs;
 
 use crate::exercise::Exercise;
 use crate::files;
 
-/// The exercises of a stage that are not among those of its page, by name.
+/// The exercises of a stage that are not among those of its page.
 pub fn others(stage: &'static str, page: &[Exercise]) -> Result<Vec<Exercise>, String> {
-    let mut paths = BTreeSet::new();
-    for folder in ["starters", "solutions"].map(|folder| format!("{stage}/exercises/{folder}")) {
-        let files = fs::read_dir(files::shortest(&folder)).into_iter().flatten();
-        let names = files.filter_map(|file| file.ok()?.file_name().into_string().ok());
-        paths.extend(names.map(|name| format!("{folder}/{name}")));
-    }
-    let name = |path: &str| Some(path.strip_suffix(".rs")?.rsplit_once('/')?.1.to_owned());
     let mut others = Vec::new();
-    for path in paths {
-        let name = name(&path).filter(|name| page.iter().all(|e| e.name != name));
-        if let Some(name) = name {
-            others.push(exercise(stage, name.leak(), path)?);
+    for folder in ["starters", "solutions"] {
+        let folder = format!("{stage}/exercises/{folder}");
+        let entries = fs::read_dir(files::shortest(&folder)).into_iter().flatten();
+        let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+        let mut names: Vec<_> = names.collect();
+        names.sort();
+        for file in names {
+            let name = file.trim_end_matches(".rs");
+            if page.iter().chain(&others).all(|e| e.name != name) {
+                others.push(exercise(stage, &folder, name.to_owned().leak())?);
+            }
         }
     }
     Ok(others)
 }
 
-fn exercise(stage: &'static str, name: &'static str, path: String) -> Result<Exercise, String> {
+fn exercise(stage: &'static str, folder: &str, name: &'static str) -> Result<Exercise, String> {
+    let path = format!("{folder}/{name}.rs");
     let check = format!("{stage}/tests/exercises/{name}.rs");
     let (task, hints) = (comment(&path)?, comment(&check)?);
-    let parts = || {
-        let (head, task) = task.split_once("\n\n")?;
-        let (title, minutes) = head.strip_suffix(" minutes")?.rsplit_once(", ")?;
-        Some((title.to_owned(), minutes.parse().ok()?, task.to_owned()))
-    };
     let (title, minutes, task) =
-        parts().ok_or_else(|| format!("{path}: it begins with no title, minutes and task"))?;
-    let hints = hints.split("\n\n").skip(1);
-    let solution = if path.contains("/solutions/") {
-        path
-    } else {
-        check
-    };
+        parts(&task).ok_or_else(|| format!("{path}: it begins with no title, minutes and task"))?;
+    let is_solution = folder.ends_with("/solutions");
     Ok(Exercise {
         name,
         stage,
-        title: title.leak(),
+        title: title.to_owned().leak(),
         minutes,
         is_core: false,
-        task,
-        hints: hints.map(|hint| format!("\n{hint}\n")).collect(),
-        solution: solution.leak(),
+        task: task.to_owned(),
+        hints: hints
+            .split("\n\n")
+            .skip(1)
+            .map(|hint| format!("\n{hint}\n"))
+            .collect(),
+        solution: if is_solution { path } else { check }.leak(),
     })
+}
+
+/// Title, minutes and task.
+fn parts(comment: &str) -> Option<(&str, u32, &str)> {
+    let (head, task) = comment.split_once(" minutes\n\n")?;
+    let (title, minutes) = head.rsplit_once(", ")?;
+    Some((title, minutes.parse().ok()?, task))
 }
 
 /// The comment at the beginning of a file.
 fn comment(path: &str) -> Result<String, String> {
     let text = files::read(path)?;
     let lines = text.lines().map_while(|line| line.strip_prefix("//!"));
-    let lines: Vec<_> = lines.map(str::trim).collect();
-    Ok(lines.join("\n"))
+    Ok(lines.map(str::trim).collect::<Vec<_>>().join("\n"))
 }

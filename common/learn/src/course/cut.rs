@@ -21,23 +21,19 @@ const KEPT: [&str; 2] = ["common/measure/src/lib.rs", "common/measure/src/stage.
 /// The beginnings of lines about their crates in manifests.
 const CRATES: [&str; 2] = ["engine.", "scene-file."];
 
-/// Fields of a stage that has no such module.
+/// Lines of a stage that has no such module.
 const WORDS: [&str; 2] = ["open: None,", "search: None,"];
 
 /// Leaves all this out of files, which are given by their paths.
 pub fn cut(files: &mut BTreeMap<String, Vec<u8>>) {
     files.retain(|path, _| KEPT.contains(&&**path) || !LABS.iter().any(|part| path.contains(part)));
-    let mut words = WORDS.map(str::to_owned).to_vec();
-    for module in missing_modules(files) {
-        words.push(format!("mod {module};"));
-        words.extend([" ", "(", "::"].map(|before| format!("{before}{module}::")));
-    }
+    let missing = missing_modules(files);
     for (path, bytes) in files {
         let text = String::from_utf8_lossy(bytes);
-        let is_about = |line: &&str| CRATES.iter().any(|name| line.starts_with(name));
+        let is_of_crate = |line: &&str| CRATES.iter().any(|name| line.starts_with(name));
         let lines = match path.rsplit_once('.') {
-            Some((_, "rs")) => without_items(&text, &words),
-            Some((_, "toml")) => text.lines().filter(|line| !is_about(line)).collect(),
+            Some((_, "rs")) => without_items(&text, &missing),
+            Some((_, "toml")) => text.lines().filter(|line| !is_of_crate(line)).collect(),
             _ => continue,
         };
         *bytes = (lines.join("\n").trim_end().to_owned() + "\n").into();
@@ -54,6 +50,8 @@ fn missing_modules(files: &BTreeMap<String, Vec<u8>>) -> BTreeSet<String> {
             let name = line
                 .split_once("mod ")
                 .and_then(|(_, name)| name.strip_suffix(';'));
+            // A macro names a module by a variable, as `$name`.
+            let name = name.filter(|name| !name.contains('$'));
             let name = name.filter(|name| !files.contains_key(&format!("{folder}/{name}.rs")));
             missing.extend(name.map(str::to_owned));
         }
@@ -61,8 +59,16 @@ fn missing_modules(files: &BTreeMap<String, Vec<u8>>) -> BTreeSet<String> {
     missing
 }
 
-/// The lines of a text without marked items, and without lines that contain one of the words.
-fn without_items<'a>(text: &'a str, words: &[String]) -> Vec<&'a str> {
+/// Whether a line declares a module, or names an item of it.
+fn is_about(line: &str, module: &str) -> bool {
+    let is_whole = |before: &str| !before.ends_with(|c: char| c.is_alphanumeric() || c == '_');
+    let path = format!("{module}::");
+    let mut paths = line.match_indices(&path);
+    paths.any(|(at, _)| is_whole(&line[..at])) || line.ends_with(&format!("mod {module};"))
+}
+
+/// The lines of a text without marked items, and without lines about missing modules.
+fn without_items<'a>(text: &'a str, missing: &BTreeSet<String>) -> Vec<&'a str> {
     let indent = |line: &str| line.len() - line.trim_start().len();
     let (mut kept, mut lines) = (Vec::new(), text.lines());
     while let Some(line) = lines.next() {
@@ -71,13 +77,14 @@ fn without_items<'a>(text: &'a str, words: &[String]) -> Vec<&'a str> {
             is_code && indent(next) == indent(line) && next.ends_with([';', ',', '}'])
         };
         let is_marked = ["#[cfg(not(handout))]", "#[cfg(test)]"].contains(&line.trim());
-        let is_named = words.iter().any(|word| line.contains(word)) && is_end(&line);
+        let is_left_out = WORDS.contains(&line.trim())
+            || is_end(&line) && missing.iter().any(|module| is_about(line, module));
         if is_marked {
             lines.find(is_end);
         }
-        if is_marked || is_named {
-            let is_about = |line: &mut &str| line.trim().starts_with(['/', '#']);
-            while kept.pop_if(is_about).is_some() {}
+        if is_marked || is_left_out {
+            let is_head = |line: &mut &str| line.trim().starts_with(['/', '#']);
+            while kept.pop_if(is_head).is_some() {}
         } else if line.trim() != "#[cfg(handout)]" {
             // As `rustfmt` does.
             kept.pop_if(|before| before.is_empty() && ["", "}"].contains(&line.trim()));
