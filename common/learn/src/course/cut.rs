@@ -1,21 +1,22 @@
 //! `cut`: leaves tests and laboratories out of a handout.
 //!
-//! Lines that name the module of a file that is not handed out go, too. Parts of other files are
-//! the items of `cfg(not(handout))` and of `cfg(test)`. Items stand on lines of their own, as
-//! `rustfmt` writes them.
+//! They are files, with the lines of other files that name their modules, and the items of
+//! `cfg(not(handout))` and `cfg(test)`. Items stand on lines of their own, as `rustfmt` writes
+//! them.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Parts of the paths that are not handed out.
+/// Parts of the paths of files that are not handed out.
 #[rustfmt::skip]
-const LABS: [&str; 19] = [
+const LABS: &[&str] = &[
     "/examples/", "/src/lab", "/src/fast.rs", "/src/from_file.rs", "/tests.rs",
     "common/engine/", "common/scene-file/", "common/measure/src/", "common/src/steps/",
     "common/src/tally.rs", "common/program/src/explain", "common/program/src/extremes.rs",
     "common/program/src/laboratory.rs", "common/program/src/report.rs",
-    "common/testing/src/lab.rs", "common/testing/src/picture_lock", "common/learn/handout/",
-    "common/learn/src/book.rs", "common/learn/src/course",
+    "common/testing/src/display.rs", "common/testing/src/picture_lock",
+    "common/learn/handout/", "common/learn/src/book.rs", "common/learn/src/course",
 ];
+/// Files that are handed out nevertheless.
 const KEPT: [&str; 2] = ["common/measure/src/lib.rs", "common/measure/src/stage.rs"];
 
 /// The beginnings of lines about their crates in manifests.
@@ -26,13 +27,17 @@ const WORDS: [&str; 2] = ["open: None,", "search: None,"];
 
 /// Leaves all this out of files, which are given by their paths.
 pub fn cut(files: &mut BTreeMap<String, Vec<u8>>) {
-    files.retain(|path, _| KEPT.contains(&&**path) || !LABS.iter().any(|part| path.contains(part)));
-    let missing = missing_modules(files);
+    let is_cut = |path: &str| !KEPT.contains(&path) && LABS.iter().any(|part| path.contains(part));
+    let cut: Vec<_> = files.extract_if(.., |path, _| is_cut(path)).collect();
+    let modules: BTreeSet<_> = cut
+        .iter()
+        .filter_map(|(path, _)| module(path, files))
+        .collect();
     for (path, bytes) in files {
         let text = String::from_utf8_lossy(bytes);
         let is_of_crate = |line: &&str| CRATES.iter().any(|name| line.starts_with(name));
         let lines = match path.rsplit_once('.') {
-            Some((_, "rs")) => without_items(&text, &missing),
+            Some((_, "rs")) => without_items(&text, &modules),
             Some((_, "toml")) => text.lines().filter(|line| !is_of_crate(line)).collect(),
             _ => continue,
         };
@@ -40,23 +45,15 @@ pub fn cut(files: &mut BTreeMap<String, Vec<u8>>) {
     }
 }
 
-/// The modules of crates that are declared and have no file.
-fn missing_modules(files: &BTreeMap<String, Vec<u8>>) -> BTreeSet<String> {
-    let mut missing = BTreeSet::new();
-    for (path, bytes) in files.iter().filter(|(path, _)| path.contains("/src/")) {
-        let module = path.trim_end_matches(".rs");
-        let folder = module.trim_end_matches("/lib").trim_end_matches("/main");
-        for line in String::from_utf8_lossy(bytes).lines() {
-            let name = line
-                .split_once("mod ")
-                .and_then(|(_, name)| name.strip_suffix(';'));
-            // A macro names a module by a variable, as `$name`.
-            let name = name.filter(|name| !name.contains('$'));
-            let name = name.filter(|name| !files.contains_key(&format!("{folder}/{name}.rs")));
-            missing.extend(name.map(str::to_owned));
-        }
-    }
-    missing
+/// The module of a file, if one of the other files declares it.
+fn module<'a>(path: &'a str, others: &BTreeMap<String, Vec<u8>>) -> Option<&'a str> {
+    let (folder, name) = path.strip_suffix(".rs")?.rsplit_once('/')?;
+    let mut parents = [".rs", "/lib.rs", "/main.rs"]
+        .map(|end| format!("{folder}{end}"))
+        .into_iter();
+    parents
+        .any(|path| others.contains_key(&path))
+        .then_some(name)
 }
 
 /// Whether a line declares a module, or names an item of it.
@@ -67,8 +64,8 @@ fn is_about(line: &str, module: &str) -> bool {
     paths.any(|(at, _)| is_whole(&line[..at])) || line.ends_with(&format!("mod {module};"))
 }
 
-/// The lines of a text without marked items, and without lines about missing modules.
-fn without_items<'a>(text: &'a str, missing: &BTreeSet<String>) -> Vec<&'a str> {
+/// The lines of a text without marked items, and without lines about these modules.
+fn without_items<'a>(text: &'a str, modules: &BTreeSet<&str>) -> Vec<&'a str> {
     let indent = |line: &str| line.len() - line.trim_start().len();
     let (mut kept, mut lines) = (Vec::new(), text.lines());
     while let Some(line) = lines.next() {
@@ -78,7 +75,7 @@ fn without_items<'a>(text: &'a str, missing: &BTreeSet<String>) -> Vec<&'a str> 
         };
         let is_marked = ["#[cfg(not(handout))]", "#[cfg(test)]"].contains(&line.trim());
         let is_left_out = WORDS.contains(&line.trim())
-            || is_end(&line) && missing.iter().any(|module| is_about(line, module));
+            || is_end(&line) && modules.iter().any(|module| is_about(line, module));
         if is_marked {
             lines.find(is_end);
         }

@@ -143,6 +143,7 @@ fn judge(sandbox: &Sandbox, e: &Exercise, text: &str) -> Result<(), String> {
     verdict.env("EXERCISE_JUDGED", e.name).stdin(answers);
     let verdict = verdict.output().map_err(failed(proofs.as_ref()))?;
     let wrong = String::from_utf8_lossy(&verdict.stdout);
+    let wrong = wrong.trim_end();
     let forged = || format!("the program reports success, but its answers say: {wrong}");
     verdict.status.success().then_some(()).ok_or_else(forged)
 }

@@ -8,19 +8,15 @@ pub const FORMATS: [&str; 5] = ["table", "csv", "junit", "gradescope", "classroo
 
 /// The results in a format.
 pub fn text(format: &str, graded: &[Graded]) -> String {
-    let of_one = match format {
-        "csv" => csv,
-        "junit" => junit,
-        "gradescope" => gradescope,
-        "classroom50" => classroom50,
-        _ => table,
+    let (head, of_one, end): (_, fn(&Graded) -> String, _) = match format {
+        "csv" => (COLUMNS, csv, ""),
+        "junit" => ("<testsuites>\n", junit, "</testsuites>\n"),
+        "gradescope" => ("", gradescope, ""),
+        "classroom50" => ("", classroom50, ""),
+        _ => ("", table, ""),
     };
     let texts: String = graded.iter().map(of_one).collect();
-    match format {
-        "csv" => format!("submission,stage,exercise,points,max_points,message\r\n{texts}"),
-        "junit" => format!("<testsuites>\n{texts}</testsuites>\n"),
-        _ => texts,
-    }
+    [head, &texts, end].concat()
 }
 
 /// The points of a submission, and the text of its results.
@@ -41,6 +37,8 @@ fn table(graded: &Graded) -> String {
         graded.results.len()
     )
 }
+
+const COLUMNS: &str = "submission,stage,exercise,points,max_points,message\r\n";
 
 /// RFC 4180: a field in quotes, whose own quotes are doubled. A leading `'` keeps a
 /// spreadsheet from computing a name.
