@@ -28,7 +28,8 @@ pub struct Graded {
 /// The result of an exercise.
 pub struct Outcome {
     pub exercise: &'static Exercise,
-    pub is_right: bool,
+    /// 1 if it is right, and else 0.
+    pub points: usize,
     /// The message to the student.
     pub message: String,
 }
@@ -113,10 +114,11 @@ fn prepared(all: &[&Exercise]) -> Result<Sandbox, String> {
 fn outcome(sandbox: &Sandbox, exercise: &'static Exercise, path: &Path) -> Outcome {
     let verdict = submission::read(path, exercise);
     let verdict = verdict.and_then(|text| judge(sandbox, exercise, &text));
-    let message = verdict.clone().err().unwrap_or_else(|| "right".to_owned());
+    let points = usize::from(verdict.is_ok());
+    let message = verdict.err().unwrap_or_else(|| "right".to_owned());
     Outcome {
         exercise,
-        is_right: verdict.is_ok(),
+        points,
         message: message.chars().take(MESSAGE).collect(),
     }
 }
