@@ -14,6 +14,7 @@ const LABS: &[&str] = &[
     "common/src/tally.rs", "common/program/src/explain", "common/program/src/extremes.rs",
     "common/program/src/laboratory.rs", "common/program/src/report.rs",
     "common/testing/src/display.rs", "common/testing/src/picture_lock",
+    "common/testing/src/refusal.rs",
     "common/learn/handout/", "common/learn/src/book.rs", "common/learn/src/course",
 ];
 /// Files that are handed out nevertheless.
