@@ -12,7 +12,7 @@ use super::refusal::refusal;
 use super::result_file::{self, FORMATS};
 use super::sandbox::{NOTE, Sandbox};
 use super::{exercises, stages, submission};
-use crate::exercise::Exercise;
+use crate::exercise::{self, Exercise};
 use crate::files::{self, failed};
 use crate::judgement;
 
@@ -44,8 +44,8 @@ pub struct Grade {
     #[arg(long, value_name = "STAGE")]
     until: Option<String>,
     /// The exercises that count [default: all of the stages]
-    #[arg(long, value_name = "NAME,NAME", value_delimiter = ',')]
-    exercises: Option<Vec<String>>,
+    #[arg(long, value_name = "NAME,NAME", value_delimiter = ',', value_parser = exercise::find)]
+    exercises: Vec<&'static Exercise>,
     /// The form of the results
     #[arg(long, default_value = "table", value_parser = FORMATS)]
     format: String,
@@ -54,12 +54,11 @@ pub struct Grade {
 impl Grade {
     pub fn run(self, course: &'static [Exercise]) -> Result<String, String> {
         let all = exercises(course, self.until.as_ref())?;
-        let find = |name: &String| {
-            let exercise = all.iter().copied().find(|e| e.name == name);
-            exercise.ok_or_else(|| format!("no exercise of these stages is {name}"))
-        };
-        let names = self.exercises.as_ref();
-        let chosen = names.map_or(Ok(all.clone()), |names| names.iter().map(find).collect())?;
+        let named = &self.exercises;
+        let chosen = if named.is_empty() { &all } else { named };
+        if let Some(e) = chosen.iter().find(|e| !all.contains(e)) {
+            return Err(format!("{} belongs to a later stage", e.name));
+        }
         let format = &*self.format;
         if ["gradescope", "classroom50"].contains(&format) && self.paths.len() > 1 {
             return Err(format!("a file for {format} is about one submission"));
