@@ -21,7 +21,6 @@ mod scene;
 mod settings;
 mod size;
 pub mod steps;
-#[cfg(not(handout))]
 pub mod tally;
 pub mod traced_picture;
 mod transfer;

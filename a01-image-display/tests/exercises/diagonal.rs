@@ -27,6 +27,7 @@ fn red(is_red: fn([u32; 2], [u32; 2]) -> bool) -> impl Fn(Size) -> Result<Image,
 }
 
 variants! { check:
+    yours => &diagonal;
     right "a loop over one side" => &|size| {
         let mut image = Image::black(size)?;
         (0..size.height()).for_each(|at| image.set(at, at, Color::RED));

@@ -17,6 +17,7 @@ pub fn check(check: &mut Check, yours: &dyn Fn(Size) -> Result<Image, Error>) {
 }
 
 variants! { steps:
+    yours => &line;
     wrong "a high picture has a pixel in every row" => |right, _| right, nearest;
     wrong "the nearest pixel need not be the one below" => u32::max, |i, length, steps| {
         i * length / steps

@@ -5,15 +5,6 @@
 mod painted;
 
 testing::exercises! {
-    use {a01_image_display::*, common::*, crate::painted::*};
-    starters {
-        set_pixel => |check| set_pixel::check(check, &set_pixel);
-        diagonal => |check| diagonal::check(check, &diagonal);
-    }
-    solutions {
-        ppm => |check| ppm::check(check, &ppm);
-        srgb => |check| srgb::check(check, encode, decode);
-        line => |check| line::check(check, &line);
-        thumbnail => |check| thumbnail::check(check, &thumbnail);
-    }
+    a01_image_display uses
+    {a01_image_display::*, common::*, crate::painted::*}
 }

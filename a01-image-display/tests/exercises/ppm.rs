@@ -20,6 +20,7 @@ pub fn check(check: &mut Check, yours: &dyn Fn(&Image) -> Vec<u8>) {
 }
 
 variants! { lines:
+    yours => &ppm;
     wrong "the width comes before the height" => |w, h| format!("P6\n{h} {w}\n255\n");
     wrong "a line feed ends 255, and no line is empty" => |w, h| format!("P6\n{w} {h}\n255\n\n");
     wrong "P6 has bytes, P3 numbers in words" => |w, h| format!("P3\n{w} {h}\n255\n");

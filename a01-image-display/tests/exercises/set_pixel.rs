@@ -38,6 +38,7 @@ fn indexed(index: fn(u32, u32, u32, u32) -> u32) -> impl Fn(&mut Image, u32, u32
 }
 
 variants! { check:
+    yours => &set_pixel;
     right "a pixel of a row" => &|image, x, y, color| {
         let row = image.rows_mut().nth(y as usize);
         if let Some(pixel) = row.and_then(|row| row.get_mut(x as usize)) {

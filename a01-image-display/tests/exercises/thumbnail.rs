@@ -24,6 +24,7 @@ pub fn check(check: &mut Check, yours: &dyn Fn(&Image, u32) -> Result<Image, Err
 }
 
 variants! { mean:
+    yours => &thumbnail;
     wrong "a mean is over the whole square, not one pixel" => |greys, _| greys[0];
     wrong "a square that the edge cuts off has fewer pixels" => |greys, n| {
         greys.iter().sum::<f64>() / (n * n)

@@ -27,6 +27,7 @@ fn cosine(a: Vector3, b: Vector3) -> f64 {
 }
 
 variants! { check:
+    yours => angle;
     right "half the angle, in a rhombus" => |a, b| {
         let (a, b) = (a * b.magnitude(), b * a.magnitude());
         2.0 * libm::atan2((a - b).magnitude(), (a + b).magnitude())

@@ -31,6 +31,7 @@ pub fn check(check: &mut Check, yours: fn(Point3, [Point3; 3]) -> Option<[f64; 3
 }
 
 variants! { check:
+    yours => barycentric;
     wrong "outside, a share is negative" => |p, t| {
         barycentric(p, t).map(|shares| shares.map(f64::abs))
     };

@@ -18,6 +18,7 @@ pub fn check(check: &mut Check, yours: &dyn Fn(f64, f64, f64) -> f64) {
 }
 
 variants! { divided:
+    yours => &length;
     wrong "squares overflow" => |_, _, _| 1.0;
     wrong "the largest coordinate may be negative" => |x, y, z| x.max(y).max(z);
     wrong "0 / 0 is not a number" => |x, y, z| x.abs().max(y.abs()).max(z.abs());

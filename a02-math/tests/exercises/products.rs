@@ -30,6 +30,7 @@ pub fn check(check: &mut Check, dot: Product<f64>, cross: Product<Vector3>) {
 }
 
 variants! { check:
+    yours => dot, cross;
     right "with shifted coordinates" => |a, b| (a.to_glam() * b.to_glam()).element_sum(), |a, b| {
         let (a, b) = (a.to_glam(), b.to_glam());
         Vector3::from_glam((a * b.yzx() - a.yzx() * b).yzx())

@@ -24,6 +24,7 @@ pub fn check(check: &mut Check, yours: fn(Vector3, Normal3) -> Vector3) {
 }
 
 variants! { check:
+    yours => reflected;
     right "the part along the normal less the rest" => |v, n| {
         let along = Vector3::from(n) * n.dot(v);
         along - (v - along)

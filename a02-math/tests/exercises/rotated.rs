@@ -19,6 +19,7 @@ pub fn check(check: &mut Check, yours: fn(Vector3, Vector3, f64) -> Vector3) {
 }
 
 variants! { check:
+    yours => rotated;
     wrong "k × v points to the left, v × k to the right" => |v, axis, angle| {
         rotated(v, axis, -angle)
     };

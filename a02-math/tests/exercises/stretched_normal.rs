@@ -20,6 +20,7 @@ pub fn check(check: &mut Check, yours: fn(Normal3, [f64; 3]) -> Option<Normal3>)
 }
 
 variants! { check:
+    yours => stretched_normal;
     wrong "a normal is divided where points are multiplied" => |n, factors| {
         stretched_normal(n, factors.map(|f| 1.0 / f))
     };

@@ -19,6 +19,7 @@ pub fn check(check: &mut Check, yours: fn(Point3, Point3, Point3) -> f64) {
 }
 
 variants! { check:
+    yours => triangle_area;
     right "from another corner" => |p, q, r| (p - r).cross(q - r).magnitude() * 0.5;
     wrong "a triangle is half of the parallelogram" => |p, q, r| 2.0 * triangle_area(p, q, r);
     wrong "Heron's sides lose the height of a flat triangle" => |p, q, r| {

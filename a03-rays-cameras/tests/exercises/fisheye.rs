@@ -32,6 +32,7 @@ pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Basis, f64) -> Made<C>) 
 }
 
 variants! { check:
+    yours => |basis, angle| Ok(Fisheye::new(basis, angle));
     wrong "the distance is the angle, not its tangent" => |Basis { e, v, w, .. }, angle| {
         PerspectiveCamera::new(e, -w, v, angle)
     };

@@ -34,6 +34,7 @@ fn variant(c: &mut Check, v: fn(Vector3, Vector3) -> Vector3) {
 }
 
 variants! { variant:
+    yours => PerspectiveCamera::new;
     right "the part of the up vector across the gaze" => |w, t| t - w * t.dot(w);
     wrong "v is perpendicular to w, and t is not" => |_, t| t;
 }

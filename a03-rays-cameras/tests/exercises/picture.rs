@@ -80,6 +80,7 @@ fn share(samples: &[Color], wanted: u32) -> Color {
 }
 
 variants! { variant:
+    yours => &picture;
     right "a running mean" => false, running_mean;
     wrong "rows are counted from the top" => true, running_mean;
     wrong "a grid may have fewer samples" => false, share;

@@ -30,6 +30,7 @@ fn variant(c: &mut Check, factor: f64) {
 }
 
 variants! { variant:
+    yours => PinholeCamera::new;
     right "at the distance 1" => 0.5;
     wrong "half of the angle is above the middle" => 1.0;
 }

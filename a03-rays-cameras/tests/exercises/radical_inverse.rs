@@ -26,6 +26,7 @@ pub fn check(check: &mut Check, yours: fn(u32, u32) -> f64) {
 }
 
 variants! { check:
+    yours => radical_inverse;
     right "a sum of fractions" => |mut n, base| {
         let (mut sum, mut place) = (0.0, 1.0);
         while n > 0 {

@@ -45,6 +45,7 @@ fn length(ray: &Ray) -> f64 {
 }
 
 variants! { check:
+    yours => at, t_of;
     right "with a direction of length 1" =>
         |ray, t| ray.origin() + unit(ray) * (t * length(ray)),
         |ray, p| (p - ray.origin()).dot(unit(ray)) / length(ray);

@@ -30,6 +30,7 @@ pub fn check(check: &mut Check, yours: fn(Vector3, Vector3, f64) -> u32) {
 }
 
 variants! { check:
+    yours => ring;
     wrong "an arc cosine near 1 has few digits" => |d, pole, width| {
         let cosine = d.dot(pole) / (d.magnitude() * pole.magnitude());
         (libm::acos(cosine.clamp(-1.0, 1.0)) / width) as u32

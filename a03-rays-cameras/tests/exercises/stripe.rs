@@ -59,6 +59,7 @@ fn variant(c: &mut Check, number: fn(f64, f64) -> f64) {
 }
 
 variants! { variant:
+    yours => Sky::new, Sky::stripe;
     right "in halves of the picture" => |height, n| (n / 2.0 * (height + 1.0)).min(n - 1.0);
     wrong "above the picture is the last stripe" => |height, n| (height + 1.0) / 2.0 * n;
     wrong "stripes are counted from below" => |height, n| ((1.0 - height) / 2.0 * n).min(n - 1.0);

@@ -63,6 +63,7 @@ fn wall(ray: &Ray) -> Color {
 }
 
 variants! { check:
+    yours => through_lens;
     wrong "the focus is a plane, not a ball" => |basis, focus, ray, place| {
         through_lens(basis, focus * -basis.w.dot(ray.direction()), ray, place)
     };

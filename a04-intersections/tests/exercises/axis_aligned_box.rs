@@ -26,6 +26,7 @@ fn slabs(c: &mut Check, is_crossed: fn(f64, f64) -> bool) {
 }
 
 variants! { slabs:
+    yours => &|lbf, run| shape::boxed(AxisAlignedBox::new(lbf, run));
     right "all axes at once" => |near, far| near <= far;
     wrong "edges belong to the box" => |near, far| near < far;
 }

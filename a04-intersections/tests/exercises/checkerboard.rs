@@ -33,6 +33,7 @@ fn floor_and_box() -> Made<World<Color>> {
 }
 
 variants! { check:
+    yours => checkerboard;
     wrong "a cast cuts off: -0.5 and 0.5 become 0" => |p, n| {
         let below = p - Vector3::from(n) * 1e-6;
         checkerboard(Point3::from_glam(below.to_glam().trunc()), NONE)

@@ -22,6 +22,7 @@ pub fn check(check: &mut Check, yours: fn(Point3, f64, &Ray) -> bool) {
 }
 
 variants! { check:
+    yours => may_meet;
     wrong "a ray has nothing behind its origin" => |c, r, ray| {
         (ray.at(ray.t_of(c)) - c).magnitude() <= r
     };

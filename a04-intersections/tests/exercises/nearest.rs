@@ -1,7 +1,6 @@
 //! Spheres and a smooth triangle in all orders, compared with the lesson's `World`.
 
-#[cfg(not(handout))]
-use a04_intersections::watched::{push_background, shaded};
+use a04_intersections::lab::watched::{push_background, shaded};
 
 use crate::prelude::*;
 
@@ -60,6 +59,7 @@ fn hits(world: &World<usize>, ray: &Ray, within: Interval) -> impl Iterator<Item
 }
 
 variants! { check:
+    yours => nearest;
     right "all hits, and then the first" => |world, ray, i| {
         let first = hits(world, ray, i).min_by(|(a, _), (b, _)| a.t.total_cmp(&b.t));
         first.map(|(hit, number)| (turned(hit, hit.face, ray), number))

@@ -34,6 +34,7 @@ fn variant(c: &mut Check, place: fn([f64; 2], [f64; 2]) -> [f64; 2]) {
 }
 
 variants! { variant:
+    yours => OrthographicCamera::new;
     right "from the lower left pixel on" => |[w, h], [x, y]| {
         [w / h * (x / (w - 1.0) - 0.5), y / (h - 1.0) - 0.5]
     };

@@ -23,6 +23,7 @@ pub fn check(check: &mut Check, new: &dyn Fn(Point3, Normal3) -> Made<Shape>) {
 }
 
 variants! { check:
+    yours => &|a, n| shape::boxed(Plane::new(a, n));
     right "the plane as n · p + k = 0" => &|a, n| {
         let n = n.unit("n")?;
         let k = -n.dot(a - Point3::ORIGIN);

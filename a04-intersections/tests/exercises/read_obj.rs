@@ -70,6 +70,7 @@ fn mesh(random: &mut Random) -> String {
 }
 
 variants! { check:
+    yours => read_obj;
     wrong "n corners make n - 2 triangles" => |text| {
         Ok(read_obj(text)?.into_iter().take(1).collect())
     };

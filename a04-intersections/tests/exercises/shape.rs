@@ -130,15 +130,9 @@ pub fn compare<P: Input>(
     let shapes = iter::once(first.clone()).chain(random(any).take(8));
     let mut from_everywhere = Vec::new();
     for shape in shapes {
-        let rays = check.recorded(|| {
-            let rays = lesson(shape.clone()).map_or(Vec::new(), |shape| rays(&*shape));
-            let numbers =
-                |([ox, oy, oz], [x, y, z], min, max): RayWithin| [ox, oy, oz, x, y, z, min, max];
-            rays.into_iter().map(numbers).collect()
-        });
-        from_everywhere.extend(rays.iter().map(|[ox, oy, oz, x, y, z, min, max]| {
-            (shape.clone(), ([*ox, *oy, *oz], [*x, *y, *z], *min, *max))
-        }));
+        let rays = || lesson(shape.clone()).map_or(Vec::new(), |shape| rays(&*shape));
+        let rays = check.recorded(rays).into_iter();
+        from_everywhere.extend(rays.map(|ray| (shape.clone(), ray)));
     }
     check.compare(
         &format!("{words}; {RAY}"),

@@ -16,6 +16,7 @@ pub fn check(check: &mut Check, yours: fn(Point3, Normal3, Point3) -> f64) {
 }
 
 variants! { check:
+    yours => signed_distance;
     wrong "n may have any length: divide by it" => |a, n, p| (p - a).dot(n);
     wrong "n · n is the length squared" => |a, n, p| (p - a).dot(n) / n.dot(n);
     wrong "the distance from the plane is not that from a" => |a, n, p| {

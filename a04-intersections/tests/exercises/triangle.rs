@@ -37,6 +37,7 @@ fn moeller_trumbore(c: &mut Check, is_inside: fn(f64, f64) -> bool) {
 }
 
 variants! { moeller_trumbore:
+    yours => &|a, b, c| shape::boxed(Triangle::new(a, b, c));
     right "Möller and Trumbore" => |b, g| b >= 0.0 && g >= 0.0 && b + g <= 1.0;
     wrong "edges belong to the triangle" => |b, g| b > 0.0 && g > 0.0 && b + g < 1.0;
 }

@@ -27,6 +27,7 @@ pub fn check(check: &mut Check, yours: Shiny) {
 }
 
 variants! { check:
+    yours => blinn_phong;
     wrong "the vector half way has length 1" => |[cd, cs], p, ray, hit, light| {
         let half = (light.direction - ray.direction()) * 0.5;
         let [cosine, highlight] = [light.direction, half].map(|d| hit.normal.dot(d).max(0.0));

@@ -25,6 +25,7 @@ pub fn check(check: &mut Check, yours: fn(Color, Vector3) -> Arriving) {
 }
 
 variants! { check:
+    yours => directional_light;
     right "divided by the length" => |color, d| {
         let mut light = directional_light(color, d)?;
         light.direction = d * (-1.0 / d.magnitude());

@@ -16,6 +16,7 @@ pub fn check(check: &mut Check, yours: fn(Color, Point3, Point3) -> Arriving) {
 }
 
 variants! { check:
+    yours => fading_light;
     wrong "twice as far away is a quarter, not half" => |color, lamp, p| {
         fading_light(color * (lamp - p).magnitude(), lamp, p)
     };

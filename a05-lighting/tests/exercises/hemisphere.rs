@@ -19,6 +19,7 @@ pub fn check(check: &mut Check, yours: &(dyn Fn([Color; 3], Normal3) -> Color + 
 }
 
 variants! { mixed:
+    yours => &hemisphere;
     wrong "walls see half the sky" => |cos| cos.max(0.0);
     wrong "a share is between 0 and 1" => |cosine| cosine;
     wrong "the share follows from the cosine, not the angle" => |cosine| {

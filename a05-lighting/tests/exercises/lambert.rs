@@ -32,6 +32,7 @@ fn textbook(c: &mut Check, share: fn(f64) -> f64) {
 }
 
 variants! { textbook:
+    yours => &lambert;
     right "the share first" => |cosine| cosine.max(0.0);
     wrong "no light is negative" => |cosine| cosine;
 }

@@ -3,8 +3,7 @@
 
 use std::array;
 
-#[cfg(not(handout))]
-use a05_lighting::watched::push_light;
+use a05_lighting::lab::watched::push_light;
 
 use crate::prelude::*;
 
@@ -52,18 +51,12 @@ pub fn compare_lights<P: Input>(
             let middle = array::from_fn(|i| f64::midpoint(ends[0][i], ends[1][i]));
             ends[usize::from(is_lit(middle) != is_lit(p))] = middle;
         }
-        let [[x, y, z], [ax, ay, az], [bx, by, bz]] = [p, ends[0], ends[1]];
-        [x, y, z, ax, ay, az, bx, by, bz]
+        [p, ends[0], ends[1]]
     };
     let borders = check.recorded(|| random(any).map(border).collect());
-    let points =
-        random(any)
-            .zip(&borders)
-            .flat_map(|(light, [x, y, z, ax, ay, az, bx, by, bz])| {
-                let ends = [[*ax, *ay, *az], [*bx, *by, *bz]];
-                [[*x, *y, *z], [x, y, z].map(|x| 1e6 * x), ends[0], ends[1]]
-                    .map(|p| (light.clone(), p))
-            });
+    let points = random(any)
+        .zip(borders)
+        .flat_map(|(light, [p, a, b])| [p, p.map(|x| 1e6 * x), a, b].map(|p| (light.clone(), p)));
     check.compare(
         &format!("{words}, seen from {{}}"),
         PLACES.map(|p| (first.clone(), p)),

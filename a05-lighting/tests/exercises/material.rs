@@ -1,8 +1,8 @@
 //! Compares materials: in light from before, from behind and along the surface, with normals
 //! aslant to the face, for eyes at all distances.
 
-#[cfg(not(handout))]
-use {a04_intersections::watched::push_background, a05_lighting::watched as recorded};
+use a04_intersections::lab::watched::push_background;
+use a05_lighting::lab::watched as recorded;
 
 use crate::prelude::*;
 

@@ -40,6 +40,7 @@ fn textbook(c: &mut Check, highlight: fn(f64, f64, f64) -> f64) {
 }
 
 variants! { textbook:
+    yours => &phong;
     right "the eye mirrored in the place of the light" => |is_before, cosine, p| {
         is_before * libm::pow(cosine, p)
     };

@@ -21,6 +21,7 @@ pub fn check(check: &mut Check, yours: fn(Color, Point3, Point3) -> Arriving) {
 }
 
 variants! { check:
+    yours => point_light;
     right "divided by the distance" => |color, lamp, p| {
         let mut light = point_light(color, lamp, p)?;
         light.distance = (lamp - p).magnitude();

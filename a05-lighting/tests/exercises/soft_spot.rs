@@ -21,6 +21,7 @@ pub fn check(check: &mut Check, yours: fn(Color, Point3, Vector3, [f64; 2], Poin
 }
 
 variants! { check:
+    yours => soft_spot;
     wrong "the share has no crease" => |color, lamp, d, [inner, outer], p| {
         let light = PointLight::new(color, lamp).ok()?.illumination(p)?;
         let share = (outer - (-light.direction).angle(d)) / (outer - inner);

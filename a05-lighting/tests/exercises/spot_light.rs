@@ -47,6 +47,7 @@ fn textbook(c: &mut Check, accepts: fn(f64, f64) -> bool) {
 }
 
 variants! { textbook:
+    yours => &spot_light;
     right "angles" => |angle, half| angle <= half;
     wrong "a wide cone shines behind the lamp, too" => |angle, half| angle <= half.min(PI / 2.0);
 }

@@ -25,6 +25,7 @@ pub fn check(check: &mut Check, yours: &(dyn Fn(Color, Color, f64, f64) -> Color
 }
 
 variants! { check:
+    yours => &fogged;
     wrong "0 times infinity is not a number" => &mixed(|density, t| libm::exp(-density * t));
     wrong "each metre takes a share of what is left" => &mixed(|density, t| {
         1.0 - (density * t).min(1.0)

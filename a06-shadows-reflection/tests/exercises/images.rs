@@ -16,6 +16,7 @@ pub fn check(check: &mut Check, yours: &dyn Fn(f64, f64, u32) -> [f64; 2]) {
 }
 
 variants! { steps:
+    yours => &images;
     wrong "a mirror shows the image in the other one" => |width, [left, right]| {
         [-left, 2.0 * width - right]
     };

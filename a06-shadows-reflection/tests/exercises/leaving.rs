@@ -83,6 +83,7 @@ fn largest([o, p, t]: [f64; 3]) -> f64 {
 }
 
 variants! { offset:
+    yours => &secondary_ray;
     right "a share of the sum" => face, |[o, p, t]| 1e-13 * (o + p + t);
     wrong "no length is fixed" => face, |_| 1e-9;
     wrong "the errors of the coordinates count, too" => face, |[_, _, t]| 1e-12 * t;

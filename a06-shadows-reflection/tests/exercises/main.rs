@@ -7,16 +7,6 @@ mod scene;
 mod traced;
 
 testing::exercises! {
-    use {a02_math::*, a02_math::arrays::{point, vector}, a03_rays_cameras::*, a04_intersections::*, a05_lighting::*, a06_shadows_reflection::*, common::*, a06_shadows_reflection::{scenes, stage}, crate::scene::*, crate::traced::*};
-    starters {
-        shadowed => |check| shadowed::check(check, &is_shadowed);
-        leaving => |check| leaving::check(check, &secondary_ray);
-        mirror => |check| mirror::check(check, &trace);
-    }
-    solutions {
-        fogged => |check| fogged::check(check, &fogged);
-        images => |check| images::check(check, &images);
-        refracted => |check| refracted::check(check, refracted);
-        reflectance => |check| reflectance::check(check, reflectance);
-    }
+    a06_shadows_reflection uses
+    {a02_math::*, a02_math::arrays::{point, vector}, a03_rays_cameras::*, a04_intersections::*, a05_lighting::*, a06_shadows_reflection::*, common::*, a06_shadows_reflection::{scenes, stage}, crate::scene::*, crate::traced::*}
 }

@@ -44,6 +44,7 @@ fn reflected(
 }
 
 variants! { check:
+    yours => &trace;
     right "the recursion" => &reflected(|ray, hit| (-ray.direction()).reflected_on(hit.normal));
     wrong "the last surface mirrors black" => &|world, ray, depth| trace(world, ray, depth + 1);
     wrong "a mirror is seen by its normal, not by its face" => &reflected(|ray, hit| {

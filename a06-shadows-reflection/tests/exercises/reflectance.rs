@@ -24,6 +24,7 @@ pub fn check(check: &mut Check, yours: fn(f64, f64, f64) -> f64) {
 }
 
 variants! { check:
+    yours => reflectance;
     wrong "Schlick's formula is only near to Fresnel's" => |cosine, from, to| {
         let straight = reflectance(1.0, from, to);
         straight + (1.0 - straight) * libm::pow(1.0 - cosine, 5.0)

@@ -32,6 +32,7 @@ pub fn check(check: &mut Check, yours: fn(Vector3, Normal3, f64) -> Option<Vecto
 }
 
 variants! { check:
+    yours => refracted;
     wrong "the way out bends away from the normal" => |d, n, index| {
         snell(d, if d.dot(n) > 0.0 { -n } else { n }, 1.0 / index)
     };

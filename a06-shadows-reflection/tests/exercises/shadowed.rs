@@ -59,6 +59,7 @@ fn up_to(c: &mut Check, end: fn(f64) -> f64) {
 }
 
 variants! { up_to:
+    yours => &is_shadowed;
     right "a nearest hit" => |d| d * (1.0 - 1e-6);
     wrong "objects beyond it cast none" => |_| 1e300;
     wrong "the lamp's ceiling blocks nothing" => |d| d;

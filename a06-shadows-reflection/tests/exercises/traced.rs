@@ -1,6 +1,5 @@
 //! Worlds of mirrors, and a tracer with the student's code in it.
 
-#[cfg(not(handout))]
 use a06_shadows_reflection::lab::watched::WatchedWorld;
 
 use crate::prelude::*;

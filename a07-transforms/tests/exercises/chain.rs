@@ -36,6 +36,7 @@ fn product(factors: impl Iterator<Item = Mat4x4>) -> Mat4x4 {
 }
 
 variants! { check:
+    yours => chain;
     right "two products" => |steps| {
         let there = steps.iter().map(|step| step.matrix());
         let back = steps.iter().rev().map(|step| step.inverse());

@@ -32,6 +32,7 @@ fn variant(c: &mut Check, is_on_disc: fn(f64, f64) -> bool) {
 }
 
 variants! { variant:
+    yours => &|c, n, r| shape::boxed(Disc::new(c, n, r));
     right "the distance, not its square" => |d, r| d <= r;
     wrong "the rim belongs to the disc" => |d, r| d < r;
 }

@@ -51,6 +51,7 @@ fn first(hits: &mut dyn Iterator<Item = Hit>) -> Option<Hit> {
 }
 
 variants! { variant:
+    yours => |t, children| children.into_iter().fold(Node::new(t), Node::with);
     right "all hits, and then the first" => first, Transform::normal_from_object;
     wrong "the nearest counts, not the first of the list" =>
         |hits| hits.next(), Transform::normal_from_object;

@@ -35,6 +35,7 @@ fn twelve_months(orbits: impl Fn(f64, f64) -> Made<[Transform; 2]>) -> Made<Worl
 }
 
 variants! { check:
+    yours => orbits;
     wrong "the earth is turned after it is moved" => |year, month| {
         let moved = Transform::IDENTITY.translate(Point3::new(5.0, 0.0, 0.0))?;
         Ok([moved.rotate_y(year)?, orbits(year, month)?[1]])

@@ -30,6 +30,7 @@ pub fn check(check: &mut Check, yours: fn(Vector3, f64) -> Made<Transform>) {
 }
 
 variants! { check:
+    yours => rotation;
     wrong "a turn about x leads from z down" => |k, angle| {
         rotation(Vector3::new(k.x(), -k.y(), k.z()), angle)
     };

@@ -30,6 +30,7 @@ pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Shape, f64) -> G) {
 }
 
 variants! { check:
+    yours => Sheared::new;
     wrong "both normals lean" => |shape, by| {
         let leaning = Sheared::new(shape, by);
         Own(move |ray: &Ray, i: Interval| {

@@ -2,7 +2,6 @@
 
 pub use std::f64::consts::{FRAC_PI_2, TAU};
 
-#[cfg(not(handout))]
 use a06_shadows_reflection::lab::watched::WatchedWorld;
 
 use crate::prelude::*;

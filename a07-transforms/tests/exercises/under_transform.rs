@@ -61,6 +61,7 @@ fn shortened(t: &Transform, ray: &Ray) -> Ray {
 }
 
 variants! { check:
+    yours => ray_to_object, normal_from_object;
     right "a direction between two points" => between_points, |t, n| {
         let [x, y, z, _] = t.inverse().rows().map(|[x, y, z, _]| Vector3::new(x, y, z));
         unit(x * n.x() + y * n.y() + z * n.z())

@@ -8,10 +8,25 @@ mod result_file;
 mod sandbox;
 mod submission;
 
-pub use grade::Grade;
-pub use handout::Handout;
+use grade::Grade;
+use handout::Handout;
 
 use crate::exercise::Exercise;
+
+/// The commands for lecturers.
+#[derive(clap::Subcommand)]
+pub enum Command {
+    Handout(Handout),
+    Grade(Grade),
+}
+
+/// Runs a command, and returns its words.
+pub fn run(command: Command, course: &'static [Exercise]) -> Result<String, String> {
+    match command {
+        Command::Handout(handout) => handout.run(course),
+        Command::Grade(grade) => grade.run(course),
+    }
+}
 
 /// The exercises of the stages up to the last one.
 fn exercises(

@@ -18,7 +18,10 @@ const PAUSE: Duration = Duration::from_millis(20);
 pub fn judge(e: &Exercise, loud: bool, stops: &mut dyn FnMut() -> bool) -> Result<bool, String> {
     let name = e.name;
     progress::record(e, false)?;
-    let Some((built, messages)) = run(&mut cargo(loud, &arguments(e)), stops)? else {
+    let mut build = cargo(loud, &arguments(e));
+    // After a save, only functions that have changed are compiled anew.
+    build.args(["-C", "incremental=target/learn"]);
+    let Some((built, messages)) = run(&mut build, stops)? else {
         return Ok(false);
     };
     if !built.success() {
@@ -72,8 +75,7 @@ pub fn arguments(e: &Exercise) -> Vec<String> {
     let shortest = files::shortest(&format!("{}/exercises", e.stage));
     let long = format!("{}/tests/exercises/../../exercises", e.stage);
     let prefix = format!("--remap-path-prefix={long}={}", shortest.display());
-    // After a save, only functions that have changed are compiled anew.
-    let own = "-- --cfg learn -C incremental=target/learn -A unused --cfg";
+    let own = "-- --cfg learn -A unused --cfg";
     let own = own.split(' ').chain([e.name, &*prefix]);
     of_stage(e.stage)
         .into_iter()

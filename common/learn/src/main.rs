@@ -1,17 +1,17 @@
 //! `cargo learn`: leads through the exercises of all stages, and checks them on save.
 //!
-//! An exercise is a section of the book's page `aNN-exercises.md` and a starter, which is
-//! copied to the student's file. The test program of the stage judges it, built with this file
+//! An exercise is a section of the book's page `aNN-exercises.md`, or a comment that sets the task,
+//! and a starter, which is copied to the student's file. The test program of the stage judges it, built with this file
 //! alone, so that a file that does not compile stops no other exercise.
 
 mod book;
-#[cfg(not(handout))]
 mod course;
 mod editor;
 mod exercise;
 mod files;
 mod judgement;
 mod keys;
+mod own;
 mod progress;
 mod submit;
 mod watch;
@@ -51,6 +51,7 @@ enum Command {
     /// Checks an exercise once
     Check(OrNext),
     /// Builds the book with your pictures in it
+    #[cfg(not(handout))]
     Book,
     /// Begins an exercise anew, and keeps your file
     Reset {
@@ -59,10 +60,8 @@ enum Command {
         name: &'static Exercise,
     },
     Submit(submit::Submit),
-    #[cfg(not(handout))]
-    Handout(course::Handout),
-    #[cfg(not(handout))]
-    Grade(course::Grade),
+    #[command(flatten)]
+    ForLecturers(course::Command),
 }
 
 fn main() -> ExitCode {
@@ -86,10 +85,7 @@ fn run() -> Result<ExitCode, String> {
         (Some(Command::Book), _) => return book::build(course),
         (Some(Command::Reset { name }), _) => files::reset(name)?,
         (Some(Command::Submit(submit)), _) => return print(&submit.run(course)?),
-        #[cfg(not(handout))]
-        (Some(Command::Handout(handout)), _) => return print(&handout.run(course)?),
-        #[cfg(not(handout))]
-        (Some(Command::Grade(grade)), _) => return print(&grade.run(course)?),
+        (Some(Command::ForLecturers(it)), _) => return print(&course::run(it, course)?),
         (_, None) => return print("all exercises are done; with a name, one is shown again"),
         (None, Some(e)) => watch::watch(course, e)?,
         (Some(Command::Hint(_)), Some(e)) => {

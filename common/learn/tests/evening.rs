@@ -61,7 +61,8 @@ fn learn(arguments: &[&str]) -> Command {
 #[test]
 fn each_step_is_answered() {
     let _ = fs::remove_dir_all(WORKBOOK);
-    for folder in ["book/src", "a01-image-display/exercises/starters"] {
+    let folders = "book/src a01-image-display/exercises/starters a01-image-display/tests/exercises";
+    for folder in folders.split(' ') {
         fs::create_dir_all(Path::new(WORKBOOK).join(folder)).unwrap();
     }
     env::set_current_dir(WORKBOOK).unwrap();
@@ -76,6 +77,17 @@ fn each_step_is_answered() {
     fs::write("Cargo.toml", PACKAGE).unwrap();
     let page = PAGES.concat().replace("a02-math/", "a01-image-display/");
     fs::write("book/src/a01-exercises.md", page).unwrap();
+
+    // An exercise that no page sets.
+    fs::write(
+        file("starters/own"),
+        "//! Its title, 5 minutes\n//!\n//! Its task.\n",
+    )
+    .unwrap();
+    let check = "a01-image-display/tests/exercises/own.rs";
+    fs::write(check, "//! Compares.\n//!\n//! Its hint.\n").unwrap();
+    let hint = learn(&["hint", "own"]).output().unwrap();
+    assert_eq!(hint.stdout, b"Its title\n\nIts hint.\n\n");
 
     let output = learn(&["hint", "diagnal"]).output().unwrap();
     assert!(String::from_utf8_lossy(&output.stderr).contains("diagonal"));

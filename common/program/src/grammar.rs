@@ -80,55 +80,8 @@ pub enum Command {
         #[command(flatten)]
         options: Options,
     },
-    /// List every number behind a pixel, by the lesson's own functions
-    #[cfg(not(handout))]
-    Explain {
-        /// The scene, as `list` names it
-        scene: String,
-        #[command(flatten)]
-        explaining: crate::explain_pixel::Explaining,
-    },
-    /// Write a scene as text for others to read
-    #[cfg(not(handout))]
-    Export {
-        /// The scene, as `list` names it, or a scene file that ends in .toml
-        scene: String,
-
-        /// The language: `toml`, for scene files, or `povray`
-        #[arg(long, value_name = "LANGUAGE", value_parser = ["toml", "povray"])]
-        to: String,
-
-        /// The file [default: standard output]
-        #[arg(short, long, value_name = "FILE")]
-        output: Option<PathBuf>,
-
-        #[command(flatten)]
-        options: Options,
-    },
-    /// Report error against run time: a table, CSV and plots
-    #[cfg(not(handout))]
-    Report {
-        /// Experiments; or `scene` and scenes, for the error of their samples [default: all experiments]
-        names: Vec<String>,
-
-        /// Measure less, in seconds
-        #[arg(long)]
-        quick: bool,
-
-        /// The folder for CSV and plots [default: out/report/]
-        #[arg(short, long, value_name = "DIR")]
-        output: Option<PathBuf>,
-    },
-    /// Show the stiff and extreme cases; exit code 1 if one fails
-    #[cfg(not(handout))]
-    Extremes {
-        /// Beginnings of ids, such as A or A01 [default: all]
-        names: Vec<String>,
-
-        /// Search for the worst input of a shape's formulas, and print it as a test in Rust
-        #[arg(long, value_name = "SHAPE", conflicts_with = "names")]
-        search: Option<String>,
-    },
+    #[command(flatten)]
+    Laboratory(crate::laboratory::Command),
 }
 
 impl CommandLine {

@@ -5,21 +5,18 @@
 //! the build has a window. Only this crate reads arguments and prints.
 
 mod appearance;
-#[cfg(not(handout))]
 mod explain;
-#[cfg(not(handout))]
 mod explain_pixel;
 mod explanation;
-#[cfg(not(handout))]
 mod extremes;
 mod gallery;
 mod grammar;
+mod laboratory;
 mod live_picture;
 mod named;
 mod options;
 mod print;
 mod render;
-#[cfg(not(handout))]
 mod report;
 mod run;
 mod save;

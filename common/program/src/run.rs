@@ -93,7 +93,6 @@ fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<(
                 chosen.extend_from_slice(&stage.scenes);
             }
             let by = render::render;
-            #[cfg(not(handout))]
             let by = if explain { crate::explain::explain } else { by };
             let render = |scenes: &[Scene]| {
                 render::render_to_files(stage, scenes, output.clone(), by, &options)
@@ -104,35 +103,7 @@ fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<(
                 render(&chosen)
             }
         }
-        #[cfg(not(handout))]
-        Some(Command::Export {
-            scene,
-            to,
-            output,
-            options,
-        }) => {
-            let scene = stage.scene(&scene)?;
-            let text = scene.rays()?.export(&to, &options.settings(&scene)?)?;
-            match output {
-                Some(path) => common::atomic_file::write(&path, text.as_bytes()),
-                None => print(text.trim_end()),
-            }
-        }
-        #[cfg(not(handout))]
-        Some(Command::Explain { scene, explaining }) => {
-            crate::explain_pixel::explain_pixel(&stage.scene(&scene)?, &explaining)
-        }
-        #[cfg(not(handout))]
-        Some(Command::Report {
-            names,
-            quick,
-            output,
-        }) => crate::report::report(stage, &names, quick, output),
-        #[cfg(not(handout))]
-        Some(Command::Extremes { names, search }) => match search {
-            Some(shape) => crate::extremes::show_worst(stage, &shape),
-            None => crate::extremes::show_extremes(stage, &names),
-        },
+        Some(Command::Laboratory(it)) => crate::laboratory::execute(stage, it),
     }
 }
 

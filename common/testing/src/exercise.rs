@@ -3,6 +3,8 @@
 //!
 //! # How to add an exercise
 //!
+//! An exercise is two files of the same name in a stage, which the build finds by themselves.
+//!
 //! 1. Where the student writes a part of the lesson, the starter,
 //!    `exercises/starters/NAME.rs`, compiles, calls [`missing`] in the place of the code that
 //!    is left to the student, and ends with three to six [`examples!`](crate::examples); the
@@ -11,11 +13,14 @@
 //!    student's part stands in `missing!("what is missing", a value for now, {`, ends with a
 //!    line `})`, and is cut out of the starter.
 //! 2. The check, `tests/exercises/NAME.rs`, compares the student's code with the solution by
-//!    [`Check::compare`]. Its [`variants!`](crate::variants) are right solutions in another
-//!    style, and mistakes of learners: at least three with those of its kind ([`Check::usual`]).
-//!    What only they use stands after them: a handout without solutions ends before.
-//! 3. Add a line to [`exercises!`](crate::exercises) in `tests/exercises/main.rs`, and a
-//!    section to the page `book/src/aNN-exercises.md`: task, minutes and hints.
+//!    [`Check::compare`]. Its [`variants!`](crate::variants) begin with the student's code; the
+//!    others are right solutions in another style, and mistakes of learners: at least three with
+//!    those of its kind ([`Check::usual`]). What only they use stands after them: a handout
+//!    without solutions ends before.
+//! 3. The task is a section of the page `book/src/aNN-exercises.md`. Without a section, the comment
+//!    at the beginning of the first file is title, minutes and task, as
+//!    `//! A camera for a dome, 20 minutes`, an empty line, and paragraphs. In the comment of the
+//!    check each paragraph after the first is a hint.
 //! 4. `cargo test -p STAGE --test exercises -- NAME` proves it, shows the messages that
 //!    students read, and leaves the picture of the solution in `out/exercises/`.
 
@@ -92,13 +97,17 @@ pub const fn wrong(about: &'static str, check: fn(&mut Check)) -> Variant {
     Variant(false, about, check)
 }
 
-/// Writes `VARIANTS`: `variants! { check: right "in another style" => code; ... }`. The function
-/// is called with a check and the codes of each row.
+/// Names the codes of a check: `variants! { variant: yours => code; right "in another style" =>
+/// code; ... }`. The function `check` is called with those of the student's file, or of the
+/// solution, and the function `variant` with those of each further row.
 #[macro_export]
 macro_rules! variants {
-    ($check:ident: $($kind:ident $about:literal => $($code:expr),+;)+) => {
+    ($variant:ident: yours => $($yours:expr),+; $($kind:ident $about:literal => $($code:expr),+;)*) => {
         pub const VARIANTS: &[$crate::exercise::Variant] =
-            &[$($crate::exercise::$kind($about, |c| $check(c, $($code),+))),+];
+            &[$($crate::exercise::$kind($about, |c| $variant(c, $($code),+))),*];
+
+        macro_rules! yours { () => { |c| check(c, $($yours),+) } }
+        pub(crate) use yours;
     };
 }
 
@@ -115,11 +124,10 @@ macro_rules! examples {
     };
 }
 
-/// Writes the modules and the `main` of a stage's `tests/exercises/main.rs`. The first
-/// line makes `crate::prelude`, whose names checks and examples use; the solutions are among
-/// them. The next ones are exercises with a starter of their own, in the folder `starters`,
-/// whose solution is the lesson, and exercises whose starter is the solution without its
-/// code: each the name and a check, which sees the public items of the file.
+/// Writes the modules and the `main` of a stage's `tests/exercises/main.rs`, after the names
+/// that checks and examples use by `crate::prelude`; the solutions are among them. The exercises
+/// are the files in `exercises/starters`, whose solution is the lesson or in the check, and those
+/// in `exercises/solutions`, whose starter is the solution without its code.
 ///
 /// The test proves all checks, and does not read the students' files: a file that does
 /// not compile fails no test. `cargo learn` builds the test program with the
@@ -127,7 +135,8 @@ macro_rules! examples {
 /// file of that name; built for a page of the book, it renders the scenes of several names.
 #[macro_export]
 macro_rules! exercises {
-    (use $names:tt; starters $starters:tt solutions { $($name:ident => $check:expr;)* }) => {
+    ($stage:ident uses $names:tt) => { $crate::listed! { $stage $names } };
+    ($names:tt starters $starters:tt solutions { $($name:ident)* }) => {
         /// All names that checks and examples use.
         #[allow(unused_imports, ambiguous_glob_reexports)]
         mod prelude {
@@ -146,9 +155,9 @@ macro_rules! exercises {
             $(#[cfg(any(not(learn), $name))] pub mod $name;)*
         }
 
-        $crate::exercises! { starters $starters solutions { $($name => $check;)* } }
+        $crate::exercises! { starters $starters solutions { $($name)* } }
     };
-    ($($folder:ident { $($name:ident => $check:expr;)* })+) => {
+    ($($folder:ident { $($name:ident)* })+) => {
         $($(
             #[cfg(any(not(learn), $name))]
             #[allow(clippy::semicolon_if_nothing_returned)]
@@ -191,11 +200,11 @@ macro_rules! exercises {
             $($(
                 #[cfg($name)]
                 let judged = judge(stage, stringify!($name), {
-                    use yours::$name::*;
-                    Code { examples, check: $check }
+                    use {yours::$name::*, $name::check};
+                    Code { examples, check: $name::yours!() }
                 }, {
                     use {prelude::*, $name::*};
-                    ($check, $name::VARIANTS)
+                    ($name::yours!(), $name::VARIANTS)
                 });
             )*)+
             #[cfg(learn)]
@@ -204,12 +213,12 @@ macro_rules! exercises {
             $crate::exercise::prove(stage, [$($(Exercise {
                 name: stringify!($name),
                 starter: {
-                    use starters::$folder::$name::*;
-                    Code { examples, check: $check }
+                    use {starters::$folder::$name::*, $name::check};
+                    Code { examples, check: $name::yours!() }
                 },
                 solution: {
                     use {prelude::*, $name::*};
-                    Code { examples: proved::$name, check: $check }
+                    Code { examples: proved::$name, check: $name::yours!() }
                 },
                 variants: $name::VARIANTS,
             },)*)+])

@@ -1,70 +1,88 @@
 //! `cut`: leaves tests and laboratories out of a handout.
 //!
-//! They are the items of `cfg(not(handout))` and of `cfg(test)`, the modules of the stages that
-//! join them with laboratories, engine and scene files, lines that name these modules, and the
-//! files of all these modules. Items stand on lines of their own, as `rustfmt` writes them.
+//! They are files, with the lines of other files that name their modules, and the items of
+//! `cfg(not(handout))` and `cfg(test)`. Items stand on lines of their own, as `rustfmt` writes
+//! them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-/// The crates that only laboratories use, which manifests do not name then.
-const CRATES: [&str; 2] = ["engine", "scene-file"];
-
-/// The words of lines that name the modules, or say that a stage has no such module.
+/// Parts of the paths of files that are not handed out.
 #[rustfmt::skip]
-const JOINTS: [&str; 9] = [
-    "mod lab;", " lab::", "::lab::", "mod fast;", "::fast::", "mod from_file;", "::from_file::",
-    "open: None,", "search: None,",
+const LABS: &[&str] = &[
+    "/examples/", "/src/lab", "/src/fast.rs", "/src/from_file.rs", "/tests.rs",
+    "common/engine/", "common/scene-file/", "common/measure/src/", "common/src/steps/",
+    "common/src/tally.rs", "common/program/src/explain", "common/program/src/extremes.rs",
+    "common/program/src/laboratory.rs", "common/program/src/report.rs",
+    "common/testing/src/display.rs", "common/testing/src/picture_lock",
+    "common/testing/src/refusal.rs",
+    "common/learn/handout/", "common/learn/src/book.rs", "common/learn/src/course",
 ];
+/// Files that are handed out nevertheless.
+const KEPT: [&str; 2] = ["common/measure/src/lib.rs", "common/measure/src/stage.rs"];
 
-/// Leaves these items, modules and crates out of files, which are given by their paths.
+/// The beginnings of lines about their crates in manifests.
+const CRATES: [&str; 2] = ["engine.", "scene-file."];
+
+/// Lines of a stage that has no such module.
+const WORDS: [&str; 3] = ["extremes: |_| Vec::new(),", "open: None,", "search: None,"];
+
+/// Leaves all this out of files, which are given by their paths.
 pub fn cut(files: &mut BTreeMap<String, Vec<u8>>) {
-    let is_kept = |line: &&str| {
-        line.split('.')
-            .next()
-            .is_none_or(|it| !CRATES.contains(&it))
-    };
-    let mut modules = Vec::new();
-    for (path, bytes) in &mut *files {
+    let is_cut = |path: &str| !KEPT.contains(&path) && LABS.iter().any(|part| path.contains(part));
+    let cut: Vec<_> = files.extract_if(.., |path, _| is_cut(path)).collect();
+    let modules: BTreeSet<_> = cut
+        .iter()
+        .filter_map(|(path, _)| module(path, files))
+        .collect();
+    for (path, bytes) in files {
         let text = String::from_utf8_lossy(bytes);
+        let is_of_crate = |line: &&str| CRATES.iter().any(|name| line.starts_with(name));
         let lines = match path.rsplit_once('.') {
-            Some((module, "rs")) => without_items(module, &text, &mut modules),
-            Some((_, "toml")) => text.lines().filter(is_kept).collect(),
+            Some((_, "rs")) => without_items(&text, &modules),
+            Some((_, "toml")) => text.lines().filter(|line| !is_of_crate(line)).collect(),
             _ => continue,
         };
         *bytes = (lines.join("\n").trim_end().to_owned() + "\n").into();
     }
-    files.retain(|path, _| !modules.iter().any(|module| path.starts_with(module)));
 }
 
-/// The lines of a module without the items. Adds the beginnings of the paths of modules among
-/// them.
-fn without_items<'a>(path: &str, text: &'a str, modules: &mut Vec<String>) -> Vec<&'a str> {
-    let folder = path.trim_end_matches("/lib").trim_end_matches("/main");
+/// The module of a file, if one of the other files declares it.
+fn module<'a>(path: &'a str, others: &BTreeMap<String, Vec<u8>>) -> Option<&'a str> {
+    let (folder, name) = path.strip_suffix(".rs")?.rsplit_once('/')?;
+    let mut parents = [".rs", "/lib.rs", "/main.rs"]
+        .map(|end| format!("{folder}{end}"))
+        .into_iter();
+    parents
+        .any(|path| others.contains_key(&path))
+        .then_some(name)
+}
+
+/// Whether a line declares a module, or names an item of it.
+fn is_about(line: &str, module: &str) -> bool {
+    let is_whole = |before: &str| !before.ends_with(|c: char| c.is_alphanumeric() || c == '_');
+    let path = format!("{module}::");
+    let mut paths = line.match_indices(&path);
+    paths.any(|(at, _)| is_whole(&line[..at])) || line.ends_with(&format!("mod {module};"))
+}
+
+/// The lines of a text without marked items, and without lines about these modules.
+fn without_items<'a>(text: &'a str, modules: &BTreeSet<&str>) -> Vec<&'a str> {
     let indent = |line: &str| line.len() - line.trim_start().len();
-    let names = |line: &str, words: &[&str]| words.iter().any(|word| line.contains(word));
     let (mut kept, mut lines) = (Vec::new(), text.lines());
     while let Some(line) = lines.next() {
         let is_end = |next: &&str| {
             let is_code = !next.trim().starts_with(['/', '#']);
             is_code && indent(next) == indent(line) && next.ends_with([';', ',', '}'])
         };
-        let is_marked =
-            line.trim().starts_with("#[cfg(") && names(line, &["not(handout)", "(test)"]);
-        if is_marked || names(line, &JOINTS) && is_end(&line) {
-            let end = if is_marked {
-                lines.find(is_end)
-            } else {
-                Some(line)
-            };
-            let name = end.and_then(|end| end.split_once("mod ")?.1.strip_suffix(';'));
-            modules.extend(
-                name.iter()
-                    .flat_map(|name| [".rs", "/"].map(|end| [folder, "/", name, end].concat())),
-            );
-            while kept
-                .pop_if(|line: &mut &str| line.trim().starts_with(['/', '#']))
-                .is_some()
-            {}
+        let is_marked = ["#[cfg(not(handout))]", "#[cfg(test)]"].contains(&line.trim());
+        let is_left_out = WORDS.contains(&line.trim())
+            || is_end(&line) && modules.iter().any(|module| is_about(line, module));
+        if is_marked {
+            lines.find(is_end);
+        }
+        if is_marked || is_left_out {
+            let is_head = |line: &mut &str| line.trim().starts_with(['/', '#']);
+            while kept.pop_if(is_head).is_some() {}
         } else if line.trim() != "#[cfg(handout)]" {
             // As `rustfmt` does.
             kept.pop_if(|before| before.is_empty() && ["", "}"].contains(&line.trim()));

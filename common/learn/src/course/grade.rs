@@ -12,7 +12,7 @@ use super::refusal::refusal;
 use super::result_file::{self, FORMATS};
 use super::sandbox::{NOTE, Sandbox};
 use super::{exercises, stages, submission};
-use crate::exercise::Exercise;
+use crate::exercise::{self, Exercise};
 use crate::files::{self, failed};
 use crate::judgement;
 
@@ -28,7 +28,8 @@ pub struct Graded {
 /// The result of an exercise.
 pub struct Outcome {
     pub exercise: &'static Exercise,
-    pub is_right: bool,
+    /// 1 if it is right, and else 0.
+    pub points: usize,
     /// The message to the student.
     pub message: String,
 }
@@ -43,8 +44,8 @@ pub struct Grade {
     #[arg(long, value_name = "STAGE")]
     until: Option<String>,
     /// The exercises that count [default: all of the stages]
-    #[arg(long, value_name = "NAME,NAME", value_delimiter = ',')]
-    exercises: Option<Vec<String>>,
+    #[arg(long, value_name = "NAME,NAME", value_delimiter = ',', value_parser = exercise::find)]
+    exercises: Vec<&'static Exercise>,
     /// The form of the results
     #[arg(long, default_value = "table", value_parser = FORMATS)]
     format: String,
@@ -53,12 +54,11 @@ pub struct Grade {
 impl Grade {
     pub fn run(self, course: &'static [Exercise]) -> Result<String, String> {
         let all = exercises(course, self.until.as_ref())?;
-        let find = |name: &String| {
-            let exercise = all.iter().copied().find(|e| e.name == name);
-            exercise.ok_or_else(|| format!("no exercise of these stages is {name}"))
-        };
-        let names = self.exercises.as_ref();
-        let chosen = names.map_or(Ok(all.clone()), |names| names.iter().map(find).collect())?;
+        let named = &self.exercises;
+        let chosen = if named.is_empty() { &all } else { named };
+        if let Some(e) = chosen.iter().find(|e| !all.contains(e)) {
+            return Err(format!("{} belongs to a later stage", e.name));
+        }
         let format = &*self.format;
         if ["gradescope", "classroom50"].contains(&format) && self.paths.len() > 1 {
             return Err(format!("a file for {format} is about one submission"));
@@ -113,10 +113,11 @@ fn prepared(all: &[&Exercise]) -> Result<Sandbox, String> {
 fn outcome(sandbox: &Sandbox, exercise: &'static Exercise, path: &Path) -> Outcome {
     let verdict = submission::read(path, exercise);
     let verdict = verdict.and_then(|text| judge(sandbox, exercise, &text));
-    let message = verdict.clone().err().unwrap_or_else(|| "right".to_owned());
+    let points = usize::from(verdict.is_ok());
+    let message = verdict.err().unwrap_or_else(|| "right".to_owned());
     Outcome {
         exercise,
-        is_right: verdict.is_ok(),
+        points,
         message: message.chars().take(MESSAGE).collect(),
     }
 }
@@ -143,6 +144,7 @@ fn judge(sandbox: &Sandbox, e: &Exercise, text: &str) -> Result<(), String> {
     verdict.env("EXERCISE_JUDGED", e.name).stdin(answers);
     let verdict = verdict.output().map_err(failed(proofs.as_ref()))?;
     let wrong = String::from_utf8_lossy(&verdict.stdout);
+    let wrong = wrong.trim_end();
     let forged = || format!("the program reports success, but its answers say: {wrong}");
     verdict.status.success().then_some(()).ok_or_else(forged)
 }

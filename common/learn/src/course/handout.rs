@@ -17,8 +17,6 @@ const README: &str = include_str!("../../handout/README.md");
 
 /// What Git has of the workbook, without the stages and their pages.
 const PARTS: &str = ".cargo .gitignore Cargo.lock Cargo.toml LICENSE clippy.toml common";
-/// What a handout without laboratories lacks of it.
-const LABS: &str = ":!common/engine :!common/scene-file :!common/learn/handout :!*/examples/*";
 
 /// For lecturers: writes a workbook for students
 #[derive(clap::Args, Default)]
@@ -72,12 +70,11 @@ impl Handout {
         said(cargo.current_dir(folder)).map(drop)
     }
 
-    /// The exercises without their solutions.
+    /// The exercises without their solutions, which have a file.
     fn withheld<'a>(&self, chosen: &[&'a Exercise]) -> impl Iterator<Item = &'a Exercise> {
-        chosen
-            .iter()
-            .copied()
-            .filter(|e| self.without_solutions && !e.is_core)
+        let has_file = |e: &Exercise| e.solution.contains("/exercises/solutions/");
+        let chosen = chosen.iter().copied();
+        chosen.filter(move |e| self.without_solutions && has_file(e))
     }
 
     /// The files by their paths, without records.
@@ -91,12 +88,7 @@ impl Handout {
                 format!("book/src/pictures/{stage}*"),
             ]
         });
-        let labs = (!self.with_labs).then_some(LABS);
-        let parts = [PARTS]
-            .into_iter()
-            .chain(labs)
-            .flat_map(|parts| parts.split(' '));
-        let parts = parts.map(str::to_owned).chain(pages);
+        let parts = PARTS.split(' ').map(str::to_owned).chain(pages);
         let mut git = Command::new("git");
         git.args("ls-files -z --cached --others --exclude-standard".split(' '));
         let paths = said(git.args(parts).current_dir(files::workspace()))?;
@@ -111,24 +103,29 @@ impl Handout {
         for e in self.withheld(chosen) {
             let solution = format!("{}/exercises/solutions/{}.rs", e.stage, e.name);
             contents.insert(solution, files::starter(e)?.into());
-            // The proofs are the end of the file.
+            // The proofs are the end of the file, from the second row of the variants on.
             let path = format!("{}/tests/exercises/{}.rs", e.stage, e.name);
             let check = files::read(&path)?;
-            let check = check.split("\nvariants! {").next().unwrap_or_default();
-            let none = "pub const VARIANTS: &[Variant] = &[];";
-            contents.insert(path, format!("#![allow(unused)]\n{check}\n{none}\n").into());
+            let (before, variants) = check.split_once("\nvariants! {").unwrap_or_default();
+            let yours = variants.split(";\n").next().unwrap_or_default();
+            let check = format!("#![allow(unused)]\n{before}\nvariants! {{{yours};\n}}\n");
+            contents.insert(path, check.into());
+        }
+        if !self.with_labs {
+            cut(&mut contents);
         }
         let is_there = |line: &&str| {
             let member = line.trim().strip_prefix('"');
             let member = member.and_then(|line| line.strip_suffix("\","));
             member.is_none_or(|member| contents.contains_key(&format!("{member}/Cargo.toml")))
         };
-        let workspace = files::read("Cargo.toml")?;
+        let workspace = contents
+            .get("Cargo.toml")
+            .map(|text| String::from_utf8_lossy(text));
+        let workspace = workspace.unwrap_or_default();
         let workspace: Vec<_> = workspace.lines().filter(is_there).collect();
-        contents.insert("Cargo.toml".to_owned(), workspace.join("\n").into());
-        if !self.with_labs {
-            cut(&mut contents);
-        }
+        let workspace = workspace.join("\n");
+        contents.insert("Cargo.toml".to_owned(), workspace.into());
         let readme = README.replace("{stage}", stages.last().unwrap_or(&""));
         contents.insert("README.md".to_owned(), readme.into());
         Ok(contents)

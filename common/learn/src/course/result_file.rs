@@ -8,32 +8,28 @@ pub const FORMATS: [&str; 5] = ["table", "csv", "junit", "gradescope", "classroo
 
 /// The results in a format.
 pub fn text(format: &str, graded: &[Graded]) -> String {
-    let of_one = match format {
-        "csv" => csv,
-        "junit" => junit,
-        "gradescope" => gradescope,
-        "classroom50" => classroom50,
-        _ => table,
+    let (head, of_one, end): (_, fn(&Graded) -> String, _) = match format {
+        "csv" => (COLUMNS, csv, ""),
+        "junit" => ("<testsuites>\n", junit, "</testsuites>\n"),
+        "gradescope" => ("", gradescope, ""),
+        "classroom50" => ("", classroom50, ""),
+        _ => ("", table, ""),
     };
     let texts: String = graded.iter().map(of_one).collect();
-    match format {
-        "csv" => format!("submission,stage,exercise,points,max_points,message\r\n{texts}"),
-        "junit" => format!("<testsuites>\n{texts}</testsuites>\n"),
-        _ => texts,
-    }
+    [head, &texts, end].concat()
 }
 
 /// The points of a submission, and the text of its results.
 fn results(graded: &Graded, separator: &str, text: impl Fn(&Outcome) -> String) -> (usize, String) {
-    let points = graded.results.iter().filter(|o| o.is_right).count();
+    let points = graded.results.iter().map(|o| o.points).sum();
     let texts: Vec<_> = graded.results.iter().map(text).collect();
     (points, texts.join(separator))
 }
 
 fn table(graded: &Graded) -> String {
     let (points, results) = results(graded, "", |o| {
-        let (points, message) = (u8::from(o.is_right), o.message.replace('\n', "\n        "));
-        format!("  {points}  {:18} {message}\n", o.exercise.name)
+        let message = o.message.replace('\n', "\n        ");
+        format!("  {}  {:18} {message}\n", o.points, o.exercise.name)
     });
     format!(
         "{}: {points} of {}\n{results}",
@@ -41,6 +37,8 @@ fn table(graded: &Graded) -> String {
         graded.results.len()
     )
 }
+
+const COLUMNS: &str = "submission,stage,exercise,points,max_points,message\r\n";
 
 /// RFC 4180: a field in quotes, whose own quotes are doubled. A leading `'` keeps a
 /// spreadsheet from computing a name.
@@ -53,7 +51,7 @@ fn csv(graded: &Graded) -> String {
     let row = |o: &Outcome| {
         let fields = [&*graded.name, o.exercise.stage, o.exercise.name].map(field);
         let (fields, message) = (fields.join(","), field(&o.message));
-        format!("{fields},{},1,{message}\r\n", u8::from(o.is_right))
+        format!("{fields},{},1,{message}\r\n", o.points)
     };
     results(graded, "", row).1
 }
@@ -63,7 +61,7 @@ fn junit(graded: &Graded) -> String {
     let (points, cases) = results(graded, "", |o| {
         let (e, message) = (o.exercise, xml(&o.message));
         let case = format!("<testcase classname={:?} name={:?}", e.stage, e.name);
-        if o.is_right {
+        if o.points == 1 {
             return format!("{case}/>\n");
         }
         let first = xml(o.message.lines().next().unwrap_or_default());
@@ -97,9 +95,8 @@ fn json(text: &str) -> String {
 /// Gradescope's `results.json`: <https://gradescope-autograders.readthedocs.io/en/latest/specs/>.
 fn gradescope(graded: &Graded) -> String {
     let (points, tests) = results(graded, ",\n", |o| {
-        let status = if o.is_right { "passed" } else { "failed" };
-        let (title, message) = (json(o.exercise.title), json(&o.message));
-        let points = u8::from(o.is_right);
+        let status = ["failed", "passed"][o.points];
+        let (title, points, message) = (json(o.exercise.title), o.points, json(&o.message));
         format!(
             r#"{{"name": {title}, "score": {points}, "max_score": 1, "status": "{status}",
 "output": {message}, "output_format": "text"}}"#
@@ -120,10 +117,10 @@ const VARIABLES: [(&str, &str); 7] = [
 /// <https://github.com/foundation50/classroom50/wiki/Advanced-Autograding>.
 fn classroom50(graded: &Graded) -> String {
     let (points, tests) = results(graded, ",\n", |o| {
-        let (points, message) = (u8::from(o.is_right), json(&o.message));
+        let (name, points, message) = (o.exercise.name, o.points, json(&o.message));
+        let passed = points == 1;
         format!(
-            r#"{{"test-name": "{}", "passed": {}, "score": {points}, "max-score": 1, "message": {message}}}"#,
-            o.exercise.name, o.is_right
+            r#"{{"test-name": "{name}", "passed": {passed}, "score": {points}, "max-score": 1, "message": {message}}}"#
         )
     });
     let field = |(name, variable): &(&str, &str)| {
@@ -154,7 +151,7 @@ mod tests {
         let course = crate::exercise::read_all().unwrap();
         let outcome = |(exercise, message): (_, &str)| Outcome {
             exercise,
-            is_right: message == "right",
+            points: usize::from(message == "right"),
             message: message.to_owned(),
         };
         let wrong = "a < b & \"c\"\nsecond line, \u{e4}";

@@ -10,21 +10,30 @@ pub trait Input: Clone {
     /// The argument in words; of a tuple, those of each.
     fn words(&self) -> Vec<String>;
 
+    /// The numbers that may be moved.
+    fn numbers(&self) -> Vec<f64> {
+        let mut numbers = Vec::new();
+        self.clone()
+            .for_each_number(&mut |number| numbers.push(*number));
+        numbers
+    }
+
+    /// This input with other numbers.
+    fn with_numbers(mut self, numbers: &[f64]) -> Self {
+        let mut numbers = numbers.iter();
+        self.for_each_number(&mut |number| *number = numbers.next().copied().unwrap_or(*number));
+        self
+    }
+
     /// This input with each of its numbers a little larger and a little smaller, by
     /// `unit` of itself: so a zero stays what it is.
     fn moved(&self, unit: f64) -> impl Iterator<Item = [Self; 2]> {
-        let mut count = 0;
-        self.clone().for_each_number(&mut |_| count += 1);
-        (0..count).map(move |which| {
+        let numbers = self.numbers();
+        (0..numbers.len()).map(move |which| {
             [unit, -unit].map(|change| {
-                let (mut moved, mut index) = (self.clone(), 0);
-                moved.for_each_number(&mut |number| {
-                    if index == which {
-                        *number *= 1.0 + change;
-                    }
-                    index += 1;
-                });
-                moved
+                let mut moved = numbers.clone();
+                moved[which] *= 1.0 + change;
+                self.clone().with_numbers(&moved)
             })
         })
     }

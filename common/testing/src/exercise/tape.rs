@@ -8,7 +8,7 @@ use std::vec;
 use common::{Color, Error, Image, Settings};
 
 use super::answer::Part;
-use super::{Answer, Check};
+use super::{Answer, Check, Input};
 
 /// The beginning of each line, which sets it apart from what a program prints besides.
 const MARK: char = '\u{1d}';
@@ -67,19 +67,19 @@ impl Tape {
 
 impl Check {
     /// Inputs that are found with the solution, and recorded where it is not handed out.
-    pub fn recorded<const N: usize>(
-        &mut self,
-        inputs: impl FnOnce() -> Vec<[f64; N]>,
-    ) -> Vec<[f64; N]> {
+    pub fn recorded<I: Input + Default>(&mut self, inputs: impl FnOnce() -> Vec<I>) -> Vec<I> {
         let numbers = if let Some(known) = &mut self.known {
             known.inputs.next()
         } else {
             self.lesson.begin();
-            self.lesson.numbers(|| Some(inputs().concat()))
+            let numbers = || inputs().iter().flat_map(Input::numbers).collect();
+            self.lesson.numbers(|| Some(numbers()))
         };
         let numbers = numbers.unwrap_or_default();
         self.inputs.push(numbers.clone());
-        numbers.as_chunks().0.to_vec()
+        let each = numbers.chunks(I::default().numbers().len().max(1));
+        each.map(|numbers| I::default().with_numbers(numbers))
+            .collect()
     }
 
     /// The student's picture; black if it is to be read and is not there.
