@@ -14,7 +14,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise/replay",
             "common/testing/src/exercise/tape",
         ],
-        986,
+        1_015,
     ),
     (
         "exercises with their checks, and cargo learn",
@@ -23,7 +23,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise",
             "common/learn/",
         ],
-        7_916,
+        7_963,
     ),
     ("benchmarks", &["/benches/"], 1_329),
     ("labs", &["/src/lab/", "/src/lab.rs"], 6_909),
@@ -41,9 +41,9 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/measure/src/",
             "common/testing/src/",
         ],
-        8_107,
+        8_113,
     ),
-    ("tests of common and program", &["common/"], 265),
+    ("tests of common and program", &["common/"], 311),
     ("fuzz targets", &["fuzz/"], 592),
     ("checks of the book", &["book/tests/"], 438),
     ("live pages", &["book/live/"], 1_747),
@@ -51,7 +51,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 48_905;
+const OF_ALL: usize = 49_032;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.
