@@ -23,7 +23,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise",
             "common/learn/",
         ],
-        7_963,
+        7_964,
     ),
     ("benchmarks", &["/benches/"], 1_329),
     ("labs", &["/src/lab/", "/src/lab.rs"], 6_909),
@@ -51,7 +51,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 49_032;
+const OF_ALL: usize = 49_033;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.

@@ -19,6 +19,7 @@ pub trait Input: Clone {
     }
 
     /// This input with other numbers.
+    #[must_use]
     fn with_numbers(mut self, numbers: &[f64]) -> Self {
         let mut numbers = numbers.iter();
         self.for_each_number(&mut |number| *number = numbers.next().copied().unwrap_or(*number));
