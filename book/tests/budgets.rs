@@ -31,7 +31,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
     (
         "reader and writer of scene files",
         &["common/scene-file/"],
-        1_054,
+        1_085,
     ),
     (
         "common, program, measure and testing",
@@ -44,14 +44,14 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
         8_113,
     ),
     ("tests of common and program", &["common/"], 311),
-    ("fuzz targets", &["fuzz/"], 592),
+    ("fuzz targets", &["fuzz/"], 596),
     ("checks of the book", &["book/tests/"], 438),
     ("live pages", &["book/live/"], 1_747),
     ("tests of the stages", &["/tests/"], 4_408),
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 49_033;
+const OF_ALL: usize = 49_068;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.

@@ -169,7 +169,7 @@ fn files_without_permission_are_refused() {
     let is_root = fs::read(&mesh).is_ok();
     let cases = [
         (0o644, 0o644, ""),
-        (0o644, 0o000, "scene.toml:72:8: cannot open pyramid.obj: "),
+        (0o644, 0o000, "scene.toml:72:8: cannot read pyramid.obj: "),
         (0o000, 0o644, "cannot open scene.toml: "),
     ];
     for (of_scene, of_mesh, expected) in cases {

@@ -25,11 +25,22 @@ impl Mesh {
         } else {
             let without_materials = |_: &_| Err(LoadError::OpenFileFailed);
             let read = tobj::load_obj_buf(&mut bytes, &options, without_materials);
-            let (models, _) = read.map_err(|error| format!("a mistake in this OBJ: {error}"))?;
+            let (models, _) = read.map_err(|error| match error {
+                LoadError::FaceVertexOutOfBounds => {
+                    "a face of this OBJ has a corner that it lacks; the first is 1".to_owned()
+                }
+                LoadError::PositionParseError => {
+                    "a corner of this OBJ is not three numbers, as v 0 1 0".to_owned()
+                }
+                error => format!("a mistake in this OBJ: {error}"),
+            })?;
             models.into_iter().map(|model| model.mesh).collect()
         });
         if mesh.triangles().next().is_none() {
-            return Err("it has no faces, such as f 1 2 3 in an OBJ file".into());
+            return Err(
+                "it has no faces; a mesh is an OBJ file with lines as f 1 2 3, or a PLY file"
+                    .into(),
+            );
         }
         Ok(mesh)
     }

@@ -10,12 +10,30 @@ use crate::{Data, Error, Item, KINDS, Key, Kind, Mesh};
 /// Reads the mesh of this name, beside the scene file. The error is one clause.
 pub type Meshes<'a> = &'a dyn Fn(&str) -> Result<Mesh, String>;
 
-/// The error of a name that is there twice.
-const DUPLICATE: &str = "this name is taken: spheres, lights and the like have two pairs of \
-    brackets, as [[sphere]], and the shapes of a group stand behind its [[group]]";
-
-/// The error of a word that is no value, such as `[0 1 0]`.
-const UNQUOTED: &str = "a text stands in quotation marks, and a list has commas, as [0, 1, 0]";
+/// Beginnings of the parser's errors, and words for readers who do not know its terms.
+const MISTAKES: [(&str, &str); 5] = [
+    (
+        "duplicate key",
+        "this name is taken: a key stands once in its table, spheres, lights and the like have \
+         two pairs of brackets, as [[sphere]], and the shapes of a group stand behind its [[group]]",
+    ),
+    (
+        "string values must be",
+        "a text stands in quotation marks, and a list has commas, as [0, 1, 0]",
+    ),
+    (
+        "missing comma between array elements",
+        "the list before this place has no ] at its end, or lacks a comma",
+    ),
+    (
+        "missing key for inline table element",
+        "the braces before this place have no } at their end, or lack a key",
+    ),
+    (
+        "unexpected key or value",
+        "a line has one value, and a number a point, as 0.8",
+    ),
+];
 
 /// Most groups inside each other.
 const MOST_GROUPS: usize = 32;
@@ -43,11 +61,13 @@ impl SceneFile {
     pub fn read(text: &str, stage: u8, meshes: Meshes) -> Result<Self, Error> {
         let table = DeTable::parse(text).map_err(|error| Error {
             at: error.span().unwrap_or_default().start,
-            text: match error.message() {
-                "duplicate key" => DUPLICATE.to_owned(),
-                unquoted if unquoted.starts_with("string values must be") => UNQUOTED.to_owned(),
-                message => message.replace('\n', ", "),
-            },
+            text: MISTAKES
+                .iter()
+                .find(|(begin, _)| error.message().starts_with(begin))
+                .map_or_else(
+                    || error.message().replace('\n', ", "),
+                    |(_, text)| text.to_string(),
+                ),
         })?;
         let reader = Reader { stage, meshes };
         let missing = |kind: usize| reader.item(&KINDS[kind], "", 0, &DeTable::new(), 0);
@@ -155,7 +175,7 @@ impl Reader<'_> {
         match (key.form, value.get_ref()) {
             ("text", DeValue::String(file)) if key.name == "file" => {
                 let mesh = (self.meshes)(file);
-                let cannot = |reason| error(value, format!("cannot open {file}: {reason}"));
+                let cannot = |reason| error(value, format!("cannot read {file}: {reason}"));
                 mesh.map(Data::Mesh).map_err(cannot)
             }
             ("text", DeValue::String(text)) => Ok(Data::Text(text.to_string())),

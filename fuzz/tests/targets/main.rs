@@ -64,11 +64,15 @@ proptest! {
     #![proptest_config(config(3000))]
 
     #[test]
-    fn scene_files_do_no_harm(bytes in vec(any::<u8>(), 0..1000), changes in vec(change(), 0..=8)) {
+    fn scene_files_do_no_harm(changes in vec(change(), 0..=8)) {
         let example = include_bytes!("../../../a07-transforms/scenes/shapes.toml");
         scene_files::check(&changed(example.to_vec(), &changes));
         let mesh = include_bytes!("../../../a07-transforms/scenes/star.ply");
         scene_files::check(&changed(mesh.to_vec(), &changes));
+    }
+
+    #[test]
+    fn structures_of_scene_files_do_no_harm(bytes in vec(any::<u8>(), 0..1000)) {
         scene_files::check_structure(&bytes);
     }
 
