@@ -1,8 +1,8 @@
 //! `cargo learn`: leads through the exercises of all stages, and checks them on save.
 //!
 //! An exercise is a section of the book's page `aNN-exercises.md`, or a comment that sets the task,
-//! and a starter, which is copied to the student's file. The test program of the stage judges it, built with this file
-//! alone, so that a file that does not compile stops no other exercise.
+//! and a starter, which is copied to the student's file. The test program of the stage judges it,
+//! built with this file alone, so that a file that does not compile stops no other exercise.
 
 mod book;
 mod course;
