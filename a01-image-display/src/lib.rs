@@ -6,7 +6,6 @@
 
 mod canvas;
 mod font;
-mod lab;
 mod paint_diagonal;
 mod painter;
 mod scenes;

@@ -1,8 +1,6 @@
-//! `stage`: joins the scenes, experiments and extreme cases of this stage for its
-//! program.
+//! `stage`: the scenes of this stage for its program.
 
-use common::Scene;
-use measure::Stage;
+use common::{Scene, Stage};
 
 use crate::scenes::{diagonal, painter, show_image};
 
@@ -27,9 +25,6 @@ pub fn stage() -> Stage {
                 |settings, _| show_image(settings.file.as_deref()),
             ),
         ],
-        experiments: crate::lab::experiments,
-        extremes: |_| Vec::new(),
-        search: None,
         open: None,
     }
 }

@@ -1,4 +1,4 @@
-//! Points and vectors from arrays of numbers, as tables of inputs write them.
+//! Points and vectors from arrays of numbers, as tables of inputs write them, and back.
 
 use crate::{Point3, Vector3};
 
@@ -12,4 +12,10 @@ pub const fn vector([x, y, z]: [f64; 3]) -> Vector3 {
 #[must_use]
 pub const fn point([x, y, z]: [f64; 3]) -> Point3 {
     Point3::new(x, y, z)
+}
+
+/// The coordinates of a point, a vector or a normal.
+#[must_use]
+pub fn array(triple: impl Into<[f64; 3]>) -> [f64; 3] {
+    triple.into()
 }

@@ -8,8 +8,7 @@
 pub mod arrays;
 mod direction;
 #[doc(hidden)]
-pub mod lab;
-mod mat3x3;
+pub mod mat3x3;
 mod normal3;
 mod point3;
 mod scenes;

@@ -1,8 +1,6 @@
-//! `stage`: joins the scene, experiments and extreme cases of this stage for its
-//! program.
+//! `stage`: the scene of this stage for its program.
 
-use common::Scene;
-use measure::Stage;
+use common::{Scene, Stage};
 
 use crate::scenes::vectors;
 
@@ -17,9 +15,6 @@ pub fn stage() -> Stage {
             "sum, cross product, projection and reflection of vectors",
             |settings, _| vectors(settings.size),
         )],
-        experiments: crate::lab::experiments::experiments,
-        extremes: crate::lab::extremes::cases,
-        search: None,
         open: None,
     }
 }

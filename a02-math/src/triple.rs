@@ -42,6 +42,12 @@ macro_rules! triple {
             }
         }
 
+        impl From<$type> for [f64; 3] {
+            fn from(triple: $type) -> Self {
+                triple.0.to_array()
+            }
+        }
+
         impl approx::AbsDiffEq for $type {
             type Epsilon = f64;
 

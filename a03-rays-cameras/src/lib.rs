@@ -8,7 +8,7 @@ mod camera;
 pub mod fast;
 pub mod from_file;
 #[doc(hidden)]
-pub mod lab;
+pub mod instruments;
 mod orthographic_camera;
 mod perspective_camera;
 mod pinhole_camera;
@@ -25,7 +25,7 @@ mod view;
 pub use bounded_ray::BoundedRay;
 pub use camera::{Basis, Camera};
 #[doc(hidden)]
-pub use lab::{pixel_trace::paint, protocol};
+pub use instruments::pixel_trace::paint;
 pub use orthographic_camera::OrthographicCamera;
 pub use perspective_camera::PerspectiveCamera;
 pub use pinhole_camera::PinholeCamera;

@@ -1,7 +1,6 @@
-//! `stage`: the scenes, experiments and extreme cases of this stage for its program.
+//! `stage`: the scenes of this stage for its program.
 
-use common::{Color, Sampling, Settings, Size};
-use measure::Stage;
+use common::{Color, Sampling, Settings, Size, Stage};
 
 use crate::{Ray, StripeRule, StripedSky, TracedScene, TracedWorld, View, scenes};
 
@@ -36,9 +35,6 @@ pub fn stage() -> Stage {
         name: "a03-rays-cameras",
         about: "Rays, cameras, sampling and the striped sky",
         scenes: scenes().map(Into::into).into(),
-        experiments: crate::lab::experiments::experiments,
-        extremes: crate::lab::extremes::cases,
-        search: None,
         open: None,
     }
 }

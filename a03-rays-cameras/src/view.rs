@@ -147,7 +147,7 @@ impl View {
     #[cfg(not(handout))]
     pub(crate) fn watched(self, settings: &Settings, all_work: bool) -> Self {
         Self {
-            camera: crate::lab::watched::camera(self.camera, settings, all_work),
+            camera: crate::instruments::watched::camera(self.camera, settings, all_work),
             world: self.world.watched(all_work),
         }
     }
@@ -216,6 +216,6 @@ where
         view.render(settings, progress)
     });
     scene.uses.depth = reflects;
-    scene.explained = Some(Arc::new(crate::lab::ViewOf(name, make)));
+    scene.explained = Some(Arc::new(crate::instruments::ViewOf(name, make)));
     scene
 }

@@ -9,9 +9,9 @@ pub mod fast;
 pub mod from_file;
 mod geometry;
 mod hit;
-mod interval;
 #[doc(hidden)]
-pub mod lab;
+pub mod instruments;
+mod interval;
 mod plane;
 #[doc(hidden)]
 pub mod scenes;
@@ -23,9 +23,9 @@ mod world;
 pub use axis_aligned_box::AxisAlignedBox;
 pub use geometry::Geometry;
 pub use hit::Hit;
-pub use interval::Interval;
 #[doc(hidden)]
-pub use lab::{protocol, watched};
+pub use instruments::watched;
+pub use interval::Interval;
 pub use plane::Plane;
 pub use sphere::Sphere;
 pub use stage::{scenes as traced_scenes, stage};

@@ -1,9 +1,8 @@
-//! `stage`: the scenes, experiments and extreme cases of this stage for its program, and its
+//! `stage`: the scenes of this stage for its program, and its
 //! world for the renderers.
 
 use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
-use common::Color;
-use measure::Stage;
+use common::{Color, Stage};
 
 use crate::World;
 use crate::scenes::{scene_1, scene_2, scene_3, scene_4, scene_5, scene_6};
@@ -39,9 +38,6 @@ pub fn stage() -> Stage {
         name: "a04-intersections",
         about: "Where rays meet planes, boxes, triangles and spheres",
         scenes: scenes().map(Into::into).into(),
-        experiments: crate::lab::experiments::experiments,
-        extremes: crate::lab::extremes::cases,
-        search: Some(crate::lab::search::search),
         open: Some(|path| a03_rays_cameras::from_file::scene(path, 4, crate::from_file::view)),
     }
 }

@@ -8,7 +8,7 @@ mod directional_light;
 pub mod fast;
 pub mod from_file;
 #[doc(hidden)]
-pub mod lab;
+pub mod instruments;
 mod lambert;
 mod light;
 mod lighting;
@@ -16,7 +16,8 @@ mod lit_world;
 mod material;
 mod phong;
 mod point_light;
-mod power;
+#[doc(hidden)]
+pub mod power;
 #[doc(hidden)]
 pub mod scenes;
 mod single_color;
@@ -25,7 +26,7 @@ mod stage;
 
 pub use directional_light::DirectionalLight;
 #[doc(hidden)]
-pub use lab::{protocol, watched};
+pub use instruments::watched;
 pub use lambert::Lambert;
 pub use light::{Illumination, Light};
 pub use lighting::Lighting;

@@ -10,7 +10,8 @@ pub(crate) fn power(base: f64, exponent: f64) -> f64 {
 }
 
 /// `base` to the power of a whole exponent.
-pub(crate) fn squaring(mut base: f64, mut exponent: u64) -> f64 {
+#[must_use]
+pub const fn squaring(mut base: f64, mut exponent: u64) -> f64 {
     let mut power = 1.0;
     while exponent > 0 {
         if exponent & 1 != 0 {

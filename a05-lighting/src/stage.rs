@@ -1,9 +1,8 @@
-//! `stage`: the scenes, experiments and extreme cases of this stage for its program, and its
+//! `stage`: the scenes of this stage for its program, and its
 //! world for the renderers.
 
 use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
-use common::Color;
-use measure::Stage;
+use common::{Color, Stage};
 
 use crate::LitWorld;
 use crate::scenes::{
@@ -45,9 +44,6 @@ pub fn stage() -> Stage {
         name: "a05-lighting",
         about: "Lights and materials: Lambert and Phong",
         scenes: scenes().map(Into::into).into(),
-        experiments: crate::lab::experiments::experiments,
-        extremes: crate::lab::extremes::cases,
-        search: None,
         open: Some(|path| a03_rays_cameras::from_file::scene(path, 5, crate::from_file::view)),
     }
 }
@@ -64,7 +60,7 @@ impl TracedWorld for LitWorld {
 
     #[cfg(not(handout))]
     fn light_places(&mut self) -> Vec<&mut a02_math::Point3> {
-        crate::lab::light_places(self, |light| &mut **light)
+        crate::instruments::light_places(self, |light| &mut **light)
     }
 
     #[cfg(not(handout))]

@@ -6,7 +6,7 @@
 pub mod fast;
 pub mod from_file;
 #[doc(hidden)]
-pub mod lab;
+pub mod instruments;
 mod light_source;
 mod recursive_tracer;
 mod reflective;
@@ -17,8 +17,6 @@ mod shadow;
 mod stage;
 mod surface;
 
-#[doc(hidden)]
-pub use lab::protocol;
 pub use light_source::LightSource;
 pub use recursive_tracer::{RecursiveTracer, ShadowedWorld};
 pub use reflective::Reflective;

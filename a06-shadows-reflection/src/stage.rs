@@ -1,9 +1,8 @@
-//! `stage`: the scenes, experiments and extreme cases of this stage for its program, and its
+//! `stage`: the scenes of this stage for its program, and its
 //! world for the renderers.
 
 use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
-use common::Color;
-use measure::Stage;
+use common::{Color, Stage};
 
 use crate::scenes::{aab, sphere};
 use crate::{RecursiveTracer, ShadowedWorld};
@@ -28,9 +27,6 @@ pub fn stage() -> Stage {
         name: "a06-shadows-reflection",
         about: "Shadows and mirrors",
         scenes: scenes().map(Into::into).into(),
-        experiments: crate::lab::experiments::experiments,
-        extremes: crate::lab::extremes::cases,
-        search: None,
         open: Some(|path| a03_rays_cameras::from_file::scene(path, 6, crate::from_file::view)),
     }
 }
@@ -72,13 +68,13 @@ impl TracedWorld for RecursiveWorld {
 
     #[cfg(not(handout))]
     fn light_places(&mut self) -> Vec<&mut a02_math::Point3> {
-        a05_lighting::lab::light_places(&mut self.world, |source| &mut *source.light)
+        a05_lighting::instruments::light_places(&mut self.world, |source| &mut *source.light)
     }
 
     #[cfg(not(handout))]
     fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
         let Self { world, watched, .. } = *self;
-        Box::new(crate::lab::watched::WatchedWorld::new(
+        Box::new(crate::instruments::watched::WatchedWorld::new(
             world, watched, all_work,
         ))
     }

@@ -10,8 +10,7 @@ use a04_intersections::{Plane, Sphere};
 use a05_lighting::PointLight;
 use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld};
 use a07_transforms::{Node, Transform, traced};
-use common::{ArgumentError, Color, Renderer, Sampling, Settings, Size};
-use measure::Stage;
+use common::{ArgumentError, Color, Renderer, Sampling, Settings, Size, Stage};
 
 fn main() -> ExitCode {
     program::run(&stage(), a01_image_display::viewer())
@@ -36,9 +35,6 @@ pub fn stage() -> Stage {
         name: "showpiece",
         about: "A dahlia of transformed spheres on a mirror",
         scenes: vec![scene.into()],
-        experiments: Vec::new,
-        extremes: |_| Vec::new(),
-        search: None,
         open: None,
     }
 }

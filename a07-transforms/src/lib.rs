@@ -7,7 +7,7 @@ mod disc;
 pub mod fast;
 pub mod from_file;
 #[doc(hidden)]
-pub mod lab;
+pub mod instruments;
 mod mat4x4;
 mod node;
 #[doc(hidden)]
@@ -16,8 +16,6 @@ mod stage;
 mod transform;
 
 pub use disc::Disc;
-#[doc(hidden)]
-pub use lab::protocol;
 pub use mat4x4::Mat4x4;
 pub use node::Node;
 pub use stage::{scenes as traced_scenes, stage, traced};

@@ -1,8 +1,8 @@
-//! `stage`: the scenes, experiments and extreme cases of this stage for its program.
+//! `stage`: the scenes of this stage for its program.
 
 use a03_rays_cameras::{TracedScene, View};
 use a06_shadows_reflection::{RecursiveWorld, ShadowedWorld};
-use measure::Stage;
+use common::Stage;
 
 use crate::scenes::{box_transformations, disc, sphere_transformation};
 
@@ -33,9 +33,6 @@ pub fn stage() -> Stage {
         name: "a07-transforms",
         about: "Transformed geometry, the scene graph and the disc",
         scenes: scenes().map(Into::into).into(),
-        experiments: crate::lab::experiments::experiments,
-        extremes: crate::lab::extremes::cases,
-        search: Some(crate::lab::search::search),
         open: Some(|path| a03_rays_cameras::from_file::scene(path, 7, crate::from_file::view)),
     }
 }
@@ -47,7 +44,7 @@ pub fn traced(view: View<ShadowedWorld>) -> View {
         // The lesson needs nothing else.
         world,
         shapes: crate::fast::shapes,
-        watched: crate::lab::watched::geometry,
+        watched: crate::instruments::watched::geometry,
     };
     view.map(world).boxed()
 }

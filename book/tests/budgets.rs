@@ -14,7 +14,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise/replay",
             "common/testing/src/exercise/tape",
         ],
-        1_015,
+        1_017,
     ),
     (
         "exercises with their checks, and cargo learn",
@@ -23,10 +23,10 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise",
             "common/learn/",
         ],
-        7_964,
+        7_962,
     ),
     ("benchmarks", &["/benches/"], 1_329),
-    ("labs", &["/src/lab/", "/src/lab.rs"], 6_909),
+    ("labs", &["/lab/src/", "/src/instruments"], 7_101),
     ("engine", &["common/engine/"], 7_258),
     (
         "reader and writer of scene files",
@@ -41,17 +41,17 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/measure/src/",
             "common/testing/src/",
         ],
-        8_113,
+        8_258,
     ),
-    ("tests of common and program", &["common/"], 311),
+    ("tests of common and program", &["common/"], 306),
     ("fuzz targets", &["fuzz/"], 596),
     ("checks of the book", &["book/tests/"], 438),
-    ("live pages", &["book/live/"], 1_747),
-    ("tests of the stages", &["/tests/"], 4_408),
+    ("live pages", &["book/live/"], 1_753),
+    ("tests of the stages", &["/tests/"], 4_407),
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 49_068;
+const OF_ALL: usize = 49_372;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.

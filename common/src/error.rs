@@ -35,6 +35,9 @@ pub enum Error {
     /// An extreme case is out of its bound.
     #[error("{0} of the extreme cases fail; they are marked FAILED")]
     Extremes(usize),
+    /// Cargo, which builds and runs a laboratory, could not be started.
+    #[error("cannot start cargo, which builds the laboratory: {0}")]
+    Laboratory(std::io::Error),
     /// There is not enough memory for a picture.
     #[error("not enough memory for a picture of {size} pixels; a smaller --size would fit")]
     Memory {

@@ -4,8 +4,6 @@
 use std::f64::consts::FRAC_PI_4;
 use std::{fmt, iter};
 
-use a04_intersections::lab::search::{INPUTS, SUBJECTS, Subject};
-
 use crate::prelude::*;
 
 pub type Shape = Box<dyn Geometry>;
@@ -233,6 +231,7 @@ pub fn scene(
 /// Remarks the worst ray and shape for the student's formula, whose shape some numbers describe.
 #[cfg(not(handout))]
 pub fn search(check: &mut Check, name: &str, yours: &dyn Fn(&[f64]) -> Made<Shape>) {
+    use a04_lab::search::{INPUTS, SUBJECTS, Subject};
     check.remark(|| {
         let subject = Subject::named(&SUBJECTS, name)?;
         let t = |x: &[f64], ray: &Ray| Some(yours(x).ok()?.hit(ray, Interval::AHEAD)?.t);

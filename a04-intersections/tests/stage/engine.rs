@@ -7,8 +7,8 @@ mod edges;
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::fast::shapes;
-use a04_intersections::lab::support::Numbers;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
+use a04_lab::support::Numbers;
 use common::Color;
 
 use compare::compare;

@@ -3,7 +3,7 @@
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use a04_intersections::Triangle;
-use a04_intersections::lab::mesh::Mesh;
+use a04_lab::mesh::Mesh;
 
 use super::support::{hit, random_vector, vector};
 

@@ -2,11 +2,11 @@
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
-use a04_intersections::lab::support::Numbers;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle};
+use a04_lab::support::Numbers;
 use common::ArgumentError;
 
-pub use a04_intersections::lab::support::{point, vector};
+pub use a04_lab::support::{point, vector};
 
 /// A ray whose direction keeps its length.
 pub fn ray(o: [f64; 3], d: [f64; 3]) -> Ray {

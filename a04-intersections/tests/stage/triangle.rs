@@ -3,8 +3,8 @@
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::lab::support::Numbers;
 use a04_intersections::{Hit, Triangle};
+use a04_lab::support::Numbers;
 use approx::assert_abs_diff_eq;
 use testing::assert_refused;
 

@@ -3,7 +3,7 @@
 
 use std::array;
 
-use a05_lighting::lab::watched::push_light;
+use a05_lighting::instruments::watched::push_light;
 
 use crate::prelude::*;
 

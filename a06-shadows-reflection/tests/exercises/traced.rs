@@ -1,6 +1,6 @@
 //! Worlds of mirrors, and a tracer with the student's code in it.
 
-use a06_shadows_reflection::lab::watched::WatchedWorld;
+use a06_shadows_reflection::instruments::watched::WatchedWorld;
 
 use crate::prelude::*;
 

@@ -4,7 +4,8 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use a02_math::{Point3, Vector3};
-use a03_rays_cameras::{Camera, PinholeCamera, Ray, StripeRule, StripedSky, View, protocol};
+use a03_lab::protocol;
+use a03_rays_cameras::{Camera, PinholeCamera, Ray, StripeRule, StripedSky, View};
 use a04_intersections::{Sphere, World};
 use common::{Color, Error, Scene, Size};
 

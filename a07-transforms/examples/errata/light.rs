@@ -5,12 +5,12 @@ use std::f64::consts::FRAC_PI_4;
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Ray, View};
 use a04_intersections::{Hit, Interval, Plane, Sphere, World};
-use a05_lighting::protocol as material;
+use a05_lab::protocol as material;
 use a05_lighting::{
     DirectionalLight, Illumination, Light, Lighting, LitWorld, Material, Phong, PointLight,
     SpotLight,
 };
-use a06_shadows_reflection::protocol::{self, OneCounter};
+use a06_lab::protocol::{self, OneCounter};
 use a06_shadows_reflection::{
     LightSource, RecursiveTracer, Reflective, ShadowedWorld, is_shadowed,
 };

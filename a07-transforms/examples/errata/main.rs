@@ -7,8 +7,7 @@ mod shapes;
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Camera, PerspectiveCamera, Ray, View};
-use common::{ArgumentError, Color, Error, Progress, Scene, Settings};
-use measure::Stage;
+use common::{ArgumentError, Color, Error, Progress, Scene, Settings, Stage};
 
 #[cfg(not(target_family = "wasm"))]
 fn main() -> std::process::ExitCode {
@@ -37,9 +36,6 @@ pub fn stage() -> Stage {
             shapes::normals(),
             shapes::last_wins(),
         ],
-        experiments: Vec::new,
-        extremes: |_| Vec::new(),
-        search: None,
         open: None,
     }
 }

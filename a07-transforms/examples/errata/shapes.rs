@@ -5,9 +5,9 @@ use std::f64::consts::FRAC_PI_4;
 
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Ray, View};
-use a04_intersections::protocol::{self, Compared};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Sphere};
-use a07_transforms::protocol::{Chained, last_hit, transposed_normal, unnormalized_normal};
+use a04_lab::protocol::{self, Compared};
+use a07_lab::protocol::{Chained, last_hit, transposed_normal, unnormalized_normal};
 use a07_transforms::{Node, Transform};
 use common::{Color, Error, Scene};
 

@@ -3,12 +3,10 @@
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{Camera, PerspectiveCamera, PixelRandom, Ray, render};
-use a04_intersections::{
-    AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World, protocol,
-};
+use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
+use a04_lab::protocol;
 use a06_shadows_reflection::secondary_ray;
-use common::{Color, Error, Image, Progress, Scene, Settings, Size, Transfer};
-use measure::Stage;
+use common::{Color, Error, Image, Progress, Scene, Settings, Size, Stage, Transfer};
 
 #[cfg(not(target_family = "wasm"))]
 fn main() -> std::process::ExitCode {
@@ -22,9 +20,6 @@ pub fn stage() -> Stage {
         name: "go-wrong",
         about: "What can go wrong: too little, right, and too much",
         scenes: vec![lift(), gamma(), cracks()],
-        experiments: Vec::new,
-        extremes: |_| Vec::new(),
-        search: None,
         open: None,
     }
 }

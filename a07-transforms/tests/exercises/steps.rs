@@ -2,7 +2,7 @@
 
 pub use std::f64::consts::{FRAC_PI_2, TAU};
 
-use a06_shadows_reflection::lab::watched::WatchedWorld;
+use a06_shadows_reflection::instruments::watched::WatchedWorld;
 
 use crate::prelude::*;
 

@@ -4,9 +4,8 @@
 use std::sync::Mutex;
 
 use common::{Color, Image, Renderer, Sampled, Sampling, Scene, Settings, Size};
-use measure::experiment::HALF_GREY_LEVEL;
 
-const BOUNDS: [f64; 4] = [1.0 / 64.0, 1.0 / 128.0, 1.0 / 255.0, HALF_GREY_LEVEL];
+const BOUNDS: [f64; 4] = [1.0 / 64.0, 1.0 / 128.0, 1.0 / 255.0, 1.0 / 510.0];
 
 /// The channels as a screen shows them.
 fn channels(image: &Image) -> Vec<f64> {

@@ -3,8 +3,8 @@
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::lab::support::Numbers;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Sphere, Triangle, World};
+use a04_lab::support::Numbers;
 use a07_transforms::fast::shapes;
 use a07_transforms::{Disc, Mat4x4, Node, Transform};
 use common::{ArgumentError, Color};

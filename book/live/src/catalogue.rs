@@ -2,8 +2,7 @@
 
 use a02_math::Point3;
 use a03_rays_cameras::{TracedScene, View};
-use common::{Error, Scene, Settings};
-use measure::Stage;
+use common::{Error, Scene, Settings, Stage};
 
 use crate::file;
 

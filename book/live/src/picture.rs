@@ -1,7 +1,7 @@
 //! Renders the pictures of the book for its pages, and takes the numbers behind a pixel.
 
 use a03_rays_cameras::View;
-use a03_rays_cameras::lab::turned::{Turn, Turned};
+use a03_rays_cameras::instruments::turned::{Turn, Turned};
 use common::{Error, PixelTrace, Sampling, Settings, Transfer};
 
 use crate::exchange::settings;

@@ -4,8 +4,7 @@
 use std::cell::RefCell;
 use std::process::ExitCode;
 
-use common::{Error, Image, Settings};
-use measure::Stage;
+use common::{Error, Image, Settings, Stage};
 
 use super::{Check, Code, Mistakes};
 use answer::Answer;

@@ -1,5 +1,8 @@
 //! Curves and experiments with known points, for the tests of this crate.
 
+use common::{Scene, Stage};
+
+use crate::Laboratory;
 use crate::experiment::{Axis, Curve, Experiment, Point};
 
 /// A curve with a point for each pair of work, which is also the parameter, and error.
@@ -21,4 +24,19 @@ pub fn experiment() -> Experiment<'static> {
             let falling = falling.with_slope(-0.5, (1.0, 1e9));
             vec![falling]
         })
+}
+
+/// A laboratory without experiments and cases, of a stage with these scenes.
+pub fn laboratory(scenes: Vec<Scene>) -> Laboratory {
+    Laboratory {
+        stage: Stage {
+            name: "a00",
+            about: "",
+            scenes,
+            open: None,
+        },
+        experiments: Vec::new,
+        extremes: |_| Vec::new(),
+        search: None,
+    }
 }

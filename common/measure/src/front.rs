@@ -1,8 +1,9 @@
 //! The front: the methods that no other beats in error and time.
 
+use common::Median;
+
 use crate::experiment::{Axis, Curve, Experiment, Unit};
 use crate::report::{Measured, duration};
-use crate::timing::Median;
 
 impl Measured<'_, '_> {
     /// The points of a curve that can be compared with those of others, with their errors: for

@@ -1,9 +1,8 @@
-//! Measures the code of a stage: error against work in experiments, extreme
-//! cases against exact values, and the work of a rendering, counted.
+//! Measures the code of a stage: error against work in experiments, and extreme cases
+//! against exact values.
 //!
-//! This crate prints nothing and does not depend on a terminal. A [`Stage`] holds
-//! the scenes of a stage with its experiments and extreme cases, for the program
-//! and for the tests.
+//! A [`Laboratory`] holds the experiments and extreme cases of a stage, for its program and for
+//! the tests.
 
 #![expect(
     clippy::must_use_candidate,
@@ -11,7 +10,8 @@
     reason = "called by the laboratories, the program and the tests"
 )]
 
-pub mod comparison;
+#[cfg(not(target_family = "wasm"))]
+mod command_line;
 mod curve;
 mod deviation;
 mod effort;
@@ -21,13 +21,13 @@ pub mod experiment;
 pub mod extremes;
 pub mod fit;
 mod front;
+mod laboratory;
 mod plot;
 mod provenance;
 pub mod report;
 pub mod scene_report;
-mod stage;
-pub mod timing;
 
+#[cfg(not(target_family = "wasm"))]
+pub use command_line::run;
 pub use effort::Effort;
-pub use plot::{Svg, color as svg_color};
-pub use stage::Stage;
+pub use laboratory::Laboratory;

@@ -5,14 +5,15 @@
 //! 1983; W. S. Cleveland, The Elements of Graphing Data, 1985).
 
 mod axis;
-mod svg;
+
+use common::Median;
+use common::svg::{Svg, color};
 
 use crate::experiment::{Axis, HALF_GREY_LEVEL};
 use crate::provenance;
 use crate::report::Measured;
-use crate::timing::Median;
+
 use axis::LogAxis;
-pub use svg::{Svg, color};
 
 /// The size of the picture, and the sides of the plot in it, in pixels.
 const SIZE: [f64; 2] = [780.0, 468.0];

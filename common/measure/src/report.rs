@@ -4,10 +4,10 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use common::{Error, atomic_file};
+use common::{Error, Median, atomic_file};
 
 use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, pareto_front};
-use crate::timing::Median;
+
 use crate::{Effort, plot, provenance};
 
 /// An experiment with its times.

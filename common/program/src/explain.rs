@@ -3,10 +3,9 @@
 
 use std::time::Instant;
 
-use common::{Error, Image, Scene, Settings};
-use measure::comparison::{Comparison, complete};
-use measure::timing::Median;
+use common::{Error, Image, Median, Scene, Settings};
 
+use crate::comparison::{Comparison, complete};
 use crate::options::Options;
 use crate::print::print;
 

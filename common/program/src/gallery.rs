@@ -4,8 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::thread::{Scope, ScopedJoinHandle};
 
-use common::{Error, Image, Renderer, Scene, Settings, Size};
-use measure::Stage;
+use common::{Error, Image, Renderer, Scene, Settings, Size, Stage};
 
 use crate::appearance::Appearance;
 use crate::explanation::Explanation;

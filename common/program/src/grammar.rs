@@ -3,8 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, CommandFactory, Parser, Subcommand};
-use common::{Scene, UsedSettings};
-use measure::Stage;
+use common::{Scene, Stage, UsedSettings};
 
 use crate::appearance::Appearance;
 use crate::options::Options;

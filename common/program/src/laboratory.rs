@@ -1,16 +1,16 @@
 //! The commands that measure and explain, which a workbook without laboratories lacks.
 
-use std::path::PathBuf;
+use std::env;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::{self, ExitCode};
 
-use clap::Subcommand;
-use common::{Error, atomic_file};
-use measure::Stage;
+use clap::{Args, Subcommand};
+use common::{Error, Stage, atomic_file};
 
 use crate::explain_pixel::{Explaining, explain_pixel};
-use crate::extremes::{show_extremes, show_worst};
 use crate::options::Options;
 use crate::print::print;
-use crate::report::report;
 
 /// The commands.
 #[derive(Subcommand)]
@@ -39,32 +39,24 @@ pub enum Command {
         options: Options,
     },
     /// Report error against run time: a table, CSV and plots
-    Report {
-        /// Experiments; or `scene` and scenes, for the error of their samples [default: all experiments]
-        names: Vec<String>,
-
-        /// Measure less, in seconds
-        #[arg(long)]
-        quick: bool,
-
-        /// The folder for CSV and plots [default: out/report/]
-        #[arg(short, long, value_name = "DIR")]
-        output: Option<PathBuf>,
-    },
+    #[command(disable_help_flag = true)]
+    Report(Arguments),
     /// Show the stiff and extreme cases; exit code 1 if one fails
-    Extremes {
-        /// Beginnings of ids, such as A or A01 [default: all]
-        names: Vec<String>,
-
-        /// Search for the worst input of a shape's formulas, and print it as a test in Rust
-        #[arg(long, value_name = "SHAPE", conflicts_with = "names")]
-        search: Option<String>,
-    },
+    #[command(disable_help_flag = true)]
+    Extremes(Arguments),
 }
 
-/// Runs a command.
-pub fn execute(stage: &Stage, command: Command) -> Result<(), Error> {
-    match command {
+/// The arguments of a command that the laboratory runs.
+#[derive(Args)]
+pub struct Arguments {
+    /// Those of the laboratory, which --help lists
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+    arguments: Vec<OsString>,
+}
+
+/// Runs a command and returns the exit code.
+pub fn execute(stage: &Stage, command: Command) -> Result<ExitCode, Error> {
+    let done = match command {
         Command::Explain { scene, explaining } => explain_pixel(&stage.scene(&scene)?, &explaining),
         Command::Export {
             scene,
@@ -79,14 +71,32 @@ pub fn execute(stage: &Stage, command: Command) -> Result<(), Error> {
                 None => print(text.trim_end()),
             }
         }
-        Command::Report {
-            names,
-            quick,
-            output,
-        } => report(stage, &names, quick, output),
-        Command::Extremes { names, search } => match search {
-            Some(shape) => show_worst(stage, &shape),
-            None => show_extremes(stage, &names),
-        },
+        Command::Report(measured) => return run_laboratory(stage, "report", &measured),
+        Command::Extremes(measured) => return run_laboratory(stage, "extremes", &measured),
+    };
+    done.map(|()| ExitCode::SUCCESS)
+}
+
+/// The folder of the workbook.
+const WORKBOOK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
+/// Runs a command of the stage's laboratory, in the profile of this build, and returns its exit
+/// code. The laboratory is a program of its own, built when first asked for, so that nobody
+/// waits for it on the way to the first picture.
+fn run_laboratory(stage: &Stage, command: &str, measured: &Arguments) -> Result<ExitCode, Error> {
+    let manifest = Path::new(WORKBOOK).join(stage.name).join("lab/Cargo.toml");
+    if !manifest.is_file() {
+        let (name, missing) = (stage.name, manifest.display());
+        let none = format!("{name} has no laboratory: there is no {missing}");
+        return Err(Error::Usage(none));
     }
+    let mut cargo = process::Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
+    cargo.args(["run", "--manifest-path"]).arg(manifest);
+    if !cfg!(debug_assertions) {
+        cargo.arg("--release");
+    }
+    cargo.args(["--", command]).args(&measured.arguments);
+    let status = cargo.status().map_err(Error::Laboratory)?;
+    let code = status.code().and_then(|code| u8::try_from(code).ok());
+    Ok(code.map_or(ExitCode::FAILURE, ExitCode::from))
 }

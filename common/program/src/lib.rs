@@ -1,14 +1,14 @@
 //! The command line of every stage: it shows, renders, reports and explains the
-//! scenes of a [`Stage`](measure::Stage).
+//! scenes of a [`Stage`](common::Stage).
 //!
 //! The crate of a stage passes its scenes to [`run`], together with a [`Viewer`] if
 //! the build has a window. Only this crate reads arguments and prints.
 
 mod appearance;
+mod comparison;
 mod explain;
 mod explain_pixel;
 mod explanation;
-mod extremes;
 mod gallery;
 mod grammar;
 mod laboratory;
@@ -17,7 +17,6 @@ mod named;
 mod options;
 mod print;
 mod render;
-mod report;
 mod run;
 mod save;
 mod show;
@@ -28,25 +27,25 @@ mod viewer;
 mod watch;
 
 pub use appearance::Theme;
+pub use comparison::Comparison;
 pub use explanation::Explanation;
 pub use gallery::Gallery;
 pub use live_picture::LivePicture;
 pub use named::{Named, SAMPLINGS, by_name};
-pub use run::{run, run_with};
+pub use print::print;
+pub use run::{ended, refused, run, run_with};
 pub use slider::Slider;
-pub use target::picture_name;
+pub use target::{make_default_folder, make_folder, picture_name};
+pub use terminal_progress::terminal_bar;
 pub use viewer::{NotShown, Viewer};
 
 /// A stage for tests, with these scenes only.
 #[cfg(test)]
-fn stage_of(scenes: Vec<common::Scene>) -> measure::Stage {
-    measure::Stage {
+fn stage_of(scenes: Vec<common::Scene>) -> common::Stage {
+    common::Stage {
         name: "a00",
         about: "",
         scenes,
-        experiments: Vec::new,
-        extremes: |_| Vec::new(),
-        search: None,
         open: None,
     }
 }

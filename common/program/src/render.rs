@@ -4,8 +4,7 @@ use std::path::PathBuf;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use common::{Error, Image, Renderer, Scene, Settings};
-use measure::Stage;
+use common::{Error, Image, Renderer, Scene, Settings, Stage};
 
 use crate::options::Options;
 use crate::print::{print, warn};

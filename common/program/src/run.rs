@@ -5,8 +5,7 @@ use std::process::ExitCode;
 
 use clap::FromArgMatches;
 use clap::error::{ContextKind, ContextValue};
-use common::{Error, Scene};
-use measure::Stage;
+use common::{Error, Scene, Stage};
 
 use crate::Viewer;
 use crate::grammar::{Command, CommandLine};
@@ -39,20 +38,29 @@ pub fn run_with(
                 "{name} is a scene of {}, not a command; try: show {name}",
                 stage.name
             ))),
-            None if help_or_error.use_stderr() => {
-                let _ = help_or_error.print();
-                return ExitCode::from(2);
-            }
-            None => printed(help_or_error.print()),
+            None => return refused(&help_or_error),
         },
     };
-    match outcome {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            warn(&format!("error: {error}"));
-            ExitCode::from(error.exit_code())
-        }
+    ended(outcome)
+}
+
+/// Prints the help, or the mistake in a command line, and returns the exit code.
+#[must_use]
+pub fn refused(help_or_error: &clap::Error) -> ExitCode {
+    let printed = printed(help_or_error.print());
+    if help_or_error.use_stderr() {
+        return ExitCode::from(2);
     }
+    ended(printed.map(|()| ExitCode::SUCCESS))
+}
+
+/// The exit code of a program, whose error is printed.
+#[must_use]
+pub fn ended(outcome: Result<ExitCode, Error>) -> ExitCode {
+    outcome.unwrap_or_else(|error| {
+        warn(&format!("error: {error}"));
+        ExitCode::from(error.exit_code())
+    })
 }
 
 /// The scene that stands in the place of a command.
@@ -65,8 +73,8 @@ fn scene_as_command<'a>(stage: &'a Stage, error: &clap::Error) -> Option<&'a Sce
         })
 }
 
-fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<(), Error> {
-    match line.command {
+fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<ExitCode, Error> {
+    let done = match line.command {
         None => show::show(stage, &stage.scenes[0], viewer, &line.showing),
         Some(Command::List) => list(stage),
         Some(Command::Show { scene, showing }) => {
@@ -103,8 +111,9 @@ fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<(
                 render(&chosen)
             }
         }
-        Some(Command::Laboratory(it)) => crate::laboratory::execute(stage, it),
-    }
+        Some(Command::Laboratory(it)) => return crate::laboratory::execute(stage, it),
+    };
+    done.map(|()| ExitCode::SUCCESS)
 }
 
 fn list(stage: &Stage) -> Result<(), Error> {

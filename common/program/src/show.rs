@@ -2,8 +2,7 @@
 
 use std::{slice, thread};
 
-use common::{Error, Scene};
-use measure::Stage;
+use common::{Error, Scene, Stage};
 
 use crate::grammar::Showing;
 use crate::print::{print, warn};

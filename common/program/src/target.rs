@@ -3,8 +3,7 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use common::{Error, Image, Scene, Transfer, atomic_file, picture_file};
-use measure::Stage;
+use common::{Error, Image, Scene, Stage, Transfer, atomic_file, picture_file};
 
 /// The folder for pictures, below the current one.
 const DEFAULT_FOLDER: &str = "out";

@@ -31,6 +31,7 @@ impl TerminalProgress {
 
 /// A bar on stderr that moves only when it is set, so that no other thread runs
 /// while times are measured.
+#[must_use]
 pub fn terminal_bar(name: &str, steps: u64) -> ProgressBar {
     // indicatif hides a bar whose target is no terminal.
     let target = ProgressDrawTarget::stderr_with_hz(10);

@@ -4,8 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use common::{Error, Scene};
-use measure::Stage;
+use common::{Error, Scene, Stage};
 
 /// The files of a scene, with the times when they were saved, and their sizes.
 pub struct Watch(Vec<(PathBuf, Option<(SystemTime, u64)>)>);

@@ -6,9 +6,7 @@ use std::path::Path;
 use std::process::{Command, ExitCode};
 use std::{env, fs};
 
-use common::{Color, Error, Image, Progress, Scene, Settings, Size, picture_file};
-use measure::Stage;
-use measure::extremes::{Bound, Case};
+use common::{Color, Error, Image, Progress, Scene, Settings, Size, Stage, picture_file};
 use program::{Gallery, NotShown, run_with};
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -58,7 +56,7 @@ fn run_many() {
 const COMMANDS: &str = "| list | show traced | show opened --no-window | show cube | render painted
     | render traced painted | render --all | render traced --explain | render -- --all
     | explain traced --pixel 1,1 | explain painted --pixel 9
-    | report --quick | report scene traced | extremes A B01 | render --help | rendr traced | -";
+    | report --quick | extremes A B01 | render --help | rendr traced | -";
 
 const FLAGS: &str = "--size --samples --sampling --max-error --seed --depth --threads
     --transfer --open -o --output --fast --no-omit --no-window";
@@ -154,9 +152,6 @@ fn stage() -> Stage {
         scenes: scenes
             .map(|scene| scene.with_defaults(defaults.clone()))
             .into(),
-        experiments: Vec::new,
-        extremes: |_| vec![Case::new("A01", "a number", 1.0, Bound::Equal, 1.0)],
-        search: None,
         open: None,
     }
 }

@@ -4,11 +4,11 @@
 /// and no extreme case is out of its bound. The crate of the tests needs `measure`.
 #[macro_export]
 macro_rules! check_lab {
-    ($stage:expr) => {
+    ($laboratory:expr) => {
         #[test]
         fn the_experiments_agree_with_theory() {
             use measure::{Effort, experiment::check};
-            for experiment in ($stage.experiments)() {
+            for experiment in ($laboratory.experiments)() {
                 check(&experiment, Effort::Quick);
             }
         }
@@ -16,7 +16,7 @@ macro_rules! check_lab {
         #[test]
         fn the_extremes_hold() {
             use measure::{Effort, extremes};
-            extremes::check(&($stage.extremes)(Effort::of_build()));
+            extremes::check(&($laboratory.extremes)(Effort::of_build()));
         }
     };
 }

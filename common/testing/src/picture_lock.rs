@@ -10,8 +10,7 @@ mod program_run;
 
 use std::path::{Path, PathBuf};
 
-use common::{Image, Renderer, Scene, Settings, Transfer, fnv1a, picture_file};
-use measure::Stage;
+use common::{Image, Renderer, Scene, Settings, Stage, Transfer, fnv1a, picture_file};
 use program::picture_name;
 
 use crate::difference::{compare_with_file, leave_pictures};

@@ -1,7 +1,7 @@
 //! A small angle, by the arc tangent of the lesson and by an arc cosine.
 
+use a02_lab::protocol;
 use a02_math::Vector3;
-use a02_math::lab::protocol;
 
 use crate::Answer;
 

@@ -1,8 +1,8 @@
 //! Light that a surface sends back, as numbers without limit and as the protocol has it.
 
 use a02_math::{Direction, Vector3};
-use a04_intersections::lab::protocol::byte;
-use a05_lighting::lab::protocol::{clamped_product, integer_product};
+use a04_lab::protocol::byte;
+use a05_lab::protocol::{clamped_product, integer_product};
 use common::{Color, Image, Size};
 
 use super::Answered;

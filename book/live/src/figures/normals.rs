@@ -4,7 +4,8 @@
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Interval, Sphere};
-use a07_transforms::{Node, Transform, protocol};
+use a07_lab::protocol;
+use a07_transforms::{Node, Transform};
 
 use super::{Answered, flat, place, point};
 use crate::Answer;

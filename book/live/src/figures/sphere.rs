@@ -3,9 +3,9 @@
 use a02_math::Point3;
 use a03_rays_cameras::Ray;
 use a04_intersections::Sphere;
-use a04_intersections::lab::exact;
-use a04_intersections::lab::experiments::sphere_distance::stable_terms;
-use a04_intersections::protocol;
+use a04_lab::exact;
+use a04_lab::experiments::sphere_distance::stable_terms;
+use a04_lab::protocol;
 
 use super::{Answered, both_hits, direction, flat, place, point};
 use crate::Answer;

@@ -9,26 +9,29 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Parts of the paths of files that are not handed out.
 #[rustfmt::skip]
 const LABS: &[&str] = &[
-    "/examples/", "/src/lab", "/src/fast.rs", "/src/from_file.rs", "/tests.rs",
-    "common/engine/", "common/scene-file/", "common/measure/src/", "common/src/steps/",
-    "common/src/tally.rs", "common/program/src/explain", "common/program/src/extremes.rs",
-    "common/program/src/laboratory.rs", "common/program/src/report.rs",
+    "/examples/", "/lab", "/src/instruments", "/src/fast.rs", "/src/from_file.rs", "/tests.rs",
+    "common/engine/", "common/scene-file/", "common/measure/", "common/src/median.rs",
+    "common/src/steps/", "common/src/svg.rs", "common/src/tally.rs",
+    "common/program/src/comparison.rs", "common/program/src/explain",
     "common/testing/src/display.rs", "common/testing/src/picture_lock",
     "common/testing/src/refusal.rs",
     "common/learn/handout/", "common/learn/src/book.rs", "common/learn/src/course",
 ];
-/// Files that are handed out nevertheless.
-const KEPT: [&str; 2] = ["common/measure/src/lib.rs", "common/measure/src/stage.rs"];
+/// The lines about their crates in manifests.
+fn is_of_crate(line: &str) -> bool {
+    let is_used = line.ends_with(".workspace = true");
+    is_used
+        && ["engine.", "measure.", "scene-file.", "-lab."]
+            .iter()
+            .any(|name| line.contains(name))
+}
 
-/// The beginnings of lines about their crates in manifests.
-const CRATES: [&str; 2] = ["engine.", "scene-file."];
-
-/// Lines of a stage that has no such module.
-const WORDS: [&str; 3] = ["extremes: |_| Vec::new(),", "open: None,", "search: None,"];
+/// A line of a stage without scene files.
+const NO_FILES: &str = "open: None,";
 
 /// Leaves all this out of files, which are given by their paths.
 pub fn cut(files: &mut BTreeMap<String, Vec<u8>>) {
-    let is_cut = |path: &str| !KEPT.contains(&path) && LABS.iter().any(|part| path.contains(part));
+    let is_cut = |path: &str| LABS.iter().any(|part| path.contains(part));
     let cut: Vec<_> = files.extract_if(.., |path, _| is_cut(path)).collect();
     let modules: BTreeSet<_> = cut
         .iter()
@@ -36,7 +39,6 @@ pub fn cut(files: &mut BTreeMap<String, Vec<u8>>) {
         .collect();
     for (path, bytes) in files {
         let text = String::from_utf8_lossy(bytes);
-        let is_of_crate = |line: &&str| CRATES.iter().any(|name| line.starts_with(name));
         let lines = match path.rsplit_once('.') {
             Some((_, "rs")) => without_items(&text, &modules),
             Some((_, "toml")) => text.lines().filter(|line| !is_of_crate(line)).collect(),
@@ -75,7 +77,7 @@ fn without_items<'a>(text: &'a str, modules: &BTreeSet<&str>) -> Vec<&'a str> {
             is_code && indent(next) == indent(line) && next.ends_with([';', ',', '}'])
         };
         let is_marked = ["#[cfg(not(handout))]", "#[cfg(test)]"].contains(&line.trim());
-        let is_left_out = WORDS.contains(&line.trim())
+        let is_left_out = line.trim() == NO_FILES
             || is_end(&line) && modules.iter().any(|module| is_about(line, module));
         if is_marked {
             lines.find(is_end);

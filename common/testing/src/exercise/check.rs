@@ -8,8 +8,7 @@ use common::{Error, Image, Settings, Size};
 use {
     super::{findings::found_missing, picture},
     crate::difference::worst_pixel,
-    common::{divergence, picture_file, traced_picture::traced},
-    measure::Stage,
+    common::{Stage, divergence, picture_file, traced_picture::traced},
     program::picture_name,
 };
 

@@ -3,8 +3,7 @@
 
 use std::sync::Mutex;
 
-use common::{Renderer, Sampled, Sampling, Scene, Settings, Size};
-use measure::Stage;
+use common::{Renderer, Sampled, Sampling, Scene, Settings, Size, Stage};
 
 use super::render;
 

@@ -1,9 +1,9 @@
 //! Checks the book's table of the work that is skipped.
 
+use common::Stage;
 use std::path::Path;
 
-use measure::Stage;
-use measure::comparison::Comparison;
+use program::Comparison;
 
 use super::Places;
 use super::invariance::small;

@@ -3,8 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use common::picture_file;
-use measure::Stage;
+use common::{Stage, picture_file};
 use program::picture_name;
 
 use super::Places;

@@ -1,8 +1,0 @@
-//! The laboratory: measures the lesson of this stage, and is no part of it.
-
-#![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
-
-pub mod exact;
-pub mod experiments;
-pub mod extremes;
-pub mod protocol;

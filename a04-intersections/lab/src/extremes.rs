@@ -1,0 +1,67 @@
+//! Stiff and extreme cases of rays and shapes. Exact values were computed with
+//! mpmath at 1200 bits from the doubles given, or follow from closed forms.
+//!
+//! Tables are formatted by hand, with one row on a line.
+
+mod axis_aligned_box;
+mod leaks;
+mod plane;
+mod precision;
+mod sphere;
+mod triangle;
+
+use common::{ArgumentError, Color, Transfer};
+use measure::Effort;
+use measure::extremes::{Case, Equal, Fails, Holds, Id, Outcome, Protocol, case};
+
+use super::protocol;
+use super::support::{Line, first, unit_ray};
+use a04_intersections::Geometry;
+
+pub fn cases(effort: Effort) -> Vec<Case> {
+    let mut cases = [
+        sphere::cases(effort),
+        axis_aligned_box::cases(),
+        triangle::cases(),
+        bytes(),
+        plane::cases(effort),
+        leaks::cases(effort),
+        precision::cases(effort),
+    ]
+    .concat();
+    cases.sort_by_key(|case| case.id);
+    cases
+}
+
+const MISS: Outcome = Outcome::Nothing;
+const REFUSED: Outcome = Outcome::Refused;
+const EPSILON: f64 = f64::EPSILON;
+
+/// The `t` of the nearest hit as an outcome, or the error of a constructor.
+fn meeting<G: Geometry>(shape: Result<G, ArgumentError>, line: Line) -> Outcome {
+    let met = || Ok::<_, ArgumentError>(first(&shape?, &unit_ray(line)?));
+    met().into()
+}
+
+/// A channel as a byte.
+fn byte(id: Id, channel: f64, exact: f64, says: Protocol) -> Case {
+    let ours = Transfer::Linear.bytes(Color::gray(channel))[0];
+    let what = format!("a channel of {channel} as a byte");
+    let both = [f64::from(ours), protocol::byte(channel).into()].map(Outcome::from);
+    case(id, what, both, exact, Equal, says)
+}
+
+#[rustfmt::skip]
+fn bytes() -> Vec<Case> {
+    vec![
+        byte("H01", 1.5, 255.0, Fails),
+        byte("H02", -0.5, 0.0, Fails),
+        byte("H03", f64::NAN, 0.0, Holds),
+        byte("H04", f64::INFINITY, 255.0, Fails),
+        byte("H05", 0.5, 128.0, Fails),
+        byte("H06", 0.999_999, 255.0, Fails),
+        byte("H07", 0.5 / 255.0, 1.0, Fails),
+        Case::new("H08", "a channel of NaN is black, but not unnoticed: is the colour finite?",
+            false, Equal, Color::gray(f64::NAN).is_finite()),
+    ]
+}

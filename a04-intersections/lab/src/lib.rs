@@ -1,0 +1,29 @@
+//! The laboratory of stage 4: measures the lesson, and is no part of it.
+
+#![doc(hidden)]
+#![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
+
+mod aimed_box;
+pub mod certified;
+pub mod enclosure;
+pub mod exact;
+pub mod experiments;
+mod extremes;
+pub mod mesh;
+pub mod protocol;
+pub mod search;
+pub mod subject;
+pub mod support;
+
+use measure::Laboratory;
+
+/// The laboratory for its program.
+#[must_use]
+pub fn laboratory() -> Laboratory {
+    Laboratory {
+        stage: a04_intersections::stage(),
+        experiments: experiments::experiments,
+        extremes: extremes::cases,
+        search: Some(search::search),
+    }
+}

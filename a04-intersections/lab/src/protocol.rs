@@ -1,0 +1,132 @@
+//! The formulas as the protocol prints them, mistakes included. They are
+//! measured and compared; only pictures of the mistakes are rendered with them.
+
+use a02_math::{Direction, Mat3x3, Normal3, Point3};
+use a03_rays_cameras::Ray;
+
+use crate::support::{Real, difference, dot};
+
+/// Least distance of a hit, included for the triangle and excluded for box and
+/// sphere: a fixed number, as if all scenes had the same size and all directions
+/// length 1.
+pub const NEAREST: f64 = 0.001;
+
+/// The plane. With `t > 0` a ray can hit the plane that it leaves, and an infinite
+/// `t` is accepted.
+pub fn plane(a: Point3, n: Normal3, ray: &Ray) -> Option<f64> {
+    let across = ray.direction().dot(n);
+    if across == 0.0 {
+        return None;
+    }
+    let t = (a - ray.origin()).dot(n) / across;
+    (t > 0.0).then_some(t)
+}
+
+/// The coordinates of a point on a face that are compared with the corners of the
+/// box: the protocol's text allows both readings.
+#[derive(Clone, Copy, Debug)]
+pub enum Compared {
+    /// All three, including the coordinate of the face, which is only right up to
+    /// rounding.
+    Three,
+    /// The two coordinates within the face.
+    Two,
+}
+
+/// The box of six planes. The computed point is compared exactly, so that faces
+/// disappear by rounding; corners in the wrong order make an empty box.
+pub fn axis_aligned_box(lbf: Point3, run: Point3, ray: &Ray, compared: Compared) -> Option<f64> {
+    let mut nearest: Option<f64> = None;
+    for axis in 0..3 {
+        for (corner, sign) in [(lbf, -1.0), (run, 1.0)] {
+            let mut normal = [0.0; 3];
+            normal[axis] = sign;
+            let Some(t) = plane(corner, Normal3::from_glam(normal.into()), ray) else {
+                continue;
+            };
+            let [point, low, high] = [ray.at(t), lbf, run].map(|p| p.to_glam().to_array());
+            let is_within = (0..3)
+                .filter(|other| matches!(compared, Compared::Three) || *other != axis)
+                .all(|other| low[other] <= point[other] && point[other] <= high[other]);
+            if is_within && t > NEAREST && nearest.is_none_or(|nearest| t < nearest) {
+                nearest = Some(t);
+            }
+        }
+    }
+    nearest
+}
+
+/// The text's literal condition for β and γ: a sum of exactly 1, which is true only
+/// on the edge between b and c.
+pub fn is_inside_by_the_text(beta: f64, gamma: f64) -> bool {
+    beta > 0.0 && gamma > 0.0 && beta + gamma == 1.0
+}
+
+/// The triangle by Cramer's rule. The determinant is compared with 0, not with its
+/// rounding error; rounding up β + γ excludes corner a, where the sum is 0;
+/// neighbours round it differently, and rays pass between them.
+pub fn triangle(&[a, b, c]: &[Point3; 3], ray: &Ray) -> Option<f64> {
+    let (ab, ac, d) = (a - b, a - c, ray.direction());
+    let system = Mat3x3::from_rows([
+        [ab.x(), ac.x(), d.x()],
+        [ab.y(), ac.y(), d.y()],
+        [ab.z(), ac.z(), d.z()],
+    ]);
+    let determinant = system.determinant();
+    if determinant == 0.0 {
+        return None;
+    }
+    let right = a - ray.origin();
+    let beta = system.change_col_1(right).determinant() / determinant;
+    let gamma = system.change_col_2(right).determinant() / determinant;
+    let t = system.change_col_3(right).determinant() / determinant;
+    if beta < 0.0 || gamma < 0.0 || (beta + gamma).ceil() != 1.0 || t < NEAREST {
+        return None;
+    }
+    Some(t)
+}
+
+/// The normal between the corners: not brought to length 1.
+pub fn interpolated_normal([a, b, c]: [Normal3; 3], beta: f64, gamma: f64) -> Normal3 {
+    a * (1.0 - beta - gamma) + b * beta + c * gamma
+}
+
+/// The sphere of centre, radius, origin and direction. Discriminant and roots
+/// cancel. The root is taken before the sign is tested. Comparisons with NaN are
+/// false and exclude it, except in the last branch, which runs only for the
+/// direction 0 and returns NaN.
+pub fn sphere<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> Option<F> {
+    let nearest = F::rounded(0.001_f32.into());
+    let [a, b, discriminant] = sphere_terms(c, r, o, d);
+    let two_a = a + a;
+    let minus = (-b - discriminant.sqrt()) / two_a;
+    let plus = (-b + discriminant.sqrt()) / two_a;
+    if minus > nearest {
+        return Some(minus);
+    } else if plus > nearest {
+        return Some(plus);
+    }
+    if discriminant == F::zero() {
+        let t = -b / two_a;
+        if t < nearest {
+            return None;
+        }
+        return Some(t);
+    }
+    None
+}
+
+/// The factors a and b of the sphere's equation and its discriminant.
+pub fn sphere_terms<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> [F; 3] {
+    let f = difference(o, c);
+    let a = dot(d, d);
+    let b = dot(d, &f.map(|x| x + x));
+    let c = dot(&f, &f) - r * r;
+    [a, b, b * b - F::rounded(4.0) * a * c]
+}
+
+/// A channel from 0 to 1 as the value of a byte, as Java casts it: truncated
+/// instead of rounded, and not clamped.
+pub fn byte(channel: f64) -> i32 {
+    (channel * 255.0) as i32
+}

@@ -1,0 +1,5 @@
+//! experiments, extreme cases, and the formulas that they measure.
+//!
+//! `cargo test` runs them after the tests of the lesson, which they measure.
+
+testing::check_lab! { a05_lab::laboratory() }

@@ -1,0 +1,132 @@
+//! experiments, extreme cases, and the formulas that they measure.
+//!
+//! `cargo test` runs them after the tests of the lesson, which they measure.
+
+use std::collections::HashSet;
+
+use a03_rays_cameras::View;
+use a04_lab::certified::picture;
+use a04_lab::search::INPUTS;
+use a05_lighting::{LitWorld, watched};
+use a06_lab::lit_points::LIFTED;
+use a06_shadows_reflection::RecursiveTracer;
+use a07_lab::certified::geometry;
+use a07_lab::experiments::nested_nodes::lit_points;
+use a07_lab::search;
+use measure::Effort;
+
+testing::check_lab! { a07_lab::laboratory() }
+
+/// The world with geometries whose decisions are certified.
+fn certified<S, L>(world: LitWorld<S, L>) -> LitWorld<S, L> {
+    watched::world(
+        world,
+        |_, shape| geometry(shape),
+        |surface| surface,
+        |(_, light)| light,
+    )
+}
+
+/// A handful of roundings lie between the given numbers and `t`.
+#[test]
+fn the_worst_disc_is_as_good_as_its_plane() {
+    let subject = &search::SUBJECTS[0];
+    let worst = subject.worst(&|x, ray| subject.lesson(x, ray), INPUTS);
+    assert!(worst.error < 8.0 && worst.wrong.is_none(), "{worst:?}");
+}
+
+/// Each hit, and which of two is nearer, for the rays as they were rounded.
+#[test]
+fn every_decision_in_the_lit_pictures_is_right() {
+    use a05_lighting::scenes as lit;
+    for (name, scene) in [
+        ("lighting-1", lit::lighting_1()),
+        ("lambert", lit::lambert()),
+        ("phong", lit::phong()),
+        ("phong-directional", lit::phong_directional()),
+        ("phong-spot", lit::phong_spot()),
+        ("phong-spot-ambient", lit::phong_spot_ambient()),
+    ] {
+        let View { camera, world } = scene.unwrap();
+        let world = certified(world);
+        let counts = picture(&*camera, |ray| world.color_for(ray));
+        assert_eq!(counts, [0, 0], "{name}");
+    }
+}
+
+/// Likewise for shadow rays and reflected rays.
+#[test]
+fn every_decision_in_the_shadowed_pictures_is_right() {
+    use a06_shadows_reflection::scenes as shadowed;
+    use a07_transforms::scenes as transformed;
+    for (name, scene) in [
+        ("sphere", shadowed::sphere()),
+        ("aab", shadowed::aab()),
+        (
+            "sphere-transformation",
+            transformed::sphere_transformation(),
+        ),
+        ("box-transformations", transformed::box_transformations()),
+        ("disc", transformed::disc()),
+    ] {
+        let View { camera, world } = scene.unwrap();
+        let world = certified(world);
+        let counts = picture(&*camera, |ray| RecursiveTracer::new(&world).trace(ray, 6));
+        assert_eq!(counts, [0, 0], "{name}");
+    }
+}
+
+/// Of three million points a condition, none has acne or a leak:
+/// `cargo test --release -p a07-lab --test the_lab -- --ignored`.
+#[test]
+#[ignore = "takes minutes"]
+fn thirty_million_points_under_nodes_are_right() {
+    for condition in [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9] {
+        for trial in (1_000..1_300).flat_map(|seed| lit_points(10_000, seed, condition).unwrap()) {
+            assert!(!trial.shades_itself(LIFTED), "acne, {condition}");
+            assert!(![1e-4, 1e-9].iter().any(|near| trial.leaks(LIFTED, *near)));
+        }
+    }
+}
+
+/// The rows of the tables of all stages have ids of their own, and the errata page names
+/// them as its evidence.
+#[test]
+fn ids_are_unique_and_the_errata_name_existing_rows() {
+    let laboratories = [
+        a01_lab::laboratory(),
+        a02_lab::laboratory(),
+        a03_lab::laboratory(),
+        a04_lab::laboratory(),
+        a05_lab::laboratory(),
+        a06_lab::laboratory(),
+        a07_lab::laboratory(),
+    ];
+    let rows = laboratories
+        .iter()
+        .flat_map(|laboratory| (laboratory.extremes)(Effort::Quick));
+    let mut ids = HashSet::new();
+    let twice: Vec<_> = rows
+        .map(|row| row.id)
+        .filter(|id| !ids.insert(*id))
+        .collect();
+    assert!(twice.is_empty(), "{twice:?}");
+    assert!(ids.len() > 300, "all stages have tables");
+
+    let page = include_str!("../../../book/src/errata.md");
+    let spans = page.split('`').skip(1).step_by(2);
+    let named: Vec<_> = spans.filter(|span| is_row(span)).collect();
+    assert!(named.len() > 50, "the page names its rows in code spans");
+    for row in named {
+        assert!(ids.contains(row), "there is no row {row}");
+    }
+}
+
+/// A letter, two digits, and perhaps another letter.
+fn is_row(span: &str) -> bool {
+    let bytes = span.as_bytes();
+    matches!(bytes.len(), 3 | 4)
+        && bytes[0].is_ascii_uppercase()
+        && bytes[1..3].iter().all(u8::is_ascii_digit)
+        && bytes[3..].iter().all(u8::is_ascii_lowercase)
+}

@@ -1,0 +1,66 @@
+//! The program of every laboratory: the commands `report` and `extremes` of its stage.
+
+mod extremes;
+mod report;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Parser;
+use common::Error;
+
+use crate::Laboratory;
+
+/// Measures the lesson: error against run time, stiff and extreme cases.
+#[derive(Parser)]
+#[command(version, disable_help_subcommand = true)]
+enum Command {
+    /// Report error against run time: a table, CSV and plots
+    Report {
+        /// Experiments; or `scene` and scenes, for the error of their samples [default: all experiments]
+        names: Vec<String>,
+
+        /// Measure less, in seconds
+        #[arg(long)]
+        quick: bool,
+
+        /// The folder for CSV and plots [default: out/report/]
+        #[arg(short, long, value_name = "DIR")]
+        output: Option<PathBuf>,
+    },
+    /// Show the stiff and extreme cases; exit code 1 if one fails
+    Extremes {
+        /// Beginnings of ids, such as A or A01 [default: all]
+        names: Vec<String>,
+
+        /// Search for the worst input of a shape's formulas, and print it as a test in Rust
+        #[arg(long, value_name = "SHAPE", conflicts_with = "names")]
+        search: Option<String>,
+    },
+}
+
+/// Runs the program of a laboratory with the arguments of this process.
+#[must_use]
+pub fn run(laboratory: &Laboratory) -> ExitCode {
+    match Command::try_parse() {
+        Ok(command) => {
+            let done = execute(laboratory, command);
+            program::ended(done.map(|()| ExitCode::SUCCESS))
+        }
+        Err(help_or_error) => program::refused(&help_or_error),
+    }
+}
+
+fn execute(laboratory: &Laboratory, command: Command) -> Result<(), Error> {
+    match command {
+        Command::Report {
+            names,
+            quick,
+            output,
+        } => report::report(laboratory, &names, quick, output),
+        Command::Extremes { names, search } => match search {
+            Some(shape) => extremes::show_worst(laboratory, &shape),
+            None => extremes::show_extremes(laboratory, &names),
+        },
+    }
+}

@@ -1,0 +1,69 @@
+//! `extremes`: the stiff and extreme cases, for a reader.
+
+use common::Error;
+use program::print;
+
+use crate::{Effort, Laboratory, extremes};
+
+/// Prints the cases whose ids begin with one of the names. An error if one of them
+/// does not hold, or if the stage has no cases.
+pub fn show_extremes(laboratory: &Laboratory, names: &[String]) -> Result<(), Error> {
+    let cases = (laboratory.extremes)(Effort::of_build());
+    if cases.is_empty() {
+        let has_none = format!("{} has no extreme cases", laboratory.stage.name);
+        if names.is_empty() {
+            return print(&has_none);
+        }
+        return Err(Error::Usage(has_none));
+    }
+    let cases = extremes::select(cases, names)?;
+    for case in &cases {
+        print(&case.to_string())?;
+    }
+    let failed = cases.iter().filter(|case| !case.holds()).count();
+    print(&format!("{} cases, {failed} of them failed", cases.len()))?;
+    if failed > 0 {
+        return Err(Error::Extremes(failed));
+    }
+    Ok(())
+}
+
+/// Prints the worst inputs of the formulas of a shape.
+pub fn show_worst(laboratory: &Laboratory, shape: &str) -> Result<(), Error> {
+    let name = laboratory.stage.name;
+    let none = || Error::Usage(format!("{name} searches no shapes; 4 and 7 do"));
+    print(&laboratory.search.ok_or_else(none)?(shape)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::extremes::{Bound, Case};
+
+    #[test]
+    fn only_named_cases_are_counted() {
+        let mut laboratory = crate::example::laboratory(Vec::new());
+        let failed = |laboratory: &Laboratory, names: &[&str]| {
+            let names: Vec<_> = names.iter().map(|name| (*name).to_owned()).collect();
+            show_extremes(laboratory, &names)
+        };
+        assert!(failed(&laboratory, &[]).is_ok());
+        assert!(matches!(
+            failed(&laboratory, &["A01"]),
+            Err(Error::Usage(_))
+        ));
+        laboratory.extremes = |_| {
+            let cases = [("A01", 1.0), ("B01", 2.0), ("B02", 3.0), ("B03", 1.0)];
+            cases
+                .map(|(id, ours)| Case::new(id, "", 1.0, Bound::Equal, ours))
+                .into()
+        };
+        assert!(matches!(failed(&laboratory, &[]), Err(Error::Extremes(2))));
+        assert!(matches!(
+            failed(&laboratory, &["B01"]),
+            Err(Error::Extremes(1))
+        ));
+        assert!(failed(&laboratory, &["A", "B03"]).is_ok());
+        assert!(matches!(failed(&laboratory, &["C"]), Err(Error::Usage(_))));
+    }
+}

@@ -1,0 +1,143 @@
+//! `report`: error against run time, for experiments or for scenes.
+
+use std::path::PathBuf;
+
+use common::{Error, Stage};
+use program::{make_default_folder, make_folder, print, terminal_bar};
+
+use crate::experiment::Experiment;
+use crate::report::{self, Measured};
+use crate::{Effort, Laboratory, scene_report};
+
+/// Reports the named experiments, or the scenes that are named after the word
+/// `scene`.
+pub fn report(
+    laboratory: &Laboratory,
+    names: &[String],
+    quick: bool,
+    output: Option<PathBuf>,
+) -> Result<(), Error> {
+    let stage = &laboratory.stage;
+    let effort = if quick { Effort::Quick } else { Effort::Full };
+    match names.split_first() {
+        Some((first, [])) if first == "scene" => {
+            let all: Vec<_> = stage.scenes.iter().map(|scene| scene.name).collect();
+            let all = all.join(", ");
+            Err(Error::Usage(format!("report scene takes a scene: {all}")))
+        }
+        Some((first, scenes)) if first == "scene" => {
+            let scenes = scenes.iter().map(|name| stage.scene(name));
+            let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
+            let experiments = scenes.iter().map(scene_report::experiment);
+            let experiments = experiments.collect::<Result<Vec<_>, _>>()?;
+            measure(stage, &experiments, effort, output)
+        }
+        _ => {
+            let experiments = chosen((laboratory.experiments)(), names)?;
+            measure(stage, &experiments, effort, output)
+        }
+    }
+}
+
+fn measure(
+    stage: &Stage,
+    experiments: &[Experiment],
+    effort: Effort,
+    output: Option<PathBuf>,
+) -> Result<(), Error> {
+    let folder = match output {
+        Some(folder) => folder,
+        None => make_default_folder()?.join("report"),
+    };
+    make_folder(&folder)?;
+    for experiment in experiments {
+        report::check_writable(experiment, &folder, stage.name)?;
+    }
+    let mut rows = Vec::new();
+    for experiment in experiments {
+        let mut bar = None;
+        let measured = Measured::new(experiment, effort, |done, all| {
+            let bar = bar.get_or_insert_with(|| terminal_bar(experiment.name, all as u64));
+            bar.set_position(done as u64);
+        });
+        if let Some(bar) = bar {
+            bar.finish_and_clear();
+        }
+        print(&measured.table())?;
+        rows.extend(measured.row());
+        for path in measured.write(&folder, stage.name)? {
+            print(&format!("  {}", path.display()))?;
+        }
+    }
+    if rows.is_empty() {
+        return Ok(());
+    }
+    print("\n| experiment | question | unbeaten in error and time |\n|---|---|---|")?;
+    print(&rows.join("\n"))
+}
+
+/// The experiments with these names; without a name, all experiments.
+fn chosen(
+    experiments: Vec<Experiment<'static>>,
+    names: &[String],
+) -> Result<Vec<Experiment<'static>>, Error> {
+    let known: Vec<_> = experiments.iter().map(|e| e.name).collect();
+    if let Some(name) = names.iter().find(|name| !known.contains(&name.as_str())) {
+        let known = known.join(", ");
+        return Err(Error::Usage(format!(
+            "there is no experiment \"{name}\"; there are {known}, and scene NAME"
+        )));
+    }
+    let is_wanted = |e: &Experiment| names.is_empty() || names.iter().any(|name| name == e.name);
+    Ok(experiments.into_iter().filter(is_wanted).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use common::{Image, Scene};
+
+    use super::*;
+    use crate::experiment::{Curve, Point};
+
+    fn experiments() -> Vec<Experiment<'static>> {
+        let curves = |_| vec![Curve::new("", [Point::new(1.0, 1.0, [1.0], || 0.0)])];
+        let experiment = |name| Experiment::new(name).with_curves(curves);
+        vec![experiment("one"), experiment("two")]
+    }
+
+    #[test]
+    fn the_named_experiments_or_scenes_are_reported_in_a_new_folder() {
+        let disc = Scene::painted("disc", "", |settings, _| Image::black(settings.size));
+        let laboratory = Laboratory {
+            experiments,
+            ..crate::example::laboratory(vec![disc])
+        };
+        let folder = tempfile::tempdir().unwrap();
+        let report = |names: &[&str]| {
+            let names: Vec<_> = names.iter().map(|name| (*name).to_owned()).collect();
+            let output = folder.path().join("new/reports");
+            report(&laboratory, &names, true, Some(output.clone()))?;
+            let files = output.read_dir().unwrap();
+            let mut files: Vec<_> = files.map(|file| file.unwrap().file_name()).collect();
+            files.sort();
+            Ok::<_, Error>(files)
+        };
+        assert_eq!(
+            report(&["two"]).unwrap(),
+            ["a00-two-time.svg", "a00-two.csv", "a00-two.svg"]
+        );
+        assert_eq!(report(&[]).unwrap().len(), 6);
+        for (names, expected) in [
+            (
+                &["two", "three"][..],
+                "there is no experiment \"three\"; there are one, two, and scene NAME",
+            ),
+            (&["scene"], "report scene takes a scene: disc"),
+            (&["scene", "disc"], "disc is not sampled"),
+            (&["scene", "one"], "no scene \"one\""),
+        ] {
+            let error = report(names).unwrap_err().to_string();
+            assert!(error.contains(expected), "{error}");
+        }
+    }
+}

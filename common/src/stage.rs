@@ -1,0 +1,42 @@
+//! `Stage`: the name and the scenes of a stage.
+
+use crate::{Error, Scene};
+
+/// Reads the scene of a scene file.
+#[cfg(not(handout))]
+pub type OpenScene = fn(&std::path::Path) -> Result<Scene, Error>;
+
+/// One stage of the course.
+pub struct Stage {
+    /// The crate's name, with which the names of its pictures begin.
+    pub name: &'static str,
+    /// The subject of the stage, in one line.
+    pub about: &'static str,
+    /// The scenes in the order of the course; the first is shown by default.
+    pub scenes: Vec<Scene>,
+    /// Opens a scene file, if the stage knows any.
+    #[cfg(not(handout))]
+    pub open: Option<OpenScene>,
+}
+
+impl Stage {
+    /// The scene of this name, or of the scene file of this name, which ends in `.toml`. The
+    /// error lists the scenes of the stage.
+    pub fn scene(&self, name: &str) -> Result<Scene, Error> {
+        #[cfg(not(handout))]
+        if let Some((_, end)) = name.rsplit_once('.') {
+            let none = match self.open {
+                Some(open) if end == "toml" => return open(name.as_ref()),
+                Some(_) => format!("{name} is no scene file, which ends in .toml"),
+                None => format!("{} opens no scene files; stages 4 to 7 do", self.name),
+            };
+            return Err(Error::Usage(none));
+        }
+        let known = self.scenes.iter().find(|scene| scene.name == name);
+        known.cloned().ok_or_else(|| {
+            let names: Vec<_> = self.scenes.iter().map(|scene| scene.name).collect();
+            let (stage, names) = (self.name, names.join(", "));
+            Error::Usage(format!("{stage} has no scene \"{name}\"; it has {names}"))
+        })
+    }
+}
