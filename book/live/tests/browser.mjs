@@ -4,20 +4,23 @@
 //     node browser.mjs CHROMIUM ANSWERS [FOLDER FOR SCREENSHOTS]
 //
 // ANSWERS is the program of examples/answers.rs, which computes the figures' numbers
-// natively.
+// natively. Two browsers share the pages, each driven by a thread that runs this file.
 import { execFile, spawnSync } from 'node:child_process';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
+import { Worker, isMainThread, parentPort, workerData } from 'node:worker_threads';
 import { Chromium } from './chromium.mjs';
 
 const [program, answers, screenshots] = process.argv.slice(2);
 const top = new URL('../../../', import.meta.url);
 const stages = readdirSync(top).filter((name) => /^a0\d/.test(name));
 const book = new URL('../../../target/book/', import.meta.url);
-const pages = readdirSync(book)
+const all = readdirSync(book)
     .filter((name) => name.endsWith('.html') && !['print.html', 'toc.html', '404.html', 'index.html'].includes(name));
+
+const firstPage = (picture) => all.find((page) => readFileSync(new URL(page, book), 'utf8').includes(`/${picture}.png"`));
 
 const run = promisify(execFile);
 const complaints = [];
@@ -28,7 +31,9 @@ const expect = (isSo, complaint) => {
     }
 };
 
-const chromium = new Chromium(program);
+const browsers = 2;
+const pages = all.filter((_, index) => index % browsers === workerData);
+const chromium = isMainThread ? undefined : new Chromium(program);
 const open = async (page) => {
     await chromium.go(new URL(page, book).href);
     await chromium.value(`document.querySelectorAll('details').forEach((fold) => (fold.open = true))`);
@@ -369,45 +374,36 @@ async function tryWords() {
     expect(`${await pointed()}` === `${byMouse}`, 'a word points elsewhere by keyboard');
 }
 
-async function tryAll() {
+// The tests of some pages; returns what they have.
+async function tryPages() {
     await chromium.open(1280, 900);
-    await tryByHand();
+    if (workerData === 0) {
+        await tryByHand();
+        await tryWords();
+    } else {
+        await tryTools();
+        await tryEditor();
+        await tryYours();
+    }
 
-    const found = new Set();
+    const found = [];
     let locks = {};
     const figures = [];
     const pairs = [];
     let pixels = 0;
     for (const page of pages) {
-        const names = (await tryPictures(page)).filter((name) => !found.has(name));
-        names.forEach((name) => found.add(name));
-        pixels += await tryPixels(names);
+        const names = await tryPictures(page);
+        found.push(...names);
+        // Of each picture once, though other pages may show it, too.
+        pixels += await tryPixels(names.filter((name) => firstPage(name) === page));
         pairs.push(...(await tryPairs(page)));
         await tryWidths(page, 1280);
         locks = await chromium.value('live.locks');
         for (const name of await chromium.value('Object.keys(live.figures)')) {
-            figures.push([page, name]);
+            figures.push(name);
             await tryFigure(name);
         }
     }
-    for (const name of Object.keys(locks)) {
-        expect(found.has(name), `no page shows ${name} live`);
-    }
-    const shown = new Set(pairs);
-    for (const name of Object.keys(locks).filter((name) => /^errata-|^go-wrong-cracks$/.test(name))) {
-        expect(shown.has(name), `no page has a slider for the pair ${name}`);
-    }
-    console.log(`${found.size} live pictures have the locked bytes; ${pairs.length} pairs slide; ${figures.length} figures answer: ${figures.map(([, name]) => name).join(', ')}`);
-
-    for (const [name, steps] of [['vectors', 5], ['camera', 6], ['scene', 16]]) {
-        expect(figures.filter(([, figure]) => figure.startsWith(`${name}-`)).length === steps, `a section of the figure ${name} has another heading`);
-    }
-    expect(pixels >= 50, `only ${pixels} pixels were explained`);
-    console.log(`${pixels} explained pixels have the numbers of the command`);
-    await tryWords();
-    await tryTools();
-    await tryEditor();
-    await tryYours();
 
     // A phone, in the dark.
     await chromium.resize(390, 844);
@@ -439,14 +435,54 @@ async function tryAll() {
         expect(traces === 0, `${page} offers live pictures without WebAssembly`);
     }
     chromium.errors.forEach((error) => expect(false, `console: ${error}`));
+    return { found, locks: Object.keys(locks), figures, pairs, pixels };
 }
 
-try {
-    await tryAll();
-} catch (error) {
-    expect(false, error.stack);
-} finally {
-    await chromium.close();
+// What all pages together must have.
+function checkTotals(parts) {
+    const [found, locks, figures, pairs, pixels] = ['found', 'locks', 'figures', 'pairs', 'pixels'].map((name) => parts.flatMap((part) => part[name]));
+    for (const name of locks) {
+        expect(found.includes(name), `no page shows ${name} live`);
+    }
+    for (const name of locks.filter((name) => /^errata-|^go-wrong-cracks$/.test(name))) {
+        expect(pairs.includes(name), `no page has a slider for the pair ${name}`);
+    }
+    console.log(`${new Set(found).size} live pictures have the locked bytes; ${pairs.length} pairs slide; ${figures.length} figures answer: ${figures.join(', ')}`);
+    for (const [name, steps] of [['vectors', 5], ['camera', 6], ['scene', 16]]) {
+        expect(figures.filter((figure) => figure.startsWith(`${name}-`)).length === steps, `a section of the figure ${name} has another heading`);
+    }
+    const explained = pixels.reduce((sum, count) => sum + count);
+    expect(explained >= 50, `only ${explained} pixels were explained`);
+    console.log(`${explained} explained pixels have the numbers of the command`);
 }
-console.log(complaints.length ? `${complaints.length} complaints` : 'the book lives');
-process.exit(complaints.length ? 1 : 0);
+
+// A thread of this file that tests its part of the pages; returns what they have.
+function inThread(part) {
+    return new Promise((resolve, reject) => {
+        const worker = new Worker(new URL(import.meta.url), { argv: process.argv.slice(2), workerData: part });
+        worker.on('message', resolve);
+        worker.on('error', reject);
+    });
+}
+
+if (isMainThread) {
+    try {
+        const parts = await Promise.all([...Array(browsers).keys()].map(inThread));
+        complaints.push(...parts.flatMap((part) => part.complaints));
+        checkTotals(parts);
+    } catch (error) {
+        expect(false, error.stack);
+    }
+    console.log(complaints.length ? `${complaints.length} complaints` : 'the book lives');
+    process.exit(complaints.length ? 1 : 0);
+} else {
+    let totals = { found: [], locks: [], figures: [], pairs: [], pixels: 0 };
+    try {
+        totals = await tryPages();
+    } catch (error) {
+        expect(false, error.stack);
+    } finally {
+        await chromium.close();
+    }
+    parentPort.postMessage({ ...totals, complaints });
+}
