@@ -1,4 +1,5 @@
-//! Instruments: wrappers that count work and record steps. No lesson uses them.
+//! Instruments: wrappers that count work and record steps, and the parts of shapes for the
+//! laboratory. No lesson uses them.
 
 #![expect(clippy::must_use_candidate, reason = "called by the program and tests")]
 
