@@ -8,16 +8,8 @@ use std::{array, env};
 
 use super::grade::Graded;
 
-/// How the special characters of a format are written.
+/// How special characters are written.
 type Written = &'static [(char, &'static str)];
-const TABLE: Written = &[('\n', "\n        ")];
-const CSV: Written = &[('"', "\"\"")];
-const XML: Written = &[
-    ('&', "&amp;"),
-    ('<', "&lt;"),
-    ('>', "&gt;"),
-    ('"', "&quot;"),
-];
 const JSON: Written = &[('"', "\\\""), ('\\', "\\\\"), ('\n', "\\n")];
 
 /// Formats: name, separator of exercises, end of a line, special characters, and template. CSV is
@@ -27,9 +19,12 @@ const JSON: Written = &[('"', "\\\""), ('\\', "\\\\"), ('\n', "\\n")];
 /// variables.
 #[rustfmt::skip]
 pub const FORMATS: [(&str, &str, &str, Written, &str); 5] = [
-    ("table", "", "\n", TABLE, include_str!("../../handout/results/table.txt")),
-    ("csv", "", "\r\n", CSV, include_str!("../../handout/results/results.csv")),
-    ("junit", "", "\n", XML, include_str!("../../handout/results/junit.xml")),
+    ("table", "", "\n", &[('\n', "\n        ")],
+        include_str!("../../handout/results/table.txt")),
+    ("csv", "", "\r\n", &[('"', "\"\"")],
+        include_str!("../../handout/results/results.csv")),
+    ("junit", "", "\n", &[('&', "&amp;"), ('<', "&lt;"), ('>', "&gt;"), ('"', "&quot;")],
+        include_str!("../../handout/results/junit.xml")),
     ("gradescope", ",", "\n", JSON, include_str!("../../handout/results/gradescope.json")),
     ("classroom50", ",", "\n", JSON, include_str!("../../handout/results/classroom50.json")),
 ];

@@ -45,9 +45,9 @@ fn from_folder(folder: &Path, path: &str) -> io::Result<String> {
 /// Reads a file that is in a zip file, or in a folder there.
 fn from_zip(archive: &Path, path: &str) -> io::Result<String> {
     let mut archive = ZipArchive::new(File::open(archive)?)?;
-    let mut names = archive.file_names().map(Result::unwrap_or_default);
-    let index = names.position(|name| Path::new(&*name).ends_with(path));
-    drop(names);
+    let index = archive
+        .file_names()
+        .position(|name| name.is_ok_and(|name| Path::new(&*name).ends_with(path)));
     beginning(archive.by_index(index.ok_or(ErrorKind::NotFound)?)?)
 }
 

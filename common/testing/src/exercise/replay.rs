@@ -13,8 +13,8 @@ use super::picture::ROOT;
 use super::tape::Tape;
 use super::{Check, Code, Exercise};
 
-/// The environment names an exercise whose answers are printed, by the solution or the
-/// student's code, or one whose answers at the standard input are judged.
+/// The environment names an exercise whose answers are printed by the solution, or one whose
+/// answers at the standard input are judged. A student's program prints those of its only exercise.
 const PRINTED: &str = "EXERCISE_PRINTED";
 const JUDGED: &str = "EXERCISE_JUDGED";
 

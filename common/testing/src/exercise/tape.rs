@@ -38,7 +38,7 @@ impl Tape {
     pub fn print(&self) {
         if let Self::Kept(answers) = self {
             let answers: Vec<_> = answers.iter().map(|answer| text(answer.as_ref())).collect();
-            println!("{MARK}{}", answers.join(ANSWER));
+            print!("{MARK}{}", answers.join(ANSWER));
         }
     }
 
