@@ -2,6 +2,7 @@
 #   sh sandbox.sh all|build|check FOLDER PROGRAM...
 # in FOLDER/workbook. To compile it may write to FOLDER/target, otherwise nowhere. With
 # bubblewrap it sees the folder as /course, Rust and the system's programs, and no network.
+# Its output is in FOLDER/output. The student's program prints its answers there, too.
 kind=$1 folder=$2
 shift 2
 # Seconds of processor time of a process, of which the whole may take three times as long; MiB of
@@ -17,7 +18,7 @@ path=/usr/bin:/bin
 # A block has 512 bytes in POSIX.
 limits="ulimit -c 0; ulimit -t $seconds; ulimit -v $((memory * 1024)); ulimit -f $((file * 2048))"
 run='exec "$@"'
-clean="env -i EXERCISE_PRINTED=$EXERCISE_PRINTED RAYON_NUM_THREADS=2"
+clean="env -i EXERCISE_PRINTED=yours RAYON_NUM_THREADS=2"
 late="timeout -s KILL $((3 * seconds))"
 
 alone='bwrap --unshare-pid --unshare-net --unshare-ipc --unshare-uts --die-with-parent
@@ -34,11 +35,19 @@ else
 fi
 
 if ! $alone true 2>/dev/null; then
+    if [ "$kind" = all ]; then
+        echo "note: bubblewrap (bwrap) does not run here, so submissions have limits of time, memory" \
+            "and file size only: they can read and delete your files, use the network, and start and" \
+            "leave behind any number of processes; install it, or grade in a container that you" \
+            "throw away" >&2
+    fi
+    exec >"$folder/output" 2>&1
     cd "$folder/workbook" || exit
     # A limit of processes would count all those of the user.
     exec $clean PATH="$rust/bin:$path" CARGO_HOME="$cargo" CARGO_TARGET_DIR="$folder/target" \
         TMPDIR="$folder/target" $late sh -c "$limits; $run" sh "$@"
 fi
+exec >"$folder/output" 2>&1
 # The letter of this limit differs by shell.
 limits="$limits; ulimit -u $processes 2>/dev/null || ulimit -p $processes"
 set -- sh -c "$limits; $run" sh "$@"

@@ -3,7 +3,6 @@
 mod cut;
 mod grade;
 mod handout;
-mod refusal;
 mod result_file;
 mod sandbox;
 mod submission;
@@ -32,16 +31,9 @@ pub fn run(command: Command, course: &'static [Exercise]) -> Result<String, Stri
 fn exercises(
     course: &'static [Exercise],
     last: Option<&String>,
-) -> Result<Vec<&'static Exercise>, String> {
+) -> Result<&'static [Exercise], String> {
     let is_last = |e: &Exercise| last.is_none_or(|last| e.stage.starts_with(last));
     let end = course.iter().rposition(is_last);
     let end = end.ok_or("no stage is so called; they are a01 to a07")?;
-    Ok(course[..=end].iter().collect())
-}
-
-/// The stages of exercises, which are in the order of the course.
-fn stages(exercises: &[&Exercise]) -> Vec<&'static str> {
-    let mut stages: Vec<_> = exercises.iter().map(|e| e.stage).collect();
-    stages.dedup();
-    stages
+    Ok(&course[..=end])
 }

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use super::cut::cut;
-use super::{exercises, stages};
+use super::exercises;
 use crate::exercise::Exercise;
 use crate::files::{self, failed};
 use crate::judgement;
@@ -35,23 +35,13 @@ pub struct Handout {
 }
 
 impl Handout {
-    /// Writes the handout, and returns what it has.
-    pub fn run(self, course: &'static [Exercise]) -> Result<String, String> {
-        let chosen = exercises(course, self.until.as_ref())?;
-        self.write(&chosen)?;
-        let (folder, count) = (self.folder.display(), chosen.len());
-        Ok(format!(
-            "{folder}: {count} exercises; test it: cargo test --workspace"
-        ))
-    }
-
-    /// Writes the handout into a new or empty folder.
-    pub fn write(&self, chosen: &[&Exercise]) -> Result<(), String> {
-        let folder = &self.folder;
+    /// Writes the handout into a new or empty folder, and returns what it has.
+    pub fn run(&self, course: &'static [Exercise]) -> Result<String, String> {
+        let (folder, path) = (&self.folder, self.folder.display());
         if fs::read_dir(folder).is_ok_and(|mut folder| folder.next().is_some()) {
-            let path = folder.display();
             return Err(format!("{path} is not empty; a handout needs a new folder"));
         }
+        let chosen = exercises(course, self.until.as_ref())?;
         let mut contents = self.contents(chosen)?;
         for e in self.withheld(chosen) {
             let mut proofs = Command::new(judgement::proofs(e.stage)?);
@@ -67,28 +57,25 @@ impl Handout {
         // Cargo forgets the packages that the handout does not need.
         let mut cargo = Command::new("cargo");
         cargo.args(["metadata", "--format-version=1", "--quiet"]);
-        said(cargo.current_dir(folder)).map(drop)
+        said(cargo.current_dir(folder))?;
+        let count = chosen.len();
+        Ok(format!(
+            "{path}: {count} exercises; test it: cargo test --workspace"
+        ))
     }
 
     /// The exercises without their solutions, which have a file.
-    fn withheld<'a>(&self, chosen: &[&'a Exercise]) -> impl Iterator<Item = &'a Exercise> {
+    fn withheld<'a>(&self, chosen: &'a [Exercise]) -> impl Iterator<Item = &'a Exercise> {
         let has_file = |e: &Exercise| e.solution.contains("/exercises/solutions/");
-        let chosen = chosen.iter().copied();
+        let chosen = chosen.iter();
         chosen.filter(move |e| self.without_solutions && has_file(e))
     }
 
     /// The files by their paths, without records.
-    fn contents(&self, chosen: &[&Exercise]) -> Result<BTreeMap<String, Vec<u8>>, String> {
-        let stages = stages(chosen);
-        let pages = stages.iter().flat_map(|stage| {
-            let pages = format!("book/src/{}-*", &stage[..3]);
-            [
-                stage.to_string(),
-                pages,
-                format!("book/src/pictures/{stage}*"),
-            ]
-        });
-        let parts = PARTS.split(' ').map(str::to_owned).chain(pages);
+    fn contents(&self, chosen: &[Exercise]) -> Result<BTreeMap<String, Vec<u8>>, String> {
+        // The numbers of stages are in the paths of their files, pages and pictures.
+        let stages = chosen.iter().map(|e| format!("*{}-*", &e.stage[..3]));
+        let parts = PARTS.split(' ').map(str::to_owned).chain(stages);
         let mut git = Command::new("git");
         git.args("ls-files -z --cached --others --exclude-standard".split(' '));
         let paths = said(git.args(parts).current_dir(files::workspace()))?;
@@ -101,8 +88,7 @@ impl Handout {
             contents.insert(path.to_owned(), fs::read(&file).map_err(failed(&file))?);
         }
         for e in self.withheld(chosen) {
-            let solution = format!("{}/exercises/solutions/{}.rs", e.stage, e.name);
-            contents.insert(solution, files::starter(e)?.into());
+            contents.insert(e.solution.to_owned(), files::starter(e)?.into());
             // The proofs are the end of the file, from the second row of the variants on.
             let path = format!("{}/tests/exercises/{}.rs", e.stage, e.name);
             let check = files::read(&path)?;
@@ -114,19 +100,16 @@ impl Handout {
         if !self.with_labs {
             cut(&mut contents);
         }
-        let is_there = |line: &&str| {
-            let member = line.trim().strip_prefix('"');
-            let member = member.and_then(|line| line.strip_suffix("\","));
-            member.is_none_or(|member| contents.contains_key(&format!("{member}/Cargo.toml")))
+        let workspace = contents.remove("Cargo.toml").unwrap_or_default();
+        let workspace = String::from_utf8_lossy(&workspace).into_owned();
+        let is_there = |line: &&str| match line.split('"').collect::<Vec<_>>()[..] {
+            ["    ", member, ","] => contents.contains_key(&format!("{member}/Cargo.toml")),
+            _ => true,
         };
-        let workspace = contents
-            .get("Cargo.toml")
-            .map(|text| String::from_utf8_lossy(text));
-        let workspace = workspace.unwrap_or_default();
         let workspace: Vec<_> = workspace.lines().filter(is_there).collect();
-        let workspace = workspace.join("\n");
-        contents.insert("Cargo.toml".to_owned(), workspace.into());
-        let readme = README.replace("{stage}", stages.last().unwrap_or(&""));
+        contents.insert("Cargo.toml".to_owned(), workspace.join("\n").into());
+        let last = chosen.last().map_or("", |e| e.stage);
+        let readme = README.replace("{stage}", last);
         contents.insert("README.md".to_owned(), readme.into());
         Ok(contents)
     }
@@ -150,27 +133,25 @@ mod tests {
     #[test]
     fn a_handout_has_no_line_of_a_solution() {
         let course = crate::exercise::read_all().unwrap();
-        let course: Vec<_> = course.iter().collect();
         let handout = Handout {
             without_solutions: true,
             ..Handout::default()
         };
-        let files = handout.contents(&course).unwrap();
+        let files = handout.contents(course).unwrap();
         let starters: String = course.iter().map(|e| files::starter(e).unwrap()).collect();
         let is_read = |path: &str| path.contains("/exercises/") || path.starts_with("book/src/a");
         let of_stages = files.iter().filter(|(path, _)| is_read(path));
-        let text: Vec<u8> = of_stages.flat_map(|(_, bytes)| bytes.clone()).collect();
-        let text = String::from_utf8(text).unwrap();
+        let texts = of_stages.map(|(_, bytes)| String::from_utf8_lossy(bytes));
+        let text: String = texts.collect();
         let mut searched = 0;
-        for e in course.iter().filter(|e| !e.is_core) {
-            let solution = files::read(&format!("{}/exercises/solutions/{}.rs", e.stage, e.name));
+        for e in handout.withheld(course) {
+            let solution = files::read(e.solution).unwrap();
             // A shorter line, as a brace, says nothing.
-            let is_own = |line: &&str| line.len() > 24 && !line.contains("missing!(");
-            for line in solution.unwrap().lines().map(str::trim).filter(is_own) {
-                if !starters.contains(line) {
-                    searched += 1;
-                    assert!(!text.contains(line), "{line} of {}", e.name);
-                }
+            let is_long = |line: &&str| line.len() > 24 && !line.contains("missing!(");
+            let is_own = |line: &&str| is_long(line) && !starters.contains(line);
+            for line in solution.lines().map(str::trim).filter(is_own) {
+                searched += 1;
+                assert!(!text.contains(line), "{line} of {}", e.name);
             }
         }
         assert!(searched > 100, "{searched} lines of solutions");

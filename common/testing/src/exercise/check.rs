@@ -53,7 +53,7 @@ pub struct Check {
     /// mistake is compared with them.
     pub(super) results: Vec<known::Result>,
     /// The inputs that were found with the solution, which known mistakes get again.
-    pub(super) inputs: Vec<Vec<f64>>,
+    pub(super) inputs: Vec<Option<Answer>>,
     pub(super) known: Option<Known>,
 }
 
@@ -104,8 +104,6 @@ impl Check {
         if cfg!(target_family = "wasm") {
             return;
         }
-        self.lesson.begin();
-        self.yours.begin();
         let simple = simple.into_iter().map(|input| (true, input));
         let others = others.into_iter().map(|input| (false, input));
         for (is_simple, input) in simple.chain(others) {
@@ -125,8 +123,8 @@ impl Check {
         lesson: &dyn Fn(I) -> Answer,
         yours: &dyn Fn(I) -> Answer,
     ) -> bool {
+        let unit = self.lacks.map_or(UNIT, |_| ROUNDING);
         if let Some(known) = &mut self.known {
-            let unit = self.lacks.map_or(UNIT, |_| ROUNDING);
             return known.compare_at(unit, is_simple, input, yours);
         }
         let Some(right) = self.lesson.next(|| Some(lesson(input.clone()))) else {
@@ -134,34 +132,34 @@ impl Check {
             return false;
         };
         let run = || catch_unwind(AssertUnwindSafe(|| yours(input.clone()))).ok();
-        let Some(got) = self.yours.next(run) else {
-            let panics = "it panics, with the message above";
-            self.conclude(Some(described(words, input, panics)));
-            return false;
+        let got = self.yours.next(run);
+        let is_near = |allowed: Vec<f64>| {
+            let mut got = got.iter();
+            got.any(|got| right.difference(got, &allowed).is_none())
         };
-        // Most answers are near whatever the condition of the input is, which takes time.
-        let is_near = |allowed: Vec<f64>| right.difference(&got, &allowed).is_none();
-        let unit = self.lacks.map_or(UNIT, |_| ROUNDING);
         let is_right = right.tolerances(unit, iter::empty()).is_some_and(is_near);
-        if is_right && matches!(self.lesson, Tape::Computed) {
-            self.results.push(Some((got, false)));
-            self.conclude(None);
-            return true;
-        }
+        // Most answers are near whatever the condition of the input is, and moving it takes time.
+        let is_clear = is_simple || is_right && matches!(self.lesson, Tape::Computed);
         let mut allowed = |unit| {
-            let moved = input.moved(unit).filter(|_| !is_simple);
+            let moved = input.moved(unit).take_while(|_| !is_clear);
             let moved = moved.map(|pair| pair.map(lesson));
             self.lesson.numbers(|| right.tolerances(unit, moved))
         };
         let strict = self.lacks.map(|_| allowed(ROUNDING));
         let usual = allowed(UNIT);
+        let Some(got) = &got else {
+            self.results.push(None);
+            let panics = "it panics, with the message above";
+            self.conclude(Some(described(words, input, panics)));
+            return self.is_watched;
+        };
         let tolerances = strict.unwrap_or_else(|| usual.clone());
         let Some(tolerances) = tolerances.or_else(|| is_right.then(Vec::new)) else {
             self.skipped += 1;
             self.results.push(None);
             return true;
         };
-        let difference = right.difference(&got, &tolerances).filter(|_| !is_right);
+        let difference = right.difference(got, &tolerances).filter(|_| !is_right);
         let difference = difference.map(|difference| {
             let is_rounding = usual.is_none_or(is_near);
             let about = match self.lacks.filter(|_| is_rounding) {
@@ -170,7 +168,7 @@ impl Check {
             };
             described(words, input, &about)
         });
-        self.results.push(Some((got, difference.is_some())));
+        self.results.push(Some((got.clone(), difference.is_some())));
         self.conclude(difference);
         self.is_watched || self.differ == 0
     }

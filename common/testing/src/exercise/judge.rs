@@ -1,8 +1,9 @@
 //! `judge`: shows students the faults of their code.
 
+use std::collections::BTreeSet;
 use std::panic::{self, Location};
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::Mutex;
 
 use super::findings::Findings;
 use super::known::recognised;
@@ -13,11 +14,11 @@ use super::{Check, Code, Mistakes, picture, replay};
 /// 0 if the code is right, with 1 if it is not, and with 3 if parts are still missing.
 #[must_use]
 pub fn judge(stage: &str, name: &'static str, code: Code, known: Mistakes) -> ExitCode {
-    let last = AtomicU32::new(0);
+    let lines = Mutex::new(BTreeSet::new());
     panic::set_hook(Box::new(move |panic| {
         let line = panic.location().map_or(0, Location::line);
-        // A picture may panic in each of its rows.
-        if last.swap(line, Ordering::Relaxed) != line {
+        // A line may panic for each input, and in each row of a picture.
+        if lines.lock().is_ok_and(|mut lines| lines.insert(line)) {
             let message = panic.payload_as_str().unwrap_or_default();
             println!("{name}.rs, line {line}: {message}");
         }
@@ -37,5 +38,6 @@ pub fn judge(stage: &str, name: &'static str, code: Code, known: Mistakes) -> Ex
     for line in found.wrong.iter().chain(&found.check.note).chain(&known) {
         println!("{line}");
     }
+    found.check.yours.print();
     ExitCode::from(u8::from(!found.wrong.is_empty()))
 }

@@ -5,6 +5,7 @@ use std::cmp::Reverse;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::vec::IntoIter;
 
+use super::tape::Tape;
 use super::{Answer, Check, Input, Mistakes, Variant};
 
 /// The answer of a student's code at an input, and whether it is wrong; none where the lesson's
@@ -14,7 +15,6 @@ pub(super) type Result = Option<(Answer, bool)>;
 /// The results of a student's code, compared with those of one mistake.
 pub(super) struct Known {
     results: IntoIter<Result>,
-    pub inputs: IntoIter<Vec<f64>>,
     /// The wrong results that the mistake has, too.
     same: usize,
     /// Whether the mistake has another result.
@@ -63,9 +63,9 @@ pub(super) fn recognised(found: &Check, (solution, variants): Mistakes) -> Optio
     let mistakes = usual.chain(variants.iter().filter_map(wrong));
     let known = mistakes.filter_map(|(about, run, mistake)| {
         let mut check = Check::new(false, mistake);
+        check.lesson = Tape::Read(found.inputs.clone().into_iter());
         check.known = Some(Known {
             results: found.results.clone().into_iter(),
-            inputs: found.inputs.clone().into_iter(),
             same: 0,
             differs: false,
         });

@@ -1,4 +1,4 @@
-//! `Tape`: answers as lines of text, in the order in which a check compares them.
+//! `Tape`: answers as text, in the order in which a check compares them.
 //!
 //! A check that reads the answers of the solution needs no solution; one that reads the
 //! student's needs no student's code, which then cannot forge the verdict.
@@ -10,51 +10,47 @@ use common::{Color, Error, Image, Settings};
 use super::answer::Part;
 use super::{Answer, Check, Input};
 
-/// The beginning of each line, which sets it apart from what a program prints besides.
-const MARK: char = '\u{1d}';
-/// The line before a comparison.
-const BEGIN: &str = "comparison";
-/// Control characters between parts and values, and in the place of the end of a line.
+/// The separators of ASCII: before all answers, which sets them apart from what a program prints
+/// besides, and between answers, parts, and values.
+const MARK: &str = "\u{1c}";
+const ANSWER: &str = "\u{1d}";
 const PART: &str = "\u{1e}";
 const VALUE: &str = "\u{1f}";
-const NEW_LINE: &str = "\u{1c}";
 
-/// Answers that are computed, printed, too, or read.
+/// Answers that are computed, kept, too, or read; none in the place of one that is not there.
 #[derive(Default)]
 pub(super) enum Tape {
     #[default]
     Computed,
-    Printed,
-    Read(vec::IntoIter<String>),
+    Kept(Vec<Option<Answer>>),
+    Read(vec::IntoIter<Option<Answer>>),
 }
 
 impl Tape {
+    /// The answers in the output of a program.
     pub fn read(text: &str) -> Self {
-        let lines = text.lines().filter_map(|line| line.strip_prefix(MARK));
-        let lines: Vec<_> = lines.map(str::to_owned).collect();
-        Self::Read(lines.into_iter())
+        let (_, answers) = text.split_once(MARK).unwrap_or_default();
+        let answers: Vec<_> = answers.split(ANSWER).map(read).collect();
+        Self::Read(answers.into_iter())
     }
 
-    /// Begins a comparison, so that one which stops early does not shift the next.
-    pub fn begin(&mut self) {
-        match self {
-            Self::Computed => {}
-            Self::Printed => print(BEGIN),
-            Self::Read(lines) => drop(lines.find(|line| line == BEGIN)),
+    /// Prints the answers that are kept.
+    pub fn print(&self) {
+        if let Self::Kept(answers) = self {
+            let answers: Vec<_> = answers.iter().map(|answer| text(answer.as_ref())).collect();
+            print!("{MARK}{}", answers.join(ANSWER));
         }
     }
 
-    /// The next answer; none at its end, or if there is no answer.
+    /// The next answer.
     pub fn next(&mut self, compute: impl FnOnce() -> Option<Answer>) -> Option<Answer> {
         match self {
             Self::Computed => compute(),
-            Self::Printed => {
-                let answer = compute();
-                print(&answer.as_ref().map_or(String::new(), line));
-                answer
+            Self::Kept(answers) => {
+                answers.push(compute());
+                answers.last()?.clone()
             }
-            Self::Read(lines) if lines.as_slice().first()? == BEGIN => None,
-            Self::Read(lines) => answer(&lines.next()?),
+            Self::Read(answers) => answers.next()?,
         }
     }
 
@@ -65,18 +61,40 @@ impl Tape {
     }
 }
 
+/// Name, words and numbers of each part. Digits of numbers are as many as tell them apart.
+fn text(answer: Option<&Answer>) -> String {
+    let part = |part: &Part| {
+        let mut values = vec![part.name.to_owned(), part.words.clone()];
+        values.extend(part.numbers.iter().map(f64::to_string));
+        values.join(VALUE)
+    };
+    let parts = answer.map_or(&[][..], |answer| &answer.0).iter().map(part);
+    parts.collect::<Vec<_>>().join(PART)
+}
+
+/// The answer of a text; none if nobody has written it so.
+fn read(text: &str) -> Option<Answer> {
+    let part = |text: &str| {
+        let mut values = text.split(VALUE).map(str::to_owned);
+        Some(Part {
+            name: values.next()?.leak(),
+            words: values.next()?,
+            numbers: values.map(|n| n.parse().ok()).collect::<Option<_>>()?,
+        })
+    };
+    text.split(PART)
+        .map(part)
+        .collect::<Option<_>>()
+        .map(Answer)
+}
+
 impl Check {
     /// Inputs that are found with the solution, and recorded where it is not handed out.
     pub fn recorded<I: Input + Default>(&mut self, inputs: impl FnOnce() -> Vec<I>) -> Vec<I> {
-        let numbers = if let Some(known) = &mut self.known {
-            known.inputs.next()
-        } else {
-            self.lesson.begin();
-            let numbers = || inputs().iter().flat_map(Input::numbers).collect();
-            self.lesson.numbers(|| Some(numbers()))
-        };
-        let numbers = numbers.unwrap_or_default();
-        self.inputs.push(numbers.clone());
+        let numbers = || inputs().iter().flat_map(Input::numbers).collect();
+        let numbers = self.lesson.numbers(|| Some(numbers())).unwrap_or_default();
+        let inputs = Answer::of(String::new(), numbers.clone());
+        self.inputs.push(Some(inputs));
         let each = numbers.chunks(I::default().numbers().len().max(1));
         each.map(|numbers| I::default().with_numbers(numbers))
             .collect()
@@ -88,7 +106,6 @@ impl Check {
         settings: &Settings,
         render: impl FnOnce(&Settings) -> Result<Image, Error>,
     ) -> Result<Image, Error> {
-        self.yours.begin();
         let mut image = match self.yours {
             Tape::Read(_) => Image::black(settings.size)?,
             _ => render(settings)?,
@@ -101,37 +118,4 @@ impl Check {
         }
         Ok(image)
     }
-}
-
-/// Prints a line. The student's code may have left one open.
-fn print(line: &str) {
-    println!("\n{MARK}{line}");
-}
-
-/// Name, words and numbers of each part. Digits of numbers are as many as tell them apart.
-fn line(answer: &Answer) -> String {
-    let part = |part: &Part| {
-        let texts = [part.name, &part.words].map(|text| text.replace('\n', NEW_LINE));
-        let numbers = part.numbers.iter().map(f64::to_string);
-        let values: Vec<_> = texts.into_iter().chain(numbers).collect();
-        values.join(VALUE)
-    };
-    answer.0.iter().map(part).collect::<Vec<_>>().join(PART)
-}
-
-/// The answer of a line; none if nobody has written it so.
-fn answer(line: &str) -> Option<Answer> {
-    let part = |part: &str| {
-        let mut values = part.split(VALUE);
-        let mut text = || Some(values.next()?.replace(NEW_LINE, "\n"));
-        Some(Part {
-            name: text()?.leak(),
-            words: text()?,
-            numbers: values.map(|n| n.parse().ok()).collect::<Option<_>>()?,
-        })
-    };
-    line.split(PART)
-        .map(part)
-        .collect::<Option<_>>()
-        .map(Answer)
 }
