@@ -14,7 +14,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise/replay",
             "common/testing/src/exercise/tape",
         ],
-        1_017,
+        871,
     ),
     (
         "exercises with their checks, and cargo learn",
@@ -26,7 +26,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
         7_962,
     ),
     ("benchmarks", &["/benches/"], 1_329),
-    ("labs", &["/lab/src/", "/src/instruments"], 7_101),
+    ("labs", &["/lab/src/", "/src/instruments"], 7_103),
     ("engine", &["common/engine/"], 7_258),
     (
         "reader and writer of scene files",
@@ -51,7 +51,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 49_372;
+const OF_ALL: usize = 49_228;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.
