@@ -15,7 +15,7 @@ pub fn build(course: &[Exercise]) -> Result<String, String> {
     let mut build = Command::new("bash");
     build.arg("book/build").env("YOURS", &yours);
     match build.current_dir(files::workspace()).status() {
-        Ok(status) if status.success() => Ok(format!("with your {yours}")),
+        Ok(status) if status.success() => Ok(format!("with pictures by your {}", yours.trim_end())),
         Ok(_) => Err("the book is not built".to_owned()),
         Err(error) => Err(format!("bash does not start: {error}")),
     }
