@@ -104,6 +104,7 @@ mod tests {
         for e in read_all().unwrap() {
             let (name, starter) = (e.name, files::starter(e).unwrap());
             assert!(names.insert(name), "{name} is the name of two exercises");
+            assert!(e.minutes.parse::<u32>().is_ok(), "{name}: its minutes");
             for part in ["testing::missing(", "testing::examples!"] {
                 assert!(starter.contains(part), "{name}: {part}");
             }

@@ -16,8 +16,8 @@ const PAUSE: Duration = Duration::from_millis(20);
 /// Why a program that runs is to stop; none while it is to go on.
 type Stop<'a> = &'a mut dyn FnMut() -> Option<String>;
 
-/// Checks a student's file, and records whether it is done. The error says why it is not. A
-/// `loud` build shows that it goes on.
+/// Checks a student's file, and records whether it is done. Returns the verdict, which is an
+/// error if it is not. A `loud` build shows that it goes on.
 pub fn judge(e: &Exercise, loud: bool, stop: Stop) -> Result<String, String> {
     let verdict = |words: &str| format!("{}: {words}", e.name);
     progress::record(e, false)?;
