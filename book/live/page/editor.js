@@ -9,7 +9,7 @@ live.Editor = class {
         const left = live.element('div', {}, this.text, this.mistake, pre.nextElementSibling);
         const right = live.element('div', {}, paragraph, live.caption(image));
         pre.replaceWith(live.element('div', { className: 'live-editor' }, left, right));
-        this.update = live.newest(() => this.draw());
+        this.update = live.newest(() => this.draw(), ({ message }) => this.complain(message));
         this.text.oninput = () => {
             clearTimeout(this.pause);
             this.pause = setTimeout(() => this.change(), 250);
@@ -43,21 +43,16 @@ live.Editor = class {
     async draw() {
         const { picture } = this;
         const name = `file\n${this.text.value}`;
-        try {
-            picture.about = await live.ask(`about ${name}`);
-        } catch ({ message }) {
-            return this.complain(message);
-        }
+        picture.about = await live.ask(`about ${name}`);
         picture.name = name;
         this.complain('');
         history.replaceState(null, '', `#scene=${encodeURIComponent(this.text.value)}`);
         await picture.begin();
-        if (!picture.begun) {
-            return;
+        if (picture.begun) {
+            const { yaw, pitch, zoom } = picture.settings;
+            picture.reset();
+            await picture.change({ yaw, pitch, zoom });
         }
-        const { yaw, pitch, zoom } = picture.settings;
-        picture.reset();
-        return picture.change({ yaw, pitch, zoom });
     }
 
     // Shows a mistake, which begins with its line and column.

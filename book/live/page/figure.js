@@ -84,15 +84,9 @@ live.Figure = class {
         Object.assign(this, { name, figure, together });
         together.push(this);
         this.state = { ...figure.state };
-        this.change = live.newest(() => this.answer());
-        this.root = live.element('figure', { className: 'live-figure' });
-        this.root.dataset.figure = name;
-        this.root.append(live.element('strong', {}, figure.title));
-        this.addQuestion();
-        this.addDrawing();
-        this.addSliders();
-        this.addValues();
-        this.root.append(live.element('figcaption', {}, figure.hint));
+        this.change = live.newest(() => this.answer(), ({ message }) => (this.root.dataset.error = message));
+        this.root = live.panel(figure.title, figure.hint, this.makeQuestion(), this.makeDrawings(), this.makeSliders(), this.makeValues());
+        this.root.toggleAttribute('data-asked', Boolean(figure.question));
         after.after(this.root);
         this.isStale = true;
         // The module is loaded when the reader is about to see a figure.
@@ -105,12 +99,11 @@ live.Figure = class {
     }
 
     // A prediction first: the numbers show once the reader has chosen.
-    addQuestion() {
+    makeQuestion() {
         const { question } = this.figure;
         if (!question) {
-            return;
+            return '';
         }
-        this.root.dataset.asked = '';
         const verdict = live.element('output');
         const buttons = question.choices.map((choice, index) => {
             const choose = () => {
@@ -119,30 +112,28 @@ live.Figure = class {
                 buttons[index].classList.add('live-chosen');
                 verdict.value = `${index === question.right ? 'Yes:' : 'No:'} ${question.because}`;
             };
-            return live.element('button', { type: 'button', onclick: choose }, choice);
+            return live.button(choice, choose);
         });
-        this.root.append(live.element('div', { className: 'live-question' }, question.text, ' ', ...buttons, verdict));
+        return live.element('div', { className: 'live-question' }, question.text, ' ', ...buttons, verdict);
     }
 
-    addDrawing() {
+    makeDrawings() {
         const { area, picture, over } = this.figure;
         const drawings = live.element('div', { className: over ? 'live-drawings live-over' : 'live-drawings' });
-        if (area) {
-            this.area = area;
-            this.drawn = live.svg('g', {});
-            const box = `0 0 ${live.Pen.width} ${new live.Pen(area).height}`;
-            this.svg = live.svg('svg', { viewBox: box, role: 'group', 'aria-label': this.figure.title }, this.drawn);
-            drawings.append(this.svg);
-            if ('yaw' in this.figure.state) {
-                this.turnBy(this.svg);
-            }
-            this.handles = (this.figure.handles ?? []).map((handle) => this.addHandle(handle));
+        this.area = area;
+        this.drawn = live.svg('g', {});
+        const box = `0 0 ${live.Pen.width} ${new live.Pen(area).height}`;
+        this.svg = live.svg('svg', { viewBox: box, role: 'group', 'aria-label': this.figure.title }, this.drawn);
+        drawings.append(this.svg);
+        if ('yaw' in this.figure.state) {
+            this.turnBy(this.svg);
         }
+        this.handles = (this.figure.handles ?? []).map((handle) => this.addHandle(handle));
         if (picture) {
             this.canvas = live.element('canvas', { width: picture[0], height: picture[1] });
             over ? drawings.prepend(this.canvas) : drawings.append(this.canvas);
         }
-        this.root.append(drawings);
+        return drawings;
     }
 
     addHandle(handle) {
@@ -181,25 +172,24 @@ live.Figure = class {
         return [limit(this.area.x, x), limit(this.area.y, y)];
     }
 
-    addSliders() {
+    makeSliders() {
         const sliders = live.element('div', { className: 'live-controls' });
         this.sliders = Object.entries(this.figure.sliders ?? {}).map(([name, { label, ...range }]) => {
             const control = live.control(label, range, (value) => this.set({ [name]: value }));
             sliders.append(control.element);
             return () => control.show(this.state[name], live.show(this.state[name]));
         });
-        this.root.append(sliders);
+        return sliders;
     }
 
-    addValues() {
+    makeValues() {
         const table = live.element('div', { className: 'live-values' });
         this.values = Object.entries(this.figure.values ?? {}).map(([name, label]) => {
             const value = live.element('output');
-            value.dataset.value = name;
             table.append(live.element('span', {}, `${label} `, value));
             return [name, value];
         });
-        this.root.append(table);
+        return table;
     }
 
     // Changes numbers of the state; resolves once they are answered and drawn.
@@ -223,15 +213,11 @@ live.Figure = class {
 
     async answer() {
         this.isStale = false;
-        try {
-            const answer = await live.ask(this.name, Object.values(this.state).slice(0, this.figure.numbers));
-            // Some figures need a second answer.
-            const more = await this.figure.more?.(this.state);
-            this.show({ ...more, ...answer });
-            delete this.root.dataset.error;
-        } catch (error) {
-            this.root.dataset.error = error.message;
-        }
+        const answer = await live.ask(this.name, Object.values(this.state).slice(0, this.figure.numbers));
+        // Some figures need a second answer.
+        const more = await this.figure.more?.(this.state);
+        this.show({ ...more, ...answer });
+        delete this.root.dataset.error;
     }
 
     show(answer) {
@@ -240,12 +226,10 @@ live.Figure = class {
             const [list, index = 0] = name.split('.');
             element.value = live.show(answer[list]?.[index]);
         }
-        if (this.svg) {
-            const pen = new live.Pen(this.area);
-            this.figure.draw(pen, this.state, answer);
-            this.drawn.innerHTML = pen.shapes.join('');
-            this.handles.forEach(({ circle, at }) => circle.setAttribute('transform', `translate(${pen.to(at(this.state))})`));
-        }
+        const pen = new live.Pen(this.area);
+        this.figure.draw(pen, this.state, answer);
+        this.drawn.innerHTML = pen.shapes.join('');
+        this.handles.forEach(({ circle, at }) => circle.setAttribute('transform', `translate(${pen.to(at(this.state))})`));
         if (this.canvas) {
             live.paint(this.canvas, answer);
         }

@@ -67,16 +67,16 @@ live.stop = async (reason) => {
 };
 
 // `work`, called with the newest arguments only while an earlier call still runs: a
-// drag sends requests faster than answers come. Resolves when nothing is left to do;
-// `forget` leaves out the call that waits.
-live.newest = (work) => {
+// drag sends requests faster than answers come. `complain` gets the error of a call.
+// Resolves when nothing is left to do; `forget` leaves out the call that waits.
+live.newest = (work, complain) => {
     let waiting;
     let running;
     const run = async () => {
         while (waiting) {
             const now = waiting;
             waiting = undefined;
-            await work(...now);
+            await work(...now).catch(complain);
         }
     };
     const start = (...now) => {
@@ -87,6 +87,9 @@ live.newest = (work) => {
     start.forget = () => (waiting = undefined);
     return start;
 };
+
+// Shows errors in an output.
+live.complain = (output) => ({ message }) => (output.value = message);
 
 // An HTML element with attributes and children.
 live.element = (name, attributes = {}, ...children) => {
@@ -110,6 +113,9 @@ live.svg = (name, attributes, ...children) => {
 live.panel = (title, hint, ...children) =>
     live.element('figure', { className: 'live-figure' }, live.element('strong', {}, title), ...children, live.element('figcaption', {}, hint));
 
+// A button that acts on a click.
+live.button = (words, onclick) => live.element('button', { type: 'button', onclick }, words);
+
 // A slider, or a list of choices, with its label. `show` gives it a value, and another text.
 live.control = (label, { choices, ...range }, change) => {
     const input = choices
@@ -129,6 +135,10 @@ live.tool = (heading, make) => {
     const place = live.works && document.querySelector(`main #${heading}`);
     return place && make(place);
 };
+
+// The pictures of the page that a selector finds, without the copies that mdBook enlarges.
+live.images = (selector) =>
+    live.works ? [...document.querySelectorAll(`main ${selector}:not(.img-wrapper > img)`)] : [];
 
 // The caption of a picture, or else its paragraph.
 live.caption = (image) => {
@@ -160,22 +170,23 @@ live.drag = (element, move, tap = () => {}) => {
             element.setPointerCapture(event.pointerId);
         }
     });
+    // The browser releases the pointer after `pointerup`, and at a gesture of its own.
     element.addEventListener('pointermove', (event) => {
-        const by = last ? [event.clientX - last.clientX, event.clientY - last.clientY] : [0, 0];
-        // A finger that touches moves a little.
-        moved ||= Math.hypot(...by) > 3;
-        if (last && moved) {
-            move(event, ...by);
-            last = event;
+        if (element.hasPointerCapture(event.pointerId)) {
+            const by = [event.clientX - last.clientX, event.clientY - last.clientY];
+            // A finger that touches moves a little.
+            moved ||= Math.hypot(...by) > 3;
+            if (moved) {
+                move(event, ...by);
+                last = event;
+            }
         }
     });
     element.addEventListener('pointerup', (event) => {
-        if (last && !moved) {
+        if (element.hasPointerCapture(event.pointerId) && !moved) {
             tap(event);
         }
-        last = undefined;
     });
-    element.addEventListener('pointercancel', () => (last = undefined));
 };
 
 // Acts on keys. The book turns pages with arrows, and handles lie in figures that turn.

@@ -9,13 +9,16 @@ live.Measure = class {
         const scenes = Object.keys(live.locks).filter((name) => /^a0[4-7]/.test(name));
         this.scene = live.element('select', {}, ...scenes.map((name) => live.element('option', {}, name)));
         this.scene.value = 'a05-lighting-phong';
-        this.button = live.element('button', { type: 'button' }, 'measure');
-        this.button.onclick = () => this.run([1, 4, 16, 64, 256], 1024);
         this.status = live.element('output');
+        const measure = live.button('measure', async () => {
+            measure.disabled = true;
+            await this.run([1, 4, 16, 64, 256], 1024).catch(live.complain(this.status));
+            measure.disabled = false;
+        });
         this.svg = live.svg('svg', { viewBox: `0 0 ${live.Pen.width} ${new live.Pen(live.Measure.area).height}` });
         const hint = 'Rendered by the lesson at 120 × 90, against 1024 stratified samples a pixel. Both are rounded to bytes, so that no error falls much below 1/510, the level line.';
         before.before(live.panel('Error against run time, on this machine', hint,
-            live.element('div', { className: 'live-controls' }, this.scene, ' ', this.button, ' ', this.status),
+            live.element('div', { className: 'live-controls' }, this.scene, ' ', measure, ' ', this.status),
             live.element('div', { className: 'live-drawings' }, this.svg)));
         this.draw([]);
     }
@@ -29,25 +32,19 @@ live.Measure = class {
 
     // Measures each sampling at these numbers of samples; draws after each.
     async run(counts, reference) {
-        this.button.disabled = true;
         this.curves = live.Measure.samplings.map(([sampling, name, kind]) => ({ sampling, name, kind, points: [] }));
-        try {
-            this.status.value = 'rendering the reference …';
-            const [exact] = await this.render(reference, 3, 1);
-            // The samplings take turns, so that other work of the machine disturbs them alike.
-            for (const count of counts) {
-                for (const { sampling, name, points } of this.curves) {
-                    this.status.value = `${name}, ${count} samples a pixel …`;
-                    const [pixels, time] = await this.render(count, sampling, 0);
-                    points.push([time, live.Measure.error(pixels, exact)]);
-                    this.draw(this.curves);
-                }
+        this.status.value = 'rendering the reference …';
+        const [exact] = await this.render(reference, 3, 1);
+        // The samplings take turns, so that other work of the machine disturbs them alike.
+        for (const count of counts) {
+            for (const { sampling, name, points } of this.curves) {
+                this.status.value = `${name}, ${count} samples a pixel …`;
+                const [pixels, time] = await this.render(count, sampling, 0);
+                points.push([time, live.Measure.error(pixels, exact)]);
+                this.draw(this.curves);
             }
-            this.status.value = 'measured';
-        } catch (error) {
-            this.status.value = error.message;
         }
-        this.button.disabled = false;
+        this.status.value = 'measured';
     }
 
     // Root mean square over red, green and blue, for channels from 0 to 1.

@@ -29,9 +29,5 @@ live.Pair = class {
     }
 };
 
-live.pairs = [];
-if (live.works) {
-    for (const image of document.querySelectorAll('main :is(img[src*="/errata-"], img[src$="/go-wrong-cracks.png"]):not(.img-wrapper > img)')) {
-        live.pairs.push(new live.Pair(image, live.caption(image)));
-    }
-}
+live.pairs = live.images(':is(img[src*="/errata-"], img[src$="/go-wrong-cracks.png"])')
+    .map((image) => new live.Pair(image, live.caption(image)));

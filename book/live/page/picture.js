@@ -33,9 +33,9 @@ live.Picture = class {
         this.canvas = live.element('canvas', { className: 'live-canvas' });
         this.canvas.style.width = `${this.about.settings[0]}px`;
         this.yours = live.Yours.of(this);
-        this.update = live.newest((moving) => this.render(moving));
-        const complain = ({ message }) => (this.probed.value = message);
-        this.look = live.newest((column, row) => this.probe(column, row).catch(complain));
+        this.probed = live.element('output', { className: 'live-probe' });
+        this.update = live.newest((moving) => this.render(moving), live.complain(this.status));
+        this.look = live.newest((column, row) => this.probe(column, row), live.complain(this.probed));
         this.reset();
         await this.update(!this.lock);
         this.frame.append(this.canvas);
@@ -68,13 +68,7 @@ live.Picture = class {
 
     async render(moving) {
         const start = performance.now();
-        let answer;
-        try {
-            answer = await live.ask(`render ${this.name}`, this.numbers(moving && this.small()));
-        } catch (error) {
-            this.status.value = error.message;
-            return;
-        }
+        const answer = await live.ask(`render ${this.name}`, this.numbers(moving && this.small()));
         this.milliseconds = performance.now() - start;
         // Twenty pictures a second look like a movement.
         if (moving && this.milliseconds > 50) {
@@ -209,7 +203,7 @@ live.Picture = class {
         if (uses_depth[0]) {
             add('surfaces a ray may hit', { min: 1, max: 12 }, ({ depth }) => [depth], (depth) => ({ depth }));
         }
-        const button = (words, onclick) => panel.append(live.element('button', { type: 'button', onclick }, words), ' ');
+        const button = (...how) => panel.append(live.button(...how), ' ');
         if (turns[0]) {
             add('closer', { min: -24, max: 24 }, ({ zoom }) => [Math.round(-8 * Math.log2(zoom)), ''], (step) => ({ zoom: 2 ** (-step / 8) }));
             const sizes = ['quarter size', 'half size', 'full size', 'double size'];
@@ -220,10 +214,9 @@ live.Picture = class {
             button('explain a pixel', () => this.explain(this.settings.width >> 1, this.settings.height >> 1));
         }
         if (turns[0] && this.lock) {
-            button('edit the scene', () => this.edit().catch(({ message }) => (this.probed.value = message)));
+            button('edit the scene', () => this.edit().catch(live.complain(this.probed)));
         }
         button('reset', () => this.startAgain());
-        this.probed = live.element('output', { className: 'live-probe' });
         this.probed.value = turns[0]
             ? 'Drag to turn, wheel to zoom; arrow keys, + and - do the same. Point at a pixel to see the surface that its ray met; click on it to see every number behind it.'
             : 'Point at a pixel to see its bytes.';
@@ -237,12 +230,7 @@ live.Picture = class {
 };
 
 // Makes every picture that the tests lock a live one, by the name of its file.
-live.pictures = [];
-if (live.works) {
-    for (const image of document.querySelectorAll('main img:not(.img-wrapper > img)')) {
-        const [, name] = /([^/]+)\.png$/.exec(image.getAttribute('src')) ?? [];
-        if (live.locks[name]) {
-            live.pictures.push(new live.Picture(image, name, live.locks[name]));
-        }
-    }
-}
+live.pictures = live.images('img').flatMap((image) => {
+    const [, name] = /([^/]+)\.png$/.exec(image.getAttribute('src')) ?? [];
+    return live.locks[name] ? [new live.Picture(image, name, live.locks[name])] : [];
+});

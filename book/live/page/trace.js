@@ -29,15 +29,15 @@ live.Trace = class {
 
     constructor(picture) {
         Object.assign(this, { picture, at: 0, pixel: [0, 0], rays: [] });
-        const go = (by) => this.show(this.at + by).catch(({ message }) => (this.status.value = message));
-        this.update = live.newest(() => this.answer());
         this.numbers = ['column', 'row'].map((name, i) => {
             const change = ({ target }) => this.open(Object.assign([...this.pixel], { [i]: Number(target.value) }));
             return live.element('input', { type: 'number', min: 0, 'aria-label': name, onchange: change });
         });
-        const button = (words, onclick) => live.element('button', { type: 'button', onclick }, words);
         this.where = live.element('output');
         this.status = live.element('output');
+        const complain = live.complain(this.status);
+        this.update = live.newest(() => this.answer(), complain);
+        const go = (by) => this.show(this.at + by).catch(complain);
         this.list = live.element('ul', { className: 'live-steps' });
         this.drawings = live.element('div');
         this.shadow = this.drawings.attachShadow({ mode: 'open' });
@@ -46,7 +46,7 @@ live.Trace = class {
         this.root = live.panel('Every number behind a pixel', hint,
             live.element('div', { className: 'live-controls' }, 'column ', this.numbers[0], ' row ', this.numbers[1], ' ', this.status),
             this.drawings,
-            live.element('div', {}, button('←', () => go(-1)), ' ', button('→', () => go(1)), ' ', this.where, ' ', button('close', () => this.close())),
+            live.element('div', {}, live.button('←', () => go(-1)), ' ', live.button('→', () => go(1)), ' ', this.where, ' ', live.button('close', () => this.close())),
             this.list);
         this.root.tabIndex = 0;
         live.keys(this.root, { ArrowLeft: () => go(-1), ArrowRight: () => go(1), Escape: () => this.close() });
@@ -83,17 +83,13 @@ live.Trace = class {
             return `${((place + 0.5) / size[i]) * 100}%`;
         });
         Object.assign(mark.style, { left: percents[0], top: percents[1] });
-        try {
-            const { bytes, steps } = await picture.trace({}, this.pixel);
-            this.rays = live.Trace.rays(steps);
-            this.drawn = undefined;
-            const shown = picture.canvas.getContext('2d').getImageData(...this.pixel, 1, 1).data;
-            const verdict = bytes.every((byte, i) => byte === shown[i]) ? 'as in the picture' : 'NOT as in the picture';
-            this.status.value = `bytes ${bytes.join(', ')}${picture.canvas.width === size[0] ? `, ${verdict}` : ''}`;
-            await this.show(this.at);
-        } catch ({ message }) {
-            this.status.value = message;
-        }
+        const { bytes, steps } = await picture.trace({}, this.pixel);
+        this.rays = live.Trace.rays(steps);
+        this.drawn = undefined;
+        const shown = picture.canvas.getContext('2d').getImageData(...this.pixel, 1, 1).data;
+        const verdict = bytes.every((byte, i) => byte === shown[i]) ? 'as in the picture' : 'NOT as in the picture';
+        this.status.value = `bytes ${bytes.join(', ')}${picture.canvas.width === size[0] ? `, ${verdict}` : ''}`;
+        await this.show(this.at);
     }
 
     // The steps of each ray: those of the camera begin with a sample, and last come the sums.

@@ -14,7 +14,9 @@ live.Yours = class {
         this.canvas.style.width = picture.canvas.style.width;
         this.status = live.element('output', { className: 'live-status' });
         this.frame = live.element('span', { className: 'live-yours' }, this.canvas, this.status);
-        this.update = live.newest((lesson) => this.render(lesson));
+        this.update = live.newest((lesson) => this.render(lesson), ({ message }) => {
+            this.say(message === 'unreachable' ? 'panics' : `fails: ${message}`);
+        });
     }
 
     // Renders with the settings of the lesson's picture, but by the scene's own camera.
@@ -39,8 +41,6 @@ live.Yours = class {
             const differs = lesson?.pixels.some((byte, i) => Math.abs(answer.pixels[i] - byte) > 1);
             const verdict = differs ? 'does NOT draw the same' : lesson ? 'draws the same' : 'draws this';
             this.say(yaw || pitch || zoom !== 1 ? 'draws it by the camera of the scene' : verdict);
-        } catch ({ message }) {
-            this.say(message === 'unreachable' ? 'panics' : `fails: ${message}`);
         } finally {
             clearTimeout(end);
         }
@@ -55,12 +55,12 @@ live.Yours = class {
 };
 
 // The pictures of other exercises than those of the core path: the reader's code alone draws them.
-for (const image of live.works && live.yours ? document.querySelectorAll('main img[src*="-exercise-"]:not(.img-wrapper > img)') : []) {
+for (const image of live.yours ? live.images('img[src*="-exercise-"]') : []) {
     const [, name, stage, exercise] = /(([^/]+)-exercise-([^/]+))\.png$/.exec(image.src);
     const file = exercise.replaceAll('-', '_');
     if (live.yours[stage]?.includes(file)) {
         const frame = image.closest('label') ?? image;
         const yours = new live.Yours({ name, frame, canvas: image, settings: { zoom: 1 }, numbers: () => [] }, stage, file);
-        image.closest('p').append(' ', live.element('button', { type: 'button', onclick: () => yours.update() }, `draw it by your ${file}.rs`));
+        image.closest('p').append(' ', live.button(`draw it by your ${file}.rs`, () => yours.update()));
     }
 }

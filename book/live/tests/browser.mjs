@@ -53,7 +53,7 @@ async function tryByHand() {
     await chromium.until(`${picture}.frame.dataset.state`);
     console.log(`first picture ${(performance.now() - start).toFixed(0)} ms after the click: ${await chromium.value(`${picture}.status.value`)}`);
     expect((await chromium.value(`${picture}.frame.dataset.state`)) === 'tested', 'phong has other bytes after a click');
-    await chromium.until(`${picture}.probed`);
+    await chromium.until(`${picture}.controls`);
 
     await chromium.drag(`${picture}.canvas`, 60, 20);
     await chromium.until(`${picture}.frame.dataset.state === 'changed'`);

@@ -10,7 +10,7 @@ pub struct Exercise {
     /// The crate that sets it.
     pub stage: &'static str,
     pub title: &'static str,
-    pub minutes: u32,
+    pub minutes: &'static str,
     /// Whether it belongs to the core path, in which the reader writes the tracer.
     pub is_core: bool,
     /// The text before the command, without pictures.
@@ -37,14 +37,10 @@ pub fn read_all() -> Result<&'static [Exercise], String> {
 /// The exercise of this name. The error is the nearest name.
 pub fn find(name: &str) -> Result<&'static Exercise, String> {
     let nearness = |e: &Exercise| strsim::jaro(e.name, name);
-    let by_nearness = |a: &&Exercise, b: &&Exercise| nearness(a).total_cmp(&nearness(b));
-    match read_all()?.iter().max_by(by_nearness) {
-        Some(e) if e.name == name => Ok(e),
-        nearest => Err(format!(
-            "the nearest is {}",
-            nearest.map_or("none", |e| e.name)
-        )),
-    }
+    let exercises = read_all()?.iter();
+    let nearest = exercises.max_by(|a, b| nearness(a).total_cmp(&nearness(b)));
+    let found = nearest.filter(|e| e.name == name);
+    found.ok_or_else(|| format!("the nearest is {}", nearest.map_or("none", |e| e.name)))
 }
 
 /// The exercises of a page.
@@ -73,12 +69,12 @@ fn exercise(section: &'static str, is_core: bool) -> Option<Exercise> {
 
     let is_text = |paragraph: &&str| !paragraph.starts_with("![") && !paragraph.starts_with('*');
     let task: Vec<_> = task.trim().split("\n\n").filter(is_text).collect();
-    let hints: Option<Vec<_>> = hints.split("<details>").skip(1).map(hint).collect();
+    let hints: Option<Vec<_>> = hints.split("<summary>").skip(1).map(hint).collect();
     Some(Exercise {
         name,
         stage,
         title,
-        minutes: minutes.parse().ok()?,
+        minutes,
         is_core,
         task: task.join("\n\n"),
         hints: hints.filter(|hints| !hints.is_empty())?,
@@ -89,7 +85,6 @@ fn exercise(section: &'static str, is_core: bool) -> Option<Exercise> {
 /// The summary of a hint and its text.
 fn hint(details: &str) -> Option<String> {
     let (summary, text) = details.split_once("</summary>")?;
-    let (_, summary) = summary.split_once("<summary>")?;
     let (text, _) = text.split_once("</details>")?;
     let text = text.trim();
     (!text.is_empty()).then(|| format!("\n{summary}\n\n{text}\n"))
@@ -106,20 +101,20 @@ mod tests {
     #[test]
     fn exercises_have_their_files() {
         let mut names = BTreeSet::new();
-        for exercise in read_all().unwrap() {
-            let (stage, name, hints) = (exercise.stage, exercise.name, exercise.hints.concat());
+        for e in read_all().unwrap() {
+            let (name, starter) = (e.name, files::starter(e).unwrap());
             assert!(names.insert(name), "{name} is the name of two exercises");
-            let starter = files::starter(exercise).unwrap();
+            assert!(e.minutes.parse::<u32>().is_ok(), "{name}: its minutes");
             for part in ["testing::missing(", "testing::examples!"] {
                 assert!(starter.contains(part), "{name}: {part}");
             }
             assert!(!starter.contains("missing!("), "{name}");
             let count = |brace| starter.matches(brace).count();
             assert_eq!(count('{'), count('}'), "{name}");
-            assert!(!hints.contains("```rust"), "{name}");
-            assert!(files::shortest(exercise.solution).exists(), "{name}");
-            let check = files::read(&format!("{stage}/tests/exercises/{name}.rs")).unwrap();
-            assert!(!exercise.is_core || check.contains("right \""), "{name}");
+            assert!(!e.hints.concat().contains("```rust"), "{name}");
+            assert!(files::shortest(e.solution).exists(), "{name}");
+            let check = files::read(&format!("{}/tests/exercises/{name}.rs", e.stage)).unwrap();
+            assert!(!e.is_core || check.contains("right \""), "{name}");
         }
     }
 }

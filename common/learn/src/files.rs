@@ -37,11 +37,8 @@ pub fn failed(path: &Path) -> impl Fn(io::Error) -> String {
     move |error| format!("{}: {error}", path.display())
 }
 
-pub fn yours(exercise: &Exercise) -> PathBuf {
-    shortest(&format!(
-        "{}/exercises/{}.rs",
-        exercise.stage, exercise.name
-    ))
+pub fn yours(e: &Exercise) -> PathBuf {
+    shortest(&format!("{}/exercises/{}.rs", e.stage, e.name))
 }
 
 /// When the student's file was saved; none if there is no file.
@@ -59,22 +56,18 @@ pub fn starter(exercise: &Exercise) -> Result<String, String> {
     })
 }
 
-/// Leaves out the code of each `missing!("what", for_now, {`, which ends with a line `})`.
+/// Leaves out the code of each `missing!("what", for_now, {`, which ends with a line `})` of the
+/// same indent.
 fn without_code(solution: &str) -> String {
-    let mut starter = String::new();
-    let mut lines = solution.lines();
-    while let Some(line) = lines.next() {
-        let head = line.strip_suffix(", {");
-        let head = head.and_then(|head| head.split_once("missing!("));
-        if let Some((before, arguments)) = head {
-            let indent = &line[..line.len() - line.trim_start().len()];
-            let end = format!("{indent}}})");
-            let rest = lines.find_map(|line| line.strip_prefix(&end));
-            let rest = rest.unwrap_or_default();
-            starter += &[before, "testing::missing(", arguments, ")", rest, "\n"].concat();
-        } else {
-            starter += &[line, "\n"].concat();
-        }
+    let mut parts = solution.split("missing!(");
+    let mut starter = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let line = starter.lines().last().unwrap_or_default();
+        let indent = &line[..line.len() - line.trim_start().len()];
+        let end = format!("\n{indent}}})");
+        let (arguments, code) = part.split_once(", {").unwrap_or_default();
+        let (_, rest) = code.split_once(&end).unwrap_or_default();
+        starter += &["testing::missing(", arguments, ")", rest].concat();
     }
     starter
 }
@@ -94,15 +87,16 @@ pub fn begin(exercise: &Exercise) -> Result<(), String> {
     Ok(())
 }
 
-/// Renames the student's file, and copies the starter.
-pub fn reset(exercise: &Exercise) -> Result<(), String> {
+/// Renames the student's file, and copies the starter. Returns where both are.
+pub fn reset(exercise: &Exercise) -> Result<String, String> {
     let yours = yours(exercise);
+    let mut words = format!("the starter: {}", yours.display());
     if is_begun(exercise) {
         let mut names = (1..).map(|n| yours.with_extension(format!("{n}.bak")));
         let backup = names.find(|name| !name.exists()).unwrap_or_default();
         fs::rename(&yours, &backup).map_err(failed(&yours))?;
-        println!("your file is kept: {}", backup.display());
+        words = format!("{words}\nyour file is kept: {}", backup.display());
     }
-    println!("the starter: {}", yours.display());
-    begin(exercise)
+    begin(exercise)?;
+    Ok(words)
 }

@@ -13,53 +13,39 @@ const LONGEST: u64 = 10;
 /// Time between two looks at a running program.
 const PAUSE: Duration = Duration::from_millis(20);
 
-/// Checks a student's file, unless it `stops` before. Records whether it is done, and returns
-/// it. A `loud` build shows that it goes on.
-pub fn judge(e: &Exercise, loud: bool, stops: &mut dyn FnMut() -> bool) -> Result<bool, String> {
-    let name = e.name;
+/// Why a program that runs is to stop; none while it is to go on.
+type Stop<'a> = &'a mut dyn FnMut() -> Option<String>;
+
+/// Checks a student's file, and records whether it is done. Returns the verdict, which is an
+/// error if it is not. A `loud` build shows that it goes on.
+pub fn judge(e: &Exercise, loud: bool, stop: Stop) -> Result<String, String> {
+    let verdict = |words: &str| format!("{}: {words}", e.name);
     progress::record(e, false)?;
-    let mut build = cargo(loud, &arguments(e));
+    let mut arguments = arguments(e);
     // After a save, only functions that have changed are compiled anew.
-    build.args(["-C", "incremental=target/learn"]);
-    let Some((built, messages)) = run(&mut build, stops)? else {
-        return Ok(false);
-    };
-    if !built.success() {
-        // Cargo has printed why.
-        println!("{name}: does not compile");
-        return Ok(false);
-    }
+    arguments.extend(["-C", "incremental=target/learn"].map(str::to_owned));
+    let program = build(e.name, loud, &arguments, stop)?;
     let longest = env::var("LEARN_SECONDS").ok();
     let longest = longest.and_then(|n| n.parse().ok()).unwrap_or(LONGEST);
+    let late = format!("no end after {longest} seconds, probably a loop without end");
     let end = Instant::now() + Duration::from_secs(longest);
-    let mut check = Command::new(program(&messages)?);
-    let ended = run(check.env("RUST_BACKTRACE", "0"), &mut || {
+    let mut check = Command::new(program);
+    let (ended, _) = run(check.env("RUST_BACKTRACE", "0"), &mut || {
         let is_late = Instant::now() > end;
-        if is_late {
-            println!("{name}: no end after {longest} seconds, probably a loop without end");
-        }
-        is_late || stops()
+        is_late.then(|| verdict(&late)).or_else(&mut *stop)
     })?;
-    match ended.map(|(status, _)| status.code()) {
-        Some(Some(0)) => {
-            println!("{name}: done");
-            progress::record(e, true)?;
-            return Ok(true);
-        }
-        // The program has said what is missing, or is stopped.
-        Some(Some(3)) | None => {}
-        _ => println!("{name}: not yet"),
+    if !ended.success() {
+        // The program has printed why.
+        return Err(verdict("not yet"));
     }
-    Ok(false)
+    progress::record(e, true)?;
+    Ok(verdict("done"))
 }
 
 /// Builds the test program of a stage that proves its exercises, and returns its path.
 #[cfg(not(handout))]
 pub fn proofs(stage: &str) -> Result<String, String> {
-    match run(&mut cargo(false, &of_stage(stage)), &mut || false)? {
-        Some((status, messages)) if status.success() => program(&messages),
-        _ => Err(format!("the checks of {stage} do not compile")),
-    }
+    build(stage, false, &of_stage(stage), &mut || None)
 }
 
 /// Cargo's words for the test program of a stage.
@@ -75,22 +61,21 @@ pub fn arguments(e: &Exercise) -> Vec<String> {
     let shortest = files::shortest(&format!("{}/exercises", e.stage));
     let long = format!("{}/tests/exercises/../../exercises", e.stage);
     let prefix = format!("--remap-path-prefix={long}={}", shortest.display());
-    let own = "-- --cfg learn -A unused --cfg";
-    let own = own.split(' ').chain([e.name, &*prefix]);
-    of_stage(e.stage)
-        .into_iter()
-        .chain(own.map(str::to_owned))
-        .collect()
+    let own = ["--", "--cfg", "learn", "-A", "unused", "--cfg", e.name];
+    let own = own.into_iter().chain([&*prefix]).map(str::to_owned);
+    of_stage(e.stage).into_iter().chain(own).collect()
 }
 
-fn cargo(loud: bool, arguments: &[String]) -> Command {
+/// Builds a test program, and returns its path.
+fn build(name: &str, loud: bool, arguments: &[String], stop: Stop) -> Result<String, String> {
     let mut cargo = Command::new("cargo");
-    cargo
-        .args((!loud).then_some("--quiet"))
-        .args(arguments)
-        .current_dir(files::workspace())
-        .stdout(Stdio::piped());
-    cargo
+    cargo.args((!loud).then_some("--quiet")).args(arguments);
+    cargo.current_dir(files::workspace()).stdout(Stdio::piped());
+    match run(&mut cargo, stop)? {
+        (status, messages) if status.success() => program(&messages),
+        // Cargo has printed why.
+        _ => Err(format!("{name}: does not compile")),
+    }
 }
 
 /// The path of the test program, by the messages of the build.
@@ -103,11 +88,8 @@ pub fn program(messages: &str) -> Result<String, String> {
     Ok(program.replace("\\\\", "\\"))
 }
 
-/// Runs a program, and returns its status and its piped output; none if it `stops` before.
-fn run(
-    command: &mut Command,
-    stops: &mut dyn FnMut() -> bool,
-) -> Result<Option<(ExitStatus, String)>, String> {
+/// Runs a program, and returns its status and its piped output, unless it is stopped.
+fn run(command: &mut Command, stop: Stop) -> Result<(ExitStatus, String), String> {
     let program = command.get_program().to_owned();
     let failed = |error| format!("{}: {error}", program.display());
     let mut child = command.spawn().map_err(failed)?;
@@ -116,11 +98,11 @@ fn run(
     loop {
         if let Some(status) = child.try_wait().map_err(failed)? {
             let output = output.join().unwrap_or(Ok(String::new()));
-            return Ok(Some((status, output.map_err(failed)?)));
+            return Ok((status, output.map_err(failed)?));
         }
-        if stops() {
+        if let Some(why) = stop() {
             child.kill().and_then(|()| child.wait()).map_err(failed)?;
-            return Ok(None);
+            return Err(why);
         }
         thread::sleep(PAUSE);
     }

@@ -54,57 +54,50 @@ enum Command {
     #[cfg(not(handout))]
     Book,
     /// Begins an exercise anew, and keeps your file
-    Reset {
-        /// An exercise
-        #[arg(value_name = "EXERCISE", value_parser = exercise::find)]
-        name: &'static Exercise,
-    },
+    Reset(OrNext),
     Submit(submit::Submit),
     #[command(flatten)]
     ForLecturers(course::Command),
 }
 
 fn main() -> ExitCode {
-    run().unwrap_or_else(|problem| {
+    if let Err(problem) = run().and_then(|words| print(&words)) {
         eprintln!("cargo learn: {problem}");
-        ExitCode::FAILURE
-    })
+        return ExitCode::FAILURE;
+    }
+    ExitCode::SUCCESS
 }
 
-fn run() -> Result<ExitCode, String> {
+/// Runs the command, and returns its words.
+fn run() -> Result<String, String> {
     let course = exercise::read_all()?;
     let CommandLine { command, shown } = CommandLine::parse();
     let chosen = match &command {
-        Some(Command::Hint(chosen) | Command::Check(chosen)) => chosen,
+        Some(Command::Hint(chosen) | Command::Check(chosen) | Command::Reset(chosen)) => chosen,
         _ => &shown,
     };
     let next = chosen.name.or_else(|| progress::next(course, None));
-    match (command, next) {
-        (Some(Command::List), _) => return print(&progress::list(course)),
-        (Some(Command::Editor), _) => return print(&editor::write_settings()?),
-        (Some(Command::Book), _) => return book::build(course),
-        (Some(Command::Reset { name }), _) => files::reset(name)?,
-        (Some(Command::Submit(submit)), _) => return print(&submit.run(course)?),
-        (Some(Command::ForLecturers(it)), _) => return print(&course::run(it, course)?),
-        (_, None) => return print("all exercises are done; with a name, one is shown again"),
+    Ok(match (command, next) {
+        (Some(Command::List), _) => progress::list(course),
+        (Some(Command::Editor), _) => editor::write_settings()?,
+        (Some(Command::Book), _) => book::build(course)?,
+        (Some(Command::Submit(submit)), _) => submit.run(course)?,
+        (Some(Command::ForLecturers(it)), _) => course::run(it, course)?,
+        (_, None) => "all exercises are done; with a name, one is shown again".to_owned(),
         (None, Some(e)) => watch::watch(course, e)?,
-        (Some(Command::Hint(_)), Some(e)) => {
-            return print(&format!("{}\n{}", e.title, e.hints.join("\n")));
-        }
+        (Some(Command::Hint(_)), Some(e)) => format!("{}\n{}", e.title, e.hints.join("\n")),
         (Some(Command::Check(_)), Some(e)) => {
             files::begin(e)?;
-            if !judgement::judge(e, true, &mut || false)? {
-                return Ok(ExitCode::FAILURE);
-            }
+            judgement::judge(e, true, &mut || None)?
         }
-    }
-    Ok(ExitCode::SUCCESS)
+        (Some(Command::Reset(_)), Some(e)) => files::reset(e)?,
+    })
 }
 
 /// Prints a text. The reader of a pipe may close it early.
-fn print(text: &str) -> Result<ExitCode, String> {
+fn print(text: &str) -> Result<(), String> {
     match writeln!(io::stdout(), "{text}") {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error.to_string()),
-        _ => Ok(ExitCode::SUCCESS),
+        _ => Ok(()),
     }
 }

@@ -1,58 +1,48 @@
 //! Exercises that no page of the book sets, as those of a lecturer: the comment at the beginning
 //! of their file is the task, and the one of their check, after what it compares, the hints.
 
+use std::collections::BTreeMap;
 use std::fs;
 
 use crate::exercise::Exercise;
 use crate::files;
 
-/// The exercises of a stage that are not among those of its page.
+/// The exercises of a stage that are not among those of its page, by name.
 pub fn others(stage: &'static str, page: &[Exercise]) -> Result<Vec<Exercise>, String> {
-    let mut others = Vec::new();
-    for folder in ["starters", "solutions"] {
+    let mut paths = BTreeMap::new();
+    for folder in ["solutions", "starters"] {
         let folder = format!("{stage}/exercises/{folder}");
         let entries = fs::read_dir(files::shortest(&folder)).into_iter().flatten();
-        let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
-        let mut names: Vec<_> = names.collect();
-        names.sort();
-        for file in names {
+        for file in entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok()) {
             let name = file.trim_end_matches(".rs");
-            if page.iter().chain(&others).all(|e| e.name != name) {
-                others.push(exercise(stage, &folder, name.to_owned().leak())?);
+            if page.iter().all(|e| e.name != name) {
+                paths.insert(name.to_owned(), format!("{folder}/{file}"));
             }
         }
     }
-    Ok(others)
+    let read = |(name, path): (String, _)| exercise(stage, name.leak(), path);
+    paths.into_iter().map(read).collect()
 }
 
-fn exercise(stage: &'static str, folder: &str, name: &'static str) -> Result<Exercise, String> {
-    let path = format!("{folder}/{name}.rs");
+fn exercise(stage: &'static str, name: &'static str, path: String) -> Result<Exercise, String> {
     let check = format!("{stage}/tests/exercises/{name}.rs");
-    let (task, hints) = (comment(&path)?, comment(&check)?);
-    let (title, minutes, task) =
-        parts(&task).ok_or_else(|| format!("{path}: it begins with no title, minutes and task"))?;
-    let is_solution = folder.ends_with("/solutions");
+    let (task, hints) = (comment(&path)?.leak(), comment(&check)?);
+    let parts = task.split_once(" minutes\n\n");
+    let parts = parts.and_then(|(head, task)| Some((head.rsplit_once(", ")?, task)));
+    let ((title, minutes), task) =
+        parts.ok_or_else(|| format!("{path}: it begins with no title, minutes and task"))?;
+    let hints = hints.split("\n\n").skip(1);
+    let is_solution = path.contains("/solutions/");
     Ok(Exercise {
         name,
         stage,
-        title: title.to_owned().leak(),
+        title,
         minutes,
         is_core: false,
         task: task.to_owned(),
-        hints: hints
-            .split("\n\n")
-            .skip(1)
-            .map(|hint| format!("\n{hint}\n"))
-            .collect(),
+        hints: hints.map(|hint| format!("\n{hint}\n")).collect(),
         solution: if is_solution { path } else { check }.leak(),
     })
-}
-
-/// Title, minutes and task.
-fn parts(comment: &str) -> Option<(&str, u32, &str)> {
-    let (head, task) = comment.split_once(" minutes\n\n")?;
-    let (title, minutes) = head.rsplit_once(", ")?;
-    Some((title, minutes.parse().ok()?, task))
 }
 
 /// The comment at the beginning of a file.

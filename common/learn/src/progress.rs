@@ -16,6 +16,15 @@ pub fn is_done(exercise: &Exercise) -> bool {
     done.lines().any(|name| name == exercise.name) && files::saved(exercise).is_some()
 }
 
+/// How far the student is with it, in a word.
+pub fn mark(exercise: &Exercise) -> &'static str {
+    match (is_done(exercise), files::is_begun(exercise)) {
+        (true, _) => "done",
+        (_, true) => "begun",
+        _ => "",
+    }
+}
+
 /// Records the verdict of the last check.
 pub fn record(exercise: &Exercise, is_done: bool) -> Result<(), String> {
     let known = files::read(FILE).unwrap_or_default();
@@ -49,11 +58,7 @@ pub fn bars(course: &[Exercise]) -> String {
 /// All exercises, one a line.
 pub fn list(course: &[Exercise]) -> String {
     let row = |e: &Exercise| {
-        let mark = match (is_done(e), files::is_begun(e)) {
-            (true, _) => "done",
-            (_, true) => "begun",
-            _ => "",
-        };
+        let mark = mark(e);
         let path = if e.is_core { "core" } else { "" };
         let (name, title, minutes) = (e.name, e.title, e.minutes);
         format!("  {mark:5}  {path:4}  {name:18} {title}, {minutes} minutes")

@@ -1,7 +1,7 @@
 //! `submit`: packs the student's files into one zip file, with the versions of the tools.
 
 use std::fs;
-use std::io::{Cursor, Write};
+use std::io::{self, Cursor, Write};
 use std::process::Command;
 
 use zip::ZipWriter;
@@ -32,8 +32,8 @@ impl Submit {
             return Err("no exercise is begun; `cargo learn` shows the first".to_owned());
         }
         let path = format!("{name}.zip");
-        let bytes = packed(&begun)?;
-        fs::write(&path, bytes).map_err(failed(path.as_ref()))?;
+        let written = packed(&begun).and_then(|bytes| fs::write(&path, bytes));
+        written.map_err(failed(path.as_ref()))?;
         let done = begun.iter().filter(|e| progress::is_done(e)).count();
         let count = begun.len();
         Ok(format!("{path}: {count} files, {done} of them done"))
@@ -41,7 +41,7 @@ impl Submit {
 }
 
 /// The zip file: the student's files, and the results of the last checks.
-fn packed(begun: &[&Exercise]) -> Result<Vec<u8>, String> {
+fn packed(begun: &[&Exercise]) -> io::Result<Vec<u8>> {
     let rustc = Command::new("rustc").arg("--version").output();
     let rustc = rustc.map_or(Vec::new(), |said| said.stdout);
     let mut results = concat!("learn ", env!("CARGO_PKG_VERSION"), "\n").to_owned();
@@ -54,17 +54,13 @@ fn packed(begun: &[&Exercise]) -> Result<Vec<u8>, String> {
     for e in begun {
         let yours = files::yours(e);
         if yours.is_symlink() {
-            let path = yours.display();
-            return Err(format!("{path}: it is a link; hand in the file itself"));
+            let problem = format!("{} is a link; hand in the file itself", yours.display());
+            return Err(io::Error::other(problem));
         }
         let name = format!("{}/exercises/{}.rs", e.stage, e.name);
-        let added = fs::read(&yours).and_then(|bytes| add(&name, &bytes));
-        added.map_err(failed(&yours))?;
-        let is_done = progress::is_done(e);
-        let state = if is_done { " done\n" } else { " begun\n" };
-        results += &[e.name, state].concat();
+        add(&name, &fs::read(yours)?)?;
+        results += &[e.name, " ", progress::mark(e), "\n"].concat();
     }
-    add("results.txt", results.as_bytes()).map_err(failed("results.txt".as_ref()))?;
-    let zip = zip.finish().map_err(|error| error.to_string())?;
-    Ok(zip.into_inner())
+    add("results.txt", results.as_bytes())?;
+    Ok(zip.finish()?.into_inner())
 }

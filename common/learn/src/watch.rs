@@ -13,18 +13,19 @@ use crate::{files, keys, progress};
 const PAUSE: Duration = Duration::from_millis(100);
 
 const KEYS: &str = "save the file to check it; keys: h hint, n next, l list, q quit";
+const NEXT: &str = "Enter: the next exercise";
 
-/// Shows one exercise after the other until the student quits or all are done.
-pub fn watch(course: &[Exercise], first: &Exercise) -> Result<(), String> {
-    let mut exercise = first;
-    while work_on(course, exercise)? {
-        let Some(next) = progress::next(course, Some(exercise)) else {
-            println!("\n{}\n\nall exercises are done", progress::bars(course));
-            break;
-        };
-        exercise = next;
+/// Shows one exercise after the other until the student quits or all are done. Returns how many
+/// are done.
+pub fn watch(course: &[Exercise], first: &Exercise) -> Result<String, String> {
+    let mut next = Some(first);
+    while let Some(exercise) = next
+        && work_on(course, exercise)?
+    {
+        next = progress::next(course, Some(exercise));
     }
-    Ok(())
+    let end = next.map_or("\n\nall exercises are done", |_| "");
+    Ok(progress::bars(course) + end)
 }
 
 /// Checks the file of an exercise whenever it is saved. Returns whether the student goes on to
@@ -44,26 +45,19 @@ fn work_on(course: &[Exercise], e: &Exercise) -> Result<bool, String> {
                 let _ = terminal.clear_screen();
             }
             let (title, minutes, place) = (e.title, e.minutes, file.display());
-            println!(
-                "{}\n\n{title}, {minutes} minutes, in {place}",
-                progress::bars(course)
-            );
-            println!("\n{}\n", e.task);
+            println!("{}\n", progress::bars(course));
+            println!("{title}, {minutes} minutes, in {place}\n\n{}\n", e.task);
             // A key or the next save stops a program that does not end.
             let judged = judge(e, checked.is_none(), &mut || {
                 key = typed.try_recv().ok();
-                key.is_some() || files::saved(e) != saved
+                let stops = key.is_some() || files::saved(e) != saved;
+                stops.then(|| "stopped".to_owned())
             });
-            // While a key is waited for, no error may end the program.
-            let is_done = judged.unwrap_or_else(|problem| {
-                println!("{problem}");
-                false
-            });
-            if is_done {
-                let solution = files::shortest(e.solution);
-                println!("solution: {}\nEnter: the next exercise", solution.display());
-            } else {
-                println!("{KEYS}");
+            let solution = files::shortest(e.solution);
+            match judged {
+                Ok(done) => println!("{done}\nsolution: {}\n{NEXT}", solution.display()),
+                // While a key is waited for, no error may end the program.
+                Err(problem) => println!("{problem}\n{KEYS}"),
             }
         }
         checked = saved;

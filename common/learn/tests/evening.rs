@@ -2,12 +2,13 @@
 //! after a program that does not end. `--nocapture` shows how soon.
 
 use std::collections::BTreeSet;
+use std::fs::{self, File};
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::mpsc::channel;
 use std::time::{Duration, Instant};
-use std::{env, fs, thread};
+use std::{env, thread};
 
 const WORKBOOK: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/workbook");
 const PAGES: [&str; 2] = [
@@ -17,18 +18,14 @@ const PAGES: [&str; 2] = [
 const PACKAGE: &str = "[package]\nname = \"a01-image-display\"\nedition = \"2024\"\n\
     [[test]]\nname = \"exercises\"\npath = \"main.rs\"\nharness = false\n[workspace]";
 
-const TO_DO: &str = "pub fn check() -> i32 { println!(\"to do\"); 3 }";
-
-/// A student's files, whose checks end with an exit code, or do not end.
-const FILES: [(&str, &str); 5] = [
-    ("right", "pub fn check() -> i32 { 0 }"),
-    ("wrong", "pub fn check() -> i32 { 1 }"),
-    ("panic", "pub fn check() -> i32 { panic!() }"),
-    ("broken", "pub fn check() -> i32 {"),
-    (
-        "loop",
-        "pub fn check() -> i32 { println!(\"starts\"); loop {} }",
-    ),
+/// The starter, and files of a student, whose checks end with an exit code, or do not end.
+const FILES: [(&str, &str); 6] = [
+    ("starter", "println!(\"to do\"); 3"),
+    ("right", "0"),
+    ("wrong", "1"),
+    ("panic", "panic!()"),
+    ("broken", "{"),
+    ("loop", "println!(\"starts\"); loop {}"),
 ];
 
 /// Ten exercises, and of each the steps: a file that is saved, the file's end, or the key that is
@@ -51,6 +48,17 @@ const STEPS: [(&str, &str); 14] = [
     ("triangle_area", "loop>: no end after 2 seconds"),
 ];
 
+fn write(path: &str, text: &str) {
+    fs::create_dir_all(Path::new(path).parent().unwrap()).unwrap();
+    fs::write(path, text).unwrap();
+}
+
+/// The text of a file.
+fn text(kind: &str) -> Option<String> {
+    let (_, code) = FILES.iter().find(|(name, _)| *name == kind)?;
+    Some(format!("pub fn check() -> i32 {{ {code} }}"))
+}
+
 fn learn(arguments: &[&str]) -> Command {
     let mut learn = Command::new(env!("CARGO_BIN_EXE_learn"));
     learn.env("CARGO_MANIFEST_DIR", [WORKBOOK, "/common/learn"].concat());
@@ -61,71 +69,59 @@ fn learn(arguments: &[&str]) -> Command {
 #[test]
 fn each_step_is_answered() {
     let _ = fs::remove_dir_all(WORKBOOK);
-    let folders = "book/src a01-image-display/exercises/starters a01-image-display/tests/exercises";
-    for folder in folders.split(' ') {
-        fs::create_dir_all(Path::new(WORKBOOK).join(folder)).unwrap();
-    }
+    fs::create_dir(WORKBOOK).unwrap();
     env::set_current_dir(WORKBOOK).unwrap();
     let file = |name: &str| format!("a01-image-display/exercises/{name}.rs");
-    let names: BTreeSet<_> = STEPS.iter().map(|(name, ..)| *name).collect();
+    let to_do = text("starter").unwrap();
+    let names = BTreeSet::from(STEPS.map(|(name, _)| name));
     let modules = names.iter().map(|name| {
-        fs::write(file(&format!("starters/{name}")), TO_DO).unwrap();
+        write(&file(&format!("starters/{name}")), &to_do);
         format!("#[cfg({name})] #[path = \"{}\"] mod yours;\n", file(name))
     });
     let main = "fn main() { std::process::exit(yours::check()) }";
-    fs::write("main.rs", modules.collect::<String>() + main).unwrap();
-    fs::write("Cargo.toml", PACKAGE).unwrap();
+    write("main.rs", &(modules.collect::<String>() + main));
+    write("Cargo.toml", PACKAGE);
     let page = PAGES.concat().replace("a02-math/", "a01-image-display/");
-    fs::write("book/src/a01-exercises.md", page).unwrap();
+    write("book/src/a01-exercises.md", &page);
 
     // An exercise that no page sets.
-    fs::write(
-        file("starters/own"),
-        "//! Its title, 5 minutes\n//!\n//! Its task.\n",
-    )
-    .unwrap();
+    let task = "//! Its title, 5 minutes\n//!\n//! Its task.\n";
+    write(&file("starters/own"), task);
     let check = "a01-image-display/tests/exercises/own.rs";
-    fs::write(check, "//! Compares.\n//!\n//! Its hint.\n").unwrap();
+    write(check, "//! Compares.\n//!\n//! Its hint.\n");
     let hint = learn(&["hint", "own"]).output().unwrap();
     assert_eq!(hint.stdout, b"Its title\n\nIts hint.\n\n");
 
     let output = learn(&["hint", "diagnal"]).output().unwrap();
     assert!(String::from_utf8_lossy(&output.stderr).contains("diagonal"));
     if cfg!(target_os = "linux") {
-        let full = fs::File::create("/dev/full").unwrap();
+        let full = File::create("/dev/full").unwrap();
         let status = learn(&["list"]).stdout(full).status().unwrap();
         assert_eq!(status.code(), Some(1), "the list is lost");
     }
 
     let mut learn = learn(&[]);
-    let learn = learn
-        .env("LEARN_SECONDS", "2")
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped());
-    let learn = learn.stderr(Stdio::null());
+    learn.env("LEARN_SECONDS", "2").stderr(Stdio::null());
+    learn.stdin(Stdio::piped()).stdout(Stdio::piped());
     let mut learn = learn.spawn().unwrap();
+    let mut typed = learn.stdin.take().unwrap();
     let (sender, printed) = channel();
-    let lines = BufReader::new(learn.stdout.take().unwrap()).lines();
-    thread::spawn(move || {
-        lines
-            .map_while(Result::ok)
-            .try_for_each(|line| sender.send(line))
-    });
-    let steps = STEPS
-        .iter()
-        .flat_map(|(name, steps)| steps.split('|').map(move |it| (name, it)));
-    for (name, step) in steps {
-        let (asked, (act, words)) = (Instant::now(), step.split_once('>').unwrap());
-        match FILES.iter().find(|(kind, _)| *kind == act) {
-            Some((_, text)) => fs::write(file(name), text).unwrap(),
-            None if act == "delete" => fs::remove_file(file(name)).unwrap(),
-            None if act == "start" => {}
-            None => writeln!(learn.stdin.as_mut().unwrap(), "{act}").unwrap(),
+    let mut lines = BufReader::new(learn.stdout.take().unwrap()).lines();
+    thread::spawn(move || lines.try_for_each(|line| sender.send(line.unwrap())));
+    for (name, steps) in STEPS {
+        for step in steps.split('|') {
+            let (asked, (act, words)) = (Instant::now(), step.split_once('>').unwrap());
+            match text(act) {
+                Some(text) => write(&file(name), &text),
+                None if act == "delete" => fs::remove_file(file(name)).unwrap(),
+                None if act == "start" => {}
+                None => writeln!(typed, "{act}").unwrap(),
+            }
+            let line = || printed.recv_timeout(Duration::from_mins(1));
+            while !line().expect(step).contains(words) {}
+            println!("{:4} ms  {name}  {step}", asked.elapsed().as_millis());
         }
-        let line = || printed.recv_timeout(Duration::from_mins(1));
-        while !line().expect(step).contains(words) {}
-        println!("{:4} ms  {name}  {step}", asked.elapsed().as_millis());
     }
-    drop(learn.stdin.take());
+    drop(typed);
     assert!(learn.wait().unwrap().success(), "the end of the input");
 }

@@ -1,6 +1,9 @@
 // Samples in a pixel that an edge crosses, and how their error falls.
 {
     const curves = {};
+    // Rows count downwards, the drawing upwards.
+    const normal = ({ angle }) => [Math.cos((angle * Math.PI) / 180), -Math.sin((angle * Math.PI) / 180)];
+    const foot = (state) => normal(state).map((x) => 0.5 + state.offset * x);
 
     live.figure('samples', {
         below: 'pixel-samples.svg',
@@ -19,28 +22,14 @@
             sampling: { label: 'their places', choices: ['one in the middle', 'a regular grid', 'random', 'a stratified grid'] },
             seed: { label: 'seed', min: 0, max: 20, step: 1 },
         },
-        handles: [
-            {
-                label: 'the edge',
-                at: ({ angle, offset }) => [
-                    0.5 + offset * Math.cos((angle * Math.PI) / 180),
-                    0.5 - offset * Math.sin((angle * Math.PI) / 180),
-                ],
-                move(_, x, y) {
-                    const [dx, dy] = [Math.min(x, 1) - 0.5, 0.5 - y];
-                    return { angle: (Math.atan2(dy, dx) * 180) / Math.PI, offset: Math.hypot(dx, dy) };
-                },
-            },
-        ],
+        handles: [live.follow('the edge', foot, { angle: [-Infinity, Infinity], offset: [-0.7, 0.7] })],
         values: { samples: 'samples', estimate: 'estimated', area: 'exact', error: 'error' },
         more: async ({ sampling }) => (curves[sampling] ??= await live.ask('sample-errors', [sampling])),
-        draw(pen, { angle, offset, sampling }, { x, y, counts, errors }) {
-            // Rows count downwards, the drawing upwards.
-            const normal = [Math.cos((angle * Math.PI) / 180), -Math.sin((angle * Math.PI) / 180)];
-            const covers = (x, y) => (x - 0.5) * normal[0] + (1 - y - 0.5) * normal[1] < offset;
+        draw(pen, state, { x, y, counts, errors }) {
+            const [[nx, ny], [fx, fy]] = [normal(state), foot(state)];
+            const covers = (x, y) => (x - 0.5) * nx + (1 - y - 0.5) * ny < state.offset;
             pen.path([[0, 0], [1, 0], [1, 1], [0, 1]], 'ink', true);
-            const foot = [0.5 + offset * normal[0], 0.5 + offset * normal[1]];
-            const along = (t) => [foot[0] - normal[1] * t, foot[1] + normal[0] * t];
+            const along = (t) => [fx - ny * t, fy + nx * t];
             pen.line(along(-0.6), along(0.6), 'b');
             x.forEach((x, i) => pen.dot([x, 1 - y[i]], covers(x, y[i]) ? 'a' : 'none', x.length > 64 ? 1.5 : 3));
             const log = (n, error) => [1.35 + Math.log10(n) / 3.1, 1 + Math.log10(error) / 4];
