@@ -23,7 +23,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise",
             "common/learn/",
         ],
-        7_962,
+        7_909,
     ),
     ("benchmarks", &["/benches/"], 1_329),
     ("labs", &["/lab/src/", "/src/instruments"], 7_103),
@@ -51,7 +51,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 49_228;
+const OF_ALL: usize = 49_175;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.
