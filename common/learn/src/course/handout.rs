@@ -102,8 +102,10 @@ impl Handout {
         }
         let workspace = contents.remove("Cargo.toml").unwrap_or_default();
         let workspace = String::from_utf8_lossy(&workspace).into_owned();
-        let is_there = |line: &&str| match line.split('"').collect::<Vec<_>>()[..] {
-            ["    ", member, ","] => contents.contains_key(&format!("{member}/Cargo.toml")),
+        let has = |member: &str| contents.contains_key(&format!("{member}/Cargo.toml"));
+        let is_there = |line: &&str| match line.split(['"', '.']).collect::<Vec<_>>()[..] {
+            ["    ", member, ","] => has(member),
+            [stage, "opt-level = 2"] if stage.starts_with("a0") => has(stage),
             _ => true,
         };
         let workspace: Vec<_> = workspace.lines().filter(is_there).collect();
