@@ -14,7 +14,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise/replay",
             "common/testing/src/exercise/tape",
         ],
-        871,
+        873,
     ),
     (
         "exercises with their checks, and cargo learn",
@@ -23,10 +23,10 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise",
             "common/learn/",
         ],
-        7_909,
+        7_910,
     ),
     ("benchmarks", &["/benches/"], 1_329),
-    ("labs", &["/lab/src/", "/src/instruments"], 7_103),
+    ("labs", &["/lab/src/", "/src/instruments"], 7_111),
     ("engine", &["common/engine/"], 7_258),
     (
         "reader and writer of scene files",
@@ -41,9 +41,9 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/measure/src/",
             "common/testing/src/",
         ],
-        8_258,
+        8_268,
     ),
-    ("tests of common and program", &["common/"], 306),
+    ("tests of common and program", &["common/"], 322),
     ("fuzz targets", &["fuzz/"], 596),
     ("checks of the book", &["book/tests/"], 438),
     ("live pages", &["book/live/"], 1_753),
@@ -51,7 +51,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 49_175;
+const OF_ALL: usize = 49_212;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.

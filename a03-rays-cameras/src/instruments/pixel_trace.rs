@@ -1,5 +1,6 @@
 //! The numbers behind a pixel of a view.
 
+use a02_math::arrays::array;
 use std::sync::Arc;
 
 use common::steps::{self, REFLECTED, Step};
@@ -123,7 +124,7 @@ impl<F: Fn(Size) -> Result<View, Error> + Send + Sync> Explained for ViewOf<F> {
     fn light_places(&self, settings: &Settings) -> Result<Vec<[f64; 3]>, Error> {
         let mut view = self.view(settings)?;
         let places = view.world.light_places().into_iter();
-        Ok(places.map(|place| place.to_glam().to_array()).collect())
+        Ok(places.map(|place| array(*place)).collect())
     }
 
     fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {

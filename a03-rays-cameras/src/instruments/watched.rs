@@ -1,5 +1,6 @@
 //! Counts primary rays and random numbers, and records the rays, by a wrapper around the camera.
 
+use a02_math::arrays::array;
 use std::hint::black_box;
 
 use common::steps::{self, RAY, Step};
@@ -58,6 +59,6 @@ pub fn ray_step(
     ray: &Ray,
 ) -> Step {
     Step::new(kind, name, section)
-        .with("o", ray.origin().to_glam().to_array())
-        .with("d", ray.direction().to_glam().to_array())
+        .with("o", array(ray.origin()))
+        .with("d", array(ray.direction()))
 }

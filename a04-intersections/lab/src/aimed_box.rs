@@ -1,6 +1,7 @@
 //! Box tests for rays that aim at faces, edges and corners.
 
 use a02_math::Point3;
+use a02_math::arrays::array;
 use a03_rays_cameras::Ray;
 
 use crate::protocol::{self, Compared};
@@ -19,7 +20,7 @@ pub type Aimed = (Ray, f64);
 pub fn aimed(faces: usize, n: usize) -> Aimed {
     let mut numbers = Numbers::new(21, n);
     let eye = RUN + numbers.triple(0.5, 3.0);
-    let (low, high) = (LBF.to_glam().to_array(), RUN.to_glam().to_array());
+    let (low, high) = (array(LBF), array(RUN));
     let seen = numbers.below(3);
     let at_border = (seen + 1 + numbers.below(2)) % 3;
     let aim: [f64; 3] = std::array::from_fn(|axis| {
@@ -53,7 +54,7 @@ pub const NAIVE: [Formula; 3] = [
 
 /// Naive slabs: no margin for rounding, and NaN for a ray in the plane of a face.
 pub fn slabs(lbf: Point3, run: Point3, ray: &Ray) -> Option<f64> {
-    let [low, high] = [lbf, run].map(|p| p.to_glam().to_array());
+    let [low, high] = [lbf, run].map(array);
     let [o, d] = arrays(ray);
     let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
     for axis in 0..3 {

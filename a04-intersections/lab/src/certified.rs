@@ -2,6 +2,7 @@
 //! lesson's decision with it. A picture without an open decision shows what the exact hits of
 //! its rays would.
 
+use a02_math::arrays::array;
 use std::any::Any;
 use std::cell::Cell;
 use std::ops::Not;
@@ -74,7 +75,7 @@ pub fn decide(shape: &dyn Geometry, ray: &Ray, within: Interval) -> Decision {
         hits_triangle(triangle, &line, within)
     } else {
         let (a, n) = any.downcast_ref::<Plane>()?.point_and_normal();
-        let [a, n] = [a.to_glam(), n.to_glam()].map(|v| v.to_array().map(Enclosure::from));
+        let [a, n] = [array(a), array(n)].map(|v| v.map(Enclosure::from));
         contains(within, plane(&a, &n, &line))
     }
 }
@@ -116,7 +117,7 @@ pub fn plane(a: &Triple, n: &Triple, [o, d]: &[Triple; 2]) -> Enclosure {
 /// By the discriminant `a r² - |f × d|²`, which is that of the lesson by Lagrange's identity.
 fn hits_sphere(sphere: &Sphere, [o, d]: &[Triple; 2], within: Interval) -> Decision {
     let (c, r) = sphere.center_and_radius();
-    let f = difference(o, &c.to_glam().to_array().map(Enclosure::from));
+    let f = difference(o, &array(c).map(Enclosure::from));
     let (a, r) = (dot(d, d), Enclosure::from(r));
     let aside = cross(&f, d);
     let discriminant = a * r * r - dot(&aside, &aside);
@@ -168,9 +169,7 @@ fn hits_box(aab: &AxisAlignedBox, [o, d]: &[Triple; 2], within: Interval) -> Dec
 }
 
 fn hits_triangle(triangle: &Triangle, line: &[Triple; 2], within: Interval) -> Decision {
-    let corners = triangle
-        .corners()
-        .map(|c| c.to_glam().to_array().map(Enclosure::from));
+    let corners = triangle.corners().map(|c| array(c).map(Enclosure::from));
     let [a, b, c] = corners.map(|corner| difference(&corner, &line[0]));
     let d = &line[1];
     // Six times the volumes between the ray and the edges.

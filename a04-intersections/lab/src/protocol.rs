@@ -1,6 +1,7 @@
 //! The formulas as the protocol prints them, mistakes included. They are
 //! measured and compared; only pictures of the mistakes are rendered with them.
 
+use a02_math::arrays::array;
 use a02_math::{Direction, Mat3x3, Normal3, Point3};
 use a03_rays_cameras::Ray;
 
@@ -44,7 +45,7 @@ pub fn axis_aligned_box(lbf: Point3, run: Point3, ray: &Ray, compared: Compared)
             let Some(t) = plane(corner, Normal3::from_glam(normal.into()), ray) else {
                 continue;
             };
-            let [point, low, high] = [ray.at(t), lbf, run].map(|p| p.to_glam().to_array());
+            let [point, low, high] = [ray.at(t), lbf, run].map(array);
             let is_within = (0..3)
                 .filter(|other| matches!(compared, Compared::Three) || *other != axis)
                 .all(|other| low[other] <= point[other] && point[other] <= high[other]);

@@ -1,6 +1,7 @@
 //! `Subject`: a shape as some numbers, with the lesson's formula, the protocol's, and exact ones.
 
 use a02_math::Normal3;
+use a02_math::arrays::array;
 use a03_rays_cameras::Ray;
 use common::Error;
 use measure::extremes::{Both, Outcome};
@@ -60,7 +61,7 @@ pub const PLANE: Subject = Subject {
     aim: |x, aim| std::array::from_fn(|i| x[i] + aim[i]),
     decide,
     exact: |x, line @ [o, d]| {
-        let n = plane(x)?.normal().to_glam().to_array();
+        let n = array(plane(x)?.normal());
         let t = exact::plane(&triple(x), &n, o, d);
         Some((t, plane_condition(&triple(x), n, line, t.value())))
     },

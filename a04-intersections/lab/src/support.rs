@@ -1,6 +1,7 @@
 //! Numbers of either precision, rays, hits and random numbers for experiments and extreme
 //! cases.
 
+use a02_math::arrays::array;
 use std::ops::{Add, Mul};
 
 use a02_math::Vector3;
@@ -32,7 +33,7 @@ pub fn any_ray(line: Line) -> Ray {
 
 /// Origin and direction as arrays, the arguments of formulas in both precisions.
 pub fn arrays(ray: &Ray) -> [Triple; 2] {
-    [ray.origin().to_glam(), ray.direction().to_glam()].map(|v| v.to_array())
+    [array(ray.origin()), array(ray.direction())]
 }
 
 /// The `t` of a ray's nearest hit of a shape.
@@ -74,7 +75,7 @@ pub fn triangle_condition(
     t: f64,
 ) -> f64 {
     let [a, b, c] = corners.map(vector);
-    let n = (b - a).cross(c - a).to_glam().to_array();
+    let n = array((b - a).cross(c - a));
     let shares = [1.0 - beta - gamma, beta, gamma];
     let moved = |i: usize| {
         (0..3)

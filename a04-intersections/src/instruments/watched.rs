@@ -1,5 +1,6 @@
 //! Counts and records intersection tests, by a wrapper around each geometry.
 
+use a02_math::arrays::array;
 use std::any::Any;
 
 use a03_rays_cameras::Ray;
@@ -87,9 +88,9 @@ pub fn shaded<T>(ray: &Ray, hit: &Hit, shade: impl FnOnce() -> T) -> T {
     let step = || {
         Step::new(HIT, "the nearest hit", WORLD)
             .with("t", [hit.t])
-            .with("p", ray.at(hit.t).to_glam().to_array())
-            .with("n", hit.normal.to_glam().to_array())
-            .with("face", hit.face.to_glam().to_array())
+            .with("p", array(ray.at(hit.t)))
+            .with("n", array(hit.normal))
+            .with("face", array(hit.face))
     };
     steps::inside(step, shade)
 }

@@ -2,6 +2,7 @@
 //! all work, every material computes the light of all lights, and a Phong material a power for
 //! each.
 
+use a02_math::arrays::array;
 use std::any::Any;
 use std::cell::Cell;
 use std::fmt::Debug;
@@ -58,7 +59,7 @@ pub fn push_light(number: usize, name: &str, light: Option<Illumination>) {
         let step = Step::new(LIGHT, name, "a05-lighting.md#three-lights");
         light.into_iter().fold(step, |step, light| {
             step.with("cl", light.color.channels())
-                .with("l", light.direction.to_glam().to_array())
+                .with("l", array(light.direction))
                 .with("distance", [light.distance])
         })
     });

@@ -23,7 +23,7 @@ pub const DISC: Subject = Subject {
         // Across the normal, up to a radius from the centre.
         let across = vector([x[3], x[4], x[5]]).cross(vector([aim[0], aim[1], aim[2]]));
         let across = across.normalized().unwrap_or_default() * (x[6] * aim[0]);
-        (point(triple(x)) + across).to_glam().to_array()
+        array(point(triple(x)) + across)
     },
     decide,
     exact: |x, line @ [o, d]| {

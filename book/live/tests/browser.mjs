@@ -20,7 +20,8 @@ const book = new URL('../../../target/book/', import.meta.url);
 const all = readdirSync(book)
     .filter((name) => name.endsWith('.html') && !['print.html', 'toc.html', '404.html', 'index.html'].includes(name));
 
-const firstPage = (picture) => all.find((page) => readFileSync(new URL(page, book), 'utf8').includes(`/${picture}.png"`));
+const texts = all.map((page) => [page, readFileSync(new URL(page, book), 'utf8')]);
+const firstPage = (picture) => texts.find(([, text]) => text.includes(`/${picture}.png"`))?.[0];
 
 const run = promisify(execFile);
 const complaints = [];

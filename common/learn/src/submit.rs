@@ -58,7 +58,8 @@ fn packed(begun: &[&Exercise]) -> io::Result<Vec<u8>> {
             return Err(io::Error::other(problem));
         }
         let name = format!("{}/exercises/{}.rs", e.stage, e.name);
-        add(&name, &fs::read(yours)?)?;
+        let bytes = fs::read(&yours).map_err(|error| io::Error::other(failed(&yours)(error)))?;
+        add(&name, &bytes)?;
         results += &[e.name, " ", progress::mark(e), "\n"].concat();
     }
     add("results.txt", results.as_bytes())?;

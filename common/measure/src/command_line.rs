@@ -3,6 +3,7 @@
 mod extremes;
 mod report;
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -42,7 +43,16 @@ enum Command {
 /// Runs the program of a laboratory with the arguments of this process.
 #[must_use]
 pub fn run(laboratory: &Laboratory) -> ExitCode {
-    match Command::try_parse() {
+    run_with(laboratory, std::env::args_os())
+}
+
+/// Like [`run`], with the given arguments, the first of which is the program's name.
+#[must_use]
+pub fn run_with(
+    laboratory: &Laboratory,
+    arguments: impl IntoIterator<Item = OsString>,
+) -> ExitCode {
+    match Command::try_parse_from(arguments) {
         Ok(command) => {
             let done = execute(laboratory, command);
             program::ended(done.map(|()| ExitCode::SUCCESS))

@@ -28,6 +28,6 @@ pub mod report;
 pub mod scene_report;
 
 #[cfg(not(target_family = "wasm"))]
-pub use command_line::run;
+pub use command_line::{run, run_with};
 pub use effort::Effort;
 pub use laboratory::Laboratory;

@@ -1,5 +1,5 @@
-//! Random command lines: the program of a stage never panics, ends with an exit code
-//! that it documents, and leaves no file that is no whole picture.
+//! Random command lines: the programs of a stage and of its laboratory never panic, end with an
+//! exit code that they document, and leave no file that is no whole picture.
 
 use std::ffi::OsString;
 use std::path::Path;
@@ -7,6 +7,8 @@ use std::process::{Command, ExitCode};
 use std::{env, fs};
 
 use common::{Color, Error, Image, Progress, Scene, Settings, Size, Stage, picture_file};
+use measure::Laboratory;
+use measure::extremes::{Bound, Case};
 use program::{Gallery, NotShown, run_with};
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -43,9 +45,14 @@ fn run_many() {
     };
     let run = |arguments: Vec<String>| {
         let line = ["a00".to_owned()].into_iter().chain(arguments);
-        let code = run_with(&stage(), Some(look), line.map(with_bytes));
+        let line: Vec<_> = line.map(with_bytes).collect();
         let documented = [0, 1, 2].map(ExitCode::from);
-        assert!(documented.contains(&code), "{code:?}");
+        for code in [
+            run_with(&stage(), Some(look), line.clone()),
+            measure::run_with(&laboratory(), line),
+        ] {
+            assert!(documented.contains(&code), "{code:?}");
+        }
         clear(folder.path(), &place);
         Ok(())
     };
@@ -56,7 +63,7 @@ fn run_many() {
 const COMMANDS: &str = "| list | show traced | show opened --no-window | show cube | render painted
     | render traced painted | render --all | render traced --explain | render -- --all
     | explain traced --pixel 1,1 | explain painted --pixel 9
-    | report --quick | extremes A B01 | render --help | rendr traced | -";
+    | report --quick | report scene traced | extremes A B01 | render --help | rendr traced | -";
 
 const FLAGS: &str = "--size --samples --sampling --max-error --seed --depth --threads
     --transfer --open -o --output --fast --no-omit --no-window";
@@ -153,6 +160,15 @@ fn stage() -> Stage {
             .map(|scene| scene.with_defaults(defaults.clone()))
             .into(),
         open: None,
+    }
+}
+
+fn laboratory() -> Laboratory {
+    Laboratory {
+        stage: stage(),
+        experiments: Vec::new,
+        extremes: |_| vec![Case::new("A01", "a number", 1.0, Bound::Equal, 1.0)],
+        search: None,
     }
 }
 

@@ -1,5 +1,6 @@
 //! Triangle tests on thinner and thinner triangles.
 
+use a02_math::arrays::array;
 use std::rc::Rc;
 
 use a02_math::{Direction, Point3};
@@ -43,7 +44,7 @@ fn needle(n: usize, aspect: f64, rays: usize) -> impl Iterator<Item = Needle> {
 /// miss counts as 1.
 pub fn error((triangle, ray): &Needle, found: Option<f64>) -> Option<Deviation> {
     let line @ [o, d] = arrays(ray);
-    let corners = triangle.corners().map(|corner| corner.to_glam().to_array());
+    let corners = triangle.corners().map(array);
     let [t, beta, gamma] = exact::triangle(&corners, &o, &d);
     let [beta, gamma] = [beta.value(), gamma.value()];
     let least = beta.min(gamma).min(1.0 - beta - gamma);
