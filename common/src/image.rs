@@ -1,6 +1,6 @@
 //! `Image`: a picture in linear colours, before it becomes bytes.
 
-use rayon::iter::{IndexedParallelIterator, ParallelExtend, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::{ParallelSlice, ParallelSliceMut};
 
 use crate::{Color, Error, Size, Transfer};
@@ -21,7 +21,7 @@ impl Image {
             .map_err(|_| Error::Memory { size })?;
         // The system provides memory at the first write to each page, so all threads share
         // that work.
-        pixels.par_extend(rayon::iter::repeat_n(Color::BLACK, size.pixels()));
+        rayon::iter::repeat_n(Color::BLACK, size.pixels()).collect_into_vec(&mut pixels);
         Ok(Self { size, pixels })
     }
 

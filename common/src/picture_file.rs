@@ -3,7 +3,7 @@
 mod catch_quietly;
 
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Cursor, Seek};
+use std::io::{self, Cursor, Read};
 use std::path::Path;
 
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
@@ -14,8 +14,8 @@ use image::{
 use crate::{Color, Error, Image, Size, atomic_file};
 use catch_quietly::catch_quietly;
 
-/// Longer files are not opened, because decoders may read the whole file first. The
-/// largest picture that opens, with 16 bits per channel, has half as many bytes.
+/// Longer files are not opened, because a file is read as a whole. The largest picture that
+/// opens, with 16 bits per channel, has half as many bytes.
 const LONGEST_FILE: u64 = 1 << 30;
 
 /// Most memory for metadata. The largest are colour profiles, which are compressed in
@@ -30,22 +30,38 @@ pub fn open(path: &Path) -> Result<Image, Error> {
     if path.is_dir() {
         return Err(cannot_open(path, "it is a folder, not a picture"));
     }
+    let unread = |error: io::Error| cannot_open(path, error.to_string());
     match File::open(path) {
         Ok(file) if file.metadata().is_ok_and(|data| data.len() > LONGEST_FILE) => {
             Err(cannot_open(path, "it is longer than 1 GiB"))
         }
-        Ok(file) => read(path, BufReader::new(file)),
+        Ok(file) => {
+            let mut bytes = Vec::new();
+            file.take(LONGEST_FILE)
+                .read_to_end(&mut bytes)
+                .map_err(unread)?;
+            open_bytes(path, &bytes)
+        }
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
             Err(cannot_open(path, "there is no such file"))
         }
-        Err(error) => Err(cannot_open(path, error.to_string())),
+        Err(error) => Err(unread(error)),
     }
 }
 
 /// Like [`open`], for a picture file in memory, such as one that is part of the
 /// program. Errors call it `name`.
 pub fn open_bytes(name: &Path, bytes: &[u8]) -> Result<Image, Error> {
-    read(name, Cursor::new(bytes))
+    // The JPEG decoder panics on some damaged files.
+    let decoded = catch_quietly(|| decode(bytes));
+    let decoded = decoded.unwrap_or_else(|| Err("the file is damaged".to_owned()));
+    let (size, rgba) = decoded.map_err(|reason| cannot_open(name, reason))?;
+    let mut image = Image::black(size)?;
+    for (pixel, rgba) in image.pixels_mut().iter_mut().zip(rgba.chunks_exact(4)) {
+        let opacity = f64::from(rgba[3]) / 255.0;
+        *pixel = Color::from_bytes([rgba[0], rgba[1], rgba[2]]) * opacity;
+    }
+    Ok(image)
 }
 
 fn cannot_open(path: &Path, reason: impl Into<String>) -> Error {
@@ -55,22 +71,9 @@ fn cannot_open(path: &Path, reason: impl Into<String>) -> Error {
     }
 }
 
-fn read(path: &Path, file: impl BufRead + Seek) -> Result<Image, Error> {
-    // The JPEG decoder panics on some damaged files.
-    let decoded = catch_quietly(|| decode(file));
-    let decoded = decoded.unwrap_or_else(|| Err("the file is damaged".to_owned()));
-    let (size, rgba) = decoded.map_err(|reason| cannot_open(path, reason))?;
-    let mut image = Image::black(size)?;
-    for (pixel, rgba) in image.pixels_mut().iter_mut().zip(rgba.chunks_exact(4)) {
-        let opacity = f64::from(rgba[3]) / 255.0;
-        *pixel = Color::from_bytes([rgba[0], rgba[1], rgba[2]]) * opacity;
-    }
-    Ok(image)
-}
-
-fn decode(file: impl BufRead + Seek) -> Result<(Size, Vec<u8>), String> {
+fn decode(bytes: &[u8]) -> Result<(Size, Vec<u8>), String> {
     let explain = |error: ImageError| explain(&error);
-    let mut reader = ImageReader::new(file)
+    let mut reader = ImageReader::new(Cursor::new(bytes))
         .with_guessed_format()
         .map_err(|error| error.to_string())?;
     let mut limits = Limits::default();

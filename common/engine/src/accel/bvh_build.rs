@@ -60,7 +60,9 @@ fn add_node(nodes: &Mutex<Vec<Node>>, group: Group, level: usize) -> u32 {
     };
     let groups = divide(group, level);
     let children: ArrayVec<_, WIDTH> = if is_parallel {
-        let children: Vec<_> = groups.into_par_iter().with_max_len(1).map(child).collect();
+        let mut children = Vec::new();
+        let groups = groups.into_par_iter().with_max_len(1);
+        groups.map(child).collect_into_vec(&mut children);
         children.into_iter().collect()
     } else {
         groups.into_iter().map(child).collect()

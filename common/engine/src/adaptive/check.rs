@@ -58,7 +58,7 @@ pub fn check(
 ) -> Checked {
     let min_pairs = pilot.pairs;
     let unseen = pilot.unseen(brightest);
-    let rows = picture.change_rows(|picture, row, pixels| {
+    let rows = picture.change_rows(&|picture, row, pixels| {
         let mut checked = Checked::default();
         let mut lacking = Vec::new();
         for (column, pixel) in pixels.iter().enumerate() {

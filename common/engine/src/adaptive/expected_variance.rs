@@ -18,7 +18,7 @@ use super::pixel::{Pixel, dot};
 pub fn expected_variances(pixels: &[Pixel], width: usize, own: &mut Vec<f32>) -> Vec<f32> {
     let is_first = own.is_empty();
     own.resize(pixels.len(), 0.0);
-    by_row(own, width, |row, own| {
+    by_row(own, width, &|row, own| {
         for (column, own) in own.iter_mut().enumerate() {
             if is_first || pixels[row * width + column].pairs() > 0 {
                 *own = own_variance(pixels, width, row, column);
@@ -26,7 +26,7 @@ pub fn expected_variances(pixels: &[Pixel], width: usize, own: &mut Vec<f32>) ->
         }
     });
     let mut variances = vec![0.0; pixels.len()];
-    by_row(&mut variances, width, |row, variances| {
+    by_row(&mut variances, width, &|row, variances| {
         let rows = row.saturating_sub(1) * width..pixels.len().min((row + 2) * width);
         let mut largest_in_column = vec![0.0_f32; width];
         for own in own[rows].chunks_exact(width) {
@@ -90,7 +90,7 @@ fn is_glaring(pixel: &Pixel, variance: f32) -> bool {
 }
 
 /// Computes rows in parallel.
-fn by_row(all: &mut [f32], width: usize, fill: impl Fn(usize, &mut [f32]) + Sync) {
+fn by_row(all: &mut [f32], width: usize, fill: &(dyn Fn(usize, &mut [f32]) + Sync)) {
     let rows = all.par_chunks_exact_mut(width).enumerate();
     rows.for_each(|(row, values)| fill(row, values));
 }

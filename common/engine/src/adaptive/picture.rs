@@ -5,9 +5,7 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use common::{Error, Progress, Settings};
-use rayon::iter::{
-    IndexedParallelIterator, IntoParallelRefIterator, ParallelExtend, ParallelIterator,
-};
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
 use super::pixel::Pixel;
@@ -43,7 +41,7 @@ impl<'a> Picture<'a> {
         pixels
             .try_reserve_exact(size.pixels())
             .map_err(|_| Error::Memory { size })?;
-        pixels.par_extend(rayon::iter::repeat_n(Pixel::NONE, size.pixels()));
+        rayon::iter::repeat_n(Pixel::NONE, size.pixels()).collect_into_vec(&mut pixels);
         Ok(Self {
             radiance,
             settings,
@@ -99,7 +97,7 @@ impl<'a> Picture<'a> {
 
     /// Takes the first pairs of samples of each pixel.
     pub fn take(&mut self, pairs: u32) {
-        self.change_rows(|picture, row, pixels| {
+        self.change_rows(&|picture, row, pixels| {
             let columns = 0..pixels.len() as u32;
             for (column, new) in picture.sample(row, columns.map(|column| (column, 0..pairs))) {
                 pixels[column as usize] = new;
@@ -109,7 +107,7 @@ impl<'a> Picture<'a> {
 
     /// Takes a sample in the middle of each pixel.
     pub fn take_middles(&mut self) {
-        self.change_rows(|picture, row, pixels| {
+        self.change_rows(&|picture, row, pixels| {
             let size = picture.settings.size;
             let middle = |column| image_position(size, (column, row as u32), (0.5, 0.5));
             let middles: Vec<_> = (0..size.width()).map(middle).collect();
@@ -124,7 +122,7 @@ impl<'a> Picture<'a> {
     /// Calls a function that changes the pixels of a row, for all rows, and returns its results.
     pub fn change_rows<T: Send>(
         &mut self,
-        f: impl Fn(&Self, usize, &mut [Pixel]) -> T + Sync,
+        f: &(dyn Fn(&Self, usize, &mut [Pixel]) -> T + Sync),
     ) -> Vec<T> {
         let mut pixels = mem::take(&mut self.pixels);
         let rows = pixels.par_chunks_exact_mut(self.width()).enumerate();
@@ -133,7 +131,8 @@ impl<'a> Picture<'a> {
             self.report(row, pixels);
             result
         });
-        let results = changed.collect();
+        let mut results = Vec::new();
+        changed.collect_into_vec(&mut results);
         self.pixels = pixels;
         results
     }
