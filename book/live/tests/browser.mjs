@@ -33,7 +33,13 @@ const expect = (isSo, complaint) => {
 };
 
 const browsers = 2;
-const pages = all.filter((_, index) => index % browsers === workerData);
+// The pages that no browser has taken yet.
+const taken = new Int32Array(workerData?.taken ?? new SharedArrayBuffer(4));
+function* untested() {
+    for (let index; (index = Atomics.add(taken, 0, 1)) < all.length;) {
+        yield all[index];
+    }
+}
 const chromium = isMainThread ? undefined : new Chromium(program);
 const open = async (page) => {
     await chromium.go(new URL(page, book).href);
@@ -378,7 +384,7 @@ async function tryWords() {
 // The tests of some pages; returns what they have.
 async function tryPages() {
     await chromium.open(1280, 900);
-    if (workerData === 0) {
+    if (workerData.part === 0) {
         await tryByHand();
         await tryWords();
     } else {
@@ -392,7 +398,9 @@ async function tryPages() {
     const figures = [];
     const pairs = [];
     let pixels = 0;
-    for (const page of pages) {
+    const pages = [];
+    for (const page of untested()) {
+        pages.push(page);
         const names = await tryPictures(page);
         found.push(...names);
         // Of each picture once, though other pages may show it, too.
@@ -460,7 +468,7 @@ function checkTotals(parts) {
 // A thread of this file that tests its part of the pages; returns what they have.
 function inThread(part) {
     return new Promise((resolve, reject) => {
-        const worker = new Worker(new URL(import.meta.url), { argv: process.argv.slice(2), workerData: part });
+        const worker = new Worker(new URL(import.meta.url), { argv: process.argv.slice(2), workerData: { part, taken: taken.buffer } });
         worker.on('message', resolve);
         worker.on('error', reject);
     });

@@ -55,6 +55,6 @@ case $kind in
     check) set -- --remount-ro / --chdir /course/workbook $nobody "$@" ;;
     *) set -- --bind "$folder/target" /course/target --chdir /course/workbook "$@" ;;
 esac
-exec $clean PATH="/rust/bin:$path" CARGO_HOME=/cargo CARGO_TARGET_DIR=/course/target \
+exec $clean PATH="/rust/bin:$path" CARGO_HOME="$cargo" CARGO_TARGET_DIR=/course/target \
     TMPDIR=/course/target $late $alone --ro-bind "$rust" /rust \
-    --ro-bind-try "$cargo/registry" /cargo/registry --ro-bind "$folder" /course "$@"
+    --ro-bind-try "$cargo/registry" "$cargo/registry" --ro-bind "$folder" /course "$@"
