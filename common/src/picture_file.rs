@@ -30,23 +30,18 @@ pub fn open(path: &Path) -> Result<Image, Error> {
     if path.is_dir() {
         return Err(cannot_open(path, "it is a folder, not a picture"));
     }
-    let unread = |error: io::Error| cannot_open(path, error.to_string());
-    match File::open(path) {
-        Ok(file) if file.metadata().is_ok_and(|data| data.len() > LONGEST_FILE) => {
-            Err(cannot_open(path, "it is longer than 1 GiB"))
-        }
-        Ok(file) => {
-            let mut bytes = Vec::new();
-            file.take(LONGEST_FILE)
-                .read_to_end(&mut bytes)
-                .map_err(unread)?;
-            open_bytes(path, &bytes)
-        }
-        Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            Err(cannot_open(path, "there is no such file"))
-        }
-        Err(error) => Err(unread(error)),
+    let unread = |error: io::Error| match error.kind() {
+        io::ErrorKind::NotFound => cannot_open(path, "there is no such file"),
+        _ => cannot_open(path, error.to_string()),
+    };
+    let file = File::open(path).map_err(unread)?;
+    if file.metadata().is_ok_and(|data| data.len() > LONGEST_FILE) {
+        return Err(cannot_open(path, "it is longer than 1 GiB"));
     }
+    let mut bytes = Vec::new();
+    let read = file.take(LONGEST_FILE).read_to_end(&mut bytes);
+    read.map_err(unread)?;
+    open_bytes(path, &bytes)
 }
 
 /// Like [`open`], for a picture file in memory, such as one that is part of the

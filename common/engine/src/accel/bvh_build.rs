@@ -2,7 +2,6 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use arrayvec::ArrayVec;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use wide::f32x8;
 
@@ -59,14 +58,13 @@ fn add_node(nodes: &Mutex<Vec<Node>>, group: Group, level: usize) -> u32 {
         (bounds(group), child)
     };
     let groups = divide(group, level);
-    let children: ArrayVec<_, WIDTH> = if is_parallel {
-        let mut children = Vec::new();
+    let mut children = Vec::new();
+    if is_parallel {
         let groups = groups.into_par_iter().with_max_len(1);
         groups.map(child).collect_into_vec(&mut children);
-        children.into_iter().collect()
     } else {
-        groups.into_iter().map(child).collect()
-    };
+        children.extend(groups.into_iter().map(child));
+    }
     let mut nodes = nodes.lock().unwrap_or_else(PoisonError::into_inner);
     nodes.push(node(&children));
     nodes.len() as u32 - 1
