@@ -233,4 +233,9 @@ fn a_mesh_is_the_same_in_all_formats() {
         let file = [SQUARE, &NUMBERS.replace("0 1 2 3", wrong)].concat();
         assert!(Mesh::read(file.as_bytes()).is_err(), "{wrong}");
     }
+    // A face of two corners, beside the square.
+    let faces = SQUARE.replace("face 1", "face 2") + NUMBERS + " 2 0 1";
+    for wrong in [faces, OBJ.to_owned() + "f 1 2 \r\n"] {
+        assert!(Mesh::read(wrong.as_bytes()).is_err(), "{wrong}");
+    }
 }

@@ -23,6 +23,11 @@ impl Mesh {
         let mesh = Self(if bytes.starts_with(b"ply") {
             vec![ply::read(bytes).map_err(|error| format!("a mistake in this PLY: {error}"))?]
         } else {
+            // `tobj` takes such a face for a line, and leaves it out.
+            let mut lines = bytes.split(|byte| *byte == b'\n');
+            if lines.any(|line| line.starts_with(b"f ") && words(line) < 4) {
+                return Err("a face of this OBJ has less than three corners".to_owned());
+            }
             let without_materials = |_: &_| Err(LoadError::OpenFileFailed);
             let read = tobj::load_obj_buf(&mut bytes, &options, without_materials);
             let (models, _) = read.map_err(|error| match error {
@@ -56,6 +61,11 @@ impl Mesh {
             })
         })
     }
+}
+
+fn words(line: &[u8]) -> usize {
+    let words = line.split(u8::is_ascii_whitespace);
+    words.filter(|word| !word.is_empty()).count()
 }
 
 /// The three vectors of these indices; none if one is missing.

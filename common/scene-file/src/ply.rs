@@ -71,6 +71,8 @@ impl Numbers<'_> {
             match (element, COORDINATES.iter().position(|known| *known == name)) {
                 ("vertex", Some(i)) => vertex[i] = *list.first()?,
                 ("face", _) if name.starts_with("vertex_ind") => {
+                    // A face has at least three corners.
+                    list.get(2)?;
                     let sides = list.windows(2).skip(1);
                     let corners = sides.flat_map(|side| [list[0], side[0], side[1]]);
                     let index = |i: f64| if i >= 0.0 { i as u32 } else { u32::MAX };
