@@ -233,9 +233,26 @@ fn a_mesh_is_the_same_in_all_formats() {
         let file = [SQUARE, &NUMBERS.replace("0 1 2 3", wrong)].concat();
         assert!(Mesh::read(file.as_bytes()).is_err(), "{wrong}");
     }
-    // A face of two corners, beside the square.
+    // A face of two corners, beside the square; and corners and normals that it lacks.
     let faces = SQUARE.replace("face 1", "face 2") + NUMBERS + " 2 0 1";
-    for wrong in [faces, OBJ.to_owned() + "f 1 2 \r\n"] {
+    let lines = [
+        "f 1 2 \r\n",
+        "\tf\t1 2",
+        "f 0 1 2",
+        "f 1 2 -5",
+        "f 1 2 5",
+        "vn 0 0 1\nf 1//-2 2//1 3//1",
+    ];
+    for wrong in lines
+        .map(|line| [OBJ, line].concat())
+        .iter()
+        .chain([&faces])
+    {
         assert!(Mesh::read(wrong.as_bytes()).is_err(), "{wrong}");
     }
+    // A face without a normal is flat, though another has some.
+    let normals = OBJ.to_owned() + "vn 0 0 1\nf -4//1 -3//-1 3/7/1 # all";
+    let mesh = Mesh::read(normals.as_bytes()).unwrap();
+    let normals: Vec<_> = mesh.triangles().map(|(_, normals)| normals).collect();
+    assert_eq!(normals, [None, None, Some([[0.0, 0.0, 1.0]; 3])]);
 }

@@ -1,47 +1,34 @@
 //! `Mesh`: the triangles of an OBJ or PLY file.
 
-use tobj::{LoadError, LoadOptions};
+use crate::{obj, ply};
 
-use crate::ply;
+/// The index of the normal of a corner without one.
+pub const NONE: u32 = u32::MAX;
 
 /// Triangles that share corners and normals.
-#[derive(Debug)]
-pub struct Mesh(Vec<tobj::Mesh>);
+#[derive(Debug, Default)]
+pub struct Mesh {
+    pub(crate) corners: Vec<[f64; 3]>,
+    pub(crate) normals: Vec<[f64; 3]>,
+    /// For each corner of a triangle its index and that of its normal.
+    triangles: Vec<[[u32; 2]; 3]>,
+}
 
-/// Three corners, and their normals if the file has them.
+/// Three corners, and their normals if all have one.
 pub type Triangle = ([[f64; 3]; 3], Option<[[f64; 3]; 3]>);
 
 impl Mesh {
     /// Reads an OBJ or PLY file. Polygons become triangles; its materials are ignored.
-    pub fn read(mut bytes: &[u8]) -> Result<Self, String> {
-        let options = LoadOptions {
-            triangulate: true,
-            ignore_points: true,
-            ignore_lines: true,
-            ..LoadOptions::default()
-        };
-        let mesh = Self(if bytes.starts_with(b"ply") {
-            vec![ply::read(bytes).map_err(|error| format!("a mistake in this PLY: {error}"))?]
+    pub fn read(bytes: &[u8]) -> Result<Self, String> {
+        // Numbers of corners begin with 1 in OBJ files.
+        let (format, first, mesh) = if bytes.starts_with(b"ply") {
+            ("PLY", 0, ply::read(bytes))
         } else {
-            // `tobj` takes such a face for a line, and leaves it out.
-            let mut lines = bytes.split(|byte| *byte == b'\n');
-            if lines.any(|line| line.starts_with(b"f ") && words(line) < 4) {
-                return Err("a face of this OBJ has less than three corners".to_owned());
-            }
-            let without_materials = |_: &_| Err(LoadError::OpenFileFailed);
-            let read = tobj::load_obj_buf(&mut bytes, &options, without_materials);
-            let (models, _) = read.map_err(|error| match error {
-                LoadError::FaceVertexOutOfBounds => {
-                    "a face of this OBJ has a corner that it lacks; the first is 1".to_owned()
-                }
-                LoadError::PositionParseError => {
-                    "a corner of this OBJ is not three numbers, as v 0 1 0".to_owned()
-                }
-                error => format!("a mistake in this OBJ: {error}"),
-            })?;
-            models.into_iter().map(|model| model.mesh).collect()
-        });
-        if mesh.triangles().next().is_none() {
+            ("OBJ", 1, obj::read(bytes))
+        };
+        let mesh = mesh.and_then(|mesh| mesh.checked(first));
+        let mesh = mesh.map_err(|error| format!("a mistake in this {format}: {error}"))?;
+        if mesh.triangles.is_empty() {
             return Err(
                 "it has no faces; a mesh is an OBJ file with lines as f 1 2 3, or a PLY file"
                     .into(),
@@ -50,27 +37,44 @@ impl Mesh {
         Ok(mesh)
     }
 
+    /// The mesh, if no face has a corner or a normal that is missing; their numbers begin with
+    /// `first`.
+    fn checked(self, first: u64) -> Result<Self, String> {
+        for (i, name, list) in [(0, "corner", &self.corners), (1, "normal", &self.normals)] {
+            let is_none = |index: u32| i == 1 && index == NONE;
+            let indices = self.triangles.as_flattened().iter().map(|corner| corner[i]);
+            for index in indices.filter(|index| !is_none(*index)) {
+                if index as usize >= list.len() {
+                    let (number, count) = (u64::from(index) + first, list.len());
+                    return Err(format!(
+                        "a face has the {name} {number} of {count}, from {first}"
+                    ));
+                }
+            }
+        }
+        Ok(self)
+    }
+
+    /// Adds the triangles of a face from its first corner; none if it has less than three.
+    pub(crate) fn add_face(&mut self, corners: &[[u32; 2]]) -> Option<()> {
+        let [first, others @ ..] = corners else {
+            return None;
+        };
+        let triangles = others.windows(2).map(|side| [*first, side[0], side[1]]);
+        self.triangles.extend(triangles);
+        (others.len() > 1).then_some(())
+    }
+
     /// The triangles in the order of the file.
     pub fn triangles(&self) -> impl Iterator<Item = Triangle> {
-        self.0.iter().flat_map(|mesh| {
-            let corners = mesh.indices.chunks_exact(3);
-            corners.enumerate().filter_map(|(i, indices)| {
-                let normals = mesh.normal_indices.get(3 * i..3 * i + 3);
-                let normals = normals.and_then(|indices| vectors(&mesh.normals, indices));
-                Some((vectors(&mesh.positions, indices)?, normals))
-            })
+        self.triangles.iter().map(|triangle| {
+            let corners = triangle.map(|[corner, _]| self.corners[corner as usize]);
+            let normals = triangle.map(|[_, normal]| self.normals.get(normal as usize).copied());
+            let normals = match normals {
+                [Some(a), Some(b), Some(c)] => Some([a, b, c]),
+                _ => None,
+            };
+            (corners, normals)
         })
     }
-}
-
-fn words(line: &[u8]) -> usize {
-    let words = line.split(u8::is_ascii_whitespace);
-    words.filter(|word| !word.is_empty()).count()
-}
-
-/// The three vectors of these indices; none if one is missing.
-fn vectors(numbers: &[f64], indices: &[u32]) -> Option<[[f64; 3]; 3]> {
-    let vector = |index: u32| numbers.as_chunks().0.get(index as usize).copied();
-    let [a, b, c] = *indices.as_array()?;
-    Some([vector(a)?, vector(b)?, vector(c)?])
 }

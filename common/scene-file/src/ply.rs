@@ -1,7 +1,7 @@
 //! Reads PLY files (Turk, *The PLY Polygon File Format*, 1994): text, and bytes with the least
 //! first.
 
-use tobj::Mesh;
+use crate::mesh::{Mesh, NONE};
 
 /// The properties of a vertex: its place and its normal.
 const COORDINATES: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
@@ -30,7 +30,16 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, String> {
             _ => return Err(format!("its header has the unknown line \"{line}\"")),
         }
     }
-    let (mut numbers, mut mesh) = (Numbers { is_text, rest }, Mesh::default());
+    let mut properties = elements.iter().flat_map(|(.., properties)| properties);
+    let has_normals = properties.any(|words| words.ends_with(&["nx"]));
+    let (mut numbers, mut mesh) = (
+        Numbers {
+            is_text,
+            has_normals,
+            rest,
+        },
+        Mesh::default(),
+    );
     for (name, count, properties) in elements {
         // Things without properties take no bytes, so that any number of them may be promised.
         for i in 0..if properties.is_empty() { 0 } else { count } {
@@ -38,19 +47,13 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, String> {
             added.ok_or_else(|| format!("{name} {i} lacks numbers"))?;
         }
     }
-    let vertices = mesh.positions.len() / 3;
-    if let Some(i) = mesh.indices.iter().find(|i| **i as usize >= vertices) {
-        return Err(format!("a face has the corner {i} of {vertices}, from 0"));
-    }
-    if mesh.normals.iter().any(|number| number.is_finite()) {
-        mesh.normal_indices.clone_from(&mesh.indices);
-    }
     Ok(mesh)
 }
 
 /// The numbers behind the header.
 struct Numbers<'a> {
     is_text: bool,
+    has_normals: bool,
     rest: &'a [u8],
 }
 
@@ -71,19 +74,17 @@ impl Numbers<'_> {
             match (element, COORDINATES.iter().position(|known| *known == name)) {
                 ("vertex", Some(i)) => vertex[i] = *list.first()?,
                 ("face", _) if name.starts_with("vertex_ind") => {
-                    // A face has at least three corners.
-                    list.get(2)?;
-                    let sides = list.windows(2).skip(1);
-                    let corners = sides.flat_map(|side| [list[0], side[0], side[1]]);
-                    let index = |i: f64| if i >= 0.0 { i as u32 } else { u32::MAX };
-                    mesh.indices.extend(corners.map(index));
+                    let index = |i: &f64| (i.fract() == 0.0 && *i >= 0.0).then_some(*i as u32);
+                    let corner = |i| index(i).map(|i| [i, if self.has_normals { i } else { NONE }]);
+                    mesh.add_face(&list.iter().map(corner).collect::<Option<Vec<_>>>()?)?;
                 }
                 _ => (),
             }
         }
         if element == "vertex" {
-            mesh.positions.extend(&vertex[..3]);
-            mesh.normals.extend(&vertex[3..]);
+            let [x, y, z, normal @ ..] = vertex;
+            mesh.corners.push([x, y, z]);
+            mesh.normals.extend(self.has_normals.then_some(normal));
         }
         Some(())
     }

@@ -67,8 +67,10 @@ proptest! {
     fn scene_files_do_no_harm(changes in vec(change(), 0..=8)) {
         let example = include_bytes!("../../../a07-transforms/scenes/shapes.toml");
         scene_files::check(&changed(example.to_vec(), &changes));
-        let mesh = include_bytes!("../../../a07-transforms/scenes/star.ply");
-        scene_files::check(&changed(mesh.to_vec(), &changes));
+        let star = include_bytes!("../../../a07-transforms/scenes/star.ply");
+        scene_files::check(&changed(star.to_vec(), &changes));
+        let smooth = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//-1 2//1 -1//1\n";
+        scene_files::check(&changed(smooth.to_vec(), &changes));
     }
 
     #[test]
