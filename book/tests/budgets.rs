@@ -23,15 +23,15 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/testing/src/exercise",
             "common/learn/",
         ],
-        7_910,
+        7_907,
     ),
     ("benchmarks", &["/benches/"], 1_329),
     ("labs", &["/lab/src/", "/src/instruments"], 7_111),
-    ("engine", &["common/engine/"], 7_258),
+    ("engine", &["common/engine/"], 7_236),
     (
         "reader and writer of scene files",
         &["common/scene-file/"],
-        1_085,
+        1_166,
     ),
     (
         "common, program, measure and testing",
@@ -41,17 +41,17 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/measure/src/",
             "common/testing/src/",
         ],
-        8_268,
+        8_259,
     ),
     ("tests of common and program", &["common/"], 322),
-    ("fuzz targets", &["fuzz/"], 596),
+    ("fuzz targets", &["fuzz/"], 598),
     ("checks of the book", &["book/tests/"], 438),
     ("live pages", &["book/live/"], 1_753),
-    ("tests of the stages", &["/tests/"], 4_407),
+    ("tests of the stages", &["/tests/"], 4_415),
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 49_212;
+const OF_ALL: usize = 49_269;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.

@@ -4,7 +4,8 @@
 //! This crate contains no rays, and does not depend on a window or a terminal; it
 //! builds for WebAssembly. The crates in the folders below use it: `measure` for
 //! experiments and extreme cases, `program` for the command line, `testing` for the
-//! tests of the stages, `engine` for the fast renderer.
+//! tests of the stages, `engine` for the fast renderer, `scene-file` for scenes as files, and
+//! `learn` for the exercises.
 
 pub mod argument;
 pub mod atomic_file;

@@ -11,8 +11,6 @@ pub struct Sampled {
     pub samples: u64,
     /// Largest number of samples of a pixel.
     pub most: u32,
-    /// How often a pixel was audited: compared with new samples.
-    pub audited: u64,
     /// The squared error that the audits estimate, summed over the pixels.
     pub squared_error: f64,
     /// The variance of `squared_error`.
@@ -79,7 +77,6 @@ mod tests {
         pixels: 4,
         samples: 10,
         most: 7,
-        audited: 3,
         squared_error: 1.0,
         variance: 0.0625,
         unseen: 1.588_75,

@@ -1,7 +1,5 @@
-//! the report on saved pictures. Bytes and errors of JPEG files are not
-//! locked: encoder and decoder may round in other ways on other machines.
-//!
-//! `cargo test` runs them after the tests of the lesson, which they measure.
+//! The report on saved pictures. Bytes and errors of JPEG files are not locked: encoder and decoder
+//! may round in other ways on other machines.
 
 use measure::Effort;
 

@@ -1,6 +1,4 @@
-//! experiments, extreme cases, and the formulas that they measure.
-//!
-//! `cargo test` runs them after the tests of the lesson, which they measure.
+//! The experiments and extreme cases of the laboratory, and its exact sums.
 
 use a02_lab::exact::DoubleDouble;
 

@@ -1,6 +1,4 @@
-//! experiments, extreme cases, and the formulas that they measure.
-//!
-//! `cargo test` runs them after the tests of the lesson, which they measure.
+//! The experiments and extreme cases of the laboratory, its exact arithmetic, and its search.
 
 use a03_rays_cameras::View;
 use a04_intersections::{scenes, watched};

@@ -1,5 +1,3 @@
-//! experiments, extreme cases, and the formulas that they measure.
-//!
-//! `cargo test` runs them after the tests of the lesson, which they measure.
+//! The experiments and extreme cases of the laboratory.
 
 testing::check_lab! { a05_lab::laboratory() }

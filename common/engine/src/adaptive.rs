@@ -207,7 +207,6 @@ impl Refinement {
         self.unrefined += checked.unrefined;
         let mut error = checked.known;
         error += self.unrefined;
-        self.sampled.audited += checked.pixels;
         self.sampled.squared_error = error.sum / CHANNELS;
         self.sampled.variance = error.variance / (CHANNELS * CHANNELS);
         self.sampled.unseen = self.pilot.unseen(brightest) / CHANNELS;

@@ -15,16 +15,10 @@ pub(crate) fn normalized(v: DVec3) -> Option<DVec3> {
     if SQUARES.contains(&squared) {
         return Some(v / squared.sqrt());
     }
-    let largest = largest_coordinate(v);
+    let largest = v.abs().max_element();
     (v.is_finite() && largest > 0.0).then(|| {
         let exponent = libm::ilogb(largest);
         let scaled = v.map(|x| libm::scalbn(x, -exponent));
         scaled / scaled.length()
     })
-}
-
-/// The greatest magnitude among the coordinates.
-#[inline]
-pub(crate) fn largest_coordinate(v: DVec3) -> f64 {
-    v.abs().max_element()
 }

@@ -38,14 +38,3 @@ pub use slider::Slider;
 pub use target::{make_default_folder, make_folder, picture_name};
 pub use terminal_progress::terminal_bar;
 pub use viewer::{NotShown, Viewer};
-
-/// A stage for tests, with these scenes only.
-#[cfg(test)]
-fn stage_of(scenes: Vec<common::Scene>) -> common::Stage {
-    common::Stage {
-        name: "a00",
-        about: "",
-        scenes,
-        open: None,
-    }
-}

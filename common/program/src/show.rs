@@ -69,7 +69,12 @@ mod tests {
     #[test]
     fn an_error_of_the_window_is_returned() {
         let scene = Scene::painted("one", "", |settings, _| Image::black(settings.size));
-        let stage = crate::stage_of(vec![scene]);
+        let stage = Stage {
+            name: "a00",
+            about: "",
+            scenes: vec![scene],
+            open: None,
+        };
         let options = Showing {
             no_window: false,
             watch: false,

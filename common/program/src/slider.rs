@@ -95,8 +95,10 @@ impl Slider {
             Number::Depth => settings.depth = value as u32,
             Number::MaxError => {
                 settings.max_error = (value > 0.0).then_some(value);
-                // Few samples would not reach the bound.
-                settings.samples = settings.samples.max(1024);
+                if value > 0.0 {
+                    // Few samples would not reach the bound.
+                    settings.samples = settings.samples.max(1024);
+                }
             }
             Number::Light(light, axis) => {
                 let lights = &mut settings.moves.lights;

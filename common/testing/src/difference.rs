@@ -10,23 +10,22 @@ fn compare(expected: &Image, actual: &Image) -> Result<(), String> {
     if size != other {
         return Err(format!("expected {size} pixels, got {other}"));
     }
-    let bytes = |image: &Image| image.to_rgb8(Transfer::Linear);
-    let (expected, actual) = (bytes(expected), bytes(actual));
-    let pairs = expected.chunks_exact(3).zip(actual.chunks_exact(3));
-    let differing: Vec<_> = pairs.enumerate().filter(|(_, (e, a))| e != a).collect();
-    let Some((first, (wanted, got))) = differing.first() else {
+    let apart = apart(expected, actual);
+    let mut differing = (0..).zip(&apart).filter(|(_, pixel)| **pixel != [0; 3]);
+    let Some((first, _)) = differing.next() else {
         return Ok(());
     };
-    let channels = expected.iter().zip(&actual);
-    let largest = channels.map(|(e, a)| e.abs_diff(*a)).max().unwrap_or(0);
-    let width = size.width() as usize;
+    let (count, largest) = (1 + differing.count(), apart.as_flattened().iter().max());
+    let (x, y) = (first % size.width(), first / size.width());
+    let [wanted, got] = [expected, actual].map(|image| {
+        let color = image.get(x, y).unwrap_or_default();
+        Transfer::Linear.bytes(color)
+    });
     Err(format!(
-        "{} of {} pixels differ, a channel by at most {largest} of 255; \
-         the first is column {}, row {}: expected {wanted:?}, got {got:?}",
-        differing.len(),
+        "{count} of {} pixels differ, a channel by at most {} of 255; \
+         the first is column {x}, row {y}: expected {wanted:?}, got {got:?}",
         size.pixels(),
-        first % width,
-        first / width,
+        largest.unwrap_or(&0),
     ))
 }
 
@@ -39,7 +38,7 @@ fn apart(expected: &Image, actual: &Image) -> Vec<[u8; 3]> {
 
 /// The pixel with the largest difference of a channel in pictures of the same size, and that
 /// difference.
-fn largest(expected: &Image, actual: &Image) -> Option<([u32; 2], u8)> {
+pub(crate) fn largest(expected: &Image, actual: &Image) -> Option<([u32; 2], u8)> {
     let pixels = apart(expected, actual).into_iter();
     let most = pixels.map(|[r, g, b]| r.max(g).max(b));
     let (at, most) = (0..).zip(most).max_by_key(|(_, most)| *most)?;

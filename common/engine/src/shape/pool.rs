@@ -88,13 +88,4 @@ mod tests {
             assert_eq!(pool.get(i), vector(i));
         }
     }
-
-    #[test]
-    fn a_finished_pool_still_finds_its_vectors() {
-        let mut pool = Pool::default();
-        assert_eq!(pool.add(DVec3::X), 0);
-        pool.finish();
-        assert_eq!(pool.get(0), DVec3::X);
-        assert_eq!([DVec3::Y, DVec3::X].map(|v| pool.add(v)), [1, 0]);
-    }
 }
