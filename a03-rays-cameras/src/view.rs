@@ -107,21 +107,20 @@ impl View {
     /// Renders the picture with the renderer of the settings.
     #[cfg(not(handout))]
     pub fn render(self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
+        if settings.renderer == Renderer::Engine
+            && let Some(scene) = self.world.for_engine(settings.depth)
+        {
+            return crate::fast::render(scene, &*self.camera, settings, progress);
+        }
         let bounds = settings.max_error.map(|max_error| {
             let scene = self.world.for_engine(settings.depth);
             let max_radiance = scene.map_or(f64::INFINITY, |scene| scene.max_radiance());
             (max_error, max_radiance)
         });
         let Self { camera, world } = match settings.renderer {
-            Renderer::Engine => {
-                if let Some(scene) = self.world.for_engine(settings.depth) {
-                    return crate::fast::render(scene, &*self.camera, settings, progress);
-                }
-                self
-            }
             Renderer::AllWork => self.watched(settings, true),
             Renderer::Lesson if common::tally::is_on() => self.watched(settings, false),
-            Renderer::Lesson => self,
+            Renderer::Lesson | Renderer::Engine => self,
         };
         let radiance = |ray: &Ray| world.radiance(ray, settings.depth);
         let Some((max_error, max_radiance)) = bounds else {

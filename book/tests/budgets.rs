@@ -31,7 +31,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
     (
         "reader and writer of scene files",
         &["common/scene-file/"],
-        1_166,
+        1_164,
     ),
     (
         "common, program, measure and testing",
@@ -41,7 +41,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
             "common/measure/src/",
             "common/testing/src/",
         ],
-        8_259,
+        8_282,
     ),
     ("tests of common and program", &["common/"], 322),
     ("fuzz targets", &["fuzz/"], 598),
@@ -51,7 +51,7 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 49_269;
+const OF_ALL: usize = 49_289;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.

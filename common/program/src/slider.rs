@@ -113,3 +113,26 @@ impl Slider {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use common::Image;
+
+    use super::*;
+
+    #[test]
+    fn samples_count_again_without_an_error_bound() {
+        let scene = Scene::traced("one", "", |settings, _| Image::black(settings.size));
+        let mut settings = Settings {
+            max_error: Some(1.0 / 255.0),
+            ..Settings::default()
+        };
+        let mut sliders = Slider::all(&scene, &settings).unwrap();
+        // Four samples, and no bound.
+        (sliders[0].at, sliders[1].at) = (1, 0);
+        for slider in &sliders {
+            slider.apply(&mut settings);
+        }
+        assert_eq!((settings.samples, settings.max_error), (4, None));
+    }
+}

@@ -32,14 +32,12 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, String> {
     }
     let mut properties = elements.iter().flat_map(|(.., properties)| properties);
     let has_normals = properties.any(|words| words.ends_with(&["nx"]));
-    let (mut numbers, mut mesh) = (
-        Numbers {
-            is_text,
-            has_normals,
-            rest,
-        },
-        Mesh::default(),
-    );
+    let mut mesh = Mesh::default();
+    let mut numbers = Numbers {
+        is_text,
+        has_normals,
+        rest,
+    };
     for (name, count, properties) in elements {
         // Things without properties take no bytes, so that any number of them may be promised.
         for i in 0..if properties.is_empty() { 0 } else { count } {
