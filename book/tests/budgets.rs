@@ -47,11 +47,11 @@ const BUDGETS: [(&str, &[&str], usize); 12] = [
     ("fuzz targets", &["fuzz/"], 598),
     ("checks of the book", &["book/tests/"], 438),
     ("live pages", &["book/live/"], 1_753),
-    ("tests of the stages", &["/tests/"], 4_415),
+    ("tests of the stages", &["/tests/"], 4_418),
 ];
 
 /// The most lines of all files, and of one.
-const OF_ALL: usize = 49_289;
+const OF_ALL: usize = 49_292;
 const OF_A_FILE: usize = 300;
 
 /// The most lines of all lessons, of one lesson file, and of the loop over the pixels.

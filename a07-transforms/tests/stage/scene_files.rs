@@ -218,6 +218,9 @@ fn a_mesh_is_the_same_in_all_formats() {
         }
     };
     is_right(&[SQUARE, NUMBERS].concat().into_bytes());
+    // The normal of a face is not that of its corners.
+    let flat = SQUARE.replace("end_header", "property KIND nx\nend_header") + NUMBERS + " 1";
+    is_right(flat.as_bytes());
     for kind in ["char", "int", "float"] {
         let bytes = |word: &str| match kind {
             "char" => vec![word.parse::<u8>().unwrap()],

@@ -41,15 +41,14 @@ impl Mesh {
     /// `first`.
     fn checked(self, first: u64) -> Result<Self, String> {
         for (i, name, list) in [(0, "corner", &self.corners), (1, "normal", &self.normals)] {
-            let is_none = |index: u32| i == 1 && index == NONE;
-            let indices = self.triangles.as_flattened().iter().map(|corner| corner[i]);
-            for index in indices.filter(|index| !is_none(*index)) {
-                if index as usize >= list.len() {
-                    let (number, count) = (u64::from(index) + first, list.len());
-                    return Err(format!(
-                        "a face has the {name} {number} of {count}, from {first}"
-                    ));
-                }
+            let count = list.len();
+            let is_missing = |index: &u32| *index as usize >= count && (i, *index) != (1, NONE);
+            let mut indices = self.triangles.as_flattened().iter().map(|corner| corner[i]);
+            if let Some(index) = indices.find(is_missing) {
+                let number = u64::from(index) + first;
+                return Err(format!(
+                    "a face has the {name} {number} of {count}, from {first}"
+                ));
             }
         }
         Ok(self)

@@ -30,7 +30,8 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, String> {
             _ => return Err(format!("its header has the unknown line \"{line}\"")),
         }
     }
-    let mut properties = elements.iter().flat_map(|(.., properties)| properties);
+    let vertices = elements.iter().filter(|(name, ..)| *name == "vertex");
+    let mut properties = vertices.flat_map(|(.., properties)| properties);
     let has_normals = properties.any(|words| words.ends_with(&["nx"]));
     let mut mesh = Mesh::default();
     let mut numbers = Numbers {
