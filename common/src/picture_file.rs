@@ -1,6 +1,8 @@
 //! Opens picture files, and writes PNG files so that each is complete or absent.
 
 mod catch_quietly;
+mod jpeg;
+mod kind;
 
 use std::fs::File;
 use std::io::{self, Cursor, Read};
@@ -13,6 +15,7 @@ use image::{
 
 use crate::{Color, Error, Image, Size, atomic_file};
 use catch_quietly::catch_quietly;
+use jpeg::Jpeg;
 
 /// Longer files are not opened, because a file is read as a whole. The largest picture that
 /// opens, with 16 bits per channel, has half as many bytes.
@@ -66,8 +69,35 @@ fn cannot_open(path: &Path, reason: impl Into<String>) -> Error {
     }
 }
 
+const ENDS_TOO_EARLY: &str = "the file ends too early; it may be only half copied";
+
+/// The size and the bytes of red, green, blue and opacity of a picture. The error is a sentence.
 fn decode(bytes: &[u8]) -> Result<(Size, Vec<u8>), String> {
-    let explain = |error: ImageError| explain(&error);
+    if bytes.starts_with(&[0xFF, 0xD8, 0xFF]) {
+        return decode_jpeg(bytes);
+    }
+    if bytes.starts_with(b"BM")
+        && let Some(kind) = kind::unsupported_bmp(bytes)
+    {
+        return Err(kind::not_supported(&kind));
+    }
+    decode_known(bytes)
+}
+
+/// Like [`decode`]. A file that ends too early is an error, unless only its end mark is missing.
+fn decode_jpeg(bytes: &[u8]) -> Result<(Size, Vec<u8>), String> {
+    let jpeg = Jpeg::read(bytes)?;
+    let picture = decode_known(&jpeg.with_end(bytes));
+    if picture.is_ok() && jpeg.is_whole() || picture.is_err() && jpeg.has_end {
+        picture
+    } else {
+        Err(ENDS_TOO_EARLY.to_owned())
+    }
+}
+
+/// The picture of a file of a supported kind, as its decoder sees it.
+fn decode_known(bytes: &[u8]) -> Result<(Size, Vec<u8>), String> {
+    let explain = |error: ImageError| explain(&error, bytes);
     let mut reader = ImageReader::new(Cursor::new(bytes))
         .with_guessed_format()
         .map_err(|error| error.to_string())?;
@@ -85,11 +115,11 @@ fn decode(bytes: &[u8]) -> Result<(Size, Vec<u8>), String> {
     Ok((size, picture.into_rgba8().into_raw()))
 }
 
-fn explain(error: &ImageError) -> String {
+fn explain(error: &ImageError, bytes: &[u8]) -> String {
     match error {
-        ImageError::Unsupported(_) => "it is no PNG, JPEG or BMP picture".into(),
+        ImageError::Unsupported(_) => kind::no_picture(bytes),
         ImageError::IoError(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
-            "the file ends too early; it may be only half copied".into()
+            ENDS_TOO_EARLY.to_owned()
         }
         ImageError::IoError(error) => error.to_string(),
         ImageError::Limits(_) => "it asks for more memory than the largest pictures take".into(),
