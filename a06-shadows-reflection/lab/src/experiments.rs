@@ -1,6 +1,7 @@
 //! Error against run time for mirrors and shadows.
 
 pub mod secondary_rays;
+mod shadow_terminator;
 
 use std::rc::Rc;
 
@@ -15,6 +16,7 @@ use a06_shadows_reflection::{RecursiveTracer, ShadowedWorld};
 pub fn experiments() -> Vec<Experiment<'static>> {
     let mut all = vec![recursion_depth()];
     all.extend(secondary_rays::experiments());
+    all.push(shadow_terminator::shadow_terminator());
     all
 }
 

@@ -3,6 +3,7 @@
 #![doc(hidden)]
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
+pub mod coarse_ball;
 pub mod experiments;
 mod extremes;
 pub mod lit_points;

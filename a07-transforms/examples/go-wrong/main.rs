@@ -5,6 +5,7 @@ use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{Camera, PerspectiveCamera, PixelRandom, Ray, render};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
 use a04_lab::protocol;
+use a06_lab::coarse_ball::{ON_THE_CURVED_SURFACE, ON_THE_TRIANGLE, Start, coarse_ball};
 use a06_shadows_reflection::secondary_ray;
 use common::{Color, Error, Image, Progress, Scene, Settings, Size, Stage, Transfer};
 
@@ -19,7 +20,7 @@ pub fn stage() -> Stage {
     Stage {
         name: "go-wrong",
         about: "What can go wrong: too little, right, and too much",
-        scenes: vec![lift(), gamma(), cracks()],
+        scenes: vec![lift(), gamma(), cracks(), terminator()],
         open: None,
     }
 }
@@ -153,4 +154,44 @@ fn triangles(camera: &PerspectiveCamera, size: Size) -> Vec<[Point3; 3]> {
             [[a, b, c], [a, c, d]]
         })
         .collect()
+}
+
+/// The shadow terminator of a ball: where its normal is still turned to the light, some of its
+/// triangles are turned away.
+fn terminator() -> Scene {
+    let about = "a ball of 80 triangles, the same by Hanika's start, and one of 320 triangles";
+    let panels: [(u32, Start); 3] = [
+        (1, ON_THE_TRIANGLE),
+        (1, ON_THE_CURVED_SURFACE),
+        (2, ON_THE_TRIANGLE),
+    ];
+    let panels = panels.map(|(divisions, start)| {
+        move |settings: &Settings, progress: &dyn Progress| {
+            smooth_ball(divisions, start, settings, progress)
+        }
+    });
+    Scene::side_by_side("terminator", about, panels, PANEL)
+}
+
+/// A smooth matt ball of 20 · 4^`divisions` triangles in bright light from far away.
+fn smooth_ball(
+    divisions: u32,
+    start: Start,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<Image, Error> {
+    let ball = coarse_ball(divisions, Color::new(0.25, 0.35, 0.5))?;
+    let to_light = Vector3::new(3.0 / 7.0, 6.0 / 7.0, -2.0 / 7.0);
+    let (eye, up) = (Point3::new(1.5, 1.0, 4.0), Vector3::new(0.0, 1.0, 0.0));
+    let camera = PerspectiveCamera::new(eye, Point3::ORIGIN - eye, up, 0.52)?;
+    let color = |ray: &Ray| {
+        let Some((hit, corners)) = ball.hit(ray, Interval::AHEAD) else {
+            return ball.background();
+        };
+        let cosine = hit.normal.dot(to_light);
+        let shadow_ray = start(ray, &hit, corners, to_light);
+        let is_dark = cosine <= 0.0 || ball.is_hit(&shadow_ray, Interval::AHEAD);
+        Color::gray(if is_dark { 0.1 } else { 0.1 + 1.5 * cosine })
+    };
+    render(&camera, color, settings, progress)
 }
