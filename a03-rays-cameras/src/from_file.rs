@@ -4,14 +4,13 @@ use std::cell::{Cell, RefCell};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
 use a02_math::{Point3, Vector3};
 use common::{Error, Sampling, Scene, Settings, Size};
 use scene_file::{Item, Mesh, SceneFile};
 
-use crate::view::scene_of;
-use crate::{Camera, OrthographicCamera, PerspectiveCamera, View};
+use crate::{Camera, OrthographicCamera, PerspectiveCamera, TracedScene, View};
 
 /// A stage's function from the numbers of a file to its camera and world.
 pub type MakeView = fn(&SceneFile) -> Result<View, scene_file::Error>;
@@ -52,8 +51,13 @@ pub fn scene(path: &Path, stage: u8, make_view: MakeView) -> Result<Scene, Error
         Ok(Some(view)) => Ok(view),
         _ => make_view(&file).map_err(&at_place),
     };
-    let scene = scene_of(name, "a scene of a file", stage > 5, view);
-    let mut scene = scene.with_defaults(defaults);
+    let mut scene = Scene::from(TracedScene {
+        name,
+        about: "a scene of a file",
+        view: Arc::new(view),
+        reflects: stage > 5,
+        defaults,
+    });
     scene.is_large = triangles.get() > 10_000;
     scene.files = files.into_inner();
     Ok(scene)

@@ -1,12 +1,10 @@
-//! Instruments: wrappers that count work and record steps, drawings of rays, and turned cameras,
+//! Instruments: wrappers that count work and record steps, drawings of rays, and orbiting cameras,
 //! for the program and the window. No lesson uses them.
 
 #![expect(clippy::must_use_candidate, reason = "called by the program and tests")]
 
 mod drawing;
+pub mod orbit_camera;
 pub mod pixel_trace;
 mod seen_rays;
-pub mod turned;
 pub mod watched;
-
-pub(crate) use pixel_trace::ViewOf;

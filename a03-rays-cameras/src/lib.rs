@@ -35,9 +35,7 @@ pub use render::{camera_coordinates, render};
 pub use sampler::Sampler;
 pub use stage::{scenes as traced_scenes, stage};
 pub use striped_sky::{StripeRule, StripedSky};
-#[cfg(handout)]
-pub use view::paint;
-pub use view::{TracedScene, TracedWorld, View};
+pub use view::{TracedScene, TracedWorld, View, ViewOfSize};
 
 /// Tests the code in this stage's chapter.
 #[cfg(doctest)]

@@ -4,9 +4,13 @@
 use std::any::Any;
 use std::sync::Arc;
 
-use common::{ArgumentError, Color, Error, Image, Progress, Renderer, Scene, Settings, Size};
+use a02_math::Point3;
+use common::{
+    ArgumentError, Color, Edits, Error, Image, Picture, PixelTrace, Progress, Renderer, Scene,
+    SeenLine, Settings, Size, Traced, UsedSettings,
+};
 
-use crate::{Camera, Ray, render};
+use crate::{Camera, Ray, fast, instruments, render};
 
 /// A camera and the world before it.
 ///
@@ -26,21 +30,28 @@ pub trait TracedWorld: Any + Send + Sync {
     fn radiance(&self, ray: &Ray, depth: u32) -> Color;
 
     /// The world in the numbers of the engine; none if the engine has no type for it.
-    #[cfg(not(handout))]
     fn for_engine(&self, _depth: u32) -> Option<engine::Scene<'_>> {
         None
     }
 
-    /// The places of the lights that have one, so that they can be moved.
-    #[cfg(not(handout))]
-    fn light_places(&mut self) -> Vec<&mut a02_math::Point3> {
+    /// The number of the object, from 1, that a ray hits first, and the `t` of this hit.
+    fn nearest(&self, _ray: &Ray) -> Option<(usize, f64)> {
+        None
+    }
+
+    /// The name of the object of a number.
+    fn object_name(&self, _number: usize) -> String {
+        String::new()
+    }
+
+    /// The positions of the lights that have one, so that they can be moved.
+    fn light_positions(&mut self) -> Vec<&mut Point3> {
         Vec::new()
     }
 
     /// The same world with wrappers around its parts, which count its work and record its steps;
     /// with `all_work` they also do the work that the lesson leaves out. The colours do not
     /// change.
-    #[cfg(not(handout))]
     fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld>;
 }
 
@@ -50,7 +61,6 @@ impl<F: Fn(&Ray) -> Color + Send + Sync + 'static> TracedWorld for F {
         self(ray)
     }
 
-    #[cfg(not(handout))]
     fn watched(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
         self
     }
@@ -82,35 +92,13 @@ impl<W: TracedWorld> View<W> {
     }
 }
 
-/// Renders a picture, as [`render`], for code that is not in the lesson.
-#[cfg(handout)]
-pub fn paint(
-    camera: &dyn Camera,
-    radiance: &(dyn Fn(&Ray) -> Color + Sync),
-    settings: &Settings,
-) -> Result<Image, Error> {
-    render(camera, radiance, settings, &())
-}
-
 impl View {
-    /// Renders the picture with the lesson, the only renderer here.
-    #[cfg(handout)]
-    pub fn render(self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
-        if settings.renderer != Renderer::Lesson || settings.max_error.is_some() {
-            let flags = "this workbook has no --fast, --no-omit and --max-error";
-            return Err(Error::Usage(flags.to_owned()));
-        }
-        let radiance = |ray: &Ray| self.world.radiance(ray, settings.depth);
-        render(&self.camera, radiance, settings, progress)
-    }
-
     /// Renders the picture with the renderer of the settings.
-    #[cfg(not(handout))]
     pub fn render(self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
         if settings.renderer == Renderer::Engine
             && let Some(scene) = self.world.for_engine(settings.depth)
         {
-            return crate::fast::render(scene, &*self.camera, settings, progress);
+            return fast::render(scene, &*self.camera, settings, progress);
         }
         let bounds = settings.max_error.map(|max_error| {
             let scene = self.world.for_engine(settings.depth);
@@ -131,36 +119,37 @@ impl View {
     }
 
     /// The scene as text in a language, `toml` or `povray`.
-    #[cfg(not(handout))]
-    pub(crate) fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {
+    pub fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {
         use scene_file::{POV_RAY, TOML, export};
         let scene = self.world.for_engine(settings.depth);
         let phrases = if language == "povray" { POV_RAY } else { TOML };
-        let camera = crate::fast::camera(&*self.camera);
+        let camera = fast::camera(&*self.camera);
         let text = scene.map(|scene| export(phrases, &scene, &camera, settings));
         let text = text.unwrap_or_else(|| Err("its world is a formula, without shapes".to_owned()));
         text.map_err(|reason| Error::Usage(format!("this scene cannot be written: {reason}")))
     }
 
     /// The view with wrappers that count its work and record its steps.
-    #[cfg(not(handout))]
     pub(crate) fn watched(self, settings: &Settings, all_work: bool) -> Self {
         Self {
-            camera: crate::instruments::watched::camera(self.camera, settings, all_work),
+            camera: instruments::watched::camera(self.camera, settings, all_work),
             world: self.world.watched(all_work),
         }
     }
 }
 
+/// Camera and world for a picture of a size.
+pub type ViewOfSize = dyn Fn(Size) -> Result<View, Error> + Send + Sync;
+
 /// A scene whose picture is traced: its names, and its camera and world as a value.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct TracedScene {
     /// The name on the command line, in kebab case.
     pub name: &'static str,
     /// A description of the picture, in one line.
     pub about: &'static str,
     /// Camera and world for a picture of this size.
-    pub view: fn(Size) -> Result<View, ArgumentError>,
+    pub view: Arc<ViewOfSize>,
     /// Whether surfaces reflect rays, so that the depth changes the picture.
     pub reflects: bool,
     /// The settings where the command line has no others.
@@ -177,7 +166,7 @@ impl TracedScene {
         Self {
             name,
             about,
-            view,
+            view: Arc::new(move |size| Ok(view(size)?)),
             reflects: false,
             defaults: Settings::default(),
         }
@@ -191,30 +180,63 @@ impl TracedScene {
             ..self
         }
     }
+
+    /// Camera and world, with the changes that a person has made in the window.
+    fn edited_view(&self, settings: &Settings) -> Result<View, Error> {
+        let view = (self.view)(settings.size)?;
+        if settings.edits == Edits::default() {
+            return Ok(view);
+        }
+        Ok(view.edited(settings.size, &settings.edits))
+    }
+}
+
+impl Traced for TracedScene {
+    fn render(&self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
+        self.edited_view(settings)?.render(settings, progress)
+    }
+
+    fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error> {
+        Ok(self.edited_view(settings)?.trace(settings, pixel))
+    }
+
+    fn drawing(&self, settings: &Settings, trace: &PixelTrace) -> Result<String, Error> {
+        let view = self.edited_view(settings)?;
+        Ok(view.drawing(&trace.steps, self.name))
+    }
+
+    fn seen_rays(&self, settings: &Settings, trace: &PixelTrace) -> Result<Vec<SeenLine>, Error> {
+        let view = self.edited_view(settings)?;
+        Ok(view.seen_rays(settings.size, &trace.steps))
+    }
+
+    fn light_positions(&self, settings: &Settings) -> Result<Vec<[f64; 3]>, Error> {
+        let mut view = self.edited_view(settings)?;
+        let positions = view.world.light_positions().into_iter();
+        Ok(positions.map(|p| p.to_glam().to_array()).collect())
+    }
+
+    fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {
+        self.edited_view(settings)?.export(language, settings)
+    }
 }
 
 /// The scene for the program of the stage.
 impl From<TracedScene> for Scene {
-    fn from(row: TracedScene) -> Self {
-        let view = move |size| Ok((row.view)(size)?);
-        scene_of(row.name, row.about, row.reflects, view).with_defaults(row.defaults)
+    fn from(scene: TracedScene) -> Self {
+        Self {
+            name: scene.name,
+            about: scene.about,
+            defaults: scene.defaults.clone(),
+            uses: UsedSettings {
+                size: true,
+                sampling: true,
+                depth: scene.reflects,
+                file: false,
+            },
+            is_large: false,
+            files: Vec::new(),
+            picture: Picture::Traced(Arc::new(scene)),
+        }
     }
-}
-
-/// A scene for the program, whose surfaces may reflect rays.
-pub(crate) fn scene_of<F>(name: &'static str, about: &'static str, reflects: bool, view: F) -> Scene
-where
-    F: Fn(Size) -> Result<View, Error> + Send + Sync + 'static,
-{
-    let make = Arc::new(view);
-    let made = Arc::clone(&make);
-    let mut scene = Scene::traced(name, about, move |settings, progress| {
-        let view = made(settings.size)?;
-        #[cfg(not(handout))]
-        let view = view.moved(settings, &*made)?;
-        view.render(settings, progress)
-    });
-    scene.uses.depth = reflects;
-    scene.explained = Some(Arc::new(crate::instruments::ViewOf(name, make)));
-    scene
 }

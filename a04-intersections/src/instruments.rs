@@ -4,4 +4,5 @@
 #![expect(clippy::must_use_candidate, reason = "called by the program and tests")]
 
 mod numbers;
+pub mod objects;
 pub mod watched;

@@ -5,6 +5,7 @@ use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
 use common::{Color, Stage};
 
 use crate::World;
+use crate::instruments::objects;
 use crate::scenes::{scene_1, scene_2, scene_3, scene_4, scene_5, scene_6};
 
 /// The traced scenes in the order of the course.
@@ -47,12 +48,18 @@ impl TracedWorld for World<Color> {
         self.color_for(ray)
     }
 
-    #[cfg(not(handout))]
     fn for_engine(&self, _: u32) -> Option<engine::Scene<'_>> {
         Some(crate::fast::scene(self))
     }
 
-    #[cfg(not(handout))]
+    fn nearest(&self, ray: &Ray) -> Option<(usize, f64)> {
+        objects::nearest(self, ray)
+    }
+
+    fn object_name(&self, number: usize) -> String {
+        objects::object_name(self, number)
+    }
+
     fn watched(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
         use crate::{Interval, watched};
         use common::steps;

@@ -2,6 +2,7 @@
 //! world for the renderers.
 
 use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
+use a04_intersections::instruments::objects;
 use common::{Color, Stage};
 
 use crate::LitWorld;
@@ -53,17 +54,22 @@ impl TracedWorld for LitWorld {
         self.color_for(ray)
     }
 
-    #[cfg(not(handout))]
     fn for_engine(&self, _: u32) -> Option<engine::Scene<'_>> {
         Some(crate::fast::scene(self))
     }
 
-    #[cfg(not(handout))]
-    fn light_places(&mut self) -> Vec<&mut a02_math::Point3> {
-        crate::instruments::light_places(self, |light| &mut **light)
+    fn nearest(&self, ray: &Ray) -> Option<(usize, f64)> {
+        objects::nearest(self.objects(), ray)
     }
 
-    #[cfg(not(handout))]
+    fn object_name(&self, number: usize) -> String {
+        objects::object_name(self.objects(), number)
+    }
+
+    fn light_positions(&mut self) -> Vec<&mut a02_math::Point3> {
+        crate::instruments::light_positions(self, |light| &mut **light)
+    }
+
     fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
         use crate::watched;
         use a04_intersections::watched::{plain, push_background};

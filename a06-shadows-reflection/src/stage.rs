@@ -2,6 +2,7 @@
 //! world for the renderers.
 
 use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
+use a04_intersections::instruments::objects;
 use common::{Color, Stage};
 
 use crate::scenes::{aab, sphere};
@@ -38,7 +39,6 @@ pub fn traced(view: View<ShadowedWorld>) -> View {
         // The lesson needs nothing else.
         world,
         shapes: a04_intersections::fast::shapes,
-        #[cfg(not(handout))]
         watched: |geometry| geometry,
     };
     view.map(world).boxed()
@@ -52,7 +52,6 @@ pub struct RecursiveWorld {
     /// Translates a geometry for the engine.
     pub shapes: a04_intersections::fast::Translate,
     /// Wraps a geometry to count its work.
-    #[cfg(not(handout))]
     pub watched: fn(Box<dyn a04_intersections::Geometry>) -> Box<dyn a04_intersections::Geometry>,
 }
 
@@ -61,17 +60,22 @@ impl TracedWorld for RecursiveWorld {
         RecursiveTracer::new(&self.world).trace(ray, depth)
     }
 
-    #[cfg(not(handout))]
     fn for_engine(&self, depth: u32) -> Option<engine::Scene<'_>> {
         Some(crate::fast::scene(&self.world, depth, self.shapes))
     }
 
-    #[cfg(not(handout))]
-    fn light_places(&mut self) -> Vec<&mut a02_math::Point3> {
-        a05_lighting::instruments::light_places(&mut self.world, |source| &mut *source.light)
+    fn nearest(&self, ray: &Ray) -> Option<(usize, f64)> {
+        objects::nearest(self.world.objects(), ray)
     }
 
-    #[cfg(not(handout))]
+    fn object_name(&self, number: usize) -> String {
+        objects::object_name(self.world.objects(), number)
+    }
+
+    fn light_positions(&mut self) -> Vec<&mut a02_math::Point3> {
+        a05_lighting::instruments::light_positions(&mut self.world, |source| &mut *source.light)
+    }
+
     fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
         let Self { world, watched, .. } = *self;
         Box::new(crate::instruments::watched::WatchedWorld::new(

@@ -27,16 +27,16 @@ fn camera_and_lights_move_and_return() {
     };
     let start = shown(|_| ());
     // For a pixel of the mouse's way, 0.01 radians.
-    let dragged = shown(|settings| settings.moves.turn = [0.5, 0.2]);
-    let turned = shown(|settings| settings.moves.turn = [0.2, 0.0]);
+    let dragged = shown(|settings| settings.edits.orbit = [0.5, 0.2]);
+    let turned = shown(|settings| settings.edits.orbit = [0.2, 0.0]);
     let shallow = shown(|settings| {
-        settings.moves.turn = [0.2, 0.0];
+        settings.edits.orbit = [0.2, 0.0];
         settings.depth = 1;
     });
     let lit = shown(|settings| {
-        settings.moves.turn = [0.2, 0.0];
+        settings.edits.orbit = [0.2, 0.0];
         settings.depth = 1;
-        settings.moves.lights = vec![[0.5, 0.0, 0.0]];
+        settings.edits.lights = vec![[0.5, 0.0, 0.0]];
     });
     assert_eq!(
         HashSet::from([&start, &dragged, &turned, &shallow, &lit]).len(),

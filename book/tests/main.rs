@@ -9,6 +9,7 @@ mod files;
 mod include;
 mod left_over;
 mod lessons;
+mod way_of_a_ray;
 
 use files::Files;
 
@@ -32,5 +33,6 @@ checks! {
     every_listing_shows_something: include::complaints;
     every_picture_and_listing_has_a_caption: caption::complaints;
     lessons_name_nothing_but_the_lesson: lessons::complaints;
+    each_function_on_the_way_of_a_ray_calls_the_next: way_of_a_ray::complaints;
     no_part_is_larger_than_its_budget: budgets::complaints;
 }

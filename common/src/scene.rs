@@ -1,11 +1,13 @@
-//! `Scene`: a picture of a stage, and the code that renders it.
+//! `Scene`: a picture of a stage, painted by a function or traced through a camera and a world.
 
+use std::any::Any;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::{Color, Error, Image, PixelTrace, Progress, Settings, Size};
 
-type Paint = dyn Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync;
+/// A function that paints a picture with these settings.
+pub type Paint = dyn Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync;
 
 /// The [`Settings`] that a scene uses. The others do not change its picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -30,8 +32,21 @@ pub struct SeenLine {
     pub is_hidden: bool,
 }
 
-/// A scene whose rays can be followed one by one.
-pub trait Explained: Send + Sync {
+/// How the picture of a scene is made.
+#[derive(Clone)]
+pub enum Picture {
+    /// By a function, without rays that could be followed.
+    Painted(Arc<Paint>),
+    /// By rays through a camera and a world.
+    Traced(Arc<dyn Traced>),
+}
+
+/// A scene of a camera and a world. It is a trait because this crate knows neither: the scenes
+/// of all stages implement it in the same way.
+pub trait Traced: Any + Send + Sync {
+    /// The picture, by the renderer of the settings.
+    fn render(&self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error>;
+
     /// The numbers behind a pixel, whose column and row lie in the picture, by the renderer of
     /// the settings. The engine has only those of the samples.
     fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error>;
@@ -42,8 +57,8 @@ pub trait Explained: Send + Sync {
     /// The rays of the first sample after the camera's, as the camera sees them.
     fn seen_rays(&self, settings: &Settings, trace: &PixelTrace) -> Result<Vec<SeenLine>, Error>;
 
-    /// The places of the lights that have one.
-    fn light_places(&self, settings: &Settings) -> Result<Vec<[f64; 3]>, Error>;
+    /// The positions of the lights that have one.
+    fn light_positions(&self, settings: &Settings) -> Result<Vec<[f64; 3]>, Error>;
 
     /// The scene as text in a language: `toml` or `povray`.
     fn export(&self, language: &str, settings: &Settings) -> Result<String, Error>;
@@ -64,9 +79,8 @@ pub struct Scene {
     pub is_large: bool,
     /// The files that it is made of, the scene file first; none for a scene of the stage.
     pub files: Vec<PathBuf>,
-    /// The way to the numbers behind its pixels and to its text, for a scene of rays.
-    pub explained: Option<Arc<dyn Explained>>,
-    paint: Arc<Paint>,
+    /// How its picture is made.
+    pub picture: Picture,
 }
 
 impl Scene {
@@ -76,19 +90,17 @@ impl Scene {
         about: &'static str,
         paint: impl Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync + 'static,
     ) -> Self {
-        let uses = UsedSettings {
-            size: true,
-            ..UsedSettings::default()
-        };
         Self {
             name,
             about,
             defaults: Settings::default(),
-            uses,
+            uses: UsedSettings {
+                size: true,
+                ..UsedSettings::default()
+            },
             is_large: false,
             files: Vec::new(),
-            explained: None,
-            paint: Arc::new(paint),
+            picture: Picture::Painted(Arc::new(paint)),
         }
     }
 
@@ -104,13 +116,13 @@ impl Scene {
         scene
     }
 
-    /// A scene whose pixels are sampled by rays.
-    pub fn traced(
+    /// A scene that is painted by a function that samples its pixels.
+    pub fn sampled(
         name: &'static str,
         about: &'static str,
-        trace: impl Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync + 'static,
+        paint: impl Fn(&Settings, &dyn Progress) -> Result<Image, Error> + Send + Sync + 'static,
     ) -> Self {
-        let mut scene = Self::painted(name, about, trace);
+        let mut scene = Self::painted(name, about, paint);
         scene.uses.sampling = true;
         scene
     }
@@ -152,7 +164,7 @@ impl Scene {
             }
             Ok(image)
         };
-        Self::traced(name, about, paint).with_defaults(defaults)
+        Self::sampled(name, about, paint).with_defaults(defaults)
     }
 
     /// The same scene, with surfaces that reflect rays.
@@ -169,14 +181,22 @@ impl Scene {
         self
     }
 
-    /// The way to the numbers behind its pixels and to its text; an error if it has no rays.
-    pub fn rays(&self) -> Result<&dyn Explained, Error> {
-        let lacks = || Error::Usage(format!("{} is painted, without rays to follow", self.name));
-        self.explained.as_deref().ok_or_else(lacks)
+    /// Its camera and world, whose rays can be followed; an error if it is painted.
+    pub fn rays(&self) -> Result<&dyn Traced, Error> {
+        match &self.picture {
+            Picture::Traced(traced) => Ok(&**traced),
+            Picture::Painted(_) => Err(Error::Usage(format!(
+                "{} is painted, without rays to follow",
+                self.name
+            ))),
+        }
     }
 
     /// Renders the picture.
     pub fn render(&self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
-        (self.paint)(settings, progress)
+        match &self.picture {
+            Picture::Painted(paint) => paint(settings, progress),
+            Picture::Traced(traced) => traced.render(settings, progress),
+        }
     }
 }

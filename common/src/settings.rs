@@ -56,11 +56,11 @@ impl Renderer {
 
 /// Changes of a scene that a person makes in the window; none by default.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Moves {
-    /// The angles by which the camera turns around the middle of the scene, in radians: around
-    /// the vertical, and upwards.
-    pub turn: [f64; 2],
-    /// The way of each light that has a place. Missing ones stay.
+pub struct Edits {
+    /// The angles by which the camera is rotated around the middle of the scene, in radians:
+    /// around the vertical axis, and upwards.
+    pub orbit: [f64; 2],
+    /// The displacement of each light that has a position. Missing ones stay.
     pub lights: Vec<[f64; 3]>,
 }
 
@@ -87,7 +87,7 @@ pub struct Settings {
     /// The picture file to open, for a scene that opens one.
     pub file: Option<PathBuf>,
     /// Changes of a scene that has a camera.
-    pub moves: Moves,
+    pub edits: Edits,
 }
 
 impl Default for Settings {
@@ -101,7 +101,7 @@ impl Default for Settings {
             depth: 6,
             renderer: Renderer::Lesson,
             file: None,
-            moves: Moves::default(),
+            edits: Edits::default(),
         }
     }
 }

@@ -1,10 +1,11 @@
 //! `Stage`: the name and the scenes of a stage.
 
+use std::path::Path;
+
 use crate::{Error, Scene};
 
 /// Reads the scene of a scene file.
-#[cfg(not(handout))]
-pub type OpenScene = fn(&std::path::Path) -> Result<Scene, Error>;
+pub type OpenScene = fn(&Path) -> Result<Scene, Error>;
 
 /// One stage of the course.
 pub struct Stage {
@@ -14,8 +15,7 @@ pub struct Stage {
     pub about: &'static str,
     /// The scenes in the order of the course; the first is shown by default.
     pub scenes: Vec<Scene>,
-    /// Opens a scene file, if the stage knows any.
-    #[cfg(not(handout))]
+    /// Reads the scene of a scene file, if the stage knows such files.
     pub open: Option<OpenScene>,
 }
 
@@ -23,7 +23,6 @@ impl Stage {
     /// The scene of this name, or of the scene file of this name, which ends in `.toml`. The
     /// error lists the scenes of the stage.
     pub fn scene(&self, name: &str) -> Result<Scene, Error> {
-        #[cfg(not(handout))]
         if let Some((_, end)) = name.rsplit_once('.') {
             let none = match self.open {
                 Some(open) if end == "toml" => return open(name.as_ref()),

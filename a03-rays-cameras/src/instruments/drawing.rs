@@ -3,15 +3,14 @@
 //! Rays through a grid of places find the objects, so that shapes of any type are drawn by
 //! their own `hit`.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use a02_math::{Direction, Point3, Vector3};
 use common::steps::{RAY, REFLECTED, Step};
 use common::svg::{Svg, color};
 
-use super::turned::nearest;
-use crate::{Ray, TracedWorld};
+use crate::{Ray, TracedWorld, View};
 
 /// Width and height of a view in pixels, and the side of a square in which one ray finds the
 /// object.
@@ -63,8 +62,8 @@ pub fn lines(trace: &[Step]) -> Lines<'_> {
     (lines, named)
 }
 
-/// A parallel projection.
-struct View<'a> {
+/// A parallel projection of a world.
+struct Projection<'a> {
     world: &'a dyn TracedWorld,
     /// The directions to the right, upwards and towards the reader.
     axes: [Vector3; 3],
@@ -75,7 +74,7 @@ struct View<'a> {
     corner: [f64; 2],
 }
 
-impl View<'_> {
+impl Projection<'_> {
     /// The place of a point in the drawing.
     fn place(&self, p: Point3) -> [f64; 2] {
         let [x, y] = [0, 1].map(|i| (p - self.middle).dot(self.axes[i]) / self.pixel);
@@ -83,32 +82,42 @@ impl View<'_> {
         [left + WIDTH / 2.0 + x, top + HEIGHT / 2.0 - y]
     }
 
-    /// The name of the first object, and its distance in pixels, on the ray from a place of
+    /// The number of the first object, and its distance in pixels, on the ray from a place of
     /// the view at this height against an axis.
-    fn nearest(&self, x: f64, y: f64, height: f64, axis: usize) -> Option<(String, f64)> {
+    fn nearest(&self, x: f64, y: f64, height: f64, axis: usize) -> Option<(usize, f64)> {
         let [right, up, front] = self.axes;
         let o = right * (x - WIDTH / 2.0) + up * (HEIGHT / 2.0 - y) + front * height;
         let ray = Ray::derived(self.middle + o * self.pixel, -self.axes[axis]);
-        nearest(self.world, &ray).map(|(name, t)| (name, t / self.pixel))
+        let (object, t) = self.world.nearest(&ray)?;
+        Some((object, t / self.pixel))
     }
 
-    /// The strokes of each object where it is seen; and for an object that is seen nowhere, as
-    /// a plane from its edge, the first below the top of the view, at the depth of the middle.
-    fn objects(&self) -> BTreeMap<String, String> {
+    /// The strokes of each object where it is seen, by its number. A plane seen from its edge is
+    /// seen nowhere: it is drawn where rays downwards meet it first, at the depth of the middle.
+    fn objects(&self) -> BTreeMap<usize, String> {
         let middles = |side: f64| (0..(side / CELL) as u32).map(|i| (f64::from(i) + 0.5) * CELL);
-        let cells = middles(HEIGHT).flat_map(|y| middles(WIDTH).map(move |x| (x, y)));
-        let seen = cells.filter_map(|(x, y)| Some((self.nearest(x, y, 100.0 * WIDTH, 2)?.0, x, y)));
-        let mut strokes = seen.collect::<Vec<_>>();
-        let edges = middles(WIDTH).filter_map(|x| {
-            let (name, y) = self.nearest(x, 0.0, 0.0, 1)?;
-            let is_edge = y < HEIGHT && strokes.iter().all(|(seen, ..)| *seen != name);
-            is_edge.then_some((name, x, y))
-        });
-        strokes.extend(edges.collect::<Vec<_>>());
+        let mut strokes = Vec::new();
+        for y in middles(HEIGHT) {
+            for x in middles(WIDTH) {
+                if let Some((object, _)) = self.nearest(x, y, 100.0 * WIDTH, 2) {
+                    strokes.push((object, x, y));
+                }
+            }
+        }
+        let seen: BTreeSet<_> = strokes.iter().map(|(object, ..)| *object).collect();
+        for x in middles(WIDTH) {
+            if let Some((object, y)) = self.nearest(x, 0.0, 0.0, 1)
+                && y < HEIGHT
+                && !seen.contains(&object)
+            {
+                strokes.push((object, x, y));
+            }
+        }
         let mut objects = BTreeMap::<_, String>::new();
-        for (name, x, y) in strokes {
+        for (object, x, y) in strokes {
             let (x, y) = (self.corner[0] + x - CELL / 2.0, self.corner[1] + y);
-            let _ = write!(objects.entry(name).or_default(), "M{x:.1} {y:.1}h{CELL}");
+            let path = objects.entry(object).or_default();
+            let _ = write!(path, "M{x:.1} {y:.1}h{CELL}");
         }
         objects
     }
@@ -116,9 +125,13 @@ impl View<'_> {
     fn draw(&self, svg: &mut Svg, title: &str, (lines, named): &Lines) {
         let [left, top] = self.corner;
         svg.text("", [left, top - 10.0], title);
-        for (i, (name, path)) in (1..).zip(self.objects()) {
-            let number = name.split([' ', ':']).nth(1).map(str::parse);
-            let color = color(number.and_then(Result::ok).unwrap_or(0));
+        let objects = self.objects().into_iter();
+        let mut objects: Vec<_> = objects
+            .map(|(number, path)| (self.world.object_name(number), number, path))
+            .collect();
+        objects.sort();
+        for (i, (name, number, path)) in (1..).zip(objects) {
+            let color = color(number);
             svg.path(&format!("object {color}"), &path);
             let y = top + HEIGHT + 18.0 * f64::from(i);
             svg.line(&format!("key {color}"), &[[left, y], [left + 12.0, y]]);
@@ -136,8 +149,17 @@ impl View<'_> {
     }
 }
 
-/// The rays of the first sample of a trace, in a world with wrappers that record its steps.
-pub fn svg(world: &dyn TracedWorld, trace: &[Step], scene: &str) -> String {
+impl View {
+    /// The rays of the first sample of these steps from the side and from above, as SVG, whose
+    /// title has a name of the scene.
+    #[must_use]
+    pub fn drawing(&self, steps: &[Step], name: &str) -> String {
+        svg(&*self.world, steps, name)
+    }
+}
+
+/// The rays of the first sample of a trace, in a world.
+fn svg(world: &dyn TracedWorld, trace: &[Step], scene: &str) -> String {
     let lines = lines(trace);
     let points = lines.0.iter().flat_map(|(line, _)| line);
     let points = points.map(|point| point.to_glam());
@@ -159,14 +181,14 @@ pub fn svg(world: &dyn TracedWorld, trace: &[Step], scene: &str) -> String {
         WIDTH + 20.0,
     );
     for (title, axes, left) in [side, above] {
-        let view = View {
+        let projection = Projection {
             world,
             axes,
             middle: Point3::from_glam(low.midpoint(high)),
             pixel,
             corner: [left, 30.0],
         };
-        view.draw(&mut svg, title, &lines);
+        projection.draw(&mut svg, title, &lines);
     }
     svg.finish()
 }

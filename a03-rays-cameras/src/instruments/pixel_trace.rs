@@ -1,14 +1,10 @@
 //! The numbers behind a pixel of a view.
 
-use a02_math::arrays::array;
-use std::sync::Arc;
-
 use common::steps::{self, REFLECTED, Step};
 use common::traced_picture::trace_chosen;
-use common::{Color, Error, Explained, Image, PixelTrace, Renderer, SeenLine, Settings, Size};
+use common::{Color, Error, Image, PixelTrace, Renderer, Settings};
 
 use super::watched::push_ray;
-use super::{drawing, seen_rays};
 use crate::{Camera, Ray, Sampler, View, camera_coordinates, fast, render};
 
 const SAMPLES: &str = "a03-rays-cameras.md#many-rays-a-pixel";
@@ -32,13 +28,6 @@ impl View {
             let ray = view.camera.ray_for(settings.size, x, y);
             view.world.radiance(&ray, settings.depth)
         })
-    }
-
-    /// The rays of the first sample of these steps from the side and from above, as SVG, whose
-    /// title has a name of the scene.
-    #[must_use]
-    pub fn drawing(self, steps: &[Step], name: &str) -> String {
-        drawing::svg(&*self.world.watched(false), steps, name)
     }
 }
 
@@ -96,38 +85,4 @@ pub fn paint(
         })
     });
     Ok(image)
-}
-
-/// The name of a scene, and the function that makes its view for each picture.
-pub struct ViewOf<F>(pub &'static str, pub Arc<F>);
-
-impl<F: Fn(Size) -> Result<View, Error>> ViewOf<F> {
-    fn view(&self, settings: &Settings) -> Result<View, Error> {
-        self.1(settings.size)?.moved(settings, &*self.1)
-    }
-}
-
-impl<F: Fn(Size) -> Result<View, Error> + Send + Sync> Explained for ViewOf<F> {
-    fn trace(&self, settings: &Settings, pixel: [u32; 2]) -> Result<PixelTrace, Error> {
-        Ok(self.view(settings)?.trace(settings, pixel))
-    }
-
-    fn drawing(&self, settings: &Settings, trace: &PixelTrace) -> Result<String, Error> {
-        Ok(self.view(settings)?.drawing(&trace.steps, self.0))
-    }
-
-    fn seen_rays(&self, settings: &Settings, trace: &PixelTrace) -> Result<Vec<SeenLine>, Error> {
-        let view = self.view(settings)?.watched(settings, false);
-        Ok(seen_rays::seen_rays(&view, settings.size, &trace.steps))
-    }
-
-    fn light_places(&self, settings: &Settings) -> Result<Vec<[f64; 3]>, Error> {
-        let mut view = self.view(settings)?;
-        let places = view.world.light_places().into_iter();
-        Ok(places.map(|place| array(*place)).collect())
-    }
-
-    fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {
-        self.view(settings)?.export(language, settings)
-    }
 }

@@ -5,7 +5,6 @@ use common::steps::Step;
 use common::{SeenLine, Size};
 
 use super::drawing::lines;
-use super::turned::nearest;
 use crate::{Camera, View};
 
 /// The pieces of a ray; each is drawn straight, and as hidden or not.
@@ -14,26 +13,29 @@ const PIECES: u32 = 24;
 /// Most steps of Newton's method. It doubles the right digits in each.
 const STEPS: usize = 12;
 
-/// The rays of the first sample after the camera's, seen by the camera of a watched view.
-pub fn seen_rays(view: &View, size: Size, trace: &[Step]) -> Vec<SeenLine> {
-    let (lines, named) = lines(trace);
-    let eye = named.get("eye").copied();
-    let mut seen = Vec::new();
-    for ([from, to], _) in lines {
-        if Some(from) == eye {
-            continue;
+impl View {
+    /// The rays of the first sample of these steps after the camera's, as the camera sees them.
+    #[must_use]
+    pub fn seen_rays(&self, size: Size, steps: &[Step]) -> Vec<SeenLine> {
+        let (lines, named) = lines(steps);
+        let eye = named.get("eye").copied();
+        let mut seen = Vec::new();
+        for ([from, to], _) in lines {
+            if Some(from) == eye {
+                continue;
+            }
+            let point = |i| from + (to - from) * (f64::from(i) / f64::from(PIECES));
+            let places: Vec<_> = (0..=PIECES).map(|i| place(self, size, point(i))).collect();
+            seen.extend(places.windows(2).filter_map(|ends| {
+                let (a, b) = (ends[0]?, ends[1]?);
+                Some(SeenLine {
+                    ends: [a.0, b.0],
+                    is_hidden: a.1 || b.1,
+                })
+            }));
         }
-        let point = |i| from + (to - from) * (f64::from(i) / f64::from(PIECES));
-        let places: Vec<_> = (0..=PIECES).map(|i| place(view, size, point(i))).collect();
-        seen.extend(places.windows(2).filter_map(|ends| {
-            let (a, b) = (ends[0]?, ends[1]?);
-            Some(SeenLine {
-                ends: [a.0, b.0],
-                is_hidden: a.1 || b.1,
-            })
-        }));
+        seen
     }
-    seen
 }
 
 /// The place of a point in the picture, and whether an object lies before it; none if it is
@@ -55,7 +57,7 @@ fn place(view: &View, size: Size, point: Point3) -> Option<([f64; 2], bool)> {
         let error = point - at(x, y);
         if error.magnitude() < 1e-6 * distance {
             // The surface where a ray begins is not before it.
-            let nearest = nearest(&*view.world, &ray);
+            let nearest = view.world.nearest(&ray);
             let is_hidden = nearest.is_some_and(|(_, t)| t < distance * (1.0 - 1e-4));
             return Some(([x + 0.5, height - 0.5 - y], is_hidden));
         }

@@ -9,6 +9,7 @@ use common::steps::{self, HIT, NO_HIT, RAY, REFLECTED, Step, TEST, type_name};
 use common::tally::{self, Work};
 
 use crate::from_file::Mesh;
+use crate::instruments::objects;
 use crate::{Geometry, Hit, Interval, World};
 
 const WORLD: &str = "a04-intersections.md#hit-and-world";
@@ -42,9 +43,9 @@ pub fn geometry(
         _ => "a04-intersections.md#one-question-and-an-interval",
     };
     Box::new(Watched {
+        name: objects::name(number, &*geometry),
         geometry: inner(geometry),
         tests,
-        name: format!("object {number}: {name}"),
         section,
     })
 }

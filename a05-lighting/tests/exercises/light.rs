@@ -83,9 +83,6 @@ pub fn lit(
     shaded(view, move |diffuse, ray, hit, world| {
         let light = light(ray.at(hit.t));
         let lights = Lights(world.ambient(), Vec::from_iter(light));
-        #[cfg(handout)]
-        let _ = name;
-        #[cfg(not(handout))]
         push_light(1, name, light);
         let shiny = Phong::new(diffuse, Color::WHITE, 64.0);
         shiny.map_or(Color::BLACK, |shiny| shiny.color_for(ray, hit, &lights))

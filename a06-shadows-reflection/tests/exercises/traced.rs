@@ -47,11 +47,7 @@ impl Lighting for Tracer<'_> {
     }
 }
 
-#[cfg(handout)]
-pub use crate::scene::rendered as reflected_scene;
-
 /// The picture of a scene in the colours of this function, which records its steps.
-#[cfg(not(handout))]
 pub fn reflected_scene(
     view: Made<View<ShadowedWorld>>,
     color: impl Fn(&ShadowedWorld, &Ray, u32) -> Color + Sync,

@@ -90,11 +90,7 @@ pub fn locked_scene(
         let light = PointLight::new(Color::WHITE, point(light))?;
         let world = ShadowedWorld::empty(Color::BLACK, Color::gray(ambient))?;
         let world = fill(world.lit_by(LightSource::new(light, casts_shadows)))?;
-        #[cfg(handout)]
-        let color = |ray: &Ray| RecursiveTracer::new(&world).trace(ray, settings.depth);
-        #[cfg(not(handout))]
         let world = WatchedWorld::new(world, |geometry| geometry, false);
-        #[cfg(not(handout))]
         let color = |ray: &Ray| world.radiance(ray, settings.depth);
         paint(&diagonal_camera(eye)?, &color, settings)
     });

@@ -1,8 +1,10 @@
 //! The pictures of the book that its pages can render, by the names of their files.
 
+use std::any::Any;
+
 use a02_math::Point3;
 use a03_rays_cameras::{TracedScene, View};
-use common::{Error, Scene, Settings, Stage};
+use common::{Error, Picture, Scene, Settings, Stage};
 
 use crate::file;
 
@@ -57,25 +59,19 @@ pub fn scene(picture: &str) -> Result<Scene, Error> {
     found.ok_or_else(|| Error::Usage(format!("there is no picture \"{picture}\"")))
 }
 
-/// The view of a picture; none if the picture is not a traced scene of a stage or of a file.
+/// The view of a picture; none if the picture is painted.
 pub fn view(picture: &str, settings: &Settings) -> Result<Option<View>, Error> {
-    if let Some(text) = picture.strip_prefix(FILE) {
-        return file::open(text).map(|(_, view)| Some(view));
-    }
-    let scenes: Vec<TracedScene> = match picture.get(..3).unwrap_or_default() {
-        "a03" => a03_rays_cameras::traced_scenes().into(),
-        "a04" => a04_intersections::traced_scenes().into(),
-        "a05" => a05_lighting::traced_scenes().into(),
-        "a06" => a06_shadows_reflection::traced_scenes().into(),
-        "a07" => a07_transforms::traced_scenes().into(),
-        _ => return Ok(None),
+    let Picture::Traced(traced) = scene(picture)?.picture else {
+        return Ok(None);
     };
-    let name = scene(picture)?.name;
-    let found = scenes.into_iter().find(|known| known.name == name);
-    Ok(found.map(|found| (found.view)(settings.size)).transpose()?)
+    let any: &dyn Any = &*traced;
+    let traced = any.downcast_ref::<TracedScene>();
+    traced
+        .map(|traced| (traced.view)(settings.size))
+        .transpose()
 }
 
-/// The point that the camera of a picture is turned around.
+/// The point that the camera of a picture is rotated around.
 pub fn centre(picture: &str) -> Point3 {
     // The objects that a camera at the origin looks at are three to six before it.
     match picture {

@@ -1,6 +1,8 @@
 //! Scenes of the text that a reader writes on the page, as a scene file of the last stage.
 
-use a03_rays_cameras::{View, from_file};
+use std::sync::Arc;
+
+use a03_rays_cameras::{TracedScene, View, from_file};
 use common::{Error, Scene, Settings};
 use scene_file::{Mesh, SceneFile};
 
@@ -12,7 +14,7 @@ const MOST_SAMPLES: u64 = 640 * 480 * 16;
 const MOST_SURFACES: u32 = 50;
 
 /// The settings and the view of a scene file.
-pub fn open(text: &str) -> Result<(Settings, View), Error> {
+fn open(text: &str) -> Result<(Settings, View), Error> {
     let read = || {
         let mesh = |name: &str| match name {
             "pyramid.obj" => Mesh::read(PYRAMID),
@@ -39,9 +41,11 @@ pub fn open(text: &str) -> Result<(Settings, View), Error> {
 pub fn scene(text: &str) -> Result<Scene, Error> {
     let (defaults, _) = open(text)?;
     let text = text.to_owned();
-    let paint = move |settings: &Settings, progress: &dyn common::Progress| {
-        open(&text)?.1.render(settings, progress)
-    };
-    let scene = Scene::traced("file", "a scene of a file", paint).with_defaults(defaults);
-    Ok(scene.reflecting())
+    Ok(Scene::from(TracedScene {
+        name: "file",
+        about: "a scene of a file",
+        view: Arc::new(move |_| Ok(open(&text)?.1)),
+        reflects: true,
+        defaults,
+    }))
 }

@@ -1,7 +1,7 @@
 //! Renders the pictures of the book for its pages, and takes the numbers behind a pixel.
 
 use a03_rays_cameras::View;
-use a03_rays_cameras::instruments::turned::{Turn, Turned};
+use a03_rays_cameras::instruments::orbit_camera::{Orbit, OrbitCamera};
 use common::{Error, PixelTrace, Sampling, Settings, Transfer};
 
 use crate::exchange::settings;
@@ -9,24 +9,25 @@ use crate::{Answer, Answered, catalogue};
 
 pub use crate::exchange::{pixels, sampling};
 
-/// How far a page has turned the camera: yaw, pitch and zoom, after the settings.
-fn turn(numbers: &[f64]) -> Turn {
+/// How far a page has rotated the camera: yaw, pitch and zoom, after the settings.
+fn orbit(numbers: &[f64]) -> Orbit {
     match *numbers {
-        [_, _, _, _, _, _, _, yaw, pitch, zoom, ..] => Turn { yaw, pitch, zoom },
-        _ => Turn::NONE,
+        [_, _, _, _, _, _, _, yaw, pitch, zoom, ..] => Orbit { yaw, pitch, zoom },
+        _ => Orbit::NONE,
     }
 }
 
-/// The settings in the numbers of a page, and the view of a picture with its camera turned; none
+/// The settings in the numbers of a page, and the view of a picture with its camera rotated; none
 /// if the picture is painted without rays.
-fn turned(picture: &str, numbers: &[f64]) -> Result<(Settings, Option<View>), Error> {
+fn view(picture: &str, numbers: &[f64]) -> Result<(Settings, Option<View>), Error> {
     let settings = settings(&catalogue::scene(picture)?.defaults, numbers)?;
-    let (view, turn) = (catalogue::view(picture, &settings)?, turn(numbers));
+    let (view, orbit) = (catalogue::view(picture, &settings)?, orbit(numbers));
     let view = view.map(|view| {
-        if turn == Turn::NONE {
+        if orbit == Orbit::NONE {
             return view;
         }
-        let camera = Turned::new(view.camera, settings.size, catalogue::centre(picture), turn);
+        let centre = catalogue::centre(picture);
+        let camera = OrbitCamera::new(view.camera, settings.size, centre, orbit);
         View::new(camera, view.world)
     });
     Ok((settings, view))
@@ -34,7 +35,7 @@ fn turned(picture: &str, numbers: &[f64]) -> Result<(Settings, Option<View>), Er
 
 /// Renders a picture: its pixels, its size and, as text, the hash that the tests lock.
 pub fn render(picture: &str, numbers: &[f64]) -> Answered {
-    let image = match turned(picture, numbers)? {
+    let image = match view(picture, numbers)? {
         (settings, Some(view)) => view.render(&settings, &()),
         (settings, None) => catalogue::scene(picture)?.render(&settings, &()),
     };
@@ -43,7 +44,7 @@ pub fn render(picture: &str, numbers: &[f64]) -> Answered {
 
 /// The numbers behind a pixel, whose column and row follow the settings.
 fn traced(picture: &str, numbers: &[f64]) -> Result<PixelTrace, Error> {
-    let (settings, view) = turned(picture, numbers)?;
+    let (settings, view) = view(picture, numbers)?;
     let pixel = match numbers.get(10..12) {
         Some(&[column, row]) => [column, row].map(|place| place as u32),
         _ => [u32::MAX; 2],
@@ -66,7 +67,7 @@ pub fn drawing(picture: &str, numbers: &[f64]) -> Answered {
     let steps = traced(picture, numbers)?.steps;
     let sample = numbers.get(12).map_or(0, |sample| *sample as usize);
     let sample = steps.chunk_by(|_, next| next.level > 0).nth(sample);
-    let (_, view) = turned(picture, numbers)?;
+    let (_, view) = view(picture, numbers)?;
     let drawing = view.map(|view| view.drawing(sample.unwrap_or_default(), "the picture"));
     Ok(Answer::text(drawing.unwrap_or_default()))
 }

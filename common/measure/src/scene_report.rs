@@ -114,7 +114,7 @@ mod tests {
     /// The brightness of this scene is 1/n with n samples, twice or half of that with other
     /// samplings, and the requested error with adaptive sampling; the reference's is 1/4.
     fn scene() -> Scene {
-        let scene = Scene::traced("fading", "", |settings, progress| {
+        let scene = Scene::sampled("fading", "", |settings, progress| {
             assert_eq!(settings.size, Size::new(160, 1)?);
             let samples = f64::from(settings.samples);
             let gray = match (settings.max_error, settings.sampling) {

@@ -105,7 +105,7 @@ mod tests {
     /// The renderer that skips no work takes one more ray and three more tests, and its
     /// picture is brighter by 1/8.
     fn scene() -> Scene {
-        Scene::traced("test", "", |settings, _| {
+        Scene::sampled("test", "", |settings, _| {
             let is_all = settings.renderer == Renderer::AllWork;
             count(Work::PrimaryRay);
             count_all(Work::IntersectionTest, if is_all { 4 } else { 1 });

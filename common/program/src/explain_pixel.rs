@@ -48,7 +48,7 @@ pub fn explain_pixel(scene: &Scene, explaining: &Explaining) -> Result<(), Error
     let Explaining { pixel, options, .. } = explaining;
     let ([x, y], settings) = (*pixel, options.settings(scene)?);
     check(&settings, explaining)?;
-    let explained = scene.rays()?;
+    let rays = scene.rays()?;
     if let Some(path) = &explaining.drawing {
         atomic_file::check_writable(path)?;
     }
@@ -57,7 +57,7 @@ pub fn explain_pixel(scene: &Scene, explaining: &Explaining) -> Result<(), Error
     if explaining.beside || settings.renderer == Renderer::Engine {
         traced.renderer = Renderer::Lesson;
     }
-    let trace = explained.trace(&traced, *pixel)?;
+    let trace = rays.trace(&traced, *pixel)?;
     let color = trace.color;
     print(&if explaining.json {
         trace.to_json(options.transfer)
@@ -69,11 +69,11 @@ pub fn explain_pixel(scene: &Scene, explaining: &Explaining) -> Result<(), Error
         )
     })?;
     if let Some(path) = &explaining.drawing {
-        atomic_file::write(path, explained.drawing(&settings, &trace)?.as_bytes())?;
+        atomic_file::write(path, rays.drawing(&settings, &trace)?.as_bytes())?;
         warn(&format!("note: the drawing is {}", path.display()));
     }
     if explaining.beside {
-        let other = explained.trace(&settings, *pixel)?;
+        let other = rays.trace(&settings, *pixel)?;
         let parts = trace.first_divergence(&other, "the other renderer's", 0.0);
         print(&parts.unwrap_or_else(|| {
             "the other renderer has the same numbers in each step that both take".to_owned()

@@ -1,6 +1,6 @@
 //! `Explanation`: the numbers behind a pixel, for the window.
 
-use common::{Error, Explained, PixelTrace, Renderer, Sampling, SeenLine, Settings};
+use common::{Error, PixelTrace, Renderer, Sampling, SeenLine, Settings, Traced};
 
 /// The numbers behind a pixel, and its rays in the picture.
 pub struct Explanation {
@@ -16,7 +16,7 @@ const MOST_SAMPLES: u32 = 16;
 impl Explanation {
     /// Follows the rays of a pixel by the lesson.
     pub(crate) fn new(
-        explained: &dyn Explained,
+        traced: &dyn Traced,
         mut settings: Settings,
         pixel: [u32; 2],
     ) -> Result<Self, Error> {
@@ -24,8 +24,8 @@ impl Explanation {
             (settings.samples, settings.sampling) = (1, Sampling::Center);
         }
         settings.renderer = Renderer::Lesson;
-        let trace = explained.trace(&settings, pixel)?;
-        let rays = explained.seen_rays(&settings, &trace)?;
+        let trace = traced.trace(&settings, pixel)?;
+        let rays = traced.seen_rays(&settings, &trace)?;
         Ok(Self { trace, rays })
     }
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::thread::{Scope, ScopedJoinHandle};
 
-use common::{Error, Image, Renderer, Scene, Settings, Size, Stage};
+use common::{Error, Image, Picture, Renderer, Scene, Settings, Size, Stage};
 
 use crate::appearance::Appearance;
 use crate::explanation::Explanation;
@@ -142,7 +142,7 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
     /// Turns the camera around the middle of the scene, by a way of the mouse.
     pub fn turn(&mut self, way: [i32; 2]) {
         self.turned = [self.turned[0] - way[0], self.turned[1] - way[1]];
-        self.is_changed |= self.scene.explained.is_some();
+        self.is_changed |= self.scene.rays().is_ok();
     }
 
     /// The chosen renderer.
@@ -175,7 +175,7 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
         {
             slider.apply(&mut settings);
         }
-        settings.moves.turn = self.turned.map(|way| TURN * f64::from(way));
+        settings.edits.orbit = self.turned.map(|way| TURN * f64::from(way));
         Ok(settings)
     }
 
@@ -263,11 +263,13 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
     /// Chooses the pixel that is explained.
     pub fn explain(&mut self, pixel: Option<[u32; 2]>) {
         (self.pixel, self.explanation, self.explaining) = (pixel, None, None);
-        let task = |pixel| Some((pixel, self.scene.explained.clone()?, self.settings().ok()?));
-        self.explaining = pixel.and_then(task).map(|(pixel, explained, settings)| {
-            let explain = move || Explanation::new(&*explained, settings, pixel);
-            self.scope.spawn(explain)
-        });
+        let (Some(pixel), Picture::Traced(traced), Ok(settings)) =
+            (pixel, self.scene.picture.clone(), self.settings())
+        else {
+            return;
+        };
+        let explain = move || Explanation::new(&*traced, settings, pixel);
+        self.explaining = Some(self.scope.spawn(explain));
     }
 
     /// Saves a picture as `out/STAGE-SCENE.png` and returns its path. A different

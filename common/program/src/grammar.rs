@@ -72,9 +72,8 @@ pub enum Command {
         watch: bool,
 
         /// List the work that the renderer leaves out, and the time that this saves
-        #[cfg(not(handout))]
-        #[arg(long, conflicts_with_all = ["no_omit", "watch"])]
-        explain: bool,
+        #[arg(long = "explain", conflicts_with_all = ["no_omit", "watch"])]
+        work: bool,
 
         #[command(flatten)]
         options: Options,
@@ -91,7 +90,7 @@ impl CommandLine {
         let is_sampled = uses(|used| used.sampling);
         let mut hidden = Vec::new();
         if !is_sampled {
-            hidden.extend(["samples", "sampling", "max_error", "seed", "explain"]);
+            hidden.extend(["samples", "sampling", "max_error", "seed", "work"]);
             hidden.extend(["threads", "fast", "no_omit"]);
         }
         if !uses(|used| used.depth) {
@@ -100,8 +99,6 @@ impl CommandLine {
         if !uses(|used| used.file) {
             hidden.push("open");
         }
-        #[cfg(handout)]
-        hidden.extend(["max_error", "fast", "no_omit", "watch"]);
         let hide = |command: clap::Command| {
             let is_unused = !is_sampled && command.get_name() == "explain";
             command.hide(is_unused).mut_args(|argument| {

@@ -1,4 +1,4 @@
-//! The commands that measure and explain, which a workbook without laboratories lacks.
+//! The commands that measure and explain.
 
 use std::env;
 use std::ffi::OsString;

@@ -2,11 +2,11 @@
 //! scenes of a [`Stage`](common::Stage).
 //!
 //! The crate of a stage passes its scenes to [`run`], together with a [`Viewer`] if
-//! the build has a window. Only this crate reads arguments and prints.
+//! the build has a window. The commands of laboratories and of exercises are in the crates
+//! `measure` and `learn`.
 
 mod appearance;
 mod comparison;
-mod explain;
 mod explain_pixel;
 mod explanation;
 mod gallery;
@@ -25,6 +25,7 @@ mod target;
 mod terminal_progress;
 mod viewer;
 mod watch;
+mod work;
 
 pub use appearance::Theme;
 pub use comparison::Comparison;

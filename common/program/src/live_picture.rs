@@ -157,7 +157,7 @@ impl Progress for Coarse<'_> {
 /// The sides of the pixels of coarse pictures that are rendered first, and the settings. All
 /// together take a small part of the time of the picture.
 pub fn coarse(scene: &Scene, settings: &Settings) -> impl Iterator<Item = (u32, Settings)> {
-    let has_rays = scene.explained.is_some();
+    let has_rays = scene.rays().is_ok();
     let (size, samples) = (settings.size, settings.samples);
     let sides = [8, 4, 2, 1].into_iter();
     sides

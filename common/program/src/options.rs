@@ -149,7 +149,7 @@ impl Options {
                 (false, false) => defaults.renderer,
             },
             file: self.open.clone().or_else(|| defaults.file.clone()),
-            moves: defaults.moves.clone(),
+            edits: defaults.edits.clone(),
         })
     }
 

@@ -10,7 +10,7 @@ use common::{Error, Scene, Stage};
 use crate::Viewer;
 use crate::grammar::{Command, CommandLine};
 use crate::print::{print, printed, warn};
-use crate::{render, show};
+use crate::{render, show, work};
 
 /// Runs the program of `stage` with the arguments of this process.
 ///
@@ -85,8 +85,7 @@ fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<E
             all,
             output,
             watch,
-            #[cfg(not(handout))]
-            explain,
+            work,
             options,
         }) => {
             let mut chosen: Vec<Scene> = Vec::new();
@@ -100,8 +99,11 @@ fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<E
             if all {
                 chosen.extend_from_slice(&stage.scenes);
             }
-            let by = render::render;
-            let by = if explain { crate::explain::explain } else { by };
+            let by = if work {
+                work::render_and_report
+            } else {
+                render::render
+            };
             let render = |scenes: &[Scene]| {
                 render::render_to_files(stage, scenes, output.clone(), by, &options)
             };

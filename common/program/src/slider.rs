@@ -1,6 +1,6 @@
 //! `Slider`: a number of a scene that a person changes in the window.
 
-use common::{Error, Sampling, Scene, Settings};
+use common::{Error, Picture, Sampling, Scene, Settings};
 
 /// The number that a slider changes.
 #[derive(Clone, Copy)]
@@ -58,8 +58,10 @@ impl Slider {
             let depths: Vec<_> = (1..=12).map(f64::from).collect();
             add("Depth", Number::Depth, &depths, settings.depth.into());
         }
-        let explained = scene.explained.as_ref();
-        let lights = explained.map_or(Ok(Vec::new()), |scene| scene.light_places(settings))?;
+        let lights = match &scene.picture {
+            Picture::Traced(traced) => traced.light_positions(settings)?,
+            Picture::Painted(_) => Vec::new(),
+        };
         for (light, place) in lights.into_iter().enumerate() {
             for ((axis, start), letter) in place.iter().enumerate().zip(["x", "y", "z"]) {
                 let values: Vec<_> = (-32..=32).map(|n| start + 0.25 * f64::from(n)).collect();
@@ -101,7 +103,7 @@ impl Slider {
                 }
             }
             Number::Light(light, axis) => {
-                let lights = &mut settings.moves.lights;
+                let lights = &mut settings.edits.lights;
                 lights.resize(lights.len().max(light + 1), [0.0; 3]);
                 lights[light][axis] = value - self.values[self.start];
             }
@@ -122,7 +124,7 @@ mod tests {
 
     #[test]
     fn samples_count_again_without_an_error_bound() {
-        let scene = Scene::traced("one", "", |settings, _| Image::black(settings.size));
+        let scene = Scene::sampled("one", "", |settings, _| Image::black(settings.size));
         let mut settings = Settings {
             max_error: Some(1.0 / 255.0),
             ..Settings::default()

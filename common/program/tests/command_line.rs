@@ -149,7 +149,7 @@ fn stage() -> Stage {
         ..Settings::default()
     };
     let scenes = [
-        Scene::traced("traced", "rays", paint).reflecting(),
+        Scene::sampled("traced", "rays", paint).reflecting(),
         Scene::painted("painted", "no rays", paint),
         Scene::opened("opened", "a file", open),
     ];

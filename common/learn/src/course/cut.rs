@@ -9,10 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Parts of the paths of files that are not handed out.
 #[rustfmt::skip]
 const LABS: &[&str] = &[
-    "/examples/", "/lab", "/src/instruments", "/src/fast.rs", "/src/from_file.rs", "/tests.rs",
-    "common/engine/", "common/scene-file/", "common/measure/", "common/src/median.rs",
-    "common/src/steps/", "common/src/svg.rs", "common/src/tally.rs",
-    "common/program/src/comparison.rs", "common/program/src/explain",
+    "/examples/", "/lab/", "/tests.rs",
     "common/testing/src/display.rs", "common/testing/src/picture_lock",
     "common/testing/src/refusal.rs",
     "common/learn/handout/", "common/learn/src/book.rs", "common/learn/src/course",
@@ -21,11 +18,8 @@ const LABS: &[&str] = &[
 /// Whether a line of a manifest is about one of their crates.
 fn is_of_crate(line: &str) -> bool {
     let (name, _) = line.split_once('.').unwrap_or_default();
-    name.ends_with("-lab") || ["engine", "measure", "scene-file", "toml_parser"].contains(&name)
+    name.ends_with("-lab")
 }
-
-/// A line of a stage without scene files.
-const NO_FILES: &str = "open: None,";
 
 /// Leaves all this out of files, which are given by their paths.
 pub fn cut(files: &mut BTreeMap<String, Vec<u8>>) {
@@ -75,8 +69,7 @@ fn without_items<'a>(text: &'a str, modules: &BTreeSet<&str>) -> Vec<&'a str> {
             is_code && indent(next) == indent(line) && next.ends_with([';', ',', '}'])
         };
         let is_marked = ["#[cfg(not(handout))]", "#[cfg(test)]"].contains(&line.trim());
-        let is_left_out = line.trim() == NO_FILES
-            || is_end(&line) && modules.iter().any(|module| is_about(line, module));
+        let is_left_out = is_end(&line) && modules.iter().any(|module| is_about(line, module));
         if is_marked {
             lines.find(is_end);
         }

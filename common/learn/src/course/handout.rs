@@ -29,7 +29,7 @@ pub struct Handout {
     /// Leaves out the solutions that are no lessons, and the proofs of checks
     #[arg(long)]
     pub without_solutions: bool,
-    /// Hands out the laboratories and the engine, too
+    /// Hands out the laboratories, too
     #[arg(long)]
     pub with_labs: bool,
 }

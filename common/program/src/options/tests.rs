@@ -3,7 +3,7 @@ use common::Image;
 use super::*;
 
 fn scene() -> Scene {
-    Scene::traced("test", "", |settings, _| Image::black(settings.size))
+    Scene::sampled("test", "", |settings, _| Image::black(settings.size))
 }
 
 #[test]

@@ -211,10 +211,10 @@ impl Check {
             let compared = picture::compare(&locked, image, self.is_watched);
             let is_right = compared.is_ok();
             let mut text = compared.unwrap_or_else(|wrong| wrong);
-            if let (Some(yours), Some(explained), true) =
-                (yours, &scene.explained, self.differ > 0 || !is_right)
+            if let (Some(yours), Ok(rays), true) =
+                (yours, scene.rays(), self.differ > 0 || !is_right)
             {
-                let lesson = explained.trace(&settings, yours.pixel)?;
+                let lesson = rays.trace(&settings, yours.pixel)?;
                 let parts = lesson.first_divergence(&yours, "yours", divergence::ROUNDING);
                 text.extend(parts.map(|parts| format!("\n{parts}")));
             }

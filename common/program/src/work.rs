@@ -10,7 +10,11 @@ use crate::options::Options;
 use crate::print::print;
 
 /// Prints the work that the renderer skips and how much that saves, and returns the picture.
-pub fn explain(scene: &Scene, settings: &Settings, options: &Options) -> Result<Image, Error> {
+pub fn render_and_report(
+    scene: &Scene,
+    settings: &Settings,
+    options: &Options,
+) -> Result<Image, Error> {
     print(&format!("{}  {}", scene.name, settings.size))?;
     let threads = options.thread_pool()?;
     threads.install(|| {
@@ -73,7 +77,7 @@ mod tests {
     /// white.
     fn scene() -> Scene {
         let wait = Duration::from_millis(3);
-        let scene = Scene::traced("slow", "", move |settings, _| {
+        let scene = Scene::sampled("slow", "", move |settings, _| {
             if settings.renderer != Renderer::AllWork {
                 return Image::black(settings.size);
             }
@@ -90,7 +94,7 @@ mod tests {
     fn each_renderer_has_its_own_times_and_the_chosen_one_paints_the_picture() {
         let scene = scene();
         let settings = &scene.defaults;
-        let image = explain(&scene, settings, &Options::default()).unwrap();
+        let image = render_and_report(&scene, settings, &Options::default()).unwrap();
         assert_eq!(image.pixels(), [Color::BLACK]);
         let [needed, all] = times(&scene, [settings, &complete(settings)]).unwrap();
         assert_eq!((needed.len(), all.len()), (Median::ROUNDS, Median::ROUNDS));

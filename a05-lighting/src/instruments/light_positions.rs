@@ -1,4 +1,4 @@
-//! The places of lights, so that the window can move them.
+//! The positions of lights, so that the window can move them.
 
 use std::any::Any;
 
@@ -6,16 +6,18 @@ use a02_math::Point3;
 
 use crate::{Light, LitWorld, PointLight, SpotLight};
 
-/// The places of the lights that have one; `light` is the light inside of each source.
-pub fn light_places<S, L>(
+/// The positions of the lights that have one; `light` is the light inside of each source.
+pub fn light_positions<S, L>(
     world: &mut LitWorld<S, L>,
     light: fn(&mut L) -> &mut dyn Light,
 ) -> Vec<&mut Point3> {
     let lights = world.lights.iter_mut();
-    lights.filter_map(|source| place(light(source))).collect()
+    lights
+        .filter_map(|source| position(light(source)))
+        .collect()
 }
 
-fn place(light: &mut dyn Light) -> Option<&mut Point3> {
+fn position(light: &mut dyn Light) -> Option<&mut Point3> {
     let light: &mut dyn Any = light;
     if light.is::<PointLight>() {
         return light

@@ -1,0 +1,141 @@
+//! `OrbitCamera`: a camera, rotated around a point and moved towards it; and the changes that a
+//! person makes in the window.
+
+use a02_math::{Direction, Point3, Vector3};
+use common::{Edits, Size};
+
+use crate::{Camera, Ray, View};
+
+const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
+
+/// The steepest gaze, as an angle from the horizontal: a little less than π / 2.
+const STEEPEST: f64 = 1.5;
+
+/// How far a reader has rotated a camera around a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Orbit {
+    /// Angle around the vertical axis, in radians.
+    pub yaw: f64,
+    /// Angle upwards, in radians; limited so that the gaze stays below the vertical.
+    pub pitch: f64,
+    /// Factor of the distance to the centre.
+    pub zoom: f64,
+}
+
+impl Orbit {
+    /// The camera as the scene has it.
+    pub const NONE: Self = Self {
+        yaw: 0.0,
+        pitch: 0.0,
+        zoom: 1.0,
+    };
+}
+
+/// A camera that is rotated around a centre.
+pub struct OrbitCamera {
+    camera: Box<dyn Camera>,
+    centre: Point3,
+    zoom: f64,
+    /// The three axes of the scene, rotated.
+    axes: [Vector3; 3],
+}
+
+impl OrbitCamera {
+    /// Rotates a camera whose gaze is not vertical.
+    pub fn new(camera: Box<dyn Camera>, size: Size, centre: Point3, orbit: Orbit) -> Self {
+        let [x, y] = [size.width(), size.height()].map(|side| f64::from(side - 1) / 2.0);
+        let gaze = camera.ray_for(size, x, y).direction();
+        let elevation = libm::asin(gaze.y().clamp(-1.0, 1.0));
+        let pitch = (elevation + orbit.pitch).clamp(-STEEPEST, STEEPEST) - elevation;
+        let right = gaze.cross(UP).normalized();
+        let right = right.unwrap_or(Vector3::new(1.0, 0.0, 0.0));
+        let axis = |v| rotated(rotated(v, right, pitch), UP, orbit.yaw);
+        let axes = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)];
+        Self {
+            camera,
+            centre,
+            zoom: orbit.zoom,
+            axes: axes.map(|(x, y, z)| axis(Vector3::new(x, y, z))),
+        }
+    }
+
+    fn rotated(&self, v: Vector3) -> Vector3 {
+        let [x, y, z] = self.axes;
+        x * v.x() + y * v.y() + z * v.z()
+    }
+}
+
+impl Camera for OrbitCamera {
+    fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
+        let ray = self.camera.ray_for(size, x, y);
+        let from_centre = (ray.origin() - self.centre) * self.zoom;
+        let origin = self.centre + self.rotated(from_centre);
+        Ray::derived(origin, self.rotated(ray.direction()))
+    }
+}
+
+impl View {
+    /// The view for a picture of this size, with the changes of its lights and its camera.
+    #[must_use]
+    pub fn edited(mut self, size: Size, edits: &Edits) -> Self {
+        let positions = self.world.light_positions().into_iter();
+        for (position, displacement) in positions.zip(&edits.lights) {
+            *position = *position + Vector3::from_glam((*displacement).into());
+        }
+        let [yaw, pitch] = edits.orbit;
+        if edits.orbit != [0.0; 2] {
+            let zoom = Orbit::NONE.zoom;
+            let (middle, orbit) = (self.middle(size), Orbit { yaw, pitch, zoom });
+            self.camera = Box::new(OrbitCamera::new(self.camera, size, middle, orbit));
+        }
+        self
+    }
+
+    /// The middle of the scene: the point of the gaze that is nearest to the origin, if that
+    /// lies ahead; else the point that the gaze hits; else one 3 ahead.
+    fn middle(&self, size: Size) -> Point3 {
+        let [x, y] = [size.width(), size.height()].map(|side| f64::from(side - 1) / 2.0);
+        let gaze = self.camera.ray_for(size, x, y);
+        let ahead = (Point3::ORIGIN - gaze.origin()).dot(gaze.direction());
+        if ahead > 0.1 {
+            return gaze.at(ahead);
+        }
+        gaze.at(self.world.nearest(&gaze).map_or(3.0, |(_, t)| t))
+    }
+}
+
+/// The vector `v`, rotated by an angle about an axis of length 1: the formula of
+/// Rodrigues, `v cos + (k × v) sin + k (k · v) (1 - cos)`.
+fn rotated(v: Vector3, k: Vector3, angle: f64) -> Vector3 {
+    let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+    v * cos + k.cross(v) * sin + k * (k.dot(v) * (1.0 - cos))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
+    use crate::PerspectiveCamera;
+
+    use super::*;
+
+    /// A camera at (0, 0, 4) that looks at the origin: rotated by a quarter, it looks from the
+    /// side, half the zoom from half as far, and the gaze stays below the vertical.
+    #[test]
+    fn a_camera_turns_around_the_centre() {
+        let gaze = |yaw, pitch, zoom| {
+            let (e, g) = (Point3::new(0.0, 0.0, 4.0), Vector3::new(0.0, 0.0, -1.0));
+            let camera = PerspectiveCamera::new(e, g, UP, FRAC_PI_4).unwrap();
+            let (size, orbit) = (Size::new(3, 3).unwrap(), Orbit { yaw, pitch, zoom });
+            OrbitCamera::new(Box::new(camera), size, Point3::ORIGIN, orbit).ray_for(size, 1.0, 1.0)
+        };
+        let ray = gaze(FRAC_PI_2, 0.0, 0.5);
+        let far = |v: Vector3, x| (v - Vector3::new(x, 0.0, 0.0)).magnitude();
+        assert!(far(ray.origin() - Point3::ORIGIN, 2.0) < 1e-15);
+        assert!(far(ray.direction(), -1.0) < 1e-15);
+        for pitch in [2.0, -2.0] {
+            let y = gaze(0.0, pitch, 1.0).direction().y();
+            assert!((y - libm::sin(STEEPEST.copysign(pitch))).abs() < 1e-15);
+        }
+    }
+}
