@@ -48,8 +48,9 @@ impl Geometry for AxisAlignedBox {
             let inverse = 1.0 / d[axis];
             let a = (self.lbf[axis] - o[axis]) * inverse;
             let b = (self.run[axis] - o[axis]) * inverse;
-            // A ray within a face has 0 · infinity = NaN for that face. `min`
-            // and `max` drop a NaN, and in this order the result is right
+            // A ray within a face is in this slab all the time, also if it starts
+            // there. It has 0 · infinity = NaN for that face. `min` and `max` drop
+            // a NaN, and in this order the slab leaves near and far as they are
             // (Barnes, "Fast, Branchless Ray/Bounding Box Intersections, Part
             // 2: NaNs", 2015).
             let entered = a.max(near).min(b.max(near));
@@ -61,7 +62,9 @@ impl Geometry for AxisAlignedBox {
                 (far, far_axis) = (left, axis);
             }
         }
-        if near > far * WIDER {
+        // Behind the origin, where t is negative, a quotient is the wider bound.
+        let wider = if far < 0.0 { far / WIDER } else { far * WIDER };
+        if near > wider {
             return None;
         }
         // By rounding, a ray through an edge may leave before it enters. With a

@@ -14,7 +14,15 @@ pub trait Geometry: Any + Debug + Send + Sync {
     /// which is the unit of `t`.
     ///
     /// A ray that touches the shape hits it: borders, edges and corners belong
-    /// to it.
+    /// to it. This holds at the origin of the ray, too, where `t` is 0: a ray that
+    /// starts on the shape hits it there if the interval contains 0. As
+    /// [`Interval::AHEAD`] does not, a ray that touches a shape at its own origin
+    /// and nowhere else misses it.
+    ///
+    /// A ray within a flat shape, such as a plane, a disc or a triangle, has no
+    /// single `t`, and misses it; where rounding moves the ray off the plane, it may
+    /// hit. A box is solid, also where it is flat: a ray within a face hits the box
+    /// where it enters or leaves the face.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit>;
 }
 

@@ -13,7 +13,8 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// The whole ray except its origin, which lies on the surface that it leaves.
+    /// The whole ray except its origin, where a ray that leaves a surface meets this
+    /// surface at `t = 0`.
     pub const AHEAD: Self = Self {
         min: 0.0,
         max: f64::INFINITY,

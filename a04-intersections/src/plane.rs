@@ -39,7 +39,8 @@ impl Geometry for Plane {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let to_a = self.a - ray.origin();
         let t = to_a.dot(self.n) / ray.direction().dot(self.n);
-        // A parallel ray gives infinity or NaN, which no interval contains.
+        // A parallel ray meets the plane nowhere or, within it, everywhere. Its t is
+        // infinite or 0 / 0 = NaN, neither of which is in any interval: a miss.
         within.contains(t).then(|| {
             let magnitude = to_a.dot_of_magnitudes(self.n);
             Hit::new(t, self.n).with_magnitude(magnitude)

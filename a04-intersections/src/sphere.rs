@@ -45,7 +45,12 @@ impl Geometry for Sphere {
         // In b / a ± root, the sum of equal signs does not cancel; the other
         // root follows from their product (f · f - r²) / a.
         let t1 = middle + (discriminant / a).sqrt().copysign(middle);
-        let t0 = (f.dot(f) - self.r * self.r) / (a * t1);
+        let t0 = if t1 == 0.0 {
+            // The ray touches the sphere at its own origin: both roots are 0.
+            t1
+        } else {
+            (f.dot(f) - self.r * self.r) / (a * t1)
+        };
         let (near, far) = if t0 < t1 { (t0, t1) } else { (t1, t0) };
         let t = [near, far].into_iter().find(|t| within.contains(*t))?;
         let normal = (f + d * t).normalized()?.as_normal();

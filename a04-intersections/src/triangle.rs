@@ -113,6 +113,7 @@ impl Geometry for Triangle {
             return None;
         }
         let determinant = u + v + w;
+        // Seen along its plane, the triangle has no area.
         if determinant == 0.0 || is_beside([a, b, c]) {
             return None;
         }

@@ -24,7 +24,9 @@ pub struct Subject {
     /// The point near the shape that three numbers, mostly from -1 to 1, stand for.
     pub aim: fn(&[f64], &[f64]) -> Triple,
     pub decide: Decide,
-    /// The `t` of a hit with 30 digits, and its condition.
+    /// The `t` of a hit with 30 digits, and its condition. It is infinite where the ray starts on
+    /// the shape: moved by any length, the origin may lie before the shape, and its hit there is
+    /// the nearest.
     pub exact: fn(&[f64], &[Triple; 2]) -> Exact,
     pub protocol: fn(&[f64], &Ray) -> Option<f64>,
 }
@@ -46,7 +48,13 @@ pub const SPHERE: Subject = Subject {
     exact: |x, line @ [o, d]| {
         let roots = exact::sphere(&triple(x), x[3], o, d).roots?;
         let t = roots.into_iter().find(|t| t.value() > 0.0)?;
-        Some((t, sphere_condition(&triple(x), x[3], line, t.value())))
+        let starts_on_it = roots.into_iter().any(|t| t.value() == 0.0);
+        let condition = if starts_on_it {
+            f64::INFINITY
+        } else {
+            sphere_condition(&triple(x), x[3], line, t.value())
+        };
+        Some((t, condition))
     },
     protocol: |x, ray| {
         let [o, d] = arrays(ray);
@@ -98,7 +106,12 @@ pub const BOX: Subject = Subject {
         let (t, axis, face) = if near.0.value() > 0.0 { near } else { far };
         let mut normal = [0.0; 3];
         normal[axis] = 1.0;
-        Some((t, plane_condition(&[face; 3], normal, line, t.value())))
+        let condition = if near.0.value() == 0.0 {
+            f64::INFINITY
+        } else {
+            plane_condition(&[face; 3], normal, line, t.value())
+        };
+        Some((t, condition))
     },
     protocol: |x, ray| {
         let low = std::array::from_fn(|i| x[i].min(x[i + 3]));

@@ -4,6 +4,7 @@
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
 mod axis_aligned_box;
+mod contact;
 mod engine;
 mod every_shape;
 mod mesh;

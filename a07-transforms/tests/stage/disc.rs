@@ -2,10 +2,11 @@
 //! the rim, and rays within the plane, are the extreme cases B14 and B18.
 
 use a02_math::{Normal3, Point3};
+use a04_intersections::{Geometry, Interval};
 use a07_transforms::Disc;
 use testing::assert_refused;
 
-use super::support::{assert_hits, point};
+use super::support::{assert_hits, point, ray};
 
 const UPWARDS: Normal3 = Normal3::new(0.0, 1.0, 0.0);
 
@@ -16,6 +17,35 @@ fn the_rim_belongs_to_the_disc_and_nothing_beyond() {
     for (r, x, z, expected) in [(5.0, 3.0, 4.0, hit), (1.0, 1.0, 1.6e-8, None)] {
         let disc = Disc::new(Point3::ORIGIN, UPWARDS, r).unwrap();
         assert_hits(&disc, &[([x, 2.0, z], [0.0, -1.0, 0.0], expected)]);
+    }
+}
+
+/// Rays that start on a disc hit it at 0, which is ahead of none of them; and rays within its plane
+/// miss it.
+#[test]
+fn rays_from_a_disc_and_within_its_plane() {
+    let disc = Disc::new(Point3::ORIGIN, UPWARDS, 5.0).unwrap();
+    let around = Interval {
+        min: -1.0,
+        max: 1.0,
+    };
+    for (o, is_on_disc) in [
+        ([0.0; 3], true),
+        ([3.0, 0.0, 4.0], true),
+        ([3.0, 0.0, 4.0_f64.next_up()], false),
+    ] {
+        for d in [[0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [2.0, 1.0, -1.0]] {
+            let ray = ray(o, d);
+            assert_eq!(disc.hit(&ray, Interval::AHEAD), None, "{ray:?}");
+            let t = disc.hit(&ray, around).map(|hit| hit.t);
+            assert_eq!(t, is_on_disc.then_some(0.0), "{ray:?}");
+        }
+        for d in [[1.0, 0.0, 0.0], [-3.0, -0.0, -4.0]] {
+            let ray = ray(o, d);
+            for within in [Interval::AHEAD, around] {
+                assert_eq!(disc.hit(&ray, within), None, "{ray:?}");
+            }
+        }
     }
 }
 

@@ -128,3 +128,20 @@ fn the_nearest_child_is_hit_in_any_order() {
     }
     assert!((300..1700).contains(&hits), "{hits} hits");
 }
+
+/// A sphere of radius 2 around (1, 0, 0), touched by rays at their own origins.
+#[test]
+fn a_ray_touches_a_transformed_sphere_at_its_origin() {
+    let doubled = translated(1.0, 0.0, 0.0).scale(2.0, 2.0, 2.0).unwrap();
+    let node = Node::new(doubled).with(unit_sphere());
+    for d in [[0.0, 0.0, 1.0], [0.0, -3.0, 4.0]] {
+        let tangent = ray([3.0, 0.0, 0.0], d);
+        assert_eq!(node.hit(&tangent, Interval::AHEAD), None);
+        let around = Interval {
+            min: -1.0,
+            max: 1.0,
+        };
+        let hit = node.hit(&tangent, around).unwrap();
+        assert_eq!((hit.t, hit.normal), (0.0, Normal3::new(1.0, 0.0, 0.0)));
+    }
+}

@@ -42,6 +42,8 @@ pub fn cases(effort: Effort) -> Vec<Case> {
         case("B04", "the plane's point is 3e6 away within it",
             met(away, (n.map(|x| 5.0 * x), n.map(|x| -x))), 5.0, Absolute(4.0 * EPSILON * 3.17e6), Holds),
         case("B05", "from a point of the plane", met(ground, ([3.0, 0.0, 4.0], down)), MISS, Equal, Holds),
+        case("B20", "within the plane: 0 divided by 0",
+            met(ground, ([3.0, 0.0, 4.0], [1.0, 0.0, 0.0])), MISS, Equal, Holds),
         case("B06", "parallel, with a cosine of negative 0",
             met(ground, eye(1.0, [1.0, -0.0, 0.0])), MISS, Equal, Holds),
         Case::new("B07", "normal and direction of length 1e-200: the distance",

@@ -112,6 +112,8 @@ pub fn cases(effort: Effort) -> Vec<Case> {
         case("A17", "in the centre", met(UNIT, (ORIGIN, [1.0, 2.0, 2.0])), 1.0, Equal, Holds),
         case("A18", "behind the eye", met(UNIT, from(0.0, -3.0)), MISS, Equal, Holds),
         case("A19", "tangent: touching is meeting", met(UNIT, along_x(-5.0, 1.0)), 5.0, Equal, Holds),
+        case("A42", "tangent at its own origin, where t is 0",
+            met(UNIT, ([1.0, 0.0, 0.0], up)), MISS, Equal, Holds),
         case("A20", "one unit in the last place beside the tangent",
             met(UNIT, along_x(-5.0, 1.0_f64.next_up())), MISS, Equal, Fails),
         case("A21", "half a unit in the last place below the tangent",

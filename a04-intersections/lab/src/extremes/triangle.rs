@@ -112,6 +112,8 @@ pub fn cases() -> Vec<Case> {
         case("D18", "size and distance 1e103", sized(1e103), REFUSED, Ulps(2.0), Fails),
         case("D19", "size and distance 1e160", sized(1e160), REFUSED, Ulps(2.0), Fails),
         case("D20", "along the plane", met(HALF, ([-1.0, 0.25, 0.0], [1.0, 0.0, 0.0])), MISS, Equal, Holds),
+        case("D29", "from a point of it, along its plane",
+            met(HALF, ([0.25, 0.25, 0.0], [1.0, 0.0, 0.0])), MISS, Equal, Holds),
         case("D21", "5e-4 away", met(HALF, ([0.25, 0.25, 5e-4], DOWN)), 5e-4, Equal, Fails),
         Case::new("D22", "distance 1 along a direction of length 1e4",
             1.0, Ulps(2.0), meeting(triangle(HALF), long)).protocol(Fails, raw.map(|t| t * 1e4)),

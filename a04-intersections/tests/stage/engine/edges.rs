@@ -4,7 +4,7 @@
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::fast::shapes;
-use a04_intersections::{AxisAlignedBox, Geometry, Sphere, Triangle, World};
+use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle, World};
 use a04_lab::support::Numbers;
 use common::Color;
 
@@ -91,6 +91,53 @@ fn rays_past_spheres_a_few_units_of_rounding_wide() {
         met += hits(&spheres, &rays);
     }
     assert!((8_000..80_000).contains(&met), "{met}");
+}
+
+/// Rays from the points of a grid, in steps of a half, in the directions to all their neighbours:
+/// some start on a shape, some within a face or a plane, some touch a shape at their origin alone.
+/// A list of one shape is tested at once, and of many by a tree.
+#[test]
+fn rays_that_start_on_shapes() {
+    let point = |[x, y, z]: [f64; 3]| Point3::new(x, y, z);
+    let grid = |steps: i32| {
+        let mut places = Vec::new();
+        for x in -steps..=steps {
+            for y in -steps..=steps {
+                for z in -steps..=steps {
+                    places.push([x, y, z].map(f64::from));
+                }
+            }
+        }
+        places
+    };
+    let mut rays = Vec::new();
+    for origin in grid(2) {
+        for direction in grid(1) {
+            let zeros = direction.map(|x| if x == 0.0 { -x } else { x });
+            for d in [direction, zeros] {
+                let d = Vector3::new(d[0], d[1], d[2]);
+                rays.extend(Ray::new(point(origin.map(|x| x / 2.0)), d));
+            }
+        }
+    }
+    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0)).unwrap();
+    let ball = Sphere::new(Point3::ORIGIN, 1.0).unwrap();
+    let cube = AxisAlignedBox::new(point([-0.5; 3]), point([0.5; 3])).unwrap();
+    let sheet = AxisAlignedBox::new(point([-0.5, 0.0, -0.5]), point([0.5, 0.0, 0.5])).unwrap();
+    let [a, b, c] = [[-0.5, 0.5, 0.0], [1.0, 0.5, 0.0], [-0.5, -1.0, 0.0]].map(point);
+    let triangle = Triangle::new(a, b, c).unwrap();
+    for count in [1, 40] {
+        let met = [
+            hits(&vec![floor; count], &rays),
+            hits(&vec![ball; count], &rays),
+            hits(&vec![cube; count], &rays),
+            hits(&vec![sheet; count], &rays),
+            hits(&vec![triangle; count], &rays),
+        ];
+        for met in met {
+            assert!((400..rays.len()).contains(&met), "{met} of {}", rays.len());
+        }
+    }
 }
 
 /// By rounding, these rays leave a box before they enter it.

@@ -35,6 +35,7 @@ impl Primitive for &Plane {
     fn intersect(shapes: &Planes, rays: &Rays, _: u32) -> Lanes {
         let (a, n) = (shapes.point, shapes.normal);
         let ray = &rays.packet;
+        // The quotient of a ray within the plane is 0 / 0 = NaN: no hit.
         positive((a - ray.origin).dot(n) / ray.direction.dot(n))
     }
 

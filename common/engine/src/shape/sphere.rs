@@ -68,6 +68,8 @@ impl Primitive for &Sphere {
 
         // A negative discriminant makes all that follows NaN.
         let t1 = middle + copysign((discriminant / a).sqrt(), middle);
+        // Where a ray touches the sphere at its own origin, both roots are 0, which is no hit;
+        // here t0 is 0 / 0 = NaN, which is none, either.
         let t0 = outside / (a * t1);
         let in_order = t0.simd_lt(t1);
         let (near, far) = (select(in_order, t0, t1), select(in_order, t1, t0));

@@ -1,0 +1,248 @@
+//! Contact: rays that start on a shape, and those that touch it at their origin alone.
+//!
+//! All numbers are small multiples of powers of two, so that each formula is exact.
+
+use a02_math::Direction;
+use a04_intersections::{AxisAlignedBox, Geometry, Interval, Plane, Sphere, Triangle};
+
+use super::support::{point, ray, vector};
+
+/// An interval that contains 0.
+const AROUND: Interval = Interval {
+    min: -8.0,
+    max: 8.0,
+};
+
+/// An interval that begins just before the origin.
+const FROM_ORIGIN: Interval = Interval {
+    min: -0.125,
+    max: 8.0,
+};
+
+/// A hit's `t` and normal.
+type Expected = Option<(f64, [f64; 3])>;
+
+/// A ray, and its nearest hits ahead, from its origin on, and around it.
+struct Contact {
+    o: [f64; 3],
+    d: [f64; 3],
+    ahead: Expected,
+    from_origin: Expected,
+    around: Expected,
+}
+
+/// A ray that meets the shape at its own origin and nowhere else.
+fn only_at_origin(o: [f64; 3], d: [f64; 3], normal: [f64; 3]) -> Contact {
+    let there = Some((0.0, normal));
+    Contact {
+        o,
+        d,
+        ahead: None,
+        from_origin: there,
+        around: there,
+    }
+}
+
+/// A ray that misses the shape, also behind its origin.
+fn nowhere(o: [f64; 3], d: [f64; 3]) -> Contact {
+    Contact {
+        o,
+        d,
+        ahead: None,
+        from_origin: None,
+        around: None,
+    }
+}
+
+/// Compares the hits of rays, also with zeros of the other sign in the direction and with a
+/// direction twice as long.
+fn assert_contacts(shape: &dyn Geometry, contacts: &[Contact]) {
+    for contact in contacts {
+        let negative = contact.d.map(|x| if x == 0.0 { -x } else { x });
+        for (d, length) in [(contact.d, 1.0), (negative, 1.0), (contact.d, 2.0)] {
+            let ray = ray(contact.o, d.map(|x| x * length));
+            for (within, expected) in [
+                (Interval::AHEAD, contact.ahead),
+                (FROM_ORIGIN, contact.from_origin),
+                (AROUND, contact.around),
+            ] {
+                let found = shape.hit(&ray, within).map(|hit| (hit.t, hit.normal));
+                let expected = expected.map(|(t, normal)| (t / length, vector(normal).as_normal()));
+                assert_eq!(found, expected, "{shape:?} {ray:?} {within:?}");
+            }
+        }
+    }
+}
+
+const X: [f64; 3] = [1.0, 0.0, 0.0];
+const Y: [f64; 3] = [0.0, 1.0, 0.0];
+const Z: [f64; 3] = [0.0, 0.0, 1.0];
+const LEFT: [f64; 3] = [-1.0, 0.0, 0.0];
+const DOWN: [f64; 3] = [0.0, -1.0, 0.0];
+
+#[test]
+fn rays_from_a_sphere() {
+    let sphere = Sphere::new(point([0.0; 3]), 1.0).unwrap();
+    assert_contacts(
+        &sphere,
+        &[
+            // Tangents: 0 / 0 is one of the quotients.
+            only_at_origin(X, Z, X),
+            only_at_origin(X, [0.0, -3.0, 4.0], X),
+            only_at_origin(DOWN, [1.0, 0.0, 0.0], DOWN),
+            Contact {
+                o: X,
+                d: LEFT,
+                ahead: Some((2.0, LEFT)),
+                from_origin: Some((0.0, X)),
+                around: Some((0.0, X)),
+            },
+            Contact {
+                o: X,
+                d: X,
+                ahead: None,
+                from_origin: Some((0.0, X)),
+                around: Some((-2.0, LEFT)),
+            },
+        ],
+    );
+}
+
+/// `1² + 2² + 2² = 3²` and others of the kind, as the vectors from the centre to points of a
+/// sphere, each with a vector of whole numbers at a right angle to it.
+#[test]
+fn tangents_of_spheres_of_all_sizes_touch_at_their_origin_alone() {
+    for (radius, [x, y, z]) in [
+        (3.0, [1.0, 2.0, 2.0]),
+        (7.0, [2.0, 3.0, 6.0]),
+        (9.0, [1.0, 4.0, 8.0]),
+        (11.0, [2.0, 6.0, 9.0]),
+        (13.0, [0.0, 5.0, 12.0]),
+    ] {
+        for exponent in [-300, -20, 0, 20, 300] {
+            let size = libm::scalbn(1.0, exponent);
+            let sphere = Sphere::new(point([0.0; 3]), radius * size).unwrap();
+            for (from_centre, d) in [
+                ([x, y, z], [y, -x, 0.0]),
+                ([z, -x, y], [0.0, y, x]),
+                ([-y, z, x], [x, 0.0, y]),
+            ] {
+                let tangent = ray(from_centre.map(|x| x * size), d);
+                assert_eq!(sphere.hit(&tangent, Interval::AHEAD), None, "{tangent:?}");
+                let hit = sphere.hit(&tangent, FROM_ORIGIN).unwrap();
+                assert_eq!(hit.t, 0.0, "{tangent:?}");
+                // The vector is normalised, with a rounding for each of its four steps.
+                let cosine = hit.normal.dot(vector(from_centre)) / radius;
+                assert!((cosine - 1.0).abs() < 4.0 * f64::EPSILON, "{cosine}");
+            }
+        }
+    }
+}
+
+#[test]
+fn rays_from_a_plane_and_within_it() {
+    let plane = Plane::new(point([0.0; 3]), vector(Y).as_normal()).unwrap();
+    let at = [3.0, 0.0, 4.0];
+    assert_contacts(
+        &plane,
+        &[
+            only_at_origin(at, DOWN, Y),
+            only_at_origin(at, [1.0, 1.0, 0.0], Y),
+            nowhere(at, X),
+            nowhere(at, [1.0, 0.0, -2.0]),
+            nowhere([3.0, 1.0, 4.0], X),
+        ],
+    );
+}
+
+#[test]
+fn rays_from_a_box_and_within_its_faces() {
+    let cube = AxisAlignedBox::new(point([0.0; 3]), point([1.0; 3])).unwrap();
+    let across = |o: [f64; 3], d, [before, ahead]: [f64; 2]| Contact {
+        o,
+        d,
+        ahead: Some((ahead, X)),
+        from_origin: Some((ahead, X)),
+        around: Some((before, LEFT)),
+    };
+    let outwards = |o: [f64; 3]| Contact {
+        o,
+        d: X,
+        ahead: None,
+        from_origin: Some((0.0, X)),
+        around: Some((-1.0, LEFT)),
+    };
+    let inwards = |o: [f64; 3]| Contact {
+        o,
+        d: X,
+        ahead: Some((1.0, X)),
+        from_origin: Some((0.0, LEFT)),
+        around: Some((0.0, LEFT)),
+    };
+    let mut contacts = vec![
+        // Within the faces y = 0, y = 1 and z = 1, and along an edge.
+        across([0.5, 0.0, 0.5], X, [-0.5, 0.5]),
+        across([0.25, 1.0, 0.5], X, [-0.25, 0.75]),
+        across([0.5, 0.5, 1.0], X, [-0.5, 0.5]),
+        across([0.5, 1.0, 1.0], X, [-0.5, 0.5]),
+        // The corner (1, 1, 1) and the edge x = 1, y = 1 alone.
+        only_at_origin([1.0, 1.0, 1.0], [1.0, -1.0, 0.0], Y),
+        only_at_origin([1.0, 1.0, 0.5], [1.0, -1.0, 0.0], Y),
+        nowhere([0.5, 1.5, 0.5], X),
+    ];
+    for y in [0.0, 0.5, 1.0] {
+        for z in [0.0, 0.25, 1.0] {
+            contacts.push(outwards([1.0, y, z]));
+            contacts.push(inwards([0.0, y, z]));
+        }
+    }
+    assert_contacts(&cube, &contacts);
+}
+
+#[test]
+fn rays_from_a_flat_box_and_within_it() {
+    let sheet = AxisAlignedBox::new(point([0.0, 1.0, 0.0]), point([2.0, 1.0, 2.0])).unwrap();
+    let behind = Contact {
+        o: [1.0, 3.0, 1.0],
+        d: Y,
+        ahead: None,
+        from_origin: None,
+        around: Some((-2.0, DOWN)),
+    };
+    let within = Contact {
+        o: [1.0; 3],
+        d: X,
+        ahead: Some((1.0, X)),
+        from_origin: Some((1.0, X)),
+        around: Some((-1.0, LEFT)),
+    };
+    let contacts = [only_at_origin([1.0; 3], Y, DOWN), behind, within];
+    assert_contacts(&sheet, &contacts);
+}
+
+#[test]
+fn rays_from_a_triangle_and_within_its_plane() {
+    let [a, b, c] = [[0.0; 3], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0]].map(point);
+    let triangle = Triangle::new(a, b, c).unwrap();
+    let mut contacts = Vec::new();
+    // Inside, on each edge, and at each corner.
+    for (x, y) in [
+        (1.0, 1.0),
+        (1.0, 0.0),
+        (0.0, 2.0),
+        (1.5, 1.5),
+        (0.0, 0.0),
+        (3.0, 0.0),
+        (0.0, 3.0),
+    ] {
+        let o = [x, y, 0.0];
+        for d in [Z, [0.0, 0.0, -1.0], [1.0, -1.0, 2.0]] {
+            contacts.push(only_at_origin(o, d, Z));
+        }
+        for d in [X, LEFT, Y, DOWN, [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]] {
+            contacts.push(nowhere(o, d));
+        }
+    }
+    contacts.push(nowhere([2.0, 2.0, 0.0], Z));
+    assert_contacts(&triangle, &contacts);
+}
