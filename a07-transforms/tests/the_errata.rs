@@ -21,5 +21,5 @@ testing::lock_scenes! {
 
 testing::lock_scenes! {
     everything_that_goes_wrong_is_locked: go_wrong::stage();
-    lift gamma cracks terminator
+    lift gamma cracks terminator coincident
 }

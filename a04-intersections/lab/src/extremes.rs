@@ -4,6 +4,7 @@
 //! Tables are formatted by hand, with one row on a line.
 
 mod axis_aligned_box;
+mod coincident;
 mod leaks;
 mod plane;
 mod precision;
@@ -26,6 +27,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
         bytes(),
         plane::cases(effort),
         leaks::cases(effort),
+        coincident::cases(effort),
         precision::cases(effort),
     ]
     .concat();

@@ -20,7 +20,7 @@ pub fn stage() -> Stage {
     Stage {
         name: "go-wrong",
         about: "What can go wrong: too little, right, and too much",
-        scenes: vec![lift(), gamma(), cracks(), terminator()],
+        scenes: vec![lift(), gamma(), cracks(), terminator(), coincident()],
         open: None,
     }
 }
@@ -194,4 +194,41 @@ fn smooth_ball(
         Color::gray(if is_dark { 0.1 } else { 0.1 + 1.5 * cosine })
     };
     render(&camera, color, settings, progress)
+}
+
+/// A rug in the plane of its floor: rounding decides for each pixel which of them is nearer.
+fn coincident() -> Scene {
+    let about =
+        "a rug in the plane of the floor, after and before it in the list, and 1e-9 above it";
+    let panels = [(0.0, true), (0.0, false), (1e-9, true)].map(|(height, floor_is_first)| {
+        move |settings: &Settings, progress: &dyn Progress| {
+            rug(height, floor_is_first, settings, progress)
+        }
+    });
+    Scene::side_by_side("coincident", about, panels, PANEL)
+}
+
+/// A blue rug, a flat box, at a height above a red floor.
+fn rug(
+    height: f64,
+    floor_is_first: bool,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<Image, Error> {
+    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
+    let (lbf, run) = (
+        Point3::new(-2.0, height, -2.0),
+        Point3::new(2.0, height, 2.0),
+    );
+    let rug = AxisAlignedBox::new(lbf, run)?;
+    let (red, blue) = (Color::new(0.8, 0.2, 0.15), Color::new(0.2, 0.3, 0.8));
+    let empty = World::new(Color::gray(0.9))?;
+    let world = if floor_is_first {
+        empty.with(floor, red).with(rug, blue)
+    } else {
+        empty.with(rug, blue).with(floor, red)
+    };
+    let (eye, up) = (Point3::new(1.3, 2.7, 5.1), Vector3::new(0.0, 1.0, 0.0));
+    let camera = PerspectiveCamera::new(eye, Point3::ORIGIN - eye, up, 0.9)?;
+    render(&camera, |ray| world.color_for(ray), settings, progress)
 }
