@@ -71,6 +71,7 @@ pub fn shapes<'a>(geometry: &'a dyn Geometry, add: &mut dyn FnMut(engine::Shape<
                 corners: triangle.corners.map(Point3::to_glam),
                 normals: triangle.normals.map(Normal3::to_glam),
                 face: triangle.face.to_glam(),
+                scale: triangle.scale,
             })
         } else {
             engine::Shape::other(|ray| {

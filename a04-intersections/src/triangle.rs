@@ -12,6 +12,8 @@ pub struct Triangle {
     pub(crate) corners: [Point3; 3],
     pub(crate) normals: [Normal3; 3],
     pub(crate) face: Normal3,
+    /// See [`Face::scale`].
+    pub(crate) scale: f64,
 }
 
 impl Triangle {
@@ -24,11 +26,12 @@ impl Triangle {
             b.checked("corner b")?,
             c.checked("corner c")?,
         ];
-        let face = face_normal(corners)?;
+        let Face { normal, scale } = Face::new(corners)?;
         Ok(Self {
             corners,
-            normals: [face; 3],
-            face,
+            normals: [normal; 3],
+            face: normal,
+            scale,
         })
     }
 
@@ -62,37 +65,49 @@ impl Triangle {
         mean.normalized().unwrap_or(self.face)
     }
     // ANCHOR_END: normal
-
-    /// The largest of the terms whose sums are the corners' heights above the face.
-    fn magnitude(&self, ray: &Ray) -> f64 {
-        let terms = |c: Point3| (c - ray.origin()).dot_of_magnitudes(self.face);
-        self.corners.map(terms).into_iter().fold(0.0, f64::max)
-    }
 }
 
-/// The normal of a face: perpendicular to two of its edges.
-fn face_normal([a, b, c]: [Point3; 3]) -> Result<Normal3, ArgumentError> {
-    let on_a_line = || {
-        let corners = format!("{}, {}, {}", a.to_glam(), b.to_glam(), c.to_glam());
-        ArgumentError::new("triangle", corners, "three corners that are not on a line")
-    };
-    // Divided by the longest edge, so that neither tiny nor huge triangles
-    // lose their normal, and the order of the corners does not matter.
-    let edges = [b - a, c - a, c - b];
-    let longest = edges
-        .map(Vector3::magnitude)
-        .into_iter()
-        .fold(0.0, f64::max);
-    let [ab, ac] = [edges[0], edges[1]].map(|edge| edge * (1.0 / longest));
-    let across = ab.cross(ac);
-    // For corners on a line the normal is only rounding error; for a point, NaN.
-    if across.magnitude() > 4.0 * f64::EPSILON {
-        // With shorter edges the areas in the hit test lose digits.
-        let stands = longest >= argument::SMALLEST_LENGTH;
-        argument::check("longest edge", longest, stands, "at least 1e-100 long")?;
-        across.as_normal().unit("triangle")
-    } else {
-        Err(on_a_line())
+/// What three corners have in common.
+struct Face {
+    /// The geometric normal: perpendicular to two edges, of length 1.
+    normal: Normal3,
+    /// The square of the longest edge, divided by the least height.
+    ///
+    /// The `t` of a hit is a weighted mean of the corners' depths, so its rounding error
+    /// grows with the longest edge. The weights are areas divided by the area of the
+    /// triangle, so their errors grow as the triangle becomes a needle.
+    scale: f64,
+}
+
+impl Face {
+    fn new([a, b, c]: [Point3; 3]) -> Result<Self, ArgumentError> {
+        let on_a_line = || {
+            let corners = format!("{}, {}, {}", a.to_glam(), b.to_glam(), c.to_glam());
+            ArgumentError::new("triangle", corners, "three corners that are not on a line")
+        };
+        // Divided by the longest edge, so that neither tiny nor huge triangles
+        // lose their normal, and the order of the corners does not matter.
+        let edges = [b - a, c - a, c - b];
+        let longest = edges
+            .map(Vector3::magnitude)
+            .into_iter()
+            .fold(0.0, f64::max);
+        let [ab, ac] = [edges[0], edges[1]].map(|edge| edge * (1.0 / longest));
+        let across = ab.cross(ac);
+        // The least height of the triangle, in lengths of its longest edge.
+        let least_height = across.magnitude();
+        // For corners on a line the normal is only rounding error; for a point, NaN.
+        if least_height > 4.0 * f64::EPSILON {
+            // With shorter edges the areas in the hit test lose digits.
+            let stands = longest >= argument::SMALLEST_LENGTH;
+            argument::check("longest edge", longest, stands, "at least 1e-100 long")?;
+            Ok(Self {
+                normal: across.as_normal().unit("triangle")?,
+                scale: longest / least_height,
+            })
+        } else {
+            Err(on_a_line())
+        }
     }
 }
 
@@ -123,7 +138,7 @@ impl Geometry for Triangle {
             t,
             normal: self.interpolated_normal(v / determinant, w / determinant),
             face: self.face,
-            magnitude: self.magnitude(ray),
+            magnitude: self.scale,
         })
     }
     // ANCHOR_END: hit

@@ -230,8 +230,10 @@ fn add_outcomes(steps: &mut [Step], hit: &Hit) {
             continue;
         };
         let cosine = hit.normal.dot(l);
+        // The search ends at the object that blocks the light; an object before it in the
+        // list may hold the lamp.
         let mut tests = parts.iter().filter(|step| step.kind == TEST);
-        light.outcome = match tests.find(|test| test.outcome == HIT) {
+        light.outcome = match tests.rfind(|test| test.outcome == HIT) {
             _ if arrives => "arrives".to_owned(),
             Some(test) if cosine > 0.0 => format!("blocked by {}", test.name),
             _ => "behind the surface".to_owned(),

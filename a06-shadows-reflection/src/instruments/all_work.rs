@@ -7,7 +7,7 @@ use a04_intersections::{Hit, Interval};
 use a05_lighting::{Illumination, Light, Lighting};
 use common::Color;
 
-use crate::shadow::BEFORE_THE_LIGHT;
+use crate::shadow::ShadowRay;
 use crate::{ShadowedWorld, secondary_ray};
 
 /// Computes the same colours as [`RecursiveTracer`](crate::RecursiveTracer) in this world.
@@ -33,6 +33,23 @@ impl NaiveTracer<'_> {
     }
 }
 
+impl NaiveTracer<'_> {
+    /// Whether any object blocks a light: searches for the nearest one.
+    fn is_blocked(self, shadow_ray: &ShadowRay) -> bool {
+        let mut before = shadow_ray.before_the_light();
+        let mut is_blocked = false;
+        for (geometry, _) in self.0.objects().objects() {
+            if let Some(found) = geometry.hit(&shadow_ray.ray, before)
+                && shadow_ray.is_blocked_by(&found)
+            {
+                before.max = found.t;
+                is_blocked = true;
+            }
+        }
+        is_blocked
+    }
+}
+
 impl Lighting for NaiveTracer<'_> {
     fn ambient(&self) -> Color {
         self.0.ambient()
@@ -44,10 +61,8 @@ impl Lighting for NaiveTracer<'_> {
             let Some(light) = source.illumination(point) else {
                 continue;
             };
-            let to_light = secondary_ray(ray, hit, light.direction);
-            let between = Interval::before(light.distance * BEFORE_THE_LIGHT);
-            let occluder = self.0.objects().hit(&to_light, between);
-            if occluder.is_none() || !source.casts_shadows() {
+            let is_blocked = self.is_blocked(&ShadowRay::new(ray, hit, &light));
+            if !is_blocked || !source.casts_shadows() {
                 shade(&light);
             }
         }

@@ -5,6 +5,7 @@
 
 mod mirrors;
 mod renderers;
+mod rounding;
 mod secondary_rays;
 mod shadows;
 mod work;

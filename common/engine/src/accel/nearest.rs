@@ -78,7 +78,14 @@ impl Query for NearestQuery {
 
     /// Without a branch for the nearest hit, because no processor can predict it.
     #[inline]
-    fn update(&mut self, t: Lanes, order: u32, shape: ShapeId, (): &mut ()) {
+    fn update(
+        &mut self,
+        t: Lanes,
+        order: u32,
+        shape: ShapeId,
+        _: impl FnOnce(&Rays, Lanes, u32) -> PacketHit,
+        (): &mut (),
+    ) {
         if t.simd_le(self.t).to_bitmask() & self.rays.active == 0 {
             return;
         }
@@ -91,7 +98,15 @@ impl Query for NearestQuery {
     }
 
     #[inline]
-    fn update_ray(&mut self, lane: usize, t: f64, order: u32, shape: ShapeId, (): &mut ()) {
+    fn update_ray(
+        &mut self,
+        lane: usize,
+        t: f64,
+        order: u32,
+        shape: ShapeId,
+        _: impl FnOnce(&Rays, Lanes, u32) -> PacketHit,
+        (): &mut (),
+    ) {
         let nearest = &mut self.t.as_mut_array()[lane];
         let first = &mut self.orders.as_mut_array()[lane];
         let order = order.into();

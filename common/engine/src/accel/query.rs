@@ -1,7 +1,7 @@
 //! `Query`: four rays and the hits that they look for.
 
 use super::ids::ShapeId;
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, PacketHit};
 use crate::shape::Rays;
 
 /// A query for hits of four rays. It finds the same hits in any order of tests.
@@ -24,8 +24,15 @@ pub(crate) trait Query {
     }
 
     /// Takes the `t` at which the rays hit a shape with this position in the list of the scene;
-    /// NaN without a hit.
-    fn update(&mut self, t: Lanes, order: u32, shape: ShapeId, shared: &mut Self::Shared);
+    /// NaN without a hit. `hits` computes the hits of the shape.
+    fn update(
+        &mut self,
+        t: Lanes,
+        order: u32,
+        shape: ShapeId,
+        hits: impl FnOnce(&Rays, Lanes, u32) -> PacketHit,
+        shared: &mut Self::Shared,
+    );
 
     /// Takes a hit of one ray, at most at its `t_max`.
     fn update_ray(
@@ -34,6 +41,7 @@ pub(crate) trait Query {
         t: f64,
         order: u32,
         shape: ShapeId,
+        hits: impl FnOnce(&Rays, Lanes, u32) -> PacketHit,
         shared: &mut Self::Shared,
     );
 }

@@ -2,7 +2,7 @@
 
 use super::ids::ShapeId;
 use super::query::Query;
-use crate::lanes::{Lanes, RayPacket, is_set};
+use crate::lanes::{Lanes, PacketHit, RayPacket, is_set};
 use crate::shape::Rays;
 
 /// The last shape that blocked the light of a source. The next shadow rays are tested against it
@@ -12,20 +12,36 @@ pub(crate) type Occluder = Option<ShapeId>;
 /// A query for any hits of four shadow rays.
 pub(crate) struct ShadowQuery {
     rays: Rays,
-    t_max: Lanes,
+    /// The distances of the light.
+    distance: Lanes,
+    /// By as much the origins of the rays are offset.
+    offset: Lanes,
     /// A bit for each ray that has not hit anything yet.
     pub unoccluded: u32,
 }
 
 impl ShadowQuery {
-    /// A query for hits of the active of four rays before `t_max`.
+    /// A query for the active of four rays, whose origins are offset, to a light at this
+    /// distance.
     #[inline]
-    pub fn new(packet: &RayPacket, t_max: Lanes, active: u32) -> Self {
+    pub fn new(packet: &RayPacket, offset: Lanes, distance: Lanes, active: u32) -> Self {
         Self {
             rays: Rays::four(packet, active),
-            t_max,
+            distance,
+            offset,
             unoccluded: active,
         }
+    }
+
+    /// A bit for each of these hits before the light that blocks it. Surfaces do not that hold the
+    /// light, up to the rounding errors at both ends of the ray.
+    #[inline]
+    fn blocked_by(&self, hit: &PacketHit) -> u32 {
+        let rays = &self.rays.packet;
+        let cosine = rays.direction.dot(hit.face).abs();
+        let beyond_the_surface = (self.distance - hit.t) * cosine;
+        let rounding = self.offset + hit.rounding_error(rays);
+        !beyond_the_surface.simd_le(rounding).to_bitmask()
     }
 }
 
@@ -44,7 +60,7 @@ impl Query for ShadowQuery {
 
     #[inline]
     fn t_max(&self) -> &Lanes {
-        &self.t_max
+        &self.distance
     }
 
     #[inline]
@@ -53,19 +69,39 @@ impl Query for ShadowQuery {
     }
 
     #[inline]
-    fn update(&mut self, t: Lanes, _: u32, shape: ShapeId, occluder: &mut Occluder) {
-        let hit = t.simd_lt(self.t_max).to_bitmask() & self.unoccluded;
-        if hit != 0 {
-            self.unoccluded &= !hit;
+    fn update(
+        &mut self,
+        t: Lanes,
+        _: u32,
+        shape: ShapeId,
+        hits: impl FnOnce(&Rays, Lanes, u32) -> PacketHit,
+        occluder: &mut Occluder,
+    ) {
+        let hit = t.simd_lt(self.distance).to_bitmask() & self.unoccluded;
+        if hit == 0 {
+            return;
+        }
+        let blocked = hit & self.blocked_by(&hits(&self.rays, t, hit));
+        if blocked != 0 {
+            self.unoccluded &= !blocked;
             *occluder = Some(shape);
         }
     }
 
     #[inline]
-    fn update_ray(&mut self, lane: usize, t: f64, _: u32, shape: ShapeId, occluder: &mut Occluder) {
-        if is_set(self.unoccluded, lane) && t < self.t_max.as_array()[lane] {
-            self.unoccluded &= !(1 << lane);
-            *occluder = Some(shape);
+    fn update_ray(
+        &mut self,
+        lane: usize,
+        t: f64,
+        order: u32,
+        shape: ShapeId,
+        hits: impl FnOnce(&Rays, Lanes, u32) -> PacketHit,
+        occluder: &mut Occluder,
+    ) {
+        if is_set(self.unoccluded, lane) {
+            let mut of_lane = [f64::NAN; 4];
+            of_lane[lane] = t;
+            self.update(Lanes::new(of_lane), order, shape, hits, occluder);
         }
     }
 }

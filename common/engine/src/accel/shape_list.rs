@@ -77,8 +77,10 @@ impl<L: List> ShapeList<L> {
         let t = t.to_array();
         for i in bits(near) {
             let shape = leaf.shape(i as u32);
-            let order = self.attributes[shape.index as usize].order;
-            query.update_ray(lane, t[i], order, shape, shared);
+            let index = shape.index as usize;
+            let order = self.attributes[index].order;
+            let hits = |rays: &_, t, active| self.shapes.get(index).hits(rays, t, active);
+            query.update_ray(lane, t[i], order, shape, hits, shared);
         }
     }
 
@@ -101,7 +103,8 @@ impl<L: List> ShapeList<L> {
                 if active != 0 {
                     tally::count_all(Work::IntersectionTest, active.count_ones().into());
                     let t = <L::Shape<'_> as Primitive>::intersect(&shape, query.rays(), active);
-                    query.update(t, order, leaf.shape(i), shared);
+                    let hits = |rays: &_, t, active| self.shapes.get(index).hits(rays, t, active);
+                    query.update(t, order, leaf.shape(i), hits, shared);
                 }
             }
         }

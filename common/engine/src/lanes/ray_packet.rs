@@ -7,6 +7,10 @@
 use super::{Lanes, Vector3x4, mask, select};
 use crate::{Hit, Ray};
 
+/// Bound of the rounding error of a hit along the normal, in units of the largest number that the
+/// hit was computed from.
+const OFFSET: f64 = 64.0 * f64::EPSILON;
+
 /// Four rays.
 #[derive(Clone, Copy, Debug)]
 pub struct RayPacket {
@@ -118,6 +122,18 @@ impl PacketHit {
             face: self.face.or(mask, others.face),
             magnitude: select(mask, self.magnitude, others.magnitude),
         }
+    }
+
+    /// The greatest distances of the computed hits from their surfaces.
+    #[inline]
+    pub fn rounding_error(&self, rays: &RayPacket) -> Lanes {
+        let largest = rays
+            .origin
+            .largest_coordinate()
+            .fast_max(rays.at(self.t).largest_coordinate())
+            .fast_max(self.t)
+            .fast_max(self.magnitude);
+        Lanes::splat(OFFSET) * largest
     }
 
     /// The hits with their normals turned against the directions of the rays.

@@ -11,23 +11,25 @@ use crate::lanes::Lanes;
 #[derive(Debug, Default)]
 pub(crate) struct Mesh {
     corners: Vec<[DVec3; 3]>,
-    normals: Vec<Normals>,
+    faces: Vec<Face>,
     vectors: Pool,
 }
 
-/// The normals of a triangle, by their indices.
+/// The shading normals and the geometric one of a triangle, by their indices, and its scale.
 #[derive(Clone, Copy, Debug)]
-struct Normals {
+struct Face {
     normals: [u32; 3],
-    face: u32,
+    normal: u32,
+    scale: f64,
 }
 
 impl Mesh {
     pub fn push(&mut self, triangle: &Triangle) {
         let mut add = |vector| self.vectors.add(vector);
-        self.normals.push(Normals {
+        self.faces.push(Face {
             normals: triangle.normals.map(&mut add),
-            face: add(triangle.face),
+            normal: add(triangle.face),
+            scale: triangle.scale,
         });
         self.corners.push(triangle.corners);
     }
@@ -36,7 +38,7 @@ impl Mesh {
     pub fn finish(&mut self) {
         self.vectors.finish();
         self.corners.shrink_to_fit();
-        self.normals.shrink_to_fit();
+        self.faces.shrink_to_fit();
     }
 }
 
@@ -45,12 +47,17 @@ impl List for Mesh {
 
     #[inline]
     fn get(&self, index: usize) -> Triangle {
-        let Normals { normals, face } = self.normals[index];
+        let Face {
+            normals,
+            normal,
+            scale,
+        } = self.faces[index];
         let vector = |index| self.vectors.get(index);
         Triangle {
             corners: self.corners[index],
             normals: normals.map(vector),
-            face: vector(face),
+            face: vector(normal),
+            scale,
         }
     }
 
@@ -74,6 +81,6 @@ impl List for Mesh {
 
     fn swap(&mut self, a: usize, b: usize) {
         self.corners.swap(a, b);
-        self.normals.swap(a, b);
+        self.faces.swap(a, b);
     }
 }

@@ -17,6 +17,8 @@ pub struct Triangle {
     pub normals: [DVec3; 3],
     /// The geometric normal, of length 1.
     pub face: DVec3,
+    /// The square of the longest edge, divided by the least height.
+    pub scale: f64,
 }
 
 /// Triangles that are narrower than this, in lengths of their longest edge, are
@@ -114,12 +116,7 @@ impl Primitive for Triangle {
     fn hits(self, rays: &Rays, t: Lanes, _: u32) -> PacketHit {
         let face = Vector3x4::splat(self.face);
         let [a, b, c] = self.normals.map(Vector3x4::splat);
-        let magnitude = self
-            .corners
-            .map(|corner| Vector3x4::splat(corner) - rays.packet.origin)
-            .map(|to_corner| to_corner.abs().dot(face.abs()))
-            .into_iter()
-            .fold(Lanes::ZERO, Lanes::fast_max);
+        let magnitude = Lanes::splat(self.scale);
         if self.is_flat() {
             return PacketHit {
                 t,

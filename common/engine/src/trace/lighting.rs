@@ -11,10 +11,6 @@ use crate::lanes::{ColorPacket, Lanes, RayPacket, bits};
 use crate::shade::PhongPacket;
 use crate::{Phong, Shading};
 
-/// Length of a shadow ray, in distances to the light: a light may touch an object, which must not
-/// block it.
-const SHADOW_RAY_LENGTH: f64 = 1.0 - 1.0 / 16_777_216.0;
-
 /// A surface that scatters no light, for lanes that another formula shades.
 const BLACK: Phong = Phong {
     diffuse: Color::BLACK,
@@ -91,8 +87,9 @@ impl Tracer<'_> {
             if source.casts_shadows {
                 tally::count_all(Work::ShadowRay, of_source.lit.count_ones().into());
                 let to_light = offset_rays(rays, hit, of_source.direction);
-                let t_max = of_source.distance * Lanes::splat(SHADOW_RAY_LENGTH);
-                shadows.push(ShadowQuery::new(&to_light, t_max, of_source.lit));
+                let offset = hit.rounding_error(rays);
+                let distance = of_source.distance;
+                shadows.push(ShadowQuery::new(&to_light, offset, distance, of_source.lit));
             }
             light.push((at, of_source));
         }

@@ -5,22 +5,12 @@
 
 use crate::lanes::{Lanes, PacketHit, RayPacket, Vector3x4};
 
-/// Ray offset along the normal, in units of machine epsilon and of the largest number
-/// that the hit was computed from.
-const OFFSET: f64 = 64.0 * f64::EPSILON;
-
 /// The rays that leave four hits in directions of length 1: to a light, or reflected.
 #[inline]
 pub(super) fn offset_rays(rays: &RayPacket, hit: &PacketHit, direction: Vector3x4) -> RayPacket {
     let point = rays.at(hit.t);
-    let magnitude = rays
-        .origin
-        .largest_coordinate()
-        .fast_max(point.largest_coordinate())
-        .fast_max(hit.t)
-        .fast_max(hit.magnitude);
     let side = hit.face.dot(direction) & Lanes::splat(-0.0);
-    let offset = (Lanes::splat(OFFSET) * magnitude) | side;
+    let offset = hit.rounding_error(rays) | side;
     RayPacket {
         origin: point + hit.face * offset,
         direction,
