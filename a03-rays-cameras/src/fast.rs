@@ -3,7 +3,7 @@
 use std::any::Any;
 
 use a02_math::{Point3, Vector3};
-use common::tally::{self, Work};
+use common::steps::{self, StepKind};
 use common::{Error, Image, Progress, Settings};
 
 use crate::{Basis, Camera, OrthographicCamera, PerspectiveCamera, Ray, Sampler};
@@ -63,7 +63,7 @@ impl engine::Sampler for Sampler {
 
     fn place(&self, i: u32, column: u32, row: u32) -> (f64, f64) {
         if self.sampling.is_random() {
-            tally::count_all(Work::RandomNumber, 2);
+            steps::count(StepKind::RandomNumber, 2);
         }
         Self::place(self, i, column, row)
     }

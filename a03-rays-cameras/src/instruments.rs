@@ -6,5 +6,5 @@
 mod drawing;
 pub mod orbit_camera;
 pub mod pixel_trace;
+pub mod recorded;
 mod seen_rays;
-pub mod watched;

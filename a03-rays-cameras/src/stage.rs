@@ -1,5 +1,6 @@
 //! `stage`: the scenes of this stage for its program.
 
+use common::steps::{self, Step, StepKind};
 use common::{Color, Sampling, Settings, Size, Stage};
 
 use crate::{Ray, StripeRule, StripedSky, TracedScene, TracedWorld, View, scenes};
@@ -45,13 +46,15 @@ impl TracedWorld for StripedSky {
         self.color_for(ray)
     }
 
-    fn watched(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
-        use common::steps::{self, Step};
+    fn recorded(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
         Box::new(move |ray: &Ray| {
             let section = "a03-rays-cameras.md#the-striped-sky";
             let (stripe, color) = (f64::from(self.stripe(ray)), self.color_for(ray));
-            let step = Step::new("color", "colour of the stripe", section);
-            steps::push(|| step.with("number", [stripe]).with("c", color.channels()));
+            steps::push(StepKind::Color, |kind| {
+                Step::new(kind, "colour of the stripe", section)
+                    .with("number", [stripe])
+                    .with("c", color.channels())
+            });
             color
         })
     }

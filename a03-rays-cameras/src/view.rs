@@ -52,7 +52,7 @@ pub trait TracedWorld: Any + Send + Sync {
     /// The same world with wrappers around its parts, which count its work and record its steps;
     /// with `all_work` they also do the work that the lesson leaves out. The colours do not
     /// change.
-    fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld>;
+    fn recorded(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld>;
 }
 
 /// A world given by the light along each ray, for a background or a formula of its own.
@@ -61,7 +61,7 @@ impl<F: Fn(&Ray) -> Color + Send + Sync + 'static> TracedWorld for F {
         self(ray)
     }
 
-    fn watched(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
+    fn recorded(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
         self
     }
 }
@@ -106,8 +106,8 @@ impl View {
             (max_error, max_radiance)
         });
         let Self { camera, world } = match settings.renderer {
-            Renderer::AllWork => self.watched(settings, true),
-            Renderer::Lesson if common::tally::is_on() => self.watched(settings, false),
+            Renderer::AllWork => self.recorded(settings, true),
+            Renderer::Lesson if common::steps::is_counting() => self.recorded(settings, false),
             Renderer::Lesson | Renderer::Engine => self,
         };
         let radiance = |ray: &Ray| world.radiance(ray, settings.depth);
@@ -130,10 +130,10 @@ impl View {
     }
 
     /// The view with wrappers that count its work and record its steps.
-    pub(crate) fn watched(self, settings: &Settings, all_work: bool) -> Self {
+    pub(crate) fn recorded(self, settings: &Settings, all_work: bool) -> Self {
         Self {
-            camera: instruments::watched::camera(self.camera, settings, all_work),
-            world: self.world.watched(all_work),
+            camera: instruments::recorded::camera(self.camera, settings, all_work),
+            world: self.world.recorded(all_work),
         }
     }
 }

@@ -5,4 +5,4 @@
 
 mod numbers;
 pub mod objects;
-pub mod watched;
+pub mod recorded;

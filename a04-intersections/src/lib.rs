@@ -23,8 +23,6 @@ mod world;
 pub use axis_aligned_box::AxisAlignedBox;
 pub use geometry::Geometry;
 pub use hit::Hit;
-#[doc(hidden)]
-pub use instruments::watched;
 pub use interval::Interval;
 pub use plane::Plane;
 pub use sphere::Sphere;

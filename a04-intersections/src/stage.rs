@@ -2,11 +2,12 @@
 //! world for the renderers.
 
 use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
+use common::steps::{self, StepKind};
 use common::{Color, Stage};
 
-use crate::World;
-use crate::instruments::objects;
+use crate::instruments::{objects, recorded};
 use crate::scenes::{scene_1, scene_2, scene_3, scene_4, scene_5, scene_6};
+use crate::{Interval, World};
 
 /// The traced scenes in the order of the course.
 #[must_use]
@@ -60,17 +61,19 @@ impl TracedWorld for World<Color> {
         objects::object_name(self, number)
     }
 
-    fn watched(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
-        use crate::{Interval, watched};
-        use common::steps;
-        let world = watched::world(*self, watched::plain, |color| color);
+    fn recorded(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
+        let world = recorded::world(*self, recorded::plain, |color| color);
         Box::new(move |ray: &Ray| {
             let color = world.color_for(ray);
-            let nearest = || world.hit(ray, Interval::AHEAD);
-            if let Some((hit, color)) = steps::is_on().then(|| steps::paused(nearest)).flatten() {
-                watched::shaded(ray, &hit, || watched::push_color("colour", *color));
+            if steps::is_tracing() {
+                let nearest = steps::untraced(|| world.hit(ray, Interval::AHEAD));
+                if let Some((hit, color)) = nearest {
+                    recorded::shaded(ray, &hit, || {
+                        recorded::push_color(StepKind::Color, "colour", *color);
+                    });
+                }
+                recorded::push_background(world.background());
             }
-            watched::push_background(world.background());
             color
         })
     }

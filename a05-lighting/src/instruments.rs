@@ -4,6 +4,6 @@
 #![expect(clippy::must_use_candidate, reason = "called by the program and tests")]
 
 mod light_positions;
-pub mod watched;
+pub mod recorded;
 
 pub use light_positions::light_positions;

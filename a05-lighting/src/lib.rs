@@ -25,8 +25,6 @@ mod spot_light;
 mod stage;
 
 pub use directional_light::DirectionalLight;
-#[doc(hidden)]
-pub use instruments::watched;
 pub use lambert::Lambert;
 pub use light::{Illumination, Light};
 pub use lighting::Lighting;

@@ -3,9 +3,11 @@
 
 use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
 use a04_intersections::instruments::objects;
+use a04_intersections::instruments::recorded::{plain, push_background};
 use common::{Color, Stage};
 
 use crate::LitWorld;
+use crate::instruments::recorded;
 use crate::scenes::{
     lambert, lighting_1, phong, phong_directional, phong_spot, phong_spot_ambient,
 };
@@ -70,11 +72,9 @@ impl TracedWorld for LitWorld {
         crate::instruments::light_positions(self, |light| &mut **light)
     }
 
-    fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
-        use crate::watched;
-        use a04_intersections::watched::{plain, push_background};
-        let surface = |material| watched::material(material, all_work);
-        let world = watched::world(*self, plain, surface, watched::light);
+    fn recorded(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
+        let surface = |material| recorded::material(material, all_work);
+        let world = recorded::world(*self, plain, surface, recorded::light);
         Box::new(move |ray: &Ray| {
             let color = world.color_for(ray);
             push_background(world.objects().background());

@@ -2,4 +2,4 @@
 //! lesson uses them.
 
 mod all_work;
-pub mod watched;
+pub mod recorded;

@@ -39,7 +39,7 @@ pub fn traced(view: View<ShadowedWorld>) -> View {
         // The lesson needs nothing else.
         world,
         shapes: a04_intersections::fast::shapes,
-        watched: |geometry| geometry,
+        recorded: |geometry| geometry,
     };
     view.map(world).boxed()
 }
@@ -52,7 +52,7 @@ pub struct RecursiveWorld {
     /// Translates a geometry for the engine.
     pub shapes: a04_intersections::fast::Translate,
     /// Wraps a geometry to count its work.
-    pub watched: fn(Box<dyn a04_intersections::Geometry>) -> Box<dyn a04_intersections::Geometry>,
+    pub recorded: fn(Box<dyn a04_intersections::Geometry>) -> Box<dyn a04_intersections::Geometry>,
 }
 
 impl TracedWorld for RecursiveWorld {
@@ -76,10 +76,12 @@ impl TracedWorld for RecursiveWorld {
         a05_lighting::instruments::light_positions(&mut self.world, |source| &mut *source.light)
     }
 
-    fn watched(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
-        let Self { world, watched, .. } = *self;
-        Box::new(crate::instruments::watched::WatchedWorld::new(
-            world, watched, all_work,
+    fn recorded(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
+        let Self {
+            world, recorded, ..
+        } = *self;
+        Box::new(crate::instruments::recorded::RecordedWorld::new(
+            world, recorded, all_work,
         ))
     }
 }

@@ -4,4 +4,4 @@
 #![expect(clippy::must_use_candidate, reason = "called by the program and tests")]
 
 mod numbers;
-pub mod watched;
+pub mod recorded;

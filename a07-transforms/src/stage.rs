@@ -44,7 +44,7 @@ pub fn traced(view: View<ShadowedWorld>) -> View {
         // The lesson needs nothing else.
         world,
         shapes: crate::fast::shapes,
-        watched: crate::instruments::watched::geometry,
+        recorded: crate::instruments::recorded::geometry,
     };
     view.map(world).boxed()
 }

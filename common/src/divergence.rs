@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use crate::PixelTrace;
-use crate::pixel_trace::digits;
-use crate::steps::{HIT, LIGHT, NO_HIT, RAY};
+use crate::pixel_trace::{Value, digits};
+use crate::steps::StepKind;
 
 /// The largest difference of numbers by rounding, relative to the larger of 1 and the number.
 pub const ROUNDING: f64 = 1e-6;
@@ -15,10 +15,19 @@ impl PixelTrace {
     /// lack no ray's hit and no light.
     #[must_use]
     pub fn first_divergence(&self, other: &Self, whose: &str, rounding: f64) -> Option<String> {
-        let others = other.values().map(|(place, _, value)| (place, value));
+        let others = other.values().map(|value| (value.place, value.numbers));
         let others: HashMap<_, _> = others.collect();
-        let follows_rays = other.steps.iter().any(|step| step.kind == RAY);
-        self.values().find_map(|(place, step, value)| {
+        let follows_rays = other
+            .steps
+            .iter()
+            .any(|step| step.kind == StepKind::CameraRay);
+        self.values().find_map(|value| {
+            let Value {
+                place,
+                step,
+                symbol,
+                numbers: value,
+            } = value;
             let mut shown = digits(value);
             let differs = match others.get(&place) {
                 Some(theirs) if are_near(value, theirs, rounding) => return None,
@@ -31,9 +40,9 @@ impl PixelTrace {
                     others + &times(value, theirs)
                 }
                 None if !follows_rays => return None,
-                None if step.kind == HIT => "has no hit".to_owned(),
-                None if step.name == NO_HIT => "has a hit".to_owned(),
-                None if step.kind == LIGHT && place.ends_with(": cl") => "lacks it".to_owned(),
+                None if step.kind == StepKind::Hit => "has no hit".to_owned(),
+                None if step.kind == StepKind::Background => "has a hit".to_owned(),
+                None if step.kind == StepKind::Light && symbol == "cl" => "lacks it".to_owned(),
                 None => return None,
             };
             let ([x, y], section) = (self.pixel, step.section);
@@ -68,19 +77,25 @@ mod tests {
     use crate::Color;
     use crate::steps::Step;
 
-    fn trace(kinds: &[&'static str], number: f64) -> PixelTrace {
-        let step = |kind: &&'static str| Step::new(kind, *kind, "page").with("x", [number]);
+    const RAY: (StepKind, &str) = (StepKind::CameraRay, "ray");
+    const HIT: (StepKind, &str) = (StepKind::Hit, "hit");
+
+    fn trace(kinds: &[(StepKind, &str)], number: f64) -> PixelTrace {
+        let step = |(kind, name): &(StepKind, &str)| Step::new(*kind, *name, "page");
         PixelTrace {
             pixel: [1, 2],
             color: Color::BLACK,
-            steps: kinds.iter().map(step).collect(),
+            steps: kinds
+                .iter()
+                .map(|kind| step(kind).with("x", [number]))
+                .collect(),
         }
     }
 
     #[test]
     fn traces_part_at_another_number_or_at_a_missing_hit() {
         let ours = trace(&[RAY, HIT], 1.0);
-        let first = |kinds: &[&'static str], number| {
+        let first = |kinds: &[(StepKind, &str)], number| {
             let sentence = ours.first_divergence(&trace(kinds, number), "yours", ROUNDING);
             sentence.map(|sentence| sentence.lines().nth(1).unwrap_or_default().to_owned())
         };

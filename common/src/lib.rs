@@ -1,8 +1,8 @@
 //! Types that every stage needs and no lesson teaches: colours, pictures, picture
-//! files, scenes, their settings and errors.
+//! files, scenes, their settings and errors; and the steps of a computation, which wrappers
+//! around the parts of a lesson report.
 //!
-//! This crate contains no rays, and does not depend on a window or a terminal; it
-//! builds for WebAssembly. The crates in the folders below use it: `measure` for
+//! This crate does not depend on a window or a terminal; it builds for WebAssembly. The crates in the folders below use it: `measure` for
 //! experiments and extreme cases, `program` for the command line, `testing` for the
 //! tests of the stages, `engine` for the fast renderer, `scene-file` for scenes as files, and
 //! `learn` for the exercises.
@@ -25,8 +25,6 @@ mod size;
 mod stage;
 pub mod steps;
 pub mod svg;
-pub mod tally;
-pub mod traced_picture;
 mod transfer;
 
 pub use argument::ArgumentError;

@@ -3,8 +3,20 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
-use crate::steps::{Step, TEST};
+use crate::steps::{Step, StepKind};
 use crate::{Color, Transfer};
+
+/// A value in a trace.
+pub(crate) struct Value<'a> {
+    /// Its place, by the names of its steps and its symbol.
+    pub place: String,
+    /// Its step.
+    pub step: &'a Step,
+    /// Its symbol.
+    pub symbol: &'static str,
+    /// Its numbers.
+    pub numbers: &'a [f64],
+}
 
 /// The steps from a pixel to its colour.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,19 +30,23 @@ pub struct PixelTrace {
 }
 
 impl PixelTrace {
-    /// All values: the place of each, by the names of its steps and its symbol; its step; its
-    /// numbers. A test without `t` counts as a hit at infinity.
-    pub(crate) fn values(&self) -> impl Iterator<Item = (String, &Step, &[f64])> {
+    /// All values. A test without `t` counts as a hit at infinity.
+    pub(crate) fn values(&self) -> impl Iterator<Item = Value<'_>> {
         let mut path: Vec<&str> = Vec::new();
         self.steps.iter().flat_map(move |step| {
             path.truncate(step.level);
             path.push(&step.name);
             let place = path.join(", ");
-            let is_missed = step.kind == TEST && step.value::<1>("t").is_none();
+            let is_missed = step.kind == StepKind::Test && step.value::<1>("t").is_none();
             let missed = is_missed.then_some(("t", &[f64::INFINITY][..]));
             let values = step.values.iter().map(|(name, value)| (*name, &**value));
             let values = missed.into_iter().chain(values);
-            values.map(move |(symbol, value)| (format!("{place}: {symbol}"), step, value))
+            values.map(move |(symbol, numbers)| Value {
+                place: format!("{place}: {symbol}"),
+                step,
+                symbol,
+                numbers,
+            })
         })
     }
 
@@ -43,8 +59,8 @@ impl PixelTrace {
             text.replace("inf", "null").replace("NaN", "null")
         };
         let step = |step: &Step| {
-            let (level, kind, name) = (step.level, step.kind, &step.name);
-            let (outcome, section) = (&step.outcome, step.section);
+            let (level, kind, name) = (step.level, step.kind.word(), &step.name);
+            let (outcome, section) = (step.outcome.to_string(), step.section);
             let values = step.values.iter();
             let values = values.map(|(symbol, value)| format!("{symbol:?}: {}", numbers(value)));
             let values = values.collect::<Vec<_>>().join(", ");
@@ -104,11 +120,11 @@ mod tests {
         let trace = PixelTrace {
             pixel: [1, 2],
             color: Color::gray(0.5),
-            steps: vec![Step::new("kind", "a", "").with("x", numbers)],
+            steps: vec![Step::new(StepKind::Mean, "a", "").with("x", numbers)],
         };
         let json = [
             r#"{"pixel": [1, 2], "color": [0.5, 0.5, 0.5], "bytes": [128, 128, 128], "steps": ["#,
-            r#"{"level": 0, "kind": "kind", "name": "a", "outcome": "", "values": {"x": [0.3333333333333333, null, 1.5e-7]}, "section": ""}"#,
+            r#"{"level": 0, "kind": "mean", "name": "a", "outcome": "", "values": {"x": [0.3333333333333333, null, 1.5e-7]}, "section": ""}"#,
             "]}",
         ];
         assert_eq!(trace.to_json(Transfer::Linear), json.join("\n"));

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use a02_math::{Direction, Point3, Vector3};
-use common::steps::{RAY, REFLECTED, Step};
+use common::steps::{Outcome, Step, StepKind};
 use common::svg::{Svg, color};
 
 use crate::{Ray, TracedWorld, View};
@@ -18,48 +18,71 @@ const WIDTH: f64 = 480.0;
 const HEIGHT: f64 = 360.0;
 const CELL: f64 = 3.0;
 
-/// The lines of the first sample, with their classes, which have the number of the ray; and the eye
-/// and the lights by name.
-pub type Lines<'a> = (Vec<([Point3; 2], String)>, BTreeMap<&'a str, Point3>);
+/// A line of the drawing.
+pub struct Line {
+    /// Its ends.
+    pub ends: [Point3; 2],
+    /// Its class, which has the number of the ray.
+    class: String,
+}
 
-/// The lines of a trace.
-pub fn lines(trace: &[Step]) -> Lines<'_> {
-    let vector = |step: &Step, symbol| step.value(symbol).map(|v| Vector3::from_glam(v.into()));
-    let point = |v| Point3::ORIGIN + v;
-    let eye = trace.iter().find_map(|step| vector(step, "o"));
-    let eye = eye.unwrap_or_default();
-    // A ray that hits nothing ends beyond the middle of the scene.
-    let far = 1.5 * eye.magnitude().max(2.0);
-    let mut lines = vec![];
-    let (mut named, mut ray) = (BTreeMap::from([("eye", point(eye))]), 0);
-    let sample = trace.chunk_by(|_, next| next.level > 0).next();
-    for step in sample.unwrap_or_default() {
-        let [o, d, p, l] = ["o", "d", "p", "l"].map(|symbol| vector(step, symbol));
-        if let (RAY | REFLECTED, Some(o), Some(d)) = (step.kind, o, d) {
-            let length = if step.kind == RAY { far } else { far / 3.0 };
-            ray += 1;
-            lines.push(([o, o + d * length].map(point), format!("curve ray{ray}")));
-        }
-        let Some(([_, end], _)) = lines.last_mut() else {
-            continue;
-        };
-        if let Some(p) = p {
-            *end = point(p);
-        } else if let (Some(l), Some([distance])) = (l, step.value("distance")) {
-            let light = [*end, *end + l * distance.min(far)];
-            let dashed = if step.outcome == "arrives" {
-                ""
-            } else {
-                " estimate"
+/// The lines of the first sample; and the eye and the lights by name.
+#[derive(Default)]
+pub struct Lines {
+    /// The lines.
+    pub lines: Vec<Line>,
+    /// The places that have a name.
+    pub named: BTreeMap<String, Point3>,
+}
+
+impl Lines {
+    /// The lines of a trace.
+    pub fn new(trace: &[Step]) -> Self {
+        let vector = |step: &Step, symbol| step.value(symbol).map(|v| Vector3::from_glam(v.into()));
+        let point = |v| Point3::ORIGIN + v;
+        let eye = trace.iter().find_map(|step| vector(step, "o"));
+        let eye = eye.unwrap_or_default();
+        // A ray that hits nothing ends beyond the middle of the scene.
+        let far = 1.5 * eye.magnitude().max(2.0);
+        let (mut lines, mut ray) = (Self::default(), 0);
+        lines.named.insert("eye".to_owned(), point(eye));
+        let sample = trace.chunk_by(|_, next| next.level > 0).next();
+        for step in sample.unwrap_or_default() {
+            let [o, d, p, l] = ["o", "d", "p", "l"].map(|symbol| vector(step, symbol));
+            let length = match step.kind {
+                StepKind::CameraRay => Some(far),
+                StepKind::ReflectedRay => Some(far / 3.0),
+                _ => None,
             };
-            // The last line remains the ray that has hit.
-            lines.insert(lines.len() - 1, (light, format!("curve{dashed} ray{ray}")));
-            if distance.is_finite() {
-                named.insert(step.name.split(':').next().unwrap_or_default(), light[1]);
+            if let (Some(length), Some(o), Some(d)) = (length, o, d) {
+                ray += 1;
+                lines.lines.push(Line {
+                    ends: [o, o + d * length].map(point),
+                    class: format!("curve ray{ray}"),
+                });
+            }
+            let last = lines.lines.len().saturating_sub(1);
+            let Some(Line { ends: [_, end], .. }) = lines.lines.last_mut() else {
+                continue;
+            };
+            if let Some(p) = p {
+                *end = point(p);
+            } else if let (Some(l), Some([distance])) = (l, step.value("distance")) {
+                let ends = [*end, *end + l * distance.min(far)];
+                let dashed = match step.outcome {
+                    Outcome::Arrives => "",
+                    _ => " estimate",
+                };
+                let class = format!("curve{dashed} ray{ray}");
+                // The last line remains the ray that has hit.
+                lines.lines.insert(last, Line { ends, class });
+                if let (Some(number), true) = (step.number, distance.is_finite()) {
+                    lines.named.insert(format!("light {number}"), ends[1]);
+                }
             }
         }
+        lines
     }
-    (lines, named)
 }
 
 /// A parallel projection of a world.
@@ -122,7 +145,7 @@ impl Projection<'_> {
         objects
     }
 
-    fn draw(&self, svg: &mut Svg, title: &str, (lines, named): &Lines) {
+    fn draw(&self, svg: &mut Svg, title: &str, lines: &Lines) {
         let [left, top] = self.corner;
         svg.text("", [left, top - 10.0], title);
         let objects = self.objects().into_iter();
@@ -137,10 +160,10 @@ impl Projection<'_> {
             svg.line(&format!("key {color}"), &[[left, y], [left + 12.0, y]]);
             svg.text("", [left + 18.0, y + 5.0], &name);
         }
-        for (line, class) in lines {
-            svg.line(class, &line.map(|p| self.place(p)));
+        for line in &lines.lines {
+            svg.line(&line.class, &line.ends.map(|p| self.place(p)));
         }
-        for (i, (name, point)) in (1..).zip(named) {
+        for (i, (name, point)) in (1..).zip(&lines.named) {
             let [x, y] = self.place(*point);
             svg.mark(1, [x, y]);
             // Eye and light are often at the same place.
@@ -160,9 +183,9 @@ impl View {
 
 /// The rays of the first sample of a trace, in a world.
 fn svg(world: &dyn TracedWorld, trace: &[Step], scene: &str) -> String {
-    let lines = lines(trace);
-    let points = lines.0.iter().flat_map(|(line, _)| line);
-    let points = points.map(|point| point.to_glam());
+    let lines = Lines::new(trace);
+    let points = lines.lines.iter().flat_map(|line| line.ends);
+    let points = points.map(Point3::to_glam);
     let low = points
         .clone()
         .reduce(|low, p| p.min(low))

@@ -1,10 +1,9 @@
 //! The numbers behind a pixel of a view.
 
-use common::steps::{self, REFLECTED, Step};
-use common::traced_picture::trace_chosen;
+use common::steps::{self, Step, StepKind, trace_chosen};
 use common::{Color, Error, Image, PixelTrace, Renderer, Settings};
 
-use super::watched::push_ray;
+use super::recorded::push_ray;
 use crate::{Camera, Ray, Sampler, View, camera_coordinates, fast, render};
 
 const SAMPLES: &str = "a03-rays-cameras.md#many-rays-a-pixel";
@@ -23,7 +22,7 @@ impl View {
             let renderer = engine::Renderer::new(scene, camera, settings);
             return trace_samples(settings, pixel, |x, y| renderer.light_at(settings, (x, y)));
         }
-        let view = self.watched(settings, settings.renderer == Renderer::AllWork);
+        let view = self.recorded(settings, settings.renderer == Renderer::AllWork);
         trace_samples(settings, pixel, |x, y| {
             let ray = view.camera.ray_for(settings.size, x, y);
             view.world.radiance(&ray, settings.depth)
@@ -38,28 +37,33 @@ fn trace_samples(
     light: impl Fn(f64, f64) -> Color,
 ) -> PixelTrace {
     let ([column, row], size, sampler) = (pixel, settings.size, Sampler::new(settings));
-    let (color, steps) = steps::recorded(|| {
+    let (color, steps) = steps::traced(|| {
         let mut sum = Color::BLACK;
         for (i, place) in (1..).zip(sampler.places(column, row)) {
             let (x, y) = camera_coordinates(size, column, row, place);
-            let sample = || {
+            let sample = |kind| {
                 let name = format!("sample {i} of {}", sampler.samples());
-                let step = Step::new("sample", name, SAMPLES).with("place", [place.0, place.1]);
-                step.with("x", [x]).with("y", [y])
+                Step::new(kind, name, SAMPLES)
+                    .numbered(i)
+                    .with("place", [place.0, place.1])
+                    .with("x", [x])
+                    .with("y", [y])
             };
-            sum += steps::inside(sample, || {
+            sum += steps::inside(StepKind::Sample, 1, sample, || {
                 let light = light(x, y);
-                let is_mirror = |step: &Step| step.kind == REFLECTED;
-                let mirrors = steps::so_far(|steps| steps.iter().any(is_mirror));
+                let is_reflected = |step: &Step| step.kind == StepKind::ReflectedRay;
+                let mirrors = steps::so_far(|steps| steps.iter().any(is_reflected));
                 let section = if mirrors == Some(true) { MIRRORS } else { LOOP };
-                let step = Step::new("radiance", "light along the ray", section);
-                steps::heading(|| step.with("f", light.channels()));
+                steps::heading(StepKind::Radiance, |kind| {
+                    Step::new(kind, "light along the ray", section).with("f", light.channels())
+                });
                 light
             });
         }
         let mean = sum.map(|sum| sum / f64::from(sampler.samples()));
-        let step = Step::new("mean", "mean of the samples", LOOP);
-        steps::push(|| step.with("c", mean.channels()));
+        steps::push(StepKind::Mean, |kind| {
+            Step::new(kind, "mean of the samples", LOOP).with("c", mean.channels())
+        });
         mean
     });
     PixelTrace {

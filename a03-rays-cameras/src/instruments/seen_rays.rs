@@ -4,7 +4,7 @@ use a02_math::{Direction, Point3, Vector3};
 use common::steps::Step;
 use common::{SeenLine, Size};
 
-use super::drawing::lines;
+use super::drawing::Lines;
 use crate::{Camera, View};
 
 /// The pieces of a ray; each is drawn straight, and as hidden or not.
@@ -17,10 +17,11 @@ impl View {
     /// The rays of the first sample of these steps after the camera's, as the camera sees them.
     #[must_use]
     pub fn seen_rays(&self, size: Size, steps: &[Step]) -> Vec<SeenLine> {
-        let (lines, named) = lines(steps);
+        let Lines { lines, named } = Lines::new(steps);
         let eye = named.get("eye").copied();
         let mut seen = Vec::new();
-        for ([from, to], _) in lines {
+        for line in lines {
+            let [from, to] = line.ends;
             if Some(from) == eye {
                 continue;
             }

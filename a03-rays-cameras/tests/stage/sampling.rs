@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use a02_math::Point3;
 use a03_rays_cameras::{PinholeCamera, PixelRandom, Sampler, render, stage};
-use common::tally::{Work, counted};
+use common::steps::{StepKind, counted};
 use common::{Color, Error, Progress, Renderer, Sampling, Settings, Size};
 
 fn settings(sampling: Sampling, samples: u32) -> Settings {
@@ -112,8 +112,8 @@ fn samples_with_a_fixed_place_take_no_random_numbers() {
                 renderer,
                 ..settings(sampling, 5)
             };
-            let (_, tally) = counted(|| scene.render(&settings, &())).unwrap();
-            let works = [Work::PrimaryRay, Work::RandomNumber].map(|work| tally[work]);
+            let (_, counts) = counted(|| scene.render(&settings, &())).unwrap();
+            let works = [StepKind::CameraRay, StepKind::RandomNumber].map(|work| counts[work]);
             assert_eq!(works, [48 * samples, 48 * needed], "{sampling:?}");
         }
     }

@@ -1,7 +1,8 @@
 //! The experiments and extreme cases of the laboratory, its exact arithmetic, and its search.
 
 use a03_rays_cameras::View;
-use a04_intersections::{scenes, watched};
+use a04_intersections::instruments::recorded;
+use a04_intersections::scenes;
 use a04_lab::certified::{decide, geometry, picture};
 use a04_lab::exact::{DoubleDouble as Number, plane, sphere, triangle};
 use a04_lab::experiments::sphere_distance::{FROM_AFAR, OURS, shots, stable};
@@ -102,7 +103,7 @@ fn every_decision_in_the_pictures_is_right() {
         ("scene-6", scenes::scene_6(), 0),
     ] {
         let View { camera, world } = scene.unwrap();
-        let world = watched::world(world, |_, shape| geometry(shape, decide), |color| color);
+        let world = recorded::world(world, |_, shape| geometry(shape, decide), |color| color);
         let counts = picture(&*camera, |ray| world.color_for(ray));
         assert_eq!(counts, [on_an_edge, 0], "{name}");
     }

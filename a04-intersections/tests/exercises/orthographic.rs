@@ -14,7 +14,7 @@ pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Point3, Vector3, Vector3
     );
     check.scene(&a04_intersections::stage(), "scene-6", |settings| {
         let world = scene_6()?.world;
-        let world = Box::new(world).watched(false);
+        let world = Box::new(world).recorded(false);
         let [g, up] = [Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0)];
         let camera = new(Point3::ORIGIN, g, up, 3.0)?;
         paint(&camera, &|ray: &Ray| world.radiance(ray, 1), settings)

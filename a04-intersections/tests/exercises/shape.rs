@@ -222,7 +222,7 @@ pub fn scene(
         let color = world.objects().map(|(_, color)| *color).next();
         let black = World::new(world.background())?;
         let world = black.with(shape?, color.unwrap_or(Color::WHITE));
-        let world = Box::new(world).watched(false);
+        let world = Box::new(world).recorded(false);
         paint(&camera, &|ray: &Ray| world.radiance(ray, 1), settings)
     });
 }

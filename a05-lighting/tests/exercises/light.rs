@@ -3,7 +3,7 @@
 
 use std::array;
 
-use a05_lighting::instruments::watched::push_light;
+use a05_lighting::instruments::recorded::push_light;
 
 use crate::prelude::*;
 

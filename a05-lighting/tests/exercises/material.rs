@@ -1,8 +1,8 @@
 //! Compares materials: in light from before, from behind and along the surface, with normals
 //! aslant to the face, for eyes at all distances.
 
-use a04_intersections::instruments::watched::push_background;
-use a05_lighting::instruments::watched as recorded;
+use a04_intersections::instruments::recorded::push_background;
+use a05_lighting::instruments::recorded;
 
 use crate::prelude::*;
 

@@ -10,10 +10,10 @@ use a02_lab::exact::DoubleDouble;
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Plane;
-use a04_intersections::watched::plain;
+use a04_intersections::instruments::recorded::plain;
 use a04_lab::support::Numbers;
-use a05_lighting::{DirectionalLight, SingleColor, watched};
-use common::tally::{self, Work};
+use a05_lighting::{DirectionalLight, SingleColor, instruments::recorded};
+use common::steps::{self, StepKind};
 use common::{ArgumentError, Color, Error};
 use measure::Effort;
 use measure::extremes::{Absolute, Case, Equal, Fails, Holds, tried};
@@ -83,9 +83,9 @@ fn in_mirrors() -> Vec<Case> {
     // the last, needs no reflected ray.
     let searches = |id, what: &str, two: Mirrors, depth: u32| {
         let count = |trace: fn(&ShadowedWorld, u32) -> Color| tried(|| {
-            let world = watched::world(mirrors(two)?, plain, |surface| surface, |(_, light)| light);
-            let (_, tally) = tally::counted(|| trace(&world, depth))?;
-            Ok(tally[Work::IntersectionTest] as f64 / 2.0)
+            let world = recorded::world(mirrors(two)?, plain, |surface| surface, |(_, light)| light);
+            let (_, counts) = steps::counted(|| trace(&world, depth))?;
+            Ok(counts[StepKind::Test] as f64 / 2.0)
         });
         let ours = count(|world, depth| RecursiveTracer::new(world).trace(&RAY, depth));
         let theirs = count(|world, recursion| OneCounter { world, recursion }.trace(&RAY));

@@ -7,7 +7,7 @@ use a03_rays_cameras::{Camera, Ray, View};
 use a04_intersections::{Plane, Sphere};
 use a05_lighting::{Phong, PointLight, SingleColor};
 use a06_shadows_reflection::{LightSource, Reflective, ShadowedWorld, Surface, traced};
-use common::tally::{self, Tally, Work};
+use common::steps::{self, Counts, StepKind};
 use common::{Color, Renderer, Settings, Size};
 
 const RAYS: u32 = 50;
@@ -67,7 +67,7 @@ impl Camera for Downwards {
 
 /// The work for [`RAYS`] rays in the lesson, and all work. The colours are the
 /// same, the work is not.
-fn work(world: fn() -> ShadowedWorld, depth: u32) -> [Tally; 2] {
+fn work(world: fn() -> ShadowedWorld, depth: u32) -> [Counts; 2] {
     let work = [Renderer::Lesson, Renderer::AllWork].map(|renderer| {
         let settings = Settings {
             size: Size::new(RAYS, 1).unwrap(),
@@ -76,11 +76,11 @@ fn work(world: fn() -> ShadowedWorld, depth: u32) -> [Tally; 2] {
             ..Settings::default()
         };
         let view = traced(View::new(Downwards, world()));
-        let (image, tally) = tally::counted(|| view.render(&settings, &())).unwrap();
-        (image.unwrap(), tally)
+        let (image, counts) = steps::counted(|| view.render(&settings, &())).unwrap();
+        (image.unwrap(), counts)
     });
     assert!(work[0].0 == work[1].0);
-    work.map(|(_, tally)| tally)
+    work.map(|(_, counts)| counts)
 }
 
 /// Each pair is the work of the lesson and all work, for a ray. All work tests the matt
@@ -96,15 +96,15 @@ fn the_work_that_is_left_out_is_not_counted() {
         (mirror, 2, [3, 3], [1, 1], [1, 1], [0, 1]),
     ];
     for (case, (world, depth, tests, shadow, reflected, powers)) in cases.into_iter().enumerate() {
-        let tallies = work(world, depth);
+        let counts = work(world, depth);
         for (work, expected) in [
-            (Work::PrimaryRay, [1, 1]),
-            (Work::IntersectionTest, tests),
-            (Work::ShadowRay, shadow),
-            (Work::ReflectedRay, reflected),
-            (Work::Power, powers),
+            (StepKind::CameraRay, [1, 1]),
+            (StepKind::Test, tests),
+            (StepKind::ShadowRay, shadow),
+            (StepKind::ReflectedRay, reflected),
+            (StepKind::Power, powers),
         ] {
-            let found = [0, 1].map(|i| tallies[i][work] / u64::from(RAYS));
+            let found = [0, 1].map(|i| counts[i][work] / u64::from(RAYS));
             assert_eq!(found, expected, "{work:?} of case {case}");
         }
     }

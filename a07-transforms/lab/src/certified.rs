@@ -8,7 +8,7 @@ use a04_lab::enclosure::Enclosure;
 use a04_lab::support::{arrays, dot};
 
 use a07_transforms::Disc;
-use a07_transforms::instruments::watched::children;
+use a07_transforms::instruments::recorded::children;
 
 /// Wraps a geometry to certify its decisions; of a node, those of its children for the rays in
 /// their space.

@@ -5,7 +5,8 @@ use std::collections::HashSet;
 use a03_rays_cameras::View;
 use a04_lab::certified::picture;
 use a04_lab::search::INPUTS;
-use a05_lighting::{LitWorld, watched};
+use a05_lighting::LitWorld;
+use a05_lighting::instruments::recorded;
 use a06_lab::lit_points::LIFTED;
 use a06_shadows_reflection::RecursiveTracer;
 use a07_lab::certified::geometry;
@@ -17,7 +18,7 @@ testing::check_lab! { a07_lab::laboratory() }
 
 /// The world with geometries whose decisions are certified.
 fn certified<S, L>(world: LitWorld<S, L>) -> LitWorld<S, L> {
-    watched::world(
+    recorded::world(
         world,
         |_, shape| geometry(shape),
         |surface| surface,

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use common::steps::Step;
+use common::steps::{Step, StepKind};
 use common::{Color, PixelTrace, Renderer, Scene, Settings, Size};
 
 fn scenes() -> Vec<Scene> {
@@ -29,14 +29,14 @@ fn explained_sum(trace: &PixelTrace) -> Color {
     let [mut mirrored, mut terms] = [Color::WHITE, Color::BLACK];
     for step in &trace.steps {
         match step.kind {
-            "sample" => (mirrored, samples) = (Color::WHITE, samples + 1.0),
-            "ambient" | "reflected light" => terms += color(step, "c"),
-            "color" => {
+            StepKind::Sample => (mirrored, samples) = (Color::WHITE, samples + 1.0),
+            StepKind::Ambient | StepKind::ReflectedLight => terms += color(step, "c"),
+            StepKind::Color | StepKind::Background => {
                 assert!([Color::BLACK, color(step, "c")].contains(&terms), "{trace}");
                 sum += mirrored * color(step, "c");
                 terms = Color::BLACK;
             }
-            "mirror" => mirrored = mirrored * color(step, "cr"),
+            StepKind::Mirror => mirrored = mirrored * color(step, "cr"),
             _ => (),
         }
     }

@@ -10,7 +10,7 @@ mod lighting;
 mod offset_ray;
 
 use common::Color;
-use common::tally::{self, Work};
+use common::steps::{self, StepKind};
 
 use crate::accel::{Accelerator, NearestHits, NearestQuery, PACKETS};
 use crate::lanes::{ColorPacket, RayPacket, bits, mask};
@@ -54,7 +54,7 @@ impl Tracer<'_> {
                 break;
             }
             if bounce > 0 {
-                tally::count_all(Work::ReflectedRay, active);
+                steps::count(StepKind::ReflectedRay, active);
             }
             self.find_vertices(batch);
             self.light(batch);

@@ -3,7 +3,7 @@
 //! Four rays through a square of pixels stay closer together than four of a row, so that they
 //! more often meet the same shapes.
 
-use common::tally::{self, Work};
+use common::steps::{self, StepKind};
 use common::{Color, Error, Image, Progress, Settings};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
@@ -97,7 +97,7 @@ impl Radiance for View<'_, '_> {
         Box::new(move |positions, light| {
             rays.clear();
             self.camera.rays(self.settings.size, positions, &mut rays);
-            tally::count_all(Work::PrimaryRay, positions.len() as u64);
+            steps::count(StepKind::CameraRay, positions.len() as u64);
             light.resize(positions.len(), Color::BLACK);
             self.tracer.trace(&rays, light, &mut batch);
         })

@@ -3,8 +3,59 @@
 
 use std::fmt::{self, Write};
 
-use common::tally::{Tally, Work, counted};
+use common::steps::{Counts, StepKind, counted};
 use common::{Error, Image, Renderer, Scene, Settings};
+
+/// A kind of work that a renderer may leave out.
+struct Work {
+    kind: StepKind,
+    /// Its name for a reader, in the plural.
+    name: &'static str,
+    /// The reason why a renderer may do less of it without a change of the picture.
+    reason: &'static str,
+}
+
+/// All kinds, in the order of the table.
+const ALL_WORK: [Work; 7] = [
+    Work {
+        kind: StepKind::CameraRay,
+        name: "primary rays",
+        reason: "where samples agree, more of them change no more than the allowed error",
+    },
+    Work {
+        kind: StepKind::ShadowRay,
+        name: "shadow rays",
+        reason: "light from behind a surface, light on a single colour and light without shadows \
+                 need none",
+    },
+    Work {
+        kind: StepKind::ReflectedRay,
+        name: "reflected rays",
+        reason: "a surface that does not mirror multiplies their colour by 0",
+    },
+    Work {
+        kind: StepKind::Test,
+        name: "intersection tests",
+        reason: "a ray that is not sent needs none, one occluder casts a shadow as well as two, \
+                 and a tree of bounding boxes (--fast) shows which objects a ray cannot hit",
+    },
+    Work {
+        kind: StepKind::ObjectRay,
+        name: "moved rays",
+        reason: "a ray that is not sent, or misses the bounds of an object (--fast), is not \
+                 transformed",
+    },
+    Work {
+        kind: StepKind::Power,
+        name: "powers",
+        reason: "a black highlight and light mirrored away from the eye are not seen",
+    },
+    Work {
+        kind: StepKind::RandomNumber,
+        name: "random numbers",
+        reason: "a sample with a fixed place needs none",
+    },
+];
 
 /// The work that the chosen renderer saves in a scene.
 #[derive(Debug)]
@@ -12,9 +63,9 @@ pub struct Comparison {
     /// The picture by the chosen renderer.
     pub image: Image,
     /// Its work.
-    pub needed: Tally,
+    pub needed: Counts,
     /// The work of the renderer that skips none.
-    pub all: Tally,
+    pub all: Counts,
     /// The largest difference of a channel between both pictures.
     pub difference: f64,
 }
@@ -39,8 +90,8 @@ impl Comparison {
     #[must_use]
     pub fn row(&self, name: &str) -> String {
         let mut row = format!("| {name} |");
-        for (work, ..) in Work::ALL {
-            let _ = match (self.needed[work], self.all[work]) {
+        for Work { kind, .. } in ALL_WORK {
+            let _ = match (self.needed[kind], self.all[kind]) {
                 (0, 0) => write!(row, " |"),
                 (needed, all) if needed == all => write!(row, " {all} |"),
                 (needed, all) => write!(row, " **{needed}** of {all} |"),
@@ -79,15 +130,15 @@ impl fmt::Display for Comparison {
             "  {:20} {:>14} {:>14} {:>8}",
             "work", "everything", "needed", "saved"
         )?;
-        for (work, name, _) in Work::ALL {
-            let (needed, all) = (self.needed[work], self.all[work]);
+        for Work { kind, name, .. } in ALL_WORK {
+            let (needed, all) = (self.needed[kind], self.all[kind]);
             if all.max(needed) > 0 {
                 let saved = 100.0 * (all as f64 - needed as f64) / all.max(1) as f64;
                 write!(f, "\n  {name:20} {all:>14} {needed:>14} {saved:>6.1} %")?;
             }
         }
-        for (work, name, reason) in Work::ALL {
-            if self.needed[work] < self.all[work] {
+        for Work { kind, name, reason } in ALL_WORK {
+            if self.needed[kind] < self.all[kind] {
                 write!(f, "\n  fewer {name}: {reason}")?;
             }
         }
@@ -97,21 +148,21 @@ impl fmt::Display for Comparison {
 
 #[cfg(test)]
 mod tests {
+    use common::steps::count;
     use common::{Color, Size};
 
     use super::*;
-    use common::tally::{count, count_all};
 
     /// The renderer that skips no work takes one more ray and three more tests, and its
     /// picture is brighter by 1/8.
     fn scene() -> Scene {
         Scene::sampled("test", "", |settings, _| {
             let is_all = settings.renderer == Renderer::AllWork;
-            count(Work::PrimaryRay);
-            count_all(Work::IntersectionTest, if is_all { 4 } else { 1 });
+            count(StepKind::CameraRay, 1);
+            count(StepKind::Test, if is_all { 4 } else { 1 });
             let mut image = Image::black(settings.size)?;
             if is_all {
-                count(Work::ShadowRay);
+                count(StepKind::ShadowRay, 1);
                 image.pixels_mut()[0] = Color::gray(0.125);
             }
             Ok(image)

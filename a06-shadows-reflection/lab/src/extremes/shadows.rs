@@ -2,11 +2,13 @@
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::watched::plain;
+use a04_intersections::instruments::recorded::plain;
 use a04_intersections::{Geometry, Interval, Plane, Sphere, World};
 use a04_lab::support::Numbers;
-use a05_lighting::{DirectionalLight, Lambert, Light, PointLight, SpotLight, watched};
-use common::tally::{self, Work};
+use a05_lighting::{
+    DirectionalLight, Lambert, Light, PointLight, SpotLight, instruments::recorded,
+};
+use common::steps::{self, StepKind};
 use common::{ArgumentError, Color, Error};
 use measure::Effort;
 use measure::extremes::Outcome::Flag;
@@ -47,9 +49,9 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     // The number of rays tested against the floor, without the camera's ray.
     let shadow_rays = |id, what: &str, light| {
         let ours = tried(|| {
-            let world = watched::world(lit_from(light)?, plain, |surface| surface, |(_, light)| light);
-            let (_, tally) = tally::counted(|| RecursiveTracer::new(&world).trace(&LOOK, 1))?;
-            Ok(tally[Work::IntersectionTest] as f64 - 1.0)
+            let world = recorded::world(lit_from(light)?, plain, |surface| surface, |(_, light)| light);
+            let (_, counts) = steps::counted(|| RecursiveTracer::new(&world).trace(&LOOK, 1))?;
+            Ok(counts[StepKind::Test] as f64 - 1.0)
         });
         Case::new(id, format!("{what}: shadow rays"), 0.0, Equal, ours)
     };

@@ -6,7 +6,7 @@ use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle};
 use a05_lighting::{Lambert, Light, Phong, PointLight, SingleColor, SpotLight};
 use a06_shadows_reflection::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface};
 use a07_transforms::{Disc, Node, Transform, traced};
-use common::steps::{HIT, RAY, REFLECTED, Step, TEST};
+use common::steps::{Outcome, Step, StepKind};
 use common::{ArgumentError, Color, Settings, Size};
 
 use super::{Answered, gaze};
@@ -116,20 +116,20 @@ pub fn answer([x, y, depth, coarse, yaw, pitch, step]: [f64; 7]) -> Answered {
     let (mut path, mut left) = (vec![list(EYE)], 1.0);
     for step in &trace.steps {
         match (step.kind, step.value("p"), step.value::<3>("cr")) {
-            (RAY | REFLECTED, ..) => path.push(point(step, 10.0)),
-            (HIT, Some(p), _) => path.splice(path.len() - 1.., [p]).for_each(drop),
+            (StepKind::CameraRay | StepKind::ReflectedRay, ..) => path.push(point(step, 10.0)),
+            (StepKind::Hit, Some(p), _) => path.splice(path.len() - 1.., [p]).for_each(drop),
             (_, _, Some([red, ..])) => left *= red,
             _ => {}
         }
     }
-    let hits = tests(&trace.steps, RAY).map(|(_, hit)| hit);
+    let hits = tests(&trace.steps, StepKind::CameraRay).map(|(_, hit)| hit);
     let answer = pixels(&image)
         .with("path", path.into_iter().flatten())
         .with("left", [left])
         .with("hits", hits.flatten())
         .with("lamp", list(LAMP))
         .with("color", trace.color.channels());
-    let hit = trace.steps.iter().find(|step| step.kind == HIT);
+    let hit = trace.steps.iter().find(|step| step.kind == StepKind::Hit);
     let vector = |symbol| hit?.value(symbol).map(|v| Vector3::from_glam(v.into()));
     let (Some(p), Some(normal)) = (vector("p"), vector("n")) else {
         return Ok(answer);
@@ -137,7 +137,8 @@ pub fn answer([x, y, depth, coarse, yaw, pitch, step]: [f64; 7]) -> Answered {
     let point = Point3::ORIGIN + p;
     let light = world.lights()[0].illumination(point);
     let reflected = light.map(|light| point + light.direction.reflected_on(normal.as_normal()));
-    let blocked = tests(&trace.steps, "shadow ray").filter(|(test, _)| test.outcome == HIT);
+    let blocked =
+        tests(&trace.steps, StepKind::ShadowRay).filter(|(test, _)| test.outcome == Outcome::Hit);
     Ok(answer
         .with(
             "t",
@@ -156,12 +157,13 @@ fn point(ray: &Step, t: f64) -> [f64; 3] {
 }
 
 /// The tests of the objects before the first ray of a kind, with their points on it.
-fn tests<'a>(steps: &'a [Step], kind: &str) -> impl Iterator<Item = (&'a Step, [f64; 3])> {
+fn tests(steps: &[Step], kind: StepKind) -> impl Iterator<Item = (&Step, [f64; 3])> {
     let at = steps.iter().position(|step| step.kind == kind);
     let (ray, steps) = steps[at.unwrap_or(steps.len())..].split_first().unzip();
     let tests = steps.unwrap_or_default().iter();
-    let tests = tests.take_while(|step| ![HIT, "reflected light"].contains(&step.kind));
-    let tests = tests.filter(|step| step.kind == TEST);
+    let tests =
+        tests.take_while(|step| ![StepKind::Hit, StepKind::ReflectedLight].contains(&step.kind));
+    let tests = tests.filter(|step| step.kind == StepKind::Test);
     let level = tests.clone().map(|test| test.level).min();
     tests.filter_map(move |test| {
         let [t] = test.value("t").filter(|[t]| *t > 0.0)?;

@@ -1,6 +1,6 @@
 //! `ShapeList`: the shapes of one kind, and the tests of a leaf of them.
 
-use common::tally::{self, Work};
+use common::steps::{self, StepKind};
 
 use super::ids::Leaf;
 use super::query::Query;
@@ -66,7 +66,7 @@ impl<L: List> ShapeList<L> {
         lane: usize,
         shared: &mut Q::Shared,
     ) {
-        tally::count_all(Work::IntersectionTest, leaf.count.into());
+        steps::count(StepKind::Test, leaf.count.into());
         let active = (1 << leaf.count) - 1;
         let t = <L::Shape<'_> as Primitive>::intersect(&self.four(leaf), ray, active);
         let t_max = Lanes::splat(query.t_max().as_array()[lane]);
@@ -101,7 +101,7 @@ impl<L: List> ShapeList<L> {
                 let query = &mut queries[query];
                 let active = query.active();
                 if active != 0 {
-                    tally::count_all(Work::IntersectionTest, active.count_ones().into());
+                    steps::count(StepKind::Test, active.count_ones().into());
                     let t = <L::Shape<'_> as Primitive>::intersect(&shape, query.rays(), active);
                     let hits = |rays: &_, t, active| self.shapes.get(index).hits(rays, t, active);
                     query.update(t, order, leaf.shape(i), hits, shared);

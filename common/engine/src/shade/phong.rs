@@ -3,7 +3,7 @@
 //! (Phong, Illumination for Computer Generated Pictures, 1975.)
 
 use common::Color;
-use common::tally::{self, Work};
+use common::steps::{self, StepKind};
 
 use super::IlluminationPacket;
 use super::power::powers;
@@ -102,7 +102,7 @@ impl PhongPacket {
         if shining == 0 {
             return diffuse.masked(mask(light.lit));
         }
-        tally::count_all(Work::Power, shining.count_ones().into());
+        steps::count(StepKind::Power, shining.count_ones().into());
         let powers = powers(cosine.fast_min(Lanes::ONE), self.exponents, shining);
         let highlight = self.specular * light.color * powers;
         (diffuse + highlight.masked(mask(shining))).masked(mask(light.lit))

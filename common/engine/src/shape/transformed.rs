@@ -4,7 +4,7 @@
 //! product would round otherwise. Only the bounds come from the product. `flatten` takes
 //! it for rays, too, where a picture may have an error.
 
-use common::tally::{self, Work};
+use common::steps::{self, StepKind};
 
 use super::transform::norm;
 use super::transformed_bounds::transformed_bounds;
@@ -23,8 +23,8 @@ impl Transformed<'_> {
     #[inline]
     fn count(&self, active: u32) {
         let tests = u64::from(active.count_ones()) * self.steps.len() as u64;
-        tally::count_all(Work::MovedRay, tests);
-        tally::count_all(Work::IntersectionTest, tests);
+        steps::count(StepKind::ObjectRay, tests);
+        steps::count(StepKind::Test, tests);
     }
 
     /// Rays in the space of the shape.

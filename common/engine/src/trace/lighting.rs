@@ -2,7 +2,7 @@
 //! object blocks.
 
 use common::Color;
-use common::tally::{self, Work};
+use common::steps::{self, StepKind};
 
 use super::batch::{Batch, Vertex};
 use super::{Tracer, offset_rays};
@@ -85,7 +85,7 @@ impl Tracer<'_> {
                 continue;
             }
             if source.casts_shadows {
-                tally::count_all(Work::ShadowRay, of_source.lit.count_ones().into());
+                steps::count(StepKind::ShadowRay, of_source.lit.count_ones().into());
                 let to_light = offset_rays(rays, hit, of_source.direction);
                 let offset = hit.rounding_error(rays);
                 let distance = of_source.distance;

@@ -8,7 +8,7 @@ use common::{Error, Image, Settings, Size};
 use {
     super::{findings::found_missing, picture},
     crate::difference::worst_pixel,
-    common::{Stage, divergence, picture_file, traced_picture::traced},
+    common::{Stage, divergence, picture_file, steps::with_chosen_pixel},
     program::picture_name,
 };
 
@@ -206,7 +206,7 @@ impl Check {
             };
             let expected = picture_file::open(&locked).ok();
             let worst = move |image: &Image| worst_pixel(expected.as_ref()?, image);
-            let (image, yours) = traced(worst, || self.painted(&settings, render));
+            let (image, yours) = with_chosen_pixel(worst, || self.painted(&settings, render));
             let image = self.picture.insert(image?);
             let compared = picture::compare(&locked, image, self.is_watched);
             let is_right = compared.is_ok();

@@ -1,24 +1,20 @@
-//! Counts powers and records light and colours, by wrappers around materials and lights; with
-//! all work, every material computes the light of all lights, and a Phong material a power for
-//! each.
+//! Reports powers, light and colours, by wrappers around materials and lights; with all work,
+//! every material computes the light of all lights, and a Phong material a power for each.
 
-use a02_math::arrays::array;
 use std::any::Any;
 use std::cell::Cell;
 use std::fmt::Debug;
-use std::hint::black_box;
 
+use a02_math::arrays::array;
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::{Geometry, Hit, watched};
+use a04_intersections::instruments::recorded as geometries;
+use a04_intersections::{Geometry, Hit};
 use common::Color;
-use common::steps::{self, HIT, LIGHT, Step, TEST, type_name};
-use common::tally::{self, Work};
+use common::steps::{self, Outcome, Step, StepKind, type_name};
 
 use crate::power::power;
 use crate::{Illumination, Lambert, Light, Lighting, LitWorld, Material, Phong};
-
-const REFLECTED: &str = "reflected light";
 
 /// The world with its geometries, surfaces and lights replaced by these functions of them;
 /// geometries and lights are counted from 1.
@@ -29,45 +25,55 @@ pub fn world<S, T, L>(
     light: impl Fn((usize, L)) -> L,
 ) -> LitWorld<T, L> {
     LitWorld {
-        world: watched::world(world.world, geometry, surface),
+        world: geometries::world(world.world, geometry, surface),
         lights: (1..).zip(world.lights).map(light).collect(),
         ambient: world.ambient,
     }
 }
 
-/// A light whose steps are recorded, with its number and the name of its type.
+/// A light that is reported.
 #[derive(Debug)]
-struct WatchedLight(usize, String, Box<dyn Light>);
-
-/// Wraps a light, counted from 1, to record its steps.
-pub fn light((number, light): (usize, Box<dyn Light>)) -> Box<dyn Light> {
-    Box::new(WatchedLight(number, type_name(&light), light))
+struct RecordedLight {
+    light: Box<dyn Light>,
+    number: usize,
+    type_name: String,
 }
 
-impl Light for WatchedLight {
+/// Wraps a light, counted from 1, to report what arrives from it.
+pub fn light((number, light): (usize, Box<dyn Light>)) -> Box<dyn Light> {
+    Box::new(RecordedLight {
+        type_name: type_name(&light),
+        number,
+        light,
+    })
+}
+
+impl Light for RecordedLight {
     fn illumination(&self, point: Point3) -> Option<Illumination> {
-        let light = self.2.illumination(point);
-        push_light(self.0, &self.1, light);
+        let light = self.light.illumination(point);
+        push_light(self.number, &self.type_name, light);
         light
     }
 }
 
-/// Records the light that arrives from a source, counted from 1, of this type.
-pub fn push_light(number: usize, name: &str, light: Option<Illumination>) {
-    steps::heading(|| {
-        let name = format!("light {number}: {name}");
-        let step = Step::new(LIGHT, name, "a05-lighting.md#three-lights");
-        light.into_iter().fold(step, |step, light| {
-            step.with("cl", light.color.channels())
+/// Reports the light that arrives from a source, counted from 1, of this type.
+pub fn push_light(number: usize, type_name: &str, light: Option<Illumination>) {
+    steps::heading(StepKind::Light, |kind| {
+        let name = format!("light {number}: {type_name}");
+        let step = Step::new(kind, name, "a05-lighting.md#three-lights").numbered(number);
+        match light {
+            Some(light) => step
+                .with("cl", light.color.channels())
                 .with("l", array(light.direction))
-                .with("distance", [light.distance])
-        })
+                .with("distance", [light.distance]),
+            None => step,
+        }
     });
 }
 
-/// Wraps this material to count its powers.
+/// Wraps this material to report its work.
 pub fn material(material: Box<dyn Material>, all_work: bool) -> Box<dyn Material> {
-    Box::new(Watched {
+    Box::new(RecordedMaterial {
         material,
         as_phong: |material| (material as &dyn Any).downcast_ref(),
         is_lit_from_behind: true,
@@ -75,9 +81,9 @@ pub fn material(material: Box<dyn Material>, all_work: bool) -> Box<dyn Material
     })
 }
 
-/// A material whose powers are counted.
+/// A material whose work is reported.
 #[derive(Debug)]
-pub struct Watched<M: ?Sized> {
+pub struct RecordedMaterial<M: ?Sized> {
     /// The material.
     pub material: Box<M>,
     /// The material as a Phong material, if it is one.
@@ -88,26 +94,30 @@ pub struct Watched<M: ?Sized> {
     pub all_work: bool,
 }
 
-impl<M: Material + ?Sized> Material for Watched<M> {
+impl<M: Material + ?Sized> Material for RecordedMaterial<M> {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
-        let light = WatchedLighting {
+        let light = RecordedLighting {
             ray,
             hit,
-            watched: self,
+            recorded: self,
             lighting,
             is_used: Cell::new(false),
+            unneeded: Cell::new(0.0),
         };
         let color = shaded(ray, hit, &self.material, || {
             self.material.color_for(ray, hit, &light)
         });
-        if self.all_work && !light.is_used.get() {
-            steps::paused(|| light.for_each_light(ray, hit, &mut |_| ()));
+        if !self.all_work {
+            return color;
         }
-        color
+        if !light.is_used.get() {
+            steps::untraced(|| light.for_each_light(ray, hit, &mut |_| ()));
+        }
+        color + Color::gray(0.0 * light.unneeded.get())
     }
 }
 
-/// Records the nearest hit, and the colour of its material with the steps of `shade`, which
+/// Reports the nearest hit, and the colour of its material with the steps of `shade`, which
 /// computes it.
 pub fn shaded<M: Debug + ?Sized>(
     ray: &Ray,
@@ -115,15 +125,17 @@ pub fn shaded<M: Debug + ?Sized>(
     material: &M,
     shade: impl FnOnce() -> Color,
 ) -> Color {
-    watched::shaded(ray, hit, || {
+    geometries::shaded(ray, hit, || {
         let color = shade();
-        steps::heading(|| step("color", "colour", material).with("c", color.channels()));
+        steps::heading(StepKind::Color, |kind| {
+            step(kind, "colour", material).with("c", color.channels())
+        });
         color
     })
 }
 
 /// The step of a part of a material's colour.
-fn step<M: Debug + ?Sized>(kind: &'static str, part: &str, material: &M) -> Step {
+fn step<M: Debug + ?Sized>(kind: StepKind, part: &str, material: &M) -> Step {
     let name = type_name(material);
     let section = match &*name {
         "Lambert" => "a05-lighting.md#lambert-the-cosine",
@@ -133,20 +145,20 @@ fn step<M: Debug + ?Sized>(kind: &'static str, part: &str, material: &M) -> Step
     Step::new(kind, format!("{part} of {name}"), section)
 }
 
-impl<M: Material + ?Sized> Watched<M> {
+impl<M: Material + ?Sized> RecordedMaterial<M> {
     /// The ambient light that the material reflects.
-    fn ambient(&self, ray: &Ray, hit: &Hit, ambient: Color) -> Step {
+    fn ambient(&self, kind: StepKind, ray: &Ray, hit: &Hit, ambient: Color) -> Step {
         let of = |ambient| self.material.color_for(ray, hit, &OneLight(ambient, None));
-        step("ambient", "ambient light", &self.material)
+        step(kind, "ambient light", &self.material)
             .with("ca", ambient.channels())
             .with("cd", of(Color::WHITE).channels())
             .with("c", of(ambient).channels())
     }
 
     /// The part of one light that the material reflects, and both terms of a Phong material.
-    fn reflected(&self, ray: &Ray, hit: &Hit, light: &Illumination) -> Step {
+    fn reflected(&self, kind: StepKind, ray: &Ray, hit: &Hit, light: &Illumination) -> Step {
         let only = OneLight(Color::BLACK, Some(*light));
-        let mut step = step(REFLECTED, "light", &self.material);
+        let mut step = step(kind, "light", &self.material);
         if let Some(phong) = (self.as_phong)(&self.material) {
             let diffuse = Color::BLACK;
             let highlight = Phong {
@@ -180,39 +192,62 @@ impl Lighting for OneLight {
 }
 
 /// Light on its way to a material, which may take a power for it.
-struct WatchedLighting<'a, M: ?Sized> {
-    watched: &'a Watched<M>,
+struct RecordedLighting<'a, M: ?Sized> {
+    recorded: &'a RecordedMaterial<M>,
     /// The ray and the hit that are shaded.
     ray: &'a Ray,
     hit: &'a Hit,
     lighting: &'a dyn Lighting,
     /// Whether the material has used the lights.
     is_used: Cell<bool>,
+    /// The sum of the powers that the lesson leaves out, to be multiplied by 0.
+    unneeded: Cell<f64>,
 }
 
-impl<M: Material + ?Sized> Lighting for WatchedLighting<'_, M> {
+impl<M: Material + ?Sized> Lighting for RecordedLighting<'_, M> {
     fn ambient(&self) -> Color {
         let ambient = self.lighting.ambient();
-        steps::push(|| self.watched.ambient(self.ray, self.hit, ambient));
+        steps::push(StepKind::Ambient, |kind| {
+            self.recorded.ambient(kind, self.ray, self.hit, ambient)
+        });
         ambient
     }
 
     fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
         self.is_used.set(true);
-        let watched = self.watched;
-        let phong = (watched.as_phong)(&watched.material);
+        let recorded = self.recorded;
         let first = steps::so_far(|steps| steps.len()).unwrap_or(0);
         self.lighting.for_each_light(ray, hit, &mut |light| {
-            if let Some(phong) = phong {
-                count_power(phong, watched.all_work, ray, hit, light);
+            if let Some(phong) = (recorded.as_phong)(&recorded.material) {
+                self.count_power(phong, ray, hit, light);
             }
             let is_behind = hit.normal.dot(light.direction) <= 0.0;
-            if watched.is_lit_from_behind || !is_behind {
-                steps::push(|| watched.reflected(ray, hit, light));
+            if recorded.is_lit_from_behind || !is_behind {
+                steps::push(StepKind::ReflectedLight, |kind| {
+                    recorded.reflected(kind, ray, hit, light)
+                });
                 shade(light);
             }
         });
         steps::so_far(|steps| add_outcomes(&mut steps[first..], hit));
+    }
+}
+
+impl<M: ?Sized> RecordedLighting<'_, M> {
+    /// Counts the power that a Phong material takes for this light, by its condition. With all
+    /// work it takes one for every light, also where the highlight is not seen.
+    fn count_power(&self, phong: &Phong, ray: &Ray, hit: &Hit, light: &Illumination) {
+        let (e, l) = (-ray.direction(), light.direction);
+        let cosine = e.dot(l.reflected_on(hit.normal));
+        let is_mirrored = hit.normal.dot(l) > 0.0 && cosine > 0.0;
+        let is_needed = is_mirrored && phong.specular != Color::BLACK;
+        if is_needed || self.recorded.all_work {
+            steps::count(StepKind::Power, 1);
+        }
+        if self.recorded.all_work && !is_needed {
+            let unneeded = power(cosine.abs().min(1.0), phong.exponent);
+            self.unneeded.update(|sum| sum + unneeded);
+        }
     }
 }
 
@@ -223,38 +258,25 @@ fn add_outcomes(steps: &mut [Step], hit: &Hit) {
         let Some((light, parts)) = block.split_first_mut() else {
             continue;
         };
-        let arrives = parts.iter().any(|step| step.kind == REFLECTED);
+        let arrives = parts
+            .iter()
+            .any(|step| step.kind == StepKind::ReflectedLight);
         light.values.push(("arrives", vec![f64::from(arrives)]));
         let Some(l) = light.value("l").map(|l| Vector3::from_glam(l.into())) else {
-            "does not shine here".clone_into(&mut light.outcome);
+            light.outcome = Outcome::Dark;
             continue;
         };
         let cosine = hit.normal.dot(l);
         // The search ends at the object that blocks the light; an object before it in the
         // list may hold the lamp.
-        let mut tests = parts.iter().filter(|step| step.kind == TEST);
-        light.outcome = match tests.rfind(|test| test.outcome == HIT) {
-            _ if arrives => "arrives".to_owned(),
-            Some(test) if cosine > 0.0 => format!("blocked by {}", test.name),
-            _ => "behind the surface".to_owned(),
+        let mut tests = parts.iter().filter(|step| step.kind == StepKind::Test);
+        light.outcome = match tests.rfind(|test| test.outcome == Outcome::Hit) {
+            _ if arrives => Outcome::Arrives,
+            Some(test) if cosine > 0.0 => Outcome::BlockedBy(test.name.clone()),
+            _ => Outcome::BehindSurface,
         };
         let angle = Vector3::from(hit.normal).angle(l).to_degrees();
         light.values.push(("n·l", vec![cosine]));
         light.values.push(("degrees", vec![angle]));
-    }
-}
-
-/// Counts the power that a Phong material takes for this light by Phong's condition; with all
-/// work, it always takes one.
-fn count_power(phong: &Phong, all_work: bool, ray: &Ray, hit: &Hit, light: &Illumination) {
-    let (e, l) = (-ray.direction(), light.direction);
-    let is_mirrored = hit.normal.dot(l) > 0.0 && e.dot(l.reflected_on(hit.normal)) > 0.0;
-    let is_needed = is_mirrored && phong.specular != Color::BLACK;
-    if is_needed || all_work {
-        tally::count(Work::Power);
-    }
-    if all_work && !is_needed {
-        // The compiler would remove a number that is not used.
-        black_box(power(black_box(0.5), phong.exponent));
     }
 }

@@ -1,42 +1,47 @@
-//! Counts and records transformed rays and the intersection tests within nodes, by wrappers around the
-//! nodes and their children.
+//! Reports transformed rays and the intersection tests within nodes, by wrappers around the nodes
+//! and their children.
 
 use std::any::Any;
 
 use a03_rays_cameras::Ray;
-use a03_rays_cameras::instruments::watched::ray_step;
-use a04_intersections::{Geometry, Hit, Interval, watched};
-use common::steps;
-use common::tally::{self, Work};
+use a03_rays_cameras::instruments::recorded::ray_step;
+use a04_intersections::instruments::recorded;
+use a04_intersections::{Geometry, Hit, Interval};
+use common::steps::{self, StepKind};
 
 use crate::{Node, Transform};
 
-/// A node whose transformed rays are counted and recorded.
+/// A node whose transformed rays are reported.
 #[derive(Debug)]
-struct Watched(Box<dyn Geometry>, Transform);
+struct RecordedNode {
+    node: Box<dyn Geometry>,
+    transform: Transform,
+}
 
-impl Geometry for Watched {
+impl Geometry for RecordedNode {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        tally::count(Work::MovedRay);
-        steps::push(|| {
+        steps::push(StepKind::ObjectRay, |kind| {
             let section = "a07-transforms.md#the-ray-in-object-space";
-            let ray = self.1.ray_to_object(ray);
-            ray_step("object ray", "ray in object space", section, &ray)
+            let object_ray = self.transform.ray_to_object(ray);
+            ray_step(kind, "ray in object space", section, &object_ray)
         });
-        self.0.hit(ray, within)
+        self.node.hit(ray, within)
     }
 }
 
-/// Wraps the nodes in a geometry to count their work.
+/// Wraps the nodes in a geometry to report their work.
 pub fn geometry(mut geometry: Box<dyn Geometry>) -> Box<dyn Geometry> {
     let mut number = 0;
     children(&mut geometry, |child| {
         number += 1;
-        watched::geometry(number, child, self::geometry)
+        recorded::geometry(number, child, self::geometry)
     });
     let any: &dyn Any = &*geometry;
     match any.downcast_ref::<Node>().map(|node| node.transform) {
-        Some(transform) => Box::new(Watched(geometry, transform)),
+        Some(transform) => Box::new(RecordedNode {
+            node: geometry,
+            transform,
+        }),
         None => geometry,
     }
 }

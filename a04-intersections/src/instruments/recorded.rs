@@ -1,12 +1,11 @@
-//! Counts and records intersection tests, by a wrapper around each geometry.
+//! Reports intersection tests and the nearest hit, by a wrapper around each geometry.
 
-use a02_math::arrays::array;
 use std::any::Any;
 
+use a02_math::arrays::array;
 use a03_rays_cameras::Ray;
 use common::Color;
-use common::steps::{self, HIT, NO_HIT, RAY, REFLECTED, Step, TEST, type_name};
-use common::tally::{self, Work};
+use common::steps::{self, Outcome, Step, StepKind, type_name};
 
 use crate::from_file::Mesh;
 use crate::instruments::objects;
@@ -14,12 +13,13 @@ use crate::{Geometry, Hit, Interval, World};
 
 const WORLD: &str = "a04-intersections.md#hit-and-world";
 
-/// A geometry whose tests are counted and recorded.
+/// A geometry whose tests are reported.
 #[derive(Debug)]
-struct Watched {
+struct RecordedGeometry {
     geometry: Box<dyn Geometry>,
     /// The number of tests for a ray: of each triangle of a mesh, otherwise one.
     tests: u64,
+    number: usize,
     name: String,
     section: &'static str,
 }
@@ -42,77 +42,79 @@ pub fn geometry(
         "Node" => "a07-transforms.md#node",
         _ => "a04-intersections.md#one-question-and-an-interval",
     };
-    Box::new(Watched {
+    Box::new(RecordedGeometry {
         name: objects::name(number, &*geometry),
         geometry: inner(geometry),
         tests,
+        number,
         section,
     })
 }
 
-impl Geometry for Watched {
+impl Geometry for RecordedGeometry {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        tally::count_all(Work::IntersectionTest, self.tests);
-        let step = || steps::paused(|| self.step(ray, within));
-        steps::inside(step, || self.geometry.hit(ray, within))
+        let step = |kind| steps::untraced(|| self.step(kind, ray, within));
+        steps::inside(StepKind::Test, self.tests, step, || {
+            self.geometry.hit(ray, within)
+        })
     }
 }
 
-impl Watched {
+impl RecordedGeometry {
     /// The step of a test. A ray without a hit gets the `t` that the geometry gives for the whole
     /// ray, or else for the whole line.
-    fn step(&self, ray: &Ray, within: Interval) -> Step {
+    fn step(&self, kind: StepKind, ray: &Ray, within: Interval) -> Step {
         let line = Interval {
             min: f64::NEG_INFINITY,
             ..Interval::AHEAD
         };
-        let intervals = [
-            (within, HIT),
-            (Interval::AHEAD, "beyond the interval"),
-            (line, "behind the origin of the ray"),
-        ];
-        let found = intervals.into_iter().find_map(|(within, outcome)| {
-            let hit = self.geometry.hit(ray, within)?;
-            Some((vec![("t", vec![hit.t])], outcome))
-        });
-        let (values, outcome) = found.unwrap_or((Vec::new(), "beside the ray"));
-        Step {
-            outcome: outcome.to_owned(),
-            values,
-            ..Step::new(TEST, &*self.name, self.section)
+        let mut step = Step::new(kind, &*self.name, self.section).numbered(self.number);
+        step.outcome = Outcome::Missed;
+        for (interval, outcome) in [
+            (within, Outcome::Hit),
+            (Interval::AHEAD, Outcome::BeyondInterval),
+            (line, Outcome::BehindOrigin),
+        ] {
+            if let Some(hit) = self.geometry.hit(ray, interval) {
+                step.outcome = outcome;
+                return step.with("t", [hit.t]);
+            }
         }
+        step
     }
 }
 
-/// Records the nearest hit and the steps of `shade`, which computes its colour.
+/// Reports the nearest hit and the steps of `shade`, which computes its colour.
 pub fn shaded<T>(ray: &Ray, hit: &Hit, shade: impl FnOnce() -> T) -> T {
-    let step = || {
-        Step::new(HIT, "the nearest hit", WORLD)
+    let step = |kind| {
+        Step::new(kind, "the nearest hit", WORLD)
             .with("t", [hit.t])
             .with("p", array(ray.at(hit.t)))
             .with("n", array(hit.normal))
             .with("face", array(hit.face))
     };
-    steps::inside(step, shade)
+    steps::inside(StepKind::Hit, 1, step, shade)
 }
 
-/// Records the background if the last ray has hit nothing.
+/// Reports the background if the last ray has hit nothing.
 pub fn push_background(background: Color) {
-    let last = |steps: &mut Vec<Step>| {
-        let mut kinds = steps.iter().rev().map(|step| step.kind);
-        kinds.find(|kind| [RAY, REFLECTED, HIT].contains(kind))
+    let is_ray_or_hit = |kind: &StepKind| {
+        [StepKind::CameraRay, StepKind::ReflectedRay, StepKind::Hit].contains(kind)
     };
-    if steps::so_far(last)
-        .flatten()
-        .is_some_and(|kind| kind != HIT)
-    {
-        push_color(NO_HIT, background);
+    let last = steps::so_far(|steps| {
+        let mut kinds = steps.iter().rev().map(|step| step.kind);
+        kinds.find(is_ray_or_hit)
+    });
+    if let Some(Some(StepKind::CameraRay | StepKind::ReflectedRay)) = last {
+        push_color(StepKind::Background, "no hit: the background", background);
     }
 }
 
-/// Records the colour of an object or the background.
-pub fn push_color(name: &str, color: Color) {
-    steps::push(|| Step::new("color", name, WORLD).with("c", color.channels()));
+/// Reports the colour of an object or of the background.
+pub fn push_color(kind: StepKind, name: &str, color: Color) {
+    steps::push(kind, |kind| {
+        Step::new(kind, name, WORLD).with("c", color.channels())
+    });
 }
 
 /// The world with its geometries, counted from 1, and surfaces replaced by these functions of

@@ -1,0 +1,186 @@
+//! Reports shadow rays, reflected rays and mirrors, by wrappers around the objects, lights and
+//! surfaces of a world.
+//!
+//! A search of the world begins with the test of an object. The wrappers around lights and
+//! surfaces say which ray it is for: one to the light that has been asked last, or one that leaves
+//! the surface that has been shaded.
+
+use std::any::Any;
+
+use a02_math::Point3;
+use a03_rays_cameras::instruments::recorded::ray_step;
+use a03_rays_cameras::{Ray, TracedWorld};
+use a04_intersections::instruments::recorded as geometries;
+use a04_intersections::{Geometry, Hit, Interval};
+use a05_lighting::instruments::recorded::{self as materials, RecordedMaterial};
+use a05_lighting::{Illumination, Light, Lighting, Material, Phong};
+use common::Color;
+use common::steps::{self, Step, StepKind};
+
+use crate::instruments::all_work::NaiveTracer;
+use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface};
+
+/// A world whose work is reported.
+pub struct RecordedWorld {
+    world: ShadowedWorld,
+    all_work: bool,
+}
+
+impl RecordedWorld {
+    /// Wraps the objects, surfaces and lights of a world; `inner` wraps what is in a geometry.
+    pub fn new(
+        world: ShadowedWorld,
+        inner: fn(Box<dyn Geometry>) -> Box<dyn Geometry>,
+        all_work: bool,
+    ) -> Self {
+        let geometry = |number, geometry| {
+            Box::new(SearchedObject(geometries::geometry(
+                number, geometry, inner,
+            ))) as _
+        };
+        let surface = |material| {
+            Box::new(RecordedSurface(RecordedMaterial {
+                material,
+                as_phong,
+                is_lit_from_behind: false,
+                all_work,
+            })) as _
+        };
+        let light = |(number, source): (usize, LightSource)| LightSource {
+            light: Box::new(LightBeforeShadowRay(materials::light((
+                number,
+                source.light,
+            )))),
+            ..source
+        };
+        Self {
+            world: materials::world(world, geometry, surface, light),
+            all_work,
+        }
+    }
+
+    /// The colour that this function of the world finds for a ray from the camera.
+    pub fn color(&self, trace: impl FnOnce(&ShadowedWorld) -> Color) -> Color {
+        steps::expect_ray(None);
+        let color = trace(&self.world);
+        geometries::push_background(self.world.objects().background());
+        color
+    }
+}
+
+impl TracedWorld for RecordedWorld {
+    fn radiance(&self, ray: &Ray, depth: u32) -> Color {
+        if self.all_work {
+            self.color(|world| NaiveTracer(world).trace(ray, depth))
+        } else {
+            self.color(|world| RecursiveTracer::new(world).trace(ray, depth))
+        }
+    }
+
+    fn recorded(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
+        self
+    }
+}
+
+/// An object of the world. The first one that is tested reports the ray of the search.
+#[derive(Debug)]
+struct SearchedObject(Box<dyn Geometry>);
+
+impl Geometry for SearchedObject {
+    fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        match steps::take_expected_ray() {
+            Some(StepKind::ShadowRay) => push_shadow_ray(ray, within),
+            Some(_) => push_reflected_ray(ray),
+            None => (),
+        }
+        self.0.hit(ray, within)
+    }
+}
+
+fn push_shadow_ray(ray: &Ray, within: Interval) {
+    let p = last_hit();
+    steps::push(StepKind::ShadowRay, |kind| {
+        let section = "a06-shadows-reflection.md#is-the-light-in-sight";
+        ray_step(kind, "shadow ray", section, ray).with("end", [within.max])
+    });
+    push_offset(ray, p);
+}
+
+fn push_reflected_ray(ray: &Ray) {
+    let p = last_hit();
+    let before = steps::so_far(|steps| {
+        let of_sample = steps.iter().rev().take_while(|step| step.level > 0);
+        let reflected = of_sample.filter(|step| step.kind == StepKind::ReflectedRay);
+        reflected.count()
+    });
+    steps::heading(StepKind::ReflectedRay, |kind| {
+        let number = 1 + before.unwrap_or_default();
+        let (name, section) = (
+            format!("reflected ray {number}"),
+            "a06-shadows-reflection.md#the-mirror",
+        );
+        ray_step(kind, name, section, ray).numbered(number)
+    });
+    push_offset(ray, p);
+}
+
+/// The point of the last hit of the sample, if steps are traced.
+fn last_hit() -> Option<Point3> {
+    steps::so_far(|steps| {
+        let mut of_sample = steps.iter().rev().take_while(|step| step.level > 0);
+        let hit = of_sample.find(|step| step.kind == StepKind::Hit);
+        let p = hit.and_then(|hit| hit.value("p")).unwrap_or_default();
+        Point3::from_glam(p.into())
+    })
+}
+
+/// Reports how far the origin of a ray is from the last hit.
+fn push_offset(ray: &Ray, p: Option<Point3>) {
+    steps::push(StepKind::Offset, |kind| {
+        let section = "a06-shadows-reflection.md#getting-off-the-surface";
+        let offset = ray.origin() - p.unwrap_or_default();
+        Step::new(kind, "lift off the surface", section).with("|p' - p|", [offset.magnitude()])
+    });
+}
+
+/// A light after which a shadow ray is expected.
+#[derive(Debug)]
+struct LightBeforeShadowRay(Box<dyn Light>);
+
+impl Light for LightBeforeShadowRay {
+    fn illumination(&self, point: Point3) -> Option<Illumination> {
+        let light = self.0.illumination(point);
+        steps::expect_ray(Some(StepKind::ShadowRay));
+        light
+    }
+}
+
+/// A surface whose work is reported, after which a reflected ray is expected.
+#[derive(Debug)]
+struct RecordedSurface(RecordedMaterial<dyn Surface>);
+
+impl Material for RecordedSurface {
+    fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
+        let color = self.0.color_for(ray, hit, lighting);
+        steps::expect_ray(Some(StepKind::ReflectedRay));
+        color
+    }
+}
+
+impl Surface for RecordedSurface {
+    fn reflection(&self) -> Color {
+        let reflection = self.0.material.reflection();
+        steps::push(StepKind::Mirror, |kind| {
+            let section = "a06-shadows-reflection.md#the-mirror";
+            Step::new(kind, "share of the mirror", section).with("cr", reflection.channels())
+        });
+        reflection
+    }
+}
+
+/// The Phong material of a surface, if it has one.
+fn as_phong(surface: &dyn Surface) -> Option<&Phong> {
+    let any: &dyn Any = surface;
+    let reflective = any.downcast_ref::<Reflective>();
+    reflective.map_or_else(|| any.downcast_ref(), |surface| Some(&surface.shiny))
+}
