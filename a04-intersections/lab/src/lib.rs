@@ -11,6 +11,7 @@ pub mod experiments;
 mod extremes;
 pub mod mesh;
 pub mod protocol;
+pub mod random_scene;
 pub mod search;
 pub mod subject;
 pub mod support;

@@ -7,6 +7,7 @@ mod axis_aligned_box;
 mod contact;
 mod engine;
 mod every_shape;
+mod extreme_scenes;
 mod mesh;
 mod sphere;
 mod support;

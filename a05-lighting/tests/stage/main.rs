@@ -2,6 +2,7 @@
 //!
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
+mod extreme_scenes;
 mod lights;
 mod lit_world;
 mod materials;

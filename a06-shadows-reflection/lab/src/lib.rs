@@ -8,6 +8,7 @@ pub mod experiments;
 mod extremes;
 pub mod lit_points;
 pub mod protocol;
+pub mod random_scene;
 
 use measure::Laboratory;
 

@@ -3,6 +3,7 @@
 //!
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
+mod extreme_scenes;
 mod mirrors;
 mod renderers;
 mod rounding;

@@ -10,6 +10,8 @@ mod dahlia;
 mod disc;
 mod engine;
 mod explained;
+mod extreme_scenes;
+mod negative_zeros;
 mod node;
 mod scene_files;
 #[path = "../../../a04-intersections/tests/stage/support.rs"]

@@ -9,7 +9,7 @@ use arrayvec::ArrayVec;
 use glam::DVec3;
 use wide::{f32x8, f64x8};
 
-use super::slabs::{Slab, Slabs, slack};
+use super::slabs::{Side, Slab, Slabs, slack};
 use super::tree_space::TreeSpace;
 use crate::lanes::{Lanes, RayPacket, Vector3x4};
 
@@ -28,11 +28,12 @@ pub(super) struct Bundle {
 pub(super) struct PacketSlabs(ArrayVec<Slabs<2>, { PACKETS / 8 }>);
 
 impl Bundle {
-    /// The bundle of some packets, if their rays are coherent: they have the same signs of the
-    /// direction along each axis, and up to the distance of 1 they stay within `width`.
+    /// The bundle of some packets, if their rays are coherent: along no axis do they go
+    /// both ways, and up to the distance of 1 they stay within `width`. None if a coordinate of any
+    /// ray is not finite, because nothing bounds such a ray.
     #[inline]
     pub fn new(space: &TreeSpace, packets: &[&RayPacket], width: f32) -> Option<Self> {
-        let (origins, directions) = extremes_of_all(packets);
+        let (origins, directions) = extremes_of_all(packets)?;
         let origins = origins.map(|o| (o - space.centre) * space.scale);
         let largest = {
             let [min, max] = origins;
@@ -48,10 +49,9 @@ impl Bundle {
         };
         let slack = slack(largest);
         let slab = |axis: usize| {
-            let along = |v: DVec3| v[axis];
-            Slab::new(origins.map(along), directions.map(along), slack, |x| {
-                f32x8::splat(x as f32)
-            })
+            let [origins, directions] = [origins, directions].map(|ends| ends.map(|v| v[axis]));
+            let splat = |x: f64| f32x8::splat(x as f32);
+            Slab::new(Side::of(directions[0]), origins, directions, slack, splat)
         };
         let all = Slabs {
             axes: [0, 1, 2].map(slab),
@@ -74,8 +74,10 @@ impl PacketSlabs {
                     let [a, b] = fours.map(|four| four[i][axis]);
                     [0, 1].map(|end| eight(a[end], b[end]))
                 });
+                let side = bundle.all.axes[axis].side;
+                let slack = f64x8::splat(bundle.slack);
                 let single = |numbers: f64x8| f32x8::new(numbers.to_array().map(|x| x as f32));
-                Slab::new(origins, directions, f64x8::splat(bundle.slack), single)
+                Slab::new(side, origins, directions, slack, single)
             };
             Slabs {
                 axes: [0, 1, 2].map(slab),
@@ -117,10 +119,15 @@ fn extremes_of_four(
     ]
 }
 
-/// The least and the greatest coordinates of all origins and of all directions.
+/// The least and the greatest coordinates of all origins and of all directions; none if one of
+/// them is not finite.
+///
+/// Of a NaN and a number, `min` and `max` take either, and would lose all that came before a NaN.
+/// A sum is finite only if all its terms are.
 #[inline]
-fn extremes_of_all(packets: &[&RayPacket]) -> ([DVec3; 2], [DVec3; 2]) {
+fn extremes_of_all(packets: &[&RayPacket]) -> Option<([DVec3; 2], [DVec3; 2])> {
     let (mut origins, mut directions) = ([packets[0].origin; 2], [packets[0].direction; 2]);
+    let mut sum = Vector3x4::splat(DVec3::ZERO);
     for rays in packets {
         let add = |[least, greatest]: &mut [Vector3x4; 2], vectors: Vector3x4| {
             *least = least.min(vectors);
@@ -128,8 +135,10 @@ fn extremes_of_all(packets: &[&RayPacket]) -> ([DVec3; 2], [DVec3; 2]) {
         };
         add(&mut origins, rays.origin);
         add(&mut directions, rays.direction);
+        sum = sum + (rays.origin + rays.direction);
     }
-    (extremes(origins), extremes(directions))
+    let is_finite = (sum.x + sum.y + sum.z).is_finite().all();
+    is_finite.then(|| (extremes(origins), extremes(directions)))
 }
 
 /// Whether rays with these extremes are close to each other, and have directions of about
@@ -137,9 +146,10 @@ fn extremes_of_all(packets: &[&RayPacket]) -> ([DVec3; 2], [DVec3; 2]) {
 #[inline]
 fn are_coherent(origins: [DVec3; 2], directions: [DVec3; 2], width: f32) -> bool {
     let ([o_min, o_max], [d_min, d_max]) = (origins, directions);
+    let go_both_ways = d_min.cmplt(DVec3::ZERO) & d_max.cmpgt(DVec3::ZERO);
     let spread = (o_max - o_min) + (d_max - d_min);
     // None of them is far from length 1, if one is not and they differ little.
-    d_min.is_negative_bitmask() == d_max.is_negative_bitmask()
+    !go_both_ways.any()
         && spread.max_element() < f64::from(width).min(0.1)
         && (0.75..1.5).contains(&d_min.length_squared())
 }

@@ -31,26 +31,51 @@ pub(super) struct Slabs<const N: usize> {
 /// One axis of rays for the slab test.
 #[derive(Debug)]
 pub(super) struct Slab<const N: usize> {
-    /// The index of the plane of the slab that the rays meet first.
-    side: usize,
+    /// Which plane of a slab all rays meet first.
+    pub side: Side,
     near: f32x8,
     far: f32x8,
     inverses: [f32x8; N],
 }
 
+/// The plane of a slab that rays meet first.
+///
+/// Rays with the direction 0 are parallel to the slab, and either plane may count as the first.
+/// The sign of a 0 is never looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    /// The lower plane: no direction is below 0.
+    Lower,
+    /// The upper plane: no direction is above 0.
+    Upper,
+}
+
+impl Side {
+    /// The side of rays whose least direction this is, if they do not go both ways.
+    #[inline]
+    pub fn of(least: f64) -> Self {
+        if least < 0.0 {
+            Self::Upper
+        } else {
+            Self::Lower
+        }
+    }
+}
+
 impl Slabs<1> {
-    /// A ray. None if it starts too far away, or if its direction is far from length 1.
+    /// A ray. None if it starts too far away, if a coordinate is no number, or if its direction is
+    /// far from length 1.
     #[inline]
     pub fn of_ray(space: &TreeSpace, ray: &Ray) -> Option<Self> {
         let d = ray.direction;
         let o = (ray.origin - space.centre) * space.scale;
         let largest = o.abs().max_element().max(1.0);
-        let is_within = largest <= 1e30 && has_length_1(d);
+        let is_within = o.is_finite() && largest <= 1e30 && has_length_1(d);
         is_within.then(|| {
             let slack = slack(largest);
             let slab = |axis: usize| {
                 let splat = |x: f64| f32x8::splat(x as f32);
-                Slab::new([o[axis]; 2], [d[axis]], slack, splat)
+                Slab::new(Side::of(d[axis]), [o[axis]; 2], [d[axis]], slack, splat)
             };
             Self {
                 axes: [0, 1, 2].map(slab),
@@ -72,10 +97,14 @@ fn has_length_1(d: DVec3) -> bool {
 }
 
 impl<const N: usize> Slab<N> {
-    /// From the extremes of origins and directions, in ascending order, which `rounded` turns into
-    /// lanes.
+    /// From the side of all rays and the extremes of their origins and directions, in ascending
+    /// order, which `rounded` turns into lanes.
+    ///
+    /// Which way the rays go is said by the side alone. Of the directions only the magnitudes
+    /// count, because a 0 among them may have the sign of the other way, and so has its inverse.
     #[inline]
     pub fn new<T>(
+        side: Side,
         [min, max]: [T; 2],
         directions: [T; N],
         slack: T,
@@ -84,30 +113,31 @@ impl<const N: usize> Slab<N> {
     where
         T: Copy + Add<Output = T> + Sub<Output = T>,
     {
-        let directions = directions.map(&rounded);
-        // The direction -0 counts as downwards, like all others with a negative inverse.
-        let is_downwards = directions[0].as_array()[0].is_sign_negative();
-        let (near, far) = if is_downwards {
-            (min - slack, max + slack)
-        } else {
-            (max + slack, min - slack)
+        // Rays parallel to the slab get a huge finite inverse, which avoids 0 * infinity.
+        let huge = f32x8::splat(1e30);
+        let inverses = directions.map(|d| (f32x8::ONE / rounded(d).abs()).fast_min(huge));
+        let (near, far, inverses) = match side {
+            Side::Lower => (max + slack, min - slack, inverses),
+            Side::Upper => (min - slack, max + slack, inverses.map(|inverse| -inverse)),
         };
-        let [most, least] = [1e30, -1e30].map(f32x8::splat);
         Self {
-            side: usize::from(is_downwards),
+            side,
             near: rounded(near),
             far: rounded(far),
-            // Rays parallel to the slab get a huge finite inverse, which avoids
-            // 0 * infinity.
-            inverses: directions.map(|d| (f32x8::ONE / d).fast_min(most).fast_max(least)),
+            inverses,
         }
     }
 
     /// The `t` at which the first ray enters eight slabs, and the last one leaves them.
     #[inline]
     fn intersect(&self, planes: &[f32x8; 2]) -> (f32x8, f32x8) {
-        let near = planes[self.side] - self.near;
-        let far = planes[self.side ^ 1] - self.far;
+        let [lower, upper] = planes;
+        let (first_plane, last_plane) = match self.side {
+            Side::Lower => (lower, upper),
+            Side::Upper => (upper, lower),
+        };
+        let near = *first_plane - self.near;
+        let far = *last_plane - self.far;
         let (mut first, mut last) = (near * self.inverses[0], far * self.inverses[0]);
         for inverse in &self.inverses[1..] {
             first = first.fast_min(near * *inverse);

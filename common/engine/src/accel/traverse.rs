@@ -162,12 +162,13 @@ fn packets<Q: Query>(queries: &[Q]) -> Option<ArrayVec<&RayPacket, PACKETS>> {
     Some(packets.collect())
 }
 
-/// The greatest `t` at which a hit of an active ray counts; negative if none is active.
+/// The greatest `t` at which a hit of an active ray counts; negative if no hit counts: if none is
+/// active, or the `t` of all are NaN, because a light of a student's own has such a distance.
 #[inline]
 fn greatest_t<Q: Query>(query: &Q) -> f64 {
     let inactive = Lanes::splat(f64::NEG_INFINITY);
     let [a, b, c, d] = select(mask(query.active()), *query.t_max(), inactive).to_array();
-    a.max(b).max(c.max(d))
+    a.max(b).max(c.max(d)).max(f64::NEG_INFINITY)
 }
 
 #[inline]

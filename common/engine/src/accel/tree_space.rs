@@ -79,7 +79,8 @@ impl TreeSpace {
         Self {
             centre: all.middle().into(),
             scale: 1.0 / extent.fold(f64::MIN_POSITIVE, f64::max),
-            depth_error,
+            // Infinity, plus the infinite `t_max` of rays that are over, would be NaN.
+            depth_error: depth_error.min(f64::MAX),
             is_exact,
         }
     }

@@ -1,5 +1,5 @@
 //! Tests of `packet_culling`. That bundles and packets bound their rays is seen by the comparison of
-//! random worlds with the lesson in stage 6.
+//! random worlds with the lesson in stages 4 to 7.
 
 use crate::accel::bvh::{Child, Node};
 use crate::accel::bvh_build;
@@ -74,12 +74,92 @@ fn rays_that_go_apart_are_no_bundle() {
     };
     let aside = [1.0, 0.0, 0.0625];
     assert!(is_bundle([TO_THE_RIGHT, aside], [0.0; 2], 0b1111));
-    // Other signs along an axis, though by little.
-    let down = [1.0, 0.0, -0.0625];
-    assert!(!is_bundle([TO_THE_RIGHT, down], [0.0; 2], 0b1111));
-    assert!(is_bundle([TO_THE_RIGHT, down], [0.0; 2], 0b0101));
+    // Both ways along an axis, though by little.
+    let [up, down] = [0.03125, -0.03125].map(|z| [1.0, 0.0, z]);
+    assert!(!is_bundle([up, down], [0.0; 2], 0b1111));
+    assert!(is_bundle([up, down], [0.0; 2], 0b0101));
+    assert!(is_bundle([TO_THE_RIGHT, down], [0.0; 2], 0b1111));
     // The origins are a sixteenth of the unit apart, and a quarter.
     assert!(is_bundle([TO_THE_RIGHT; 2], [0.0, 0.125], 0b1111));
     assert!(!is_bundle([TO_THE_RIGHT; 2], [0.0, 0.5], 0b1111));
     assert!(is_bundle([TO_THE_RIGHT; 2], [0.0, 0.5], 0b1010));
+}
+
+/// Which boxes ten packets of rays from the origin meet: all before them, and none above or below.
+/// The packets take these directions in turn.
+fn assert_all_meet(directions: &[[f64; 3]]) {
+    let rays: Vec<_> = directions.iter().map(|d| ray(0.0, *d)).collect();
+    let packets: Vec<_> = (0..10)
+        .map(|i| RayPacket::new([&rays[i % rays.len()]; 4]))
+        .collect();
+    let packets: Vec<_> = packets.iter().collect();
+    let bundle = Bundle::new(&space(), &packets, 1.0).unwrap();
+    let ahead = |y: f64| Bounds {
+        min: [1.0, y - 0.5, -0.5],
+        max: [1.5, y + 0.5, 0.5],
+    };
+    let node = node(&[0.0, 2.0, -2.0, 0.0, 2.0, -2.0, 0.0, 2.0].map(ahead));
+    let mut t_max = [f32::NEG_INFINITY; PACKETS];
+    t_max[..packets.len()].fill(f32::INFINITY);
+    let (_, entered) = bundle
+        .all
+        .intersect(&node.planes, f32x8::splat(f32::INFINITY));
+    assert_eq!(entered, 0b0100_1001, "{directions:?}");
+    let slabs = PacketSlabs::new(&space(), &bundle, &packets);
+    for (child, expected) in [(0, 0b11_1111_1111), (1, 0), (2, 0)] {
+        let met = slabs.intersect(&node.planes_of(child), &t_max);
+        assert_eq!(met, expected, "{directions:?}, child {child}");
+    }
+}
+
+/// A ray with the direction 0 along an axis goes with all others, whatever the sign of the 0 and
+/// whichever packet has it.
+#[test]
+fn the_sign_of_a_zero_says_nothing() {
+    let tiny = f64::from_bits(1);
+    for [y, z] in [
+        [0.0, 0.0],
+        [-0.0, -0.0],
+        [tiny, -tiny],
+        [1e-40, -1e-40],
+        [0.0625, -0.0625],
+        [-0.0625, 0.0625],
+    ] {
+        for zeros in [[0.0, -0.0], [-0.0, 0.0]] {
+            let [a, b] = zeros;
+            let mixed = [[1.0, a, b], [1.0, y, z], [1.0, b, a], [1.0, y, a]];
+            for first in 0..mixed.len() {
+                let mut directions = mixed;
+                directions.rotate_left(first);
+                assert_all_meet(&directions);
+            }
+        }
+    }
+}
+
+/// Neither bundle nor single ray is bounded by numbers that are none, and none of the others in a
+/// packet is lost by them.
+#[test]
+fn rays_that_are_not_finite_are_in_no_bundle() {
+    let good = ray(0.0, TO_THE_RIGHT);
+    for number in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for place in 0..6 {
+            let mut bad = good;
+            if place < 3 {
+                bad.origin[place] = number;
+            } else {
+                bad.direction[place - 3] = number;
+            }
+            assert!(Slabs::of_ray(&space(), &bad).is_none(), "{bad:?}");
+            for packet in 0..6 {
+                for lane in 0..4 {
+                    let rays = [0, 1, 2, 3].map(|i| if i == lane { &bad } else { &good });
+                    let mut packets = [RayPacket::new([&good; 4]); 6];
+                    packets[packet] = RayPacket::new(rays);
+                    let bundle = Bundle::new(&space(), &packets.each_ref(), 1.0);
+                    assert!(bundle.is_none(), "{bad:?} in lane {lane} of {packet}");
+                }
+            }
+        }
+    }
 }

@@ -103,3 +103,15 @@ fn the_half_area_is_that_of_three_faces() {
     assert_eq!(bounds.half_area(), 52.0);
     assert_eq!(TreeBounds::EMPTY.half_area(), 0.0);
 }
+
+/// The `t` of a query that is over stays below all others, however far a shape may err.
+#[test]
+fn no_depth_error_makes_an_end_nan() {
+    let bounds = Bounds {
+        min: [-1e300; 3],
+        max: [1e300; 3],
+    };
+    let space = TreeSpace::new(bounds, f64::INFINITY, false);
+    assert_eq!(space.t_max(f64::NEG_INFINITY), f32::NEG_INFINITY);
+    assert_eq!(space.t_max(f64::INFINITY), f32::INFINITY);
+}
