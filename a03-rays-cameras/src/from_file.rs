@@ -43,6 +43,7 @@ pub fn scene(path: &Path, stage: u8, make_view: MakeView) -> Result<Scene, Error
     };
     let file = file.map_err(&at_place)?;
     let defaults = settings(&file.picture).map_err(&at_place)?;
+    let notes = file.notes.clone();
     // All constructors must accept the numbers. The first picture takes the view that they make.
     let first = Mutex::new(Some(make_view(&file).map_err(&at_place)?));
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
@@ -59,6 +60,7 @@ pub fn scene(path: &Path, stage: u8, make_view: MakeView) -> Result<Scene, Error
         defaults,
     });
     scene.is_large = triangles.get() > 10_000;
+    scene.notes = notes;
     scene.files = files.into_inner();
     Ok(scene)
 }

@@ -235,6 +235,7 @@ impl From<TracedScene> for Scene {
                 file: false,
             },
             is_large: false,
+            notes: Vec::new(),
             files: Vec::new(),
             picture: Picture::Traced(Arc::new(scene)),
         }

@@ -61,19 +61,14 @@ fn triangle(
     normals.map_or(Ok(triangle), |normals| triangle.with_normals(normals))
 }
 
-/// The triangles that have an area. Normals of length 0 are left out.
+/// The triangles that have an area.
 fn mesh(item: &Item) -> Result<Mesh, Error> {
     let Some(Data::Mesh(mesh)) = item.find("file") else {
         return Err(item.lacks("file"));
     };
-    let is_smooth = item.flag("smooth").unwrap_or(true);
     let mut triangles = item.check(World::new(Color::BLACK))?;
     for (corners, normals) in mesh.triangles() {
-        for [x, y, z] in corners {
-            item.check(Point3::new(x, y, z).checked("file"))?;
-        }
-        let smooth = triangle(corners, normals.filter(|_| is_smooth));
-        if let Ok(triangle) = smooth.or_else(|_| triangle(corners, None)) {
+        if let Ok(triangle) = triangle(corners, normals) {
             triangles.objects.push((Box::new(triangle), ()));
         }
     }

@@ -77,6 +77,8 @@ pub struct Scene {
     pub uses: UsedSettings,
     /// Whether only the fast renderer has its picture soon.
     pub is_large: bool,
+    /// What is drawn in another way than a file says, each a clause.
+    pub notes: Vec<String>,
     /// The files that it is made of, the scene file first; none for a scene of the stage.
     pub files: Vec<PathBuf>,
     /// How its picture is made.
@@ -99,6 +101,7 @@ impl Scene {
                 ..UsedSettings::default()
             },
             is_large: false,
+            notes: Vec::new(),
             files: Vec::new(),
             picture: Picture::Painted(Arc::new(paint)),
         }

@@ -13,8 +13,9 @@ const EXAMPLE: &str = include_str!("../../a07-transforms/scenes/shapes.toml");
 
 /// Reads bytes as a scene file and as a mesh, and renders what is right of them.
 pub fn check(bytes: &[u8]) {
-    let triangles = Mesh::read(bytes).map(|mesh| mesh.triangles().count());
-    assert_ne!(triangles, Ok(0));
+    if let Ok(mut mesh) = Mesh::read(bytes) {
+        check_mesh(&mut mesh, bytes);
+    }
     let text = String::from_utf8_lossy(bytes);
     let views: [MakeView; 4] = [
         a04_intersections::from_file::view,
@@ -39,6 +40,26 @@ pub fn check(bytes: &[u8]) {
                 assert_eq!(error.text.lines().count(), 1, "{error:?} in {text}");
             }
         }
+    }
+}
+
+/// Checks the numbers of a mesh, also of its computed normals.
+fn check_mesh(mesh: &mut Mesh, bytes: &[u8]) {
+    // A line such as f 1 1 1 1 is a face without triangles.
+    let count = mesh.triangles().count();
+    assert!(
+        count <= bytes.len(),
+        "{count} triangles of {} bytes",
+        bytes.len()
+    );
+    mesh.set_smooth(true);
+    for (corners, normals) in mesh.triangles() {
+        assert!(corners.as_flattened().iter().all(|x| x.abs() <= 1e100));
+        let normals = normals.unwrap_or_default();
+        assert!(normals.as_flattened().iter().all(|x| x.is_finite()));
+    }
+    for note in mesh.notes() {
+        assert_eq!(note.lines().count(), 1, "{note}");
     }
 }
 

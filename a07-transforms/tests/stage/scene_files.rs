@@ -5,7 +5,6 @@ use std::path::Path;
 
 use a07_transforms::stage;
 use common::{Error, Renderer, Scene, Settings, Size, Transfer, picture_file};
-use scene_file::Mesh;
 
 const EXAMPLE: &str = include_str!("../../scenes/shapes.toml");
 const PYRAMID: &str = include_str!("../../scenes/pyramid.obj");
@@ -198,64 +197,25 @@ fn files_without_permission_are_refused() {
     }
 }
 
-/// A square, whose numbers have any type.
-const SQUARE: &str = "ply\nformat ascii 1.0\ncomment a square\nelement vertex 4\nproperty KIND x\n\
-    property KIND y\nproperty KIND quality\nproperty KIND z\nelement face 1\n\
-    property list KIND KIND vertex_indices\nend_header\n";
-const NUMBERS: &str = "0 0 9 0  1 0 9 0  1 1 9 0  0 1 9 0  4 0 1 2 3";
-/// Its half, twice.
-const OBJ: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-
+/// A face in the shape of the letter T, turned over. A fan from its first corner covers 3152.
 #[test]
-fn a_mesh_is_the_same_in_all_formats() {
-    let expected: Vec<_> = Mesh::read(OBJ.as_bytes()).unwrap().triangles().collect();
-    assert_eq!(expected.len(), 2);
-    let is_right = |file: &[u8]| {
-        let read = Mesh::read(file).unwrap();
-        assert_eq!(read.triangles().collect::<Vec<_>>(), expected);
-        for end in 0..file.len() {
-            assert!(Mesh::read(&file[..end]).is_err(), "{end} bytes");
-        }
-    };
-    is_right(&[SQUARE, NUMBERS].concat().into_bytes());
-    // The normal of a face is not that of its corners.
-    let flat = SQUARE.replace("end_header", "property KIND nx\nend_header") + NUMBERS + " 1";
-    is_right(flat.as_bytes());
-    for kind in ["char", "int", "float"] {
-        let bytes = |word: &str| match kind {
-            "char" => vec![word.parse::<u8>().unwrap()],
-            "int" => word.parse::<i32>().unwrap().to_le_bytes().into(),
-            _ => word.parse::<f32>().unwrap().to_le_bytes().into(),
+fn a_concave_face_covers_its_pixels() {
+    let folder = folder();
+    let letter = "v 0 0 0\nv 0 1 0\nv 1 1 0\nv 1 2 0\nv 2 2 0\nv 2 1 0\nv 3 1 0\nv 3 0 0\n\
+                  f 1 2 3 4 5 6 7 8\nf 1 2\n";
+    fs::write(folder.path().join("letter.obj"), letter).unwrap();
+    let text = "[picture]\nsize = [160, 120]\n[camera]\neye = [1.5, 1, 6]\ngaze = [0, 0, -6]\n\
+                angle = 40\n[[mesh]]\nfile = \"letter.obj\"\ncolor = [1, 1, 1]\n";
+    let scene = open(folder.path(), text.as_bytes()).unwrap();
+    let note = "letter.obj: 1 face of fewer than three corners is left out";
+    assert_eq!(scene.notes, [note]);
+    for renderer in Renderer::ALL {
+        let settings = Settings {
+            renderer,
+            ..scene.defaults.clone()
         };
-        let header = SQUARE.replace("KIND", kind);
-        let header = header.replace("ascii", "binary_little_endian");
-        let numbers = NUMBERS.split_whitespace().flat_map(bytes);
-        is_right(&[header.into_bytes(), numbers.collect()].concat());
+        let image = scene.render(&settings, &()).unwrap();
+        let white = image.rows().flatten().filter(|color| color.r == 1.0);
+        assert_eq!(white.count(), 2970, "{renderer:?}");
     }
-    for wrong in ["0 1 2 4", "0 1 2 -3", "0 1 2 x"] {
-        let file = [SQUARE, &NUMBERS.replace("0 1 2 3", wrong)].concat();
-        assert!(Mesh::read(file.as_bytes()).is_err(), "{wrong}");
-    }
-    // A face of two corners, beside the square; and corners and normals that it lacks.
-    let faces = SQUARE.replace("face 1", "face 2") + NUMBERS + " 2 0 1";
-    let lines = [
-        "f 1 2 \r\n",
-        "\tf\t1 2",
-        "f 0 1 2",
-        "f 1 2 -5",
-        "f 1 2 5",
-        "vn 0 0 1\nf 1//-2 2//1 3//1",
-    ];
-    for wrong in lines
-        .map(|line| [OBJ, line].concat())
-        .iter()
-        .chain([&faces])
-    {
-        assert!(Mesh::read(wrong.as_bytes()).is_err(), "{wrong}");
-    }
-    // A face without a normal is flat, though another has some.
-    let normals = OBJ.to_owned() + "vn 0 0 1\nf -4//1 -3//-1 3/7/1 # all";
-    let mesh = Mesh::read(normals.as_bytes()).unwrap();
-    let normals: Vec<_> = mesh.triangles().map(|(_, normals)| normals).collect();
-    assert_eq!(normals, [None, None, Some([[0.0, 0.0, 1.0]; 3])]);
 }

@@ -12,6 +12,7 @@ use crate::grammar::Showing;
 use crate::live_picture::{Coarse, coarse};
 use crate::options::Options;
 use crate::print::warn;
+use crate::render::print_notes;
 use crate::save::save_beside_others;
 use crate::target::make_default_folder;
 use crate::watch::Watch;
@@ -92,6 +93,7 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
         };
         let started = opened.and_then(|scene| {
             self.options.settings(&scene)?;
+            print_notes(&scene);
             self.scene = scene;
             self.sliders.clear();
             self.start()

@@ -83,13 +83,22 @@ pub fn render(scene: &Scene, settings: &Settings, options: &Options) -> Result<I
     Ok(image)
 }
 
-/// Prints a note for each flag that does not change this scene, and about a slow renderer.
+/// Prints a note for each flag that does not change this scene, the notes about its files, and one
+/// about a slow renderer.
 pub fn warn_unused(scene: &Scene, options: &Options, settings: &Settings) {
     for flag in options.unused(scene.uses, settings) {
         warn(&format!("note: {flag} changes nothing in {}", scene.name));
     }
+    print_notes(scene);
     if scene.is_large && settings.renderer != Renderer::Engine {
         let note = "has more than 10000 triangles, and each ray tests all; --fast renders it soon";
         warn(&format!("note: {} {note}", scene.name));
+    }
+}
+
+/// Prints the notes about the files of a scene.
+pub fn print_notes(scene: &Scene) {
+    for note in &scene.notes {
+        warn(&format!("note: {note}"));
     }
 }

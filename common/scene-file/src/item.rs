@@ -90,6 +90,22 @@ impl Item {
         }
     }
 
+    /// Adds the notes about its meshes that are not there yet.
+    pub(crate) fn add_notes(&self, notes: &mut Vec<String>) {
+        for (.., data) in &self.values {
+            let Data::Mesh(mesh) = data else { continue };
+            for note in mesh.notes() {
+                let note = format!("{}: {note}", mesh.file);
+                if !notes.contains(&note) {
+                    notes.push(note);
+                }
+            }
+        }
+        for table in &self.tables {
+            table.add_notes(notes);
+        }
+    }
+
     /// The error of a missing key.
     #[must_use]
     pub fn lacks(&self, key: &str) -> Error {

@@ -11,9 +11,7 @@ mod item;
 mod kind;
 mod mesh;
 mod numbers;
-mod obj;
 mod phrases;
-mod ply;
 mod reader;
 
 pub use error::Error;

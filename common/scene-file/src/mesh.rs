@@ -1,67 +1,145 @@
 //! `Mesh`: the triangles of an OBJ or PLY file.
 
-use crate::{obj, ply};
+mod obj;
+mod other_file;
+mod ply;
+mod ply_header;
+mod ply_numbers;
+mod polygon;
+mod polygons;
+mod text;
+mod vertex_normals;
+
+use polygon::Triangulator;
+use polygons::{Face, Polygons};
 
 /// The index of the normal of a corner without one.
-pub const NONE: u32 = u32::MAX;
+pub(crate) const NONE: u32 = u32::MAX;
+
+/// The bytes at the beginning of a text that say that it is UTF-8.
+const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 
 /// Triangles that share corners and normals.
 #[derive(Debug, Default)]
 pub struct Mesh {
-    pub(crate) corners: Vec<[f64; 3]>,
-    pub(crate) normals: Vec<[f64; 3]>,
+    /// The name of the file, as the scene file has it; empty if it is not known.
+    pub(crate) file: String,
+    corners: Vec<[f64; 3]>,
+    normals: Vec<[f64; 3]>,
     /// For each corner of a triangle its index and that of its normal.
     triangles: Vec<[[u32; 2]; 3]>,
+    /// What the reader of a scene should know about the faces.
+    counts: Counts,
+}
+
+/// Numbers of faces that are drawn in another way than the file says.
+#[derive(Clone, Copy, Debug, Default)]
+struct Counts {
+    /// Faces of one or two corners, or of none, which are left out.
+    too_small: usize,
+    /// Faces that cross themselves, and so have no inside that all programs agree on.
+    crossing: usize,
+    /// Faces that name a normal that is missing or that is no direction.
+    without_their_normal: usize,
+    /// Triangles with at least one computed normal.
+    smoothed: usize,
 }
 
 /// Three corners, and their normals if all have one.
 pub type Triangle = ([[f64; 3]; 3], Option<[[f64; 3]; 3]>);
 
 impl Mesh {
-    /// Reads an OBJ or PLY file. Polygons become triangles; its materials are ignored.
+    /// Reads an OBJ or PLY file. Polygons become triangles; materials are ignored. The error is a
+    /// clause.
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
-        // Numbers of corners begin with 1 in OBJ files.
-        let (format, first, mesh) = if bytes.starts_with(b"ply") {
-            ("PLY", 0, ply::read(bytes))
-        } else {
-            ("OBJ", 1, obj::read(bytes))
-        };
-        let mesh = mesh.and_then(|mesh| mesh.checked(first));
-        let mesh = mesh.map_err(|error| format!("a mistake in this {format}: {error}"))?;
-        if mesh.triangles.is_empty() {
-            return Err(
-                "it has no faces; a mesh is an OBJ file with lines as f 1 2 3, or a PLY file"
-                    .into(),
-            );
+        let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
+        if let Some(kind) = other_file::by_first_bytes(bytes) {
+            return Err(is_other_file(kind));
         }
-        Ok(mesh)
-    }
-
-    /// The mesh, if no face has a corner or a normal that is missing; their numbers begin with
-    /// `first`.
-    fn checked(self, first: u64) -> Result<Self, String> {
-        for (i, name, list) in [(0, "corner", &self.corners), (1, "normal", &self.normals)] {
-            let count = list.len();
-            let is_missing = |index: &u32| *index as usize >= count && (i, *index) != (1, NONE);
-            let mut indices = self.triangles.as_flattened().iter().map(|corner| corner[i]);
-            if let Some(index) = indices.find(is_missing) {
-                let number = u64::from(index) + first;
-                return Err(format!(
-                    "a face has the {name} {number} of {count}, from {first}"
+        let is_ply = ply_header::is_ply(bytes);
+        let read = if is_ply {
+            ply::read(bytes)
+        } else {
+            obj::read(bytes)
+        };
+        let format = if is_ply { "PLY" } else { "OBJ" };
+        let mesh = read.and_then(|polygons| {
+            let count = polygons.positions.len();
+            let mesh = Self::from_polygons(polygons)?;
+            Ok((mesh, count))
+        });
+        let (mesh, count) = match mesh {
+            Ok(read) => read,
+            Err(error) => {
+                let other = other_file::by_text(bytes).filter(|_| !is_ply);
+                return Err(other.map_or_else(
+                    || format!("a mistake in this {format}: {error}"),
+                    is_other_file,
                 ));
             }
+        };
+        if !mesh.triangles.is_empty() {
+            return Ok(mesh);
         }
-        Ok(self)
+        let too_small = mesh.counts.too_small;
+        Err(match (too_small, count, other_file::by_text(bytes)) {
+            (1.., ..) => "none of its faces has three corners".to_owned(),
+            (_, 0, Some(kind)) => is_other_file(kind),
+            (_, 0, None) => "it has no faces; a mesh is an OBJ file with lines as f 1 2 3, or a \
+                             PLY file"
+                .to_owned(),
+            (_, count, _) => format!(
+                "it has no faces, only {}, perhaps with lines between them; a mesh needs faces",
+                number_of(count, "point")
+            ),
+        })
     }
 
-    /// Adds the triangles of a face from its first corner; none if it has less than three.
-    pub(crate) fn add_face(&mut self, corners: &[[u32; 2]]) -> Option<()> {
-        let [first, others @ ..] = corners else {
-            return None;
+    /// The polygons as triangles, in the order of the file. The error is a clause.
+    fn from_polygons(polygons: Polygons) -> Result<Self, String> {
+        polygons.check_corners()?;
+        let mut mesh = Self {
+            counts: Counts {
+                too_small: polygons.too_small,
+                ..Counts::default()
+            },
+            ..Self::default()
         };
-        let triangles = others.windows(2).map(|side| [*first, side[0], side[1]]);
-        self.triangles.extend(triangles);
-        (others.len() > 1).then_some(())
+        mesh.triangles.reserve(polygons.faces.len());
+        let mut triangulator = Triangulator::default();
+        let mut first = 0;
+        let mut face = Vec::new();
+        for Face { end, place } in &polygons.faces {
+            face.clear();
+            let mut has_its_normals = true;
+            for [corner, normal] in &polygons.corners[first..*end] {
+                let named = polygons.normals.get(*normal as usize);
+                let is_usable = named.is_some_and(|normal| is_direction(*normal));
+                has_its_normals &= is_usable || *normal == NONE;
+                face.push([*corner, if is_usable { *normal } else { NONE }]);
+            }
+            first = *end;
+            mesh.counts.without_their_normal += usize::from(!has_its_normals);
+            if let [a, b, c] = face[..] {
+                mesh.triangles.push([a, b, c]);
+                continue;
+            }
+            let points = face
+                .iter()
+                .map(|[corner, _]| polygons.positions[*corner as usize]);
+            let cut = triangulator.cut(points).map_err(|error| {
+                let face = polygons.name_of_face(*place);
+                format!("{face} {error}")
+            })?;
+            mesh.counts.crossing += usize::from(cut.crosses_itself);
+            for triangle in cut.triangles {
+                mesh.triangles
+                    .push(triangle.map(|index| face[index as usize]));
+            }
+        }
+        mesh.corners = polygons.positions;
+        mesh.normals = polygons.normals;
+        Ok(mesh)
     }
 
     /// The triangles in the order of the file.
@@ -76,4 +154,77 @@ impl Mesh {
             (corners, normals)
         })
     }
+
+    /// Makes all triangles smooth, with computed normals where the file has none, or all flat.
+    pub fn set_smooth(&mut self, is_smooth: bool) {
+        // What is said about normals that are missing is then said by the count of computed ones.
+        self.counts.without_their_normal = 0;
+        if is_smooth {
+            self.counts.smoothed = self.add_missing_normals();
+        } else {
+            for corner in self.triangles.as_flattened_mut() {
+                corner[1] = NONE;
+            }
+        }
+    }
+
+    /// What is drawn in another way than the file says, a clause for each kind.
+    #[must_use]
+    pub fn notes(&self) -> Vec<String> {
+        let Counts {
+            too_small,
+            crossing,
+            without_their_normal,
+            smoothed,
+        } = self.counts;
+        let mut notes = Vec::new();
+        if too_small > 0 {
+            let faces = number_of(too_small, "face");
+            let are = if too_small == 1 { "is" } else { "are" };
+            notes.push(format!(
+                "{faces} of fewer than three corners {are} left out"
+            ));
+        }
+        if crossing > 0 {
+            let faces = number_of(crossing, "face");
+            notes.push(format!(
+                "the border of {faces} crosses itself, so that its inside is a guess"
+            ));
+        }
+        if without_their_normal > 0 {
+            let faces = number_of(without_their_normal, "face");
+            let are = if without_their_normal == 1 {
+                "is"
+            } else {
+                "are"
+            };
+            notes.push(format!(
+                "{faces} {are} flat, with normals that are missing or have no direction"
+            ));
+        }
+        if smoothed > 0 {
+            let count = self.triangles.len();
+            notes.push(format!(
+                "smooth, with computed normals for {smoothed} of {}, for which the file has none",
+                number_of(count, "triangle")
+            ));
+        }
+        notes
+    }
+}
+
+/// The error for a file that is no mesh.
+fn is_other_file(kind: &str) -> String {
+    format!("it is {kind}; a mesh is an OBJ or PLY file")
+}
+
+/// A count with its noun, such as `1 face` and `2 faces`.
+fn number_of(count: usize, noun: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {noun}{plural}")
+}
+
+/// Whether a vector has finite coordinates, not all of them 0.
+fn is_direction(vector: [f64; 3]) -> bool {
+    vector.iter().all(|x| x.is_finite()) && vector != [0.0; 3]
 }

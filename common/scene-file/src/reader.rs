@@ -54,6 +54,9 @@ pub struct SceneFile {
     pub lights: Vec<Item>,
     /// The shapes that are in no group, and the groups.
     pub shapes: Vec<Item>,
+    /// Notes about the meshes that are drawn in another way than their files say, each a clause
+    /// with the name of the file.
+    pub notes: Vec<String>,
 }
 
 impl SceneFile {
@@ -78,6 +81,7 @@ impl SceneFile {
             materials: Vec::new(),
             lights: Vec::new(),
             shapes: Vec::new(),
+            notes: Vec::new(),
         };
         for item in reader.item(&KINDS[0], "", 0, table.get_ref(), 0)?.tables {
             match item.kind.name {
@@ -88,6 +92,9 @@ impl SceneFile {
                 name if name.ends_with("_light") => file.lights.push(item),
                 _ => file.shapes.push(item),
             }
+        }
+        for shape in &file.shapes {
+            shape.add_notes(&mut file.notes);
         }
         Ok(file)
     }
@@ -140,6 +147,13 @@ impl Reader<'_> {
             }
         }
         item.tables.sort_by_key(|table| table.at);
+        if let Some(is_smooth) = item.flag("smooth") {
+            for (.., data) in &mut item.values {
+                if let Data::Mesh(mesh) = data {
+                    mesh.set_smooth(is_smooth);
+                }
+            }
+        }
         Ok(item)
     }
 
@@ -174,9 +188,10 @@ impl Reader<'_> {
     fn data(&self, key: &Key, value: &Spanned<DeValue>) -> Result<Data, Error> {
         match (key.form, value.get_ref()) {
             ("text", DeValue::String(file)) if key.name == "file" => {
-                let mesh = (self.meshes)(file);
                 let cannot = |reason| error(value, format!("cannot read {file}: {reason}"));
-                mesh.map(Data::Mesh).map_err(cannot)
+                let mut mesh = (self.meshes)(file).map_err(cannot)?;
+                mesh.file = file.to_string();
+                Ok(Data::Mesh(mesh))
             }
             ("text", DeValue::String(text)) => Ok(Data::Text(text.to_string())),
             ("true or false", DeValue::Boolean(flag)) => Ok(Data::Flag(*flag)),

@@ -1,0 +1,65 @@
+//! `Numbers`: the numbers of a PLY file behind its header.
+
+use super::ply_header::{Encoding, Type};
+use super::text::{number, quoted};
+
+/// The numbers that are not yet read.
+#[derive(Debug)]
+pub struct Numbers<'a> {
+    /// How they are written.
+    pub encoding: Encoding,
+    /// The bytes behind the last number.
+    pub rest: &'a [u8],
+}
+
+/// Why there is no number.
+#[derive(Debug)]
+pub enum NoNumber {
+    /// The file is at its end.
+    End,
+    /// This word is none.
+    Word(String),
+}
+
+impl Numbers<'_> {
+    /// The next number of a type.
+    pub fn next(&mut self, kind: Type) -> Result<f64, NoNumber> {
+        if self.encoding == Encoding::Ascii {
+            return self.word();
+        }
+        Ok(match kind {
+            Type::Int8 => i8::from_le_bytes(self.bytes()?).into(),
+            Type::Uint8 => u8::from_le_bytes(self.bytes()?).into(),
+            Type::Int16 => i16::from_le_bytes(self.bytes()?).into(),
+            Type::Uint16 => u16::from_le_bytes(self.bytes()?).into(),
+            Type::Int32 => i32::from_le_bytes(self.bytes()?).into(),
+            Type::Uint32 => u32::from_le_bytes(self.bytes()?).into(),
+            Type::Float32 => f32::from_le_bytes(self.bytes()?).into(),
+            Type::Float64 => f64::from_le_bytes(self.bytes()?),
+        })
+    }
+
+    /// The next word as a number.
+    fn word(&mut self) -> Result<f64, NoNumber> {
+        let text = self.rest.trim_ascii_start();
+        let end = text.iter().position(u8::is_ascii_whitespace);
+        let (word, rest) = text.split_at(end.unwrap_or(text.len()));
+        self.rest = rest;
+        if word.is_empty() {
+            return Err(NoNumber::End);
+        }
+        let read = str::from_utf8(word).ok().and_then(number);
+        read.ok_or_else(|| NoNumber::Word(quoted(&String::from_utf8_lossy(word)).into_owned()))
+    }
+
+    /// The bytes of the next number, the least significant one first.
+    fn bytes<const N: usize>(&mut self) -> Result<[u8; N], NoNumber> {
+        let (bytes, rest) = self.rest.split_first_chunk().ok_or(NoNumber::End)?;
+        self.rest = rest;
+        let mut bytes: [u8; N] = *bytes;
+        if self.encoding == Encoding::BigEndian {
+            bytes.reverse();
+        }
+        Ok(bytes)
+    }
+}
