@@ -2,11 +2,18 @@
 //! reflection cutoff that follows from it.
 //!
 //! A surface of the colour `c` and the reflectance `k` brings back `c + k f`, where `f` is the
-//! radiance of the reflected ray. So no ray brings back more than
-//! `c (1 + k + k² + ..) = c / (1 - k)`, with the largest `c` and `k` of the scene. A
-//! reflected ray with the throughput `m` changes the picture by less than a threshold if
-//! `m c / (1 - k)` is below it. (Hall and Greenberg, A Testbed for Realistic Image Synthesis,
-//! 1983: adaptive tree depth.)
+//! radiance of the reflected ray. A path meets at most `depth` surfaces, and shows the background
+//! only instead of one of them. So with the largest `c` and `k` of the scene, the background's
+//! colour included, no ray brings back more than
+//! `c (1 + k + .. + k^(depth - 1)) = c (1 - k^depth) / (1 - k)`, or `c depth` for `k = 1`. With one
+//! surface only, that is `c`.
+//!
+//! The `c` of a material bounds its highlights as well: no cosine, and no power of one, is above 1.
+//! So each light adds at most its own colour times the diffuse and the specular reflectance.
+//!
+//! A reflected ray with the throughput `m` has fewer surfaces left, and changes the picture by less
+//! than a threshold if `m` times that bound is below it. (Hall and Greenberg, A Testbed for
+//! Realistic Image Synthesis, 1983: adaptive tree depth.)
 
 use common::Color;
 
@@ -14,7 +21,7 @@ use super::Light;
 use crate::Scene;
 
 /// Upper bound of the radiance in a scene; infinite where a light or a material is not one of
-/// the engine's, or a mirror reflects everything.
+/// the engine's.
 pub(crate) fn max_radiance(scene: &Scene) -> Color {
     let lights = scene.lights.iter().map(Light::max_radiance);
     let lights = lights.fold(Color::BLACK, |sum, light| sum + light);
@@ -23,8 +30,20 @@ pub(crate) fn max_radiance(scene: &Scene) -> Color {
         c = largest(c, surface.max_radiance(scene.ambient, lights));
         k = largest(k, surface.reflection);
     }
-    // The endless sum is infinite, or NaN without mirrors: neither is below any threshold.
-    c * k.map(|k| 1.0 / (1.0 - k))
+    c * k.map(|k| geometric_sum(k, scene.depth))
+}
+
+/// The sum `1 + k + .. + k^(terms - 1)`, for `k` from 0 to 1.
+///
+/// `1 - k^terms` would lose its digits where `k` is close to 1. The difference `k - 1` is exact
+/// there, and `expm1` and `log1p` keep small numbers.
+fn geometric_sum(k: f64, terms: u32) -> f64 {
+    let terms = f64::from(terms);
+    if k < 1.0 {
+        libm::expm1(terms * libm::log1p(k - 1.0)) / (k - 1.0)
+    } else {
+        terms
+    }
 }
 
 /// Upper bound of the radiance in a scene, and the threshold of the reflection cutoff.
@@ -50,4 +69,36 @@ impl RadianceBound {
 
 fn largest(a: Color, b: Color) -> Color {
     Color::new(a.r.max(b.r), a.g.max(b.g), a.b.max(b.b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Sums of fractions, rounded once. The last has 2^32 - 1 terms of almost 1, by the binomial
+    /// series.
+    #[test]
+    fn geometric_sums_are_those_of_fractions() {
+        let (n, e) = (f64::from(u32::MAX), f64::EPSILON / 2.0);
+        let [second, third] = [
+            n * (n - 1.0) / 2.0 * e,
+            n * (n - 1.0) * (n - 2.0) / 6.0 * e * e,
+        ];
+        for (k, terms, expected) in [
+            (0.0, 1, 1.0),
+            (0.0, 6, 1.0),
+            (0.5, 1, 1.0),
+            (0.5, 3, 1.75),
+            (0.75, 4, 175.0 / 64.0),
+            (1.0, 1, 1.0),
+            (1.0, 6, 6.0),
+            (0.9, u32::MAX, 10.0),
+            (1.0_f64.next_down(), 1, 1.0),
+            (1.0 - e, u32::MAX, n - second + third),
+        ] {
+            let sum = geometric_sum(k, terms);
+            let error = (sum - expected).abs();
+            assert!(error <= 1e-15 * expected, "{k}, {terms}: {sum}");
+        }
+    }
 }
