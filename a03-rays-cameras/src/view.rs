@@ -101,9 +101,12 @@ impl View {
             return fast::render(scene, &*self.camera, settings, progress);
         }
         let bounds = settings.max_error.map(|max_error| {
-            let scene = self.world.for_engine(settings.depth);
-            let max_radiance = scene.map_or(f64::INFINITY, |scene| scene.max_radiance());
-            (max_error, max_radiance)
+            let Some(scene) = self.world.for_engine(settings.depth) else {
+                return (max_error, f64::INFINITY, Vec::new());
+            };
+            let camera = fast::camera(&*self.camera);
+            let contrasts = scene.contrasts(&camera, settings.size);
+            (max_error, scene.max_radiance(), contrasts)
         });
         let Self { camera, world } = match settings.renderer {
             Renderer::AllWork => self.recorded(settings, true),
@@ -111,10 +114,11 @@ impl View {
             Renderer::Lesson | Renderer::Engine => self,
         };
         let radiance = |ray: &Ray| world.radiance(ray, settings.depth);
-        let Some((max_error, max_radiance)) = bounds else {
+        let Some((max_error, max_radiance, contrasts)) = bounds else {
             return render(&camera, radiance, settings, progress);
         };
         let light = |x, y| radiance(&camera.ray_for(settings.size, x, y));
+        let light = engine::adaptive::WithContrasts { light, contrasts };
         engine::adaptive::render_image(max_error, max_radiance, &light, settings, progress)
     }
 

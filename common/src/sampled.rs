@@ -9,9 +9,9 @@ pub struct Sampled {
     pub pixels: u64,
     /// Number of samples of all pixels, with those that only checked the error.
     pub samples: u64,
-    /// Largest number of samples of a pixel.
+    /// Largest number of samples that a pixel has taken, the one in its middle included.
     pub most: u32,
-    /// The squared error that the audits estimate, summed over the pixels.
+    /// The squared error that the checks estimate, summed over the pixels.
     pub squared_error: f64,
     /// The variance of `squared_error`.
     pub variance: f64,
@@ -20,7 +20,8 @@ pub struct Sampled {
     pub unseen: f64,
     /// The brightest channel that these objects are assumed to have.
     pub brightest: f64,
-    /// Upper bound of the light that any ray brings back; infinite if it is unknown.
+    /// Upper bound of their brightest channel, as far as it follows from the scene: of the light that
+    /// any ray brings back, and of the contrast of any pixel; infinite if it is unknown.
     pub max_radiance: f64,
 }
 

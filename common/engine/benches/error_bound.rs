@@ -14,6 +14,8 @@
 
 #[path = "error_bound/kinds.rs"]
 mod kinds;
+#[path = "error_bound/rooms.rs"]
+mod rooms;
 mod support;
 
 use std::sync::{Mutex, PoisonError};

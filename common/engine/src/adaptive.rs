@@ -2,14 +2,15 @@
 //! highlights, until the error of the picture is below a bound.
 //!
 //! 1. Each pixel gets pilot samples, more of them if the picture is small: enough to find each
-//!    object that is large enough to matter (`pilot`).
+//!    object that is large enough to matter (`pilot`). Where the scene says that the light of a
+//!    pixel changes by little, fewer are enough, and one where it cannot change.
 //! 2. Where samples differ, the expected variance sets a number of samples, and the pixel takes
 //!    as many as it has (`expected_variance`, `allocation`).
 //! 3. The difference of the new samples from those before estimates the error (`check`). A
 //!    target error falls step by step, and 1 to 3 are repeated.
 //!
-//! The bound only ends this. So a smaller bound takes the same samples, and more. All samples
-//! are part of the picture.
+//! The bound only ends this. So a smaller bound takes the same samples, and more. All pairs of
+//! samples are part of the picture; a sample in the middle of a pixel is, until there is a pair.
 //!
 //! (To take more samples where the first differ is Whitted's way, An Improved Illumination
 //! Model for Shaded Display, 1980; to estimate errors by two halves, the way of Rousselle,
@@ -17,6 +18,7 @@
 
 mod allocation;
 mod check;
+mod contrasts;
 mod expected_variance;
 mod picture;
 mod pilot;
@@ -24,13 +26,14 @@ mod pixel;
 mod random;
 mod sequence;
 
-use common::{Color, Error, Image, Progress, Sampled, Settings};
+use common::{Color, Error, Image, Progress, Sampled, Settings, Size};
 use rayon::iter::{
     IndexedParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator,
 };
 
 use allocation::{Allocation, Target};
 use check::{Checked, Estimate, check};
+use contrasts::Contrasts;
 use expected_variance::expected_variances;
 use picture::Picture;
 use pilot::{Pilot, UNSEEN};
@@ -43,6 +46,13 @@ pub trait Radiance: Sync {
     /// A function that replaces colours by the light at some positions. It is for one thread,
     /// and keeps its memory from one call to the next.
     fn tracer(&self) -> LightAt<'_>;
+
+    /// The contrast of each pixel of a picture of this size, row after row: an upper bound of the
+    /// difference between the light at any two places of it, in each channel. It is infinite where
+    /// that is unknown; empty if nothing is known.
+    fn contrasts(&self, _: Size) -> Vec<f32> {
+        Vec::new()
+    }
 }
 
 /// Replaces colours by the light at some positions.
@@ -54,6 +64,24 @@ impl<F: Fn(f64, f64) -> Color + Sync> Radiance for F {
             light.clear();
             light.extend(positions.iter().map(|(x, y)| self(*x, *y)));
         })
+    }
+}
+
+/// Light of which the contrast of each pixel is known.
+pub struct WithContrasts<F> {
+    /// The light at a position.
+    pub light: F,
+    /// The contrast of each pixel, as [`Radiance::contrasts`] returns it.
+    pub contrasts: Vec<f32>,
+}
+
+impl<F: Fn(f64, f64) -> Color + Sync> Radiance for WithContrasts<F> {
+    fn tracer(&self) -> LightAt<'_> {
+        self.light.tracer()
+    }
+
+    fn contrasts(&self, _: Size) -> Vec<f32> {
+        self.contrasts.clone()
     }
 }
 
@@ -77,7 +105,8 @@ const SPARE_SAMPLES: f64 = 0.25;
 /// be infinite if that is unknown.
 ///
 /// `progress` gets the estimated error, which may be above `max_error` if that would need more
-/// samples of a pixel than the settings allow. Four are always allowed.
+/// samples of a pixel than the settings allow. Four are always allowed. The sample in the middle
+/// of a pixel, with which it may begin, counts as well.
 ///
 /// # Errors
 ///
@@ -92,7 +121,8 @@ pub fn render_image(
 ) -> Result<Image, Error> {
     let mut image = Image::black(settings.size)?;
     let mut picture = Picture::new(radiance, settings, progress)?;
-    let mut refinement = Refinement::new(&mut picture, max_radiance, settings);
+    let contrasts = Contrasts(radiance.contrasts(settings.size));
+    let mut refinement = Refinement::new(&mut picture, max_radiance, contrasts, settings.samples);
     refinement.until(max_error, &mut picture)?;
     progress.sampled(&refinement.sampled(&picture));
 
@@ -105,8 +135,9 @@ pub fn render_image(
 /// The refinement of a picture, target by target.
 struct Refinement {
     pilot: Pilot,
-    max_pairs: u32,
-    max_radiance: f64,
+    contrasts: Contrasts,
+    /// The brightest light of any object that may be hidden.
+    max_hidden: f64,
     /// The squared error of the present step, added up over pixels and channels.
     squared_error: f64,
     /// The variances of the samples of each pixel.
@@ -118,26 +149,32 @@ struct Refinement {
 
 impl Refinement {
     /// Takes the first pilot samples.
-    fn new(picture: &mut Picture, max_radiance: f64, settings: &Settings) -> Self {
-        let max_pairs = (settings.samples / 2).max(2);
+    fn new(
+        picture: &mut Picture,
+        max_radiance: f64,
+        contrasts: Contrasts,
+        max_samples: u32,
+    ) -> Self {
+        // An object changes the light where it is seen by no more than the contrast there.
+        let max_hidden = max_radiance.min(contrasts.largest());
         let mut sampled = Sampled {
             pixels: picture.pixels().len() as u64,
-            max_radiance,
+            max_radiance: max_hidden,
             ..Sampled::default()
         };
         let squared_error = sum_of_squares(FIRST_ERROR, &sampled);
-        let mut pilot = Pilot::new(squared_error, max_pairs);
+        let mut pilot = Pilot::new(squared_error, max_samples);
         if pilot.middles {
             picture.take_middles();
             sampled.samples += sampled.pixels;
         } else {
             picture.take(pilot.pairs.div_ceil(2));
         }
-        pilot.widen(picture.brightest().min(max_radiance));
+        pilot.widen(picture.brightest().min(max_hidden));
         Self {
             pilot,
-            max_pairs,
-            max_radiance,
+            contrasts,
+            max_hidden,
             squared_error,
             own_variances: Vec::new(),
             unrefined: Estimate::default(),
@@ -153,7 +190,7 @@ impl Refinement {
             let checked = check(picture, &self.pilot, self.brightest(picture), goals);
             picture.check_stopped()?;
             self.record(&checked, self.brightest(picture));
-            let is_exhausted = checked.pixels == 0 && self.pilot.pairs == self.max_pairs;
+            let is_exhausted = checked.pixels == 0 && self.pilot.pairs == self.pilot.max_pairs;
             let is_last = is_exhausted || self.squared_error < last;
             if is_last || !self.sampled.misses(Some(max_error)) {
                 return Ok(());
@@ -164,20 +201,23 @@ impl Refinement {
 
     /// The brightest light that an object between all samples is assumed to have.
     fn brightest(&self, picture: &Picture) -> f64 {
-        picture.brightest().min(self.max_radiance)
+        picture.brightest().min(self.max_hidden)
     }
 
     /// The number of pairs that a pixel is to have after the next check, as a function of its
     /// index and itself: as many again if the target wants more, so that the check compares halves.
     fn goals(&mut self, picture: &Picture) -> impl Fn(usize, &Pixel) -> u32 + Sync + use<> {
         let (pixels, width) = (picture.pixels(), picture.width());
-        let variances = expected_variances(pixels, width, &mut self.own_variances);
-        let (min_pairs, max_pairs) = (self.pilot.pairs, self.max_pairs);
+        let mut variances = expected_variances(pixels, width, &mut self.own_variances);
+        self.contrasts.limit(&mut variances);
+        let brightest = self.brightest(picture);
+        let least = self.contrasts.least_pairs(&self.pilot, brightest);
+        let (min_pairs, max_pairs) = (self.pilot.pairs, self.pilot.max_pairs);
         let target = Target {
             min_pairs,
             max_pairs,
             error: self.refined_part(picture) * self.squared_error,
-            spare_samples: SPARE_SAMPLES * self.pilot.samples() * pixels.len() as f64,
+            spare_samples: SPARE_SAMPLES * self.pilot_samples(picture),
         };
         let allocation = Allocation::new(&variances, target);
         move |i: usize, pixel: &Pixel| {
@@ -185,7 +225,7 @@ impl Refinement {
             if goal > pixel.pairs().max(min_pairs) {
                 (2 * pixel.pairs()).clamp(min_pairs + 1, max_pairs)
             } else {
-                min_pairs
+                least.get(i).copied().unwrap_or(min_pairs)
             }
         }
     }
@@ -196,10 +236,24 @@ impl Refinement {
     /// refinement by `r` samples leaves `e`, which falls as `r^-1.5` at edges. The last sample of
     /// each gains equally if `e = 4/3 u r/p`. The check estimates about twice the expected `e`.
     fn refined_part(&self, picture: &Picture) -> f64 {
-        let pilot = self.pilot.samples() * self.sampled.pixels as f64;
+        let pilot = self.pilot_samples(picture);
         let refined = (self.sampled.samples + picture.samples()) as f64 - pilot;
         let [least, largest] = REFINED;
         (0.5 * 4.0 / 3.0 * UNSEEN * refined / pilot).clamp(least, largest)
+    }
+
+    /// The number of pilot samples of all pixels.
+    fn pilot_samples(&self, picture: &Picture) -> f64 {
+        let least = self
+            .contrasts
+            .least_pairs(&self.pilot, self.brightest(picture));
+        let pixels = self.sampled.pixels as f64;
+        let pairs = if least.is_empty() {
+            f64::from(self.pilot.pairs) * pixels
+        } else {
+            least.par_iter().map(|pairs| u64::from(*pairs)).sum::<u64>() as f64
+        };
+        self.pilot.samples(pairs / pixels) * pixels
     }
 
     /// Records the error of the picture after a check in the report.
@@ -228,7 +282,7 @@ impl Refinement {
     fn sampled(mut self, picture: &Picture) -> Sampled {
         let pairs = picture.pixels().par_iter().map(Pixel::pairs);
         self.sampled.samples += picture.samples();
-        self.sampled.most = 2 * pairs.max().unwrap_or(0);
+        self.sampled.most = 2 * pairs.max().unwrap_or(0) + u32::from(self.pilot.middles);
         self.sampled
     }
 }

@@ -8,6 +8,7 @@
 mod accel;
 pub mod adaptive;
 mod camera;
+mod contrast;
 mod flatten;
 mod lanes;
 mod ray;

@@ -4,6 +4,7 @@ use common::{Color, Settings};
 use engine::{Camera, Hit, Ray, Renderer, Shading, Shape, Surface};
 use glam::{DVec3, dvec3};
 
+use crate::rooms::room;
 use crate::support::scene::SCENES;
 use crate::support::{Numbers, numbers_in};
 
@@ -31,7 +32,18 @@ fn brightness(kind: &str) -> fn(f64, f64) -> Option<f64> {
     }
 }
 
-const PICTURES: [Kind<MakePicture>; 4] = [
+const PICTURES: [Kind<MakePicture>; 7] = [
+    ("a lone shape", f64::INFINITY, |numbers, settings| {
+        room(numbers, settings, [1.0, 1.0], true)
+    }),
+    ("few shapes", f64::INFINITY, |numbers, settings| {
+        room(numbers, settings, [1.0, 4.0], false)
+    }),
+    (
+        "few shapes and shadows",
+        f64::INFINITY,
+        |numbers, settings| room(numbers, settings, [2.0, 4.0], true),
+    ),
     (
         "checkered floor to the horizon",
         1.0,
@@ -174,7 +186,7 @@ impl Numbers {
         libm::sincos(self.between(0.0, std::f64::consts::TAU))
     }
 
-    fn color(&mut self) -> Color {
+    pub fn color(&mut self) -> Color {
         let [r, g, b] = [(); 3].map(|()| self.between(0.05, 1.0));
         Color::new(r, g, b)
     }

@@ -10,6 +10,8 @@ use super::check::Estimate;
 /// The rule of three: of events of which none was seen, at most three were to be expected,
 /// with 95 % confidence.
 const RULE_OF_THREE: f64 = 3.0;
+/// Samples of a pixel that are always allowed: two pairs, which show its variance.
+const FEWEST: u32 = 4;
 /// Squared error of objects between all samples, relative to the allowed one.
 pub const UNSEEN: f64 = 0.6;
 
@@ -19,7 +21,7 @@ pub struct Pilot {
     /// Upper bound of the squared error of objects between all samples.
     max_unseen: f64,
     /// The most pairs of a pixel.
-    max_pairs: u32,
+    pub max_pairs: u32,
     /// Whether each pixel begins with a sample in its middle. Otherwise it begins with half
     /// of its pairs.
     pub middles: bool,
@@ -31,17 +33,21 @@ pub struct Pilot {
 }
 
 impl Pilot {
-    /// For an allowed squared error, added up over pixels and channels, and at most `max_pairs`
-    /// pairs of samples of a pixel.
-    pub fn new(allowed: f64, max_pairs: u32) -> Self {
+    /// For an allowed squared error, added up over pixels and channels, and at most `max_samples`
+    /// samples of a pixel, but four if it is less.
+    pub fn new(allowed: f64, max_samples: u32) -> Self {
+        let max_samples = max_samples.max(FEWEST);
         let mut pilot = Self {
             max_unseen: UNSEEN * allowed,
-            max_pairs,
+            max_pairs: max_samples / 2,
             middles: true,
             pairs: 1,
             fraction: 0.0,
         };
-        pilot.middles = pilot.samples_for(1.0) <= 3.0;
+        pilot.middles = pilot.samples_for(1.0) <= 3.0 && max_samples > FEWEST;
+        if pilot.middles {
+            pilot.max_pairs = (max_samples - 1) / 2;
+        }
         pilot.widen(1.0);
         pilot
     }
@@ -87,23 +93,37 @@ impl Pilot {
         (self.fraction, self.pairs) != (fraction, pairs)
     }
 
-    /// The mean number of pilot samples of a pixel, its middle included.
-    pub fn samples(&self) -> f64 {
+    /// The pairs for a pixel whose light changes by at most `contrast`, if an object between all
+    /// samples is at most as bright as `brightest`: so many that one more sample would change it by
+    /// no more than it would change a pixel with all pairs.
+    pub fn pairs_for(&self, contrast: f64, brightest: f64) -> u32 {
+        if contrast < brightest {
+            (f64::from(self.pairs) * (contrast / brightest)).ceil() as u32
+        } else if contrast > 0.0 {
+            self.pairs
+        } else {
+            0
+        }
+    }
+
+    /// The mean number of pilot samples of a pixel, its middle included, if the mean number of
+    /// pairs of those that are chosen is `pairs`.
+    pub fn samples(&self, pairs: f64) -> f64 {
         let middle = f64::from(u8::from(self.middles));
-        let pairs = f64::from(2 * self.pairs);
-        middle + self.fraction * pairs
+        middle + self.fraction * 2.0 * pairs
     }
 
     /// The squared error of objects between all samples, with 95 % confidence.
     pub fn unseen(&self, brightest: f64) -> f64 {
-        if self.fraction < 1.0 {
+        let (pixels, error) = if self.fraction < 1.0 {
             // All middles of three pixels, or half of three chosen ones, which stand for
             // others: three quarters of 1/fraction.
-            CHANNELS * RULE_OF_THREE.max(1.0 / self.fraction)
+            (RULE_OF_THREE.max(1.0 / self.fraction), brightest)
         } else {
-            let error = (brightest / self.samples()).min(1.0);
-            CHANNELS * RULE_OF_THREE * error * error
-        }
+            (RULE_OF_THREE, brightest / self.samples(self.pairs.into()))
+        };
+        let error = error.min(1.0);
+        CHANNELS * pixels * error * error
     }
 }
 
@@ -115,7 +135,7 @@ mod tests {
     fn unseen_objects_have_at_most_their_share_of_the_allowed_error() {
         for allowed in [1e-6, 0.01, 1.0, 7.0, 30.0, 1e4] {
             for brightest in [1.0, 1.7, 20.0] {
-                let mut pilot = Pilot::new(allowed, 1 << 20);
+                let mut pilot = Pilot::new(allowed, 1 << 21);
                 pilot.widen(brightest);
                 let unseen = pilot.unseen(brightest);
                 assert!(unseen <= 0.601 * allowed, "{unseen} of {allowed}");

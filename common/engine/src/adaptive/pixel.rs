@@ -44,8 +44,9 @@ impl Pixel {
         }
     }
 
-    /// Adds other pairs of this pixel, which replace a sample in the middle. (The scatter as
-    /// in Chan, Golub, `LeVeque`: Algorithms for Computing the Sample Variance, 1983.)
+    /// Adds other pairs of this pixel, which replace a sample in the middle: its place is not drawn
+    /// at random, and would bias the mean. (The scatter is that of Chan, Golub, `LeVeque`:
+    /// Algorithms for Computing the Sample Variance, 1983.)
     pub fn merge(&mut self, other: &Self) {
         if self.pairs == 0 {
             self.sum = other.sum;

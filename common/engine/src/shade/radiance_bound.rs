@@ -74,6 +74,37 @@ fn largest(a: Color, b: Color) -> Color {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{LightKind, Phong, Shading, Surface};
+
+    /// A perfect mirror that scatters `0.5 (0.25 + 1) + 0.125` itself, before this background.
+    fn mirror(background: f64, depth: u32) -> f64 {
+        let mut scene = Scene::new(Color::gray(background), Color::gray(0.25), depth);
+        scene.add_surface(Surface {
+            shading: Shading::Phong(Phong {
+                diffuse: Color::gray(0.5),
+                specular: Color::gray(0.125),
+                exponent: 9.0,
+            }),
+            reflection: Color::WHITE,
+        });
+        scene.add_light(Light {
+            kind: LightKind::Directional {
+                color: Color::WHITE,
+                direction: glam::DVec3::NEG_Z,
+            },
+            casts_shadows: false,
+        });
+        scene.max_radiance()
+    }
+
+    #[test]
+    fn each_surface_of_a_path_adds_the_brightest_colour_at_most() {
+        assert_eq!(
+            [mirror(0.0, 1), mirror(0.0, 2), mirror(0.0, 6)],
+            [0.75, 1.5, 4.5]
+        );
+        assert_eq!([mirror(1.0, 1), mirror(1.0, 4)], [1.0, 4.0]);
+    }
 
     /// Sums of fractions, rounded once. The last has 2^32 - 1 terms of almost 1, by the binomial
     /// series.
