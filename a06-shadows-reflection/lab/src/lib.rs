@@ -7,8 +7,10 @@ pub mod coarse_ball;
 pub mod experiments;
 mod extremes;
 pub mod lit_points;
+pub mod policy;
 pub mod protocol;
 pub mod random_scene;
+pub mod surface;
 
 use measure::Laboratory;
 

@@ -7,7 +7,7 @@ use a04_lab::certified::picture;
 use a04_lab::search::INPUTS;
 use a05_lighting::LitWorld;
 use a05_lighting::instruments::recorded;
-use a06_lab::lit_points::LIFTED;
+use a06_lab::policy::LIFTED;
 use a06_shadows_reflection::RecursiveTracer;
 use a07_lab::certified::geometry;
 use a07_lab::experiments::nested_nodes::lit_points;

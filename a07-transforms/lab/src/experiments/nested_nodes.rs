@@ -1,13 +1,13 @@
 //! Wrong decisions of rays that leave shapes under nested nodes, by the condition of the nodes.
 
 use std::f64::consts::TAU;
-use std::rc::Rc;
 
 use a02_math::{Normal3, Point3};
 use a04_intersections::{AxisAlignedBox, Geometry, Sphere};
 use a04_lab::support::Numbers;
-use a06_lab::experiments::secondary_rays::{Sets, acne, leaks};
-use a06_lab::lit_points::{Look, SEED, Trial, trials, world};
+use a06_lab::experiments::secondary_rays::{FOR_EVERY_SHAPE, Sets, Wrong, acne, leaks};
+use a06_lab::lit_points::{Look, SEED, Trial, trials};
+use a06_lab::surface::surface;
 use common::Error;
 use measure::Effort;
 use measure::experiment::Experiment;
@@ -19,8 +19,16 @@ pub fn experiments() -> Vec<Experiment<'static>> {
     let asked = "Which rays keep a shape under nested nodes out of its own shadow?";
     let found = "Which rays find an object near a shape under nested nodes?";
     vec![
-        acne("acne-under-nodes", asked).over(condition, by_condition),
-        leaks("leaks-under-nodes", found).over(condition, by_condition),
+        Wrong {
+            policies: &FOR_EVERY_SHAPE,
+            ..acne("acne-under-nodes", asked)
+        }
+        .over(condition, by_condition),
+        Wrong {
+            policies: &FOR_EVERY_SHAPE,
+            ..leaks("leaks-under-nodes", found)
+        }
+        .over(condition, by_condition),
     ]
 }
 
@@ -66,5 +74,5 @@ fn look(numbers: &mut Numbers, condition: f64) -> Result<Look, Error> {
     }
     // Farther away than the three nodes reach.
     let eye = Point3::ORIGIN + numbers.direction() * 9.0;
-    Ok((Rc::new(world(shape)?), [eye, target]))
+    Ok((surface(shape)?, [eye, target]))
 }

@@ -8,7 +8,7 @@ use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::PixelRandom;
 use a04_intersections::{AxisAlignedBox, Interval, Sphere};
 use a04_lab::support::{Line, Triple, first, point, raw_ray};
-use a06_lab::lit_points::world;
+use a06_lab::surface::world;
 use common::{ArgumentError, Error};
 use measure::Effort;
 use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Protocol, tried};
