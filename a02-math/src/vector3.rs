@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-use common::ArgumentError;
+use common::{ArgumentError, text};
 use glam::DVec3;
 
 use crate::triple::triple;
@@ -54,7 +54,7 @@ impl Vector3 {
         self.normalized().ok_or_else(|| {
             ArgumentError::new(
                 name,
-                self.0,
+                format!("[{}]", text::numbers(&self.0.to_array())),
                 "a direction: three finite numbers, not all of them 0",
             )
         })

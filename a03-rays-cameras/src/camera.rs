@@ -4,7 +4,7 @@
 use std::any::Any;
 
 use a02_math::{Point3, Vector3};
-use common::{ArgumentError, Size, argument};
+use common::{ArgumentError, Size, argument, text};
 
 use crate::Ray;
 
@@ -51,7 +51,8 @@ impl Basis {
         let right = t.cross(w);
         if right.magnitude() < 1e-12 {
             let allowed = "a direction that is not parallel to the gaze";
-            return Err(ArgumentError::new("up vector", t.to_glam(), allowed));
+            let given = format!("[{}]", text::numbers(&t.to_glam().to_array()));
+            return Err(ArgumentError::new("up vector", given, allowed));
         }
         let u = right.unit("up vector")?;
         Ok(Self {

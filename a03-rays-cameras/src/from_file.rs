@@ -2,12 +2,12 @@
 
 use std::cell::{Cell, RefCell};
 use std::fs::File;
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 
 use a02_math::{Point3, Vector3};
-use common::{Error, Sampling, Scene, Settings, Size};
+use common::{Error, Sampling, Scene, Settings, Size, text};
 use scene_file::{Item, Mesh, SceneFile};
 
 use crate::{Camera, OrthographicCamera, PerspectiveCamera, TracedScene, View};
@@ -37,13 +37,14 @@ pub fn scene(path: &Path, stage: u8, make_view: MakeView) -> Result<Scene, Error
         Ok(mesh)
     };
     let file = SceneFile::read(&text, stage, &mesh);
-    let place = path.display().to_string();
+    let place = text::path(path);
+    let notes = file.as_ref().map(|file| file.notes(&place, &text));
+    let notes = notes.unwrap_or_default();
     let at_place = move |error: scene_file::Error| {
-        Error::SceneFile(format!("{place}:{}", error.within(&text)))
+        Error::SceneFile(text::visible(&format!("{place}:{}", error.within(&text))))
     };
     let file = file.map_err(&at_place)?;
     let defaults = settings(&file.picture).map_err(&at_place)?;
-    let notes = file.notes.clone();
     // All constructors must accept the numbers. The first picture takes the view that they make.
     let first = Mutex::new(Some(make_view(&file).map_err(&at_place)?));
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
@@ -60,8 +61,8 @@ pub fn scene(path: &Path, stage: u8, make_view: MakeView) -> Result<Scene, Error
         defaults,
     });
     scene.is_large = triangles.get() > 10_000;
-    scene.notes = notes;
     scene.files = files.into_inner();
+    scene.notes = notes;
     Ok(scene)
 }
 
@@ -72,6 +73,14 @@ fn read(path: &Path, most: u64) -> Result<Vec<u8>, String> {
     match read {
         Ok(_) if bytes.len() as u64 > most => Err(format!("it has more than {most} bytes")),
         Ok(_) => Ok(bytes),
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            let folder = std::path::absolute(path).unwrap_or_default();
+            let folder = folder.parent().unwrap_or(path);
+            Err(format!(
+                "there is no such file in the folder {}",
+                text::path(folder)
+            ))
+        }
         Err(error) => Err(error.to_string()),
     }
 }
@@ -95,6 +104,11 @@ pub fn settings(picture: &Item) -> Result<Settings, scene_file::Error> {
     }
     if let Some([[depth]]) = picture.find_rows("depth") {
         settings.depth = depth as u32;
+        if settings.depth > Settings::LARGEST_DEPTH {
+            let most = Settings::LARGEST_DEPTH;
+            let text = format!("depth must be a whole number from 1 to {most}");
+            return Err(picture.error("depth", text));
+        }
     }
     Ok(settings)
 }

@@ -239,8 +239,8 @@ impl From<TracedScene> for Scene {
                 file: false,
             },
             is_large: false,
-            notes: Vec::new(),
             files: Vec::new(),
+            notes: Vec::new(),
             picture: Picture::Traced(Arc::new(scene)),
         }
     }

@@ -2,7 +2,7 @@
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use common::{ArgumentError, argument};
+use common::{ArgumentError, argument, text};
 
 use crate::{Geometry, Hit, Interval};
 
@@ -82,7 +82,8 @@ struct Face {
 impl Face {
     fn new([a, b, c]: [Point3; 3]) -> Result<Self, ArgumentError> {
         let on_a_line = || {
-            let corners = format!("{}, {}, {}", a.to_glam(), b.to_glam(), c.to_glam());
+            let corners = [a, b, c].map(|corner| text::numbers(&corner.to_glam().to_array()));
+            let corners = format!("[{}]", corners.join("], ["));
             ArgumentError::new("triangle", corners, "three corners that are not on a line")
         };
         // Divided by the longest edge, so that neither tiny nor huge triangles

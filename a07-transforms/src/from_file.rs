@@ -4,7 +4,7 @@ use a02_math::{Point3, Vector3};
 use a03_rays_cameras::View;
 use a04_intersections::Geometry;
 use a06_shadows_reflection::from_file::shadowed;
-use common::ArgumentError;
+use common::pixel_trace::digits;
 use glam::DMat4;
 use scene_file::{Error, Item, SceneFile};
 
@@ -50,8 +50,9 @@ fn chain(transform: Transform, step: &Item) -> Result<Transform, Error> {
         ["rotate_y"] => transform.rotate_y(step.angle("rotate_y")?),
         ["rotate_z"] => transform.rotate_z(step.angle("rotate_z")?),
         ["matrix"] | ["inverse", "matrix"] => {
-            let inverse = step.find_rows("inverse").map(matrix);
-            chain_matrix(transform, matrix(step.rows("matrix")?), inverse)
+            let rows = matrix(step.rows("matrix")?);
+            let inverse = inverse(step, rows)?;
+            transform.chain(rows, inverse)
         }
         _ => {
             let text = "a step has one key, such as { scale = [1, 2, 1] }; only an inverse stands \
@@ -67,19 +68,35 @@ fn matrix([x, y, z]: [[f64; 4]; 3]) -> Mat4x4 {
     Mat4x4::from_rows([x, y, z, [0.0, 0.0, 0.0, 1.0]])
 }
 
-/// A transform and a matrix, which is applied to the object first. Rounding keeps the product
-/// of matrix and inverse within a millionth of the identity.
-fn chain_matrix(
-    transform: Transform,
-    matrix: Mat4x4,
-    inverse: Option<Mat4x4>,
-) -> Result<Transform, ArgumentError> {
-    let rows = matrix.to_glam();
-    let inverse = inverse.map_or_else(|| rows.inverse(), Mat4x4::to_glam);
-    if !(inverse * rows).abs_diff_eq(DMat4::IDENTITY, 1e-6) {
-        let allowed = "a matrix with an inverse, whose product is the identity";
-        return Err(ArgumentError::new("matrix", "singular", allowed));
+/// Largest difference of the product of a matrix and its inverse from the identity. Rounding
+/// keeps it below this, unless the matrix has nearly no inverse.
+const LARGEST_DIFFERENCE: f64 = 1e-6;
+
+/// The inverse of a matrix: that of the step, or else computed.
+fn inverse(step: &Item, rows: Mat4x4) -> Result<Mat4x4, Error> {
+    let given = step.find_rows("inverse").map(matrix);
+    let matrix = rows.to_glam();
+    let inverse = given.map_or_else(|| matrix.inverse(), Mat4x4::to_glam);
+    let differences = (inverse * matrix - DMat4::IDENTITY).to_cols_array();
+    // NaN, which compares false, counts as the largest.
+    let is_worse = |a: f64, b: f64| a.is_nan() || a > b;
+    let largest = differences.into_iter().map(f64::abs);
+    let largest = largest.fold(
+        0.0,
+        |most, next| if is_worse(next, most) { next } else { most },
+    );
+    if largest <= LARGEST_DIFFERENCE {
+        return Ok(Mat4x4::from_rows(inverse.transpose().to_cols_array_2d()));
     }
-    let from_glam = |m: DMat4| Mat4x4::from_rows(m.transpose().to_cols_array_2d());
-    transform.chain(matrix, from_glam(inverse))
+    let [off, most] = [largest, LARGEST_DIFFERENCE].map(|number| digits(&[number]));
+    Err(if given.is_some() {
+        let text = format!(
+            "the inverse does not fit the matrix: their product differs by {off} from the \
+             identity, and {most} is allowed; without the key it is computed"
+        );
+        step.error("inverse", text)
+    } else {
+        let text = "the matrix is singular, or nearly so: it has no inverse that could be computed";
+        step.error("matrix", text)
+    })
 }

@@ -6,7 +6,7 @@
 
 use std::fmt;
 
-use crate::Color;
+use crate::{Color, text};
 
 /// Shortest length that a constructor accepts.
 pub const SMALLEST_LENGTH: f64 = 1e-100;
@@ -33,7 +33,8 @@ pub struct ArgumentError {
 }
 
 impl ArgumentError {
-    /// An error that names the argument, its value and the allowed values.
+    /// An error that names the argument, its value and the allowed values. A number with a
+    /// fraction is given as [`text::number`].
     pub fn new(name: &'static str, value: impl fmt::Display, allowed: &'static str) -> Self {
         Self {
             name,
@@ -51,7 +52,7 @@ pub fn check(
     allowed: &'static str,
 ) -> Result<f64, ArgumentError> {
     let valid = valid.then_some(value);
-    valid.ok_or_else(|| ArgumentError::new(name, value, allowed))
+    valid.ok_or_else(|| ArgumentError::new(name, text::number(value), allowed))
 }
 
 /// A finite number.
@@ -95,7 +96,7 @@ fn check_channels(
     valid: impl Fn(&f64) -> bool,
     allowed: &'static str,
 ) -> Result<Color, ArgumentError> {
-    let given = || format!("({}, {}, {})", value.r, value.g, value.b);
+    let given = || format!("({})", text::numbers(&value.channels()));
     let valid = value.channels().iter().all(valid).then_some(value);
     valid.ok_or_else(|| ArgumentError::new(name, given(), allowed))
 }

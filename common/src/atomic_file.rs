@@ -8,7 +8,7 @@ use std::path::Path;
 use rustix::process::{Resource, getrlimit};
 use tempfile::NamedTempFile;
 
-use crate::Error;
+use crate::{Error, text};
 
 /// Writes a file of this name, and replaces an older one.
 ///
@@ -64,7 +64,7 @@ fn temporary_file(path: &Path) -> Result<NamedTempFile, Error> {
         Some(folder) if folder != Path::new("") => folder,
         _ => Path::new("."),
     };
-    let shown = folder.display();
+    let shown = text::path(folder);
     if !folder.is_dir() {
         return Err(refusal(
             path,

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::{ArgumentError, Size};
+use crate::{ArgumentError, Size, text};
 
 /// The reason why a picture could not be made, opened or written.
 #[derive(Debug, thiserror::Error)]
@@ -14,7 +14,7 @@ pub enum Error {
     #[error(transparent)]
     Argument(#[from] ArgumentError),
     /// A file could not be opened.
-    #[error("cannot open {}: {reason}", path.display())]
+    #[error("cannot open {}: {reason}", text::path(path))]
     Open {
         /// The file.
         path: PathBuf,
@@ -25,7 +25,7 @@ pub enum Error {
     #[error("{0}")]
     SceneFile(String),
     /// A picture file could not be written.
-    #[error("cannot write {}: {reason}", path.display())]
+    #[error("cannot write {}: {reason}", text::path(path))]
     Write {
         /// The file.
         path: PathBuf,

@@ -25,6 +25,7 @@ mod size;
 mod stage;
 pub mod steps;
 pub mod svg;
+pub mod text;
 mod transfer;
 
 pub use argument::ArgumentError;

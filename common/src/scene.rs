@@ -77,10 +77,10 @@ pub struct Scene {
     pub uses: UsedSettings,
     /// Whether only the fast renderer has its picture soon.
     pub is_large: bool,
-    /// What is drawn in another way than a file says, each a clause.
-    pub notes: Vec<String>,
     /// The files that it is made of, the scene file first; none for a scene of the stage.
     pub files: Vec<PathBuf>,
+    /// Remarks on its files: what is drawn in another way than they say, or may not be meant.
+    pub notes: Vec<String>,
     /// How its picture is made.
     pub picture: Picture,
 }
@@ -101,8 +101,8 @@ impl Scene {
                 ..UsedSettings::default()
             },
             is_large: false,
-            notes: Vec::new(),
             files: Vec::new(),
+            notes: Vec::new(),
             picture: Picture::Painted(Arc::new(paint)),
         }
     }

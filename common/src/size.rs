@@ -83,7 +83,7 @@ impl FromStr for Size {
         let (width, height) = sides.ok_or_else(|| {
             ArgumentError::new(
                 "size",
-                format!("\"{text}\""),
+                format!("\"{}\"", crate::text::name(text)),
                 "WIDTHxHEIGHT, such as 640x480",
             )
         })?;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::{Error, Scene};
+use crate::{Error, Scene, text};
 
 /// Reads the scene of a scene file.
 pub type OpenScene = fn(&Path) -> Result<Scene, Error>;
@@ -26,7 +26,7 @@ impl Stage {
         if let Some((_, end)) = name.rsplit_once('.') {
             let none = match self.open {
                 Some(open) if end == "toml" => return open(name.as_ref()),
-                Some(_) => format!("{name} is no scene file, which ends in .toml"),
+                Some(_) => format!("{} is no scene file, which ends in .toml", text::name(name)),
                 None => format!("{} opens no scene files; stages 4 to 7 do", self.name),
             };
             return Err(Error::Usage(none));
@@ -34,7 +34,7 @@ impl Stage {
         let known = self.scenes.iter().find(|scene| scene.name == name);
         known.cloned().ok_or_else(|| {
             let names: Vec<_> = self.scenes.iter().map(|scene| scene.name).collect();
-            let (stage, names) = (self.name, names.join(", "));
+            let (stage, name, names) = (self.name, text::name(name), names.join(", "));
             Error::Usage(format!("{stage} has no scene \"{name}\"; it has {names}"))
         })
     }

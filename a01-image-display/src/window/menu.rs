@@ -97,7 +97,7 @@ impl Screen {
             None => "the picture is not finished yet".to_owned(),
             Some(Err(_)) => "there is no picture to save".to_owned(),
             Some(Ok(image)) => match gallery.save(image) {
-                Ok(path) => format!("saved {}", path.display()),
+                Ok(path) => format!("saved {}", common::text::path(&path)),
                 Err(error) => format!("error: {error}"),
             },
         });

@@ -150,6 +150,200 @@ fn other_files_than_scenes_and_meshes_are_refused() {
     assert!(matches!(opened, Err(Error::Open { .. })));
 }
 
+/// A scene of a sphere, to which a test adds a mistake.
+const SPHERE: &str = "[camera]\neye = [0, 2, 6]\ngaze = [0, -1, -6]\nangle = 40\n\n[[sphere]]\n\
+    center = [0, 1, 0]\nradius = 1\ncolor = [1, 0.5, 0]\n";
+
+/// The error of the scene of a sphere in which a text is replaced, without the path.
+fn error_of(from: &str, to: &str) -> String {
+    assert!(SPHERE.contains(from), "{from}");
+    let error = open(folder().path(), SPHERE.replace(from, to).as_bytes());
+    let error = error.err().unwrap_or_else(|| panic!("accepted: {to}"));
+    let end = error.find("scene.toml:").unwrap() + "scene.toml:".len();
+    error[end..].to_owned()
+}
+
+#[test]
+fn a_mistake_against_toml_is_told_by_what_was_meant() {
+    let comment = "a comment begins with #, such as # a green ball";
+    let computed = "a value is not computed: write the result, such as 0.8";
+    let unit = "a number has no unit; angles are in degrees, such as 36";
+    let point = "a number has digits on both sides of its point, such as 0.8 or 8.0";
+    let minus = "the minus of a number is -, and this is a longer stroke";
+    let list = "a list stands in square brackets, such as [0, 3, 9]";
+    let straight = "a text stands in straight quotation marks, \" or '";
+    let camera = "the file has no table [camera], with eye, gaze and angle";
+    for (from, to, place, text) in [
+        ("= 1\n", "= 0.8 // here\n", "8:14", comment),
+        ("= 1\n", "= 0.8 /* here */\n", "8:14", comment),
+        ("[camera]", "// mine\n[camera]", "1:1", comment),
+        ("= 1\n", "= 4/5\n", "8:10", computed),
+        ("= 1\n", "= sqrt(2)\n", "8:10", computed),
+        ("= 40", "= 36deg", "4:11", unit),
+        ("= 40", "= 36°", "4:11", unit),
+        ("[0, 1, 0]", "[0, 1cm, 0]", "7:15", unit),
+        ("= 1\n", "= 0.8;\n", "8:13", "a line ends without a ;"),
+        ("[0, 1, 0]", "[0, 1, 0];", "7:19", "a line ends without a ;"),
+        ("= 1\n", "= .8\n", "8:10", point),
+        ("= 1\n", "= 8.\n", "8:12", point),
+        ("[0, 1, 0]", "[0, −2, 0]", "7:14", minus),
+        ("[0, 1, 0]", "(0, 3, 9)", "7:10", list),
+        ("[1, 0.5, 0]", "“red”", "9:9", straight),
+        (
+            "radius =",
+            "radius:",
+            "8:9",
+            "between a key and its value stands =, such as radius = 1",
+        ),
+        ("= 1\n", "=\n", "8:9", "there is no value behind the ="),
+        (SPHERE, "", "1:1", camera),
+        (SPHERE, "# only a comment\n", "1:1", camera),
+        (
+            "[camera]",
+            "\u{FEFF}[kamera]",
+            "1:2",
+            "a scene file has no \"kamera\"; the nearest is camera",
+        ),
+    ] {
+        assert_eq!(error_of(from, to), format!("{place}: {text}"), "{to}");
+    }
+    let shapes = error_of("[[sphere]]", "[[group.sphere]]");
+    assert!(
+        shapes.starts_with("6:3: group must be a table: [[group]], behind which"),
+        "{shapes}"
+    );
+    // The second mistake comes first in the alphabet.
+    let two = error_of("center = [0, 1, 0]\nradius", "senter = [0, 1, 0]\narius");
+    assert!(two.starts_with("7:1: sphere has no \"senter\""), "{two}");
+}
+
+#[test]
+fn a_backslash_in_double_quotation_marks_gets_a_hint() {
+    let hint = "in double quotation marks \\ begins a special character; write / between \
+        folders, or single quotation marks, such as 'models\\bunny.obj'";
+    let mesh = |name: &str| {
+        error_of(
+            "[[sphere]]\ncenter = [0, 1, 0]\nradius = 1",
+            &format!("[[mesh]]\nfile = {name}"),
+        )
+    };
+    for (name, place) in [
+        (r#""C:\Users\me\bunny.obj""#, "7:11: "),
+        (r#""sub\knot.obj""#, "7:12: "),
+        (
+            r#""models\bunny.obj""#,
+            r"7:8: cannot read models\u{8}unny.obj: ",
+        ),
+        (r#""C:\temp\a\new.obj""#, "7:16: "),
+    ] {
+        let error = mesh(name);
+        assert!(error.starts_with(place) && error.ends_with(hint), "{error}");
+        assert!(!error.contains(char::is_control), "{error:?}");
+    }
+    for name in ["'knot.obj'", r#""a\\knot.obj""#, r"'models\bunny.obj'"] {
+        let error = mesh(name);
+        assert!(
+            !error.contains(hint) && error.contains("no such file in the folder /"),
+            "{error}"
+        );
+    }
+    let long = mesh(&format!("\"{}\"", "x".repeat(5000)));
+    assert!(long.len() < 600, "{long}");
+}
+
+#[test]
+fn numbers_out_of_range_are_told_in_few_digits_and_with_the_range() {
+    let length = "but must be a length from 1e-100 to 1e100";
+    for (number, shown) in [
+        ("1e300", "1e300"),
+        ("5e-310", "5e-310"),
+        ("-1e150", "-1e150"),
+    ] {
+        let error = error_of("= 1\n", &format!("= {number}\n"));
+        assert_eq!(
+            error,
+            format!("8:10: sphere: radius r is {shown}, {length}")
+        );
+    }
+    let up = error_of("angle", "up = [0, 1e300, 6e300]\nangle");
+    assert!(up.len() < 150, "{up}");
+    for depth in ["0", "10001", "4294967295"] {
+        let error = error_of("[camera]", &format!("[picture]\ndepth = {depth}\n[camera]"));
+        assert!(
+            error.starts_with("2:9: depth must be a whole number from 1"),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn an_inverse_that_does_not_fit_is_told_from_a_singular_matrix() {
+    let group = |step: &str| {
+        let group =
+            format!("[[group]]\ncolor = [1, 1, 1]\ntransform = [{{ {step} }}]\n[[group.sphere]]");
+        let text = SPHERE
+            .replace("[[sphere]]", &group)
+            .replace("color = [1, 0.5, 0]\n", "");
+        open(folder().path(), text.as_bytes())
+            .err()
+            .unwrap_or_default()
+    };
+    let stretch = "matrix = [[1, 0, 0, 0], [0, 1e6, 0, 0], [0, 0, 1, 0]]";
+    let with_inverse = |y: &str| {
+        group(&format!(
+            "{stretch}, inverse = [[1, 0, 0, 0], [0, {y}, 0, 0], [0, 0, 1, 0]]"
+        ))
+    };
+    // The products are 1 + 5e-7 and 1 + 1e-5.
+    assert_eq!(with_inverse("1.0000005e-6"), "");
+    let error = with_inverse("1.00001e-6");
+    let text = "the inverse does not fit the matrix: their product differs by 1e-5 from the \
+        identity, and 1e-6 is allowed";
+    assert!(error.contains(text), "{error}");
+    let error = group("matrix = [[1, 0, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0]]");
+    assert!(error.contains("the matrix is singular"), "{error}");
+}
+
+#[test]
+fn colours_in_bytes_and_a_file_without_shapes_get_a_note() {
+    let notes = |text: &str| open(folder().path(), text.as_bytes()).unwrap().notes;
+    assert_eq!(notes(SPHERE), [""; 0]);
+    let lamp =
+        |color: &str| format!("{SPHERE}[[point_light]]\ncolor = {color}\nposition = [0, 9, 0]\n");
+    assert_eq!(notes(&lamp("[2, 2.5, 40.5]")), [""; 0]);
+    for (text, end) in [
+        (
+            SPHERE.replace("[1, 0.5, 0]", "[255, 128, 0]"),
+            "9:9: color [255, 128, 0] is brighter than 1",
+        ),
+        (
+            lamp("[255, 255, 255]"),
+            "11:9: color [255, 255, 255] is brighter than 1",
+        ),
+        (
+            SPHERE[..SPHERE.find("[[").unwrap()].to_owned(),
+            "has no shape",
+        ),
+        (
+            SPHERE
+                .replace("[[sphere]]", "[[group]]\n")
+                .replace("center = [0, 1, 0]\nradius = 1\n", ""),
+            "has no shape",
+        ),
+    ] {
+        let notes = notes(&text);
+        assert!(notes.len() == 1 && notes[0].contains(end), "{notes:?}");
+    }
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    for file in fs::read_dir(scenes).unwrap() {
+        let path = file.unwrap().path();
+        if path.extension() == Some("toml".as_ref()) {
+            let scene = (stage().open.unwrap())(&path).unwrap();
+            assert_eq!(scene.notes, [""; 0], "{path:?}");
+        }
+    }
+}
+
 /// Root may read every file, so the program runs as the user nobody then.
 #[cfg(unix)]
 #[test]

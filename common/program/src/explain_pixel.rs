@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use common::pixel_trace::digits;
-use common::{Color, Error, Renderer, Scene, Settings, atomic_file};
+use common::{Color, Error, Renderer, Scene, Settings, atomic_file, text};
 
 use crate::options::Options;
 use crate::print::{print, warn};
@@ -70,7 +70,7 @@ pub fn explain_pixel(scene: &Scene, explaining: &Explaining) -> Result<(), Error
     })?;
     if let Some(path) = &explaining.drawing {
         atomic_file::write(path, rays.drawing(&settings, &trace)?.as_bytes())?;
-        warn(&format!("note: the drawing is {}", path.display()));
+        warn(&format!("note: the drawing is {}", text::path(path)));
     }
     if explaining.beside {
         let other = rays.trace(&settings, *pixel)?;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{self, ExitCode};
 
 use clap::{Args, Subcommand};
-use common::{Error, Stage, atomic_file};
+use common::{Error, Stage, atomic_file, text};
 
 use crate::explain_pixel::{Explaining, explain_pixel};
 use crate::options::Options;
@@ -86,7 +86,7 @@ const WORKBOOK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 fn run_laboratory(stage: &Stage, command: &str, measured: &Arguments) -> Result<ExitCode, Error> {
     let manifest = Path::new(WORKBOOK).join(stage.name).join("lab/Cargo.toml");
     if !manifest.is_file() {
-        let (name, missing) = (stage.name, manifest.display());
+        let (name, missing) = (stage.name, text::path(&manifest));
         let none = format!("{name} has no laboratory: there is no {missing}");
         return Err(Error::Usage(none));
     }

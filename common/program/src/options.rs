@@ -36,7 +36,7 @@ pub struct Options {
     seed: Option<u64>,
 
     /// Surfaces that a ray may hit in turn; 1 shows no reflection [default: the scene's]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole(1..=u32::MAX))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole(1..=Settings::LARGEST_DEPTH))]
     depth: Option<u32>,
 
     /// Threads to render with [default: one for each core]

@@ -3,11 +3,11 @@
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 
-use common::{Error, atomic_file};
+use common::{Error, atomic_file, text};
 
-/// Prints a line on stdout. A closed pipe is no error: its reader has ended.
+/// Prints a text on stdout, in which a terminal obeys no character but newlines. A closed pipe is no error: its reader has ended.
 pub fn print(line: &str) -> Result<(), Error> {
-    printed(writeln!(io::stdout(), "{line}"))
+    printed(writeln!(io::stdout(), "{}", text::visible_lines(line)))
 }
 
 /// The error of output that is lost, unless its reader has ended.
@@ -21,7 +21,7 @@ pub fn printed(outcome: io::Result<()>) -> Result<(), Error> {
     }
 }
 
-/// Prints a line on stderr. Nobody could read of an error there.
+/// Prints a text on stderr as [`text::message`]. Nobody could read of an error there.
 pub fn warn(line: &str) {
-    let _ = writeln!(io::stderr(), "{line}");
+    let _ = writeln!(io::stderr(), "{}", text::message(line));
 }

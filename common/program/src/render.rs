@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use common::{Error, Image, Renderer, Scene, Settings, Stage};
+use common::{Error, Image, Renderer, Scene, Settings, Stage, text};
 
 use crate::options::Options;
 use crate::print::{print, warn};
@@ -33,7 +33,8 @@ pub fn render_to_files(
         let image = by(scene, &settings, options)?;
         let path = target.write(stage, scene, &image, options.transfer)?;
         let (size, time) = (image.size(), start.elapsed().as_secs_f64());
-        print(&format!("{}  {size}  {time:.2} s", path.display()))?;
+        let path = text::visible(&path.to_string_lossy());
+        print(&format!("{path}  {size}  {time:.2} s"))?;
     }
     Ok(())
 }

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::FromArgMatches;
 use clap::error::{ContextKind, ContextValue};
-use common::{Error, Scene, Stage};
+use common::{Error, Scene, Stage, text};
 
 use crate::Viewer;
 use crate::grammar::{Command, CommandLine};
@@ -47,11 +47,17 @@ pub fn run_with(
 /// Prints the help, or the mistake in a command line, and returns the exit code.
 #[must_use]
 pub fn refused(help_or_error: &clap::Error) -> ExitCode {
-    let printed = printed(help_or_error.print());
-    if help_or_error.use_stderr() {
-        return ExitCode::from(2);
+    if !help_or_error.use_stderr() {
+        return ended(printed(help_or_error.print()).map(|()| ExitCode::SUCCESS));
     }
-    ended(printed.map(|()| ExitCode::SUCCESS))
+    // The words of the command line stand in the error: a terminal must not obey them.
+    let mut words = help_or_error.context().map(|(_, word)| word.to_string());
+    if words.all(|word| text::message(&word) == word) {
+        let _ = help_or_error.print();
+    } else {
+        warn(help_or_error.render().to_string().trim_end());
+    }
+    ExitCode::from(2)
 }
 
 /// The exit code of a program, whose error is printed.

@@ -2,7 +2,7 @@
 
 use std::{slice, thread};
 
-use common::{Error, Scene, Stage};
+use common::{Error, Scene, Stage, text};
 
 use crate::grammar::Showing;
 use crate::print::{print, warn};
@@ -55,7 +55,11 @@ pub fn show(
     target.check(stage, scene)?;
     let image = render(scene, &settings, options)?;
     let path = target.write(stage, scene, &image, options.transfer)?;
-    print(&format!("{}  {}", path.display(), image.size()))
+    print(&format!(
+        "{}  {}",
+        text::visible(&path.to_string_lossy()),
+        image.size()
+    ))
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use common::{Error, Image, Scene, Stage, Transfer, atomic_file, picture_file};
+use common::{Error, Image, Scene, Stage, Transfer, atomic_file, picture_file, text};
 
 /// The folder for pictures, below the current one.
 const DEFAULT_FOLDER: &str = "out";
@@ -40,11 +40,11 @@ impl Target {
             None => Ok(Self::Folder(path)),
             Some(end) if !is_png(end) => Err(Error::Usage(format!(
                 "-o {} must be a folder or the name of a PNG file, ending in .png",
-                path.display()
+                text::path(&path)
             ))),
             Some(_) if pictures > 1 => Err(Error::Usage(format!(
                 "-o {} has room for one picture, not {pictures}; give a folder",
-                path.display()
+                text::path(&path)
             ))),
             Some(_) => Ok(Self::File(path)),
         }

@@ -1,6 +1,6 @@
 //! `Item`: a table of a scene file with its values.
 
-use common::{ArgumentError, Color};
+use common::{ArgumentError, Color, text};
 
 use crate::error::nearest;
 use crate::{Error, Key, Kind, Mesh};
@@ -122,6 +122,7 @@ impl Item {
         found.ok_or_else(|| {
             let names: Vec<_> = items.iter().map(|item| item.name.as_str()).collect();
             let nearest = nearest(&names, name);
+            let name = text::name(name);
             self.error(key, format!("there is no {key} \"{name}\"{nearest}"))
         })
     }

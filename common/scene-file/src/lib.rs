@@ -10,6 +10,8 @@ mod export;
 mod item;
 mod kind;
 mod mesh;
+mod mistake;
+mod notes;
 mod numbers;
 mod phrases;
 mod reader;

@@ -1,39 +1,16 @@
 //! `SceneFile`: reads the tables of a scene file, and refuses unknown ones.
 
+use common::text;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 use crate::error::nearest;
+use crate::mistake::{BACKSLASH, mistake};
 use crate::numbers::numbers;
 use crate::{Data, Error, Item, KINDS, Key, Kind, Mesh};
 
 /// Reads the mesh of this name, beside the scene file. The error is one clause.
 pub type Meshes<'a> = &'a dyn Fn(&str) -> Result<Mesh, String>;
-
-/// Beginnings of the parser's errors, and words for readers who do not know its terms.
-const MISTAKES: [(&str, &str); 5] = [
-    (
-        "duplicate key",
-        "this name is taken: a key stands once in its table, spheres, lights and the like have \
-         two pairs of brackets, as [[sphere]], and the shapes of a group stand behind its [[group]]",
-    ),
-    (
-        "string values must be",
-        "a text stands in quotation marks, and a list has commas, as [0, 1, 0]",
-    ),
-    (
-        "missing comma between array elements",
-        "the list before this place has no ] at its end, or lacks a comma",
-    ),
-    (
-        "missing key for inline table element",
-        "the braces before this place have no } at their end, or lack a key",
-    ),
-    (
-        "unexpected key or value",
-        "a line has one value, and a number a point, as 0.8",
-    ),
-];
 
 /// Most groups inside each other.
 const MOST_GROUPS: usize = 32;
@@ -62,17 +39,12 @@ pub struct SceneFile {
 impl SceneFile {
     /// Reads the text of a scene file for a stage.
     pub fn read(text: &str, stage: u8, meshes: Meshes) -> Result<Self, Error> {
-        let table = DeTable::parse(text).map_err(|error| Error {
-            at: error.span().unwrap_or_default().start,
-            text: MISTAKES
-                .iter()
-                .find(|(begin, _)| error.message().starts_with(begin))
-                .map_or_else(
-                    || error.message().replace('\n', ", "),
-                    |(_, text)| text.to_string(),
-                ),
-        })?;
-        let reader = Reader { stage, meshes };
+        let table = DeTable::parse(text).map_err(|error| mistake(text, &error))?;
+        let reader = Reader {
+            text,
+            stage,
+            meshes,
+        };
         let missing = |kind: usize| reader.item(&KINDS[kind], "", 0, &DeTable::new(), 0);
         let mut file = Self {
             picture: missing(1)?,
@@ -83,7 +55,14 @@ impl SceneFile {
             shapes: Vec::new(),
             notes: Vec::new(),
         };
-        for item in reader.item(&KINDS[0], "", 0, table.get_ref(), 0)?.tables {
+        let tables = reader.item(&KINDS[0], "", 0, table.get_ref(), 0)?.tables;
+        if tables.iter().all(|item| item.kind.name != "camera") {
+            return Err(Error {
+                at: 0,
+                text: "the file has no table [camera], with eye, gaze and angle".to_owned(),
+            });
+        }
+        for item in tables {
             match item.kind.name {
                 "picture" => file.picture = item,
                 "camera" => file.camera = item,
@@ -101,6 +80,7 @@ impl SceneFile {
 }
 
 struct Reader<'a> {
+    text: &'a str,
     stage: u8,
     meshes: Meshes<'a>,
 }
@@ -126,24 +106,50 @@ impl Reader<'_> {
             values: Vec::new(),
             tables: Vec::new(),
         };
+        // The parser sorts the keys by their names; readers mend the first mistake of a file first.
+        let mut first_mistake: Option<Error> = None;
+        let mut keep = |error: Error| {
+            let is_first = first_mistake
+                .as_ref()
+                .is_none_or(|first| error.at < first.at);
+            if is_first {
+                first_mistake = Some(error);
+            }
+        };
         for (name, value) in table {
-            let key = self.known(kind, name)?;
+            let key = match self.known(kind, name) {
+                Ok(key) => key,
+                Err(error) => {
+                    keep(error);
+                    continue;
+                }
+            };
             if groups > 0 && ["color", "material"].contains(&key.name) {
                 let text = "a shape in a group has the color or material of the outermost group";
-                return Err(error(name, text.to_owned()));
+                keep(error(name, text.to_owned()));
+                continue;
             }
             let Some(kind) = key.tables() else {
-                let data = self.data(key, value)?;
-                item.values.push((key.name, value.span().start, data));
+                match self.data(key, value) {
+                    Ok(data) => item.values.push((key.name, value.span().start, data)),
+                    Err(error) => keep(error),
+                }
                 continue;
             };
             let groups = groups + usize::from(item.kind.name == "group");
-            for (name, value) in tables(key, value)? {
+            let tables = tables(key, value).unwrap_or_else(|error| {
+                keep(error);
+                Vec::new()
+            });
+            for (name, value) in tables {
                 let DeValue::Table(table) = value.get_ref() else {
-                    return Err(wrong(key, value));
+                    keep(wrong(key, value));
+                    continue;
                 };
-                let at = value.span().start;
-                item.tables.push(self.item(kind, name, at, table, groups)?);
+                match self.item(kind, name, value.span().start, table, groups) {
+                    Ok(table) => item.tables.push(table),
+                    Err(error) => keep(error),
+                }
             }
         }
         item.tables.sort_by_key(|table| table.at);
@@ -154,7 +160,7 @@ impl Reader<'_> {
                 }
             }
         }
-        Ok(item)
+        first_mistake.map_or(Ok(item), Err)
     }
 
     /// The key of this name, if the stage knows it.
@@ -163,6 +169,7 @@ impl Reader<'_> {
         match kind.key(text) {
             Some(key) if key.stage <= own => return Ok(key),
             Some(Key { stage, .. }) => {
+                let text = text::name(text);
                 let text = format!("{text} is known from stage {stage} on, and this is {own}");
                 return Err(error(name, text));
             }
@@ -180,7 +187,7 @@ impl Reader<'_> {
         };
         Err(error(
             name,
-            format!("{} has no \"{text}\"{right}", kind.name),
+            format!("{} has no \"{}\"{right}", kind.name, text::name(text)),
         ))
     }
 
@@ -188,8 +195,8 @@ impl Reader<'_> {
     fn data(&self, key: &Key, value: &Spanned<DeValue>) -> Result<Data, Error> {
         match (key.form, value.get_ref()) {
             ("text", DeValue::String(file)) if key.name == "file" => {
-                let cannot = |reason| error(value, format!("cannot read {file}: {reason}"));
-                let mut mesh = (self.meshes)(file).map_err(cannot)?;
+                let mesh = (self.meshes)(file);
+                let mut mesh = mesh.map_err(|reason| self.cannot_read(file, &reason, value))?;
                 mesh.file = file.to_string();
                 Ok(Data::Mesh(mesh))
             }
@@ -200,6 +207,21 @@ impl Reader<'_> {
                 numbers.ok_or_else(|| wrong(key, value))
             }
         }
+    }
+
+    /// The error of a mesh that cannot be read. A backslash is a usual mistake in its name.
+    fn cannot_read(&self, file: &str, reason: &str, value: &Spanned<DeValue>) -> Error {
+        let written = self.text.get(value.span()).unwrap_or_default();
+        let are_doubled = written.matches('\\').count() == 2 * file.matches('\\').count();
+        let hint = if written.starts_with('"') && !are_doubled {
+            format!("; {BACKSLASH}")
+        } else if file.contains('\\') && cfg!(not(windows)) {
+            "; between folders stands /".to_owned()
+        } else {
+            String::new()
+        };
+        let file = text::path(file.as_ref());
+        error(value, format!("cannot read {file}: {reason}{hint}"))
     }
 }
 
@@ -232,5 +254,10 @@ fn error<T>(at: &Spanned<T>, text: String) -> Error {
 
 /// The error of a value in another form than its key has.
 fn wrong(key: &Key, value: &Spanned<DeValue>) -> Error {
-    error(value, format!("{} must be {}", key.name, key.needed()))
+    let behind = match key.name {
+        "group" => ", behind which its shapes stand, such as [[group.sphere]]",
+        _ => "",
+    };
+    let (name, needed) = (key.name, key.needed());
+    error(value, format!("{name} must be {needed}{behind}"))
 }

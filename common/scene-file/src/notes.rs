@@ -1,0 +1,72 @@
+//! `notes`: remarks on a scene file that is right, but may not show what was meant.
+
+use common::text;
+
+use crate::{Data, Error, Item, SceneFile};
+
+/// The keys of colours that show their brightest at 1.
+const SHOWN: [&str; 4] = ["color", "background", "diffuse", "specular"];
+
+/// A light of at least this, in whole numbers up to 255, was probably meant in bytes.
+const LEAST_OF_BYTES: f64 = 32.0;
+
+impl SceneFile {
+    /// The notes about the meshes and the remarks on this file, which has this name and this text.
+    #[must_use]
+    pub fn notes(&self, name: &str, text: &str) -> Vec<String> {
+        let mut notes = self.notes.clone();
+        if self.shapes.iter().all(|shape| !has_shape(shape)) {
+            notes.push(format!(
+                "{name} has no shape, so that its picture has the color of the background only"
+            ));
+        }
+        let mut bright = Vec::new();
+        let tables = [&self.materials, &self.lights, &self.shapes];
+        for item in tables.into_iter().flatten().chain([&self.world]) {
+            add_bright_colors(item, &mut bright);
+        }
+        bright.sort_by_key(|error| error.at);
+        if let Some(first) = bright.first() {
+            let more = match bright.len() {
+                1 => String::new(),
+                count => format!(", and {} more colours are so", count - 1),
+            };
+            notes.push(format!("{name}:{}{more}", first.within(text)));
+        }
+        notes
+    }
+}
+
+/// Whether an item is a shape, or a group that has one.
+fn has_shape(item: &Item) -> bool {
+    match item.kind.name {
+        "group" => item.tables.iter().any(has_shape),
+        kind => kind != "step",
+    }
+}
+
+/// Adds the colours of an item that have channels above those of the brightest.
+fn add_bright_colors(item: &Item, bright: &mut Vec<Error>) {
+    let is_light = item.kind.name.ends_with("_light");
+    for (key, at, data) in &item.values {
+        let Data::Numbers(channels) = data else {
+            continue;
+        };
+        let largest = channels.iter().copied().fold(0.0, f64::max);
+        let are_bytes = channels.iter().all(|c| c.fract() == 0.0 && *c <= 255.0);
+        // Light may be brighter than 1, as it may fall at a slant, or on dark surfaces.
+        let is_bright = if is_light && *key == "color" || *key == "ambient" {
+            are_bytes && largest >= LEAST_OF_BYTES
+        } else {
+            SHOWN.contains(key) && largest > 1.0
+        };
+        if is_bright {
+            let given = text::numbers(channels);
+            let text = format!(
+                "{key} [{given}] is brighter than 1; if 255 was meant as the brightest, divide it \
+                 by 255"
+            );
+            bright.push(Error { at: *at, text });
+        }
+    }
+}

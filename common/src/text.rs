@@ -1,0 +1,149 @@
+//! `text`: numbers, names and paths in messages, so that no message is long without need, and
+//! none moves the cursor of a terminal.
+
+use std::fmt::Write;
+use std::path::Path;
+
+/// Most letters of a name from a file in a message, and of a path.
+const LONGEST_NAME: usize = 80;
+const LONGEST_PATH: usize = 400;
+/// Most letters of a line of a message.
+const LONGEST_LINE: usize = 2000;
+
+/// A number in the shortest form that reads as the same number: at most 17 digits, with an
+/// exponent if it is huge or tiny.
+#[must_use]
+pub fn number(number: f64) -> String {
+    // Rust's form for programmers has an exponent from 1e16 on and below 1e-4.
+    let text = format!("{number:?}");
+    text.strip_suffix(".0").unwrap_or(&text).to_owned()
+}
+
+/// Numbers with commas between them, without brackets.
+#[must_use]
+pub fn numbers(numbers: &[f64]) -> String {
+    let numbers: Vec<_> = numbers.iter().map(|n| number(*n)).collect();
+    numbers.join(", ")
+}
+
+/// The text on one line, in which characters that a terminal would obey are seen: a newline as
+/// `\n`.
+#[must_use]
+pub fn visible(text: &str) -> String {
+    escaped(text, |_| false)
+}
+
+/// Like [`visible`], with the newlines of the text.
+#[must_use]
+pub fn visible_lines(text: &str) -> String {
+    escaped(text, |letter| letter == '\n')
+}
+
+/// A message for a terminal: its lines are visible, and shortened in their middle.
+#[must_use]
+pub fn message(text: &str) -> String {
+    let lines: Vec<_> = text
+        .split('\n')
+        .map(|line| visible(&shortened(line, LONGEST_LINE)))
+        .collect();
+    lines.join("\n")
+}
+
+/// A name from a file or the command line: visible, and shortened in its middle.
+#[must_use]
+pub fn name(text: &str) -> String {
+    visible(&shortened(text, LONGEST_NAME))
+}
+
+/// A path: visible, and shortened in its middle.
+#[must_use]
+pub fn path(path: &Path) -> String {
+    visible(&shortened(&path.to_string_lossy(), LONGEST_PATH))
+}
+
+fn escaped(text: &str, is_kept: impl Fn(char) -> bool) -> String {
+    let mut visible = String::new();
+    for letter in text.chars() {
+        let is_obeyed = letter.is_control() || turns_letters(letter);
+        let _ = if is_obeyed && !is_kept(letter) {
+            write!(visible, "{}", letter.escape_default())
+        } else {
+            write!(visible, "{letter}")
+        };
+    }
+    visible
+}
+
+/// Whether a character has no look of its own, but changes lines or the order of letters.
+fn turns_letters(letter: char) -> bool {
+    matches!(
+        letter,
+        '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2060}'..='\u{206F}' | '\u{FEFF}'
+    )
+}
+
+/// A text of at most this many letters, with … instead of its middle.
+fn shortened(text: &str, most: usize) -> String {
+    let count = text.chars().count();
+    if count <= most {
+        return text.to_owned();
+    }
+    let begin: String = text.chars().take(most / 2).collect();
+    let end: String = text.chars().skip(count + 1 - most / 2).collect();
+    format!("{begin}…{end}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_at_most_17_digits() {
+        for (value, text) in [
+            (0.1, "0.1"),
+            (-0.0, "-0"),
+            (2.0, "2"),
+            (1e15, "1000000000000000"),
+            (1e300, "1e300"),
+            (5e-310, "5e-310"),
+            (-1e150, "-1e150"),
+            (f64::NAN, "NaN"),
+            (f64::INFINITY, "inf"),
+        ] {
+            assert_eq!(number(value), text);
+        }
+        let mut value = 1.234e-320;
+        while value < 1e300 {
+            let text = number(value);
+            let digits = text.split('e').next().unwrap_or_default();
+            let digits = digits.chars().filter(char::is_ascii_digit);
+            let digits = digits.skip_while(|digit| *digit == '0').count();
+            assert!(digits <= 17, "{text}");
+            assert_eq!(text.parse(), Ok(value));
+            value *= 1234.567;
+        }
+        assert_eq!(numbers(&[1.0, 1e99]), "1, 1e99");
+    }
+
+    #[test]
+    fn messages_obey_no_character_of_a_name() {
+        assert_eq!(
+            visible("a\u{8}b\nc\u{1B}[2Jü日\u{202E}"),
+            r"a\u{8}b\nc\u{1b}[2Jü日\u{202e}"
+        );
+        assert_eq!(visible_lines("a\n\tb"), "a\n\\tb");
+        assert_eq!(name(&"x".repeat(5000)).chars().count(), LONGEST_NAME);
+        assert_eq!(name("short"), "short");
+        let lines = message(&format!("{}\n{}\n", "z".repeat(50_000), "a\u{7}"));
+        assert_eq!(
+            lines.len(),
+            LONGEST_LINE + "…".len() - 1 + "\na\\u{7}\n".len()
+        );
+        let long = Path::new("folder/")
+            .join("y".repeat(5000))
+            .join("scene.toml");
+        let shown = path(&long);
+        assert!(shown.starts_with("folder/y") && shown.ends_with("y/scene.toml"));
+        assert_eq!(shown.chars().count(), LONGEST_PATH);
+    }
+}
