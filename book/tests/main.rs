@@ -1,13 +1,13 @@
 //! The book and the crates say the same, as far as neither mdBook nor the link checker of
-//! `book/build` sees it; and each part of the workbook stays small.
+//! `book/build` sees it; and the files of the lessons stay short.
 //!
 //! A check returns a complaint with file and line for each mistake.
 
-mod budgets;
 mod caption;
 mod files;
 mod include;
 mod left_over;
+mod lesson_length;
 mod lessons;
 mod way_of_a_ray;
 
@@ -34,5 +34,5 @@ checks! {
     every_picture_and_listing_has_a_caption: caption::complaints;
     lessons_name_nothing_but_the_lesson: lessons::complaints;
     each_function_on_the_way_of_a_ray_calls_the_next: way_of_a_ray::complaints;
-    no_part_is_larger_than_its_budget: budgets::complaints;
+    lesson_files_are_short: lesson_length::complaints;
 }
