@@ -48,11 +48,14 @@ impl ShadowRay {
     /// farther from the plane that touches the surface at the hit than both ends of the
     /// ray are rounded.
     pub fn is_blocked_by(&self, found: &Hit) -> bool {
+        // Far from the light, nothing holds it.
+        if found.t < self.distance * (15.0 / 16.0) {
+            return true;
+        }
         let cosine = self.ray.direction().dot(found.face).abs();
         let beyond_the_surface = (self.distance - found.t) * cosine;
         let is_in_the_surface =
             beyond_the_surface <= self.offset + rounding_error(&self.ray, found);
-        // An infinite distance and a cosine of 0 give NaN: no surface holds such a light.
         !is_in_the_surface
     }
 }

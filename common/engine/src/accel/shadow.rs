@@ -81,7 +81,13 @@ impl Query for ShadowQuery {
         if hit == 0 {
             return;
         }
-        let blocked = hit & self.blocked_by(&hits(&self.rays, t, hit));
+        let far_from_the_light = t.simd_lt(self.distance * Lanes::splat(15.0 / 16.0));
+        let mut blocked = hit & far_from_the_light.to_bitmask();
+        let near_the_light = hit & !blocked;
+        if near_the_light != 0 {
+            let hits = hits(&self.rays, t, near_the_light);
+            blocked |= near_the_light & self.blocked_by(&hits);
+        }
         if blocked != 0 {
             self.unoccluded &= !blocked;
             *occluder = Some(shape);
