@@ -5,10 +5,9 @@
 
 mod bounded_ray;
 mod camera;
-pub mod fast;
-pub mod from_file;
 #[doc(hidden)]
 pub mod instruments;
+pub mod kinds;
 mod orthographic_camera;
 mod perspective_camera;
 mod pinhole_camera;

@@ -10,7 +10,7 @@ use common::{
     SeenLine, Settings, Size, Traced, UsedSettings,
 };
 
-use crate::{Camera, Ray, fast, instruments, render};
+use crate::{Camera, Ray, instruments, kinds, render};
 
 /// A camera and the world before it.
 ///
@@ -32,6 +32,12 @@ pub trait TracedWorld: Any + Send + Sync {
     /// The world in the numbers of the engine; none if the engine has no type for it.
     fn for_engine(&self, _depth: u32) -> Option<engine::Scene<'_>> {
         None
+    }
+
+    /// The shapes of the world as the values of their tables in a scene file, each with the
+    /// number of its surface in the engine's scene.
+    fn written_shapes(&self) -> Vec<scene_file::WrittenShape> {
+        Vec::new()
     }
 
     /// The number of the object, from 1, that a ray hits first, and the `t` of this hit.
@@ -98,13 +104,13 @@ impl View {
         if settings.renderer == Renderer::Engine
             && let Some(scene) = self.world.for_engine(settings.depth)
         {
-            return fast::render(scene, &*self.camera, settings, progress);
+            return kinds::render(scene, &*self.camera, settings, progress);
         }
         let bounds = settings.max_error.map(|max_error| {
             let Some(scene) = self.world.for_engine(settings.depth) else {
                 return (max_error, f64::INFINITY, Vec::new());
             };
-            let camera = fast::camera(&*self.camera);
+            let camera = kinds::camera_for_engine(&*self.camera);
             let contrasts = scene.contrasts(&camera, settings.size);
             (max_error, scene.max_radiance(), contrasts)
         });
@@ -120,17 +126,6 @@ impl View {
         let light = |x, y| radiance(&camera.ray_for(settings.size, x, y));
         let light = engine::adaptive::WithContrasts { light, contrasts };
         engine::adaptive::render_image(max_error, max_radiance, &light, settings, progress)
-    }
-
-    /// The scene as text in a language, `toml` or `povray`.
-    pub fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {
-        use scene_file::{POV_RAY, TOML, export};
-        let scene = self.world.for_engine(settings.depth);
-        let phrases = if language == "povray" { POV_RAY } else { TOML };
-        let camera = fast::camera(&*self.camera);
-        let text = scene.map(|scene| export(phrases, &scene, &camera, settings));
-        let text = text.unwrap_or_else(|| Err("its world is a formula, without shapes".to_owned()));
-        text.map_err(|reason| Error::Usage(format!("this scene cannot be written: {reason}")))
     }
 
     /// The view with wrappers that count its work and record its steps.

@@ -5,13 +5,12 @@
 //! with a surface and finds the nearest hit.
 
 mod axis_aligned_box;
-pub mod fast;
-pub mod from_file;
 mod geometry;
 mod hit;
 #[doc(hidden)]
 pub mod instruments;
 mod interval;
+pub mod kinds;
 mod plane;
 #[doc(hidden)]
 pub mod scenes;

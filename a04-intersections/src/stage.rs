@@ -4,8 +4,10 @@
 use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
 use common::steps::{self, StepKind};
 use common::{Color, Stage};
+use scene_file::WrittenShape;
 
 use crate::instruments::{objects, recorded};
+use crate::kinds::{self, KINDS};
 use crate::scenes::{scene_1, scene_2, scene_3, scene_4, scene_5, scene_6};
 use crate::{Interval, World};
 
@@ -40,7 +42,7 @@ pub fn stage() -> Stage {
         name: "a04-intersections",
         about: "Where rays meet planes, boxes, triangles and spheres",
         scenes: scenes().map(Into::into).into(),
-        open: Some(|path| a03_rays_cameras::from_file::scene(path, 4, crate::from_file::view)),
+        open: Some(|path| kinds::FORMAT.open(path)),
     }
 }
 
@@ -50,7 +52,11 @@ impl TracedWorld for World<Color> {
     }
 
     fn for_engine(&self, _: u32) -> Option<engine::Scene<'_>> {
-        Some(crate::fast::scene(self))
+        Some(kinds::for_engine(self))
+    }
+
+    fn written_shapes(&self) -> Vec<WrittenShape> {
+        KINDS.written(self)
     }
 
     fn nearest(&self, ray: &Ray) -> Option<(usize, f64)> {
@@ -62,7 +68,7 @@ impl TracedWorld for World<Color> {
     }
 
     fn recorded(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
-        let world = recorded::world(*self, recorded::plain, |color| color);
+        let world = recorded::world(*self, KINDS, |color| color);
         Box::new(move |ray: &Ray| {
             let color = world.color_for(ray);
             if steps::is_tracing() {

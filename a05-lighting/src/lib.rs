@@ -5,10 +5,9 @@
 //! [`Lighting`], because a later stage has shadows.
 
 mod directional_light;
-pub mod fast;
-pub mod from_file;
 #[doc(hidden)]
 pub mod instruments;
+pub mod kinds;
 mod lambert;
 mod light;
 mod lighting;

@@ -3,11 +3,14 @@
 
 use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
 use a04_intersections::instruments::objects;
-use a04_intersections::instruments::recorded::{plain, push_background};
+use a04_intersections::instruments::recorded::push_background;
+use a04_intersections::kinds::KINDS as SHAPES;
 use common::{Color, Stage};
+use scene_file::WrittenShape;
 
 use crate::LitWorld;
 use crate::instruments::recorded;
+use crate::kinds::{self, LIGHTS};
 use crate::scenes::{
     lambert, lighting_1, phong, phong_directional, phong_spot, phong_spot_ambient,
 };
@@ -47,7 +50,7 @@ pub fn stage() -> Stage {
         name: "a05-lighting",
         about: "Lights and materials: Lambert and Phong",
         scenes: scenes().map(Into::into).into(),
-        open: Some(|path| a03_rays_cameras::from_file::scene(path, 5, crate::from_file::view)),
+        open: Some(|path| kinds::FORMAT.open(path)),
     }
 }
 
@@ -57,7 +60,11 @@ impl TracedWorld for LitWorld {
     }
 
     fn for_engine(&self, _: u32) -> Option<engine::Scene<'_>> {
-        Some(crate::fast::scene(self))
+        Some(kinds::for_engine(self))
+    }
+
+    fn written_shapes(&self) -> Vec<WrittenShape> {
+        SHAPES.written(self.objects())
     }
 
     fn nearest(&self, ray: &Ray) -> Option<(usize, f64)> {
@@ -69,12 +76,12 @@ impl TracedWorld for LitWorld {
     }
 
     fn light_positions(&mut self) -> Vec<&mut a02_math::Point3> {
-        crate::instruments::light_positions(self, |light| &mut **light)
+        LIGHTS.positions(self, |light| &mut **light)
     }
 
     fn recorded(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
-        let surface = |material| recorded::material(material, all_work);
-        let world = recorded::world(*self, plain, surface, recorded::light);
+        let surface = |material| recorded::material(material, kinds::KINDS, all_work);
+        let world = recorded::world(*self, SHAPES, surface, recorded::light);
         Box::new(move |ray: &Ray| {
             let color = world.color_for(ray);
             push_background(world.objects().background());

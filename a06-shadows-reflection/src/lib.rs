@@ -3,10 +3,9 @@
 //! The [`RecursiveTracer`] finds the light that reaches a hit with shadow rays,
 //! and follows reflected rays from surface to surface.
 
-pub mod fast;
-pub mod from_file;
 #[doc(hidden)]
 pub mod instruments;
+pub mod kinds;
 mod light_source;
 mod recursive_tracer;
 mod reflective;
@@ -23,7 +22,7 @@ pub use reflective::Reflective;
 pub use scenes::diagonal_camera;
 pub use secondary_ray::secondary_ray;
 pub use shadow::is_shadowed;
-pub use stage::{RecursiveWorld, scenes as traced_scenes, stage, traced};
+pub use stage::{RecursiveWorld, scenes as traced_scenes, stage, traced, traced_with};
 pub use surface::Surface;
 
 /// Tests the code in this stage's chapter.

@@ -3,10 +3,14 @@
 
 use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
 use a04_intersections::instruments::objects;
+use a04_intersections::kinds::{KINDS as SHAPES, Shapes};
+use a05_lighting::kinds::LIGHTS;
 use common::{Color, Stage};
+use scene_file::WrittenShape;
 
+use crate::instruments::recorded::RecordedWorld;
 use crate::scenes::{aab, sphere};
-use crate::{RecursiveTracer, ShadowedWorld};
+use crate::{RecursiveTracer, ShadowedWorld, kinds};
 
 /// The traced scenes in the order of the course.
 #[must_use]
@@ -28,31 +32,28 @@ pub fn stage() -> Stage {
         name: "a06-shadows-reflection",
         about: "Shadows and mirrors",
         scenes: scenes().map(Into::into).into(),
-        open: Some(|path| a03_rays_cameras::from_file::scene(path, 6, crate::from_file::view)),
+        open: Some(|path| kinds::FORMAT.open(path)),
     }
 }
 
-/// A view for the renderers, with geometries of this stage or a lower one.
+/// A view for the renderers, with shapes of this stage or a lower one.
 #[must_use]
 pub fn traced(view: View<ShadowedWorld>) -> View {
-    let world = |world| RecursiveWorld {
-        // The lesson needs nothing else.
-        world,
-        shapes: a04_intersections::fast::shapes,
-        recorded: |geometry| geometry,
-    };
-    view.map(world).boxed()
+    traced_with(view, SHAPES)
 }
 
-/// A world that the [`RecursiveTracer`] renders, with two functions for its geometries, which
-/// may be of a higher stage.
+/// A view for the renderers, whose world may have these shapes.
+#[must_use]
+pub fn traced_with(view: View<ShadowedWorld>, shapes: Shapes) -> View {
+    view.map(|world| RecursiveWorld { world, shapes }).boxed()
+}
+
+/// A world that the [`RecursiveTracer`] renders, and the shapes that it may have.
 pub struct RecursiveWorld {
     /// The world.
     pub world: ShadowedWorld,
-    /// Translates a geometry for the engine.
-    pub shapes: a04_intersections::fast::Translate,
-    /// Wraps a geometry to count its work.
-    pub recorded: fn(Box<dyn a04_intersections::Geometry>) -> Box<dyn a04_intersections::Geometry>,
+    /// The rows of its shapes, which may be of a higher stage.
+    pub shapes: Shapes,
 }
 
 impl TracedWorld for RecursiveWorld {
@@ -61,7 +62,11 @@ impl TracedWorld for RecursiveWorld {
     }
 
     fn for_engine(&self, depth: u32) -> Option<engine::Scene<'_>> {
-        Some(crate::fast::scene(&self.world, depth, self.shapes))
+        Some(kinds::for_engine(&self.world, depth, self.shapes))
+    }
+
+    fn written_shapes(&self) -> Vec<WrittenShape> {
+        self.shapes.written(self.world.objects())
     }
 
     fn nearest(&self, ray: &Ray) -> Option<(usize, f64)> {
@@ -73,15 +78,10 @@ impl TracedWorld for RecursiveWorld {
     }
 
     fn light_positions(&mut self) -> Vec<&mut a02_math::Point3> {
-        a05_lighting::instruments::light_positions(&mut self.world, |source| &mut *source.light)
+        LIGHTS.positions(&mut self.world, |source| &mut *source.light)
     }
 
     fn recorded(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
-        let Self {
-            world, recorded, ..
-        } = *self;
-        Box::new(crate::instruments::recorded::RecordedWorld::new(
-            world, recorded, all_work,
-        ))
+        Box::new(RecordedWorld::new(self.world, self.shapes, all_work))
     }
 }

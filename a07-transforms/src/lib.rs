@@ -4,10 +4,7 @@
 //! geometry that does this for its children.
 
 mod disc;
-pub mod fast;
-pub mod from_file;
-#[doc(hidden)]
-pub mod instruments;
+pub mod kinds;
 mod mat4x4;
 mod node;
 #[doc(hidden)]

@@ -1,9 +1,10 @@
 //! `stage`: the scenes of this stage for its program.
 
 use a03_rays_cameras::{TracedScene, View};
-use a06_shadows_reflection::{RecursiveWorld, ShadowedWorld};
+use a06_shadows_reflection::{ShadowedWorld, traced_with};
 use common::Stage;
 
+use crate::kinds;
 use crate::scenes::{box_transformations, disc, sphere_transformation};
 
 /// The traced scenes in the order of the course.
@@ -33,18 +34,12 @@ pub fn stage() -> Stage {
         name: "a07-transforms",
         about: "Transformed geometry, the scene graph and the disc",
         scenes: scenes().map(Into::into).into(),
-        open: Some(|path| a03_rays_cameras::from_file::scene(path, 7, crate::from_file::view)),
+        open: Some(|path| kinds::FORMAT.open(path)),
     }
 }
 
 /// A view for the renderers, whose world may have nodes and discs.
 #[must_use]
 pub fn traced(view: View<ShadowedWorld>) -> View {
-    let world = |world| RecursiveWorld {
-        // The lesson needs nothing else.
-        world,
-        shapes: crate::fast::shapes,
-        recorded: crate::instruments::recorded::geometry,
-    };
-    view.map(world).boxed()
+    traced_with(view, kinds::KINDS)
 }

@@ -7,8 +7,7 @@ const FOREIGN: &str = "engine lab laboratory packet packets lane lanes simd tall
     omit omits omitted omission omissions renderer prepared black_box max_error";
 
 /// The files that join a stage with its program, the engine and the window.
-const JOINTS: &str =
-    "lib.rs main.rs stage.rs view.rs fast.rs from_file.rs instruments.rs window.rs canvas.rs";
+const JOINTS: &str = "lib.rs main.rs stage.rs view.rs kinds.rs instruments.rs window.rs canvas.rs";
 
 /// Whether a file is a lesson of any stage: `src/*.rs` without the joints.
 pub fn is_lesson(path: &str) -> bool {

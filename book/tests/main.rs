@@ -3,6 +3,7 @@
 //!
 //! A check returns a complaint with file and line for each mistake.
 
+mod arrows;
 mod caption;
 mod files;
 mod include;
@@ -33,6 +34,7 @@ checks! {
     every_listing_shows_something: include::complaints;
     every_picture_and_listing_has_a_caption: caption::complaints;
     lessons_name_nothing_but_the_lesson: lessons::complaints;
+    only_rows_and_renderers_know_the_engine: arrows::complaints;
     each_function_on_the_way_of_a_ray_calls_the_next: way_of_a_ray::complaints;
     lesson_files_are_short: lesson_length::complaints;
 }

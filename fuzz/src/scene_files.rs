@@ -1,10 +1,10 @@
 //! Scene files of any bytes, and of any tables with any numbers. Each one is refused at a position
 //! within it, or rendered with finite numbers by the stage that reads it.
 
-use a03_rays_cameras::from_file::MakeView;
+use a03_rays_cameras::kinds::Format;
 use arbitrary::{Result, Unstructured};
 use common::{Settings, Size};
-use scene_file::{Mesh, SceneFile};
+use scene_file::Mesh;
 
 use crate::values::number;
 
@@ -17,16 +17,16 @@ pub fn check(bytes: &[u8]) {
         check_mesh(&mut mesh, bytes);
     }
     let text = String::from_utf8_lossy(bytes);
-    let views: [MakeView; 4] = [
-        a04_intersections::from_file::view,
-        a05_lighting::from_file::view,
-        a06_shadows_reflection::from_file::view,
-        a07_transforms::from_file::view,
+    let formats: [Format; 4] = [
+        a04_intersections::kinds::FORMAT,
+        a05_lighting::kinds::FORMAT,
+        a06_shadows_reflection::kinds::FORMAT,
+        a07_transforms::kinds::FORMAT,
     ];
-    for (stage, make_view) in (4..).zip(views) {
+    for format in formats {
         // The file is its own mesh.
-        let read = SceneFile::read(&text, stage, &|_| Mesh::read(bytes));
-        match read.and_then(|file| make_view(&file)) {
+        let read = format.read(&text, &|_| Mesh::read(bytes));
+        match read.and_then(|file| (format.view)(&file)) {
             Ok(view) => {
                 let settings = Settings {
                     size: Size::new(3, 2).expect("a size"),

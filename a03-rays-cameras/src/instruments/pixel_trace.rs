@@ -4,7 +4,7 @@ use common::steps::{self, Step, StepKind, trace_chosen};
 use common::{Color, Error, Image, PixelTrace, Renderer, Settings};
 
 use super::recorded::push_ray;
-use crate::{Camera, Ray, Sampler, View, camera_coordinates, fast, render};
+use crate::{Camera, Ray, Sampler, View, camera_coordinates, kinds, render};
 
 const SAMPLES: &str = "a03-rays-cameras.md#many-rays-a-pixel";
 const LOOP: &str = "a03-rays-cameras.md#the-only-loop";
@@ -18,9 +18,8 @@ impl View {
         if settings.renderer == Renderer::Engine
             && let Some(scene) = self.world.for_engine(settings.depth)
         {
-            let camera = fast::camera(&*self.camera);
-            let renderer = engine::Renderer::new(scene, camera, settings);
-            return trace_samples(settings, pixel, |x, y| renderer.light_at(settings, (x, y)));
+            let light = kinds::light_at(scene, &*self.camera, settings);
+            return trace_samples(settings, pixel, light);
         }
         let view = self.recorded(settings, settings.renderer == Renderer::AllWork);
         trace_samples(settings, pixel, |x, y| {

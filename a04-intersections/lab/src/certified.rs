@@ -11,7 +11,7 @@ use a03_rays_cameras::{Camera, Ray};
 use common::{Color, Settings};
 
 use super::enclosure::Enclosure;
-use super::support::{arrays, dot};
+use super::support::{arrays, corners, dot, numbers};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle};
 
 /// Whether a ray hits a shape; `None` if the enclosures leave it open.
@@ -74,8 +74,8 @@ pub fn decide(shape: &dyn Geometry, ray: &Ray, within: Interval) -> Decision {
     } else if let Some(triangle) = any.downcast_ref::<Triangle>() {
         hits_triangle(triangle, &line, within)
     } else {
-        let (a, n) = any.downcast_ref::<Plane>()?.point_and_normal();
-        let [a, n] = [array(a), array(n)].map(|v| v.map(Enclosure::from));
+        let any_plane: &Plane = any.downcast_ref()?;
+        let [a, n] = ["point", "normal"].map(|key| numbers(any_plane, key).map(Enclosure::from));
         contains(within, plane(&a, &n, &line))
     }
 }
@@ -92,7 +92,7 @@ fn cross(a: &Triple, b: &Triple) -> Triple {
 }
 
 /// Whether a `t` lies within the interval.
-fn contains(within: Interval, t: Enclosure) -> Decision {
+pub fn contains(within: Interval, t: Enclosure) -> Decision {
     if t.low > within.min && t.high < within.max {
         Some(true)
     } else {
@@ -116,9 +116,10 @@ pub fn plane(a: &Triple, n: &Triple, [o, d]: &[Triple; 2]) -> Enclosure {
 
 /// By the discriminant `a r² - |f × d|²`, which is that of the lesson by Lagrange's identity.
 fn hits_sphere(sphere: &Sphere, [o, d]: &[Triple; 2], within: Interval) -> Decision {
-    let (c, r) = sphere.center_and_radius();
-    let f = difference(o, &array(c).map(Enclosure::from));
-    let (a, r) = (dot(d, d), Enclosure::from(r));
+    let c = numbers(sphere, "center").map(Enclosure::from);
+    let [r] = numbers(sphere, "radius").map(Enclosure::from);
+    let f = difference(o, &c);
+    let a = dot(d, d);
     let aside = cross(&f, d);
     let discriminant = a * r * r - dot(&aside, &aside);
     if discriminant.high < 0.0 {
@@ -135,10 +136,9 @@ fn hits_sphere(sphere: &Sphere, [o, d]: &[Triple; 2], within: Interval) -> Decis
 
 fn hits_box(aab: &AxisAlignedBox, [o, d]: &[Triple; 2], within: Interval) -> Decision {
     let [mut near, mut far] = [f64::NEG_INFINITY, f64::INFINITY].map(Enclosure::from);
+    let corners: [[f64; 3]; 2] = ["lbf", "run"].map(|key| numbers(aab, key));
     for axis in 0..3 {
-        let [low, high] = aab
-            .opposite_corners()
-            .map(|corner| Enclosure::from(corner[axis]));
+        let [low, high] = corners.map(|corner| Enclosure::from(corner[axis]));
         let Some(is_ahead) = d[axis].sign() else {
             // Along the faces: the borders belong to the box.
             if o[axis].low < low.low || o[axis].low > high.low {
@@ -169,7 +169,7 @@ fn hits_box(aab: &AxisAlignedBox, [o, d]: &[Triple; 2], within: Interval) -> Dec
 }
 
 fn hits_triangle(triangle: &Triangle, line: &[Triple; 2], within: Interval) -> Decision {
-    let corners = triangle.corners().map(|c| array(c).map(Enclosure::from));
+    let corners = corners(triangle).map(|c| array(c).map(Enclosure::from));
     let [a, b, c] = corners.map(|corner| difference(&corner, &line[0]));
     let d = &line[1];
     // Six times the volumes between the ray and the edges.

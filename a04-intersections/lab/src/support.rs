@@ -4,13 +4,14 @@
 use a02_math::arrays::array;
 use std::ops::{Add, Mul};
 
-use a02_math::Vector3;
 pub use a02_math::arrays::{point, vector};
+use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{PixelRandom, Ray};
 use common::ArgumentError;
 use num_traits::{Float, NumCast};
 
-use a04_intersections::{Geometry, Interval};
+use a04_intersections::kinds::{Content, ShapeKind};
+use a04_intersections::{Geometry, Interval, Triangle};
 
 pub type Triple = [f64; 3];
 /// An origin and a direction.
@@ -34,6 +35,25 @@ pub fn any_ray(line: Line) -> Ray {
 /// Origin and direction as arrays, the arguments of formulas in both precisions.
 pub fn arrays(ray: &Ray) -> [Triple; 2] {
     [array(ray.origin()), array(ray.direction())]
+}
+
+/// The numbers of a shape under a key of its table in a scene file; NaN if it has not so many.
+pub fn numbers<const N: usize>(shape: &impl ShapeKind, key: &str) -> [f64; N] {
+    let values = match shape.content() {
+        Content::Values(values) => values,
+        Content::Children { .. } => Vec::new(),
+    };
+    let mut values = values.into_iter().filter(|(name, _)| *name == key);
+    let found = values
+        .next()
+        .and_then(|(_, numbers)| numbers.try_into().ok());
+    found.unwrap_or([f64::NAN; N])
+}
+
+/// The corners of a triangle.
+pub fn corners(triangle: &Triangle) -> [Point3; 3] {
+    let [ax, ay, az, bx, by, bz, cx, cy, cz] = numbers(triangle, "corners");
+    [[ax, ay, az], [bx, by, bz], [cx, cy, cz]].map(point)
 }
 
 /// The `t` of a ray's nearest hit of a shape.

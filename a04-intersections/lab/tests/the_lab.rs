@@ -103,7 +103,7 @@ fn every_decision_in_the_pictures_is_right() {
         ("scene-6", scenes::scene_6(), 0),
     ] {
         let View { camera, world } = scene.unwrap();
-        let world = recorded::world(world, |_, shape| geometry(shape, decide), |color| color);
+        let world = recorded::map_world(world, |_, shape| geometry(shape, decide), |color| color);
         let counts = picture(&*camera, |ray| world.color_for(ray));
         assert_eq!(counts, [on_an_edge, 0], "{name}");
     }

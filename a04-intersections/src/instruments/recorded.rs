@@ -1,53 +1,52 @@
 //! Reports intersection tests and the nearest hit, by a wrapper around each geometry.
 
-use std::any::Any;
+use std::mem;
 
 use a02_math::arrays::array;
 use a03_rays_cameras::Ray;
 use common::Color;
-use common::steps::{self, Outcome, Step, StepKind, type_name};
+use common::steps::{self, Outcome, Step, StepKind};
 
-use crate::from_file::Mesh;
 use crate::instruments::objects;
+use crate::kinds::{Row, ShapeKind, Shapes};
 use crate::{Geometry, Hit, Interval, World};
 
 const WORLD: &str = "a04-intersections.md#hit-and-world";
+/// The section about shapes whose type has no row.
+const ANY_SHAPE: &str = "a04-intersections.md#one-question-and-an-interval";
 
 /// A geometry whose tests are reported.
 #[derive(Debug)]
 struct RecordedGeometry {
     geometry: Box<dyn Geometry>,
-    /// The number of tests for a ray: of each triangle of a mesh, otherwise one.
+    row: Option<&'static Row>,
+    /// The number of tests for a ray.
     tests: u64,
     number: usize,
     name: String,
-    section: &'static str,
 }
 
-/// Wraps a geometry, counted from 1 in its list, and before that by `inner`.
+/// Wraps a geometry, counted from 1 in its list, and its children.
 pub fn geometry(
     number: usize,
-    geometry: Box<dyn Geometry>,
-    inner: impl FnOnce(Box<dyn Geometry>) -> Box<dyn Geometry>,
+    mut geometry: Box<dyn Geometry>,
+    shapes: Shapes,
 ) -> Box<dyn Geometry> {
-    let name = type_name(&geometry);
-    let mesh = (&*geometry as &dyn Any).downcast_ref::<Mesh>();
-    let tests = mesh.map_or(1, |Mesh(triangles)| triangles.objects.len() as u64);
-    let section = match &*name {
-        "Plane" => "a04-intersections.md#plane",
-        "Sphere" => "a04-intersections.md#sphere",
-        "AxisAlignedBox" => "a04-intersections.md#box",
-        "Triangle" => "a04-intersections.md#triangle",
-        "Disc" => "a07-transforms.md#disc",
-        "Node" => "a07-transforms.md#node",
-        _ => "a04-intersections.md#one-question-and-an-interval",
-    };
+    let name = objects::name(number, &*geometry);
+    let row = shapes.row(&*geometry);
+    if let Some(children) = shapes.children_mut(&mut *geometry) {
+        let all = (1..).zip(mem::take(children));
+        *children = all
+            .map(|(i, child)| self::geometry(i, child, shapes))
+            .collect();
+    }
+    let kind = row.and_then(|row| row.get(&*geometry));
     Box::new(RecordedGeometry {
-        name: objects::name(number, &*geometry),
-        geometry: inner(geometry),
-        tests,
+        tests: kind.map_or(1, ShapeKind::tests),
+        geometry,
+        row,
         number,
-        section,
+        name,
     })
 }
 
@@ -55,6 +54,9 @@ impl Geometry for RecordedGeometry {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let step = |kind| steps::untraced(|| self.step(kind, ray, within));
         steps::inside(StepKind::Test, self.tests, step, || {
+            if let Some(kind) = self.row.and_then(|row| row.get(&*self.geometry)) {
+                kind.push_object_ray(ray);
+            }
             self.geometry.hit(ray, within)
         })
     }
@@ -64,11 +66,12 @@ impl RecordedGeometry {
     /// The step of a test. A ray without a hit gets the `t` that the geometry gives for the whole
     /// ray, or else for the whole line.
     fn step(&self, kind: StepKind, ray: &Ray, within: Interval) -> Step {
+        let section = self.row.map_or(ANY_SHAPE, |row| row.section);
         let line = Interval {
             min: f64::NEG_INFINITY,
             ..Interval::AHEAD
         };
-        let mut step = Step::new(kind, &*self.name, self.section).numbered(self.number);
+        let mut step = Step::new(kind, &*self.name, section).numbered(self.number);
         step.outcome = Outcome::Missed;
         for (interval, outcome) in [
             (within, Outcome::Hit),
@@ -117,9 +120,15 @@ pub fn push_color(kind: StepKind, name: &str, color: Color) {
     });
 }
 
+/// The world with its geometries wrapped, which may be of these shapes, and its surfaces replaced
+/// by this function of them.
+pub fn world<S, T>(world: World<S>, shapes: Shapes, surface: impl Fn(S) -> T) -> World<T> {
+    map_world(world, |number, own| geometry(number, own, shapes), surface)
+}
+
 /// The world with its geometries, counted from 1, and surfaces replaced by these functions of
 /// them.
-pub fn world<S, T>(
+pub fn map_world<S, T>(
     world: World<S>,
     geometry: impl Fn(usize, Box<dyn Geometry>) -> Box<dyn Geometry>,
     surface: impl Fn(S) -> T,
@@ -130,9 +139,4 @@ pub fn world<S, T>(
         background: world.background,
         objects: objects.collect(),
     }
-}
-
-/// Wraps a geometry of this stage.
-pub fn plain(number: usize, own: Box<dyn Geometry>) -> Box<dyn Geometry> {
-    geometry(number, own, |own| own)
 }

@@ -6,7 +6,7 @@ mod edges;
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::fast::shapes;
+use a04_intersections::kinds::KINDS;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
 use a04_lab::support::Numbers;
 use common::Color;
@@ -103,7 +103,7 @@ impl Place {
         let mut numbers = Numbers::new(seed + 1, 0);
         for (eye, lamp) in [(eye, lamp), (lamp, eye), (inside, inside)] {
             let rays = (0..count).flat_map(|_| self.rays(&mut numbers, eye, lamp));
-            let hits = compare(&world, shapes, &rays.collect::<Vec<_>>());
+            let hits = compare(&world, KINDS, &rays.collect::<Vec<_>>());
             assert!(hits > count, "{hits}");
         }
     }

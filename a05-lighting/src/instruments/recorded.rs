@@ -1,31 +1,43 @@
 //! Reports powers, light and colours, by wrappers around materials and lights; with all work,
 //! every material computes the light of all lights, and a Phong material a power for each.
 
-use std::any::Any;
 use std::cell::Cell;
-use std::fmt::Debug;
 
 use a02_math::arrays::array;
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::instruments::recorded as geometries;
+use a04_intersections::kinds::Shapes;
 use a04_intersections::{Geometry, Hit};
 use common::Color;
 use common::steps::{self, Outcome, Step, StepKind, type_name};
 
+use crate::kinds::Materials;
 use crate::power::power;
 use crate::{Illumination, Lambert, Light, Lighting, LitWorld, Material, Phong};
 
+/// The world with its geometries wrapped, which may be of these shapes, and its surfaces and
+/// lights replaced by these functions of them; lights are counted from 1.
+pub fn world<S, T, L>(
+    world: LitWorld<S, L>,
+    shapes: Shapes,
+    surface: impl Fn(S) -> T,
+    light: impl Fn((usize, L)) -> L,
+) -> LitWorld<T, L> {
+    let geometry = |number, geometry| geometries::geometry(number, geometry, shapes);
+    map_world(world, geometry, surface, light)
+}
+
 /// The world with its geometries, surfaces and lights replaced by these functions of them;
 /// geometries and lights are counted from 1.
-pub fn world<S, T, L>(
+pub fn map_world<S, T, L>(
     world: LitWorld<S, L>,
     geometry: impl Fn(usize, Box<dyn Geometry>) -> Box<dyn Geometry>,
     surface: impl Fn(S) -> T,
     light: impl Fn((usize, L)) -> L,
 ) -> LitWorld<T, L> {
     LitWorld {
-        world: geometries::world(world.world, geometry, surface),
+        world: geometries::map_world(world.world, geometry, surface),
         lights: (1..).zip(world.lights).map(light).collect(),
         ambient: world.ambient,
     }
@@ -71,11 +83,15 @@ pub fn push_light(number: usize, type_name: &str, light: Option<Illumination>) {
     });
 }
 
-/// Wraps this material to report its work.
-pub fn material(material: Box<dyn Material>, all_work: bool) -> Box<dyn Material> {
+/// Wraps this material, whose type may have one of these rows, to report its work.
+pub fn material(
+    material: Box<dyn Material>,
+    kinds: Materials,
+    all_work: bool,
+) -> Box<dyn Material> {
     Box::new(RecordedMaterial {
         material,
-        as_phong: |material| (material as &dyn Any).downcast_ref(),
+        kinds,
         is_lit_from_behind: true,
         all_work,
     })
@@ -83,18 +99,18 @@ pub fn material(material: Box<dyn Material>, all_work: bool) -> Box<dyn Material
 
 /// A material whose work is reported.
 #[derive(Debug)]
-pub struct RecordedMaterial<M: ?Sized> {
+pub struct RecordedMaterial {
     /// The material.
-    pub material: Box<M>,
-    /// The material as a Phong material, if it is one.
-    pub as_phong: fn(&M) -> Option<&Phong>,
+    pub material: Box<dyn Material>,
+    /// The rows of materials.
+    pub kinds: Materials,
     /// Whether light from behind the surface reaches the material.
     pub is_lit_from_behind: bool,
     /// Whether it does the work that the lesson leaves out.
     pub all_work: bool,
 }
 
-impl<M: Material + ?Sized> Material for RecordedMaterial<M> {
+impl Material for RecordedMaterial {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         let light = RecordedLighting {
             ray,
@@ -104,7 +120,7 @@ impl<M: Material + ?Sized> Material for RecordedMaterial<M> {
             is_used: Cell::new(false),
             unneeded: Cell::new(0.0),
         };
-        let color = shaded(ray, hit, &self.material, || {
+        let color = shaded(ray, hit, self.kinds, &*self.material, || {
             self.material.color_for(ray, hit, &light)
         });
         if !self.all_work {
@@ -119,37 +135,33 @@ impl<M: Material + ?Sized> Material for RecordedMaterial<M> {
 
 /// Reports the nearest hit, and the colour of its material with the steps of `shade`, which
 /// computes it.
-pub fn shaded<M: Debug + ?Sized>(
+pub fn shaded(
     ray: &Ray,
     hit: &Hit,
-    material: &M,
+    kinds: Materials,
+    material: &dyn Material,
     shade: impl FnOnce() -> Color,
 ) -> Color {
     geometries::shaded(ray, hit, || {
         let color = shade();
         steps::heading(StepKind::Color, |kind| {
-            step(kind, "colour", material).with("c", color.channels())
+            step(kind, "colour", kinds, material).with("c", color.channels())
         });
         color
     })
 }
 
 /// The step of a part of a material's colour.
-fn step<M: Debug + ?Sized>(kind: StepKind, part: &str, material: &M) -> Step {
-    let name = type_name(material);
-    let section = match &*name {
-        "Lambert" => "a05-lighting.md#lambert-the-cosine",
-        "Phong" | "Reflective" => "a05-lighting.md#phong-the-highlight",
-        _ => "a05-lighting.md#two-questions",
-    };
-    Step::new(kind, format!("{part} of {name}"), section)
+fn step(kind: StepKind, part: &str, kinds: Materials, material: &dyn Material) -> Step {
+    let name = format!("{part} of {}", type_name(material));
+    Step::new(kind, name, kinds.section(material))
 }
 
-impl<M: Material + ?Sized> RecordedMaterial<M> {
+impl RecordedMaterial {
     /// The ambient light that the material reflects.
     fn ambient(&self, kind: StepKind, ray: &Ray, hit: &Hit, ambient: Color) -> Step {
         let of = |ambient| self.material.color_for(ray, hit, &OneLight(ambient, None));
-        step(kind, "ambient light", &self.material)
+        step(kind, "ambient light", self.kinds, &*self.material)
             .with("ca", ambient.channels())
             .with("cd", of(Color::WHITE).channels())
             .with("c", of(ambient).channels())
@@ -158,8 +170,8 @@ impl<M: Material + ?Sized> RecordedMaterial<M> {
     /// The part of one light that the material reflects, and both terms of a Phong material.
     fn reflected(&self, kind: StepKind, ray: &Ray, hit: &Hit, light: &Illumination) -> Step {
         let only = OneLight(Color::BLACK, Some(*light));
-        let mut step = step(kind, "light", &self.material);
-        if let Some(phong) = (self.as_phong)(&self.material) {
+        let mut step = step(kind, "light", self.kinds, &*self.material);
+        if let Some(phong) = self.kinds.as_phong(&*self.material) {
             let diffuse = Color::BLACK;
             let highlight = Phong {
                 matt: Lambert { diffuse },
@@ -192,8 +204,8 @@ impl Lighting for OneLight {
 }
 
 /// Light on its way to a material, which may take a power for it.
-struct RecordedLighting<'a, M: ?Sized> {
-    recorded: &'a RecordedMaterial<M>,
+struct RecordedLighting<'a> {
+    recorded: &'a RecordedMaterial,
     /// The ray and the hit that are shaded.
     ray: &'a Ray,
     hit: &'a Hit,
@@ -204,7 +216,7 @@ struct RecordedLighting<'a, M: ?Sized> {
     unneeded: Cell<f64>,
 }
 
-impl<M: Material + ?Sized> Lighting for RecordedLighting<'_, M> {
+impl Lighting for RecordedLighting<'_> {
     fn ambient(&self) -> Color {
         let ambient = self.lighting.ambient();
         steps::push(StepKind::Ambient, |kind| {
@@ -218,7 +230,7 @@ impl<M: Material + ?Sized> Lighting for RecordedLighting<'_, M> {
         let recorded = self.recorded;
         let first = steps::so_far(|steps| steps.len()).unwrap_or(0);
         self.lighting.for_each_light(ray, hit, &mut |light| {
-            if let Some(phong) = (recorded.as_phong)(&recorded.material) {
+            if let Some(phong) = recorded.kinds.as_phong(&*recorded.material) {
                 self.count_power(phong, ray, hit, light);
             }
             let is_behind = hit.normal.dot(light.direction) <= 0.0;
@@ -233,7 +245,7 @@ impl<M: Material + ?Sized> Lighting for RecordedLighting<'_, M> {
     }
 }
 
-impl<M: ?Sized> RecordedLighting<'_, M> {
+impl RecordedLighting<'_> {
     /// Counts the power that a Phong material takes for this light, by its condition. With all
     /// work it takes one for every light, also where the highlight is not seen.
     fn count_power(&self, phong: &Phong, ray: &Ray, hit: &Hit, light: &Illumination) {

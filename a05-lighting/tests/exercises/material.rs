@@ -3,6 +3,7 @@
 
 use a04_intersections::instruments::recorded::push_background;
 use a05_lighting::instruments::recorded;
+use a05_lighting::kinds::KINDS;
 
 use crate::prelude::*;
 
@@ -127,7 +128,7 @@ pub fn shaded(
     color: impl Fn(Color, &Ray, &Hit, &dyn Lighting) -> Color + Sync,
 ) -> impl FnOnce(&Settings) -> Result<Image, Error> {
     let view = view.map(|view| {
-        view.map(|world| recorded::world(world, |_, own| own, |own| own, recorded::light))
+        view.map(|world| recorded::map_world(world, |_, own| own, |own| own, recorded::light))
     });
     rendered(view, move |world: &LitWorld, ray, _| {
         let background = world.objects().background();
@@ -135,7 +136,7 @@ pub fn shaded(
         let shown = nearest.map_or(background, |(hit, material)| {
             let diffuse = material.color_for(ray, &hit, &Lights(Color::WHITE, Vec::new()));
             let shaded = || color(diffuse, ray, &hit, world);
-            let shaded = || recorded::shaded(ray, &hit, material, shaded);
+            let shaded = || recorded::shaded(ray, &hit, KINDS, &**material, shaded);
             shaded()
         });
         push_background(background);

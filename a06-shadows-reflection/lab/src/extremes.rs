@@ -10,7 +10,7 @@ use a02_lab::exact::DoubleDouble;
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Plane;
-use a04_intersections::instruments::recorded::plain;
+use a04_intersections::kinds::KINDS as SHAPES;
 use a04_lab::support::Numbers;
 use a05_lighting::{DirectionalLight, SingleColor, instruments::recorded};
 use common::steps::{self, StepKind};
@@ -83,7 +83,7 @@ fn in_mirrors() -> Vec<Case> {
     // the last, needs no reflected ray.
     let searches = |id, what: &str, two: Mirrors, depth: u32| {
         let count = |trace: fn(&ShadowedWorld, u32) -> Color| tried(|| {
-            let world = recorded::world(mirrors(two)?, plain, |surface| surface, |(_, light)| light);
+            let world = recorded::world(mirrors(two)?, SHAPES, |surface| surface, |(_, light)| light);
             let (_, counts) = steps::counted(|| trace(&world, depth))?;
             Ok(counts[StepKind::Test] as f64 / 2.0)
         });

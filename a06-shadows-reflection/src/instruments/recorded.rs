@@ -5,20 +5,20 @@
 //! surfaces say which ray it is for: one to the light that has been asked last, or one that leaves
 //! the surface that has been shaded.
 
-use std::any::Any;
-
 use a02_math::Point3;
 use a03_rays_cameras::instruments::recorded::ray_step;
 use a03_rays_cameras::{Ray, TracedWorld};
 use a04_intersections::instruments::recorded as geometries;
+use a04_intersections::kinds::Shapes;
 use a04_intersections::{Geometry, Hit, Interval};
 use a05_lighting::instruments::recorded::{self as materials, RecordedMaterial};
-use a05_lighting::{Illumination, Light, Lighting, Material, Phong};
+use a05_lighting::{Illumination, Light, Lighting, Material};
 use common::Color;
 use common::steps::{self, Step, StepKind};
 
 use crate::instruments::all_work::NaiveTracer;
-use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface};
+use crate::kinds::KINDS;
+use crate::{LightSource, RecursiveTracer, ShadowedWorld, Surface};
 
 /// A world whose work is reported.
 pub struct RecordedWorld {
@@ -27,24 +27,24 @@ pub struct RecordedWorld {
 }
 
 impl RecordedWorld {
-    /// Wraps the objects, surfaces and lights of a world; `inner` wraps what is in a geometry.
-    pub fn new(
-        world: ShadowedWorld,
-        inner: fn(Box<dyn Geometry>) -> Box<dyn Geometry>,
-        all_work: bool,
-    ) -> Self {
+    /// Wraps the objects of a world, which may be of these shapes, its surfaces and its lights.
+    #[must_use]
+    pub fn new(world: ShadowedWorld, shapes: Shapes, all_work: bool) -> Self {
         let geometry = |number, geometry| {
             Box::new(SearchedObject(geometries::geometry(
-                number, geometry, inner,
+                number, geometry, shapes,
             ))) as _
         };
-        let surface = |material| {
-            Box::new(RecordedSurface(RecordedMaterial {
-                material,
-                as_phong,
-                is_lit_from_behind: false,
-                all_work,
-            })) as _
+        let surface = |surface: Box<dyn Surface>| {
+            Box::new(RecordedSurface {
+                reflection: surface.reflection(),
+                recorded: RecordedMaterial {
+                    material: surface,
+                    kinds: KINDS,
+                    is_lit_from_behind: false,
+                    all_work,
+                },
+            }) as _
         };
         let light = |(number, source): (usize, LightSource)| LightSource {
             light: Box::new(LightBeforeShadowRay(materials::light((
@@ -54,7 +54,7 @@ impl RecordedWorld {
             ..source
         };
         Self {
-            world: materials::world(world, geometry, surface, light),
+            world: materials::map_world(world, geometry, surface, light),
             all_work,
         }
     }
@@ -157,11 +157,14 @@ impl Light for LightBeforeShadowRay {
 
 /// A surface whose work is reported, after which a reflected ray is expected.
 #[derive(Debug)]
-struct RecordedSurface(RecordedMaterial<dyn Surface>);
+struct RecordedSurface {
+    recorded: RecordedMaterial,
+    reflection: Color,
+}
 
 impl Material for RecordedSurface {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
-        let color = self.0.color_for(ray, hit, lighting);
+        let color = self.recorded.color_for(ray, hit, lighting);
         steps::expect_ray(Some(StepKind::ReflectedRay));
         color
     }
@@ -169,18 +172,10 @@ impl Material for RecordedSurface {
 
 impl Surface for RecordedSurface {
     fn reflection(&self) -> Color {
-        let reflection = self.0.material.reflection();
         steps::push(StepKind::Mirror, |kind| {
             let section = "a06-shadows-reflection.md#the-mirror";
-            Step::new(kind, "share of the mirror", section).with("cr", reflection.channels())
+            Step::new(kind, "share of the mirror", section).with("cr", self.reflection.channels())
         });
-        reflection
+        self.reflection
     }
-}
-
-/// The Phong material of a surface, if it has one.
-fn as_phong(surface: &dyn Surface) -> Option<&Phong> {
-    let any: &dyn Any = surface;
-    let reflective = any.downcast_ref::<Reflective>();
-    reflective.map_or_else(|| any.downcast_ref(), |surface| Some(&surface.shiny))
 }

@@ -1,5 +1,6 @@
 //! Worlds of mirrors, and a tracer with the student's code in it.
 
+use a04_intersections::kinds::KINDS as SHAPES;
 use a06_shadows_reflection::instruments::recorded::RecordedWorld;
 
 use crate::prelude::*;
@@ -52,7 +53,7 @@ pub fn reflected_scene(
     view: Made<View<ShadowedWorld>>,
     color: impl Fn(&ShadowedWorld, &Ray, u32) -> Color + Sync,
 ) -> impl FnOnce(&Settings) -> Result<Image, Error> {
-    let recorded = |world| RecordedWorld::new(world, |geometry| geometry, false);
+    let recorded = |world| RecordedWorld::new(world, SHAPES, false);
     let view = view.map(|view| view.map(recorded));
     rendered(view, move |world: &RecordedWorld, ray, depth| {
         world.color(|world| color(world, ray, depth))

@@ -5,7 +5,7 @@ use a02_math::arrays::array;
 use a04_lab::exact;
 use a04_lab::search::search_among;
 use a04_lab::subject::{Subject, triple, unit_normal};
-use a04_lab::support::{plane_condition, point, vector};
+use a04_lab::support::{numbers, plane_condition, point, vector};
 use common::Error;
 
 use super::certified::decide;
@@ -27,7 +27,7 @@ pub const DISC: Subject = Subject {
     },
     decide,
     exact: |x, line @ [o, d]| {
-        let n = array(disc(x)?.parts().0.normal());
+        let n = numbers(&disc(x)?, "normal");
         let t = exact::plane(&triple(x), &n, o, d);
         Some((t, plane_condition(&triple(x), n, line, t.value())))
     },

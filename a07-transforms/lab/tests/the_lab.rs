@@ -18,7 +18,7 @@ testing::check_lab! { a07_lab::laboratory() }
 
 /// The world with geometries whose decisions are certified.
 fn certified<S, L>(world: LitWorld<S, L>) -> LitWorld<S, L> {
-    recorded::world(
+    recorded::map_world(
         world,
         |_, shape| geometry(shape),
         |surface| surface,

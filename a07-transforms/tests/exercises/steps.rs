@@ -2,6 +2,7 @@
 
 pub use std::f64::consts::{FRAC_PI_2, TAU};
 
+use a04_intersections::kinds::KINDS as SHAPES;
 use a06_shadows_reflection::instruments::recorded::RecordedWorld;
 
 use crate::prelude::*;
@@ -90,7 +91,7 @@ pub fn locked_scene(
         let light = PointLight::new(Color::WHITE, point(light))?;
         let world = ShadowedWorld::empty(Color::BLACK, Color::gray(ambient))?;
         let world = fill(world.lit_by(LightSource::new(light, casts_shadows)))?;
-        let world = RecordedWorld::new(world, |geometry| geometry, false);
+        let world = RecordedWorld::new(world, SHAPES, false);
         let color = |ray: &Ray| world.radiance(ray, settings.depth);
         paint(&diagonal_camera(eye)?, &color, settings)
     });

@@ -5,7 +5,7 @@ use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Sphere, Triangle, World};
 use a04_lab::support::Numbers;
-use a07_transforms::fast::shapes;
+use a07_transforms::kinds::KINDS;
 use a07_transforms::{Disc, Mat4x4, Node, Transform};
 use common::{ArgumentError, Color};
 
@@ -94,7 +94,7 @@ fn check(seed: u64, size: f64, far: f64) -> Result<(), ArgumentError> {
         let way: Vector3 = numbers.direction() * (size * distance);
         rays.push(Ray::new(target + way, -way)?);
     }
-    let hits = compare(&world, shapes, &rays);
+    let hits = compare(&world, KINDS, &rays);
     assert!((1_000..3_000).contains(&hits), "{hits}");
     Ok(())
 }

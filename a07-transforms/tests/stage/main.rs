@@ -13,6 +13,7 @@ mod explained;
 mod extreme_scenes;
 mod negative_zeros;
 mod node;
+mod rows;
 mod scene_files;
 #[path = "../../../a04-intersections/tests/stage/support.rs"]
 #[expect(dead_code, reason = "stage 4 uses more of it")]

@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use a03_rays_cameras::{TracedScene, View, from_file};
+use a03_rays_cameras::{TracedScene, View, kinds};
+use a07_transforms::kinds::FORMAT;
 use common::{Error, Scene, Settings};
-use scene_file::{Mesh, SceneFile};
+use scene_file::Mesh;
 
 /// The mesh beside the example of the last stage: a page has no other files.
 const PYRAMID: &[u8] = include_bytes!("../../../a07-transforms/scenes/pyramid.obj");
@@ -20,8 +21,8 @@ fn open(text: &str) -> Result<(Settings, View), Error> {
             "pyramid.obj" => Mesh::read(PYRAMID),
             _ => Err("on this page the only mesh is pyramid.obj".to_owned()),
         };
-        let file = SceneFile::read(text, 7, &mesh)?;
-        let settings = from_file::settings(&file.picture)?;
+        let file = FORMAT.read(text, &mesh)?;
+        let settings = kinds::settings(&file.picture)?;
         let pixels = u64::from(settings.size.width()) * u64::from(settings.size.height());
         if pixels * u64::from(settings.samples) > MOST_SAMPLES {
             let most =
@@ -32,7 +33,7 @@ fn open(text: &str) -> Result<(Settings, View), Error> {
             let most = format!("this page takes a depth of at most {MOST_SURFACES}");
             return Err(file.picture.error("depth", most));
         }
-        Ok((settings, a07_transforms::from_file::view(&file)?))
+        Ok((settings, (FORMAT.view)(&file)?))
     };
     read().map_err(|error: scene_file::Error| Error::SceneFile(error.within(text)))
 }

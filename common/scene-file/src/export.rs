@@ -5,15 +5,31 @@ mod shape;
 use std::collections::HashMap;
 
 use common::{Color, Settings};
-use engine::{Camera, Light, LightKind, Scene, Shading, Surface};
+use engine::{Camera, Light, LightKind, Scene, Shading, Surface, Transform};
 use glam::DVec3;
 
-use crate::Phrases;
+use crate::{Key, Phrases};
 
-/// Writes a scene in a language. The error is a part that it has no phrase for.
+/// A shape as the values of its table.
+#[derive(Clone, Debug)]
+pub struct WrittenShape {
+    /// The name of its table; none if its type has none.
+    pub key: Option<&'static str>,
+    /// The keys of the table, where the list of the book lacks it.
+    pub own_keys: &'static [Key],
+    /// The values, by the keys of the table.
+    pub values: Vec<(&'static str, Vec<f64>)>,
+    /// The transforms above it, from the outermost to the innermost.
+    pub transforms: Vec<Transform>,
+    /// The number of its surface, from 0.
+    pub surface: usize,
+}
+
+/// Writes a scene with these shapes in a language. The error is a part that it has no phrase for.
 pub fn export(
     language: Phrases,
     scene: &Scene,
+    shapes: &[WrittenShape],
     camera: &Camera,
     settings: &Settings,
 ) -> Result<String, String> {
@@ -44,22 +60,18 @@ pub fn export(
         };
         text += &light(language, source)?.replace("[shadows]", &shadows);
     }
-    let (begin, end, mut result) = (language.word("mesh"), language.word("end of mesh"), Ok(()));
-    scene.for_each_shape(|steps, shape, surface| {
-        let used = &uses[surface as usize];
-        match shape::text(language, shape, steps, used) {
-            Ok(words) => {
-                // Triangles of one material become one mesh.
-                let end = end.replace("[use]", used);
-                let is_more = text.ends_with(&end) && words.ends_with(&end);
-                let triangle = words.strip_prefix(&begin).filter(|_| is_more);
-                text.truncate(text.len() - triangle.map_or(0, |_| end.len()));
-                text += triangle.unwrap_or(&words);
-            }
-            Err(lacking) => result = Err(lacking),
-        }
-    });
-    result.map(|()| text + &language.word("end"))
+    let (begin, end) = (language.word("mesh"), language.word("end of mesh"));
+    for shape in shapes {
+        let used = &uses[shape.surface];
+        let words = shape::text(language, shape, used)?;
+        // Triangles of one material become one mesh.
+        let end = end.replace("[use]", used);
+        let is_more = text.ends_with(&end) && words.ends_with(&end);
+        let triangle = words.strip_prefix(&begin).filter(|_| is_more);
+        text.truncate(text.len() - triangle.map_or(0, |_| end.len()));
+        text += triangle.unwrap_or(&words);
+    }
+    Ok(text + &language.word("end"))
 }
 
 /// The picture, the camera, the background and the ambient light.

@@ -1,7 +1,7 @@
 //! `Kind`: the tables of a scene file and their keys, as `keys.md` lists them, which is a part
 //! of the book, too.
 
-use std::sync::LazyLock;
+use std::sync::{LazyLock, Mutex, PoisonError};
 
 /// A kind of tables.
 #[derive(Debug)]
@@ -55,6 +55,57 @@ impl Key {
             form if form.contains("whole") => format!("a list of {form} from 1"),
             form => format!("a list of {form}, all of them finite"),
         }
+    }
+}
+
+/// The table of a shape that a stage knows and `keys.md` does not list.
+#[derive(Clone, Copy, Debug)]
+pub struct OwnTable {
+    /// Its name, without brackets.
+    pub name: &'static str,
+    /// Its keys, besides those of every shape.
+    pub keys: &'static [Key],
+}
+
+/// A kind of tables, and the key in the scene file and in groups that has such tables.
+#[derive(Debug)]
+pub(crate) struct OwnKind {
+    pub kind: Kind,
+    pub key: Key,
+}
+
+impl OwnTable {
+    /// The kind of this table. It is made once, and kept as those of `keys.md` are.
+    pub(crate) fn kind(&self) -> &'static OwnKind {
+        static KNOWN: Mutex<Vec<&OwnKind>> = Mutex::new(Vec::new());
+        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(kind) = known.iter().find(|own| own.kind.name == self.name) {
+            return kind;
+        }
+        let form = &*format!("[[{}]]", self.name).leak();
+        let shapes = KINDS.iter().filter(|kind| are_shapes(kind.form));
+        let of_every_shape = shapes.flat_map(|kind| &kind.keys);
+        let of_every_shape = of_every_shape.filter(|key| ["color", "material"].contains(&key.name));
+        let own = Box::leak(Box::new(OwnKind {
+            kind: Kind {
+                name: self.name,
+                form,
+                keys: self
+                    .keys
+                    .iter()
+                    .chain(of_every_shape.take(2))
+                    .copied()
+                    .collect(),
+            },
+            key: Key {
+                name: self.name,
+                form,
+                stage: 0,
+                about: "",
+            },
+        }));
+        known.push(own);
+        own
     }
 }
 

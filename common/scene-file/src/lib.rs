@@ -17,9 +17,9 @@ mod phrases;
 mod reader;
 
 pub use error::Error;
-pub use export::export;
+pub use export::{WrittenShape, export};
 pub use item::{Data, Item};
-pub use kind::{KINDS, Key, Kind};
+pub use kind::{KINDS, Key, Kind, OwnTable};
 pub use mesh::Mesh;
 pub use phrases::{POV_RAY, Phrases, TOML};
 pub use reader::{Meshes, SceneFile};

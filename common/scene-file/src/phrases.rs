@@ -39,7 +39,7 @@ impl Phrases {
 }
 
 /// A number in the shortest form that keeps its bits: integers have no sign of zero.
-fn number(number: f64) -> String {
+pub(crate) fn number(number: f64) -> String {
     let text = format!("{number:?}");
     match text.strip_suffix(".0") {
         Some("-0") | None => text,

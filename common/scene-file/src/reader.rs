@@ -5,9 +5,10 @@ use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 use crate::error::nearest;
+use crate::kind::OwnKind;
 use crate::mistake::{BACKSLASH, mistake};
 use crate::numbers::numbers;
-use crate::{Data, Error, Item, KINDS, Key, Kind, Mesh};
+use crate::{Data, Error, Item, KINDS, Key, Kind, Mesh, OwnTable};
 
 /// Reads the mesh of this name, beside the scene file. The error is one clause.
 pub type Meshes<'a> = &'a dyn Fn(&str) -> Result<Mesh, String>;
@@ -37,12 +38,18 @@ pub struct SceneFile {
 }
 
 impl SceneFile {
-    /// Reads the text of a scene file for a stage.
-    pub fn read(text: &str, stage: u8, meshes: Meshes) -> Result<Self, Error> {
+    /// Reads the text of a scene file for a stage, which may have tables of its own.
+    pub fn read(
+        text: &str,
+        stage: u8,
+        own_tables: &[OwnTable],
+        meshes: Meshes,
+    ) -> Result<Self, Error> {
         let table = DeTable::parse(text).map_err(|error| mistake(text, &error))?;
         let reader = Reader {
             text,
             stage,
+            own: own_tables.iter().map(OwnTable::kind).collect(),
             meshes,
         };
         let missing = |kind: usize| reader.item(&KINDS[kind], "", 0, &DeTable::new(), 0);
@@ -82,6 +89,8 @@ impl SceneFile {
 struct Reader<'a> {
     text: &'a str,
     stage: u8,
+    /// The tables of the stage that `keys.md` does not list.
+    own: Vec<&'static OwnKind>,
     meshes: Meshes<'a>,
 }
 
@@ -117,7 +126,12 @@ impl Reader<'_> {
             }
         };
         for (name, value) in table {
-            let key = match self.known(kind, name) {
+            let own = self.own_kind(kind, name.get_ref());
+            let known = match own {
+                Some(own) => Ok(&own.key),
+                None => self.known(kind, name),
+            };
+            let key = match known {
                 Ok(key) => key,
                 Err(error) => {
                     keep(error);
@@ -129,7 +143,7 @@ impl Reader<'_> {
                 keep(error(name, text.to_owned()));
                 continue;
             }
-            let Some(kind) = key.tables() else {
+            let Some(kind) = own.map(|own| &own.kind).or_else(|| key.tables()) else {
                 match self.data(key, value) {
                     Ok(data) => item.values.push((key.name, value.span().start, data)),
                     Err(error) => keep(error),
@@ -163,6 +177,12 @@ impl Reader<'_> {
         first_mistake.map_or(Ok(item), Err)
     }
 
+    /// The stage's own kind of tables of this name, where shapes may stand.
+    fn own_kind(&self, kind: &Kind, name: &str) -> Option<&'static OwnKind> {
+        let mut own = self.own.iter().copied();
+        own.find(|own| has_shapes(kind) && own.key.name == name)
+    }
+
     /// The key of this name, if the stage knows it.
     fn known(&self, kind: &'static Kind, name: &Spanned<DeString>) -> Result<&'static Key, Error> {
         let (text, own) = (name.get_ref(), self.stage);
@@ -181,9 +201,13 @@ impl Reader<'_> {
             let is_near = !owner.form.starts_with("[[") || owner.name == "group";
             is_near && known(owner).any(|key| key.name == text)
         });
-        let right = match owners.next() {
-            Some(owner) => format!("; {} has it", owner.form),
-            None => nearest(&known(kind).map(|key| key.name).collect::<Vec<_>>(), text),
+        let right = if let Some(owner) = owners.next() {
+            format!("; {} has it", owner.form)
+        } else {
+            let own = self.own.iter().filter(|_| has_shapes(kind));
+            let own = own.map(|own| own.key.name);
+            let names: Vec<_> = known(kind).map(|key| key.name).chain(own).collect();
+            nearest(&names, text)
         };
         Err(error(
             name,
@@ -223,6 +247,11 @@ impl Reader<'_> {
         let file = text::path(file.as_ref());
         error(value, format!("cannot read {file}: {reason}{hint}"))
     }
+}
+
+/// Whether shapes stand in tables of this kind: in the scene file itself, and in groups.
+fn has_shapes(kind: &Kind) -> bool {
+    kind.form.is_empty() || kind.name == "group"
 }
 
 /// The tables of a key, with their names.

@@ -7,7 +7,7 @@ use a02_math::{Direction, Point3};
 use a03_rays_cameras::Ray;
 use measure::experiment::{Axis, Curve, Deviation, Experiment, Unit};
 
-use crate::support::{Numbers, arrays, first, triangle_condition};
+use crate::support::{Numbers, arrays, corners, first, triangle_condition};
 use crate::{exact, protocol};
 use a04_intersections::Triangle;
 
@@ -44,7 +44,7 @@ fn needle(n: usize, aspect: f64, rays: usize) -> impl Iterator<Item = Needle> {
 /// miss counts as 1.
 pub fn error((triangle, ray): &Needle, found: Option<f64>) -> Option<Deviation> {
     let line @ [o, d] = arrays(ray);
-    let corners = triangle.corners().map(array);
+    let corners = corners(triangle).map(array);
     let [t, beta, gamma] = exact::triangle(&corners, &o, &d);
     let [beta, gamma] = [beta.value(), gamma.value()];
     let least = beta.min(gamma).min(1.0 - beta - gamma);
@@ -59,7 +59,7 @@ pub fn error((triangle, ray): &Needle, found: Option<f64>) -> Option<Deviation> 
 pub type Formula = fn(&Needle) -> Option<f64>;
 
 /// The protocol's test.
-pub const CRAMER: Formula = |(triangle, ray)| protocol::triangle(&triangle.corners(), ray);
+pub const CRAMER: Formula = |(triangle, ray)| protocol::triangle(&corners(triangle), ray);
 
 /// The renderer's test.
 pub const OURS: Formula = |(triangle, ray)| first(triangle, ray);
@@ -67,7 +67,7 @@ pub const OURS: Formula = |(triangle, ray)| first(triangle, ray);
 /// The test of Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle
 /// Intersection", 1997.
 fn moeller_trumbore((triangle, ray): &Needle) -> Option<f64> {
-    let [a, b, c] = triangle.corners();
+    let [a, b, c] = corners(triangle);
     let (ab, ac) = (b - a, c - a);
     let across = ray.direction().cross(ac);
     let determinant = ab.dot(across);
@@ -98,7 +98,7 @@ fn compensated((triangle, ray): &Needle) -> Option<f64> {
     let d = ray.direction().to_glam();
     let z = d.abs().max_position();
     let (x, y) = ((z + 1) % 3, (z + 2) % 3);
-    let [a, b, c] = triangle.corners().map(|corner| {
+    let [a, b, c] = corners(triangle).map(|corner| {
         let p = (corner - ray.origin()).to_glam();
         [
             p[x] - d[x] / d[z] * p[z],

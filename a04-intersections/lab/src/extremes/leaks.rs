@@ -9,7 +9,7 @@ use measure::extremes::{Case, Equal, Fails, Holds, Id, Protocol, case};
 use crate::aimed_box::{Aimed, LBF, NAIVE, RUN, aimed, is_wrong};
 use crate::mesh::Mesh;
 use crate::protocol;
-use crate::support::{Numbers, first};
+use crate::support::{Numbers, corners, first};
 use a04_intersections::{AxisAlignedBox, Triangle};
 
 /// The target of a ray from inside a mesh, as the share of an edge that ends there, or none
@@ -30,7 +30,7 @@ const VERY_FAR: Point3 = Point3::new(1e9, -1e9, 1e9);
 type IsHit = fn(&Triangle, &Ray) -> bool;
 
 const OURS: IsHit = |triangle, ray| first(triangle, ray).is_some();
-const THEIRS: IsHit = |triangle, ray| protocol::triangle(&triangle.corners(), ray).is_some();
+const THEIRS: IsHit = |triangle, ray| protocol::triangle(&corners(triangle), ray).is_some();
 
 /// Number of rays from near the middle of a closed surface that miss all its triangles, all
 /// of which are visible from there. The corners of the 320 triangles are 1 to 2 away from
@@ -39,13 +39,13 @@ fn out(middle: Point3, (aim, _): Aim, rays: usize, is_hit: IsHit) -> Result<usiz
     let mesh = Mesh::icosphere(2);
     let height = |corner| Numbers::new(51, corner).between(1.0, 2.0);
     let place = |corner: usize| middle + mesh.corners[corner] * height(corner);
-    let corners = mesh.faces.iter().map(|face| face.map(place));
-    let triangles: Result<Vec<_>, _> = corners.map(|[a, b, c]| Triangle::new(a, b, c)).collect();
+    let faces = mesh.faces.iter().map(|face| face.map(place));
+    let triangles: Result<Vec<_>, _> = faces.map(|[a, b, c]| Triangle::new(a, b, c)).collect();
     let triangles = triangles?;
     let gets_out = |n| {
         let mut numbers = Numbers::new(52, n);
         let eye = middle + numbers.triple(-0.1, 0.1);
-        let face = triangles[numbers.below(triangles.len())].corners();
+        let face = corners(&triangles[numbers.below(triangles.len())]);
         let side = numbers.below(3);
         let (from, to) = (face[side], face[(side + 1) % 3]);
         let way = match aim(&mut numbers) {

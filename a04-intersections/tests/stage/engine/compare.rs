@@ -5,7 +5,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 
 use a02_math::Vector3;
 use a03_rays_cameras::{Ray, Sampler};
-use a04_intersections::fast::{Translate, add_objects};
+use a04_intersections::kinds::Shapes;
 use a04_intersections::{Hit, Interval, World};
 use common::{Color, Settings, Size};
 use engine::{Camera, Renderer, Scene, Shading, Surface};
@@ -28,7 +28,7 @@ const fn number(x: usize, y: usize) -> usize {
 }
 
 /// Compares the hits of these rays, and returns the number of rays that hit anything.
-pub fn compare(world: &World<usize>, shapes: Translate, rays: &[Ray]) -> usize {
+pub fn compare(world: &World<usize>, shapes: Shapes, rays: &[Ray]) -> usize {
     let of_list = |ray: Ray| match world.hit(&ray, Interval::AHEAD) {
         Some((hit, surface)) => (ray, pixel(&ray, &hit, *surface)),
         None => (ray, Color::BLACK),
@@ -53,7 +53,7 @@ pub fn compare(world: &World<usize>, shapes: Translate, rays: &[Ray]) -> usize {
     }
 
     let mut scene = Scene::new(Color::BLACK, Color::BLACK, 1);
-    add_objects(&mut scene, world, shapes, |surface| {
+    shapes.add_objects(&mut scene, world, |surface| {
         let shade = |ray: &_, hit: &_| pixel(&Ray::from(ray), &Hit::from(hit), *surface);
         Surface::matt(Shading::Other(Box::new(shade)))
     });

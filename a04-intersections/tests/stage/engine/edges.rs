@@ -3,7 +3,7 @@
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::fast::shapes;
+use a04_intersections::kinds::KINDS;
 use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle, World};
 use a04_lab::support::Numbers;
 use common::Color;
@@ -16,7 +16,7 @@ fn hits<G: Geometry + Clone>(these: &[G], rays: &[Ray]) -> usize {
     let empty = World::new(Color::BLACK).unwrap();
     let these = these.iter().cloned().enumerate();
     let world = these.fold(empty, |world, (i, shape)| world.with(shape, i));
-    compare(&world, shapes, rays)
+    compare(&world, KINDS, rays)
 }
 
 /// From a point to a point.

@@ -2,7 +2,7 @@
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
-use a04_intersections::instruments::recorded::plain;
+use a04_intersections::kinds::KINDS as SHAPES;
 use a04_intersections::{Geometry, Interval, Plane, Sphere, World};
 use a04_lab::support::Numbers;
 use a05_lighting::{
@@ -49,7 +49,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     // The number of rays tested against the floor, without the camera's ray.
     let shadow_rays = |id, what: &str, light| {
         let ours = tried(|| {
-            let world = recorded::world(lit_from(light)?, plain, |surface| surface, |(_, light)| light);
+            let world = recorded::world(lit_from(light)?, SHAPES, |surface| surface, |(_, light)| light);
             let (_, counts) = steps::counted(|| RecursiveTracer::new(&world).trace(&LOOK, 1))?;
             Ok(counts[StepKind::Test] as f64 - 1.0)
         });

@@ -2,6 +2,7 @@
 //! shapes under transforms of every size.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
+use std::mem;
 
 use a02_math::arrays::array;
 use a02_math::{Direction, Normal3, Point3, Vector3};
@@ -14,6 +15,7 @@ use measure::Effort;
 use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Id, Protocol, tried};
 
 use crate::protocol::{self, normal_as_point, normal_as_vector, transposed_normal};
+use a07_transforms::kinds::KINDS;
 use a07_transforms::{Mat4x4, Node, Transform};
 
 /// The `t` of the first hit of a node.
@@ -102,7 +104,10 @@ fn order(id: Id, what: &str, [a, b]: [f64; 2], says: Protocol) -> Case {
         let first = Node::new(Transform::IDENTITY).with(ball(0.0, -a - 1.0)?);
         Ok(first.with(ball(0.0, -b - 1.0)?))
     };
-    let last = |node: Node| protocol::last_hit(node.children(), &raw_ray(line));
+    let last = |mut node: Node| {
+        let children = KINDS.children_mut(&mut node).map(mem::take);
+        protocol::last_hit(&children.unwrap_or_default(), &raw_ray(line))
+    };
     let theirs = tried(|| Ok(node().map(last)?.map(|hit| hit.t)));
     t(id, what, line, a.min(b), 0.0, node()).protocol(says, theirs)
 }

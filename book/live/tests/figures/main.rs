@@ -256,9 +256,14 @@ fn a_scene_file_is_a_picture() {
         error,
         "7:1: sphere has no \"radios\"; the nearest is radius"
     );
-    let large = call("about file\n[picture]\nsize = [1000, 5000]", &[]).unwrap_err();
+    let picture = |line: &str| {
+        format!(
+            "about file\n[picture]\n{line}\n[camera]\neye = [0, 0, 3]\ngaze = [0, 0, -1]\nangle = 40"
+        )
+    };
+    let large = call(&picture("size = [1000, 5000]"), &[]).unwrap_err();
     assert!(large.starts_with("2:8: this page takes at most"), "{large}");
-    let deep = call("about file\n[picture]\ndepth = 51", &[]).unwrap_err();
+    let deep = call(&picture("depth = 51"), &[]).unwrap_err();
     assert_eq!(deep, "2:9: this page takes a depth of at most 50");
 }
 

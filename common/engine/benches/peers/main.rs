@@ -22,6 +22,7 @@ mod program;
 mod report;
 #[path = "../support/mod.rs"]
 mod support;
+mod written;
 
 use std::error::Error;
 use std::fs;

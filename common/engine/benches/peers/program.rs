@@ -8,6 +8,7 @@ use common::{Error, Image, Settings, Size, picture_file};
 use scene_file::{POV_RAY, Phrases, export};
 
 use crate::support::scene::Scene;
+use crate::written::written;
 
 /// A program that renders.
 pub struct Program {
@@ -82,7 +83,9 @@ impl Program {
             ..Settings::default()
         };
         let (world, camera) = scene.world();
-        let text = export(language, &world, &camera, &settings).map_err(io::Error::other)?;
+        let shapes = written(&world);
+        let text = export(language, &world, &shapes, &camera, &settings);
+        let text = text.map_err(io::Error::other)?;
         fs::write(folder().join(self.file(scene) + ".scene"), text)
     }
 

@@ -1,12 +1,10 @@
-//! Translates the cameras, rays and samples of this stage for the engine.
-
-use std::any::Any;
+//! Rays, samples and cameras of this stage in the types of the engine.
 
 use a02_math::{Point3, Vector3};
 use common::steps::{self, StepKind};
-use common::{Error, Image, Progress, Settings};
+use common::{Color, Error, Image, Progress, Settings};
 
-use crate::{Basis, Camera, OrthographicCamera, PerspectiveCamera, Ray, Sampler};
+use crate::{Basis, Camera, Ray, Sampler};
 
 impl From<&Ray> for engine::Ray {
     fn from(ray: &Ray) -> Self {
@@ -24,36 +22,25 @@ impl From<&engine::Ray> for Ray {
     }
 }
 
-fn basis(basis: Basis) -> engine::Basis {
-    engine::Basis {
-        e: basis.e.to_glam(),
-        u: basis.u.to_glam(),
-        v: basis.v.to_glam(),
-        w: basis.w.to_glam(),
+impl From<Basis> for engine::Basis {
+    fn from(basis: Basis) -> Self {
+        Self {
+            e: basis.e.to_glam(),
+            u: basis.u.to_glam(),
+            v: basis.v.to_glam(),
+            w: basis.w.to_glam(),
+        }
     }
 }
 
-/// The engine's camera: numbers if the engine has the camera's type, otherwise a
-/// function.
+/// The engine's camera: numbers if the camera's type has a row, otherwise a function.
 #[must_use]
 pub fn camera(camera: &dyn Camera) -> engine::Camera<'_> {
-    let any: &dyn Any = camera;
-    if let Some(boxed) = any.downcast_ref::<Box<dyn Camera>>() {
-        self::camera(&**boxed)
-    } else if let Some(camera) = any.downcast_ref::<PerspectiveCamera>() {
-        engine::Camera::Perspective {
-            basis: basis(camera.basis),
-            half_tangent: camera.opening.half_tangent,
-        }
-    } else if let Some(camera) = any.downcast_ref::<OrthographicCamera>() {
-        engine::Camera::Orthographic {
-            basis: basis(camera.basis),
-            scale: camera.s,
-        }
-    } else {
-        let ray_for = |size, x, y| engine::Ray::from(&camera.ray_for(size, x, y));
-        engine::Camera::Other(Box::new(ray_for))
+    if let Some(known) = super::kind(camera) {
+        return known.for_engine();
     }
+    let ray_for = |size, x, y| engine::Ray::from(&camera.ray_for(size, x, y));
+    engine::Camera::Other(Box::new(ray_for))
 }
 
 impl engine::Sampler for Sampler {
@@ -70,7 +57,7 @@ impl engine::Sampler for Sampler {
 }
 
 /// Renders a picture with the engine.
-pub(crate) fn render(
+pub fn render(
     scene: engine::Scene,
     camera: &dyn Camera,
     settings: &Settings,
@@ -78,4 +65,14 @@ pub(crate) fn render(
 ) -> Result<Image, Error> {
     let renderer = engine::Renderer::new(scene, self::camera(camera), settings);
     renderer.render(&Sampler::new(settings), settings, progress)
+}
+
+/// The light that the engine finds at camera coordinates.
+pub fn light_at<'a>(
+    scene: engine::Scene<'a>,
+    camera: &'a dyn Camera,
+    settings: &'a Settings,
+) -> impl Fn(f64, f64) -> Color + 'a {
+    let renderer = engine::Renderer::new(scene, self::camera(camera), settings);
+    move |x, y| renderer.light_at(settings, (x, y))
 }

@@ -1,39 +1,89 @@
-//! Reads scenes from files: discs, groups and their transforms.
+//! `kinds`: one row for each shape of this stage: its table in a scene file and how it is read and
+//! written, its section in the book, and its numbers for the engine.
 
 use a02_math::{Point3, Vector3};
-use a03_rays_cameras::View;
+use a03_rays_cameras::Ray;
+use a03_rays_cameras::instruments::recorded::ray_step;
+use a03_rays_cameras::kinds::Format;
 use a04_intersections::Geometry;
-use a06_shadows_reflection::from_file::shadowed;
+use a04_intersections::kinds::{Content, Row, SHAPES as SIMPLE_SHAPES, ShapeKind, Shapes};
+use a06_shadows_reflection::kinds::read_view;
 use common::pixel_trace::digits;
+use common::steps::{self, StepKind};
 use glam::DMat4;
-use scene_file::{Error, Item, SceneFile};
+use scene_file::{Error, Item};
 
 use crate::{Disc, Mat4x4, Node, Transform, traced};
 
-/// The camera and the world of a file.
-pub fn view(file: &SceneFile) -> Result<View, Error> {
-    shadowed(file, geometry).map(traced)
+/// The shapes of this stage.
+pub const SHAPES: &[Row] = &[
+    Row::of::<Disc>("disc", "a07-transforms.md#disc"),
+    Row::of::<Node>("group", "a07-transforms.md#node"),
+];
+
+/// All shapes that this stage knows.
+pub const KINDS: Shapes = Shapes(&[SIMPLE_SHAPES, SHAPES]);
+
+/// The scene files of this stage.
+pub const FORMAT: Format = Format {
+    stage: 7,
+    own_tables: || KINDS.own_tables(),
+    view: |file| read_view(file, KINDS).map(traced),
+};
+
+impl ShapeKind for Disc {
+    fn read(item: &Item, _: Shapes) -> Result<Self, Error> {
+        let normal = item.vector("normal", Vector3::new)?.as_normal();
+        let center = item.vector("center", Point3::new)?;
+        item.check(Self::new(center, normal, item.number("radius")?))
+    }
+
+    fn content(&self) -> Content<'_> {
+        Content::Values(vec![
+            ("center", self.c.to_glam().to_array().into()),
+            ("normal", self.plane.normal().to_glam().to_array().into()),
+            ("radius", vec![self.r]),
+        ])
+    }
+
+    fn for_engine(&self) -> Option<engine::Shape<'static>> {
+        Some(engine::Shape::Disc(engine::Disc {
+            plane: self.plane.into(),
+            radius: self.r,
+        }))
+    }
 }
 
-/// A shape of this stage or a lower one.
-fn geometry(item: &Item) -> Result<Box<dyn Geometry>, Error> {
-    match item.kind.name {
-        "disc" => {
-            let normal = item.vector("normal", Vector3::new)?.as_normal();
-            let center = item.vector("center", Point3::new)?;
-            let disc = Disc::new(center, normal, item.number("radius")?);
-            Ok(Box::new(item.check(disc)?))
+impl ShapeKind for Node {
+    fn read(item: &Item, shapes: Shapes) -> Result<Self, Error> {
+        let is_step = |table: &&Item| table.kind.name == "step";
+        let (steps, children): (Vec<_>, Vec<_>) = item.tables.iter().partition(is_step);
+        let mut node = Self::new(steps.into_iter().try_fold(Transform::IDENTITY, chain)?);
+        for child in children {
+            node.children.push(shapes.read(child)?);
         }
-        "group" => {
-            let is_step = |table: &&Item| table.kind.name == "step";
-            let (steps, shapes): (Vec<_>, Vec<_>) = item.tables.iter().partition(is_step);
-            let mut node = Node::new(steps.into_iter().try_fold(Transform::IDENTITY, chain)?);
-            for shape in shapes {
-                node.children.push(geometry(shape)?);
-            }
-            Ok(Box::new(node))
+        Ok(node)
+    }
+
+    fn content(&self) -> Content<'_> {
+        let [matrix, inverse] =
+            [self.transform.matrix(), self.transform.inverse()].map(Mat4x4::to_glam);
+        Content::Children {
+            shapes: self.children.iter().map(|child| &**child).collect(),
+            transform: Some(Box::new(engine::Transform { matrix, inverse })),
         }
-        _ => a04_intersections::from_file::geometry(item),
+    }
+
+    fn children_mut(&mut self) -> Option<&mut Vec<Box<dyn Geometry>>> {
+        Some(&mut self.children)
+    }
+
+    fn push_object_ray(&self, ray: &Ray) {
+        steps::push(StepKind::ObjectRay, |kind| {
+            let section = "a07-transforms.md#the-ray-in-object-space";
+            let object_ray = self.transform.ray_to_object(ray);
+            ray_step(kind, "ray in object space", section, &object_ray)
+        });
     }
 }
 

@@ -1,0 +1,122 @@
+//! `kinds`: one row for each camera of this stage: how it is read from a scene file, and its
+//! numbers for the engine. A camera without a row is asked ray by ray.
+
+mod export;
+mod for_engine;
+mod format;
+
+use std::any::Any;
+
+use a02_math::{Point3, Vector3};
+use scene_file::{Error, Item, SceneFile};
+
+pub use for_engine::camera as camera_for_engine;
+pub(crate) use for_engine::{light_at, render};
+pub use format::{Format, settings};
+
+use crate::{Camera, OrthographicCamera, PerspectiveCamera};
+
+/// Where a camera stands and how it is held.
+#[derive(Clone, Copy, Debug)]
+pub struct Pose {
+    /// The eye.
+    pub e: Point3,
+    /// The direction of the gaze.
+    pub g: Vector3,
+    /// A direction upwards in the picture.
+    pub t: Vector3,
+}
+
+/// What scene files and the engine need to know of a type of cameras.
+pub trait CameraKind: Camera {
+    /// Reads a camera of this pose from the table `[camera]`.
+    fn read(item: &Item, pose: Pose) -> Result<Self, Error>
+    where
+        Self: Sized;
+
+    /// Its numbers for the engine.
+    fn for_engine(&self) -> engine::Camera<'static>;
+}
+
+/// Reads a camera of any type.
+type Read = fn(&Item, Pose) -> Result<Box<dyn Camera>, Error>;
+
+/// A type of cameras.
+struct Row {
+    /// The key of the table `[camera]` that chooses this type.
+    key: &'static str,
+    read: Read,
+    get: fn(&dyn Camera) -> Option<&dyn CameraKind>,
+}
+
+impl Row {
+    const fn of<C: CameraKind>(key: &'static str) -> Self {
+        Self {
+            key,
+            read: |item, pose| Ok(Box::new(C::read(item, pose)?)),
+            get: |camera| {
+                let camera: &dyn Any = camera;
+                camera.downcast_ref::<C>().map(|camera| camera as _)
+            },
+        }
+    }
+}
+
+/// The first is the default.
+const CAMERAS: &[Row] = &[
+    Row::of::<PerspectiveCamera>("angle"),
+    Row::of::<OrthographicCamera>("scale"),
+];
+
+impl CameraKind for PerspectiveCamera {
+    fn read(item: &Item, Pose { e, g, t }: Pose) -> Result<Self, Error> {
+        item.check(Self::new(e, g, t, item.angle("angle")?))
+    }
+
+    fn for_engine(&self) -> engine::Camera<'static> {
+        engine::Camera::Perspective {
+            basis: self.basis.into(),
+            half_tangent: self.opening.half_tangent,
+        }
+    }
+}
+
+impl CameraKind for OrthographicCamera {
+    fn read(item: &Item, Pose { e, g, t }: Pose) -> Result<Self, Error> {
+        item.check(Self::new(e, g, t, item.number("scale")?))
+    }
+
+    fn for_engine(&self) -> engine::Camera<'static> {
+        engine::Camera::Orthographic {
+            basis: self.basis.into(),
+            scale: self.s,
+        }
+    }
+}
+
+/// The row of a camera, which may be in boxes.
+fn kind(camera: &dyn Camera) -> Option<&dyn CameraKind> {
+    let any: &dyn Any = camera;
+    match any.downcast_ref::<Box<dyn Camera>>() {
+        Some(inner) => kind(&**inner),
+        None => CAMERAS.iter().find_map(|row| (row.get)(camera)),
+    }
+}
+
+/// The camera of a file.
+pub fn read_camera(file: &SceneFile) -> Result<Box<dyn Camera>, Error> {
+    let item = &file.camera;
+    let e = item.vector("eye", Point3::new)?;
+    let g = item.vector("gaze", Vector3::new)?;
+    let t = item.find_vector("up", Vector3::new);
+    let t = t.unwrap_or(Vector3::new(0.0, 1.0, 0.0));
+    let mut chosen = CAMERAS.iter().filter(|row| item.find(row.key).is_some());
+    let row = chosen.next().unwrap_or(&CAMERAS[0]);
+    match chosen.next() {
+        Some(other) => {
+            let text = format!("a camera has an {} or a {}, not both", row.key, other.key);
+            Err(item.error(other.key, text))
+        }
+        None => (row.read)(item, Pose { e, g, t }),
+    }
+}

@@ -1,0 +1,128 @@
+//! `Format`: how a stage reads scene files.
+
+use std::cell::{Cell, RefCell};
+use std::fs::File;
+use std::io::{ErrorKind, Read};
+use std::path::Path;
+use std::sync::{Arc, Mutex};
+
+use common::{Error, Sampling, Scene, Settings, Size, text};
+use scene_file::{Item, Mesh, Meshes, OwnTable, SceneFile};
+
+use crate::{TracedScene, View};
+
+/// Most bytes of a scene file and of a mesh.
+const MOST_BYTES: [u64; 2] = [16 << 20, 1 << 30];
+
+/// How a stage reads scene files.
+#[derive(Clone, Copy)]
+pub struct Format {
+    /// The number of the stage.
+    pub stage: u8,
+    /// The tables of its shapes that the list of the book lacks.
+    pub own_tables: fn() -> Vec<OwnTable>,
+    /// Makes the camera and the world of the numbers of a file.
+    pub view: fn(&SceneFile) -> Result<View, scene_file::Error>,
+}
+
+impl Format {
+    /// Reads the text of a scene file.
+    pub fn read(&self, text: &str, meshes: Meshes) -> Result<SceneFile, scene_file::Error> {
+        SceneFile::read(text, self.stage, &(self.own_tables)(), meshes)
+    }
+
+    /// Opens the scene of a file. A mistake in the file is an error with its position.
+    pub fn open(self, path: &Path) -> Result<Scene, Error> {
+        let cannot_open = |reason| Error::Open {
+            path: path.to_owned(),
+            reason,
+        };
+        let bytes = read(path, MOST_BYTES[0]).map_err(cannot_open)?;
+        let no_text = |_| cannot_open("it is no text in UTF-8".to_owned());
+        let text = String::from_utf8(bytes).map_err(no_text)?;
+        let (files, triangles) = (RefCell::new(vec![path.to_owned()]), Cell::new(0));
+        let mesh = |name: &str| {
+            let mesh = path.with_file_name(name);
+            let bytes = read(&mesh, MOST_BYTES[1]);
+            files.borrow_mut().push(mesh);
+            let mesh = Mesh::read(&bytes?)?;
+            triangles.update(|before| before + mesh.triangles().count());
+            Ok(mesh)
+        };
+        let file = self.read(&text, &mesh);
+        let place = text::path(path);
+        let notes = file.as_ref().map(|file| file.notes(&place, &text));
+        let notes = notes.unwrap_or_default();
+        let at_place = move |error: scene_file::Error| {
+            Error::SceneFile(text::visible(&format!("{place}:{}", error.within(&text))))
+        };
+        let file = file.map_err(&at_place)?;
+        let defaults = settings(&file.picture).map_err(&at_place)?;
+        // All constructors must accept the numbers. The first picture takes the view that they
+        // make.
+        let first = Mutex::new(Some((self.view)(&file).map_err(&at_place)?));
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let view = move |_| match first.lock().map(|mut first| first.take()) {
+            Ok(Some(view)) => Ok(view),
+            _ => (self.view)(&file).map_err(&at_place),
+        };
+        let mut scene = Scene::from(TracedScene {
+            name: stem.into_owned().leak(),
+            about: "a scene of a file",
+            view: Arc::new(view),
+            reflects: self.stage > 5,
+            defaults,
+        });
+        scene.is_large = triangles.get() > 10_000;
+        scene.files = files.into_inner();
+        scene.notes = notes;
+        Ok(scene)
+    }
+}
+
+/// The bytes of a file. The error is a clause.
+fn read(path: &Path, most: u64) -> Result<Vec<u8>, String> {
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(most + 1).read_to_end(&mut bytes));
+    match read {
+        Ok(_) if bytes.len() as u64 > most => Err(format!("it has more than {most} bytes")),
+        Ok(_) => Ok(bytes),
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            let folder = std::path::absolute(path).unwrap_or_default();
+            let folder = folder.parent().unwrap_or(path);
+            Err(format!(
+                "there is no such file in the folder {}",
+                text::path(folder)
+            ))
+        }
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+/// The settings of the table `picture`.
+pub fn settings(picture: &Item) -> Result<Settings, scene_file::Error> {
+    let mut settings = Settings::default();
+    if let Some([sides]) = picture.find_rows("size") {
+        let [width, height] = sides.map(|side| side as u32);
+        settings.size = picture.check(Size::new(width, height))?;
+    }
+    if let Some([[samples]]) = picture.find_rows("samples") {
+        settings.samples = samples as u32;
+        if samples > 1e6 || settings.samples.isqrt().pow(2) != settings.samples {
+            let text = "samples must be a square number up to 1000000, such as 16";
+            return Err(picture.error("samples", text));
+        }
+        if samples > 1.0 {
+            settings.sampling = Sampling::Stratified;
+        }
+    }
+    if let Some([[depth]]) = picture.find_rows("depth") {
+        settings.depth = depth as u32;
+        if settings.depth > Settings::LARGEST_DEPTH {
+            let most = Settings::LARGEST_DEPTH;
+            let text = format!("depth must be a whole number from 1 to {most}");
+            return Err(picture.error("depth", text));
+        }
+    }
+    Ok(settings)
+}

@@ -1,0 +1,183 @@
+//! `kinds`: one row for each shape of this stage: its table in a scene file and how it is read and
+//! written, its section in the book, and its numbers for the engine.
+//!
+//! A shape without a row works, too: the engine asks its `hit`, ray by ray.
+
+mod mesh;
+mod shape_row;
+
+use a02_math::{Normal3, Point3, Vector3};
+use a03_rays_cameras::View;
+use a03_rays_cameras::kinds::{Format, read_camera};
+use common::{ArgumentError, Color};
+use scene_file::{Error, Item, SceneFile};
+
+use crate::{AxisAlignedBox, Hit, Plane, Sphere, Triangle, World};
+pub use mesh::Mesh;
+pub use shape_row::{Content, Row, ShapeKind, Shapes, Values};
+
+/// The shapes of this stage.
+pub const SHAPES: &[Row] = &[
+    Row::of::<Plane>("plane", "a04-intersections.md#plane"),
+    Row::of::<AxisAlignedBox>("box", "a04-intersections.md#box"),
+    Row::of::<Triangle>("triangle", "a04-intersections.md#triangle"),
+    Row::of::<Sphere>("sphere", "a04-intersections.md#sphere"),
+    Row::of::<Mesh>("mesh", "a04-intersections.md#one-question-and-an-interval"),
+];
+
+/// All shapes that this stage knows.
+pub const KINDS: Shapes = Shapes(&[SHAPES]);
+
+/// The scene files of this stage.
+pub const FORMAT: Format = Format {
+    stage: 4,
+    own_tables: || KINDS.own_tables(),
+    view,
+};
+
+impl ShapeKind for Plane {
+    fn read(item: &Item, _: Shapes) -> Result<Self, Error> {
+        let point = item.vector("point", Point3::new)?;
+        let normal = item.vector("normal", Vector3::new)?.as_normal();
+        item.check(Self::new(point, normal))
+    }
+
+    fn content(&self) -> Content<'_> {
+        Content::Values(vec![
+            ("point", self.a.to_glam().to_array().into()),
+            ("normal", self.n.to_glam().to_array().into()),
+        ])
+    }
+
+    fn for_engine(&self) -> Option<engine::Shape<'static>> {
+        Some(engine::Shape::Plane((*self).into()))
+    }
+}
+
+impl From<Plane> for engine::Plane {
+    fn from(plane: Plane) -> Self {
+        Self {
+            point: plane.a.to_glam(),
+            normal: plane.n.to_glam(),
+        }
+    }
+}
+
+impl ShapeKind for AxisAlignedBox {
+    fn read(item: &Item, _: Shapes) -> Result<Self, Error> {
+        let lbf = item.vector("lbf", Point3::new)?;
+        let run = item.vector("run", Point3::new)?;
+        item.check(Self::new(lbf, run))
+    }
+
+    fn content(&self) -> Content<'_> {
+        Content::Values(vec![("lbf", self.lbf.into()), ("run", self.run.into())])
+    }
+
+    fn for_engine(&self) -> Option<engine::Shape<'static>> {
+        Some(engine::Shape::Box(engine::AxisAlignedBox {
+            min: self.lbf,
+            max: self.run,
+        }))
+    }
+}
+
+impl ShapeKind for Triangle {
+    fn read(item: &Item, _: Shapes) -> Result<Self, Error> {
+        let corners = item.rows("corners")?;
+        item.check(triangle(corners, item.find_rows("normals")))
+    }
+
+    /// The normals of the corners only where they are not the triangle's own.
+    fn content(&self) -> Content<'_> {
+        let corners = self.corners.map(|p| p.to_glam().to_array());
+        let mut values = vec![("corners", corners.as_flattened().to_vec())];
+        if self.normals != [self.face; 3] {
+            let normals = self.normals.map(|n| n.to_glam().to_array());
+            values.push(("normals", normals.as_flattened().to_vec()));
+        }
+        Content::Values(values)
+    }
+
+    fn for_engine(&self) -> Option<engine::Shape<'static>> {
+        Some(engine::Shape::Triangle(engine::Triangle {
+            corners: self.corners.map(Point3::to_glam),
+            normals: self.normals.map(Normal3::to_glam),
+            face: self.face.to_glam(),
+            scale: self.scale,
+        }))
+    }
+}
+
+/// A triangle, with the normals of its corners for smooth shading.
+fn triangle(
+    corners: [[f64; 3]; 3],
+    normals: Option<[[f64; 3]; 3]>,
+) -> Result<Triangle, ArgumentError> {
+    let [a, b, c] = corners.map(|[x, y, z]| Point3::new(x, y, z));
+    let triangle = Triangle::new(a, b, c)?;
+    let normals = normals.map(|normals| normals.map(|[x, y, z]| Normal3::new(x, y, z)));
+    normals.map_or(Ok(triangle), |normals| triangle.with_normals(normals))
+}
+
+impl ShapeKind for Sphere {
+    fn read(item: &Item, _: Shapes) -> Result<Self, Error> {
+        let center = item.vector("center", Point3::new)?;
+        item.check(Self::new(center, item.number("radius")?))
+    }
+
+    fn content(&self) -> Content<'_> {
+        Content::Values(vec![
+            ("center", self.c.to_glam().to_array().into()),
+            ("radius", vec![self.r]),
+        ])
+    }
+
+    fn for_engine(&self) -> Option<engine::Shape<'static>> {
+        Some(engine::Shape::Sphere(engine::Sphere {
+            center: self.c.to_glam(),
+            radius: self.r,
+        }))
+    }
+}
+
+impl From<Hit> for engine::Hit {
+    fn from(hit: Hit) -> Self {
+        Self {
+            t: hit.t,
+            normal: hit.normal.to_glam(),
+            face: hit.face.to_glam(),
+            magnitude: hit.magnitude,
+        }
+    }
+}
+
+impl From<&engine::Hit> for Hit {
+    fn from(hit: &engine::Hit) -> Self {
+        Self {
+            t: hit.t,
+            normal: Normal3::from_glam(hit.normal),
+            face: Normal3::from_glam(hit.face),
+            magnitude: hit.magnitude,
+        }
+    }
+}
+
+/// A world of colours as a scene of the engine.
+#[must_use]
+pub fn for_engine(world: &World<Color>) -> engine::Scene<'_> {
+    let mut scene = engine::Scene::new(world.background(), Color::BLACK, 1);
+    KINDS.add_objects(&mut scene, world, |color| {
+        engine::Surface::matt(engine::Shading::SingleColor(*color))
+    });
+    scene
+}
+
+/// The camera and the world of a file.
+fn view(file: &SceneFile) -> Result<View, Error> {
+    let item = &file.world;
+    let mut world = item.check(World::new(item.color("background")))?;
+    KINDS.read_objects(&mut world, file, |item| item.vector("color", Color::new))?;
+    let camera = read_camera(file)?;
+    Ok(View { camera, world }.boxed())
+}

@@ -1,0 +1,207 @@
+//! `kinds`: one row for each light and material of this stage: how it is read from a scene file,
+//! its section in the book, and its numbers for the engine.
+//!
+//! A light or a material without a row works, too: the engine asks it, hit by hit.
+
+mod light_row;
+mod material_row;
+
+use a02_math::{Point3, Vector3};
+use a03_rays_cameras::View;
+use a03_rays_cameras::kinds::{Format, read_camera};
+use a04_intersections::kinds::{KINDS as SHAPES, Shapes};
+use common::Color;
+use scene_file::{Error, Item, SceneFile};
+
+use crate::{
+    DirectionalLight, Lambert, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
+};
+pub use light_row::{LightKind, LightRow, Lights};
+pub use material_row::{MaterialKind, MaterialRow, Materials};
+
+/// The lights of this stage.
+pub const LIGHTS: Lights = Lights(&[
+    LightRow::of::<PointLight>("point_light"),
+    LightRow::of::<SpotLight>("spot_light"),
+    LightRow::of::<DirectionalLight>("directional_light"),
+]);
+
+/// The materials of this stage.
+pub const MATERIALS: &[MaterialRow] = &[
+    MaterialRow::of::<SingleColor>("a05-lighting.md#two-questions"),
+    MaterialRow::of::<Lambert>("a05-lighting.md#lambert-the-cosine"),
+    MaterialRow::of::<Phong>("a05-lighting.md#phong-the-highlight"),
+];
+
+/// All materials that this stage knows.
+pub const KINDS: Materials = Materials(&[MATERIALS]);
+
+/// The scene files of this stage.
+pub const FORMAT: Format = Format {
+    stage: 5,
+    own_tables: || SHAPES.own_tables(),
+    view,
+};
+
+impl LightKind for PointLight {
+    fn read(item: &Item) -> Result<Self, Error> {
+        let color = item.vector("color", Color::new)?;
+        item.check(Self::new(color, item.vector("position", Point3::new)?))
+    }
+
+    fn for_engine(&self) -> engine::LightKind<'static> {
+        engine::LightKind::Point {
+            color: self.color,
+            position: self.position.to_glam(),
+        }
+    }
+
+    fn position_mut(&mut self) -> Option<&mut Point3> {
+        Some(&mut self.position)
+    }
+}
+
+impl LightKind for SpotLight {
+    fn read(item: &Item) -> Result<Self, Error> {
+        let color = item.vector("color", Color::new)?;
+        let half_angle = item.angle("half_angle")?;
+        let position = item.vector("position", Point3::new)?;
+        let direction = item.vector("direction", Vector3::new)?;
+        item.check(Self::new(color, position, direction, half_angle))
+    }
+
+    fn for_engine(&self) -> engine::LightKind<'static> {
+        engine::LightKind::Spot {
+            color: self.source.color,
+            position: self.source.position.to_glam(),
+            direction: self.direction.to_glam(),
+            cos_half_angle: self.cos_half_angle,
+        }
+    }
+
+    fn position_mut(&mut self) -> Option<&mut Point3> {
+        Some(&mut self.source.position)
+    }
+}
+
+impl LightKind for DirectionalLight {
+    fn read(item: &Item) -> Result<Self, Error> {
+        let color = item.vector("color", Color::new)?;
+        item.check(Self::new(color, item.vector("direction", Vector3::new)?))
+    }
+
+    fn for_engine(&self) -> engine::LightKind<'static> {
+        engine::LightKind::Directional {
+            color: self.color,
+            direction: self.direction.to_glam(),
+        }
+    }
+}
+
+impl MaterialKind for SingleColor {
+    fn for_engine(&self) -> engine::Shading<'static> {
+        engine::Shading::SingleColor(self.color)
+    }
+}
+
+impl MaterialKind for Lambert {
+    fn for_engine(&self) -> engine::Shading<'static> {
+        engine::Shading::Phong(engine::Phong {
+            diffuse: self.diffuse,
+            specular: Color::BLACK,
+            exponent: 0.0,
+        })
+    }
+}
+
+impl MaterialKind for Phong {
+    fn for_engine(&self) -> engine::Shading<'static> {
+        engine::Shading::Phong(engine::Phong {
+            diffuse: self.matt.diffuse,
+            specular: self.specular,
+            exponent: self.exponent,
+        })
+    }
+
+    fn as_phong(&self) -> Option<&Phong> {
+        Some(self)
+    }
+}
+
+/// A world without shadows as a scene of the engine.
+#[must_use]
+pub fn for_engine(world: &LitWorld) -> engine::Scene<'_> {
+    let mut scene = engine::Scene::new(world.objects().background(), world.ambient(), 1);
+    SHAPES.add_objects(&mut scene, world.objects(), |material| {
+        engine::Surface::matt(
+            KINDS.for_engine(&**material, |ray, hit| material.color_for(ray, hit, world)),
+        )
+    });
+    for light in world.lights() {
+        scene.add_light(engine::Light {
+            kind: LIGHTS.for_engine(&**light),
+            casts_shadows: false,
+        });
+    }
+    scene
+}
+
+/// The camera and the world of a file.
+fn view(file: &SceneFile) -> Result<View, Error> {
+    let surface = |item: &Item| -> Result<Box<dyn Material>, Error> {
+        if let Some(color) = read_single_color(item)? {
+            return Ok(Box::new(color));
+        }
+        let material = item.named("material", &file.materials)?;
+        let (diffuse, specular, exponent) = read_phong(material)?;
+        Ok(Box::new(
+            material.check(Phong::new(diffuse, specular, exponent))?,
+        ))
+    };
+    let without_shadows = |item: &Item| match item.flag("shadows") {
+        Some(true) => Err(item.error("shadows", "lights cast shadows from stage 6 on")),
+        _ => LIGHTS.read(item),
+    };
+    let world = read_world(file, SHAPES, surface, without_shadows)?;
+    let camera = read_camera(file)?;
+    Ok(View { camera, world }.boxed())
+}
+
+/// The world of a file, of a stage's own shapes, surfaces and lights.
+pub fn read_world<S, L>(
+    file: &SceneFile,
+    shapes: Shapes,
+    surface: impl Fn(&Item) -> Result<S, Error>,
+    light: impl Fn(&Item) -> Result<L, Error>,
+) -> Result<LitWorld<S, L>, Error> {
+    let item = &file.world;
+    let empty = LitWorld::empty(item.color("background"), item.color("ambient"));
+    let mut world = item.check(empty)?;
+    shapes.read_objects(&mut world.world, file, surface)?;
+    for item in &file.lights {
+        world.lights.push(light(item)?);
+    }
+    Ok(world)
+}
+
+/// The colour of a shape, if it has one instead of a material.
+pub fn read_single_color(item: &Item) -> Result<Option<SingleColor>, Error> {
+    match item.find_vector("color", Color::new) {
+        Some(_) if item.find("material").is_some() => {
+            Err(item.error("color", "a shape has a color or a material, not both"))
+        }
+        Some(color) => item.check(SingleColor::new(color)).map(Some),
+        None => Ok(None),
+    }
+}
+
+/// The diffuse and specular reflectance and the exponent of a material.
+pub fn read_phong(item: &Item) -> Result<(Color, Color, f64), Error> {
+    let has_highlight = item.find("specular").or(item.find("exponent")).is_some();
+    let exponent = if has_highlight {
+        item.number("exponent")?
+    } else {
+        1.0
+    };
+    Ok((item.color("diffuse"), item.color("specular"), exponent))
+}

@@ -1,0 +1,101 @@
+//! `LightRow` and `Lights`: what is written once over the rows of all lights.
+
+use std::any::Any;
+
+use a02_math::Point3;
+use scene_file::{Error, Item};
+
+use crate::{Light, LitWorld};
+
+/// What the engine, scene files and the window need to know of a type of lights.
+pub trait LightKind: Light {
+    /// Reads it from its table.
+    fn read(item: &Item) -> Result<Self, Error>
+    where
+        Self: Sized;
+
+    /// Its numbers for the engine.
+    fn for_engine(&self) -> engine::LightKind<'static>;
+
+    /// Its position, so that it can be moved; none if it is infinitely far away.
+    fn position_mut(&mut self) -> Option<&mut Point3> {
+        None
+    }
+}
+
+/// Reads a light of any type.
+type Read = fn(&Item) -> Result<Box<dyn Light>, Error>;
+
+/// A type of lights.
+pub struct LightRow {
+    /// The name of its table in a scene file.
+    pub key: &'static str,
+    read: Read,
+    get: fn(&dyn Light) -> Option<&dyn LightKind>,
+    get_mut: fn(&mut dyn Light) -> Option<&mut dyn LightKind>,
+}
+
+impl LightRow {
+    /// The row of a type with this table.
+    #[must_use]
+    pub const fn of<K: LightKind>(key: &'static str) -> Self {
+        Self {
+            key,
+            read: |item| Ok(Box::new(K::read(item)?)),
+            get: |light| {
+                let any: &dyn Any = light;
+                any.downcast_ref::<K>().map(|light| light as _)
+            },
+            get_mut: |light| {
+                let any: &mut dyn Any = light;
+                any.downcast_mut::<K>().map(|light| light as _)
+            },
+        }
+    }
+}
+
+/// The rows of all lights.
+#[derive(Clone, Copy)]
+pub struct Lights(pub &'static [LightRow]);
+
+impl Lights {
+    /// Reads a light from its table.
+    pub fn read(self, item: &Item) -> Result<Box<dyn Light>, Error> {
+        let name = item.kind.name;
+        match self.0.iter().find(|row| row.key == name) {
+            Some(row) => (row.read)(item),
+            None => Err(item.error("", format!("no row of this stage reads a {name}"))),
+        }
+    }
+
+    /// The engine's light: numbers if the light's type has a row, otherwise a function.
+    #[must_use]
+    pub fn for_engine(self, light: &dyn Light) -> engine::LightKind<'_> {
+        if let Some(known) = self.0.iter().find_map(|row| (row.get)(light)) {
+            return known.for_engine();
+        }
+        engine::LightKind::Other(Box::new(|point| {
+            let light = light.illumination(Point3::from_glam(point))?;
+            Some(engine::Illumination {
+                color: light.color,
+                direction: light.direction.to_glam(),
+                distance: light.distance,
+            })
+        }))
+    }
+
+    /// The positions of the lights that have one; `light` is the light inside of each source.
+    pub fn positions<S, L>(
+        self,
+        world: &mut LitWorld<S, L>,
+        light: fn(&mut L) -> &mut dyn Light,
+    ) -> Vec<&mut Point3> {
+        let sources = world.lights.iter_mut();
+        let positions = sources.filter_map(|source| {
+            let light = light(source);
+            let row = self.0.iter().find(|row| (row.get)(&*light).is_some())?;
+            (row.get_mut)(light)?.position_mut()
+        });
+        positions.collect()
+    }
+}

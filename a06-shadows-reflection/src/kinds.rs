@@ -1,0 +1,88 @@
+//! `kinds`: one row for each surface of this stage, and how mirrors and lights that cast shadows
+//! are read from a scene file and translated for the engine.
+
+use a03_rays_cameras::kinds::{Format, read_camera};
+use a03_rays_cameras::{Ray, View};
+use a04_intersections::Hit;
+use a04_intersections::kinds::{KINDS as SHAPES, Shapes};
+use a05_lighting::kinds::{
+    LIGHTS, MATERIALS as LIT_MATERIALS, MaterialKind, MaterialRow, Materials, read_phong,
+    read_single_color, read_world,
+};
+use a05_lighting::{Material, Phong};
+use scene_file::{Error, Item, SceneFile};
+
+use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, traced};
+
+/// The materials of this stage.
+pub const MATERIALS: &[MaterialRow] = &[MaterialRow::of::<Reflective>(
+    "a05-lighting.md#phong-the-highlight",
+)];
+
+/// All materials that this stage knows.
+pub const KINDS: Materials = Materials(&[LIT_MATERIALS, MATERIALS]);
+
+/// The scene files of this stage.
+pub const FORMAT: Format = Format {
+    stage: 6,
+    own_tables: || SHAPES.own_tables(),
+    view: |file| read_view(file, SHAPES).map(traced),
+};
+
+impl MaterialKind for Reflective {
+    fn for_engine(&self) -> engine::Shading<'static> {
+        self.shiny.for_engine()
+    }
+
+    fn as_phong(&self) -> Option<&Phong> {
+        Some(&self.shiny)
+    }
+}
+
+/// A world as a scene of the engine, whose rays may hit `depth` surfaces in turn.
+#[must_use]
+pub fn for_engine(world: &ShadowedWorld, depth: u32, shapes: Shapes) -> engine::Scene<'_> {
+    let mut scene = engine::Scene::new(world.objects().background(), world.ambient(), depth);
+    shapes.add_objects(&mut scene, world.objects(), |surface| {
+        let surface: &dyn Surface = &**surface;
+        let material: &dyn Material = surface;
+        let color = move |ray: &Ray, hit: &Hit| {
+            let lighting = RecursiveTracer::new(world);
+            surface.color_for(ray, hit, &lighting)
+        };
+        engine::Surface {
+            shading: KINDS.for_engine(material, color),
+            reflection: surface.reflection(),
+        }
+    });
+    for source in world.lights() {
+        scene.add_light(engine::Light {
+            kind: LIGHTS.for_engine(&*source.light),
+            casts_shadows: source.casts_shadows(),
+        });
+    }
+    scene
+}
+
+/// The camera and the world of a file, with the shapes of a stage.
+pub fn read_view(file: &SceneFile, shapes: Shapes) -> Result<View<ShadowedWorld>, Error> {
+    let surface = |item: &Item| -> Result<Box<dyn Surface>, Error> {
+        if let Some(color) = read_single_color(item)? {
+            return Ok(Box::new(color));
+        }
+        let material = item.named("material", &file.materials)?;
+        let (diffuse, specular, exponent) = read_phong(material)?;
+        let reflection = material.color("reflection");
+        let mirror = Reflective::new(diffuse, specular, exponent, reflection);
+        Ok(Box::new(material.check(mirror)?))
+    };
+    let source = |item: &Item| {
+        Ok(LightSource {
+            light: LIGHTS.read(item)?,
+            casts_shadows: item.flag("shadows").unwrap_or(true),
+        })
+    };
+    let world = read_world(file, shapes, surface, source)?;
+    let camera = read_camera(file)?;
+    Ok(View { camera, world })
+}

@@ -1,7 +1,0 @@
-//! Instruments: wrappers that count work and record steps, and the parts of shapes for the
-//! laboratory. No lesson uses them.
-
-#![expect(clippy::must_use_candidate, reason = "called by the program and tests")]
-
-mod numbers;
-pub mod recorded;
