@@ -13,6 +13,7 @@ mod explained;
 mod extreme_scenes;
 mod negative_zeros;
 mod node;
+mod own_shape;
 mod rows;
 mod scene_files;
 #[path = "../../../a04-intersections/tests/stage/support.rs"]
