@@ -9,6 +9,7 @@ use std::io::{self, Cursor, Read};
 use std::path::Path;
 
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::metadata::Orientation;
 use image::{
     DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageError, ImageReader, Limits,
 };
@@ -87,9 +88,14 @@ fn decode(bytes: &[u8]) -> Result<(Size, Vec<u8>), String> {
 /// Like [`decode`]. A file that ends too early is an error, unless only its end mark is missing.
 fn decode_jpeg(bytes: &[u8]) -> Result<(Size, Vec<u8>), String> {
     let jpeg = Jpeg::read(bytes)?;
-    let picture = decode_known(&jpeg.with_end(bytes));
-    if picture.is_ok() && jpeg.is_whole() || picture.is_err() && jpeg.has_end {
-        picture
+    let decoded = match decode_stored(&jpeg.with_end(bytes)) {
+        Err(_) if !jpeg.has_end => return Err(ENDS_TOO_EARLY.to_owned()),
+        decoded => decoded?,
+    };
+    let continued = decode_stored(&jpeg.continued());
+    let is_same = continued.is_ok_and(|other| other.pixels == decoded.pixels);
+    if is_same && jpeg.has_all_scans() {
+        decoded.into_rgba()
     } else {
         Err(ENDS_TOO_EARLY.to_owned())
     }
@@ -97,6 +103,26 @@ fn decode_jpeg(bytes: &[u8]) -> Result<(Size, Vec<u8>), String> {
 
 /// The picture of a file of a supported kind, as its decoder sees it.
 fn decode_known(bytes: &[u8]) -> Result<(Size, Vec<u8>), String> {
+    decode_stored(bytes)?.into_rgba()
+}
+
+/// A picture with the channels of its file.
+struct Stored {
+    pixels: DynamicImage,
+    /// How the pixels are to be rotated and mirrored.
+    orientation: Orientation,
+}
+
+impl Stored {
+    fn into_rgba(mut self) -> Result<(Size, Vec<u8>), String> {
+        self.pixels.apply_orientation(self.orientation);
+        let size = Size::new(self.pixels.width(), self.pixels.height());
+        let size = size.map_err(|error| error.to_string())?;
+        Ok((size, self.pixels.into_rgba8().into_raw()))
+    }
+}
+
+fn decode_stored(bytes: &[u8]) -> Result<Stored, String> {
     let explain = |error: ImageError| explain(&error, bytes);
     let mut reader = ImageReader::new(Cursor::new(bytes))
         .with_guessed_format()
@@ -109,10 +135,11 @@ fn decode_known(bytes: &[u8]) -> Result<(Size, Vec<u8>), String> {
     let (width, height) = decoder.dimensions();
     Size::new(width, height).map_err(|error| error.to_string())?;
     let orientation = decoder.orientation().map_err(explain)?;
-    let mut picture = DynamicImage::from_decoder(decoder).map_err(explain)?;
-    picture.apply_orientation(orientation);
-    let size = Size::new(picture.width(), picture.height()).map_err(|error| error.to_string())?;
-    Ok((size, picture.into_rgba8().into_raw()))
+    let pixels = DynamicImage::from_decoder(decoder).map_err(explain)?;
+    Ok(Stored {
+        pixels,
+        orientation,
+    })
 }
 
 fn explain(error: &ImageError, bytes: &[u8]) -> String {

@@ -5,10 +5,6 @@
 
 use std::borrow::Cow;
 
-use zune_jpeg::JpegDecoder;
-use zune_jpeg::zune_core::bytestream::ZCursor;
-use zune_jpeg::zune_core::options::DecoderOptions;
-
 use super::ENDS_TOO_EARLY;
 
 /// Marks the end of the picture.
@@ -101,9 +97,9 @@ impl<'a> Jpeg<'a> {
         }
     }
 
-    /// Whether nothing but the end mark is missing: whether the decoder finds the same pixels
-    /// with other bits behind the data than with the zeros that it adds.
-    pub fn is_whole(&self) -> bool {
+    /// The file with other bits behind its data than the zeros that the decoder adds to data that
+    /// end too early. If its pixels are those of the file, no bit is missing.
+    pub fn continued(&self) -> Vec<u8> {
         let mut continued = self.data.to_vec();
         let bits = OTHER_BITS.repeat(64);
         continued.extend(&bits);
@@ -113,12 +109,7 @@ impl<'a> Jpeg<'a> {
             continued.extend(&bits);
         }
         continued.extend(END_OF_IMAGE);
-        let ended = [self.data, &END_OF_IMAGE].concat();
-        match (pixels(&ended, true), pixels(&continued, true)) {
-            (Some(ended), Some(continued)) => self.has_all_scans() && ended == continued,
-            (Some(_), None) => false,
-            (None, _) => self.has_end && pixels(&ended, false) == pixels(&continued, false),
-        }
+        continued
     }
 
     /// Whether there is an end mark, or the scans have each coefficient of each component to its
@@ -148,17 +139,6 @@ impl<'a> Jpeg<'a> {
         };
         self.has_end || components.chunks(3).all(|named| has_all_bits(named[0]))
     }
-}
-
-/// The pixels of a file; none if they cannot be decoded. A strict decoder stops at a mistake.
-fn pixels(bytes: &[u8], is_strict: bool) -> Option<Vec<u8>> {
-    let options = DecoderOptions::default()
-        .set_strict_mode(is_strict)
-        .set_max_width(usize::MAX)
-        .set_max_height(usize::MAX);
-    JpegDecoder::new_with_options(ZCursor::new(bytes), options)
-        .decode()
-        .ok()
 }
 
 /// The place of the next marker from a place on: behind 0xFF is neither 0, which belongs to the
