@@ -7,9 +7,11 @@ mod adaptive;
 #[path = "../../../a04-intersections/tests/stage/engine/compare.rs"]
 mod compare;
 mod dahlia;
+mod deep_reflections;
 mod disc;
 mod engine;
 mod explained;
+mod export;
 mod extreme_scenes;
 mod negative_zeros;
 mod node;

@@ -7,6 +7,16 @@ use super::WrittenShape;
 use crate::phrases::number;
 use crate::{KINDS, Phrases};
 
+/// The smallest distance between two of a triangle's unit normals that is written for a language
+/// in which a triangle of equal normals is flat.
+///
+/// POV-Ray takes a `smooth_triangle` for a flat one if the squared distances of its second and
+/// third normal from the first are at most its `EPSILON` of 1e-10, so if both distances are at
+/// most 1e-5. The third normal is moved by at most twice this distance, and the cosine in Lambert's
+/// law changes by as much at most, which is 1/160 of a step of a channel of 8 bits. A highlight with
+/// the exponent n changes by at most 2 sqrt(n / e) times as much: a quarter of a step for n = 1000.
+const DISTINCT: f64 = 1.2e-5;
+
 /// A shape, and the use of its material.
 pub fn text(language: Phrases, shape: &WrittenShape, used: &str) -> Result<String, String> {
     let (mut text, mut groups, mut transforms) = (String::new(), String::new(), String::new());
@@ -63,10 +73,29 @@ fn words(language: Phrases, shape: &WrittenShape) -> Result<String, String> {
         (&[x, y, z], &[u, v, w]) => [DVec3::new(x, y, z).dot(DVec3::new(u, v, w))],
         _ => [0.0],
     };
-    names += "height a b c u v w";
+    let distinct_w = distinct_third(smooth);
+    names += "height a b c u v w distinct_w";
     numbers.push(&height);
     numbers.extend(value("corners").chunks(3).chain(smooth.chunks(3)));
+    numbers.extend(distinct_w.as_ref().map(<[f64; 3]>::as_slice));
     language.find(&phrase, &names, &numbers)
+}
+
+/// The third of a triangle's unit normals, moved to the distance [`DISTINCT`] from the first one if
+/// both others are nearer to it; none of a flat triangle.
+fn distinct_third(normals: &[f64]) -> Option<[f64; 3]> {
+    let &[a, b, c, d, e, f, g, h, i] = normals else {
+        return None;
+    };
+    let first = DVec3::new(a, b, c);
+    let [second, third] = [[d, e, f], [g, h, i]].map(DVec3::from_array);
+    let is_near = |normal: DVec3| normal.distance(first) < DISTINCT;
+    let distinct = if is_near(second) && is_near(third) {
+        first + DISTINCT * first.any_orthonormal_vector()
+    } else {
+        third
+    };
+    Some(distinct.to_array())
 }
 
 /// The line of a scene file with a value, in the form that its key has.

@@ -1,0 +1,65 @@
+//! What the exported scenes say to other programs.
+
+use std::fs;
+
+use a07_transforms::stage;
+use common::Scene;
+
+/// A triangle with normals that are not perpendicular to it. The distances of the second and
+/// third one from the first are inserted.
+fn triangle(second: f64, third: f64) -> Scene {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    let text = format!(
+        "[camera]\neye = [0.3, 0.3, 3]\ngaze = [0, 0, -1]\nangle = 40\n[[directional_light]]\n\
+         color = [1, 1, 1]\ndirection = [0, 0, -1]\n[[triangle]]\ncolor = [0.8, 0.8, 0.8]\n\
+         corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n\
+         normals = [[0.6, 0, 0.8], [0.6, {second:?}, 0.8], [0.6, {third:?}, 0.8]]\n"
+    );
+    fs::write(&path, text).unwrap();
+    (stage().open.unwrap())(&path).unwrap()
+}
+
+/// The three normals of the only triangle of an exported scene.
+fn normals(exported: &str) -> [[f64; 3]; 3] {
+    let (_, triangle) = exported.split_once("smooth_triangle {").unwrap();
+    let (triangle, _) = triangle.split_once('}').unwrap();
+    let numbers: Vec<f64> = triangle
+        .split(['<', '>', ',', ' '])
+        .filter_map(|word| word.parse().ok())
+        .collect();
+    // A corner and a normal in turn.
+    [3, 9, 15].map(|at| [numbers[at], numbers[at + 1], numbers[at + 2]])
+}
+
+/// POV-Ray 3.7 shades a `smooth_triangle` flat if neither the second nor the third normal is
+/// farther than 1e-5 from the first: seen in its pictures with distances of 0.99e-5 and 1.01e-5.
+#[test]
+fn pov_ray_sees_normals_that_are_equal_as_those_of_a_smooth_triangle() {
+    let distance =
+        |a: [f64; 3], b: [f64; 3]| libm::hypot(libm::hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+    for (second, third, is_moved) in [
+        (0.0, 0.0, true),
+        (9e-6, 0.0, true),
+        (-9e-6, 9e-6, true),
+        (0.0, 1e-4, false),
+        (1e-4, 0.0, false),
+        (0.5, -0.5, false),
+    ] {
+        let scene = triangle(second, third);
+        let export = |language| {
+            let rays = scene.rays().unwrap();
+            rays.export(language, &scene.defaults).unwrap()
+        };
+        let [a, b, c] = normals(&export("povray"));
+        let farthest = distance(a, b).max(distance(a, c));
+        assert!(farthest > 1.1e-5, "{second:?} {third:?}: {farthest:?}");
+        // A byte is a step of 1/255, of which the light changes by a small part.
+        let length = libm::hypot(1.0, third);
+        let moved = distance(c, [0.6 / length, third / length, 0.8 / length]);
+        let most = if is_moved { 2.5e-5 } else { 1e-15 };
+        assert!(moved < most, "{second:?} {third:?}: {moved:?}");
+        // Our own language keeps the bits.
+        assert!(second != 0.0 || third != 0.0 || !export("toml").contains("e-5"));
+    }
+}
