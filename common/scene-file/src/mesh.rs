@@ -85,9 +85,11 @@ impl Mesh {
         Err(match (too_small, count, other_file::by_text(bytes)) {
             (1.., ..) => "none of its faces has three corners".to_owned(),
             (_, 0, Some(kind)) => is_other_file(kind),
-            (_, 0, None) => "it has no faces; a mesh is an OBJ file with lines as f 1 2 3, or a \
+            (_, 0, None) => {
+                "it has no faces; a mesh is an OBJ file with lines such as f 1 2 3, or a \
                              PLY file"
-                .to_owned(),
+                    .to_owned()
+            }
             (_, count, _) => format!(
                 "it has no faces, only {}, perhaps with lines between them; a mesh needs faces",
                 number_of(count, "point")
@@ -215,7 +217,12 @@ impl Mesh {
 
 /// The error for a file that is no mesh.
 fn is_other_file(kind: &str) -> String {
-    format!("it is {kind}; a mesh is an OBJ or PLY file")
+    // Where a mesh of this kind can be exported, the error names our kinds already.
+    if kind.contains("OBJ") {
+        format!("it is {kind}")
+    } else {
+        format!("it is {kind}; a mesh is an OBJ or PLY file")
+    }
 }
 
 /// A count with its noun, such as `1 face` and `2 faces`.

@@ -363,7 +363,7 @@ fn mistakes_in_ply_are_named_with_their_face() {
     for (change, expected) in [
         (
             ("4 0 1 2 3", "4 0 1 2 -1"),
-            "face 0 has the vertex -1.0, but vertices are numbered from 0",
+            "face 0 has the vertex -1, but vertices are numbered from 0",
         ),
         (
             ("4 0 1 2 3", "4 0 1 2 7"),
@@ -383,7 +383,15 @@ fn mistakes_in_ply_are_named_with_their_face() {
         ),
         (
             ("4 0 1 2 3", "-4 0 1 2 3"),
-            "face 0 has a list of -4.0 numbers",
+            "face 0 has a list of -4 numbers",
+        ),
+        (
+            ("4 0 1 2 3", "4 0 -1 2 3"),
+            "face 0 has the vertex -1, but vertices are numbered from 0",
+        ),
+        (
+            ("4 0 1 2 3", "4 0 1.5 2 3"),
+            "face 0 has the vertex 1.5, but vertices are numbered from 0",
         ),
         (
             ("4 0 1 2 3", "4 0 x 2 3"),
@@ -451,6 +459,7 @@ fn other_files_are_called_by_their_kind() {
     ] {
         let error = error(file);
         assert!(error.starts_with(&format!("it is {expected}")), "{error}");
+        assert_eq!(error.matches("OBJ").count(), 1, "{error}");
     }
     let points =
         "it has no faces, only 4 points, perhaps with lines between them; a mesh needs faces";

@@ -1,6 +1,8 @@
 //! Reads PLY files (Turk, *The PLY Polygon File Format*, 1994): vertices with their normals, faces,
 //! and strips of triangles.
 
+use common::text::number;
+
 use super::NONE;
 use super::ply_header::{self, Element, Header, Property};
 use super::ply_numbers::{NoNumber, Numbers};
@@ -33,10 +35,11 @@ pub fn read(bytes: &[u8]) -> Result<Polygons, String> {
                         format!("{name} {i} has \"{word}\" where a number should be")
                     }
                     Mistake::Length(length) => {
-                        format!("{name} {i} has a list of {length:?} numbers")
+                        format!("{name} {i} has a list of {} numbers", number(length))
                     }
                     Mistake::Vertex(index) => format!(
-                        "{name} {i} has the vertex {index:?}, but vertices are numbered from 0"
+                        "{name} {i} has the vertex {}, but vertices are numbered from 0",
+                        number(index)
                     ),
                 }
             })?;

@@ -1,6 +1,7 @@
 //! `Polygons`: the points, normals and faces of a file, before the faces are triangles.
 
 use common::argument::LARGEST_LENGTH;
+use common::text;
 
 /// What a mesh file has.
 #[derive(Debug, Default)]
@@ -109,7 +110,8 @@ impl Polygons {
             (Format::Obj, None) => format!("corner {}", index + 1),
             (Format::Ply { .. }, _) => format!("vertex {index}"),
         };
-        format!("{place} has the {axis} {value:?}, but a coordinate is from -1e100 to 1e100")
+        let value = text::number(value);
+        format!("{place} has the {axis} {value}, but a coordinate is from -1e100 to 1e100")
     }
 
     /// A face in words, by its line or its number.
