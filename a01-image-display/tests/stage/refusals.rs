@@ -133,3 +133,33 @@ fn a_picture_without_room_keeps_the_old_one() {
     );
     assert_eq!(fs::read(old).unwrap(), b"old");
 }
+
+/// A terminal obeys control characters: these would clear it, and write over the line.
+#[test]
+fn control_characters_of_arguments_are_seen_instead_of_obeyed() {
+    let folder = folder();
+    let name = "a\u{1B}[2J\rb\u{202E}c";
+    let (flag, folder_of_name) = (format!("--{name}"), format!("{name}/a.png"));
+    for arguments in [
+        &[name][..],
+        &[&flag],
+        &["show", name],
+        &["render", name],
+        &["render", "painter", &flag],
+        &["render", "painter", "--samples", name],
+        &["render", "painter", "--size", name],
+        &["render", "painter", "--sampling", name],
+        &["render", "painter", "-o", &folder_of_name],
+        &["render", "show-image", "--open", name],
+    ] {
+        let mut program = program(&folder, "");
+        program.args(arguments);
+        let (code, said, complaint) = run(program);
+        assert!(matches!(code, Some(1 | 2)), "{arguments:?}: {code:?}");
+        assert_eq!(said, "");
+        let is_obeyed =
+            |letter: char| letter != '\n' && letter.is_control() || letter == '\u{202E}';
+        assert!(!complaint.contains(is_obeyed), "{complaint:?}");
+        assert!(complaint.contains(r"\rb\u{202e}c"), "{complaint}");
+    }
+}

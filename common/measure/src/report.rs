@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use common::{Error, Median, atomic_file};
+use common::{Error, Median, atomic_file, text};
 
 use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, pareto_front};
 
@@ -135,7 +135,8 @@ impl<'e, 'a> Measured<'e, 'a> {
         if let Some((work, beyond)) = mark.flatten() {
             let beyond = if beyond { ", extrapolated" } else { "" };
             let unit = self.experiment.work;
-            parts.push(format!("1/510 takes {work:.0} {unit}{beyond}"));
+            let work = compact(libm::round(work));
+            parts.push(format!("1/510 takes {work} {unit}{beyond}"));
         }
         parts.extend(curve.blame());
         parts.extend(self.beside_first(c));
@@ -163,7 +164,8 @@ impl<'e, 'a> Measured<'e, 'a> {
     /// origin.
     pub fn csv(&self) -> String {
         let e = self.experiment;
-        let (name, about, unit, exact) = (e.name, e.about, e.unit, e.exact);
+        let name = text::name(e.name);
+        let (about, unit, exact) = (e.about, e.unit, e.exact);
         let seeds: Vec<_> = e.seeds.iter().map(u64::to_string).collect();
         let seeds = match &seeds[..] {
             [] => "no random numbers".to_owned(),
@@ -186,6 +188,7 @@ impl<'e, 'a> Measured<'e, 'a> {
             "experiment,method,{knob},{work},{error},99 %,max,condition,problem's error,\
              seconds,low,high,pareto"
         );
+        let name = quoted(&name);
         let front = pareto_front(&self.curves);
         for (c, curve) in self.curves.iter().enumerate() {
             for (p, point) in curve.points.iter().enumerate() {
@@ -198,8 +201,8 @@ impl<'e, 'a> Measured<'e, 'a> {
                     text,
                     "{name},{},{},{},{:e},{:e},{:e},{problem},{value:e},{low:e},{high:e},{}",
                     quoted(curve.method),
-                    point.knob,
-                    point.work,
+                    text::number(point.knob),
+                    text::number(point.work),
                     point.rms,
                     point.p99,
                     point.max,

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 use std::time::Duration;
 
-use common::{Color, Progress, Sampled, Size};
+use common::{Color, Progress, Sampled, Size, text};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// A bar with elapsed and remaining time on stderr; hidden if stderr is no terminal.
@@ -40,7 +40,7 @@ pub fn terminal_bar(name: &str, steps: u64) -> ProgressBar {
     if let Ok(style) = ProgressStyle::with_template(template) {
         bar.set_style(style.progress_chars("=> "));
     }
-    bar.set_message(name.to_owned());
+    bar.set_message(text::name(name));
     bar
 }
 

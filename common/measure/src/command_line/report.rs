@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use common::{Error, Stage};
+use common::{Error, Stage, text};
 use program::{make_default_folder, make_folder, print, terminal_bar};
 
 use crate::experiment::Experiment;
@@ -66,7 +66,7 @@ fn measure(
         print(&measured.table())?;
         rows.extend(measured.row());
         for path in measured.write(&folder, stage.name)? {
-            print(&format!("  {}", path.display()))?;
+            print(&format!("  {}", text::path(&path)))?;
         }
     }
     if rows.is_empty() {

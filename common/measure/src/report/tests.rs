@@ -95,6 +95,27 @@ square-root,\"clever, new\",30,30,5e-1,5e-1,5e-1,,,3e0,3e0,4.5e0,false
 }
 
 #[test]
+fn no_number_of_a_report_has_more_than_17_digits() {
+    // The error is the 25th root of one over the work, which is 1/510 at 5e67.
+    let experiment = Experiment::new("name\u{1B}[2J")
+        .over(Axis::Work, "n", "steps")
+        .with_curves(|_| {
+            vec![curve(&[10, 30, 68].map(|power| {
+                let work = libm::pow(10.0, f64::from(power));
+                (work, libm::pow(work, -1.0 / 25.0))
+            }))]
+        });
+    let measured = Measured::new(&experiment, Effort::Quick, |_, _| ());
+    for text in [measured.table(), measured.csv()] {
+        let mut digits = text.split(|letter: char| !letter.is_ascii_digit());
+        assert!(digits.all(|digits| digits.len() <= 17), "{text}");
+    }
+    let table = measured.table();
+    assert!(table.contains("1/510 takes 4.89e67 steps"), "{table}");
+    assert!(!measured.csv().contains('\u{1B}'));
+}
+
+#[test]
 fn numbers_take_few_characters() {
     let shown = [12e-9, 3.44e-5, 0.25, 2.0].map(duration);
     assert_eq!(shown, ["12.0ns", "34.4µs", "250.0ms", "2.0s"]);
