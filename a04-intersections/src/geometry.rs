@@ -24,10 +24,21 @@ pub trait Geometry: Any + Debug + Send + Sync {
     /// hit. A box is solid, also where it is flat: a ray within a face hits the box
     /// where it enters or leaves the face.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit>;
+
+    /// Whether any hit within the interval counts. For a convex shape it is enough to
+    /// ask for the nearest one. A geometry of several parts asks each of them, because a hit
+    /// that does not count must not hide the hits of the other parts.
+    fn any_hit(&self, ray: &Ray, within: Interval, counts: &dyn Fn(&Hit) -> bool) -> bool {
+        self.hit(ray, within).is_some_and(|hit| counts(&hit))
+    }
 }
 
 impl<G: Geometry + ?Sized> Geometry for Box<G> {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         (**self).hit(ray, within)
+    }
+
+    fn any_hit(&self, ray: &Ray, within: Interval, counts: &dyn Fn(&Hit) -> bool) -> bool {
+        (**self).any_hit(ray, within, counts)
     }
 }

@@ -68,8 +68,14 @@ impl<S> World<S> {
     /// first hit.
     #[must_use]
     pub fn is_hit(&self, ray: &Ray, within: Interval) -> bool {
+        self.any_hit(ray, within, &|_| true)
+    }
+
+    /// Whether any hit within the interval counts. The search ends at the first one.
+    #[must_use]
+    pub fn any_hit(&self, ray: &Ray, within: Interval, counts: &dyn Fn(&Hit) -> bool) -> bool {
         let mut objects = self.objects.iter();
-        objects.any(|(geometry, _)| geometry.hit(ray, within).is_some())
+        objects.any(|(geometry, _)| geometry.any_hit(ray, within, counts))
     }
 }
 

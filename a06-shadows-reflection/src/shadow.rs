@@ -14,11 +14,8 @@ use crate::secondary_ray::rounding_error;
 // ANCHOR: is-shadowed
 pub fn is_shadowed<S>(world: &World<S>, ray: &Ray, hit: &Hit, light: &Illumination) -> bool {
     let shadow_ray = ShadowRay::new(ray, hit, light);
-    let mut objects = world.objects();
-    objects.any(|(geometry, _)| {
-        let found = geometry.hit(&shadow_ray.ray, shadow_ray.before_the_light());
-        found.is_some_and(|found| shadow_ray.is_blocked_by(&found))
-    })
+    let blocks = |found: &Hit| shadow_ray.is_blocked_by(found);
+    world.any_hit(&shadow_ray.ray, shadow_ray.before_the_light(), &blocks)
 }
 
 /// A ray from a hit to a light.

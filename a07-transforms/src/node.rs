@@ -52,6 +52,16 @@ impl Geometry for Node {
         nearest
     }
     // ANCHOR_END: hit
+
+    fn any_hit(&self, ray: &Ray, within: Interval, counts: &dyn Fn(&Hit) -> bool) -> bool {
+        let object_ray = self.transform.ray_to_object(ray);
+        let counts_around = |hit: &Hit| {
+            let hit = self.as_seen_around(*hit, ray);
+            hit.is_some_and(|hit| counts(&hit))
+        };
+        let mut children = self.children.iter();
+        children.any(|child| child.any_hit(&object_ray, within, &counts_around))
+    }
 }
 
 impl Node {

@@ -52,17 +52,26 @@ pub fn geometry(
 
 impl Geometry for RecordedGeometry {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        self.test(ray, within, || self.geometry.hit(ray, within))
+    }
+
+    fn any_hit(&self, ray: &Ray, within: Interval, counts: &dyn Fn(&Hit) -> bool) -> bool {
+        self.test(ray, within, || self.geometry.any_hit(ray, within, counts))
+    }
+}
+
+impl RecordedGeometry {
+    /// Reports a test and the steps in it.
+    fn test<T>(&self, ray: &Ray, within: Interval, task: impl FnOnce() -> T) -> T {
         let step = |kind| steps::untraced(|| self.step(kind, ray, within));
         steps::inside(StepKind::Test, self.tests, step, || {
             if let Some(kind) = self.row.and_then(|row| row.get(&*self.geometry)) {
                 kind.push_object_ray(ray);
             }
-            self.geometry.hit(ray, within)
+            task()
         })
     }
-}
 
-impl RecordedGeometry {
     /// The step of a test. A ray without a hit gets the `t` that the geometry gives for the whole
     /// ray, or else for the whole line.
     fn step(&self, kind: StepKind, ray: &Ray, within: Interval) -> Step {

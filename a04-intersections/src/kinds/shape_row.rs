@@ -6,7 +6,7 @@ use std::any::Any;
 use a03_rays_cameras::Ray;
 use scene_file::{Error, Item, Key, OwnTable, SceneFile, WrittenShape};
 
-use crate::{Geometry, Interval, World};
+use crate::{Geometry, Hit, Interval, World};
 
 /// The values of a table, by their keys.
 pub type Values = Vec<(&'static str, Vec<f64>)>;
@@ -210,10 +210,16 @@ impl Shapes {
                 });
             }
         } else {
-            add(engine::Shape::other(|ray| {
-                let hit = geometry.hit(&Ray::from(ray), Interval::AHEAD);
-                hit.map(Into::into)
-            }));
+            add(engine::Shape::compound(
+                |ray| {
+                    let hit = geometry.hit(&Ray::from(ray), Interval::AHEAD);
+                    hit.map(Into::into)
+                },
+                |ray, before, counts| {
+                    let counts = |hit: &Hit| counts(&engine::Hit::from(*hit));
+                    geometry.any_hit(&Ray::from(ray), Interval::before(before), &counts)
+                },
+            ));
         }
     }
 

@@ -2,6 +2,8 @@
 //! follows reflected rays through black mirrors, and sends shadow rays to lights
 //! that are behind the surface or cast no shadows.
 
+use std::cell::Cell;
+
 use a03_rays_cameras::Ray;
 use a04_intersections::{Hit, Interval};
 use a05_lighting::{Illumination, Light, Lighting};
@@ -34,19 +36,16 @@ impl NaiveTracer<'_> {
 }
 
 impl NaiveTracer<'_> {
-    /// Whether any object blocks a light: searches for the nearest one.
+    /// Whether any object blocks a light: a search that no hit ends.
     fn is_blocked(self, shadow_ray: &ShadowRay) -> bool {
-        let mut before = shadow_ray.before_the_light();
-        let mut is_blocked = false;
-        for (geometry, _) in self.0.objects().objects() {
-            if let Some(found) = geometry.hit(&shadow_ray.ray, before)
-                && shadow_ray.is_blocked_by(&found)
-            {
-                before.max = found.t;
-                is_blocked = true;
-            }
-        }
-        is_blocked
+        let is_blocked = Cell::new(false);
+        let go_on = |found: &Hit| {
+            is_blocked.set(is_blocked.get() || shadow_ray.is_blocked_by(found));
+            false
+        };
+        let (world, before) = (self.0.objects(), shadow_ray.before_the_light());
+        let _ = world.any_hit(&shadow_ray.ray, before, &go_on);
+        is_blocked.get()
     }
 }
 

@@ -88,12 +88,21 @@ struct SearchedObject(Box<dyn Geometry>);
 
 impl Geometry for SearchedObject {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        match steps::take_expected_ray() {
-            Some(StepKind::ShadowRay) => push_shadow_ray(ray, within),
-            Some(_) => push_reflected_ray(ray),
-            None => (),
-        }
+        push_expected_ray(ray, within);
         self.0.hit(ray, within)
+    }
+
+    fn any_hit(&self, ray: &Ray, within: Interval, counts: &dyn Fn(&Hit) -> bool) -> bool {
+        push_expected_ray(ray, within);
+        self.0.any_hit(ray, within, counts)
+    }
+}
+
+fn push_expected_ray(ray: &Ray, within: Interval) {
+    match steps::take_expected_ray() {
+        Some(StepKind::ShadowRay) => push_shadow_ray(ray, within),
+        Some(_) => push_reflected_ray(ray),
+        None => (),
     }
 }
 

@@ -27,4 +27,4 @@ pub use renderer::Renderer;
 pub use sampler::Sampler;
 pub use scene::Scene;
 pub use shade::{Illumination, Light, LightFn, LightKind, Phong, ShadeFn, Shading, Surface};
-pub use shape::{AxisAlignedBox, Disc, HitFn, Plane, Shape, Sphere, Transform, Triangle};
+pub use shape::{AnyHitFn, AxisAlignedBox, Disc, HitFn, Plane, Shape, Sphere, Transform, Triangle};

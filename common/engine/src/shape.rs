@@ -18,7 +18,7 @@ mod triangle;
 
 use glam::DVec3;
 
-use crate::lanes::{Lanes, PacketHit, is_set};
+use crate::lanes::{Lanes, PacketHit, bits, is_set};
 use crate::{Hit, Ray};
 
 pub use axis_aligned_box::AxisAlignedBox;
@@ -27,7 +27,7 @@ pub use disc::Disc;
 pub(crate) use list::List;
 pub(crate) use mesh::Mesh;
 pub use plane::Plane;
-pub(crate) use primitive::Primitive;
+pub(crate) use primitive::{Counts, Primitive};
 pub(crate) use rays::Rays;
 use sheared_rays::ShearedRays;
 pub use sphere::Sphere;
@@ -38,6 +38,10 @@ pub use triangle::Triangle;
 
 /// Finds the nearest hit of a ray, its normals pointing out of the shape.
 pub type HitFn<'a> = Box<dyn Fn(&Ray) -> Option<Hit> + Send + Sync + 'a>;
+
+/// Whether any hit of a ray at a `t` between 0 and a limit counts. It asks each part of a shape for
+/// its nearest hit.
+pub type AnyHitFn<'a> = Box<dyn Fn(&Ray, f64, &dyn Fn(&Hit) -> bool) -> bool + Send + Sync + 'a>;
 
 /// A shape.
 pub enum Shape<'a> {
@@ -53,17 +57,35 @@ pub enum Shape<'a> {
     Disc(Disc),
     /// A shape under one or more transforms.
     Transformed(Transformed<'a>),
-    /// A shape that the engine does not know: each ray is tested by this function.
+    /// A shape that the engine does not know: each ray is tested by functions.
     Other(Other<'a>),
 }
 
-/// The function of a shape that the engine does not know.
-pub struct Other<'a>(HitFn<'a>);
+/// The functions of a shape that the engine does not know.
+pub struct Other<'a> {
+    hit: HitFn<'a>,
+    /// None for a shape of one part.
+    any_hit: Option<AnyHitFn<'a>>,
+}
 
 impl<'a> Shape<'a> {
-    /// A shape that the engine does not know.
+    /// A shape of one part that the engine does not know.
     pub fn other(hit: impl Fn(&Ray) -> Option<Hit> + Send + Sync + 'a) -> Self {
-        Self::Other(Other(Box::new(hit)))
+        Self::Other(Other {
+            hit: Box::new(hit),
+            any_hit: None,
+        })
+    }
+
+    /// A shape that the engine does not know, and that may have several parts.
+    pub fn compound(
+        hit: impl Fn(&Ray) -> Option<Hit> + Send + Sync + 'a,
+        any_hit: impl Fn(&Ray, f64, &dyn Fn(&Hit) -> bool) -> bool + Send + Sync + 'a,
+    ) -> Self {
+        Self::Other(Other {
+            hit: Box::new(hit),
+            any_hit: Some(Box::new(any_hit)),
+        })
     }
 
     /// The same shape under one more transform, which has to be well conditioned. It is applied
@@ -117,6 +139,11 @@ impl Shape<'_> {
     fn hits(&self, rays: &Rays, t: Lanes, active: u32) -> PacketHit {
         with_primitive!(self, |primitive| primitive.hits(rays, t, active))
     }
+
+    fn any_hit_of_parts(&self, rays: &Rays, before: Lanes, active: u32, counts: Counts) -> u32 {
+        with_primitive!(self, |primitive| primitive
+            .any_hit_of_parts(rays, before, active, counts))
+    }
 }
 
 /// Where four rays meet one shape.
@@ -140,8 +167,23 @@ impl Primitive for &Other<'_> {
     fn hits(self, rays: &Rays, _: Lanes, active: u32) -> PacketHit {
         let rays = rays.packet.to_rays();
         PacketHit::new([0, 1, 2, 3].map(|lane| {
-            let hit = is_set(active, lane).then(|| (self.0)(&rays[lane]));
+            let hit = is_set(active, lane).then(|| (self.hit)(&rays[lane]));
             hit.flatten().unwrap_or(Hit::NONE)
         }))
+    }
+
+    fn any_hit_of_parts(self, rays: &Rays, before: Lanes, active: u32, counts: Counts) -> u32 {
+        let Some(any_hit) = &self.any_hit else {
+            return 0;
+        };
+        let (rays, before) = (rays.packet.to_rays(), before.to_array());
+        let mut found = 0;
+        for lane in bits(active) {
+            let counts = |hit: &Hit| is_set(counts(&PacketHit::new([*hit; 4])), lane);
+            if any_hit(&rays[lane], before[lane], &counts) {
+                found |= 1 << lane;
+            }
+        }
+        found
     }
 }

@@ -78,12 +78,12 @@ impl Query for NearestQuery {
 
     /// Without a branch for the nearest hit, because no processor can predict it.
     #[inline]
-    fn update(
+    fn update<P: Primitive>(
         &mut self,
         t: Lanes,
         order: u32,
         shape: ShapeId,
-        _: impl FnOnce(&Rays, Lanes, u32) -> PacketHit,
+        _: impl FnOnce() -> P,
         (): &mut (),
     ) {
         if t.simd_le(self.t).to_bitmask() & self.rays.active == 0 {
@@ -98,13 +98,13 @@ impl Query for NearestQuery {
     }
 
     #[inline]
-    fn update_ray(
+    fn update_ray<P: Primitive>(
         &mut self,
         lane: usize,
         t: f64,
         order: u32,
         shape: ShapeId,
-        _: impl FnOnce(&Rays, Lanes, u32) -> PacketHit,
+        _: impl FnOnce() -> P,
         (): &mut (),
     ) {
         let nearest = &mut self.t.as_mut_array()[lane];

@@ -1,8 +1,8 @@
 //! `Query`: four rays and the hits that they look for.
 
 use super::ids::ShapeId;
-use crate::lanes::{Lanes, PacketHit};
-use crate::shape::Rays;
+use crate::lanes::Lanes;
+use crate::shape::{Primitive, Rays};
 
 /// A query for hits of four rays. It finds the same hits in any order of tests.
 pub(crate) trait Query {
@@ -24,24 +24,24 @@ pub(crate) trait Query {
     }
 
     /// Takes the `t` at which the rays hit a shape with this position in the list of the scene;
-    /// NaN without a hit. `hits` computes the hits of the shape.
-    fn update(
+    /// NaN without a hit.
+    fn update<P: Primitive>(
         &mut self,
         t: Lanes,
         order: u32,
         shape: ShapeId,
-        hits: impl FnOnce(&Rays, Lanes, u32) -> PacketHit,
+        primitive: impl FnOnce() -> P,
         shared: &mut Self::Shared,
     );
 
     /// Takes a hit of one ray, at most at its `t_max`.
-    fn update_ray(
+    fn update_ray<P: Primitive>(
         &mut self,
         lane: usize,
         t: f64,
         order: u32,
         shape: ShapeId,
-        hits: impl FnOnce(&Rays, Lanes, u32) -> PacketHit,
+        primitive: impl FnOnce() -> P,
         shared: &mut Self::Shared,
     );
 }

@@ -3,7 +3,7 @@
 use super::ids::ShapeId;
 use super::query::Query;
 use crate::lanes::{Lanes, PacketHit, RayPacket, is_set};
-use crate::shape::Rays;
+use crate::shape::{Primitive, Rays};
 
 /// The last shape that blocked the light of a source. The next shadow rays are tested against it
 /// first. (Haines and Greenberg, The Light Buffer, 1986: shadow caching.)
@@ -69,12 +69,12 @@ impl Query for ShadowQuery {
     }
 
     #[inline]
-    fn update(
+    fn update<P: Primitive>(
         &mut self,
         t: Lanes,
         _: u32,
         shape: ShapeId,
-        hits: impl FnOnce(&Rays, Lanes, u32) -> PacketHit,
+        primitive: impl FnOnce() -> P,
         occluder: &mut Occluder,
     ) {
         let hit = t.simd_lt(self.distance).to_bitmask() & self.unoccluded;
@@ -85,8 +85,15 @@ impl Query for ShadowQuery {
         let mut blocked = hit & far_from_the_light.to_bitmask();
         let near_the_light = hit & !blocked;
         if near_the_light != 0 {
-            let hits = hits(&self.rays, t, near_the_light);
+            let primitive = primitive();
+            let hits = primitive.hits(&self.rays, t, near_the_light);
             blocked |= near_the_light & self.blocked_by(&hits);
+            let held = hit & !blocked;
+            if held != 0 {
+                // Other parts of the shape may lie behind the one that holds the light.
+                let counts = |hit: &PacketHit| self.blocked_by(hit);
+                blocked |= primitive.any_hit_of_parts(&self.rays, self.distance, held, &counts);
+            }
         }
         if blocked != 0 {
             self.unoccluded &= !blocked;
@@ -95,19 +102,19 @@ impl Query for ShadowQuery {
     }
 
     #[inline]
-    fn update_ray(
+    fn update_ray<P: Primitive>(
         &mut self,
         lane: usize,
         t: f64,
         order: u32,
         shape: ShapeId,
-        hits: impl FnOnce(&Rays, Lanes, u32) -> PacketHit,
+        primitive: impl FnOnce() -> P,
         occluder: &mut Occluder,
     ) {
         if is_set(self.unoccluded, lane) {
             let mut of_lane = [f64::NAN; 4];
             of_lane[lane] = t;
-            self.update(Lanes::new(of_lane), order, shape, hits, occluder);
+            self.update(Lanes::new(of_lane), order, shape, primitive, occluder);
         }
     }
 }

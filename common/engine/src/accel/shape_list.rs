@@ -79,8 +79,8 @@ impl<L: List> ShapeList<L> {
             let shape = leaf.shape(i as u32);
             let index = shape.index as usize;
             let order = self.attributes[index].order;
-            let hits = |rays: &_, t, active| self.shapes.get(index).hits(rays, t, active);
-            query.update_ray(lane, t[i], order, shape, hits, shared);
+            let primitive = || self.shapes.get(index);
+            query.update_ray(lane, t[i], order, shape, primitive, shared);
         }
     }
 
@@ -103,8 +103,8 @@ impl<L: List> ShapeList<L> {
                 if active != 0 {
                     steps::count(StepKind::Test, active.count_ones().into());
                     let t = <L::Shape<'_> as Primitive>::intersect(&shape, query.rays(), active);
-                    let hits = |rays: &_, t, active| self.shapes.get(index).hits(rays, t, active);
-                    query.update(t, order, leaf.shape(i), hits, shared);
+                    let primitive = || self.shapes.get(index);
+                    query.update(t, order, leaf.shape(i), primitive, shared);
                 }
             }
         }

@@ -8,6 +8,9 @@ use glam::DVec3;
 use super::{Bounds, Rays};
 use crate::lanes::{Lanes, PacketHit};
 
+/// A bit for each of four hits that counts.
+pub(crate) type Counts<'a> = &'a dyn Fn(&PacketHit) -> u32;
+
 /// A shape that rays are tested against.
 pub(crate) trait Primitive: Copy {
     /// Four shapes side by side.
@@ -39,4 +42,11 @@ pub(crate) trait Primitive: Copy {
 
     /// The hits of four rays at these `t`, which `intersect` has found in the active lanes.
     fn hits(self, rays: &Rays, t: Lanes, active: u32) -> PacketHit;
+
+    /// A bit for each active ray whose nearest hit of any part of the shape, at a `t` below
+    /// `before`, counts. Called where the nearest hit of the shape does not count, so that none of
+    /// a single part does.
+    fn any_hit_of_parts(self, _: &Rays, _before: Lanes, _active: u32, _: Counts) -> u32 {
+        0
+    }
 }

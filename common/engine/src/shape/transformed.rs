@@ -8,8 +8,8 @@ use common::steps::{self, StepKind};
 
 use super::transform::norm;
 use super::transformed_bounds::transformed_bounds;
-use super::{Bounds, Primitive, Rays, Shape, Transform};
-use crate::lanes::{Lanes, PacketHit};
+use super::{Bounds, Counts, Primitive, Rays, Shape, Transform};
+use crate::lanes::{Lanes, PacketHit, RayPacket};
 
 /// A shape under transforms.
 pub struct Transformed<'a> {
@@ -41,12 +41,35 @@ impl Transformed<'_> {
         };
         let object_rays = rays.moved(step.rays(&rays.packet));
         let hit = self.hits_in(inner, &object_rays, t, active);
-        PacketHit {
-            t,
-            normal: step.normals(hit.normal),
-            face: step.normals(hit.face),
-            magnitude: step.magnitudes(&hit, &rays.packet),
-        }
+        hits_around(step, &hit, &rays.packet)
+    }
+
+    /// [`Primitive::any_hit_of_parts`] of the shape under these steps, the innermost.
+    fn any_hit_in(
+        &self,
+        steps: &[Transform],
+        rays: &Rays,
+        before: Lanes,
+        active: u32,
+        counts: Counts,
+    ) -> u32 {
+        let Some((step, inner)) = steps.split_first() else {
+            return self.shape.any_hit_of_parts(rays, before, active, counts);
+        };
+        let object_rays = rays.moved(step.rays(&rays.packet));
+        self.any_hit_in(inner, &object_rays, before, active, &|hit| {
+            counts(&hits_around(step, hit, &rays.packet))
+        })
+    }
+}
+
+/// Four hits in the space around a transformed object.
+fn hits_around(step: &Transform, hit: &PacketHit, rays: &RayPacket) -> PacketHit {
+    PacketHit {
+        t: hit.t,
+        normal: step.normals(hit.normal),
+        face: step.normals(hit.face),
+        magnitude: step.magnitudes(hit, rays),
     }
 }
 
@@ -77,5 +100,9 @@ impl Primitive for &Transformed<'_> {
 
     fn hits(self, rays: &Rays, t: Lanes, active: u32) -> PacketHit {
         self.hits_in(&self.steps, rays, t, active)
+    }
+
+    fn any_hit_of_parts(self, rays: &Rays, before: Lanes, active: u32, counts: Counts) -> u32 {
+        self.any_hit_in(&self.steps, rays, before, active, counts)
     }
 }
