@@ -10,6 +10,7 @@
 pub mod argument;
 pub mod atomic_file;
 mod color;
+pub mod difference;
 pub mod divergence;
 mod error;
 mod hash;

@@ -2,27 +2,38 @@
 
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, yours: &dyn Fn(Size) -> Result<Image, Error>) {
+yours! { line }
+
+type Code = fn(Size) -> Result<Image, Error>;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
     // With an odd number of steps, the line never passes half way between two pixels, where
     // both are right.
-    let sizes = random(|r| (1 + r.below(99), 1 + r.below(99)));
-    check.compare(
-        "a picture of {}x{}",
-        [(3, 3), (4, 2), (2, 4), (6, 3), (1, 1), (4, 1), (1, 4)],
-        sizes.filter(|(w, h)| w.max(h) % 2 == 0),
-        [&line as _, yours],
-        |line, size| painted(size, line),
-    );
-    check.picture(|settings| yours(settings.size));
-}
-
-variants! { steps:
-    yours => &line;
-    wrong "a high picture has a pixel in every row" => |right, _| right, nearest;
-    wrong "the nearest pixel need not be the one below" => u32::max, |i, length, steps| {
-        i * length / steps
+    let mut sizes = random(|r| (1 + r.below(99), 1 + r.below(99)));
+    sizes.retain(|(w, h)| w.max(h) % 2 == 0);
+    let pictures = Questions {
+        words: "a picture of {}x{}".into(),
+        simple: vec![(3, 3), (4, 2), (2, 4), (6, 3), (1, 1), (4, 1), (1, 4)],
+        others: sizes,
+        answer: |line: &Code, size| painted(size, line),
     };
-    wrong "a slope is no whole number" => u32::max, |i, length, steps| i * (length / steps);
+    Exercise {
+        questions: vec![pictures.into()],
+        picture: Picture::own(|line: &Code, settings| line(settings.size)),
+        wrong: vec![
+            Other::new("a high picture has a pixel in every row", |size| {
+                steps(size, |right, _| right, nearest)
+            }),
+            Other::new("the nearest pixel need not be the one below", |size| {
+                steps(size, u32::max, |i, length, steps| i * length / steps)
+            }),
+            Other::new("a slope is no whole number", |size| {
+                steps(size, u32::max, |i, length, steps| i * (length / steps))
+            }),
+        ],
+        ..Exercise::default()
+    }
 }
 
 fn nearest(i: u32, length: u32, steps: u32) -> u32 {
@@ -31,15 +42,17 @@ fn nearest(i: u32, length: u32, steps: u32) -> u32 {
 
 /// Steps from corner to corner, whose number follows from the last column and row; and the
 /// place on a side after i of them.
-fn steps(c: &mut Check, count: fn(u32, u32) -> u32, place: fn(u32, u32, u32) -> u32) {
-    check(c, &|size| {
-        let mut image = Image::black(size)?;
-        let (right, bottom) = (size.width() - 1, size.height() - 1);
-        let steps = count(right, bottom);
-        for i in 0..=steps {
-            let [x, up] = [right, bottom].map(|length| place(i, length, steps.max(1)));
-            image.set(x, bottom.saturating_sub(up), Color::BLUE);
-        }
-        Ok(image)
-    });
+fn steps(
+    size: Size,
+    count: fn(u32, u32) -> u32,
+    place: fn(u32, u32, u32) -> u32,
+) -> Result<Image, Error> {
+    let mut image = Image::black(size)?;
+    let (right, bottom) = (size.width() - 1, size.height() - 1);
+    let steps = count(right, bottom);
+    for i in 0..=steps {
+        let [x, up] = [right, bottom].map(|length| place(i, length, steps.max(1)));
+        image.set(x, bottom.saturating_sub(up), Color::BLUE);
+    }
+    Ok(image)
 }

@@ -1,10 +1,21 @@
-//! Proves the exercises of this stage, which the book sets.
+//! Proves the exercises of this stage, which the book sets, and judges students' files.
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
 mod painted;
 
-testing::exercises! {
-    a01_image_display uses
-    {a01_image_display::*, common::*, crate::painted::*}
+/// All names that checks, examples and students' files use.
+#[allow(unused_imports, ambiguous_glob_reexports)]
+mod prelude {
+    pub use a01_image_display::*;
+    pub use common::*;
+    pub use testing::exercises::*;
+    pub use testing::yours;
+
+    pub use crate::painted::*;
+    pub use crate::solved::*;
 }
+
+include!(concat!(env!("OUT_DIR"), "/exercises.rs"));
+
+listed!(a01_image_display::stage);

@@ -1,39 +1,69 @@
 //! Light and values on both parts of the curve, compared with the solution.
 
 use crate::prelude::*;
-use crate::solutions::srgb::{decode as light, encode as value};
 
-pub fn check(check: &mut Check, encode: fn(f64) -> f64, decode: fn(f64) -> f64) {
-    // Above and below the border between both parts.
-    let inputs = || random(|r| r.between(0.0, 1.0) * [1.0, 0.01][r.below(2) as usize]);
-    let simple = [1.0, 0.0, 0.5, 0.02, 0.002];
-    check.compare("the light {}", simple, inputs(), [value, encode], |f, x| {
-        f(x)
-    });
-    check.compare("the value {}", simple, inputs(), [light, decode], |f, x| {
-        f(x)
-    });
-    check.picture(|settings| {
-        let (width, height) = (settings.size.width(), settings.size.height());
-        Image::from_fn(settings.size, |x, y| {
-            let share = f64::from(x * 8 / width) / 7.0;
-            Color::gray(match y * 3 / height {
-                0 => share,
-                1 => encode(share),
-                _ if x * 3 / width == 1 => f64::from(y % 2),
-                _ => encode(0.5),
-            })
-        })
-    });
+yours! { encode, decode => crate::srgb::Code { encode, decode } }
+
+#[derive(Clone, Copy)]
+pub struct Code {
+    pub encode: fn(f64) -> f64,
+    pub decode: fn(f64) -> f64,
 }
 
-variants! { check:
-    yours => encode, decode;
-    wrong "the curve is near to a power of 2.2, but another" => |x| libm::pow(x, 1.0 / 2.2), |v| {
-        libm::pow(v, 2.2)
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
+    let simple = vec![1.0, 0.0, 0.5, 0.02, 0.002];
+    // Above and below the border between both parts.
+    let others = random(|r| r.between(0.0, 1.0) * [1.0, 0.01][r.below(2) as usize]);
+    let lights = Questions {
+        words: "the light {}".into(),
+        simple: simple.clone(),
+        others: others.clone(),
+        answer: |code: &Code, light| (code.encode)(light),
     };
-    wrong "near black the curve is a straight line" => |x| curve_from(-1.0, x), light;
-    wrong "light and values have different borders" => |x| curve_from(0.040_45, x), light;
+    let values = Questions {
+        words: "the value {}".into(),
+        simple,
+        others,
+        answer: |code: &Code, value| (code.decode)(value),
+    };
+    Exercise {
+        questions: vec![lights.into(), values.into()],
+        picture: Picture::own(test_card),
+        wrong: vec![
+            Other::new(
+                "the curve is near to a power of 2.2, but another",
+                Code {
+                    encode: |light| libm::pow(light, 1.0 / 2.2),
+                    decode: |value| libm::pow(value, 2.2),
+                },
+            ),
+            Other::of_right("near black the curve is a straight line", |right| Code {
+                encode: |light| curve_from(-1.0, light),
+                ..right
+            }),
+            Other::of_right("light and values have different borders", |right| Code {
+                encode: |light| curve_from(0.040_45, light),
+                ..right
+            }),
+        ],
+        ..Exercise::default()
+    }
+}
+
+/// Greys in even steps, as they are and encoded, above lines of black and white.
+fn test_card(code: &Code, settings: &Settings) -> Result<Image, Error> {
+    let (width, height) = (settings.size.width(), settings.size.height());
+    Image::from_fn(settings.size, |x, y| {
+        let step = f64::from(x * 8 / width) / 7.0;
+        Color::gray(match y * 3 / height {
+            0 => step,
+            1 => (code.encode)(step),
+            _ if x * 3 / width == 1 => f64::from(y % 2),
+            _ => (code.encode)(0.5),
+        })
+    })
 }
 
 /// The value where the curve begins at this light.

@@ -1,12 +1,26 @@
-//! Proves the exercises of this stage, which the book sets.
+//! Proves the exercises of this stage, which the book sets, and judges students' files.
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
-#[path = "../../../a03-rays-cameras/tests/exercises/camera.rs"]
-mod camera;
-mod shape;
+/// All names that checks, examples and students' files use.
+#[allow(unused_imports, ambiguous_glob_reexports)]
+mod prelude {
+    pub use a02_math::arrays::{point, vector};
+    pub use a02_math::*;
+    pub use a03_kinds::camera::*;
+    pub use a03_rays_cameras::*;
+    pub use a04_intersections::scenes::*;
+    pub use a04_intersections::*;
+    pub use a04_kinds::rays::*;
+    pub use a04_kinds::shape::*;
+    pub use a04_kinds::shown::*;
+    pub use common::*;
+    pub use testing::exercises::*;
+    pub use testing::yours;
 
-testing::exercises! {
-    a04_intersections uses
-    {a02_math::*, a02_math::arrays::{point, vector}, a03_rays_cameras::*, a04_intersections::*, a04_intersections::scenes::*, common::*, crate::shape::*}
+    pub use crate::solved::*;
 }
+
+include!(concat!(env!("OUT_DIR"), "/exercises.rs"));
+
+listed!(a04_intersections::stage);

@@ -2,34 +2,45 @@
 
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, yours: fn(Point3, f64, &Ray) -> bool) {
+yours! { may_meet }
+
+type Code = fn(Point3, f64, &Ray) -> bool;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
     let ray = |o, d| Ray::derived(point(o), vector(d));
     // Ahead, behind, from inside, touching, and from the border away.
     let rays = [[0.0, -5.0], [0.0, 5.0], [0.0, 1.0], [2.0, -5.0], [0.0, 2.0]];
-    check.compare(
-        "sphere around {} of radius {}, ray from {} along {}",
-        rays.map(|[x, y]| ([0.0; 3], 2.0, [x, y, 0.0], [0.0, 1.0, 0.0])),
-        random(|r| {
+    let spheres = Questions {
+        words: "sphere around {} of radius {}, ray from {} along {}".into(),
+        simple: rays
+            .map(|[x, y]| ([0.0; 3], 2.0, [x, y, 0.0], [0.0, 1.0, 0.0]))
+            .to_vec(),
+        others: random(|r| {
             let (c, o, length) = (r.triple(5.0), r.triple(5.0), r.scale());
             let d = r.triple(5.0).map(|x| x * length);
             let nearest = ray(o, d).at(ray(o, d).t_of(point(c)).max(0.0)) - point(c);
             let factor = [0.5, 1.0 - 1e-6, 1.0 + 1e-6, 2.0][r.below(4) as usize];
             (c, nearest.magnitude() * factor, o, d)
         }),
-        [may_meet, yours],
-        |may_meet, (c, r, o, d)| may_meet(point(c), r, &ray(o, d)),
-    );
-}
-
-variants! { check:
-    yours => may_meet;
-    wrong "a ray has nothing behind its origin" => |c, r, ray| {
-        (ray.at(ray.t_of(c)) - c).magnitude() <= r
+        answer: |may_meet: &Code, (c, r, o, d)| {
+            may_meet(point(c), r, &Ray::derived(point(o), vector(d)))
+        },
     };
-    wrong "inside it is near, though its centre is behind" => |c, r, ray| {
-        ray.t_of(c) >= 0.0 && may_meet(c, r, ray)
-    };
-    wrong "a ray that just touches comes near enough" => |c, r, ray| {
-        (ray.at(ray.t_of(c).max(0.0)) - c).magnitude() < r
-    };
+    Exercise {
+        questions: vec![spheres.into()],
+        wrong: vec![
+            Other::new("a ray has nothing behind its origin", |c, r, ray| {
+                (ray.at(ray.t_of(c)) - c).magnitude() <= r
+            }),
+            Other::new(
+                "inside it is near, though its centre is behind",
+                |c, r, ray| ray.t_of(c) >= 0.0 && (ray.at(ray.t_of(c)) - c).magnitude() <= r,
+            ),
+            Other::new("a ray that just touches comes near enough", |c, r, ray| {
+                (ray.at(ray.t_of(c).max(0.0)) - c).magnitude() < r
+            }),
+        ],
+        ..Exercise::default()
+    }
 }

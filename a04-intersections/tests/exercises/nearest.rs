@@ -4,41 +4,103 @@ use a04_intersections::instruments::recorded::{push_background, shaded};
 
 use crate::prelude::*;
 
+yours! { nearest }
+
+type Code = fn(&World<usize>, &Ray, Interval) -> Option<(Hit, usize)>;
+type Other = Variant<Code>;
+
 pub fn nearest(world: &World<usize>, ray: &Ray, within: Interval) -> Option<(Hit, usize)> {
     world.hit(ray, within).map(|(hit, number)| (hit, *number))
 }
 
-type Nearest = fn(&World<usize>, &Ray, Interval) -> Option<(Hit, usize)>;
+/// The z of the spheres, in three orders.
+const ORDERS: [[f64; 3]; 3] = [[-3.0, -6.0, -9.0], [-9.0, -6.0, -3.0], [-6.0, -9.0, -3.0]];
 
-pub fn check(check: &mut Check, yours: Nearest) {
-    let ahead = [0.0, 4.5, 7.5].map(|min| ([0.0; 3], [0.0, 0.0, -1.0], min, 99.0));
-    let orders = [[-3.0, -6.0, -9.0], [-9.0, -6.0, -3.0], [-6.0, -9.0, -3.0]];
-    let rays = world(1.0, &orders[0].map(|z| [0.0, 0.0, z])).map_or(Vec::new(), |world| {
-        rays(&Own(move |ray: &Ray, i| Some(nearest(&world, ray, i)?.0)))
-    });
-    let with = |order| rays.iter().map(move |ray| (order, *ray));
-    check.compare(
-        &format!("spheres of radius 1 at z = {{}}, a triangle at z = 1; {RAY}"),
-        orders.into_iter().flat_map(|zs| ahead.map(|ray| (zs, ray))),
-        orders.into_iter().flat_map(with),
-        [nearest, yours],
-        |nearest, (zs, ray)| {
+pub fn exercise() -> Exercise<Code> {
+    Exercise {
+        questions: vec![searched(find, ask)],
+        picture: Picture::scene("scene-5", |nearest: &Code, settings| {
+            let world = world(0.5, &[[-1.0, 0.0, -3.0], [1.0, 0.0, -6.0]])?;
+            let color = |ray: &Ray| {
+                let hit = nearest(&world, ray, Interval::AHEAD);
+                let hit = hit.inspect(|(hit, _)| shaded(ray, hit, || ()));
+                push_background(Color::BLACK);
+                hit.map_or(Color::BLACK, |_| Color::RED)
+            };
+            paint(&*scene_5()?.camera, &color, settings)
+        }),
+        right: vec![Other::new(
+            "all hits, and then the first",
+            |world, ray, within| {
+                let hits = hits(world, ray, within).into_iter();
+                let (hit, number) = hits.min_by(|(a, _), (b, _)| a.t.total_cmp(&b.t))?;
+                Some((turned(hit, hit.face, ray), number))
+            },
+        )],
+        wrong: vec![
+            Other::new("the nearest counts, not the last", |world, ray, within| {
+                let (hit, number) = hits(world, ray, within).pop()?;
+                Some((turned(hit, hit.face, ray), number))
+            }),
+            Other::new(
+                "a hit before the interval hides one in it",
+                |world, ray, within| {
+                    let nearest = nearest(world, ray, Interval::AHEAD);
+                    nearest.filter(|(hit, _)| within.contains(hit.t))
+                },
+            ),
+            Other::new(
+                "the face, not the normal, says what is seen",
+                |world, ray, within| {
+                    let (hit, number) = nearest(world, ray, within)?;
+                    Some((turned(hit, hit.normal, ray), number))
+                },
+            ),
+        ],
+        ..Exercise::default()
+    }
+}
+
+/// Finds rays to the spheres in the first order.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "code of any type is passed so")]
+fn find(nearest: &Code) -> Vec<f64> {
+    let nearest = *nearest;
+    let Ok(world) = world(1.0, &ORDERS[0].map(|z| [0.0, 0.0, z])) else {
+        return Vec::new();
+    };
+    let found = Found::search(&own(move |ray: &Ray, within| {
+        Some(nearest(&world, ray, within)?.0)
+    }));
+    found.into_iter().flat_map(Found::numbers).collect()
+}
+
+fn ask(found: &[f64]) -> Vec<Asked<Code>> {
+    let found: Vec<_> = found
+        .as_chunks()
+        .0
+        .iter()
+        .copied()
+        .map(Found::of_numbers)
+        .collect();
+    let (mut simple, mut others) = (Vec::new(), Vec::new());
+    for zs in ORDERS {
+        for min in [0.0, 4.5, 7.5] {
+            simple.push((zs, ([0.0; 3], [0.0, 0.0, -1.0], min, 99.0)));
+        }
+        others.extend(from_everywhere(&found).into_iter().map(|ray| (zs, ray)));
+    }
+    let questions = Questions {
+        words: format!("spheres of radius 1 at z = {{}}, a triangle at z = 1; {RAY}"),
+        simple,
+        others,
+        answer: |nearest: &Code, (zs, ray): ([f64; 3], RayWithin)| {
             let world = world(1.0, &zs.map(|z| [0.0, 0.0, z])).ok()?;
             let (ray, within) = ray_within(ray);
             let (hit, number) = nearest(&world, &ray, within).unzip();
-            Some(answer(hit).and("number", number))
+            Some(hit_answer(hit).and("number", number))
         },
-    );
-    check.scene(&a04_intersections::stage(), "scene-5", |settings| {
-        let world = world(0.5, &[[-1.0, 0.0, -3.0], [1.0, 0.0, -6.0]])?;
-        let color = |ray: &Ray| {
-            let hit = yours(&world, ray, Interval::AHEAD);
-            let hit = hit.inspect(|(hit, _)| shaded(ray, hit, || ()));
-            push_background(Color::BLACK);
-            hit.map_or(Color::BLACK, |_| Color::RED)
-        };
-        paint(&*scene_5()?.camera, &color, settings)
-    });
+    };
+    questions.asked()
 }
 
 /// Spheres, and a triangle whose corners have normals aslant, each with its number.
@@ -51,26 +113,10 @@ fn world(r: f64, centres: &[[f64; 3]]) -> Made<World<usize>> {
 }
 
 /// All hits, each the nearest of its object.
-fn hits(world: &World<usize>, ray: &Ray, within: Interval) -> impl Iterator<Item = (Hit, usize)> {
-    let objects = world.objects();
-    objects.filter_map(move |(shape, number)| Some((shape.hit(ray, within)?, *number)))
-}
-
-variants! { check:
-    yours => nearest;
-    right "all hits, and then the first" => |world, ray, i| {
-        let first = hits(world, ray, i).min_by(|(a, _), (b, _)| a.t.total_cmp(&b.t));
-        first.map(|(hit, number)| (turned(hit, hit.face, ray), number))
-    };
-    wrong "the nearest counts, not the last" => |world, ray, i| {
-        let last = hits(world, ray, i).last();
-        last.map(|(hit, number)| (turned(hit, hit.face, ray), number))
-    };
-    wrong "a hit before the interval hides one in it" => |world, ray, i| {
-        nearest(world, ray, Interval::AHEAD).filter(|(hit, _)| i.contains(hit.t))
-    };
-    wrong "the face, not the normal, says what is seen" => |world, ray, i| {
-        let (hit, number) = nearest(world, ray, i)?;
-        Some((turned(hit, hit.normal, ray), number))
-    };
+fn hits(world: &World<usize>, ray: &Ray, within: Interval) -> Vec<(Hit, usize)> {
+    let mut hits = Vec::new();
+    for (shape, number) in world.objects() {
+        hits.extend(shape.hit(ray, within).map(|hit| (hit, *number)));
+    }
+    hits
 }

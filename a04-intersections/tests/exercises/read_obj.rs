@@ -1,6 +1,13 @@
 //! Texts that are right, broken, and random, compared with the solution.
 
+use std::sync::Arc;
+
 use crate::prelude::*;
+
+yours! { read_obj => std::sync::Arc::new(read_obj) }
+
+type Code = Arc<dyn Fn(&str) -> Result<Vec<Triangle>, String> + Send + Sync>;
+type Other = Variant<Code>;
 
 /// Lines after three corners.
 const LINES: [&str; 14] = [
@@ -27,18 +34,39 @@ v -1 0 -1.5\nv 1 0 -1.5\nv 1 1 -1.5\nv 0 1.8 -1.5\nv -1 1 -1.5
 f 1 2 3 4 5\nf 10 9 8 7 6\nf 2 7 8 3\nf 6 1 5 10\nf 3 8 9 4\nf 4 9 10 5
 ";
 
-pub fn check(check: &mut Check, yours: fn(&str) -> Result<Vec<Triangle>, String>) {
-    let lines = LINES.map(|line| format!("v 0 0 0\nv 4 0 0\nv 0 5e-1 -3\n{line}\n"));
-    check.compare(
-        "the text {}",
-        lines,
-        random(mesh),
-        [read_obj, yours],
-        |read_obj, text| answer(read_obj(&text)),
-    );
-    let house = yours(HOUSE).into_iter().flatten();
-    let house = house.map(|triangle| Box::new(triangle) as Shape);
-    show(check, house, [4.0, 3.0, 5.0], [0.0, 0.8, -0.2]);
+pub fn exercise() -> Exercise<Code> {
+    let texts = Questions {
+        words: "the text {}".into(),
+        simple: LINES
+            .map(|line| format!("v 0 0 0\nv 4 0 0\nv 0 5e-1 -3\n{line}\n"))
+            .to_vec(),
+        others: random(mesh),
+        answer: |read_obj: &Code, text: String| answer(read_obj(&text)),
+    };
+    Exercise {
+        questions: vec![texts.into()],
+        picture: Picture::own(|read_obj: &Code, settings| {
+            let house = read_obj(HOUSE).into_iter().flatten();
+            let house = house.map(|triangle| Box::new(triangle) as Shape);
+            let eye = Eye {
+                from: [4.0, 3.0, 5.0],
+                to: [0.0, 0.8, -0.2],
+            };
+            eye.show_shapes(house, settings)
+        }),
+        wrong: vec![
+            Other::of_right("n corners make n - 2 triangles", |right| {
+                Arc::new(move |text| Ok(right(text)?.into_iter().take(1).collect()))
+            }),
+            Other::of_right("lines are counted from 1", |right| {
+                Arc::new(move |text| right(text).map_err(|error| error.replace("line 4", "line 3")))
+            }),
+            Other::of_right("vt and vn are no corners", |right| {
+                Arc::new(move |text| right(&text.replace("vt ", "v ")))
+            }),
+        ],
+        ..Exercise::default()
+    }
 }
 
 /// The corners of the triangles, or the beginning of the error.
@@ -67,15 +95,4 @@ fn mesh(random: &mut Random) -> String {
         (corner, _) => format!(" {}", corner + 1),
     });
     format!("{corners}f{}\nv 0 0 0\n", names.collect::<String>())
-}
-
-variants! { check:
-    yours => read_obj;
-    wrong "n corners make n - 2 triangles" => |text| {
-        Ok(read_obj(text)?.into_iter().take(1).collect())
-    };
-    wrong "lines are counted from 1" => |text| {
-        read_obj(text).map_err(|error| error.replace("line 4", "line 3"))
-    };
-    wrong "vt and vn are no corners" => |text| read_obj(&text.replace("vt ", "v "));
 }

@@ -6,27 +6,44 @@ use crate::prelude::*;
 mod solution;
 pub use solution::SixPlanes;
 
-pub fn check(check: &mut Check, new: &dyn Fn(Point3, Point3) -> Made<Shape>) {
-    compare_boxes(check, &|lbf, run| boxed(SixPlanes::new(lbf, run)), new);
-    let shape = new(point([-0.3, 0.1, -0.7]), point([0.4, 1.2, 0.6]));
-    show(check, shape, [2.0, 2.2, 2.9], [0.05, 0.6, 0.0]);
-}
+yours! { SixPlanes => new_shape(|(lbf, run)| SixPlanes::new(point(lbf), point(run))) }
 
-variants! { variant:
-    yours => &|lbf, run| shape::boxed(SixPlanes::new(lbf, run));
-    wrong "rounding puts a hit beside its own plane" => |_, hit, ray, _, corners| {
-        let [p, lbf, run] = [ray.at(hit.t), corners[0], corners[1]].map(Point3::to_glam);
-        Some(hit).filter(|_| lbf.min(p) == lbf && run.max(p) == run)
-    };
-    wrong "the nearest plane counts, not the last" => |planes, hit, ray, i, _| {
-        planes.hit(ray, Interval { min: hit.t, ..i }).or(Some(hit))
-    };
-}
+type Code = NewShape<Corners>;
+type Other = Variant<Code>;
 
-/// The solution with another choice of its hit.
-fn variant(c: &mut Check, choose: fn(&SixPlanes, Hit, &Ray, Interval, [Point3; 2]) -> Option<Hit>) {
-    check(c, &move |lbf, run| {
-        let planes = SixPlanes::new(lbf, run)?;
-        own(move |ray: &Ray, i| choose(&planes, planes.hit(ray, i)?, ray, i, [lbf, run]))
-    });
+pub fn exercise() -> Exercise<Code> {
+    let eye = Eye {
+        from: [2.0, 2.2, 2.9],
+        to: [0.05, 0.6, 0.0],
+    };
+    Exercise {
+        picture: shown(([-0.3, 0.1, -0.7], [0.4, 1.2, 0.6]), eye),
+        wrong: vec![
+            Other::of_right("rounding puts a hit beside its own plane", |right| {
+                new_shape(move |(lbf, run)| {
+                    let planes = right((lbf, run))?;
+                    let [lbf, run] = [lbf, run].map(|corner| point(corner).to_glam());
+                    Ok(own(move |ray: &Ray, within| {
+                        let hit = planes.hit(ray, within)?;
+                        let p = ray.at(hit.t).to_glam();
+                        Some(hit).filter(|_| lbf.min(p) == lbf && run.max(p) == run)
+                    }))
+                })
+            }),
+            Other::of_right("the nearest plane counts, not the last", |right| {
+                changed(right, |planes, ray, within| {
+                    let hit = planes.hit(ray, within)?;
+                    let further = planes.hit(
+                        ray,
+                        Interval {
+                            min: hit.t,
+                            ..within
+                        },
+                    );
+                    further.or(Some(hit))
+                })
+            }),
+        ],
+        ..shapes(BOXES)
+    }
 }

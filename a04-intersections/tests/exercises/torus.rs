@@ -2,28 +2,38 @@
 
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, new: &dyn Fn(f64, f64) -> Made<Shape>) {
-    compare(
-        check,
-        "circle of radius {}, tube of radius {}",
-        (2.0, 0.5),
-        |r| (r.between(2.0, 5.0), r.between(0.5, 1.5)),
-        &|(ring, r)| boxed(Torus::new(ring, r)),
-        &|(ring, r)| new(ring, r),
-    );
-    show(check, new(2.0, 0.5), [2.0, 5.0, 7.0], [0.0, -0.2, 0.0]);
-}
+yours! { Torus => new_shape(|(ring, r)| Torus::new(ring, r)) }
 
-variants! { check:
-    yours => &|ring, r| shape::boxed(Torus::new(ring, r));
-    wrong "fixed steps pass over what is thinner" => &|ring, r| {
-        let torus = Torus::new(ring, r)?;
-        own(move |ray: &Ray, i| {
-            let hit = torus.hit(ray, i)?;
-            // In and out again within a quarter of the radius.
-            let max = hit.t + r / 4.0 / ray.direction().magnitude();
-            let next = torus.hit(ray, Interval { min: hit.t, max });
-            next.is_none().then_some(hit)
-        })
+/// Makes a torus of the radii of its circle and its tube.
+type Code = NewShape<(f64, f64)>;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
+    let eye = Eye {
+        from: [2.0, 5.0, 7.0],
+        to: [0.0, -0.2, 0.0],
     };
+    Exercise {
+        picture: shown((2.0, 0.5), eye),
+        wrong: vec![Other::of_right(
+            "fixed steps pass over what is thinner",
+            |right| {
+                new_shape(move |(ring, r)| {
+                    let torus = right((ring, r))?;
+                    Ok(own(move |ray: &Ray, within| {
+                        let hit = torus.hit(ray, within)?;
+                        // In and out again within a quarter of the radius.
+                        let max = hit.t + r / 4.0 / ray.direction().magnitude();
+                        let next = torus.hit(ray, Interval { min: hit.t, max });
+                        next.is_none().then_some(hit)
+                    }))
+                })
+            },
+        )],
+        ..shapes(Shapes {
+            words: "circle of radius {}, tube of radius {}",
+            first: (2.0, 0.5),
+            any: |r| (r.between(2.0, 5.0), r.between(0.5, 1.5)),
+        })
+    }
 }

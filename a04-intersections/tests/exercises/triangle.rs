@@ -2,29 +2,43 @@
 
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, new: &dyn Fn(Point3, Point3, Point3) -> Made<Shape>) {
-    compare(
-        check,
-        "triangle {}",
-        [[0.0, 0.0, 1.0], [2.0, 0.0, 1.0], [0.0, 2.0, 1.0]],
-        |r| [(); 3].map(|()| r.triple(5.0)),
-        &|[a, b, c]| boxed(Triangle::new(point(a), point(b), point(c))),
-        &|[a, b, c]| new(point(a), point(b), point(c)),
-    );
-    let [a, b, c] = [[-0.5, 0.5, -3.0], [0.5, 0.5, -3.0], [0.5, -0.5, -3.0]].map(point);
-    scene(check, "scene-4", scene_4, new(a, b, c));
-    #[cfg(not(handout))]
-    search(check, "triangle", &|x| {
-        let [a, b, c] = [0, 3, 6].map(|i| Point3::new(x[i], x[i + 1], x[i + 2]));
-        new(a, b, c)
-    });
+yours! { Triangle => new_shape(|[a, b, c]: [_; 3]| Triangle::new(point(a), point(b), point(c))) }
+
+/// Makes a triangle by its corners.
+type Code = NewShape<[[f64; 3]; 3]>;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
+    let corners = [[-0.5, 0.5, -3.0], [0.5, 0.5, -3.0], [0.5, -0.5, -3.0]];
+    Exercise {
+        picture: scene("scene-4", scene_4, corners),
+        remark: Some(|new: &Code| {
+            search("triangle", &|x: &[f64]| {
+                new([0, 3, 6].map(|i| [x[i], x[i + 1], x[i + 2]]))
+            })
+        }),
+        right: vec![Other::new(
+            "Möller and Trumbore",
+            moeller_trumbore(|b, g| b >= 0.0 && g >= 0.0 && b + g <= 1.0),
+        )],
+        wrong: vec![Other::new(
+            "edges belong to the triangle",
+            moeller_trumbore(|b, g| b > 0.0 && g > 0.0 && b + g < 1.0),
+        )],
+        ..shapes(Shapes {
+            words: "triangle {}",
+            first: [[0.0, 0.0, 1.0], [2.0, 0.0, 1.0], [0.0, 2.0, 1.0]],
+            any: |r| [(); 3].map(|()| r.triple(5.0)),
+        })
+    }
 }
 
 /// The test of Möller and Trumbore, which accepts two coordinates.
-fn moeller_trumbore(c: &mut Check, is_inside: fn(f64, f64) -> bool) {
-    check(c, &move |a, b, c| {
+fn moeller_trumbore(is_inside: fn(f64, f64) -> bool) -> Code {
+    new_shape(move |corners: [[f64; 3]; 3]| {
+        let [a, b, c] = corners.map(point);
         let (ab, ac) = (b - a, c - a);
-        own(move |ray: &Ray, within| {
+        Ok(own(move |ray: &Ray, within: Interval| {
             let (d, ao) = (ray.direction(), ray.origin() - a);
             let (p, q) = (d.cross(ac), ao.cross(ab));
             let determinant = ab.dot(p);
@@ -32,12 +46,6 @@ fn moeller_trumbore(c: &mut Check, is_inside: fn(f64, f64) -> bool) {
             let t = ac.dot(q) / determinant;
             let normal = ab.cross(ac).normalized()?.as_normal();
             (is_inside(beta, gamma) && within.contains(t)).then(|| Hit::new(t, normal))
-        })
-    });
-}
-
-variants! { moeller_trumbore:
-    yours => &|a, b, c| shape::boxed(Triangle::new(a, b, c));
-    right "Möller and Trumbore" => |b, g| b >= 0.0 && g >= 0.0 && b + g <= 1.0;
-    wrong "edges belong to the triangle" => |b, g| b > 0.0 && g > 0.0 && b + g < 1.0;
+        }))
+    })
 }

@@ -3,7 +3,6 @@
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
 #[allow(dead_code, reason = "the scenes of another stage")]
-#[path = "../../../a04-intersections/tests/exercises/shape.rs"]
 mod shape;
 mod steps;
 

@@ -43,11 +43,11 @@ mod random;
 mod replay;
 mod tape;
 
-#[cfg(not(target_family = "wasm"))]
-pub use crate::difference::worst_pixel;
 pub use answer::Answer;
 pub use check::Check;
-pub use findings::{assert_close, missing};
+#[cfg(not(target_family = "wasm"))]
+pub use common::difference::worst_pixel;
+pub use findings::assert_close;
 pub use input::Input;
 pub use judge::judge;
 #[cfg(not(target_family = "wasm"))]

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use common::{Image, Renderer, Scene, Settings, Stage, Transfer, fnv1a, picture_file};
 use program::picture_name;
 
-use crate::difference::{compare_with_file, leave_pictures};
+use common::difference::{compare_with_file, leave_pictures};
 
 pub use invariance::{check_narrow_sizes, check_omissions, check_threads};
 pub use left_out::check_book;

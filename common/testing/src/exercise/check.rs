@@ -7,7 +7,7 @@ use common::{Error, Image, Settings, Size};
 #[cfg(not(target_family = "wasm"))]
 use {
     super::{findings::found_missing, picture},
-    crate::difference::worst_pixel,
+    common::difference::worst_pixel,
     common::{Stage, divergence, picture_file, steps::with_chosen_pixel},
     program::picture_name,
 };

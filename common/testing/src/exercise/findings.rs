@@ -2,25 +2,10 @@
 
 use std::mem;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+
+pub(super) use crate::exercises::found_missing;
 
 use super::{Answer, Check, Code};
-
-/// The parts that the running check has found missing.
-pub(super) fn found_missing() -> MutexGuard<'static, Vec<String>> {
-    static MISSING: Mutex<Vec<String>> = Mutex::new(Vec::new());
-    MISSING.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// A placeholder in a starter for the student's code; returns `for_now`. The check
-/// that calls it reports once that `what` is missing.
-pub fn missing<T>(what: &str, for_now: T) -> T {
-    let mut missing = found_missing();
-    if !missing.iter().any(|known| known == what) {
-        missing.push(what.to_owned());
-    }
-    for_now
-}
 
 /// An assertion of an example, of numbers that formulas may round differently.
 #[track_caller]

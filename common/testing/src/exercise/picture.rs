@@ -5,7 +5,7 @@ use std::{env, fs};
 
 use common::{Error, Image, Scene, Settings, Transfer, picture_file};
 
-use crate::difference::{compare_with_file, largest, leave_pictures};
+use common::difference::{compare_with_file, largest, leave_pictures};
 
 /// The workspace.
 pub(super) const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");

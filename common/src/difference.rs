@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use common::{Color, Image, Transfer, picture_file};
+use crate::{Color, Image, Transfer, picture_file};
 
 /// Describes the difference of a picture from the expected one, if there is one.
 fn compare(expected: &Image, actual: &Image) -> Result<(), String> {
@@ -38,7 +38,8 @@ fn apart(expected: &Image, actual: &Image) -> Vec<[u8; 3]> {
 
 /// The pixel with the largest difference of a channel in pictures of the same size, and that
 /// difference.
-pub(crate) fn largest(expected: &Image, actual: &Image) -> Option<([u32; 2], u8)> {
+#[must_use]
+pub fn largest(expected: &Image, actual: &Image) -> Option<([u32; 2], u8)> {
     let pixels = apart(expected, actual).into_iter();
     let most = pixels.map(|[r, g, b]| r.max(g).max(b));
     let (at, most) = (0..).zip(most).max_by_key(|(_, most)| *most)?;
@@ -57,6 +58,10 @@ pub fn worst_pixel(expected: &Image, image: &Image) -> Option<[u32; 2]> {
 }
 
 /// Compares a picture with the one in a file.
+///
+/// # Errors
+///
+/// The error describes the difference, or why the file cannot be read.
 pub fn compare_with_file(expected: &Path, image: &Image) -> Result<(), String> {
     picture_file::open(expected)
         .map_err(|error| error.to_string())
@@ -65,6 +70,7 @@ pub fn compare_with_file(expected: &Path, image: &Image) -> Result<(), String> {
 
 /// Writes the actual, the expected and the difference picture into a folder, and
 /// returns a message with their paths.
+#[must_use]
 pub fn leave_pictures(scratch: &Path, expected: &Path, actual: &Image, difference: &str) -> String {
     let name = expected.file_name().unwrap_or_default().to_string_lossy();
     let write = |suffix: &str, image: &Image| {
@@ -106,7 +112,7 @@ pub fn leave_pictures(scratch: &Path, expected: &Path, actual: &Image, differenc
 
 #[cfg(test)]
 mod tests {
-    use common::Size;
+    use crate::Size;
 
     use super::*;
 

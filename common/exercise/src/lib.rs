@@ -1,0 +1,27 @@
+//! Questions of exercises, their right answers, and the verdict on other answers.
+//!
+//! A [`Question`] is a value: words, numbers, and whether they are simple. The lesson or the
+//! solution of an exercise answers all its questions; these answers, with how far another right
+//! answer may be from them, are its [`Record`], a text file beside the starters. A student's
+//! program answers the same questions, and [`verdict`] compares: it is the only comparison of
+//! `cargo learn`, of the grader, of the tests and of the book's pages, and none of them needs a
+//! solution for it.
+
+mod answer;
+mod input;
+mod mistake;
+mod picture;
+mod question;
+mod record;
+mod row;
+mod text;
+mod verdict;
+
+pub use answer::{Answer, assert_close};
+pub use input::Input;
+pub use mistake::Mistake;
+pub use picture::compare_picture;
+pub use question::Question;
+pub use record::{Record, read_answers, write_answers};
+pub use row::{Row, Tolerance};
+pub use verdict::{Given, Pictured, Verdict, verdict};

@@ -1,0 +1,241 @@
+//! `Record`: the right answers of an exercise and those of known mistakes, in a text file.
+//!
+//! A line begins with the word that says what it is. `found` has numbers that a search for
+//! questions has found with the right code. `?` has the words of a simple question. `=` has the
+//! right answer to the next question, and after `~` how far its numbers may move, beside their own
+//! rounding: nothing where they must not, and `rounding decides` where every answer is right. In an
+//! exercise about rounding, a second `~` has the same for formulas that are right but for rounding.
+//! `mistake` begins a known mistake: the numbers of the rows, from 1, in which code with this
+//! mistake is `wrong`, or in which `either` answer is possible; and its answers to some questions.
+
+use std::collections::BTreeSet;
+use std::fmt;
+
+use crate::{Answer, Given, Mistake, Question, Row, Tolerance, text};
+
+/// Right answers and known mistakes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Record {
+    /// The property that a formula lacks which is right but for rounding, in an exercise about
+    /// rounding, such as `loses digits where ...`.
+    pub lacks: Option<String>,
+    /// The numbers that each search for questions has found.
+    pub found: Vec<Vec<f64>>,
+    /// The right answers.
+    pub rows: Vec<Row>,
+    /// The known mistakes.
+    pub mistakes: Vec<Mistake>,
+}
+
+impl fmt::Display for Record {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(lacks) = &self.lacks {
+            writeln!(f, "lacks {lacks}")?;
+        }
+        for found in &self.found {
+            writeln!(f, "found {}", text::numbers(found))?;
+        }
+        for row in &self.rows {
+            if row.question.is_simple {
+                writeln!(f, "? {}", row.question.text)?;
+            }
+            write!(f, "= {}", text::answer(&row.answer))?;
+            write_tolerance(f, &row.tolerance, row.but_for_rounding.is_some())?;
+            if let Some(tolerance) = &row.but_for_rounding {
+                write_tolerance(f, tolerance, true)?;
+            }
+            writeln!(f)?;
+        }
+        for mistake in &self.mistakes {
+            writeln!(f, "mistake {}", mistake.overlooks)?;
+            for (word, numbers) in [("wrong", &mistake.wrong), ("either", &mistake.either)] {
+                if !numbers.is_empty() {
+                    writeln!(f, "{word} {}", ranges(numbers))?;
+                }
+            }
+            for (number, (answer, tolerance)) in &mistake.answers {
+                write!(f, "{} = {}", number + 1, text::answer(answer))?;
+                write_tolerance(f, tolerance, false)?;
+                writeln!(f)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Writes a tolerance, unless it is 0 and need not be said.
+fn write_tolerance(
+    f: &mut fmt::Formatter<'_>,
+    tolerance: &Tolerance,
+    is_said: bool,
+) -> fmt::Result {
+    let is_none = |changes: &[f64]| changes.iter().all(|change| *change == 0.0);
+    match tolerance {
+        Tolerance::Changes(changes) if is_none(changes) && !is_said => Ok(()),
+        _ => f.write_str(&text::tolerance(tolerance)),
+    }
+}
+
+impl Record {
+    /// The record of a text. The error is the first line that is no line of a record.
+    pub fn read(text: &str) -> Result<Self, String> {
+        let mut record = Self::default();
+        let mut question = None;
+        for (number, line) in (1..).zip(text.lines()) {
+            record
+                .read_line(line, &mut question)
+                .ok_or_else(|| format!("line {number} is no line of a record: {line}"))?;
+        }
+        Ok(record)
+    }
+
+    /// Reads the next line. The words of a question wait for its answer.
+    fn read_line(&mut self, line: &str, question: &mut Option<Question>) -> Option<()> {
+        let (word, mut rest) = line.split_once(' ')?;
+        match word {
+            "lacks" => self.lacks = Some(rest.to_owned()),
+            "found" => self.found.push(text::read_numbers(rest).ok()?),
+            "?" => {
+                *question = Some(Question {
+                    text: rest.to_owned(),
+                    is_simple: true,
+                    ..Question::default()
+                });
+            }
+            "=" => {
+                let answer = text::take_answer(&mut rest)?;
+                let tolerance = read_tolerance(&mut rest, &answer);
+                self.rows.push(Row {
+                    question: question.take().unwrap_or_default(),
+                    answer,
+                    tolerance,
+                    but_for_rounding: text::take_tolerance(&mut rest),
+                });
+            }
+            "mistake" => self.mistakes.push(Mistake {
+                overlooks: rest.to_owned(),
+                ..Mistake::default()
+            }),
+            "wrong" => self.mistakes.last_mut()?.wrong = read_ranges(rest)?,
+            "either" => self.mistakes.last_mut()?.either = read_ranges(rest)?,
+            number => {
+                let number = number.parse::<usize>().ok()?.checked_sub(1)?;
+                rest = rest.strip_prefix("= ")?;
+                let answer = text::take_answer(&mut rest)?;
+                let tolerance = read_tolerance(&mut rest, &answer);
+                let answers = &mut self.mistakes.last_mut()?.answers;
+                answers.insert(number, (answer, tolerance));
+            }
+        }
+        Some(())
+    }
+}
+
+/// Takes a tolerance from the beginning of a text; if none is said, no number moves.
+fn read_tolerance(text: &mut &str, answer: &Answer) -> Tolerance {
+    let none = || Tolerance::Changes(answer.roundings(0.0).map(|_| 0.0).collect());
+    text::take_tolerance(text).unwrap_or_else(none)
+}
+
+/// Numbers of rows, from 1, such as `3 7-9`.
+fn ranges(numbers: &BTreeSet<usize>) -> String {
+    let numbers: Vec<_> = numbers.iter().map(|number| number + 1).collect();
+    let ranges = numbers.chunk_by(|a, b| a + 1 == *b);
+    let ranges = ranges.map(|range| match range {
+        [first, .., last] => format!("{first}-{last}"),
+        _ => range[0].to_string(),
+    });
+    ranges.collect::<Vec<_>>().join(" ")
+}
+
+fn read_ranges(text: &str) -> Option<BTreeSet<usize>> {
+    let mut numbers = BTreeSet::new();
+    for range in text.split(' ') {
+        let (first, last) = range.split_once('-').unwrap_or((range, range));
+        let [first, last]: [usize; 2] = [first.parse().ok()?, last.parse().ok()?];
+        numbers.extend(first.checked_sub(1)?..last);
+    }
+    Some(numbers)
+}
+
+/// A student's answers as text, each with the words of its question.
+#[must_use]
+pub fn write_answers(answers: &[Given]) -> String {
+    let mut text = String::new();
+    for Given { question, answer } in answers {
+        let answer = answer.as_ref().map(text::answer);
+        let answer = answer.map_or("!".to_owned(), |answer| format!("= {answer}"));
+        text.extend(["? ", &question.text, "\n", &answer, "\n"]);
+    }
+    text
+}
+
+/// The answers of a text. A line that nobody has written so ends them.
+#[must_use]
+pub fn read_answers(text: &str) -> Vec<Given> {
+    let mut lines = text.lines();
+    let read = || {
+        let text = lines.next()?.strip_prefix("? ")?.to_owned();
+        let line = lines.next()?;
+        let answer = match line.strip_prefix("= ") {
+            Some(mut answer) => Some(text::take_answer(&mut answer)?),
+            None => None,
+        };
+        let question = Question {
+            text,
+            ..Question::default()
+        };
+        Some(Given { question, answer })
+    };
+    std::iter::from_fn(read).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Answers of all kinds, also numbers that are hard to write and words with separators.
+    #[test]
+    fn a_record_is_read_as_it_was_written() {
+        let hard = [0.1, -0.0, 5e-324, f64::MAX, f64::INFINITY];
+        let words = Answer::words("x; y = 1 ~ \"\\\n");
+        let answer = Answer::named("a · b", hard)
+            .and("again", hard)
+            .and("", words);
+        let row = |question, tolerance| Row {
+            question,
+            answer: answer.clone(),
+            tolerance,
+            but_for_rounding: None,
+        };
+        let simple = Question {
+            text: "ray from [0, 0] = ?".to_owned(),
+            is_simple: true,
+            ..Question::default()
+        };
+        let record = Record {
+            lacks: Some("loses digits".to_owned()),
+            found: vec![hard.to_vec(), Vec::new()],
+            rows: vec![
+                row(simple, Tolerance::Changes(vec![0.0; 10])),
+                row(Question::default(), Tolerance::RoundingDecides),
+                row(
+                    Question::default(),
+                    Tolerance::Changes([hard, hard].concat()),
+                ),
+            ],
+            mistakes: vec![Mistake {
+                overlooks: "a = b; 1 ~ 2".to_owned(),
+                answers: [(2, (answer.clone(), Tolerance::RoundingDecides))].into(),
+                wrong: [0, 4, 5, 6].into(),
+                either: [1].into(),
+            }],
+        };
+        assert_eq!(Record::read(&record.to_string()), Ok(record));
+        let given = [Some(answer), None].map(|answer| Given {
+            question: Question::default(),
+            answer,
+        });
+        assert_eq!(read_answers(&write_answers(&given)), given);
+    }
+}

@@ -1,0 +1,85 @@
+//! `StageFolder`: where the files of a stage's exercises are, while a program runs.
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use common::{Error, Image, Scene, Settings, Stage, Transfer, picture_file};
+use exercise::Record;
+
+/// The folder of a stage, and its scenes.
+#[derive(Clone, Copy)]
+pub struct StageFolder {
+    folder: &'static Path,
+    scenes: fn() -> Stage,
+}
+
+impl StageFolder {
+    /// The stage in this folder of the workbook.
+    #[must_use]
+    pub fn new(folder: &'static str, scenes: fn() -> Stage) -> Self {
+        let folder = Path::new(folder);
+        Self { folder, scenes }
+    }
+
+    /// The stage.
+    pub(super) fn stage(&self) -> Stage {
+        (self.scenes)()
+    }
+
+    /// The file with the recorded answers of an exercise.
+    pub(super) fn record_file(&self, name: &str) -> PathBuf {
+        let file = format!("exercises/answers/{name}.txt");
+        self.folder.join(file)
+    }
+
+    /// The recorded answers of an exercise.
+    pub(super) fn record(&self, name: &str) -> Result<Record, String> {
+        let file = self.record_file(name);
+        let failed = |problem: String| format!("{}: {problem}", file.display());
+        let text = fs::read_to_string(&file).map_err(|error| failed(error.to_string()))?;
+        Record::read(&text).map_err(failed)
+    }
+
+    /// The workbook.
+    fn workbook(&self) -> PathBuf {
+        self.folder.parent().unwrap_or(self.folder).to_owned()
+    }
+
+    /// The picture of this name in the book.
+    pub(super) fn in_book(&self, name: &str) -> PathBuf {
+        self.workbook().join("book/src/pictures").join(name)
+    }
+
+    /// The folder for the pictures of exercises, as seen from the current one. If it cannot be
+    /// made, saving fails.
+    pub(super) fn pictures(&self) -> PathBuf {
+        let folder = self.workbook().join("out/exercises");
+        let _ = fs::create_dir_all(&folder);
+        let folder = folder.canonicalize().unwrap_or(folder);
+        let here = env::current_dir().unwrap_or_default();
+        folder
+            .strip_prefix(here)
+            .map_or(folder.clone(), Path::to_owned)
+    }
+
+    /// Saves a picture, and prints where it lies.
+    pub(super) fn save(&self, image: &Image, name: &str) {
+        let path = self.pictures().join(name);
+        match picture_file::save_png(&path, image.size(), &image.to_rgb8(Transfer::Linear)) {
+            Ok(()) => println!("picture: {}", path.display()),
+            Err(error) => println!("a picture: {error}"),
+        }
+    }
+
+    /// Renders a scene by the lesson into a file of this name, and returns its path.
+    pub(super) fn rendered(
+        &self,
+        scene: &Scene,
+        settings: &Settings,
+        name: &str,
+    ) -> Result<PathBuf, Error> {
+        let (path, image) = (self.pictures().join(name), scene.render(settings, &())?);
+        picture_file::save_png(&path, image.size(), &image.to_rgb8(Transfer::Linear))?;
+        Ok(path)
+    }
+}

@@ -1,0 +1,172 @@
+//! `Exercise`: the questions, the picture and the known mistakes of an exercise.
+
+use std::rc::Rc;
+
+use common::{Error, Image, Settings};
+use exercise::{Answer, Input, Question};
+
+/// Says something about code of the type `C`.
+pub type Remark<C> = fn(&C) -> Result<String, Error>;
+
+/// The answer of code of the type `C` to a question with other numbers.
+pub type AnswerTo<C> = Box<dyn Fn(&C, &[f64]) -> Answer>;
+
+/// Renders a picture with code of the type `C`.
+pub type Render<C> = Box<dyn Fn(&C, &Settings) -> Result<Image, Error>>;
+
+/// An exercise about code of the type `C`, such as a function.
+pub struct Exercise<C> {
+    /// What the code is asked, in this order.
+    pub questions: Vec<Group<C>>,
+    /// The property that a formula lacks which is right but for rounding, such as
+    /// `loses digits where ...`, if the exercise is about rounding.
+    pub lacks: Option<&'static str>,
+    /// The picture that the code paints.
+    pub picture: Picture<C>,
+    /// Says something about code that is right.
+    pub remark: Option<Remark<C>>,
+    /// Right solutions in another style.
+    pub right: Vec<Variant<C>>,
+    /// Mistakes that all code of its kind may have, such as all shapes.
+    pub usual: Vec<Variant<C>>,
+    /// Further mistakes.
+    pub wrong: Vec<Variant<C>>,
+}
+
+/// An exercise without questions.
+impl<C> Default for Exercise<C> {
+    fn default() -> Self {
+        Self {
+            questions: Vec::new(),
+            lacks: None,
+            picture: Picture::None,
+            remark: None,
+            right: Vec::new(),
+            usual: Vec::new(),
+            wrong: Vec::new(),
+        }
+    }
+}
+
+/// The picture that a student's code paints.
+pub enum Picture<C> {
+    /// None.
+    None,
+    /// A scene of the stage, which is compared with its locked picture.
+    Scene(&'static str, Render<C>),
+    /// A small picture that is only looked at.
+    Own(Render<C>),
+}
+
+impl<C> Picture<C> {
+    /// The scene of the stage of this name, with the code in it.
+    pub fn scene(
+        name: &'static str,
+        render: impl Fn(&C, &Settings) -> Result<Image, Error> + 'static,
+    ) -> Self {
+        Self::Scene(name, Box::new(render))
+    }
+
+    /// A picture by the code, to be looked at.
+    pub fn own(render: impl Fn(&C, &Settings) -> Result<Image, Error> + 'static) -> Self {
+        Self::Own(Box::new(render))
+    }
+}
+
+/// Another code: a right solution in another style, or a mistake of learners.
+pub struct Variant<C> {
+    /// The style; or the fact that the mistake overlooks, after which learners read "that".
+    pub about: &'static str,
+    /// Makes it of right code.
+    pub make: Box<dyn Fn(C) -> C>,
+}
+
+impl<C: Clone + 'static> Variant<C> {
+    /// This code.
+    pub fn new(about: &'static str, code: C) -> Self {
+        Self::of_right(about, move |_| code.clone())
+    }
+
+    /// Code that is made of right code.
+    pub fn of_right(about: &'static str, make: impl Fn(C) -> C + 'static) -> Self {
+        Self {
+            about,
+            make: Box::new(make),
+        }
+    }
+}
+
+/// A question, and how code answers it, also with other numbers.
+pub struct Asked<C> {
+    /// The question.
+    pub question: Question,
+    /// The code's answer to the question with these numbers.
+    pub answer: AnswerTo<C>,
+}
+
+/// Questions of one form.
+pub struct Questions<C, I, A> {
+    /// The question, with `{}` instead of each argument.
+    pub words: String,
+    /// Inputs of numbers like 0, 1 and 2, which every formula computes without rounding: at them
+    /// decisions must be equal, as for a ray that just touches.
+    pub simple: Vec<I>,
+    /// Further inputs, where a decision that depends on rounding may be either.
+    pub others: Vec<I>,
+    /// Lets the code answer.
+    pub answer: fn(&C, I) -> A,
+}
+
+/// Questions of a form, some of which a search with right code may find.
+pub enum Group<C> {
+    /// All are known.
+    Known(Vec<Asked<C>>),
+    /// They follow from numbers that a search finds.
+    Searched(Search<C>),
+}
+
+/// A search for questions.
+#[allow(clippy::type_complexity, reason = "two functions")]
+pub struct Search<C> {
+    /// The numbers, which right code finds.
+    pub find: Box<dyn Fn(&C) -> Vec<f64>>,
+    /// The questions, which follow from them.
+    pub ask: Box<dyn Fn(&[f64]) -> Vec<Asked<C>>>,
+}
+
+/// Questions that follow from numbers, which right code finds. They are recorded, so that nothing
+/// but the record needs that code.
+pub fn searched<C>(
+    find: impl Fn(&C) -> Vec<f64> + 'static,
+    ask: impl Fn(&[f64]) -> Vec<Asked<C>> + 'static,
+) -> Group<C> {
+    Group::Searched(Search {
+        find: Box::new(find),
+        ask: Box::new(ask),
+    })
+}
+
+impl<C: 'static, I: Input + 'static, A: Into<Answer> + 'static> Questions<C, I, A> {
+    /// The questions one by one.
+    #[must_use]
+    pub fn asked(self) -> Vec<Asked<C>> {
+        let (answer, words) = (self.answer, Rc::new(self.words));
+        let simple = self.simple.into_iter().map(|input| (true, input));
+        let others = self.others.into_iter().map(|input| (false, input));
+        let asked = simple.chain(others).map(|(is_simple, input)| Asked {
+            question: Question::new(&words, &input, is_simple),
+            answer: Box::new(move |code, numbers| {
+                answer(code, input.clone().with_numbers(numbers)).into()
+            }),
+        });
+        asked.collect()
+    }
+}
+
+impl<C: 'static, I: Input + 'static, A: Into<Answer> + 'static> From<Questions<C, I, A>>
+    for Group<C>
+{
+    fn from(questions: Questions<C, I, A>) -> Self {
+        Self::Known(questions.asked())
+    }
+}

@@ -1,0 +1,219 @@
+//! `Program`: an exercise with code that answers its questions and paints its picture.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
+use std::rc::Rc;
+
+use common::difference::worst_pixel;
+use common::steps::with_chosen_pixel;
+use common::{Error, Image, Settings, Size, divergence, picture_file};
+use exercise::{
+    Answer, Given, Mistake, Pictured, Question, Record, Row, Verdict, compare_picture, verdict,
+};
+
+use super::folder::StageFolder;
+use super::found_missing;
+use super::kind::{Asked, Exercise, Group, Picture};
+
+/// The answer to a question with other numbers.
+type AnswerTo = Box<dyn Fn(&[f64]) -> Answer>;
+
+/// Code that answers the questions of an exercise; its type matters no more.
+pub struct Program {
+    pub questions: Vec<Question>,
+    answers: Vec<AnswerTo>,
+    picture: Picture<()>,
+}
+
+/// What a program finds, beside its answers.
+#[derive(Default)]
+pub struct Findings {
+    /// The missing parts of the code.
+    pub missing: Vec<String>,
+    /// The answers.
+    pub given: Vec<Given>,
+    /// The picture, also of code that is wrong.
+    pub image: Option<Image>,
+    /// Messages.
+    pub verdict: Verdict,
+}
+
+/// Who looks at a picture: a student, also while answers are wrong.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Reader {
+    Student,
+    Author,
+}
+
+impl Program {
+    /// The program of an exercise with this code, and the numbers that its searches have found.
+    pub fn new<C: 'static>(exercise: Exercise<C>, code: C, found: &[Vec<f64>]) -> Self {
+        let code = Rc::new(code);
+        let (mut questions, mut answers) = (Vec::new(), Vec::<AnswerTo>::new());
+        let mut found = found.iter();
+        for group in exercise.questions {
+            let asked = match group {
+                Group::Known(asked) => asked,
+                Group::Searched(search) => (search.ask)(found.next().map_or(&[], Vec::as_slice)),
+            };
+            for Asked { question, answer } in asked {
+                let code = code.clone();
+                questions.push(question);
+                answers.push(Box::new(move |input| answer(&code, input)));
+            }
+        }
+        let picture = match exercise.picture {
+            Picture::None => Picture::None,
+            Picture::Scene(name, render) => {
+                Picture::scene(name, move |(), settings| render(&code, settings))
+            }
+            Picture::Own(render) => Picture::own(move |(), settings| render(&code, settings)),
+        };
+        Self {
+            questions,
+            answers,
+            picture,
+        }
+    }
+
+    /// The answer to a question with these numbers.
+    pub fn answer(&self, number: usize, input: &[f64]) -> Answer {
+        self.answers[number](input)
+    }
+
+    /// The rows of its answers, which are right.
+    pub fn rows(&self, is_about_rounding: bool) -> Vec<Row> {
+        let rows = self.questions.iter().zip(&self.answers);
+        let rows =
+            rows.map(|(question, answer)| Row::new(question.clone(), is_about_rounding, answer));
+        rows.collect()
+    }
+
+    /// Its answers, as those of code with a mistake.
+    pub fn mistake(&self, overlooks: &str, rows: &[Row]) -> Mistake {
+        let code = |number, input: &[f64]| self.answer(number, input);
+        Mistake::new(overlooks, rows, &self.questions, &code)
+    }
+
+    /// Its answers to all questions.
+    fn given(&self) -> Vec<Given> {
+        let asked = self.questions.iter().zip(&self.answers);
+        let given = asked.map(|(question, answer)| Given {
+            question: question.clone(),
+            answer: catch_unwind(AssertUnwindSafe(|| answer(&question.input))).ok(),
+        });
+        given.collect()
+    }
+
+    /// Runs the examples of the code, asks it, lets it paint, and compares.
+    pub fn run(
+        &self,
+        examples: fn(),
+        record: &Record,
+        folder: &StageFolder,
+        reader: Reader,
+    ) -> Findings {
+        found_missing().clear();
+        let mut wrong = Vec::new();
+        if catch_unwind(examples).is_err() {
+            let fails = "an example at the end of the file fails, with the message above";
+            wrong.push(fails.to_owned());
+        }
+        let given = self.given();
+        let verdict_so_far = verdict(record, &given, None);
+        let is_right = verdict_so_far.wrong.is_empty();
+        let painted = catch_unwind(AssertUnwindSafe(|| self.paint(is_right, folder, reader)));
+        let (image, pictured) = painted.unwrap_or_else(|_| {
+            wrong.push("it panics, with the message above".to_owned());
+            (None, None)
+        });
+        let mut found = Findings {
+            missing: found_missing().clone(),
+            verdict: verdict(record, &given, pictured),
+            given,
+            image,
+        };
+        found.verdict.wrong.splice(0..0, wrong);
+        found
+    }
+
+    /// Paints the picture, and compares that of a scene. After wrong answers, only students see
+    /// it, and unfinished code has no picture of a scene.
+    fn paint(
+        &self,
+        is_right: bool,
+        folder: &StageFolder,
+        reader: Reader,
+    ) -> (Option<Image>, Option<Pictured>) {
+        let is_shown = is_right || reader == Reader::Student;
+        match &self.picture {
+            Picture::Scene(name, render) if is_right || is_shown && found_missing().is_empty() => {
+                let mut image = None;
+                let pictured = scene(folder, name, &|settings| render(&(), settings), &mut image);
+                let pictured = pictured.unwrap_or_else(|error| Pictured {
+                    is_right: false,
+                    words: error.to_string(),
+                    divergence: None,
+                });
+                let words = format!("the picture of scene {name}: {}", pictured.words);
+                (image, Some(Pictured { words, ..pictured }))
+            }
+            Picture::Own(render) if is_shown => {
+                let painted = Size::new(320, 240).map_err(Error::from).and_then(|size| {
+                    let settings = Settings::default();
+                    render(&(), &Settings { size, ..settings })
+                });
+                match painted {
+                    Ok(image) => (Some(image), None),
+                    Err(error) => {
+                        let pictured = Pictured {
+                            is_right: false,
+                            words: format!("a picture: {error}"),
+                            divergence: None,
+                        };
+                        (None, Some(pictured))
+                    }
+                }
+            }
+            _ => (None, None),
+        }
+    }
+}
+
+/// Renders a scene of the stage with the student's code, and compares the picture with the locked
+/// one. The worst pixel is traced by the lesson, too.
+fn scene(
+    folder: &StageFolder,
+    name: &str,
+    render: &dyn Fn(&Settings) -> Result<Image, Error>,
+    painted: &mut Option<Image>,
+) -> Result<Pictured, Error> {
+    let stage = folder.stage();
+    let scene = stage.scene(name)?;
+    // Four samples show mistakes as well as a hundred.
+    let mut settings = scene.defaults.clone();
+    settings.samples = settings.samples.min(4);
+    let file = format!("{}-{}.png", stage.name, scene.name);
+    let locked: PathBuf = if settings.samples == scene.defaults.samples {
+        folder.in_book(&file)
+    } else {
+        folder.rendered(&scene, &settings, &file)?
+    };
+    let expected = picture_file::open(&locked).ok();
+    let worst = move |image: &Image| worst_pixel(expected.as_ref()?, image);
+    let (image, yours) = with_chosen_pixel(worst, || render(&settings));
+    let image = painted.insert(image?);
+    let compared = compare_picture(&locked, image, Some(&folder.pictures()));
+    let divergence = match (scene.rays(), yours) {
+        (Ok(rays), Some(yours)) => {
+            let lesson = rays.trace(&settings, yours.pixel)?;
+            lesson.first_divergence(&yours, "yours", divergence::ROUNDING)
+        }
+        _ => None,
+    };
+    Ok(Pictured {
+        is_right: compared.is_ok(),
+        words: compared.unwrap_or_else(|wrong| wrong),
+        divergence,
+    })
+}

@@ -1,0 +1,298 @@
+//! `prove`: proves the exercises of a stage by starters, solutions and variants, and locks the
+//! recorded answers.
+
+use std::process::ExitCode;
+use std::sync::{Arc, RwLock};
+use std::{env, fs, panic};
+
+use exercise::{Record, compare_picture};
+use libtest_mimic::{Arguments, Failed, Trial};
+
+use super::folder::StageFolder;
+use super::kind::{Exercise, Group, Variant};
+use super::program::{Findings, Program, Reader};
+
+/// Starters write into one list of missing parts, and so run alone.
+static WITH_STARTER: RwLock<()> = RwLock::new(());
+
+/// An exercise, and the codes by which it is proved.
+pub struct Entry {
+    name: &'static str,
+    codes: Box<dyn Codes>,
+}
+
+/// The codes of an exercise.
+trait Codes: Send + Sync {
+    /// The starter and its examples.
+    fn starter(&self, found: &[Vec<f64>]) -> (Program, fn());
+
+    /// The solution, and the starter's examples.
+    fn solution(&self, found: &[Vec<f64>]) -> (Program, fn());
+
+    /// Right solutions in another style.
+    fn right(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)>;
+
+    /// The usual mistakes of its kind.
+    fn usual(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)>;
+
+    /// Further mistakes.
+    fn wrong(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)>;
+
+    /// The record of the solution's answers, and of those of the mistakes.
+    fn record(&self) -> Record;
+}
+
+/// The codes of an exercise of one type.
+struct Typed<C> {
+    exercise: fn() -> Exercise<C>,
+    starter: fn() -> C,
+    starter_examples: fn(),
+    solution: fn() -> C,
+    solution_examples: fn(),
+}
+
+/// An exercise with its starter and its solution, and the examples of the starter with either.
+pub fn entry<C: 'static>(
+    name: &'static str,
+    exercise: fn() -> Exercise<C>,
+    starter: fn() -> C,
+    starter_examples: fn(),
+    solution: fn() -> C,
+    solution_examples: fn(),
+) -> Entry {
+    let codes = Box::new(Typed {
+        exercise,
+        starter,
+        starter_examples,
+        solution,
+        solution_examples,
+    });
+    Entry { name, codes }
+}
+
+impl<C: 'static> Typed<C> {
+    fn variants(
+        &self,
+        variants: Vec<Variant<C>>,
+        found: &[Vec<f64>],
+    ) -> Vec<(&'static str, Program)> {
+        let variants = variants.into_iter().map(|variant| {
+            let code = (variant.make)((self.solution)());
+            (variant.about, Program::new((self.exercise)(), code, found))
+        });
+        variants.collect()
+    }
+}
+
+impl<C: 'static> Codes for Typed<C> {
+    fn starter(&self, found: &[Vec<f64>]) -> (Program, fn()) {
+        let program = Program::new((self.exercise)(), (self.starter)(), found);
+        (program, self.starter_examples)
+    }
+
+    fn solution(&self, found: &[Vec<f64>]) -> (Program, fn()) {
+        let program = Program::new((self.exercise)(), (self.solution)(), found);
+        (program, self.solution_examples)
+    }
+
+    fn right(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)> {
+        self.variants((self.exercise)().right, found)
+    }
+
+    fn usual(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)> {
+        self.variants((self.exercise)().usual, found)
+    }
+
+    fn wrong(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)> {
+        self.variants((self.exercise)().wrong, found)
+    }
+
+    fn record(&self) -> Record {
+        let exercise = (self.exercise)();
+        let lacks = exercise.lacks;
+        let solution = (self.solution)();
+        let searches = exercise.questions.iter().filter_map(|group| match group {
+            Group::Searched(search) => Some((search.find)(&solution)),
+            Group::Known(_) => None,
+        });
+        let found: Vec<_> = searches.collect();
+        let rows = Program::new(exercise, solution, &found).rows(lacks.is_some());
+        let mistakes = self.usual(&found).into_iter().chain(self.wrong(&found));
+        let mistakes = mistakes.map(|(about, program)| program.mistake(about, &rows));
+        let mistakes = mistakes.collect();
+        Record {
+            lacks: lacks.map(str::to_owned),
+            found,
+            rows,
+            mistakes,
+        }
+    }
+}
+
+/// What the trials of an exercise share.
+struct Proof {
+    entry: Entry,
+    folder: StageFolder,
+    record: Result<Record, String>,
+    is_shown: bool,
+}
+
+/// Proves that starters are to do, that examples hold for the solutions, that right variants are
+/// accepted and mistakes refused and recognised, and that the recorded answers are those of the
+/// solutions.
+///
+/// The arguments are those of every test. With a part of a name, the messages about
+/// mistakes are printed, and the pictures of the solutions are saved. With `always` in the
+/// variable `INSTA_UPDATE` of the environment, the answers are recorded anew.
+#[must_use]
+pub fn prove(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
+    let arguments = Arguments::from_args();
+    let is_shown = arguments.filter.is_some();
+    if env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
+        let filter = arguments.filter.as_deref().unwrap_or_default();
+        let is_chosen = |entry: &&Entry| format!("{}::", entry.name).contains(filter);
+        for entry in entries.iter().filter(is_chosen) {
+            if let Err(problem) = update(folder, entry) {
+                eprintln!("{}: {problem}", entry.name);
+                return ExitCode::FAILURE;
+            }
+        }
+    }
+    panic::set_hook(Box::new(move |panic| {
+        if is_shown {
+            println!("{panic}");
+        }
+    }));
+    // Starters come first, so that they do not wait for others to end.
+    let (mut starters, mut trials) = (Vec::new(), Vec::new());
+    for entry in entries {
+        let proof = Arc::new(Proof {
+            record: folder.record(entry.name),
+            entry,
+            folder: *folder,
+            is_shown,
+        });
+        starters.push(proof.trial("starter", Proof::starter));
+        trials.push(proof.trial("answers", Proof::answers));
+        trials.push(proof.trial("solution", Proof::solution));
+        let codes = &proof.entry.codes;
+        for (index, (about, _)) in codes.right(&[]).into_iter().enumerate() {
+            let prove = move |proof: &Proof, record: &Record| proof.right(record, index);
+            trials.push(proof.trial(&format!("right: {about}"), prove));
+        }
+        for (index, (about, _)) in codes.wrong(&[]).into_iter().enumerate() {
+            let prove = move |proof: &Proof, record: &Record| proof.wrong(record, index);
+            trials.push(proof.trial(&format!("wrong: {about}"), prove));
+        }
+    }
+    starters.extend(trials);
+    libtest_mimic::run(&arguments, starters).exit_code()
+}
+
+/// Records the answers of an exercise.
+fn update(folder: &StageFolder, entry: &Entry) -> std::io::Result<()> {
+    let file = folder.record_file(entry.name);
+    file.parent().map_or(Ok(()), fs::create_dir_all)?;
+    fs::write(file, entry.codes.record().to_string())
+}
+
+impl Proof {
+    /// A trial that needs the record.
+    fn trial(
+        self: &Arc<Self>,
+        about: &str,
+        prove: impl FnOnce(&Self, &Record) -> Result<(), Failed> + Send + 'static,
+    ) -> Trial {
+        let proof = self.clone();
+        Trial::test(format!("{}::{about}", proof.entry.name), move || {
+            prove(&proof, proof.record.as_ref()?)
+        })
+    }
+
+    fn run(&self, record: &Record, program: &Program, examples: fn()) -> Findings {
+        program.run(examples, record, &self.folder, Reader::Author)
+    }
+
+    fn starter(&self, record: &Record) -> Result<(), Failed> {
+        let _alone = WITH_STARTER.write();
+        let (starter, examples) = self.entry.codes.starter(&record.found);
+        let found = self.run(record, &starter, examples);
+        let is_to_do = !found.missing.is_empty();
+        is_to_do.then_some(()).ok_or("nothing is missing".into())
+    }
+
+    /// Fails if the recorded answers are not those of the solution and of the mistakes.
+    fn answers(&self, record: &Record) -> Result<(), Failed> {
+        let _together = WITH_STARTER.read();
+        let printed = self.entry.codes.record().to_string();
+        let recorded = record.to_string();
+        let mut lines = (1..).zip(recorded.lines().zip(printed.lines()));
+        let Some((line, (old, new))) = lines.find(|(_, (old, new))| old != new) else {
+            let is_equal = recorded == printed;
+            return is_equal
+                .then_some(())
+                .ok_or("the record is incomplete".into());
+        };
+        Err(format!(
+            "line {line} of the recorded answers is\n  {old}\nand would be\n  {new}\n\
+             if it is right, record it: INSTA_UPDATE=always"
+        )
+        .into())
+    }
+
+    fn solution(&self, record: &Record) -> Result<(), Failed> {
+        let _together = WITH_STARTER.read();
+        let codes = &self.entry.codes;
+        let (solution, examples) = codes.solution(&record.found);
+        let found = self.run(record, &solution, examples);
+        let (stage, name) = (self.folder.stage().name, self.entry.name.replace('_', "-"));
+        self.accept(&found, Some(&format!("{stage}-exercise-{name}.png")))?;
+        if record.mistakes.len() < 3 {
+            return Err("there are less than three mistakes".into());
+        }
+        for (about, program) in codes.usual(&record.found) {
+            self.refuse(about, &self.run(record, &program, || ()))?;
+        }
+        Ok(())
+    }
+
+    fn right(&self, record: &Record, index: usize) -> Result<(), Failed> {
+        let _together = WITH_STARTER.read();
+        let (_, program) = self.entry.codes.right(&record.found).swap_remove(index);
+        self.accept(&self.run(record, &program, || ()), None)
+    }
+
+    fn wrong(&self, record: &Record, index: usize) -> Result<(), Failed> {
+        let _together = WITH_STARTER.read();
+        let (about, program) = self.entry.codes.wrong(&record.found).swap_remove(index);
+        self.refuse(about, &self.run(record, &program, || ()))
+    }
+
+    /// Fails if right code is refused, or if its picture is not the one of this name in the book.
+    fn accept(&self, found: &Findings, picture: Option<&str>) -> Result<(), Failed> {
+        let mut problems = [&found.missing[..], &found.verdict.wrong].concat();
+        if let (Some(image), Some(name)) = (&found.image, picture) {
+            if self.is_shown {
+                self.folder.save(image, name);
+            }
+            let shown = self.folder.in_book(name);
+            if shown.is_file() {
+                let compared = compare_picture(&shown, image, Some(&self.folder.pictures()));
+                problems.extend(compared.err());
+            }
+        }
+        let is_right = problems.is_empty();
+        is_right.then_some(()).ok_or(problems.join("\n").into())
+    }
+
+    /// Fails if a mistake is accepted, or if it is not recognised.
+    fn refuse(&self, about: &str, found: &Findings) -> Result<(), Failed> {
+        let known = found.verdict.known.as_deref().unwrap_or_default();
+        if self.is_shown {
+            println!("{about}\n  {}\n  {known}", found.verdict.wrong.join("\n  "));
+        }
+        let is_known = known.starts_with("this is") && known.ends_with(about);
+        let accepted = || format!("the check accepts it, or takes it for another: {known}").into();
+        is_known.then_some(()).ok_or_else(accepted)
+    }
+}

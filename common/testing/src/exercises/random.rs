@@ -1,0 +1,45 @@
+//! `Random`: the random parameters of checks, the same in every run.
+
+use proptest::prelude::RngExt;
+use proptest::test_runner::{RngAlgorithm, TestRng};
+
+/// A hundred random inputs, the same in every run.
+pub fn random<I>(mut input: impl FnMut(&mut Random) -> I) -> Vec<I> {
+    let mut random = Random::new(1);
+    (0..100).map(|_| input(&mut random)).collect()
+}
+
+/// A source of random numbers, which a seed determines.
+#[derive(Clone, Debug)]
+pub struct Random(TestRng);
+
+impl Random {
+    /// The numbers of this seed.
+    #[must_use]
+    pub fn new(seed: u64) -> Self {
+        let seed = [seed, 0, 0, 0].map(u64::to_le_bytes).concat();
+        Self(TestRng::from_seed(RngAlgorithm::ChaCha, &seed))
+    }
+
+    /// A whole number, at least 0 and less than `end`, which is at least 1.
+    pub fn below(&mut self, end: u32) -> u32 {
+        self.0.random_range(..end)
+    }
+
+    /// A number from `start` to `end` in steps of a hundredth, so that the messages
+    /// that contain it are short.
+    pub fn between(&mut self, start: f64, end: f64) -> f64 {
+        let hundredths = ((end - start) * 100.0).round() as u32;
+        ((start * 100.0).round() + f64::from(self.below(hundredths + 1))) / 100.0
+    }
+
+    /// Three numbers from `-most` to `most` in steps of a hundredth.
+    pub fn triple(&mut self, most: f64) -> [f64; 3] {
+        [(); 3].map(|()| self.between(-most, most))
+    }
+
+    /// A power of ten, from 1e-12 to 1e12: the length of a direction.
+    pub fn scale(&mut self) -> f64 {
+        [1e-12, 1e-6, 1e-3, 0.1, 1.0, 10.0, 1e3, 1e6, 1e12][self.below(9) as usize]
+    }
+}

@@ -1,0 +1,75 @@
+//! `judge`: shows students the faults of their code.
+
+use std::collections::BTreeSet;
+use std::env;
+use std::panic::{self, Location};
+use std::process::ExitCode;
+use std::sync::Mutex;
+
+use exercise::write_answers;
+
+use super::folder::StageFolder;
+use super::kind::Exercise;
+use super::program::{Program, Reader};
+
+/// With this variable in the environment, the program prints its answers for a grader, after
+/// this mark, which sets them apart from what it prints besides.
+const PRINTED: &str = "EXERCISE_PRINTED";
+const MARK: &str = "\u{1c}";
+
+/// Runs the examples of a student's file, asks its code, prints the findings, and exits with
+/// 0 if the code is right, with 1 if it is not, and with 3 if parts are still missing.
+#[must_use]
+pub fn judge<C: Clone + 'static>(
+    folder: &StageFolder,
+    name: &'static str,
+    exercise: Exercise<C>,
+    yours: C,
+    examples: fn(),
+) -> ExitCode {
+    let lines = Mutex::new(BTreeSet::new());
+    panic::set_hook(Box::new(move |panic| {
+        let line = panic.location().map_or(0, Location::line);
+        // A line may panic for each input, and in each row of a picture.
+        if lines.lock().is_ok_and(|mut lines| lines.insert(line)) {
+            let message = panic.payload_as_str().unwrap_or_default();
+            println!("{name}.rs, line {line}: {message}");
+        }
+    }));
+    let record = match folder.record(name) {
+        Ok(record) => record,
+        Err(problem) => {
+            println!("{problem}");
+            return ExitCode::FAILURE;
+        }
+    };
+    let is_printed = env::var_os(PRINTED).is_some();
+    let remark = exercise.remark;
+    let program = Program::new(exercise, yours.clone(), &record.found);
+    let found = program.run(examples, &record, folder, Reader::Student);
+    // A grader sees no picture.
+    if let Some(image) = found.image.as_ref().filter(|_| !is_printed) {
+        folder.save(image, &format!("{}-{name}.png", folder.stage().name));
+    }
+    if !found.missing.is_empty() {
+        println!("to do: {}", found.missing.join("; "));
+        return ExitCode::from(3);
+    }
+    let is_right = found.verdict.wrong.is_empty();
+    for line in found.verdict.wrong.iter().chain(&found.verdict.note) {
+        println!("{line}");
+    }
+    if let Some(remark) = remark.filter(|_| is_right) {
+        println!(
+            "{}",
+            remark(&yours).unwrap_or_else(|error| error.to_string())
+        );
+    }
+    if let Some(line) = &found.verdict.known {
+        println!("{line}");
+    }
+    if is_printed {
+        print!("{MARK}{}", write_answers(&found.given));
+    }
+    ExitCode::from(u8::from(!is_right))
+}
