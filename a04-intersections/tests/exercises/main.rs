@@ -16,6 +16,8 @@ mod prelude {
     pub use a04_kinds::shown::*;
     pub use common::*;
     pub use testing::exercises::*;
+    // Not the picture of a scene.
+    pub use testing::exercises::Picture;
     pub use testing::yours;
 
     pub use crate::solved::*;
