@@ -2,10 +2,6 @@
 
 use crate::prelude::*;
 
-#[path = "../../exercises/solutions/six_planes.rs"]
-mod solution;
-pub use solution::SixPlanes;
-
 yours! { SixPlanes => new_shape(|(lbf, run)| SixPlanes::new(point(lbf), point(run))) }
 
 type Code = NewShape<Corners>;

@@ -4,11 +4,7 @@
 //! A page sends a request, a name and numbers, to [`call`] and shows the [`Answer`].
 //! Compiled to WebAssembly, the crate exports it as plain functions on memory.
 
-mod answer;
 mod catalogue;
-mod exchange;
-#[cfg(target_family = "wasm")]
-mod exports;
 mod extremes;
 mod figures;
 mod file;
@@ -16,7 +12,7 @@ mod picture;
 
 use common::Error;
 
-pub use answer::Answer;
+pub use page::Answer;
 
 /// The answer to a request, or the reason why there is none.
 type Answered = Result<Answer, Error>;
@@ -37,4 +33,12 @@ pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
         _ => figures::answer(request, numbers),
     };
     answer.map_err(|error| error.to_string())
+}
+
+/// Answers the request of a page, which lies in the module's memory.
+#[cfg(target_family = "wasm")]
+#[expect(unsafe_code, reason = "exporting a name is `unsafe`; no code here is")]
+#[unsafe(no_mangle)]
+extern "C" fn answer() -> bool {
+    page::answer_request(call)
 }

@@ -4,10 +4,10 @@ use a03_rays_cameras::View;
 use a03_rays_cameras::instruments::orbit_camera::{Orbit, OrbitCamera};
 use common::{Error, PixelTrace, Sampling, Settings, Transfer};
 
-use crate::exchange::settings;
 use crate::{Answer, Answered, catalogue};
 
-pub use crate::exchange::{pixels, sampling};
+use page::settings;
+pub use page::{pixels, sampling};
 
 /// How far a page has rotated the camera: yaw, pitch and zoom, after the settings.
 fn orbit(numbers: &[f64]) -> Orbit {

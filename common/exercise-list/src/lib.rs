@@ -7,17 +7,28 @@ use std::{env, fs, io};
 /// Writes `exercises.rs` into the output of the build script that calls it: a macro
 /// `listed!(stage)`, which calls `testing::stage_exercises!` with the names of all exercises in
 /// the folder `exercises` beside the build script.
+///
+/// `solved` are all that have a solution of their own. Of them `solutions` have no other starter
+/// than that. `open` are starters without a solution, as in a workbook for students.
 pub fn write() -> io::Result<()> {
     let starters = names("exercises/starters")?;
-    let mut solutions = names("exercises/solutions")?;
-    // Where a starter has a file of its own, its check knows the solution.
+    let solved = names("exercises/solutions")?;
+    let open = names("exercises/open")?;
+    let mut solutions = solved.clone();
     solutions.retain(|name| !starters.contains(name));
-    let [starters, solutions] = [starters, solutions].map(|names| names.join("\n    "));
-    let list = format!(
-        "macro_rules! listed {{ ($stage:path) => {{ testing::stage_exercises! {{\n\
-         stage $stage; starters {{\n    {starters}\n}} solutions {{\n    {solutions}\n}}\n\
-         }} }} }}\n",
-    );
+    let mut list = "macro_rules! listed { ($stage:path) => { testing::stage_exercises! {\n\
+         stage $stage;\n"
+        .to_owned();
+    let groups = [
+        ("solved", solved),
+        ("open", open),
+        ("starters", starters),
+        ("solutions", solutions),
+    ];
+    for (group, names) in groups {
+        list += &format!("{group} {{\n    {}\n}}\n", names.join("\n    "));
+    }
+    list += "} } }\n";
     let folder = env::var_os("OUT_DIR").unwrap_or_default();
     fs::write(Path::new(&folder).join("exercises.rs"), list)
 }

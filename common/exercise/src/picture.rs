@@ -1,9 +1,37 @@
 //! The pictures of students' code, compared with recorded ones.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use common::difference::{compare_with_file, largest, leave_pictures};
 use common::{Image, picture_file};
+
+use crate::Pictured;
+
+/// The file with the expected picture of a stage's scene in a workbook: the book's, or, of a scene
+/// with many samples, one with few that is recorded with the answers.
+#[must_use]
+pub fn expected_picture(workbook: &Path, stage: &str, scene: &str) -> PathBuf {
+    let name = format!("{stage}-{scene}.png");
+    let recorded = workbook.join(stage).join("exercises/answers").join(&name);
+    if recorded.is_file() {
+        return recorded;
+    }
+    workbook.join("book/src/pictures").join(name)
+}
+
+/// What the comparison of the picture of a scene says. With a folder, pictures that differ are
+/// saved there.
+#[must_use]
+pub fn pictured(scene: &str, expected: &Path, image: &Image, folder: Option<&Path>) -> Pictured {
+    let compared = compare_picture(expected, image, folder);
+    let is_right = compared.is_ok();
+    let words = compared.unwrap_or_else(|wrong| wrong);
+    Pictured {
+        is_right,
+        words: format!("the picture of scene {scene}: {words}"),
+        divergence: None,
+    }
+}
 
 /// Compares a picture with the expected one in a file, and says whether its bytes are equal,
 /// too: a picture is right if no channel differs by more than 1 of 255.

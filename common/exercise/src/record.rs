@@ -1,6 +1,7 @@
 //! `Record`: the right answers of an exercise and those of known mistakes, in a text file.
 //!
-//! A line begins with the word that says what it is. `found` has numbers that a search for
+//! A line begins with the word that says what it is. `picture` names the scene of the stage that the
+//! code paints. `found` has numbers that a search for
 //! questions has found with the right code. `?` has the words of a simple question. `=` has the
 //! right answer to the next question, and after `~` how far its numbers may move, beside their own
 //! rounding: nothing where they must not, and `rounding decides` where every answer is right. In an
@@ -11,7 +12,7 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
-use crate::{Answer, Given, Mistake, Question, Row, Tolerance, text};
+use crate::{Answer, Mistake, Question, Row, Tolerance, text};
 
 /// Right answers and known mistakes.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -19,6 +20,8 @@ pub struct Record {
     /// The property that a formula lacks which is right but for rounding, in an exercise about
     /// rounding, such as `loses digits where ...`.
     pub lacks: Option<String>,
+    /// The scene of the stage that the code paints, if it paints one.
+    pub picture: Option<String>,
     /// The numbers that each search for questions has found.
     pub found: Vec<Vec<f64>>,
     /// The right answers.
@@ -31,6 +34,9 @@ impl fmt::Display for Record {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(lacks) = &self.lacks {
             writeln!(f, "lacks {lacks}")?;
+        }
+        if let Some(scene) = &self.picture {
+            writeln!(f, "picture {scene}")?;
         }
         for found in &self.found {
             writeln!(f, "found {}", text::numbers(found))?;
@@ -94,6 +100,7 @@ impl Record {
         let (word, mut rest) = line.split_once(' ')?;
         match word {
             "lacks" => self.lacks = Some(rest.to_owned()),
+            "picture" => self.picture = Some(rest.to_owned()),
             "found" => self.found.push(text::read_numbers(rest).ok()?),
             "?" => {
                 *question = Some(Question {
@@ -158,38 +165,6 @@ fn read_ranges(text: &str) -> Option<BTreeSet<usize>> {
     Some(numbers)
 }
 
-/// A student's answers as text, each with the words of its question.
-#[must_use]
-pub fn write_answers(answers: &[Given]) -> String {
-    let mut text = String::new();
-    for Given { question, answer } in answers {
-        let answer = answer.as_ref().map(text::answer);
-        let answer = answer.map_or("!".to_owned(), |answer| format!("= {answer}"));
-        text.extend(["? ", &question.text, "\n", &answer, "\n"]);
-    }
-    text
-}
-
-/// The answers of a text. A line that nobody has written so ends them.
-#[must_use]
-pub fn read_answers(text: &str) -> Vec<Given> {
-    let mut lines = text.lines();
-    let read = || {
-        let text = lines.next()?.strip_prefix("? ")?.to_owned();
-        let line = lines.next()?;
-        let answer = match line.strip_prefix("= ") {
-            Some(mut answer) => Some(text::take_answer(&mut answer)?),
-            None => None,
-        };
-        let question = Question {
-            text,
-            ..Question::default()
-        };
-        Some(Given { question, answer })
-    };
-    std::iter::from_fn(read).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -215,6 +190,7 @@ mod tests {
         };
         let record = Record {
             lacks: Some("loses digits".to_owned()),
+            picture: Some("scene-2".to_owned()),
             found: vec![hard.to_vec(), Vec::new()],
             rows: vec![
                 row(simple, Tolerance::Changes(vec![0.0; 10])),
@@ -232,10 +208,5 @@ mod tests {
             }],
         };
         assert_eq!(Record::read(&record.to_string()), Ok(record));
-        let given = [Some(answer), None].map(|answer| Given {
-            question: Question::default(),
-            answer,
-        });
-        assert_eq!(read_answers(&write_answers(&given)), given);
     }
 }

@@ -1,6 +1,5 @@
 //! The part of `cargo learn` for lecturers: hands a workbook out, and grades what comes back.
 
-mod cut;
 mod grade;
 mod handout;
 mod result_file;

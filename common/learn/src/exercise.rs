@@ -112,9 +112,13 @@ mod tests {
             let count = |brace| starter.matches(brace).count();
             assert_eq!(count('{'), count('}'), "{name}");
             assert!(!e.hints.concat().contains("```rust"), "{name}");
-            assert!(files::shortest(e.solution).exists(), "{name}");
+            let open = format!("{}/exercises/{}/{name}.rs", e.stage, files::OPEN);
+            let mut files = [e.solution, &open].map(files::shortest).into_iter();
+            assert!(files.any(|file| file.exists()), "{name}");
+            let answers = format!("{}/exercises/answers/{name}.txt", e.stage);
+            assert!(files::shortest(&answers).exists(), "{name}");
             let check = files::read(&format!("{}/tests/exercises/{name}.rs", e.stage)).unwrap();
-            assert!(!e.is_core || check.contains("right \""), "{name}");
+            assert!(!e.is_core || check.contains("right: vec!["), "{name}");
         }
     }
 }

@@ -6,6 +6,9 @@ use std::{env, fs, io};
 
 use crate::exercise::Exercise;
 
+/// The folder of starters whose solution is not in the workbook.
+pub const OPEN: &str = "open";
+
 /// The folder of the workbook, of which `cargo run` knows the newest place.
 pub fn workspace() -> PathBuf {
     let folder = env::var_os("CARGO_MANIFEST_DIR");
@@ -47,13 +50,18 @@ pub fn saved(exercise: &Exercise) -> Option<SystemTime> {
     file.and_then(|file| file.modified()).ok()
 }
 
-/// The text of the starter: a file of its own, or the solution without its code.
+/// The text of the starter: a file of its own, which may be without a solution, or the solution
+/// without its code.
 pub fn starter(exercise: &Exercise) -> Result<String, String> {
     let (stage, name) = (exercise.stage, exercise.name);
-    read(&format!("{stage}/exercises/starters/{name}.rs")).or_else(|_| {
-        let solution = read(&format!("{stage}/exercises/solutions/{name}.rs"))?;
-        Ok(without_code(&solution))
-    })
+    for folder in ["starters", OPEN] {
+        let file = shortest(&format!("{stage}/exercises/{folder}/{name}.rs"));
+        if file.is_file() {
+            return fs::read_to_string(&file).map_err(failed(&file));
+        }
+    }
+    let solution = read(&format!("{stage}/exercises/solutions/{name}.rs"))?;
+    Ok(without_code(&solution))
 }
 
 /// Leaves out the code of each `missing!("what", for_now, {`, which ends with a line `})` of the

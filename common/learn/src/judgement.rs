@@ -42,28 +42,17 @@ pub fn judge(e: &Exercise, loud: bool, stop: Stop) -> Result<String, String> {
     Ok(verdict("done"))
 }
 
-/// Builds the test program of a stage that proves its exercises, and returns its path.
-#[cfg(not(handout))]
-pub fn proofs(stage: &str) -> Result<String, String> {
-    build(stage, false, &of_stage(stage), &mut || None)
-}
-
-/// Cargo's words for the test program of a stage.
-fn of_stage(stage: &str) -> Vec<String> {
-    let words = "--test exercises --profile test --message-format json-render-diagnostics";
-    let words = format!("rustc --package {stage} {words}");
-    words.split(' ').map(str::to_owned).collect()
-}
-
 /// Cargo's words for the test program of an exercise.
 pub fn arguments(e: &Exercise) -> Vec<String> {
     // Messages name the file by its shortest path, and not by way of the test.
     let shortest = files::shortest(&format!("{}/exercises", e.stage));
     let long = format!("{}/tests/exercises/../../exercises", e.stage);
     let prefix = format!("--remap-path-prefix={long}={}", shortest.display());
+    let words = "--test exercises --profile test --message-format json-render-diagnostics";
+    let words = format!("rustc --package {} {words}", e.stage);
     let own = ["--", "--cfg", "learn", "-A", "unused", "--cfg", e.name];
-    let own = own.into_iter().chain([&*prefix]).map(str::to_owned);
-    of_stage(e.stage).into_iter().chain(own).collect()
+    let all = words.split(' ').chain(own).chain([&*prefix]);
+    all.map(str::to_owned).collect()
 }
 
 /// Builds a test program, and returns its path.

@@ -51,7 +51,6 @@ enum Command {
     /// Checks an exercise once
     Check(OrNext),
     /// Builds the book with your pictures in it
-    #[cfg(not(handout))]
     Book,
     /// Begins an exercise anew, and keeps your file
     Reset(OrNext),

@@ -10,7 +10,7 @@ use crate::files;
 /// The exercises of a stage that are not among those of its page, by name.
 pub fn others(stage: &'static str, page: &[Exercise]) -> Result<Vec<Exercise>, String> {
     let mut paths = BTreeMap::new();
-    for folder in ["solutions", "starters"] {
+    for folder in ["solutions", "starters", files::OPEN] {
         let folder = format!("{stage}/exercises/{folder}");
         let entries = fs::read_dir(files::shortest(&folder)).into_iter().flatten();
         for file in entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok()) {
@@ -32,7 +32,9 @@ fn exercise(stage: &'static str, name: &'static str, path: String) -> Result<Exe
     let ((title, minutes), task) =
         parts.ok_or_else(|| format!("{path}: it begins with no title, minutes and task"))?;
     let hints = hints.split("\n\n").skip(1);
-    let is_solution = path.contains("/solutions/");
+    // It may be missing.
+    let is_in_check = path.contains("/starters/");
+    let solution = format!("{stage}/exercises/solutions/{name}.rs");
     Ok(Exercise {
         name,
         stage,
@@ -41,7 +43,7 @@ fn exercise(stage: &'static str, name: &'static str, path: String) -> Result<Exe
         is_core: false,
         task: task.to_owned(),
         hints: hints.map(|hint| format!("\n{hint}\n")).collect(),
-        solution: if is_solution { path } else { check }.leak(),
+        solution: if is_in_check { check } else { solution }.leak(),
     })
 }
 

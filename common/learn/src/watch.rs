@@ -55,7 +55,10 @@ fn work_on(course: &[Exercise], e: &Exercise) -> Result<bool, String> {
             });
             let solution = files::shortest(e.solution);
             match judged {
-                Ok(done) => println!("{done}\nsolution: {}\n{NEXT}", solution.display()),
+                Ok(done) if solution.is_file() => {
+                    println!("{done}\nsolution: {}\n{NEXT}", solution.display());
+                }
+                Ok(done) => println!("{done}\n{NEXT}"),
                 // While a key is waited for, no error may end the program.
                 Err(problem) => println!("{problem}\n{KEYS}"),
             }

@@ -11,10 +11,6 @@ use std::time::{Duration, Instant};
 use std::{env, thread};
 
 const WORKBOOK: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/workbook");
-const PAGES: [&str; 2] = [
-    include_str!("../../../book/src/a01-exercises.md"),
-    include_str!("../../../book/src/a02-exercises.md"),
-];
 const PACKAGE: &str = "[package]\nname = \"a01-image-display\"\nedition = \"2024\"\n\
     [[test]]\nname = \"exercises\"\npath = \"main.rs\"\nharness = false\n[workspace]";
 
@@ -28,7 +24,21 @@ const FILES: [(&str, &str); 6] = [
     ("loop", "println!(\"starts\"); loop {}"),
 ];
 
-/// Ten exercises, and of each the steps: a file that is saved, the file's end, or the key that is
+/// The exercises in the order of their page.
+const EXERCISES: [&str; 10] = [
+    "set_pixel",
+    "diagonal",
+    "products",
+    "angle",
+    "reflected",
+    "ppm",
+    "srgb",
+    "line",
+    "thumbnail",
+    "triangle_area",
+];
+
+/// The evening: exercises, and of each the steps: a file that is saved, the file's end, or the key that is
 /// typed, and words of the answer.
 #[rustfmt::skip]
 const STEPS: [(&str, &str); 14] = [
@@ -59,6 +69,23 @@ fn text(kind: &str) -> Option<String> {
     Some(format!("pub fn check() -> i32 {{ {code} }}"))
 }
 
+/// The page that sets the exercises, of which the first ones are the core path.
+fn page() -> String {
+    let mut page = "# Exercises\n\n## Build along\n".to_owned();
+    for name in EXERCISES {
+        if name == "ppm" {
+            page += "\n## Further exercises\n";
+        }
+        page += &format!(
+            "\n### The {name}\n\n*10 minutes, in\n`a01-image-display/exercises/{name}.rs`*\n\n\
+             Write it.\n\n```text\ncargo learn {name}\n```\n\n<details><summary>Hint</summary>\n\n\
+             Look at it.\n\n</details>\n\n\
+             Solution: `a01-image-display/exercises/solutions/{name}.rs`\n"
+        );
+    }
+    page
+}
+
 fn learn(arguments: &[&str]) -> Command {
     let mut learn = Command::new(env!("CARGO_BIN_EXE_learn"));
     learn.env("CARGO_MANIFEST_DIR", [WORKBOOK, "/common/learn"].concat());
@@ -81,8 +108,7 @@ fn each_step_is_answered() {
     let main = "fn main() { std::process::exit(yours::check()) }";
     write("main.rs", &(modules.collect::<String>() + main));
     write("Cargo.toml", PACKAGE);
-    let page = PAGES.concat().replace("a02-math/", "a01-image-display/");
-    write("book/src/a01-exercises.md", &page);
+    write("book/src/a01-exercises.md", &page());
 
     // An exercise that no page sets.
     let task = "//! Its title, 5 minutes\n//!\n//! Its task.\n";

@@ -26,8 +26,9 @@
 //!    `//! A camera for a dome, 20 minutes`, an empty line, and paragraphs. In the comment of the
 //!    check each paragraph after the first is a hint.
 
-#[cfg(not(target_family = "wasm"))]
 mod folder;
+#[cfg(target_family = "wasm")]
+mod in_browser;
 mod kind;
 mod missing;
 #[cfg(not(target_family = "wasm"))]
@@ -40,8 +41,9 @@ mod student;
 
 pub use common::ArgumentError;
 pub use exercise::{Answer, Input, assert_close};
-#[cfg(not(target_family = "wasm"))]
 pub use folder::StageFolder;
+#[cfg(target_family = "wasm")]
+pub use in_browser::judge;
 pub use kind::{Asked, Exercise, Group, Picture, Questions, Render, Search, Variant, searched};
 pub(crate) use missing::found_missing;
 pub use missing::missing;
@@ -84,11 +86,14 @@ macro_rules! yours {
 /// instead, and such a program judges the student's file of that name.
 #[macro_export]
 macro_rules! stage_exercises {
-    (stage $stage:path; starters { $($starter:ident)* } solutions { $($solution:ident)* }) => {
+    (
+        stage $stage:path; solved { $($solved:ident)* } open { $($open:ident)* }
+        $($folder:ident { $($name:ident)* })+
+    ) => {
         /// The names of all solutions, for the prelude.
         #[allow(unused_imports, ambiguous_glob_reexports)]
         mod solved {
-            $(#[cfg(not(learn))] pub use super::solutions::$solution::*;)*
+            $(#[cfg(not(learn))] pub use super::solutions::$solved::*;)*
         }
 
         #[cfg(not(learn))]
@@ -98,20 +103,16 @@ macro_rules! stage_exercises {
             macro_rules! missing {
                 ($what:expr, $for_now:expr, $code:expr) => { $code };
             }
-            $(pub mod $solution;)*
+            $(pub mod $solved;)*
         }
 
-        $crate::stage_exercises! {
-            @all $stage; starters { $($starter)* } solutions { $($solution)* }
-        }
-    };
-    (@all $stage:path; $($folder:ident { $($name:ident)* })+) => {
         $($(
             #[cfg(any(not(learn), $name))]
             #[allow(clippy::semicolon_if_nothing_returned)]
             #[allow(clippy::manual_midpoint, clippy::type_complexity)]
             mod $name;
         )*)+
+        $(#[cfg($open)] mod $open;)*
 
         /// The students' files, which rust-analyzer reads, too.
         #[cfg(any(learn, rust_analyzer))]
@@ -119,6 +120,7 @@ macro_rules! stage_exercises {
         #[allow(clippy::all, clippy::pedantic, missing_docs)]
         mod yours {
             $($(#[cfg(any($name, rust_analyzer))] pub mod $name;)*)+
+            $(#[cfg(any($open, rust_analyzer))] pub mod $open;)*
         }
 
         #[cfg(not(learn))]
@@ -146,16 +148,12 @@ macro_rules! stage_exercises {
             let folder = $crate::exercises::StageFolder::new(env!("CARGO_MANIFEST_DIR"), $stage);
             $($(
                 #[cfg($name)]
-                let exit = {
-                    use prelude::*;
-                    // A file may have none.
-                    fn examples() {}
-                    let examples = { use yours::$name::*; examples };
-                    let (name, exercise) = (stringify!($name), $name::exercise());
-                    let yours = $name::code!(crate::yours::$name);
-                    $crate::exercises::judge(&folder, name, exercise, yours, examples)
-                };
+                let exit = $crate::stage_exercises! { @judge folder $name };
             )*)+
+            $(
+                #[cfg($open)]
+                let exit = $crate::stage_exercises! { @judge folder $open };
+            )*
             #[cfg(not(learn))]
             let exit = $crate::exercises::prove(&folder, vec![$($({
                 use prelude::*;
@@ -167,8 +165,17 @@ macro_rules! stage_exercises {
                     || { use $name::*; $name::code!() },
                     proved::$name,
                 )
-            }),*),+]);
+            },)*)+]);
             exit
         }
     };
+    (@judge $folder:ident $name:ident) => {{
+        use prelude::*;
+        // A file may have none.
+        fn examples() {}
+        let examples = { use yours::$name::*; examples };
+        let (name, exercise) = (stringify!($name), $name::exercise());
+        let yours = $name::code!(crate::yours::$name);
+        $crate::exercises::judge(&$folder, name, exercise, yours, examples)
+    }};
 }

@@ -13,7 +13,6 @@
 )]
 #![cfg_attr(target_family = "wasm", allow(dead_code, reason = "nothing is judged"))]
 
-#[cfg(not(handout))]
 #[cfg(target_os = "linux")]
 pub mod display;
 pub mod exercise;

@@ -1,11 +1,12 @@
 //! `grade`: judges the files of students in a handout without solutions.
 //!
-//! The student's program runs in a sandbox, and prints its answers. Another program, which has
-//! the solution and nothing of the student, compares them: so an exit code is no verdict.
+//! The student's program runs in a sandbox, and prints its answers and its picture. The grader
+//! compares them with the recorded ones of its own workbook: so an exit code is no verdict.
 
-use std::fs::{self, File};
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+
+use ::exercise::{Pictured, Printed, Record, expected_picture, pictured, verdict};
 
 use super::handout::Handout;
 use super::result_file::{self, FORMATS};
@@ -71,7 +72,6 @@ impl Grade {
             folder: folder.join("workbook"),
             until: self.exercises.iter().map(|e| e.stage.to_owned()).max(),
             without_solutions: true,
-            with_labs: false,
         };
         // If it remains, it is no new folder for a handout.
         let _ = fs::remove_dir_all(&handout.folder);
@@ -99,17 +99,30 @@ fn judge(sandbox: &Sandbox, e: &Exercise, submission: &Path) -> Result<(), Strin
     fs::remove_file(&file).map_err(failed(&file))?;
     sandbox.run("check", [judgement::program(&built?)?], "not yet")?;
 
-    let answers = File::open(sandbox.output()).map_err(failed(&sandbox.output()))?;
-    let proofs = judgement::proofs(e.stage)?;
-    let mut verdict = Command::new(&proofs);
-    verdict.env("EXERCISE_JUDGED", e.name).stdin(answers);
-    let verdict = verdict.output().map_err(failed(proofs.as_ref()))?;
-    if verdict.status.success() {
+    let output = fs::read(sandbox.output()).map_err(failed(&sandbox.output()))?;
+    compare(e, &String::from_utf8_lossy(&output))
+        .map_err(|wrong| format!("the program reports success, but its answers say: {wrong}"))
+}
+
+/// Compares the answers and the picture in the output of a program with the recorded ones.
+fn compare(e: &Exercise, output: &str) -> Result<(), String> {
+    let file = format!("{}/exercises/answers/{}.txt", e.stage, e.name);
+    let record = Record::read(&files::read(&file)?)?;
+    let printed = Printed::read(output);
+    let picture = record.picture.as_ref().map(|scene| {
+        let expected = expected_picture(&files::workspace(), e.stage, scene);
+        match &printed.picture {
+            Some(image) => pictured(scene, &expected, image, None),
+            None => Pictured {
+                is_right: false,
+                words: format!("the picture of scene {scene}: it is missing"),
+                divergence: None,
+            },
+        }
+    });
+    let found = verdict(&record, &printed.answers, picture);
+    if found.wrong.is_empty() {
         return Ok(());
     }
-    let wrong = String::from_utf8_lossy(&verdict.stdout);
-    let wrong = wrong.trim_end();
-    Err(format!(
-        "the program reports success, but its answers say: {wrong}"
-    ))
+    Err(found.wrong.join("\n"))
 }

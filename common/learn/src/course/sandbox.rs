@@ -46,7 +46,11 @@ impl Sandbox {
             _ => "stopped by a limit of time, memory, processes or the size of a file",
         };
         // Before the answers, and without the messages of Cargo to programs.
-        let said = said.split('\u{1c}').next().unwrap_or_default().lines();
+        let said = said
+            .split(exercise::MARK)
+            .next()
+            .unwrap_or_default()
+            .lines();
         let said = said.filter(|line| !line.is_empty() && !line.starts_with('{'));
         Err([why].into_iter().chain(said).collect::<Vec<_>>().join("\n"))
     }

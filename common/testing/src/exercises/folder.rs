@@ -4,7 +4,10 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use common::{Error, Image, Scene, Settings, Stage, Transfer, picture_file};
-use exercise::Record;
+use exercise::{Record, expected_picture};
+
+/// The samples of a pixel, of a scene that has more: they show mistakes as well as a hundred.
+const SAMPLES: u32 = 4;
 
 /// The folder of a stage, and its scenes.
 #[derive(Clone, Copy)]
@@ -71,15 +74,29 @@ impl StageFolder {
         }
     }
 
-    /// Renders a scene by the lesson into a file of this name, and returns its path.
-    pub(super) fn rendered(
-        &self,
-        scene: &Scene,
-        settings: &Settings,
-        name: &str,
-    ) -> Result<PathBuf, Error> {
-        let (path, image) = (self.pictures().join(name), scene.render(settings, &())?);
-        picture_file::save_png(&path, image.size(), &image.to_rgb8(Transfer::Linear))?;
-        Ok(path)
+    /// The settings with which the scene of an exercise is rendered.
+    pub(super) fn settings(scene: &Scene) -> Settings {
+        let mut settings = scene.defaults.clone();
+        settings.samples = settings.samples.min(SAMPLES);
+        settings
+    }
+
+    /// The file with the expected picture of a scene.
+    pub(super) fn expected(&self, scene: &str) -> PathBuf {
+        expected_picture(&self.workbook(), self.stage().name, scene)
+    }
+
+    /// The lesson's picture of a scene with few samples, and the file in which it is recorded; none
+    /// of a scene whose picture is the one in the book.
+    pub(super) fn recorded_picture(&self, scene: &str) -> Result<Option<(PathBuf, Image)>, Error> {
+        let stage = self.stage();
+        let scene = stage.scene(scene)?;
+        let settings = Self::settings(&scene);
+        if settings.samples == scene.defaults.samples {
+            return Ok(None);
+        }
+        let file = format!("exercises/answers/{}-{}.png", stage.name, scene.name);
+        let image = scene.render(&settings, &())?;
+        Ok(Some((self.folder.join(file), image)))
     }
 }

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use common::{Error, Image, Settings};
+use common::{Error, Image, Settings, Size};
 use exercise::{Answer, Input, Question};
 
 /// Says something about code of the type `C`.
@@ -56,6 +56,14 @@ pub enum Picture<C> {
     Scene(&'static str, Render<C>),
     /// A small picture that is only looked at.
     Own(Render<C>),
+}
+
+/// The settings of a picture that is only looked at.
+pub(super) fn own_settings() -> Result<Settings, Error> {
+    Ok(Settings {
+        size: Size::new(320, 240)?,
+        ..Settings::default()
+    })
 }
 
 impl<C> Picture<C> {

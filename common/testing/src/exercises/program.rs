@@ -1,19 +1,18 @@
 //! `Program`: an exercise with code that answers its questions and paints its picture.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::PathBuf;
 use std::rc::Rc;
 
 use common::difference::worst_pixel;
 use common::steps::with_chosen_pixel;
-use common::{Error, Image, Settings, Size, divergence, picture_file};
+use common::{Error, Image, Settings, divergence, picture_file};
 use exercise::{
-    Answer, Given, Mistake, Pictured, Question, Record, Row, Verdict, compare_picture, verdict,
+    Answer, Given, Mistake, Pictured, Question, Record, Row, Verdict, pictured, verdict,
 };
 
 use super::folder::StageFolder;
 use super::found_missing;
-use super::kind::{Asked, Exercise, Group, Picture};
+use super::kind::{Asked, Exercise, Group, Picture, own_settings};
 
 /// The answer to a question with other numbers.
 type AnswerTo = Box<dyn Fn(&[f64]) -> Answer>;
@@ -73,6 +72,14 @@ impl Program {
             questions,
             answers,
             picture,
+        }
+    }
+
+    /// The scene of the stage that it paints.
+    pub fn scene(&self) -> Option<&'static str> {
+        match self.picture {
+            Picture::Scene(name, _) => Some(name),
+            _ => None,
         }
     }
 
@@ -152,17 +159,13 @@ impl Program {
                 let pictured = scene(folder, name, &|settings| render(&(), settings), &mut image);
                 let pictured = pictured.unwrap_or_else(|error| Pictured {
                     is_right: false,
-                    words: error.to_string(),
+                    words: format!("the picture of scene {name}: {error}"),
                     divergence: None,
                 });
-                let words = format!("the picture of scene {name}: {}", pictured.words);
-                (image, Some(Pictured { words, ..pictured }))
+                (image, Some(pictured))
             }
             Picture::Own(render) if is_shown => {
-                let painted = Size::new(320, 240).map_err(Error::from).and_then(|size| {
-                    let settings = Settings::default();
-                    render(&(), &Settings { size, ..settings })
-                });
+                let painted = own_settings().and_then(|settings| render(&(), &settings));
                 match painted {
                     Ok(image) => (Some(image), None),
                     Err(error) => {
@@ -190,20 +193,13 @@ fn scene(
 ) -> Result<Pictured, Error> {
     let stage = folder.stage();
     let scene = stage.scene(name)?;
-    // Four samples show mistakes as well as a hundred.
-    let mut settings = scene.defaults.clone();
-    settings.samples = settings.samples.min(4);
-    let file = format!("{}-{}.png", stage.name, scene.name);
-    let locked: PathBuf = if settings.samples == scene.defaults.samples {
-        folder.in_book(&file)
-    } else {
-        folder.rendered(&scene, &settings, &file)?
-    };
-    let expected = picture_file::open(&locked).ok();
+    let settings = StageFolder::settings(&scene);
+    let file = folder.expected(name);
+    let expected = picture_file::open(&file).ok();
     let worst = move |image: &Image| worst_pixel(expected.as_ref()?, image);
     let (image, yours) = with_chosen_pixel(worst, || render(&settings));
     let image = painted.insert(image?);
-    let compared = compare_picture(&locked, image, Some(&folder.pictures()));
+    let pictured = pictured(name, &file, image, Some(&folder.pictures()));
     let divergence = match (scene.rays(), yours) {
         (Ok(rays), Some(yours)) => {
             let lesson = rays.trace(&settings, yours.pixel)?;
@@ -212,8 +208,7 @@ fn scene(
         _ => None,
     };
     Ok(Pictured {
-        is_right: compared.is_ok(),
-        words: compared.unwrap_or_else(|wrong| wrong),
         divergence,
+        ..pictured
     })
 }

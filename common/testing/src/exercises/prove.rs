@@ -5,6 +5,8 @@ use std::process::ExitCode;
 use std::sync::{Arc, RwLock};
 use std::{env, fs, panic};
 
+use common::difference::compare_with_file;
+use common::{Transfer, picture_file};
 use exercise::{Record, compare_picture};
 use libtest_mimic::{Arguments, Failed, Trial};
 
@@ -116,12 +118,15 @@ impl<C: 'static> Codes for Typed<C> {
             Group::Known(_) => None,
         });
         let found: Vec<_> = searches.collect();
-        let rows = Program::new(exercise, solution, &found).rows(lacks.is_some());
+        let program = Program::new(exercise, solution, &found);
+        let picture = program.scene().map(str::to_owned);
+        let rows = program.rows(lacks.is_some());
         let mistakes = self.usual(&found).into_iter().chain(self.wrong(&found));
         let mistakes = mistakes.map(|(about, program)| program.mistake(about, &rows));
         let mistakes = mistakes.collect();
         Record {
             lacks: lacks.map(str::to_owned),
+            picture,
             found,
             rows,
             mistakes,
@@ -193,7 +198,19 @@ pub fn prove(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
 fn update(folder: &StageFolder, entry: &Entry) -> std::io::Result<()> {
     let file = folder.record_file(entry.name);
     file.parent().map_or(Ok(()), fs::create_dir_all)?;
-    fs::write(file, entry.codes.record().to_string())
+    let record = entry.codes.record();
+    fs::write(file, record.to_string())?;
+    if let Some(scene) = record.picture
+        && let Some((file, image)) = folder.recorded_picture(&scene).map_err(other)?
+    {
+        let bytes = image.to_rgb8(Transfer::Linear);
+        picture_file::save_png(&file, image.size(), &bytes).map_err(other)?;
+    }
+    Ok(())
+}
+
+fn other(error: common::Error) -> std::io::Error {
+    std::io::Error::other(error)
 }
 
 impl Proof {
@@ -224,6 +241,11 @@ impl Proof {
     /// Fails if the recorded answers are not those of the solution and of the mistakes.
     fn answers(&self, record: &Record) -> Result<(), Failed> {
         let _together = WITH_STARTER.read();
+        if let Some(scene) = &record.picture
+            && let Some((file, image)) = self.folder.recorded_picture(scene)?
+        {
+            compare_with_file(&file, &image)?;
+        }
         let printed = self.entry.codes.record().to_string();
         let recorded = record.to_string();
         let mut lines = (1..).zip(recorded.lines().zip(printed.lines()));

@@ -6,16 +6,15 @@ use std::panic::{self, Location};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
-use exercise::write_answers;
+use exercise::Printed;
 
 use super::folder::StageFolder;
 use super::kind::Exercise;
 use super::program::{Program, Reader};
 
-/// With this variable in the environment, the program prints its answers for a grader, after
-/// this mark, which sets them apart from what it prints besides.
+/// With this variable in the environment, the program prints its answers and its picture for a
+/// grader.
 const PRINTED: &str = "EXERCISE_PRINTED";
-const MARK: &str = "\u{1c}";
 
 /// Runs the examples of a student's file, asks its code, prints the findings, and exits with
 /// 0 if the code is right, with 1 if it is not, and with 3 if parts are still missing.
@@ -69,7 +68,9 @@ pub fn judge<C: Clone + 'static>(
         println!("{line}");
     }
     if is_printed {
-        print!("{MARK}{}", write_answers(&found.given));
+        let picture = found.image.filter(|_| record.picture.is_some());
+        let answers = found.given;
+        print!("{}", Printed { answers, picture });
     }
     ExitCode::from(u8::from(!is_right))
 }

@@ -7,7 +7,7 @@
 
 use std::cell::RefCell;
 
-use super::{Answer, call};
+use crate::Answer;
 
 /// Room for the request: its text, and the bytes of its numbers.
 type Request = [Vec<u8>; 2];
@@ -31,8 +31,7 @@ extern "C" fn reserve(part: usize, length: usize) -> *mut u8 {
 }
 
 /// Answers the request; false if the answer is the text of an error.
-#[unsafe(no_mangle)]
-extern "C" fn answer() -> bool {
+pub fn answer_request(call: impl Fn(&str, &[f64]) -> Result<Answer, String>) -> bool {
     let answer = REQUEST.with_borrow(|[text, numbers]| {
         let bytes = numbers.as_chunks::<8>().0.iter();
         let numbers: Vec<_> = bytes.map(|number| f64::from_le_bytes(*number)).collect();

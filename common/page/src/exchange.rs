@@ -2,9 +2,10 @@
 
 use common::{Error, Image, Renderer, Sampling, Settings, Size, Transfer, fnv1a};
 
-use super::Answer;
+use crate::Answer;
 
 /// The place of the samples that a page gives as a number: their place in the list of all.
+#[must_use]
 pub fn sampling(number: f64) -> Sampling {
     let found = Sampling::ALL.get(number as usize);
     found.copied().unwrap_or_default()
@@ -12,6 +13,10 @@ pub fn sampling(number: f64) -> Sampling {
 
 /// The settings in the numbers of a page: width, height, samples, the number of their place,
 /// seed, depth and 1 for the engine. The defaults if there are none.
+///
+/// # Errors
+///
+/// Fails if a picture cannot have this size.
 pub fn settings(defaults: &Settings, numbers: &[f64]) -> Result<Settings, Error> {
     let &[width, height, samples, place, seed, depth, engine, ..] = numbers else {
         return Ok(defaults.clone());
@@ -32,6 +37,7 @@ pub fn settings(defaults: &Settings, numbers: &[f64]) -> Result<Settings, Error>
 }
 
 /// The pixels, size and, as text, hash of a picture.
+#[must_use]
 pub fn pixels(image: &Image) -> Answer {
     let rgb = image.to_rgb8(Transfer::Linear);
     let rgba = rgb.as_chunks::<3>().0.iter();
