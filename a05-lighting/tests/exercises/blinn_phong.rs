@@ -2,36 +2,54 @@
 
 use crate::prelude::*;
 
-type Shiny = fn([Color; 2], f64, &Ray, &Hit, &Illumination) -> Color;
+yours! { blinn_phong => crate::blinn_phong::summed(blinn_phong) }
 
-pub fn check(check: &mut Check, yours: Shiny) {
-    let all = |of: Shiny, colors: [Color; 2], p, ray: &Ray, hit: &Hit, lights: &dyn Lighting| {
-        sum(colors[0], ray, hit, lights, |light| {
-            of(colors, p, ray, hit, light)
+type Code = Shading<([[f64; 3]; 2], f64)>;
+type Other = Variant<Code>;
+
+/// The reflected light of one lamp, by the colours, the exponent, the ray, its hit, and the light.
+type OfLamp = fn([Color; 2], f64, &Ray, &Hit, &Illumination) -> Color;
+
+/// The ambient light, and the light of all lamps.
+pub fn summed(of_lamp: OfLamp) -> Code {
+    shading(move |(colors, exponent): ([_; 2], _), ray, hit, lighting| {
+        let colors = colors.map(color);
+        sum(colors[0], ray, hit, lighting, |light| {
+            of_lamp(colors, exponent, ray, hit, light)
         })
-    };
-    for p in [2.0, 0.0] {
-        compare_materials(
-            check,
-            "diffuse and specular {}, exponent {}",
-            &([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], p),
-            |r| ([channels(r), channels(r)], r.between(0.5, 40.0)),
-            &|(cs, p), ray, hit, lights| all(blinn_phong, cs.map(color), p, ray, hit, lights),
-            &|(cs, p), ray, hit, lights| all(yours, cs.map(color), p, ray, hit, lights),
-        );
-    }
-    check.picture(shaded(scenes::phong(), |diffuse, ray, hit, lights| {
-        let colors = [diffuse, Color::gray(0.7)];
-        all(yours, colors, 64.0, ray, hit, lights)
-    }));
+    })
 }
 
-variants! { check:
-    yours => blinn_phong;
-    wrong "the vector half way has length 1" => |[cd, cs], p, ray, hit, light| {
-        let half = (light.direction - ray.direction()) * 0.5;
-        let [cosine, highlight] = [light.direction, half].map(|d| hit.normal.dot(d).max(0.0));
-        let is_before = f64::from(cosine > 0.0);
-        (cd * cosine + cs * (is_before * libm::pow(highlight, p))) * light.color
-    };
+pub fn exercise() -> Exercise<Code> {
+    Exercise {
+        picture: Picture::own(|blinn_phong: &Code, settings| {
+            shaded(scenes::phong()?, settings, |diffuse, ray, hit, lights| {
+                let colors = [diffuse.channels(), [0.7; 3]];
+                blinn_phong((colors, 64.0), ray, hit, lights)
+            })
+        }),
+        wrong: vec![Other::new(
+            "the vector half way has length 1",
+            summed(not_normalized),
+        )],
+        ..materials([2.0, 0.0].map(|exponent| Materials {
+            words: "diffuse and specular {}, exponent {}",
+            first: ([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], exponent),
+            any: |r| ([channels(r), channels(r)], r.between(0.5, 40.0)),
+        }))
+    }
+}
+
+fn not_normalized(
+    [diffuse, specular]: [Color; 2],
+    exponent: f64,
+    ray: &Ray,
+    hit: &Hit,
+    light: &Illumination,
+) -> Color {
+    let half = (light.direction - ray.direction()) * 0.5;
+    let [cosine, highlight] = [light.direction, half].map(|d| hit.normal.dot(d).max(0.0));
+    let is_before = f64::from(cosine > 0.0);
+    let specular = specular * (is_before * libm::pow(highlight, exponent));
+    (diffuse * cosine + specular) * light.color
 }

@@ -2,33 +2,45 @@
 
 use crate::prelude::*;
 
+yours! {
+    directional_light => light_at(|(c, direction), _| {
+        directional_light(color(c), vector(direction))
+    })
+}
+
+type Code = LightAt<([f64; 3], [f64; 3])>;
+type Other = Variant<Code>;
+
 pub fn directional_light(color: Color, direction: Vector3) -> Option<Illumination> {
     let sun = DirectionalLight::new(color, direction);
     sun.ok()?.illumination(Point3::ORIGIN)
 }
 
-pub fn check(check: &mut Check, yours: fn(Color, Vector3) -> Arriving) {
-    compare_lights(
-        check,
-        "light {} that travels along {}",
-        &([1.0, 0.5, 0.25], [0.0, -2.0, 0.0]),
-        |r| {
-            let length = r.scale();
-            (channels(r), r.triple(5.0).map(|x| x * length))
-        },
-        &|(c, d), _| directional_light(color(c), vector(d)),
-        &|(c, d), _| yours(color(c), vector(d)),
-    );
-    let sun = |_| yours(Color::WHITE, vector([-1.0; 3]));
-    let picture = lit(scenes::phong_directional(), "DirectionalLight", sun);
-    check.scene(&stage(), "phong-directional", picture);
+pub fn exercise() -> Exercise<Code> {
+    let lit = Lit {
+        view: scenes::phong_directional,
+        name: "DirectionalLight",
+        light: ([1.0; 3], [-1.0; 3]),
+    };
+    Exercise {
+        picture: Picture::scene("phong-directional", move |light, settings| {
+            lit.rendered(light, settings)
+        }),
+        right: vec![Other::new("divided by the length", light_at(divided))],
+        ..lights([Lights {
+            words: "light {} that travels along {}",
+            first: ([1.0, 0.5, 0.25], [0.0, -2.0, 0.0]),
+            any: |r| {
+                let length = r.scale();
+                (channels(r), r.triple(5.0).map(|x| x * length))
+            },
+        }])
+    }
 }
 
-variants! { check:
-    yours => directional_light;
-    right "divided by the length" => |color, d| {
-        let mut light = directional_light(color, d)?;
-        light.direction = d * (-1.0 / d.magnitude());
-        Some(light)
-    };
+fn divided((c, direction): ([f64; 3], [f64; 3]), _: Point3) -> Arriving {
+    let direction = vector(direction);
+    let mut light = directional_light(color(c), direction)?;
+    light.direction = direction * (-1.0 / direction.magnitude());
+    Some(light)
 }

@@ -2,22 +2,32 @@
 
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, yours: fn(Color, Point3, Point3) -> Arriving) {
-    compare_lights(
-        check,
-        "lamp {} at {}",
-        &([1.0, 0.5, 0.25], LAMP),
-        |r| (channels(r), r.triple(5.0)),
-        &|(c, lamp), p| fading_light(color(c), point(lamp), p),
-        &|(c, lamp), p| yours(color(c), point(lamp), p),
-    );
-    let lamp = |p| yours(Color::gray(2.5), point([0.2, 2.2, 1.5]), p);
-    check.picture(lit(scenes::phong(), "", lamp));
-}
+yours! { fading_light => light_at(|(c, lamp), p| fading_light(color(c), point(lamp), p)) }
 
-variants! { check:
-    yours => fading_light;
-    wrong "twice as far away is a quarter, not half" => |color, lamp, p| {
-        fading_light(color * (lamp - p).magnitude(), lamp, p)
+type Code = LightAt<([f64; 3], [f64; 3])>;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
+    let lit = Lit {
+        view: scenes::phong,
+        name: "",
+        light: ([2.5; 3], [0.2, 2.2, 1.5]),
     };
+    Exercise {
+        picture: Picture::own(move |light, settings| lit.rendered(light, settings)),
+        wrong: vec![Other::of_right(
+            "twice as far away is a quarter, not half",
+            |right| {
+                light_at(move |(c, lamp): ([f64; 3], _), p| {
+                    let distance = (point(lamp) - p).magnitude();
+                    right((c.map(|channel| channel * distance), lamp), p)
+                })
+            },
+        )],
+        ..lights([Lights {
+            words: "lamp {} at {}",
+            first: ([1.0, 0.5, 0.25], LAMP),
+            any: |r| (channels(r), r.triple(5.0)),
+        }])
+    }
 }

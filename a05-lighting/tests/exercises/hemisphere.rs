@@ -1,35 +1,49 @@
 //! Surfaces that face all directions, compared with the solution.
 
+use std::f64::consts::PI;
+use std::sync::Arc;
+
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, yours: &(dyn Fn([Color; 3], Normal3) -> Color + Sync)) {
+yours! { hemisphere => std::sync::Arc::new(hemisphere) }
+
+type Code = Arc<dyn Fn([Color; 3], Normal3) -> Color + Send + Sync>;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
     let day = [[1.0, 0.5, 0.25], [0.0, 0.5, 1.0], [0.5, 0.25, 0.0]];
     let normals = [[0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0]];
-    check.compare(
-        "diffuse, sky and ground {}, normal {}",
-        normals.map(|n| (day, n)),
-        random(|r| ([(); 3].map(|()| channels(r)), r.triple(1.0))),
-        [&hemisphere as _, yours],
-        |hemisphere, (colors, n)| hemisphere(colors.map(color), unit(n).as_normal()).channels(),
-    );
-    let [sky, ground] = [[0.8, 0.95, 1.2], [0.3, 0.22, 0.1]].map(color);
-    check.picture(shaded(scenes::lambert(), |diffuse, _, hit, _| {
-        yours([diffuse, sky, ground], hit.normal)
-    }));
-}
-
-variants! { mixed:
-    yours => &hemisphere;
-    wrong "walls see half the sky" => |cos| cos.max(0.0);
-    wrong "a share is between 0 and 1" => |cosine| cosine;
-    wrong "the share follows from the cosine, not the angle" => |cosine| {
-        1.0 - libm::acos(cosine) / std::f64::consts::PI
+    let surfaces = Questions {
+        words: "diffuse, sky and ground {}, normal {}".into(),
+        simple: normals.map(|n| (day, n)).to_vec(),
+        others: random(|r| ([(); 3].map(|()| channels(r)), r.triple(1.0))),
+        answer: |hemisphere: &Code, (colors, n): ([_; 3], _)| {
+            hemisphere(colors.map(color), unit(n).as_normal()).channels()
+        },
     };
+    Exercise {
+        questions: vec![surfaces.into()],
+        picture: Picture::own(|hemisphere: &Code, settings| {
+            let [sky, ground] = [[0.8, 0.95, 1.2], [0.3, 0.22, 0.1]].map(color);
+            shaded(scenes::lambert()?, settings, |diffuse, _, hit, _| {
+                hemisphere([diffuse, sky, ground], hit.normal)
+            })
+        }),
+        wrong: vec![
+            Other::new("walls see half the sky", mixed(|cosine| cosine.max(0.0))),
+            Other::new("a share is between 0 and 1", mixed(|cosine| cosine)),
+            Other::new(
+                "the share follows from the cosine, not the angle",
+                mixed(|cosine| 1.0 - libm::acos(cosine) / PI),
+            ),
+        ],
+        ..Exercise::default()
+    }
 }
 
-/// Sky and ground with another share of the sky, from the cosine of the angle to up.
-fn mixed(c: &mut Check, share: fn(f64) -> f64) {
-    check(c, &|[diffuse, sky, ground], n| {
-        diffuse * (sky * share(n.y()) + ground * (1.0 - share(n.y())))
-    });
+/// Sky and ground, with a fraction of the sky that follows from the cosine of the angle to up.
+fn mixed(fraction: fn(f64) -> f64) -> Code {
+    Arc::new(move |[diffuse, sky, ground]: [_; 3], n: Normal3| {
+        diffuse * (sky * fraction(n.y()) + ground * (1.0 - fraction(n.y())))
+    })
 }

@@ -2,37 +2,47 @@
 
 use crate::prelude::*;
 
+yours! {
+    lambert => shading(|diffuse, ray, hit, lighting| lambert(color(diffuse), ray, hit, lighting))
+}
+
+type Code = Shading<[f64; 3]>;
+type Other = Variant<Code>;
+
 pub fn lambert(diffuse: Color, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
     let matt = Lambert::new(diffuse);
     matt.map_or(Color::BLACK, |matt| matt.color_for(ray, hit, lighting))
 }
 
-pub fn check(
-    check: &mut Check,
-    yours: &(dyn Fn(Color, &Ray, &Hit, &dyn Lighting) -> Color + Sync),
-) {
-    compare_materials(
-        check,
-        "diffuse {}",
-        &[1.0, 0.5, 0.0],
-        channels,
-        &|diffuse, ray, hit, lights| lambert(color(diffuse), ray, hit, lights),
-        &|diffuse, ray, hit, lights| yours(color(diffuse), ray, hit, lights),
-    );
-    check.scene(&stage(), "lambert", shaded(scenes::lambert(), yours));
+pub fn exercise() -> Exercise<Code> {
+    Exercise {
+        picture: Picture::scene("lambert", |lambert: &Code, settings| {
+            shaded(scenes::lambert()?, settings, |diffuse, ray, hit, lights| {
+                lambert(diffuse.channels(), ray, hit, lights)
+            })
+        }),
+        right: vec![Other::new(
+            "the share first",
+            textbook(|cosine| cosine.max(0.0)),
+        )],
+        wrong: vec![Other::new(
+            "no light is negative",
+            textbook(|cosine| cosine),
+        )],
+        ..materials([Materials {
+            words: "diffuse {}",
+            first: [1.0, 0.5, 0.0],
+            any: channels,
+        }])
+    }
 }
 
-/// The sum over the lights, with this function of each cosine.
-fn textbook(c: &mut Check, share: fn(f64) -> f64) {
-    check(c, &|diffuse, ray, hit, lights| {
-        sum(diffuse, ray, hit, lights, |light| {
-            diffuse * share(hit.normal.dot(light.direction)) * light.color
+/// The sum over the lights, with a fraction that follows from each cosine.
+fn textbook(fraction: fn(f64) -> f64) -> Code {
+    shading(move |diffuse, ray, hit, lighting| {
+        let diffuse = color(diffuse);
+        sum(diffuse, ray, hit, lighting, |light| {
+            diffuse * fraction(hit.normal.dot(light.direction)) * light.color
         })
-    });
-}
-
-variants! { textbook:
-    yours => &lambert;
-    right "the share first" => |cosine| cosine.max(0.0);
-    wrong "no light is negative" => |cosine| cosine;
+    })
 }

@@ -1,12 +1,29 @@
-//! Proves the exercises of this stage, which the book sets.
+//! Proves the exercises of this stage, which the book sets, and judges students' files.
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
-mod light;
-mod material;
-mod scene;
+/// All names that checks, examples and students' files use.
+#[allow(unused_imports, ambiguous_glob_reexports)]
+mod prelude {
+    pub use a02_math::arrays::{array, point, vector};
+    pub use a02_math::*;
+    pub use a03_rays_cameras::*;
+    pub use a04_intersections::*;
+    pub use a05_kinds::light::*;
+    pub use a05_kinds::material::*;
+    pub use a05_kinds::numbers::*;
+    pub use a05_kinds::seen::*;
+    pub use a05_kinds::shown::*;
+    pub use a05_lighting::{scenes, *};
+    pub use common::*;
+    pub use testing::exercises::*;
+    // Not the picture of a scene.
+    pub use testing::exercises::Picture;
+    pub use testing::yours;
 
-testing::exercises! {
-    a05_lighting uses
-    {a02_math::*, a02_math::arrays::{point, vector}, a03_rays_cameras::*, a04_intersections::*, a05_lighting::*, common::*, a05_lighting::{scenes, stage}, crate::light::*, crate::material::*, crate::scene::*}
+    pub use crate::solved::*;
 }
+
+include!(concat!(env!("OUT_DIR"), "/exercises.rs"));
+
+listed!(a05_lighting::stage);

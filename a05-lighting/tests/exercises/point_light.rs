@@ -2,30 +2,38 @@
 
 use crate::prelude::*;
 
+yours! { point_light => light_at(|(c, lamp), p| point_light(color(c), point(lamp), p)) }
+
+type Code = LightAt<([f64; 3], [f64; 3])>;
+type Other = Variant<Code>;
+
 pub fn point_light(color: Color, lamp: Point3, point: Point3) -> Option<Illumination> {
     PointLight::new(color, lamp).ok()?.illumination(point)
 }
 
-pub fn check(check: &mut Check, yours: fn(Color, Point3, Point3) -> Arriving) {
-    compare_lights(
-        check,
-        "light {} at {}",
-        &([1.0, 0.5, 0.25], LAMP),
-        |r| (channels(r), r.triple(5.0)),
-        &|(c, lamp), p| point_light(color(c), point(lamp), p),
-        &|(c, lamp), p| yours(color(c), point(lamp), p),
-    );
-    let lamp = |p| yours(Color::WHITE, point([4.0; 3]), p);
-    let picture = lit(scenes::phong(), "PointLight", lamp);
-    check.scene(&stage(), "phong", picture);
+pub fn exercise() -> Exercise<Code> {
+    let lit = Lit {
+        view: scenes::phong,
+        name: "PointLight",
+        light: ([1.0; 3], [4.0; 3]),
+    };
+    Exercise {
+        picture: Picture::scene("phong", move |light, settings| {
+            lit.rendered(light, settings)
+        }),
+        right: vec![Other::new("divided by the distance", light_at(divided))],
+        ..lights([Lights {
+            words: "light {} at {}",
+            first: ([1.0, 0.5, 0.25], LAMP),
+            any: |r| (channels(r), r.triple(5.0)),
+        }])
+    }
 }
 
-variants! { check:
-    yours => point_light;
-    right "divided by the distance" => |color, lamp, p| {
-        let mut light = point_light(color, lamp, p)?;
-        light.distance = (lamp - p).magnitude();
-        light.direction = (lamp - p) * (1.0 / light.distance);
-        Some(light)
-    };
+fn divided((c, lamp): ([f64; 3], [f64; 3]), p: Point3) -> Arriving {
+    let mut light = point_light(color(c), point(lamp), p)?;
+    let to_lamp = point(lamp) - p;
+    light.distance = to_lamp.magnitude();
+    light.direction = to_lamp * (1.0 / light.distance);
+    Some(light)
 }

@@ -4,6 +4,18 @@ use std::f64::consts::PI;
 
 use crate::prelude::*;
 
+yours! {
+    spot_light => light_at(|(c, lamp, axis, half_angle), p| {
+        spot_light(color(c), point(lamp), unit(axis), half_angle, p)
+    })
+}
+
+type Code = LightAt<Cone>;
+type Other = Variant<Code>;
+
+/// Colour, place and axis of a lamp, and the half angle.
+type Cone = ([f64; 3], [f64; 3], [f64; 3], f64);
+
 pub fn spot_light(
     color: Color,
     lamp: Point3,
@@ -15,39 +27,40 @@ pub fn spot_light(
     spot.ok()?.illumination(point)
 }
 
-pub fn check(
-    check: &mut Check,
-    yours: &(dyn Fn(Color, Point3, Vector3, f64, Point3) -> Arriving + Sync),
-) {
-    for half_angle in [1.0, PI] {
-        compare_lights(
-            check,
-            "light {} at {}, axis {}, half angle {}",
-            &([1.0, 0.5, 0.25], LAMP, [0.0, -1.0, 0.0], half_angle),
-            |r| {
+pub fn exercise() -> Exercise<Code> {
+    let lit = Lit {
+        view: scenes::phong_spot,
+        name: "SpotLight",
+        light: ([1.0; 3], [4.0; 3], [-1.0; 3], PI / 14.0),
+    };
+    Exercise {
+        picture: Picture::scene("phong-spot", move |light, settings| {
+            lit.rendered(light, settings)
+        }),
+        right: vec![Other::new("angles", textbook(|angle, half| angle <= half))],
+        wrong: vec![Other::new(
+            "a wide cone shines behind the lamp, too",
+            textbook(|angle, half| angle <= half.min(PI / 2.0)),
+        )],
+        ..lights([1.0, PI].map(|half_angle| Lights {
+            words: "light {} at {}, axis {}, half angle {}",
+            first: ([1.0, 0.5, 0.25], LAMP, [0.0, -1.0, 0.0], half_angle),
+            any: |r| {
                 let [lamp, axis] = [(); 2].map(|()| r.triple(5.0));
                 (channels(r), lamp, axis, r.between(0.05, 3.1))
             },
-            &|(c, lamp, axis, angle), p| spot_light(color(c), point(lamp), unit(axis), angle, p),
-            &|(c, lamp, axis, angle), p| yours(color(c), point(lamp), unit(axis), angle, p),
-        );
+        }))
     }
-    let spot = |p| yours(Color::WHITE, point([4.0; 3]), unit([-1.0; 3]), PI / 14.0, p);
-    let picture = lit(scenes::phong_spot(), "SpotLight", spot);
-    check.scene(&stage(), "phong-spot", picture);
 }
 
 /// The light where this function accepts the angle of the point and the half angle.
-fn textbook(c: &mut Check, accepts: fn(f64, f64) -> bool) {
-    check(c, &|color, lamp, axis, half_angle, p| {
-        let light = PointLight::new(color, lamp).ok()?.illumination(p)?;
-        let angle = libm::acos(axis.dot(-light.direction).clamp(-1.0, 1.0));
+fn textbook(accepts: fn(f64, f64) -> bool) -> Code {
+    light_at(move |(c, lamp, axis, half_angle), p| {
+        let light = PointLight::new(color(c), point(lamp))
+            .ok()?
+            .illumination(p)?;
+        let cosine = unit(axis).dot(-light.direction);
+        let angle = libm::acos(cosine.clamp(-1.0, 1.0));
         accepts(angle, half_angle).then_some(light)
-    });
-}
-
-variants! { textbook:
-    yours => &spot_light;
-    right "angles" => |angle, half| angle <= half;
-    wrong "a wide cone shines behind the lamp, too" => |angle, half| angle <= half.min(PI / 2.0);
+    })
 }

@@ -1,0 +1,103 @@
+//! Asks materials for the colours of surfaces that an eye sees.
+
+use std::sync::Arc;
+
+use a02_math::Direction;
+use a03_rays_cameras::Ray;
+use a04_intersections::Hit;
+use a05_lighting::{Illumination, Lighting};
+use common::Color;
+use testing::exercises::{Exercise, Group, Input, Questions, Random, Variant, random};
+
+use crate::seen::{ReceivedLight, SEEN, Seen};
+
+/// The colour of a surface of some parameters, by the ray, its hit, and the light there.
+pub type Shading<P> = Arc<dyn Fn(P, &Ray, &Hit, &dyn Lighting) -> Color + Send + Sync>;
+
+/// The code that shades surfaces by this function.
+pub fn shading<P>(
+    color: impl Fn(P, &Ray, &Hit, &dyn Lighting) -> Color + Send + Sync + 'static,
+) -> Shading<P> {
+    Arc::new(color)
+}
+
+/// Materials of some parameters.
+pub struct Materials<P> {
+    /// The parameters in words, with `{}` instead of each.
+    pub words: &'static str,
+    /// Parameters of round numbers.
+    pub first: P,
+    /// Random parameters.
+    pub any: fn(&mut Random) -> P,
+}
+
+/// Asks materials of one kind after the other: the first of each kind on simple surfaces, and then
+/// any one; and the mistakes that all materials may have.
+pub fn materials<P: Input + 'static>(
+    materials: impl IntoIterator<Item = Materials<P>>,
+) -> Exercise<Shading<P>> {
+    Exercise {
+        questions: materials.into_iter().map(Materials::questions).collect(),
+        usual: vec![
+            mistake("the normal counts, not the face", |hit, _| {
+                hit.normal = hit.face;
+            }),
+            mistake("a surface reflects the colour of the light", |_, light| {
+                light.color = Color::WHITE;
+            }),
+            mistake("light from behind adds nothing", |hit, light| {
+                light.direction = light.direction * hit.normal.dot(light.direction).signum();
+            }),
+        ],
+        ..Exercise::default()
+    }
+}
+
+/// Shading that takes the hit and each light to be other ones.
+fn mistake<P: 'static>(
+    about: &'static str,
+    change: fn(&mut Hit, &mut Illumination),
+) -> Variant<Shading<P>> {
+    Variant::of_right(about, move |right: Shading<P>| {
+        shading(move |parameters, ray, hit, lighting| {
+            let mut light = ReceivedLight {
+                ambient: lighting.ambient(),
+                lights: Vec::new(),
+            };
+            lighting.for_each_light(ray, hit, &mut |arriving| light.lights.push(*arriving));
+            let mut hit = *hit;
+            for arriving in &mut light.lights {
+                change(&mut hit, arriving);
+            }
+            right(parameters, ray, &hit, &light)
+        })
+    })
+}
+
+impl<P: Input + 'static> Materials<P> {
+    fn questions(self) -> Group<Shading<P>> {
+        let Self { words, first, any } = self;
+        let questions = Questions {
+            words: format!("{words}, {SEEN}"),
+            simple: Seen::simple().map(|seen| (first.clone(), seen)).to_vec(),
+            others: random(|r| (any(r), Seen::any(r))),
+            answer: |shading: &Shading<P>, (parameters, seen): (P, Seen)| {
+                shading(parameters, &seen.ray(), &seen.hit(), &seen.light()).channels()
+            },
+        };
+        questions.into()
+    }
+}
+
+/// The ambient light that a surface reflects, and the part that it reflects of each light.
+pub fn sum(
+    diffuse: Color,
+    ray: &Ray,
+    hit: &Hit,
+    lighting: &dyn Lighting,
+    reflected: impl Fn(&Illumination) -> Color,
+) -> Color {
+    let mut sum = diffuse * lighting.ambient();
+    lighting.for_each_light(ray, hit, &mut |light| sum += reflected(light));
+    sum
+}

@@ -1,0 +1,155 @@
+//! Surfaces as an eye sees them: in light from before, from behind and along the surface, with
+//! normals aslant to the face, from all distances.
+
+use a02_math::arrays::{array, vector};
+use a02_math::{Direction, Point3};
+use a03_rays_cameras::Ray;
+use a04_intersections::Hit;
+use a05_lighting::{Illumination, Lighting};
+use common::Color;
+use testing::exercises::{Input, Random};
+
+use crate::numbers::{channels, color, unit};
+
+/// The words for a surface that an eye sees in messages.
+pub const SEEN: &str = "eye towards {} at the distance {}, normal and face {}, ambient light {}, \
+    colours of lights and where they are {}";
+
+/// A surface at the origin that an eye sees. Directions have any length.
+#[derive(Clone)]
+pub struct Seen {
+    /// The direction to the eye.
+    pub to_eye: [f64; 3],
+    /// The distance of the eye.
+    pub distance: f64,
+    /// The normal, and that of the face.
+    pub normals: [[f64; 3]; 2],
+    /// The channels of the ambient light.
+    pub ambient: [f64; 3],
+    /// The channels of each light, and the direction to it.
+    pub lights: Vec<[[f64; 3]; 2]>,
+}
+
+impl Input for Seen {
+    fn for_each_number(&mut self, f: &mut dyn FnMut(&mut f64)) {
+        self.to_eye.for_each_number(f);
+        self.distance.for_each_number(f);
+        self.normals.for_each_number(f);
+        self.ambient.for_each_number(f);
+        self.lights.for_each_number(f);
+    }
+
+    fn words(&self) -> Vec<String> {
+        [
+            self.to_eye.words(),
+            self.distance.words(),
+            self.normals.words(),
+            self.ambient.words(),
+            self.lights.words(),
+        ]
+        .concat()
+    }
+}
+
+impl Seen {
+    /// An eye above and light from there, aslant, from behind, none but ambient light, and
+    /// a normal aslant to the face.
+    #[must_use]
+    pub fn simple() -> [Self; 5] {
+        let (up, pink) = ([0.0, 1.0, 0.0], [1.0, 0.5, 0.5]);
+        let from_above = Self {
+            to_eye: up,
+            distance: 1.0,
+            normals: [up, up],
+            ambient: [0.0; 3],
+            lights: vec![[pink, up]],
+        };
+        [
+            from_above.clone(),
+            Self {
+                lights: vec![[pink, [3.0, 4.0, 0.0]]],
+                ..from_above.clone()
+            },
+            Self {
+                lights: vec![[pink, [3.0, -4.0, 0.0]]],
+                ..from_above.clone()
+            },
+            Self {
+                ambient: pink,
+                lights: Vec::new(),
+                ..from_above.clone()
+            },
+            Self {
+                normals: [[3.0, 4.0, 0.0], up],
+                ..from_above
+            },
+        ]
+    }
+
+    /// An eye before a surface, and two lights, one of which shines along it.
+    pub fn any(random: &mut Random) -> Self {
+        let [normal, bend, eye, light] = [(); 4].map(|()| vector(random.triple(1.0)));
+        let face = normal + bend * 0.4;
+        let height = 1e-6 * random.between(-1.0, 1.0);
+        let grazing = normal.cross(light) + normal * height;
+        let lights = [light, grazing].map(|light| [channels(random), array(light)]);
+        Self {
+            to_eye: array(eye * eye.dot(face).signum()),
+            distance: random.scale(),
+            normals: [normal, face].map(array),
+            ambient: channels(random),
+            lights: lights.to_vec(),
+        }
+    }
+
+    /// The ray from the eye.
+    #[must_use]
+    pub fn ray(&self) -> Ray {
+        let to_eye = unit(self.to_eye);
+        Ray::derived(Point3::ORIGIN + to_eye * self.distance, -to_eye)
+    }
+
+    /// The hit of the ray.
+    #[must_use]
+    pub fn hit(&self) -> Hit {
+        let [normal, face] = self.normals.map(|n| unit(n).as_normal());
+        Hit {
+            face,
+            ..Hit::new(self.distance, normal)
+        }
+    }
+
+    /// The light that the hit receives.
+    #[must_use]
+    pub fn light(&self) -> ReceivedLight {
+        let lights = self.lights.iter();
+        let lights = lights.map(|[light, direction]| Illumination {
+            color: color(*light),
+            direction: unit(*direction),
+            ..Illumination::default()
+        });
+        ReceivedLight {
+            ambient: color(self.ambient),
+            lights: lights.collect(),
+        }
+    }
+}
+
+/// The light that every hit receives.
+#[derive(Clone, Debug, Default)]
+pub struct ReceivedLight {
+    /// The ambient light.
+    pub ambient: Color,
+    /// The light of each source.
+    pub lights: Vec<Illumination>,
+}
+
+impl Lighting for ReceivedLight {
+    fn ambient(&self) -> Color {
+        self.ambient
+    }
+
+    fn for_each_light(&self, _: &Ray, _: &Hit, shade: &mut dyn FnMut(&Illumination)) {
+        self.lights.iter().for_each(shade);
+    }
+}

@@ -1,0 +1,75 @@
+//! Pictures of scenes in the colours of students' code.
+
+use a03_rays_cameras::{Ray, View, paint};
+use a04_intersections::instruments::recorded::push_background;
+use a04_intersections::{Hit, Interval};
+use a05_lighting::instruments::recorded::{self, push_light};
+use a05_lighting::{LitWorld, Material, Phong};
+use common::{Color, Error, Image, Settings};
+use testing::exercises::Made;
+
+use crate::light::LightAt;
+use crate::seen::ReceivedLight;
+
+/// Renders a view in the colours of this function of the world, a ray, and the depth.
+pub fn rendered<W: Sync>(
+    view: &View<W>,
+    settings: &Settings,
+    color: impl Fn(&W, &Ray, u32) -> Color + Sync,
+) -> Result<Image, Error> {
+    let radiance = |ray: &Ray| color(&view.world, ray, settings.depth);
+    paint(&*view.camera, &radiance, settings)
+}
+
+/// Renders a view in the colours of this function of the diffuse colour of the material, the ray,
+/// its hit, and the lights; and records their steps.
+pub fn shaded(
+    view: View<LitWorld>,
+    settings: &Settings,
+    color: impl Fn(Color, &Ray, &Hit, &LitWorld) -> Color + Sync,
+) -> Result<Image, Error> {
+    let view =
+        view.map(|world| recorded::world(world, |_, shape| shape, |own| own, recorded::light));
+    let only_ambient = ReceivedLight {
+        ambient: Color::WHITE,
+        lights: Vec::new(),
+    };
+    rendered(&view, settings, |world, ray, _| {
+        let background = world.objects().background();
+        let shown = match world.objects().hit(ray, Interval::AHEAD) {
+            Some((hit, material)) => {
+                let diffuse = material.color_for(ray, &hit, &only_ambient);
+                recorded::shaded(ray, &hit, material, || color(diffuse, ray, &hit, world))
+            }
+            None => background,
+        };
+        push_background(background);
+        shown
+    })
+}
+
+/// A student's light in a scene.
+pub struct Lit<P> {
+    /// The scene, whose objects become shiny.
+    pub view: fn() -> Made<View<LitWorld>>,
+    /// The name of the light's type in the steps of a pixel.
+    pub name: &'static str,
+    /// The parameters of the light.
+    pub light: P,
+}
+
+impl<P: Clone + Sync> Lit<P> {
+    /// Renders the scene in the light that this code computes.
+    pub fn rendered(&self, light_at: &LightAt<P>, settings: &Settings) -> Result<Image, Error> {
+        shaded((self.view)()?, settings, |diffuse, ray, hit, world| {
+            let light = light_at(self.light.clone(), ray.at(hit.t));
+            push_light(1, self.name, light);
+            let received = ReceivedLight {
+                ambient: world.ambient(),
+                lights: light.into_iter().collect(),
+            };
+            let shiny = Phong::new(diffuse, Color::WHITE, 64.0);
+            shiny.map_or(Color::BLACK, |shiny| shiny.color_for(ray, hit, &received))
+        })
+    }
+}
