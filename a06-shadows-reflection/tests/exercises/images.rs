@@ -1,32 +1,52 @@
 //! Lamps between mirrors, compared with the solution.
 
+use std::sync::Arc;
+
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, yours: &dyn Fn(f64, f64, u32) -> [f64; 2]) {
-    check.compare(
-        "mirrors {} apart, lamp at {}, after {} reflections",
-        [0, 1, 2, 3].map(|n| (10.0, 3.0, n)),
-        random(|r| {
+yours! { images => std::sync::Arc::new(images) }
+
+/// The images in both mirrors: by their distance, the place of the lamp, and the reflections.
+type Code = Arc<dyn Fn(f64, f64, u32) -> [f64; 2] + Send + Sync>;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
+    let lamps = Questions {
+        words: "mirrors {} apart, lamp at {}, after {} reflections".into(),
+        simple: [0, 1, 2, 3].map(|n| (10.0, 3.0, n)).to_vec(),
+        others: random(|r| {
             let width = r.between(1.0, 20.0);
             (width, r.between(0.0, width), r.below(12))
         }),
-        [&images as _, yours],
-        |images, (width, lamp, n)| images(width, lamp, n),
-    );
-}
-
-variants! { steps:
-    yours => &images;
-    wrong "a mirror shows the image in the other one" => |width, [left, right]| {
-        [-left, 2.0 * width - right]
+        answer: |images: &Code, (width, lamp, n)| images(width, lamp, n),
     };
-    wrong "a mirror at x = m moves x to 2m - x" => |width, [left, right]| [-right, width - left];
-    wrong "both images are replaced at once" => |width, [_, right]| [-right, 2.0 * width + right];
+    Exercise {
+        questions: vec![lamps.into()],
+        wrong: vec![
+            Other::new(
+                "a mirror shows the image in the other one",
+                steps(|width, [left, right]| [-left, 2.0 * width - right]),
+            ),
+            Other::new(
+                "a mirror at x = m moves x to 2m - x",
+                steps(|width, [left, right]| [-right, width - left]),
+            ),
+            Other::new(
+                "both images are replaced at once",
+                steps(|width, [_, right]| [-right, 2.0 * width + right]),
+            ),
+        ],
+        ..Exercise::default()
+    }
 }
 
-/// Images of which each step makes the next ones.
-fn steps(c: &mut Check, step: fn(f64, [f64; 2]) -> [f64; 2]) {
-    check(c, &|width, lamp, n| {
-        (0..n).fold([lamp; 2], |images, _| step(width, images))
-    });
+/// Images of which each step makes the next ones, by the distance of the mirrors.
+fn steps(step: fn(f64, [f64; 2]) -> [f64; 2]) -> Code {
+    Arc::new(move |width, lamp, n| {
+        let mut images = [lamp; 2];
+        for _ in 0..n {
+            images = step(width, images);
+        }
+        images
+    })
 }

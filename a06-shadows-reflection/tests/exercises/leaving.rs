@@ -1,93 +1,90 @@
 //! Rays that leave shapes of all sizes, near the origin and far away, steep and grazing, to
 //! both sides, compared with the lesson's.
 
+use std::sync::Arc;
+
+use crate::departure::{Departure, Numbers, SHAPES};
 use crate::prelude::*;
 
-/// Shape, its normal, size, point in sizes, way from there to the eye, and the direction.
-type Left = (&'static str, [f64; 3], f64, [f64; 3], [f64; 3], [f64; 3]);
+yours! { secondary_ray => std::sync::Arc::new(secondary_ray) }
 
-const SHAPES: [&str; 3] = ["plane", "sphere", "smooth triangle"];
+type Code = Arc<dyn Fn(&Ray, &Hit, Vector3) -> Ray + Send + Sync>;
+type Other = Variant<Code>;
 
-pub fn check(check: &mut Check, yours: &(dyn Fn(&Ray, &Hit, Vector3) -> Ray + Sync)) {
-    let simple = |d, size| SHAPES.map(|s| (s, [0.0, 1.0, 0.0], size, [0.0; 3], [0.0, 2.0, 1.0], d));
+pub fn exercise() -> Exercise<Code> {
     let (up, down) = ([4.0, 3.0, 0.0], [4.0, -3.0, 0.0]);
-    check.compare(
-        "{} with normal {}, of size {}, at {} sizes, the eye {} sizes away, left along {}",
-        [simple(up, 1.0), simple(down, 1.0), simple(up, 1e-9)].concat(),
-        random(|r| {
-            let (n, p) = (unit(r.triple(1.0)), r.triple(5.0));
-            let side = unit(array(n.cross(vector(r.triple(1.0)))));
-            // Near, far from the origin, and far from the eye.
-            let [far, away] = [[1.0, 1.0], [1e7, 1.0], [0.0, 1e7]][r.below(3) as usize];
-            let eye = (n * r.between(0.5, 3.0) + side * r.between(-3.0, 3.0)) * away;
-            let d = side + n * [1.0, -1.0, 1e-3, -1e-3][r.below(4) as usize];
-            let (shape, p) = (SHAPES[r.below(3) as usize], p.map(|x| x * far));
-            (shape, array(n), r.scale(), p, array(eye), array(d))
+    let mut simple = Vec::new();
+    for (direction, size) in [(up, 1.0), (down, 1.0), (up, 1e-9)] {
+        for shape in SHAPES {
+            simple.push(Departure {
+                shape,
+                normal: [0.0, 1.0, 0.0],
+                size,
+                point: [0.0; 3],
+                to_eye: [0.0, 2.0, 1.0],
+                direction,
+            });
+        }
+    }
+    let departures = Questions {
+        words: "{} with normal {}, of size {}, at {} sizes, the eye {} sizes away, left along {}"
+            .into(),
+        simple,
+        others: random(Departure::any),
+        answer: |secondary_ray: &Code, departure: Departure| departure.answer(&**secondary_ray),
+    };
+    Exercise {
+        questions: vec![departures.into()],
+        picture: Picture::scene("sphere", |secondary_ray: &Code, settings| {
+            traced_picture(scenes::sphere()?, settings, |world, ray, depth| {
+                let tracer = Tracer {
+                    world,
+                    is_shadowed: &is_shadowed,
+                    secondary_ray: &**secondary_ray,
+                };
+                tracer.trace(ray, depth)
+            })
         }),
-        [&secondary_ray as _, yours],
-        |leaving, input| left(input, leaving),
-    );
-    let picture = reflected_scene(scenes::sphere(), |world, ray, depth| {
-        Tracer(world, &is_shadowed, yours).trace(ray, depth)
-    });
-    check.scene(&stage(), "sphere", picture);
-}
-
-fn left((shape, n, size, p, away, d): Left, leaving: Leaving) -> Option<Answer> {
-    let (p, away) = (Point3::ORIGIN + vector(p) * size, vector(away) * size);
-    let (n, d) = (unit(n), unit(d));
-    let shape: Box<dyn Geometry> = match shape {
-        "plane" => Box::new(Plane::new(p, n.as_normal()).ok()?),
-        "sphere" => Box::new(Sphere::new(p - n * size, size).ok()?),
-        _ => Box::new(smooth_triangle(p, n, size).ok()?),
-    };
-    let ray = Ray::new(p + away, -away).ok()?;
-    let hit = shape.hit(&ray, Interval::AHEAD)?;
-    let left = leaving(&ray, &hit, d);
-    let step = left.origin() - ray.at(hit.t);
-    // Inwards, a ray meets the far side of a sphere, but not this one.
-    let again = shape.hit(&left, Interval::before(1e-4 * size));
-    let words = if step.dot(hit.face) * d.dot(hit.face) <= 0.0 {
-        "a ray from the wrong side of the surface"
-    } else if step.magnitude() > 1e-9 * numbers(&ray, &hit).iter().sum::<f64>() {
-        "a ray that begins far away"
-    } else if again.is_some() {
-        "a ray that hits the surface again"
-    } else {
-        "a ray that leaves the surface"
-    };
-    Some(Answer::words(words).and("direction", array(left.direction())))
-}
-
-/// The largest coordinates of the origin and of the point, and t.
-fn numbers(ray: &Ray, hit: &Hit) -> [f64; 3] {
-    let [o, p] = [ray.origin(), ray.at(hit.t)].map(Point3::largest_coordinate);
-    [o, p, hit.t]
+        right: vec![Other::new(
+            "a share of the sum",
+            offset(face, |at| 1e-13 * at.sum()),
+        )],
+        wrong: vec![
+            Other::new("no length is fixed", offset(face, |_| 1e-9)),
+            Other::new(
+                "the errors of the coordinates count, too",
+                offset(face, |at| 1e-12 * at.t),
+            ),
+            Other::new(
+                "the error of t counts, too",
+                offset(face, |at| 1e-12 * at.point),
+            ),
+            Other::new(
+                "a grazing ray does not leave along itself",
+                offset(|_, direction| direction, largest),
+            ),
+            Other::new(
+                "the face says where the surface is",
+                offset(|hit, _| hit.normal.into(), largest),
+            ),
+        ],
+        ..Exercise::default()
+    }
 }
 
 /// The ray that is offset along this vector, by a length that follows from the numbers.
-fn offset(c: &mut Check, along: fn(&Hit, Vector3) -> Vector3, length: fn([f64; 3]) -> f64) {
-    check(c, &|ray, hit, d| {
-        let along = along(hit, d);
-        let length = length(numbers(ray, hit)).copysign(along.dot(d));
-        Ray::derived(ray.at(hit.t) + along * length, d)
-    });
+fn offset(along: fn(&Hit, Vector3) -> Vector3, length: fn(&Numbers) -> f64) -> Code {
+    Arc::new(move |ray, hit, direction| {
+        let along = along(hit, direction);
+        let length = length(&Numbers::of(ray, hit)).copysign(along.dot(direction));
+        Ray::derived(ray.at(hit.t) + along * length, direction)
+    })
 }
 
 fn face(hit: &Hit, _: Vector3) -> Vector3 {
     hit.face.into()
 }
 
-fn largest([o, p, t]: [f64; 3]) -> f64 {
-    1e-14 * o.max(p).max(t)
-}
-
-variants! { offset:
-    yours => &secondary_ray;
-    right "a share of the sum" => face, |[o, p, t]| 1e-13 * (o + p + t);
-    wrong "no length is fixed" => face, |_| 1e-9;
-    wrong "the errors of the coordinates count, too" => face, |[_, _, t]| 1e-12 * t;
-    wrong "the error of t counts, too" => face, |[_, p, _]| 1e-12 * p;
-    wrong "a grazing ray does not leave along itself" => |_, d| d, largest;
-    wrong "the face says where the surface is" => |hit, _| hit.normal.into(), largest;
+fn largest(at: &Numbers) -> f64 {
+    1e-14 * at.origin.max(at.point).max(at.t)
 }

@@ -1,12 +1,32 @@
-//! Proves the exercises of this stage, which the book sets.
+//! Proves the exercises of this stage, which the book sets, and judges students' files.
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
-#[path = "../../../a05-lighting/tests/exercises/scene.rs"]
-mod scene;
+mod coarse_ball;
+mod departure;
 mod traced;
 
-testing::exercises! {
-    a06_shadows_reflection uses
-    {a02_math::*, a02_math::arrays::{point, vector}, a03_rays_cameras::*, a04_intersections::*, a05_lighting::*, a06_shadows_reflection::*, common::*, a06_shadows_reflection::{scenes, stage}, crate::scene::*, crate::traced::*}
+/// All names that checks, examples and students' files use.
+#[allow(unused_imports, ambiguous_glob_reexports)]
+mod prelude {
+    pub use a02_math::arrays::{array, point, vector};
+    pub use a02_math::*;
+    pub use a03_rays_cameras::*;
+    pub use a04_intersections::*;
+    pub use a05_kinds::numbers::*;
+    pub use a05_kinds::shown::*;
+    pub use a05_lighting::*;
+    pub use a06_shadows_reflection::{scenes, *};
+    pub use common::*;
+    pub use testing::exercises::*;
+    // Not the picture of a scene.
+    pub use testing::exercises::Picture;
+    pub use testing::yours;
+
+    pub use crate::solved::*;
+    pub use crate::traced::*;
 }
+
+include!(concat!(env!("OUT_DIR"), "/exercises.rs"));
+
+listed!(a06_shadows_reflection::stage);

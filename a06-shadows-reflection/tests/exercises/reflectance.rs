@@ -1,38 +1,63 @@
 //! Surfaces between all indices, compared with the solution.
 
+use std::sync::Arc;
+
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, yours: fn(f64, f64, f64) -> f64) {
-    let index = |r: &mut Random| r.between(1.0, 2.5);
-    check.compare(
-        "cosine and indices {}",
-        [[1.0, 2.0], [0.5, 2.0], [0.0, 2.0], [0.5, 0.5]].map(|[cosine, to]| [cosine, 1.0, to]),
-        random(|r| [r.between(0.0, 1.0), index(r), index(r)]),
-        [reflectance, yours],
-        |reflectance, [cosine, from, to]| reflectance(cosine, from, to),
-    );
-    // Objects as of diamond.
-    check.picture(rendered(scenes::sphere(), |world, ray, depth| {
-        let (tracer, to_eye) = (RecursiveTracer::new(world), -ray.direction());
-        let nearest = world.objects().hit(ray, Interval::AHEAD);
-        nearest.map_or(Color::BLACK, |(hit, surface)| {
-            let share = yours(to_eye.dot(hit.normal), 1.0, 2.4);
-            let mirrored = secondary_ray(ray, &hit, to_eye.reflected_on(hit.normal));
-            surface.color_for(ray, &hit, &tracer) + tracer.trace(&mirrored, depth) * share
-        })
-    }));
+yours! { reflectance => std::sync::Arc::new(reflectance) }
+
+/// The reflectance by the cosine and the indices before and beyond the surface.
+type Code = Arc<dyn Fn(f64, f64, f64) -> f64 + Send + Sync>;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
+    let surfaces = Questions {
+        words: "cosine and indices {}".into(),
+        simple: vec![
+            [1.0, 1.0, 2.0],
+            [0.5, 1.0, 2.0],
+            [0.0, 1.0, 2.0],
+            [0.5, 1.0, 0.5],
+        ],
+        others: random(|r| {
+            [
+                r.between(0.0, 1.0),
+                r.between(1.0, 2.5),
+                r.between(1.0, 2.5),
+            ]
+        }),
+        answer: |reflectance: &Code, [cosine, from, to]: [_; 3]| reflectance(cosine, from, to),
+    };
+    Exercise {
+        questions: vec![surfaces.into()],
+        picture: Picture::own(of_diamond),
+        wrong: vec![
+            Other::of_right("Schlick's formula is only near to Fresnel's", |right| {
+                Arc::new(move |cosine, from, to| {
+                    let straight = right(1.0, from, to);
+                    straight + (1.0 - straight) * libm::pow(1.0 - cosine, 5.0)
+                })
+            }),
+            Other::of_right("a share is the square of an amplitude", |right| {
+                Arc::new(move |cosine, from, to| right(cosine, from, to).sqrt())
+            }),
+            Other::of_right("where no light gets through, all is mirrored", |right| {
+                Arc::new(move |cosine, from, to| right(cosine, from, to) % 1.0)
+            }),
+        ],
+        ..Exercise::default()
+    }
 }
 
-variants! { check:
-    yours => reflectance;
-    wrong "Schlick's formula is only near to Fresnel's" => |cosine, from, to| {
-        let straight = reflectance(1.0, from, to);
-        straight + (1.0 - straight) * libm::pow(1.0 - cosine, 5.0)
-    };
-    wrong "a share is the square of an amplitude" => |cosine, from, to| {
-        reflectance(cosine, from, to).sqrt()
-    };
-    wrong "where no light gets through, all is mirrored" => |cosine, from, to| {
-        reflectance(cosine, from, to) % 1.0
-    };
+/// The objects mirror as much light as diamond.
+fn of_diamond(reflectance: &Code, settings: &Settings) -> Result<Image, Error> {
+    rendered(&scenes::sphere()?, settings, |world, ray, depth| {
+        let Some((hit, surface)) = world.objects().hit(ray, Interval::AHEAD) else {
+            return Color::BLACK;
+        };
+        let (tracer, to_eye) = (RecursiveTracer::new(world), -ray.direction());
+        let weight = reflectance(to_eye.dot(hit.normal), 1.0, 2.4);
+        let mirrored = secondary_ray(ray, &hit, to_eye.reflected_on(hit.normal));
+        surface.color_for(ray, &hit, &tracer) + tracer.trace(&mirrored, depth) * weight
+    })
 }

@@ -1,15 +1,25 @@
 //! Rays into glass and out of it, also just before and beyond total reflection, compared with
 //! the solution.
 
+use std::sync::Arc;
+
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, yours: fn(Vector3, Normal3, f64) -> Option<Vector3>) {
+yours! { refracted => std::sync::Arc::new(refracted) }
+
+/// The direction beyond a surface: by the direction before, the normal, and the index.
+type Code = Arc<dyn Fn(Vector3, Normal3, f64) -> Option<Vector3> + Send + Sync>;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
     // Straight in and out, aslant in, and mirrored.
-    let ends = [(0.0, -1.0), (0.0, 1.0), (4.0, -3.0), (4.0, 3.0)];
-    check.compare(
-        "direction {}, normal {}, index {}",
-        ends.map(|(x, y)| ([x, y, 0.0], [0.0, 1.0, 0.0], 2.0)),
-        random(|r| {
+    let directions = [[0.0, -1.0], [0.0, 1.0], [4.0, -3.0], [4.0, 3.0]];
+    let rays = Questions {
+        words: "direction {}, normal {}, index {}".into(),
+        simple: directions
+            .map(|[x, y]| ([x, y, 0.0], [0.0, 1.0, 0.0], 2.0))
+            .to_vec(),
+        others: random(|r| {
             let (d, n, index) = (r.triple(1.0), unit(r.triple(1.0)), r.between(1.1, 2.5));
             let aside = unit(array(n.cross(vector(d))));
             // Just before and beyond the angle from which on all light is mirrored.
@@ -17,31 +27,46 @@ pub fn check(check: &mut Check, yours: fn(Vector3, Normal3, f64) -> Option<Vecto
             let limit = array(aside * sin + n * (1.0 - sin * sin).sqrt());
             ([d, limit][r.below(2) as usize], array(n), index)
         }),
-        [refracted, yours],
-        |refracted, (d, n, index)| refracted(unit(d), unit(n).as_normal(), index).map(array),
-    );
-    // Objects below the surface of a water, seen from above.
-    let (surface, up) = (2.5, Normal3::new(0.0, 1.0, 0.0));
-    check.picture(rendered(scenes::sphere(), |world, ray, depth| {
-        let at = ray.at((surface - ray.origin().y()) / ray.direction().y());
-        let below = yours(ray.direction(), up, 4.0 / 3.0);
-        below.map_or(Color::BLACK, |below| {
-            RecursiveTracer::new(world).trace(&Ray::derived(at, below), depth)
-        })
-    }));
+        answer: |refracted: &Code, (d, n, index)| {
+            refracted(unit(d), unit(n).as_normal(), index).map(array)
+        },
+    };
+    Exercise {
+        questions: vec![rays.into()],
+        picture: Picture::own(under_water),
+        wrong: vec![
+            Other::new(
+                "the way out bends away from the normal",
+                Arc::new(|d, n, index| {
+                    let towards_light = if d.dot(n) > 0.0 { -n } else { n };
+                    snell(d, towards_light, 1.0 / index)
+                }),
+            ),
+            Other::new(
+                "from inside, the normal points along the light",
+                Arc::new(|d, n, index| {
+                    let ratio = if d.dot(n) > 0.0 { index } else { 1.0 / index };
+                    snell(d, n, ratio)
+                }),
+            ),
+            Other::of_right("no sine is more than 1", |right| {
+                Arc::new(move |d, n, index| right(d, n, index).or(Some((-d).reflected_on(n))))
+            }),
+        ],
+        ..Exercise::default()
+    }
 }
 
-variants! { check:
-    yours => refracted;
-    wrong "the way out bends away from the normal" => |d, n, index| {
-        snell(d, if d.dot(n) > 0.0 { -n } else { n }, 1.0 / index)
-    };
-    wrong "from inside, the normal points along the light" => |d, n, index| {
-        snell(d, n, if d.dot(n) > 0.0 { index } else { 1.0 / index })
-    };
-    wrong "no sine is more than 1" => |d, n, index| {
-        refracted(d, n, index).or(Some((-d).reflected_on(n)))
-    };
+/// Objects below the surface of a water, seen from above.
+fn under_water(refracted: &Code, settings: &Settings) -> Result<Image, Error> {
+    let (surface, up) = (2.5, Normal3::new(0.0, 1.0, 0.0));
+    rendered(&scenes::sphere()?, settings, |world, ray, depth| {
+        let Some(below) = refracted(ray.direction(), up, 4.0 / 3.0) else {
+            return Color::BLACK;
+        };
+        let t = (surface - ray.origin().y()) / ray.direction().y();
+        RecursiveTracer::new(world).trace(&Ray::derived(ray.at(t), below), depth)
+    })
 }
 
 /// Snell's law with the normal on the side of the light, and the ratio of the indices.

@@ -8,68 +8,76 @@ use crate::prelude::*;
 /// The objects of a world.
 pub type Objects = World<Box<dyn Surface>>;
 
-/// Whether an object lies between a hit and a light.
-pub type IsShadowed<'a> = &'a dyn Fn(&Objects, &Ray, &Hit, &Illumination) -> bool;
-
-/// The ray that leaves a hit in a direction.
-pub type Leaving<'a> = &'a dyn Fn(&Ray, &Hit, Vector3) -> Ray;
-
-/// Computes colours by their definition, with functions in the place of `is_shadowed` and
+/// Computes colours by their definition, with functions instead of the lesson's `is_shadowed` and
 /// `secondary_ray`.
-pub struct Tracer<'a>(pub &'a ShadowedWorld, pub IsShadowed<'a>, pub Leaving<'a>);
+pub struct Tracer<'a> {
+    /// The world.
+    pub world: &'a ShadowedWorld,
+    /// Whether an object lies between a hit and a light.
+    pub is_shadowed: &'a dyn Fn(&Objects, &Ray, &Hit, &Illumination) -> bool,
+    /// The ray that leaves a hit in a direction.
+    pub secondary_ray: &'a dyn Fn(&Ray, &Hit, Vector3) -> Ray,
+}
 
 impl Tracer<'_> {
     /// `c + cr f`, with the colour `f` that the reflected ray brings back.
     pub fn trace(&self, ray: &Ray, depth: u32) -> Color {
-        let Self(world, _, leaving) = self;
-        let objects = world.objects();
-        let Some((hit, surface)) = objects.hit(ray, Interval::AHEAD).filter(|_| depth > 0) else {
-            return objects.background() * f64::from(depth.min(1));
+        if depth == 0 {
+            return Color::BLACK;
+        }
+        let objects = self.world.objects();
+        let Some((hit, surface)) = objects.hit(ray, Interval::AHEAD) else {
+            return objects.background();
         };
         let direction = (-ray.direction()).reflected_on(hit.normal);
         let color = surface.color_for(ray, &hit, self);
-        color + surface.reflection() * self.trace(&leaving(ray, &hit, direction), depth - 1)
+        let reflected = (self.secondary_ray)(ray, &hit, direction);
+        color + surface.reflection() * self.trace(&reflected, depth - 1)
     }
 }
 
 impl Lighting for Tracer<'_> {
     fn ambient(&self) -> Color {
-        self.0.ambient()
+        self.world.ambient()
     }
 
     fn for_each_light(&self, ray: &Ray, hit: &Hit, shade: &mut dyn FnMut(&Illumination)) {
-        let Self(world, is_shadowed, _) = self;
-        let lights = world.lights().iter();
-        lights
-            .filter_map(|light| light.illumination(ray.at(hit.t)))
-            .filter(|light| hit.normal.dot(light.direction) > 0.0)
-            .filter(|light| !is_shadowed(world.objects(), ray, hit, light))
-            .for_each(|light| shade(&light));
+        for source in self.world.lights() {
+            let Some(light) = source.illumination(ray.at(hit.t)) else {
+                continue;
+            };
+            let is_before = hit.normal.dot(light.direction) > 0.0;
+            if is_before && !(self.is_shadowed)(self.world.objects(), ray, hit, &light) {
+                shade(&light);
+            }
+        }
     }
 }
 
-/// The picture of a scene in the colours of this function, which records its steps.
-pub fn reflected_scene(
-    view: Made<View<ShadowedWorld>>,
+/// Renders a view in the colours of this function of the world, a ray, and the depth; and records
+/// their steps.
+pub fn traced_picture(
+    view: View<ShadowedWorld>,
+    settings: &Settings,
     color: impl Fn(&ShadowedWorld, &Ray, u32) -> Color + Sync,
-) -> impl FnOnce(&Settings) -> Result<Image, Error> {
-    let recorded = |world| RecordedWorld::new(world, SHAPES, false);
-    let view = view.map(|view| view.map(recorded));
-    rendered(view, move |world: &RecordedWorld, ray, depth| {
+) -> Result<Image, Error> {
+    let view = view.map(|world| RecordedWorld::new(world, |geometry| geometry, false));
+    rendered(&view, settings, |world, ray, depth| {
         world.color(|world| color(world, ray, depth))
     })
 }
 
 /// A floor y = 0, a ball and a smooth triangle that mirror, and a lamp.
-pub fn mirrors(c: [f64; 3], r: f64, reflection: [f64; 3]) -> Made<ShadowedWorld> {
-    let of = |own| Reflective::new(own, Color::WHITE, 8.0, color(reflection)).map(Box::new);
+pub fn mirrors(centre: [f64; 3], radius: f64, reflection: [f64; 3]) -> Made<ShadowedWorld> {
+    let mirror = |own| Reflective::new(own, Color::WHITE, 8.0, color(reflection)).map(Box::new);
     let lamp = PointLight::new(Color::WHITE, Point3::new(3.0, 9.0, 4.0))?;
     let triangle = smooth_triangle(point([0.0, 1.5, -4.0]), vector([0.0, -0.5, 1.0]), 2.0)?;
     let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
+    let ball = Sphere::new(point(centre), radius)?;
     Ok(ShadowedWorld::empty(Color::gray(0.5), Color::gray(0.25))?
-        .with(floor, of(Color::WHITE)?)
-        .with(Sphere::new(point(c), r)?, of(Color::RED)?)
-        .with(triangle, of(Color::BLUE)?)
+        .with(floor, mirror(Color::WHITE)?)
+        .with(ball, mirror(Color::RED)?)
+        .with(triangle, mirror(Color::BLUE)?)
         .lit_by(LightSource::new(lamp, true)))
 }
 

@@ -1,0 +1,119 @@
+//! Rays that leave shapes of all sizes, near the origin and far away.
+
+use crate::prelude::*;
+
+pub const SHAPES: [&str; 3] = ["plane", "sphere", "smooth triangle"];
+
+/// A ray that leaves a shape. Directions have any length.
+#[derive(Clone)]
+pub struct Departure {
+    /// One of [`SHAPES`].
+    pub shape: &'static str,
+    /// The normal at the point.
+    pub normal: [f64; 3],
+    /// The radius of a sphere, and half the height of a triangle.
+    pub size: f64,
+    /// The point, in sizes.
+    pub point: [f64; 3],
+    /// The vector from the point to the eye, in sizes.
+    pub to_eye: [f64; 3],
+    /// The direction of the ray that leaves.
+    pub direction: [f64; 3],
+}
+
+impl Input for Departure {
+    fn for_each_number(&mut self, f: &mut dyn FnMut(&mut f64)) {
+        self.normal.for_each_number(f);
+        self.size.for_each_number(f);
+        self.point.for_each_number(f);
+        self.to_eye.for_each_number(f);
+        self.direction.for_each_number(f);
+    }
+
+    fn words(&self) -> Vec<String> {
+        [
+            self.shape.words(),
+            self.normal.words(),
+            self.size.words(),
+            self.point.words(),
+            self.to_eye.words(),
+            self.direction.words(),
+        ]
+        .concat()
+    }
+}
+
+impl Departure {
+    /// A random one.
+    pub fn any(r: &mut Random) -> Self {
+        let (normal, point) = (unit(r.triple(1.0)), r.triple(5.0));
+        let side = unit(array(normal.cross(vector(r.triple(1.0)))));
+        // Near, far from the origin, and, at the origin, far from the eye.
+        let [from_origin, from_eye] = [[1.0, 1.0], [1e7, 1.0], [0.0, 1e7]][r.below(3) as usize];
+        let to_eye = (normal * r.between(0.5, 3.0) + side * r.between(-3.0, 3.0)) * from_eye;
+        // Steep and grazing, outwards and inwards.
+        let direction = side + normal * [1.0, -1.0, 1e-3, -1e-3][r.below(4) as usize];
+        Self {
+            shape: SHAPES[r.below(3) as usize],
+            normal: array(normal),
+            size: r.scale(),
+            point: point.map(|x| x * from_origin),
+            to_eye: array(to_eye),
+            direction: array(direction),
+        }
+    }
+
+    /// Whether this function makes the ray leave the shape, and in which direction.
+    pub fn answer(self, secondary_ray: &dyn Fn(&Ray, &Hit, Vector3) -> Ray) -> Option<Answer> {
+        let p = Point3::ORIGIN + vector(self.point) * self.size;
+        let to_eye = vector(self.to_eye) * self.size;
+        let (normal, direction) = (unit(self.normal), unit(self.direction));
+        let shape: Box<dyn Geometry> = match self.shape {
+            "plane" => Box::new(Plane::new(p, normal.as_normal()).ok()?),
+            "sphere" => Box::new(Sphere::new(p - normal * self.size, self.size).ok()?),
+            _ => Box::new(smooth_triangle(p, normal, self.size).ok()?),
+        };
+        let ray = Ray::new(p + to_eye, -to_eye).ok()?;
+        let hit = shape.hit(&ray, Interval::AHEAD)?;
+        let left = secondary_ray(&ray, &hit, direction);
+        let step = left.origin() - ray.at(hit.t);
+        // Inwards, a ray meets the far side of a sphere, but not this one.
+        let again = shape.hit(&left, Interval::before(1e-4 * self.size));
+        let words = if step.dot(hit.face) * direction.dot(hit.face) <= 0.0 {
+            "a ray from the wrong side of the surface"
+        } else if step.magnitude() > 1e-9 * Numbers::of(&ray, &hit).sum() {
+            "a ray that begins far away"
+        } else if again.is_some() {
+            "a ray that hits the surface again"
+        } else {
+            "a ray that leaves the surface"
+        };
+        Some(Answer::words(words).and("direction", array(left.direction())))
+    }
+}
+
+/// The numbers at a hit that have rounding errors.
+pub struct Numbers {
+    /// The largest coordinate of the ray's origin.
+    pub origin: f64,
+    /// The largest coordinate of the point.
+    pub point: f64,
+    /// The parameter of the ray.
+    pub t: f64,
+}
+
+impl Numbers {
+    /// Those of this hit.
+    pub fn of(ray: &Ray, hit: &Hit) -> Self {
+        Self {
+            origin: ray.origin().largest_coordinate(),
+            point: ray.at(hit.t).largest_coordinate(),
+            t: hit.t,
+        }
+    }
+
+    /// Their sum.
+    pub fn sum(&self) -> f64 {
+        self.origin + self.point + self.t
+    }
+}
