@@ -4,9 +4,8 @@
 use std::cell::Cell;
 use std::ops::{Add, Deref, Neg};
 
-use a02_math::{Direction, Normal3, Vector3 as Lesson, stage};
-use common::Settings;
-use testing::exercise::Check;
+use a02_math::{Direction, Normal3, Vector3 as Lesson};
+use testing::exercises::Picture;
 
 /// The functions that the vectors of the scene call.
 #[derive(Clone, Copy)]
@@ -17,7 +16,8 @@ pub struct Functions {
     pub reflected: fn(Lesson, Normal3) -> Lesson,
 }
 
-const LESSON: Functions = Functions {
+/// The functions of the lesson.
+pub const LESSON: Functions = Functions {
     dot: |a, b| a.dot(b),
     cross: Lesson::cross,
     angle: Lesson::angle,
@@ -26,13 +26,12 @@ const LESSON: Functions = Functions {
 
 thread_local!(static FUNCTIONS: Cell<Functions> = const { Cell::new(LESSON) });
 
-/// Compares the scene with its lock, after some of the lesson's functions are replaced.
-pub fn scene(check: &mut Check, replace: impl FnOnce(&mut Functions)) {
-    let mut functions = LESSON;
-    replace(&mut functions);
-    FUNCTIONS.set(functions);
-    let render = |settings: &Settings| crate::scenes::vectors(settings.size);
-    check.scene(&stage(), "vectors", render);
+/// The scene, with the functions that code of a student replaces.
+pub fn scene<C: 'static>(functions: fn(&C) -> Functions) -> Picture<C> {
+    Picture::scene("vectors", move |code, settings| {
+        FUNCTIONS.set(functions(code));
+        crate::scenes::vectors(settings.size)
+    })
 }
 
 /// The vector of the scene.
@@ -54,8 +53,8 @@ impl Vector3 {
 
     pub fn projected_on(self, other: Self) -> Option<Self> {
         let dot = FUNCTIONS.get().dot;
-        let share = dot(self.0, other.0) / dot(other.0, other.0);
-        share.is_finite().then(|| Self(other.0 * share))
+        let factor = dot(self.0, other.0) / dot(other.0, other.0);
+        factor.is_finite().then(|| Self(other.0 * factor))
     }
 
     pub fn angle(self, other: Self) -> f64 {

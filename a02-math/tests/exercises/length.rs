@@ -2,33 +2,44 @@
 
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, yours: &dyn Fn(f64, f64, f64) -> f64) {
-    let simple = [(3.0, 4.0), (0.0, -2.0), (0.0, 0.0), (3e200, 4e200)];
-    check.compare(
-        "the vector ({}, {}, {})",
-        simple.map(|(y, z)| (0.0, y, z)),
-        random(|r| {
+yours! { length }
+
+type Code = fn(f64, f64, f64) -> f64;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
+    let vectors = Questions {
+        words: "the vector ({}, {}, {})".into(),
+        simple: vec![
+            (0.0, 3.0, 4.0),
+            (0.0, 0.0, -2.0),
+            (0.0, 0.0, 0.0),
+            (0.0, 3e200, 4e200),
+        ],
+        others: random(|r| {
             let scale = [1e-299, 1e-160, 1.0, 1e160, 1e299][r.below(5) as usize];
             let [x, y, z] = r.triple(9.0).map(|x| x * scale);
             (x, y, z)
         }),
-        [&length as _, yours],
-        |length, (x, y, z)| length(x, y, z),
-    );
+        answer: |length: &Code, (x, y, z)| length(x, y, z),
+    };
+    Exercise {
+        questions: vec![vectors.into()],
+        wrong: vec![
+            Other::new("squares overflow", |x, y, z| divided([x, y, z], 1.0)),
+            Other::new("the largest coordinate may be negative", |x, y, z| {
+                divided([x, y, z], x.max(y).max(z))
+            }),
+            Other::new("0 / 0 is not a number", |x, y, z| {
+                divided([x, y, z], x.abs().max(y.abs()).max(z.abs()))
+            }),
+        ],
+        ..Exercise::default()
+    }
 }
 
-variants! { divided:
-    yours => &length;
-    wrong "squares overflow" => |_, _, _| 1.0;
-    wrong "the largest coordinate may be negative" => |x, y, z| x.max(y).max(z);
-    wrong "0 / 0 is not a number" => |x, y, z| x.abs().max(y.abs()).max(z.abs());
-}
-
-/// Divided by this number first, and multiplied by it afterwards.
-fn divided(c: &mut Check, by: fn(f64, f64, f64) -> f64) {
-    check(c, &|x, y, z| {
-        let by = by(x, y, z);
-        let [x, y, z] = [x / by, y / by, z / by];
-        by * (x * x + y * y + z * z).sqrt()
-    });
+/// The length of a vector that is divided by a number first, and multiplied by it afterwards.
+fn divided(coordinates: [f64; 3], by: f64) -> f64 {
+    let [x, y, z] = coordinates.map(|coordinate| coordinate / by);
+    by * (x * x + y * y + z * z).sqrt()
 }

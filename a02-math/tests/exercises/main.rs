@@ -1,4 +1,4 @@
-//! Proves the exercises of this stage, which the book sets.
+//! Proves the exercises of this stage, which the book sets, and judges students' files.
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
@@ -10,7 +10,21 @@ mod scenes;
 use a02_math::Normal3;
 use drawn::Vector3;
 
-testing::exercises! {
-    a02_math uses
-    {a02_math::*, a02_math::arrays::{point, vector}, common::*, crate::drawn::scene}
+/// All names that checks, examples and students' files use.
+#[allow(unused_imports, ambiguous_glob_reexports)]
+mod prelude {
+    pub use a02_math::arrays::{point, vector};
+    pub use a02_math::*;
+    pub use common::*;
+    pub use testing::exercises::*;
+    // Not the picture of a scene.
+    pub use testing::exercises::Picture;
+    pub use testing::yours;
+
+    pub use crate::drawn::{Functions, LESSON, scene};
+    pub use crate::solved::*;
 }
+
+include!(concat!(env!("OUT_DIR"), "/exercises.rs"));
+
+listed!(a02_math::stage);

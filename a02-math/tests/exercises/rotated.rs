@@ -1,34 +1,55 @@
-//! Turns around axes of all lengths, compared with the solution.
+//! Rotations about axes of all lengths, compared with the solution.
+
+use std::sync::Arc;
 
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, yours: fn(Vector3, Vector3, f64) -> Vector3) {
-    let numbers = |v: Vector3| v.to_glam().to_array();
-    let z = |length| ([1.0, 2.0, 3.0], [0.0, 0.0, length], 90.0);
-    check.compare(
-        "v = {}, around {} by {} degrees",
-        [z(1.0), z(2.0), z(-1.0), z(0.0)],
-        random(|r| {
+yours! { rotated => std::sync::Arc::new(rotated) }
+
+type Code = Arc<dyn Fn(Vector3, Vector3, f64) -> Vector3 + Send + Sync>;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
+    let v = [1.0, 2.0, 3.0];
+    let rotations = Questions {
+        words: "v = {}, around {} by {} degrees".into(),
+        simple: vec![
+            (v, [0.0, 0.0, 1.0], 90.0),
+            (v, [0.0, 0.0, 2.0], 90.0),
+            (v, [0.0, 0.0, -1.0], 90.0),
+            (v, [0.0, 0.0, 0.0], 90.0),
+        ],
+        others: random(|r| {
             let length = r.scale();
             let axis = r.triple(9.0).map(|x| x * length);
             (r.triple(9.0), axis, r.between(-360.0, 360.0))
         }),
-        [rotated, yours],
-        |rotated, (v, axis, angle)| numbers(rotated(vector(v), vector(axis), angle.to_radians())),
-    );
-}
-
-variants! { check:
-    yours => rotated;
-    wrong "k × v points to the left, v × k to the right" => |v, axis, angle| {
-        rotated(v, axis, -angle)
+        answer: |rotated: &Code, (v, axis, degrees): (_, _, f64)| {
+            rotated(vector(v), vector(axis), degrees.to_radians())
+                .to_glam()
+                .to_array()
+        },
     };
-    wrong "the part along the axis stays" => |v, axis, angle| {
-        let along = v.projected_on(axis).unwrap_or_default();
-        rotated(v - along, axis, angle)
-    };
-    wrong "the axis may have any length" => |v, k, angle| {
-        let (sin, cos) = libm::sincos(angle);
-        v * cos + k.cross(v) * sin + k * (k.dot(v) * (1.0 - cos))
-    };
+    Exercise {
+        questions: vec![rotations.into()],
+        wrong: vec![
+            Other::of_right("k × v points to the left, v × k to the right", |right| {
+                Arc::new(move |v, axis, angle| right(v, axis, -angle))
+            }),
+            Other::of_right("the part along the axis stays", |right| {
+                Arc::new(move |v, axis, angle| {
+                    let along = v.projected_on(axis).unwrap_or_default();
+                    right(v - along, axis, angle)
+                })
+            }),
+            Other::new(
+                "the axis may have any length",
+                Arc::new(|v, k, angle| {
+                    let (sin, cos) = libm::sincos(angle);
+                    v * cos + k.cross(v) * sin + k * (k.dot(v) * (1.0 - cos))
+                }),
+            ),
+        ],
+        ..Exercise::default()
+    }
 }

@@ -1,34 +1,50 @@
 //! Normals and stretches of all kinds, compared with the solution.
 
+use std::sync::Arc;
+
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, yours: fn(Normal3, [f64; 3]) -> Option<Normal3>) {
-    let numbers = |n: Option<Normal3>| n.map(|n| n.to_glam().to_array());
-    let [n, zero] = [[1.0, 1.0, 0.0], [0.0; 3]];
-    check.compare(
-        "n = {}, factors {}",
-        [(n, [2.0, 1.0, 1.0]), (n, [1.0, 0.0, 1.0]), (zero, n)],
-        random(|r| {
+yours! { stretched_normal => std::sync::Arc::new(stretched_normal) }
+
+type Code = Arc<dyn Fn(Normal3, [f64; 3]) -> Option<Normal3> + Send + Sync>;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
+    let n = [1.0, 1.0, 0.0];
+    let normals = Questions {
+        words: "n = {}, factors {}".into(),
+        simple: vec![
+            (n, [2.0, 1.0, 1.0]),
+            (n, [1.0, 0.0, 1.0]),
+            ([0.0, 0.0, 0.0], n),
+        ],
+        others: random(|r| {
             let scale = r.scale();
             let mut factor = || (r.between(0.1, 9.0) - 4.005) * scale;
             let factors = [factor(), factor(), factor()];
             (r.triple(1.0), factors)
         }),
-        [stretched_normal, yours],
-        |stretched_normal, (n, factors)| numbers(stretched_normal(vector(n).as_normal(), factors)),
-    );
-}
-
-variants! { check:
-    yours => stretched_normal;
-    wrong "a normal is divided where points are multiplied" => |n, factors| {
-        stretched_normal(n, factors.map(|f| 1.0 / f))
+        answer: |stretched_normal: &Code, (n, factors)| {
+            let normal = stretched_normal(vector(n).as_normal(), factors)?;
+            Some(normal.to_glam().to_array())
+        },
     };
-    wrong "a mirror turns the normal, too" => |n, factors| {
-        stretched_normal(n, factors.map(f64::abs))
-    };
-    wrong "the normal is to have length 1 again" => |n, [x, y, z]| {
-        let divided = Normal3::new(n.x() / x, n.y() / y, n.z() / z);
-        stretched_normal(n, [x, y, z]).map(|_| divided)
-    };
+    Exercise {
+        questions: vec![normals.into()],
+        wrong: vec![
+            Other::of_right("a normal is divided where points are multiplied", |right| {
+                Arc::new(move |n, factors| right(n, factors.map(|f| 1.0 / f)))
+            }),
+            Other::of_right("a mirror turns the normal, too", |right| {
+                Arc::new(move |n, factors| right(n, factors.map(f64::abs)))
+            }),
+            Other::of_right("the normal is to have length 1 again", |right| {
+                Arc::new(move |n, [x, y, z]| {
+                    right(n, [x, y, z])?;
+                    Some(Normal3::new(n.x() / x, n.y() / y, n.z() / z))
+                })
+            }),
+        ],
+        ..Exercise::default()
+    }
 }

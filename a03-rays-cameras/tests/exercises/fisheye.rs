@@ -2,38 +2,48 @@
 
 use crate::prelude::*;
 
-fn basis(e: [f64; 3], gaze: [f64; 3]) -> Made<Basis> {
-    Basis::new(point(e), vector(gaze), vector([0.0, 1.0, 0.0]))
+yours! {
+    Fisheye => new_camera(|(e, gaze, angle)| {
+        Ok(Fisheye::new(crate::fisheye::basis(e, gaze)?, angle))
+    })
 }
 
-pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Basis, f64) -> Made<C>) {
-    compare(
-        check,
-        "eye {}, gaze {}, opening {}",
-        ([0.0; 3], [0.0, 0.0, -1.0], PI),
-        |r| (r.triple(9.0), r.triple(3.0), r.between(0.5, 6.0)),
-        |(e, gaze, angle)| Ok(Fisheye::new(basis(e, gaze)?, angle)),
-        |(e, gaze, angle)| new(basis(e, gaze)?, angle),
-    );
-    // A globe of meridians and parallels, seen from inside.
-    check.picture(|settings| {
-        let camera = new(basis([1.0, 2.0, 3.0], [0.0, 0.3, -1.0])?, PI)?;
-        let paint = |ray: &Ray| {
-            let d = ray.direction();
-            let up = libm::atan2(d.y(), libm::hypot(d.x(), d.z()));
-            let around = libm::atan2(d.x(), -d.z());
-            let fields = (up / FRAC_PI_6).floor() + (around / FRAC_PI_6).floor();
-            let light = 0.4 + 0.6 * fields.rem_euclid(2.0);
-            let [green, blue] = [Color::new(0.3, 0.8, 0.3), Color::new(0.4, 0.6, 1.0)];
-            (if d.y() < 0.0 { green } else { blue }) * light
-        };
-        render(&camera, paint, settings, &())
-    });
+/// Makes a camera of eye, gaze and angle.
+type Code = NewCamera<([f64; 3], [f64; 3], f64)>;
+type Other = Variant<Code>;
+
+pub fn basis(e: [f64; 3], gaze: [f64; 3]) -> Made<Basis> {
+    Basis::new(point(e), vector(gaze), Vector3::new(0.0, 1.0, 0.0))
 }
 
-variants! { check:
-    yours => |basis, angle| Ok(Fisheye::new(basis, angle));
-    wrong "the distance is the angle, not its tangent" => |Basis { e, v, w, .. }, angle| {
-        PerspectiveCamera::new(e, -w, v, angle)
-    };
+pub fn exercise() -> Exercise<Code> {
+    Exercise {
+        picture: Picture::own(|new: &Code, settings| {
+            let camera = new(([1.0, 2.0, 3.0], [0.0, 0.3, -1.0], PI))?;
+            render(&*camera, globe, settings, &())
+        }),
+        wrong: vec![Other::new(
+            "the distance is the angle, not its tangent",
+            new_camera(|(e, gaze, angle)| {
+                let Basis { e, v, w, .. } = basis(e, gaze)?;
+                PerspectiveCamera::new(e, -w, v, angle)
+            }),
+        )],
+        ..cameras(Cameras {
+            words: "eye {}, gaze {}, opening {}",
+            first: ([0.0; 3], [0.0, 0.0, -1.0], PI),
+            any: |r| (r.triple(9.0), r.triple(3.0), r.between(0.5, 6.0)),
+        })
+    }
+}
+
+/// A globe of meridians and parallels, seen from inside.
+fn globe(ray: &Ray) -> Color {
+    let d = ray.direction();
+    let up = libm::atan2(d.y(), libm::hypot(d.x(), d.z()));
+    let around = libm::atan2(d.x(), -d.z());
+    let fields = (up / FRAC_PI_6).floor() + (around / FRAC_PI_6).floor();
+    let light = 0.4 + 0.6 * fields.rem_euclid(2.0);
+    let [green, blue] = [Color::new(0.3, 0.8, 0.3), Color::new(0.4, 0.6, 1.0)];
+    (if d.y() < 0.0 { green } else { blue }) * light
 }

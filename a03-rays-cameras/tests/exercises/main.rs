@@ -1,11 +1,28 @@
-//! Proves the exercises of this stage, which the book sets.
+//! Proves the exercises of this stage, which the book sets, and judges students' files.
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
-mod camera;
 mod sky;
 
-testing::exercises! {
-    a03_rays_cameras uses
-    {a02_math::*, a02_math::arrays::{point, vector}, a03_rays_cameras::*, common::*, crate::camera::*, crate::sky::*}
+/// All names that checks, examples and students' files use.
+#[allow(unused_imports, ambiguous_glob_reexports)]
+mod prelude {
+    pub use a02_math::arrays::{point, vector};
+    pub use a02_math::*;
+    pub use a03_kinds::camera::*;
+    // Its name in starters.
+    pub use a03_kinds::camera::OwnCamera as Own;
+    pub use a03_rays_cameras::*;
+    pub use common::*;
+    pub use testing::exercises::*;
+    // Not the picture of a scene.
+    pub use testing::exercises::Picture;
+    pub use testing::yours;
+
+    pub use crate::sky::*;
+    pub use crate::solved::*;
 }
+
+include!(concat!(env!("OUT_DIR"), "/exercises.rs"));
+
+listed!(a03_rays_cameras::stage);

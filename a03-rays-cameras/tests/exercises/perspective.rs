@@ -2,39 +2,56 @@
 
 use crate::prelude::*;
 
-pub fn check<C: Camera>(check: &mut Check, new: impl Fn(Point3, Vector3, Vector3, f64) -> Made<C>) {
-    let (gaze, up) = ([0.0, 0.0, -1.0], [0.0, 1.0, 0.0]);
-    compare(
-        check,
-        "eye, gaze and up {}, opening angle {}",
-        ([[0.0; 3], gaze, up], FRAC_PI_2),
-        |r| ([(); 3].map(|()| r.triple(5.0)), r.between(0.2, 2.8)),
-        |([e, g, t], angle)| PerspectiveCamera::new(point(e), vector(g), vector(t), angle),
-        |([e, g, t], angle)| new(point(e), vector(g), vector(t), angle),
-    );
-    scene(check, |settings, View { world: sky, .. }| {
-        let camera = new(Point3::ORIGIN, vector(gaze), vector(up), FRAC_PI_2)?;
-        paint(&camera, &|ray| sky.color_for(ray), settings)
-    });
+yours! {
+    PerspectiveCamera => new_camera(|([e, g, t], angle): ([_; 3], _)| {
+        PerspectiveCamera::new(point(e), vector(g), vector(t), angle)
+    })
 }
 
-/// A camera with another v, from w and the up vector.
-fn variant(c: &mut Check, v: fn(Vector3, Vector3) -> Vector3) {
-    let unit = |v: Vector3| v.normalized().unwrap_or_default();
-    check(c, move |e, g, t, angle| {
-        let w = unit(-g);
-        let v = unit(v(w, t));
-        Ok(Own(move |[width, height]: [f64; 2], [x, y]: [f64; 2]| {
-            // The height of the picture is 2.
-            let [x, y] = [x - (width - 1.0) / 2.0, y - (height - 1.0) / 2.0];
-            let aside = (v.cross(w) * x + v * y) * (2.0 / height);
-            Ray::derived(e, unit(aside - w * (1.0 / libm::tan(angle / 2.0))))
-        }))
-    });
+/// Makes a camera of eye, gaze and up vector, and an angle.
+type Code = NewCamera<([[f64; 3]; 3], f64)>;
+type Other = Variant<Code>;
+
+const AHEAD: [[f64; 3]; 3] = [[0.0; 3], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
+
+pub fn exercise() -> Exercise<Code> {
+    Exercise {
+        picture: scene(|new: &Code, settings, View { world: sky, .. }| {
+            let camera = new((AHEAD, FRAC_PI_2))?;
+            paint(&*camera, &|ray| sky.color_for(ray), settings)
+        }),
+        right: vec![Other::new(
+            "the part of the up vector across the gaze",
+            with_v(|w, t| t - w * t.dot(w)),
+        )],
+        wrong: vec![Other::new(
+            "v is perpendicular to w, and t is not",
+            with_v(|_, t| t),
+        )],
+        ..cameras(Cameras {
+            words: "eye, gaze and up {}, opening angle {}",
+            first: (AHEAD, FRAC_PI_2),
+            any: |r| ([(); 3].map(|()| r.triple(5.0)), r.between(0.2, 2.8)),
+        })
+    }
 }
 
-variants! { variant:
-    yours => PerspectiveCamera::new;
-    right "the part of the up vector across the gaze" => |w, t| t - w * t.dot(w);
-    wrong "v is perpendicular to w, and t is not" => |_, t| t;
+/// A camera with another v, which follows from w and the up vector.
+fn with_v(v: fn(Vector3, Vector3) -> Vector3) -> Code {
+    new_camera(move |([e, g, t], angle): ([_; 3], f64)| {
+        let (e, w) = (point(e), unit(-vector(g)));
+        let v = unit(v(w, vector(t)));
+        Ok(OwnCamera(
+            move |[width, height]: [f64; 2], [x, y]: [f64; 2]| {
+                // The height of the picture is 2.
+                let [x, y] = [x - (width - 1.0) / 2.0, y - (height - 1.0) / 2.0];
+                let aside = (v.cross(w) * x + v * y) * (2.0 / height);
+                Ray::derived(e, unit(aside - w * (1.0 / libm::tan(angle / 2.0))))
+            },
+        ))
+    })
+}
+
+fn unit(v: Vector3) -> Vector3 {
+    v.normalized().unwrap_or_default()
 }

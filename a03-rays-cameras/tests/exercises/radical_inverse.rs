@@ -1,46 +1,72 @@
 //! Numbers in many bases, compared with the solution.
 
+use std::sync::Arc;
+
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, yours: fn(u32, u32) -> f64) {
-    let large = [(1234, 10), (120, 10), (u32::MAX, 7)];
-    check.compare(
-        "{} in base {}",
-        (0..6).map(|n| (n, 2)).chain(large),
-        random(|r| {
+yours! { radical_inverse => std::sync::Arc::new(radical_inverse) }
+
+type Code = Arc<dyn Fn(u32, u32) -> f64 + Send + Sync>;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
+    let numbers = Questions {
+        words: "{} in base {}".into(),
+        simple: vec![
+            (0, 2),
+            (1, 2),
+            (2, 2),
+            (3, 2),
+            (4, 2),
+            (5, 2),
+            (1234, 10),
+            (120, 10),
+            (u32::MAX, 7),
+        ],
+        others: random(|r| {
             let bits = 1 + r.below(31);
             (r.below(1 << bits), 2 + r.below(35))
         }),
-        [radical_inverse, yours],
-        |radical_inverse, (n, base)| radical_inverse(n, base),
-    );
-    check.picture(|settings| {
-        let mut image = Image::black(settings.size)?;
-        let [width, height] = [settings.size.width(), settings.size.height()].map(f64::from);
-        for n in 0..1500 {
-            let (x, y) = (yours(n, 2) * width, yours(n, 3) * height);
-            image.set(x as u32, y as u32, Color::WHITE);
-        }
-        Ok(image)
-    });
+        answer: |radical_inverse: &Code, (n, base)| radical_inverse(n, base),
+    };
+    Exercise {
+        questions: vec![numbers.into()],
+        picture: Picture::own(points),
+        right: vec![Other::new("a sum of fractions", Arc::new(sum_of_fractions))],
+        wrong: vec![
+            Other::of_right("digits stand behind the point, not before it", |right| {
+                Arc::new(move |n, base| right(n, base) * f64::from(base))
+            }),
+            Other::of_right("the base need not be 2", |right| {
+                Arc::new(move |n, _| right(n, 2))
+            }),
+            Other::new(
+                "all digits are mirrored, not the last alone",
+                Arc::new(|n, base| f64::from(n % base) / f64::from(base)),
+            ),
+        ],
+        ..Exercise::default()
+    }
 }
 
-variants! { check:
-    yours => radical_inverse;
-    right "a sum of fractions" => |mut n, base| {
-        let (mut sum, mut place) = (0.0, 1.0);
-        while n > 0 {
-            place /= f64::from(base);
-            sum += f64::from(n % base) * place;
-            n /= base;
-        }
-        sum
-    };
-    wrong "digits stand behind the point, not before it" => |n, base| {
-        radical_inverse(n, base) * f64::from(base)
-    };
-    wrong "the base need not be 2" => |n, _| radical_inverse(n, 2);
-    wrong "all digits are mirrored, not the last alone" => |n, base| {
-        f64::from(n % base) / f64::from(base)
-    };
+/// The points whose coordinates are the numbers in base 2 and in base 3.
+fn points(radical_inverse: &Code, settings: &Settings) -> Result<Image, Error> {
+    let mut image = Image::black(settings.size)?;
+    let (width, height) = (settings.size.width(), settings.size.height());
+    for n in 0..1500 {
+        let x = radical_inverse(n, 2) * f64::from(width);
+        let y = radical_inverse(n, 3) * f64::from(height);
+        image.set(x as u32, y as u32, Color::WHITE);
+    }
+    Ok(image)
+}
+
+fn sum_of_fractions(mut n: u32, base: u32) -> f64 {
+    let (mut sum, mut place) = (0.0, 1.0);
+    while n > 0 {
+        place /= f64::from(base);
+        sum += f64::from(n % base) * place;
+        n /= base;
+    }
+    sum
 }

@@ -2,6 +2,16 @@
 
 use crate::prelude::*;
 
+yours! { at, t_of => crate::ray::Code { at, t_of } }
+
+#[derive(Clone, Copy)]
+pub struct Code {
+    pub at: fn(&Ray, f64) -> Point3,
+    pub t_of: fn(&Ray, Point3) -> f64,
+}
+
+type Other = Variant<Code>;
+
 pub fn at(ray: &Ray, t: f64) -> Point3 {
     ray.at(t)
 }
@@ -10,30 +20,62 @@ pub fn t_of(ray: &Ray, point: Point3) -> f64 {
     ray.t_of(point)
 }
 
-pub fn check(check: &mut Check, at: fn(&Ray, f64) -> Point3, t_of: fn(&Ray, Point3) -> f64) {
-    check.compare(
-        "ray from {} along {}, t = {}, point {}",
-        [
+pub fn exercise() -> Exercise<Code> {
+    let rays = Questions {
+        words: "ray from {} along {}, t = {}, point {}".into(),
+        simple: vec![
             ([0.0; 3], [0.0, 0.0, -2.0], 3.0, [0.0, 0.0, -8.0]),
             ([1.0, 2.0, 0.0], [2.0, 0.0, 0.0], -1.0, [5.0, 4.0, 0.0]),
         ],
-        random(|r| {
+        others: random(|r| {
             let (o, d, length, p) = (r.triple(9.0), r.triple(5.0), r.scale(), r.triple(9.0));
             (o, d.map(|x| x * length), r.between(-9.0, 9.0), p)
         }),
-        [(Ray::at as _, Ray::t_of as _), (at, t_of)],
-        |(at, t_of), (o, d, t, p)| {
+        answer: |code: &Code, (o, d, t, p)| {
             let ray = Ray::derived(point(o), vector(d));
-            Answer::named("at", at(&ray, t).to_glam().to_array()).and("t_of", t_of(&ray, point(p)))
+            Answer::named("at", (code.at)(&ray, t).to_glam().to_array())
+                .and("t_of", (code.t_of)(&ray, point(p)))
         },
-    );
-    scene(check, |settings, View { camera, world: sky }| {
-        let radiance = |ray: &Ray| {
-            let way = at(ray, t_of(ray, ray.at(1.0))) - ray.origin();
-            sky.color_for(&Ray::derived(ray.origin(), way))
-        };
-        paint(&camera, &radiance, settings)
-    });
+    };
+    Exercise {
+        questions: vec![rays.into()],
+        picture: scene(striped),
+        right: vec![Other::new(
+            "with a direction of length 1",
+            Code {
+                at: |ray, t| ray.origin() + unit(ray) * (t * length(ray)),
+                t_of: |ray, p| (p - ray.origin()).dot(unit(ray)) / length(ray),
+            },
+        )],
+        wrong: vec![
+            Other::of_right("t is no distance: d may have any length", |right| Code {
+                t_of: |ray, p| (p - ray.origin()).magnitude(),
+                ..right
+            }),
+            Other::of_right("the dot product has the length of d twice", |right| Code {
+                t_of: |ray, p| (p - ray.origin()).dot(unit(ray)),
+                ..right
+            }),
+            Other::of_right("t counts steps of d, of any length", |right| Code {
+                at: |ray, t| ray.origin() + unit(ray) * t,
+                ..right
+            }),
+        ],
+        ..Exercise::default()
+    }
+}
+
+/// The sky along rays to the point that both functions find at t = 1.
+fn striped(
+    code: &Code,
+    settings: &Settings,
+    View { camera, world: sky }: View<StripedSky>,
+) -> Result<Image, Error> {
+    let radiance = |ray: &Ray| {
+        let point = (code.at)(ray, (code.t_of)(ray, ray.at(1.0)));
+        sky.color_for(&Ray::derived(ray.origin(), point - ray.origin()))
+    };
+    paint(&camera, &radiance, settings)
 }
 
 fn unit(ray: &Ray) -> Vector3 {
@@ -42,18 +84,4 @@ fn unit(ray: &Ray) -> Vector3 {
 
 fn length(ray: &Ray) -> f64 {
     ray.direction().magnitude()
-}
-
-variants! { check:
-    yours => at, t_of;
-    right "with a direction of length 1" =>
-        |ray, t| ray.origin() + unit(ray) * (t * length(ray)),
-        |ray, p| (p - ray.origin()).dot(unit(ray)) / length(ray);
-    wrong "t is no distance: d may have any length" => Ray::at, |ray, p| {
-        (p - ray.origin()).magnitude()
-    };
-    wrong "the dot product has the length of d twice" => Ray::at, |ray, p| {
-        (p - ray.origin()).dot(unit(ray))
-    };
-    wrong "t counts steps of d, of any length" => |ray, t| ray.origin() + unit(ray) * t, Ray::t_of;
 }

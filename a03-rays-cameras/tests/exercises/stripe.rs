@@ -1,11 +1,34 @@
 //! Rays to stripes and beyond them, compared with the lesson's `StripedSky`.
 
+use std::sync::Arc;
+
 use crate::prelude::*;
+
+yours! { Sky => crate::stripe::new_sky(Sky::new, Sky::stripe) }
+
+/// The number of the stripe along a ray.
+pub type Stripe = Box<dyn Fn(&Ray) -> u32 + Send + Sync>;
+
+/// Makes the sky of a camera, the size of its picture, and a number of stripes.
+pub type Code = Arc<dyn Fn(&PinholeCamera, Size, u32) -> Made<Stripe> + Send + Sync>;
+
+type Other = Variant<Code>;
+
+/// The code that makes skies by this function, and asks them by the other one.
+pub fn new_sky<S: Send + Sync + 'static>(
+    new: fn(&PinholeCamera, Size, u32) -> Made<S>,
+    stripe: fn(&S, &Ray) -> u32,
+) -> Code {
+    Arc::new(move |camera, size, stripes| {
+        let sky = new(camera, size, stripes)?;
+        Ok(Box::new(move |ray: &Ray| stripe(&sky, ray)))
+    })
+}
 
 pub struct Sky(StripedSky);
 
 impl Sky {
-    pub fn new(camera: &PinholeCamera, size: Size, stripes: u32) -> Result<Self, ArgumentError> {
+    pub fn new(camera: &PinholeCamera, size: Size, stripes: u32) -> Made<Self> {
         StripedSky::new(camera, size, stripes, StripeRule::Direction).map(Self)
     }
 
@@ -14,56 +37,63 @@ impl Sky {
     }
 }
 
-pub fn check<S: Sync>(
-    check: &mut Check,
-    new: impl Fn(&PinholeCamera, Size, u32) -> Made<S>,
-    stripe: impl Fn(&S, &Ray) -> u32 + Sync,
-) {
-    let camera = |angle| PinholeCamera::new(Point3::ORIGIN, angle);
-    let codes: [&dyn Fn(&PinholeCamera, u32, &Ray) -> Option<u32>; 2] = [
-        &|camera, count, ray| Some(Sky::new(camera, Size::COURSE, count).ok()?.stripe(ray)),
-        &|camera, count, ray| Some(stripe(&new(camera, Size::COURSE, count).ok()?, ray)),
-    ];
-    let ahead = [[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0]];
-    check.compare(
-        "opening angle {}, {} stripes, direction {}",
-        ahead.map(|d| (1.0, 10, d)),
-        random(|r| (r.between(0.2, 2.8), 1 + r.below(12), r.triple(1.0))),
-        codes,
-        |code, (angle, count, d)| {
+pub fn exercise() -> Exercise<Code> {
+    let rays = Questions {
+        words: "opening angle {}, {} stripes, direction {}".into(),
+        simple: vec![
+            (1.0, 10, [0.0, 0.0, -1.0]),
+            (1.0, 10, [0.0, 1.0, 0.0]),
+            (1.0, 10, [0.0, -1.0, 0.0]),
+        ],
+        others: random(|r| (r.between(0.2, 2.8), 1 + r.below(12), r.triple(1.0))),
+        answer: |new: &Code, (angle, stripes, d)| {
             let ray = Ray::new(Point3::ORIGIN, vector(d)).ok()?;
-            code(&camera(angle).ok()?, count, &ray)
+            let camera = PinholeCamera::new(Point3::ORIGIN, angle).ok()?;
+            let stripe = new(&camera, Size::COURSE, stripes).ok()?;
+            Some(stripe(&ray))
         },
-    );
-    scene(check, |settings, _| {
-        let camera = camera(FRAC_PI_2)?;
-        let sky = new(&camera, settings.size, 10)?;
-        let radiance = |ray: &Ray| match stripe(&sky, ray) % 2 {
-            0 => Color::from_bytes([25, 25, 112]),
-            _ => Color::from_bytes([50, 205, 50]),
-        };
-        paint(&camera, &radiance, settings)
-    });
+    };
+    Exercise {
+        questions: vec![rays.into()],
+        picture: scene(|new: &Code, settings, _| {
+            let camera = PinholeCamera::new(Point3::ORIGIN, FRAC_PI_2)?;
+            let stripe = new(&camera, settings.size, 10)?;
+            let radiance = |ray: &Ray| match stripe(ray) % 2 {
+                0 => Color::from_bytes([25, 25, 112]),
+                _ => Color::from_bytes([50, 205, 50]),
+            };
+            paint(&camera, &radiance, settings)
+        }),
+        right: vec![Other::new(
+            "in halves of the picture",
+            by_height(|height, n| (n / 2.0 * (height + 1.0)).min(n - 1.0)),
+        )],
+        wrong: vec![
+            Other::new(
+                "above the picture is the last stripe",
+                by_height(|height, n| (height + 1.0) / 2.0 * n),
+            ),
+            Other::new(
+                "stripes are counted from below",
+                by_height(|height, n| ((1.0 - height) / 2.0 * n).min(n - 1.0)),
+            ),
+            Other::new(
+                "a number of a stripe is rounded down",
+                by_height(|height, n| (n / 2.0 * (height + 1.0)).round().min(n - 1.0)),
+            ),
+        ],
+        ..Exercise::default()
+    }
 }
 
 /// The number of a stripe from its height, from -1 at the lower edge to 1 at the upper one,
 /// and the count of all stripes.
-fn variant(c: &mut Check, number: fn(f64, f64) -> f64) {
-    let new = |camera: &PinholeCamera, size: Size, stripes: u32| {
+fn by_height(number: fn(f64, f64) -> f64) -> Code {
+    Arc::new(move |camera, size, stripes| {
         let upper = camera.generate_ray(size, f64::from(size.width()) / 2.0, 0.0);
-        Ok((upper.direction().y(), f64::from(stripes)))
-    };
-    check(c, new, |(top, stripes), ray| {
-        number(ray.direction().y() / top, *stripes) as u32
-    });
-}
-
-variants! { variant:
-    yours => Sky::new, Sky::stripe;
-    right "in halves of the picture" => |height, n| (n / 2.0 * (height + 1.0)).min(n - 1.0);
-    wrong "above the picture is the last stripe" => |height, n| (height + 1.0) / 2.0 * n;
-    wrong "stripes are counted from below" => |height, n| ((1.0 - height) / 2.0 * n).min(n - 1.0);
-    wrong "a number of a stripe is rounded down" => |height, n| {
-        (n / 2.0 * (height + 1.0)).round().min(n - 1.0)
-    };
+        let top = upper.direction().y();
+        Ok(Box::new(move |ray: &Ray| {
+            number(ray.direction().y() / top, f64::from(stripes)) as u32
+        }))
+    })
 }

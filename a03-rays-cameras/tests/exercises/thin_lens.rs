@@ -1,46 +1,82 @@
-//! Rays through all places of lenses, compared with the solution.
+//! Rays through all points of lenses, compared with the solution.
+
+use std::sync::Arc;
 
 use crate::prelude::*;
 
-type Through = fn(&Basis, f64, &Ray, (f64, f64)) -> Ray;
+yours! { through_lens => std::sync::Arc::new(through_lens) }
 
-pub fn check(check: &mut Check, yours: Through) {
-    let camera = |e, gaze| {
-        let up = vector([0.0, 1.0, 0.0]);
-        PerspectiveCamera::new(point(e), vector(gaze), up, FRAC_PI_4)
-    };
-    let places = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
-    check.compare(
-        "eye {}, gaze {}, focus {}, ray through {} of 5 by 3 pixels, place {} of the lens",
-        places.map(|place| ([0.0; 3], [0.0, 0.0, -1.0], 2.0, [4.0, 1.0], place)),
-        random(|r| {
-            let (focus, place) = (r.between(0.1, 20.0), [(); 2].map(|()| r.between(-0.5, 0.5)));
+type Code = Arc<dyn Fn(&Basis, f64, &Ray, (f64, f64)) -> Ray + Send + Sync>;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
+    let (eye, gaze) = ([0.0; 3], [0.0, 0.0, -1.0]);
+    let rays = Questions {
+        words: "eye {}, gaze {}, focus {}, ray through {} of 5 by 3 pixels, place {} of the lens"
+            .into(),
+        simple: vec![
+            (eye, gaze, 2.0, [4.0, 1.0], [0.0, 0.0]),
+            (eye, gaze, 2.0, [4.0, 1.0], [1.0, 0.0]),
+            (eye, gaze, 2.0, [4.0, 1.0], [0.0, 1.0]),
+        ],
+        others: random(|r| {
+            let (focus, on_lens) = (r.between(0.1, 20.0), [(); 2].map(|()| r.between(-0.5, 0.5)));
             let pixel = [r.between(-0.5, 4.5), r.between(-0.5, 2.5)];
-            (r.triple(9.0), r.triple(3.0), focus, pixel, place)
+            (r.triple(9.0), r.triple(3.0), focus, pixel, on_lens)
         }),
-        [through_lens, yours],
-        |through, (e, gaze, focus, [x, y], place)| {
-            let camera = camera(e, gaze).ok()?;
+        answer: |through: &Code, (eye, gaze, focus, [x, y], [right, up])| {
+            let camera = camera(eye, gaze).ok()?;
             let ray = camera.ray_for(Size::new(5, 3).ok()?, x, y);
-            Some(answer(&through(&camera.basis(), focus, &ray, place.into())))
+            let ray = through(&camera.basis(), focus, &ray, (right, up));
+            Some(ray_answer(&ray))
         },
-    );
-    // Three walls of holes, one behind the other; the middle one is in focus.
-    check.picture(|settings| {
-        let camera = camera([0.0; 3], [0.0, 0.0, -1.0])?;
-        let (size, samples) = (settings.size, 64_u32);
-        let bottom = f64::from(size.height() - 1);
-        Image::from_fn(size, |x, y| {
-            let ray = camera.ray_for(size, x.into(), bottom - f64::from(y));
-            let random = PixelRandom::new(0, x, y);
-            let mut sum = Color::BLACK;
-            for n in (0..u64::from(samples)).map(|n| 2 * n) {
-                let lens = [n, n + 1].map(|n| 0.3 * (random.uniform(n) - 0.5));
-                sum += wall(&yours(&camera.basis(), 5.0, &ray, lens.into()));
-            }
-            sum.map(|channel| channel / f64::from(samples))
-        })
-    });
+    };
+    Exercise {
+        questions: vec![rays.into()],
+        picture: Picture::own(walls),
+        wrong: vec![
+            Other::of_right("the focus is a plane, not a ball", |right| {
+                Arc::new(move |basis, focus, ray, on_lens| {
+                    right(basis, focus * -basis.w.dot(ray.direction()), ray, on_lens)
+                })
+            }),
+            Other::of_right("the direction has length 1", |right| {
+                Arc::new(move |basis, focus, ray, on_lens| {
+                    let ray = right(basis, focus, ray, on_lens);
+                    Ray::derived(ray.origin(), ray.direction() * focus)
+                })
+            }),
+            Other::of_right("from another place, the direction is another", |right| {
+                Arc::new(move |basis, focus, ray, on_lens| {
+                    let origin = right(basis, focus, ray, on_lens).origin();
+                    Ray::derived(origin, ray.direction())
+                })
+            }),
+        ],
+        ..Exercise::default()
+    }
+}
+
+fn camera(eye: [f64; 3], gaze: [f64; 3]) -> Made<PerspectiveCamera> {
+    let up = Vector3::new(0.0, 1.0, 0.0);
+    PerspectiveCamera::new(point(eye), vector(gaze), up, FRAC_PI_4)
+}
+
+/// Three walls of holes, one behind the other; the middle one is in focus.
+fn walls(through: &Code, settings: &Settings) -> Result<Image, Error> {
+    let camera = camera([0.0; 3], [0.0, 0.0, -1.0])?;
+    let (size, samples) = (settings.size, 64_u32);
+    let bottom = f64::from(size.height() - 1);
+    Image::from_fn(size, |x, y| {
+        let ray = camera.ray_for(size, x.into(), bottom - f64::from(y));
+        let random = PixelRandom::new(0, x, y);
+        let mut sum = Color::BLACK;
+        for n in (0..u64::from(samples)).map(|n| 2 * n) {
+            let [right, up] = [n, n + 1].map(|n| 0.3 * (random.uniform(n) - 0.5));
+            sum += wall(&through(&camera.basis(), 5.0, &ray, (right, up)));
+        }
+        sum.map(|channel| channel / f64::from(samples))
+    })
 }
 
 /// The colour of the nearest disc: a row of each, at three distances.
@@ -60,21 +96,4 @@ fn wall(ray: &Ray) -> Color {
         }
     }
     Color::gray(0.05)
-}
-
-variants! { check:
-    yours => through_lens;
-    wrong "the focus is a plane, not a ball" => |basis, focus, ray, place| {
-        through_lens(basis, focus * -basis.w.dot(ray.direction()), ray, place)
-    };
-    wrong "the direction has length 1" => |basis, focus, ray, place| {
-        let ray = through_lens(basis, focus, ray, place);
-        Ray::derived(ray.origin(), ray.direction() * focus)
-    };
-    wrong "from another place, the direction is another" => |basis, focus, ray, place| {
-        Ray::derived(
-            through_lens(basis, focus, ray, place).origin(),
-            ray.direction(),
-        )
-    };
 }

@@ -2,55 +2,84 @@
 
 use crate::prelude::*;
 
+yours! { chain }
+
+type Code = fn(&[Step]) -> [Mat4x4; 2];
+type Other = Variant<Code>;
+
 pub fn chain(steps: &[Step]) -> [Mat4x4; 2] {
     let transform = transform(steps);
     [transform.matrix(), transform.inverse()]
 }
 
-pub fn check(check: &mut Check, yours: fn(&[Step]) -> [Mat4x4; 2]) {
+pub fn exercise() -> Exercise<Code> {
     let (turn, step) = (Step::Rotate(2, FRAC_PI_2), Step::Translate([2.0, 0.0, 0.0]));
-    let simple = [vec![], vec![step], vec![step, turn], vec![turn, step]];
-    check.compare(
-        "chain {}, p = {}",
-        simple.map(|steps| (steps, [1.0, 0.0, 0.0])),
-        random(|r| (Step::random(r), r.triple(3.0))),
-        [chain, yours],
-        |chain, (steps, p)| {
+    let p = [1.0, 0.0, 0.0];
+    let chains = Questions {
+        words: "chain {}, p = {}".into(),
+        simple: vec![
+            (vec![], p),
+            (vec![step], p),
+            (vec![step, turn], p),
+            (vec![turn, step], p),
+        ],
+        others: random(|r| (Step::random(r), r.triple(3.0))),
+        answer: |chain: &Code, (steps, p): (Vec<Step>, _)| {
             let [p, back] = chain(&steps).map(|matrix| (matrix * point(p)).to_glam().to_array());
             Answer::named("the matrix times p", p).and("the inverse times p", back)
         },
-    );
-    let [_, i] = yours(&steps_of_box());
-    box_scene(check, |child| {
-        Own(move |ray: &Ray, within: Interval| {
-            let inner = Ray::derived(i * ray.origin(), i * ray.direction());
-            let Hit { t, normal, .. } = child.hit(&inner, within)?;
-            let n = i.transposed() * Vector3::from(normal);
-            Some(Hit::new(t, n.normalized()?.as_normal()))
-        })
-    });
+    };
+    Exercise {
+        questions: vec![chains.into()],
+        picture: BOX_SCENE.with(|chain: &Code, world| {
+            let [_, inverse] = chain(&steps_of_box());
+            Ok(world.with(under_inverse(upright_box()?, inverse), yellow()?))
+        }),
+        right: vec![Other::new("two products", |steps| {
+            [product(&matrices(steps)), product(&inverses(steps))]
+        })],
+        wrong: vec![
+            Other::new("the last step is applied first", |steps| {
+                let reversed: Vec<_> = steps.iter().rev().copied().collect();
+                chain(&reversed)
+            }),
+            Other::new("the last step is undone last", |steps| {
+                let mut inverses = inverses(steps);
+                inverses.reverse();
+                [chain(steps)[0], product(&inverses)]
+            }),
+            Other::new("only a turn is undone by its transpose", |steps| {
+                let [matrix, _] = chain(steps);
+                [matrix, matrix.transposed()]
+            }),
+        ],
+        ..Exercise::default()
+    }
 }
 
-fn product(factors: impl Iterator<Item = Mat4x4>) -> Mat4x4 {
-    factors.fold(Mat4x4::IDENTITY, |a, b| a * b)
+/// A box under the transform with this inverse.
+fn under_inverse(child: AxisAlignedBox, inverse: Mat4x4) -> impl Geometry {
+    own(move |ray: &Ray, within| {
+        let inner = Ray::derived(inverse * ray.origin(), inverse * ray.direction());
+        let Hit { t, normal, .. } = child.hit(&inner, within)?;
+        let n = inverse.transposed() * Vector3::from(normal);
+        Some(Hit::new(t, n.normalized()?.as_normal()))
+    })
 }
 
-variants! { check:
-    yours => chain;
-    right "two products" => |steps| {
-        let there = steps.iter().map(|step| step.matrix());
-        let back = steps.iter().rev().map(|step| step.inverse());
-        [product(there), product(back)]
-    };
-    wrong "the last step is applied first" => |steps| {
-        chain(&steps.iter().rev().copied().collect::<Vec<_>>())
-    };
-    wrong "the last step is undone last" => |steps| {
-        let back = steps.iter().map(|step| step.inverse());
-        [chain(steps)[0], product(back)]
-    };
-    wrong "only a turn is undone by its transpose" => |steps| {
-        let [matrix, _] = chain(steps);
-        [matrix, matrix.transposed()]
-    };
+fn matrices(steps: &[Step]) -> Vec<Mat4x4> {
+    steps.iter().map(|step| step.matrix()).collect()
+}
+
+/// The inverses, of which the first undoes the last step.
+fn inverses(steps: &[Step]) -> Vec<Mat4x4> {
+    steps.iter().rev().map(|step| step.inverse()).collect()
+}
+
+fn product(factors: &[Mat4x4]) -> Mat4x4 {
+    let mut product = Mat4x4::IDENTITY;
+    for factor in factors {
+        product = product * *factor;
+    }
+    product
 }

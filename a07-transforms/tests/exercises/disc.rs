@@ -2,37 +2,54 @@
 
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, new: &dyn Fn(Point3, Normal3, f64) -> Made<Shape>) {
-    compare(
-        check,
-        "disc around {}, normal {}, radius {}",
-        ([0.0; 3], [0.0, 1.0, 0.0], 2.0),
-        |r| (r.triple(3.0), r.triple(5.0), r.between(0.5, 4.0)),
-        &|(c, n, r)| boxed(Disc::new(point(c), vector(n).as_normal(), r)),
-        &|(c, n, r)| new(point(c), vector(n).as_normal(), r),
-    );
-    locked_scene(check, "disc", 8.0, ([8.0; 3], true, 0.1), |world| {
-        let (half, up) = (Color::gray(0.5), Normal3::new(0.0, 1.0, 0.0));
-        let red = Reflective::new(Color::RED, Color::BLACK, 64.0, half)?;
-        let green = Reflective::new(Color::GREEN, Color::WHITE, 2000.0, half)?;
-        let world = world.with(Plane::new(Point3::ORIGIN, up)?, Box::new(red));
-        Ok(world.with(new(point([0.0, 0.001, 0.0]), up, 5.0)?, Box::new(green)))
-    });
-}
+yours! { Disc => new_shape(|(c, n, r)| Disc::new(point(c), vector(n).as_normal(), r)) }
 
-/// The hits of the plane that are on the disc, by their distance from the centre.
-fn variant(c: &mut Check, is_on_disc: fn(f64, f64) -> bool) {
-    check(c, &move |c, n, r| {
-        let plane = Plane::new(c, n)?;
-        own(move |ray: &Ray, i| {
-            let hit = plane.hit(ray, i)?;
-            is_on_disc((ray.at(hit.t) - c).magnitude(), r).then_some(hit)
+/// Makes a disc of centre, normal and radius.
+type Code = NewShape<([f64; 3], [f64; 3], f64)>;
+type Other = Variant<Code>;
+
+const SCENE: LitScene = LitScene {
+    name: "disc",
+    eye: 8.0,
+    lamp: [8.0; 3],
+    casts_shadows: true,
+    ambient: 0.1,
+};
+
+pub fn exercise() -> Exercise<Code> {
+    Exercise {
+        picture: SCENE.with(|new: &Code, world| {
+            let (half, up) = (Color::gray(0.5), [0.0, 1.0, 0.0]);
+            let plane = Plane::new(Point3::ORIGIN, vector(up).as_normal())?;
+            let red = Reflective::new(Color::RED, Color::BLACK, 64.0, half)?;
+            let disc = new(([0.0, 0.001, 0.0], up, 5.0))?;
+            let green = Reflective::new(Color::GREEN, Color::WHITE, 2000.0, half)?;
+            Ok(world.with(plane, Box::new(red)).with(disc, Box::new(green)))
+        }),
+        right: vec![Other::new(
+            "the distance, not its square",
+            by_distance(|distance, r| distance <= r),
+        )],
+        wrong: vec![Other::new(
+            "the rim belongs to the disc",
+            by_distance(|distance, r| distance < r),
+        )],
+        ..shapes(Shapes {
+            words: "disc around {}, normal {}, radius {}",
+            first: ([0.0; 3], [0.0, 1.0, 0.0], 2.0),
+            any: |r| (r.triple(3.0), r.triple(5.0), r.between(0.5, 4.0)),
         })
-    });
+    }
 }
 
-variants! { variant:
-    yours => &|c, n, r| shape::boxed(Disc::new(c, n, r));
-    right "the distance, not its square" => |d, r| d <= r;
-    wrong "the rim belongs to the disc" => |d, r| d < r;
+/// The hits of the plane that are on the disc, by their distance from the centre and the radius.
+fn by_distance(is_on_disc: fn(f64, f64) -> bool) -> Code {
+    new_shape(move |(c, n, r)| {
+        let c = point(c);
+        let plane = Plane::new(c, vector(n).as_normal())?;
+        Ok(own(move |ray: &Ray, within| {
+            let hit = plane.hit(ray, within)?;
+            is_on_disc((ray.at(hit.t) - c).magnitude(), r).then_some(hit)
+        }))
+    })
 }

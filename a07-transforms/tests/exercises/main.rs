@@ -1,12 +1,33 @@
-//! Proves the exercises of this stage, which the book sets.
+//! Proves the exercises of this stage, which the book sets, and judges students' files.
 
 #![allow(unexpected_cfgs, reason = "names of exercises")]
 
-#[allow(dead_code, reason = "the scenes of another stage")]
-mod shape;
+mod pictures;
 mod steps;
 
-testing::exercises! {
-    a07_transforms uses
-    {a02_math::*, a02_math::arrays::{point, vector}, a03_rays_cameras::*, a04_intersections::*, a05_lighting::*, a06_shadows_reflection::*, a07_transforms::*, common::*, crate::shape::*, crate::steps::*}
+/// All names that checks, examples and students' files use.
+#[allow(unused_imports, ambiguous_glob_reexports)]
+mod prelude {
+    pub use a02_math::arrays::{point, vector};
+    pub use a02_math::*;
+    pub use a03_rays_cameras::*;
+    pub use a04_intersections::*;
+    pub use a04_kinds::shape::*;
+    pub use a04_kinds::shown::*;
+    pub use a05_lighting::*;
+    pub use a06_shadows_reflection::*;
+    pub use a07_transforms::*;
+    pub use common::*;
+    pub use testing::exercises::*;
+    // Not the picture of a scene.
+    pub use testing::exercises::Picture;
+    pub use testing::yours;
+
+    pub use crate::pictures::*;
+    pub use crate::solved::*;
+    pub use crate::steps::*;
 }
+
+include!(concat!(env!("OUT_DIR"), "/exercises.rs"));
+
+listed!(a07_transforms::stage);

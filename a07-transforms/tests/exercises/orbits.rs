@@ -1,26 +1,64 @@
 //! Earth and moon at any time, compared with the solution.
 
+use std::sync::Arc;
+
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, yours: fn(f64, f64) -> Made<[Transform; 2]>) {
-    check.compare(
-        "year {}, month {}",
-        [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, -1.0)],
-        random(|r| (r.between(-9.0, 9.0), r.between(-9.0, 9.0))),
-        [orbits, yours],
-        |orbits, (year, month)| {
-            let [earth, moon] = orbits(year, month).ok()?.map(|body| {
-                let moved = |x| (body.matrix() * point([x, 0.0, 0.0])).to_glam().to_array();
-                Answer::named("the place", moved(0.0)).and("x = 1 moved", moved(1.0))
-            });
-            Some(Answer::named("earth", earth).and("moon", moon))
+yours! { orbits => std::sync::Arc::new(orbits) }
+
+type Code = Arc<dyn Fn(f64, f64) -> Made<[Transform; 2]> + Send + Sync>;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
+    let times = Questions {
+        words: "year {}, month {}".into(),
+        simple: vec![(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, -1.0)],
+        others: random(|r| (r.between(-9.0, 9.0), r.between(-9.0, 9.0))),
+        answer: |orbits: &Code, (year, month)| {
+            let [earth, moon] = orbits(year, month).ok()?;
+            // Two points tell where a body is, and how it is turned.
+            let moved = |body: &Transform, x| {
+                let p = body.matrix() * Point3::new(x, 0.0, 0.0);
+                p.to_glam().to_array()
+            };
+            Some(
+                Answer::named("earth", moved(&earth, 0.0))
+                    .and("earth", moved(&earth, 1.0))
+                    .and("moon", moved(&moon, 0.0))
+                    .and("moon", moved(&moon, 1.0)),
+            )
         },
-    );
-    let (eye, at) = ([0.0, 9.0, 13.0], [0.0, -0.4, 0.0]);
-    show_lit(check, twelve_months(yours), eye, at);
+    };
+    let eye = Eye {
+        from: [0.0, 9.0, 13.0],
+        to: [0.0, -0.4, 0.0],
+    };
+    Exercise {
+        questions: vec![times.into()],
+        picture: lit(eye, twelve_months),
+        wrong: vec![
+            Other::of_right("the earth is turned after it is moved", |right| {
+                Arc::new(move |year, month| {
+                    let moved = Transform::IDENTITY.translate(Point3::new(5.0, 0.0, 0.0))?;
+                    let [_, moon] = right(year, month)?;
+                    Ok([moved.rotate_y(year)?, moon])
+                })
+            }),
+            Other::of_right("the moon is a child of the earth", |right| {
+                Arc::new(move |year, month| {
+                    let ([earth, _], [_, moon]) = (right(year, month)?, right(0.0, month)?);
+                    Ok([earth, moon])
+                })
+            }),
+            Other::of_right("the month is seen by the turned earth", |right| {
+                Arc::new(move |year, month| right(year, month - year))
+            }),
+        ],
+        ..Exercise::default()
+    }
 }
 
-fn twelve_months(orbits: impl Fn(f64, f64) -> Made<[Transform; 2]>) -> Made<World<Color>> {
+fn twelve_months(orbits: &Code) -> Made<World<Color>> {
     let sun = Sphere::new(Point3::ORIGIN, 1.2)?;
     let mut world = World::new(Color::gray(0.03))?.with(sun, Color::new(1.0, 0.85, 0.2));
     for month in 0..12 {
@@ -32,16 +70,4 @@ fn twelve_months(orbits: impl Fn(f64, f64) -> Made<[Transform; 2]>) -> Made<Worl
             .with(moon.with(small?), Color::gray(0.9));
     }
     Ok(world)
-}
-
-variants! { check:
-    yours => orbits;
-    wrong "the earth is turned after it is moved" => |year, month| {
-        let moved = Transform::IDENTITY.translate(Point3::new(5.0, 0.0, 0.0))?;
-        Ok([moved.rotate_y(year)?, orbits(year, month)?[1]])
-    };
-    wrong "the moon is a child of the earth" => |year, month| {
-        Ok([orbits(year, month)?[0], orbits(0.0, month)?[1]])
-    };
-    wrong "the month is seen by the turned earth" => |year, month| orbits(year, month - year);
 }

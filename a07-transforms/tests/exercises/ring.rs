@@ -2,35 +2,49 @@
 
 use crate::prelude::*;
 
-pub fn check(check: &mut Check, new: &dyn Fn(Point3, Normal3, f64, f64) -> Made<Shape>) {
-    compare(
-        check,
-        "ring around {}, normal {}, from {} to {}",
-        ([0.0; 3], [0.0, 1.0, 0.0], 1.0, 3.0),
-        |r| {
-            let (hole, width) = (r.between(0.5, 2.0), r.between(0.5, 2.0));
-            (r.triple(3.0), r.triple(5.0), hole, hole + width)
-        },
-        &|(c, n, hole, r)| boxed(Ring::new(point(c), vector(n).as_normal(), hole, r)),
-        &|(c, n, hole, r)| new(point(c), vector(n).as_normal(), hole, r),
-    );
-    let saturn = || {
-        let ring = new(Point3::ORIGIN, Normal3::new(0.3, 1.0, 0.1), 1.3, 2.2)?;
-        let planet = Sphere::new(Point3::ORIGIN, 1.0)?;
-        let world = World::new(Color::gray(0.05))?.with(ring, Color::gray(0.8));
-        Ok(world.with(planet, Color::new(0.9, 0.75, 0.5)))
-    };
-    show_lit(check, saturn(), [1.0, 2.0, 6.0], [0.0; 3]);
+yours! {
+    Ring => new_shape(|(c, n, hole, r)| Ring::new(point(c), vector(n).as_normal(), hole, r))
 }
 
-variants! { check:
-    yours => &|c, n, hole, r| shape::boxed(Ring::new(c, n, hole, r));
-    wrong "both borders belong to the ring" => &|c, n, hole, r| {
-        let ring = Ring::new(c, n, hole, r)?;
-        own(move |ray: &Ray, i| {
-            let hit = ring.hit(ray, i)?;
-            let distance = (ray.at(hit.t) - c).magnitude();
-            (hole < distance && distance < r).then_some(hit)
-        })
+/// Makes a ring of centre, normal, and the radii of its hole and its rim.
+type Code = NewShape<([f64; 3], [f64; 3], f64, f64)>;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
+    let eye = Eye {
+        from: [1.0, 2.0, 6.0],
+        to: [0.0; 3],
     };
+    Exercise {
+        picture: lit(eye, saturn),
+        wrong: vec![Other::of_right(
+            "both borders belong to the ring",
+            |right| {
+                new_shape(move |(c, n, hole, r)| {
+                    let ring = right((c, n, hole, r))?;
+                    Ok(own(move |ray: &Ray, within| {
+                        let hit = ring.hit(ray, within)?;
+                        let distance = (ray.at(hit.t) - point(c)).magnitude();
+                        (hole < distance && distance < r).then_some(hit)
+                    }))
+                })
+            },
+        )],
+        ..shapes(Shapes {
+            words: "ring around {}, normal {}, from {} to {}",
+            first: ([0.0; 3], [0.0, 1.0, 0.0], 1.0, 3.0),
+            any: |r| {
+                let (hole, width) = (r.between(0.5, 2.0), r.between(0.5, 2.0));
+                (r.triple(3.0), r.triple(5.0), hole, hole + width)
+            },
+        })
+    }
+}
+
+fn saturn(new: &Code) -> Made<World<Color>> {
+    let ring = new(([0.0; 3], [0.3, 1.0, 0.1], 1.3, 2.2))?;
+    let planet = Sphere::new(Point3::ORIGIN, 1.0)?;
+    Ok(World::new(Color::gray(0.05))?
+        .with(ring, Color::gray(0.8))
+        .with(planet, Color::new(0.9, 0.75, 0.5)))
 }

@@ -2,40 +2,79 @@
 
 use crate::prelude::*;
 
-/// A ball, or a triangle whose corners have normals aslant.
-fn upright(is_ball: bool) -> Made<Shape> {
-    let ball = Box::new(Sphere::new(Point3::ORIGIN, 1.0)?);
-    let triangle = Box::new(smooth_triangle(0.0)?);
-    Ok(if is_ball { ball } else { triangle })
+yours! {
+    Sheared => new_shape(|(upright, by): (crate::sheared::Upright, f64)| {
+        Ok(Sheared::new(upright.shape()?, by))
+    })
 }
 
-pub fn check<G: Geometry>(check: &mut Check, new: impl Fn(Shape, f64) -> G) {
-    compare(
-        check,
-        "a shape (a ball: {}) sheared by {}",
-        (true, 0.5),
-        |r| (r.below(2) == 0, r.between(-3.0, 3.0)),
-        &|(is_ball, by)| Ok(Box::new(Sheared::new(upright(is_ball)?, by))),
-        &|(is_ball, by)| Ok(Box::new(new(upright(is_ball)?, by))),
-    );
-    let world = || {
-        let beam = AxisAlignedBox::new(point([-2.3, 0.0, -0.7]), point([-1.0, 2.0, 0.7]))?;
-        let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
-        let round = Sphere::new(Point3::new(0.9, 1.0, 0.0), 1.0)?;
-        let world = World::new(Color::gray(0.08))?.with(floor, Color::gray(0.6));
-        let world = world.with(new(Box::new(beam), 0.6), Color::new(0.4, 0.7, 1.0));
-        Ok(world.with(new(Box::new(round), 0.6), Color::new(1.0, 0.5, 0.3)))
-    };
-    show_lit(check, world(), [0.3, 2.6, 7.5], [0.3, 0.8, 0.0]);
+/// A shape that does not lean yet.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Upright {
+    /// A ball around the origin.
+    Ball,
+    /// A triangle whose corners have normals aslant.
+    Triangle,
+    /// A beam of the picture.
+    Beam,
+    /// A ball of the picture.
+    BallOnFloor,
 }
 
-variants! { check:
-    yours => Sheared::new;
-    wrong "both normals lean" => |shape, by| {
-        let leaning = Sheared::new(shape, by);
-        Own(move |ray: &Ray, i: Interval| {
-            let Hit { t, normal, .. } = leaning.hit(ray, i)?;
-            Some(Hit::new(t, normal))
+impl Upright {
+    pub fn shape(self) -> Made<Shape> {
+        Ok(match self {
+            Self::Ball => Box::new(Sphere::new(Point3::ORIGIN, 1.0)?),
+            Self::Triangle => Box::new(smooth_triangle(0.0)?),
+            Self::Beam => {
+                let (lbf, run) = ([-2.3, 0.0, -0.7], [-1.0, 2.0, 0.7]);
+                Box::new(AxisAlignedBox::new(point(lbf), point(run))?)
+            }
+            Self::BallOnFloor => Box::new(Sphere::new(Point3::new(0.9, 1.0, 0.0), 1.0)?),
         })
+    }
+}
+
+impl Input for Upright {
+    fn for_each_number(&mut self, _: &mut dyn FnMut(&mut f64)) {}
+
+    fn words(&self) -> Vec<String> {
+        vec![(*self == Self::Ball).to_string()]
+    }
+}
+
+/// Makes a shape that leans by this much.
+type Code = NewShape<(Upright, f64)>;
+type Other = Variant<Code>;
+
+pub fn exercise() -> Exercise<Code> {
+    let eye = Eye {
+        from: [0.3, 2.6, 7.5],
+        to: [0.3, 0.8, 0.0],
     };
+    Exercise {
+        picture: lit(eye, beam_and_ball),
+        wrong: vec![Other::of_right("both normals lean", |right| {
+            changed(right, |leaning, ray, within| {
+                let Hit { t, normal, .. } = leaning.hit(ray, within)?;
+                Some(Hit::new(t, normal))
+            })
+        })],
+        ..shapes(Shapes {
+            words: "a shape (a ball: {}) sheared by {}",
+            first: (Upright::Ball, 0.5),
+            any: |r| {
+                let upright = [Upright::Ball, Upright::Triangle][r.below(2) as usize];
+                (upright, r.between(-3.0, 3.0))
+            },
+        })
+    }
+}
+
+fn beam_and_ball(new: &Code) -> Made<World<Color>> {
+    let floor = Plane::new(Point3::ORIGIN, Normal3::new(0.0, 1.0, 0.0))?;
+    Ok(World::new(Color::gray(0.08))?
+        .with(floor, Color::gray(0.6))
+        .with(new((Upright::Beam, 0.6))?, Color::new(0.4, 0.7, 1.0))
+        .with(new((Upright::BallOnFloor, 0.6))?, Color::new(1.0, 0.5, 0.3)))
 }

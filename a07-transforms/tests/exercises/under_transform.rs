@@ -2,6 +2,21 @@
 
 use crate::prelude::*;
 
+yours! {
+    ray_to_object, normal_from_object => crate::under_transform::Code {
+        ray_to_object,
+        normal_from_object,
+    }
+}
+
+#[derive(Clone, Copy)]
+pub struct Code {
+    pub ray_to_object: fn(&Transform, &Ray) -> Ray,
+    pub normal_from_object: fn(&Transform, Normal3) -> Option<Normal3>,
+}
+
+type Other = Variant<Code>;
+
 pub fn ray_to_object(transform: &Transform, ray: &Ray) -> Ray {
     transform.ray_to_object(ray)
 }
@@ -10,35 +25,70 @@ pub fn normal_from_object(transform: &Transform, n: Normal3) -> Option<Normal3> 
     transform.normal_from_object(n)
 }
 
-type RayToObject = fn(&Transform, &Ray) -> Ray;
-type NormalFromObject = fn(&Transform, Normal3) -> Option<Normal3>;
+const SCENE: LitScene = LitScene {
+    name: "sphere-transformation",
+    eye: 20.0,
+    ..BOX_SCENE
+};
 
-pub fn check(check: &mut Check, ray: RayToObject, normal: NormalFromObject) {
-    let (step, double) = (Step::Translate([2.0, 0.0, 0.0]), Step::Scale([2.0; 3]));
-    check.compare(
-        "chain {}; origin and direction of the ray, and normal {}",
-        [step, double].map(|step| (vec![step], [[0.0; 3], [0.0, 0.0, -2.0], [0.6, 0.8, 0.0]])),
-        random(|r| (Step::random(r), [(); 3].map(|()| r.triple(5.0)))),
-        [(ray_to_object as _, normal_from_object as _), (ray, normal)],
-        |(ray, normal): (RayToObject, NormalFromObject), (steps, [o, d, n])| {
+pub fn exercise() -> Exercise<Code> {
+    let [o, d, n] = [[0.0; 3], [0.0, 0.0, -2.0], [0.6, 0.8, 0.0]];
+    let chains = Questions {
+        words: "chain {}; origin and direction of the ray, and normal {}".into(),
+        simple: vec![
+            (vec![Step::Translate([2.0, 0.0, 0.0])], [o, d, n]),
+            (vec![Step::Scale([2.0; 3])], [o, d, n]),
+        ],
+        others: random(|r| (Step::random(r), [(); 3].map(|()| r.triple(5.0)))),
+        answer: |code: &Code, (steps, [o, d, n]): (Vec<Step>, [_; 3])| {
             let transform = transform(&steps);
-            let ray = ray(&transform, &Ray::derived(point(o), vector(d)));
-            let n = normal(&transform, vector(n).as_normal());
+            let ray = Ray::derived(point(o), vector(d));
+            let ray = (code.ray_to_object)(&transform, &ray);
+            let n = (code.normal_from_object)(&transform, vector(n).as_normal());
             Answer::named("origin", ray.origin().to_glam().to_array())
                 .and("direction", ray.direction().to_glam().to_array())
                 .and("the normal", n.map(|n| n.to_glam().to_array()))
         },
-    );
-    locked_scene(check, "sphere-transformation", 20.0, ABOVE, |world| {
-        let transform = Transform::IDENTITY.scale(6.0, 1.2, 4.0)?;
-        let child = Sphere::new(Point3::ORIGIN, 1.0)?;
-        let moved = Own(move |outer: &Ray, within: Interval| {
-            let hit = child.hit(&ray(&transform, outer), within)?;
-            Some(Hit::new(hit.t, normal(&transform, hit.normal)?))
-        });
-        let material = Phong::new(Color::new(0.6, 0.0, 0.0), Color::WHITE, 64.0)?;
-        Ok(world.with(moved, Box::new(material)))
-    });
+    };
+    Exercise {
+        questions: vec![chains.into()],
+        picture: SCENE.with(|code: &Code, world| {
+            let material = Phong::new(Color::new(0.6, 0.0, 0.0), Color::WHITE, 64.0)?;
+            Ok(world.with(ellipsoid(*code)?, Box::new(material)))
+        }),
+        right: vec![Other::new(
+            "a direction between two points",
+            Code {
+                ray_to_object: between_points,
+                normal_from_object: by_columns,
+            },
+        )],
+        wrong: vec![
+            Other::of_right("the inverse leads to the object", |right| Code {
+                ray_to_object: forward,
+                ..right
+            }),
+            Other::of_right("the direction keeps its length", |right| Code {
+                ray_to_object: shortened,
+                ..right
+            }),
+            Other::of_right("a normal is no vector", |right| Code {
+                normal_from_object: |t, n| unit(t.matrix() * Vector3::from(n)),
+                ..right
+            }),
+        ],
+        ..Exercise::default()
+    }
+}
+
+fn ellipsoid(code: Code) -> Made<impl Geometry> {
+    let transform = Transform::IDENTITY.scale(6.0, 1.2, 4.0)?;
+    let child = Sphere::new(Point3::ORIGIN, 1.0)?;
+    Ok(own(move |ray: &Ray, within| {
+        let hit = child.hit(&(code.ray_to_object)(&transform, ray), within)?;
+        let normal = (code.normal_from_object)(&transform, hit.normal)?;
+        Some(Hit::new(hit.t, normal))
+    }))
 }
 
 fn unit(v: Vector3) -> Option<Normal3> {
@@ -50,6 +100,13 @@ fn between_points(t: &Transform, ray: &Ray) -> Ray {
     Ray::derived(from, to - from)
 }
 
+/// The columns of the transposed inverse are the rows of the inverse.
+fn by_columns(t: &Transform, n: Normal3) -> Option<Normal3> {
+    let [x, y, z, _] = t.inverse().rows();
+    let [x, y, z] = [x, y, z].map(|[x, y, z, _]| Vector3::new(x, y, z));
+    unit(x * n.x() + y * n.y() + z * n.z())
+}
+
 fn forward(t: &Transform, ray: &Ray) -> Ray {
     Ray::derived(t.matrix() * ray.origin(), t.matrix() * ray.direction())
 }
@@ -58,15 +115,4 @@ fn shortened(t: &Transform, ray: &Ray) -> Ray {
     let ray = t.ray_to_object(ray);
     let d = ray.direction().normalized();
     Ray::derived(ray.origin(), d.unwrap_or_default())
-}
-
-variants! { check:
-    yours => ray_to_object, normal_from_object;
-    right "a direction between two points" => between_points, |t, n| {
-        let [x, y, z, _] = t.inverse().rows().map(|[x, y, z, _]| Vector3::new(x, y, z));
-        unit(x * n.x() + y * n.y() + z * n.z())
-    };
-    wrong "the inverse leads to the object" => forward, normal_from_object;
-    wrong "the direction keeps its length" => shortened, normal_from_object;
-    wrong "a normal is no vector" => ray_to_object, |t, n| unit(t.matrix() * Vector3::from(n));
 }
