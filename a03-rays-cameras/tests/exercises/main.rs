@@ -25,4 +25,4 @@ mod prelude {
 
 include!(concat!(env!("OUT_DIR"), "/exercises.rs"));
 
-listed!(a03_rays_cameras::stage);
+exercises!();

@@ -25,4 +25,4 @@ mod prelude {
 
 include!(concat!(env!("OUT_DIR"), "/exercises.rs"));
 
-listed!(a04_intersections::stage);
+exercises!();

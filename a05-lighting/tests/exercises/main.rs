@@ -26,4 +26,4 @@ mod prelude {
 
 include!(concat!(env!("OUT_DIR"), "/exercises.rs"));
 
-listed!(a05_lighting::stage);
+exercises!();

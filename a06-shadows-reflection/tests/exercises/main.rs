@@ -29,4 +29,4 @@ mod prelude {
 
 include!(concat!(env!("OUT_DIR"), "/exercises.rs"));
 
-listed!(a06_shadows_reflection::stage);
+exercises!();

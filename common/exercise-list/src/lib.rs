@@ -4,9 +4,9 @@
 use std::path::Path;
 use std::{env, fs, io};
 
-/// Writes `exercises.rs` into the output of the build script that calls it: a macro
-/// `listed!(stage)`, which calls `testing::stage_exercises!` with the names of all exercises in
-/// the folder `exercises` beside the build script.
+/// Writes `exercises.rs` into the output of the build script that calls it: a macro `exercises!()`,
+/// which calls `testing::exercises!` with the names of all exercises in the folder `exercises` beside
+/// the build script. A macro, because modules are looked for beside the file with the call.
 ///
 /// `solved` are all that have a solution of their own. Of them `solutions` have no other starter
 /// than that. `open` are starters without a solution, as in a workbook for students.
@@ -16,9 +16,11 @@ pub fn write() -> io::Result<()> {
     let open = names("exercises/open")?;
     let mut solutions = solved.clone();
     solutions.retain(|name| !starters.contains(name));
-    let mut list = "macro_rules! listed { ($stage:path) => { testing::stage_exercises! {\n\
-         stage $stage;\n"
-        .to_owned();
+    let stage = env::var("CARGO_PKG_NAME").unwrap_or_default();
+    let stage = stage.replace('-', "_");
+    let mut list = format!(
+        "macro_rules! exercises {{ () => {{ testing::exercises! {{\n    stage {stage}::stage;\n"
+    );
     let groups = [
         ("solved", solved),
         ("open", open),
@@ -26,7 +28,7 @@ pub fn write() -> io::Result<()> {
         ("solutions", solutions),
     ];
     for (group, names) in groups {
-        list += &format!("{group} {{\n    {}\n}}\n", names.join("\n    "));
+        list += &format!("    {group} {{ {} }}\n", names.join(" "));
     }
     list += "} } }\n";
     let folder = env::var_os("OUT_DIR").unwrap_or_default();

@@ -77,15 +77,28 @@ macro_rules! yours {
     };
 }
 
+/// The examples at the end of a starter: assertions, which run before the questions.
+///
+/// The tests prove them with the solution instead of the starter.
+#[macro_export]
+macro_rules! examples {
+    ($($body:tt)*) => {
+        pub fn examples() { $($body)* }
+
+        macro_rules! body { () => { $($body)* } }
+        pub(crate) use body;
+    };
+}
+
 /// The modules and the `main` of a stage's `tests/exercises/main.rs`, which has the names that
-/// checks, examples and students' files use in a module `prelude`. The build script lists the
-/// exercises for it.
+/// checks, examples and students' files use in a module `prelude`. The stage's build script writes
+/// the call, with the crate `exercise-list`: so a new exercise is two files and no more.
 ///
 /// The program proves all exercises, and does not read the students' files: a file that does
 /// not compile fails no test. `cargo learn` builds it with the configurations `learn` and `NAME`
 /// instead, and such a program judges the student's file of that name.
 #[macro_export]
-macro_rules! stage_exercises {
+macro_rules! exercises {
     (
         stage $stage:path; solved { $($solved:ident)* } open { $($open:ident)* }
         $($folder:ident { $($name:ident)* })+
@@ -148,11 +161,11 @@ macro_rules! stage_exercises {
             let folder = $crate::exercises::StageFolder::new(env!("CARGO_MANIFEST_DIR"), $stage);
             $($(
                 #[cfg($name)]
-                let exit = $crate::stage_exercises! { @judge folder $name };
+                let exit = $crate::exercises! { @judge folder $name };
             )*)+
             $(
                 #[cfg($open)]
-                let exit = $crate::stage_exercises! { @judge folder $open };
+                let exit = $crate::exercises! { @judge folder $open };
             )*
             #[cfg(not(learn))]
             let exit = $crate::exercises::prove(&folder, vec![$($({

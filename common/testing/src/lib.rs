@@ -1,6 +1,6 @@
 //! Test tools of the stages: [`lock_pictures!`] compares the pictures of a stage
 //! with locked ones, [`check_lab!`] checks its experiments and extreme cases,
-//! [`exercises!`] checks the exercises of the students, [`assert_refused`] checks the error of a
+//! [`exercises!`] proves the exercises and judges students' files, [`assert_refused`] checks the error of a
 //! constructor, and `display` is for tests of the window.
 //!
 //! Only tests depend on this crate, so that no program contains test code. Its checks
@@ -15,16 +15,12 @@
 
 #[cfg(target_os = "linux")]
 pub mod display;
-pub mod exercise;
 pub mod exercises;
 #[cfg(not(target_family = "wasm"))]
 mod lab;
 #[cfg(not(target_family = "wasm"))]
 pub mod picture_lock;
 mod refusal;
-
-// The exercises of each stage, listed by the build script.
-include!(concat!(env!("OUT_DIR"), "/listed.rs"));
 
 pub use exercises::{assert_close, missing};
 pub use refusal::assert_refused;
