@@ -30,8 +30,3 @@ pub fn viewer() -> Option<program::Viewer> {
     #[cfg(not(feature = "window"))]
     return None;
 }
-
-/// Tests the code in this stage's chapter.
-#[cfg(doctest)]
-#[doc = include_str!("../../book/src/a01-image-display.md")]
-mod book {}

@@ -22,8 +22,3 @@ pub use normal3::Normal3;
 pub use point3::Point3;
 pub use stage::stage;
 pub use vector3::Vector3;
-
-/// Tests the code in this stage's chapter.
-#[cfg(doctest)]
-#[doc = include_str!("../../book/src/a02-math.md")]
-mod book {}

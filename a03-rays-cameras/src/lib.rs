@@ -35,8 +35,3 @@ pub use sampler::Sampler;
 pub use stage::{scenes as traced_scenes, stage};
 pub use striped_sky::{StripeRule, StripedSky};
 pub use view::{TracedScene, TracedWorld, View, ViewOfSize};
-
-/// Tests the code in this stage's chapter.
-#[cfg(doctest)]
-#[doc = include_str!("../../book/src/a03-rays-cameras.md")]
-mod book {}

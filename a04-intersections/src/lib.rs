@@ -28,8 +28,3 @@ pub use sphere::Sphere;
 pub use stage::{scenes as traced_scenes, stage};
 pub use triangle::Triangle;
 pub use world::World;
-
-/// Tests the code in this stage's chapter.
-#[cfg(doctest)]
-#[doc = include_str!("../../book/src/a04-intersections.md")]
-mod book {}

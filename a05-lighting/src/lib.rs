@@ -34,8 +34,3 @@ pub use point_light::PointLight;
 pub use single_color::SingleColor;
 pub use spot_light::SpotLight;
 pub use stage::{scenes as traced_scenes, stage};
-
-/// Tests the code in this stage's chapter.
-#[cfg(doctest)]
-#[doc = include_str!("../../book/src/a05-lighting.md")]
-mod book {}

@@ -24,8 +24,3 @@ pub use secondary_ray::secondary_ray;
 pub use shadow::is_shadowed;
 pub use stage::{RecursiveWorld, scenes as traced_scenes, stage, traced, traced_with};
 pub use surface::Surface;
-
-/// Tests the code in this stage's chapter.
-#[cfg(doctest)]
-#[doc = include_str!("../../book/src/a06-shadows-reflection.md")]
-mod book {}

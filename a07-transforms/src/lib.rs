@@ -17,8 +17,3 @@ pub use mat4x4::Mat4x4;
 pub use node::Node;
 pub use stage::{scenes as traced_scenes, stage, traced};
 pub use transform::Transform;
-
-/// Tests the code in this stage's chapter.
-#[cfg(doctest)]
-#[doc = include_str!("../../book/src/a07-transforms.md")]
-mod book {}

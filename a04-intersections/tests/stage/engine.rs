@@ -1,7 +1,6 @@
 //! The engine hits the shapes of this stage as the lesson's list does, to the last bit, in
 //! random worlds.
 
-mod compare;
 mod edges;
 
 use a02_math::{Normal3, Point3, Vector3};
@@ -9,9 +8,8 @@ use a03_rays_cameras::Ray;
 use a04_intersections::kinds::KINDS;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle, World};
 use a04_lab::support::Numbers;
+use a04_tests::compare::compare;
 use common::Color;
-
-use compare::compare;
 
 /// A scene of some size somewhere.
 #[derive(Clone, Copy)]

@@ -10,6 +10,5 @@ mod every_shape;
 mod extreme_scenes;
 mod mesh;
 mod sphere;
-mod support;
 mod triangle;
 mod world;

@@ -5,11 +5,10 @@ use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Sphere, Triangle, World};
 use a04_lab::support::Numbers;
+use a04_tests::compare::compare;
 use a07_transforms::kinds::KINDS;
 use a07_transforms::{Disc, Mat4x4, Node, Transform};
 use common::{ArgumentError, Color};
-
-use super::compare::compare;
 
 /// A shape of a student's own.
 #[derive(Debug)]

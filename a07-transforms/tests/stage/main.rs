@@ -4,8 +4,6 @@
 //! `cargo test` runs them after `pictures`, whose failures leave pictures to look at.
 
 mod adaptive;
-#[path = "../../../a04-intersections/tests/stage/engine/compare.rs"]
-mod compare;
 mod dahlia;
 mod deep_reflections;
 mod disc;
@@ -19,7 +17,4 @@ mod node;
 mod own_shape;
 mod rows;
 mod scene_files;
-#[path = "../../../a04-intersections/tests/stage/support.rs"]
-#[expect(dead_code, reason = "stage 4 uses more of it")]
-mod support;
 mod transform;

@@ -4,7 +4,7 @@
 use a07_transforms::Transform;
 use testing::assert_refused;
 
-use super::support::point;
+use a04_tests::support::point;
 
 const START: Transform = Transform::IDENTITY;
 

@@ -2,9 +2,10 @@
 
 use std::process::{Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
-use std::{env, io, thread};
+use std::{env, fs, io, thread};
 
 use crate::exercise::Exercise;
+use crate::lacking::lacking;
 use crate::{files, progress};
 
 /// The longest time that a check may take in seconds, unless `LEARN_SECONDS` is another.
@@ -21,6 +22,10 @@ type Stop<'a> = &'a mut dyn FnMut() -> Option<String>;
 pub fn judge(e: &Exercise, loud: bool, stop: Stop) -> Result<String, String> {
     let verdict = |words: &str| format!("{}: {words}", e.name);
     progress::record(e, false)?;
+    let text = fs::read_to_string(files::yours(e)).unwrap_or_default();
+    if let Some(lacks) = lacking(e, &text) {
+        return Err(verdict(&lacks));
+    }
     let mut arguments = arguments(e);
     // After a save, only functions that have changed are compiled anew.
     arguments.extend(["-C", "incremental=target/learn"].map(str::to_owned));

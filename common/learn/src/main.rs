@@ -11,6 +11,7 @@ mod exercise;
 mod files;
 mod judgement;
 mod keys;
+mod lacking;
 mod own;
 mod progress;
 mod submit;

@@ -6,10 +6,9 @@ use a03_rays_cameras::Ray;
 use a04_intersections::kinds::KINDS;
 use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle, World};
 use a04_lab::support::Numbers;
+use a04_tests::compare::compare;
+use a04_tests::support::eighths;
 use common::Color;
-
-use super::compare::compare;
-use crate::support::eighths;
 
 /// The number of rays that hit one of these shapes, as the engine and the list agree.
 fn hits<G: Geometry + Clone>(these: &[G], rays: &[Ray]) -> usize {

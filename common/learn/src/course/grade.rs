@@ -15,6 +15,7 @@ use super::{exercises, submission};
 use crate::exercise::{self, Exercise};
 use crate::files::{self, failed};
 use crate::judgement;
+use crate::lacking::lacking;
 
 /// A submission, and for each exercise nothing if it is right, or the message to the student.
 pub struct Graded {
@@ -89,6 +90,9 @@ impl Grade {
 /// that no submission ends the grading of others.
 fn judge(sandbox: &Sandbox, e: &Exercise, submission: &Path) -> Result<(), String> {
     let text = submission::read(submission, e)?;
+    if let Some(lacks) = lacking(e, &text) {
+        return Err(format!("does not compile: {lacks}"));
+    }
     let file = format!("workbook/{}/exercises/{}.rs", e.stage, e.name);
     let file = sandbox.folder.join(file);
     fs::write(&file, text).map_err(failed(&file))?;

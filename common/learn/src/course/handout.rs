@@ -13,8 +13,9 @@ use crate::files::{self, failed};
 /// The page for students, with `{stage}` instead of the last stage.
 const README: &str = include_str!("../../handout/README.md");
 
-/// What Git has of the workbook, without the stages and their pages.
-const PARTS: &str = ".cargo .gitignore Cargo.lock Cargo.toml LICENSE clippy.toml common";
+/// The files and folders that are handed out.
+const PARTS: &str =
+    ".cargo .gitignore Cargo.lock Cargo.toml LICENSE clippy.toml common book/src a0*";
 
 /// For lecturers: writes a workbook for students
 #[derive(clap::Args, Default)]
@@ -37,7 +38,7 @@ impl Handout {
             return Err(format!("{path} is not empty; a handout needs a new folder"));
         }
         let chosen = exercises(course, self.until.as_ref())?;
-        for (path, bytes) in &self.contents(chosen)? {
+        for (path, bytes) in &self.contents(course, chosen)? {
             let path = folder.join(path);
             let made = path.parent().map_or(Ok(()), fs::create_dir_all);
             let written = made.and_then(|()| fs::write(&path, bytes));
@@ -54,10 +55,15 @@ impl Handout {
     }
 
     /// The files by their paths.
-    fn contents(&self, chosen: &[Exercise]) -> Result<BTreeMap<String, Vec<u8>>, String> {
+    fn contents(
+        &self,
+        course: &[Exercise],
+        chosen: &[Exercise],
+    ) -> Result<BTreeMap<String, Vec<u8>>, String> {
         // The numbers of stages are in the paths of their files, pages and pictures.
-        let stages = chosen.iter().map(|e| format!("*{}-*", &e.stage[..3]));
-        let parts = PARTS.split(' ').map(str::to_owned).chain(stages);
+        let above = course[chosen.len()..].iter();
+        let above = above.map(|e| format!(":(exclude)*{}-*", &e.stage[..3]));
+        let parts = PARTS.split(' ').map(str::to_owned).chain(above);
         let mut git = Command::new("git");
         git.args("ls-files -z --cached --others --exclude-standard".split(' '));
         let paths = output_of(git.args(parts).current_dir(files::workspace()))?;
@@ -138,7 +144,7 @@ mod tests {
             without_solutions: true,
             ..Handout::default()
         };
-        let contents = handout.contents(course).unwrap();
+        let contents = handout.contents(course, course).unwrap();
         let is_read = |path: &str| {
             assert!(!path.contains("/solutions/"), "{path}");
             path.contains("/exercises/") || path.starts_with("book/src/a")

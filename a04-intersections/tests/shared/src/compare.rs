@@ -28,6 +28,7 @@ const fn number(x: usize, y: usize) -> usize {
 }
 
 /// Compares the hits of these rays, and returns the number of rays that hit anything.
+#[must_use]
 pub fn compare(world: &World<usize>, shapes: Shapes, rays: &[Ray]) -> usize {
     let of_list = |ray: Ray| match world.hit(&ray, Interval::AHEAD) {
         Some((hit, surface)) => (ray, pixel(&ray, &hit, *surface)),

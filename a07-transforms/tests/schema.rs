@@ -7,7 +7,7 @@ use scene_file::{KINDS, Key, Kind};
 
 #[test]
 fn the_schema_is_current() {
-    let path = "../../a07-transforms/scenes/schema.json";
+    let path = "scenes/schema.json";
     if env::var_os("INSTA_UPDATE").is_some() {
         fs::write(path, schema()).unwrap();
     }

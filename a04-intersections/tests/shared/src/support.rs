@@ -9,10 +9,13 @@ use common::ArgumentError;
 pub use a04_lab::support::{point, vector};
 
 /// A ray whose direction keeps its length.
+#[must_use]
 pub fn ray(o: [f64; 3], d: [f64; 3]) -> Ray {
     Ray::derived(point(o), vector(d))
 }
 
+/// The nearest hit of a shape ahead of the ray's origin.
+#[must_use]
 pub fn hit(shape: &dyn Geometry, ray: &Ray) -> Option<Hit> {
     shape.hit(ray, Interval::AHEAD)
 }
@@ -30,6 +33,7 @@ pub fn assert_hits(shape: &dyn Geometry, cases: &[Case]) {
 }
 
 /// A vector of three random numbers from `-width` to `width`.
+#[must_use]
 pub fn random_vector(random: PixelRandom, first: u64, width: f64) -> Vector3 {
     vector([0, 1, 2].map(|i| width * (2.0 * random.uniform(first + i) - 1.0)))
 }
@@ -60,6 +64,7 @@ fn any_shape(n: u32, numbers: &mut Numbers) -> Result<Box<dyn Geometry>, Argumen
 }
 
 /// The shape with this number.
+#[must_use]
 pub fn random_shape(n: u32) -> Box<dyn Geometry> {
     let numbers = &mut Numbers::new(5, n as usize);
     let mut shapes = std::iter::repeat_with(|| any_shape(n, numbers));
@@ -67,6 +72,7 @@ pub fn random_shape(n: u32) -> Box<dyn Geometry> {
 }
 
 /// The ray with this number.
+#[must_use]
 pub fn random_ray(n: u32) -> Ray {
     let numbers = &mut Numbers::new(6, n as usize);
     let mut rays = std::iter::repeat_with(|| {
