@@ -2,14 +2,8 @@
 //!
 //! `cargo test` runs them after the pictures of the stage.
 
+use a07_mistakes::{errata, go_wrong};
 use testing::picture_lock::Places;
-
-#[path = "../examples/errata/main.rs"]
-#[expect(dead_code, reason = "the example's own main")]
-mod errata;
-#[path = "../examples/go-wrong/main.rs"]
-#[expect(dead_code, reason = "the example's own main")]
-mod go_wrong;
 
 const PLACES: Places = testing::places!();
 

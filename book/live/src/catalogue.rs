@@ -4,20 +4,13 @@ use std::any::Any;
 
 use a02_math::Point3;
 use a03_rays_cameras::{TracedScene, View};
+use a07_mistakes::{errata, go_wrong};
 use common::{Error, Picture, Scene, Settings, Stage};
 
 use crate::file;
 
 /// The name of the picture of a scene file begins with it; the text of the file follows.
 const FILE: &str = "file\n";
-
-// The pictures of the errata are examples of the last stage.
-#[path = "../../../a07-transforms/examples/errata/main.rs"]
-#[allow(dead_code, reason = "the example's own main")]
-mod errata;
-#[path = "../../../a07-transforms/examples/go-wrong/main.rs"]
-#[allow(dead_code, reason = "the example's own main")]
-pub mod go_wrong;
 
 /// The stages, and two more: the pictures of the errata, and of mistakes that `go-wrong` shows.
 pub fn stages() -> [Stage; 9] {

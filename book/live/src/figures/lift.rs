@@ -1,10 +1,10 @@
 //! Shadow rays that leave their surface by any length: from acne to detached shadows.
 
 use a06_shadows_reflection::secondary_ray;
+use a07_mistakes::go_wrong::{by, shadows, sunwards};
 use common::{Settings, Size};
 
 use super::Answered;
-use crate::catalogue::go_wrong::{by, shadows, sunwards};
 use crate::picture::pixels;
 
 /// Number: the lift as a power of ten; below -17 there is none. Counts the pixels that

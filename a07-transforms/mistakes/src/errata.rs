@@ -1,5 +1,5 @@
 //! The pictures of the book's errata: the protocol's formula on the left, the
-//! right one on the right. Takes the arguments of the stages' programs.
+//! right one on the right.
 
 mod cameras;
 mod light;
@@ -8,11 +8,6 @@ mod shapes;
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::{Camera, PerspectiveCamera, Ray, View};
 use common::{ArgumentError, Color, Error, Progress, Scene, Settings, Stage};
-
-#[cfg(not(target_family = "wasm"))]
-fn main() -> std::process::ExitCode {
-    program::run(&stage(), a01_image_display::viewer())
-}
 
 /// The pictures as a stage, so that its program can show and its test lock them.
 #[must_use]

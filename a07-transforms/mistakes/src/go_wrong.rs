@@ -1,5 +1,4 @@
 //! The book's pictures of mistakes: too little, right, and too much.
-//! Takes the arguments of the stages' programs.
 
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::{Camera, PerspectiveCamera, PixelRandom, Ray, render};
@@ -8,11 +7,6 @@ use a04_lab::protocol;
 use a06_lab::coarse_ball::{ON_THE_CURVED_SURFACE, ON_THE_TRIANGLE, Start, coarse_ball};
 use a06_shadows_reflection::secondary_ray;
 use common::{Color, Error, Image, Progress, Scene, Settings, Size, Stage, Transfer};
-
-#[cfg(not(target_family = "wasm"))]
-fn main() -> std::process::ExitCode {
-    program::run(&stage(), a01_image_display::viewer())
-}
 
 /// The pictures as a stage, so that its program can show and its test lock them.
 #[must_use]

@@ -1,0 +1,7 @@
+//! The pictures of the book's errata. Takes the arguments of the stages' programs.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    program::run(&a07_mistakes::errata::stage(), a01_image_display::viewer())
+}

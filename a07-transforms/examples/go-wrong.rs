@@ -1,0 +1,10 @@
+//! The book's pictures of mistakes. Takes the arguments of the stages' programs.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    program::run(
+        &a07_mistakes::go_wrong::stage(),
+        a01_image_display::viewer(),
+    )
+}
