@@ -30,7 +30,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: vec![directions.into()],
         lacks: Some("loses the digits of small angles"),
-        picture: Picture::own(sky_of_rings),
+        picture: Picture::own(|ring: &Code, settings| sky_of_rings(*ring, settings)),
         wrong: vec![
             Other::new("an arc cosine near 1 has few digits", |d, pole, width| {
                 let cosine = d.dot(pole) / (d.magnitude() * pole.magnitude());
@@ -47,7 +47,7 @@ pub fn exercise() -> Exercise<Code> {
     }
 }
 
-fn sky_of_rings(ring: &Code, settings: &Settings) -> Result<Image, Error> {
+fn sky_of_rings(ring: Code, settings: &Settings) -> Result<Image, Error> {
     let pole = Vector3::new(0.3, 0.4, -1.0);
     let (gaze, up) = (Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
     let camera = PerspectiveCamera::new(Point3::ORIGIN, gaze, up, FRAC_PI_3)?;

@@ -61,7 +61,7 @@ pub fn traced_picture(
     settings: &Settings,
     color: impl Fn(&ShadowedWorld, &Ray, u32) -> Color + Sync,
 ) -> Result<Image, Error> {
-    let view = view.map(|world| RecordedWorld::new(world, |geometry| geometry, false));
+    let view = view.map(|world| RecordedWorld::new(world, SHAPES, false));
     rendered(&view, settings, |world, ray, depth| {
         world.color(|world| color(world, ray, depth))
     })

@@ -28,7 +28,7 @@ pub fn write() -> io::Result<()> {
         ("solutions", solutions),
     ];
     for (group, names) in groups {
-        list += &format!("    {group} {{ {} }}\n", names.join(" "));
+        list.extend(["    ", group, " { ", &names.join(" "), " }\n"]);
     }
     list += "} } }\n";
     let folder = env::var_os("OUT_DIR").unwrap_or_default();

@@ -20,13 +20,13 @@ pub fn others(stage: &'static str, page: &[Exercise]) -> Result<Vec<Exercise>, S
             }
         }
     }
-    let read = |(name, path): (String, _)| exercise(stage, name.leak(), path);
+    let read = |(name, path): (String, _)| exercise(stage, name.leak(), &path);
     paths.into_iter().map(read).collect()
 }
 
-fn exercise(stage: &'static str, name: &'static str, path: String) -> Result<Exercise, String> {
+fn exercise(stage: &'static str, name: &'static str, path: &str) -> Result<Exercise, String> {
     let check = format!("{stage}/tests/exercises/{name}.rs");
-    let (task, hints) = (comment(&path)?.leak(), comment(&check)?);
+    let (task, hints) = (comment(path)?.leak(), comment(&check)?);
     let parts = task.split_once(" minutes\n\n");
     let parts = parts.and_then(|(head, task)| Some((head.rsplit_once(", ")?, task)));
     let ((title, minutes), task) =

@@ -76,12 +76,13 @@ fn page() -> String {
         if name == "ppm" {
             page += "\n## Further exercises\n";
         }
-        page += &format!(
+        let section = format!(
             "\n### The {name}\n\n*10 minutes, in\n`a01-image-display/exercises/{name}.rs`*\n\n\
              Write it.\n\n```text\ncargo learn {name}\n```\n\n<details><summary>Hint</summary>\n\n\
              Look at it.\n\n</details>\n\n\
              Solution: `a01-image-display/exercises/solutions/{name}.rs`\n"
         );
+        page += &section;
     }
     page
 }

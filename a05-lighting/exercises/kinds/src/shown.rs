@@ -4,6 +4,7 @@ use a03_rays_cameras::{Ray, View, paint};
 use a04_intersections::instruments::recorded::push_background;
 use a04_intersections::{Hit, Interval};
 use a05_lighting::instruments::recorded::{self, push_light};
+use a05_lighting::kinds::KINDS;
 use a05_lighting::{LitWorld, Material, Phong};
 use common::{Color, Error, Image, Settings};
 use testing::exercises::Made;
@@ -29,7 +30,7 @@ pub fn shaded(
     color: impl Fn(Color, &Ray, &Hit, &LitWorld) -> Color + Sync,
 ) -> Result<Image, Error> {
     let view =
-        view.map(|world| recorded::world(world, |_, shape| shape, |own| own, recorded::light));
+        view.map(|world| recorded::map_world(world, |_, shape| shape, |own| own, recorded::light));
     let only_ambient = ReceivedLight {
         ambient: Color::WHITE,
         lights: Vec::new(),
@@ -39,7 +40,9 @@ pub fn shaded(
         let shown = match world.objects().hit(ray, Interval::AHEAD) {
             Some((hit, material)) => {
                 let diffuse = material.color_for(ray, &hit, &only_ambient);
-                recorded::shaded(ray, &hit, material, || color(diffuse, ray, &hit, world))
+                recorded::shaded(ray, &hit, KINDS, &**material, || {
+                    color(diffuse, ray, &hit, world)
+                })
             }
             None => background,
         };
