@@ -62,7 +62,10 @@ pub fn exercise() -> Exercise<Code> {
 }
 
 /// Finds rays to the spheres in the first order.
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "code of any type is passed so")]
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "code of any type is passed so"
+)]
 fn find(nearest: &Code) -> Vec<f64> {
     let nearest = *nearest;
     let Ok(world) = world(1.0, &ORDERS[0].map(|z| [0.0, 0.0, z])) else {
