@@ -45,6 +45,7 @@ pub use folder::StageFolder;
 #[cfg(target_family = "wasm")]
 pub use in_browser::judge;
 pub use kind::{Asked, Exercise, Group, Picture, Questions, Render, Search, Variant, searched};
+#[cfg(not(target_family = "wasm"))]
 pub(crate) use missing::found_missing;
 pub use missing::missing;
 #[cfg(not(target_family = "wasm"))]
