@@ -20,7 +20,7 @@ pub fn others(stage: &'static str, page: &[Exercise]) -> Result<Vec<Exercise>, S
             }
         }
     }
-    let read = |(name, path): (String, _)| exercise(stage, name.leak(), &path);
+    let read = |(name, path): (String, String)| exercise(stage, name.leak(), &path);
     paths.into_iter().map(read).collect()
 }
 
