@@ -1,5 +1,9 @@
 //! The scene of this stage, with the student's code in it.
 
+#[allow(
+    unused_imports,
+    reason = "solutions use all, and a handout may leave them out"
+)]
 pub use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI};
 
 use crate::prelude::*;
