@@ -72,14 +72,14 @@ impl Basis {
     }
 }
 
-/// Field of view of a camera: the tangent of half the vertical opening angle,
+/// The field of view of a camera: the tangent of half the vertical opening angle,
 /// which is half the height of a picture at distance 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Opening {
+pub(crate) struct FieldOfView {
     pub half_tangent: f64,
 }
 
-impl Opening {
+impl FieldOfView {
     /// From the full vertical opening angle in radians: above 0 and below π.
     pub fn new(angle: f64) -> Result<Self, ArgumentError> {
         // Below 1e-100 the picture's distance would exceed the limit of lengths.
@@ -92,7 +92,7 @@ impl Opening {
     }
 
     /// The distance from the eye, in pixels, at which a picture of this height
-    /// fills the opening: `(h / 2) / tan(angle / 2)`.
+    /// fills the field of view: `(h / 2) / tan(angle / 2)`.
     pub fn distance(self, height: f64) -> f64 {
         (height / 2.0) / self.half_tangent
     }

@@ -42,14 +42,14 @@ pub trait CameraKind: Camera {
 type Read = fn(&Item, Pose) -> Result<Box<dyn Camera>, Error>;
 
 /// A type of cameras.
-struct Row {
+struct CameraRow {
     /// The key of the table `[camera]` that chooses this type.
     key: &'static str,
     read: Read,
     get: fn(&dyn Camera) -> Option<&dyn CameraKind>,
 }
 
-impl Row {
+impl CameraRow {
     const fn of<C: CameraKind>(key: &'static str) -> Self {
         Self {
             key,
@@ -63,9 +63,9 @@ impl Row {
 }
 
 /// The first is the default.
-const CAMERAS: &[Row] = &[
-    Row::of::<PerspectiveCamera>("angle"),
-    Row::of::<OrthographicCamera>("scale"),
+const CAMERAS: &[CameraRow] = &[
+    CameraRow::of::<PerspectiveCamera>("angle"),
+    CameraRow::of::<OrthographicCamera>("scale"),
 ];
 
 impl CameraKind for PerspectiveCamera {
@@ -76,7 +76,7 @@ impl CameraKind for PerspectiveCamera {
     fn for_engine(&self) -> engine::Camera<'static> {
         engine::Camera::Perspective {
             basis: self.basis.into(),
-            half_tangent: self.opening.half_tangent,
+            half_tangent: self.field_of_view.half_tangent,
         }
     }
 }

@@ -3,14 +3,14 @@
 use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Size};
 
-use crate::camera::Opening;
+use crate::camera::FieldOfView;
 use crate::{Basis, Camera, Ray};
 
 /// A camera whose rays start in one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PerspectiveCamera {
     pub(crate) basis: Basis,
-    pub(crate) opening: Opening,
+    pub(crate) field_of_view: FieldOfView,
 }
 
 impl PerspectiveCamera {
@@ -19,7 +19,7 @@ impl PerspectiveCamera {
     pub fn new(e: Point3, g: Vector3, t: Vector3, angle: f64) -> Result<Self, ArgumentError> {
         Ok(Self {
             basis: Basis::new(e, g, t)?,
-            opening: Opening::new(angle)?,
+            field_of_view: FieldOfView::new(angle)?,
         })
     }
 
@@ -39,7 +39,7 @@ impl Camera for PerspectiveCamera {
         let direction = self.basis.direction(
             x - (width - 1.0) / 2.0,
             y - (height - 1.0) / 2.0,
-            self.opening.distance(height),
+            self.field_of_view.distance(height),
         );
         Ray::derived(self.basis.e, direction)
     }

@@ -3,14 +3,14 @@
 use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Size};
 
-use crate::camera::Opening;
+use crate::camera::FieldOfView;
 use crate::{Camera, Ray};
 
 /// A pinhole camera at `origin` that looks along -z with y upwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PinholeCamera {
     pub(crate) origin: Point3,
-    pub(crate) opening: Opening,
+    pub(crate) field_of_view: FieldOfView,
 }
 
 impl PinholeCamera {
@@ -19,7 +19,7 @@ impl PinholeCamera {
     pub fn new(origin: Point3, alpha: f64) -> Result<Self, ArgumentError> {
         Ok(Self {
             origin: origin.checked("origin")?,
-            opening: Opening::new(alpha)?,
+            field_of_view: FieldOfView::new(alpha)?,
         })
     }
 
@@ -29,7 +29,7 @@ impl PinholeCamera {
     #[must_use]
     pub fn generate_ray(&self, size: Size, x: f64, y: f64) -> Ray {
         let [width, height] = [size.width(), size.height()].map(f64::from);
-        let z = -self.opening.distance(height);
+        let z = -self.field_of_view.distance(height);
         let direction = Vector3::new(x - width / 2.0, height / 2.0 - y, z);
         // With finite x and y there is always a direction to normalise.
         let gaze = Vector3::new(0.0, 0.0, -1.0);

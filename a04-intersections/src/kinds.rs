@@ -14,15 +14,15 @@ use scene_file::{Error, Item, SceneFile};
 
 use crate::{AxisAlignedBox, Hit, Plane, Sphere, Triangle, World};
 pub use mesh::Mesh;
-pub use shape_row::{Content, Row, ShapeKind, Shapes, Values};
+pub use shape_row::{Content, ShapeKind, ShapeRow, Shapes, Values};
 
 /// The shapes of this stage.
-pub const SHAPES: &[Row] = &[
-    Row::of::<Plane>("plane", "a04-intersections.md#plane"),
-    Row::of::<AxisAlignedBox>("box", "a04-intersections.md#box"),
-    Row::of::<Triangle>("triangle", "a04-intersections.md#triangle"),
-    Row::of::<Sphere>("sphere", "a04-intersections.md#sphere"),
-    Row::of::<Mesh>("mesh", "a04-intersections.md#one-question-and-an-interval"),
+pub const SHAPES: &[ShapeRow] = &[
+    ShapeRow::of::<Plane>("plane", "a04-intersections.md#plane"),
+    ShapeRow::of::<AxisAlignedBox>("box", "a04-intersections.md#box"),
+    ShapeRow::of::<Triangle>("triangle", "a04-intersections.md#triangle"),
+    ShapeRow::of::<Sphere>("sphere", "a04-intersections.md#sphere"),
+    ShapeRow::of::<Mesh>("mesh", "a04-intersections.md#one-question-and-an-interval"),
 ];
 
 /// All shapes that this stage knows.

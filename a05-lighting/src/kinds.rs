@@ -1,5 +1,6 @@
-//! `kinds`: one row for each light and material of this stage: how it is read from a scene file,
-//! its section in the book, and its numbers for the engine.
+//! `kinds`: one row for each light and material of this stage: its section in the book and its
+//! numbers for the engine, and how a light is read from a scene file. All materials have one table
+//! there, which `read_phong` reads.
 //!
 //! A light or a material without a row works, too: the engine asks it, hit by hit.
 

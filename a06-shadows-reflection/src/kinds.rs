@@ -52,7 +52,7 @@ pub fn for_engine(world: &ShadowedWorld, depth: u32, shapes: Shapes) -> engine::
         };
         engine::Surface {
             shading: KINDS.for_engine(material, color),
-            reflection: surface.reflection(),
+            reflection: surface.mirror_reflectance(),
         }
     });
     for source in world.lights() {

@@ -43,7 +43,7 @@ impl<'a> RecursiveTracer<'a> {
                 return color + mirrored * self.world.objects().background();
             };
             color += mirrored * surface.color_for(&ray, &hit, self);
-            mirrored = mirrored * surface.reflection();
+            mirrored = mirrored * surface.mirror_reflectance();
             if mirrored == Color::BLACK {
                 break;
             }

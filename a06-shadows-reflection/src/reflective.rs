@@ -39,7 +39,7 @@ impl Material for Reflective {
 }
 
 impl Surface for Reflective {
-    fn reflection(&self) -> Color {
+    fn mirror_reflectance(&self) -> Color {
         self.reflection
     }
 }

@@ -6,7 +6,7 @@ use common::Color;
 /// A material that may mirror.
 pub trait Surface: Material {
     /// The mirror reflectance in each channel.
-    fn reflection(&self) -> Color {
+    fn mirror_reflectance(&self) -> Color {
         Color::BLACK
     }
 }

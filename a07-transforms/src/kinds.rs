@@ -6,7 +6,7 @@ use a03_rays_cameras::Ray;
 use a03_rays_cameras::instruments::recorded::ray_step;
 use a03_rays_cameras::kinds::Format;
 use a04_intersections::Geometry;
-use a04_intersections::kinds::{Content, Row, SHAPES as SIMPLE_SHAPES, ShapeKind, Shapes};
+use a04_intersections::kinds::{Content, SHAPES as SIMPLE_SHAPES, ShapeKind, ShapeRow, Shapes};
 use a06_shadows_reflection::kinds::read_view;
 use common::pixel_trace::digits;
 use common::steps::{self, StepKind};
@@ -16,9 +16,9 @@ use scene_file::{Error, Item};
 use crate::{Disc, Mat4x4, Node, Transform, traced};
 
 /// The shapes of this stage.
-pub const SHAPES: &[Row] = &[
-    Row::of::<Disc>("disc", "a07-transforms.md#disc"),
-    Row::of::<Node>("group", "a07-transforms.md#node"),
+pub const SHAPES: &[ShapeRow] = &[
+    ShapeRow::of::<Disc>("disc", "a07-transforms.md#disc"),
+    ShapeRow::of::<Node>("group", "a07-transforms.md#node"),
 ];
 
 /// All shapes that this stage knows.

@@ -44,7 +44,7 @@ impl Geometry for Node {
         let mut nearest = None;
         for child in &self.children {
             let hit = child.hit(&object_ray, within);
-            if let Some(hit) = hit.and_then(|hit| self.as_seen_around(hit, ray)) {
+            if let Some(hit) = hit.and_then(|hit| self.to_parent_space(hit, ray)) {
                 within.max = hit.t;
                 nearest = Some(hit);
             }
@@ -56,7 +56,7 @@ impl Geometry for Node {
     fn any_hit(&self, ray: &Ray, within: Interval, counts: &dyn Fn(&Hit) -> bool) -> bool {
         let object_ray = self.transform.ray_to_object(ray);
         let counts_around = |hit: &Hit| {
-            let hit = self.as_seen_around(*hit, ray);
+            let hit = self.to_parent_space(*hit, ray);
             hit.is_some_and(|hit| counts(&hit))
         };
         let mut children = self.children.iter();
@@ -65,8 +65,8 @@ impl Geometry for Node {
 }
 
 impl Node {
-    /// The hit in the space around the node.
-    fn as_seen_around(&self, hit: Hit, ray: &Ray) -> Option<Hit> {
+    /// The hit in the space of the parent.
+    fn to_parent_space(&self, hit: Hit, ray: &Ray) -> Option<Hit> {
         Some(Hit {
             t: hit.t,
             normal: self.transform.normal_from_object(hit.normal)?,

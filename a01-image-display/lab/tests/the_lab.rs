@@ -14,7 +14,7 @@ fn png_keeps_every_byte_and_jpeg_at_no_quality() {
         assert_eq!(png.points[0].max, 0.0, "{}", experiment.name);
         assert!(jpeg.points.iter().all(|point| point.max > 0.0));
         // More quality is more bytes and less error.
-        let at = |quality: &f64| jpeg.points.iter().find(|point| point.knob == *quality);
+        let at = |quality: &f64| jpeg.points.iter().find(|point| point.parameter == *quality);
         let marks: Vec<_> = [10.0, 50.0, 90.0, 100.0].iter().filter_map(at).collect();
         for pair in marks.windows(2) {
             assert!(pair[0].work < pair[1].work && pair[0].rms > pair[1].rms);

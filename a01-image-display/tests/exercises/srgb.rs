@@ -39,11 +39,11 @@ pub fn exercise() -> Exercise<Code> {
                     decode: |value| libm::pow(value, 2.2),
                 },
             ),
-            Other::of_right("near black the curve is a straight line", |right| Code {
+            Other::from_right("near black the curve is a straight line", |right| Code {
                 encode: |light| curve_from(-1.0, light),
                 ..right
             }),
-            Other::of_right("light and values have different borders", |right| Code {
+            Other::from_right("light and values have different borders", |right| Code {
                 encode: |light| curve_from(0.040_45, light),
                 ..right
             }),

@@ -22,13 +22,13 @@ fn sets<T, const N: usize>(
     seed: u64,
     effort: Effort,
     values: [i32; N],
-    knob: fn(i32) -> f64,
+    parameter: fn(i32) -> f64,
     task: fn(&mut WholeNumbers, i32) -> T,
 ) -> [(f64, Rc<[T]>); N] {
     values.map(|value| {
         let mut numbers = WholeNumbers(seed);
         let tasks = (0..effort.choose(4096, 65_536)).map(|_| task(&mut numbers, value));
-        (knob(value), tasks.collect())
+        (parameter(value), tasks.collect())
     })
 }
 

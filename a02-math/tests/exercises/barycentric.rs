@@ -31,13 +31,13 @@ pub fn exercise() -> Exercise<Code> {
         questions: vec![points.into()],
         picture: Picture::own(triangle),
         wrong: vec![
-            Other::of_right("outside, a share is negative", |right| {
+            Other::from_right("outside, a share is negative", |right| {
                 Arc::new(move |p, corners| Some(right(p, corners)?.map(f64::abs)))
             }),
-            Other::of_right("corners on a line have no shares", |right| {
+            Other::from_right("corners on a line have no shares", |right| {
                 Arc::new(move |p, corners| right(p, corners).or(Some([f64::NAN; 3])))
             }),
-            Other::of_right("a small triangle is no line", |right| {
+            Other::from_right("a small triangle is no line", |right| {
                 Arc::new(move |p, [a, b, c]| {
                     let area = (b - a).parallelogram_area(c - a);
                     right(p, [a, b, c]).filter(|_| area > 1e-9)

@@ -52,15 +52,15 @@ pub fn exercise() -> Exercise<Code> {
             },
         )],
         wrong: vec![
-            Other::of_right("a vector has three coordinates", |right| Code {
+            Other::from_right("a vector has three coordinates", |right| Code {
                 dot: |a, b| a.x() * b.x() + a.y() * b.y(),
                 ..right
             }),
-            Other::of_right("a × b is not b × a", |right| Code {
+            Other::from_right("a × b is not b × a", |right| Code {
                 cross: |a, b| b.cross(a),
                 ..right
             }),
-            Other::of_right("each coordinate is made of the two others", |right| Code {
+            Other::from_right("each coordinate is made of the two others", |right| Code {
                 cross: |a, b| Vector3::from_glam(a.to_glam() * b.to_glam()),
                 ..right
             }),

@@ -33,10 +33,10 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: vec![rotations.into()],
         wrong: vec![
-            Other::of_right("k × v points to the left, v × k to the right", |right| {
+            Other::from_right("k × v points to the left, v × k to the right", |right| {
                 Arc::new(move |v, axis, angle| right(v, axis, -angle))
             }),
-            Other::of_right("the part along the axis stays", |right| {
+            Other::from_right("the part along the axis stays", |right| {
                 Arc::new(move |v, axis, angle| {
                     let along = v.projected_on(axis).unwrap_or_default();
                     right(v - along, axis, angle)

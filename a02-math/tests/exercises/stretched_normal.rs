@@ -32,13 +32,13 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         questions: vec![normals.into()],
         wrong: vec![
-            Other::of_right("a normal is divided where points are multiplied", |right| {
+            Other::from_right("a normal is divided where points are multiplied", |right| {
                 Arc::new(move |n, factors| right(n, factors.map(|f| 1.0 / f)))
             }),
-            Other::of_right("a mirror turns the normal, too", |right| {
+            Other::from_right("a mirror turns the normal, too", |right| {
                 Arc::new(move |n, factors| right(n, factors.map(f64::abs)))
             }),
-            Other::of_right("the normal is to have length 1 again", |right| {
+            Other::from_right("the normal is to have length 1 again", |right| {
                 Arc::new(move |n, [x, y, z]| {
                     right(n, [x, y, z])?;
                     Some(Normal3::new(n.x() / x, n.y() / y, n.z() / z))

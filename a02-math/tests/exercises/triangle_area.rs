@@ -21,7 +21,7 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         questions: vec![triangles.into()],
-        lacks: Some("loses digits where a triangle is flat or far away"),
+        rounding_flaw: Some("loses digits where a triangle is flat or far away"),
         right: vec![Other::new("from another corner", |p, q, r| {
             (p - r).cross(q - r).magnitude() * 0.5
         })],

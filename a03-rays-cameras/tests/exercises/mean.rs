@@ -31,14 +31,14 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         questions: vec![lists.into()],
-        lacks: Some("loses digits where the numbers differ much in size, or are many"),
+        rounding_flaw: Some("loses digits where the numbers differ much in size, or are many"),
         wrong: vec![
             Other::new(
                 "the errors of a plain sum add up",
                 Arc::new(|numbers| numbers.iter().sum::<f64>() / numbers.len().max(1) as f64),
             ),
             Other::new("a running mean rounds as often", Arc::new(running_mean)),
-            Other::of_right("the mean of nothing is 0, not 0 / 0", |right| {
+            Other::from_right("the mean of nothing is 0, not 0 / 0", |right| {
                 Arc::new(move |numbers| right(numbers) + 0.0 / numbers.len() as f64)
             }),
         ],

@@ -34,10 +34,10 @@ pub fn exercise() -> Exercise<Code> {
         picture: Picture::own(points),
         right: vec![Other::new("a sum of fractions", Arc::new(sum_of_fractions))],
         wrong: vec![
-            Other::of_right("digits stand behind the point, not before it", |right| {
+            Other::from_right("digits stand behind the point, not before it", |right| {
                 Arc::new(move |n, base| right(n, base) * f64::from(base))
             }),
-            Other::of_right("the base need not be 2", |right| {
+            Other::from_right("the base need not be 2", |right| {
                 Arc::new(move |n, _| right(n, 2))
             }),
             Other::new(

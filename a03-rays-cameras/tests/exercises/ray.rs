@@ -48,15 +48,15 @@ pub fn exercise() -> Exercise<Code> {
             },
         )],
         wrong: vec![
-            Other::of_right("t is no distance: d may have any length", |right| Code {
+            Other::from_right("t is no distance: d may have any length", |right| Code {
                 t_of: |ray, p| (p - ray.origin()).magnitude(),
                 ..right
             }),
-            Other::of_right("the dot product has the length of d twice", |right| Code {
+            Other::from_right("the dot product has the length of d twice", |right| Code {
                 t_of: |ray, p| (p - ray.origin()).dot(unit(ray)),
                 ..right
             }),
-            Other::of_right("t counts steps of d, of any length", |right| Code {
+            Other::from_right("t counts steps of d, of any length", |right| Code {
                 at: |ray, t| ray.origin() + unit(ray) * t,
                 ..right
             }),

@@ -29,7 +29,7 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         questions: vec![directions.into()],
-        lacks: Some("loses the digits of small angles"),
+        rounding_flaw: Some("loses the digits of small angles"),
         picture: Picture::own(|ring: &Code, settings| sky_of_rings(*ring, settings)),
         wrong: vec![
             Other::new("an arc cosine near 1 has few digits", |d, pole, width| {

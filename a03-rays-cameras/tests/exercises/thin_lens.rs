@@ -35,18 +35,18 @@ pub fn exercise() -> Exercise<Code> {
         questions: vec![rays.into()],
         picture: Picture::own(walls),
         wrong: vec![
-            Other::of_right("the focus is a plane, not a ball", |right| {
+            Other::from_right("the focus is a plane, not a ball", |right| {
                 Arc::new(move |basis, focus, ray, on_lens| {
                     right(basis, focus * -basis.w.dot(ray.direction()), ray, on_lens)
                 })
             }),
-            Other::of_right("the direction has length 1", |right| {
+            Other::from_right("the direction has length 1", |right| {
                 Arc::new(move |basis, focus, ray, on_lens| {
                     let ray = right(basis, focus, ray, on_lens);
                     Ray::derived(ray.origin(), ray.direction() * focus)
                 })
             }),
-            Other::of_right("from another place, the direction is another", |right| {
+            Other::from_right("from another place, the direction is another", |right| {
                 Arc::new(move |basis, focus, ray, on_lens| {
                     let origin = right(basis, focus, ray, on_lens).origin();
                     Ray::derived(origin, ray.direction())

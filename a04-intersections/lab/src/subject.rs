@@ -18,7 +18,7 @@ use a04_intersections::{AxisAlignedBox, Geometry, Interval, Plane, Sphere, Trian
 /// A shape that some numbers describe.
 pub struct Subject {
     pub name: &'static str,
-    /// Its constructor in Rust, with `#` in the place of each number.
+    /// Its constructor in Rust, with `#` instead of each number.
     pub written: &'static str,
     pub make: fn(&[f64]) -> Option<Box<dyn Geometry>>,
     /// The point near the shape that three numbers, mostly from -1 to 1, stand for.

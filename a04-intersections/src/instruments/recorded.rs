@@ -8,7 +8,7 @@ use common::Color;
 use common::steps::{self, Outcome, Step, StepKind};
 
 use crate::instruments::objects;
-use crate::kinds::{Row, ShapeKind, Shapes};
+use crate::kinds::{ShapeKind, ShapeRow, Shapes};
 use crate::{Geometry, Hit, Interval, World};
 
 const WORLD: &str = "a04-intersections.md#hit-and-world";
@@ -19,7 +19,7 @@ const ANY_SHAPE: &str = "a04-intersections.md#one-question-and-an-interval";
 #[derive(Debug)]
 struct RecordedGeometry {
     geometry: Box<dyn Geometry>,
-    row: Option<&'static Row>,
+    row: Option<&'static ShapeRow>,
     /// The number of tests for a ray.
     tests: u64,
     number: usize,

@@ -1,4 +1,4 @@
-//! `Row` and `Shapes`: what is written once over the rows of all shapes: reading and writing
+//! `ShapeRow` and `Shapes`: what is written once over the rows of all shapes: reading and writing
 //! scene files, and the translation for the engine.
 
 use std::any::Any;
@@ -58,7 +58,7 @@ type Read = fn(&Item, Shapes) -> Result<Box<dyn Geometry>, Error>;
 
 /// A type of shapes.
 #[derive(Debug)]
-pub struct Row {
+pub struct ShapeRow {
     /// The name of its table in a scene file.
     pub key: &'static str,
     /// The section of the book that explains it.
@@ -70,7 +70,7 @@ pub struct Row {
     get_mut: fn(&mut dyn Geometry) -> Option<&mut dyn ShapeKind>,
 }
 
-impl Row {
+impl ShapeRow {
     /// The row of a type, whose table `[[key]]` the list of the book, `keys.md`, has.
     #[must_use]
     pub const fn of<K: ShapeKind>(key: &'static str, section: &'static str) -> Self {
@@ -115,17 +115,17 @@ fn unboxed(geometry: &dyn Geometry) -> &dyn Geometry {
 
 /// The rows of a stage: its own, and those of the stages below.
 #[derive(Clone, Copy)]
-pub struct Shapes(pub &'static [&'static [Row]]);
+pub struct Shapes(pub &'static [&'static [ShapeRow]]);
 
 impl Shapes {
     /// All rows.
-    pub fn rows(self) -> impl Iterator<Item = &'static Row> {
+    pub fn rows(self) -> impl Iterator<Item = &'static ShapeRow> {
         self.0.iter().copied().flatten()
     }
 
     /// The row of a geometry, if its type has one.
     #[must_use]
-    pub fn row(self, geometry: &dyn Geometry) -> Option<&'static Row> {
+    pub fn row(self, geometry: &dyn Geometry) -> Option<&'static ShapeRow> {
         self.rows().find(|row| row.get(geometry).is_some())
     }
 
@@ -145,7 +145,7 @@ impl Shapes {
     #[must_use]
     pub fn own_tables(self) -> Vec<OwnTable> {
         let own = self.rows().filter(|row| !row.keys.is_empty());
-        let table = |row: &Row| OwnTable {
+        let table = |row: &ShapeRow| OwnTable {
             name: row.key,
             keys: row.keys,
         };

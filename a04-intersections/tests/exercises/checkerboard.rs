@@ -38,16 +38,16 @@ pub fn exercise() -> Exercise<Code> {
             })
         }),
         wrong: vec![
-            Other::of_right("a cast cuts off: -0.5 and 0.5 become 0", |right| {
+            Other::from_right("a cast cuts off: -0.5 and 0.5 become 0", |right| {
                 Arc::new(move |p, n| {
                     let below = p - Vector3::from(n) * 1e-6;
                     right(Point3::from_glam(below.to_glam().trunc()), NONE)
                 })
             }),
-            Other::of_right("on a face, rounding chooses the cube", |right| {
+            Other::from_right("on a face, rounding chooses the cube", |right| {
                 Arc::new(move |p, _| right(p, NONE))
             }),
-            Other::of_right("below the surface is against the normal", |right| {
+            Other::from_right("below the surface is against the normal", |right| {
                 Arc::new(move |p, n| right(p, -n))
             }),
         ],

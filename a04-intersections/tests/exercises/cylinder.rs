@@ -15,7 +15,7 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: shown((1.0, 2.0), eye),
-        wrong: vec![Other::of_right(
+        wrong: vec![Other::from_right(
             "rim and bottom belong to the tube",
             |right| {
                 new_shape(move |(r, height)| {

@@ -17,7 +17,7 @@ pub fn exercise() -> Exercise<Code> {
             })
         }),
         right: vec![Other::new("the plane as n · p + k = 0", with_distance())],
-        wrong: vec![Other::of_right(
+        wrong: vec![Other::from_right(
             "a plane need not pass through the origin",
             |right| new_shape(move |(_, n)| right(([0.0; 3], n))),
         )],

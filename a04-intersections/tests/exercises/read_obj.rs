@@ -55,13 +55,13 @@ pub fn exercise() -> Exercise<Code> {
             eye.show_shapes(house, settings)
         }),
         wrong: vec![
-            Other::of_right("n corners make n - 2 triangles", |right| {
+            Other::from_right("n corners make n - 2 triangles", |right| {
                 Arc::new(move |text| Ok(right(text)?.into_iter().take(1).collect()))
             }),
-            Other::of_right("lines are counted from 1", |right| {
+            Other::from_right("lines are counted from 1", |right| {
                 Arc::new(move |text| right(text).map_err(|error| error.replace("line 4", "line 3")))
             }),
-            Other::of_right("vt and vn are no corners", |right| {
+            Other::from_right("vt and vn are no corners", |right| {
                 Arc::new(move |text| right(&text.replace("vt ", "v ")))
             }),
         ],

@@ -15,7 +15,7 @@ pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: shown(([-0.3, 0.1, -0.7], [0.4, 1.2, 0.6]), eye),
         wrong: vec![
-            Other::of_right("rounding puts a hit beside its own plane", |right| {
+            Other::from_right("rounding puts a hit beside its own plane", |right| {
                 new_shape(move |(lbf, run)| {
                     let planes = right((lbf, run))?;
                     let [lbf, run] = [lbf, run].map(|corner| point(corner).to_glam());
@@ -26,7 +26,7 @@ pub fn exercise() -> Exercise<Code> {
                     }))
                 })
             }),
-            Other::of_right("the nearest plane counts, not the last", |right| {
+            Other::from_right("the nearest plane counts, not the last", |right| {
                 changed(right, |planes, ray, within| {
                     let hit = planes.hit(ray, within)?;
                     let further = planes.hit(

@@ -15,7 +15,7 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: shown((2.0, 0.5), eye),
-        wrong: vec![Other::of_right(
+        wrong: vec![Other::from_right(
             "fixed steps pass over what is thinner",
             |right| {
                 new_shape(move |(ring, r)| {

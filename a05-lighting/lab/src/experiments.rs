@@ -100,15 +100,16 @@ const DIRECTION: Vector3 = Vector3::new(1.0, 2.0, 3.0);
 fn spot_rim() -> Experiment<'static> {
     Experiment::new("spot-rim")
         .asking("How near to the rim of a spot light is inside told from outside?")
-        .over(Axis::Knob, "from rim (half angles)", "points")
+        .over(Axis::Parameter, "from rim (half angles)", "points")
         .with_error("share of points judged wrongly")
         .with_unit(Unit::Share)
         .with_exact("against the side on which a point was put; one in eight lies behind")
         .with_seeds(&[12])
         .with_curves(|effort| {
             let count = effort.choose(4_096, 65_536) as u32;
-            let knobs = [1e-2, 1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-11];
-            let tasks = knobs.map(|knob| (knob, tasks(knob, count).unwrap_or_default()));
+            let parameters = [1e-2, 1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-11];
+            let tasks = parameters
+                .map(|parameter| (parameter, tasks(parameter, count).unwrap_or_default()));
             let curve = |method, illuminates: fn(&SpotLight, Point3) -> bool| {
                 let lit = move |(light, point, _): &Task| illuminates(light, *point);
                 Curve::of_decisions(method, &tasks, lit, |(.., is_lit), lit| lit != *is_lit)
@@ -138,7 +139,7 @@ fn spot_rim() -> Experiment<'static> {
 type Task = (SpotLight, Point3, bool);
 
 /// Points near the rim of the light's cone.
-fn tasks(knob: f64, count: u32) -> Result<Rc<[Task]>, ArgumentError> {
+fn tasks(parameter: f64, count: u32) -> Result<Rc<[Task]>, ArgumentError> {
     let light = SpotLight::new(Color::WHITE, Point3::ORIGIN, DIRECTION, HALF_ANGLE)?;
     let w = DIRECTION.unit("direction")?;
     let u = w.cross(Vector3::new(0.0, 1.0, 0.0)).unit("u")?;
@@ -150,7 +151,12 @@ fn tasks(knob: f64, count: u32) -> Result<Rc<[Task]>, ArgumentError> {
             return (light, Point3::ORIGIN - DIRECTION * distance, false);
         }
         let inside = random.uniform(1) < 0.5;
-        let angle = HALF_ANGLE * if inside { 1.0 - knob } else { 1.0 + knob };
+        let angle = HALF_ANGLE
+            * if inside {
+                1.0 - parameter
+            } else {
+                1.0 + parameter
+            };
         let around = 6.3 * random.uniform(2);
         let aside = u * libm::cos(around) + v * libm::sin(around);
         let way = w * libm::cos(angle) + aside * libm::sin(angle);

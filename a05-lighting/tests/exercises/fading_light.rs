@@ -15,7 +15,7 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: Picture::own(move |light, settings| lit.rendered(light, settings)),
-        wrong: vec![Other::of_right(
+        wrong: vec![Other::from_right(
             "twice as far away is a quarter, not half",
             |right| {
                 light_at(move |(c, lamp): ([f64; 3], _), p| {

@@ -7,7 +7,7 @@ use crate::prelude::*;
 ///
 /// `world.objects()` has `hit(&ray, within)`, the nearest hit and its surface, and
 /// `background()`; a surface has `color_for(&ray, &hit, &lights)`, its own colour in the lights
-/// that it sees, and `reflection()`. `secondary_ray(&ray, &hit, direction)` leaves the surface.
+/// that it sees, and `mirror_reflectance()`. `secondary_ray(&ray, &hit, direction)` leaves the surface.
 pub fn trace(world: &ShadowedWorld, ray: &Ray, depth: u32) -> Color {
     let lights = RecursiveTracer::new(world);
     testing::missing("the colour of the ray", Color::BLACK)

@@ -28,7 +28,7 @@ fn recursion_depth() -> Experiment<'static> {
     Experiment::new("recursion-depth")
         .asking("How deep must the recursion go between two mirrors?")
         .of_problems()
-        .over(Axis::Knob, "asked for (white = 1)", "rays")
+        .over(Axis::Parameter, "asked for (white = 1)", "rays")
         .with_error("rms error of a colour")
         .with_exact("against the sum 1 / (1 - k) of all reflections")
         .with_seeds(&[4])
@@ -48,7 +48,7 @@ fn recursion_depth() -> Experiment<'static> {
                 let error = |_: &_, light| [light - 1.0 / (1.0 - k)];
                 let mut curve = Curve::of_tasks(method, &sets, trace, error);
                 for point in &mut curve.points {
-                    point.work *= f64::from(depth(k, point.knob));
+                    point.work *= f64::from(depth(k, point.parameter));
                 }
                 curve.with_slope(1.0, (1e-10, 1e-1))
             };

@@ -71,6 +71,6 @@ impl OneCounter<'_> {
         let color = surface.color_for(ray, &hit, &lighting);
         let direction = (-ray.direction()).reflected_on(hit.normal);
         let reflected = Ray::derived(ray.at(hit.t - 0.001), direction);
-        color + surface.reflection() * self.trace(&reflected)
+        color + surface.mirror_reflectance() * self.trace(&reflected)
     }
 }

@@ -27,7 +27,7 @@ impl NaiveTracer<'_> {
                 return color + mirrored * self.0.objects().background();
             };
             color += mirrored * surface.color_for(&ray, &hit, &self);
-            mirrored = mirrored * surface.reflection();
+            mirrored = mirrored * surface.mirror_reflectance();
             let direction = (-ray.direction()).reflected_on(hit.normal);
             ray = secondary_ray(&ray, &hit, direction);
         }

@@ -37,7 +37,7 @@ impl RecordedWorld {
         };
         let surface = |surface: Box<dyn Surface>| {
             Box::new(RecordedSurface {
-                reflection: surface.reflection(),
+                reflection: surface.mirror_reflectance(),
                 recorded: RecordedMaterial {
                     material: surface,
                     kinds: KINDS,
@@ -180,7 +180,7 @@ impl Material for RecordedSurface {
 }
 
 impl Surface for RecordedSurface {
-    fn reflection(&self) -> Color {
+    fn mirror_reflectance(&self) -> Color {
         steps::push(StepKind::Mirror, |kind| {
             let section = "a06-shadows-reflection.md#the-mirror";
             Step::new(kind, "share of the mirror", section).with("cr", self.reflection.channels())

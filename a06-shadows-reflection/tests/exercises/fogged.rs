@@ -46,7 +46,7 @@ pub fn exercise() -> Exercise<Code> {
                 "each metre takes a share of what is left",
                 mixed(|density, distance| 1.0 - (density * distance).min(1.0)),
             ),
-            Other::of_right("the fog adds its own colour", |right| {
+            Other::from_right("the fog adds its own colour", |right| {
                 Arc::new(move |color, _, density, distance| {
                     right(color, Color::BLACK, density, distance)
                 })

@@ -56,7 +56,7 @@ pub fn exercise() -> Exercise<Code> {
             reflected(|ray, hit| (-ray.direction()).reflected_on(hit.normal)),
         )],
         wrong: vec![
-            Other::of_right("the last surface mirrors black", |right| {
+            Other::from_right("the last surface mirrors black", |right| {
                 Arc::new(move |world, ray, depth| right(world, ray, depth + 1))
             }),
             Other::new(

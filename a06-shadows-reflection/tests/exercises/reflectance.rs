@@ -32,16 +32,16 @@ pub fn exercise() -> Exercise<Code> {
         questions: vec![surfaces.into()],
         picture: Picture::own(of_diamond),
         wrong: vec![
-            Other::of_right("Schlick's formula is only near to Fresnel's", |right| {
+            Other::from_right("Schlick's formula is only near to Fresnel's", |right| {
                 Arc::new(move |cosine, from, to| {
                     let straight = right(1.0, from, to);
                     straight + (1.0 - straight) * libm::pow(1.0 - cosine, 5.0)
                 })
             }),
-            Other::of_right("a share is the square of an amplitude", |right| {
+            Other::from_right("a share is the square of an amplitude", |right| {
                 Arc::new(move |cosine, from, to| right(cosine, from, to).sqrt())
             }),
-            Other::of_right("where no light gets through, all is mirrored", |right| {
+            Other::from_right("where no light gets through, all is mirrored", |right| {
                 Arc::new(move |cosine, from, to| right(cosine, from, to) % 1.0)
             }),
         ],

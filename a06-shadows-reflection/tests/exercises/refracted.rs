@@ -49,7 +49,7 @@ pub fn exercise() -> Exercise<Code> {
                     snell(d, n, ratio)
                 }),
             ),
-            Other::of_right("no sine is more than 1", |right| {
+            Other::from_right("no sine is more than 1", |right| {
                 Arc::new(move |d, n, index| right(d, n, index).or(Some((-d).reflected_on(n))))
             }),
         ],

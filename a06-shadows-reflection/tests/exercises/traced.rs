@@ -32,7 +32,7 @@ impl Tracer<'_> {
         let direction = (-ray.direction()).reflected_on(hit.normal);
         let color = surface.color_for(ray, &hit, self);
         let reflected = (self.secondary_ray)(ray, &hit, direction);
-        color + surface.reflection() * self.trace(&reflected, depth - 1)
+        color + surface.mirror_reflectance() * self.trace(&reflected, depth - 1)
     }
 }
 

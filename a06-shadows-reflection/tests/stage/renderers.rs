@@ -63,7 +63,7 @@ impl Material for Translucent {
 }
 
 impl Surface for Translucent {
-    fn reflection(&self) -> Color {
+    fn mirror_reflectance(&self) -> Color {
         self.0 * 0.5
     }
 }

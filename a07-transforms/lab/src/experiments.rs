@@ -46,7 +46,7 @@ const METHODS: [Method; 3] = [
 fn nesting() -> Experiment<'static> {
     Experiment::new("nested-turns")
         .asking("How many turns can be nested before the inverse is no inverse?")
-        .over(Axis::Knob, "turns", "4x4 products")
+        .over(Axis::Parameter, "turns", "4x4 products")
         .with_error("rms error of the numbers of M I")
         .with_unit(Unit::Other("identity = 1"))
         .with_exact("against those of the identity")
@@ -80,7 +80,7 @@ fn pair_of_turns(n: u32) -> Result<[Transform; 2], ArgumentError> {
 fn condition() -> Experiment<'static> {
     Experiment::new("condition")
         .asking("What does an uneven stretching by k cost in digits?")
-        .over(Axis::Knob, "stretching k", "4x4 products")
+        .over(Axis::Parameter, "stretching k", "4x4 products")
         .with_error("rms error of the numbers of M I")
         .with_unit(Unit::Other("identity = 1"))
         .with_exact("against those of the identity")

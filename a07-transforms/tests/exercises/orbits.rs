@@ -37,20 +37,20 @@ pub fn exercise() -> Exercise<Code> {
         questions: vec![times.into()],
         picture: lit(eye, twelve_months),
         wrong: vec![
-            Other::of_right("the earth is turned after it is moved", |right| {
+            Other::from_right("the earth is turned after it is moved", |right| {
                 Arc::new(move |year, month| {
                     let moved = Transform::IDENTITY.translate(Point3::new(5.0, 0.0, 0.0))?;
                     let [_, moon] = right(year, month)?;
                     Ok([moved.rotate_y(year)?, moon])
                 })
             }),
-            Other::of_right("the moon is a child of the earth", |right| {
+            Other::from_right("the moon is a child of the earth", |right| {
                 Arc::new(move |year, month| {
                     let ([earth, _], [_, moon]) = (right(year, month)?, right(0.0, month)?);
                     Ok([earth, moon])
                 })
             }),
-            Other::of_right("the month is seen by the turned earth", |right| {
+            Other::from_right("the month is seen by the turned earth", |right| {
                 Arc::new(move |year, month| right(year, month - year))
             }),
         ],

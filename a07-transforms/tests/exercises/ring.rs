@@ -17,7 +17,7 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: lit(eye, saturn),
-        wrong: vec![Other::of_right(
+        wrong: vec![Other::from_right(
             "both borders belong to the ring",
             |right| {
                 new_shape(move |(c, n, hole, r)| {

@@ -36,16 +36,16 @@ pub fn exercise() -> Exercise<Code> {
         questions: vec![rotations.into()],
         picture: lit(eye, wheel),
         wrong: vec![
-            Other::of_right("a turn about x leads from z down", |right| {
+            Other::from_right("a turn about x leads from z down", |right| {
                 Arc::new(move |k, angle| right(Vector3::new(k.x(), -k.y(), k.z()), angle))
             }),
-            Other::of_right("the arc tangent of x / z knows no quadrant", |right| {
+            Other::from_right("the arc tangent of x / z knows no quadrant", |right| {
                 Arc::new(move |k, angle| {
                     let side = k.z().signum();
                     right(Vector3::new(side * k.x(), k.y(), side * k.z()), angle)
                 })
             }),
-            Other::of_right(
+            Other::from_right(
                 "a turn is counterclockwise for an eye before the axis",
                 |right| Arc::new(move |axis, angle| right(axis, -angle)),
             ),

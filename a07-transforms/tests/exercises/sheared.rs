@@ -54,7 +54,7 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: lit(eye, beam_and_ball),
-        wrong: vec![Other::of_right("both normals lean", |right| {
+        wrong: vec![Other::from_right("both normals lean", |right| {
             changed(right, |leaning, ray, within| {
                 let Hit { t, normal, .. } = leaning.hit(ray, within)?;
                 Some(Hit::new(t, normal))

@@ -64,15 +64,15 @@ pub fn exercise() -> Exercise<Code> {
             },
         )],
         wrong: vec![
-            Other::of_right("the inverse leads to the object", |right| Code {
+            Other::from_right("the inverse leads to the object", |right| Code {
                 ray_to_object: forward,
                 ..right
             }),
-            Other::of_right("the direction keeps its length", |right| Code {
+            Other::from_right("the direction keeps its length", |right| Code {
                 ray_to_object: shortened,
                 ..right
             }),
-            Other::of_right("a normal is no vector", |right| Code {
+            Other::from_right("a normal is no vector", |right| Code {
                 normal_from_object: |t, n| unit(t.matrix() * Vector3::from(n)),
                 ..right
             }),

@@ -4,7 +4,7 @@
 use a02_math::Vector3;
 use a03_rays_cameras::kinds::Format;
 use a03_rays_cameras::{Ray, View};
-use a04_intersections::kinds::{Content, Row, SHAPES as SIMPLE, ShapeKind, Shapes};
+use a04_intersections::kinds::{Content, SHAPES as SIMPLE, ShapeKind, ShapeRow, Shapes};
 use a04_intersections::{Geometry, Hit, Interval};
 use a06_shadows_reflection::kinds::read_view;
 use a06_shadows_reflection::traced_with;
@@ -41,7 +41,7 @@ impl ShapeKind for Tile {
 }
 
 const SECTION: &str = "a04-intersections.md#one-question-and-an-interval";
-const OWN: &[Row] = &[Row::of::<Tile>("tile", SECTION).with_keys(&[Key {
+const OWN: &[ShapeRow] = &[ShapeRow::of::<Tile>("tile", SECTION).with_keys(&[Key {
     name: "corners",
     form: "2 x 2 numbers",
     stage: 4,

@@ -157,7 +157,7 @@ fn plot(least: &[[f64; NAMES.len()]]) -> Result<(), Box<dyn Error>> {
     };
     let experiment = Experiment::new("scaling")
         .asking("How times grow with the number of objects")
-        .over(Axis::Knob, "objects", "measurements")
+        .over(Axis::Parameter, "objects", "measurements")
         .with_error("time")
         .with_unit(Unit::Other("nanoseconds"))
         .with_exact("the least of several rounds")

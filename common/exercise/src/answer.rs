@@ -73,17 +73,20 @@ impl Answer {
     }
 
     /// Whether both have the same words, and the same count of numbers.
-    fn decides_as(&self, other: &Self) -> bool {
+    fn has_same_form(&self, other: &Self) -> bool {
         let mut pairs = self.parts.iter().zip(&other.parts);
-        self.parts.len() == other.parts.len() && pairs.all(|(a, b)| a.decides_as(b))
+        self.parts.len() == other.parts.len() && pairs.all(|(a, b)| a.has_same_form(b))
     }
 
     /// How far each number moves from this answer to answers at inputs that differ a little:
     /// the sum of the larger changes. None if one of those is another decision.
-    pub(crate) fn changes(&self, moved: impl Iterator<Item = [Self; 2]>) -> Option<Vec<f64>> {
+    pub(crate) fn sum_of_movements(
+        &self,
+        moved: impl Iterator<Item = [Self; 2]>,
+    ) -> Option<Vec<f64>> {
         let mut changes = vec![0.0; self.numbers().count()];
         for [more, less] in moved {
-            if !(self.decides_as(&more) && self.decides_as(&less)) {
+            if !(self.has_same_form(&more) && self.has_same_form(&less)) {
                 return None;
             }
             let moved = more.numbers().zip(less.numbers());
@@ -100,7 +103,7 @@ impl Answer {
     /// allowed, and what it is.
     pub(crate) fn difference(&self, yours: &Self, allowed: &[f64]) -> Option<String> {
         let differ = |[right, yours]: [String; 2]| format!("must be {right}; yours is {yours}");
-        if !self.decides_as(yours) {
+        if !self.has_same_form(yours) {
             let all = |answer: &Self| {
                 let parts = answer.parts.iter().map(Part::with_name);
                 parts.collect::<Vec<_>>().join(", ")
@@ -128,7 +131,7 @@ impl Answer {
 }
 
 impl Part {
-    fn decides_as(&self, other: &Self) -> bool {
+    fn has_same_form(&self, other: &Self) -> bool {
         let is_equal = match (&self.value, &other.value) {
             (Value::Words(a), Value::Words(b)) => a == b,
             (Value::Numbers(a), Value::Numbers(b)) => a.len() == b.len(),

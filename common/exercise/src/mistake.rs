@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::row::{Comparison, RoundingDecides, Row, Tolerance};
+use crate::row::{Comparison, NoSingleAnswer, Row, Tolerance};
 use crate::{Answer, Question};
 
 /// The most answers of a mistake that are recorded; of the others it is known that they are
@@ -17,10 +17,10 @@ pub struct Mistake {
     pub overlooks: String,
     /// Wrong answers, by the number of the row, from 0.
     pub answers: BTreeMap<usize, (Answer, Tolerance)>,
-    /// Further rows with wrong answers.
-    pub wrong: BTreeSet<usize>,
+    /// Further rows with wrong answers, which are not recorded.
+    pub further_wrong_rows: BTreeSet<usize>,
     /// Rows in which rounding decides what code with this mistake answers.
-    pub either: BTreeSet<usize>,
+    pub undecided_rows: BTreeSet<usize>,
 }
 
 impl Mistake {
@@ -46,17 +46,17 @@ impl Mistake {
             if mistake.answers.len() < MOST {
                 mistake.answers.insert(number, (answer, tolerance));
             } else if tolerance == Tolerance::RoundingDecides {
-                mistake.either.insert(number);
+                mistake.undecided_rows.insert(number);
             } else {
-                mistake.wrong.insert(number);
+                mistake.further_wrong_rows.insert(number);
             }
         }
         mistake
     }
 
-    /// The number of wrong answers that have this mistake; none if one of the answers shows that
-    /// it is not made. Answers are given with whether they are wrong, or none where the right one
-    /// depends on rounding.
+    /// The number of wrong answers that this mistake explains; `None` if an answer contradicts it.
+    /// Each answer stands with whether it is wrong, or is `None` where rounding decides the right
+    /// one.
     pub(crate) fn explains(
         &self,
         rows: &[Row],
@@ -71,11 +71,11 @@ impl Mistake {
                 Some((answer, tolerance)) => {
                     match tolerance.difference(answer, yours, row.precision()) {
                         Ok(difference) => difference.is_none(),
-                        Err(RoundingDecides) => continue,
+                        Err(NoSingleAnswer) => continue,
                     }
                 }
-                None if self.either.contains(&number) => true,
-                None => self.wrong.contains(&number) == *is_wrong,
+                None if self.undecided_rows.contains(&number) => true,
+                None => self.further_wrong_rows.contains(&number) == *is_wrong,
             };
             if !has_mistake {
                 return None;

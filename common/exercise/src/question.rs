@@ -15,7 +15,7 @@ pub struct Question {
 }
 
 impl Question {
-    /// The question with this input in the place of each `{}` of the words.
+    /// The question with this input instead of each `{}` of the words.
     pub fn new(words: &str, input: &impl Input, is_simple: bool) -> Self {
         let (mut text, mut pieces) = (String::new(), words.split("{}"));
         for argument in input.words() {

@@ -17,9 +17,9 @@ use crate::{Answer, Mistake, Question, Row, Tolerance, text};
 /// Right answers and known mistakes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record {
-    /// The property that a formula lacks which is right but for rounding, in an exercise about
-    /// rounding, such as `loses digits where ...`.
-    pub lacks: Option<String>,
+    /// In an exercise about rounding, what goes wrong in a formula that is right in exact
+    /// arithmetic, such as `loses digits where ...`.
+    pub rounding_flaw: Option<String>,
     /// The scene of the stage that the code paints, if it paints one.
     pub picture: Option<String>,
     /// The numbers that each search for questions has found.
@@ -32,8 +32,8 @@ pub struct Record {
 
 impl fmt::Display for Record {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(lacks) = &self.lacks {
-            writeln!(f, "lacks {lacks}")?;
+        if let Some(flaw) = &self.rounding_flaw {
+            writeln!(f, "lacks {flaw}")?;
         }
         if let Some(scene) = &self.picture {
             writeln!(f, "picture {scene}")?;
@@ -46,15 +46,18 @@ impl fmt::Display for Record {
                 writeln!(f, "? {}", row.question.text)?;
             }
             write!(f, "= {}", text::answer(&row.answer))?;
-            write_tolerance(f, &row.tolerance, row.but_for_rounding.is_some())?;
-            if let Some(tolerance) = &row.but_for_rounding {
+            write_tolerance(f, &row.tolerance, row.usual_tolerance.is_some())?;
+            if let Some(tolerance) = &row.usual_tolerance {
                 write_tolerance(f, tolerance, true)?;
             }
             writeln!(f)?;
         }
         for mistake in &self.mistakes {
             writeln!(f, "mistake {}", mistake.overlooks)?;
-            for (word, numbers) in [("wrong", &mistake.wrong), ("either", &mistake.either)] {
+            for (word, numbers) in [
+                ("wrong", &mistake.further_wrong_rows),
+                ("either", &mistake.undecided_rows),
+            ] {
                 if !numbers.is_empty() {
                     writeln!(f, "{word} {}", ranges(numbers))?;
                 }
@@ -99,7 +102,7 @@ impl Record {
     fn read_line(&mut self, line: &str, question: &mut Option<Question>) -> Option<()> {
         let (word, mut rest) = line.split_once(' ')?;
         match word {
-            "lacks" => self.lacks = Some(rest.to_owned()),
+            "lacks" => self.rounding_flaw = Some(rest.to_owned()),
             "picture" => self.picture = Some(rest.to_owned()),
             "found" => self.found.push(text::read_numbers(rest).ok()?),
             "?" => {
@@ -116,15 +119,15 @@ impl Record {
                     question: question.take().unwrap_or_default(),
                     answer,
                     tolerance,
-                    but_for_rounding: text::take_tolerance(&mut rest),
+                    usual_tolerance: text::take_tolerance(&mut rest),
                 });
             }
             "mistake" => self.mistakes.push(Mistake {
                 overlooks: rest.to_owned(),
                 ..Mistake::default()
             }),
-            "wrong" => self.mistakes.last_mut()?.wrong = read_ranges(rest)?,
-            "either" => self.mistakes.last_mut()?.either = read_ranges(rest)?,
+            "wrong" => self.mistakes.last_mut()?.further_wrong_rows = read_ranges(rest)?,
+            "either" => self.mistakes.last_mut()?.undecided_rows = read_ranges(rest)?,
             number => {
                 let number = number.parse::<usize>().ok()?.checked_sub(1)?;
                 rest = rest.strip_prefix("= ")?;
@@ -181,7 +184,7 @@ mod tests {
             question,
             answer: answer.clone(),
             tolerance,
-            but_for_rounding: None,
+            usual_tolerance: None,
         };
         let simple = Question {
             text: "ray from [0, 0] = ?".to_owned(),
@@ -189,7 +192,7 @@ mod tests {
             ..Question::default()
         };
         let record = Record {
-            lacks: Some("loses digits".to_owned()),
+            rounding_flaw: Some("loses digits".to_owned()),
             picture: Some("scene-2".to_owned()),
             found: vec![hard.to_vec(), Vec::new()],
             rows: vec![
@@ -203,8 +206,8 @@ mod tests {
             mistakes: vec![Mistake {
                 overlooks: "a = b; 1 ~ 2".to_owned(),
                 answers: [(2, (answer.clone(), Tolerance::RoundingDecides))].into(),
-                wrong: [0, 4, 5, 6].into(),
-                either: [1].into(),
+                further_wrong_rows: [0, 4, 5, 6].into(),
+                undecided_rows: [1].into(),
             }],
         };
         assert_eq!(Record::read(&record.to_string()), Ok(record));

@@ -54,15 +54,15 @@ impl Tolerance {
     ) -> Self {
         let moved = question.moved(precision.unit());
         let moved = moved.take_while(|_| !question.is_simple);
-        let changes = answer.changes(moved.map(|pair| pair.map(|input| code(&input))));
+        let changes = answer.sum_of_movements(moved.map(|pair| pair.map(|input| code(&input))));
         changes.map_or(Self::RoundingDecides, |changes| {
             Self::Changes(changes.into_iter().map(rounded).collect())
         })
     }
 }
 
-/// No answer at this input is right alone.
-pub(crate) struct RoundingDecides;
+/// At this input, several answers are right, because rounding decides among them.
+pub(crate) struct NoSingleAnswer;
 
 impl Tolerance {
     /// The first value of a right answer from which `yours` differs by more than this tolerance,
@@ -72,13 +72,13 @@ impl Tolerance {
         right: &Answer,
         yours: &Answer,
         precision: Precision,
-    ) -> Result<Option<String>, RoundingDecides> {
+    ) -> Result<Option<String>, NoSingleAnswer> {
         let roundings: Vec<_> = right.roundings(precision.unit()).collect();
         if right.difference(yours, &roundings).is_none() {
             return Ok(None);
         }
         let Self::Changes(changes) = self else {
-            return Err(RoundingDecides);
+            return Err(NoSingleAnswer);
         };
         let allowed: Vec<_> = roundings.iter().zip(changes).map(|(a, b)| a + b).collect();
         Ok(right.difference(yours, &allowed))
@@ -101,7 +101,7 @@ pub struct Row {
     pub tolerance: Tolerance,
     /// In an exercise about rounding: how far the answer of a formula may be that is right but
     /// for rounding.
-    pub but_for_rounding: Option<Tolerance>,
+    pub usual_tolerance: Option<Tolerance>,
 }
 
 impl Row {
@@ -114,7 +114,7 @@ impl Row {
     ) -> Self {
         let answer = code(&question.input);
         let tolerance = |precision| Tolerance::at(&question, &answer, precision, code);
-        let (tolerance, but_for_rounding) = if is_about_rounding {
+        let (tolerance, usual_tolerance) = if is_about_rounding {
             let usual = tolerance(Precision::Usual);
             (tolerance(Precision::Rounding), Some(usual))
         } else {
@@ -124,13 +124,13 @@ impl Row {
             question,
             answer,
             tolerance,
-            but_for_rounding,
+            usual_tolerance,
         }
     }
 
     /// How exact an answer must be.
     pub(crate) fn precision(&self) -> Precision {
-        match self.but_for_rounding {
+        match self.usual_tolerance {
             Some(_) => Precision::Rounding,
             None => Precision::Usual,
         }
@@ -143,9 +143,9 @@ impl Row {
             .difference(&self.answer, yours, self.precision())
         {
             Ok(None) => Comparison::Right,
-            Err(RoundingDecides) => Comparison::RoundingDecides,
+            Err(NoSingleAnswer) => Comparison::RoundingDecides,
             Ok(Some(difference)) => Comparison::Wrong {
-                is_but_for_rounding: self.but_for_rounding.as_ref().is_some_and(|tolerance| {
+                is_but_for_rounding: self.usual_tolerance.as_ref().is_some_and(|tolerance| {
                     let difference = tolerance.difference(&self.answer, yours, Precision::Usual);
                     !matches!(difference, Ok(Some(_)))
                 }),

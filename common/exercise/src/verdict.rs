@@ -61,9 +61,9 @@ pub fn verdict(record: &Record, yours: &[Given], picture: Option<Pictured>) -> V
                 Comparison::Wrong {
                     difference,
                     is_but_for_rounding,
-                } => Some(match &record.lacks {
-                    Some(lacks) if is_but_for_rounding => {
-                        format!("{difference}\n    right but for rounding: the formula {lacks}")
+                } => Some(match &record.rounding_flaw {
+                    Some(flaw) if is_but_for_rounding => {
+                        format!("{difference}\n    right but for rounding: the formula {flaw}")
                     }
                     _ => difference,
                 }),

@@ -42,7 +42,7 @@ impl<'a> Curve<'a> {
         answer: impl Fn(&T) -> A + Copy + 'a,
         errors: impl Fn(&T, A) -> E,
     ) -> Self {
-        let points = sets.iter().map(|(knob, tasks)| {
+        let points = sets.iter().map(|(parameter, tasks)| {
             let all = tasks.iter().flat_map(|task| errors(task, answer(task)));
             let run = Rc::clone(tasks);
             let run = move || {
@@ -50,7 +50,7 @@ impl<'a> Curve<'a> {
                     .map(answer)
                     .for_each(|answer| drop(black_box(answer)));
             };
-            Point::new(*knob, tasks.len() as f64, all, run)
+            Point::new(*parameter, tasks.len() as f64, all, run)
         });
         Self::new(method, points)
     }
@@ -78,19 +78,19 @@ impl<'a> Curve<'a> {
     pub(crate) fn blame(&self) -> Option<String> {
         let greatest = |of: fn(&Problem) -> f64| {
             let known = self.points.iter();
-            let known = known.filter_map(|p| Some((p.knob, p.problem?)));
+            let known = known.filter_map(|p| Some((p.parameter, p.problem?)));
             known.max_by(|(_, a), (_, b)| of(a).total_cmp(&of(b)))
         };
-        let (knob, worst) = greatest(|problem| problem.fault)?;
+        let (parameter, worst) = greatest(|problem| problem.fault)?;
         let (last, hardest) = greatest(|problem| problem.condition)?;
         let unit = "times condition · ulp";
         let (worst, hardest) = (worst.fault, hardest.fault);
         Some(if worst > 10.0 {
-            let knob = compact(knob);
-            format!("up to {worst:.0e} {unit}, at {knob}: the formula is to blame")
+            let parameter = compact(parameter);
+            format!("up to {worst:.0e} {unit}, at {parameter}: the formula is to blame")
         } else if hardest < 0.1 {
-            let knob = compact(last);
-            format!("{hardest:.0e} {unit} at {knob}, the hardest: neither is to blame")
+            let parameter = compact(last);
+            format!("{hardest:.0e} {unit} at {parameter}, the hardest: neither is to blame")
         } else {
             format!("at most {worst:.2} {unit}: the problem is to blame")
         })
@@ -112,7 +112,7 @@ impl<'a> Curve<'a> {
 /// One measurement.
 pub struct Point<'a> {
     /// The value of the parameter.
-    pub knob: f64,
+    pub parameter: f64,
     /// The counted work.
     pub work: f64,
     /// The root mean square error.
@@ -132,7 +132,7 @@ impl<'a> Point<'a> {
     /// A measurement with these errors, at least one. The result of `run` counts as used,
     /// so that the compiler cannot remove the work.
     pub fn new<R>(
-        knob: f64,
+        parameter: f64,
         work: f64,
         errors: impl IntoIterator<Item: Into<Deviation>>,
         mut run: impl FnMut() -> R + 'a,
@@ -143,7 +143,7 @@ impl<'a> Point<'a> {
         let rank = |share: f64| (share * sizes.len() as f64).ceil() as usize;
         let at = |share| sizes.get(rank(share).saturating_sub(1)).copied();
         Self {
-            knob,
+            parameter,
             work,
             rms: rms(all.iter().map(|one| one.error)),
             p99: at(0.99).unwrap_or(f64::NAN),
@@ -157,7 +157,7 @@ impl<'a> Point<'a> {
     pub const fn on(&self, axis: Axis) -> f64 {
         match axis {
             Axis::Work => self.work,
-            Axis::Knob => self.knob,
+            Axis::Parameter => self.parameter,
         }
     }
 }

@@ -43,7 +43,7 @@ pub enum Axis {
     /// The counted work, where the parameter changes the price of the method.
     Work,
     /// The parameter itself, where it changes the problem and not the method.
-    Knob,
+    Parameter,
 }
 
 /// A comparison of methods.
@@ -51,7 +51,7 @@ pub struct Experiment<'a> {
     /// The name on the command line, in kebab case.
     pub name: &'a str,
     pub(crate) about: &'a str,
-    pub(crate) knob: &'a str,
+    pub(crate) parameter: &'a str,
     pub(crate) work: &'a str,
     pub(crate) error: &'a str,
     pub(crate) unit: Unit<'a>,
@@ -69,7 +69,7 @@ impl<'a> Experiment<'a> {
         Self {
             name,
             about: "",
-            knob: "",
+            parameter: "",
             work: "",
             error: "",
             unit: Unit::Light,
@@ -88,8 +88,8 @@ impl<'a> Experiment<'a> {
 
     /// Adds the axis that slopes are taken against; the parameter, with its unit in brackets
     /// if it has one; and the counted work, such as rays.
-    pub fn over(mut self, against: Axis, knob: &'a str, work: &'a str) -> Self {
-        (self.against, self.knob, self.work) = (against, knob, work);
+    pub fn over(mut self, against: Axis, parameter: &'a str, work: &'a str) -> Self {
+        (self.against, self.parameter, self.work) = (against, parameter, work);
         self
     }
 
@@ -176,11 +176,11 @@ pub fn check(experiment: &Experiment, effort: Effort) {
                 wrong.push(format!("{}: {fit:?}, not {expected}", curve.method));
             }
         }
-        for Point { knob, rms, .. } in &curve.points {
+        for Point { parameter, rms, .. } in &curve.points {
             let bound = curve.bound.as_ref();
-            let bound = bound.filter(|(_, range)| range.contains(knob));
+            let bound = bound.filter(|(_, range)| range.contains(parameter));
             if bound.is_some_and(|(most, _)| rms.is_nan() || rms > most) {
-                wrong.push(format!("{} at {knob}: {rms:e}", curve.method));
+                wrong.push(format!("{} at {parameter}: {rms:e}", curve.method));
             }
         }
     }

@@ -10,8 +10,10 @@ impl Measured<'_, '_> {
     /// errors against work, all; else those of the greatest parameter, the hardest problem. A rule
     /// for decisions must be right for all parameters, so that its greatest share of errors counts.
     pub(crate) fn compared(&self, curve: &Curve) -> Vec<(usize, f64)> {
-        let knobs = self.curves.iter().flat_map(|curve| &curve.points);
-        let hardest = knobs.map(|point| point.knob).fold(f64::MIN, f64::max);
+        let parameters = self.curves.iter().flat_map(|curve| &curve.points);
+        let hardest = parameters
+            .map(|point| point.parameter)
+            .fold(f64::MIN, f64::max);
         let greatest = curve
             .points
             .iter()
@@ -19,7 +21,7 @@ impl Measured<'_, '_> {
             .fold(0.0, f64::max);
         let Experiment { against, unit, .. } = *self.experiment;
         let points = curve.points.iter().enumerate();
-        let points = points.filter(|(_, p)| against == Axis::Work || p.knob == hardest);
+        let points = points.filter(|(_, p)| against == Axis::Work || p.parameter == hardest);
         let error = |rms| if unit == Unit::Share { greatest } else { rms };
         points.map(|(p, point)| (p, error(point.rms))).collect()
     }

@@ -48,7 +48,7 @@ pub fn plots(measured: &Measured) -> [(&'static str, String); 2] {
     let experiment = measured.experiment;
     let label = match experiment.against {
         Axis::Work => experiment.work,
-        Axis::Knob => experiment.knob,
+        Axis::Parameter => experiment.parameter,
     };
     let [(_, machine), (_, version)] = provenance::lines();
     let source = format!("medians, with intervals of 95 %; {machine}; {version}");

@@ -65,8 +65,8 @@ impl<'e, 'a> Measured<'e, 'a> {
     fn ratio(&self, curve: usize, point: usize) -> Option<Median> {
         let first = self.curves[0].points.get(point)?;
         let (own, first_seconds) = (&self.seconds[curve][point], &self.seconds[0].get(point)?);
-        let is_same_knob = first.knob == self.curves[curve].points[point].knob;
-        let is_comparable = curve > 0 && is_same_knob && !self.experiment.of_problems;
+        let is_same_parameter = first.parameter == self.curves[curve].points[point].parameter;
+        let is_comparable = curve > 0 && is_same_parameter && !self.experiment.of_problems;
         is_comparable.then(|| Median::of_quotients(own, first_seconds))
     }
 
@@ -84,11 +84,11 @@ impl<'e, 'a> Measured<'e, 'a> {
         let ulps = if in_ulps { "; 99 % and max in ulp" } else { "" };
         let mut text = format!("{name}: {about}\n  {} ({unit}), {exact}{ulps}\n", e.error);
         let width = |name: &str, least: usize| name.chars().count().max(least);
-        let (k, w) = (width(e.knob, 12), width(e.work, 14));
+        let (k, w) = (width(e.parameter, 12), width(e.work, 14));
         let _ = writeln!(
             text,
             "  {:24} {:>k$} {:>w$}     error      99 %       max condition       time  time / first method",
-            "method", e.knob, e.work
+            "method", e.parameter, e.work
         );
         for (c, curve) in self.curves.iter().enumerate() {
             for (p, point) in curve.points.iter().enumerate() {
@@ -99,7 +99,7 @@ impl<'e, 'a> Measured<'e, 'a> {
                     "{} {:24} {:>k$} {:>w$} {:>9.1e} {:>9.1e} {:>9.1e} {:>9} {:>10}{}",
                     if has_best && front[c][p] { "*" } else { " " },
                     curve.method,
-                    compact(point.knob),
+                    compact(point.parameter),
                     compact(point.work),
                     point.rms,
                     point.p99,
@@ -156,8 +156,10 @@ impl<'e, 'a> Measured<'e, 'a> {
             ratio if ratio.is_finite() => format!("{ratio:.1e} times its error"),
             _ => format!("an error of {own:.1e}, where it has none"),
         };
-        let (method, knob) = (self.curves[0].method, compact(points[p].knob));
-        Some(format!("beside {method} at {knob}: {error}, time {time}"))
+        let (method, parameter) = (self.curves[0].method, compact(points[p].parameter));
+        Some(format!(
+            "beside {method} at {parameter}: {error}, time {time}"
+        ))
     }
 
     /// All measurements as comma-separated values, below lines with `#` about their
@@ -182,10 +184,10 @@ impl<'e, 'a> Measured<'e, 'a> {
         for (name, value) in provenance::lines() {
             let _ = writeln!(text, "# {name}: {value}");
         }
-        let [knob, work, error] = [e.knob, e.work, e.error].map(quoted);
+        let [parameter, work, error] = [e.parameter, e.work, e.error].map(quoted);
         let _ = writeln!(
             text,
-            "experiment,method,{knob},{work},{error},99 %,max,condition,problem's error,\
+            "experiment,method,{parameter},{work},{error},99 %,max,condition,problem's error,\
              seconds,low,high,pareto"
         );
         let name = quoted(&name);
@@ -201,7 +203,7 @@ impl<'e, 'a> Measured<'e, 'a> {
                     text,
                     "{name},{},{},{},{:e},{:e},{:e},{problem},{value:e},{low:e},{high:e},{}",
                     quoted(curve.method),
-                    text::number(point.knob),
+                    text::number(point.parameter),
                     text::number(point.work),
                     point.rms,
                     point.p99,

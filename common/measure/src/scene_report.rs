@@ -155,12 +155,16 @@ mod tests {
             let samples = [1.0, 4.0, 16.0, 64.0].into_iter().zip(grays);
             for (point, (n, gray)) in curve.points.iter().zip(samples) {
                 let expected = [n, 160.0 * n, f64::abs(gray - 0.25)];
-                assert_eq!([point.knob, point.work, point.rms], expected, "{method}");
+                assert_eq!(
+                    [point.parameter, point.work, point.rms],
+                    expected,
+                    "{method}"
+                );
             }
         }
         assert_eq!((curves.len(), curves[3].method), (4, "adaptive"));
         for (point, levels) in curves[3].points.iter().zip([16.0, 8.0, 4.0, 2.0, 1.0, 0.5]) {
-            assert_eq!([point.knob, point.work], [2.0, 320.0]);
+            assert_eq!([point.parameter, point.work], [2.0, 320.0]);
             assert!((point.rms - (0.25 - levels / 510.0)).abs() < 1e-12);
         }
     }

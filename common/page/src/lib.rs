@@ -1,7 +1,7 @@
 //! How a page of the book and a WebAssembly module exchange requests and answers.
 //!
 //! Two kinds of modules speak so: that of the lessons, and those of the students' code. A module
-//! exports a function `answer`, which calls [`answer_request`] with its own answers.
+//! exports a function `answer`, which calls `answer_request` with its own answers.
 
 mod answer;
 mod exchange;

@@ -69,7 +69,7 @@ pub fn ended(outcome: Result<ExitCode, Error>) -> ExitCode {
     })
 }
 
-/// The scene that stands in the place of a command.
+/// The scene that stands instead of a command.
 fn scene_as_command<'a>(stage: &'a Stage, error: &clap::Error) -> Option<&'a Scene> {
     [ContextKind::InvalidSubcommand, ContextKind::InvalidArg]
         .into_iter()

@@ -57,7 +57,7 @@ fn equations(m: Mat3x3, b: Vector3) -> [[f64; 4]; 3] {
 pub fn experiment() -> Experiment<'static> {
     Experiment::new("linear-systems")
         .asking("How flat may three columns be?")
-        .over(Axis::Knob, "condition number", "systems")
+        .over(Axis::Parameter, "condition number", "systems")
         .with_error("rms error of an unknown")
         .with_unit(Unit::Other("its value is -1, 1 or 3"))
         .with_exact("against the solution that the right side was computed from")

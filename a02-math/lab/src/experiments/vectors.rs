@@ -49,7 +49,7 @@ fn angle_task(numbers: &mut WholeNumbers, bits: i32) -> AngleTask {
 pub fn angles() -> Experiment<'static> {
     Experiment::new("angle")
         .asking("Which formula sees small angles?")
-        .over(Axis::Knob, "1 / tangent", "angles")
+        .over(Axis::Parameter, "1 / tangent", "angles")
         .with_error("rms error of the angle")
         .with_unit(Unit::Other("share of the angle"))
         .with_exact("against the angle by construction; where there is none, the error is 1")

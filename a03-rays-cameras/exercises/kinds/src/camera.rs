@@ -89,7 +89,7 @@ pub fn cameras<P: Input + Send + Sync + 'static>(cameras: Cameras<P>) -> Exercis
 }
 
 fn mistake<P: 'static>(about: &'static str, rays: Rays) -> Variant<NewCamera<P>> {
-    Variant::of_right(about, move |right: NewCamera<P>| {
+    Variant::from_right(about, move |right: NewCamera<P>| {
         new_camera(move |parameters| {
             let camera = right(parameters)?;
             Ok(Flawed { camera, rays })

@@ -24,7 +24,7 @@ fn channels() -> impl Iterator<Item = f64> {
 pub fn experiment() -> Experiment<'static> {
     Experiment::new("summation")
         .asking("What does a sum of many samples lose?")
-        .over(Axis::Knob, "terms", "additions")
+        .over(Axis::Parameter, "terms", "additions")
         .with_error("rms error of the mean of equal terms")
         .with_unit(Unit::Other("terms from 1/17 to 16/17"))
         .with_exact("against the term")

@@ -173,7 +173,7 @@ pub fn shapes<P: Input + Send + Sync + 'static>(shapes: Shapes<P>) -> Exercise<N
 type Flaw = fn(&dyn Geometry, &Ray, Interval) -> Option<Hit>;
 
 fn mistake<P: 'static>(about: &'static str, hit: Flaw) -> Variant<NewShape<P>> {
-    Variant::of_right(about, move |right: NewShape<P>| changed(right, hit))
+    Variant::from_right(about, move |right: NewShape<P>| changed(right, hit))
 }
 
 /// Shapes whose hits a function finds with those of other shapes.

@@ -119,7 +119,7 @@ fn compensated((triangle, ray): &Needle) -> Option<f64> {
 pub fn experiment() -> Experiment<'static> {
     Experiment::new("triangle-needle")
         .asking("How thin may a triangle be?")
-        .over(Axis::Knob, "length / height", "tests")
+        .over(Axis::Parameter, "length / height", "tests")
         .with_error("rms error of t")
         .with_unit(Unit::Other("share of t"))
         .with_exact("against 30 digits, away from the edges; half of the rays hit")

@@ -78,9 +78,9 @@ pub const AT_GROUND: Shots = |radius, n| {
 };
 
 /// These rays in either precision.
-pub fn shots<F: Real>(shots: Shots, knob: f64, rays: usize) -> Rc<[Shot<F>]> {
+pub fn shots<F: Real>(shots: Shots, parameter: f64, rays: usize) -> Rc<[Shot<F>]> {
     let shot = |n| {
-        let (c, r, o, d) = shots(knob, n);
+        let (c, r, o, d) = shots(parameter, n);
         let [o, d] = arrays(&Ray::derived(Point3::ORIGIN + o, d * (1.0 / d.magnitude())));
         let [c, o, d] = [c, o, d].map(|triple| triple.map(F::rounded));
         (c, F::rounded(r), o, d)
@@ -115,8 +115,10 @@ pub fn is_wrong<F: Real>((c, r, o, d): &Shot<F>, found: Option<F>) -> bool {
 /// The first powers of 8 and their rays.
 fn sets<F: Real>(all: Shots, powers: i32, effort: Effort) -> Vec<(f64, Rc<[Shot<F>]>)> {
     let rays = effort.choose(4096, 65_536);
-    let knobs = (1..=powers).map(|power| libm::pow(8.0, power.into()));
-    knobs.map(|knob| (knob, shots(all, knob, rays))).collect()
+    let parameters = (1..=powers).map(|power| libm::pow(8.0, power.into()));
+    parameters
+        .map(|parameter| (parameter, shots(all, parameter, rays)))
+        .collect()
 }
 
 /// The `t` of the sphere of centre and radius for the ray of origin and direction.
@@ -158,7 +160,7 @@ pub fn far() -> Experiment<'static> {
     let ranges = [(8.0, 2e7), (8.0, 2e9), (8.0, 512.0)];
     Experiment::new("sphere-far")
         .asking("How far away may a sphere of radius 1 be?")
-        .over(Axis::Knob, "distance (radii)", "rays")
+        .over(Axis::Parameter, "distance (radii)", "rays")
         .with_error("rms error of t")
         .with_unit(Unit::Other("radii"))
         .with_exact("against 30 digits; a miss counts as 1; seven of ten rays hit")
@@ -170,7 +172,7 @@ pub fn near() -> Experiment<'static> {
     let ranges = [(64.0, 2e9), (64.0, 2e9), (64.0, 3e5)];
     Experiment::new("sphere-near")
         .asking("How large may a sphere be whose surface is near the eye?")
-        .over(Axis::Knob, "radius (eye heights)", "rays")
+        .over(Axis::Parameter, "radius (eye heights)", "rays")
         .with_error("rms error of t")
         .with_unit(Unit::Other("heights of the eye"))
         .with_exact("against 30 digits; three of four rays hit")
@@ -190,7 +192,7 @@ pub fn decisions() -> Experiment<'static> {
     }
     Experiment::new("sphere-decisions")
         .asking("From how far away is a sphere of radius 1 hit and missed as it should?")
-        .over(Axis::Knob, "distance (radii)", "rays")
+        .over(Axis::Parameter, "distance (radii)", "rays")
         .with_error("share of rays that hit or miss wrongly")
         .with_unit(Unit::Share)
         .with_exact("against 30 digits, more than four roundings beside the rim")

@@ -69,7 +69,7 @@ fn mistake<P: 'static>(
     about: &'static str,
     flawed: fn(Illumination) -> Illumination,
 ) -> Variant<LightAt<P>> {
-    Variant::of_right(about, move |right: LightAt<P>| {
+    Variant::from_right(about, move |right: LightAt<P>| {
         light_at(move |parameters, p| right(parameters, p).map(flawed))
     })
 }

@@ -58,7 +58,7 @@ fn mistake<P: 'static>(
     about: &'static str,
     change: fn(&mut Hit, &mut Illumination),
 ) -> Variant<Shading<P>> {
-    Variant::of_right(about, move |right: Shading<P>| {
+    Variant::from_right(about, move |right: Shading<P>| {
         shading(move |parameters, ray, hit, lighting| {
             let mut light = ReceivedLight {
                 ambient: lighting.ambient(),

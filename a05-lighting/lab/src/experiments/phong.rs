@@ -13,7 +13,7 @@ type Power = fn(d: f64, exponent: f64) -> f64;
 pub fn power() -> Experiment<'static> {
     Experiment::new("phong-power")
         .asking("How exact is the power of a highlight, and what does it cost?")
-        .over(Axis::Knob, "exponent", "powers")
+        .over(Axis::Parameter, "exponent", "powers")
         .with_error("rms error of the power")
         .with_unit(Unit::Other("share of it"))
         .with_exact("against powers with 19 digits or more")

@@ -108,14 +108,14 @@ const ABOVE_A_MILLIONTH: Policy = |trial| trial.from_point(1e-6);
 
 impl Wrong {
     /// The experiment over a parameter.
-    pub fn over(self, knob: &'static str, sets: fn(Effort) -> Sets) -> Experiment<'static> {
+    pub fn over(self, parameter: &'static str, sets: fn(Effort) -> Sets) -> Experiment<'static> {
         let Self {
             experiment,
             wrong,
             policies,
             promised,
         } = self;
-        let experiment = experiment.over(Axis::Knob, knob, "shadow rays");
+        let experiment = experiment.over(Axis::Parameter, parameter, "shadow rays");
         let experiment = experiment.with_unit(Unit::Share).with_seeds(&[SEED]);
         experiment.with_curves(move |effort| {
             let sets = sets(effort);

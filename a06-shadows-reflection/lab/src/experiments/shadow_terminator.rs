@@ -27,7 +27,7 @@ use crate::coarse_ball::{CoarseBall, ON_THE_CURVED_SURFACE, ON_THE_TRIANGLE, Sta
 pub fn shadow_terminator() -> Experiment<'static> {
     Experiment::new("shadow-terminator")
         .asking("How much light does a coarse ball take from itself?")
-        .over(Axis::Knob, "triangles", "shadow rays")
+        .over(Axis::Parameter, "triangles", "shadow rays")
         .with_error("rms error of the brightness")
         .with_exact("against the cosine n · l of the ball")
         .with_seeds(&[SEED])

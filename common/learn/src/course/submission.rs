@@ -1,6 +1,6 @@
 //! `submission`: the files of exercises in a folder or a zip file. Nothing else is looked at.
 //!
-//! A file that calls the lesson in the place of code of its own is refused by its words: a macro
+//! A file that calls the lesson instead of code of its own is refused by its words: a macro
 //! can hide a call, and nothing finds the lesson's text in another file.
 
 use std::fs::File;

@@ -54,7 +54,7 @@ square-root: Is the error one over the square root?
 ";
     assert!(table.ends_with(remarks), "{table}");
     // Against the parameter there is no price, and no Pareto front.
-    experiment.against = Axis::Knob;
+    experiment.against = Axis::Parameter;
     let table = measured(&experiment).table();
     assert!(table.starts_with(&rows.replace('*', " ")), "{table}");
     // Problems do not compete: no star, no quotient, no front.

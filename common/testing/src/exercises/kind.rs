@@ -18,9 +18,9 @@ pub type Render<C> = Box<dyn Fn(&C, &Settings) -> Result<Image, Error>>;
 pub struct Exercise<C> {
     /// What the code is asked, in this order.
     pub questions: Vec<Group<C>>,
-    /// The property that a formula lacks which is right but for rounding, such as
-    /// `loses digits where ...`, if the exercise is about rounding.
-    pub lacks: Option<&'static str>,
+    /// In an exercise about rounding, what goes wrong in a formula that is right in exact
+    /// arithmetic, such as `loses digits where ...`.
+    pub rounding_flaw: Option<&'static str>,
     /// The picture that the code paints.
     pub picture: Picture<C>,
     /// Says something about code that is right.
@@ -38,7 +38,7 @@ impl<C> Default for Exercise<C> {
     fn default() -> Self {
         Self {
             questions: Vec::new(),
-            lacks: None,
+            rounding_flaw: None,
             picture: Picture::None,
             remark: None,
             right: Vec::new(),
@@ -85,18 +85,18 @@ impl<C> Picture<C> {
 pub struct Variant<C> {
     /// The style; or the fact that the mistake overlooks, after which learners read "that".
     pub about: &'static str,
-    /// Makes it of right code.
+    /// Derives it from the right code.
     pub make: Box<dyn Fn(C) -> C>,
 }
 
 impl<C: Clone + 'static> Variant<C> {
     /// This code.
     pub fn new(about: &'static str, code: C) -> Self {
-        Self::of_right(about, move |_| code.clone())
+        Self::from_right(about, move |_| code.clone())
     }
 
-    /// Code that is made of right code.
-    pub fn of_right(about: &'static str, make: impl Fn(C) -> C + 'static) -> Self {
+    /// Code that is derived from the right code.
+    pub fn from_right(about: &'static str, make: impl Fn(C) -> C + 'static) -> Self {
         Self {
             about,
             make: Box::new(make),

@@ -17,7 +17,7 @@ use super::kind::{Asked, Exercise, Group, Picture, own_settings};
 /// The answer to a question with other numbers.
 type AnswerTo = Box<dyn Fn(&[f64]) -> Answer>;
 
-/// Code that answers the questions of an exercise; its type matters no more.
+/// Code that answers the questions of an exercise, with its type erased.
 pub struct Program {
     pub questions: Vec<Question>,
     answers: Vec<AnswerTo>,

@@ -111,7 +111,7 @@ impl<C: 'static> Codes for Typed<C> {
 
     fn record(&self) -> Record {
         let exercise = (self.exercise)();
-        let lacks = exercise.lacks;
+        let rounding_flaw = exercise.rounding_flaw;
         let solution = (self.solution)();
         let searches = exercise.questions.iter().filter_map(|group| match group {
             Group::Searched(search) => Some((search.find)(&solution)),
@@ -120,12 +120,12 @@ impl<C: 'static> Codes for Typed<C> {
         let found: Vec<_> = searches.collect();
         let program = Program::new(exercise, solution, &found);
         let picture = program.scene().map(str::to_owned);
-        let rows = program.rows(lacks.is_some());
+        let rows = program.rows(rounding_flaw.is_some());
         let mistakes = self.usual(&found).into_iter().chain(self.wrong(&found));
         let mistakes = mistakes.map(|(about, program)| program.mistake(about, &rows));
         let mistakes = mistakes.collect();
         Record {
-            lacks: lacks.map(str::to_owned),
+            rounding_flaw: rounding_flaw.map(str::to_owned),
             picture,
             found,
             rows,
