@@ -312,6 +312,31 @@ pub fn compare_all(
     (pictures, colorful)
 }
 
+/// Compares the renderers in forty scenes with seeds from `first` on, most of which have to be
+/// pictures of many colours.
+///
+/// # Panics
+///
+/// If two renderers differ in a pixel, or if too few scenes have a picture.
+pub fn compare_forty(first: u64, view: impl Fn(u64, Place) -> Result<View, ArgumentError>) {
+    let (pictures, colorful) = compare_all(first..first + 40, view);
+    assert!(pictures > 30 && colorful > 20, "{pictures}, {colorful}");
+}
+
+/// Compares the renderers in scenes with these seeds, of which five thousand have to have a
+/// picture. It takes minutes.
+///
+/// # Panics
+///
+/// If two renderers differ in a pixel, or if too few scenes have a picture.
+pub fn compare_thousands(
+    seeds: std::ops::Range<u64>,
+    view: impl Fn(u64, Place) -> Result<View, ArgumentError>,
+) {
+    let (pictures, colorful) = compare_all(seeds, view);
+    assert!(pictures > 5_000, "{pictures}, {colorful}");
+}
+
 /// Whether colours are equal, or both no numbers.
 fn is_same(a: Color, b: Color) -> bool {
     let channels = a.channels().into_iter().zip(b.channels());
