@@ -45,7 +45,8 @@ impl ShadowRay {
     /// farther from the plane that touches the surface at the hit than both ends of the
     /// ray are rounded.
     pub fn is_blocked_by(&self, found: &Hit) -> bool {
-        // Far from the light, nothing holds it.
+        // A surface that holds the light is hit at the distance of the light but for rounding, so
+        // only hits in the last sixteenth of the way are asked.
         if found.t < self.distance * (15.0 / 16.0) {
             return true;
         }
