@@ -126,11 +126,12 @@ impl Canvas {
         let rows = covered(points.iter().map(|point| point.1), margin, size.height());
         for y in rows {
             for x in columns.clone() {
-                let share = coverage((f64::from(x) + 0.5, f64::from(y) + 0.5));
-                if share > 0.0
+                let fraction = coverage((f64::from(x) + 0.5, f64::from(y) + 0.5));
+                if fraction > 0.0
                     && let Some(below) = self.image.get(x, y)
                 {
-                    self.image.set(x, y, below * (1.0 - share) + color * share);
+                    self.image
+                        .set(x, y, below * (1.0 - fraction) + color * fraction);
                 }
             }
         }

@@ -110,8 +110,8 @@ impl Vector3 {
     /// `None` if that is the zero vector.
     #[must_use]
     pub fn projected_on(self, other: Self) -> Option<Self> {
-        let share = self.dot(other) / other.dot(other);
-        share.is_finite().then(|| other * share)
+        let fraction = self.dot(other) / other.dot(other);
+        fraction.is_finite().then(|| other * fraction)
     }
     // ANCHOR_END: projection
 }

@@ -8,31 +8,32 @@ pub struct Hit {
     /// The parameter of the ray at the hit.
     pub t: f64,
     /// The shading normal, of length 1. On a triangle it is interpolated between
-    /// the corners and need not be perpendicular to the face.
+    /// the corners and need not be perpendicular to the surface.
     pub normal: Normal3,
     /// The geometric normal: perpendicular to the surface, of length 1.
-    pub face: Normal3,
-    /// How large the numbers of the shape are from which the hit was computed, as a
-    /// length along the geometric normal. Rounding moves the hit off the surface by a few
-    /// epsilon of it and of the ray's own numbers. 0 for a shape as large as its rays.
-    pub magnitude: f64,
+    pub geometric_normal: Normal3,
+    /// The largest term of the shape's own numbers in the computation of `t`, as a length
+    /// along the geometric normal. Rounding moves the hit off the surface by a few epsilon
+    /// times this term and the ray's own numbers. 0 where no term is larger than those
+    /// of the ray.
+    pub scale: f64,
 }
 
 impl Hit {
-    /// A hit whose shading normal is the geometric normal, of magnitude 0.
+    /// A hit whose shading normal is the geometric normal, of scale 0.
     #[must_use]
     pub const fn new(t: f64, normal: Normal3) -> Self {
         Self {
             t,
             normal,
-            face: normal,
-            magnitude: 0.0,
+            geometric_normal: normal,
+            scale: 0.0,
         }
     }
 
-    /// This hit with a magnitude.
+    /// This hit with a scale.
     #[must_use]
-    pub const fn with_magnitude(self, magnitude: f64) -> Self {
-        Self { magnitude, ..self }
+    pub const fn with_scale(self, scale: f64) -> Self {
+        Self { scale, ..self }
     }
 }

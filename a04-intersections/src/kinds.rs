@@ -92,7 +92,7 @@ impl ShapeKind for Triangle {
     fn content(&self) -> Content<'_> {
         let corners = self.corners.map(|p| p.to_glam().to_array());
         let mut values = vec![("corners", corners.as_flattened().to_vec())];
-        if self.normals != [self.face; 3] {
+        if self.normals != [self.geometric_normal; 3] {
             let normals = self.normals.map(|n| n.to_glam().to_array());
             values.push(("normals", normals.as_flattened().to_vec()));
         }
@@ -103,7 +103,7 @@ impl ShapeKind for Triangle {
         Some(engine::Shape::Triangle(engine::Triangle {
             corners: self.corners.map(Point3::to_glam),
             normals: self.normals.map(Normal3::to_glam),
-            face: self.face.to_glam(),
+            geometric_normal: self.geometric_normal.to_glam(),
             scale: self.scale,
         }))
     }
@@ -146,8 +146,8 @@ impl From<Hit> for engine::Hit {
         Self {
             t: hit.t,
             normal: hit.normal.to_glam(),
-            face: hit.face.to_glam(),
-            magnitude: hit.magnitude,
+            geometric_normal: hit.geometric_normal.to_glam(),
+            scale: hit.scale,
         }
     }
 }
@@ -157,8 +157,8 @@ impl From<&engine::Hit> for Hit {
         Self {
             t: hit.t,
             normal: Normal3::from_glam(hit.normal),
-            face: Normal3::from_glam(hit.face),
-            magnitude: hit.magnitude,
+            geometric_normal: Normal3::from_glam(hit.geometric_normal),
+            scale: hit.scale,
         }
     }
 }

@@ -42,8 +42,8 @@ impl Geometry for Plane {
         // A parallel ray meets the plane nowhere or, within it, everywhere. Its t is
         // infinite or 0 / 0 = NaN, neither of which is in any interval: a miss.
         within.contains(t).then(|| {
-            let magnitude = to_a.dot_of_magnitudes(self.n);
-            Hit::new(t, self.n).with_magnitude(magnitude)
+            let scale = to_a.dot_of_magnitudes(self.n);
+            Hit::new(t, self.n).with_scale(scale)
         })
     }
     // ANCHOR_END: hit

@@ -54,7 +54,7 @@ impl Geometry for Sphere {
         let (near, far) = if t0 < t1 { (t0, t1) } else { (t1, t0) };
         let t = [near, far].into_iter().find(|t| within.contains(*t))?;
         let normal = (f + d * t).normalized()?.as_normal();
-        Some(Hit::new(t, normal).with_magnitude(self.r))
+        Some(Hit::new(t, normal).with_scale(self.r))
     }
     // ANCHOR_END: hit
 }

@@ -11,7 +11,7 @@ use crate::{Geometry, Hit, Interval};
 pub struct Triangle {
     pub(crate) corners: [Point3; 3],
     pub(crate) normals: [Normal3; 3],
-    pub(crate) face: Normal3,
+    pub(crate) geometric_normal: Normal3,
     /// See [`Face::scale`].
     pub(crate) scale: f64,
 }
@@ -30,7 +30,7 @@ impl Triangle {
         Ok(Self {
             corners,
             normals: [normal; 3],
-            face: normal,
+            geometric_normal: normal,
             scale,
         })
     }
@@ -45,16 +45,16 @@ impl Triangle {
             b.unit("normal of b")?,
             c.unit("normal of c")?,
         ];
-        // The face normal points to the side of the corners' normals.
+        // The geometric normal points to the side of the corners' normals.
         let [a, b, c] = self.normals;
-        if (a + b + c).dot(self.face) < 0.0 {
-            self.face = -self.face;
+        if (a + b + c).dot(self.geometric_normal) < 0.0 {
+            self.geometric_normal = -self.geometric_normal;
         }
         Ok(self)
     }
 
     /// The normal at barycentric coordinates: `(1 - β - γ) nA + β nB + γ nC`,
-    /// brought to length 1. If the sum is 0, the normal of the face.
+    /// brought to length 1. If the sum is 0, the geometric normal.
     // ANCHOR: normal
     fn interpolated_normal(&self, beta: f64, gamma: f64) -> Normal3 {
         let [a, b, c] = self.normals;
@@ -62,7 +62,7 @@ impl Triangle {
             return a;
         }
         let mean = a * (1.0 - beta - gamma) + b * beta + c * gamma;
-        mean.normalized().unwrap_or(self.face)
+        mean.normalized().unwrap_or(self.geometric_normal)
     }
     // ANCHOR_END: normal
 }
@@ -138,8 +138,8 @@ impl Geometry for Triangle {
         within.contains(t).then(|| Hit {
             t,
             normal: self.interpolated_normal(v / determinant, w / determinant),
-            face: self.face,
-            magnitude: self.scale,
+            geometric_normal: self.geometric_normal,
+            scale: self.scale,
         })
     }
     // ANCHOR_END: hit

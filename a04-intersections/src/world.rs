@@ -81,10 +81,10 @@ impl<S> World<S> {
 
 /// The hit with its normals turned against the direction `d`.
 fn facing(hit: Hit, d: Vector3) -> Hit {
-    if hit.face.dot(d) > 0.0 {
+    if hit.geometric_normal.dot(d) > 0.0 {
         Hit {
             normal: -hit.normal,
-            face: -hit.face,
+            geometric_normal: -hit.geometric_normal,
             ..hit
         }
     } else {

@@ -22,11 +22,11 @@ impl Lambert {
 
     /// The contribution of one light: `cd cl max(0, n · l)`. Light at a grazing
     /// angle is spread over a larger area.
-    // ANCHOR: share
-    pub(crate) fn share(&self, hit: &Hit, light: &Illumination) -> Color {
+    // ANCHOR: diffuse-term
+    pub(crate) fn diffuse_term(&self, hit: &Hit, light: &Illumination) -> Color {
         self.diffuse * light.color * hit.normal.dot(light.direction).max(0.0)
     }
-    // ANCHOR_END: share
+    // ANCHOR_END: diffuse-term
 
     /// The contribution of the ambient light, `cd ca`.
     pub(crate) fn ambient(&self, lighting: &dyn Lighting) -> Color {
@@ -39,7 +39,9 @@ impl Material for Lambert {
     // ANCHOR: color
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         let mut color = self.ambient(lighting);
-        lighting.for_each_light(ray, hit, &mut |light| color += self.share(hit, light));
+        lighting.for_each_light(ray, hit, &mut |light| {
+            color += self.diffuse_term(hit, light);
+        });
         color
     }
     // ANCHOR_END: color

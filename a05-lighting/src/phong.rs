@@ -52,7 +52,7 @@ impl Material for Phong {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         let mut color = self.matt.ambient(lighting);
         lighting.for_each_light(ray, hit, &mut |light| {
-            color += self.matt.share(hit, light) + self.highlight(ray, hit, light);
+            color += self.matt.diffuse_term(hit, light) + self.highlight(ray, hit, light);
         });
         color
     }

@@ -25,7 +25,7 @@ impl Reflective {
     ) -> Result<Self, ArgumentError> {
         Ok(Self {
             shiny: Phong::new(diffuse, specular, exponent)?,
-            reflection: argument::share("reflection", reflection)?,
+            reflection: argument::fraction("reflection", reflection)?,
         })
     }
 }

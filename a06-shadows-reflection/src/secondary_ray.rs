@@ -23,8 +23,11 @@ const OFFSET: f64 = 64.0 * f64::EPSILON;
 #[must_use]
 // ANCHOR: secondary-ray
 pub fn secondary_ray(ray: &Ray, hit: &Hit, direction: Vector3) -> Ray {
-    let offset = rounding_error(ray, hit).copysign(hit.face.dot(direction));
-    Ray::derived(ray.at(hit.t) + Vector3::from(hit.face) * offset, direction)
+    let offset = rounding_error(ray, hit).copysign(hit.geometric_normal.dot(direction));
+    Ray::derived(
+        ray.at(hit.t) + Vector3::from(hit.geometric_normal) * offset,
+        direction,
+    )
 }
 
 /// The greatest distance of the computed hit from its surface.
@@ -34,7 +37,7 @@ pub(crate) fn rounding_error(ray: &Ray, hit: &Hit) -> f64 {
         .largest_coordinate()
         .max(ray.at(hit.t).largest_coordinate())
         .max(hit.t)
-        .max(hit.magnitude);
+        .max(hit.scale);
     OFFSET * largest
 }
 // ANCHOR_END: secondary-ray

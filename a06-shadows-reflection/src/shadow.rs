@@ -50,7 +50,7 @@ impl ShadowRay {
         if found.t < self.distance * (15.0 / 16.0) {
             return true;
         }
-        let cosine = self.ray.direction().dot(found.face).abs();
+        let cosine = self.ray.direction().dot(found.geometric_normal).abs();
         let beyond_the_surface = (self.distance - found.t) * cosine;
         let is_in_the_surface =
             beyond_the_surface <= self.offset + rounding_error(&self.ray, found);

@@ -59,8 +59,8 @@ pub fn dahlia() -> Result<View<ShadowedWorld>, ArgumentError> {
         .lit_by(LightSource::new(cold, true))
         .with(plane, Box::new(water));
     for n in 0..PETALS {
-        let share = libm::sqrt(f64::from(n) / f64::from(PETALS - 1));
-        let (petal, surface) = petal(f64::from(n), share)?;
+        let fraction = libm::sqrt(f64::from(n) / f64::from(PETALS - 1));
+        let (petal, surface) = petal(f64::from(n), fraction)?;
         world = world.with(petal, Box::new(surface));
     }
     for (x, z, r) in [
@@ -80,22 +80,26 @@ pub fn dahlia() -> Result<View<ShadowedWorld>, ArgumentError> {
     Ok(View::new(camera, world))
 }
 
-/// The petal with this number and this share of the way from the middle, 0, to the rim,
+/// The petal with this number and this fraction of the way from the middle, 0, to the rim,
 /// 1: a flat sphere that leans outwards the more, the farther out it is.
-fn petal(number: f64, share: f64) -> Result<(Node, Reflective), ArgumentError> {
-    let (length, width) = (0.2 + 0.75 * share, 0.06 + 0.2 * share);
-    let lean = (4.0 + 84.0 * share * share).to_radians();
+fn petal(number: f64, fraction: f64) -> Result<(Node, Reflective), ArgumentError> {
+    let (length, width) = (0.2 + 0.75 * fraction, 0.06 + 0.2 * fraction);
+    let lean = (4.0 + 84.0 * fraction * fraction).to_radians();
     // ANCHOR: petal
     let transform = Transform::IDENTITY
-        .translate(Point3::new(0.0, 0.14 + 0.7 * (1.0 - share * share), 0.0))?
+        .translate(Point3::new(
+            0.0,
+            0.14 + 0.7 * (1.0 - fraction * fraction),
+            0.0,
+        ))?
         .rotate_y((number * GOLDEN_ANGLE) % TAU)?
-        .translate(Point3::new(0.0, 0.0, 1.3 * share))?
+        .translate(Point3::new(0.0, 0.0, 1.3 * fraction))?
         .rotate_x(lean)?
         .translate(Point3::new(0.0, length * 0.8, 0.0))?
         .scale(width, length, 0.05)?;
     // ANCHOR_END: petal
     let (inner, outer) = (Color::new(1.0, 0.62, 0.12), Color::new(0.62, 0.02, 0.16));
-    let color = inner * (1.0 - share) + outer * share;
+    let color = inner * (1.0 - fraction) + outer * fraction;
     let satin = Reflective::new(color, Color::gray(0.35), 40.0, Color::gray(0.06))?;
     let ball = Sphere::new(Point3::ORIGIN, 1.0)?;
     Ok((Node::new(transform).with(ball), satin))

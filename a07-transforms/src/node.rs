@@ -70,8 +70,8 @@ impl Node {
         Some(Hit {
             t: hit.t,
             normal: self.transform.normal_from_object(hit.normal)?,
-            face: self.transform.normal_from_object(hit.face)?,
-            magnitude: self.transform.magnitude_from_object(&hit, ray),
+            geometric_normal: self.transform.normal_from_object(hit.geometric_normal)?,
+            scale: self.transform.scale_from_object(&hit, ray),
         })
     }
 }

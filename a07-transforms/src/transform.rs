@@ -169,16 +169,16 @@ impl Transform {
     }
     // ANCHOR_END: normal
 
-    /// The magnitude of a hit in the space around the object.
+    /// The scale of a hit in the space around the object.
     ///
     /// The terms of `i o` and `i p` may be much larger than their sums, and are rounded like
     /// the numbers of the shape. A length along the normal `n` in the space of the object is
     /// `|transpose(i) n|` times as long as around it.
     #[must_use]
-    pub fn magnitude_from_object(&self, hit: &Hit, ray: &Ray) -> f64 {
+    pub fn scale_from_object(&self, hit: &Hit, ray: &Ray) -> f64 {
         let [o, p] = [ray.origin(), ray.at(hit.t)].map(Point3::magnitudes);
         let terms = self.i.magnitudes() * (o + (p - Point3::ORIGIN)) - Point3::ORIGIN;
-        let n = self.i.transposed() * Vector3::from(hit.face);
-        (terms.dot_of_magnitudes(hit.face) + hit.magnitude) / n.magnitude()
+        let n = self.i.transposed() * Vector3::from(hit.geometric_normal);
+        (terms.dot_of_magnitudes(hit.geometric_normal) + hit.scale) / n.magnitude()
     }
 }

@@ -3,9 +3,9 @@
 //! `cargo test` runs them after the pictures of the stage.
 
 use a07_mistakes::{errata, go_wrong};
-use testing::picture_lock::Places;
+use testing::picture_lock::TestPaths;
 
-const PLACES: Places = testing::places!();
+const TEST_PATHS: TestPaths = testing::test_paths!();
 
 testing::lock_scenes! {
     every_mistake_is_locked: errata::stage();
@@ -15,5 +15,5 @@ testing::lock_scenes! {
 
 testing::lock_scenes! {
     everything_that_goes_wrong_is_locked: go_wrong::stage();
-    lift gamma cracks terminator coincident
+    offset gamma cracks terminator coincident
 }

@@ -84,10 +84,10 @@ pub fn color(name: &'static str, value: Color) -> Result<Color, ArgumentError> {
     check_channels(name, value, valid, "a colour of channels from 0 to 1e50")
 }
 
-/// A share of each channel, from 0 to 1.
-pub fn share(name: &'static str, value: Color) -> Result<Color, ArgumentError> {
+/// A fraction of each channel, from 0 to 1.
+pub fn fraction(name: &'static str, value: Color) -> Result<Color, ArgumentError> {
     let valid = |channel: &f64| (0.0..=1.0).contains(channel);
-    check_channels(name, value, valid, "a share from 0 to 1 of each channel")
+    check_channels(name, value, valid, "a fraction from 0 to 1 of each channel")
 }
 
 fn check_channels(
@@ -126,7 +126,7 @@ mod tests {
                 assert!(check("x", bad).is_err(), "{bad}");
             }
         }
-        for (check, most) in [(color as fn(_, _) -> Result<_, _>, 1e50), (share, 1.0)] {
+        for (check, most) in [(color as fn(_, _) -> Result<_, _>, 1e50), (fraction, 1.0)] {
             for good in [0.0, most] {
                 let good = Color::new(0.25, good, 0.5);
                 assert_eq!(check("x", good), Ok(good));

@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use crate::{Color, Sampled};
+use crate::{Color, SamplingReport};
 
 /// Follows a rendering from row to row. Called from all of its threads.
 pub trait Progress: Sync {
@@ -14,7 +14,7 @@ pub trait Progress: Sync {
     fn more_rows(&self, _: u32) {}
 
     /// Adaptive sampling of the picture has ended with this result.
-    fn sampled(&self, _: &Sampled) {}
+    fn sampled(&self, _: &SamplingReport) {}
 
     /// True once the picture is no longer needed: no further row is begun.
     fn stopped(&self) -> bool {
@@ -28,10 +28,10 @@ impl Progress for () {
 }
 
 /// Keeps the result of adaptive sampling.
-impl Progress for Mutex<Sampled> {
+impl Progress for Mutex<SamplingReport> {
     fn row(&self, _: u32, _: &mut dyn Iterator<Item = Color>) {}
 
-    fn sampled(&self, sampled: &Sampled) {
+    fn sampled(&self, sampled: &SamplingReport) {
         *self.lock().unwrap_or_else(PoisonError::into_inner) = *sampled;
     }
 }

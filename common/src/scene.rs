@@ -130,7 +130,7 @@ impl Scene {
         scene
     }
 
-    /// Pictures side by side, for comparison: each has an equal share of the width, with
+    /// Pictures side by side, for comparison: each has an equal fraction of the width, with
     /// a gap of 8 pixels between them, and by default this width and height.
     pub fn side_by_side<P, const N: usize>(
         name: &'static str,

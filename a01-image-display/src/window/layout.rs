@@ -108,11 +108,11 @@ impl Screen {
         let pixel = self.placement.pixel(self.ui.mouse.at);
         let text = match (&gallery.picture, pixel) {
             (Some(live), _) if gallery.outcome.is_none() => {
-                let share = live.share().min(1.0);
-                let done = f64::from(area.width + 2 * area.x) * share;
+                let fraction = live.fraction().min(1.0);
+                let done = f64::from(area.width + 2 * area.x) * fraction;
                 let done = Area::new(0, area.y, done as i32, self.ui.px(3.0));
                 self.ui.frame.fill(done, self.ui.colors.accent);
-                format!("{:.0} %  {}", 100.0 * share, live.times())
+                format!("{:.0} %  {}", 100.0 * fraction, live.times())
             }
             (Some(live), Some([x, y])) => {
                 let [_, r, g, b] = live.pixel(x, y).unwrap_or(0).to_be_bytes();

@@ -2,11 +2,11 @@
 
 use crate::prelude::*;
 
-/// The shares of the corners `a`, `b` and `c` in the point `p` of their plane:
+/// The weights of the corners `a`, `b` and `c` in the point `p` of their plane:
 /// `p = α a + β b + γ c` with `α + β + γ = 1`. A point beside the plane has
-/// the shares of the foot of its perpendicular. None if the corners are on a line.
+/// the weights of the foot of its perpendicular. None if the corners are on a line.
 pub fn barycentric(p: Point3, [a, b, c]: [Point3; 3]) -> Option<[f64; 3]> {
-    missing!("the shares of the corners", None, {
+    missing!("the weights of the corners", None, {
         let n = (b - a).cross(c - a);
         let whole = n.dot(n);
         // Areas that keep their sign: turned against n they are negative.
@@ -18,10 +18,10 @@ pub fn barycentric(p: Point3, [a, b, c]: [Point3; 3]) -> Option<[f64; 3]> {
 
 testing::examples! {
     let corners = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)].map(|(x, y)| Point3::new(x, y, 5.0));
-    let shares = |x, y, z| barycentric(Point3::new(x, y, z), corners);
-    assert_eq!(shares(4.0, 0.0, 5.0), Some([0.0, 1.0, 0.0]), "the corner b");
-    assert_eq!(shares(1.0, 1.0, 5.0), Some([0.5, 0.25, 0.25]), "inside");
-    assert_eq!(shares(1.0, 1.0, 9.0), Some([0.5, 0.25, 0.25]), "above it");
-    assert_eq!(shares(8.0, 0.0, 5.0), Some([-1.0, 2.0, 0.0]), "outside");
+    let weights = |x, y, z| barycentric(Point3::new(x, y, z), corners);
+    assert_eq!(weights(4.0, 0.0, 5.0), Some([0.0, 1.0, 0.0]), "the corner b");
+    assert_eq!(weights(1.0, 1.0, 5.0), Some([0.5, 0.25, 0.25]), "inside");
+    assert_eq!(weights(1.0, 1.0, 9.0), Some([0.5, 0.25, 0.25]), "above it");
+    assert_eq!(weights(8.0, 0.0, 5.0), Some([-1.0, 2.0, 0.0]), "outside");
     assert_eq!(barycentric(corners[0], [corners[0]; 3]), None, "no triangle");
 }

@@ -31,10 +31,10 @@ pub fn exercise() -> Exercise<Code> {
         questions: vec![points.into()],
         picture: Picture::own(triangle),
         wrong: vec![
-            Other::from_right("outside, a share is negative", |right| {
+            Other::from_right("outside, a weight is negative", |right| {
                 Arc::new(move |p, corners| Some(right(p, corners)?.map(f64::abs)))
             }),
-            Other::from_right("corners on a line have no shares", |right| {
+            Other::from_right("corners on a line have no weights", |right| {
                 Arc::new(move |p, corners| right(p, corners).or(Some([f64::NAN; 3])))
             }),
             Other::from_right("a small triangle is no line", |right| {

@@ -61,7 +61,7 @@ fn samples(
         .with_exact("against the pixel's mean in closed form")
         .with_seeds(&[0, 1, 2])
         .with_curves(move |effort| {
-            let methods: [(&str, Places); 5] = [
+            let methods: [(&str, TestPaths); 5] = [
                 ("random", |x, y, n| sampled(Random, x, y, n)),
                 ("regular", |x, y, n| sampled(Regular, x, y, n)),
                 ("stratified", |x, y, n| sampled(Stratified, x, y, n)),
@@ -69,7 +69,7 @@ fn samples(
                 ("R2", r2),
             ];
             let numbers = &[1, 4, 16, 64, 256, 1024, 4096][..effort.choose(6, 7)];
-            let curve = |((method, places), slope): ((_, Places), Option<f64>)| {
+            let curve = |((method, places), slope): ((_, TestPaths), Option<f64>)| {
                 let curve = Curve::new(method, numbers.iter().map(|n| point(task(), places, *n)));
                 curve.with_slope(slope, (16.0, 4096.0))
             };
@@ -77,7 +77,7 @@ fn samples(
         })
 }
 
-fn point((radiance, pixels): Task, places: Places, n: u32) -> Point<'static> {
+fn point((radiance, pixels): Task, places: TestPaths, n: u32) -> Point<'static> {
     let mean = move |x: u32, y: u32| {
         let at = |(dx, dy): (f64, f64)| radiance(f64::from(x) + dx, f64::from(y) + dy);
         places(x, y, n).map(at).sum::<f64>() / f64::from(n)
@@ -89,7 +89,7 @@ fn point((radiance, pixels): Task, places: Places, n: u32) -> Point<'static> {
 }
 
 /// The positions of some samples in the pixel of a column and a row.
-type Places = fn(u32, u32, u32) -> Iter;
+type TestPaths = fn(u32, u32, u32) -> Iter;
 type Iter = Box<dyn Iterator<Item = (f64, f64)>>;
 
 /// The renderer's own sampling.

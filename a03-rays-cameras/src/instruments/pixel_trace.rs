@@ -73,7 +73,7 @@ fn trace_samples(
 }
 
 /// Renders a picture, as [`render`], and traces its chosen pixel: for code that is not in the
-/// lesson, as that of exercises.
+/// lesson, such as that of exercises.
 pub fn paint(
     camera: &dyn Camera,
     radiance: &(dyn Fn(&Ray) -> Color + Sync),

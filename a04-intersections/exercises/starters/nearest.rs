@@ -5,7 +5,7 @@ use crate::prelude::*;
 /// The nearest hit within the interval, and the number of the object there.
 ///
 /// `for (geometry, number) in world.objects()` visits all objects. Where the face of the
-/// result looks along the ray, `hit.normal` and `hit.face` are both turned.
+/// result looks along the ray, `hit.normal` and `hit.geometric_normal` are both turned.
 pub fn nearest(world: &World<usize>, ray: &Ray, within: Interval) -> Option<(Hit, usize)> {
     testing::missing("the nearest hit", None)
 }

@@ -134,8 +134,11 @@ pub const TRIANGLE: Subject = Subject {
     decide,
     exact: |x, line @ [o, d]| {
         let [t, beta, gamma] = exact::triangle(&corners(x), o, d);
-        let shares = [beta.value(), gamma.value()];
-        Some((t, triangle_condition(&corners(x), shares, line, t.value())))
+        let fractions = [beta.value(), gamma.value()];
+        Some((
+            t,
+            triangle_condition(&corners(x), fractions, line, t.value()),
+        ))
     },
     protocol: |x, ray| protocol::triangle(&corners(x).map(point), ray),
 };

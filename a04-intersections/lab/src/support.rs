@@ -87,7 +87,7 @@ pub fn plane_condition(a: &Triple, n: Triple, line @ [o, d]: &[Triple; 2], t: f6
     condition(n, std::array::from_fn(moved), line, t)
 }
 
-/// The condition at a hit of a triangle, whose corners move it by their shares.
+/// The condition at a hit of a triangle, whose corners move it by their fractions.
 pub fn triangle_condition(
     corners: &[Triple; 3],
     [beta, gamma]: [f64; 2],
@@ -96,10 +96,10 @@ pub fn triangle_condition(
 ) -> f64 {
     let [a, b, c] = corners.map(vector);
     let n = array((b - a).cross(c - a));
-    let shares = [1.0 - beta - gamma, beta, gamma];
+    let fractions = [1.0 - beta - gamma, beta, gamma];
     let moved = |i: usize| {
         (0..3)
-            .map(|k: usize| (shares[k] * corners[k][i]).abs())
+            .map(|k: usize| (fractions[k] * corners[k][i]).abs())
             .sum()
     };
     condition(n, std::array::from_fn(moved), line, t)

@@ -103,7 +103,7 @@ pub fn shaded<T>(ray: &Ray, hit: &Hit, shade: impl FnOnce() -> T) -> T {
             .with("t", [hit.t])
             .with("p", array(ray.at(hit.t)))
             .with("n", array(hit.normal))
-            .with("face", array(hit.face))
+            .with("geometric normal", array(hit.geometric_normal))
     };
     steps::inside(StepKind::Hit, 1, step, shade)
 }

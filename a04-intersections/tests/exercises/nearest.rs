@@ -34,13 +34,13 @@ pub fn exercise() -> Exercise<Code> {
             |world, ray, within| {
                 let hits = hits(world, ray, within).into_iter();
                 let (hit, number) = hits.min_by(|(a, _), (b, _)| a.t.total_cmp(&b.t))?;
-                Some((turned(hit, hit.face, ray), number))
+                Some((turned(hit, hit.geometric_normal, ray), number))
             },
         )],
         wrong: vec![
             Other::new("the nearest counts, not the last", |world, ray, within| {
                 let (hit, number) = hits(world, ray, within).pop()?;
-                Some((turned(hit, hit.face, ray), number))
+                Some((turned(hit, hit.geometric_normal, ray), number))
             }),
             Other::new(
                 "a hit before the interval hides one in it",
@@ -77,7 +77,7 @@ fn find(nearest: &Code) -> Vec<f64> {
     found.into_iter().flat_map(Found::numbers).collect()
 }
 
-fn ask(found: &[f64]) -> Vec<Asked<Code>> {
+fn ask(found: &[f64]) -> Vec<CodeQuestion<Code>> {
     let found: Vec<_> = found
         .as_chunks()
         .0

@@ -38,7 +38,8 @@ fn the_ends_of_an_interval_do_not_belong_to_it() {
 fn a_direction_of_another_length_changes_t_alone() {
     for n in 0..8000 {
         let (shape, ray) = (random_shape(n / 8), random_ray(n));
-        let found = |ray: &Ray| hit(&*shape, ray).map(|hit| (hit.t, hit.normal, hit.face));
+        let found =
+            |ray: &Ray| hit(&*shape, ray).map(|hit| (hit.t, hit.normal, hit.geometric_normal));
         for exponent in [-332, -1, 1, 332] {
             let length = libm::scalbn(1.0, exponent);
             let scaled = found(&Ray::derived(ray.origin(), ray.direction() * length));

@@ -61,8 +61,8 @@ fn no_ray_is_lost_at_an_edge_or_a_corner() {
             let [from, to, _] = faces[face].map(|i| corners[i]);
             let fan = fans[is_corner][face].iter();
             let fan: Vec<_> = fan.map(|face| face.map(|i| corners[i])).collect();
-            let share = [0.01 + 0.98 * random.uniform(1), 0.0][is_corner];
-            let aim = from + (to - from) * share;
+            let fraction = [0.01 + 0.98 * random.uniform(1), 0.0][is_corner];
+            let aim = from + (to - from) * fraction;
             let reach = [0.1, 3.0, 1e3][(random.uniform(2) * 3.0) as usize];
             let eye = middle + random_vector(random, 3, reach);
             let first = side(fan[0], eye);

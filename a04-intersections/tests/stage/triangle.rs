@@ -88,10 +88,10 @@ fn triangles_in_any_position_are_hit_where_the_ray_aims() {
         let normal = mean.unit("weights").unwrap();
         assert_abs_diff_eq!(found.normal, normal, epsilon = 3.0 * bound);
         // The face is perpendicular to the edges, on the side of the normals.
-        assert!(found.face.dot(na + nb + nc) >= -bound);
+        assert!(found.geometric_normal.dot(na + nb + nc) >= -bound);
         let face = across.as_normal().unit("face").unwrap();
-        let turned = face * found.face.dot(face).signum();
-        assert_abs_diff_eq!(found.face, turned, epsilon = bound);
+        let turned = face * found.geometric_normal.dot(face).signum();
+        assert_abs_diff_eq!(found.geometric_normal, turned, epsilon = bound);
         hits += 1;
     }
     assert!(hits > 15_000, "{hits} hits");
@@ -106,8 +106,12 @@ fn where_the_normals_cancel_the_face_gives_its_own() {
         ([X; 3], 1.0, X),
     ] {
         let twisted = triangle_of(CORNERS).with_normals(normals).unwrap();
-        let Hit { normal, face, .. } = hit(&twisted, &ray([x, 0.0, 4.0], AHEAD)).unwrap();
-        assert_eq!((normal, face), (expected, Z));
+        let Hit {
+            normal,
+            geometric_normal,
+            ..
+        } = hit(&twisted, &ray([x, 0.0, 4.0], AHEAD)).unwrap();
+        assert_eq!((normal, geometric_normal), (expected, Z));
     }
 }
 
@@ -122,7 +126,7 @@ fn thin_triangles_are_hit_and_rounding_errors_are_refused() {
             if height > limit {
                 let thin = triangle_of(corners);
                 let ahead = |x, y| hit(&thin, &ray([x, y, 4.0], AHEAD));
-                assert_eq!(ahead(0.5, 0.5 * height).unwrap().face, Z);
+                assert_eq!(ahead(0.5, 0.5 * height).unwrap().geometric_normal, Z);
                 assert_eq!(ahead(0.25, 0.8 * height), None);
             } else {
                 let [a, b, c] = corners.map(point);
@@ -173,10 +177,10 @@ fn rays_in_the_plane_hit_edges_and_corners_where_they_are() {
     for n in 0..20_000 {
         let numbers = &mut Numbers::new(42, n);
         let ([a, b, c], triangle) = any_triangle(numbers);
-        let share = (numbers.below(33) as f64 - 16.0) / 4.0;
+        let fraction = (numbers.below(33) as f64 - 16.0) / 4.0;
         for (from, to, third) in [(a, b, c), (b, c, a), (c, a, b)] {
             let along: Vector3 = to - from;
-            let aside = along + (third - from) * share;
+            let aside = along + (third - from) * fraction;
             for (hits, way, last) in [
                 (&mut along_edges, along, to),
                 (&mut through_corners, aside, third),

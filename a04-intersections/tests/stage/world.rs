@@ -30,14 +30,15 @@ fn a_world_is_hit_where_the_nearest_of_its_shapes_is() {
         let found = (0..count).filter_map(|turn| Some((shape(turn).hit(&ray, within)?, turn)));
         let nearest = found.min_by(|(a, _), (b, _)| a.t.total_cmp(&b.t));
         let seen = nearest.map(|(hit, turn)| {
-            let [normal, face] = [hit.normal, hit.face].map(|n| n.dot(ray.direction()));
-            leaning += u32::from(normal * face < 0.0);
-            let side = if face > 0.0 { -1.0 } else { 1.0 };
-            let (normal, face) = (hit.normal * side, hit.face * side);
+            let [normal, geometric_normal] =
+                [hit.normal, hit.geometric_normal].map(|n| n.dot(ray.direction()));
+            leaning += u32::from(normal * geometric_normal < 0.0);
+            let side = if geometric_normal > 0.0 { -1.0 } else { 1.0 };
+            let (normal, geometric_normal) = (hit.normal * side, hit.geometric_normal * side);
             (
                 Hit {
                     normal,
-                    face,
+                    geometric_normal,
                     ..hit
                 },
                 turn,
@@ -65,7 +66,7 @@ fn a_touched_sphere_shows_its_outer_side() {
             .hit(&ray([0.0; 3], [0.0, 0.0, -1.0]), Interval::AHEAD)
             .unwrap();
         let expected = Hit::new(5.0, Normal3::new(0.0, y, 0.0));
-        assert_eq!(hit, expected.with_magnitude(1.0));
+        assert_eq!(hit, expected.with_scale(1.0));
     }
 }
 

@@ -8,9 +8,9 @@ pub fn hemisphere([diffuse, sky, ground]: [Color; 3], n: Normal3) -> Color {
     let up = Vector3::new(0.0, 1.0, 0.0);
     missing!("the light of sky and ground", diffuse * sky, {
         // Each direction counts by its cosine to the normal, as in Lambert's law: over the
-        // part of the sky that is seen, that makes this share.
-        let share = f64::midpoint(1.0, n.dot(up));
-        diffuse * (sky * share + ground * (1.0 - share))
+        // part of the sky that is seen, that makes this fraction.
+        let fraction = f64::midpoint(1.0, n.dot(up));
+        diffuse * (sky * fraction + ground * (1.0 - fraction))
     })
 }
 

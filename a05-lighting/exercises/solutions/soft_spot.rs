@@ -12,14 +12,14 @@ pub fn soft_spot(
     point: Point3,
 ) -> Option<Illumination> {
     let light = PointLight::new(color, lamp).ok()?.illumination(point)?;
-    let share = missing!("the share of the light that is left", 1.0, {
+    let fraction = missing!("the fraction of the light that is left", 1.0, {
         // The light's direction leads to the lamp, the spot's direction away from it.
         let angle = (-light.direction).angle(direction);
         let x = ((outer - angle) / (outer - inner)).clamp(0.0, 1.0);
         x * x * (3.0 - 2.0 * x)
     });
-    let color = light.color * share;
-    (share > 0.0).then_some(Illumination { color, ..light })
+    let color = light.color * fraction;
+    (fraction > 0.0).then_some(Illumination { color, ..light })
 }
 
 testing::examples! {

@@ -101,7 +101,7 @@ fn spot_rim() -> Experiment<'static> {
     Experiment::new("spot-rim")
         .asking("How near to the rim of a spot light is inside told from outside?")
         .over(Axis::Parameter, "from rim (half angles)", "points")
-        .with_error("share of points judged wrongly")
+        .with_error("fraction of points judged wrongly")
         .with_unit(Unit::Share)
         .with_exact("against the side on which a point was put; one in eight lies behind")
         .with_seeds(&[12])

@@ -179,7 +179,7 @@ impl RecordedMaterial {
             };
             let r = light.direction.reflected_on(hit.normal);
             step = step
-                .with("diffuse", phong.matt.share(hit, light).channels())
+                .with("diffuse", phong.matt.diffuse_term(hit, light).channels())
                 .with("cs", phong.specular.channels())
                 .with("e·r", [(-ray.direction()).dot(r)])
                 .with("exponent", [phong.exponent])

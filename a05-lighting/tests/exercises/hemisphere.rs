@@ -31,9 +31,9 @@ pub fn exercise() -> Exercise<Code> {
         }),
         wrong: vec![
             Other::new("walls see half the sky", mixed(|cosine| cosine.max(0.0))),
-            Other::new("a share is between 0 and 1", mixed(|cosine| cosine)),
+            Other::new("a fraction is between 0 and 1", mixed(|cosine| cosine)),
             Other::new(
-                "the share follows from the cosine, not the angle",
+                "the fraction follows from the cosine, not the angle",
                 mixed(|cosine| 1.0 - libm::acos(cosine) / PI),
             ),
         ],

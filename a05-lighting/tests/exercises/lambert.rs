@@ -22,7 +22,7 @@ pub fn exercise() -> Exercise<Code> {
             })
         }),
         right: vec![Other::new(
-            "the share first",
+            "the fraction first",
             textbook(|cosine| cosine.max(0.0)),
         )],
         wrong: vec![Other::new(

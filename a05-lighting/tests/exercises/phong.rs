@@ -31,7 +31,7 @@ pub fn exercise() -> Exercise<Code> {
             })
         }),
         right: vec![Other::new(
-            "the eye mirrored in the place of the light",
+            "the eye mirrored instead of the light",
             textbook(|is_before, cosine, exponent| is_before * libm::pow(cosine, exponent)),
         )],
         wrong: vec![

@@ -22,7 +22,7 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: Picture::own(move |light, settings| lit.rendered(light, settings)),
-        wrong: vec![Other::new("the share has no crease", light_at(creased))],
+        wrong: vec![Other::new("the fraction has no crease", light_at(creased))],
         ..lights([Lights {
             words: "light {} at {}, which shines along {}, inner and outer angle {}",
             first: ([1.0, 0.5, 0.25], LAMP, [0.0, -2.0, 0.0], [0.5, 1.0]),

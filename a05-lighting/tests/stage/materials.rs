@@ -19,9 +19,9 @@ const RIGHT: Vector3 = Vector3::new(0.6, 0.8, 0.0);
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// An ambient light, and lights that all arrive.
-struct Given(Color, Vec<Illumination>);
+struct FixedLights(Color, Vec<Illumination>);
 
-impl Lighting for Given {
+impl Lighting for FixedLights {
     fn ambient(&self) -> Color {
         self.0
     }
@@ -32,17 +32,17 @@ impl Lighting for Given {
 }
 
 /// An ambient light, and lights of these colours from these directions.
-fn light(ambient: Color, lights: &[(Color, Vector3)]) -> Given {
+fn light(ambient: Color, lights: &[(Color, Vector3)]) -> FixedLights {
     let light = |&(color, direction): &(Color, Vector3)| Illumination {
         color,
         direction,
         distance: 1.0,
     };
-    Given(ambient, lights.iter().map(light).collect())
+    FixedLights(ambient, lights.iter().map(light).collect())
 }
 
 /// White light from this direction.
-fn white_from(direction: Vector3) -> Given {
+fn white_from(direction: Vector3) -> FixedLights {
     light(Color::BLACK, &[(Color::WHITE, direction)])
 }
 

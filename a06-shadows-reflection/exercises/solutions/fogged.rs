@@ -4,7 +4,7 @@ use crate::prelude::*;
 
 /// The rest of a colour behind fog of this thickness, plus the colour of the fog.
 ///
-/// The fog takes the share `density` of the remaining light per length.
+/// The fog takes the fraction `density` of the remaining light per length.
 /// The distance is at least 0, and infinite where a ray meets nothing.
 pub fn fogged(color: Color, fog: Color, density: f64, distance: f64) -> Color {
     missing!("the colour behind the fog", color, {

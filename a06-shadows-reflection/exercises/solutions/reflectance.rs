@@ -2,11 +2,11 @@
 
 use crate::prelude::*;
 
-/// The share of unpolarised light that a surface mirrors, whose angle to the
+/// The fraction of unpolarised light that a surface mirrors, whose angle to the
 /// normal has the cosine `cos`, from 0 to 1. It comes from where the
 /// refractive index is `from`, and beyond the surface it is `to`.
 pub fn reflectance(cos: f64, from: f64, to: f64) -> f64 {
-    missing!("the share that is mirrored", 1.0 - cos, {
+    missing!("the fraction that is mirrored", 1.0 - cos, {
         let ratio = from / to;
         let cos_squared = 1.0 - ratio * ratio * (1.0 - cos * cos);
         // All light is mirrored.
@@ -14,12 +14,12 @@ pub fn reflectance(cos: f64, from: f64, to: f64) -> f64 {
             return 1.0;
         }
         let beyond = cos_squared.sqrt();
-        let share = |a: f64, b: f64| {
+        let fraction = |a: f64, b: f64| {
             let amplitude = (a - b) / (a + b);
             amplitude * amplitude
         };
-        let across = share(from * cos, to * beyond);
-        let along = share(from * beyond, to * cos);
+        let across = fraction(from * cos, to * beyond);
+        let along = fraction(from * beyond, to * cos);
         f64::midpoint(across, along)
     })
 }

@@ -3,7 +3,7 @@
 use crate::prelude::*;
 
 /// The ray that leaves the hit of `ray` in a direction of length 1, to either side of the
-/// surface. Its origin is `ray.at(hit.t)`, offset along the normal `hit.face` of length 1 by
+/// surface. Its origin is `ray.at(hit.t)`, offset along the normal `hit.geometric_normal` of length 1 by
 /// more than its rounding error, and by far less than one could see.
 ///
 /// `point.largest_coordinate()` is the greatest magnitude of its coordinates.

@@ -47,7 +47,7 @@ pub const ON_THE_CURVED_SURFACE: Start = |ray, hit, corners, to_light| {
         vector = vector + normal * (weight * depth.max(0.0));
     }
     // At a corner the start is on the triangle, and is offset as by the lesson, outwards.
-    let outwards = secondary_ray(ray, hit, hit.face.into());
+    let outwards = secondary_ray(ray, hit, hit.geometric_normal.into());
     Ray::derived(outwards.origin() + vector, to_light)
 };
 

@@ -27,7 +27,7 @@ impl Trial {
 
     /// The geometric normal on the side of the light.
     pub fn normal_to_the_light(&self) -> Vector3 {
-        let normal = Vector3::from(self.hit.face);
+        let normal = Vector3::from(self.hit.geometric_normal);
         normal * 1.0_f64.copysign(self.light.dot(normal))
     }
 
@@ -98,7 +98,7 @@ pub fn trials(
             return Ok(None);
         };
         let light = numbers.triple(-1.0, 1.0).unit("light")?;
-        let cosine = light.dot(hit.face);
+        let cosine = light.dot(hit.geometric_normal);
         // At grazing angles either result is right.
         Ok((cosine.abs() >= 1e-3).then(|| Trial {
             surface,

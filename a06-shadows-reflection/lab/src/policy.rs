@@ -13,7 +13,7 @@ use a06_shadows_reflection::secondary_ray;
 pub type Policy = fn(&Trial) -> (Ray, Interval);
 
 /// Our policy: the offset of the origin.
-pub const LIFTED: Policy = |trial| {
+pub const OFFSET: Policy = |trial| {
     let ray = secondary_ray(&trial.ray, &trial.hit, trial.light);
     (ray, Interval::AHEAD)
 };

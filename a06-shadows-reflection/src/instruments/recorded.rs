@@ -148,7 +148,7 @@ fn push_offset(ray: &Ray, p: Option<Point3>) {
     steps::push(StepKind::Offset, |kind| {
         let section = "a06-shadows-reflection.md#getting-off-the-surface";
         let offset = ray.origin() - p.unwrap_or_default();
-        Step::new(kind, "lift off the surface", section).with("|p' - p|", [offset.magnitude()])
+        Step::new(kind, "offset from the surface", section).with("|p' - p|", [offset.magnitude()])
     });
 }
 
@@ -183,7 +183,7 @@ impl Surface for RecordedSurface {
     fn mirror_reflectance(&self) -> Color {
         steps::push(StepKind::Mirror, |kind| {
             let section = "a06-shadows-reflection.md#the-mirror";
-            Step::new(kind, "share of the mirror", section).with("cr", self.reflection.channels())
+            Step::new(kind, "mirror reflectance", section).with("cr", self.reflection.channels())
         });
         self.reflection
     }

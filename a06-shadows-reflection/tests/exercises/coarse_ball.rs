@@ -66,7 +66,7 @@ fn ball_color(ball: &World<Corners>, ray: &Ray, shadow_start: ShadowStart) -> Co
     let p = ray.at(hit.t);
     let start = shadow_start(*corners, normals, weights(*corners, p));
     // At a corner the start is on the triangle, and is offset as by the lesson, outwards.
-    let outwards = secondary_ray(ray, &hit, hit.face.into());
+    let outwards = secondary_ray(ray, &hit, hit.geometric_normal.into());
     let to_light = Ray::derived(outwards.origin() + (start - p), TO_LIGHT);
     if cosine <= 0.0 || ball.is_hit(&to_light, Interval::AHEAD) {
         return Color::gray(0.1);

@@ -79,7 +79,7 @@ impl Departure {
         let step = left.origin() - ray.at(hit.t);
         // Inwards, a ray meets the far side of a sphere, but not this one.
         let again = shape.hit(&left, Interval::before(1e-4 * self.size));
-        let words = if step.dot(hit.face) * direction.dot(hit.face) <= 0.0 {
+        let words = if step.dot(hit.geometric_normal) * direction.dot(hit.geometric_normal) <= 0.0 {
             "a ray from the wrong side of the surface"
         } else if step.magnitude() > 1e-9 * Numbers::of(&ray, &hit).sum() {
             "a ray that begins far away"

@@ -43,7 +43,7 @@ pub fn exercise() -> Exercise<Code> {
                 mixed(|density, distance| libm::exp(-density * distance)),
             ),
             Other::new(
-                "each metre takes a share of what is left",
+                "each metre takes a fraction of what is left",
                 mixed(|density, distance| 1.0 - (density * distance).min(1.0)),
             ),
             Other::from_right("the fog adds its own colour", |right| {

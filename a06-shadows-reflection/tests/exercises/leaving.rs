@@ -46,7 +46,7 @@ pub fn exercise() -> Exercise<Code> {
             })
         }),
         right: vec![Other::new(
-            "a share of the sum",
+            "a fraction of the sum",
             offset(face, |at| 1e-13 * at.sum()),
         )],
         wrong: vec![
@@ -82,7 +82,7 @@ fn offset(along: fn(&Hit, Vector3) -> Vector3, length: fn(&Numbers) -> f64) -> C
 }
 
 fn face(hit: &Hit, _: Vector3) -> Vector3 {
-    hit.face.into()
+    hit.geometric_normal.into()
 }
 
 fn largest(at: &Numbers) -> f64 {

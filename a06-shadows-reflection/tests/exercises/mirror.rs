@@ -61,7 +61,7 @@ pub fn exercise() -> Exercise<Code> {
             }),
             Other::new(
                 "a mirror is seen by its normal, not by its face",
-                reflected(|ray, hit| (-ray.direction()).reflected_on(hit.face)),
+                reflected(|ray, hit| (-ray.direction()).reflected_on(hit.geometric_normal)),
             ),
             Other::new(
                 "the formula wants a vector away from the surface",

@@ -38,7 +38,7 @@ pub fn exercise() -> Exercise<Code> {
                     straight + (1.0 - straight) * libm::pow(1.0 - cosine, 5.0)
                 })
             }),
-            Other::from_right("a share is the square of an amplitude", |right| {
+            Other::from_right("a fraction is the square of an amplitude", |right| {
                 Arc::new(move |cosine, from, to| right(cosine, from, to).sqrt())
             }),
             Other::from_right("where no light gets through, all is mirrored", |right| {

@@ -28,7 +28,7 @@ fn all_renderers_draw_the_same_five_thousand_pictures() {
     compare_thousands(1_000..7_000, view);
 }
 
-/// A sphere whose hits have numbers that are none, as a first try at a shape may have.
+/// A sphere whose hits have numbers that are NaN or infinite, such as a first try at a shape may find.
 #[derive(Debug)]
 struct Unfinished {
     sphere: Sphere,
@@ -42,14 +42,14 @@ impl Geometry for Unfinished {
         Some(match self.variant {
             0 => Hit::new(hit.t, nothing),
             1 => Hit {
-                face: nothing,
+                geometric_normal: nothing,
                 ..hit
             },
             2 => Hit {
                 normal: nothing,
                 ..hit
             },
-            _ => hit.with_magnitude(f64::NAN),
+            _ => hit.with_scale(f64::NAN),
         })
     }
 }

@@ -122,7 +122,7 @@ fn shades_itself(corners: [Point3; 3], [eye, target]: [Point3; 2], light: Vector
     let hit = triangle.hit(&ray, Interval::AHEAD)?;
     let light = light.normalized()?;
     let leaving = secondary_ray(&ray, &hit, light);
-    let is_grazing = light.dot(hit.face).abs() < 1e-3;
+    let is_grazing = light.dot(hit.geometric_normal).abs() < 1e-3;
     (!is_grazing).then(|| triangle.hit(&leaving, Interval::AHEAD).is_some())
 }
 

@@ -10,12 +10,12 @@ use approx::assert_abs_diff_eq;
 const UP: Vector3 = Vector3::new(0.0, 1.0, 0.0);
 
 /// Along the face, not the shading normal. The offset is 64 eps of the greatest of: `t`, 5
-/// here, the coordinates of origin and hit, and the hit's magnitude.
+/// here, the coordinates of origin and hit, and the hit's scale.
 #[test]
 fn a_secondary_ray_starts_on_the_side_to_which_it_goes() {
     let leaning = Vector3::new(0.6, 0.8, 0.0).as_normal();
     let along_x = |x| Point3::new(x, 0.0, 0.0);
-    for (eye, place, magnitude, greatest) in [
+    for (eye, place, scale, greatest) in [
         (Point3::new(3.0, 4.0, 0.0), Point3::ORIGIN, 0.0, 5.0),
         (along_x(3.0), along_x(-2.0), 4.0, 5.0),
         (along_x(3.0), along_x(8.0), 4.0, 8.0),
@@ -24,7 +24,7 @@ fn a_secondary_ray_starts_on_the_side_to_which_it_goes() {
     ] {
         let hit = Hit {
             normal: leaning,
-            ..Hit::new(5.0, UP.as_normal()).with_magnitude(magnitude)
+            ..Hit::new(5.0, UP.as_normal()).with_scale(scale)
         };
         let ray = Ray::new(eye, place - eye).unwrap();
         for (direction, side) in [

@@ -27,7 +27,7 @@ impl<G: Geometry> Geometry for Sheared<G> {
             (o, Vector3::new(d.x() - self.by * d.y(), d.y(), d.z()))
         });
         let mut hit = self.shape.hit(&Ray::derived(o, d), within)?;
-        for n in [&mut hit.normal, &mut hit.face] {
+        for n in [&mut hit.normal, &mut hit.geometric_normal] {
             let leaning = missing!("the normal of the leaning shape", Vector3::from(*n), {
                 // The transpose of the inverse matrix.
                 Vector3::new(n.x(), n.y() - self.by * n.x(), n.z())

@@ -26,7 +26,7 @@ impl Node {
 
 impl Geometry for Node {
     /// The nearest hit of all children whose `t` lies within the interval, with `normal` and
-    /// `face` in the space around the node.
+    /// `geometric_normal` in the space around the node.
     ///
     /// `self.transform` has `ray_to_object(ray)`, and `normal_from_object(n)`, which may be none.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {

@@ -8,7 +8,7 @@ use a04_lab::certified::picture;
 use a04_lab::search::INPUTS;
 use a05_lighting::LitWorld;
 use a05_lighting::instruments::recorded;
-use a06_lab::policy::LIFTED;
+use a06_lab::policy::OFFSET;
 use a06_shadows_reflection::RecursiveTracer;
 use a07_lab::certified::geometry;
 use a07_lab::experiments::nested_nodes::lit_points;
@@ -83,8 +83,8 @@ fn every_decision_in_the_shadowed_pictures_is_right() {
 fn thirty_million_points_under_nodes_are_right() {
     for condition in [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9] {
         for trial in (1_000..1_300).flat_map(|seed| lit_points(10_000, seed, condition).unwrap()) {
-            assert!(!trial.shades_itself(LIFTED), "acne, {condition}");
-            assert!(![1e-4, 1e-9].iter().any(|near| trial.leaks(LIFTED, *near)));
+            assert!(!trial.shades_itself(OFFSET), "acne, {condition}");
+            assert!(![1e-4, 1e-9].iter().any(|near| trial.leaks(OFFSET, *near)));
         }
     }
 }

@@ -14,7 +14,7 @@ pub fn stage() -> Stage {
     Stage {
         name: "go-wrong",
         about: "What can go wrong: too little, right, and too much",
-        scenes: vec![lift(), gamma(), cracks(), terminator(), coincident()],
+        scenes: vec![offset(), gamma(), cracks(), terminator(), coincident()],
         open: None,
     }
 }
@@ -22,23 +22,23 @@ pub fn stage() -> Stage {
 /// Width and height of each picture, in pixels.
 const PANEL: (u32, u32) = (240, 240);
 
-fn lift() -> Scene {
-    let about = "a shadow ray that is lifted not at all, by 64 roundings, and by 0.2";
-    let lifts: [fn(&Ray, &Hit) -> Ray; 3] = [
+fn offset() -> Scene {
+    let about = "a shadow ray that is offset not at all, by 64 roundings, and by 0.2";
+    let shadow_rays: [fn(&Ray, &Hit) -> Ray; 3] = [
         |ray, hit| by(0.0, ray, hit),
         |ray, hit| secondary_ray(ray, hit, sunwards()),
         |ray, hit| by(0.2, ray, hit),
     ];
-    let panels = lifts.map(|lifted| {
-        move |settings: &Settings, progress: &dyn Progress| shadows(lifted, settings, progress)
+    let panels = shadow_rays.map(|shadow_ray| {
+        move |settings: &Settings, progress: &dyn Progress| shadows(shadow_ray, settings, progress)
     });
-    Scene::side_by_side("lift", about, panels, PANEL)
+    Scene::side_by_side("offset", about, panels, PANEL)
 }
 
-/// The shadow ray of a hit, lifted by a length.
+/// The shadow ray of a hit, offset by a length.
 #[must_use]
-pub fn by(lift: f64, ray: &Ray, hit: &Hit) -> Ray {
-    let point = ray.at(hit.t) + Vector3::from(hit.face) * lift;
+pub fn by(offset: f64, ray: &Ray, hit: &Hit) -> Ray {
+    let point = ray.at(hit.t) + Vector3::from(hit.geometric_normal) * offset;
     Ray::derived(point, sunwards())
 }
 
@@ -52,7 +52,7 @@ const SLOPE: Vector3 = Vector3::new(-0.1, 1.0, 0.15);
 
 /// A ball and a flat box on a slope, and their shadows.
 pub fn shadows(
-    lifted: impl Fn(&Ray, &Hit) -> Ray + Sync,
+    shadow_ray: impl Fn(&Ray, &Hit) -> Ray + Sync,
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Image, Error> {
@@ -70,7 +70,7 @@ pub fn shadows(
         let Some((hit, color)) = world.hit(ray, Interval::AHEAD) else {
             return world.background();
         };
-        let is_dark = world.is_hit(&lifted(ray, &hit), Interval::AHEAD);
+        let is_dark = world.is_hit(&shadow_ray(ray, &hit), Interval::AHEAD);
         let cosine = hit.normal.dot(sunwards()).max(0.0);
         *color * if is_dark { 0.2 } else { 0.2 + 0.8 * cosine }
     };

@@ -42,7 +42,7 @@ pub fn exercise() -> Exercise<Code> {
             "all hits, and then the first",
             of_all_hits(Choice {
                 hit: first,
-                face: Transform::normal_from_object,
+                geometric_normal: Transform::normal_from_object,
             }),
         )],
         wrong: vec![
@@ -50,14 +50,14 @@ pub fn exercise() -> Exercise<Code> {
                 "the nearest counts, not the first of the list",
                 of_all_hits(Choice {
                     hit: |hits| hits.into_iter().next(),
-                    face: Transform::normal_from_object,
+                    geometric_normal: Transform::normal_from_object,
                 }),
             ),
             Other::new(
                 "both normals are led out of the node",
                 of_all_hits(Choice {
                     hit: first,
-                    face: |_, face| Some(face),
+                    geometric_normal: |_, face| Some(face),
                 }),
             ),
         ],
@@ -88,7 +88,7 @@ struct Choice {
     /// One of them.
     hit: fn(Vec<Hit>) -> Option<Hit>,
     /// Its geometric normal in the space around the node.
-    face: fn(&Transform, Normal3) -> Option<Normal3>,
+    geometric_normal: fn(&Transform, Normal3) -> Option<Normal3>,
 }
 
 fn of_all_hits(choice: Choice) -> Code {
@@ -102,7 +102,7 @@ fn of_all_hits(choice: Choice) -> Code {
             }
             let mut hit = (choice.hit)(hits)?;
             hit.normal = transform.normal_from_object(hit.normal)?;
-            hit.face = (choice.face)(&transform, hit.face)?;
+            hit.geometric_normal = (choice.geometric_normal)(&transform, hit.geometric_normal)?;
             Some(hit)
         }))
     })

@@ -3,7 +3,7 @@
 
 use std::sync::Mutex;
 
-use common::{Color, Image, Renderer, Sampled, Sampling, Scene, Settings, Size};
+use common::{Color, Image, Renderer, Sampling, SamplingReport, Scene, Settings, Size};
 
 const BOUNDS: [f64; 4] = [1.0 / 64.0, 1.0 / 128.0, 1.0 / 255.0, 1.0 / 510.0];
 
@@ -42,7 +42,7 @@ fn check(scene: &Scene) {
                 renderer,
                 ..settings.clone()
             };
-            let sampled = Mutex::new(Sampled::default());
+            let sampled = Mutex::new(SamplingReport::default());
             let image = scene.render(&settings, &sampled).expect("a picture");
             let sampled = sampled.into_inner().expect("a report");
             let error = root_mean_square(&channels(&image), &reference);

@@ -44,11 +44,15 @@ fn assert_same(one: &dyn Geometry, other: &dyn Geometry) {
         let (Some(one), Some(other)) = (one, other) else {
             continue;
         };
-        let cosine = one.face.dot(ray.direction()).abs();
+        let cosine = one.geometric_normal.dot(ray.direction()).abs();
         let bound = 16.0 * f64::EPSILON * 20.0 / cosine;
         assert_abs_diff_eq!(one.t, other.t, epsilon = bound);
         assert_abs_diff_eq!(one.normal, other.normal, epsilon = bound);
-        assert_abs_diff_eq!(one.face, other.face, epsilon = bound);
+        assert_abs_diff_eq!(
+            one.geometric_normal,
+            other.geometric_normal,
+            epsilon = bound
+        );
         hits += 1;
     }
     assert!(hits > 300, "{hits} hits");

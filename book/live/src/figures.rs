@@ -7,8 +7,8 @@ mod barycentric;
 mod camera;
 mod chain;
 mod color;
-mod lift;
 mod normals;
+mod offset;
 mod samples;
 mod scene;
 mod shading;
@@ -32,7 +32,7 @@ pub fn answer(figure: &str, numbers: &[f64]) -> Answered {
         "angle" => Ok(angle::answer(expect(figure, numbers)?)),
         "sphere" => sphere::answer(expect(figure, numbers)?),
         "camera" => camera::answer(expect(figure, numbers)?),
-        "lift" => lift::answer(expect(figure, numbers)?),
+        "offset" => offset::answer(expect(figure, numbers)?),
         "lambert" => shading::lambert(expect(figure, numbers)?),
         "shading" => shading::answer(expect(figure, numbers)?),
         "samples" => Ok(samples::answer(expect(figure, numbers)?)),

@@ -21,7 +21,7 @@ mod support;
 use std::sync::{Mutex, PoisonError};
 
 use clap::Parser;
-use common::{Color, Error, Image, Sampled, Settings, Size};
+use common::{Color, Error, Image, SamplingReport, Settings, Size};
 use engine::Renderer;
 use measure::experiment::{Curve, Point};
 
@@ -104,7 +104,7 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// The true root mean square error of a picture as a share of the bound, whether its report
+/// The true root mean square error of a picture as a fraction of the bound, whether its report
 /// says that it may be above, and samples of a pixel: its own and those of stratified sampling.
 struct Trial {
     error: f64,
@@ -165,7 +165,7 @@ impl<'a> Subject<'a> {
             ..self.settings.clone()
         };
         let renderer = prepare(self.kind, self.variant, &settings);
-        let sampled = Mutex::new(Sampled::default());
+        let sampled = Mutex::new(SamplingReport::default());
         let image = renderer.render(&Grid(1, None), &settings, &sampled)?;
         let sampled = sampled.into_inner().unwrap_or_else(PoisonError::into_inner);
         let error = error(&self.references, &image);
@@ -187,7 +187,7 @@ fn prepare((name, _, make): &Kind, variant: u32, settings: &Settings) -> Rendere
 }
 
 /// The root mean square error of a picture. The product of the differences from two
-/// independent references has no share of their noise, on average.
+/// independent references contains none of their noise, on average.
 fn error(references: &[Image; 2], image: &Image) -> f64 {
     // As a screen shows it.
     let shown = |color: &Color| color.map(|channel| channel.clamp(0.0, 1.0));

@@ -26,7 +26,7 @@ mod pixel;
 mod random;
 mod sequence;
 
-use common::{Color, Error, Image, Progress, Sampled, Settings, Size};
+use common::{Color, Error, Image, Progress, SamplingReport, Settings, Size};
 use rayon::iter::{
     IndexedParallelIterator, IntoParallelRefIterator, IntoParallelRefMutIterator, ParallelIterator,
 };
@@ -144,7 +144,7 @@ struct Refinement {
     own_variances: Vec<f32>,
     /// The error that all checks have found in pixels with pilot samples only.
     unrefined: Estimate,
-    sampled: Sampled,
+    sampled: SamplingReport,
 }
 
 impl Refinement {
@@ -157,10 +157,10 @@ impl Refinement {
     ) -> Self {
         // An object changes the light where it is seen by no more than the contrast there.
         let max_hidden = max_radiance.min(contrasts.largest());
-        let mut sampled = Sampled {
+        let mut sampled = SamplingReport {
             pixels: picture.pixels().len() as u64,
             max_radiance: max_hidden,
-            ..Sampled::default()
+            ..SamplingReport::default()
         };
         let squared_error = sum_of_squares(FIRST_ERROR, &sampled);
         let mut pilot = Pilot::new(squared_error, max_samples);
@@ -279,7 +279,7 @@ impl Refinement {
     }
 
     /// The report, with the samples of all pixels.
-    fn sampled(mut self, picture: &Picture) -> Sampled {
+    fn sampled(mut self, picture: &Picture) -> SamplingReport {
         let pairs = picture.pixels().par_iter().map(Pixel::pairs);
         self.sampled.samples += picture.samples();
         self.sampled.most = 2 * pairs.max().unwrap_or(0) + u32::from(self.pilot.middles);
@@ -288,6 +288,6 @@ impl Refinement {
 }
 
 /// The squared errors of all pixels and channels, for a root mean square error.
-fn sum_of_squares(error: f64, sampled: &Sampled) -> f64 {
+fn sum_of_squares(error: f64, sampled: &SamplingReport) -> f64 {
     error * error * CHANNELS * sampled.pixels as f64
 }

@@ -201,12 +201,15 @@ fn is_one_face(hit: &PacketHit) -> bool {
     let [first, others @ ..] = hit.to_hits();
     others
         .iter()
-        .all(|hit| hit.normal == first.normal && hit.face == first.face)
+        .all(|hit| hit.normal == first.normal && hit.geometric_normal == first.geometric_normal)
 }
 
 /// Whether four rays hit a shape from outside.
 fn is_outside(hit: &PacketHit, rays: &RayPacket) -> bool {
-    let against = hit.face.dot(rays.direction).simd_lt(Lanes::ZERO);
+    let against = hit
+        .geometric_normal
+        .dot(rays.direction)
+        .simd_lt(Lanes::ZERO);
     against.to_bitmask() == ALL
 }
 

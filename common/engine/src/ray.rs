@@ -21,10 +21,10 @@ pub struct Hit {
     /// the corners.
     pub normal: DVec3,
     /// The geometric normal, of length 1.
-    pub face: DVec3,
-    /// How large the numbers of the shape are from which the hit was computed, as a length
-    /// along the geometric normal.
-    pub magnitude: f64,
+    pub geometric_normal: DVec3,
+    /// The largest term of the shape's own numbers in the computation of `t`, as a length along
+    /// the geometric normal: rounding moves the hit off the surface by a few epsilon times it.
+    pub scale: f64,
 }
 
 impl Hit {
@@ -37,8 +37,8 @@ impl Hit {
         Self {
             t,
             normal,
-            face: normal,
-            magnitude: 0.0,
+            geometric_normal: normal,
+            scale: 0.0,
         }
     }
 }

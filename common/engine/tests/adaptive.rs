@@ -4,7 +4,7 @@
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicI32, AtomicU32, Ordering};
 
-use common::{Color, Error, Image, Progress, Sampled, Settings, Size};
+use common::{Color, Error, Image, Progress, SamplingReport, Settings, Size};
 use engine::adaptive::{PixelRandom, WithContrasts, render_image};
 use engine::{
     Basis, Camera, Light as Lamp, LightKind, Phong, Plane, Renderer, Sampler, Scene, Shading,
@@ -40,8 +40,8 @@ fn adaptive(
     light: impl Fn(f64, f64) -> f64 + Sync,
     max_radiance: f64,
     settings: &Settings,
-) -> (Image, Sampled) {
-    let sampled = Mutex::new(Sampled::default());
+) -> (Image, SamplingReport) {
+    let sampled = Mutex::new(SamplingReport::default());
     let light = |x, y| Color::gray(light(x, y));
     let max_error = settings.max_error.unwrap();
     let image = render_image(max_error, max_radiance, &light, settings, &sampled).unwrap();
@@ -75,9 +75,9 @@ fn root_mean_square(a: &Image, b: &Image) -> f64 {
 
 /// Checks a picture against 64 x 64 samples a pixel, and that a smaller bound takes no fewer
 /// samples. Returns error and samples for the smallest bound.
-fn check(light: Light) -> (f64, Sampled) {
+fn check(light: Light) -> (f64, SamplingReport) {
     let reference = stratified(light, settings(1.0, 0).size, 64);
-    let mut last = (0.0, Sampled::default());
+    let mut last = (0.0, SamplingReport::default());
     for seed in [0, 1] {
         let mut before = 0;
         for bound in BOUNDS {
@@ -220,7 +220,7 @@ fn the_reported_samples_are_those_that_were_taken() {
             light,
             contrasts: contrasts.collect(),
         };
-        let sampled = Mutex::new(Sampled::default());
+        let sampled = Mutex::new(SamplingReport::default());
         render_image(bound, 1.0, &light, &settings, &sampled).unwrap();
         let sampled = sampled.into_inner().unwrap();
         let taken: Vec<_> = taken.into_iter().map(AtomicU32::into_inner).collect();
@@ -290,7 +290,7 @@ fn a_picture_in_which_nothing_can_hide_takes_few_samples_and_keeps_the_bound() {
     for (shape, most) in shapes {
         let mut settings = settings(bound, 0);
         settings.size = Size::new(64, 48).unwrap();
-        let render = |settings: &Settings, sampled: &Mutex<Sampled>| {
+        let render = |settings: &Settings, sampled: &Mutex<SamplingReport>| {
             let camera = Camera::Perspective {
                 basis,
                 half_tangent,
@@ -298,7 +298,7 @@ fn a_picture_in_which_nothing_can_hide_takes_few_samples_and_keeps_the_bound() {
             let renderer = Renderer::new(room(shape()), camera, settings);
             renderer.render(&Stratified(24), settings, sampled).unwrap()
         };
-        let sampled = Mutex::new(Sampled::default());
+        let sampled = Mutex::new(SamplingReport::default());
         let image = render(&settings, &sampled);
         let sampled = sampled.into_inner().unwrap();
         settings.max_error = None;

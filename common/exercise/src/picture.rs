@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use common::difference::{compare_with_file, largest, leave_pictures};
 use common::{Image, picture_file};
 
-use crate::Pictured;
+use crate::PictureVerdict;
 
 /// The file with the expected picture of a stage's scene in a workbook: the book's, or, of a scene
 /// with many samples, one with few that is recorded with the answers.
@@ -22,11 +22,16 @@ pub fn expected_picture(workbook: &Path, stage: &str, scene: &str) -> PathBuf {
 /// What the comparison of the picture of a scene says. With a folder, pictures that differ are
 /// saved there.
 #[must_use]
-pub fn pictured(scene: &str, expected: &Path, image: &Image, folder: Option<&Path>) -> Pictured {
+pub fn pictured(
+    scene: &str,
+    expected: &Path,
+    image: &Image,
+    folder: Option<&Path>,
+) -> PictureVerdict {
     let compared = compare_picture(expected, image, folder);
     let is_right = compared.is_ok();
     let words = compared.unwrap_or_else(|wrong| wrong);
-    Pictured {
+    PictureVerdict {
         is_right,
         words: format!("the picture of scene {scene}: {words}"),
         divergence: None,

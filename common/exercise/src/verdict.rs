@@ -7,7 +7,7 @@ use crate::{Answer, Mistake, Question, Record, Row};
 
 /// A student's answer to a question.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Given {
+pub struct StudentAnswer {
     /// The question.
     pub question: Question,
     /// The answer; none if the program panics.
@@ -16,7 +16,7 @@ pub struct Given {
 
 /// What a comparison of the student's picture of a scene says.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Pictured {
+pub struct PictureVerdict {
     /// Whether the picture is right.
     pub is_right: bool,
     /// The words about it.
@@ -40,7 +40,11 @@ pub struct Verdict {
 /// Compares a student's answers with the right ones, and, if there is one, adds what the
 /// comparison of the picture says.
 #[must_use]
-pub fn verdict(record: &Record, yours: &[Given], picture: Option<Pictured>) -> Verdict {
+pub fn verdict(
+    record: &Record,
+    yours: &[StudentAnswer],
+    picture: Option<PictureVerdict>,
+) -> Verdict {
     let rows = &record.rows;
     let mut found = Verdict::default();
     let (mut compared, mut skipped, mut differ) = (0, 0, 0);
@@ -81,7 +85,7 @@ pub fn verdict(record: &Record, yours: &[Given], picture: Option<Pictured>) -> V
         differ += 1;
         first = first.or(Some("the recorded answers are incomplete".to_owned()));
     }
-    if let Some(Pictured {
+    if let Some(PictureVerdict {
         is_right,
         mut words,
         divergence,

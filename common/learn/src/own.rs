@@ -1,4 +1,4 @@
-//! Exercises that no page of the book sets, as those of a lecturer: the comment at the beginning
+//! Exercises that no page of the book sets, such as those of a lecturer: the comment at the beginning
 //! of their file is the task, and the one of their check, after what it compares, the hints.
 
 use std::collections::BTreeMap;

@@ -55,7 +55,7 @@ impl<'a> Curve<'a> {
         Self::new(method, points)
     }
 
-    /// Like [`of_tasks`](Self::of_tasks), with the share of wrong answers as the error.
+    /// Like [`of_tasks`](Self::of_tasks), with the fraction of wrong answers as the error.
     pub fn of_decisions<T: 'a, A, S: Into<f64>>(
         method: &'a str,
         sets: &[(f64, Rc<[T]>)],
@@ -65,7 +65,7 @@ impl<'a> Curve<'a> {
         let error = |task: &T, answer| [is_wrong(task, answer).into().sqrt()];
         let mut curve = Self::of_tasks(method, sets, answer, error);
         for point in &mut curve.points {
-            // The mean of the squares is the share.
+            // The mean of the squares is the fraction.
             point.rms *= point.rms;
             (point.p99, point.max) = (point.rms, point.rms);
         }
@@ -140,8 +140,8 @@ impl<'a> Point<'a> {
         let all: Vec<Deviation> = errors.into_iter().map(Into::into).collect();
         let mut sizes: Vec<_> = all.iter().map(Deviation::size).collect();
         sizes.sort_by(f64::total_cmp);
-        let rank = |share: f64| (share * sizes.len() as f64).ceil() as usize;
-        let at = |share| sizes.get(rank(share).saturating_sub(1)).copied();
+        let rank = |fraction: f64| (fraction * sizes.len() as f64).ceil() as usize;
+        let at = |fraction| sizes.get(rank(fraction).saturating_sub(1)).copied();
         Self {
             parameter,
             work,

@@ -28,7 +28,7 @@ impl Deviation {
         self
     }
 
-    /// The error as a share of a number.
+    /// The error as a fraction of a number.
     pub fn as_share_of(mut self, number: f64) -> Self {
         (self.error, self.ulp) = (self.error / number, self.ulp / number.abs());
         self

@@ -20,7 +20,7 @@ pub const HALF_GREY_LEVEL: f64 = 1.0 / 510.0;
 pub enum Unit<'a> {
     /// The light of a pixel, from black, 0, to white, 1.
     Light,
-    /// The share of wrong answers, from 0 to 1. It follows no power law, because it
+    /// The fraction of wrong answers, from 0 to 1. It follows no power law, because it
     /// has a largest value.
     Share,
     /// Another unit, in words.
@@ -127,7 +127,7 @@ impl<'a> Experiment<'a> {
         self
     }
 
-    /// The line through the errors of a curve. None for shares.
+    /// The line through the errors of a curve. None for fractions.
     pub fn fit(&self, curve: &Curve) -> Option<Fit> {
         let fit = curve.fit(self.against)?;
         (self.unit != Unit::Share).then_some(fit)

@@ -8,7 +8,7 @@ use crate::report::{Measured, duration};
 impl Measured<'_, '_> {
     /// The points of a curve that can be compared with those of others, with their errors: for
     /// errors against work, all; else those of the greatest parameter, the hardest problem. A rule
-    /// for decisions must be right for all parameters, so that its greatest share of errors counts.
+    /// for decisions must be right for all parameters, so that its greatest fraction of errors counts.
     pub(crate) fn compared(&self, curve: &Curve) -> Vec<(usize, f64)> {
         let parameters = self.curves.iter().flat_map(|curve| &curve.points);
         let hardest = parameters

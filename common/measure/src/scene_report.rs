@@ -3,7 +3,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use common::{Error, Image, Sampled, Sampling, Scene, Settings, Size};
+use common::{Error, Image, Sampling, SamplingReport, Scene, Settings, Size};
 
 use crate::Effort;
 use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point};
@@ -87,7 +87,7 @@ fn curves<'a>(scene: &'a Scene, settings: &Settings, effort: Effort) -> Vec<Curv
             ..taking(settings, settings.sampling, 1024)
         };
         let render = move || {
-            let sampled = Mutex::new(Sampled::default());
+            let sampled = Mutex::new(SamplingReport::default());
             let image = scene.render(&settings, &sampled);
             let sampled = sampled.into_inner().unwrap_or_else(PoisonError::into_inner);
             (image, sampled.samples as f64)
@@ -119,11 +119,11 @@ mod tests {
             let samples = f64::from(settings.samples);
             let gray = match (settings.max_error, settings.sampling) {
                 (Some(asked), _) => {
-                    progress.sampled(&Sampled {
+                    progress.sampled(&SamplingReport {
                         pixels: 160,
                         samples: 320,
                         most: 2,
-                        ..Sampled::default()
+                        ..SamplingReport::default()
                     });
                     asked
                 }

@@ -101,9 +101,9 @@ impl LivePicture {
         self.changes.fetch_add(1, Ordering::Relaxed);
     }
 
-    /// The finished share of the work known so far, from 0 to 1.
+    /// The finished fraction of the work known so far, from 0 to 1.
     #[must_use]
-    pub fn share(&self) -> f64 {
+    pub fn fraction(&self) -> f64 {
         self.bar.position() as f64 / self.bar.length().unwrap_or(1) as f64
     }
 
@@ -190,15 +190,15 @@ mod tests {
         picture.row(2, &mut [Color::RED, Color::GREEN, Color::WHITE].into_iter());
         assert_eq!((row(1), row(2)), ([None; 3], [red, green, white]));
         assert!(picture.is_finished(2));
-        assert_eq!(picture.share(), 0.25);
+        assert_eq!(picture.fraction(), 0.25);
 
         for y in [0, 1, 3] {
             picture.row(y, &mut [Color::BLACK; 3].into_iter());
         }
         // A row that is painted again is work, too.
         picture.more_rows(1);
-        assert_eq!(picture.share(), 0.8);
+        assert_eq!(picture.fraction(), 0.8);
         picture.row(2, &mut [Color::WHITE; 3].into_iter());
-        assert_eq!((picture.share(), picture.pixel(0, 2)), (1.0, white));
+        assert_eq!((picture.fraction(), picture.pixel(0, 2)), (1.0, white));
     }
 }

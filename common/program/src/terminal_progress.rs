@@ -3,13 +3,13 @@
 use std::sync::OnceLock;
 use std::time::Duration;
 
-use common::{Color, Progress, Sampled, Size, text};
+use common::{Color, Progress, SamplingReport, Size, text};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// A bar with elapsed and remaining time on stderr; hidden if stderr is no terminal.
 pub struct TerminalProgress {
     bar: ProgressBar,
-    sampled: OnceLock<Sampled>,
+    sampled: OnceLock<SamplingReport>,
 }
 
 impl TerminalProgress {
@@ -24,7 +24,7 @@ impl TerminalProgress {
     }
 
     /// The statistics of adaptive sampling, if there was any.
-    pub fn samples(&self) -> Option<Sampled> {
+    pub fn samples(&self) -> Option<SamplingReport> {
         self.sampled.get().copied()
     }
 }
@@ -53,7 +53,7 @@ impl Progress for TerminalProgress {
         self.bar.inc_length(rows.into());
     }
 
-    fn sampled(&self, sampled: &Sampled) {
+    fn sampled(&self, sampled: &SamplingReport) {
         let _ = self.sampled.set(*sampled);
     }
 }
@@ -76,8 +76,8 @@ mod tests {
         progress.more_rows(2);
         assert_eq!((bar.position(), bar.length()), (1, Some(6)));
         assert_eq!(progress.samples(), None);
-        progress.sampled(&Sampled::default());
-        assert_eq!(progress.samples(), Some(Sampled::default()));
+        progress.sampled(&SamplingReport::default());
+        assert_eq!(progress.samples(), Some(SamplingReport::default()));
         assert!(!bar.is_finished());
         drop(progress);
         assert!(bar.is_finished());

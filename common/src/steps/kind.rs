@@ -54,7 +54,7 @@ impl StepKind {
             Self::CameraRay => "ray",
             Self::ShadowRay => "shadow ray",
             Self::ReflectedRay => "reflected ray",
-            Self::Offset => "lift",
+            Self::Offset => "offset",
             Self::ObjectRay => "object ray",
             Self::Test => "test",
             Self::Hit => "hit",

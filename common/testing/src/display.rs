@@ -89,7 +89,7 @@ impl Display {
 
     /// Executes actions, and waits after each one until the state of the window contains some
     /// texts, with ` & ` between them. An action is a command of xdotool, such as `key ctrl+s`,
-    /// with `WINDOW` for the window, or `item`, a share of its width, and its text, for a click.
+    /// with `WINDOW` for the window, or `item`, a fraction of its width, and its text, for a click.
     pub fn play(&self, steps: &[(&str, &str)]) {
         for (action, texts) in steps {
             if let Some(item) = action.strip_prefix("item ") {
@@ -109,8 +109,8 @@ impl Display {
     /// Clicks on an item. The program sees no click that begins and ends between two turns of
     /// its loop.
     fn click(&self, item: &str) {
-        let (share, text) = item.split_once(' ').expect("a share and a text");
-        let share: f64 = share.parse().expect("a share");
+        let (fraction, text) = item.split_once(' ').expect("a fraction and a text");
+        let fraction: f64 = fraction.parse().expect("a fraction");
         let state = self.state();
         let (_, item) = state.split_once(&format!("{text:?} ")).expect(text);
         let (_, area) = item.split_once("Area {").expect(item);
@@ -118,7 +118,7 @@ impl Display {
         let [x, y, width, height] = numbers.take(4).collect::<Vec<f64>>()[..] else {
             panic!("{item}")
         };
-        let [x, y] = [x + width * share, y + height / 2.0].map(|at| at as i32);
+        let [x, y] = [x + width * fraction, y + height / 2.0].map(|at| at as i32);
         let there = format!("mousemove --window WINDOW {x} {y}");
         self.play(&[
             (&there, &format!("at: [{x}, {y}]")),

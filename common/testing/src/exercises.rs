@@ -44,7 +44,9 @@ pub use exercise::{Answer, Input, assert_close};
 pub use folder::StageFolder;
 #[cfg(target_family = "wasm")]
 pub use in_browser::judge;
-pub use kind::{Asked, Exercise, Group, Picture, Questions, Render, Search, Variant, searched};
+pub use kind::{
+    CodeQuestion, Exercise, Group, Picture, Questions, Render, Search, Variant, searched,
+};
 #[cfg(not(target_family = "wasm"))]
 pub(crate) use missing::found_missing;
 pub use missing::missing;

@@ -19,8 +19,8 @@ pub use invariance::{check_narrow_sizes, check_omissions, check_threads};
 pub use left_out::check_book;
 pub use program_run::check_program;
 
-/// The paths of the test crate and its files; [`places!`](crate::places) fills them in.
-pub struct Places {
+/// The paths of the test crate and its files; [`test_paths!`](crate::test_paths) fills them in.
+pub struct TestPaths {
     /// The folder of the stage's crate.
     pub stage: &'static str,
     /// A folder for the pictures of failed tests.
@@ -29,7 +29,7 @@ pub struct Places {
     pub program: &'static str,
 }
 
-impl Places {
+impl TestPaths {
     fn expected(&self, name: &str) -> PathBuf {
         Path::new(self.stage)
             .join("../book/src/pictures")
@@ -39,9 +39,9 @@ impl Places {
 
 /// The paths of the crate that calls it.
 #[macro_export]
-macro_rules! places {
+macro_rules! test_paths {
     () => {
-        $crate::picture_lock::Places {
+        $crate::picture_lock::TestPaths {
             stage: env!("CARGO_MANIFEST_DIR"),
             scratch: env!("CARGO_TARGET_TMPDIR"),
             program: env!(concat!("CARGO_BIN_EXE_", env!("CARGO_PKG_NAME"))),
@@ -50,14 +50,14 @@ macro_rules! places {
 }
 
 /// Writes a lock for each scene of a stage, with its name, and a test that no scene is
-/// left out. The caller has a constant `PLACES`.
+/// left out. The caller has a constant `TEST_PATHS`.
 #[macro_export]
 macro_rules! lock_scenes {
     ($complete:ident: $stage:expr; $($scene:ident)+) => {
         $(
             #[test]
             fn $scene() {
-                $crate::picture_lock::check(&$stage, stringify!($scene), &PLACES);
+                $crate::picture_lock::check(&$stage, stringify!($scene), &TEST_PATHS);
             }
         )+
 
@@ -77,7 +77,7 @@ macro_rules! lock_scenes {
 #[macro_export]
 macro_rules! lock_pictures {
     ($stage:expr; $($scene:ident)+) => {
-        const PLACES: $crate::picture_lock::Places = $crate::places!();
+        const TEST_PATHS: $crate::picture_lock::TestPaths = $crate::test_paths!();
 
         $crate::lock_scenes! { every_scene_is_locked: $stage; $($scene)+ }
 
@@ -93,7 +93,7 @@ macro_rules! lock_pictures {
 
         #[test]
         fn the_table_of_skipped_work_in_the_book_is_right() {
-            $crate::picture_lock::check_book(&$stage, &PLACES);
+            $crate::picture_lock::check_book(&$stage, &TEST_PATHS);
         }
 
         #[test]
@@ -103,7 +103,7 @@ macro_rules! lock_pictures {
 
         #[test]
         fn without_a_display_the_program_leaves_its_first_picture() {
-            $crate::picture_lock::check_program(&$stage, &PLACES);
+            $crate::picture_lock::check_program(&$stage, &TEST_PATHS);
         }
     };
 }
@@ -142,7 +142,7 @@ fn read_again(stage: &Stage, scene: &Scene) -> Option<Scene> {
 /// Renders a scene with all renderers and compares the pictures with its lock: all with the
 /// expected PNG, and the lesson's with the snapshot of its hash, too. The same holds for the scene
 /// that is written as a scene file and read again, if the stage reads scene files.
-pub fn check(stage: &Stage, test: &str, places: &Places) {
+pub fn check(stage: &Stage, test: &str, places: &TestPaths) {
     let scene = stage.scene(&test.replace('_', "-")).expect("a scene");
     let expected = places.expected(&picture_name(stage, &scene));
     let read = read_again(stage, &scene).map(|read| (read, " from its file"));
@@ -172,7 +172,7 @@ pub fn check(stage: &Stage, test: &str, places: &Places) {
 
 /// Compares the picture of the lesson with both halves of the lock: first with the
 /// PNG, so that the message about a changed picture shows pictures and not a hash.
-fn check_lesson(scene: &Scene, image: &Image, expected: &Path, places: &Places, differs: &str) {
+fn check_lesson(scene: &Scene, image: &Image, expected: &Path, places: &TestPaths, differs: &str) {
     let (size, rgb) = (image.size(), image.to_rgb8(Transfer::Linear));
     let accept = std::env::var("INSTA_UPDATE").as_deref() == Ok("always");
     match compare_with_file(expected, image) {

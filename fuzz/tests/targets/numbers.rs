@@ -90,7 +90,7 @@ fn shapes(u: &mut Unstructured) -> Result<()> {
             if let Some(hit) = shape.hit(&ray, within) {
                 assert!(within.contains(hit.t), "{hit:?}: {shape:?} {ray:?}");
                 assert_unit(hit.normal.into());
-                assert_unit(hit.face.into());
+                assert_unit(hit.geometric_normal.into());
             }
         }
     }

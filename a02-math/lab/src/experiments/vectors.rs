@@ -51,7 +51,7 @@ pub fn angles() -> Experiment<'static> {
         .asking("Which formula sees small angles?")
         .over(Axis::Parameter, "1 / tangent", "angles")
         .with_error("rms error of the angle")
-        .with_unit(Unit::Other("share of the angle"))
+        .with_unit(Unit::Other("fraction of the angle"))
         .with_exact("against the angle by construction; where there is none, the error is 1")
         .with_seeds(&[1])
         .with_curves(|effort| {

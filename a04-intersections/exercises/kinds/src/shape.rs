@@ -60,7 +60,10 @@ pub fn hit_answer(hit: Option<Hit>) -> Answer {
     hit.map_or(Answer::words("no hit"), |hit| {
         Answer::named("t", hit.t)
             .and("normal", hit.normal.to_glam().to_array())
-            .and("face", hit.face.to_glam().to_array())
+            .and(
+                "geometric normal",
+                hit.geometric_normal.to_glam().to_array(),
+            )
     })
 }
 
@@ -68,7 +71,7 @@ pub fn hit_answer(hit: Option<Hit>) -> Answer {
 #[must_use]
 pub fn turned(mut hit: Hit, by: Normal3, ray: &Ray) -> Hit {
     if by.dot(ray.direction()) > 0.0 {
-        (hit.normal, hit.face) = (-hit.normal, -hit.face);
+        (hit.normal, hit.geometric_normal) = (-hit.normal, -hit.geometric_normal);
     }
     hit
 }
@@ -159,10 +162,10 @@ pub fn shapes<P: Input + Send + Sync + 'static>(shapes: Shapes<P>) -> Exercise<N
             }),
             mistake("a normal does not turn to the ray", |shape, ray, within| {
                 let hit = shape.hit(ray, within)?;
-                Some(turned(hit, hit.face, ray))
+                Some(turned(hit, hit.geometric_normal, ray))
             }),
             mistake("a shape has a far side, too", |shape, ray, within| {
-                let is_front = |hit: &Hit| hit.face.dot(ray.direction()) < 0.0;
+                let is_front = |hit: &Hit| hit.geometric_normal.dot(ray.direction()) < 0.0;
                 shape.hit(ray, within).filter(is_front)
             }),
         ],

@@ -121,7 +121,7 @@ pub fn experiment() -> Experiment<'static> {
         .asking("How thin may a triangle be?")
         .over(Axis::Parameter, "length / height", "tests")
         .with_error("rms error of t")
-        .with_unit(Unit::Other("share of t"))
+        .with_unit(Unit::Other("fraction of t"))
         .with_exact("against 30 digits, away from the edges; half of the rays hit")
         .with_seeds(&[13, 14])
         .with_curves(|effort| {

@@ -65,7 +65,7 @@ pub const FROM_AFAR: Shots = |distance, n| {
     ([0.0; 3], 1.0, o, d)
 };
 
-/// A sphere of this radius whose top is the origin, as a ground, and rays from
+/// A sphere of this radius whose top is the origin, such as a ground, and rays from
 /// one to two units above it, three of four of them downwards.
 pub const AT_GROUND: Shots = |radius, n| {
     let mut numbers = Numbers::new(12, n);
@@ -193,7 +193,7 @@ pub fn decisions() -> Experiment<'static> {
     Experiment::new("sphere-decisions")
         .asking("From how far away is a sphere of radius 1 hit and missed as it should?")
         .over(Axis::Parameter, "distance (radii)", "rays")
-        .with_error("share of rays that hit or miss wrongly")
+        .with_error("fraction of rays that hit or miss wrongly")
         .with_unit(Unit::Share)
         .with_exact("against 30 digits, more than four roundings beside the rim")
         .with_seeds(&[11])

@@ -12,7 +12,7 @@ use crate::protocol;
 use crate::support::{Numbers, corners, first};
 use a04_intersections::{AxisAlignedBox, Triangle};
 
-/// The target of a ray from inside a mesh, as the share of an edge that ends there, or none
+/// The target of a ray from inside a mesh, as the fraction of an edge that ends there, or none
 /// for a ray in any direction; and its description.
 type Aim = (fn(&mut Numbers) -> Option<f64>, &'static str);
 
@@ -49,7 +49,7 @@ fn out(middle: Point3, (aim, _): Aim, rays: usize, is_hit: IsHit) -> Result<usiz
         let side = numbers.below(3);
         let (from, to) = (face[side], face[(side + 1) % 3]);
         let way = match aim(&mut numbers) {
-            Some(share) => from + (to - from) * share - eye,
+            Some(fraction) => from + (to - from) * fraction - eye,
             None => numbers.direction(),
         };
         let ray = Ray::new(eye, way)?;

@@ -134,8 +134,8 @@ fn noise() -> Result<[usize; 2], ArgumentError> {
     wrong(0..1000, |n| {
         let mut numbers = Numbers::new(32, n);
         let (a, along) = (numbers.triple(-1.0, 1.0), numbers.direction());
-        let share = numbers.between(0.3, 0.7);
-        let corners = [a, a + along, a + along * share].map(|way| Point3::ORIGIN + way);
+        let fraction = numbers.between(0.3, 0.7);
+        let corners = [a, a + along, a + along * fraction].map(|way| Point3::ORIGIN + way);
         let back = numbers.direction() * 3.0;
         let aim = corners[0] + along * numbers.between(0.2, 0.8);
         let (ray, [a, b, c]) = (Ray::new(aim + back, -back)?, corners);

@@ -13,7 +13,7 @@ use engine::{Camera, Renderer, Scene, Shading, Surface};
 /// A hit as a pixel: `t`, a hash of all other numbers of ray and hit, and the surface.
 fn pixel(ray: &Ray, hit: &Hit, surface: usize) -> Color {
     let [o, d] = [ray.origin().to_glam(), ray.direction().to_glam()];
-    let numbers = [o, d, hit.normal.to_glam(), hit.face.to_glam()];
+    let numbers = [o, d, hit.normal.to_glam(), hit.geometric_normal.to_glam()];
     let mut hasher = DefaultHasher::new();
     numbers
         .map(|v| v.to_array().map(f64::to_bits))

@@ -27,7 +27,7 @@ pub type Case = ([f64; 3], [f64; 3], Option<(f64, [f64; 3])>);
 pub fn assert_hits(shape: &dyn Geometry, cases: &[Case]) {
     for &(o, d, expected) in cases {
         let expected = expected.map(|(t, normal)| Hit::new(t, vector(normal).as_normal()));
-        let found = hit(shape, &ray(o, d)).map(|hit| hit.with_magnitude(0.0));
+        let found = hit(shape, &ray(o, d)).map(|hit| hit.with_scale(0.0));
         assert_eq!(found, expected, "{shape:?} {o:?} {d:?}");
     }
 }

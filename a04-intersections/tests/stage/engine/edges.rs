@@ -44,14 +44,14 @@ fn rays_that_just_touch_spheres() {
         let (mut spheres, mut rays) = (Vec::new(), Vec::new());
         for _ in 0..200 {
             let (c, r, first) = (any(numbers), numbers.between(0.01, 0.2), rays.len());
-            // Past the sphere by this share of the radius, inwards or outwards.
+            // Past the sphere by this fraction of the radius, inwards or outwards.
             for off in [0.0, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-3] {
                 let from = c + numbers.direction() * (r * numbers.between(1.1, 100.0));
                 let aside = (c - from).cross(any(numbers)).normalized().unwrap();
                 let reach = r * (1.0 + off * numbers.between(-1.0, 1.0));
                 // Where a ray is at a right angle to the radius.
-                let share = reach * reach / (c - from).dot(c - from);
-                let touched = c + (from - c) * share + aside * (reach * (1.0 - share).sqrt());
+                let fraction = reach * reach / (c - from).dot(c - from);
+                let touched = c + (from - c) * fraction + aside * (reach * (1.0 - fraction).sqrt());
                 // On the surface, and along it.
                 let (start, along) = (c + aside * reach, aside.cross(any(numbers)));
                 let lines = [

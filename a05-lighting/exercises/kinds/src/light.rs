@@ -8,7 +8,7 @@ use a02_math::Point3;
 use a02_math::arrays::{array, point};
 use a05_lighting::Illumination;
 use testing::exercises::{
-    Answer, Asked, Exercise, Group, Input, Questions, Random, Variant, random, searched,
+    Answer, CodeQuestion, Exercise, Group, Input, Questions, Random, Variant, random, searched,
 };
 
 /// The light that arrives at a point.
@@ -26,7 +26,7 @@ pub fn light_at<P>(light: impl Fn(P, Point3) -> Arriving + Send + Sync + 'static
 pub const LAMP: [f64; 3] = [0.0, 4.0, 0.0];
 
 /// Below the lamp, aslant, and in it.
-const PLACES: [[f64; 3]; 3] = [[0.0, 2.0, 0.0], [3.0, 0.0, 0.0], LAMP];
+const TEST_PATHS: [[f64; 3]; 3] = [[0.0, 2.0, 0.0], [3.0, 0.0, 0.0], LAMP];
 
 /// Lights of some parameters.
 pub struct Lights<P> {
@@ -83,7 +83,7 @@ impl<P: Input + 'static> Lights<P> {
         )
     }
 
-    fn ask(&self, borders: &[f64]) -> Vec<Asked<LightAt<P>>> {
+    fn ask(&self, borders: &[f64]) -> Vec<CodeQuestion<LightAt<P>>> {
         let (points, _) = borders.as_chunks::<3>();
         let (borders, _) = points.as_chunks::<3>();
         let mut others = Vec::new();
@@ -95,7 +95,7 @@ impl<P: Input + 'static> Lights<P> {
         }
         let questions = Questions {
             words: format!("{}, seen from {{}}", self.words),
-            simple: PLACES.map(|p| (self.first.clone(), p)).to_vec(),
+            simple: TEST_PATHS.map(|p| (self.first.clone(), p)).to_vec(),
             others,
             answer: |light: &LightAt<P>, (parameters, p): (P, [f64; 3])| {
                 light_answer(light(parameters, point(p)))

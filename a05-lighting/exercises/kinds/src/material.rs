@@ -40,7 +40,7 @@ pub fn materials<P: Input + 'static>(
         questions: materials.into_iter().map(Materials::questions).collect(),
         usual: vec![
             mistake("the normal counts, not the face", |hit, _| {
-                hit.normal = hit.face;
+                hit.normal = hit.geometric_normal;
             }),
             mistake("a surface reflects the colour of the light", |_, light| {
                 light.color = Color::WHITE;

@@ -1,5 +1,5 @@
 //! Surfaces as an eye sees them: in light from before, from behind and along the surface, with
-//! normals aslant to the face, from all distances.
+//! normals aslant to the geometric normal, from all distances.
 
 use a02_math::arrays::{array, vector};
 use a02_math::{Direction, Point3};
@@ -12,7 +12,7 @@ use testing::exercises::{Input, Random};
 use crate::numbers::{channels, color, unit};
 
 /// The words for a surface that an eye sees in messages.
-pub const SEEN: &str = "eye towards {} at the distance {}, normal and face {}, ambient light {}, \
+pub const SEEN: &str = "eye towards {} at the distance {}, normal and geometric normal {}, ambient light {}, \
     colours of lights and where they are {}";
 
 /// A surface at the origin that an eye sees. Directions have any length.
@@ -22,7 +22,7 @@ pub struct Seen {
     pub to_eye: [f64; 3],
     /// The distance of the eye.
     pub distance: f64,
-    /// The normal, and that of the face.
+    /// The shading normal, and the geometric normal.
     pub normals: [[f64; 3]; 2],
     /// The channels of the ambient light.
     pub ambient: [f64; 3],
@@ -53,7 +53,7 @@ impl Input for Seen {
 
 impl Seen {
     /// An eye above and light from there, aslant, from behind, none but ambient light, and
-    /// a normal aslant to the face.
+    /// a normal aslant to the geometric normal.
     #[must_use]
     pub fn simple() -> [Self; 5] {
         let (up, pink) = ([0.0, 1.0, 0.0], [1.0, 0.5, 0.5]);
@@ -89,14 +89,14 @@ impl Seen {
     /// An eye before a surface, and two lights, one of which shines along it.
     pub fn any(random: &mut Random) -> Self {
         let [normal, bend, eye, light] = [(); 4].map(|()| vector(random.triple(1.0)));
-        let face = normal + bend * 0.4;
+        let geometric_normal = normal + bend * 0.4;
         let height = 1e-6 * random.between(-1.0, 1.0);
         let grazing = normal.cross(light) + normal * height;
         let lights = [light, grazing].map(|light| [channels(random), array(light)]);
         Self {
-            to_eye: array(eye * eye.dot(face).signum()),
+            to_eye: array(eye * eye.dot(geometric_normal).signum()),
             distance: random.scale(),
-            normals: [normal, face].map(array),
+            normals: [normal, geometric_normal].map(array),
             ambient: channels(random),
             lights: lights.to_vec(),
         }
@@ -112,9 +112,9 @@ impl Seen {
     /// The hit of the ray.
     #[must_use]
     pub fn hit(&self) -> Hit {
-        let [normal, face] = self.normals.map(|n| unit(n).as_normal());
+        let [normal, geometric_normal] = self.normals.map(|n| unit(n).as_normal());
         Hit {
-            face,
+            geometric_normal,
             ..Hit::new(self.distance, normal)
         }
     }

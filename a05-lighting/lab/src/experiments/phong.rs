@@ -15,7 +15,7 @@ pub fn power() -> Experiment<'static> {
         .asking("How exact is the power of a highlight, and what does it cost?")
         .over(Axis::Parameter, "exponent", "powers")
         .with_error("rms error of the power")
-        .with_unit(Unit::Other("share of it"))
+        .with_unit(Unit::Other("fraction of it"))
         .with_exact("against powers with 19 digits or more")
         .with_curves(|effort| {
             let count = effort.choose(4_096, 65_536);

@@ -11,7 +11,7 @@ use measure::Effort;
 use measure::experiment::{Axis, Curve, Experiment, Unit};
 
 use crate::lit_points::{AIM, Aim, Look, SEED, Trial, looks, trials};
-use crate::policy::{LIFTED, PUT_BACK, Policy, RELATIVE, STEPPED, THOUSANDTH};
+use crate::policy::{OFFSET, PUT_BACK, Policy, RELATIVE, STEPPED, THOUSANDTH};
 use crate::surface::{SHAPES, Shape, cuboid, plane, sphere, triangle};
 
 pub fn experiments() -> Vec<Experiment<'static>> {
@@ -52,7 +52,7 @@ pub struct Wrong {
 pub fn acne(name: &'static str, question: &'static str) -> Wrong {
     let experiment = Experiment::new(name)
         .asking(question)
-        .with_error("share of shadow rays that hit their own surface")
+        .with_error("fraction of shadow rays that hit their own surface")
         .with_exact("where light arrives");
     Wrong {
         experiment,
@@ -66,7 +66,7 @@ pub fn acne(name: &'static str, question: &'static str) -> Wrong {
 pub fn leaks(name: &'static str, question: &'static str) -> Wrong {
     let experiment = Experiment::new(name)
         .asking(question)
-        .with_error("share of shadow rays that miss an object")
+        .with_error("fraction of shadow rays that miss an object")
         .with_exact("1e-4 or 1e-9 sizes away");
     Wrong {
         experiment,
@@ -90,7 +90,7 @@ const POLICIES: [(&str, Policy); 7] = [
     ("above 1e-9 of the largest", RELATIVE),
     ("steps of doubles", STEPPED),
     ("put back", PUT_BACK),
-    ("lifted (ours)", LIFTED),
+    ("offset (ours)", OFFSET),
 ];
 
 /// Those for shapes that cannot put a point back.
@@ -100,7 +100,7 @@ pub const FOR_EVERY_SHAPE: [(&str, Policy); 6] = [
     ("above 1e-6", ABOVE_A_MILLIONTH),
     ("above 1e-9 of the largest", RELATIVE),
     ("steps of doubles", STEPPED),
-    ("lifted (ours)", LIFTED),
+    ("offset (ours)", OFFSET),
 ];
 
 const ABOVE_ZERO: Policy = |trial| trial.from_point(0.0);

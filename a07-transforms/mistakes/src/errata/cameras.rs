@@ -19,9 +19,9 @@ fn pinhole(angle: f64) -> Made<PinholeCamera> {
 type Direction = fn([f64; 2], x: f64, y: f64) -> Vector3;
 
 /// A camera of the protocol at the origin, looking along -z.
-struct Printed(Direction);
+struct ProtocolCamera(Direction);
 
-impl Camera for Printed {
+impl Camera for ProtocolCamera {
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
         Ray::derived(Point3::ORIGIN, (self.0)(sides(size), x, y))
     }
@@ -31,8 +31,8 @@ fn sides(size: Size) -> [f64; 2] {
     [size.width(), size.height()].map(f64::from)
 }
 
-const FULL_ANGLE: Printed =
-    Printed(|sides, x, y| protocol::perspective_direction(sides, x, y, FRAC_PI_4));
+const FULL_ANGLE: ProtocolCamera =
+    ProtocolCamera(|sides, x, y| protocol::perspective_direction(sides, x, y, FRAC_PI_4));
 
 pub fn tangent() -> Scene {
     beside(
@@ -77,8 +77,8 @@ pub fn stripes() -> Scene {
 }
 
 // Whole numbers are corners of pixels for the pinhole camera.
-const CORNERS: Printed =
-    Printed(|[w, h], x, y| protocol::pinhole_direction([w, h], x, h - 1.0 - y, FRAC_PI_4));
+const CORNERS: ProtocolCamera =
+    ProtocolCamera(|[w, h], x, y| protocol::pinhole_direction([w, h], x, h - 1.0 - y, FRAC_PI_4));
 
 pub fn half_pixel() -> Scene {
     beside(

@@ -22,7 +22,7 @@ pub fn highlight() -> Scene {
     beside(
         "highlight",
         "the highlight multiplied by the colour of the surface, and not",
-        |_| balls(|color| Ok(Box::new(Printed(color)))),
+        |_| balls(|color| Ok(Box::new(ProtocolPhong(color)))),
         |_| balls(|color| Ok(Box::new(Phong::new(color, Color::WHITE, EXPONENT)?))),
     )
 }
@@ -31,9 +31,9 @@ const EXPONENT: f64 = 64.0;
 
 /// Phong's material as the formula is printed.
 #[derive(Debug)]
-struct Printed(Color);
+struct ProtocolPhong(Color);
 
-impl Material for Printed {
+impl Material for ProtocolPhong {
     fn color_for(&self, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
         let mut color = Color::BLACK;
         lighting.for_each_light(ray, hit, &mut |light| {
@@ -168,15 +168,15 @@ const SIZE: f64 = 0.001;
 type Trace = fn(&ShadowedWorld, &Ray, depth: u32) -> Color;
 
 const WITH_ONE_COUNTER: Trace = |world, ray, recursion| OneCounter { world, recursion }.trace(ray);
-const LIFTED: Trace = |world, ray, depth| RecursiveTracer::new(world).trace(ray, depth);
+const OFFSET: Trace = |world, ray, depth| RecursiveTracer::new(world).trace(ray, depth);
 
 /// The reflected ray that begins a thousandth too early.
 pub fn mirrors() -> Scene {
     beside(
         "mirror",
-        "three mirroring balls of radius 0.001: reflected at t - 0.001, and lifted",
+        "three mirroring balls of radius 0.001: reflected at t - 0.001, and offset",
         |settings| mirroring_balls(settings, WITH_ONE_COUNTER),
-        |settings| mirroring_balls(settings, LIFTED),
+        |settings| mirroring_balls(settings, OFFSET),
     )
     .reflecting()
 }

@@ -1,10 +1,10 @@
-// The shares of a triangle's corners, and the normal that they mix.
+// The fractions of a triangle's corners, and the normal that they mix.
 live.figure('barycentric', {
     below: 'barycentric.svg',
     title: 'Drag the point and the corners',
-    hint: 'Triangle::hit mixes the normals of the corners by these shares; the arrow is the mixed normal, seen from above. The normals of the corners lean outwards.',
+    hint: 'Triangle::hit mixes the normals of the corners by these fractions; the arrow is the mixed normal, seen from above. The normals of the corners lean outwards.',
     question: {
-        text: 'The point lies in the middle of the edge from a to b. The share of c is…',
+        text: 'The point lies in the middle of the edge from a to b. The fraction of c is…',
         choices: ['1/3', '0', '1/2'],
         right: 1,
         because: 'the part of the triangle opposite of c has no area there.',

@@ -12,10 +12,10 @@ live.figure('color', {
     over: true,
     picture: [438, 146],
     area: { x: [0, 3], y: [0, 1] },
-    state: { light: 3, share: 0.25 },
+    state: { light: 3, fraction: 0.25 },
     sliders: {
         light: { label: 'light that arrives', min: 0, max: 4, step: 0.05 },
-        share: { label: 'share sent back', min: 0, max: 1, step: 0.01 },
+        fraction: { label: 'fraction sent back', min: 0, max: 1, step: 0.01 },
     },
     values: { product: 'light, ours', byte: 'byte', clamped: 'limited at once', clamped_byte: 'byte', whole: 'whole numbers', whole_byte: 'byte', cut_byte: 'ours, cut off instead of rounded' },
     draw(pen, { light }, { product, byte, clamped, clamped_byte, whole, whole_byte }) {

@@ -2,7 +2,7 @@
 live.figure('lambert', {
     below: 'lambert-cosine.svg',
     title: 'Drag the light',
-    hint: 'The beam keeps its width. The wide line is the lit piece of the floor, computed for a beam that is 1 wide; the brightness of a white floor is the factor of Lambert::share.',
+    hint: 'The beam keeps its width. The wide line is the lit piece of the floor, computed for a beam that is 1 wide; the brightness of a white floor is the factor of Lambert::fraction.',
     question: {
         text: 'The light stands 60 degrees away from the normal. How bright is the floor, compared with light from straight above?',
         choices: ['two thirds', 'half', 'a quarter'],

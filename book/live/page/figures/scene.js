@@ -74,7 +74,7 @@
                     because: 'one half to the 8th is 1/256. These mirrors reflect three tenths: five of them leave 0.24 %, below one step.',
                 },
                 sliders: { depth: { label: 'surfaces', min: 1, max: 12, step: 1 } },
-                values: { left: 'share left after the last surface', ...lit },
+                values: { left: 'fraction left after the last surface', ...lit },
             }],
             ['a07', 'four-rows-for-three-dimensions', 'The scene so far: a scaled sphere', 'The sphere is in a node now, scaled by 0.6, 1.4 and 0.6 about its centre.'],
             ['a07', 'the-order-of-the-steps', 'The scene so far: a turned box', 'The box is first turned about z and then about y.'],

@@ -29,7 +29,7 @@
                 pen.text([1.7 * x, 1.7 * y - 0.2], 'α', '', 'middle');
             }
             if (p.length) {
-                step === 3 ? pen.arrow(o, to(...p), 'c wide part-share') : pen.line(o, to(...p), 'c wide part-share');
+                step === 3 ? pen.arrow(o, to(...p), 'c wide part-fraction') : pen.line(o, to(...p), 'c wide part-fraction');
                 pen.line(a, to(...p), 'thin');
                 if (step >= 4) {
                     const [wx, wy] = [by, -bx].map((x) => (1.5 * x) / Math.hypot(bx, by));

@@ -11,15 +11,15 @@ use crate::picture::pixels;
 /// Width and height of the picture of a ball, in pixels.
 const BALL: u32 = 146;
 
-/// Numbers: the light that arrives, and the share that the surface sends back. The picture
+/// Numbers: the light that arrives, and the fraction that the surface sends back. The picture
 /// has three matt balls in this light, by our product and by the protocol's two.
-pub fn answer([light, share]: [f64; 2]) -> Answered {
+pub fn answer([light, fraction]: [f64; 2]) -> Answered {
     let products = |light: f64| {
-        let ours = Color::gray(light) * Color::gray(share);
+        let ours = Color::gray(light) * Color::gray(fraction);
         [
             ours.r,
-            clamped_product(light, share),
-            integer_product(light, share),
+            clamped_product(light, fraction),
+            integer_product(light, fraction),
         ]
     };
     let to_light = Vector3::new(-0.48, 0.64, 0.6);

@@ -5,15 +5,15 @@ use super::{ask, assert_near};
 /// A quarter of 3 is 0.75; of a light that is limited to 1, a quarter.
 #[test]
 fn light_is_limited_once() {
-    for (light, share, byte, clamped) in [
+    for (light, fraction, byte, clamped) in [
         (3.0, 0.25, 191.0, 64.0),
         (1.0, 0.25, 64.0, 64.0),
         (2.0, 0.5, 255.0, 128.0),
         (4.0, 1.0, 255.0, 255.0),
         (0.0, 0.5, 0.0, 0.0),
     ] {
-        let answer = ask("color", &[light, share]);
-        assert_near(answer.get("product"), &[light * share]);
+        let answer = ask("color", &[light, fraction]);
+        assert_near(answer.get("product"), &[light * fraction]);
         assert_near(answer.get("byte"), &[byte]);
         assert_near(answer.get("clamped_byte"), &[clamped]);
     }

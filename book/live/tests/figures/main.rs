@@ -216,7 +216,7 @@ fn the_corners_of_a_picture_span_its_opening() {
 
 #[test]
 fn too_little_lift_and_too_much_are_wrong() {
-    let wrong = |power| ask("lift", &[power]).get("wrong_pixels")[0];
+    let wrong = |power| ask("offset", &[power]).get("wrong_pixels")[0];
     assert_eq!(wrong(-13.0), 0.0);
     assert!(wrong(-18.0) > 10_000.0);
     assert!(wrong(-0.5) > 100.0);

@@ -62,11 +62,11 @@ const PICTURES: [Kind<MakePicture>; 7] = [
         },
     ),
     ("fence thinner than a pixel", 1.0, |numbers, settings| {
-        let (pitch, share) = (numbers.between(0.8, 6.0), numbers.between(0.05, 0.4));
+        let (pitch, fraction) = (numbers.between(0.8, 6.0), numbers.between(0.05, 0.4));
         let (slant, color) = (numbers.between(-0.2, 0.2), numbers.color());
         let (top, bottom) = (numbers.between(0.4, 0.7), numbers.between(0.05, 0.3));
         picture(settings, move |x, y| {
-            let post = ((x + slant * y) / (pitch * PIXEL)).rem_euclid(1.0) < share;
+            let post = ((x + slant * y) / (pitch * PIXEL)).rem_euclid(1.0) < fraction;
             let fence = when(post && y < top && y > bottom).map(|_| color);
             fence.unwrap_or(Color::gray(0.3 + 0.4 * y))
         })

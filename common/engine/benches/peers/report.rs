@@ -35,8 +35,8 @@ pub fn row(scene: &Scene, figures: &[[Figures; 3]]) {
     }
     for program in [1, 2] {
         match difference(scene, &PROGRAMS[program]) {
-            Some([share, mean]) if figures[0][program][TRACE] > 0.0 => {
-                print!(" {share:.1} | {mean:.1} |");
+            Some([fraction, mean]) if figures[0][program][TRACE] > 0.0 => {
+                print!(" {fraction:.1} | {mean:.1} |");
             }
             _ => print!(" | |"),
         }

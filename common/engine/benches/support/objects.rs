@@ -76,12 +76,12 @@ fn cube(center: DVec3, half: f64) -> Shape<'static> {
 /// A triangle, with the normals of its corners if it is smooth.
 fn triangle([a, b, c]: [DVec3; 3], normals: Option<[DVec3; 3]>) -> Shape<'static> {
     let across = (b - a).cross(c - a);
-    let face = across.normalize();
+    let geometric_normal = across.normalize();
     let longest = (b - a).length().max((c - a).length()).max((c - b).length());
     Shape::Triangle(Triangle {
         corners: [a, b, c],
-        normals: normals.unwrap_or([face; 3]),
-        face,
+        normals: normals.unwrap_or([geometric_normal; 3]),
+        geometric_normal,
         scale: longest * longest * longest / across.length(),
     })
 }

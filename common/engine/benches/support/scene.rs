@@ -56,7 +56,7 @@ const COLORS: [[f64; 3]; 7] = [
     [0.1, 0.7, 0.7],
     [0.2, 0.2, 0.2],
 ];
-/// The share of each colour that is seen without any light.
+/// The fraction of each colour that is seen without any light.
 const AMBIENT: f64 = 0.1;
 
 impl Scene {

@@ -38,7 +38,7 @@ impl ShadowQuery {
     #[inline]
     fn blocked_by(&self, hit: &PacketHit) -> u32 {
         let rays = &self.rays.packet;
-        let cosine = rays.direction.dot(hit.face).abs();
+        let cosine = rays.direction.dot(hit.geometric_normal).abs();
         let beyond_the_surface = (self.distance - hit.t) * cosine;
         let rounding = self.offset + hit.rounding_error(rays);
         !beyond_the_surface.simd_le(rounding).to_bitmask()

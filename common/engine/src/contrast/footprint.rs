@@ -39,7 +39,7 @@ impl Footprint {
         let (mut t, mut cosine) = (0.0_f64, 1.0_f64);
         for (ray, hit) in rays.iter().zip(&hits) {
             t = t.max(hit.t);
-            cosine = cosine.min(hit.face.dot(ray.direction).abs());
+            cosine = cosine.min(hit.geometric_normal.dot(ray.direction).abs());
         }
         let length = spread.at(t) / cosine;
         // Flat surfaces do not turn, however long they are.

@@ -83,16 +83,16 @@ impl Numbers {
                 let corners = [(); 3].map(|()| point + self.point(2.0 * radius));
                 let [a, b, c] = corners;
                 let doubled_area = (b - a).cross(c - a);
-                let face = doubled_area.normalize();
+                let geometric_normal = doubled_area.normalize();
                 let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-                let mut normals = [face; 3];
+                let mut normals = [geometric_normal; 3];
                 if self.below(2) == 0 {
-                    normals[2] = (face + self.point(0.3)).normalize();
+                    normals[2] = (geometric_normal + self.point(0.3)).normalize();
                 }
                 Shape::Triangle(Triangle {
                     corners,
                     normals,
-                    face,
+                    geometric_normal,
                     // The least height is the doubled area divided by the longest edge.
                     scale: longest * longest * longest / doubled_area.length(),
                 })

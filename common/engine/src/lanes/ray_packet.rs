@@ -71,9 +71,9 @@ pub struct PacketHit {
     /// The shading normals.
     pub normal: Vector3x4,
     /// The geometric normals.
-    pub face: Vector3x4,
+    pub geometric_normal: Vector3x4,
     /// How large the numbers of the shapes are, as lengths along the geometric normals.
-    pub magnitude: Lanes,
+    pub scale: Lanes,
 }
 
 impl PacketHit {
@@ -83,19 +83,19 @@ impl PacketHit {
         Self {
             t: Lanes::new(hits.map(|hit| hit.t)),
             normal: Vector3x4::new(hits.map(|hit| hit.normal)),
-            face: Vector3x4::new(hits.map(|hit| hit.face)),
-            magnitude: Lanes::new(hits.map(|hit| hit.magnitude)),
+            geometric_normal: Vector3x4::new(hits.map(|hit| hit.geometric_normal)),
+            scale: Lanes::new(hits.map(|hit| hit.scale)),
         }
     }
 
-    /// Hits at these `t`, of these magnitudes, whose shading normals are the geometric ones.
+    /// Hits at these `t`, of these scales, whose shading normals are the geometric ones.
     #[inline]
-    pub const fn with_normals(t: Lanes, normal: Vector3x4, magnitude: Lanes) -> Self {
+    pub const fn with_normals(t: Lanes, normal: Vector3x4, scale: Lanes) -> Self {
         Self {
             t,
             normal,
-            face: normal,
-            magnitude,
+            geometric_normal: normal,
+            scale,
         }
     }
 
@@ -103,13 +103,13 @@ impl PacketHit {
     #[inline]
     pub fn to_hits(self) -> [Hit; 4] {
         let t = self.t.to_array();
-        let (normals, faces) = (self.normal.to_lanes(), self.face.to_lanes());
-        let magnitude = self.magnitude.to_array();
+        let (normals, faces) = (self.normal.to_lanes(), self.geometric_normal.to_lanes());
+        let scale = self.scale.to_array();
         [0, 1, 2, 3].map(|lane| Hit {
             t: t[lane],
             normal: normals[lane],
-            face: faces[lane],
-            magnitude: magnitude[lane],
+            geometric_normal: faces[lane],
+            scale: scale[lane],
         })
     }
 
@@ -119,8 +119,8 @@ impl PacketHit {
         Self {
             t: select(mask, self.t, others.t),
             normal: self.normal.or(mask, others.normal),
-            face: self.face.or(mask, others.face),
-            magnitude: select(mask, self.magnitude, others.magnitude),
+            geometric_normal: self.geometric_normal.or(mask, others.geometric_normal),
+            scale: select(mask, self.scale, others.scale),
         }
     }
 
@@ -132,18 +132,21 @@ impl PacketHit {
             .largest_coordinate()
             .fast_max(rays.at(self.t).largest_coordinate())
             .fast_max(self.t)
-            // A shape of a student's own may have the magnitude NaN, which the lesson drops.
-            .max(self.magnitude);
+            // A shape of a student's own may have the scale NaN, which the lesson drops.
+            .max(self.scale);
         Lanes::splat(OFFSET) * largest
     }
 
     /// The hits with their normals turned against the directions of the rays.
     #[inline]
     pub fn facing(self, rays: &RayPacket) -> Self {
-        let from_behind = self.face.dot(rays.direction).simd_gt(Lanes::ZERO);
+        let from_behind = self
+            .geometric_normal
+            .dot(rays.direction)
+            .simd_gt(Lanes::ZERO);
         Self {
             normal: self.normal.negated(from_behind),
-            face: self.face.negated(from_behind),
+            geometric_normal: self.geometric_normal.negated(from_behind),
             ..self
         }
     }

@@ -28,7 +28,7 @@ impl Mesh {
         let mut add = |vector| self.vectors.add(vector);
         self.faces.push(Face {
             normals: triangle.normals.map(&mut add),
-            normal: add(triangle.face),
+            normal: add(triangle.geometric_normal),
             scale: triangle.scale,
         });
         self.corners.push(triangle.corners);
@@ -56,7 +56,7 @@ impl List for Mesh {
         Triangle {
             corners: self.corners[index],
             normals: normals.map(vector),
-            face: vector(normal),
+            geometric_normal: vector(normal),
             scale,
         }
     }

@@ -55,16 +55,17 @@ impl Transform {
         Vector3x4 { x, y, z }.normalized().0
     }
 
-    /// The magnitudes of four hits of the object in the space around it.
+    /// The scales of four hits of the object in the space around it.
     #[inline]
-    pub(super) fn magnitudes(&self, hit: &PacketHit, rays: &RayPacket) -> Lanes {
+    pub(super) fn scales(&self, hit: &PacketHit, rays: &RayPacket) -> Lanes {
         let columns = self.columns().map(Vector3x4::splat);
-        let [x, y, z] = [columns[0], columns[1], columns[2]].map(|column| column.dot(hit.face));
+        let [x, y, z] =
+            [columns[0], columns[1], columns[2]].map(|column| column.dot(hit.geometric_normal));
         let length = Vector3x4 { x, y, z };
         let point = rays.origin.abs() + rays.at(hit.t).abs();
         let [x, y, z, w] = columns.map(Vector3x4::abs);
         let terms = x * point.x + y * point.y + z * point.z + w;
-        (terms.dot(hit.face.abs()) + hit.magnitude) / length.dot(length).sqrt()
+        (terms.dot(hit.geometric_normal.abs()) + hit.scale) / length.dot(length).sqrt()
     }
 
     /// The columns of the inverse.

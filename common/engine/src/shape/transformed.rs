@@ -68,8 +68,8 @@ fn hits_around(step: &Transform, hit: &PacketHit, rays: &RayPacket) -> PacketHit
     PacketHit {
         t: hit.t,
         normal: step.normals(hit.normal),
-        face: step.normals(hit.face),
-        magnitude: step.magnitudes(hit, rays),
+        geometric_normal: step.normals(hit.geometric_normal),
+        scale: step.scales(hit, rays),
     }
 }
 

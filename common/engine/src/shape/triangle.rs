@@ -16,7 +16,7 @@ pub struct Triangle {
     /// The shading normals of the corners, each of length 1.
     pub normals: [DVec3; 3],
     /// The geometric normal, of length 1.
-    pub face: DVec3,
+    pub geometric_normal: DVec3,
     /// The square of the longest edge, divided by the least height.
     pub scale: f64,
 }
@@ -34,7 +34,7 @@ impl Triangle {
             return a;
         }
         let mean = a * (1.0 - beta - gamma) + b * beta + c * gamma;
-        normalized(mean).unwrap_or(self.face)
+        normalized(mean).unwrap_or(self.geometric_normal)
     }
 
     /// Whether the triangle is no needle. Rounding lets rays hit a needle far beyond its
@@ -114,15 +114,15 @@ impl Primitive for Triangle {
 
     #[inline]
     fn hits(self, rays: &Rays, t: Lanes, _: u32) -> PacketHit {
-        let face = Vector3x4::splat(self.face);
+        let geometric_normal = Vector3x4::splat(self.geometric_normal);
         let [a, b, c] = self.normals.map(Vector3x4::splat);
-        let magnitude = Lanes::splat(self.scale);
+        let scale = Lanes::splat(self.scale);
         if self.is_flat() {
             return PacketHit {
                 t,
                 normal: a,
-                face,
-                magnitude,
+                geometric_normal,
+                scale,
             };
         }
         let corners = Self::four([self; 4]);
@@ -142,8 +142,8 @@ impl Primitive for Triangle {
         PacketHit {
             t,
             normal,
-            face,
-            magnitude,
+            geometric_normal,
+            scale,
         }
     }
 }

@@ -9,10 +9,10 @@ use crate::lanes::{Lanes, PacketHit, RayPacket, Vector3x4};
 #[inline]
 pub(super) fn offset_rays(rays: &RayPacket, hit: &PacketHit, direction: Vector3x4) -> RayPacket {
     let point = rays.at(hit.t);
-    let side = hit.face.dot(direction) & Lanes::splat(-0.0);
+    let side = hit.geometric_normal.dot(direction) & Lanes::splat(-0.0);
     let offset = hit.rounding_error(rays) | side;
     RayPacket {
-        origin: point + hit.face * offset,
+        origin: point + hit.geometric_normal * offset,
         direction,
     }
 }

@@ -6,7 +6,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use ::exercise::{Pictured, Printed, Record, expected_picture, pictured, verdict};
+use ::exercise::{PictureVerdict, Record, StudentOutput, expected_picture, pictured, verdict};
 
 use super::handout::Handout;
 use super::result_file::{self, FORMATS};
@@ -112,12 +112,12 @@ fn judge(sandbox: &Sandbox, e: &Exercise, submission: &Path) -> Result<(), Strin
 fn compare(e: &Exercise, output: &str) -> Result<(), String> {
     let file = format!("{}/exercises/answers/{}.txt", e.stage, e.name);
     let record = Record::read(&files::read(&file)?)?;
-    let printed = Printed::read(output);
+    let printed = StudentOutput::read(output);
     let picture = record.picture.as_ref().map(|scene| {
         let expected = expected_picture(&files::workspace(), e.stage, scene);
         match &printed.picture {
             Some(image) => pictured(scene, &expected, image, None),
-            None => Pictured {
+            None => PictureVerdict {
                 is_right: false,
                 words: format!("the picture of scene {scene}: it is missing"),
                 divergence: None,

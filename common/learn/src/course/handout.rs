@@ -161,7 +161,7 @@ mod tests {
             let Ok(solution) = files::read(&solution) else {
                 continue;
             };
-            // A shorter line, as a brace, says nothing.
+            // A shorter line, such as a brace, says nothing.
             let is_long = |line: &&str| line.len() > 24 && !line.contains("missing!(");
             let is_own = |line: &&str| is_long(line) && !starters.contains(line);
             for line in solution.lines().map(str::trim).filter(is_own) {

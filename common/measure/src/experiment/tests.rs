@@ -44,7 +44,7 @@ fn slopes_and_bounds_are_checked_and_shares_have_no_slope() {
     assert!(!is_right(Unit::Light, |curve| curve.with_slope(-0.44, (0.0, 1e9))));
     assert!(
         !is_right(Unit::Share, |curve| curve),
-        "shares have a largest value"
+        "fractions have a largest value"
     );
     assert!(is_right(Unit::Light, |curve| curve.with_bound(0.25, 16.0..=1e9)));
     assert!(!is_right(Unit::Light, |curve| curve.with_bound(0.249, 16.0..=1e9)));

@@ -16,7 +16,7 @@ const SHORTEST: f64 = 0.61;
 /// From this many decades on, every axis holds two of 1, 2, 5, 10...
 const ONE_TWO_FIVE: f64 = 0.7;
 
-/// Distance of the outermost numbers from the ends, as a share of the axis.
+/// Distance of the outermost numbers from the ends, as a fraction of the axis.
 const PADDING: f64 = 0.03;
 
 /// The most labels of powers of ten.
@@ -40,8 +40,8 @@ impl LogAxis {
 
     /// The position of a number in the picture.
     pub fn at(&self, number: f64) -> f64 {
-        let share = (libm::log10(number) - self.from) / (self.to - self.from);
-        self.start + share * (self.end - self.start)
+        let fraction = (libm::log10(number) - self.from) / (self.to - self.from);
+        self.start + fraction * (self.end - self.start)
     }
 
     /// Whether a number lies between the ends.

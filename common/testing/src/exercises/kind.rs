@@ -105,7 +105,7 @@ impl<C: Clone + 'static> Variant<C> {
 }
 
 /// A question, and how code answers it, also with other numbers.
-pub struct Asked<C> {
+pub struct CodeQuestion<C> {
     /// The question.
     pub question: Question,
     /// The code's answer to the question with these numbers.
@@ -117,7 +117,7 @@ pub struct Questions<C, I, A> {
     /// The question, with `{}` instead of each argument.
     pub words: String,
     /// Inputs of numbers like 0, 1 and 2, which every formula computes without rounding: at them
-    /// decisions must be equal, as for a ray that just touches.
+    /// decisions must be equal, such as for a ray that just touches.
     pub simple: Vec<I>,
     /// Further inputs, where a decision that depends on rounding may be either.
     pub others: Vec<I>,
@@ -128,7 +128,7 @@ pub struct Questions<C, I, A> {
 /// Questions of a form, some of which a search with right code may find.
 pub enum Group<C> {
     /// All are known.
-    Known(Vec<Asked<C>>),
+    Known(Vec<CodeQuestion<C>>),
     /// They follow from numbers that a search finds.
     Searched(Search<C>),
 }
@@ -139,14 +139,14 @@ pub struct Search<C> {
     /// The numbers, which right code finds.
     pub find: Box<dyn Fn(&C) -> Vec<f64>>,
     /// The questions, which follow from them.
-    pub ask: Box<dyn Fn(&[f64]) -> Vec<Asked<C>>>,
+    pub ask: Box<dyn Fn(&[f64]) -> Vec<CodeQuestion<C>>>,
 }
 
 /// Questions that follow from numbers, which right code finds. They are recorded, so that nothing
 /// but the record needs that code.
 pub fn searched<C>(
     find: impl Fn(&C) -> Vec<f64> + 'static,
-    ask: impl Fn(&[f64]) -> Vec<Asked<C>> + 'static,
+    ask: impl Fn(&[f64]) -> Vec<CodeQuestion<C>> + 'static,
 ) -> Group<C> {
     Group::Searched(Search {
         find: Box::new(find),
@@ -157,11 +157,11 @@ pub fn searched<C>(
 impl<C: 'static, I: Input + 'static, A: Into<Answer> + 'static> Questions<C, I, A> {
     /// The questions one by one.
     #[must_use]
-    pub fn asked(self) -> Vec<Asked<C>> {
+    pub fn asked(self) -> Vec<CodeQuestion<C>> {
         let (answer, words) = (self.answer, Rc::new(self.words));
         let simple = self.simple.into_iter().map(|input| (true, input));
         let others = self.others.into_iter().map(|input| (false, input));
-        let asked = simple.chain(others).map(|(is_simple, input)| Asked {
+        let asked = simple.chain(others).map(|(is_simple, input)| CodeQuestion {
             question: Question::new(&words, &input, is_simple),
             answer: Box::new(move |code, numbers| {
                 answer(code, input.clone().with_numbers(numbers)).into()

@@ -7,12 +7,13 @@ use common::difference::worst_pixel;
 use common::steps::with_chosen_pixel;
 use common::{Error, Image, Settings, divergence, picture_file};
 use exercise::{
-    Answer, Given, Mistake, Pictured, Question, Record, Row, Verdict, pictured, verdict,
+    Answer, Mistake, PictureVerdict, Question, Record, Row, StudentAnswer, Verdict, pictured,
+    verdict,
 };
 
 use super::folder::StageFolder;
 use super::found_missing;
-use super::kind::{Asked, Exercise, Group, Picture, own_settings};
+use super::kind::{CodeQuestion, Exercise, Group, Picture, own_settings};
 
 /// The answer to a question with other numbers.
 type AnswerTo = Box<dyn Fn(&[f64]) -> Answer>;
@@ -30,7 +31,7 @@ pub struct Findings {
     /// The missing parts of the code.
     pub missing: Vec<String>,
     /// The answers.
-    pub given: Vec<Given>,
+    pub given: Vec<StudentAnswer>,
     /// The picture, also of code that is wrong.
     pub image: Option<Image>,
     /// Messages.
@@ -55,7 +56,7 @@ impl Program {
                 Group::Known(asked) => asked,
                 Group::Searched(search) => (search.ask)(found.next().map_or(&[], Vec::as_slice)),
             };
-            for Asked { question, answer } in asked {
+            for CodeQuestion { question, answer } in asked {
                 let code = code.clone();
                 questions.push(question);
                 answers.push(Box::new(move |input| answer(&code, input)));
@@ -96,16 +97,16 @@ impl Program {
         rows.collect()
     }
 
-    /// Its answers, as those of code with a mistake.
+    /// Its answers, such as those of code with a mistake.
     pub fn mistake(&self, overlooks: &str, rows: &[Row]) -> Mistake {
         let code = |number, input: &[f64]| self.answer(number, input);
         Mistake::new(overlooks, rows, &self.questions, &code)
     }
 
     /// Its answers to all questions.
-    fn given(&self) -> Vec<Given> {
+    fn given(&self) -> Vec<StudentAnswer> {
         let asked = self.questions.iter().zip(&self.answers);
-        let given = asked.map(|(question, answer)| Given {
+        let given = asked.map(|(question, answer)| StudentAnswer {
             question: question.clone(),
             answer: catch_unwind(AssertUnwindSafe(|| answer(&question.input))).ok(),
         });
@@ -151,13 +152,13 @@ impl Program {
         is_right: bool,
         folder: &StageFolder,
         reader: Reader,
-    ) -> (Option<Image>, Option<Pictured>) {
+    ) -> (Option<Image>, Option<PictureVerdict>) {
         let is_shown = is_right || reader == Reader::Student;
         match &self.picture {
             Picture::Scene(name, render) if is_right || is_shown && found_missing().is_empty() => {
                 let mut image = None;
                 let pictured = scene(folder, name, &|settings| render(&(), settings), &mut image);
-                let pictured = pictured.unwrap_or_else(|error| Pictured {
+                let pictured = pictured.unwrap_or_else(|error| PictureVerdict {
                     is_right: false,
                     words: format!("the picture of scene {name}: {error}"),
                     divergence: None,
@@ -169,7 +170,7 @@ impl Program {
                 match painted {
                     Ok(image) => (Some(image), None),
                     Err(error) => {
-                        let pictured = Pictured {
+                        let pictured = PictureVerdict {
                             is_right: false,
                             words: format!("a picture: {error}"),
                             divergence: None,
@@ -190,7 +191,7 @@ fn scene(
     name: &str,
     render: &dyn Fn(&Settings) -> Result<Image, Error>,
     painted: &mut Option<Image>,
-) -> Result<Pictured, Error> {
+) -> Result<PictureVerdict, Error> {
     let stage = folder.stage();
     let scene = stage.scene(name)?;
     let settings = StageFolder::settings(&scene);
@@ -207,7 +208,7 @@ fn scene(
         }
         _ => None,
     };
-    Ok(Pictured {
+    Ok(PictureVerdict {
         divergence,
         ..pictured
     })

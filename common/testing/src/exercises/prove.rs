@@ -35,7 +35,7 @@ trait Codes: Send + Sync {
     fn right(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)>;
 
     /// The usual mistakes of its kind.
-    fn usual(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)>;
+    fn common_mistakes(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)>;
 
     /// Further mistakes.
     fn wrong(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)>;
@@ -45,7 +45,7 @@ trait Codes: Send + Sync {
 }
 
 /// The codes of an exercise of one type.
-struct Typed<C> {
+struct TypedExercise<C> {
     exercise: fn() -> Exercise<C>,
     starter: fn() -> C,
     starter_examples: fn(),
@@ -62,7 +62,7 @@ pub fn entry<C: 'static>(
     solution: fn() -> C,
     solution_examples: fn(),
 ) -> Entry {
-    let codes = Box::new(Typed {
+    let codes = Box::new(TypedExercise {
         exercise,
         starter,
         starter_examples,
@@ -72,7 +72,7 @@ pub fn entry<C: 'static>(
     Entry { name, codes }
 }
 
-impl<C: 'static> Typed<C> {
+impl<C: 'static> TypedExercise<C> {
     fn variants(
         &self,
         variants: Vec<Variant<C>>,
@@ -86,7 +86,7 @@ impl<C: 'static> Typed<C> {
     }
 }
 
-impl<C: 'static> Codes for Typed<C> {
+impl<C: 'static> Codes for TypedExercise<C> {
     fn starter(&self, found: &[Vec<f64>]) -> (Program, fn()) {
         let program = Program::new((self.exercise)(), (self.starter)(), found);
         (program, self.starter_examples)
@@ -101,7 +101,7 @@ impl<C: 'static> Codes for Typed<C> {
         self.variants((self.exercise)().right, found)
     }
 
-    fn usual(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)> {
+    fn common_mistakes(&self, found: &[Vec<f64>]) -> Vec<(&'static str, Program)> {
         self.variants((self.exercise)().usual, found)
     }
 
@@ -121,7 +121,10 @@ impl<C: 'static> Codes for Typed<C> {
         let program = Program::new(exercise, solution, &found);
         let picture = program.scene().map(str::to_owned);
         let rows = program.rows(rounding_flaw.is_some());
-        let mistakes = self.usual(&found).into_iter().chain(self.wrong(&found));
+        let mistakes = self
+            .common_mistakes(&found)
+            .into_iter()
+            .chain(self.wrong(&found));
         let mistakes = mistakes.map(|(about, program)| program.mistake(about, &rows));
         let mistakes = mistakes.collect();
         Record {
@@ -272,7 +275,7 @@ impl Proof {
         if record.mistakes.len() < 3 {
             return Err("there are less than three mistakes".into());
         }
-        for (about, program) in codes.usual(&record.found) {
+        for (about, program) in codes.common_mistakes(&record.found) {
             self.refuse(about, &self.run(record, &program, || ()))?;
         }
         Ok(())

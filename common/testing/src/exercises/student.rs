@@ -6,7 +6,7 @@ use std::panic::{self, Location};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
-use exercise::Printed;
+use exercise::StudentOutput;
 
 use super::folder::StageFolder;
 use super::kind::Exercise;
@@ -70,7 +70,7 @@ pub fn judge<C: Clone + 'static>(
     if is_printed {
         let picture = found.image.filter(|_| record.picture.is_some());
         let answers = found.given;
-        print!("{}", Printed { answers, picture });
+        print!("{}", StudentOutput { answers, picture });
     }
     ExitCode::from(u8::from(!is_right))
 }

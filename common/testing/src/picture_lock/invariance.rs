@@ -3,7 +3,7 @@
 
 use std::sync::Mutex;
 
-use common::{Renderer, Sampled, Sampling, Scene, Settings, Size, Stage};
+use common::{Renderer, Sampling, SamplingReport, Scene, Settings, Size, Stage};
 
 use super::render;
 
@@ -40,7 +40,7 @@ pub fn check_threads(stage: &Stage) {
             let with = |threads| {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
                 let pool = pool.build().expect("threads");
-                let sampled = Mutex::new(Sampled::default());
+                let sampled = Mutex::new(SamplingReport::default());
                 let image = pool.install(|| scene.render(&settings, &sampled));
                 let sampled = sampled.into_inner().expect("the error estimate");
                 (image.expect("the scene renders"), sampled)

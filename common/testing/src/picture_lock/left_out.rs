@@ -5,12 +5,12 @@ use std::path::Path;
 
 use program::Comparison;
 
-use super::Places;
+use super::TestPaths;
 use super::invariance::small;
 
 /// Checks that the book's table of the skipped work has the counted numbers, for all
 /// traced scenes of the stage in pictures of 96x72 pixels.
-pub fn check_book(stage: &Stage, places: &Places) {
+pub fn check_book(stage: &Stage, places: &TestPaths) {
     let path = Path::new(places.stage).join("../book/src/left-out.md");
     let mut page = std::fs::read_to_string(&path).expect("the page");
     let mut wrong = Vec::new();

@@ -6,10 +6,10 @@ use std::process::Command;
 use common::{Stage, picture_file};
 use program::picture_name;
 
-use super::Places;
+use super::TestPaths;
 
 /// Runs the program without a display and compares the PNG that it writes.
-pub fn check_program(stage: &Stage, places: &Places) {
+pub fn check_program(stage: &Stage, places: &TestPaths) {
     let folder = tempfile::tempdir().expect("a folder");
     // On these systems the program always finds a display, but can be run without it.
     let always_a_display = cfg!(any(windows, target_os = "macos"));

@@ -7,27 +7,27 @@ use common::{Settings, Size};
 use super::Answered;
 use crate::picture::pixels;
 
-/// Number: the lift as a power of ten; below -17 there is none. Counts the pixels that
-/// differ from the picture with the lift of the lesson.
+/// Number: the offset as a power of ten; below -17 there is none. Counts the pixels that
+/// differ from the picture with the offset of the lesson.
 pub fn answer([power]: [f64; 1]) -> Answered {
     let settings = Settings {
         size: Size::new(240, 240)?,
         ..Settings::default()
     };
-    let lift = if power < -17.0 {
+    let offset = if power < -17.0 {
         0.0
     } else {
         libm::pow(10.0, power)
     };
-    let lifted = shadows(|ray, hit| by(lift, ray, hit), &settings, &())?;
+    let picture = shadows(|ray, hit| by(offset, ray, hit), &settings, &())?;
     let right = shadows(
         |ray, hit| secondary_ray(ray, hit, sunwards()),
         &settings,
         &(),
     )?;
-    let pairs = lifted.pixels().iter().zip(right.pixels());
-    let wrong = pairs.filter(|(lifted, right)| lifted != right).count();
-    Ok(pixels(&lifted)
-        .with("lift", [lift])
+    let pairs = picture.pixels().iter().zip(right.pixels());
+    let wrong = pairs.filter(|(offset, right)| offset != right).count();
+    Ok(pixels(&picture)
+        .with("offset", [offset])
         .with("wrong_pixels", [wrong as f64]))
 }

@@ -1,10 +1,10 @@
-//! `Sampled`: the samples and the error of a picture by adaptive sampling.
+//! `SamplingReport`: the samples and the error of a picture by adaptive sampling.
 
 use std::fmt;
 
 /// The samples and the error of a picture. Errors are for channels from 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Sampled {
+pub struct SamplingReport {
     /// Number of pixels.
     pub pixels: u64,
     /// Number of samples of all pixels, with those that only checked the error.
@@ -29,7 +29,7 @@ pub struct Sampled {
 /// it lie below.
 const ONE_SIDED: f64 = 1.645;
 
-impl Sampled {
+impl SamplingReport {
     /// Upper bound of the root mean square error of a channel, with 95 % confidence.
     #[must_use]
     pub fn max_error(&self) -> f64 {
@@ -51,7 +51,7 @@ impl Sampled {
     }
 }
 
-impl fmt::Display for Sampled {
+impl fmt::Display for SamplingReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { samples, most, .. } = self;
         let mean = *samples as f64 / self.pixels as f64;
@@ -74,7 +74,7 @@ mod tests {
     use super::*;
 
     /// The squared errors are 1 + 1.645 x 1/4 + 1.58875, of 4 pixels.
-    const SAMPLED: Sampled = Sampled {
+    const SAMPLED: SamplingReport = SamplingReport {
         pixels: 4,
         samples: 10,
         most: 7,
@@ -93,7 +93,7 @@ mod tests {
                     0.866025 (95 %)";
         assert_eq!(SAMPLED.to_string(), text);
         let max_radiance = f64::INFINITY;
-        let unknown = Sampled {
+        let unknown = SamplingReport {
             max_radiance,
             ..SAMPLED
         };

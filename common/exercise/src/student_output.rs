@@ -1,29 +1,29 @@
-//! `Printed`: what a student's program prints for a grader, its answers and its picture.
+//! `StudentOutput`: what a student's program prints for a grader, its answers and its picture.
 
 use std::fmt::{self, Write};
 
 use common::{Color, Image, Size, Transfer};
 
-use crate::{Given, Question, text};
+use crate::{Question, StudentAnswer, text};
 
 /// Sets the answers apart from what a program prints besides, which is before it.
 pub const MARK: char = '\u{1c}';
 
 /// The answers of a student's program, and the picture of the scene that it paints.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Printed {
+pub struct StudentOutput {
     /// The answers.
-    pub answers: Vec<Given>,
+    pub answers: Vec<StudentAnswer>,
     /// The picture, if there is one.
     pub picture: Option<Image>,
 }
 
 /// Two lines for each question, with its words and the answer, and one for the picture: columns,
 /// rows, and the bytes of red, green and blue of each pixel as hexadecimal digits.
-impl fmt::Display for Printed {
+impl fmt::Display for StudentOutput {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_char(MARK)?;
-        for Given { question, answer } in &self.answers {
+        for StudentAnswer { question, answer } in &self.answers {
             writeln!(f, "? {}", question.text)?;
             match answer {
                 Some(answer) => writeln!(f, "= {}", text::answer(answer))?,
@@ -42,7 +42,7 @@ impl fmt::Display for Printed {
     }
 }
 
-impl Printed {
+impl StudentOutput {
     /// The answers in the output of a program. A line that no program has written so ends them.
     #[must_use]
     pub fn read(output: &str) -> Self {
@@ -63,7 +63,7 @@ impl Printed {
     }
 }
 
-fn read_given(question: &str, answer: &str) -> Option<Given> {
+fn read_given(question: &str, answer: &str) -> Option<StudentAnswer> {
     let question = Question {
         text: question.strip_prefix("? ")?.to_owned(),
         ..Question::default()
@@ -72,7 +72,7 @@ fn read_given(question: &str, answer: &str) -> Option<Given> {
         Some(mut answer) => Some(text::take_answer(&mut answer)?),
         None => None,
     };
-    Some(Given { question, answer })
+    Some(StudentAnswer { question, answer })
 }
 
 fn read_picture(text: &str) -> Option<Image> {
@@ -103,21 +103,21 @@ mod tests {
     #[test]
     fn answers_are_read_as_they_were_printed() {
         let answer = Answer::named("t", 0.1).and("", "x; y = \n\"".to_owned());
-        let answers = [Some(answer), None].map(|answer| Given {
+        let answers = [Some(answer), None].map(|answer| StudentAnswer {
             question: Question::default(),
             answer,
         });
         let size = Size::new(3, 2).unwrap();
         let picture = Image::from_fn(size, |x, y| Color::from_bytes([x as u8, y as u8, 255]));
-        let printed = Printed {
+        let printed = StudentOutput {
             answers: answers.to_vec(),
             picture: Some(picture.unwrap()),
         };
         let output = format!("a word of the student\n{printed}");
-        assert_eq!(Printed::read(&output), printed);
+        assert_eq!(StudentOutput::read(&output), printed);
         // Neither without the picture's last byte, nor with another mark, is it a picture.
         let cut = &output[..output.len() - 3];
-        assert_eq!(Printed::read(cut).picture, None);
-        assert_eq!(Printed::read("exit 0"), Printed::default());
+        assert_eq!(StudentOutput::read(cut).picture, None);
+        assert_eq!(StudentOutput::read("exit 0"), StudentOutput::default());
     }
 }
