@@ -14,7 +14,7 @@ use crate::triple::triple;
 ///
 /// ```
 /// # use a02_math::{Point3, Vector3};
-/// let way: Vector3 = Point3::new(1.0, 1.0, 1.0) - Point3::new(2.0, 2.0, 0.0);
+/// let displacement: Vector3 = Point3::new(1.0, 1.0, 1.0) - Point3::new(2.0, 2.0, 0.0);
 /// ```
 /// ```compile_fail
 /// # use a02_math::Point3;
@@ -64,15 +64,15 @@ impl Sub for Point3 {
 impl Add<Vector3> for Point3 {
     type Output = Self;
 
-    fn add(self, way: Vector3) -> Self {
-        Self(self.0 + way.to_glam())
+    fn add(self, displacement: Vector3) -> Self {
+        Self(self.0 + displacement.to_glam())
     }
 }
 
 impl Sub<Vector3> for Point3 {
     type Output = Self;
 
-    fn sub(self, way: Vector3) -> Self {
-        Self(self.0 - way.to_glam())
+    fn sub(self, displacement: Vector3) -> Self {
+        Self(self.0 - displacement.to_glam())
     }
 }

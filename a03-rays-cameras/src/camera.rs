@@ -64,7 +64,7 @@ impl Basis {
     }
     // ANCHOR_END: basis
 
-    /// The direction `x u + y v - z w`, brought to length 1; `z` is positive.
+    /// The direction `x u + y v - z w`, normalised; `z` is positive.
     pub(crate) fn direction(&self, x: f64, y: f64, z: f64) -> Vector3 {
         let direction = self.u * x + self.v * y - self.w * z;
         // With finite x and y there is always a direction to normalise.

@@ -54,7 +54,7 @@ impl Triangle {
     }
 
     /// The normal at barycentric coordinates: `(1 - β - γ) nA + β nB + γ nC`,
-    /// brought to length 1. If the sum is 0, the geometric normal.
+    /// normalised. If the sum is 0, the geometric normal.
     // ANCHOR: normal
     fn interpolated_normal(&self, beta: f64, gamma: f64) -> Normal3 {
         let [a, b, c] = self.normals;

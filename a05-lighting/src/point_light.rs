@@ -25,11 +25,11 @@ impl PointLight {
 impl Light for PointLight {
     // ANCHOR: illumination
     fn illumination(&self, point: Point3) -> Option<Illumination> {
-        let way = self.position - point;
+        let to_light = self.position - point;
         Some(Illumination {
             color: self.color,
-            direction: way.normalized()?,
-            distance: way.magnitude(),
+            direction: to_light.normalized()?,
+            distance: to_light.magnitude(),
         })
     }
     // ANCHOR_END: illumination

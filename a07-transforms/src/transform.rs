@@ -147,7 +147,7 @@ impl Transform {
 
     /// The ray in the space of the object: `o' = i o`, `d' = i d`.
     ///
-    /// Its direction is not brought back to length 1: so `t` has the same value
+    /// Its direction is not normalised again: so `t` has the same value
     /// in both spaces, and hits can be compared.
     #[must_use]
     // ANCHOR: ray
@@ -157,7 +157,7 @@ impl Transform {
     // ANCHOR_END: ray
 
     /// A normal of the object in the space around it: `n' = transpose(i) n`,
-    /// brought to length 1.
+    /// normalised.
     ///
     /// Transformed like a vector it would not stay perpendicular to a scaled
     /// object. `None` if the result is 0 or not finite.

@@ -39,7 +39,7 @@ struct Options {
     /// Pictures with each bound, with different random numbers.
     #[arg(long, default_value_t = 3)]
     seeds: u64,
-    /// The references have 2 x this x this stratified samples a pixel.
+    /// The references have 2 x this x this stratified samples per pixel.
     #[arg(long, default_value_t = 45)]
     side: u32,
     /// Given by `cargo bench`, but not by `cargo test`, which is to render nothing.

@@ -1,4 +1,4 @@
-//! Vectors brought to length 1, whatever their length.
+//! Vectors that are normalised, whatever their length.
 
 use glam::DVec3;
 

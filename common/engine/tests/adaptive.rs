@@ -48,7 +48,7 @@ fn adaptive(
     (image, sampled.into_inner().unwrap())
 }
 
-/// The picture with `side` x `side` stratified samples a pixel.
+/// The picture with `side` x `side` stratified samples per pixel.
 fn stratified(light: Light, size: Size, side: u32) -> Image {
     let pixel = |column, row| {
         let random = PixelRandom::new(0x5EED, column, row);
@@ -73,7 +73,7 @@ fn root_mean_square(a: &Image, b: &Image) -> f64 {
     (squares.sum::<f64>() / a.size().pixels() as f64).sqrt()
 }
 
-/// Checks a picture against 64 x 64 samples a pixel, and that a smaller bound takes no fewer
+/// Checks a picture against 64 x 64 samples per pixel, and that a smaller bound takes no fewer
 /// samples. Returns error and samples for the smallest bound.
 fn check(light: Light) -> (f64, SamplingReport) {
     let reference = stratified(light, settings(1.0, 0).size, 64);

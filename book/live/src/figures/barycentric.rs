@@ -21,7 +21,7 @@ pub fn answer([ax, ay, bx, by, cx, cy, x, y]: [f64; 8]) -> Answered {
         let hit = triangle.with_normals(normals)?.hit(&ray, Interval::AHEAD);
         Ok(hit.map(|hit| Vector3::from(hit.normal).to_glam().to_array()))
     };
-    // With the axes as normals the coordinates are the weights, brought to length 1.
+    // With the axes as normals the coordinates are the weights, normalised.
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let weights = shaded(axes.map(|axis| Normal3::from_glam(axis.into())))?.map(|lengths| {
         let sum: f64 = lengths.iter().sum();

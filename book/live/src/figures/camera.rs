@@ -11,7 +11,7 @@ use common::{Sampling, Settings, Size};
 use super::{Answered, gaze};
 use crate::picture::pixels;
 
-/// The steps of the page that are not the perspective camera with one ray a pixel before
+/// The steps of the page that are not the perspective camera with one ray per pixel before
 /// the scene `phong`.
 const ORTHOGRAPHIC: f64 = 2.0;
 const SKY: f64 = 4.0;

@@ -94,7 +94,7 @@ fn weights_of_corners_are_shares_of_the_area() {
     assert_near(at(0.25, 0.25).get("weights"), &[0.5, 0.25, 0.25]);
     assert_near(at(0.5, 0.0).get("weights"), &[0.5, 0.5, 0.0]);
     assert!(at(0.7, 0.7).get("weights").is_empty());
-    // At a corner the normal is the corner's: (-1/3, -1/3, 1), brought to length 1.
+    // At a corner the normal is the corner's: (-1/3, -1/3, 1), normalised.
     let length = 11.0_f64.sqrt();
     let corner = [-1.0, -1.0, 3.0].map(|x| x / length);
     assert_near(at(0.0, 0.0).get("normal"), &corner);

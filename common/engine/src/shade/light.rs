@@ -114,15 +114,15 @@ impl Light<'_> {
 
 #[inline]
 fn from_point(color: Color, position: DVec3, points: Vector3x4, active: u32) -> IlluminationPacket {
-    let way = Vector3x4::splat(position) - points;
-    let (direction, is_unit) = way.normalized();
+    let to_light = Vector3x4::splat(position) - points;
+    let (direction, is_unit) = to_light.normalized();
     if active & !is_unit.to_bitmask() != 0 {
         let illumination = |point: DVec3| {
-            let way = position - point;
+            let to_light = position - point;
             Some(Illumination {
                 color,
-                direction: normalized(way)?,
-                distance: way.length(),
+                direction: normalized(to_light)?,
+                distance: to_light.length(),
             })
         };
         return one_by_one(illumination, points, active);
@@ -131,7 +131,7 @@ fn from_point(color: Color, position: DVec3, points: Vector3x4, active: u32) -> 
         lit: active,
         color: ColorPacket::splat(color),
         direction,
-        distance: way.dot(way).sqrt(),
+        distance: to_light.dot(to_light).sqrt(),
     }
 }
 
