@@ -27,6 +27,13 @@ for (const id of location.pathname.endsWith('print.html') ? [] : folds) {
     details.append(summary, ...section);
 }
 
+// The printed book shows the lessons' code, too.
+const openLessons = () => document.querySelectorAll('details.lesson').forEach((lesson) => (lesson.open = true));
+if (location.pathname.endsWith('print.html')) {
+    openLessons();
+}
+addEventListener('beforeprint', openLessons);
+
 const openTarget = () => {
     const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
     const fold = target?.closest('details.fold');

@@ -6,7 +6,7 @@ use common::{Color, Error, Image, PixelTrace, Renderer, Settings};
 use super::recorded::push_ray;
 use crate::{Camera, Ray, Sampler, View, camera_coordinates, kinds, render};
 
-const SAMPLES: &str = "a03-rays-cameras.md#many-rays-a-pixel";
+const SAMPLES: &str = "a03-rays-cameras.md#many-rays-per-pixel";
 const LOOP: &str = "a03-rays-cameras.md#the-only-loop";
 const MIRRORS: &str = "a06-shadows-reflection.md#how-deep";
 

@@ -250,7 +250,7 @@ live.figure = (name, figure) => {
     const together = [];
     (figure.grows ?? []).forEach(([page, heading, title, hint, more], step) => {
         let last = location.pathname.includes(page) && document.querySelector(`main > h2#${heading}`);
-        while (last?.nextElementSibling && !last.nextElementSibling.matches('h2, details')) {
+        while (last?.nextElementSibling && !last.nextElementSibling.matches('h2, details.fold')) {
             last = last.nextElementSibling;
         }
         if (last) {

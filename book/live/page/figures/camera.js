@@ -98,10 +98,10 @@
                 sliders: { y: { label: 'height of the eye', min: 0.2, max: 6, step: 0.1 } },
                 values: { 'u.0': 'u =', 'u.1': '', 'u.2': '', 'v.0': 'v =', 'v.1': '', 'v.2': '', 'w.0': 'w =', 'w.1': '', 'w.2': '' },
             }],
-            ['a03', 'orthographic', 'All rays are parallel', 'The rays through the corners of the picture start in a rectangle around the eye, by OrthographicCamera. In the picture, edges that are parallel stay so.'],
+            ['a04', 'the-orthographic-camera', 'All rays are parallel', 'The rays through the corners of the picture start in a rectangle around the eye, by OrthographicCamera. In the picture, edges that are parallel stay so.'],
             ['a03', 'perspective', 'All rays start in the eye', 'The edges of the pyramid are the rays through the corners of the picture, by PerspectiveCamera. A wider opening shows more, and all of it smaller.'],
             ['a03', 'the-striped-sky', 'A sky', 'The rays meet nothing: their directions alone choose the stripes. Let the gaze climb, and the stripes bend.', { state: { upwards: 0 } }],
-            ['a03', 'many-rays-a-pixel', 'Sixteen rays a pixel', 'The fan goes through one pixel, drawn as large as a quarter of the picture is wide, at the stratified places of Sampler. The edges in the picture have no stairs any more.'],
+            ['a03', 'many-rays-per-pixel', 'Sixteen rays per pixel', 'The fan goes through one pixel, drawn as large as a quarter of the picture is wide, at the stratified places of Sampler. The edges in the picture have no stairs any more.'],
         ],
     });
 }
