@@ -25,5 +25,5 @@ pub use picture::{compare_picture, expected_picture, pictured};
 pub use question::Question;
 pub use record::Record;
 pub use row::{Row, Tolerance};
-pub use student_output::{MARK, StudentOutput};
+pub use student_output::{MARK, MARKED, REMARK_MARK, StudentOutput, WORDS_MARK};
 pub use verdict::{PictureVerdict, StudentAnswer, Verdict, verdict};

@@ -9,6 +9,16 @@ use crate::{Question, StudentAnswer, text};
 /// Sets the answers apart from what a program prints besides, which is before it.
 pub const MARK: char = '\u{1c}';
 
+/// With this variable in the environment, each line of a check begins with a mark, which sets it
+/// apart from what the student's program prints.
+pub const MARKED: &str = "EXERCISE_MARKED";
+
+/// Begins a line that all students read, such as what is wrong.
+pub const WORDS_MARK: char = '\u{1e}';
+
+/// Begins a line for those who want to know more, such as how exact a right answer is.
+pub const REMARK_MARK: char = '\u{1f}';
+
 /// The answers of a student's program, and the picture of the scene that it paints.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StudentOutput {

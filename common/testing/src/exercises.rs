@@ -37,6 +37,8 @@ mod program;
 mod prove;
 mod random;
 #[cfg(not(target_family = "wasm"))]
+mod say;
+#[cfg(not(target_family = "wasm"))]
 mod student;
 
 pub use common::ArgumentError;

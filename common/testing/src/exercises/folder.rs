@@ -65,12 +65,12 @@ impl StageFolder {
             .map_or(folder.clone(), Path::to_owned)
     }
 
-    /// Saves a picture, and prints where it lies.
-    pub(super) fn save(&self, image: &Image, name: &str) {
+    /// Saves a picture, and says where it lies.
+    pub(super) fn save(&self, image: &Image, name: &str) -> String {
         let path = self.pictures().join(name);
         match picture_file::save_png(&path, image.size(), &image.to_rgb8(Transfer::Linear)) {
-            Ok(()) => println!("picture: {}", path.display()),
-            Err(error) => println!("a picture: {error}"),
+            Ok(()) => format!("picture: {}", path.display()),
+            Err(error) => format!("a picture: {error}"),
         }
     }
 

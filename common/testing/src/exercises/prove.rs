@@ -298,7 +298,7 @@ impl Proof {
         let mut problems = [&found.missing[..], &found.verdict.wrong].concat();
         if let (Some(image), Some(name)) = (&found.image, picture) {
             if self.is_shown {
-                self.folder.save(image, name);
+                println!("{}", self.folder.save(image, name));
             }
             let shown = self.folder.in_book(name);
             if shown.is_file() {

@@ -11,6 +11,7 @@ use exercise::StudentOutput;
 use super::folder::StageFolder;
 use super::kind::Exercise;
 use super::program::{Program, Reader};
+use super::say::{remark, say};
 
 /// With this variable in the environment, the program prints its answers and its picture for a
 /// grader.
@@ -32,40 +33,40 @@ pub fn judge<C: Clone + 'static>(
         // A line may panic for each input, and in each row of a picture.
         if lines.lock().is_ok_and(|mut lines| lines.insert(line)) {
             let message = panic.payload_as_str().unwrap_or_default();
-            println!("{name}.rs, line {line}: {message}");
+            say(&format!("{name}.rs, line {line}: {message}"));
         }
     }));
     let record = match folder.record(name) {
         Ok(record) => record,
         Err(problem) => {
-            println!("{problem}");
+            say(&problem);
             return ExitCode::FAILURE;
         }
     };
     let is_printed = env::var_os(PRINTED).is_some();
-    let remark = exercise.remark;
+    let exercise_remark = exercise.remark;
     let program = Program::new(exercise, yours.clone(), &record.found);
     let found = program.run(examples, &record, folder, Reader::Student);
     // A grader sees no picture.
     if let Some(image) = found.image.as_ref().filter(|_| !is_printed) {
-        folder.save(image, &format!("{}-{name}.png", folder.stage().name));
+        say(&folder.save(image, &format!("{}-{name}.png", folder.stage().name)));
     }
     if !found.missing.is_empty() {
-        println!("to do: {}", found.missing.join("; "));
+        say(&format!("to do: {}", found.missing.join("; ")));
         return ExitCode::from(3);
     }
     let is_right = found.verdict.wrong.is_empty();
-    for line in found.verdict.wrong.iter().chain(&found.verdict.note) {
-        println!("{line}");
+    for words in &found.verdict.wrong {
+        say(words);
     }
-    if let Some(remark) = remark.filter(|_| is_right) {
-        println!(
-            "{}",
-            remark(&yours).unwrap_or_else(|error| error.to_string())
-        );
+    if let Some(note) = &found.verdict.note {
+        remark(note);
     }
-    if let Some(line) = &found.verdict.known {
-        println!("{line}");
+    if let Some(about_right) = exercise_remark.filter(|_| is_right) {
+        remark(&about_right(&yours).unwrap_or_else(|error| error.to_string()));
+    }
+    if let Some(words) = &found.verdict.known {
+        say(words);
     }
     if is_printed {
         let picture = found.image.filter(|_| record.picture.is_some());
