@@ -3,19 +3,24 @@
 use std::process::Command;
 
 use crate::exercise::Exercise;
-use crate::{files, progress};
+use crate::files;
+use crate::progress::Progress;
 
 /// Builds the book with the exercises that are done.
 pub fn build(course: &[Exercise]) -> Result<String, String> {
-    let done = course.iter().filter(|e| progress::is_done(e));
-    let yours: String = done.flat_map(|e| [e.stage, "/", e.name, " "]).collect();
+    let progress = Progress::read();
+    let mut yours = Vec::new();
+    for e in course.iter().filter(|e| progress.is_done(e)) {
+        yours.push(format!("{}/{}", e.stage, e.name));
+    }
     if yours.is_empty() {
         return Err("no exercise is done".to_owned());
     }
+    let yours = yours.join(" ");
     let mut build = Command::new("bash");
     build.arg("book/build").env("YOURS", &yours);
     match build.current_dir(files::workspace()).status() {
-        Ok(status) if status.success() => Ok(format!("with pictures by your {}", yours.trim_end())),
+        Ok(status) if status.success() => Ok(format!("with pictures by your {yours}")),
         Ok(_) => Err("the book is not built".to_owned()),
         Err(error) => Err(format!("bash does not start: {error}")),
     }

@@ -1,7 +1,10 @@
 //! `editor`: the settings of rust-analyzer for the students' files.
 
 use std::fs::{self, File};
-use std::io::Write;
+use std::io::{self, Write};
+use std::path::Path;
+
+use common::text;
 
 use crate::files;
 
@@ -14,10 +17,17 @@ const SETTINGS: &str = r#"{
 /// Writes the settings, unless the file has others. Returns its path.
 pub fn write_settings() -> Result<String, String> {
     let file = files::shortest(".vscode/settings.json");
-    let folder = file.parent().map_or(Ok(()), fs::create_dir_all);
-    let created = folder.and_then(|()| File::create_new(&file));
-    let written = created.and_then(|mut file| writeln!(file, "{SETTINGS}"));
-    let path = file.display().to_string();
-    written.map_err(|error| format!("{path}: {error}; add to it\n{SETTINGS}"))?;
-    Ok(path)
+    let path = text::path(&file);
+    match write_new(&file) {
+        Ok(()) => Ok(path),
+        Err(error) => Err(format!("{path}: {error}; add to it\n{SETTINGS}")),
+    }
+}
+
+/// Writes the settings into a file that does not exist yet.
+fn write_new(file: &Path) -> io::Result<()> {
+    if let Some(folder) = file.parent() {
+        fs::create_dir_all(folder)?;
+    }
+    writeln!(File::create_new(file)?, "{SETTINGS}")
 }

@@ -4,6 +4,8 @@ use std::path::{Component, Path, PathBuf};
 use std::time::SystemTime;
 use std::{env, fs, io};
 
+use common::text;
+
 use crate::exercise::Exercise;
 
 /// The folder of starters whose solution is not in the workbook.
@@ -32,22 +34,27 @@ pub fn shortest(path: &str) -> PathBuf {
 
 /// The text of a file in the workbook.
 pub fn read(path: &str) -> Result<String, String> {
-    fs::read_to_string(shortest(path)).map_err(failed(path.as_ref()))
+    fs::read_to_string(shortest(path)).map_err(with_path(path.as_ref()))
 }
 
-/// The words about a file that cannot be read or written.
-pub fn failed(path: &Path) -> impl Fn(io::Error) -> String {
-    move |error| format!("{}: {error}", path.display())
+pub use self::with_path as failed;
+
+/// An error about a file as words, which begin with its path.
+pub fn with_path(path: &Path) -> impl Fn(io::Error) -> String {
+    move |error| format!("{}: {error}", text::path(path))
 }
 
 pub fn yours(e: &Exercise) -> PathBuf {
     shortest(&format!("{}/exercises/{}.rs", e.stage, e.name))
 }
 
-/// When the student's file was saved; none if there is no file.
-pub fn saved(exercise: &Exercise) -> Option<SystemTime> {
-    let file = fs::metadata(yours(exercise));
-    file.and_then(|file| file.modified()).ok()
+/// When the student's file was saved, and its length; none if there is no file.
+pub type Saved = Option<(SystemTime, u64)>;
+
+/// Tells a saved file from the one before.
+pub fn saved(exercise: &Exercise) -> Saved {
+    let file = fs::metadata(yours(exercise)).ok()?;
+    Some((file.modified().ok()?, file.len()))
 }
 
 /// The text of the starter: a file of its own, which may be without a solution, or the solution
@@ -57,7 +64,7 @@ pub fn starter(exercise: &Exercise) -> Result<String, String> {
     for folder in ["starters", OPEN] {
         let file = shortest(&format!("{stage}/exercises/{folder}/{name}.rs"));
         if file.is_file() {
-            return fs::read_to_string(&file).map_err(failed(&file));
+            return fs::read_to_string(&file).map_err(with_path(&file));
         }
     }
     let solution = read(&format!("{stage}/exercises/solutions/{name}.rs"))?;
@@ -82,15 +89,17 @@ fn without_code(solution: &str) -> String {
 
 /// Whether the student has changed the file.
 pub fn is_begun(exercise: &Exercise) -> bool {
-    let yours = fs::read_to_string(yours(exercise));
-    yours.is_ok_and(|yours| starter(exercise) != Ok(yours))
+    let Ok(yours) = fs::read(yours(exercise)) else {
+        return false;
+    };
+    starter(exercise).is_ok_and(|starter| starter.as_bytes() != yours)
 }
 
 /// Writes the starter, if the student has no file yet.
 pub fn begin(exercise: &Exercise) -> Result<(), String> {
     let yours = yours(exercise);
     if !yours.exists() {
-        fs::write(&yours, starter(exercise)?).map_err(failed(&yours))?;
+        fs::write(&yours, starter(exercise)?).map_err(with_path(&yours))?;
     }
     Ok(())
 }
@@ -98,12 +107,12 @@ pub fn begin(exercise: &Exercise) -> Result<(), String> {
 /// Renames the student's file, and copies the starter. Returns where both are.
 pub fn reset(exercise: &Exercise) -> Result<String, String> {
     let yours = yours(exercise);
-    let mut words = format!("the starter: {}", yours.display());
+    let mut words = format!("the starter: {}", text::path(&yours));
     if is_begun(exercise) {
         let mut names = (1..).map(|n| yours.with_extension(format!("{n}.bak")));
         let backup = names.find(|name| !name.exists()).unwrap_or_default();
-        fs::rename(&yours, &backup).map_err(failed(&yours))?;
-        words = format!("{words}\nyour file is kept: {}", backup.display());
+        fs::rename(&yours, &backup).map_err(with_path(&yours))?;
+        words = format!("{words}\nyour file is kept: {}", text::path(&backup));
     }
     begin(exercise)?;
     Ok(words)

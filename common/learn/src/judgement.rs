@@ -1,50 +1,144 @@
 //! `judge`: builds the test program of a stage with a student's file, and runs it.
 
-use std::process::{Command, ExitStatus, Stdio};
+use std::fmt::Write as _;
+use std::process::Command;
 use std::time::{Duration, Instant};
 use std::{env, fs, io, thread};
 
-use crate::exercise::Exercise;
-use crate::lacking::lacking;
-use crate::{files, progress};
+use ::exercise::MARKED;
+use common::text;
 
-/// The longest time that a check may take in seconds, unless `LEARN_SECONDS` is another.
+use crate::exercise::Exercise;
+use crate::files;
+use crate::lacking::lacking;
+use crate::output::{Output, OutputReader};
+use crate::process::run;
+use crate::progress::Progress;
+use crate::screen::Screen;
+
+/// The longest time in seconds that a check may take without output, unless `LEARN_SECONDS` is
+/// another.
 const LONGEST: u64 = 10;
 
-/// Time between two looks at a running program.
-const PAUSE: Duration = Duration::from_millis(20);
+/// How many times as long it may take while it prints: to print much takes long, and is no loop
+/// without end.
+const LONGEST_WITH_OUTPUT: u32 = 6;
 
-/// Why a program that runs is to stop; none while it is to go on.
-type Stop<'a> = &'a mut dyn FnMut() -> Option<String>;
+/// What goes on.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Phase {
+    Building,
+    Checking,
+}
 
-/// Checks a student's file, and records whether it is done. Returns the verdict, which is an
-/// error if it is not. A `loud` build shows that it goes on.
-pub fn judge(e: &Exercise, loud: bool, stop: Stop) -> Result<String, String> {
-    let verdict = |words: &str| format!("{}: {words}", e.name);
-    progress::record(e, false)?;
-    let text = fs::read_to_string(files::yours(e)).unwrap_or_default();
-    if let Some(lacks) = lacking(e, &text) {
-        return Err(verdict(&lacks));
+impl Phase {
+    /// The words about it. `what` follows them, such as `, 3 of 12: sphere`.
+    pub fn words(self, what: &str, elapsed: Duration) -> String {
+        let seconds = elapsed.as_secs();
+        let words = match self {
+            Self::Building if seconds > 2 => "building, about a minute",
+            Self::Building => "building",
+            Self::Checking => "checking",
+        };
+        let time = if seconds > 0 {
+            format!(" ({seconds} s)")
+        } else {
+            String::new()
+        };
+        format!("{words}{what}{time}")
     }
-    let mut arguments = arguments(e);
-    // After a save, only functions that have changed are compiled anew.
-    arguments.extend(["-C", "incremental=target/learn"].map(str::to_owned));
-    let program = build(e.name, loud, &arguments, stop)?;
-    let longest = env::var("LEARN_SECONDS").ok();
-    let longest = longest.and_then(|n| n.parse().ok()).unwrap_or(LONGEST);
-    let late = format!("no end after {longest} seconds, probably a loop without end");
-    let end = Instant::now() + Duration::from_secs(longest);
-    let mut check = Command::new(program);
-    let (ended, _) = run(check.env("RUST_BACKTRACE", "0"), &mut || {
-        let is_late = Instant::now() > end;
-        is_late.then(|| verdict(&late)).or_else(&mut *stop)
-    })?;
-    if !ended.success() {
-        // The program has printed why.
-        return Err(verdict("not yet"));
+}
+
+/// Is told often how long the phase has lasted, and answers whether the check goes on.
+pub type Watcher<'a> = &'a mut dyn FnMut(Phase, Duration) -> bool;
+
+/// What a check says about a student's file.
+#[derive(Default)]
+pub struct Report {
+    pub is_done: bool,
+    /// The output of the student's program, or of the compiler.
+    pub printed: String,
+    /// What is wrong.
+    pub words: String,
+    /// What is true besides, for those who want to know more.
+    pub remarks: String,
+    /// The verdict in a line, such as `sphere: done`.
+    pub verdict: String,
+}
+
+impl Report {
+    fn new(e: &Exercise, verdict: &str) -> Self {
+        Self {
+            verdict: format!("{}: {verdict}", e.name),
+            ..Self::default()
+        }
     }
-    progress::record(e, true)?;
-    Ok(verdict("done"))
+
+    /// What a student reads above the verdict: of a file that is right, only where its picture is,
+    /// unless all is asked for.
+    pub fn details(&self, screen: &Screen, is_all: bool) -> String {
+        let is_all = is_all || !self.is_done;
+        let mut text = String::new();
+        if is_all {
+            add_lines(&mut text, &self.printed);
+        }
+        add_lines(&mut text, &screen.wrap(&self.words));
+        if is_all {
+            add_lines(&mut text, &screen.wrap(&self.remarks));
+        }
+        text
+    }
+
+    /// Whether details without all leave something out.
+    pub fn hides_something(&self) -> bool {
+        self.is_done && !(self.printed.is_empty() && self.remarks.is_empty())
+    }
+}
+
+fn add_lines(text: &mut String, lines: &str) {
+    if !lines.is_empty() {
+        *text += lines.trim_end();
+        *text += "\n";
+    }
+}
+
+/// Checks a student's file, and records whether it is done. Messages of the compiler are as wide
+/// as the terminal.
+pub fn judge(
+    e: &Exercise,
+    progress: &mut Progress,
+    width: Option<usize>,
+    watcher: Watcher,
+) -> Report {
+    let file = files::yours(e);
+    let text = match fs::read_to_string(&file) {
+        Ok(text) => text,
+        Err(error) => return Report::new(e, &files::with_path(&file)(error)),
+    };
+    let report = match lacking(e, &text) {
+        Some(lacks) => Report::new(e, &lacks),
+        None => match build_and_run(e, width, watcher) {
+            Ok(Some(report)) => report,
+            Ok(None) => return Report::new(e, "stopped"),
+            Err(problem) => return Report::new(e, &problem),
+        },
+    };
+    progress.record(e, &text, report.is_done);
+    report
+}
+
+/// Judges a file that has the names which the check asks for. There is no report if the watcher
+/// stops it.
+fn build_and_run(
+    e: &Exercise,
+    width: Option<usize>,
+    watcher: Watcher,
+) -> Result<Option<Report>, String> {
+    match build(e, width, watcher)? {
+        Build::Program(program) => run_check(e, &program, watcher),
+        Build::Failed(report) => Ok(Some(report)),
+        Build::Stopped => Ok(None),
+    }
 }
 
 /// Cargo's words for the test program of an exercise.
@@ -60,16 +154,50 @@ pub fn arguments(e: &Exercise) -> Vec<String> {
     all.map(str::to_owned).collect()
 }
 
-/// Builds a test program, and returns its path.
-fn build(name: &str, loud: bool, arguments: &[String], stop: Stop) -> Result<String, String> {
+/// What comes of a build.
+enum Build {
+    /// The path of the test program.
+    Program(String),
+    Failed(Report),
+    Stopped,
+}
+
+/// Builds the test program of an exercise.
+fn build(e: &Exercise, width: Option<usize>, watcher: Watcher) -> Result<Build, String> {
+    let failed = |error: io::Error| format!("cargo: {error}");
+    let (mut messages, to_messages) = io::pipe().map_err(failed)?;
+    let (errors, to_errors) = io::pipe().map_err(failed)?;
     let mut cargo = Command::new("cargo");
-    cargo.args((!loud).then_some("--quiet")).args(arguments);
-    cargo.current_dir(files::workspace()).stdout(Stdio::piped());
-    match run(&mut cargo, stop)? {
-        (status, messages) if status.success() => program(&messages),
-        // Cargo has printed why.
-        _ => Err(format!("{name}: does not compile")),
+    cargo.arg("--quiet").args(arguments(e));
+    // After a save, only functions that have changed are compiled again: those of a unit are
+    // compiled together, so there are many units.
+    cargo.args(["-C", "incremental=target/learn", "-C", "codegen-units=256"]);
+    if let Some(width) = width {
+        cargo.arg(format!("--diagnostic-width={width}"));
     }
+    if console::colors_enabled() {
+        cargo.env("CARGO_TERM_COLOR", "always");
+    }
+    cargo.current_dir(files::workspace());
+    cargo.stdout(to_messages).stderr(to_errors);
+    let messages = thread::spawn(move || io::read_to_string(&mut messages));
+    let errors = OutputReader::start(errors);
+
+    let start = Instant::now();
+    let goes_on = &mut || watcher(Phase::Building, start.elapsed());
+    let Some(status) = run(cargo, goes_on).map_err(failed)? else {
+        return Ok(Build::Stopped);
+    };
+    if !status.success() {
+        let errors = errors.finish();
+        let (first, more) = errors.beginning();
+        return Ok(Build::Failed(Report {
+            printed: first + &say_cut(e, &errors, more),
+            ..Report::new(e, "does not compile")
+        }));
+    }
+    let messages = messages.join().unwrap_or(Ok(String::new()));
+    Ok(Build::Program(program(&messages.map_err(failed)?)?))
 }
 
 /// The path of the test program, by the messages of the build.
@@ -82,22 +210,72 @@ pub fn program(messages: &str) -> Result<String, String> {
     Ok(program.replace("\\\\", "\\"))
 }
 
-/// Runs a program, and returns its status and its piped output, unless it is stopped.
-fn run(command: &mut Command, stop: Stop) -> Result<(ExitStatus, String), String> {
-    let program = command.get_program().to_owned();
-    let failed = |error| format!("{}: {error}", program.display());
-    let mut child = command.spawn().map_err(failed)?;
-    let output = child.stdout.take();
-    let output = thread::spawn(|| output.map_or(Ok(String::new()), io::read_to_string));
-    loop {
-        if let Some(status) = child.try_wait().map_err(failed)? {
-            let output = output.join().unwrap_or(Ok(String::new()));
-            return Ok((status, output.map_err(failed)?));
+/// Runs the test program. There is no report if the watcher stops it.
+fn run_check(e: &Exercise, program: &str, watcher: Watcher) -> Result<Option<Report>, String> {
+    let failed = files::with_path(program.as_ref());
+    let (output, to_output) = io::pipe().map_err(&failed)?;
+    let mut check = Command::new(program);
+    check.env("RUST_BACKTRACE", "0").env(MARKED, "1");
+    check.env("EXERCISE_DETAILS", "1");
+    check.stdout(to_output.try_clone().map_err(&failed)?);
+    check.stderr(to_output);
+    let output = OutputReader::start(output);
+
+    let limit = env::var("LEARN_SECONDS").ok();
+    let seconds = limit.and_then(|n| n.parse().ok()).unwrap_or(LONGEST);
+    let limit = Duration::from_secs(seconds);
+    let start = Instant::now();
+    let mut late = None;
+    let status = run(check, &mut || {
+        let silence = output.so_far().last.unwrap_or(start).elapsed();
+        let elapsed = start.elapsed();
+        if silence > limit {
+            let words = format!("no end after {seconds} seconds, probably a loop without end");
+            late = Some(words);
+        } else if elapsed > limit * LONGEST_WITH_OUTPUT {
+            let (seconds, lines) = (elapsed.as_secs(), output.so_far().lines);
+            late = Some(format!(
+                "no end after {seconds} seconds, in which it has printed {lines} lines; print \
+                 less, or look for a loop without end"
+            ));
         }
-        if let Some(why) = stop() {
-            child.kill().and_then(|()| child.wait()).map_err(failed)?;
-            return Err(why);
-        }
-        thread::sleep(PAUSE);
+        late.is_none() && watcher(Phase::Checking, elapsed)
+    });
+    let output = output.finish();
+    let (is_done, verdict) = match (status.map_err(failed)?, late) {
+        (Some(status), _) if status.success() => (true, "done".to_owned()),
+        // The program says why.
+        (Some(_), _) => (false, "not yet".to_owned()),
+        (None, Some(late)) => (false, late),
+        (None, None) => return Ok(None),
+    };
+    let (first, more) = output.beginning();
+    // What a student's program prints may move the cursor.
+    let printed = text::message(&first.replace('\t', "    "));
+    Ok(Some(Report {
+        is_done,
+        printed: printed + &say_cut(e, &output, more),
+        words: text::message(&output.words),
+        remarks: text::message(&output.remarks),
+        ..Report::new(e, &verdict)
+    }))
+}
+
+/// Says how many lines of an output are not shown, and writes them to a file.
+fn say_cut(e: &Exercise, output: &Output, more: usize) -> String {
+    if more == 0 {
+        return String::new();
     }
+    let mut words = format!("\n… {more} more lines");
+    let path = files::shortest(&format!("out/exercises/{}.txt", e.name));
+    let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
+    if folder.and_then(|()| fs::write(&path, &output.kept)).is_ok() {
+        let part = if output.is_cut {
+            "the first MiB"
+        } else {
+            "all"
+        };
+        let _ = write!(words, "; {} has {part} of them", text::path(&path));
+    }
+    words
 }

@@ -5,6 +5,7 @@
 //! built with this file alone, so that a file that does not compile stops no other exercise.
 
 mod book;
+mod check_all;
 mod course;
 mod editor;
 mod exercise;
@@ -12,17 +13,31 @@ mod files;
 mod judgement;
 mod keys;
 mod lacking;
+mod list;
+mod output;
 mod own;
+mod page;
+mod process;
 mod progress;
+mod screen;
+mod status;
 mod submit;
 mod watch;
+mod wrap;
 
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
 
+use check_all::CheckAll;
 use exercise::Exercise;
+use judgement::judge;
+use progress::Progress;
+use screen::Screen;
+use status::Status;
+
+const ALL_DONE: &str = "all exercises are done; with a name, one is shown again";
 
 /// Leads through the exercises of all stages, and checks them on save
 #[derive(Parser)]
@@ -41,6 +56,15 @@ struct OrNext {
     name: Option<&'static Exercise>,
 }
 
+#[derive(Args)]
+struct Check {
+    #[command(flatten)]
+    one: OrNext,
+    /// Checks all files that you have begun
+    #[arg(long, conflicts_with = "name")]
+    all: bool,
+}
+
 #[derive(Subcommand)]
 enum Command {
     /// Lists all exercises, done and open
@@ -50,10 +74,10 @@ enum Command {
     /// Shows the hints of an exercise
     Hint(OrNext),
     /// Checks an exercise once
-    Check(OrNext),
+    Check(Check),
     /// Builds the book with your pictures in it
     Book,
-    /// Begins an exercise anew, and keeps your file
+    /// Begins an exercise again, and keeps your file
     Reset(OrNext),
     Submit(submit::Submit),
     #[command(flatten)]
@@ -72,31 +96,88 @@ fn main() -> ExitCode {
 fn run() -> Result<String, String> {
     let course = exercise::read_all()?;
     let CommandLine { command, shown } = CommandLine::parse();
-    let chosen = match &command {
-        Some(Command::Hint(chosen) | Command::Check(chosen) | Command::Reset(chosen)) => chosen,
-        _ => &shown,
-    };
-    let next = chosen.name.or_else(|| progress::next(course, None));
-    Ok(match (command, next) {
-        (Some(Command::List), _) => progress::list(course),
-        (Some(Command::Editor), _) => editor::write_settings()?,
-        (Some(Command::Book), _) => book::build(course)?,
-        (Some(Command::Submit(submit)), _) => submit.run(course)?,
-        (Some(Command::ForLecturers(it)), _) => course::run(it, course)?,
-        (_, None) => "all exercises are done; with a name, one is shown again".to_owned(),
-        (None, Some(e)) => watch::watch(course, e)?,
-        (Some(Command::Hint(_)), Some(e)) => format!("{}\n{}", e.title, e.hints.join("\n")),
-        (Some(Command::Check(_)), Some(e)) => {
-            files::begin(e)?;
-            judgement::judge(e, true, &mut || None)?
-        }
-        (Some(Command::Reset(_)), Some(e)) => files::reset(e)?,
-    })
+    match command {
+        None => match chosen_or_next(&shown, course) {
+            Some(e) => watch::watch(course, e),
+            None => Ok(ALL_DONE.to_owned()),
+        },
+        Some(Command::List) => Ok(Progress::read().list(course)),
+        Some(Command::Editor) => editor::write_settings(),
+        Some(Command::Hint(shown)) => Ok(match chosen_or_next(&shown, course) {
+            Some(e) => format!("{}\n{}", e.title, e.hints.join("\n")),
+            None => ALL_DONE.to_owned(),
+        }),
+        Some(Command::Check(Check { all: true, .. })) => check_all(course),
+        Some(Command::Check(Check { one, .. })) => match chosen_or_next(&one, course) {
+            Some(e) => check(e),
+            None => Ok(ALL_DONE.to_owned()),
+        },
+        Some(Command::Book) => book::build(course),
+        Some(Command::Reset(shown)) => match chosen_or_next(&shown, course) {
+            Some(e) => files::reset(e),
+            None => Ok(ALL_DONE.to_owned()),
+        },
+        Some(Command::Submit(submit)) => submit.run(course),
+        Some(Command::ForLecturers(command)) => course::run(command, course),
+    }
+}
+
+/// The named exercise, or the next that is not done.
+fn chosen_or_next(shown: &OrNext, course: &'static [Exercise]) -> Option<&'static Exercise> {
+    shown.name.or_else(|| Progress::read().next(course, None))
+}
+
+/// Checks an exercise, and prints all that the check says. Returns the verdict, which is an error
+/// if the exercise is not done.
+fn check(e: &Exercise) -> Result<String, String> {
+    files::begin(e)?;
+    let screen = Screen::new();
+    let mut progress = Progress::read();
+    let mut status = Status::new();
+    let report = judge(e, &mut progress, screen.width(), &mut |phase, elapsed| {
+        status.show("", phase, elapsed);
+        true
+    });
+    drop(status);
+    print(&report.details(&screen, true))?;
+    warn(&progress);
+    if report.is_done {
+        Ok(report.verdict)
+    } else {
+        Err(report.verdict)
+    }
+}
+
+/// Checks all files, and returns which of them are done; an error names those that are not.
+fn check_all(course: &[Exercise]) -> Result<String, String> {
+    let mut progress = Progress::read();
+    let mut status = Status::new();
+    let all = CheckAll::run(course, &mut progress, &mut |words, phase, elapsed| {
+        status.show(words, phase, elapsed);
+        true
+    });
+    drop(status);
+    warn(&progress);
+    if all.open.is_empty() {
+        Ok(all.to_string())
+    } else {
+        Err(all.to_string())
+    }
+}
+
+/// Says that the verdict is not kept, if so.
+fn warn(progress: &Progress) {
+    if let Some(warning) = progress.warning() {
+        eprintln!("{warning}");
+    }
 }
 
 /// Prints a text. The reader of a pipe may close it early.
 fn print(text: &str) -> Result<(), String> {
-    match writeln!(io::stdout(), "{text}") {
+    if text.is_empty() {
+        return Ok(());
+    }
+    match writeln!(io::stdout(), "{}", text.trim_end()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error.to_string()),
         _ => Ok(()),
     }

@@ -1,72 +1,141 @@
-//! The exercises that are done, by name, in a file that no commit contains.
+//! `Progress`: which exercises are done, in a file that no commit contains.
+//!
+//! A line of the file is the name of an exercise and the hash of the student's file that a check
+//! has found right. So an exercise is done as long as its file is that one: it is open again after
+//! an edit, a reset, or when the file is deleted.
 
+use std::collections::BTreeMap;
 use std::fs;
+
+use common::fnv1a;
 
 use crate::exercise::Exercise;
 use crate::files;
 
 const FILE: &str = ".learn";
 
-/// Length of a bar in characters.
+/// The longest bar in characters, and what else stands in its line.
 const BAR: usize = 30;
+const BESIDE_BAR: usize = 22;
 
-/// Whether the last check found it done, and the student's file is still there.
-pub fn is_done(exercise: &Exercise) -> bool {
-    let done = files::read(FILE).unwrap_or_default();
-    done.lines().any(|name| name == exercise.name) && files::saved(exercise).is_some()
+/// The exercises that are done.
+#[derive(Default)]
+pub struct Progress {
+    /// Hashes of right files, by the names of the exercises.
+    hashes: BTreeMap<String, u64>,
+    /// Why the file is not written. The program then knows until its end what is done.
+    problem: Option<String>,
 }
 
-/// How far the student is with it, in a word.
-pub fn mark(exercise: &Exercise) -> &'static str {
-    match (is_done(exercise), files::is_begun(exercise)) {
-        (true, _) => "done",
-        (_, true) => "begun",
-        _ => "",
+impl Progress {
+    /// The state that the file has.
+    pub fn read() -> Self {
+        let text = files::read(FILE).unwrap_or_default();
+        let mut hashes = BTreeMap::new();
+        for line in text.lines() {
+            if let Some((name, hash)) = line.split_once(' ')
+                && let Ok(hash) = u64::from_str_radix(hash, 16)
+            {
+                hashes.insert(name.to_owned(), hash);
+            }
+        }
+        Self {
+            hashes,
+            problem: None,
+        }
     }
-}
 
-/// Records the verdict of the last check.
-pub fn record(exercise: &Exercise, is_done: bool) -> Result<(), String> {
-    let known = files::read(FILE).unwrap_or_default();
-    let others = known.lines().filter(|name| *name != exercise.name);
-    let done = others.chain(is_done.then_some(exercise.name));
-    let done: String = done.map(|name| [name, "\n"].concat()).collect();
-    fs::write(files::shortest(FILE), done).map_err(files::failed(FILE.as_ref()))
-}
+    /// Whether the student's file is the one that a check has found right.
+    pub fn is_done(&self, exercise: &Exercise) -> bool {
+        let Some(hash) = self.hashes.get(exercise.name) else {
+            return false;
+        };
+        fs::read(files::yours(exercise)).is_ok_and(|text| fnv1a(&text) == *hash)
+    }
 
-/// The next open exercise: a later one on the same path as the `last`, or the first of the
-/// core path, or the first of the others. None if all are done.
-pub fn next<'a>(course: &'a [Exercise], last: Option<&Exercise>) -> Option<&'a Exercise> {
-    let on_path = |is_core| move |e: &&Exercise| e.is_core == is_core;
-    let later = course.iter().skip_while(|e| Some(*e) != last).skip(1);
-    let later = later.filter(on_path(last.is_some_and(|e| e.is_core)));
-    let core = course.iter().filter(on_path(true));
-    later.chain(core).chain(course).find(|e| !is_done(e))
-}
+    /// Records what a check says about a text.
+    pub fn record(&mut self, exercise: &Exercise, text: &str, is_done: bool) {
+        // Another `cargo learn` may have recorded something since.
+        if self.problem.is_none() {
+            self.hashes = Self::read().hashes;
+        }
+        let name = exercise.name.to_owned();
+        if is_done {
+            self.hashes.insert(name, fnv1a(text.as_bytes()));
+        } else {
+            self.hashes.remove(&name);
+        }
+        let mut lines = Vec::new();
+        for (name, hash) in &self.hashes {
+            lines.push(format!("{name} {hash:016x}\n"));
+        }
+        let path = files::shortest(FILE);
+        let written = fs::write(&path, lines.concat()).map_err(files::with_path(&path));
+        self.problem = written.err();
+    }
 
-/// A bar for the core path and one for the further exercises.
-pub fn bars(course: &[Exercise]) -> String {
-    let bar = |words, is_core| {
+    /// Says that the next program will not know what is done, if so.
+    pub fn warning(&self) -> Option<String> {
+        let problem = self.problem.as_ref()?;
+        Some(format!("what is done is not kept: {problem}"))
+    }
+
+    /// How far the student is with an exercise, in a word.
+    pub fn mark(&self, exercise: &Exercise) -> &'static str {
+        if self.is_done(exercise) {
+            "done"
+        } else if files::is_begun(exercise) {
+            "begun"
+        } else {
+            ""
+        }
+    }
+
+    /// The next open exercise: a later one on the same path as the `last`, or the first of the
+    /// core path, or the first of the others. None if all are done.
+    pub fn next<'a>(
+        &self,
+        course: &'a [Exercise],
+        last: Option<&Exercise>,
+    ) -> Option<&'a Exercise> {
+        let is_core = last.is_some_and(|last| last.is_core);
+        let place = course.iter().position(|e| Some(e) == last);
+        let later = place.map_or(&[][..], |place| &course[place + 1..]);
+        let on_path = later.iter().filter(|e| e.is_core == is_core);
+        let core = course.iter().filter(|e| e.is_core);
+        let mut candidates = on_path.chain(core).chain(course);
+        candidates.find(|e| !self.is_done(e))
+    }
+
+    /// A bar for the core path and one for the further exercises, in lines of this width.
+    pub fn bars(&self, course: &[Exercise], width: Option<usize>) -> String {
+        let most = width.map_or(BAR, |width| width.saturating_sub(BESIDE_BAR).min(BAR));
+        let core = self.bar("core path", course, true, most);
+        let further = self.bar("further  ", course, false, most);
+        format!("{core}\n{further}")
+    }
+
+    fn bar(&self, words: &str, course: &[Exercise], is_core: bool, length: usize) -> String {
         let path = course.iter().filter(|e| e.is_core == is_core);
-        let (done, all) = (path.clone().filter(|e| is_done(e)).count(), path.count());
-        let full = "#".repeat(BAR * done / all.max(1));
-        format!("{words} [{full:.<BAR$}] {done} of {all}")
-    };
-    format!("{}\n{}", bar("core path", true), bar("further  ", false))
-}
-
-/// All exercises, one a line.
-pub fn list(course: &[Exercise]) -> String {
-    let row = |e: &Exercise| {
-        let mark = mark(e);
-        let path = if e.is_core { "core" } else { "" };
-        let (name, title, minutes) = (e.name, e.title, e.minutes);
-        format!("  {mark:5}  {path:4}  {name:18} {title}, {minutes} minutes")
-    };
-    let mut lines = Vec::new();
-    for exercises in course.chunk_by(|a, b| a.stage == b.stage) {
-        lines.push(exercises[0].stage.to_owned());
-        lines.extend(exercises.iter().map(row));
+        let all = path.clone().count();
+        let done = path.filter(|e| self.is_done(e)).count();
+        let full = "#".repeat(length * done / all.max(1));
+        format!("{words} [{full:.<length$}] {done} of {all}")
     }
-    format!("{}\n\n{}", lines.join("\n"), bars(course))
+
+    /// All exercises, one a line.
+    pub fn list(&self, course: &[Exercise]) -> String {
+        let mut lines = Vec::new();
+        for of_stage in course.chunk_by(|a, b| a.stage == b.stage) {
+            lines.push(of_stage[0].stage.to_owned());
+            for e in of_stage {
+                let mark = self.mark(e);
+                let path = if e.is_core { "core" } else { "" };
+                let (name, title, minutes) = (e.name, e.title, e.minutes);
+                let row = format!("  {mark:5}  {path:4}  {name:18} {title}, {minutes} minutes");
+                lines.push(row);
+            }
+        }
+        format!("{}\n\n{}", lines.join("\n"), self.bars(course, None))
+    }
 }

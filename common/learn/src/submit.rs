@@ -4,12 +4,13 @@ use std::fs;
 use std::io::{self, Cursor, Write};
 use std::process::Command;
 
+use common::text;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
 use crate::exercise::Exercise;
-use crate::files::{self, failed};
-use crate::progress;
+use crate::files::{self, with_path};
+use crate::progress::Progress;
 
 /// Packs your files into NAME.zip, which you hand in
 #[derive(clap::Args)]
@@ -25,43 +26,56 @@ impl Submit {
         let name = self.name;
         let is_plain = |c: char| c.is_alphanumeric() || ['-', '_'].contains(&c);
         if name.is_empty() || !name.chars().all(is_plain) {
+            let name = text::name(&name);
             return Err(format!("\"{name}\" is no name of letters, digits, - and _"));
         }
         let begun: Vec<_> = course.iter().filter(|e| files::is_begun(e)).collect();
         if begun.is_empty() {
             return Err("no exercise is begun; `cargo learn` shows the first".to_owned());
         }
+        let progress = Progress::read();
         let path = format!("{name}.zip");
-        let written = packed(&begun).and_then(|bytes| fs::write(&path, bytes));
-        written.map_err(failed(path.as_ref()))?;
-        let done = begun.iter().filter(|e| progress::is_done(e)).count();
+        let bytes = pack(&begun, &progress)?;
+        fs::write(&path, bytes).map_err(with_path(path.as_ref()))?;
+        let done = begun.iter().filter(|e| progress.is_done(e)).count();
         let count = begun.len();
         Ok(format!("{path}: {count} files, {done} of them done"))
     }
 }
 
-/// The zip file: the student's files, and the results of the last checks.
-fn packed(begun: &[&Exercise]) -> io::Result<Vec<u8>> {
-    let rustc = Command::new("rustc").arg("--version").output();
-    let rustc = rustc.map_or(Vec::new(), |said| said.stdout);
-    let mut results = concat!("learn ", env!("CARGO_PKG_VERSION"), "\n").to_owned();
-    results += &String::from_utf8_lossy(&rustc);
+/// The bytes of the zip file: the student's files, and the results of the last checks.
+fn pack(begun: &[&Exercise], progress: &Progress) -> Result<Vec<u8>, String> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    let mut add = |name: &str, bytes: &[u8]| {
-        zip.start_file(name, SimpleFileOptions::default())?;
-        zip.write_all(bytes)
-    };
+    let version = env!("CARGO_PKG_VERSION");
+    let mut results = vec![format!("learn {version}\n"), rustc_version()];
     for e in begun {
         let yours = files::yours(e);
         if yours.is_symlink() {
-            let problem = format!("{} is a link; hand in the file itself", yours.display());
-            return Err(io::Error::other(problem));
+            let path = text::path(&yours);
+            return Err(format!("{path} is a link; hand in the file itself"));
         }
         let name = format!("{}/exercises/{}.rs", e.stage, e.name);
-        let bytes = fs::read(&yours).map_err(|error| io::Error::other(failed(&yours)(error)))?;
-        add(&name, &bytes)?;
-        results += &[e.name, " ", progress::mark(e), "\n"].concat();
+        let bytes = fs::read(&yours).map_err(with_path(&yours))?;
+        add(&mut zip, &name, &bytes)?;
+        results.push(format!("{} {}\n", e.name, progress.mark(e)));
     }
-    add("results.txt", results.as_bytes())?;
-    Ok(zip.finish()?.into_inner())
+    add(&mut zip, "results.txt", results.concat().as_bytes())?;
+    let zip = zip.finish().map_err(|error| error.to_string())?;
+    Ok(zip.into_inner())
+}
+
+/// Adds a file to the zip file.
+fn add(zip: &mut ZipWriter<Cursor<Vec<u8>>>, name: &str, bytes: &[u8]) -> Result<(), String> {
+    let failed = |error: io::Error| format!("{name}: {error}");
+    let started = zip.start_file(name, SimpleFileOptions::default());
+    started.map_err(|error| failed(error.into()))?;
+    zip.write_all(bytes).map_err(failed)
+}
+
+/// The compiler's version in a line; empty if there is no compiler.
+fn rustc_version() -> String {
+    match Command::new("rustc").arg("--version").output() {
+        Ok(output) => String::from_utf8_lossy(&output.stdout).into_owned(),
+        Err(_) => String::new(),
+    }
 }

@@ -15,14 +15,26 @@ const PACKAGE: &str = "[package]\nname = \"a01-image-display\"\nedition = \"2024
     [[test]]\nname = \"exercises\"\npath = \"main.rs\"\nharness = false\n[workspace]";
 
 /// The starter, and files of a student, whose checks end with an exit code, or do not end.
-const FILES: [(&str, &str); 6] = [
+const FILES: [(&str, &str); 9] = [
     ("starter", "println!(\"to do\"); 3"),
     ("right", "0"),
     ("wrong", "1"),
     ("panic", "panic!()"),
     ("broken", "{"),
     ("loop", "println!(\"starts\"); loop {}"),
+    ("chatty", "println!(\"a word\"); 0"),
+    (
+        "many",
+        "for i in 1..=9000 { println!(\"line {i}\") } eprintln!(\"last\"); 1",
+    ),
+    (
+        "slow",
+        "for i in 0..30 { println!(\"{i}\"); std::thread::sleep(TENTH) } 0",
+    ),
 ];
+
+/// How long a step goes on of whose answer nothing is waited for.
+const BETWEEN_STEPS: Duration = Duration::from_millis(500);
 
 /// The exercises in the order of their page.
 const EXERCISES: [&str; 10] = [
@@ -38,24 +50,38 @@ const EXERCISES: [&str; 10] = [
     "triangle_area",
 ];
 
-/// The evening: exercises, and of each the steps: a file that is saved, the file's end, or the key that is
-/// typed, and words of the answer.
+/// The evening: exercises, and of each the steps: a file that is saved, the file's end, or the key
+/// that is typed; and words of the answer, without which no answer is waited for. `look` waits for
+/// more words of the answer before.
 #[rustfmt::skip]
-const STEPS: [(&str, &str); 14] = [
-    ("set_pixel", "start>to do|h>Hint|loop>starts|right>: done|wrong>: not yet|>: not yet|right>: done"),
-    ("set_pixel", ">The diagonal, 10 minutes"),
-    ("diagonal", "panic>: not yet|loop>starts|h>Hint|broken>: does not compile|delete>l.rs is deleted"),
+const STEPS: [(&str, &str); 25] = [
+    ("set_pixel", "start>to do|h>Hint|h>no further hint|h>Hint|loop>|right>: done|look>core path [######........................] 1 of 5"),
+    ("set_pixel", "wrong>: not yet|look>] 0 of 5|>: not yet|right>: done|look>] 1 of 5|>The diagonal, 10 minutes"),
+    ("diagonal", "panic>: not yet|loop>|h>Hint|broken>: does not compile|delete>l.rs is deleted"),
     ("diagonal", ">to do|right>: done|l>done   core  diagonal|delete>is deleted|l>         core  diagonal"),
-    ("diagonal", ">to do|right>: done|n>exercises/products.rs"),
+    ("diagonal", ">to do|right>: done|x>begin again|z>nothing is changed|x>begin again|y>your file is kept"),
+    ("diagonal", "look>to do|look>] 1 of 5|right>: done|look>] 2 of 5|c>2 files are checked, 2 of them are done"),
+    ("diagonal", "z>h hint|n>exercises/products.rs"),
     ("products", "panic>: not yet|right>: done|>exercises/angle.rs"),
-    ("angle", "broken>: does not compile|n>exercises/reflected.rs"),
+    ("angle", "broken>: does not compile|c>3 of them are done; open: angle|n>exercises/reflected.rs"),
     ("reflected", "right>: done|broken>: does not compile|right>: done|>exercises/angle.rs"),
-    ("angle", "right>: done|>exercises/ppm.rs"),
+    ("angle", "chatty>: done|m>a word|look>: done|>exercises/ppm.rs"),
+    ("ppm", "many>line 50|look>… 8951 more lines; out/exercises/ppm.txt has all|look>: not yet"),
     ("ppm", "panic>: not yet|n>exercises/srgb.rs"),
     ("srgb", "delete>srgb.rs is deleted|>to do|n>exercises/line.rs"),
-    ("line", "loop>starts|n>exercises/thumbnail.rs"),
-    ("thumbnail", "right>: done|>exercises/triangle_area.rs"),
-    ("triangle_area", "loop>: no end after 2 seconds"),
+    ("line", "loop>|n>exercises/thumbnail.rs"),
+    ("thumbnail", "loop>|s>: stopped|slow>: done|>exercises/triangle_area.rs"),
+    // Neither Enter nor another stray key stops it.
+    ("triangle_area", "loop>|z>|>: no end after 2 seconds"),
+    ("triangle_area", "right>: done|>exercises/own.rs"),
+    ("own", "right>: done|>exercises/ppm.rs"),
+    ("ppm", "right>: done|>exercises/srgb.rs"),
+    ("srgb", "right>: done|>exercises/line.rs"),
+    // A file that is edited meanwhile is open again, and the end checks all.
+    ("thumbnail", "wrong>"),
+    ("line", "right>: done|look>] 5 of 6|>exercises/thumbnail.rs|look>: not yet"),
+    ("thumbnail", "right>: done|>11 files are checked, 11 of them are done|look>all exercises are done"),
+    ("thumbnail", "look>] 5 of 5|look>] 6 of 6|q>] 6 of 6"),
 ];
 
 fn write(path: &str, text: &str) {
@@ -66,7 +92,8 @@ fn write(path: &str, text: &str) {
 /// The text of a file.
 fn text(kind: &str) -> Option<String> {
     let (_, code) = FILES.iter().find(|(name, _)| *name == kind)?;
-    Some(format!("pub fn check() -> i32 {{ {code} }}"))
+    let tenth = "const TENTH: std::time::Duration = std::time::Duration::from_millis(100);";
+    Some(format!("{tenth}\npub fn check() -> i32 {{ {code} }}"))
 }
 
 /// The page that sets the exercises, of which the first ones are the core path.
@@ -113,11 +140,11 @@ fn each_step_is_answered() {
 
     // An exercise that no page sets.
     let task = "//! Its title, 5 minutes\n//!\n//! Its task.\n";
-    write(&file("starters/own"), task);
+    write(&file("starters/own"), &[task, &to_do].concat());
     let check = "a01-image-display/tests/exercises/own.rs";
     write(check, "//! Compares.\n//!\n//! Its hint.\n");
     let hint = learn(&["hint", "own"]).output().unwrap();
-    assert_eq!(hint.stdout, b"Its title\n\nIts hint.\n\n");
+    assert_eq!(hint.stdout, b"Its title\n\nIts hint.\n");
 
     let output = learn(&["hint", "diagnal"]).output().unwrap();
     assert!(String::from_utf8_lossy(&output.stderr).contains("diagonal"));
@@ -126,7 +153,12 @@ fn each_step_is_answered() {
         let status = learn(&["list"]).stdout(full).status().unwrap();
         assert_eq!(status.code(), Some(1), "the list is lost");
     }
+    watch_the_evening(&file);
+    check_once(&file);
+}
 
+/// Takes all steps.
+fn watch_the_evening(file: &dyn Fn(&str) -> String) {
     let mut learn = learn(&[]);
     learn.env("LEARN_SECONDS", "2").stderr(Stdio::null());
     learn.stdin(Stdio::piped()).stdout(Stdio::piped());
@@ -138,17 +170,71 @@ fn each_step_is_answered() {
     for (name, steps) in STEPS {
         for step in steps.split('|') {
             let (asked, (act, words)) = (Instant::now(), step.split_once('>').unwrap());
-            match text(act) {
-                Some(text) => write(&file(name), &text),
-                None if act == "delete" => fs::remove_file(file(name)).unwrap(),
-                None if act == "start" => {}
-                None => writeln!(typed, "{act}").unwrap(),
+            match (act, text(act)) {
+                (_, Some(text)) => write(&file(name), &text),
+                ("delete", _) => fs::remove_file(file(name)).unwrap(),
+                ("start" | "look", _) => {}
+                _ => writeln!(typed, "{act}").unwrap(),
             }
-            let line = || printed.recv_timeout(Duration::from_mins(1));
-            while !line().expect(step).contains(words) {}
+            if words.is_empty() {
+                thread::sleep(BETWEEN_STEPS);
+                continue;
+            }
+            loop {
+                let line = printed.recv_timeout(Duration::from_mins(1));
+                if line.expect(step).contains(words) {
+                    break;
+                }
+            }
             println!("{:4} ms  {name}  {step}", asked.elapsed().as_millis());
         }
     }
     drop(typed);
     assert!(learn.wait().unwrap().success(), "the end of the input");
+}
+
+/// Checks without keys, by what the file is now.
+fn check_once(file: &dyn Fn(&str) -> String) {
+    let run = |arguments: &[&str]| {
+        let output = learn(arguments).output().unwrap();
+        let printed = [output.stdout, output.stderr].concat();
+        (output.status.success(), String::from_utf8(printed).unwrap())
+    };
+    // Without a change, each file is done; after a change or a reset, it is not.
+    let (_, list) = run(&["list"]);
+    assert!(
+        list.contains("] 5 of 5") && list.contains("] 6 of 6"),
+        "{list}"
+    );
+    write(&file("own"), &text("wrong").unwrap());
+    run(&["reset", "angle"]);
+    fs::remove_file(file("ppm")).unwrap();
+    let (_, list) = run(&["list"]);
+    assert!(
+        list.contains("] 4 of 5") && list.contains("] 4 of 6"),
+        "{list}"
+    );
+    write(&file("own"), &text("right").unwrap());
+    let (_, list) = run(&["list"]);
+    assert!(list.contains("] 5 of 6"), "{list}");
+    write(&file("own"), &text("wrong").unwrap());
+    let (is_right, words) = run(&["check", "--all"]);
+    assert!(!is_right, "{words}");
+    assert!(
+        words.contains("9 files are checked, 8 of them are done; open: own"),
+        "{words}"
+    );
+
+    // What is done cannot be recorded, and what cannot be read is named.
+    fs::remove_file(".learn").unwrap();
+    fs::create_dir(".learn").unwrap();
+    let (is_right, words) = run(&["check", "set_pixel"]);
+    assert!(is_right && words.contains("set_pixel: done"), "{words}");
+    assert!(
+        words.contains("what is done is not kept: .learn: "),
+        "{words}"
+    );
+    fs::write(file("set_pixel"), [0xFF]).unwrap();
+    let (is_right, words) = run(&["check", "set_pixel"]);
+    assert!(!is_right && words.contains("UTF-8"), "{words}");
 }

@@ -1,0 +1,312 @@
+//! `Page`: an exercise on the screen, from its task to what its check says, and what its keys do.
+
+use std::time::Duration;
+
+use common::text;
+use console::{Key, style};
+
+use crate::check_all::CheckAll;
+use crate::exercise::Exercise;
+use crate::files::{self, Saved};
+use crate::judgement::{Report, judge};
+use crate::keys::Typed;
+use crate::list::{self, Choice};
+use crate::screen::Screen;
+use crate::watch::{PAUSE, Session};
+
+const SAVE: &str = "save the file to check it";
+const NEXT: &str = "Enter: the next exercise";
+const MORE: &str = "m: more about your code";
+const LESS: &str = "m: less about it";
+const KEYS: &str = "h hint  n next  l list  c check all  x reset  q quit";
+const KEYS_OF_CHECK: &str = "s stop  h hint  n next  l list  q quit";
+const RESET: &str = "begin again from the starter? your file is kept; y yes, other keys no";
+
+/// Where the student goes.
+pub enum Step {
+    Following,
+    Chosen(&'static Exercise),
+    Quit,
+}
+
+/// An exercise on the screen.
+pub struct Page {
+    pub exercise: &'static Exercise,
+    /// What the check says about the file.
+    report: Option<Report>,
+    /// The file that the report is about; none if the file is to be checked.
+    checked: Option<Saved>,
+    /// Answers to keys since the check.
+    pub notes: Vec<String>,
+    /// How many hints have been asked for.
+    hints: usize,
+    shows_remarks: bool,
+    asks_for_reset: bool,
+    /// The width for which it is drawn.
+    width: Option<usize>,
+}
+
+impl Page {
+    pub fn new(exercise: &'static Exercise) -> Self {
+        Self {
+            exercise,
+            report: None,
+            checked: None,
+            notes: Vec::new(),
+            hints: 0,
+            shows_remarks: false,
+            asks_for_reset: false,
+            width: None,
+        }
+    }
+
+    /// Checks the file whenever it is saved, and obeys keys, until the student goes on.
+    pub fn work(&mut self, session: &mut Session) -> Result<Step, String> {
+        loop {
+            let saved = files::saved(self.exercise);
+            let mut key = None;
+            if self.checked != Some(saved) {
+                self.checked = Some(saved);
+                if saved.is_some() {
+                    key = self.check(session, saved);
+                } else {
+                    self.say_deleted(session);
+                }
+            } else if self.width != session.screen.width() {
+                self.draw(session);
+            }
+            let typed = match key {
+                Some(key) => Typed::Key(key),
+                None => session.keys.read(PAUSE),
+            };
+            match typed {
+                Typed::Nothing => {}
+                Typed::End => return Ok(Step::Quit),
+                Typed::Key(key) => {
+                    if let Some(step) = self.obey(&key, session)? {
+                        return Ok(step);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Checks the file. Returns a key that has stopped the check.
+    fn check(&mut self, session: &mut Session, saved: Saved) -> Option<Key> {
+        let e = self.exercise;
+        let Session {
+            progress,
+            screen,
+            keys,
+            ..
+        } = session;
+        // Before the first check, notes are about what led to this page.
+        if self.report.take().is_some() {
+            self.notes.clear();
+        }
+        self.shows_remarks = false;
+        self.width = screen.width();
+        screen.show(&self.task_and_notes(screen), "");
+        let mut stopping_key = None;
+        let mut shown = String::new();
+        let report = judge(e, progress, self.width, &mut |phase, elapsed| {
+            let status = format!("{}  {KEYS_OF_CHECK}", phase.words("", elapsed));
+            if shown != status {
+                screen.show_status(&status);
+                shown = status;
+            }
+            match keys.read(Duration::ZERO) {
+                Typed::Key(Key::Char('h')) => {
+                    let hint = self.next_hint(screen);
+                    self.notes.push(hint.clone());
+                    screen.show(&self.task_and_notes(screen), &hint);
+                    shown.clear();
+                }
+                Typed::Key(Key::Char('s')) => return false,
+                Typed::Key(key @ (Key::Char('n' | 'l' | 'q') | Key::CtrlC)) => {
+                    stopping_key = Some(key);
+                    return false;
+                }
+                // No other key stops a check.
+                _ => {}
+            }
+            files::saved(e) == saved
+        });
+        self.report = Some(report);
+        // After another save the next check follows at once.
+        if files::saved(e) == saved && stopping_key.is_none() {
+            self.draw(session);
+        }
+        stopping_key
+    }
+
+    fn say_deleted(&mut self, session: &Session) {
+        self.report = None;
+        self.notes.clear();
+        let file = files::yours(self.exercise);
+        let note = format!("{} is deleted; Enter begins it again", text::path(&file));
+        self.note(session, &note);
+    }
+
+    /// Does what a key asks for.
+    fn obey(&mut self, key: &Key, session: &mut Session) -> Result<Option<Step>, String> {
+        let e = self.exercise;
+        if self.asks_for_reset {
+            self.asks_for_reset = false;
+            let note = if *key == Key::Char('y') {
+                self.checked = None;
+                files::reset(e).unwrap_or_else(|problem| problem)
+            } else {
+                "nothing is changed".to_owned()
+            };
+            self.report = None;
+            self.note(session, &note);
+            return Ok(None);
+        }
+        match key {
+            Key::Char('q') | Key::CtrlC => return Ok(Some(Step::Quit)),
+            Key::Char('n') => return Ok(Some(Step::Following)),
+            Key::Enter if session.progress.is_done(e) => return Ok(Some(Step::Following)),
+            Key::Enter => {
+                files::begin(e)?;
+                self.checked = None;
+            }
+            Key::Char('h') => {
+                let hint = self.next_hint(&session.screen);
+                self.note(session, &hint);
+            }
+            Key::Char('l') => return Ok(self.list(session)),
+            Key::Char('c') => return Ok(self.check_all(session)),
+            Key::Char('m') => {
+                self.shows_remarks = !self.shows_remarks;
+                self.draw(session);
+            }
+            Key::Char('x') => {
+                self.asks_for_reset = true;
+                self.note(session, RESET);
+            }
+            // A stray key of a terminal changes nothing; a wrong line in a pipe is answered.
+            _ if session.screen.is_terminal() => {}
+            _ => self.note(session, KEYS),
+        }
+        Ok(None)
+    }
+
+    /// The hint after the last one that was asked for.
+    fn next_hint(&mut self, screen: &Screen) -> String {
+        let hints = &self.exercise.hints;
+        let Some(hint) = hints.get(self.hints) else {
+            self.hints = 0;
+            self.notes.clear();
+            return "there is no further hint; h shows the first one again".to_owned();
+        };
+        self.hints += 1;
+        screen.wrap_markdown(hint.trim())
+    }
+
+    fn list(&mut self, session: &mut Session) -> Option<Step> {
+        if !session.screen.is_terminal() {
+            let list = session.progress.list(session.course);
+            self.note(session, &list);
+            return None;
+        }
+        match list::choose(self.exercise, session) {
+            Choice::Exercise(e) => Some(Step::Chosen(e)),
+            Choice::Quit => Some(Step::Quit),
+            Choice::Back => {
+                self.draw(session);
+                None
+            }
+        }
+    }
+
+    fn check_all(&mut self, session: &mut Session) -> Option<Step> {
+        let all = CheckAll::run_with_keys(session);
+        if all.quits {
+            return Some(Step::Quit);
+        }
+        self.note(session, &all.to_string());
+        None
+    }
+
+    /// Adds an answer to a key.
+    fn note(&mut self, session: &Session, note: &str) {
+        self.notes.push(note.to_owned());
+        session.screen.show(&self.text(session), note);
+    }
+
+    fn draw(&mut self, session: &Session) {
+        self.width = session.screen.width();
+        let text = self.text(session);
+        session.screen.show(&text, &text);
+    }
+
+    /// The page while the file is checked: the task, and answers to keys.
+    fn task_and_notes(&self, screen: &Screen) -> String {
+        let mut parts = vec![
+            self.heading(screen),
+            screen.wrap_markdown(&self.exercise.task),
+        ];
+        parts.extend(self.notes.iter().map(|note| screen.wrap(note)));
+        parts.join("\n\n") + "\n"
+    }
+
+    /// The page after a check: the task, the verdict, answers to keys, what is done, and the keys.
+    fn text(&self, session: &Session) -> String {
+        let screen = &session.screen;
+        let mut parts = vec![
+            self.heading(screen),
+            screen.wrap_markdown(&self.exercise.task),
+        ];
+        if let Some(report) = &self.report {
+            parts.push(self.verdict(report, screen));
+        }
+        parts.extend(self.notes.iter().map(|note| screen.wrap(note)));
+        if let Some(warning) = session.progress.warning() {
+            parts.push(screen.wrap(&warning));
+        }
+        parts.push(session.progress.bars(session.course, screen.width()));
+        parts.push(screen.wrap(&self.keys()));
+        parts.join("\n\n")
+    }
+
+    fn heading(&self, screen: &Screen) -> String {
+        let e = self.exercise;
+        let (title, minutes, file) = (e.title, e.minutes, files::yours(e));
+        screen.wrap(&format!(
+            "{title}, {minutes} minutes, in {}",
+            text::path(&file)
+        ))
+    }
+
+    /// What the check says, and where the solution is if there is nothing more to say.
+    fn verdict(&self, report: &Report, screen: &Screen) -> String {
+        let details = report.details(screen, self.shows_remarks);
+        let verdict = style(screen.wrap(&report.verdict)).bold();
+        if !report.is_done {
+            return format!("{details}{verdict}");
+        }
+        let verdict = verdict.green();
+        let solution = files::shortest(self.exercise.solution);
+        if solution.is_file() {
+            format!("{details}{verdict}\nsolution: {}", text::path(&solution))
+        } else {
+            format!("{details}{verdict}")
+        }
+    }
+
+    /// What the keys do.
+    fn keys(&self) -> String {
+        if self.asks_for_reset {
+            return RESET.to_owned();
+        }
+        let Some(report) = self.report.as_ref().filter(|report| report.is_done) else {
+            return format!("{SAVE}\n{KEYS}");
+        };
+        if !report.hides_something() {
+            return format!("{NEXT}\n{KEYS}");
+        }
+        let more = if self.shows_remarks { LESS } else { MORE };
+        format!("{NEXT}; {more}\n{KEYS}")
+    }
+}

@@ -1,0 +1,90 @@
+//! `Screen`: the terminal, which shows one page at a time and a last line that changes; or a pipe,
+//! which gets each text once.
+
+use console::Term;
+
+use crate::wrap::{wrap, wrap_markdown};
+
+/// The terminal of the program.
+pub struct Screen {
+    /// None in a pipe.
+    terminal: Option<Term>,
+}
+
+impl Screen {
+    /// The standard output.
+    pub fn new() -> Self {
+        let terminal = Term::buffered_stdout();
+        Self {
+            terminal: terminal.is_term().then_some(terminal),
+        }
+    }
+
+    pub fn is_terminal(&self) -> bool {
+        self.terminal.is_some()
+    }
+
+    /// Rows and columns; none in a pipe.
+    pub fn size(&self) -> Option<(usize, usize)> {
+        let (rows, columns) = self.terminal.as_ref()?.size();
+        Some((rows.into(), columns.into()))
+    }
+
+    /// Columns; none in a pipe.
+    pub fn width(&self) -> Option<usize> {
+        self.size().map(|(_, columns)| columns)
+    }
+
+    /// Breaks lines of messages at the width.
+    pub fn wrap(&self, text: &str) -> String {
+        self.width()
+            .map_or_else(|| text.to_owned(), |width| wrap(text, width))
+    }
+
+    /// Breaks paragraphs of the book at the width.
+    pub fn wrap_markdown(&self, text: &str) -> String {
+        self.width()
+            .map_or_else(|| text.to_owned(), |width| wrap_markdown(text, width))
+    }
+
+    /// Shows a page instead of the one before. A pipe gets what is `new` in it.
+    pub fn show(&self, page: &str, new: &str) {
+        let Some(terminal) = &self.terminal else {
+            if !new.is_empty() {
+                println!("{new}");
+            }
+            return;
+        };
+        // If it fails, old text remains.
+        let _ = terminal.clear_screen();
+        let _ = terminal.write_line(page);
+        let _ = terminal.flush();
+    }
+
+    /// Shows lines at the places of those before, which flickers less than a new page.
+    pub fn replace(&self, lines: &[String]) {
+        let Some(terminal) = &self.terminal else {
+            return;
+        };
+        let Some((last, others)) = lines.split_last() else {
+            return;
+        };
+        let _ = terminal.move_cursor_to(0, 0);
+        for line in others {
+            let _ = terminal.clear_line();
+            let _ = terminal.write_line(line);
+        }
+        let _ = terminal.clear_to_end_of_screen();
+        let _ = terminal.write_str(last);
+        let _ = terminal.flush();
+    }
+
+    /// Replaces the last line. A pipe gets no such lines.
+    pub fn show_status(&self, words: &str) {
+        if let (Some(terminal), Some(width)) = (&self.terminal, self.width()) {
+            let _ = terminal.clear_line();
+            let _ = terminal.write_str(&console::truncate_str(words, width - 1, "…"));
+            let _ = terminal.flush();
+        }
+    }
+}
