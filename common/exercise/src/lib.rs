@@ -7,6 +7,7 @@
 //! `cargo learn`, of the grader, of the tests and of the book's pages, and none of them needs a
 //! solution for it.
 
+mod alike;
 mod answer;
 mod input;
 mod mistake;
@@ -18,6 +19,7 @@ mod student_output;
 mod text;
 mod verdict;
 
+pub use alike::answer_alike;
 pub use answer::{Answer, assert_close};
 pub use input::Input;
 pub use mistake::Mistake;

@@ -35,6 +35,10 @@ pub struct Verdict {
     pub note: Option<String>,
     /// The sentence about a known mistake that explains the wrong answers.
     pub known: Option<String>,
+    /// The number of comparisons: those of the answers, and that of the picture.
+    pub compared: usize,
+    /// In how many of them the answer or the picture is wrong.
+    pub differ: usize,
 }
 
 /// Compares a student's answers with the right ones, and, if there is one, adds what the
@@ -53,9 +57,10 @@ pub fn verdict(
     for (number, row) in rows.iter().enumerate() {
         let given = yours.get(number);
         let text = given.map_or(&row.question.text, |given| &given.question.text);
-        let difference = match given.and_then(|given| given.answer.as_ref()) {
-            None => Some("it panics, with the message above".to_owned()),
-            Some(answer) => match row.compare(answer) {
+        let difference = match given.map(|given| given.answer.as_ref()) {
+            None => Some("there is no answer; the program ends before".to_owned()),
+            Some(None) => Some("it panics, with the message above".to_owned()),
+            Some(Some(answer)) => match row.compare(answer) {
                 Comparison::Right => None,
                 Comparison::RoundingDecides => {
                     skipped += 1;
@@ -105,6 +110,8 @@ pub fn verdict(
         }
     }
     found.wrong.extend(first);
+    found.compared = compared;
+    found.differ = differ;
     if differ > 0 {
         found
             .wrong

@@ -1,8 +1,15 @@
 //! The part of `cargo learn` for lecturers: hands a workbook out, and grades what comes back.
 
+mod class;
 mod grade;
+mod grading_folder;
+mod hand_in;
 mod handout;
-mod result_file;
+mod judge;
+mod outcome;
+mod platform;
+mod refusal;
+mod results;
 mod sandbox;
 mod submission;
 

@@ -37,8 +37,6 @@ pub fn read(path: &str) -> Result<String, String> {
     fs::read_to_string(shortest(path)).map_err(with_path(path.as_ref()))
 }
 
-pub use self::with_path as failed;
-
 /// An error about a file as words, which begin with its path.
 pub fn with_path(path: &Path) -> impl Fn(io::Error) -> String {
     move |error| format!("{}: {error}", text::path(path))

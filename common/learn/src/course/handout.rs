@@ -1,21 +1,30 @@
 //! `handout`: whole folders of the workbook up to a stage, on request without solutions: checks
 //! need no more than the recorded answers.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
 
 use super::exercises;
+use super::grading_folder::{Workbook, output_of};
 use crate::exercise::Exercise;
-use crate::files::{self, failed};
+use crate::files::{self, with_path};
 
 /// The page for students, with `{stage}` instead of the last stage.
 const README: &str = include_str!("../../handout/README.md");
 
 /// The files and folders that are handed out.
-const PARTS: &str =
-    ".cargo .gitignore Cargo.lock Cargo.toml LICENSE clippy.toml common book/src a0*";
+const PARTS: [&str; 9] = [
+    ".cargo",
+    ".gitignore",
+    "Cargo.lock",
+    "Cargo.toml",
+    "LICENSE",
+    "clippy.toml",
+    "common",
+    "book/src",
+    "a0*",
+];
 
 /// For lecturers: writes a workbook for students
 #[derive(clap::Args, Default)]
@@ -33,71 +42,81 @@ pub struct Handout {
 impl Handout {
     /// Writes the handout into a new or empty folder, and returns what it has.
     pub fn run(&self, course: &'static [Exercise]) -> Result<String, String> {
-        let (folder, path) = (&self.folder, self.folder.display());
+        let folder = &self.folder;
+        let shown = folder.display();
         if fs::read_dir(folder).is_ok_and(|mut folder| folder.next().is_some()) {
-            return Err(format!("{path} is not empty; a handout needs a new folder"));
+            return Err(format!(
+                "{shown} is not empty; a handout needs a new folder"
+            ));
         }
-        let chosen = exercises(course, self.until.as_ref())?;
-        for (path, bytes) in &self.contents(course, chosen)? {
+        for (path, bytes) in &self.workbook(course)? {
             let path = folder.join(path);
-            let made = path.parent().map_or(Ok(()), fs::create_dir_all);
-            let written = made.and_then(|()| fs::write(&path, bytes));
-            written.map_err(failed(&path))?;
+            if let Some(folder) = path.parent() {
+                fs::create_dir_all(folder).map_err(with_path(folder))?;
+            }
+            fs::write(&path, bytes).map_err(with_path(&path))?;
         }
         // Cargo forgets the packages that the handout does not need.
         let mut cargo = Command::new("cargo");
         cargo.args(["metadata", "--format-version=1", "--quiet"]);
         output_of(cargo.current_dir(folder))?;
-        let count = chosen.len();
+        let count = exercises(course, self.until.as_ref())?.len();
         Ok(format!(
-            "{path}: {count} exercises; test it: cargo test --workspace"
+            "{shown}: {count} exercises; test it: cargo test --workspace"
         ))
     }
 
-    /// The files by their paths.
-    fn contents(
-        &self,
-        course: &[Exercise],
-        chosen: &[Exercise],
-    ) -> Result<BTreeMap<String, Vec<u8>>, String> {
-        // The numbers of stages are in the paths of their files, pages and pictures.
-        let above = course[chosen.len()..].iter();
-        let above = above.map(|e| format!(":(exclude)*{}-*", &e.stage[..3]));
-        let parts = PARTS.split(' ').map(str::to_owned).chain(above);
-        let mut git = Command::new("git");
-        git.args("ls-files -z --cached --others --exclude-standard".split(' '));
-        let paths = output_of(git.args(parts).current_dir(files::workspace()))?;
-        let paths = String::from_utf8_lossy(&paths).into_owned();
-        let mut contents = BTreeMap::new();
-        for path in paths.split_terminator('\0') {
-            let file = files::workspace().join(path);
-            contents.insert(path.to_owned(), fs::read(&file).map_err(failed(&file))?);
+    /// The files of the workbook.
+    pub fn workbook(&self, course: &'static [Exercise]) -> Result<Workbook, String> {
+        let chosen = exercises(course, self.until.as_ref())?;
+        let mut workbook = Workbook::new();
+        for path in paths(&course[chosen.len()..])? {
+            let file = files::workspace().join(&path);
+            let bytes = fs::read(&file).map_err(with_path(&file))?;
+            workbook.insert(path, bytes);
         }
         if self.without_solutions {
-            withhold_solutions(&mut contents, chosen)?;
+            withhold_solutions(&mut workbook, chosen)?;
         }
-        let workspace = contents.remove("Cargo.toml").unwrap_or_default();
-        let workspace = String::from_utf8_lossy(&workspace).into_owned();
-        let workspace = members_in(&workspace, &contents);
-        contents.insert("Cargo.toml".to_owned(), workspace.into());
+        let manifest = workbook.remove("Cargo.toml").unwrap_or_default();
+        let manifest = String::from_utf8_lossy(&manifest);
+        let manifest = members_in(&manifest, &workbook);
+        workbook.insert("Cargo.toml".to_owned(), manifest.into());
         let last = chosen.last().map_or("", |e| e.stage);
         let readme = README.replace("{stage}", last);
-        contents.insert("README.md".to_owned(), readme.into());
-        Ok(contents)
+        workbook.insert("README.md".to_owned(), readme.into());
+        Ok(workbook)
     }
+}
+
+/// The paths of the files that are handed out, without those of the stages above: the numbers of
+/// stages are in the paths of their files, pages and pictures.
+fn paths(above: &[Exercise]) -> Result<Vec<String>, String> {
+    let mut git = Command::new("git");
+    git.args([
+        "ls-files",
+        "-z",
+        "--cached",
+        "--others",
+        "--exclude-standard",
+    ]);
+    git.args(PARTS);
+    for e in above {
+        git.arg(format!(":(exclude)*{}-*", &e.stage[..3]));
+    }
+    let paths = output_of(git.current_dir(files::workspace()))?;
+    let paths = String::from_utf8_lossy(&paths);
+    Ok(paths.split_terminator('\0').map(str::to_owned).collect())
 }
 
 /// Leaves out the folders of solutions. The starters of their exercises come into the folder of
 /// starters without a solution, whose checks are not proved.
-fn withhold_solutions(
-    contents: &mut BTreeMap<String, Vec<u8>>,
-    chosen: &[Exercise],
-) -> Result<(), String> {
+fn withhold_solutions(workbook: &mut Workbook, chosen: &[Exercise]) -> Result<(), String> {
     for e in chosen {
         let path = |folder| format!("{}/exercises/{folder}/{}.rs", e.stage, e.name);
-        if contents.remove(&path("solutions")).is_some() {
-            contents.remove(&path("starters"));
-            contents.insert(path(files::OPEN), files::starter(e)?.into());
+        if workbook.remove(&path("solutions")).is_some() {
+            workbook.remove(&path("starters"));
+            workbook.insert(path(files::OPEN), files::starter(e)?.into());
         }
     }
     Ok(())
@@ -105,28 +124,22 @@ fn withhold_solutions(
 
 /// The manifest of the workspace without the members and the profiles of stages that are not
 /// handed out.
-fn members_in(workspace: &str, contents: &BTreeMap<String, Vec<u8>>) -> String {
-    let has = |folder: &str| contents.keys().any(|path| path.starts_with(folder));
-    let is_there = |line: &&str| match line.split(['"', '.']).collect::<Vec<_>>()[..] {
-        ["    ", member, ","] => has(&format!("{member}/Cargo.toml")),
-        [package, level] if package.starts_with("a0") && level.starts_with("opt-level") => {
-            has(&package[..3])
+fn members_in(manifest: &str, workbook: &Workbook) -> String {
+    let mut text = String::new();
+    for line in manifest.lines() {
+        let folder = match line.split(['"', '.']).collect::<Vec<_>>()[..] {
+            ["    ", member, ","] => format!("{member}/Cargo.toml"),
+            [package, level] if package.starts_with("a0") && level.starts_with("opt-level") => {
+                package[..3].to_owned()
+            }
+            _ => String::new(),
+        };
+        if workbook.keys().any(|path| path.starts_with(&folder)) {
+            text += line;
+            text += "\n";
         }
-        _ => true,
-    };
-    let lines: Vec<_> = workspace.lines().filter(is_there).collect();
-    lines.join("\n") + "\n"
-}
-
-/// The output of a program that must succeed.
-fn output_of(program: &mut Command) -> Result<Vec<u8>, String> {
-    let name = program.get_program().to_owned();
-    let output = program.output().map_err(failed(name.as_ref()))?;
-    if output.status.success() {
-        return Ok(output.stdout);
     }
-    let problem = [output.stdout, output.stderr].concat();
-    Err(String::from_utf8_lossy(&problem).into_owned())
+    text
 }
 
 #[cfg(test)]
@@ -144,7 +157,7 @@ mod tests {
             without_solutions: true,
             ..Handout::default()
         };
-        let contents = handout.contents(course, course).unwrap();
+        let contents = handout.workbook(course).unwrap();
         let is_read = |path: &str| {
             assert!(!path.contains("/solutions/"), "{path}");
             // A check has code for mistakes, which may share a line with the solution.

@@ -4,54 +4,139 @@
 use std::ffi::OsStr;
 use std::fs;
 use std::path::PathBuf;
-use std::process::{Command, Stdio};
+use std::process::{Command, ExitStatus, Stdio};
 
-use crate::files::failed;
+use crate::files::{self, with_path};
 
 /// The limits, and how they are set.
 const SCRIPT: &str = include_str!("../../handout/sandbox.sh");
 
-/// A folder with the `workbook` and the `target` of its builds.
+/// Where a program sees the folder, if bubblewrap runs.
+const INSIDE: &str = "/course";
+
+/// What may run: the first build of the workbook, that of a student's file, or its program.
+#[derive(Clone, Copy)]
+pub enum Limits {
+    All,
+    Build,
+    Check,
+}
+
+/// How a program ends.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum End {
+    Success,
+    /// By the exit code of a program whose code is incomplete.
+    Begun,
+    Failure,
+    /// By the limit of these.
+    Limit(&'static str),
+}
+
+/// A program that has ended, and its output.
+#[derive(Debug)]
+pub struct Ended {
+    pub end: End,
+    pub output: String,
+}
+
+/// A folder with the `workbook` and the `target` of its builds. One program runs in it at a time.
 pub struct Sandbox {
     pub folder: PathBuf,
 }
 
 impl Sandbox {
-    /// The file with the output of the last program.
-    pub fn output(&self) -> PathBuf {
-        self.folder.join("output")
-    }
-
-    /// Runs a program with the limits of a kind, and returns its output.
-    ///
-    /// The error is a message to the student, and begins with `fails` if the program ends by
-    /// itself.
+    /// Runs a program with limits. An error is a fault of the sandbox, not of the program.
     pub fn run(
         &self,
-        kind: &str,
+        limits: Limits,
         program: impl IntoIterator<Item: AsRef<OsStr>>,
-        fails: &str,
-    ) -> Result<String, String> {
-        let mut sandbox = Command::new("sh");
-        sandbox.args(["-c", SCRIPT, "sh", kind]).arg(&self.folder);
-        let ended = sandbox.args(program).stdin(Stdio::null()).status();
-        let ended = ended.map_err(failed("sh".as_ref()))?;
-        let said = fs::read(self.output()).map_err(failed(&self.output()))?;
-        let said = String::from_utf8_lossy(&said);
-        let why = match ended.code() {
-            Some(0) => return Ok(said.into_owned()),
-            Some(3) => "begun",
-            Some(code) if code < 124 => fails,
-            // By `timeout`, or by a signal.
-            _ => "stopped by a limit of time, memory, processes or the size of a file",
+    ) -> Result<Ended, String> {
+        let limits = match limits {
+            Limits::All => "all",
+            Limits::Build => "build",
+            Limits::Check => "check",
         };
-        // Before the answers, and without the messages of Cargo to programs.
-        let said = said
-            .split(exercise::MARK)
-            .next()
-            .unwrap_or_default()
-            .lines();
-        let said = said.filter(|line| !line.is_empty() && !line.starts_with('{'));
-        Err([why].into_iter().chain(said).collect::<Vec<_>>().join("\n"))
+        let mut sandbox = Command::new("sh");
+        sandbox
+            .args(["-c", SCRIPT, "sh", limits])
+            .arg(&self.folder)
+            .args(program)
+            .stdin(Stdio::null());
+        let status = sandbox.status().map_err(with_path("sh".as_ref()))?;
+        let output = self.folder.join("output");
+        let output = fs::read(&output).map_err(with_path(&output))?;
+        let output = String::from_utf8_lossy(&output).into_owned();
+        if output.starts_with("bwrap: ") {
+            return Err(output);
+        }
+        Ok(Ended {
+            end: end(exit_code(status)),
+            output,
+        })
+    }
+
+    /// What the student reads about a program that does not succeed: `fails` if it ends by itself,
+    /// and what it says before its answers, without the messages of Cargo to programs.
+    pub fn words(&self, ended: &Ended, fails: &str) -> String {
+        let mut words = match ended.end {
+            End::Success | End::Failure => fails.to_owned(),
+            End::Begun => "begun".to_owned(),
+            End::Limit(of) => format!("stopped by the limit of {of}"),
+        };
+        let (said, _) = ended
+            .output
+            .split_once(exercise::MARK)
+            .unwrap_or((&ended.output, ""));
+        for line in self.without_place(said).lines() {
+            if !line.is_empty() && !line.starts_with('{') {
+                words += "\n";
+                words += line;
+            }
+        }
+        words
+    }
+
+    /// A text that names no folder of the grader.
+    fn without_place(&self, text: &str) -> String {
+        let folder = self.folder.display().to_string();
+        let lecturers = files::workspace().display().to_string();
+        let mut text = text.to_owned();
+        for place in [&*folder, INSIDE] {
+            for part in ["/workbook/", "/target/"] {
+                text = text.replace(&[place, part].concat(), "");
+            }
+        }
+        text.replace(&[&lecturers, "/"].concat(), "")
+    }
+}
+
+/// The exit code as a shell gives it: of a signal, 128 more than its number.
+#[cfg(unix)]
+fn exit_code(status: ExitStatus) -> Option<i32> {
+    use std::os::unix::process::ExitStatusExt;
+
+    let of_signal = status.signal().map(|signal| 128 + signal);
+    status.code().or(of_signal)
+}
+
+#[cfg(not(unix))]
+fn exit_code(status: ExitStatus) -> Option<i32> {
+    status.code()
+}
+
+/// How a program ends, by the exit code of a shell: 128 and more are signals.
+fn end(code: Option<i32>) -> End {
+    match code {
+        Some(0) => End::Success,
+        Some(3) => End::Begun,
+        // `timeout` kills, and so does the system, a process that has used its processor time.
+        Some(124 | 137) => End::Limit("time"),
+        Some(152) => End::Limit("processor time"),
+        Some(153) => End::Limit("the size of a file"),
+        // Rust aborts without memory, and where the stack overflows.
+        Some(134) => End::Limit("memory, or of the depth of calls"),
+        Some(code) if code < 124 => End::Failure,
+        _ => End::Limit("time, memory, processes or the size of a file"),
     }
 }

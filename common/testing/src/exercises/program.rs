@@ -38,10 +38,12 @@ pub struct Findings {
     pub verdict: Verdict,
 }
 
-/// Who looks at a picture: a student, also while answers are wrong.
+/// Who looks at a picture: a student, also while answers are wrong; a grader compares it, and
+/// no picture of the difference is saved.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Reader {
     Student,
+    Grader,
     Author,
 }
 
@@ -153,11 +155,12 @@ impl Program {
         folder: &StageFolder,
         reader: Reader,
     ) -> (Option<Image>, Option<PictureVerdict>) {
-        let is_shown = is_right || reader == Reader::Student;
+        let is_shown = is_right || reader != Reader::Author;
         match &self.picture {
             Picture::Scene(name, render) if is_right || is_shown && found_missing().is_empty() => {
                 let mut image = None;
-                let pictured = scene(folder, name, &|settings| render(&(), settings), &mut image);
+                let render = |settings: &Settings| render(&(), settings);
+                let pictured = scene(folder, name, reader, &render, &mut image);
                 let pictured = pictured.unwrap_or_else(|error| PictureVerdict {
                     is_right: false,
                     words: format!("the picture of scene {name}: {error}"),
@@ -189,6 +192,7 @@ impl Program {
 fn scene(
     folder: &StageFolder,
     name: &str,
+    reader: Reader,
     render: &dyn Fn(&Settings) -> Result<Image, Error>,
     painted: &mut Option<Image>,
 ) -> Result<PictureVerdict, Error> {
@@ -200,7 +204,9 @@ fn scene(
     let worst = move |image: &Image| worst_pixel(expected.as_ref()?, image);
     let (image, yours) = with_chosen_pixel(worst, || render(&settings));
     let image = painted.insert(image?);
-    let pictured = pictured(name, &file, image, Some(&folder.pictures()));
+    // A grader's sandbox has no place for it.
+    let differences = (reader != Reader::Grader).then(|| folder.pictures());
+    let pictured = pictured(name, &file, image, differences.as_deref());
     let divergence = match (scene.rays(), yours) {
         (Ok(rays), Some(yours)) => {
             let lesson = rays.trace(&settings, yours.pixel)?;

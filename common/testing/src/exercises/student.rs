@@ -46,7 +46,12 @@ pub fn judge<C: Clone + 'static>(
     let is_printed = env::var_os(PRINTED).is_some();
     let exercise_remark = exercise.remark;
     let program = Program::new(exercise, yours.clone(), &record.found);
-    let found = program.run(examples, &record, folder, Reader::Student);
+    let reader = if is_printed {
+        Reader::Grader
+    } else {
+        Reader::Student
+    };
+    let found = program.run(examples, &record, folder, reader);
     // A grader sees no picture.
     if let Some(image) = found.image.as_ref().filter(|_| !is_printed) {
         say(&folder.save(image, &format!("{}-{name}.png", folder.stage().name)));
