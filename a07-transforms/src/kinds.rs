@@ -1,6 +1,8 @@
 //! `kinds`: one row for each shape of this stage: its table in a scene file and how it is read and
 //! written, its section in the book, and its numbers for the engine.
 
+pub mod example_files;
+
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a03_rays_cameras::instruments::recorded::ray_step;

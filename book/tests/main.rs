@@ -1,5 +1,5 @@
 //! The book and the crates say the same, as far as neither mdBook nor the link checker of
-//! `book/build` sees it; and the files of the lessons stay short.
+//! `cargo book` sees it; and the files of the lessons stay short.
 //!
 //! A check returns a complaint with file and line for each mistake.
 
@@ -10,6 +10,7 @@ mod include;
 mod left_over;
 mod lesson_length;
 mod lessons;
+mod upwards;
 mod way_of_a_ray;
 
 use files::Files;
@@ -34,6 +35,7 @@ checks! {
     every_listing_shows_something: include::complaints;
     every_picture_and_listing_has_a_caption: caption::complaints;
     lessons_name_nothing_but_the_lesson: lessons::complaints;
+    crates_read_no_files_outside_of_them: upwards::complaints;
     only_rows_and_renderers_know_the_engine: arrows::complaints;
     each_function_on_the_way_of_a_ray_calls_the_next: way_of_a_ray::complaints;
     lesson_files_are_short: lesson_length::complaints;

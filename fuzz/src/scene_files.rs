@@ -2,6 +2,7 @@
 //! within it, or rendered with finite numbers by the stage that reads it.
 
 use a03_rays_cameras::kinds::Format;
+use a07_transforms::kinds::example_files;
 use arbitrary::{Result, Unstructured};
 use common::{Settings, Size};
 use scene_file::Mesh;
@@ -9,7 +10,7 @@ use scene_file::Mesh;
 use crate::values::number;
 
 /// A file with every table, with empty lines between them.
-const EXAMPLE: &str = include_str!("../../a07-transforms/scenes/shapes.toml");
+const EXAMPLE: &str = example_files::SHAPES;
 
 /// Reads bytes as a scene file and as a mesh, and renders what is right of them.
 pub fn check(bytes: &[u8]) {

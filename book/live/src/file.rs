@@ -4,11 +4,9 @@ use std::sync::Arc;
 
 use a03_rays_cameras::{TracedScene, View, kinds};
 use a07_transforms::kinds::FORMAT;
+use a07_transforms::kinds::example_files::PYRAMID;
 use common::{Error, Scene, Settings};
 use scene_file::Mesh;
-
-/// The mesh beside the example of the last stage: a page has no other files.
-const PYRAMID: &[u8] = include_bytes!("../../../a07-transforms/scenes/pyramid.obj");
 
 /// Most samples of a picture, and most surfaces of a ray, so that the picture is soon there.
 const MOST_SAMPLES: u64 = 640 * 480 * 16;
@@ -17,6 +15,7 @@ const MOST_SURFACES: u32 = 50;
 /// The settings and the view of a scene file.
 fn open(text: &str) -> Result<(Settings, View), Error> {
     let read = || {
+        // The mesh beside the example of the last stage: a page has no other files.
         let mesh = |name: &str| match name {
             "pyramid.obj" => Mesh::read(PYRAMID),
             _ => Err("on this page the only mesh is pyramid.obj".to_owned()),

@@ -4,6 +4,7 @@ mod numbers;
 
 use std::fs::{self, DirEntry};
 
+use a07_transforms::kinds::example_files;
 use arbitrary::Unstructured;
 use fuzz::{images, scene_files, scenes};
 use proptest::collection::vec;
@@ -40,7 +41,7 @@ fn meshes() -> Vec<Vec<u8>> {
         "f 1 2 3 4 5 1\nf 1 3 2 5 4\nf 1 2\n",
         "vn nan(ind) 0 1.#INF\nf 1//0 2//1 3//7\n",
     ];
-    let mut meshes = vec![include_bytes!("../../../a07-transforms/scenes/star.ply").to_vec()];
+    let mut meshes = vec![example_files::STAR.to_vec()];
     meshes.extend(faces.map(|faces| [corners, faces].concat().into_bytes()));
     for (encoding, strips) in [
         ("binary_little_endian", false),
@@ -105,8 +106,8 @@ proptest! {
 
     #[test]
     fn scene_files_do_no_harm(changes in vec(change(), 0..=8)) {
-        let example = include_bytes!("../../../a07-transforms/scenes/shapes.toml");
-        scene_files::check(&changed(example.to_vec(), &changes));
+        let example = example_files::SHAPES.as_bytes().to_vec();
+        scene_files::check(&changed(example, &changes));
     }
 
     #[test]
