@@ -13,7 +13,7 @@ pub fn complaints(files: &Files) -> Vec<String> {
         for (at, target) in directives(text) {
             let (path, anchor) = target.split_once(':').unwrap_or((target, ""));
             let path = resolve(page, path).unwrap_or_default();
-            // `book/build` makes the lists of the files of a stage.
+            // `cargo book` makes the lists of the files of a stage.
             if path.starts_with("book/generated/") {
                 continue;
             }

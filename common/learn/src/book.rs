@@ -16,12 +16,17 @@ pub fn build(course: &[Exercise]) -> Result<String, String> {
     if yours.is_empty() {
         return Err("no exercise is done".to_owned());
     }
-    let yours = yours.join(" ");
-    let mut build = Command::new("bash");
-    build.arg("book/build").env("YOURS", &yours);
-    match build.current_dir(files::workspace()).status() {
-        Ok(status) if status.success() => Ok(format!("with pictures by your {yours}")),
+    let workspace = files::workspace();
+    if !workspace.join("book/builder").is_dir() {
+        return Err(
+            "this workbook lacks the folder book/builder, which builds the book".to_owned(),
+        );
+    }
+    let mut build = Command::new("cargo");
+    build.args(["book", "--yours"]).args(&yours);
+    match build.current_dir(workspace).status() {
+        Ok(status) if status.success() => Ok(format!("with pictures by your {}", yours.join(" "))),
         Ok(_) => Err("the book is not built".to_owned()),
-        Err(error) => Err(format!("bash does not start: {error}")),
+        Err(error) => Err(format!("cargo does not start: {error}")),
     }
 }

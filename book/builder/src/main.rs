@@ -1,0 +1,96 @@
+//! `cargo book`: builds the book into `target/book`, and checks it.
+//!
+//! 1. The programs that it needs are installed below `target/`, if they are missing (`tools`).
+//! 2. Lists of the files of each stage are written for the chapters (`changes`).
+//! 3. The stages become a WebAssembly module, by which the pictures of the pages are live
+//!    (`live_module`, `yours`). Without the target `wasm32-unknown-unknown` they stand still.
+//! 4. mdBook builds the pages (`pages`).
+//! 5. A warning, a broken link, or a file from the network is an error (`pages`, `network`).
+
+mod changes;
+mod command;
+mod file;
+mod live_module;
+mod locks;
+mod network;
+mod pages;
+mod publish;
+mod tools;
+mod yours;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use live_module::LiveModule;
+
+/// Builds the book into `target/book`, and checks it.
+#[derive(Parser)]
+#[command(name = "cargo book", bin_name = "cargo book", version)]
+struct Arguments {
+    /// Shows the book in a browser.
+    #[arg(long)]
+    open: bool,
+    /// Shows pictures by this exercise of the reader's beside those of the lesson, such as
+    /// `a04-intersections/sphere`.
+    #[arg(long, value_name = "STAGE/EXERCISE", value_parser = yours::parse, num_args = 1..)]
+    yours: Vec<yours::Exercise>,
+    #[command(subcommand)]
+    command: Option<Publish>,
+}
+
+#[derive(Subcommand)]
+enum Publish {
+    /// Builds the book and leaves it in a folder as static files, for any web server.
+    Publish {
+        /// The folder. A book that lies there already is replaced.
+        folder: PathBuf,
+    },
+}
+
+fn main() -> ExitCode {
+    match run(&Arguments::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(arguments: &Arguments) -> Result<(), String> {
+    // The paths of this program begin in the root of the repository.
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    let destination = match &arguments.command {
+        Some(Publish::Publish { folder }) => Some(publish::Destination::new(folder)?),
+        None => None,
+    };
+    std::env::set_current_dir(root).map_err(|error| format!("cannot open {root}: {error}"))?;
+
+    build(&arguments.yours)?;
+    if let Some(destination) = destination {
+        return destination.publish();
+    }
+    println!("open {}/index.html", pages::FOLDER);
+    if arguments.open {
+        pages::open()?;
+    }
+    Ok(())
+}
+
+fn build(yours: &[yours::Exercise]) -> Result<(), String> {
+    changes::write()?;
+    // The programs take a minute of one core, and the module another.
+    let module = std::thread::scope(|scope| {
+        let tools = scope.spawn(tools::install);
+        let module = LiveModule::build(yours);
+        let outcome = tools
+            .join()
+            .map_err(|_| "the installation panicked".to_owned());
+        outcome??;
+        module
+    })?;
+    pages::build(module.as_ref())?;
+    network::check()
+}

@@ -1,0 +1,78 @@
+//! The pages, by mdBook, and the check of their links.
+
+use std::path::Path;
+use std::process::Command;
+
+use crate::command::{not_started, run};
+use crate::live_module::LiveModule;
+use crate::{file, tools};
+
+/// Where the pages are.
+pub const FOLDER: &str = "target/book";
+
+/// Builds the pages. A warning of mdBook is an error, for example of a formula that is wrong, and
+/// so is a link to a page, a picture or a heading that does not exist.
+pub fn build(module: Option<&LiveModule>) -> Result<(), String> {
+    let mut mdbook = mdbook(module)?;
+    let output = mdbook
+        .output()
+        .map_err(|error| not_started(&mdbook, &error))?;
+    let log = String::from_utf8_lossy(&output.stderr);
+    eprint!("{log}");
+    if !output.status.success() {
+        return Err(format!("mdbook ended with {}", output.status));
+    }
+    if log.lines().any(is_warning) {
+        return Err("the book has warnings".to_owned());
+    }
+    copy_scripts(module)?;
+    run(tools::command("hyperlink")?.args(["--check-anchors", FOLDER]))
+}
+
+/// Shows the pages in a browser.
+pub fn open() -> Result<(), String> {
+    let page = format!("{FOLDER}/index.html");
+    let mut open = if cfg!(target_os = "windows") {
+        let mut explorer = Command::new("explorer");
+        explorer.arg(page.replace('/', "\\"));
+        // It ends with 1 also if it has shown the page.
+        return explorer
+            .status()
+            .map(|_| ())
+            .map_err(|error| error.to_string());
+    } else if cfg!(target_os = "macos") {
+        Command::new("open")
+    } else {
+        Command::new("xdg-open")
+    };
+    run(open.arg(page))
+}
+
+fn mdbook(module: Option<&LiveModule>) -> Result<Command, String> {
+    let mut mdbook = tools::command("mdbook")?;
+    mdbook.args(["build", "book"]);
+    if module.is_some() {
+        let scripts = r#"["generated/live.js", "fold.js"]"#;
+        mdbook.env("MDBOOK_OUTPUT__HTML__ADDITIONAL_JS", scripts);
+    }
+    Ok(mdbook)
+}
+
+/// Whether a line of mdBook's log is about a fault. That its version differs from that of
+/// mdbook-katex in the last number is none.
+fn is_warning(line: &str) -> bool {
+    let mut words = line.split(|letter: char| !letter.is_alphanumeric());
+    words.any(|word| word == "WARN" || word == "ERROR")
+        && !line.contains("was built against mdbook")
+}
+
+fn copy_scripts(module: Option<&LiveModule>) -> Result<(), String> {
+    let Some(module) = module else {
+        return Ok(());
+    };
+    for script in &module.scripts {
+        let name = script.file_name().unwrap_or_default();
+        file::copy(script, &Path::new(FOLDER).join("generated").join(name))?;
+    }
+    Ok(())
+}

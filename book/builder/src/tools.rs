@@ -1,0 +1,96 @@
+//! The programs that build and check the book, installed below `target/`.
+
+use std::env;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::command::{output, run};
+
+/// A program from crates.io.
+struct Tool {
+    name: &'static str,
+    version: &'static str,
+    /// Further arguments of `cargo install`.
+    arguments: &'static [&'static str],
+}
+
+const TOOLS: [Tool; 3] = [
+    Tool {
+        name: "mdbook",
+        version: "0.5.4",
+        arguments: &["--no-default-features", "--features", "search"],
+    },
+    Tool {
+        name: "mdbook-katex",
+        version: "0.10.0",
+        arguments: &[],
+    },
+    Tool {
+        name: "hyperlink",
+        version: "0.3.2",
+        arguments: &[],
+    },
+];
+
+/// A command for one of the programs. It finds the others: mdBook starts mdbook-katex.
+pub fn command(name: &str) -> Result<Command, String> {
+    let mut command = Command::new(name);
+    command.env("PATH", search_path()?);
+    Ok(command)
+}
+
+/// Installs each program whose version is not there yet, one beside the other.
+pub fn install() -> Result<(), String> {
+    std::thread::scope(|scope| {
+        let installations = TOOLS.map(|tool| scope.spawn(move || tool.install()));
+        for installation in installations {
+            let outcome = installation.join();
+            outcome.map_err(|_| "an installation panicked".to_owned())??;
+        }
+        Ok(())
+    })
+}
+
+impl Tool {
+    fn install(&self) -> Result<(), String> {
+        let Self {
+            name,
+            version,
+            arguments,
+        } = self;
+        if self.is_there()? {
+            return Ok(());
+        }
+        println!("installing {name} {version}, which takes a minute, once");
+        let mut cargo = Command::new("cargo");
+        // A program that runs for a second need not be optimised, and then builds sooner.
+        cargo.env("CARGO_PROFILE_DEV_DEBUG", "false");
+        cargo.args(["install", "--quiet", "--locked", "--debug", "--root"]);
+        cargo.arg(folder()?).arg(format!("{name}@{version}"));
+        run(cargo.args(*arguments))
+    }
+
+    /// Whether the program of this version is there already.
+    fn is_there(&self) -> Result<bool, String> {
+        let Ok(printed) = output(command(self.name)?.arg("--version")) else {
+            return Ok(false);
+        };
+        let version = printed.split_whitespace().last().unwrap_or_default();
+        Ok(version.trim_start_matches('v') == self.version)
+    }
+}
+
+/// The folder in which the programs are installed.
+fn folder() -> Result<PathBuf, String> {
+    let folder = Path::new("target/book-tools");
+    std::path::absolute(folder).map_err(|error| format!("{}: {error}", folder.display()))
+}
+
+/// The folders in which programs are looked for, our own first.
+fn search_path() -> Result<OsString, String> {
+    let ours = folder()?.join("bin");
+    let theirs = env::var_os("PATH").unwrap_or_default();
+    let all = std::iter::once(ours).chain(env::split_paths(&theirs));
+    env::join_paths(all).map_err(|error| error.to_string())
+}
