@@ -10,6 +10,7 @@ use crate::files;
 use crate::judgement::{Phase, judge};
 use crate::keys::Typed;
 use crate::progress::Progress;
+use crate::screen::Space;
 use crate::watch::Session;
 
 const KEYS: &str = "s stop  q quit";
@@ -31,13 +32,14 @@ impl CheckAll {
     pub fn run(
         course: &[Exercise],
         progress: &mut Progress,
+        space: Space,
         watcher: &mut dyn FnMut(&str, Phase, Duration) -> bool,
     ) -> Self {
         let mut all = Self::default();
         let begun: Vec<_> = course.iter().filter(|e| files::is_begun(e)).collect();
         for (number, e) in begun.iter().enumerate() {
             let words = format!(", {} of {}: {}", number + 1, begun.len(), e.name);
-            let report = judge(e, progress, None, &mut |phase, elapsed| {
+            let report = judge(e, progress, space, &mut |phase, elapsed| {
                 all.is_stopped |= !watcher(&words, phase, elapsed);
                 !all.is_stopped
             });
@@ -65,21 +67,26 @@ impl CheckAll {
         screen.show("checking all files\n", "");
         let mut quits = false;
         let mut shown = String::new();
-        let mut all = Self::run(course, progress, &mut |words, phase, elapsed| {
-            let status = format!("{}  {KEYS}", phase.words(words, elapsed));
-            if shown != status {
-                screen.show_status(&status);
-                shown = status;
-            }
-            match keys.read(Duration::ZERO) {
-                Typed::Key(Key::Char('s')) => false,
-                Typed::Key(Key::Char('q') | Key::CtrlC) => {
-                    quits = true;
-                    false
+        let mut all = Self::run(
+            course,
+            progress,
+            screen.space(),
+            &mut |words, phase, elapsed| {
+                let status = format!("{}  {KEYS}", phase.words(words, elapsed));
+                if shown != status {
+                    screen.show_status(&status);
+                    shown = status;
                 }
-                _ => true,
-            }
-        });
+                match keys.read(Duration::ZERO) {
+                    Typed::Key(Key::Char('s')) => false,
+                    Typed::Key(Key::Char('q') | Key::CtrlC) => {
+                        quits = true;
+                        false
+                    }
+                    _ => true,
+                }
+            },
+        );
         all.quits = quits;
         all
     }

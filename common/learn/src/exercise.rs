@@ -22,11 +22,14 @@ pub struct Exercise {
 
 /// The exercises of all stages: those of a page in its order, and then the others of the stage.
 pub fn read_all() -> Result<&'static [Exercise], String> {
-    let pages = (1..).map(|stage| format!("book/src/a{stage:02}-exercises.md"));
     let mut exercises = Vec::new();
-    for page in pages.take_while(|page| files::shortest(page).exists()) {
+    for stage in 1.. {
+        let page = format!("book/src/a{stage:02}-exercises.md");
+        if !files::shortest(&page).exists() {
+            break;
+        }
         let text = files::read(&page)?.replace("\r\n", "\n").leak();
-        let mut of_stage = sections(text).map_err(|problem| format!("{page}: {problem}"))?;
+        let mut of_stage = read_sections(text).map_err(|problem| format!("{page}: {problem}"))?;
         let stage = of_stage.first().map_or("", |e| e.stage);
         of_stage.append(&mut own::others(stage, &of_stage)?);
         exercises.append(&mut of_stage);
@@ -36,58 +39,86 @@ pub fn read_all() -> Result<&'static [Exercise], String> {
 
 /// The exercise of this name. The error is the nearest name.
 pub fn find(name: &str) -> Result<&'static Exercise, String> {
-    let nearness = |e: &Exercise| strsim::jaro(e.name, name);
-    let exercises = read_all()?.iter();
-    let nearest = exercises.max_by(|a, b| nearness(a).total_cmp(&nearness(b)));
-    let found = nearest.filter(|e| e.name == name);
-    found.ok_or_else(|| format!("the nearest is {}", nearest.map_or("none", |e| e.name)))
+    let mut nearest = None;
+    let mut largest_nearness = 0.0;
+    for e in read_all()? {
+        if e.name == name {
+            return Ok(e);
+        }
+        let nearness = strsim::jaro(e.name, name);
+        if nearness > largest_nearness {
+            largest_nearness = nearness;
+            nearest = Some(e);
+        }
+    }
+    Err(match nearest {
+        Some(e) => format!("the nearest is {}", e.name),
+        None => "no name is like it".to_owned(),
+    })
 }
 
 /// The exercises of a page.
-fn sections(page: &'static str) -> Result<Vec<Exercise>, String> {
+fn read_sections(page: &'static str) -> Result<Vec<Exercise>, String> {
     let mut exercises = Vec::new();
     for part in page.split("\n## ").skip(1) {
         let is_core = part.starts_with("Build along\n");
         for section in part.split("\n### ").skip(1) {
-            exercises.push(exercise(section, is_core).ok_or_else(|| {
+            let Some(exercise) = read_section(section, is_core) else {
                 let title = section.lines().next().unwrap_or_default();
-                format!("\"{title}\" lacks its minutes, file, task, command, hint or solution")
-            })?);
+                return Err(format!(
+                    "\"{title}\" lacks its minutes, file, task, command, hint or solution"
+                ));
+            };
+            exercises.push(exercise);
         }
     }
     Ok(exercises)
 }
 
 /// Takes a section apart, from its title to its solution.
-fn exercise(section: &'static str, is_core: bool) -> Option<Exercise> {
+fn read_section(section: &'static str, is_core: bool) -> Option<Exercise> {
     let (title, rest) = section.split_once("\n\n*")?;
     let (minutes, rest) = rest.split_once(" minutes, in\n`")?;
     let (file, rest) = rest.split_once(".rs`*\n\n")?;
     let (stage, name) = file.split_once("/exercises/")?;
     let (task, rest) = rest.split_once(&format!("```text\ncargo learn {name}\n```\n"))?;
-    let (hints, solution) = rest.split_once("\nSolution: ")?;
+    let (details, solution) = rest.split_once("\nSolution: ")?;
 
-    let is_text = |paragraph: &&str| !paragraph.starts_with("![") && !paragraph.starts_with('*');
-    let task: Vec<_> = task.trim().split("\n\n").filter(is_text).collect();
-    let hints: Option<Vec<_>> = hints.split("<summary>").skip(1).map(hint).collect();
+    let mut paragraphs = Vec::new();
+    for paragraph in task.trim().split("\n\n") {
+        // Neither a picture nor the words below it.
+        if !paragraph.starts_with("![") && !paragraph.starts_with('*') {
+            paragraphs.push(paragraph);
+        }
+    }
+    let mut hints = Vec::new();
+    for hint in details.split("<summary>").skip(1) {
+        hints.push(read_hint(hint)?);
+    }
+    if hints.is_empty() {
+        return None;
+    }
     Some(Exercise {
         name,
         stage,
         title,
         minutes,
         is_core,
-        task: task.join("\n\n"),
-        hints: hints.filter(|hints| !hints.is_empty())?,
+        task: paragraphs.join("\n\n"),
+        hints,
         solution: solution.split('`').nth(1)?,
     })
 }
 
 /// The summary of a hint and its text.
-fn hint(details: &str) -> Option<String> {
+fn read_hint(details: &str) -> Option<String> {
     let (summary, text) = details.split_once("</summary>")?;
     let (text, _) = text.split_once("</details>")?;
     let text = text.trim();
-    (!text.is_empty()).then(|| format!("\n{summary}\n\n{text}\n"))
+    if text.is_empty() {
+        return None;
+    }
+    Some(format!("\n{summary}\n\n{text}\n"))
 }
 
 #[cfg(test)]

@@ -13,8 +13,10 @@ pub const OPEN: &str = "open";
 
 /// The folder of the workbook, of which `cargo run` knows the newest place.
 pub fn workspace() -> PathBuf {
-    let folder = env::var_os("CARGO_MANIFEST_DIR");
-    let folder = PathBuf::from(folder.unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into()));
+    let folder = match env::var_os("CARGO_MANIFEST_DIR") {
+        Some(folder) => PathBuf::from(folder),
+        None => PathBuf::from(env!("CARGO_MANIFEST_DIR")),
+    };
     let workspace = folder.ancestors().nth(2);
     workspace.map(Path::to_owned).unwrap_or_default()
 }
@@ -25,11 +27,18 @@ pub fn shortest(path: &str) -> PathBuf {
     let Ok(here) = here.strip_prefix(workspace()) else {
         return workspace().join(path);
     };
-    let path = Path::new(path).components();
-    let both = here.components().zip(path.clone());
-    let shared = both.take_while(|(a, b)| a == b).count();
-    let up = here.components().skip(shared).map(|_| Component::ParentDir);
-    up.chain(path.skip(shared)).collect()
+    let mut here = here.components().peekable();
+    let mut path = Path::new(path).components().peekable();
+    while here.peek().is_some() && here.peek() == path.peek() {
+        here.next();
+        path.next();
+    }
+    let mut shortest = PathBuf::new();
+    for _ in here {
+        shortest.push(Component::ParentDir);
+    }
+    shortest.extend(path);
+    shortest
 }
 
 /// The text of a file in the workbook.
@@ -42,6 +51,7 @@ pub fn with_path(path: &Path) -> impl Fn(io::Error) -> String {
     move |error| format!("{}: {error}", text::path(path))
 }
 
+/// The student's file.
 pub fn yours(e: &Exercise) -> PathBuf {
     shortest(&format!("{}/exercises/{}.rs", e.stage, e.name))
 }
@@ -107,11 +117,23 @@ pub fn reset(exercise: &Exercise) -> Result<String, String> {
     let yours = yours(exercise);
     let mut words = format!("the starter: {}", text::path(&yours));
     if is_begun(exercise) {
-        let mut names = (1..).map(|n| yours.with_extension(format!("{n}.bak")));
-        let backup = names.find(|name| !name.exists()).unwrap_or_default();
+        let backup = free_backup(&yours);
         fs::rename(&yours, &backup).map_err(with_path(&yours))?;
-        words = format!("{words}\nyour file is kept: {}", text::path(&backup));
+        words += "\nyour file is kept: ";
+        words += &text::path(&backup);
     }
     begin(exercise)?;
     Ok(words)
+}
+
+/// The first name of a backup that no file has.
+fn free_backup(file: &Path) -> PathBuf {
+    let mut number = 1;
+    loop {
+        let backup = file.with_extension(format!("{number}.bak"));
+        if !backup.exists() {
+            return backup;
+        }
+        number += 1;
+    }
 }

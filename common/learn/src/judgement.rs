@@ -14,7 +14,7 @@ use crate::lacking::lacking;
 use crate::output::{Output, OutputReader};
 use crate::process::run;
 use crate::progress::Progress;
-use crate::screen::Screen;
+use crate::screen::{Screen, Space};
 
 /// The longest time in seconds that a check may take without output, unless `LEARN_SECONDS` is
 /// another.
@@ -102,14 +102,8 @@ fn add_lines(text: &mut String, lines: &str) {
     }
 }
 
-/// Checks a student's file, and records whether it is done. Messages of the compiler are as wide
-/// as the terminal.
-pub fn judge(
-    e: &Exercise,
-    progress: &mut Progress,
-    width: Option<usize>,
-    watcher: Watcher,
-) -> Report {
+/// Checks a student's file, and records whether it is done. Output is cut to the space.
+pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watcher) -> Report {
     let file = files::yours(e);
     let text = match fs::read_to_string(&file) {
         Ok(text) => text,
@@ -117,7 +111,7 @@ pub fn judge(
     };
     let report = match lacking(e, &text) {
         Some(lacks) => Report::new(e, &lacks),
-        None => match build_and_run(e, width, watcher) {
+        None => match build_and_run(e, space, watcher) {
             Ok(Some(report)) => report,
             Ok(None) => return Report::new(e, "stopped"),
             Err(problem) => return Report::new(e, &problem),
@@ -129,13 +123,9 @@ pub fn judge(
 
 /// Judges a file that has the names which the check asks for. There is no report if the watcher
 /// stops it.
-fn build_and_run(
-    e: &Exercise,
-    width: Option<usize>,
-    watcher: Watcher,
-) -> Result<Option<Report>, String> {
-    match build(e, width, watcher)? {
-        Build::Program(program) => run_check(e, &program, watcher),
+fn build_and_run(e: &Exercise, space: Space, watcher: Watcher) -> Result<Option<Report>, String> {
+    match build(e, space, watcher)? {
+        Build::Program(program) => run_check(e, &program, space, watcher),
         Build::Failed(report) => Ok(Some(report)),
         Build::Stopped => Ok(None),
     }
@@ -163,7 +153,7 @@ enum Build {
 }
 
 /// Builds the test program of an exercise.
-fn build(e: &Exercise, width: Option<usize>, watcher: Watcher) -> Result<Build, String> {
+fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, String> {
     let failed = |error: io::Error| format!("cargo: {error}");
     let (mut messages, to_messages) = io::pipe().map_err(failed)?;
     let (errors, to_errors) = io::pipe().map_err(failed)?;
@@ -172,7 +162,7 @@ fn build(e: &Exercise, width: Option<usize>, watcher: Watcher) -> Result<Build, 
     // After a save, only functions that have changed are compiled again: those of a unit are
     // compiled together, so there are many units.
     cargo.args(["-C", "incremental=target/learn", "-C", "codegen-units=256"]);
-    if let Some(width) = width {
+    if let Some(width) = space.width {
         cargo.arg(format!("--diagnostic-width={width}"));
     }
     if console::colors_enabled() {
@@ -190,7 +180,7 @@ fn build(e: &Exercise, width: Option<usize>, watcher: Watcher) -> Result<Build, 
     };
     if !status.success() {
         let errors = errors.finish();
-        let (first, more) = errors.beginning();
+        let (first, more) = errors.beginning(space.lines);
         return Ok(Build::Failed(Report {
             printed: first + &say_cut(e, &errors, more),
             ..Report::new(e, "does not compile")
@@ -211,7 +201,12 @@ pub fn program(messages: &str) -> Result<String, String> {
 }
 
 /// Runs the test program. There is no report if the watcher stops it.
-fn run_check(e: &Exercise, program: &str, watcher: Watcher) -> Result<Option<Report>, String> {
+fn run_check(
+    e: &Exercise,
+    program: &str,
+    space: Space,
+    watcher: Watcher,
+) -> Result<Option<Report>, String> {
     let failed = files::with_path(program.as_ref());
     let (output, to_output) = io::pipe().map_err(&failed)?;
     let mut check = Command::new(program);
@@ -249,7 +244,7 @@ fn run_check(e: &Exercise, program: &str, watcher: Watcher) -> Result<Option<Rep
         (None, Some(late)) => (false, late),
         (None, None) => return Ok(None),
     };
-    let (first, more) = output.beginning();
+    let (first, more) = output.beginning(space.lines);
     // What a student's program prints may move the cursor.
     let printed = text::message(&first.replace('\t', "    "));
     Ok(Some(Report {

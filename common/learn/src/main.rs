@@ -29,6 +29,7 @@ use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
+use common::text;
 
 use check_all::CheckAll;
 use exercise::Exercise;
@@ -86,7 +87,7 @@ enum Command {
 
 fn main() -> ExitCode {
     if let Err(problem) = run().and_then(|words| print(&words)) {
-        eprintln!("cargo learn: {problem}");
+        eprintln!("cargo learn: {}", text::message(&problem));
         return ExitCode::FAILURE;
     }
     ExitCode::SUCCESS
@@ -134,7 +135,7 @@ fn check(e: &Exercise) -> Result<String, String> {
     let screen = Screen::new();
     let mut progress = Progress::read();
     let mut status = Status::new();
-    let report = judge(e, &mut progress, screen.width(), &mut |phase, elapsed| {
+    let report = judge(e, &mut progress, screen.space(), &mut |phase, elapsed| {
         status.show("", phase, elapsed);
         true
     });
@@ -152,10 +153,15 @@ fn check(e: &Exercise) -> Result<String, String> {
 fn check_all(course: &[Exercise]) -> Result<String, String> {
     let mut progress = Progress::read();
     let mut status = Status::new();
-    let all = CheckAll::run(course, &mut progress, &mut |words, phase, elapsed| {
-        status.show(words, phase, elapsed);
-        true
-    });
+    let all = CheckAll::run(
+        course,
+        &mut progress,
+        Screen::new().space(),
+        &mut |words, phase, elapsed| {
+            status.show(words, phase, elapsed);
+            true
+        },
+    );
     drop(status);
     warn(&progress);
     if all.open.is_empty() {
@@ -168,7 +174,7 @@ fn check_all(course: &[Exercise]) -> Result<String, String> {
 /// Says that the verdict is not kept, if so.
 fn warn(progress: &Progress) {
     if let Some(warning) = progress.warning() {
-        eprintln!("{warning}");
+        eprintln!("{}", text::message(&warning));
     }
 }
 

@@ -8,9 +8,6 @@ use std::time::{Duration, Instant};
 
 use ::exercise::{REMARK_MARK, WORDS_MARK};
 
-/// The most lines of a program that are shown.
-const SHOWN_LINES: usize = 50;
-
 /// The most bytes of a program that are kept.
 const KEPT_BYTES: usize = 1 << 20;
 
@@ -39,10 +36,10 @@ pub struct Output {
 }
 
 impl Output {
-    /// The first lines, and how many more there are.
-    pub fn beginning(&self) -> (String, usize) {
+    /// At most so many lines from the first, and how many more there are.
+    pub fn beginning(&self, most: usize) -> (String, usize) {
         let text = String::from_utf8_lossy(&self.kept);
-        let first: Vec<_> = text.lines().take(SHOWN_LINES).collect();
+        let first: Vec<_> = text.lines().take(most).collect();
         (first.join("\n"), self.lines.saturating_sub(first.len()))
     }
 
@@ -138,19 +135,19 @@ mod tests {
     fn lines_of_the_check_are_told_from_those_of_the_program() {
         let text = format!("a\nb{WORDS_MARK}wrong\n{REMARK_MARK}more\nlast");
         let output = read(text.as_bytes());
-        assert_eq!(output.beginning(), ("a\nb\nlast".to_owned(), 0));
+        assert_eq!(output.beginning(3), ("a\nb\nlast".to_owned(), 0));
         assert_eq!(output.words, "wrong\n");
         assert_eq!(output.remarks, "more\n");
-        assert_eq!(read(b"").beginning(), (String::new(), 0));
+        assert_eq!(read(b"").beginning(3), (String::new(), 0));
     }
 
     #[test]
     fn much_output_is_cut_and_counted_and_hides_no_word_of_the_check() {
         let many = "x\n".repeat(KEPT_BYTES);
         let output = read(format!("{many}{WORDS_MARK}wrong\n").as_bytes());
-        let (first, more) = output.beginning();
-        assert_eq!(first.lines().count(), SHOWN_LINES);
-        assert_eq!(more, KEPT_BYTES - SHOWN_LINES);
+        let (first, more) = output.beginning(50);
+        assert_eq!(first.lines().count(), 50);
+        assert_eq!(more, KEPT_BYTES - 50);
         assert!(output.is_cut && output.kept.len() == KEPT_BYTES);
         assert_eq!(output.words, "wrong\n");
         // A line without end, and bytes that are no text.

@@ -1,5 +1,7 @@
-//! Exercises that no page of the book sets, such as those of a lecturer: the comment at the beginning
-//! of their file is the task, and the one of their check, after what it compares, the hints.
+//! Exercises that no page of the book sets, such as those of a lecturer.
+//!
+//! The comment at the beginning of the exercise's file has its title, minutes and task. The comment
+//! of its check says in the first paragraph what is compared; the further ones are the hints.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -12,29 +14,54 @@ pub fn others(stage: &'static str, page: &[Exercise]) -> Result<Vec<Exercise>, S
     let mut paths = BTreeMap::new();
     for folder in ["solutions", "starters", files::OPEN] {
         let folder = format!("{stage}/exercises/{folder}");
-        let entries = fs::read_dir(files::shortest(&folder)).into_iter().flatten();
-        for file in entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok()) {
-            let name = file.trim_end_matches(".rs");
+        for name in names_in(&folder) {
             if page.iter().all(|e| e.name != name) {
-                paths.insert(name.to_owned(), format!("{folder}/{file}"));
+                let path = format!("{folder}/{name}.rs");
+                paths.insert(name, path);
             }
         }
     }
-    let read = |(name, path): (String, String)| exercise(stage, name.leak(), &path);
-    paths.into_iter().map(read).collect()
+    let mut exercises = Vec::new();
+    for (name, path) in paths {
+        exercises.push(read_exercise(stage, name.leak(), &path)?);
+    }
+    Ok(exercises)
 }
 
-fn exercise(stage: &'static str, name: &'static str, path: &str) -> Result<Exercise, String> {
+/// The names of the Rust files in a folder, which need not be there. The files that an editor
+/// leaves beside them begin with a dot or end otherwise.
+fn names_in(folder: &str) -> Vec<String> {
+    let mut names = Vec::new();
+    for entry in fs::read_dir(files::shortest(folder))
+        .into_iter()
+        .flatten()
+        .flatten()
+    {
+        let file = entry.file_name();
+        let name = file.to_str().and_then(|file| file.strip_suffix(".rs"));
+        if let Some(name) = name.filter(|name| !name.starts_with('.')) {
+            names.push(name.to_owned());
+        }
+    }
+    names
+}
+
+fn read_exercise(stage: &'static str, name: &'static str, path: &str) -> Result<Exercise, String> {
     let check = format!("{stage}/tests/exercises/{name}.rs");
-    let (task, hints) = (comment(path)?.leak(), comment(&check)?);
-    let parts = task.split_once(" minutes\n\n");
-    let parts = parts.and_then(|(head, task)| Some((head.rsplit_once(", ")?, task)));
-    let ((title, minutes), task) =
-        parts.ok_or_else(|| format!("{path}: it begins with no title, minutes and task"))?;
-    let hints = hints.split("\n\n").skip(1);
-    // It may be missing.
-    let is_in_check = path.contains("/starters/");
-    let solution = format!("{stage}/exercises/solutions/{name}.rs");
+    let comment = read_comment(path)?.leak();
+    let Some((title, minutes, task)) = split_task(comment) else {
+        return Err(format!("{path}: it begins with no title, minutes and task"));
+    };
+    let mut hints = Vec::new();
+    for hint in read_comment(&check)?.split("\n\n").skip(1) {
+        hints.push(format!("\n{hint}\n"));
+    }
+    // The solution of a starter is in its check. The other one may be missing.
+    let solution = if path.contains("/starters/") {
+        check
+    } else {
+        format!("{stage}/exercises/solutions/{name}.rs")
+    };
     Ok(Exercise {
         name,
         stage,
@@ -42,14 +69,27 @@ fn exercise(stage: &'static str, name: &'static str, path: &str) -> Result<Exerc
         minutes,
         is_core: false,
         task: task.to_owned(),
-        hints: hints.map(|hint| format!("\n{hint}\n")).collect(),
-        solution: if is_in_check { check } else { solution }.leak(),
+        hints,
+        solution: solution.leak(),
     })
 }
 
+/// Title, minutes and task of a comment that begins such as `A camera for a dome, 20 minutes`.
+fn split_task(comment: &str) -> Option<(&str, &str, &str)> {
+    let (heading, task) = comment.split_once(" minutes\n\n")?;
+    let (title, minutes) = heading.rsplit_once(", ")?;
+    Some((title, minutes, task))
+}
+
 /// The comment at the beginning of a file.
-fn comment(path: &str) -> Result<String, String> {
+fn read_comment(path: &str) -> Result<String, String> {
     let text = files::read(path)?;
-    let lines = text.lines().map_while(|line| line.strip_prefix("//!"));
-    Ok(lines.map(str::trim).collect::<Vec<_>>().join("\n"))
+    let mut lines = Vec::new();
+    for line in text.lines() {
+        let Some(words) = line.strip_prefix("//!") else {
+            break;
+        };
+        lines.push(words.trim());
+    }
+    Ok(lines.join("\n"))
 }

@@ -37,7 +37,9 @@ pub struct Page {
     /// The file that the report is about; none if the file is to be checked.
     checked: Option<Saved>,
     /// Answers to keys since the check.
-    pub notes: Vec<String>,
+    notes: Vec<String>,
+    /// Whether the next check leaves the notes.
+    keeps_notes: bool,
     /// How many hints have been asked for.
     hints: usize,
     shows_remarks: bool,
@@ -53,11 +55,19 @@ impl Page {
             report: None,
             checked: None,
             notes: Vec::new(),
+            keeps_notes: false,
             hints: 0,
             shows_remarks: false,
             asks_for_reset: false,
             width: None,
         }
+    }
+
+    /// Keeps notes about what has led to this page.
+    pub fn with_notes(mut self, notes: Vec<String>) -> Self {
+        self.notes = notes;
+        self.keeps_notes = true;
+        self
     }
 
     /// Checks the file whenever it is saved, and obeys keys, until the student goes on.
@@ -100,38 +110,44 @@ impl Page {
             keys,
             ..
         } = session;
-        // Before the first check, notes are about what led to this page.
-        if self.report.take().is_some() {
+        self.report = None;
+        if !self.keeps_notes {
             self.notes.clear();
         }
+        self.keeps_notes = false;
         self.shows_remarks = false;
         self.width = screen.width();
         screen.show(&self.task_and_notes(screen), "");
         let mut stopping_key = None;
         let mut shown = String::new();
-        let report = judge(e, progress, self.width, &mut |phase, elapsed| {
-            let status = format!("{}  {KEYS_OF_CHECK}", phase.words("", elapsed));
-            if shown != status {
-                screen.show_status(&status);
-                shown = status;
-            }
-            match keys.read(Duration::ZERO) {
-                Typed::Key(Key::Char('h')) => {
-                    let hint = self.next_hint(screen);
-                    self.notes.push(hint.clone());
-                    screen.show(&self.task_and_notes(screen), &hint);
-                    shown.clear();
+        let report = judge(
+            e,
+            progress,
+            screen.space_on_page(),
+            &mut |phase, elapsed| {
+                let status = format!("{}  {KEYS_OF_CHECK}", phase.words("", elapsed));
+                if shown != status {
+                    screen.show_status(&status);
+                    shown = status;
                 }
-                Typed::Key(Key::Char('s')) => return false,
-                Typed::Key(key @ (Key::Char('n' | 'l' | 'q') | Key::CtrlC)) => {
-                    stopping_key = Some(key);
-                    return false;
+                match keys.read(Duration::ZERO) {
+                    Typed::Key(Key::Char('h')) => {
+                        let hint = self.next_hint(screen);
+                        self.notes.push(hint.clone());
+                        screen.show(&self.task_and_notes(screen), &hint);
+                        shown.clear();
+                    }
+                    Typed::Key(Key::Char('s')) => return false,
+                    Typed::Key(key @ (Key::Char('n' | 'l' | 'q') | Key::CtrlC)) => {
+                        stopping_key = Some(key);
+                        return false;
+                    }
+                    // No other key stops a check.
+                    _ => {}
                 }
-                // No other key stops a check.
-                _ => {}
-            }
-            files::saved(e) == saved
-        });
+                files::saved(e) == saved
+            },
+        );
         self.report = Some(report);
         // After another save the next check follows at once.
         if files::saved(e) == saved && stopping_key.is_none() {
@@ -155,6 +171,7 @@ impl Page {
             self.asks_for_reset = false;
             let note = if *key == Key::Char('y') {
                 self.checked = None;
+                self.keeps_notes = true;
                 files::reset(e).unwrap_or_else(|problem| problem)
             } else {
                 "nothing is changed".to_owned()
@@ -225,6 +242,9 @@ impl Page {
         if all.quits {
             return Some(Step::Quit);
         }
+        // It has judged this file, too.
+        self.checked = None;
+        self.keeps_notes = true;
         self.note(session, &all.to_string());
         None
     }

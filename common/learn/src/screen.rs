@@ -5,6 +5,23 @@ use console::Term;
 
 use crate::wrap::{wrap, wrap_markdown};
 
+/// The most lines of a program's output that are shown.
+const MOST_LINES: usize = 50;
+
+/// On a terminal, the rows that are left to the task and the verdict, and the fewest lines of
+/// output, however small the terminal is.
+const OTHER_ROWS: usize = 20;
+const FEWEST_LINES: usize = 10;
+
+/// The space for the output of a program.
+#[derive(Clone, Copy)]
+pub struct Space {
+    /// Columns; none in a pipe.
+    pub width: Option<usize>,
+    /// Lines of the output that are shown.
+    pub lines: usize,
+}
+
 /// The terminal of the program.
 pub struct Screen {
     /// None in a pipe.
@@ -33,6 +50,26 @@ impl Screen {
     /// Columns; none in a pipe.
     pub fn width(&self) -> Option<usize> {
         self.size().map(|(_, columns)| columns)
+    }
+
+    /// The space for output of which all is printed below each other.
+    pub fn space(&self) -> Space {
+        Space {
+            width: self.width(),
+            lines: MOST_LINES,
+        }
+    }
+
+    /// The space for output on a page that is to be seen as a whole.
+    pub fn space_on_page(&self) -> Space {
+        let lines = match self.size() {
+            Some((rows, _)) => rows.saturating_sub(OTHER_ROWS),
+            None => MOST_LINES,
+        };
+        Space {
+            width: self.width(),
+            lines: lines.clamp(FEWEST_LINES, MOST_LINES),
+        }
     }
 
     /// Breaks lines of messages at the width.

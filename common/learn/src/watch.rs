@@ -57,10 +57,9 @@ fn end(session: &mut Session, last: &'static Exercise) -> Option<Page> {
         return None;
     }
     let open = session.progress.next(session.course, None);
-    let mut page = Page::new(open.unwrap_or(last));
-    page.notes.push(all.to_string());
+    let mut notes = vec![all.to_string()];
     if open.is_none() {
-        page.notes.push(END.to_owned());
+        notes.push(END.to_owned());
     }
-    Some(page)
+    Some(Page::new(open.unwrap_or(last)).with_notes(notes))
 }

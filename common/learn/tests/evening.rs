@@ -143,6 +143,9 @@ fn each_step_is_answered() {
     write(&file("starters/own"), &[task, &to_do].concat());
     let check = "a01-image-display/tests/exercises/own.rs";
     write(check, "//! Compares.\n//!\n//! Its hint.\n");
+    // What an editor leaves beside it is no exercise.
+    write(&file("starters/.#own"), "");
+    fs::write(file("starters/own") + "~", "").unwrap();
     let hint = learn(&["hint", "own"]).output().unwrap();
     assert_eq!(hint.stdout, b"Its title\n\nIts hint.\n");
 
