@@ -10,11 +10,12 @@ use common::text;
 
 use crate::exercise::Exercise;
 use crate::files;
-use crate::lacking::lacking;
+use crate::missing_name::find_missing_name;
 use crate::output::{Output, OutputReader};
 use crate::process::run;
 use crate::progress::Progress;
 use crate::screen::{Screen, Space};
+use crate::signature::explain_outside_error;
 
 /// The longest time in seconds that a check may take without output, unless `LEARN_SECONDS` is
 /// another.
@@ -109,7 +110,7 @@ pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watch
         Ok(text) => text,
         Err(error) => return Report::new(e, &files::with_path(&file)(error)),
     };
-    let report = match lacking(e, &text) {
+    let report = match find_missing_name(e, &text) {
         Some(lacks) => Report::new(e, &lacks),
         None => match build_and_run(e, space, watcher) {
             Ok(Some(report)) => report,
@@ -181,8 +182,10 @@ fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, String> 
     if !status.success() {
         let errors = errors.finish();
         let (first, more) = errors.beginning(space.lines);
+        let form = explain_outside_error(e, &first);
         return Ok(Build::Failed(Report {
             printed: first + &say_cut(e, &errors, more),
+            words: form.unwrap_or_default(),
             ..Report::new(e, "does not compile")
         }));
     }
