@@ -37,7 +37,7 @@ impl Phase {
     pub fn words(self, what: &str, elapsed: Duration) -> String {
         let seconds = elapsed.as_secs();
         let words = match self {
-            Self::Building if seconds > 2 => "building, about a minute",
+            Self::Building if seconds > 4 => "building, about a minute",
             Self::Building => "building",
             Self::Checking => "checking",
         };
@@ -155,9 +155,9 @@ enum Build {
 
 /// Builds the test program of an exercise.
 fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, String> {
-    let failed = |error: io::Error| format!("cargo: {error}");
-    let (mut messages, to_messages) = io::pipe().map_err(failed)?;
-    let (errors, to_errors) = io::pipe().map_err(failed)?;
+    let with_name = |error: io::Error| format!("cargo: {error}");
+    let (mut messages, to_messages) = io::pipe().map_err(with_name)?;
+    let (errors, to_errors) = io::pipe().map_err(with_name)?;
     let mut cargo = Command::new("cargo");
     cargo.arg("--quiet").args(arguments(e));
     // After a save, only functions that have changed are compiled again: those of a unit are
@@ -176,7 +176,7 @@ fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, String> 
 
     let start = Instant::now();
     let goes_on = &mut || watcher(Phase::Building, start.elapsed());
-    let Some(status) = run(cargo, goes_on).map_err(failed)? else {
+    let Some(status) = run(cargo, goes_on).map_err(with_name)? else {
         return Ok(Build::Stopped);
     };
     if !status.success() {
@@ -190,7 +190,7 @@ fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, String> 
         }));
     }
     let messages = messages.join().unwrap_or(Ok(String::new()));
-    Ok(Build::Program(program(&messages.map_err(failed)?)?))
+    Ok(Build::Program(program(&messages.map_err(with_name)?)?))
 }
 
 /// The path of the test program, by the messages of the build.
@@ -210,12 +210,12 @@ fn run_check(
     space: Space,
     watcher: Watcher,
 ) -> Result<Option<Report>, String> {
-    let failed = files::with_path(program.as_ref());
-    let (output, to_output) = io::pipe().map_err(&failed)?;
+    let with_path = files::with_path(program.as_ref());
+    let (output, to_output) = io::pipe().map_err(&with_path)?;
     let mut check = Command::new(program);
     check.env("RUST_BACKTRACE", "0").env(MARKED, "1");
     check.env("EXERCISE_DETAILS", "1");
-    check.stdout(to_output.try_clone().map_err(&failed)?);
+    check.stdout(to_output.try_clone().map_err(&with_path)?);
     check.stderr(to_output);
     let output = OutputReader::start(output);
 
@@ -240,7 +240,7 @@ fn run_check(
         late.is_none() && watcher(Phase::Checking, elapsed)
     });
     let output = output.finish();
-    let (is_done, verdict) = match (status.map_err(failed)?, late) {
+    let (is_done, verdict) = match (status.map_err(with_path)?, late) {
         (Some(status), _) if status.success() => (true, "done".to_owned()),
         // The program says why.
         (Some(_), _) => (false, "not yet".to_owned()),
