@@ -10,7 +10,7 @@ use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ImageResult, RgbImage};
 use measure::Laboratory;
-use measure::experiment::{Axis, Curve, Experiment, Point};
+use measure::experiment::{Curve, Errors, Experiment, Point, Times};
 
 use a01_image_display::stage;
 
@@ -25,36 +25,51 @@ pub fn laboratory() -> Laboratory {
     }
 }
 
-#[rustfmt::skip]
 fn experiments() -> Vec<Experiment<'static>> {
     vec![
-        saving("save-diagonal", "diagonal",
-            "What does a picture of one line lose as JPEG, and what does that save?"),
-        saving("save-painter", "painter",
-            "What does a disc before a gradient lose as JPEG, and what does that save?"),
-        saving("save-show-image", "show-image",
-            "What does the test card lose as JPEG, and what does that save?"),
+        saving(
+            "save-diagonal",
+            "diagonal",
+            "What does a picture of one line lose as JPEG, and what does that save?",
+        ),
+        saving(
+            "save-painter",
+            "painter",
+            "What does a disc before a gradient lose as JPEG, and what does that save?",
+        ),
+        saving(
+            "save-show-image",
+            "show-image",
+            "What does the test card lose as JPEG, and what does that save?",
+        ),
     ]
 }
 
+/// The qualities of JPEG that are tried.
+const QUALITIES: [u8; 9] = [10, 25, 50, 75, 90, 95, 98, 99, 100];
+
 /// An experiment that saves the picture of a scene at all qualities.
-fn saving(name: &'static str, scene: &'static str, about: &'static str) -> Experiment<'static> {
-    Experiment::new(name)
-        .asking(about)
-        .over(Axis::Work, "quality", "bytes")
-        .with_error("rms error of a channel")
-        .with_exact("against the picture that was saved")
-        .with_curves(move |_| {
-            let Some(picture) = picture(scene).map(Rc::new) else {
-                return Vec::new();
-            };
-            let qualities = [10, 25, 50, 75, 90, 95, 98, 99, 100].map(Some);
-            let jpeg = qualities.iter().filter_map(|jpeg| point(&picture, *jpeg));
-            vec![
-                Curve::new("JPEG", jpeg),
-                Curve::new("PNG", point(&picture, None)),
-            ]
-        })
+fn saving(name: &'static str, scene: &'static str, question: &'static str) -> Experiment<'static> {
+    Experiment {
+        question,
+        parameter: "quality",
+        work: "bytes",
+        error: "rms error of a channel",
+        exact: "against the picture that was saved",
+        curves: Box::new(move |_| curves(scene).unwrap_or_default()),
+        ..Experiment::new(name)
+    }
+}
+
+/// JPEG at all qualities, and PNG. None if the scene cannot be rendered.
+fn curves(scene: &str) -> Option<Vec<Curve<'static>>> {
+    let picture = Rc::new(picture(scene)?);
+    let mut jpeg = Vec::new();
+    for quality in QUALITIES {
+        jpeg.extend(point(&picture, Format::Jpeg { quality }));
+    }
+    let png = point(&picture, Format::Png);
+    Some(vec![Curve::new("JPEG", jpeg), Curve::new("PNG", png)])
 }
 
 fn picture(scene: &str) -> Option<RgbImage> {
@@ -65,27 +80,45 @@ fn picture(scene: &str) -> Option<RgbImage> {
     RgbImage::from_raw(size.width(), size.height(), rgb)
 }
 
-/// A picture file: JPEG with a quality from 1 to 100, or PNG.
-fn encoded(picture: &RgbImage, jpeg: Option<u8>) -> ImageResult<Vec<u8>> {
+/// The format of a picture file.
+#[derive(Clone, Copy)]
+enum Format {
+    /// With a quality from 1 to 100.
+    Jpeg {
+        quality: u8,
+    },
+    Png,
+}
+
+/// The bytes of a picture file.
+fn encoded(picture: &RgbImage, format: Format) -> ImageResult<Vec<u8>> {
     let mut bytes = Vec::new();
-    match jpeg {
-        Some(quality) => {
-            picture.write_with_encoder(JpegEncoder::new_with_quality(&mut bytes, quality))?;
+    match format {
+        Format::Jpeg { quality } => {
+            let encoder = JpegEncoder::new_with_quality(&mut bytes, quality);
+            picture.write_with_encoder(encoder)?;
         }
-        None => picture.write_with_encoder(PngEncoder::new(&mut bytes))?,
+        Format::Png => picture.write_with_encoder(PngEncoder::new(&mut bytes))?,
     }
     Ok(bytes)
 }
 
 /// The measurement of a file, which is decoded again.
-fn point(picture: &Rc<RgbImage>, jpeg: Option<u8>) -> Option<Point<'static>> {
-    let bytes = encoded(picture, jpeg).ok()?;
+fn point(picture: &Rc<RgbImage>, format: Format) -> Option<Point<'static>> {
+    let bytes = encoded(picture, format).ok()?;
     let opened = image::load_from_memory(&bytes).ok()?.into_rgb8();
-    let pairs = picture.as_raw().iter().zip(opened.as_raw());
-    let errors = pairs.map(|(a, b)| (f64::from(*a) - f64::from(*b)) / 255.0);
-    let (quality, size) = (jpeg.map_or(100.0, f64::from), bytes.len() as f64);
+    let mut errors = Vec::new();
+    for (saved, opened) in picture.as_raw().iter().zip(opened.as_raw()) {
+        errors.push((f64::from(*saved) - f64::from(*opened)) / 255.0);
+    }
     let saved = Rc::clone(picture);
-    Some(Point::new(quality, size, errors, move || {
-        encoded(&saved, jpeg)
-    }))
+    Some(Point {
+        parameter: match format {
+            Format::Jpeg { quality } => quality.into(),
+            Format::Png => 100.0,
+        },
+        work: bytes.len() as f64,
+        errors: Errors::of(errors),
+        times: Times::of(move || encoded(&saved, format)),
+    })
 }

@@ -2,6 +2,7 @@
 //! may round in other ways on other machines.
 
 use measure::Effort;
+use measure::experiment::Point;
 
 #[test]
 fn png_keeps_every_byte_and_jpeg_at_no_quality() {
@@ -11,13 +12,17 @@ fn png_keeps_every_byte_and_jpeg_at_no_quality() {
             panic!("JPEG and PNG");
         };
         assert_eq!((jpeg.points.len(), png.points.len()), (9, 1));
-        assert_eq!(png.points[0].max, 0.0, "{}", experiment.name);
-        assert!(jpeg.points.iter().all(|point| point.max > 0.0));
+        assert_eq!(png.points[0].errors.max, 0.0, "{}", experiment.name);
+        assert!(jpeg.points.iter().all(|point| point.errors.max > 0.0));
         // More quality is more bytes and less error.
-        let at = |quality: &f64| jpeg.points.iter().find(|point| point.parameter == *quality);
-        let marks: Vec<_> = [10.0, 50.0, 90.0, 100.0].iter().filter_map(at).collect();
+        let mut marks = Vec::new();
+        for quality in [10.0, 50.0, 90.0, 100.0] {
+            let of_quality = |point: &&Point| point.parameter == quality;
+            marks.extend(jpeg.points.iter().find(of_quality));
+        }
         for pair in marks.windows(2) {
-            assert!(pair[0].work < pair[1].work && pair[0].rms > pair[1].rms);
+            let [coarse, fine] = [pair[0], pair[1]];
+            assert!(coarse.work < fine.work && coarse.errors.rms > fine.errors.rms);
         }
     }
 }

@@ -1,43 +1,61 @@
 //! Arithmetic with twice the digits of a double: `DoubleDouble`, a number as the unevaluated
 //! sum of two doubles.
 
-use std::ops::{Add, Div, Mul, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A rounded sum, and what rounding has lost: together they are the exact sum.
+pub struct RoundedSum {
+    pub sum: f64,
+    pub error: f64,
+}
 
 /// The rounded sum and its rounding error (Knuth, The Art of Computer
 /// Programming, volume 2, section 4.2.2).
-pub fn sum_with_error(a: f64, b: f64) -> (f64, f64) {
+pub fn sum_with_error(a: f64, b: f64) -> RoundedSum {
     let sum = a + b;
     let b_of_sum = sum - a;
-    (sum, (a - (sum - b_of_sum)) + (b - b_of_sum))
+    let a_of_sum = sum - b_of_sum;
+    RoundedSum {
+        sum,
+        error: (a - a_of_sum) + (b - b_of_sum),
+    }
 }
 
-/// The sum of products, rounded as if computed with twice the digits.
-pub fn sum_of_products(pairs: &[(f64, f64)]) -> f64 {
-    let product = |(a, b): &(f64, f64)| DoubleDouble::from(*a) * (*b).into();
-    let products = pairs.iter().map(product);
-    products.fold(DoubleDouble::from(0.0), Add::add).value()
+/// The sum of products of pairs, rounded as if computed with twice the digits.
+pub fn sum_of_products(pairs: &[[f64; 2]]) -> f64 {
+    let mut sum = DoubleDouble::from(0.0);
+    for [a, b] in pairs {
+        sum = sum + DoubleDouble::from(*a) * DoubleDouble::from(*b);
+    }
+    sum.value()
 }
 
-/// A sum of two doubles with about 31 digits. The second is at most half a unit in
-/// the last place of the first.
+/// A number with about 31 digits: the sum of two doubles, of which `low` is at most half a unit in
+/// the last place of `high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DoubleDouble(f64, f64);
+pub struct DoubleDouble {
+    high: f64,
+    low: f64,
+}
 
 impl DoubleDouble {
     /// The sum of a double and a much smaller one.
     fn normalized(high: f64, low: f64) -> Self {
         let sum = high + low;
-        Self(sum, low - (sum - high))
+        Self {
+            high: sum,
+            low: low - (sum - high),
+        }
     }
 
     /// The nearest double.
     pub const fn value(self) -> f64 {
-        self.0
+        self.high
     }
 
     /// The difference of a double and this number.
     pub fn error_of(self, computed: f64) -> f64 {
-        (computed - self.0) - self.1
+        (computed - self.high) - self.low
     }
 
     /// The power, by repeated squaring. The rounding errors add up to P units of the 31st digit:
@@ -54,18 +72,32 @@ impl DoubleDouble {
     /// The square root of a number that is not negative.
     #[must_use]
     pub fn sqrt(self) -> Self {
-        let root = self.0.sqrt();
+        let root = self.high.sqrt();
         if root == 0.0 {
             return Self::from(0.0);
         }
         let rest = self - Self::from(root) * Self::from(root);
-        Self::normalized(root, rest.0 / (2.0 * root))
+        Self::normalized(root, rest.high / (2.0 * root))
     }
 }
 
 impl From<f64> for DoubleDouble {
     fn from(number: f64) -> Self {
-        Self(number, 0.0)
+        Self {
+            high: number,
+            low: 0.0,
+        }
+    }
+}
+
+impl Neg for DoubleDouble {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self {
+            high: -self.high,
+            low: -self.low,
+        }
     }
 }
 
@@ -73,10 +105,10 @@ impl Add for DoubleDouble {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        let (high, error) = sum_with_error(self.0, other.0);
-        let (low, lowest) = sum_with_error(self.1, other.1);
-        let sum = Self::normalized(high, error + low);
-        Self::normalized(sum.0, sum.1 + lowest)
+        let high = sum_with_error(self.high, other.high);
+        let low = sum_with_error(self.low, other.low);
+        let sum = Self::normalized(high.sum, high.error + low.sum);
+        Self::normalized(sum.high, sum.low + low.error)
     }
 }
 
@@ -84,7 +116,7 @@ impl Sub for DoubleDouble {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
-        self + Self(-other.0, -other.1)
+        self + -other
     }
 }
 
@@ -98,21 +130,28 @@ impl Mul for DoubleDouble {
         reason = "one rounding instead of two is what makes the error exact"
     )]
     fn mul(self, other: Self) -> Self {
-        let high = self.0 * other.0;
-        let error = self.0.mul_add(other.0, -high);
-        Self::normalized(high, error + (self.0 * other.1 + self.1 * other.0))
+        let high = self.high * other.high;
+        let error = self.high.mul_add(other.high, -high);
+        let crosswise = self.high * other.low + self.low * other.high;
+        Self::normalized(high, error + crosswise)
     }
 }
 
 impl Div for DoubleDouble {
     type Output = Self;
 
+    /// Long division with three digits, each of which is a double. A quotient beyond all doubles
+    /// is infinite.
     fn div(self, other: Self) -> Self {
-        let first = self.0 / other.0;
+        let first = self.high / other.high;
+        if first.is_infinite() {
+            return Self::from(first);
+        }
         let rest = self - other * Self::from(first);
-        let second = rest.0 / other.0;
+        let second = rest.high / other.high;
         let rest = rest - other * Self::from(second);
+        let third = rest.high / other.high;
         let quotient = Self::normalized(first, second);
-        Self::normalized(quotient.0, quotient.1 + rest.0 / other.0)
+        Self::normalized(quotient.high, quotient.low + third)
     }
 }

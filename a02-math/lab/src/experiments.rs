@@ -6,10 +6,8 @@
 mod systems;
 mod vectors;
 
-use std::rc::Rc;
-
 use measure::Effort;
-use measure::experiment::Experiment;
+use measure::experiment::{Experiment, TaskSet};
 
 pub use systems::{conditions, from_columns, refined};
 
@@ -17,19 +15,23 @@ pub fn experiments() -> Vec<Experiment<'static>> {
     vec![vectors::angles(), systems::experiment()]
 }
 
-/// Random tasks for each value of a parameter.
-fn sets<T, const N: usize>(
+/// Random tasks for some numbers of bits, with a power of two as the parameter.
+fn task_sets<T>(
     seed: u64,
     effort: Effort,
-    values: [i32; N],
-    parameter: fn(i32) -> f64,
+    bits: impl IntoIterator<Item = i32>,
     task: fn(&mut WholeNumbers, i32) -> T,
-) -> [(f64, Rc<[T]>); N] {
-    values.map(|value| {
+) -> Vec<TaskSet<T>> {
+    let mut sets = Vec::new();
+    for bits in bits {
         let mut numbers = WholeNumbers(seed);
-        let tasks = (0..effort.choose(4096, 65_536)).map(|_| task(&mut numbers, value));
-        (parameter(value), tasks.collect())
-    })
+        let count = effort.choose(4096, 65_536);
+        sets.push(TaskSet {
+            parameter: libm::scalbn(1.0, bits),
+            tasks: (0..count).map(|_| task(&mut numbers, bits)).collect(),
+        });
+    }
+    sets
 }
 
 /// Random whole numbers, the same in every run, from a linear congruential generator with

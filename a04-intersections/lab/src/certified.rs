@@ -2,70 +2,86 @@
 //! lesson's decision with it. A picture without an open decision shows what the exact hits of
 //! its rays would.
 
-use a02_math::arrays::array;
 use std::any::Any;
 use std::cell::Cell;
-use std::ops::Not;
 
+use a02_math::arrays::array;
 use a03_rays_cameras::{Camera, Ray};
 use common::{Color, Settings};
 
-use super::enclosure::Enclosure;
-use super::support::{arrays, corners, dot, numbers};
+use crate::enclosure::Enclosure;
+use crate::formula;
+use crate::formula::sphere;
+use crate::line::Line;
+use crate::number::{Triple, cross, difference, dot};
+use crate::support::{corners, numbers};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Plane, Sphere, Triangle};
 
 /// Whether a ray hits a shape; `None` if the enclosures leave it open.
 pub type Decision = Option<bool>;
 
+/// How many decisions are not certified.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Uncertified {
+    /// Left open by the enclosures: the number of decisions, or of pixels with such decisions.
+    pub open: u32,
+    /// Wrong decisions of the lesson.
+    pub wrong: u32,
+}
+
 thread_local! {
-    /// The decisions for a pixel: open ones, and wrong ones of the lesson.
-    static COUNTS: Cell<[u32; 2]> = const { Cell::new([0; 2]) };
+    /// The decisions for a pixel.
+    static COUNTS: Cell<Uncertified> = const { Cell::new(Uncertified { open: 0, wrong: 0 }) };
 }
 
 /// The number of pixels with an open decision in a picture of the default size, one ray a pixel,
 /// and of wrong decisions of the lesson. The geometries of the world are wrapped by [`geometry`].
-pub fn picture(camera: &dyn Camera, radiance: impl Fn(&Ray) -> Color) -> [u32; 2] {
+pub fn picture(camera: &dyn Camera, radiance: impl Fn(&Ray) -> Color) -> Uncertified {
     let size = Settings::default().size;
-    let (mut open_pixels, mut all_wrong) = (0, 0);
+    let mut of_picture = Uncertified::default();
     for row in 0..size.height() {
         for column in 0..size.width() {
             COUNTS.take();
             radiance(&camera.ray_for(size, column.into(), row.into()));
-            let [open, wrong] = COUNTS.take();
-            open_pixels += u32::from(open > 0);
-            all_wrong += wrong;
+            let of_pixel = COUNTS.take();
+            of_picture.open += u32::from(of_pixel.open > 0);
+            of_picture.wrong += of_pixel.wrong;
         }
     }
-    [open_pixels, all_wrong]
+    of_picture
 }
 
 /// A geometry whose decisions are certified.
 #[derive(Debug)]
-struct Certified(Box<dyn Geometry>, Decide);
+struct Certified {
+    geometry: Box<dyn Geometry>,
+    decide: Decide,
+}
 
 /// Decides whether a ray hits a shape within an interval.
 pub type Decide = fn(&dyn Geometry, &Ray, Interval) -> Decision;
 
 /// Wraps this geometry to certify its decisions by this function.
 pub fn geometry(geometry: Box<dyn Geometry>, decide: Decide) -> Box<dyn Geometry> {
-    Box::new(Certified(geometry, decide))
+    Box::new(Certified { geometry, decide })
 }
 
 impl Geometry for Certified {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        let hit = self.0.hit(ray, within);
-        let [open, wrong] = COUNTS.get();
-        COUNTS.set(match (self.1)(&*self.0, ray, within) {
-            None => [open + 1, wrong],
-            Some(exact) => [open, wrong + u32::from(exact != hit.is_some())],
-        });
+        let hit = self.geometry.hit(ray, within);
+        let mut counts = COUNTS.get();
+        match (self.decide)(&*self.geometry, ray, within) {
+            None => counts.open += 1,
+            Some(is_hit) => counts.wrong += u32::from(is_hit != hit.is_some()),
+        }
+        COUNTS.set(counts);
         hit
     }
 }
 
 /// The decision for the shapes of this stage; for other types it stays open.
 pub fn decide(shape: &dyn Geometry, ray: &Ray, within: Interval) -> Decision {
-    let line = arrays(ray).map(|triple| triple.map(Enclosure::from));
+    let line = Line::of(ray).to();
     let any: &dyn Any = shape;
     if let Some(sphere) = any.downcast_ref::<Sphere>() {
         hits_sphere(sphere, &line, within)
@@ -74,29 +90,18 @@ pub fn decide(shape: &dyn Geometry, ray: &Ray, within: Interval) -> Decision {
     } else if let Some(triangle) = any.downcast_ref::<Triangle>() {
         hits_triangle(triangle, &line, within)
     } else {
-        let any_plane: &Plane = any.downcast_ref()?;
-        let [a, n] = ["point", "normal"].map(|key| numbers(any_plane, key).map(Enclosure::from));
-        contains(within, plane(&a, &n, &line))
+        hits_plane(any.downcast_ref::<Plane>()?, &line, within)
     }
-}
-
-/// A triple of enclosed numbers.
-pub type Triple = [Enclosure; 3];
-
-pub fn difference(a: &Triple, b: &Triple) -> Triple {
-    std::array::from_fn(|i| a[i] - b[i])
-}
-
-fn cross(a: &Triple, b: &Triple) -> Triple {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i] * b[j] - a[j] * b[i])
 }
 
 /// Whether a `t` lies within the interval.
 pub fn contains(within: Interval, t: Enclosure) -> Decision {
     if t.low > within.min && t.high < within.max {
         Some(true)
+    } else if t.high <= within.min || t.low >= within.max {
+        Some(false)
     } else {
-        (t.high <= within.min || t.low >= within.max).then_some(false)
+        None
     }
 }
 
@@ -109,36 +114,41 @@ fn either(a: Decision, b: Decision) -> Decision {
     }
 }
 
-/// The `t` at a plane; everything for a ray that may be parallel, except beside the plane.
-pub fn plane(a: &Triple, n: &Triple, [o, d]: &[Triple; 2]) -> Enclosure {
-    dot(&difference(a, o), n) / dot(d, n)
+/// The numbers of a shape as enclosures.
+pub fn enclosed<const N: usize>(numbers: [f64; N]) -> [Enclosure; N] {
+    numbers.map(Enclosure::from)
 }
 
-/// By the discriminant `a r² - |f × d|²`, which is that of the lesson by Lagrange's identity.
-fn hits_sphere(sphere: &Sphere, [o, d]: &[Triple; 2], within: Interval) -> Decision {
-    let c = numbers(sphere, "center").map(Enclosure::from);
-    let [r] = numbers(sphere, "radius").map(Enclosure::from);
-    let f = difference(o, &c);
-    let a = dot(d, d);
-    let aside = cross(&f, d);
-    let discriminant = a * r * r - dot(&aside, &aside);
-    if discriminant.high < 0.0 {
+/// Of a ray that may be parallel to the plane, `t` is everything, and the decision stays open.
+fn hits_plane(plane: &Plane, line: &Line<Enclosure>, within: Interval) -> Decision {
+    let point = enclosed(numbers(plane, "point"));
+    let normal = enclosed(numbers(plane, "normal"));
+    contains(within, formula::plane::t(&point, &normal, line))
+}
+
+fn hits_sphere(sphere: &Sphere, line: &Line<Enclosure>, within: Interval) -> Decision {
+    let center = enclosed(numbers(sphere, "center"));
+    let [radius] = enclosed(numbers(sphere, "radius"));
+    let f = difference(&line.origin, &center);
+    let terms = sphere::terms(&f, radius, &line.direction);
+    if terms.discriminant.high < 0.0 {
         return Some(false);
     }
-    let (middle, half) = (dot(&f, d), discriminant.sqrt());
-    let zero = Enclosure::from(0.0);
-    let roots = [zero - middle - half, half - middle].map(|root| contains(within, root / a));
-    match either(roots[0], roots[1]) {
-        Some(true) if discriminant.low < 0.0 => None,
+    let [near, far] = terms.plain_roots().map(|root| contains(within, root));
+    match either(near, far) {
+        Some(true) if terms.discriminant.low < 0.0 => None,
         decision => decision,
     }
 }
 
-fn hits_box(aab: &AxisAlignedBox, [o, d]: &[Triple; 2], within: Interval) -> Decision {
-    let [mut near, mut far] = [f64::NEG_INFINITY, f64::INFINITY].map(Enclosure::from);
-    let corners: [[f64; 3]; 2] = ["lbf", "run"].map(|key| numbers(aab, key));
+fn hits_box(aab: &AxisAlignedBox, line: &Line<Enclosure>, within: Interval) -> Decision {
+    let (o, d) = (&line.origin, &line.direction);
+    let lbf: Triple<Enclosure> = enclosed(numbers(aab, "lbf"));
+    let run: Triple<Enclosure> = enclosed(numbers(aab, "run"));
+    let mut near = Enclosure::from(f64::NEG_INFINITY);
+    let mut far = Enclosure::from(f64::INFINITY);
     for axis in 0..3 {
-        let [low, high] = corners.map(|corner| Enclosure::from(corner[axis]));
+        let (low, high) = (lbf[axis], run[axis]);
         let Some(is_ahead) = d[axis].sign() else {
             // Along the faces: the borders belong to the box.
             if o[axis].low < low.low || o[axis].low > high.low {
@@ -146,18 +156,14 @@ fn hits_box(aab: &AxisAlignedBox, [o, d]: &[Triple; 2], within: Interval) -> Dec
             }
             continue;
         };
-        let mut ts = [low, high].map(|face| (face - o[axis]) / d[axis]);
-        if !is_ahead {
-            ts.reverse();
-        }
-        near = Enclosure {
-            low: near.low.max(ts[0].low),
-            high: near.high.max(ts[0].high),
+        let [at_low, at_high] = [low, high].map(|face| (face - o[axis]) / d[axis]);
+        let (enter, leave) = if is_ahead {
+            (at_low, at_high)
+        } else {
+            (at_high, at_low)
         };
-        far = Enclosure {
-            low: far.low.min(ts[1].low),
-            high: far.high.min(ts[1].high),
-        };
+        near = near.max(enter);
+        far = far.min(leave);
     }
     if near.low > far.high {
         return Some(false);
@@ -168,10 +174,10 @@ fn hits_box(aab: &AxisAlignedBox, [o, d]: &[Triple; 2], within: Interval) -> Dec
     }
 }
 
-fn hits_triangle(triangle: &Triangle, line: &[Triple; 2], within: Interval) -> Decision {
-    let corners = corners(triangle).map(|c| array(c).map(Enclosure::from));
-    let [a, b, c] = corners.map(|corner| difference(&corner, &line[0]));
-    let d = &line[1];
+fn hits_triangle(triangle: &Triangle, line: &Line<Enclosure>, within: Interval) -> Decision {
+    let corners = corners(triangle).map(|corner| enclosed(array(corner)));
+    let [a, b, c] = corners.map(|corner| difference(&corner, &line.origin));
+    let d = &line.direction;
     // Six times the volumes between the ray and the edges.
     let sides = [(&c, &b), (&a, &c), (&b, &a)].map(|(p, q)| dot(d, &cross(p, q)));
     let signs = sides.map(Enclosure::sign);
@@ -181,7 +187,8 @@ fn hits_triangle(triangle: &Triangle, line: &[Triple; 2], within: Interval) -> D
     let n = cross(&difference(&b, &a), &difference(&c, &a));
     let t = dot(&a, &n) / dot(d, &n);
     let is_within = contains(within, t);
-    if signs.iter().all(Option::is_some) || is_within.is_some_and(Not::not) {
+    let is_beside_no_edge = signs.iter().all(Option::is_some);
+    if is_beside_no_edge || is_within == Some(false) {
         is_within
     } else {
         None

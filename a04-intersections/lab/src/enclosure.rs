@@ -3,7 +3,7 @@
 //! The result of an operation holds the exact result for all numbers that its operands hold
 //! (R. E. Moore, R. B. Kearfott, M. J. Cloud: Introduction to Interval Analysis, 2009, chapter 2).
 
-use std::ops::{Add, Div, Mul, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// All numbers from `low` to `high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +28,13 @@ impl Enclosure {
 
     /// Whether all numbers are above 0 (true) or below (false); `None` if it is open.
     pub fn sign(self) -> Option<bool> {
-        (self.low > 0.0 || self.high < 0.0).then_some(self.low > 0.0)
+        if self.low > 0.0 {
+            Some(true)
+        } else if self.high < 0.0 {
+            Some(false)
+        } else {
+            None
+        }
     }
 
     /// From the least to the greatest result of the ends.
@@ -40,6 +46,24 @@ impl Enclosure {
             return Self::EVERYTHING;
         }
         Self::outwards(a.min(b).min(c).min(d), a.max(b).max(c).max(d))
+    }
+
+    /// The greater of two numbers, of which each lies in one of the enclosures.
+    #[must_use]
+    pub const fn max(self, other: Self) -> Self {
+        Self {
+            low: self.low.max(other.low),
+            high: self.high.max(other.high),
+        }
+    }
+
+    /// The smaller of two numbers, of which each lies in one of the enclosures.
+    #[must_use]
+    pub const fn min(self, other: Self) -> Self {
+        Self {
+            low: self.low.min(other.low),
+            high: self.high.min(other.high),
+        }
     }
 
     fn is_zero(self) -> bool {
@@ -85,8 +109,18 @@ impl Sub for Enclosure {
         if self == other && self.low == self.high {
             return Self::from(0.0);
         }
-        let (low, high) = (-other.high, -other.low);
-        self + Self { low, high }
+        self + -other
+    }
+}
+
+impl Neg for Enclosure {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self {
+            low: -self.high,
+            high: -self.low,
+        }
     }
 }
 

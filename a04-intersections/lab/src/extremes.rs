@@ -1,7 +1,5 @@
 //! Stiff and extreme cases of rays and shapes. Exact values were computed with
 //! mpmath at 1200 bits from the doubles given, or follow from closed forms.
-//!
-//! Tables are formatted by hand, with one row on a line.
 
 mod axis_aligned_box;
 mod coincident;
@@ -13,10 +11,11 @@ mod triangle;
 
 use common::{ArgumentError, Color, Transfer};
 use measure::Effort;
-use measure::extremes::{Case, Equal, Fails, Holds, Id, Outcome, Protocol, case};
+use measure::extremes::{Case, Fails, Flag, Holds, Id, Number, Outcome, Protocol, tried};
 
-use super::protocol;
-use super::support::{Line, first, unit_ray};
+use crate::line::Line;
+use crate::protocol;
+use crate::support::first;
 use a04_intersections::Geometry;
 
 pub fn cases(effort: Effort) -> Vec<Case> {
@@ -35,25 +34,26 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     cases
 }
 
-const MISS: Outcome = Outcome::Nothing;
-const REFUSED: Outcome = Outcome::Refused;
 const EPSILON: f64 = f64::EPSILON;
 
 /// The `t` of the nearest hit as an outcome, or the error of a constructor.
 fn meeting<G: Geometry>(shape: Result<G, ArgumentError>, line: Line) -> Outcome {
-    let met = || Ok::<_, ArgumentError>(first(&shape?, &unit_ray(line)?));
-    met().into()
+    tried(|| Ok(first(&shape?, &line.unit_ray()?)))
 }
 
 /// A channel as a byte.
-fn byte(id: Id, channel: f64, exact: f64, says: Protocol) -> Case {
-    let ours = Transfer::Linear.bytes(Color::gray(channel))[0];
-    let what = format!("a channel of {channel} as a byte");
-    let both = [f64::from(ours), protocol::byte(channel).into()].map(Outcome::from);
-    case(id, what, both, exact, Equal, says)
+fn byte(id: Id, channel: f64, exact: f64, protocol: Protocol) -> Case {
+    let [ours, ..] = Transfer::Linear.bytes(Color::gray(channel));
+    let theirs = protocol::byte(channel);
+    Case {
+        id,
+        what: format!("a channel of {channel} as a byte"),
+        exact: Number(exact),
+        protocol,
+        ..Case::of(f64::from(ours), f64::from(theirs))
+    }
 }
 
-#[rustfmt::skip]
 fn bytes() -> Vec<Case> {
     vec![
         byte("H01", 1.5, 255.0, Fails),
@@ -63,7 +63,12 @@ fn bytes() -> Vec<Case> {
         byte("H05", 0.5, 128.0, Fails),
         byte("H06", 0.999_999, 255.0, Fails),
         byte("H07", 0.5 / 255.0, 1.0, Fails),
-        Case::new("H08", "a channel of NaN is black, but not unnoticed: is the colour finite?",
-            false, Equal, Color::gray(f64::NAN).is_finite()),
+        Case {
+            id: "H08",
+            what: "a channel of NaN is black, but not unnoticed: is the colour finite?".into(),
+            exact: Flag(false),
+            ours: Color::gray(f64::NAN).is_finite().into(),
+            ..Case::default()
+        },
     ]
 }

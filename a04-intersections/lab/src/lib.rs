@@ -5,11 +5,15 @@
 
 mod aimed_box;
 pub mod certified;
+pub mod condition;
 pub mod enclosure;
 pub mod exact;
 pub mod experiments;
 mod extremes;
+pub mod formula;
+pub mod line;
 pub mod mesh;
+pub mod number;
 pub mod protocol;
 pub mod random_scene;
 pub mod search;

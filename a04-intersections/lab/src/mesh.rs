@@ -1,6 +1,7 @@
 //! `Mesh`: the sphere as triangles, for rays that aim at corners and edges.
 
 use std::collections::HashMap;
+use std::mem;
 
 use a02_math::{Direction, Vector3};
 
@@ -17,13 +18,17 @@ impl Mesh {
     /// 20 · 4^`divisions` triangles with corners on the unit sphere.
     pub fn icosphere(divisions: u32) -> Self {
         let golden = f64::midpoint(1.0, 5_f64.sqrt());
-        let signs = [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)];
-        let corners = signs.into_iter().flat_map(|(one, more)| {
-            let (one, more) = (one, more * golden);
-            [[0.0, one, more], [one, more, 0.0], [more, 0.0, one]]
-        });
-        let corners = corners.map(|corner| on_unit_sphere(vector(corner)));
-        let corners: Vec<_> = corners.collect();
+        let mut corners = Vec::new();
+        for (one, more) in [
+            (1.0, golden),
+            (-1.0, golden),
+            (1.0, -golden),
+            (-1.0, -golden),
+        ] {
+            for corner in [[0.0, one, more], [one, more, 0.0], [more, 0.0, one]] {
+                corners.push(on_unit_sphere(vector(corner)));
+            }
+        }
         // The distance of neighbours on the unit sphere is 1.05, of others more.
         let is_edge = |i: usize, j: usize| (corners[i] - corners[j]).magnitude() < 1.1;
         let mut faces = Vec::new();
@@ -37,24 +42,32 @@ impl Mesh {
             }
         }
         let mut mesh = Self { corners, faces };
-        (0..divisions).for_each(|_| mesh.divide());
+        for _ in 0..divisions {
+            mesh.divide();
+        }
         mesh
     }
 
+    /// Divides each face into four at the middles of its edges.
     fn divide(&mut self) {
         let mut middles = HashMap::new();
-        let corners = &mut self.corners;
-        let mut middle = |i: usize, j: usize| {
-            *middles.entry((i.min(j), i.max(j))).or_insert_with(|| {
-                corners.push(on_unit_sphere(corners[i] + corners[j]));
-                corners.len() - 1
-            })
-        };
-        let quarters = |&[a, b, c]: &[usize; 3]| {
-            let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
-            [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]
-        };
-        self.faces = self.faces.iter().flat_map(quarters).collect();
+        let mut quarters = Vec::new();
+        for [a, b, c] in mem::take(&mut self.faces) {
+            let [ab, bc, ca] = [(a, b), (b, c), (c, a)].map(|(i, j)| {
+                // Both faces at an edge share its middle.
+                let edge = (i.min(j), i.max(j));
+                *middles.entry(edge).or_insert_with(|| self.add_middle(i, j))
+            });
+            quarters.extend([[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]);
+        }
+        self.faces = quarters;
+    }
+
+    /// Adds the corner in the middle of an edge, and returns its index.
+    fn add_middle(&mut self, i: usize, j: usize) -> usize {
+        let middle = on_unit_sphere(self.corners[i] + self.corners[j]);
+        self.corners.push(middle);
+        self.corners.len() - 1
     }
 }
 

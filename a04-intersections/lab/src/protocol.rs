@@ -1,11 +1,13 @@
 //! The formulas as the protocol prints them, mistakes included. They are
 //! measured and compared; only pictures of the mistakes are rendered with them.
 
+use a02_lab::protocol::cramer;
 use a02_math::arrays::array;
 use a02_math::{Direction, Mat3x3, Normal3, Point3};
 use a03_rays_cameras::Ray;
 
-use crate::support::{Real, difference, dot};
+use crate::formula::sphere::Shot;
+use crate::number::{Real, dot};
 
 /// Least distance of a hit, included for the triangle and excluded for box and
 /// sphere: a fixed number, as if all scenes had the same size and all directions
@@ -25,7 +27,7 @@ pub fn plane(a: Point3, n: Normal3, ray: &Ray) -> Option<f64> {
 
 /// The coordinates of a point on a face that are compared with the corners of the
 /// box: the protocol's text allows both readings.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Compared {
     /// All three, including the coordinate of the face, which is only right up to
     /// rounding.
@@ -46,9 +48,12 @@ pub fn axis_aligned_box(lbf: Point3, run: Point3, ray: &Ray, compared: Compared)
                 continue;
             };
             let [point, low, high] = [ray.at(t), lbf, run].map(array);
-            let is_within = (0..3)
-                .filter(|other| matches!(compared, Compared::Three) || *other != axis)
-                .all(|other| low[other] <= point[other] && point[other] <= high[other]);
+            let mut is_within = true;
+            for other in 0..3 {
+                if other != axis || compared == Compared::Three {
+                    is_within &= low[other] <= point[other] && point[other] <= high[other];
+                }
+            }
             if is_within && t > NEAREST && nearest.is_none_or(|nearest| t < nearest) {
                 nearest = Some(t);
             }
@@ -73,14 +78,11 @@ pub fn triangle(&[a, b, c]: &[Point3; 3], ray: &Ray) -> Option<f64> {
         [ab.y(), ac.y(), d.y()],
         [ab.z(), ac.z(), d.z()],
     ]);
-    let determinant = system.determinant();
-    if determinant == 0.0 {
+    if system.determinant() == 0.0 {
         return None;
     }
-    let right = a - ray.origin();
-    let beta = system.change_col_1(right).determinant() / determinant;
-    let gamma = system.change_col_2(right).determinant() / determinant;
-    let t = system.change_col_3(right).determinant() / determinant;
+    let solution = cramer(system, a - ray.origin());
+    let (beta, gamma, t) = (solution.x(), solution.y(), solution.z());
     if beta < 0.0 || gamma < 0.0 || (beta + gamma).ceil() != 1.0 || t < NEAREST {
         return None;
     }
@@ -92,13 +94,12 @@ pub fn interpolated_normal([a, b, c]: [Normal3; 3], beta: f64, gamma: f64) -> No
     a * (1.0 - beta - gamma) + b * beta + c * gamma
 }
 
-/// The sphere of centre, radius, origin and direction. Discriminant and roots
-/// cancel. The root is taken before the sign is tested. Comparisons with NaN are
-/// false and exclude it, except in the last branch, which runs only for the
-/// direction 0 and returns NaN.
-pub fn sphere<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> Option<F> {
-    let nearest = F::rounded(0.001_f32.into());
-    let [a, b, discriminant] = sphere_terms(c, r, o, d);
+/// The sphere. Discriminant and roots cancel. The root is taken before the sign is tested.
+/// Comparisons with NaN are false and exclude it, except in the last branch, which runs only for
+/// the direction 0 and returns NaN.
+pub fn sphere<F: Real>(shot: &Shot<F>) -> Option<F> {
+    let (zero, nearest) = (F::of(0.0), F::of(0.001_f32.into()));
+    let Quadratic { a, b, discriminant } = sphere_equation(shot);
     let two_a = a + a;
     let minus = (-b - discriminant.sqrt()) / two_a;
     let plus = (-b + discriminant.sqrt()) / two_a;
@@ -107,7 +108,7 @@ pub fn sphere<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> Option<F> {
     } else if plus > nearest {
         return Some(plus);
     }
-    if discriminant == F::zero() {
+    if discriminant == zero {
         let t = -b / two_a;
         if t < nearest {
             return None;
@@ -117,13 +118,25 @@ pub fn sphere<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> Option<F> {
     None
 }
 
-/// The factors a and b of the sphere's equation and its discriminant.
-pub fn sphere_terms<F: Real>(c: &[F; 3], r: F, o: &[F; 3], d: &[F; 3]) -> [F; 3] {
-    let f = difference(o, c);
+/// The equation `a t² + b t + c = 0` of the `t` at which a line meets a sphere.
+pub struct Quadratic<F> {
+    pub a: F,
+    pub b: F,
+    /// `b² - 4 a c`.
+    pub discriminant: F,
+}
+
+/// The sphere's equation.
+pub fn sphere_equation<F: Real>(shot: &Shot<F>) -> Quadratic<F> {
+    let (f, d) = (shot.from_center(), &shot.line.direction);
     let a = dot(d, d);
     let b = dot(d, &f.map(|x| x + x));
-    let c = dot(&f, &f) - r * r;
-    [a, b, b * b - F::rounded(4.0) * a * c]
+    let c = dot(&f, &f) - shot.radius * shot.radius;
+    Quadratic {
+        a,
+        b,
+        discriminant: b * b - F::of(4.0) * a * c,
+    }
 }
 
 /// A channel from 0 to 1 as the value of a byte, as Java casts it: truncated

@@ -6,6 +6,8 @@
 //! scenes come in bundles that differ in nothing but such numbers, and meet more shapes than a leaf
 //! of the tree holds.
 
+use std::collections::HashSet;
+
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{Camera, OrthographicCamera, PerspectiveCamera, Ray, View};
 use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle};
@@ -188,11 +190,9 @@ impl Place {
         if self.numbers.below(4) > 0 {
             let far = self.signed(50.0);
             let corner = self.at([far, far, far]);
-            shapes.extend(
-                Sphere::new(corner, self.length())
-                    .ok()
-                    .map(|far| Box::new(far) as _),
-            );
+            if let Ok(sphere) = Sphere::new(corner, self.length()) {
+                shapes.push(Box::new(sphere));
+            }
         }
         shapes
     }
@@ -279,8 +279,10 @@ pub fn compare(seed: u64, view: impl Fn(Place) -> Result<View, ArgumentError>) -
     let lesson = lesson?;
     for (name, other) in [("the engine", engine), ("all work", all_work)] {
         let other = other?;
-        let pairs = lesson.pixels().iter().zip(other.pixels());
-        let different = pairs.filter(|(a, b)| !is_same(**a, **b)).count();
+        let mut different = 0;
+        for (a, b) in lesson.pixels().iter().zip(other.pixels()) {
+            different += usize::from(!is_same(*a, *b));
+        }
         assert!(
             different == 0,
             "{name} differs in {different} pixels, seed {seed}"
@@ -298,13 +300,10 @@ pub fn compare_all(
     let (mut pictures, mut colorful) = (0, 0);
     for seed in seeds {
         if let Some(image) = compare(seed, |place| view(seed, place)) {
-            let mut colors: Vec<_> = image
-                .pixels()
-                .iter()
-                .map(|color| color.channels().map(f64::to_bits))
-                .collect();
-            colors.sort_unstable();
-            colors.dedup();
+            let mut colors = HashSet::new();
+            for color in image.pixels() {
+                colors.insert(color.channels().map(f64::to_bits));
+            }
             pictures += 1;
             colorful += usize::from(colors.len() > 10);
         }
@@ -339,8 +338,6 @@ pub fn compare_thousands(
 
 /// Whether colours are equal, or both no numbers.
 fn is_same(a: Color, b: Color) -> bool {
-    let channels = a.channels().into_iter().zip(b.channels());
-    channels
-        .into_iter()
-        .all(|(a, b)| a == b || a.is_nan() && b.is_nan())
+    let mut channels = a.channels().into_iter().zip(b.channels());
+    channels.all(|(a, b)| a == b || a.is_nan() && b.is_nan())
 }

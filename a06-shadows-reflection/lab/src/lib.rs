@@ -7,6 +7,7 @@ pub mod coarse_ball;
 pub mod experiments;
 mod extremes;
 pub mod lit_points;
+mod mirrors;
 pub mod policy;
 pub mod protocol;
 pub mod random_scene;

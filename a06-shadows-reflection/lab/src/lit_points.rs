@@ -13,9 +13,12 @@ use crate::surface::{Shape, Surface, at};
 /// A point that a light shines on.
 pub struct Trial {
     pub surface: Surface,
+    /// The ray that sees the point.
     pub ray: Ray,
     pub hit: Hit,
+    /// The direction to the light, of length 1.
     pub light: Vector3,
+    /// The size of the scene.
     size: f64,
 }
 
@@ -31,55 +34,67 @@ impl Trial {
         normal * 1.0_f64.copysign(self.light.dot(normal))
     }
 
-    /// The ray from the computed point, and this least `t`.
-    pub fn from_point(&self, min: f64) -> (Ray, Interval) {
-        let max = f64::INFINITY;
-        (
-            Ray::derived(self.point(), self.light),
-            Interval { min, max },
-        )
-    }
-
     /// Whether the shape, which is convex, shadows itself.
     pub fn shades_itself(&self, policy: Policy) -> bool {
-        let (to_light, within) = policy(self);
-        self.surface.world.is_hit(&to_light, within)
+        let to_light = policy(self);
+        self.surface.world.is_hit(&to_light.ray, to_light.within)
     }
 
     /// Whether an object at the distance `near` before the light, in sizes, is missed.
     pub fn leaks(&self, policy: Policy, near: f64) -> bool {
-        let (to_light, within) = policy(self);
+        let to_light = policy(self);
         let before = self.point() + self.light * (near * self.size);
-        let occluder = Plane::new(before, self.light.as_normal());
-        !occluder.is_ok_and(|plane| plane.hit(&to_light, within).is_some())
+        let Ok(occluder) = Plane::new(before, self.light.as_normal()) else {
+            return true;
+        };
+        occluder.hit(&to_light.ray, to_light.within).is_none()
     }
 }
 
-/// The eyes of trials: a middle, their distance from it, and the greatest distance from it to a
-/// place where they look, in sizes of the scene.
-pub type Aim = (Triple, [f64; 2]);
+/// Where the eyes of trials are, and where they look. Lengths are in sizes of the scene.
+#[derive(Clone, Copy)]
+pub struct Aim {
+    pub middle: Triple,
+    /// Of the eye from the middle.
+    pub distance: f64,
+    /// The reach around the middle in which the targets lie.
+    pub within: f64,
+}
 
 pub const SEED: u64 = 13;
-pub const AIM: Aim = ([0.1, 0.2, 0.3], [5.0, 0.7]);
+
+pub const AIM: Aim = Aim {
+    middle: [0.1, 0.2, 0.3],
+    distance: 5.0,
+    within: 0.7,
+};
 
 /// Rays for each point at most: a wrong formula may hit nothing.
 const MOST_RAYS: usize = 1_000;
 
-/// A shape, an eye and a place where it looks, from random numbers.
-pub type Look = (Surface, [Point3; 2]);
+/// A shape, an eye and a target where it looks, from random numbers.
+pub struct Look {
+    pub surface: Surface,
+    pub eye: Point3,
+    pub target: Point3,
+}
 
 /// Looks at a shape of a size in a scene of a size.
 pub fn looks(
     shape: Shape,
     shape_size: f64,
     size: f64,
-    (middle, [distance, within]): Aim,
+    aim: Aim,
 ) -> Result<impl Fn(&mut Numbers) -> Result<Look, Error>, Error> {
-    let (surface, middle) = (shape(shape_size)?, at(size, middle));
+    let (surface, middle) = (shape(shape_size)?, at(size, aim.middle));
     Ok(move |numbers: &mut Numbers| {
-        let mut way = || numbers.triple(-1.0, 1.0);
-        let eye = middle + way().unit("eye")? * (distance * size);
-        Ok((surface.clone(), [eye, middle + way() * (within * size)]))
+        let direction = numbers.triple(-1.0, 1.0).unit("eye")?;
+        let aside = numbers.triple(-1.0, 1.0);
+        Ok(Look {
+            surface: surface.clone(),
+            eye: middle + direction * (aim.distance * size),
+            target: middle + aside * (aim.within * size),
+        })
     })
 }
 
@@ -90,27 +105,41 @@ pub fn trials(
     size: f64,
     look: impl Fn(&mut Numbers) -> Result<Look, Error>,
 ) -> Result<Vec<Trial>, Error> {
-    let trial = |n| {
+    let mut trials = Vec::new();
+    for n in 0..MOST_RAYS * count {
+        if trials.len() == count {
+            break;
+        }
         let mut numbers = Numbers::new(seed, n);
-        let (surface, [eye, target]) = look(&mut numbers)?;
+        let Look {
+            surface,
+            eye,
+            target,
+        } = look(&mut numbers)?;
         let ray = Ray::new(eye, target - eye)?;
         let Some((hit, ())) = surface.world.hit(&ray, Interval::AHEAD) else {
-            return Ok(None);
+            continue;
         };
         let light = numbers.triple(-1.0, 1.0).unit("light")?;
         let cosine = light.dot(hit.geometric_normal);
         // At grazing angles either result is right.
-        Ok((cosine.abs() >= 1e-3).then(|| Trial {
+        if cosine.abs() < 1e-3 {
+            continue;
+        }
+        trials.push(Trial {
             surface,
             ray,
             hit,
             light: light * 1.0_f64.copysign(cosine),
             size,
-        }))
-    };
-    let trials = (0..MOST_RAYS * count).filter_map(|n| trial(n).transpose());
-    let trials = trials.take(count).collect::<Result<Vec<_>, Error>>()?;
-    let (found, are_all) = (trials.len() as f64, trials.len() == count);
-    argument::check("lit points", found, are_all, "as many as asked for")?;
+        });
+    }
+    let are_all = trials.len() == count;
+    argument::check(
+        "lit points",
+        trials.len() as f64,
+        are_all,
+        "as many as asked for",
+    )?;
     Ok(trials)
 }

@@ -17,10 +17,9 @@ pub const SHAPES: [Shape; 6] = [
     |size| plane(at(size, [0.1, 0.2, 0.3]), Normal3::new(0.3, 1.0, 0.2)),
     |size| plane(at(size, [0.1, 0.2, 0.3]), Normal3::new(0.0, 1.0, 0.0)),
     |size| {
-        cuboid(
-            [-0.3, -0.5, -0.1].map(|x| x * size),
-            [0.6, 0.7, 0.8].map(|x| x * size),
-        )
+        let least = [-0.3, -0.5, -0.1].map(|x| x * size);
+        let greatest = [0.6, 0.7, 0.8].map(|x| x * size);
+        cuboid(least, greatest)
     },
     |size| {
         let corners = [[-0.9, -0.3, -0.5], [1.2, 0.1, -0.6], [0.3, 0.4, 1.3]];
@@ -36,12 +35,29 @@ pub const SHAPES: [Shape; 6] = [
 #[derive(Clone)]
 pub struct Surface {
     pub world: Rc<World<()>>,
-    pub put_back: Option<PutBack>,
+    put_back: Option<PutBack>,
 }
 
-/// The point of a surface that is nearest to a point close to it, and the largest of the numbers
-/// of the shape from which it is computed, and from which a test of a ray there is.
-pub type PutBack = Rc<dyn Fn(Point3) -> (Point3, f64)>;
+/// Finds the point of a surface that is nearest to a point close to it.
+type PutBack = Rc<dyn Fn(Point3) -> OnSurface>;
+
+/// A point that is put back on a surface.
+pub struct OnSurface {
+    pub point: Point3,
+    /// The largest of the shape's numbers from which the point is computed, and from which a test
+    /// of a ray there is.
+    pub scale: f64,
+}
+
+impl Surface {
+    /// The nearest point of the surface; a shape that cannot find it returns the point as it is.
+    pub fn put_back(&self, point: Point3) -> OnSurface {
+        match &self.put_back {
+            Some(put_back) => put_back(point),
+            None => OnSurface { point, scale: 0.0 },
+        }
+    }
+}
 
 pub fn world(shape: impl Geometry) -> Result<World<()>, Error> {
     Ok(World::new(Color::BLACK)?.with(shape, ()))
@@ -57,19 +73,21 @@ pub fn surface(shape: impl Geometry) -> Result<Surface, Error> {
 
 fn with_put_back(
     shape: impl Geometry,
-    put_back: impl Fn(Point3) -> (Point3, f64) + 'static,
+    put_back: impl Fn(Point3) -> OnSurface + 'static,
 ) -> Result<Surface, Error> {
-    let put_back: Option<PutBack> = Some(Rc::new(put_back));
     Ok(Surface {
-        put_back,
+        put_back: Some(Rc::new(put_back)),
         ..surface(shape)?
     })
 }
 
-pub fn sphere(c: Point3, r: f64) -> Result<Surface, Error> {
-    with_put_back(Sphere::new(c, r)?, move |p| {
-        let from_centre = p - c;
-        (c + from_centre * (r / from_centre.magnitude()), r)
+pub fn sphere(center: Point3, radius: f64) -> Result<Surface, Error> {
+    with_put_back(Sphere::new(center, radius)?, move |p| {
+        let from_center = p - center;
+        OnSurface {
+            point: center + from_center * (radius / from_center.magnitude()),
+            scale: radius,
+        }
     })
 }
 
@@ -78,10 +96,10 @@ pub fn plane(a: Point3, normal: Normal3) -> Result<Surface, Error> {
     let n = plane.normal();
     with_put_back(plane, move |p| {
         let to_a = a - p;
-        (
-            p + Vector3::from(n) * to_a.dot(n),
-            to_a.dot_of_magnitudes(n),
-        )
+        OnSurface {
+            point: p + Vector3::from(n) * to_a.dot(n),
+            scale: to_a.dot_of_magnitudes(n),
+        }
     })
 }
 
@@ -90,18 +108,21 @@ pub fn cuboid(least: Triple, greatest: Triple) -> Result<Surface, Error> {
     let shape = AxisAlignedBox::new(point(least), point(greatest))?;
     with_put_back(shape, move |p| {
         let p = array(p);
-        let mut nearest = (f64::INFINITY, p);
+        let (mut nearest, mut distance) = (p, f64::INFINITY);
         for axis in 0..3 {
             for face in [least[axis], greatest[axis]] {
-                let distance = (p[axis] - face).abs();
-                if distance < nearest.0 {
-                    let mut on_the_face = p;
-                    on_the_face[axis] = face;
-                    nearest = (distance, on_the_face);
+                let from_face = (p[axis] - face).abs();
+                if from_face < distance {
+                    distance = from_face;
+                    nearest = p;
+                    nearest[axis] = face;
                 }
             }
         }
-        (point(nearest.1), 0.0)
+        OnSurface {
+            point: point(nearest),
+            scale: 0.0,
+        }
     })
 }
 
@@ -111,11 +132,13 @@ pub fn triangle([a, b, c]: [Point3; 3]) -> Result<Surface, Error> {
     let across = (b - a).cross(c - a);
     let scale = longest / across.magnitude() * longest * longest;
     let n = across.unit("normal")?;
-    with_put_back(Triangle::new(a, b, c)?, move |p| {
-        (p + n * (a - p).dot(n), scale)
+    with_put_back(Triangle::new(a, b, c)?, move |p| OnSurface {
+        point: p + n * (a - p).dot(n),
+        scale,
     })
 }
 
-pub fn at(size: f64, place: Triple) -> Point3 {
-    point(place.map(|x| x * size))
+/// The point at a position of the scene of size 1, in a scene of this size.
+pub fn at(size: f64, position: Triple) -> Point3 {
+    point(position.map(|x| x * size))
 }

@@ -1,12 +1,16 @@
 //! Certified decisions of discs and of shapes under nodes: see the laboratory of stage 4.
 
+use std::any::Any;
 use std::mem;
 
 use a03_rays_cameras::Ray;
 use a04_intersections::{Geometry, Interval};
-use a04_lab::certified::{self, Decision, contains, difference, plane};
+use a04_lab::certified::{self, Decision, contains, enclosed};
 use a04_lab::enclosure::Enclosure;
-use a04_lab::support::{arrays, dot, numbers};
+use a04_lab::formula::plane;
+use a04_lab::line::Line;
+use a04_lab::number::{Triple, difference, dot};
+use a04_lab::support::numbers;
 
 use a07_transforms::Disc;
 use a07_transforms::kinds::KINDS;
@@ -17,26 +21,30 @@ pub fn geometry(mut geometry: Box<dyn Geometry>) -> Box<dyn Geometry> {
     let Some(children) = KINDS.children_mut(&mut *geometry) else {
         return certified::geometry(geometry, decide);
     };
-    let all = mem::take(children).into_iter();
-    *children = all.map(self::geometry).collect();
+    for child in mem::take(children) {
+        children.push(self::geometry(child));
+    }
     geometry
 }
 
 /// The decision for discs and for the shapes of stage 4.
 pub fn decide(shape: &dyn Geometry, ray: &Ray, within: Interval) -> Decision {
-    let any: &dyn std::any::Any = shape;
-    let Some(disc) = any.downcast_ref::<Disc>() else {
-        return certified::decide(shape, ray, within);
-    };
-    let line @ [o, d] = arrays(ray).map(|triple| triple.map(Enclosure::from));
-    let [c, n] = ["center", "normal"].map(|key| numbers(disc, key));
-    let [r] = numbers(disc, "radius");
-    let [c, n] = [c, n].map(|v| v.map(Enclosure::from));
-    let t = plane(&c, &n, &line);
-    let at: [Enclosure; 3] = std::array::from_fn(|axis| o[axis] + d[axis] * t);
-    let (from_c, r) = (difference(&at, &c), Enclosure::from(r));
-    let beyond = (dot(&from_c, &from_c) - r * r).sign();
-    match (contains(within, t), beyond) {
+    let any: &dyn Any = shape;
+    match any.downcast_ref() {
+        Some(disc) => hits_disc(disc, &Line::of(ray).to(), within),
+        None => certified::decide(shape, ray, within),
+    }
+}
+
+fn hits_disc(disc: &Disc, line: &Line<Enclosure>, within: Interval) -> Decision {
+    let center = enclosed(numbers(disc, "center"));
+    let normal = enclosed(numbers(disc, "normal"));
+    let [radius] = enclosed(numbers(disc, "radius"));
+    let t = plane::t(&center, &normal, line);
+    let hit: Triple<Enclosure> = [0, 1, 2].map(|axis| line.origin[axis] + line.direction[axis] * t);
+    let from_center = difference(&hit, &center);
+    let is_beyond = (dot(&from_center, &from_center) - radius * radius).sign();
+    match (contains(within, t), is_beyond) {
         (Some(false), _) | (_, Some(true)) => Some(false),
         (is_hit, Some(false)) => is_hit,
         (_, None) => None,

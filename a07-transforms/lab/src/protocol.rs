@@ -75,13 +75,16 @@ pub fn product(a: Mat4x4, b: Mat4x4) -> Mat4x4 {
 /// Wrong: the rule of Sarrus, diagonals down minus diagonals up, is valid for three
 /// rows and columns only; for four it leaves out 16 of 24 products.
 pub fn determinant_by_sarrus(rows: [[f64; 4]; 4]) -> f64 {
-    let product =
-        |column: &dyn Fn(usize) -> usize| (0..4).map(|i| rows[i][column(i) % 4]).product();
-    let diagonal = |k: usize| -> f64 {
-        let [down, up]: [f64; 2] = [product(&|i| k + i), product(&|i| k + 4 - i)];
-        down - up
-    };
-    (0..4).map(diagonal).sum()
+    let mut determinant = 0.0;
+    for first in 0..4 {
+        let (mut down, mut up) = (1.0, 1.0);
+        for (i, row) in rows.iter().enumerate() {
+            down *= row[(first + i) % 4];
+            up *= row[(first + 4 - i) % 4];
+        }
+        determinant += down - up;
+    }
+    determinant
 }
 
 /// Wrong: without an `else`, the second condition overwrites the nearest hit, so

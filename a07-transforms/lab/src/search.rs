@@ -1,41 +1,61 @@
 //! `search`: the worst inputs of the disc: see the laboratory of stage 4.
 
 use a02_math::Normal3;
-use a02_math::arrays::array;
-use a04_lab::exact;
+use a02_math::arrays::{array, point, vector};
+use a03_rays_cameras::Ray;
+use a04_intersections::Geometry;
+use a04_lab::line::Line;
 use a04_lab::search::search_among;
-use a04_lab::subject::{Subject, triple, unit_normal};
-use a04_lab::support::{numbers, plane_condition, point, vector};
+use a04_lab::subject::{ExactHit, Subject, triple, unit_normal};
+use a04_lab::support::{Triple, numbers};
+use a04_lab::{condition, exact};
 use common::Error;
 
-use super::certified::decide;
-use super::protocol;
+use crate::certified::decide;
+use crate::protocol;
 use a07_transforms::Disc;
 
 /// The shape of this stage.
 pub static SUBJECTS: [Subject; 1] = [DISC];
 
+/// Its centre, its normal and its radius.
 pub const DISC: Subject = Subject {
     name: "disc",
     written: "Disc::new(Point3::new(#, #, #), Normal3::new(#, #, #), #)",
-    make: |x| Some(Box::new(disc(x)?)),
-    aim: |x, aim| {
-        // Across the normal, up to a radius from the centre.
-        let across = vector([x[3], x[4], x[5]]).cross(vector([aim[0], aim[1], aim[2]]));
-        let across = across.normalized().unwrap_or_default() * (x[6] * aim[0]);
-        array(point(triple(x)) + across)
-    },
+    make,
+    aim,
     decide,
-    exact: |x, line @ [o, d]| {
-        let n = numbers(&disc(x)?, "normal");
-        let t = exact::plane(&triple(x), &n, o, d);
-        Some((t, plane_condition(&triple(x), n, line, t.value())))
-    },
-    protocol: |x, ray| protocol::disc(point(triple(x)), unit_normal(x), x[6], ray),
+    exact,
+    protocol,
 };
 
 fn disc(x: &[f64]) -> Option<Disc> {
-    Disc::new(point(triple(x)), Normal3::new(x[3], x[4], x[5]), x[6]).ok()
+    let normal = Normal3::new(x[3], x[4], x[5]);
+    Disc::new(point(triple(x)), normal, x[6]).ok()
+}
+
+fn make(x: &[f64]) -> Option<Box<dyn Geometry>> {
+    Some(Box::new(disc(x)?))
+}
+
+/// Across the normal, up to a radius from the centre.
+fn aim(x: &[f64], aim: Triple) -> Triple {
+    let normal = vector(triple(&x[3..]));
+    let across = normal.cross(vector(aim)).normalized().unwrap_or_default();
+    array(point(triple(x)) + across * (x[6] * aim[0]))
+}
+
+fn exact(x: &[f64], line: &Line) -> Option<ExactHit> {
+    let center = triple(x);
+    // The lesson's rounded normal is the given one.
+    let normal = numbers(&disc(x)?, "normal");
+    let t = exact::plane(&center, &normal, line);
+    let condition = condition::of_plane(&center, normal, line, t.value());
+    Some(ExactHit { t, condition })
+}
+
+fn protocol(x: &[f64], ray: &Ray) -> Option<f64> {
+    protocol::disc(point(triple(x)), unit_normal(x), x[6], ray)
 }
 
 /// The worst inputs of the protocol's formula and the lesson's, in words and as lines of Rust.

@@ -23,7 +23,7 @@ use std::sync::{Mutex, PoisonError};
 use clap::Parser;
 use common::{Color, Error, Image, SamplingReport, Settings, Size};
 use engine::Renderer;
-use measure::experiment::{Curve, Point};
+use measure::experiment::{Curve, Errors, Point, Times};
 
 use crate::kinds::{Kind, kinds};
 use crate::support::{Grid, Numbers, print_head, print_row};
@@ -146,7 +146,12 @@ impl<'a> Subject<'a> {
                 errors.push(error(&references, &picture(side, seed)?));
             }
             let samples = f64::from(side * side);
-            points.push(Point::new(samples, samples, errors, || 0.0));
+            points.push(Point {
+                parameter: samples,
+                work: samples,
+                errors: Errors::of(errors),
+                times: Times::of(|| ()),
+            });
         }
         Ok(Self {
             kind,
@@ -176,7 +181,7 @@ impl<'a> Subject<'a> {
             is_said: sampled.misses(Some(bound)) || is_conditional,
             is_conditional,
             samples: sampled.samples as f64 / sampled.pixels as f64,
-            stratified: stratified.map_or(f64::INFINITY, |(samples, _)| samples),
+            stratified: stratified.map_or(f64::INFINITY, |reached| reached.work),
         })
     }
 }

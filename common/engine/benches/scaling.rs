@@ -23,7 +23,7 @@ use common::{Color, Settings, Size};
 use engine::{Camera, Hit, Ray, Renderer, Scene, Shading, Shape, Sphere, Surface};
 use glam::DVec3;
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment, Point, Unit};
+use measure::experiment::{Axis, Curve, Errors, Experiment, Point, Times, Unit};
 use measure::report::Measured;
 use rayon::ThreadPoolBuilder;
 
@@ -151,18 +151,31 @@ fn unknown((center, radius): (DVec3, f64)) -> Shape<'static> {
 /// Writes the plot of the book.
 fn plot(least: &[[f64; NAMES.len()]]) -> Result<(), Box<dyn Error>> {
     let curve = |i: usize| {
-        let points = COUNTS.iter().zip(least).filter(|(_, least)| least[i] > 0.0);
-        let points = points.map(|(n, least)| Point::new((*n).into(), 1.0, [least[i]], || 0.0));
+        let mut points = Vec::new();
+        for (count, least) in COUNTS.iter().zip(least) {
+            if least[i] > 0.0 {
+                points.push(Point {
+                    parameter: (*count).into(),
+                    work: 1.0,
+                    errors: Errors::of([least[i]]),
+                    times: Times::of(|| ()),
+                });
+            }
+        }
         Curve::new(NAMES[i], points)
     };
-    let experiment = Experiment::new("scaling")
-        .asking("How times grow with the number of objects")
-        .over(Axis::Parameter, "objects", "measurements")
-        .with_error("time")
-        .with_unit(Unit::Other("nanoseconds"))
-        .with_exact("the least of several rounds")
-        .with_seeds(&[1, 2])
-        .with_curves(|_| (0..NAMES.len()).map(curve).collect());
+    let experiment = Experiment {
+        question: "How times grow with the number of objects",
+        parameter: "objects",
+        work: "measurements",
+        against: Axis::Parameter,
+        error: "time",
+        unit: Unit::Other("nanoseconds"),
+        exact: "the least of several rounds",
+        seeds: &[1, 2],
+        curves: Box::new(|_| (0..NAMES.len()).map(curve).collect()),
+        ..Experiment::new("scaling")
+    };
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     Measured::new(&experiment, Effort::Quick, |_, _| {}).write(folder, "engine")?;
     let pictures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/pictures");

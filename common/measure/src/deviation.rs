@@ -29,15 +29,20 @@ impl Deviation {
     }
 
     /// The error as a fraction of a number.
-    pub fn as_share_of(mut self, number: f64) -> Self {
-        (self.error, self.ulp) = (self.error / number, self.ulp / number.abs());
+    pub fn as_fraction_of(mut self, number: f64) -> Self {
+        self.error /= number;
+        self.ulp /= number.abs();
         self
     }
 
     /// The error in multiples of condition times ulp; infinite for NaN.
-    pub fn fault(&self) -> f64 {
-        let fault = self.size() / self.condition;
-        if fault.is_nan() { f64::INFINITY } else { fault }
+    pub fn error_over_condition(&self) -> f64 {
+        let quotient = self.size() / self.condition;
+        if quotient.is_nan() {
+            f64::INFINITY
+        } else {
+            quotient
+        }
     }
 
     /// Its magnitude: in units in the last place, if these are known.
@@ -50,11 +55,10 @@ impl Deviation {
 /// An error of a number whose condition is unknown.
 impl From<f64> for Deviation {
     fn from(error: f64) -> Self {
-        let [ulp, condition] = [f64::NAN; 2];
         Self {
             error,
-            ulp,
-            condition,
+            ulp: f64::NAN,
+            condition: f64::NAN,
         }
     }
 }
@@ -68,17 +72,25 @@ pub struct Problem {
     pub error: f64,
     /// The greatest quotient of an error and its condition times unit in the last place: near 1,
     /// the problem is to blame for the error, and far above, the formula.
-    pub fault: f64,
+    pub error_over_condition: f64,
 }
 
 impl Problem {
+    /// The errors of some problems, if the conditions of all of them are known.
     pub(crate) fn of(all: &[Deviation]) -> Option<Self> {
-        let greatest = |number: fn(&Deviation) -> f64| all.iter().map(number).fold(0.0, f64::max);
         let is_known = all.iter().all(|one| one.condition > 0.0);
-        (is_known && !all.is_empty()).then(|| Self {
-            condition: greatest(|one| one.condition),
+        if all.is_empty() || !is_known {
+            return None;
+        }
+        let (mut condition, mut error_over_condition): (f64, f64) = (0.0, 0.0);
+        for one in all {
+            condition = condition.max(one.condition);
+            error_over_condition = error_over_condition.max(one.error_over_condition());
+        }
+        Some(Self {
+            condition,
             error: rms(all.iter().map(|one| one.condition * one.ulp)),
-            fault: greatest(Deviation::fault),
+            error_over_condition,
         })
     }
 }
@@ -97,27 +109,56 @@ pub(crate) fn ulp(number: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::experiment::{Curve, Point};
+    use crate::experiment::{Curve, Errors, Point, Times};
+
+    /// A point of the parameter 8, unless another is given.
+    fn point(errors: impl IntoIterator<Item = Deviation>) -> Point<'static> {
+        Point {
+            parameter: 8.0,
+            work: 1.0,
+            errors: Errors::of(errors),
+            times: Times::of(|| ()),
+        }
+    }
+
+    fn verdict(points: impl IntoIterator<Item = Point<'static>>) -> String {
+        Curve::new("", points).verdict().unwrap()
+    }
 
     /// 6 units of a problem of condition 2, and one of condition 4.
     #[test]
     fn errors_stand_beside_those_of_the_problem() {
         let eps = f64::EPSILON;
-        let all = [(6.0, 2.0), (-1.0, 4.0)].map(|(units, c)| Deviation::new(units * eps, 1.0, c));
-        let problem = Problem::of(&all).unwrap();
-        let expected = [4.0, 10_f64.sqrt() * eps, 3.0];
-        assert_eq!([problem.condition, problem.error, problem.fault], expected);
-        let point = |errors: [Deviation; 2]| Point::new(8.0, 1.0, errors, || ());
-        assert_eq!((point(all).p99, point(all).max), (6.0, 6.0));
-        let blame = |errors| Curve::new("", [point(errors)]).blame().unwrap();
-        assert!(blame(all).ends_with("3.00 times condition · ulp: the problem is to blame"));
+        let of_condition_2 = Deviation::new(6.0 * eps, 1.0, 2.0);
+        let all = [of_condition_2, Deviation::new(-eps, 1.0, 4.0)];
+        let expected = Problem {
+            condition: 4.0,
+            error: 10_f64.sqrt() * eps,
+            error_over_condition: 3.0,
+        };
+        assert_eq!(Problem::of(&all), Some(expected));
+        let errors = point(all).errors;
+        assert_eq!((errors.p99, errors.max), (6.0, 6.0));
+        assert_eq!(of_condition_2.as_fraction_of(-2.0).size(), 6.0);
+        assert_eq!(of_condition_2.of_epsilon(3.0 * eps).size(), 2.0);
+
+        let of_the_problem = verdict([point(all)]);
+        let expected = "3.00 times condition · ulp: the problem is to blame";
+        assert!(of_the_problem.ends_with(expected), "{of_the_problem}");
         let worse = all.map(|one| Deviation::new(1e3 * one.error, 1.0, one.condition));
-        assert!(blame(worse).starts_with("up to 3e3 times condition · ulp, at 8: the formula"));
-        // One unit off at the condition 2, and at 1000.
-        let exact = [2.0, 1e3].map(|c| Point::new(c, 1.0, [Deviation::new(eps, 1.0, c)], || ()));
+        let of_the_formula = verdict([point(worse)]);
+        let expected = "up to 3e3 times condition · ulp, at 8: the formula";
+        assert!(of_the_formula.starts_with(expected), "{of_the_formula}");
+    }
+
+    /// One unit off at the condition 2, and at 1000.
+    #[test]
+    fn exact_answers_to_hard_problems_blame_nobody() {
+        let points = [2.0, 1e3].map(|condition| Point {
+            parameter: condition,
+            ..point([Deviation::new(f64::EPSILON, 1.0, condition)])
+        });
         let neither = "1e-3 times condition · ulp at 1000, the hardest: neither is to blame";
-        assert_eq!(Curve::new("", exact).blame().unwrap(), neither);
-        assert_eq!(all[0].as_share_of(-2.0).size(), 6.0);
-        assert_eq!(all[0].of_epsilon(3.0 * eps).size(), 2.0);
+        assert_eq!(verdict(points), neither);
     }
 }

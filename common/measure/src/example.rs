@@ -3,27 +3,42 @@
 use common::{Scene, Stage};
 
 use crate::Laboratory;
-use crate::experiment::{Axis, Curve, Experiment, Point};
+use crate::experiment::{Curve, Errors, Experiment, Point, Slope, Times};
 
 /// A curve with a point for each pair of work, which is also the parameter, and error.
 pub fn curve(points: &[(f64, f64)]) -> Curve<'static> {
-    let point = |&(work, error): &(f64, f64)| Point::new(work, work, [error], move || work);
+    let point = |(work, error): &(f64, f64)| Point {
+        parameter: *work,
+        work: *work,
+        errors: Errors::of([*error]),
+        times: Times::of(|| ()),
+    };
     Curve::new("a < b", points.iter().map(point))
 }
 
-/// An experiment with one curve: three errors that fall as one over the square root.
+/// A curve of three errors that fall as one over the square root.
+pub fn falling() -> Curve<'static> {
+    Curve {
+        slope: Some(Slope {
+            value: -0.5,
+            between: 1.0..=1e9,
+        }),
+        ..curve(&[(1.0, 1.0), (16.0, 0.25), (256.0, 0.0625)])
+    }
+}
+
+/// An experiment with this curve.
 pub fn experiment() -> Experiment<'static> {
-    Experiment::new("square-root")
-        .asking("Is the error one over the square root?")
-        .over(Axis::Work, "n", "steps")
-        .with_error("rms error")
-        .with_exact("against 0")
-        .with_seeds(&[3, 4])
-        .with_curves(|_| {
-            let falling = curve(&[(1.0, 1.0), (16.0, 0.25), (256.0, 0.0625)]);
-            let falling = falling.with_slope(-0.5, (1.0, 1e9));
-            vec![falling]
-        })
+    Experiment {
+        question: "Is the error one over the square root?",
+        parameter: "n",
+        work: "steps",
+        error: "rms error",
+        exact: "against 0",
+        seeds: &[3, 4],
+        curves: Box::new(|_| vec![falling()]),
+        ..Experiment::new("square-root")
+    }
 }
 
 /// A laboratory without experiments and cases, of a stage with these scenes.

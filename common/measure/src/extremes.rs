@@ -4,14 +4,16 @@
 //! compares both with an exact value from another source. Where the row says so,
 //! the protocol's formula must fail: otherwise the row would prove nothing.
 
+mod both;
 mod bound;
 mod case;
 mod outcome;
 mod table;
 
+pub use both::{Both, count_wrong};
 pub use bound::Bound::{self, Absolute, Equal, Ulps};
 pub use case::Protocol::{self, Fails, Holds};
-pub use case::{Both, Case, Id, case};
-pub use outcome::Outcome::{self, Nothing, Refused};
-pub use outcome::{greatest, tried, wrong};
+pub use case::{Case, Id};
+pub use outcome::Outcome::{self, Flag, Nothing, Number, Refused, Triple};
+pub use outcome::{greatest, tried};
 pub use table::{check, select};

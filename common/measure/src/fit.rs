@@ -1,8 +1,9 @@
 //! `Fit`: a straight line through the logarithms of errors, and how good it is.
 
 use std::fmt;
+use std::ops::RangeInclusive;
 
-use crate::experiment::{Axis, Curve};
+use crate::experiment::{Axis, Curve, Point};
 
 /// The most that errors may stray from a power law, as the root mean square of their
 /// residuals in decades: a factor of about the square root of two.
@@ -31,30 +32,53 @@ pub struct Fit {
     pub bend: f64,
 }
 
+/// The logarithms of a point, to base 10.
+#[derive(Clone, Copy)]
+struct LogPoint {
+    /// Of the work or the parameter.
+    x: f64,
+    /// Of the error.
+    y: f64,
+}
+
 impl Fit {
     /// The line through three or more points. None if there are fewer, or if all lie
     /// one above the other. (N. R. Draper and H. Smith, Applied Regression Analysis,
     /// 1998, chapter 1)
-    fn through(points: &[(f64, f64)]) -> Option<Self> {
-        let log = |(x, y): &(f64, f64)| (libm::log10(*x), libm::log10(*y));
-        let logs: Vec<_> = points.iter().map(log).collect();
-        let count = logs.len() as f64;
-        let sum = |f: &dyn Fn(&(f64, f64)) -> f64| logs.iter().map(f).sum::<f64>();
-        let (x, y) = (sum(&|p| p.0) / count, sum(&|p| p.1) / count);
-        let along = sum(&|p| (p.0 - x) * (p.0 - x));
-        let up = sum(&|p| (p.1 - y) * (p.1 - y));
-        if logs.len() < 3 || along < 1e-9 {
+    fn through(points: &[LogPoint]) -> Option<Self> {
+        let count = points.len() as f64;
+        let mean_x = points.iter().map(|p| p.x).sum::<f64>() / count;
+        let mean_y = points.iter().map(|p| p.y).sum::<f64>() / count;
+        // Sums of squares and products of the distances from the means.
+        let (mut xx, mut yy, mut xy) = (0.0, 0.0, 0.0);
+        let (mut low, mut high) = (mean_x, mean_x);
+        for p in points {
+            let (dx, dy) = (p.x - mean_x, p.y - mean_y);
+            xx += dx * dx;
+            yy += dy * dy;
+            xy += dx * dy;
+            low = low.min(p.x);
+            high = high.max(p.x);
+        }
+        if points.len() < 3 || xx < 1e-9 {
             return None;
         }
-        let slope = sum(&|p| (p.0 - x) * (p.1 - y)) / along;
-        let residual = |p: &(f64, f64)| p.1 - y - slope * (p.0 - x);
-        let squares = sum(&|p| residual(p) * residual(p));
-        let variance = squares / (count - 2.0);
-        let (low, high) = (logs.iter().map(|p| p.0)).fold((x, x), |(a, b), x| (a.min(x), b.max(x)));
+        let slope = xy / xx;
+        let mut squared_residuals = 0.0;
+        for p in points {
+            let residual = p.y - mean_y - slope * (p.x - mean_x);
+            squared_residuals += residual * residual;
+        }
+        // Two of the points are used up by the two numbers of the line.
+        let variance = squared_residuals / (count - 2.0);
         Some(Self {
             slope,
-            standard_error: (variance / along).sqrt(),
-            r_squared: if up > 0.0 { 1.0 - squares / up } else { 1.0 },
+            standard_error: (variance / xx).sqrt(),
+            r_squared: if yy > 0.0 {
+                1.0 - squared_residuals / yy
+            } else {
+                1.0
+            },
             scatter: variance.sqrt(),
             decades: high - low,
             bend: bend(points),
@@ -98,52 +122,87 @@ impl fmt::Display for Fit {
     }
 }
 
-fn bend(points: &[(f64, f64)]) -> f64 {
+/// The slope of the second half of the points, less that of the first; 0 if a half is too short.
+fn bend(points: &[LogPoint]) -> f64 {
     let (first, second) = points.split_at(points.len() / 2);
-    let halves = [first, second].map(|half| Some(Fit::through(half)?.slope));
-    halves[1].zip(halves[0]).map_or(0.0, |(b, a)| b - a)
+    match (Fit::through(first), Fit::through(second)) {
+        (Some(first), Some(second)) => second.slope - first.slope,
+        _ => 0.0,
+    }
+}
+
+/// The work at which a method reaches an error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reached {
+    /// The counted work.
+    pub work: f64,
+    /// Whether the work is greater than that of all measurements, by the line through them.
+    pub is_extrapolated: bool,
 }
 
 impl Curve<'_> {
     /// The line of the points in the range in which theory expects the slope; of all
     /// points where it expects none. Errors of 0 have no logarithm and take no part.
     pub fn fit(&self, axis: Axis) -> Option<Fit> {
-        let everywhere = (0.0, f64::INFINITY);
-        let (from, to) = self.slope.map_or(everywhere, |(_, range)| range);
-        self.fit_between(axis, from, to)
+        match &self.slope {
+            Some(slope) => self.fit_between(axis, &slope.between),
+            None => self.fit_between(axis, &(0.0..=f64::INFINITY)),
+        }
     }
 
-    fn fit_between(&self, axis: Axis, from: f64, to: f64) -> Option<Fit> {
-        let points = self.points.iter().map(|point| (point.on(axis), point.rms));
-        let inside = |(x, error): &(f64, f64)| {
-            *x > 0.0 && (from..=to).contains(x) && *error > 0.0 && error.is_finite()
-        };
-        Fit::through(&points.filter(inside).collect::<Vec<_>>())
+    fn fit_between(&self, axis: Axis, between: &RangeInclusive<f64>) -> Option<Fit> {
+        let mut points = Vec::new();
+        for point in &self.points {
+            let (x, error) = (point.on(axis), point.errors.rms);
+            let has_logarithms = x > 0.0 && error > 0.0 && error.is_finite();
+            if has_logarithms && between.contains(&x) {
+                points.push(LogPoint {
+                    x: libm::log10(x),
+                    y: libm::log10(error),
+                });
+            }
+        }
+        Fit::through(&points)
     }
 
     /// The work that brings the error down to `target`. Between two points it is
     /// interpolated on the straight line through both. Beyond the last point it is
-    /// extrapolated if the points before it follow a falling power law, and the flag is
-    /// true.
-    pub fn work_to_reach(&self, target: f64) -> Option<(f64, bool)> {
-        let reached = self.points.iter().position(|point| point.rms <= target);
-        match reached {
-            Some(0) => Some((self.points[0].work, false)),
-            Some(at) => {
-                let (a, b) = (&self.points[at - 1], &self.points[at]);
-                let slope = libm::log(b.rms / a.rms) / libm::log(b.work / a.work);
-                let work = a.work * libm::pow(target / a.rms, 1.0 / slope);
-                Some((if work.is_finite() { work } else { b.work }, false))
-            }
-            None => {
-                let last = self.points.last()?;
-                let fit = self.fit_between(Axis::Work, last.work / 300.0, last.work)?;
-                let falls = fit.is_power_law() && fit.slope < -2.0 * fit.standard_error;
-                let work = last.work * libm::pow(target / last.rms, 1.0 / fit.slope);
-                (falls && work.is_finite()).then_some((work, true))
-            }
-        }
+    /// extrapolated if the points before it follow a falling power law.
+    pub fn work_to_reach(&self, target: f64) -> Option<Reached> {
+        let errors = self.points.iter().map(|point| point.errors.rms);
+        let Some(at) = errors.into_iter().position(|error| error <= target) else {
+            return self.extrapolated(target);
+        };
+        let work = match at.checked_sub(1) {
+            None => self.points[0].work,
+            Some(before) => interpolated(&self.points[before], &self.points[at], target),
+        };
+        Some(Reached {
+            work,
+            is_extrapolated: false,
+        })
     }
+
+    /// The work on the line through the last points, of those within a factor of 300.
+    fn extrapolated(&self, target: f64) -> Option<Reached> {
+        let last = self.points.last()?;
+        let near_the_end = last.work / 300.0..=last.work;
+        let fit = self.fit_between(Axis::Work, &near_the_end)?;
+        let falls = fit.is_power_law() && fit.slope < -2.0 * fit.standard_error;
+        let work = last.work * libm::pow(target / last.errors.rms, 1.0 / fit.slope);
+        (falls && work.is_finite()).then_some(Reached {
+            work,
+            is_extrapolated: true,
+        })
+    }
+}
+
+/// The work at an error between those of two points, on the line through their logarithms.
+fn interpolated(a: &Point, b: &Point, target: f64) -> f64 {
+    let [error_a, error_b] = [a, b].map(|point| point.errors.rms);
+    let slope = libm::log(error_b / error_a) / libm::log(b.work / a.work);
+    let work = a.work * libm::pow(target / error_a, 1.0 / slope);
+    if work.is_finite() { work } else { b.work }
 }
 
 #[cfg(test)]
@@ -199,20 +258,23 @@ mod tests {
 
     #[test]
     fn the_work_to_reach_an_error_is_read_off_the_curve() {
+        let measured = |work| Some((work, false));
+        let extrapolated = |work| Some((work, true));
         let halving: &[_] = &[(1.0, 0.8), (4.0, 0.4), (16.0, 0.2)];
         let steps: &[_] = &[(1.0, 1.0), (4.0, 0.25), (400.0, 0.0025)];
         let level: &[_] = &[(1.0, 0.5), (9.0, 0.5), (81.0, 0.5)];
         let bent: &[_] = &[(1.0, 0.8), (10.0, 0.8), (100.0, 0.2)];
         for (points, target, expected) in [
-            (halving, 1.0, Some((1.0, false))),
-            (halving, 0.4, Some((4.0, false))),
-            (halving, 0.1, Some((64.0, true))),
-            (steps, 0.025, Some((40.0, false))),
+            (halving, 1.0, measured(1.0)),
+            (halving, 0.4, measured(4.0)),
+            (halving, 0.1, extrapolated(64.0)),
+            (steps, 0.025, measured(40.0)),
             (level, 0.1, None),
             (bent, 0.1, None),
         ] {
             let found = curve(points).work_to_reach(target);
-            let found = found.map(|(work, beyond)| (libm::round(work * 1e6) / 1e6, beyond));
+            let found =
+                found.map(|found| (libm::round(found.work * 1e6) / 1e6, found.is_extrapolated));
             assert_eq!(found, expected);
         }
     }

@@ -2,71 +2,106 @@
 
 use common::Median;
 
-use crate::experiment::{Axis, Curve, Experiment, Unit};
+use crate::experiment::{Axis, Curve, Curves, Unit};
 use crate::report::{Measured, duration};
 
-impl Measured<'_, '_> {
-    /// The points of a curve that can be compared with those of others, with their errors: for
-    /// errors against work, all; else those of the greatest parameter, the hardest problem. A rule
-    /// for decisions must be right for all parameters, so that its greatest fraction of errors counts.
-    pub(crate) fn compared(&self, curve: &Curve) -> Vec<(usize, f64)> {
-        let parameters = self.curves.iter().flat_map(|curve| &curve.points);
-        let hardest = parameters
-            .map(|point| point.parameter)
-            .fold(f64::MIN, f64::max);
-        let greatest = curve
+/// A point of a curve, to be compared with those of other methods.
+#[derive(Clone, Copy)]
+pub(crate) struct Contender<'a> {
+    pub method: &'a str,
+    pub error: f64,
+    pub time: Median,
+}
+
+impl Contender<'_> {
+    /// Whether another contender is no better in error, and slower beyond noise; or worse in error
+    /// and no faster.
+    fn beats(&self, other: &Self) -> bool {
+        let is_faster = self.time.high < other.time.low;
+        let is_no_slower = self.time.value <= other.time.value;
+        self.error <= other.error && is_faster || self.error < other.error && is_no_slower
+    }
+}
+
+impl<'a> Measured<'_, 'a> {
+    /// The points of a curve that can be compared with those of others: for errors against work,
+    /// all; else those of the greatest parameter, the hardest problem. A rule for decisions must be
+    /// right for all parameters, so that its greatest fraction of errors counts.
+    pub(crate) fn contenders(&self, curve: &Curve<'a>) -> Vec<Contender<'a>> {
+        let greatest_fraction = curve
             .points
             .iter()
-            .map(|point| point.rms)
-            .fold(0.0, f64::max);
-        let Experiment { against, unit, .. } = *self.experiment;
-        let points = curve.points.iter().enumerate();
-        let points = points.filter(|(_, p)| against == Axis::Work || p.parameter == hardest);
-        let error = |rms| if unit == Unit::Share { greatest } else { rms };
-        points.map(|(p, point)| (p, error(point.rms))).collect()
+            .fold(0.0, |greatest, point| f64::max(greatest, point.errors.rms));
+        let hardest = self.greatest_parameter();
+        let mut contenders = Vec::new();
+        for point in &curve.points {
+            if self.experiment.against == Axis::Parameter && point.parameter != hardest {
+                continue;
+            }
+            contenders.push(Contender {
+                method: curve.method,
+                error: match self.experiment.unit {
+                    Unit::Fraction => greatest_fraction,
+                    _ => point.errors.rms,
+                },
+                time: point.times.median(),
+            });
+        }
+        contenders
     }
 
-    /// The method, error and time of the points of which no other has both a smaller error and,
-    /// beyond noise, a shorter time, from fast to slow; none of an experiment of problems.
-    pub(crate) fn front(&self) -> Vec<(&str, f64, Median)> {
-        let mut all = Vec::new();
-        let methods = self.curves.iter().enumerate();
-        for (c, curve) in methods.filter(|_| !self.experiment.of_problems) {
-            let points = self.compared(curve).into_iter();
-            all.extend(points.map(|(p, error)| (curve.method, error, self.time(c, p))));
+    fn greatest_parameter(&self) -> f64 {
+        let mut greatest = f64::MIN;
+        for curve in &self.curves {
+            for point in &curve.points {
+                greatest = greatest.max(point.parameter);
+            }
         }
-        let beats = |(_, error, time): &(_, f64, Median), (_, other, slower): &(_, f64, Median)| {
-            error <= other && time.high < slower.low || error < other && time.value <= slower.value
-        };
-        let is_unbeaten = |one: &&_| !all.iter().any(|other| beats(other, one));
+        greatest
+    }
+
+    /// The contenders of which no other has both a smaller error and, beyond noise, a shorter
+    /// time, from fast to slow; none of an experiment of problems.
+    pub(crate) fn front(&self) -> Vec<Contender<'a>> {
+        if self.experiment.curves_are == Curves::Problems {
+            return Vec::new();
+        }
+        let mut all = Vec::new();
+        for curve in &self.curves {
+            all.extend(self.contenders(curve));
+        }
+        let is_unbeaten = |one: &&Contender| !all.iter().any(|other| other.beats(one));
         let mut front: Vec<_> = all.iter().filter(is_unbeaten).copied().collect();
-        front.sort_by(|a, b| a.2.value.total_cmp(&b.2.value));
+        front.sort_by(|a, b| a.time.value.total_cmp(&b.time.value));
         front
     }
 
     /// The front in words: each of its methods, with its errors and times.
     pub(crate) fn unbeaten(&self) -> String {
         let front = self.front();
-        let range = |of: &str| {
-            let mut points = front.iter().filter(|(method, ..)| *method == of);
-            let point = |(_, error, time): &(_, f64, Median)| {
-                format!("{error:.1e} in {}", duration(time.value))
+        let mut methods = Vec::new();
+        for curve in &self.curves {
+            let of_method = front.iter().filter(|one| one.method == curve.method);
+            let points: Vec<_> = of_method
+                .map(|one| format!("{:.1e} in {}", one.error, duration(one.time.value)))
+                .collect();
+            let range = match &points[..] {
+                [] => continue,
+                [only] => only.clone(),
+                [fastest, .., slowest] => format!("{fastest} to {slowest}"),
             };
-            let ends = [points.next(), points.next_back()].into_iter().flatten();
-            format!(
-                "{of} ({})",
-                ends.map(point).collect::<Vec<_>>().join(" to ")
-            )
-        };
-        let is_in = |method: &&str| front.iter().any(|(one, ..)| one == method);
-        let methods = self.curves.iter().map(|curve| curve.method).filter(is_in);
-        methods.map(range).collect::<Vec<_>>().join(", ")
+            methods.push(format!("{} ({range})", curve.method));
+        }
+        methods.join(", ")
     }
 
     /// A row of a Markdown table, unless it compares problems: experiment, question, and front.
     pub fn row(&self) -> Option<String> {
         let e = self.experiment;
-        let row = || format!("| `{}` | {} | {} |", e.name, e.about, self.unbeaten());
-        (!e.of_problems).then(row)
+        if e.curves_are == Curves::Problems {
+            return None;
+        }
+        let unbeaten = self.unbeaten();
+        Some(format!("| `{}` | {} | {unbeaten} |", e.name, e.question))
     }
 }

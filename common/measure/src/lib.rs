@@ -23,6 +23,7 @@ pub mod fit;
 mod front;
 mod laboratory;
 mod plot;
+mod point;
 mod provenance;
 pub mod report;
 pub mod scene_report;

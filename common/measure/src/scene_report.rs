@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use common::{Error, Image, Sampling, SamplingReport, Scene, Settings, Size};
 
 use crate::Effort;
-use crate::experiment::{Axis, Curve, Experiment, HALF_GREY_LEVEL, Point};
+use crate::experiment::{Curve, Errors, Experiment, HALF_GREY_LEVEL, Point, Times};
 
 /// The experiment with the samples of a scene: their number and their places,
 /// compared with many samples of another seed.
@@ -22,13 +22,16 @@ pub fn experiment(scene: &Scene) -> Result<Experiment<'_>, Error> {
         ..scene.defaults.clone()
     };
     scene.render(&taking(&settings, Sampling::Center, 1), &())?;
-    Ok(Experiment::new(scene.name)
-        .asking("What do more samples buy, and where should they lie?")
-        .over(Axis::Work, "samples a pixel", "rays")
-        .with_error("rms error of a channel")
-        .with_exact("against many stratified samples of another seed")
-        .with_seeds(&[0, REFERENCE])
-        .with_curves(move |effort| curves(scene, &settings, effort)))
+    Ok(Experiment {
+        question: "What do more samples buy, and where should they lie?",
+        parameter: "samples a pixel",
+        work: "rays",
+        error: "rms error of a channel",
+        exact: "against many stratified samples of another seed",
+        seeds: &[0, REFERENCE],
+        curves: Box::new(move |effort| curves(scene, &settings, effort)),
+        ..Experiment::new(scene.name)
+    })
 }
 
 /// The size with the same proportions, 160 pixels wide.
@@ -48,61 +51,84 @@ fn taking(settings: &Settings, sampling: Sampling, samples: u32) -> Settings {
 
 /// The channels as a screen shows them, clamped to 1; none of a failed rendering.
 fn channels(image: Result<Image, Error>) -> Vec<f64> {
-    let pixels = image.map_or(Vec::new(), |image| image.pixels().to_vec());
-    let shown = |color: common::Color| color.map(|c| c.clamp(0.0, 1.0)).channels();
-    pixels.into_iter().flat_map(shown).collect()
+    let mut channels = Vec::new();
+    if let Ok(image) = image {
+        for color in image.pixels() {
+            channels.extend(color.channels().map(|channel| channel.clamp(0.0, 1.0)));
+        }
+    }
+    channels
 }
 
 /// The seed of the reference: no curve uses it.
 const REFERENCE: u64 = 0x5EED;
 
+/// Half grey levels that adaptive sampling is asked for.
+const LEVELS: [f64; 6] = [16.0, 8.0, 4.0, 2.0, 1.0, 0.5];
+
 fn curves<'a>(scene: &'a Scene, settings: &Settings, effort: Effort) -> Vec<Curve<'a>> {
-    let sides = &[1_u32, 2, 4, 8, 16][..effort.choose(4, 5)];
     let many = effort.choose(32, 64).pow(2) as u32;
     let reference = Settings {
         seed: REFERENCE,
         ..taking(settings, Sampling::Stratified, many)
     };
     let reference = channels(scene.render(&reference, &()));
-    let errors = |image| {
-        let channels = channels(image);
-        let pairs = channels.iter().zip(&reference);
-        pairs.map(|(a, b)| a - b).collect::<Vec<_>>()
-    };
-    let pixels = settings.size.pixels() as f64;
-    let curve = |(method, sampling)| {
-        let point = |side: &u32| {
+    let sides = &[1, 2, 4, 8, 16][..effort.choose(4, 5)];
+    let mut curves = Vec::new();
+    for (method, sampling) in [
+        ("random", Sampling::Random),
+        ("regular", Sampling::Regular),
+        ("stratified", Sampling::Stratified),
+    ] {
+        let mut points = Vec::new();
+        for side in sides {
             let settings = taking(settings, sampling, side * side);
-            let samples = f64::from(settings.samples);
-            let rays = samples * pixels;
-            let errors = errors(scene.render(&settings, &()));
-            Point::new(samples, rays, errors, move || scene.render(&settings, &()))
-        };
-        Curve::new(method, sides.iter().map(point))
-    };
-    // Adaptive sampling for an error in half grey levels.
-    let adaptive = |levels: f64| {
+            points.push(with_samples(scene, settings, &reference));
+        }
+        curves.push(Curve::new(method, points));
+    }
+    let mut points = Vec::new();
+    for levels in LEVELS {
         let settings = Settings {
             max_error: Some(levels * HALF_GREY_LEVEL),
             ..taking(settings, settings.sampling, 1024)
         };
-        let render = move || {
-            let sampled = Mutex::new(SamplingReport::default());
-            let image = scene.render(&settings, &sampled);
-            let sampled = sampled.into_inner().unwrap_or_else(PoisonError::into_inner);
-            (image, sampled.samples as f64)
-        };
-        let (image, rays) = render();
-        Point::new(rays / pixels, rays, errors(image), render)
-    };
-    let methods = [
-        ("random", Sampling::Random),
-        ("regular", Sampling::Regular),
-        ("stratified", Sampling::Stratified),
-    ];
-    let adaptive = [16.0, 8.0, 4.0, 2.0, 1.0, 0.5].map(adaptive);
-    let adaptive = Curve::new("adaptive", adaptive);
-    methods.map(curve).into_iter().chain([adaptive]).collect()
+        points.push(within_an_error(scene, settings, &reference));
+    }
+    curves.push(Curve::new("adaptive", points));
+    curves
+}
+
+/// The measurement of a picture with a number of samples.
+fn with_samples<'a>(scene: &'a Scene, settings: Settings, reference: &[f64]) -> Point<'a> {
+    let samples = f64::from(settings.samples);
+    Point {
+        parameter: samples,
+        work: samples * settings.size.pixels() as f64,
+        errors: errors(scene.render(&settings, &()), reference),
+        times: Times::of(move || scene.render(&settings, &())),
+    }
+}
+
+/// The measurement of a picture by adaptive sampling, with the samples that it takes.
+fn within_an_error<'a>(scene: &'a Scene, settings: Settings, reference: &[f64]) -> Point<'a> {
+    let sampled = Mutex::new(SamplingReport::default());
+    let image = scene.render(&settings, &sampled);
+    let sampled = sampled.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let rays = sampled.samples as f64;
+    Point {
+        parameter: rays / settings.size.pixels() as f64,
+        work: rays,
+        errors: errors(image, reference),
+        times: Times::of(move || scene.render(&settings, &Mutex::new(SamplingReport::default()))),
+    }
+}
+
+/// The errors of the channels of a picture.
+fn errors(image: Result<Image, Error>, reference: &[f64]) -> Errors {
+    let channels = channels(image);
+    let pairs = channels.iter().zip(reference);
+    Errors::of(pairs.map(|(channel, exact)| channel - exact))
 }
 
 #[cfg(test)]
@@ -156,7 +182,7 @@ mod tests {
             for (point, (n, gray)) in curve.points.iter().zip(samples) {
                 let expected = [n, 160.0 * n, f64::abs(gray - 0.25)];
                 assert_eq!(
-                    [point.parameter, point.work, point.rms],
+                    [point.parameter, point.work, point.errors.rms],
                     expected,
                     "{method}"
                 );
@@ -165,7 +191,7 @@ mod tests {
         assert_eq!((curves.len(), curves[3].method), (4, "adaptive"));
         for (point, levels) in curves[3].points.iter().zip([16.0, 8.0, 4.0, 2.0, 1.0, 0.5]) {
             assert_eq!([point.parameter, point.work], [2.0, 320.0]);
-            assert!((point.rms - (0.25 - levels / 510.0)).abs() < 1e-12);
+            assert!((point.errors.rms - (0.25 - levels / 510.0)).abs() < 1e-12);
         }
     }
 

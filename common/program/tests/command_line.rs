@@ -8,7 +8,7 @@ use std::{env, fs};
 
 use common::{Color, Error, Image, Progress, Scene, Settings, Size, Stage, picture_file};
 use measure::Laboratory;
-use measure::extremes::{Bound, Case};
+use measure::extremes::{Case, Number};
 use program::{Gallery, NotShown, run_with};
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -167,7 +167,15 @@ fn laboratory() -> Laboratory {
     Laboratory {
         stage: stage(),
         experiments: Vec::new,
-        extremes: |_| vec![Case::new("A01", "a number", 1.0, Bound::Equal, 1.0)],
+        extremes: |_| {
+            vec![Case {
+                id: "A01",
+                what: "a number".into(),
+                exact: Number(1.0),
+                ours: Number(1.0),
+                ..Case::default()
+            }]
+        },
         search: None,
     }
 }

@@ -3,9 +3,10 @@
 use std::array;
 
 use glam::DMat3;
-use measure::experiment::{Axis, Curve, Deviation, Experiment, Unit};
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Deviation, ErrorBound, Experiment, Slope, Unit};
 
-use super::{WholeNumbers, sets};
+use super::{WholeNumbers, task_sets};
 use crate::exact::sum_of_products;
 use crate::protocol;
 use a02_math::arrays::vector;
@@ -39,10 +40,11 @@ fn eliminated(m: Mat3x3, b: Vector3) -> Vector3 {
 pub fn refined(m: Mat3x3, b: Vector3) -> Vector3 {
     let mut x = protocol::cramer(m, b);
     for _ in 0..4 {
-        let rest = equations(m, b).map(|[p, q, r, b]| {
-            sum_of_products(&[(b, 1.0), (-p, x.x()), (-q, x.y()), (-r, x.z())])
+        let residual = equations(m, b).map(|[p, q, r, b]| {
+            let left = [[-p, x.x()], [-q, x.y()], [-r, x.z()]];
+            sum_of_products(&[[b, 1.0], left[0], left[1], left[2]])
         });
-        x = x + protocol::cramer(m, vector(rest));
+        x = x + protocol::cramer(m, vector(residual));
     }
     x
 }
@@ -55,36 +57,68 @@ fn equations(m: Mat3x3, b: Vector3) -> [[f64; 4]; 3] {
 }
 
 pub fn experiment() -> Experiment<'static> {
-    Experiment::new("linear-systems")
-        .asking("How flat may three columns be?")
-        .over(Axis::Parameter, "condition number", "systems")
-        .with_error("rms error of an unknown")
-        .with_unit(Unit::Other("its value is -1, 1 or 3"))
-        .with_exact("against the solution that the right side was computed from")
-        .with_seeds(&[3])
-        .with_curves(|effort| {
-            let steps = [0, 5, 10, 15, 20, 25, 30, 35, 40];
-            let sets = sets(3, effort, steps, |bits| libm::scalbn(1.0, bits), task);
-            let curve = |method, slope: Option<f64>, solve: fn(Mat3x3, Vector3) -> Vector3| {
-                let curve = Curve::of_tasks(method, &sets, move |(m, b, _)| solve(*m, *b), errors);
-                curve.with_slope(slope, (1e3, 1e12))
-            };
-            vec![
-                curve("Cramer's rule", Some(1.0), protocol::cramer),
-                curve("elimination", Some(1.0), eliminated),
-                // The solutions are small whole numbers.
-                curve("Cramer's rule, mended", None, refined).with_bound(0.0, 0.0..=1e9),
-            ]
-        })
+    Experiment {
+        question: "How flat may three columns be?",
+        parameter: "condition number",
+        work: "systems",
+        against: Axis::Parameter,
+        error: "rms error of an unknown",
+        unit: Unit::Other("its value is -1, 1 or 3"),
+        exact: "against the solution that the right side was computed from",
+        seeds: &[SEED],
+        curves: Box::new(curves),
+        ..Experiment::new("linear-systems")
+    }
 }
 
-/// A matrix, a right side, and the solution.
-type Task = (Mat3x3, Vector3, Vector3);
+const SEED: u64 = 3;
+
+fn curves(effort: Effort) -> Vec<Curve<'static>> {
+    let steps = [0, 5, 10, 15, 20, 25, 30, 35, 40];
+    let sets = task_sets(SEED, effort, steps, task);
+    let curve = |method, solve: fn(Mat3x3, Vector3) -> Vector3| {
+        Curve::of_tasks(
+            method,
+            &sets,
+            move |task: &Task| solve(task.m, task.b),
+            errors,
+        )
+    };
+    let as_the_condition = Slope {
+        value: 1.0,
+        between: 1e3..=1e12,
+    };
+    vec![
+        Curve {
+            slope: Some(as_the_condition.clone()),
+            ..curve("Cramer's rule", protocol::cramer)
+        },
+        Curve {
+            slope: Some(as_the_condition),
+            ..curve("elimination", eliminated)
+        },
+        Curve {
+            // The solutions are small whole numbers.
+            bound: Some(ErrorBound {
+                error: 0.0,
+                between: 0.0..=1e9,
+            }),
+            ..curve("Cramer's rule, mended", refined)
+        },
+    ]
+}
+
+/// The system `M x = b`, and its solution.
+struct Task {
+    m: Mat3x3,
+    b: Vector3,
+    exact: Vector3,
+}
 
 /// The errors of the unknowns.
-fn errors(&(m, b, exact): &Task, x: Vector3) -> [Deviation; 3] {
-    let (conditions, error) = (conditions(m, b, exact), (x - exact).to_glam());
-    let exact = exact.to_glam();
+fn errors(task: &Task, x: Vector3) -> [Deviation; 3] {
+    let conditions = conditions(task.m, task.b, task.exact);
+    let (error, exact) = ((x - task.exact).to_glam(), task.exact.to_glam());
     array::from_fn(|i| Deviation::new(error[i], exact[i], conditions[i]))
 }
 
@@ -93,31 +127,39 @@ fn errors(&(m, b, exact): &Task, x: Vector3) -> [Deviation; 3] {
 /// Elimination, 1979).
 pub fn conditions(m: Mat3x3, b: Vector3, x: Vector3) -> [f64; 3] {
     let rows = equations(m, b).map(|[x, y, z, _]| [x, y, z]);
-    let (m, x) = (
-        DMat3::from_cols_array_2d(&rows).transpose(),
-        x.to_glam().abs(),
-    );
-    (m.inverse().abs() * (m.abs() * x + b.to_glam().abs()) / x).to_array()
+    let m = DMat3::from_cols_array_2d(&rows).transpose();
+    let x = x.to_glam().abs();
+    let moved = m.abs() * x + b.to_glam().abs();
+    (m.inverse().abs() * moved / x).to_array()
 }
 
 /// Columns of whole numbers below 2^26. The third is the sum of the others plus
 /// numbers that are smaller by a power of two. The right sides are exact sums.
 fn task(numbers: &mut WholeNumbers, bits: i32) -> Task {
-    let mut column = || vector(array::from_fn(|_| numbers.signed(24)));
-    let (a, b, rest) = loop {
-        let (a, b, rest) = (column(), column(), column());
-        let volume = a.cross(b).dot(rest);
-        // Nearly coplanar directions would change the condition number.
-        if volume.abs() > 0.3 * a.magnitude() * b.magnitude() * rest.magnitude() {
-            break (a, b, rest);
-        }
-    };
+    let [a, b, rest] = steep_columns(numbers);
     // Rounded to 20 binary digits behind the point, so that sums are exact.
     let cut = |x: f64| libm::scalbn(libm::scalbn(x, 20 - bits).round(), -20);
     let c = a + b + Vector3::from_glam(rest.to_glam().map(cut));
-    let x = vector(array::from_fn(|_| 2.0 * numbers.signed(1) + 1.0));
+    let exact = vector(array::from_fn(|_| 2.0 * numbers.signed(1) + 1.0));
     let m = from_columns(a, b, c);
-    (m, m * x, x)
+    Task {
+        m,
+        b: m * exact,
+        exact,
+    }
+}
+
+/// Columns that are not nearly in one plane, which would change the condition number.
+fn steep_columns(numbers: &mut WholeNumbers) -> [Vector3; 3] {
+    loop {
+        let columns = [(); 3].map(|()| vector(array::from_fn(|_| numbers.signed(24))));
+        let [a, b, c] = columns;
+        let volume = a.cross(b).dot(c);
+        let lengths = a.magnitude() * b.magnitude() * c.magnitude();
+        if volume.abs() > 0.3 * lengths {
+            return columns;
+        }
+    }
 }
 
 /// The matrix of these columns.

@@ -1,8 +1,9 @@
 //! The angle between two vectors, from large to tiny.
 
-use measure::experiment::{Axis, Curve, Deviation, Experiment, Unit};
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Deviation, Experiment, Slope, Unit};
 
-use super::{WholeNumbers, sets};
+use super::{WholeNumbers, task_sets};
 use crate::exact::sum_of_products;
 use crate::protocol;
 use a02_math::{Direction, Vector3};
@@ -17,65 +18,87 @@ fn kahan(a: Vector3, b: Vector3) -> f64 {
 /// The arc tangent of sine and cosine, with the sine from exact products.
 fn exact_products(a: Vector3, b: Vector3) -> f64 {
     let (p, q) = (a.to_glam(), b.to_glam());
-    let minor = |x: usize, y: usize| sum_of_products(&[(p[x], q[y]), (-p[y], q[x])]);
+    let minor = |x: usize, y: usize| sum_of_products(&[[p[x], q[y]], [-p[y], q[x]]]);
     let cross = Vector3::new(minor(1, 2), minor(2, 0), minor(0, 1));
     libm::atan2(cross.magnitude(), a.dot(b))
 }
 
 /// Two vectors and the angle between them.
-type AngleTask = (Vector3, Vector3, f64);
+struct Task {
+    a: Vector3,
+    b: Vector3,
+    exact: f64,
+}
 
 /// The second vector is a vector `a` of whole numbers plus a perpendicular vector
 /// times a power of two; the quotient of their lengths is the tangent, about
 /// 2^-`bits`. The sum fills 52 binary digits and is exact.
-fn angle_task(numbers: &mut WholeNumbers, bits: i32) -> AngleTask {
+fn task(numbers: &mut WholeNumbers, bits: i32) -> Task {
     let digits = (bits - 4).max(5);
-    let mut odd_numbers = |digits: i32| {
-        let mut odd = || 2.0 * numbers.signed(digits as u32) + 1.0;
-        Vector3::new(odd(), odd(), odd())
-    };
     let (across, a) = loop {
-        let across = odd_numbers(44 - digits);
-        let a = across.cross(odd_numbers(digits));
+        let across = odd_numbers(numbers, 44 - digits);
+        let a = across.cross(odd_numbers(numbers, digits));
         if a != Vector3::default() {
             break (across, a);
         }
     };
     let across = across * libm::scalbn(1.0, digits - bits);
     let tangent = (across.dot(across) / a.dot(a)).sqrt();
-    (a, a + across, libm::atan(tangent))
+    Task {
+        a,
+        b: a + across,
+        exact: libm::atan(tangent),
+    }
+}
+
+fn odd_numbers(numbers: &mut WholeNumbers, digits: i32) -> Vector3 {
+    let mut odd = || 2.0 * numbers.signed(digits as u32) + 1.0;
+    Vector3::new(odd(), odd(), odd())
+}
+
+/// The error as a fraction of the angle.
+fn error(Task { exact, .. }: &Task, angle: f64) -> [Deviation; 1] {
+    // For small angles the arc cosine is 0 or NaN.
+    let error = if angle.is_nan() {
+        *exact
+    } else {
+        angle - exact
+    };
+    // Each vector turns by its own rounding, whatever the angle is.
+    [Deviation::new(error, *exact, 2.0 / exact).as_fraction_of(*exact)]
 }
 
 pub fn angles() -> Experiment<'static> {
-    Experiment::new("angle")
-        .asking("Which formula sees small angles?")
-        .over(Axis::Parameter, "1 / tangent", "angles")
-        .with_error("rms error of the angle")
-        .with_unit(Unit::Other("fraction of the angle"))
-        .with_exact("against the angle by construction; where there is none, the error is 1")
-        .with_seeds(&[1])
-        .with_curves(|effort| {
-            let steps = [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40];
-            let sets = sets(1, effort, steps, |bits| libm::scalbn(1.0, bits), angle_task);
-            let curve = |method, slope: f64, angle: fn(Vector3, Vector3) -> f64| {
-                // For smaller angles the arc cosine is 0 or NaN.
-                let error = |(.., exact): &AngleTask, angle: f64| {
-                    let error = if angle.is_nan() {
-                        *exact
-                    } else {
-                        angle - exact
-                    };
-                    // Each vector turns by its own rounding, whatever the angle is.
-                    [Deviation::new(error, *exact, 2.0 / exact).as_share_of(*exact)]
-                };
-                let curve = Curve::of_tasks(method, &sets, move |(a, b, _)| angle(*a, *b), error);
-                curve.with_slope(slope, (10.0, 1e6))
-            };
-            vec![
-                curve("arc tangent", 1.0, Vector3::angle),
-                curve("arc cosine", 2.0, protocol::angle_by_arc_cosine),
-                curve("Kahan's formula", 1.0, kahan),
-                curve("exact products", 0.0, exact_products),
-            ]
-        })
+    Experiment {
+        question: "Which formula sees small angles?",
+        parameter: "1 / tangent",
+        work: "angles",
+        against: Axis::Parameter,
+        error: "rms error of the angle",
+        unit: Unit::Other("fraction of the angle"),
+        exact: "against the angle by construction; where there is none, the error is 1",
+        seeds: &[SEED],
+        curves: Box::new(curves),
+        ..Experiment::new("angle")
+    }
+}
+
+const SEED: u64 = 1;
+
+fn curves(effort: Effort) -> Vec<Curve<'static>> {
+    let steps = [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40];
+    let sets = task_sets(SEED, effort, steps, task);
+    let curve = |method, slope, angle: fn(Vector3, Vector3) -> f64| Curve {
+        slope: Some(Slope {
+            value: slope,
+            between: 10.0..=1e6,
+        }),
+        ..Curve::of_tasks(method, &sets, move |task| angle(task.a, task.b), error)
+    };
+    vec![
+        curve("arc tangent", 1.0, Vector3::angle),
+        curve("arc cosine", 2.0, protocol::angle_by_arc_cosine),
+        curve("Kahan's formula", 1.0, kahan),
+        curve("exact products", 0.0, exact_products),
+    ]
 }

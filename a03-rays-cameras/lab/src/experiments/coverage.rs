@@ -28,8 +28,11 @@ fn corner_of_disc(x: f64, y: f64) -> f64 {
     let r = RADIUS;
     let (x, y) = (x.clamp(-r, r), y.clamp(-r, r));
     // The half disc above the axis, from the left up to t.
-    let half =
-        |t: f64| 0.5 * t * (r * r - t * t).sqrt() + r * r * (0.5 * libm::asin(t / r) + FRAC_PI_4);
+    let half = |t: f64| {
+        let triangle = 0.5 * t * (r * r - t * t).sqrt();
+        let sector = r * r * (0.5 * libm::asin(t / r) + FRAC_PI_4);
+        triangle + sector
+    };
     // Left of x and farther than |y| from the axis, on one side of it.
     let width = ((r - y) * (r + y)).sqrt();
     let end = x.min(width);
@@ -76,9 +79,12 @@ pub fn irradiance(x: f64, y: f64) -> f64 {
     over_corners(corner_of_light, x * side, y * side, side) / (side * side)
 }
 
+/// The integral of [`lit`] over the rectangle between (0, 0) and (`x`, `y`).
 fn corner_of_light(x: f64, y: f64) -> f64 {
     let h = HEIGHT;
     let distance = (x * x + y * y + h * h).sqrt();
-    h * (x * libm::asinh(y / (x * x + h * h).sqrt()) + y * libm::asinh(x / (y * y + h * h).sqrt())
-        - h * libm::atan(x * y / (h * distance)))
+    let along_x = x * libm::asinh(y / (x * x + h * h).sqrt());
+    let along_y = y * libm::asinh(x / (y * y + h * h).sqrt());
+    let corner = h * libm::atan(x * y / (h * distance));
+    h * (along_x + along_y - corner)
 }

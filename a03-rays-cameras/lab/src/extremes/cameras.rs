@@ -1,4 +1,4 @@
-//! Cameras: openings, brackets, axes, and pictures of few pixels. Exact directions are
+//! Cameras: fields of view, brackets, axes, and pictures of few pixels. Exact directions are
 //! computed from the given doubles with 80 digits.
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
@@ -6,8 +6,9 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
 use a02_math::arrays::array;
 use a02_math::{Direction, Point3, Vector3};
 use common::{ArgumentError, Size};
-use measure::extremes::{Absolute, Case, Equal, Fails, Holds, Outcome, Refused, Ulps};
-use measure::extremes::{case, greatest, tried};
+use measure::extremes::{
+    Absolute, Case, Fails, Holds, Number, Outcome, Refused, Triple, Ulps, greatest, tried,
+};
 
 use super::{AHEAD, UP};
 use crate::protocol;
@@ -16,156 +17,402 @@ use a03_rays_cameras::{
 };
 
 pub fn cases() -> Vec<Case> {
-    [perspective_and_orthographic(), axes(), pinhole()].concat()
+    [perspective(), orthographic(), axes(), pinhole()].concat()
 }
 
-/// A size, and a pixel of it, counted from below.
-type Pixel = ([u32; 2], f64, f64);
-
-/// Direction through the middle of a pixel of the perspective camera at the origin.
-fn direction(([w, h], x, y): Pixel, angle: f64) -> Result<[f64; 3], ArgumentError> {
-    let camera = PerspectiveCamera::new(Point3::ORIGIN, AHEAD, UP, angle)?;
-    Ok(array(camera.ray_for(Size::new(w, h)?, x, y).direction()))
+/// The middle of a pixel of a picture, counted from below.
+#[derive(Clone, Copy)]
+struct Pixel {
+    width: u32,
+    height: u32,
+    x: f64,
+    y: f64,
 }
 
-/// The direction for half of an opening: with it the text's formula is right.
-fn half(pixel: Pixel, angle: f64) -> [Outcome; 2] {
-    let theirs = protocol::perspective_direction(pixel.0.map(f64::from), pixel.1, pixel.2, angle);
-    [direction(pixel, 2.0 * angle).into(), array(theirs).into()]
+impl Pixel {
+    /// The first pixel of a picture of 640x480.
+    const CORNER: Self = Self::first(640, 480);
+
+    /// The first pixel of a picture.
+    const fn first(width: u32, height: u32) -> Self {
+        Self {
+            width,
+            height,
+            x: 0.0,
+            y: 0.0,
+        }
+    }
+
+    /// The direction through it of the perspective camera at the origin with this full angle.
+    fn direction(self, angle: f64) -> Result<[f64; 3], ArgumentError> {
+        let camera = PerspectiveCamera::new(Point3::ORIGIN, AHEAD, UP, angle)?;
+        let size = Size::new(self.width, self.height)?;
+        Ok(array(camera.ray_for(size, self.x, self.y).direction()))
+    }
+
+    /// The same by the protocol's formula, with an angle that it takes for the full one.
+    fn protocols_direction(self, angle: f64) -> [f64; 3] {
+        let size = [self.width, self.height].map(f64::from);
+        array(protocol::perspective_direction(size, self.x, self.y, angle))
+    }
+
+    /// The direction for half of an angle: with it the text's formula is right.
+    fn half_angle(self, half_angle: f64) -> Case {
+        let ours = self.direction(2.0 * half_angle);
+        Case::of(ours, self.protocols_direction(half_angle))
+    }
 }
 
 /// The offset of the origin of a column's ray in the orthographic camera, in widths of
 /// the picture.
-fn bracket(column: f64, width: u32, formula: fn(f64, f64) -> f64) -> [Outcome; 2] {
+fn bracket(column: f64, width: u32, formula: fn(f64, f64) -> f64) -> Case {
     let ours = tried(|| {
         let camera = OrthographicCamera::new(Point3::ORIGIN, AHEAD, UP, 1.0)?;
         let ray = camera.ray_for(Size::new(width, width)?, column, 0.0);
         Ok(ray.origin().x())
     });
-    [ours, formula(column, width.into()).into()]
+    Case::of(ours, formula(column, width.into()))
 }
 
-#[rustfmt::skip]
-fn perspective_and_orthographic() -> Vec<Case> {
-    const CORNER: Pixel = ([640, 480], 0.0, 0.0);
-    let top = ([641, 481], 320.0, 480.0);
-    let tall = ([1, 100], 0.0, 99.0);
+fn perspective() -> Vec<Case> {
+    let middle_of_the_top = Pixel {
+        width: 641,
+        height: 481,
+        x: 320.0,
+        y: 480.0,
+    };
+    let top_of_a_column = Pixel {
+        width: 1,
+        height: 100,
+        x: 0.0,
+        y: 99.0,
+    };
     vec![
-        case("E01", "perspective, half angle 0", half(CORNER, 0.0), Refused, Equal, Fails),
-        case("E02", "perspective, half angle 1e-200", half(CORNER, 1e-200), Refused, Equal, Fails),
-        case("E03", "perspective, half angle pi/2", half(CORNER, FRAC_PI_2), Refused, Equal, Fails),
-        case("E04", "perspective, half angle pi: looks back", half(CORNER, PI), Refused, Equal, Fails),
-        case("E05", "perspective, half angle -pi/4", half(CORNER, -FRAC_PI_4), Refused, Equal, Fails),
-        case("E06", "perspective, half angle pi/4, picture of 1x1",
-            half(([1, 1], 0.0, 0.0), FRAC_PI_4), array(AHEAD), Equal, Holds),
-        case("E07", "perspective, half angle pi/4, 1x100, pixel (0, 99)", half(tall, FRAC_PI_4),
-            [0.0, 0.703_544_597_920_105_2, -0.710_651_109_010_207_3], Ulps(2.0), Holds),
-        case("E08", "perspective, picture of 0x0", half(([0, 0], 0.0, 0.0), FRAC_PI_4), Refused, Equal, Fails),
-        case("E09", "perspective, half angle NaN", half(CORNER, f64::NAN), Refused, Equal, Fails),
-        Case::new("E24", "perspective, FULL angle pi/4, 641x481, middle of the top row",
-            [0.0, 0.382_004_035_507_720_3, -0.924_160_655_327_75], Ulps(2.0), direction(top, FRAC_PI_4))
-            .protocol(Fails, array(protocol::perspective_direction([641.0, 481.0], 320.0, 480.0, FRAC_PI_4))),
-        case("E10", "orthographic, column 639 of 640, bracket of the text's code",
-            bracket(639.0, 640, protocol::bracket_of_the_code), 0.5, Equal, Fails),
-        case("E25", "orthographic, column 0 of 640, fraction of the text's formula",
-            bracket(0.0, 640, protocol::bracket_of_the_formula), -0.5, Equal, Fails),
-        case("E11", "orthographic, the only column of 1, divided by w - 1",
-            bracket(0.0, 1, protocol::bracket_of_the_course), 0.0, Equal, Fails),
-        case("Q11", "pictures of 1x1, 1x9 and 9x1: coordinates that are no numbers",
-            pictures_of_few_pixels(), 0.0, Equal, Fails),
+        Case {
+            id: "E01",
+            what: "perspective, half angle 0".into(),
+            exact: Refused,
+            protocol: Fails,
+            ..Pixel::CORNER.half_angle(0.0)
+        },
+        Case {
+            id: "E02",
+            what: "perspective, half angle 1e-200".into(),
+            exact: Refused,
+            protocol: Fails,
+            ..Pixel::CORNER.half_angle(1e-200)
+        },
+        Case {
+            id: "E03",
+            what: "perspective, half angle pi/2".into(),
+            exact: Refused,
+            protocol: Fails,
+            ..Pixel::CORNER.half_angle(FRAC_PI_2)
+        },
+        Case {
+            id: "E04",
+            what: "perspective, half angle pi: looks back".into(),
+            exact: Refused,
+            protocol: Fails,
+            ..Pixel::CORNER.half_angle(PI)
+        },
+        Case {
+            id: "E05",
+            what: "perspective, half angle -pi/4".into(),
+            exact: Refused,
+            protocol: Fails,
+            ..Pixel::CORNER.half_angle(-FRAC_PI_4)
+        },
+        Case {
+            id: "E06",
+            what: "perspective, half angle pi/4, picture of 1x1".into(),
+            exact: Triple(array(AHEAD)),
+            protocol: Holds,
+            ..Pixel::first(1, 1).half_angle(FRAC_PI_4)
+        },
+        Case {
+            id: "E07",
+            what: "perspective, half angle pi/4, 1x100, pixel (0, 99)".into(),
+            exact: Triple([0.0, 0.703_544_597_920_105_2, -0.710_651_109_010_207_3]),
+            bound: Ulps(2.0),
+            protocol: Holds,
+            ..top_of_a_column.half_angle(FRAC_PI_4)
+        },
+        Case {
+            id: "E08",
+            what: "perspective, picture of 0x0".into(),
+            exact: Refused,
+            protocol: Fails,
+            ..Pixel::first(0, 0).half_angle(FRAC_PI_4)
+        },
+        Case {
+            id: "E09",
+            what: "perspective, half angle NaN".into(),
+            exact: Refused,
+            protocol: Fails,
+            ..Pixel::CORNER.half_angle(f64::NAN)
+        },
+        Case {
+            id: "E24",
+            what: "perspective, FULL angle pi/4, 641x481, middle of the top row".into(),
+            exact: Triple([0.0, 0.382_004_035_507_720_3, -0.924_160_655_327_75]),
+            bound: Ulps(2.0),
+            protocol: Fails,
+            ..Case::of(
+                middle_of_the_top.direction(FRAC_PI_4),
+                middle_of_the_top.protocols_direction(FRAC_PI_4),
+            )
+        },
+    ]
+}
+
+fn orthographic() -> Vec<Case> {
+    vec![
+        Case {
+            id: "E10",
+            what: "orthographic, column 639 of 640, bracket of the text's code".into(),
+            exact: Number(0.5),
+            protocol: Fails,
+            ..bracket(639.0, 640, protocol::bracket_of_the_code)
+        },
+        Case {
+            id: "E25",
+            what: "orthographic, column 0 of 640, fraction of the text's formula".into(),
+            exact: Number(-0.5),
+            protocol: Fails,
+            ..bracket(0.0, 640, protocol::bracket_of_the_formula)
+        },
+        Case {
+            id: "E11",
+            what: "orthographic, the only column of 1, divided by w - 1".into(),
+            exact: Number(0.0),
+            protocol: Fails,
+            ..bracket(0.0, 1, protocol::bracket_of_the_course)
+        },
+        Case {
+            id: "Q11",
+            what: "pictures of 1x1, 1x9 and 9x1: coordinates that are no numbers".into(),
+            exact: Number(0.0),
+            protocol: Fails,
+            ..pictures_of_few_pixels()
+        },
     ]
 }
 
 /// Number of NaN values in the rays of pictures of one row, one column or one pixel.
-fn pictures_of_few_pixels() -> [Outcome; 2] {
-    let not_numbers = |v: [f64; 3]| v.iter().filter(|x| !x.is_finite()).count();
+fn pictures_of_few_pixels() -> Case {
     let ours = tried(|| {
         let cameras: [Box<dyn Camera>; 3] = [
             Box::new(OrthographicCamera::new(Point3::ORIGIN, AHEAD, UP, 1.0)?),
             Box::new(PerspectiveCamera::new(Point3::ORIGIN, AHEAD, UP, 1.0)?),
             Box::new(PinholeCamera::new(Point3::ORIGIN, 1.0)?),
         ];
-        let sizes = [Size::new(1, 1)?, Size::new(1, 9)?, Size::new(9, 1)?];
-        let rays = |camera: Box<dyn Camera>| sizes.map(|size| camera.ray_for(size, 0.0, 0.0));
-        let triples = |ray: Ray| [ray.direction().to_glam(), ray.origin().to_glam()];
-        let triples = cameras.into_iter().flat_map(rays).flat_map(triples);
-        Ok(triples.map(|v| not_numbers(v.into())).sum::<usize>())
+        let mut count = 0;
+        for camera in cameras {
+            for (width, height) in [(1, 1), (1, 9), (9, 1)] {
+                let ray = camera.ray_for(Size::new(width, height)?, 0.0, 0.0);
+                count += not_finite(ray.direction().to_glam().into());
+                count += not_finite(ray.origin().to_glam().into());
+            }
+        }
+        Ok(count)
     });
     let [one, nine] = [1.0, 9.0].map(|n| protocol::bracket_of_the_course(0.0, n));
-    let theirs = [[one, one, 0.0], [one, nine, 0.0], [nine, one, 0.0]].map(not_numbers);
-    [ours, theirs.iter().sum::<usize>().into()]
+    let mut theirs = 0;
+    for offset in [[one, one, 0.0], [one, nine, 0.0], [nine, one, 0.0]] {
+        theirs += not_finite(offset);
+    }
+    Case::of(ours, theirs)
+}
+
+/// How many of these are infinite or no numbers.
+fn not_finite(numbers: [f64; 3]) -> usize {
+    numbers.iter().filter(|x| !x.is_finite()).count()
 }
 
 /// The axis u of a camera. The protocol does not check gaze and up vector.
-fn u(gaze: Vector3, up: Vector3) -> [Outcome; 2] {
+fn u(gaze: Vector3, up: Vector3) -> Case {
     let ours = Basis::new(Point3::ORIGIN, gaze, up).map(|basis| array(basis.u));
-    [ours.into(), array(protocol::axes(gaze, up)[0]).into()]
+    let [theirs, _, _] = protocol::axes(gaze, up);
+    Case::of(ours, array(theirs))
 }
 
 /// Greatest deviation of the axes from being perpendicular and of length 1.
 fn defect(Basis { u, v, w, .. }: Basis) -> f64 {
+    let cosines = [u.dot(v), v.dot(w), w.dot(u)];
     let lengths = [u, v, w].map(|axis| axis.dot(axis) - 1.0);
-    greatest([u.dot(v), v.dot(w), w.dot(u)].into_iter().chain(lengths))
+    greatest(cosines.into_iter().chain(lengths))
 }
 
-/// The defect of the axes for a random gaze and an up vector 2.6e-12 beside it.
-fn almost_parallel(n: u32) -> Option<f64> {
-    let random = PixelRandom::new(31, n, 0);
-    let [gaze, other] = [0, 3].map(|first| {
-        let [x, y, z] = [0, 1, 2].map(|i| random.uniform(first + i) - 0.5);
-        Vector3::new(x, y, z)
-    });
+/// The greatest defect of the axes for random gazes and an up vector 2.6e-12 beside them.
+fn defect_of_almost_parallel() -> Outcome {
+    let mut defects = Vec::new();
+    for n in 0..10_000 {
+        let random = PixelRandom::new(31, n, 0);
+        let [gaze, other] = [0, 3].map(|first| {
+            let [x, y, z] = [0, 1, 2].map(|i| random.uniform(first + i) - 0.5);
+            Vector3::new(x, y, z)
+        });
+        if let Some(basis) = almost_parallel(gaze, other) {
+            defects.push(defect(basis));
+        }
+    }
+    greatest(defects).into()
+}
+
+fn almost_parallel(gaze: Vector3, other: Vector3) -> Option<Basis> {
     let gaze = gaze.normalized()?;
-    let up = gaze + gaze.cross(other).normalized()? * 2.6e-12;
-    Basis::new(Point3::ORIGIN, gaze, up).ok().map(defect)
+    let across = gaze.cross(other).normalized()?;
+    Basis::new(Point3::ORIGIN, gaze, gaze + across * 2.6e-12).ok()
 }
 
-#[rustfmt::skip]
 fn axes() -> Vec<Case> {
-    let right = [1.0, 0.0, 0.0];
-    let (slanted, near) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(1.0 + 1e-11, 2.0, 3.0));
+    let right = Triple([1.0, 0.0, 0.0]);
+    let slanted = Vector3::new(1.0, 2.0, 3.0);
+    let near = Vector3::new(1.0 + 1e-11, 2.0, 3.0);
     vec![
-        case("E12", "axes, gaze = up = (0, 1, 0)", u(UP, UP), Refused, Equal, Fails),
-        case("E13", "axes, gaze = 2 up, up = (1, 2, 3)", u(slanted * 2.0, slanted), Refused, Equal, Fails),
-        case("E14", "u of gaze (1, 2, 3) and up (1+1e-11, 2, 3)",
-            u(slanted, near), [0.0, 0.832_050_294_337_843_7, -0.554_700_196_225_229_1], Absolute(1e-3), Holds),
-        Case::new("E31", "gaze and up 2.6e-12 apart: how far axes are from right angles, greatest of 10,000",
-            0.0, Absolute(4.0 * f64::EPSILON / 2.6e-12), greatest((0..10_000).filter_map(almost_parallel))),
-        case("E15", "axes, gaze = 0", u(Vector3::default(), UP), Refused, Equal, Fails),
-        case("E16", "u of gaze (0, 0, -1e200)", u(AHEAD * 1e200, UP), right, Equal, Fails),
-        case("E17", "u of up (0, 1e-170, 0)", u(AHEAD, UP * 1e-170), right, Equal, Fails),
+        Case {
+            id: "E12",
+            what: "axes, gaze = up = (0, 1, 0)".into(),
+            exact: Refused,
+            protocol: Fails,
+            ..u(UP, UP)
+        },
+        Case {
+            id: "E13",
+            what: "axes, gaze = 2 up, up = (1, 2, 3)".into(),
+            exact: Refused,
+            protocol: Fails,
+            ..u(slanted * 2.0, slanted)
+        },
+        Case {
+            id: "E14",
+            what: "u of gaze (1, 2, 3) and up (1+1e-11, 2, 3)".into(),
+            exact: Triple([0.0, 0.832_050_294_337_843_7, -0.554_700_196_225_229_1]),
+            bound: Absolute(1e-3),
+            protocol: Holds,
+            ..u(slanted, near)
+        },
+        Case {
+            id: "E31",
+            what:
+                "gaze and up 2.6e-12 apart: how far axes are from right angles, greatest of 10,000"
+                    .into(),
+            exact: Number(0.0),
+            bound: Absolute(4.0 * f64::EPSILON / 2.6e-12),
+            ours: defect_of_almost_parallel(),
+            ..Case::default()
+        },
+        Case {
+            id: "E15",
+            what: "axes, gaze = 0".into(),
+            exact: Refused,
+            protocol: Fails,
+            ..u(Vector3::default(), UP)
+        },
+        Case {
+            id: "E16",
+            what: "u of gaze (0, 0, -1e200)".into(),
+            exact: right,
+            protocol: Fails,
+            ..u(AHEAD * 1e200, UP)
+        },
+        Case {
+            id: "E17",
+            what: "u of up (0, 1e-170, 0)".into(),
+            exact: right,
+            protocol: Fails,
+            ..u(AHEAD, UP * 1e-170)
+        },
     ]
 }
 
-#[rustfmt::skip]
+/// The direction of the pinhole camera through a position in the picture, counted from its upper
+/// left corner.
+fn through([width, height]: [u32; 2], x: f64, y: f64) -> Case {
+    let ours = tried(|| {
+        let camera = PinholeCamera::new(Point3::ORIGIN, FRAC_PI_2)?;
+        let ray = camera.generate_ray(Size::new(width, height)?, x, y);
+        Ok(array(ray.direction()))
+    });
+    let size = [width, height].map(f64::from);
+    let theirs = protocol::pinhole_direction(size, x, y, FRAC_PI_2);
+    Case::of(ours, array(theirs))
+}
+
+/// The direction through the middle of a pixel, where the protocol has its corner.
+fn through_the_middle(size: [u32; 2], x: f64, y: f64) -> Case {
+    let ours = tried(|| {
+        let camera = PinholeCamera::new(Point3::ORIGIN, FRAC_PI_2)?;
+        let ray = camera.ray_for(Size::new(size[0], size[1])?, x, y);
+        Ok(array(ray.direction()))
+    });
+    Case {
+        ours,
+        ..through(size, x, y)
+    }
+}
+
+/// The direction where the protocol halves the size as a whole number.
+fn of_whole_sizes(size: [u32; 2], x: f64, y: f64) -> Case {
+    let theirs = protocol::pinhole_direction_of_whole_sizes(size, x, y, FRAC_PI_2);
+    Case {
+        theirs: Some(array(theirs).into()),
+        ..through(size, x, y)
+    }
+}
+
+/// The point at t = 50 of a ray to the sky.
+fn far_point() -> Case {
+    let far = Vector3::new(0.0, 0.0, -2.0);
+    let ours = tried(|| {
+        let ray = Ray::new(Point3::ORIGIN, far)?;
+        Ok(ray.bounded(f64::INFINITY)?.at(50.0).map(array))
+    });
+    let theirs = protocol::point_at(Point3::ORIGIN, far, 30.0, 50.0);
+    Case::of(ours, theirs.map(array))
+}
+
 fn pinhole() -> Vec<Case> {
     /// 1 / sqrt(3).
     const THIRD: f64 = 0.577_350_269_189_625_8;
-    // Through a place of the picture, counted from its upper left corner.
-    let ours = |[w, h]: [u32; 2], x, y| tried(|| {
-        let camera = PinholeCamera::new(Point3::ORIGIN, FRAC_PI_2)?;
-        Ok(array(camera.generate_ray(Size::new(w, h)?, x, y).direction()))
-    });
-    let theirs = |size: [u32; 2], x, y| array(protocol::pinhole_direction(size.map(f64::from), x, y, FRAC_PI_2));
-    let both = |size, x, y| [ours(size, x, y), theirs(size, x, y).into()];
-    let far = Vector3::new(0.0, 0.0, -2.0);
-    let of_pixel = tried(|| {
-        let camera = PinholeCamera::new(Point3::ORIGIN, FRAC_PI_2)?;
-        Ok(array(camera.ray_for(Size::new(3, 3)?, 1.0, 1.0).direction()))
-    });
-    let sky = Ray::new(Point3::ORIGIN, far).and_then(|ray| ray.bounded(f64::INFINITY));
     vec![
-        Case::new("E26", "pinhole, 3x3, middle of the middle pixel: through its corner",
-            array(AHEAD), Equal, of_pixel).protocol(Fails, theirs([3, 3], 1.0, 1.0)),
-        Case::new("E27", "pinhole, 3x601, middle (1.5, 300.5): sizes halved as whole numbers",
-            array(AHEAD), Equal, ours([3, 601], 1.5, 300.5))
-            .protocol(Fails, array(protocol::pinhole_direction_of_whole_sizes([3, 601], 1.5, 300.5, FRAC_PI_2))),
-        case("E28", "pinhole, 10x10, corner (10, 10), which the text's loop leaves out",
-            both([10, 10], 10.0, 10.0), [THIRD, -THIRD, -THIRD], Ulps(2.0), Holds),
-        Case::new("E29", "the point at t = 50 on a ray to the sky, which the text bounds by 30",
-            [0.0, 0.0, -50.0], Equal, sky.map(|ray| ray.at(50.0)).ok().flatten().map(array))
-            .protocol(Fails, protocol::point_at(Point3::ORIGIN, far, 30.0, 50.0).map(array)),
-        case("E30", "pinhole, 2x2, upper edge in the middle: 45 degrees up",
-            both([2, 2], 1.0, 0.0), [0.0, FRAC_1_SQRT_2, -FRAC_1_SQRT_2], Ulps(2.0), Holds),
+        Case {
+            id: "E26",
+            what: "pinhole, 3x3, middle of the middle pixel: through its corner".into(),
+            exact: Triple(array(AHEAD)),
+            protocol: Fails,
+            ..through_the_middle([3, 3], 1.0, 1.0)
+        },
+        Case {
+            id: "E27",
+            what: "pinhole, 3x601, middle (1.5, 300.5): sizes halved as whole numbers".into(),
+            exact: Triple(array(AHEAD)),
+            protocol: Fails,
+            ..of_whole_sizes([3, 601], 1.5, 300.5)
+        },
+        Case {
+            id: "E28",
+            what: "pinhole, 10x10, corner (10, 10), which the text's loop leaves out".into(),
+            exact: Triple([THIRD, -THIRD, -THIRD]),
+            bound: Ulps(2.0),
+            protocol: Holds,
+            ..through([10, 10], 10.0, 10.0)
+        },
+        Case {
+            id: "E29",
+            what: "the point at t = 50 on a ray to the sky, which the text bounds by 30".into(),
+            exact: Triple([0.0, 0.0, -50.0]),
+            protocol: Fails,
+            ..far_point()
+        },
+        Case {
+            id: "E30",
+            what: "pinhole, 2x2, upper edge in the middle: 45 degrees up".into(),
+            exact: Triple([0.0, FRAC_1_SQRT_2, -FRAC_1_SQRT_2]),
+            bound: Ulps(2.0),
+            protocol: Holds,
+            ..through([2, 2], 1.0, 0.0)
+        },
     ]
 }

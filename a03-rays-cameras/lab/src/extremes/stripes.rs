@@ -4,82 +4,161 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
 use a02_math::{Point3, Vector3};
 use common::{ArgumentError, Size};
-use measure::extremes::{Case, Equal, Fails, case, wrong};
+use measure::extremes::{Both, Case, Fails, Number, count_wrong};
 
 use crate::protocol::count_current_stripe;
 use a03_rays_cameras::StripeRule::{self, Direction, Wall};
 use a03_rays_cameras::{PinholeCamera, StripedSky};
 
-/// Two counts, ours and the protocol's.
-type Counts = Result<[usize; 2], ArgumentError>;
+/// The number of wrong results, or why there are none.
+type Counts = Result<Both<usize>, ArgumentError>;
 
-#[rustfmt::skip]
 pub fn cases() -> Vec<Case> {
-    let [ours, theirs] = stripes_in_the_middle().unwrap_or_default();
+    let stripes = stripes_in_the_middle().unwrap_or_default();
     vec![
-        Case::wrong("Q05", "N stripes at full angle pi/3, N = 2..=1000: N with a wrong one at the horizon",
-            horizon()),
-        Case::wrong("Q06", "N straight stripes on N rows, N = 2..=200: rows of a wrong stripe", wrong_rows()),
-        case("Q14", "10 stripes, 480x270, full angle pi/2: stripes down the middle column",
-            [ours.into(), theirs.into()], 10.0, Equal, Fails),
-        Case::wrong("Q15", "the same, straight stripes: rows that see more than one", rows_of_several_stripes()),
+        Case::of_wrong(
+            "Q05",
+            "N stripes at full angle pi/3, N = 2..=1000: N with a wrong one at the horizon",
+            horizon(),
+        ),
+        Case::of_wrong(
+            "Q06",
+            "N straight stripes on N rows, N = 2..=200: rows of a wrong stripe",
+            wrong_rows(),
+        ),
+        Case {
+            id: "Q14",
+            what: "10 stripes, 480x270, full angle pi/2: stripes down the middle column".into(),
+            exact: Number(10.0),
+            protocol: Fails,
+            ..Case::of(stripes.ours, stripes.theirs)
+        },
+        Case::of_wrong(
+            "Q15",
+            "the same, straight stripes: rows that see more than one",
+            rows_of_several_stripes(),
+        ),
     ]
 }
 
-/// The stripe at a place of a picture of this full angle: ours, and the one that the protocol
-/// counts by this height.
-fn stripe_at(
-    (size, alpha): (Size, f64),
-    (stripes, rule): (u32, StripeRule),
+/// A picture of a striped sky, and the height by which the protocol counts its stripes.
+struct StripedPicture {
+    size: Size,
+    camera: PinholeCamera,
+    sky: StripedSky,
+    stripes: u32,
     height: fn(Vector3) -> f64,
-) -> Result<impl Fn(f64, f64) -> [u32; 2], ArgumentError> {
-    let camera = PinholeCamera::new(Point3::ORIGIN, alpha)?;
-    let sky = StripedSky::new(&camera, size, stripes, rule)?;
-    let top = camera.generate_ray(size, f64::from(size.width()) / 2.0, 0.0);
-    let top = height(top.direction());
-    Ok(move |x, y| {
-        let ray = camera.generate_ray(size, x, y);
-        let theirs = count_current_stripe(top, stripes, height(ray.direction()));
-        [sky.stripe(&ray), theirs]
-    })
+}
+
+impl StripedPicture {
+    /// A picture of this full angle.
+    fn new(
+        size: Size,
+        alpha: f64,
+        stripes: u32,
+        rule: StripeRule,
+        height: fn(Vector3) -> f64,
+    ) -> Result<Self, ArgumentError> {
+        let camera = PinholeCamera::new(Point3::ORIGIN, alpha)?;
+        let sky = StripedSky::new(&camera, size, stripes, rule)?;
+        Ok(Self {
+            size,
+            camera,
+            sky,
+            stripes,
+            height,
+        })
+    }
+
+    /// The picture of the second course, with ten stripes.
+    fn wide(rule: StripeRule) -> Result<Self, ArgumentError> {
+        Self::new(Size::SECOND_COURSE, FRAC_PI_2, 10, rule, Vector3::y)
+    }
+
+    /// The stripe at a position of the picture.
+    fn stripe_at(&self, x: f64, y: f64) -> Both<u32> {
+        let middle = f64::from(self.size.width()) / 2.0;
+        let top = self.camera.generate_ray(self.size, middle, 0.0);
+        let top = (self.height)(top.direction());
+        let ray = self.camera.generate_ray(self.size, x, y);
+        let height = (self.height)(ray.direction());
+        Both {
+            ours: self.sky.stripe(&ray),
+            theirs: count_current_stripe(top, self.stripes, height),
+        }
+    }
 }
 
 /// The stripe that begins at the horizon: of N stripes, the protocol counts the
 /// N / 2 above the horizon and the stripe at the horizon itself.
 fn horizon() -> Counts {
-    wrong(2..=1000, |n| {
-        let picture = (Size::SECOND_COURSE, FRAC_PI_3);
-        let [ours, theirs] = stripe_at(picture, (n, Direction), Vector3::y)?(240.0, 135.0);
-        Ok([ours != n / 2, theirs != n / 2 + 1])
+    count_wrong(2..=1000, |n| {
+        let size = Size::SECOND_COURSE;
+        let picture = StripedPicture::new(size, FRAC_PI_3, n, Direction, Vector3::y)?;
+        let stripe = picture.stripe_at(240.0, 135.0);
+        Ok(Both {
+            ours: stripe.ours != n / 2,
+            theirs: stripe.theirs != n / 2 + 1,
+        })
     })
 }
 
 /// The protocol counts both halves of the picture from their edges.
 fn wrong_rows() -> Counts {
-    let rows = (2..=200).flat_map(|stripes| (0..stripes).map(move |row| (stripes, row)));
-    wrong(rows, |(n, row)| {
-        let picture = (Size::new(1, n)?, FRAC_PI_2);
-        let stripe = stripe_at(picture, (n, Wall), |d| d.y() / d.z().abs())?;
-        let [ours, theirs] = stripe(0.5, f64::from(row) + 0.5);
-        Ok([ours != n - 1 - row, theirs != row + 1])
-    })
+    let mut counts = Both::default();
+    for n in 2..=200 {
+        let on_the_wall = |d: Vector3| d.y() / d.z().abs();
+        let size = Size::new(1, n)?;
+        let picture = StripedPicture::new(size, FRAC_PI_2, n, Wall, on_the_wall)?;
+        let of_picture: Counts = count_wrong(0..n, |row| {
+            let stripe = picture.stripe_at(0.5, f64::from(row) + 0.5);
+            Ok(Both {
+                ours: stripe.ours != n - 1 - row,
+                theirs: stripe.theirs != row + 1,
+            })
+        });
+        let of_picture = of_picture?;
+        counts.ours += of_picture.ours;
+        counts.theirs += of_picture.theirs;
+    }
+    Ok(counts)
 }
-
-const WIDE: (Size, f64) = (Size::SECOND_COURSE, FRAC_PI_2);
 
 /// Number of runs of one stripe from the top of the picture to its bottom.
 fn stripes_in_the_middle() -> Counts {
-    let stripe = stripe_at(WIDE, (10, Direction), Vector3::y)?;
-    let rows = 0..WIDE.0.height();
-    let column: Vec<_> = rows.map(|y| stripe(240.0, f64::from(y) + 0.5)).collect();
-    Ok([0, 1].map(|i| column.chunk_by(|a, b| a[i] == b[i]).count()))
+    let picture = StripedPicture::wide(Direction)?;
+    let mut runs = Both::default();
+    let mut above = None;
+    for row in 0..picture.size.height() {
+        let stripe = picture.stripe_at(240.0, f64::from(row) + 0.5);
+        let is_new = match above {
+            None => Both {
+                ours: true,
+                theirs: true,
+            },
+            Some(Both { ours, theirs }) => Both {
+                ours: stripe.ours != ours,
+                theirs: stripe.theirs != theirs,
+            },
+        };
+        runs.ours += usize::from(is_new.ours);
+        runs.theirs += usize::from(is_new.theirs);
+        above = Some(stripe);
+    }
+    Ok(runs)
 }
 
 fn rows_of_several_stripes() -> Counts {
-    let stripe = stripe_at(WIDE, (10, Wall), Vector3::y)?;
-    wrong(0..WIDE.0.height(), |y| {
-        let stripe = |x| stripe(f64::from(x) + 0.5, f64::from(y) + 0.5);
-        let row: Vec<_> = (0..WIDE.0.width()).map(stripe).collect();
-        Ok([0, 1].map(|i| row.iter().any(|stripes| stripes[i] != row[0][i])))
+    let picture = StripedPicture::wide(Wall)?;
+    count_wrong(0..picture.size.height(), |row| {
+        let y = f64::from(row) + 0.5;
+        let first = picture.stripe_at(0.5, y);
+        let mut is_mixed = Both::default();
+        for column in 1..picture.size.width() {
+            let stripe = picture.stripe_at(f64::from(column) + 0.5, y);
+            is_mixed.ours |= stripe.ours != first.ours;
+            is_mixed.theirs |= stripe.theirs != first.theirs;
+        }
+        Ok(is_mixed)
     })
 }

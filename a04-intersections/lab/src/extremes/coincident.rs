@@ -4,7 +4,7 @@ use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
 use common::{Color, Error};
 use measure::Effort;
-use measure::extremes::{Absolute, Case, Equal, greatest, tried};
+use measure::extremes::{Absolute, Case, Flag, Number, greatest, tried};
 
 use super::EPSILON;
 use crate::support::{Numbers, first};
@@ -51,62 +51,65 @@ fn seeing_the_box(top: f64, rays: &[Ray]) -> Result<usize, Error> {
     Ok(seeing_the_second(&world.with(box_below(top)?, 1), rays))
 }
 
+/// The greatest difference of the `t` of the floor and of a box whose top lies in it, in `t`.
+fn greatest_difference(rays: &[Ray]) -> Result<f64, Error> {
+    let (floor, below) = (floor()?, box_below(0.0)?);
+    let mut differences = Vec::new();
+    for ray in rays {
+        if let (Some(a), Some(b)) = (first(&floor, ray), first(&below, ray)) {
+            differences.push((a - b).abs() / a);
+        }
+    }
+    Ok(greatest(differences))
+}
+
+/// The number of rays that see the second of two equal boxes.
+fn seeing_the_second_box(rays: &[Ray]) -> Result<usize, Error> {
+    let world = World::new(Color::BLACK)?.with(box_below(0.0)?, 0);
+    Ok(seeing_the_second(&world.with(box_below(0.0)?, 1), rays))
+}
+
 pub fn cases(effort: Effort) -> Vec<Case> {
     let count = effort.choose(2_000, 20_000);
-    // The floor divides, with one rounding. The box multiplies by a rounded inverse, with two. The
-    // exact t are equal, so that the two differ by at most 3 u = 1.5 eps of them.
-    let difference = tried(|| {
-        let (floor, below) = (floor()?, box_below(0.0)?);
-        let mut differences = Vec::new();
-        for ray in rays(count)? {
-            if let (Some(a), Some(b)) = (first(&floor, &ray), first(&below, &ray)) {
-                differences.push((a - b).abs() / a);
-            }
-        }
-        Ok(greatest(differences))
-    });
-    let both_are_seen = tried(|| {
+    let some_see_each = tried(|| {
         let seeing = seeing_the_box(0.0, &rays(count)?)?;
         Ok(0 < seeing && seeing < count)
     });
-    let lower = tried(|| seeing_the_box(-1e-9, &rays(count)?));
-    let twice = tried(|| {
-        let world = World::new(Color::BLACK)?.with(box_below(0.0)?, 0);
-        Ok(seeing_the_second(
-            &world.with(box_below(0.0)?, 1),
-            &rays(count)?,
-        ))
-    });
     vec![
-        Case::new(
-            "S33",
-            format!(
-                "a floor, and a box whose top lies in it, {count} rays: greatest difference of t, in t"
+        Case {
+            id: "S33",
+            what: format!(
+                "a floor, and a box whose top lies in it, {count} rays: \
+                 greatest difference of t, in t"
             ),
-            0.0,
-            Absolute(1.5 * EPSILON),
-            difference,
-        ),
-        Case::new(
-            "S34",
-            "the same two: rounding decides, and some rays see the floor and some the box",
-            true,
-            Equal,
-            both_are_seen,
-        ),
-        Case::new(
-            "S35",
-            format!("the same, the top 1e-9 lower, {count} rays: see the box"),
-            0.0,
-            Equal,
-            lower,
-        ),
-        Case::new(
-            "S36",
-            format!("the same box twice, {count} rays: see the second"),
-            0.0,
-            Equal,
-            twice,
-        ),
+            exact: Number(0.0),
+            // The floor divides, with one rounding. The box multiplies by a rounded inverse, with
+            // two. The exact t are equal, so that the two differ by at most 3 u = 1.5 eps of them.
+            bound: Absolute(1.5 * EPSILON),
+            ours: tried(|| greatest_difference(&rays(count)?)),
+            ..Case::default()
+        },
+        Case {
+            id: "S34",
+            what: "the same two: rounding decides, and some rays see the floor and some the box"
+                .into(),
+            exact: Flag(true),
+            ours: some_see_each,
+            ..Case::default()
+        },
+        Case {
+            id: "S35",
+            what: format!("the same, the top 1e-9 lower, {count} rays: see the box"),
+            exact: Number(0.0),
+            ours: tried(|| seeing_the_box(-1e-9, &rays(count)?)),
+            ..Case::default()
+        },
+        Case {
+            id: "S36",
+            what: format!("the same box twice, {count} rays: see the second"),
+            exact: Number(0.0),
+            ours: tried(|| seeing_the_second_box(&rays(count)?)),
+            ..Case::default()
+        },
     ]
 }

@@ -8,7 +8,7 @@ use a04_intersections::{Hit, Interval};
 use a04_lab::support::Numbers;
 use common::{Color, Error};
 use measure::Effort;
-use measure::experiment::{Axis, Curve, Experiment};
+use measure::experiment::{Axis, Curve, ErrorBound, Experiment, Slope, TaskSet};
 
 use crate::coarse_ball::{CoarseBall, ON_THE_CURVED_SURFACE, ON_THE_TRIANGLE, Start, coarse_ball};
 
@@ -24,35 +24,50 @@ use crate::coarse_ball::{CoarseBall, ON_THE_CURVED_SURFACE, ON_THE_TRIANGLE, Sta
 /// ball's normal n has `p · n = μ`, the mean of `c · n`, whose variance is σ². Its start s has
 /// `s · n = μ (2 - μ² - σ²)`. From 20 triangles on this is at least 1, so that the whole body
 /// lies below the plane through s with the normal n, and the ray above it.
-pub fn shadow_terminator() -> Experiment<'static> {
-    Experiment::new("shadow-terminator")
-        .asking("How much light does a coarse ball take from itself?")
-        .over(Axis::Parameter, "triangles", "shadow rays")
-        .with_error("rms error of the brightness")
-        .with_exact("against the cosine n · l of the ball")
-        .with_seeds(&[SEED])
-        .with_curves(|effort| {
-            // Each ray is tested against each triangle.
-            let most_divisions = effort.choose(3, 4) as u32;
-            let mut sets = Vec::new();
-            for divisions in 0..=most_divisions {
-                let triangles = f64::from(20 * 4_u32.pow(divisions));
-                let points = lit_points(divisions, effort).unwrap_or_default();
-                sets.push((triangles, points));
-            }
-            let curve = |method, start: Start| {
-                let is_shadowed = move |point: &LitPoint| point.is_shadowed(start);
-                let lost_light =
-                    |point: &LitPoint, is_shadowed| [if is_shadowed { point.cosine } else { 0.0 }];
-                Curve::of_tasks(method, &sets, is_shadowed, lost_light)
-            };
-            vec![
-                curve("from the triangle (ours)", ON_THE_TRIANGLE)
-                    .with_slope(-0.75, (80.0, f64::INFINITY)),
-                curve("above it (Hanika)", ON_THE_CURVED_SURFACE)
-                    .with_bound(0.0, 0.0..=f64::INFINITY),
-            ]
-        })
+pub fn experiment() -> Experiment<'static> {
+    Experiment {
+        question: "How much light does a coarse ball take from itself?",
+        parameter: "triangles",
+        work: "shadow rays",
+        against: Axis::Parameter,
+        error: "rms error of the brightness",
+        exact: "against the cosine n · l of the ball",
+        seeds: &[SEED],
+        curves: Box::new(curves),
+        ..Experiment::new("shadow-terminator")
+    }
+}
+
+fn curves(effort: Effort) -> Vec<Curve<'static>> {
+    // Each ray is tested against each triangle.
+    let most_divisions = effort.choose(3, 4) as u32;
+    let mut sets = Vec::new();
+    for divisions in 0..=most_divisions {
+        sets.push(TaskSet {
+            parameter: f64::from(20 * 4_u32.pow(divisions)),
+            tasks: lit_points(divisions, effort).unwrap_or_default(),
+        });
+    }
+    let curve = |method, start: Start| {
+        let is_shadowed = move |point: &LitPoint| point.is_shadowed(start);
+        Curve::of_tasks(method, &sets, is_shadowed, LitPoint::lost_light)
+    };
+    vec![
+        Curve {
+            slope: Some(Slope {
+                value: -0.75,
+                between: 80.0..=f64::INFINITY,
+            }),
+            ..curve("from the triangle (ours)", ON_THE_TRIANGLE)
+        },
+        Curve {
+            bound: Some(ErrorBound {
+                error: 0.0,
+                between: 0.0..=f64::INFINITY,
+            }),
+            ..curve("above it (Hanika)", ON_THE_CURVED_SURFACE)
+        },
+    ]
 }
 
 const SEED: u64 = 17;
@@ -76,6 +91,11 @@ impl LitPoint {
     fn is_shadowed(&self, start: Start) -> bool {
         let to_light = start(&self.ray, &self.hit, &self.corners, self.to_light);
         self.ball.is_hit(&to_light, Interval::AHEAD)
+    }
+
+    /// The light that should arrive, if a triangle blocks it.
+    fn lost_light(&self, is_shadowed: bool) -> [f64; 1] {
+        [if is_shadowed { self.cosine } else { 0.0 }]
     }
 }
 

@@ -3,21 +3,20 @@
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::kinds::KINDS as SHAPES;
-use a04_intersections::{Geometry, Interval, Plane, Sphere, World};
-use a04_lab::support::Numbers;
+use a04_intersections::{Plane, Sphere, World};
 use a05_lighting::{
     DirectionalLight, Lambert, Light, PointLight, SpotLight, instruments::recorded,
 };
 use common::steps::{self, StepKind};
 use common::{ArgumentError, Color, Error};
 use measure::Effort;
-use measure::extremes::Outcome::Flag;
-use measure::extremes::{Case, Equal, Fails, Holds, tried, wrong};
+use measure::extremes::{Both, Case, Fails, Flag, Holds, Number, Outcome, tried};
 
+use super::slope::{Expected, Slope};
 use crate::protocol::{
     directional_light_illuminates, lambert, point_light_illuminates, spot_light_illuminates,
 };
-use a06_shadows_reflection::{LightSource, RecursiveTracer, ShadowedWorld, is_shadowed};
+use a06_shadows_reflection::{LightSource, RecursiveTracer, ShadowedWorld};
 
 const UP: Normal3 = Normal3::new(0.0, 1.0, 0.0);
 const DOWN: Vector3 = Vector3::new(0.0, -1.0, 0.0);
@@ -27,136 +26,213 @@ const LAMP: Point3 = Point3::new(0.0, 4.0, 0.0);
 const LOOK: Ray = Ray::derived(Point3::new(-3.0, 4.0, 0.0), Vector3::new(0.6, -0.8, 0.0));
 
 /// A white floor, ambient light of 1/4, and one more light, which casts shadows.
-fn world(light: Result<impl Light, ArgumentError>) -> Result<ShadowedWorld, ArgumentError> {
+fn world(light: Result<impl Light, ArgumentError>) -> Result<ShadowedWorld, Error> {
     let floor = Plane::new(Point3::ORIGIN, UP)?;
     let world = ShadowedWorld::empty(Color::BLACK, Color::gray(0.25))?
         .with(floor, Box::new(Lambert::new(Color::WHITE)?));
     Ok(world.lit_by(LightSource::new(light?, true)))
 }
 
-#[rustfmt::skip]
+fn lit_from(position: Point3) -> Result<ShadowedWorld, Error> {
+    world(PointLight::new(Color::WHITE, position))
+}
+
+fn lit_by_a_spot() -> Result<ShadowedWorld, Error> {
+    world(SpotLight::new(Color::WHITE, LAMP, DOWN, 0.5))
+}
+
+fn above(height: f64) -> Point3 {
+    Point3::new(0.0, height, 0.0)
+}
+
 pub fn cases(effort: Effort) -> Vec<Case> {
-    let n = effort.choose(2_000, 20_000);
-    let (height, in_the_floor) = (|y| Point3::new(0.0, y, 0.0), Point3::new(3.0, 0.0, 0.0));
-    let lit_from = |position| world(PointLight::new(Color::WHITE, position));
-    // The colour of the floor at the origin, seen from straight above.
-    let brightness = |id, what: &str, light, exact: f64| {
-        let ray = Ray::derived(height(1.0), DOWN);
-        let ours = lit_from(light).map(|world| RecursiveTracer::new(&world).trace(&ray, 1).r);
-        Case::new(id, format!("{what}: brightness below"), exact, Equal, ours)
-    };
-    let theirs = |y| 0.25 + lambert(UP, height(y), Point3::ORIGIN);
-    // The number of rays tested against the floor, without the camera's ray.
-    let shadow_rays = |id, what: &str, light| {
-        let ours = tried(|| {
-            let world = recorded::world(lit_from(light)?, SHAPES, |surface| surface, |(_, light)| light);
-            let (_, counts) = steps::counted(|| RecursiveTracer::new(&world).trace(&LOOK, 1))?;
-            Ok(counts[StepKind::Test] as f64 - 1.0)
-        });
-        Case::new(id, format!("{what}: shadow rays"), 0.0, Equal, ours)
-    };
-    // Whether the light shines on the origin of the floor, with a ball at some height.
-    let between = |id, what: &str, lit: Result<ShadowedWorld, _>, y, (exact, says), illuminates: Illuminates| {
-        let ball = || Sphere::new(height(y), 0.5);
-        let ours = tried(|| {
-            let world = lit?.with(ball()?, Box::new(Lambert::new(Color::WHITE)?));
-            Ok(RecursiveTracer::new(&world).trace(&LOOK, 1).r > 0.25)
-        });
-        let theirs = tried(|| {
-            let world = World::new(Color::BLACK)?.with(Plane::new(Point3::ORIGIN, UP)?, ());
-            Ok(illuminates(LAMP, Point3::ORIGIN, &world.with(ball()?, ())))
-        });
-        Case::new(id, format!("{what}: lit"), Flag(exact), Equal, ours).protocol(says, theirs)
-    };
-    let spot = || world(SpotLight::new(Color::WHITE, LAMP, DOWN, 0.5));
-    let ceiling: Object = |_, lamp| Ok(Box::new(Plane::new(lamp, Normal3::new(0.1, 1.0, 0.3))?));
-    let ball: Object = |slope, _| Ok(Box::new(Sphere::new(slope.above(0.5), 0.5 * slope.size)?));
-    let below = |radius: f64| format!("ball of radius {radius} on a slope, {n} points under it: lit");
+    [single_points(), hidden_by_a_ball(), many_points(effort)].concat()
+}
+
+/// The brightness of the floor at the origin, seen from straight above, under a light.
+fn brightness(light: Point3) -> Outcome {
+    tried(|| {
+        let ray = Ray::derived(above(1.0), DOWN);
+        Ok(RecursiveTracer::new(&lit_from(light)?).trace(&ray, 1).r)
+    })
+}
+
+/// The same, and by the protocol.
+fn under_a_light(height: f64) -> Case {
+    let theirs = 0.25 + lambert(UP, above(height), Point3::ORIGIN);
+    Case::of(brightness(above(height)), theirs)
+}
+
+/// The number of rays that are tested against the floor, without the camera's ray.
+fn shadow_rays(light: Point3) -> Outcome {
+    tried(|| {
+        let world = lit_from(light)?;
+        let world = recorded::world(world, SHAPES, |surface| surface, |(_, light)| light);
+        let (_, counts) = steps::counted(|| RecursiveTracer::new(&world).trace(&LOOK, 1))?;
+        Ok(counts[StepKind::Test] as f64 - 1.0)
+    })
+}
+
+fn single_points() -> Vec<Case> {
+    let in_the_floor = Point3::new(3.0, 0.0, 0.0);
+    let behind = above(-3.0);
     vec![
-        brightness("I01", "light at the point itself", height(0.0), 0.25).protocol(Fails, theirs(0.0)),
-        brightness("I02", "light 1e-9 above the floor", height(1e-9), 1.25).protocol(Holds, theirs(1e-9)),
-        brightness("I03", "light in the floor", in_the_floor, 0.25),
-        brightness("I04", "light behind the floor", height(-3.0), 0.25),
-        shadow_rays("I26", "light in the floor", in_the_floor),
-        shadow_rays("I14", "light behind the floor", height(-3.0)),
-        between("I15", "point light, ball in between", lit_from(LAMP), 2.0, (false, Holds), point_light_illuminates),
-        between("I16", "point light, ball behind it", lit_from(LAMP), 6.0, (true, Fails), point_light_illuminates),
-        between("I17", "spot light, ball in between", spot(), 2.0, (false, Fails), spot_light_illuminates),
-        between("I18", "spot light, ball under the floor", spot(), -2.0, (true, Fails), spot_light_illuminates),
-        Case::wrong("I08", format!("lamp on the ceiling, {n} points below: dark"),
-            under_a_lamp(n, 1.0, 4.0, true, ceiling)),
-        Case::wrong("S14", below(0.5), under_a_lamp(n, 1.0, 5.0, false, ball)),
-        Case::wrong("S31", below(50.0), under_a_lamp(n, 100.0, 5.0, false, ball)),
-        Case::wrong("S32", format!("nothing on a slope under a far light, {n} points: dark"), under_the_sun(n)),
+        Case {
+            id: "I01",
+            what: "light at the point itself: brightness below".into(),
+            exact: Number(0.25),
+            protocol: Fails,
+            ..under_a_light(0.0)
+        },
+        Case {
+            id: "I02",
+            what: "light 1e-9 above the floor: brightness below".into(),
+            exact: Number(1.25),
+            protocol: Holds,
+            ..under_a_light(1e-9)
+        },
+        Case {
+            id: "I03",
+            what: "light in the floor: brightness below".into(),
+            exact: Number(0.25),
+            ours: brightness(in_the_floor),
+            ..Case::default()
+        },
+        Case {
+            id: "I04",
+            what: "light behind the floor: brightness below".into(),
+            exact: Number(0.25),
+            ours: brightness(behind),
+            ..Case::default()
+        },
+        Case {
+            id: "I26",
+            what: "light in the floor: shadow rays".into(),
+            exact: Number(0.0),
+            ours: shadow_rays(in_the_floor),
+            ..Case::default()
+        },
+        Case {
+            id: "I14",
+            what: "light behind the floor: shadow rays".into(),
+            exact: Number(0.0),
+            ours: shadow_rays(behind),
+            ..Case::default()
+        },
     ]
 }
 
 /// The protocol's function of a light.
 type Illuminates = fn(Point3, Point3, &World<()>) -> bool;
 
-/// An object between a slope and the lamp at a point above it.
-type Object = fn(&Slope, Point3) -> Result<Box<dyn Geometry>, ArgumentError>;
-
-/// The points that are judged wrongly, by us and by the protocol.
-type Counts = Result<[usize; 2], Error>;
-
-/// A tilted floor through the origin, in a scene of this size.
-struct Slope {
-    floor: Plane,
-    normal: Vector3,
-    size: f64,
+/// Whether a light shines on the origin of the floor, with a ball at some height.
+fn with_a_ball(lit: Result<ShadowedWorld, Error>, height: f64, illuminates: Illuminates) -> Case {
+    let ball = || Sphere::new(above(height), 0.5);
+    let ours = tried(|| {
+        let world = lit?.with(ball()?, Box::new(Lambert::new(Color::WHITE)?));
+        Ok(RecursiveTracer::new(&world).trace(&LOOK, 1).r > 0.25)
+    });
+    let theirs = tried(|| {
+        let floor = World::new(Color::BLACK)?.with(Plane::new(Point3::ORIGIN, UP)?, ());
+        let world = floor.with(ball()?, ());
+        Ok(illuminates(LAMP, Point3::ORIGIN, &world))
+    });
+    Case::of(ours, theirs)
 }
 
-impl Slope {
-    fn new(size: f64) -> Result<Self, ArgumentError> {
-        let normal = Vector3::new(0.3, 1.0, 0.2).unit("normal")?;
-        let floor = Plane::new(Point3::ORIGIN, normal.as_normal())?;
-        Ok(Self {
-            floor,
-            normal,
-            size,
-        })
-    }
-
-    /// The point at this height above the floor, in sizes of the scene.
-    fn above(&self, height: f64) -> Point3 {
-        Point3::ORIGIN + self.normal * (height * self.size)
-    }
-
-    /// Of some points around the origin, computed as hits of rays, so that they lie a little
-    /// above the slope or below, the number that is not `lit` as it should be: by our shadow
-    /// rays, and by the protocol's.
-    fn misjudged(
-        &self,
-        points: usize,
-        (world, light, lit): (&World<()>, &dyn Light, bool),
-        theirs: impl Fn(Point3) -> bool,
-    ) -> Counts {
-        wrong(0..points, |i| {
-            let aside = self.normal.cross(Numbers::new(14, i).triple(-1.0, 1.0));
-            let eye = self.above(3.0) + self.normal.cross(aside) * (4.0 * self.size);
-            let target = Point3::ORIGIN + aside * (0.3 * self.size);
-            let ray = Ray::new(eye, target - eye)?;
-            let Some(hit) = self.floor.hit(&ray, Interval::AHEAD) else {
-                return Ok([false; 2]);
-            };
-            let point = ray.at(hit.t);
-            let light = light.illumination(point);
-            let ours = light.is_some_and(|light| !is_shadowed(world, &ray, &hit, &light));
-            Ok([ours != lit, theirs(point) != lit])
-        })
-    }
+fn hidden_by_a_ball() -> Vec<Case> {
+    vec![
+        Case {
+            id: "I15",
+            what: "point light, ball in between: lit".into(),
+            exact: Flag(false),
+            protocol: Holds,
+            ..with_a_ball(lit_from(LAMP), 2.0, point_light_illuminates)
+        },
+        Case {
+            id: "I16",
+            what: "point light, ball behind it: lit".into(),
+            exact: Flag(true),
+            protocol: Fails,
+            ..with_a_ball(lit_from(LAMP), 6.0, point_light_illuminates)
+        },
+        Case {
+            id: "I17",
+            what: "spot light, ball in between: lit".into(),
+            exact: Flag(false),
+            protocol: Fails,
+            ..with_a_ball(lit_by_a_spot(), 2.0, spot_light_illuminates)
+        },
+        Case {
+            id: "I18",
+            what: "spot light, ball under the floor: lit".into(),
+            exact: Flag(true),
+            protocol: Fails,
+            ..with_a_ball(lit_by_a_spot(), -2.0, spot_light_illuminates)
+        },
+    ]
 }
 
-/// The points below a lamp at a height: all lit, or all in the shadow of an object.
-fn under_a_lamp(points: usize, size: f64, height: f64, lit: bool, object: Object) -> Counts {
+fn many_points(effort: Effort) -> Vec<Case> {
+    let n = effort.choose(2_000, 20_000);
+    vec![
+        Case::of_wrong(
+            "I08",
+            format!("lamp on the ceiling, {n} points below: dark"),
+            under_a_ceiling(n),
+        ),
+        Case::of_wrong(
+            "S14",
+            format!("ball of radius 0.5 on a slope, {n} points under it: lit"),
+            under_a_ball(n, 1.0),
+        ),
+        Case::of_wrong(
+            "S31",
+            format!("ball of radius 50 on a slope, {n} points under it: lit"),
+            under_a_ball(n, 100.0),
+        ),
+        Case::of_wrong(
+            "S32",
+            format!("nothing on a slope under a far light, {n} points: dark"),
+            under_the_sun(n),
+        ),
+    ]
+}
+
+/// The number of points that are judged wrongly, or why there is none.
+type Counts = Result<Both<usize>, Error>;
+
+/// A lamp on a slanted ceiling: all points below it are lit.
+fn under_a_ceiling(points: usize) -> Counts {
+    let slope = Slope::new(1.0)?;
+    let lamp = slope.above(4.0);
+    let ceiling = Plane::new(lamp, Normal3::new(0.1, 1.0, 0.3))?;
+    let world = slope.world()?.with(ceiling, ());
+    let light = PointLight::new(Color::WHITE, lamp)?;
+    let expected = Expected {
+        world: &world,
+        light: &light,
+        is_lit: true,
+    };
+    slope.misjudged(points, &expected, |point| {
+        point_light_illuminates(lamp, point, &world)
+    })
+}
+
+/// A ball that touches a slope, in a scene of this size: all points below it are in its shadow.
+fn under_a_ball(points: usize, size: f64) -> Counts {
     let slope = Slope::new(size)?;
-    let at = slope.above(height);
-    let lamp = PointLight::new(Color::WHITE, at)?;
-    let floor = World::new(Color::BLACK)?.with(slope.floor, ());
-    let world = floor.with(object(&slope, at)?, ());
-    slope.misjudged(points, (&world, &lamp, lit), |point| {
-        point_light_illuminates(at, point, &world)
+    let lamp = slope.above(5.0);
+    let ball = Sphere::new(slope.above(0.5), 0.5 * size)?;
+    let world = slope.world()?.with(ball, ());
+    let light = PointLight::new(Color::WHITE, lamp)?;
+    let expected = Expected {
+        world: &world,
+        light: &light,
+        is_lit: false,
+    };
+    slope.misjudged(points, &expected, |point| {
+        point_light_illuminates(lamp, point, &world)
     })
 }
 
@@ -164,9 +240,14 @@ fn under_a_lamp(points: usize, size: f64, height: f64, lit: bool, object: Object
 fn under_the_sun(points: usize) -> Counts {
     let slope = Slope::new(1.0)?;
     let direction = Vector3::new(0.1, -1.0, -0.4).unit("direction")?;
-    let sun = DirectionalLight::new(Color::WHITE, direction)?;
-    let world = World::new(Color::BLACK)?.with(slope.floor, ());
-    slope.misjudged(points, (&world, &sun, true), |point| {
+    let world = slope.world()?;
+    let light = DirectionalLight::new(Color::WHITE, direction)?;
+    let expected = Expected {
+        world: &world,
+        light: &light,
+        is_lit: true,
+    };
+    slope.misjudged(points, &expected, |point| {
         directional_light_illuminates(direction, point, &world)
     })
 }

@@ -5,40 +5,51 @@ use std::f64::consts::TAU;
 use a02_math::{Normal3, Point3};
 use a04_intersections::{AxisAlignedBox, Geometry, Sphere};
 use a04_lab::support::Numbers;
-use a06_lab::experiments::secondary_rays::{FOR_EVERY_SHAPE, Sets, Wrong, acne, leaks};
+use a06_lab::experiments::secondary_rays::{ACNE, FOR_EVERY_SHAPE, LEAKS, Sets, WrongDecisions};
 use a06_lab::lit_points::{Look, SEED, Trial, trials};
 use a06_lab::surface::surface;
-use common::Error;
+use common::{ArgumentError, Error};
 use measure::Effort;
-use measure::experiment::Experiment;
+use measure::experiment::{Experiment, TaskSet};
 
 use a07_transforms::{Disc, Node, Transform};
 
 pub fn experiments() -> Vec<Experiment<'static>> {
-    let condition = "longest / shortest axis";
-    let asked = "Which rays keep a shape under nested nodes out of its own shadow?";
-    let found = "Which rays find an object near a shape under nested nodes?";
-    vec![
-        Wrong {
-            policies: &FOR_EVERY_SHAPE,
-            ..acne("acne-under-nodes", asked)
-        }
-        .over(condition, by_condition),
-        Wrong {
-            policies: &FOR_EVERY_SHAPE,
-            ..leaks("leaks-under-nodes", found)
-        }
-        .over(condition, by_condition),
+    [
+        WrongDecisions {
+            name: "acne-under-nodes",
+            question: "Which rays keep a shape under nested nodes out of its own shadow?",
+            ..ACNE
+        },
+        WrongDecisions {
+            name: "leaks-under-nodes",
+            question: "Which rays find an object near a shape under nested nodes?",
+            ..LEAKS
+        },
     ]
+    .map(|decisions| {
+        let of_nodes = WrongDecisions {
+            parameter: "longest / shortest axis",
+            sets: by_condition,
+            methods: &FOR_EVERY_SHAPE,
+            ..decisions
+        };
+        of_nodes.experiment()
+    })
+    .into()
 }
 
 fn by_condition(effort: Effort) -> Sets {
     let count = effort.choose(4_096, 65_536);
-    let set = |condition| {
+    let mut sets = Vec::new();
+    for condition in [1.0, 1e3, 1e5, 1e7, 1e9] {
         let points = lit_points(count, SEED, condition);
-        (condition, points.unwrap_or_default().into())
-    };
-    [1.0, 1e3, 1e5, 1e7, 1e9].map(set).into()
+        sets.push(TaskSet {
+            parameter: condition,
+            tasks: points.unwrap_or_default().into(),
+        });
+    }
+    sets
 }
 
 /// Lit points of shapes under nodes of this condition.
@@ -49,30 +60,43 @@ pub fn lit_points(count: usize, seed: u64, condition: f64) -> Result<Vec<Trial>,
 /// A look at a box, ball or disc under one to three nodes, each of which translates, flattens
 /// and, one time in two each, turns before and after.
 fn look(numbers: &mut Numbers, condition: f64) -> Result<Look, Error> {
-    let up = Normal3::new(0.0, 1.0, 0.0);
-    let mut shape: Box<dyn Geometry> = match numbers.below(3) {
-        0 => Box::new(AxisAlignedBox::new(
-            Point3::new(-1.0, -1.0, -1.0),
-            Point3::new(1.0, 1.0, 1.0),
-        )?),
-        1 => Box::new(Sphere::new(Point3::ORIGIN, 1.0)?),
-        _ => Box::new(Disc::new(Point3::ORIGIN, up, 1.0)?),
-    };
+    let mut shape = any_shape(numbers)?;
     let mut target = Point3::ORIGIN + numbers.triple(-1.0, 1.0);
     let levels = 1 + numbers.below(3);
     let flat = libm::pow(condition, -1.0 / levels as f64);
     for _ in 0..levels {
-        let mut node = Transform::IDENTITY.translate(Point3::ORIGIN + numbers.triple(-1.0, 1.0))?;
-        let mut turn = || numbers.below(2) as f64 * numbers.between(0.0, TAU);
-        let [a, b, c] = [turn(), turn(), turn()];
-        let mut scale = [1.0, libm::pow(flat, numbers.between(0.0, 1.0)), flat];
-        scale.rotate_left(numbers.below(3));
-        let [x, y, z] = scale;
-        node = node.rotate_x(a)?.rotate_y(b)?.scale(x, y, z)?.rotate_z(c)?;
-        target = node.matrix() * target;
-        shape = Box::new(Node::new(node).with(shape));
+        let transform = flattening(numbers, flat)?;
+        target = transform.matrix() * target;
+        shape = Box::new(Node::new(transform).with(shape));
     }
     // Farther away than the three nodes reach.
     let eye = Point3::ORIGIN + numbers.direction() * 9.0;
-    Ok((surface(shape)?, [eye, target]))
+    Ok(Look {
+        surface: surface(shape)?,
+        eye,
+        target,
+    })
+}
+
+fn any_shape(numbers: &mut Numbers) -> Result<Box<dyn Geometry>, Error> {
+    let up = Normal3::new(0.0, 1.0, 0.0);
+    let (low, high) = (Point3::new(-1.0, -1.0, -1.0), Point3::new(1.0, 1.0, 1.0));
+    Ok(match numbers.below(3) {
+        0 => Box::new(AxisAlignedBox::new(low, high)?),
+        1 => Box::new(Sphere::new(Point3::ORIGIN, 1.0)?),
+        _ => Box::new(Disc::new(Point3::ORIGIN, up, 1.0)?),
+    })
+}
+
+/// A transform that scales one axis by `flat`, and another one by less.
+fn flattening(numbers: &mut Numbers, flat: f64) -> Result<Transform, ArgumentError> {
+    let translation = Point3::ORIGIN + numbers.triple(-1.0, 1.0);
+    let moved = Transform::IDENTITY.translate(translation)?;
+    let mut angle = || numbers.below(2) as f64 * numbers.between(0.0, TAU);
+    let [a, b, c] = [angle(), angle(), angle()];
+    let mut scale = [1.0, libm::pow(flat, numbers.between(0.0, 1.0)), flat];
+    scale.rotate_left(numbers.below(3));
+    let [x, y, z] = scale;
+    let turned = moved.rotate_x(a)?.rotate_y(b)?;
+    turned.scale(x, y, z)?.rotate_z(c)
 }

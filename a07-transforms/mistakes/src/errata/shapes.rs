@@ -6,6 +6,8 @@ use std::f64::consts::FRAC_PI_4;
 use a02_math::{Direction, Point3, Vector3};
 use a03_rays_cameras::{PerspectiveCamera, Ray, View};
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Sphere};
+use a04_lab::formula::sphere::Shot;
+use a04_lab::line::Line;
 use a04_lab::protocol::{self, Compared};
 use a07_lab::protocol::{Chained, last_hit, transposed_normal, unnormalized_normal};
 use a07_transforms::{Node, Transform};
@@ -60,8 +62,11 @@ pub fn far_sphere() -> Scene {
         "radius 1 from 37 million away: b² - 4ac, and the distance of the ray",
         |_| {
             far_away(|ray| {
-                let (o, d) = (ray.origin().to_glam(), ray.direction().to_glam());
-                let t = protocol::sphere(&[0.0; 3], 1.0, &o.to_array(), &d.to_array())?;
+                let t = protocol::sphere(&Shot {
+                    center: [0.0; 3],
+                    radius: 1.0,
+                    line: Line::of(ray),
+                })?;
                 let normal = (ray.at(t) - Point3::ORIGIN).normalized()?;
                 Some(Hit::new(t, normal.as_normal()))
             })

@@ -1,11 +1,11 @@
 //! A ray and a sphere: both roots, by our formula, by the protocol's, and with 30 digits.
 
-use a02_math::Point3;
 use a03_rays_cameras::Ray;
 use a04_intersections::Sphere;
 use a04_lab::exact;
-use a04_lab::experiments::sphere_distance::stable_terms;
-use a04_lab::protocol;
+use a04_lab::formula::sphere::{Shot, terms};
+use a04_lab::line::Line;
+use a04_lab::protocol::{self, Quadratic};
 
 use super::{Answered, both_hits, direction, flat, place, point};
 use crate::Answer;
@@ -21,18 +21,20 @@ pub fn answer([x, y, angle, power, cx, cy]: [f64; 6]) -> Answered {
     let centre = point(cx, cy);
     let ours = both_hits(&Sphere::new(centre, 1.0)?, &ray);
 
-    let [c, o] = [centre, ray.origin()].map(|p: Point3| p.to_glam().to_array());
-    let d = ray.direction().to_glam().to_array();
-    let [a, b, discriminant] = protocol::sphere_terms(&c, 1.0, &o, &d);
+    let shot = Shot {
+        center: centre.into(),
+        radius: 1.0,
+        line: Line::of(&ray),
+    };
+    let Quadratic { a, b, discriminant } = protocol::sphere_equation(&shot);
     let root = discriminant.sqrt();
     let theirs = match discriminant {
         0.0.. => vec![(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)],
         _ => Vec::new(),
     };
-    let f = (ray.origin() - centre).to_glam().to_array();
-    let [.., our_discriminant] = stable_terms(&f, 1.0, &d);
+    let our_terms = terms(&shot.from_center(), shot.radius, &shot.line.direction);
 
-    let meeting = exact::sphere(&c, 1.0, &o, &d);
+    let meeting = exact::sphere(&shot);
     let roots = meeting
         .roots
         .map(|roots| roots.map(exact::DoubleDouble::value));
@@ -52,7 +54,7 @@ pub fn answer([x, y, angle, power, cx, cy]: [f64; 6]) -> Answered {
         .with("protocol", theirs)
         .with("protocol_discriminant", [discriminant])
         .with("ours", ours)
-        .with("our_discriminant", [4.0 * a * our_discriminant])
+        .with("our_discriminant", [4.0 * a * our_terms.discriminant])
         .with("exact", exact)
         .with("exact_discriminant", [exact_discriminant]))
 }

@@ -31,39 +31,45 @@ pub fn show_extremes(laboratory: &Laboratory, names: &[String]) -> Result<(), Er
 /// Prints the worst inputs of the formulas of a shape.
 pub fn show_worst(laboratory: &Laboratory, shape: &str) -> Result<(), Error> {
     let name = laboratory.stage.name;
-    let none = || Error::Usage(format!("{name} searches no shapes; 4 and 7 do"));
-    print(&laboratory.search.ok_or_else(none)?(shape)?)
+    let Some(search) = laboratory.search else {
+        let none = format!("{name} searches no shapes; 4 and 7 do");
+        return Err(Error::Usage(none));
+    };
+    print(&search(shape)?)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::extremes::{Bound, Case};
+    use crate::extremes::{Case, Number};
+
+    fn show(laboratory: &Laboratory, names: &[&str]) -> Result<(), Error> {
+        let names: Vec<_> = names.iter().map(|name| (*name).to_owned()).collect();
+        show_extremes(laboratory, &names)
+    }
+
+    /// Two of these rows fail.
+    fn cases() -> Vec<Case> {
+        [("A01", 1.0), ("B01", 2.0), ("B02", 3.0), ("B03", 1.0)]
+            .map(|(id, ours)| Case {
+                id,
+                exact: Number(1.0),
+                ours: Number(ours),
+                ..Case::default()
+            })
+            .into()
+    }
 
     #[test]
     fn only_named_cases_are_counted() {
         let mut laboratory = crate::example::laboratory(Vec::new());
-        let failed = |laboratory: &Laboratory, names: &[&str]| {
-            let names: Vec<_> = names.iter().map(|name| (*name).to_owned()).collect();
-            show_extremes(laboratory, &names)
-        };
-        assert!(failed(&laboratory, &[]).is_ok());
-        assert!(matches!(
-            failed(&laboratory, &["A01"]),
-            Err(Error::Usage(_))
-        ));
-        laboratory.extremes = |_| {
-            let cases = [("A01", 1.0), ("B01", 2.0), ("B02", 3.0), ("B03", 1.0)];
-            cases
-                .map(|(id, ours)| Case::new(id, "", 1.0, Bound::Equal, ours))
-                .into()
-        };
-        assert!(matches!(failed(&laboratory, &[]), Err(Error::Extremes(2))));
-        assert!(matches!(
-            failed(&laboratory, &["B01"]),
-            Err(Error::Extremes(1))
-        ));
-        assert!(failed(&laboratory, &["A", "B03"]).is_ok());
-        assert!(matches!(failed(&laboratory, &["C"]), Err(Error::Usage(_))));
+        assert!(show(&laboratory, &[]).is_ok());
+        assert!(matches!(show(&laboratory, &["A01"]), Err(Error::Usage(_))));
+        laboratory.extremes = |_| cases();
+        assert!(matches!(show(&laboratory, &[]), Err(Error::Extremes(2))));
+        let only_one = show(&laboratory, &["B01"]);
+        assert!(matches!(only_one, Err(Error::Extremes(1))));
+        assert!(show(&laboratory, &["A", "B03"]).is_ok());
+        assert!(matches!(show(&laboratory, &["C"]), Err(Error::Usage(_))));
     }
 }

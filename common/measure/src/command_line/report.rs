@@ -21,15 +21,19 @@ pub fn report(
     let effort = if quick { Effort::Quick } else { Effort::Full };
     match names.split_first() {
         Some((first, [])) if first == "scene" => {
-            let all: Vec<_> = stage.scenes.iter().map(|scene| scene.name).collect();
-            let all = all.join(", ");
-            Err(Error::Usage(format!("report scene takes a scene: {all}")))
+            let names: Vec<_> = stage.scenes.iter().map(|scene| scene.name).collect();
+            let names = names.join(", ");
+            Err(Error::Usage(format!("report scene takes a scene: {names}")))
         }
-        Some((first, scenes)) if first == "scene" => {
-            let scenes = scenes.iter().map(|name| stage.scene(name));
-            let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
-            let experiments = scenes.iter().map(scene_report::experiment);
-            let experiments = experiments.collect::<Result<Vec<_>, _>>()?;
+        Some((first, names)) if first == "scene" => {
+            let mut scenes = Vec::new();
+            for name in names {
+                scenes.push(stage.scene(name)?);
+            }
+            let mut experiments = Vec::new();
+            for scene in &scenes {
+                experiments.push(scene_report::experiment(scene)?);
+            }
             measure(stage, &experiments, effort, output)
         }
         _ => {
@@ -88,8 +92,11 @@ fn chosen(
             "there is no experiment \"{name}\"; there are {known}, and scene NAME"
         )));
     }
-    let is_wanted = |e: &Experiment| names.is_empty() || names.iter().any(|name| name == e.name);
-    Ok(experiments.into_iter().filter(is_wanted).collect())
+    let mut chosen = experiments;
+    if !names.is_empty() {
+        chosen.retain(|experiment| names.iter().any(|name| name == experiment.name));
+    }
+    Ok(chosen)
 }
 
 #[cfg(test)]
@@ -97,12 +104,16 @@ mod tests {
     use common::{Image, Scene};
 
     use super::*;
-    use crate::experiment::{Curve, Point};
+    use crate::example::{curve, experiment};
 
     fn experiments() -> Vec<Experiment<'static>> {
-        let curves = |_| vec![Curve::new("", [Point::new(1.0, 1.0, [1.0], || 0.0)])];
-        let experiment = |name| Experiment::new(name).with_curves(curves);
-        vec![experiment("one"), experiment("two")]
+        ["one", "two"]
+            .map(|name| Experiment {
+                name,
+                curves: Box::new(|_| vec![curve(&[(1.0, 1.0)])]),
+                ..experiment()
+            })
+            .into()
     }
 
     #[test]

@@ -6,9 +6,10 @@ use super::Outcome;
 use crate::deviation::ulp;
 
 /// How far a computed outcome may be from the exact one.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Bound {
     /// The outcomes are equal.
+    #[default]
     Equal,
     /// At most this many units in the last place of the exact number, or of the
     /// greatest of three numbers.
@@ -18,16 +19,15 @@ pub enum Bound {
 }
 
 impl Bound {
+    /// Whether an outcome is so near to the exact one.
     pub(super) fn admits(self, exact: Outcome, outcome: Outcome) -> bool {
-        let within = |bound: f64| {
-            let distance = exact.distance(&outcome);
-            exact == outcome || distance.is_some_and(|distance| distance <= bound)
+        let greatest_distance = match self {
+            Self::Equal => return exact == outcome,
+            Self::Ulps(ulps) => ulps * ulp(exact.magnitude()),
+            Self::Absolute(bound) => bound,
         };
-        match self {
-            Self::Equal => exact == outcome,
-            Self::Ulps(ulps) => within(ulps * ulp(exact.magnitude())),
-            Self::Absolute(bound) => within(bound),
-        }
+        let distance = exact.distance(&outcome);
+        exact == outcome || distance.is_some_and(|distance| distance <= greatest_distance)
     }
 }
 

@@ -5,7 +5,7 @@ use std::{fmt, slice};
 use common::Error;
 
 /// The result of a computation.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Outcome {
     /// A number, or a count.
     Number(f64),
@@ -14,6 +14,7 @@ pub enum Outcome {
     /// Yes or no: hit or not, lit or not.
     Flag(bool),
     /// Nothing: no hit, no direction.
+    #[default]
     Nothing,
     /// The constructor refuses the arguments.
     Refused,
@@ -31,12 +32,20 @@ impl Outcome {
 
     /// The greatest distance between the numbers of two outcomes of the same kind.
     pub(super) fn distance(&self, other: &Self) -> Option<f64> {
-        let (a, b) = (self.numbers(), other.numbers());
-        let apart = |(a, b): (&f64, &f64)| if a == b { 0.0 } else { (a - b).abs() };
-        // Unlike `max`, this keeps NaN.
-        let greatest = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
-        let all = a.iter().zip(b).map(apart).reduce(greatest);
-        all.filter(|_| a.len() == b.len())
+        let (ours, others) = (self.numbers(), other.numbers());
+        if ours.is_empty() || ours.len() != others.len() {
+            return None;
+        }
+        let mut greatest = 0.0;
+        for (a, b) in ours.iter().zip(others) {
+            // Equal infinite numbers have no difference.
+            let distance = if a == b { 0.0 } else { (a - b).abs() };
+            // Unlike `max`, this keeps NaN.
+            if distance > greatest || distance.is_nan() {
+                greatest = distance;
+            }
+        }
+        Some(greatest)
     }
 
     /// The greatest magnitude of its numbers.
@@ -86,23 +95,15 @@ pub fn tried<T: Into<Outcome>>(compute: impl FnOnce() -> Result<T, Error>) -> Ou
     compute().into()
 }
 
-/// Of some trials, the number for which each of two decisions is wrong, ours and the
-/// protocol's.
-pub fn wrong<T, E>(
-    trials: impl IntoIterator<Item = T>,
-    are_wrong: impl Fn(T) -> Result<[bool; 2], E>,
-) -> Result<[usize; 2], E> {
-    let add = |counts: [usize; 2], trial| {
-        let are_wrong = are_wrong(trial)?;
-        Ok([0, 1].map(|i| counts[i] + usize::from(are_wrong[i])))
-    };
-    trials.into_iter().try_fold([0; 2], add)
-}
-
 /// The greatest magnitude of some numbers; NaN if one is NaN.
 pub fn greatest(numbers: impl IntoIterator<Item = f64>) -> f64 {
-    let magnitudes = numbers.into_iter().map(f64::abs);
-    magnitudes.fold(0.0, |a, b| if b > a || b.is_nan() { b } else { a })
+    let mut greatest = 0.0;
+    for number in numbers {
+        if number.abs() > greatest || number.is_nan() {
+            greatest = number.abs();
+        }
+    }
+    greatest
 }
 
 impl fmt::Display for Outcome {

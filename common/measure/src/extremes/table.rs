@@ -5,11 +5,7 @@ use common::Error;
 use super::Case;
 
 /// The cases whose ids begin with one of the names; without a name, all cases.
-pub fn select(cases: Vec<Case>, names: &[String]) -> Result<Vec<Case>, Error> {
-    let begins = |case: &Case, name: &String| {
-        let (id, name) = (case.id.as_bytes(), name.as_bytes());
-        id.len() >= name.len() && id[..name.len()].eq_ignore_ascii_case(name)
-    };
+pub fn select(mut cases: Vec<Case>, names: &[String]) -> Result<Vec<Case>, Error> {
     for name in names {
         if !cases.iter().any(|case| begins(case, name)) {
             let mut letters: Vec<_> = cases.iter().map(|case| &case.id[..1]).collect();
@@ -21,8 +17,16 @@ pub fn select(cases: Vec<Case>, names: &[String]) -> Result<Vec<Case>, Error> {
             )));
         }
     }
-    let wanted = |case: &Case| names.is_empty() || names.iter().any(|name| begins(case, name));
-    Ok(cases.into_iter().filter(wanted).collect())
+    if !names.is_empty() {
+        cases.retain(|case| names.iter().any(|name| begins(case, name)));
+    }
+    Ok(cases)
+}
+
+/// Whether the id of a case begins with a name, in small letters or capital ones.
+fn begins(case: &Case, name: &str) -> bool {
+    let (id, name) = (case.id.as_bytes(), name.as_bytes());
+    id.len() >= name.len() && id[..name.len()].eq_ignore_ascii_case(name)
 }
 
 /// Checks a stage's table in a test: it has rows, and each of them holds. A test of the
@@ -42,32 +46,38 @@ pub fn check(cases: &[Case]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::extremes::Bound;
+    use crate::extremes::Number;
 
-    /// Rows with these ids, whose exact outcome is 1.
-    fn cases(ids: &[&'static str], outcome: f64) -> Vec<Case> {
-        let case = |id: &&'static str| Case::new(id, "", 1.0, Bound::Equal, outcome);
-        ids.iter().map(case).collect()
+    /// A row whose exact outcome is 1.
+    fn case(id: &'static str, outcome: f64) -> Case {
+        Case {
+            id,
+            exact: Number(1.0),
+            ours: Number(outcome),
+            ..Case::default()
+        }
+    }
+
+    fn selected(names: &[&str]) -> Result<Vec<&'static str>, Error> {
+        let cases = ["A01", "B01", "A02"].map(|id| case(id, 1.0)).into();
+        let names: Vec<_> = names.iter().map(|name| (*name).to_owned()).collect();
+        let selected = select(cases, &names)?;
+        Ok(selected.iter().map(|case| case.id).collect())
     }
 
     #[test]
     fn names_select_by_the_beginning_of_the_id() {
-        let ids = |names: &[&str]| {
-            let names: Vec<_> = names.iter().map(|name| (*name).to_owned()).collect();
-            let selected = select(cases(&["A01", "B01", "A02"], 1.0), &names);
-            selected.map(|cases| cases.iter().map(|case| case.id).collect::<Vec<_>>())
-        };
-        assert_eq!(ids(&[]).unwrap(), ["A01", "B01", "A02"]);
-        assert_eq!(ids(&["a"]).unwrap(), ["A01", "A02"]);
-        assert_eq!(ids(&["A02", "B01"]).unwrap(), ["B01", "A02"]);
-        assert!(ids(&["A01B"]).is_err(), "longer than an id");
-        let error = ids(&["X"]).unwrap_err().to_string();
+        assert_eq!(selected(&[]).unwrap(), ["A01", "B01", "A02"]);
+        assert_eq!(selected(&["a"]).unwrap(), ["A01", "A02"]);
+        assert_eq!(selected(&["A02", "B01"]).unwrap(), ["B01", "A02"]);
+        assert!(selected(&["A01B"]).is_err(), "longer than an id");
+        let error = selected(&["X"]).unwrap_err().to_string();
         assert!(error.ends_with("begin with A, B"), "{error}");
     }
 
     #[test]
     #[should_panic(expected = "1 cases fail")]
     fn a_case_that_does_not_hold_fails() {
-        check(&cases(&["A01"], 2.0));
+        check(&[case("A01", 2.0)]);
     }
 }

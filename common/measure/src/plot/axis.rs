@@ -10,6 +10,14 @@ pub struct LogAxis {
     end: f64,
 }
 
+/// A number that an axis is labelled with.
+pub struct AxisLabel {
+    /// The number.
+    pub number: f64,
+    /// The number in words.
+    pub text: String,
+}
+
 /// The shortest axis in decades: it holds two of the numbers 1 to 9 times a power of ten.
 const SHORTEST: f64 = 0.61;
 
@@ -24,11 +32,15 @@ const MOST_POWERS: f64 = 8.0;
 
 impl LogAxis {
     /// The axis of some positive numbers between two positions in the picture.
-    pub fn new(numbers: impl Iterator<Item = f64>, (start, end): (f64, f64)) -> Self {
-        let ends = (f64::INFINITY, f64::NEG_INFINITY);
-        let logs = numbers.map(libm::log10);
-        let (low, high) = logs.fold(ends, |(a, b), log| (a.min(log), b.max(log)));
-        let (low, high) = if low > high { (0.0, 1.0) } else { (low, high) };
+    pub fn new(numbers: &[f64], start: f64, end: f64) -> Self {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for number in numbers {
+            low = low.min(libm::log10(*number));
+            high = high.max(libm::log10(*number));
+        }
+        if numbers.is_empty() {
+            (low, high) = (0.0, 1.0);
+        }
         let padding = (PADDING * (high - low)).max((SHORTEST - (high - low)) / 2.0);
         Self {
             from: low - padding,
@@ -49,42 +61,74 @@ impl LogAxis {
         (self.from..=self.to).contains(&libm::log10(number))
     }
 
-    /// The numbers with a label, and their labels.
-    pub fn labels(&self) -> Vec<(f64, String)> {
+    /// The numbers with a label, from small to large: factors times powers of ten.
+    pub fn labels(&self) -> Vec<AxisLabel> {
         let decades = self.to - self.from;
-        let (factors, step): (&[i32], _) = match decades {
+        let (factors, step): (&[i32], i32) = match decades {
             // Without 7 and 9, whose labels are too near to the next.
             ..ONE_TWO_FIVE => (&[1, 2, 3, 4, 5, 6, 8], 1),
             ..2.0 => (&[1, 2, 5], 1),
             _ => (&[1], (decades / MOST_POWERS).ceil() as i32),
         };
-        let powers = self.from.floor() as i32..=self.to.ceil() as i32;
-        let powers = powers.filter(|power| power.rem_euclid(step) == 0);
-        let all = powers.flat_map(|power| factors.iter().map(move |factor| (*factor, power)));
-        let is_held = |(factor, power): &(i32, i32)| self.holds(number(*factor, *power));
-        let held: Vec<_> = all.filter(is_held).collect();
-        let is_plain = held.iter().all(|(_, power)| (-3..=4).contains(power));
-        let label = |(factor, power)| (number(factor, power), label(factor, power, is_plain));
-        held.into_iter().map(label).collect()
+        let mut held = Vec::new();
+        for power in self.from.floor() as i32..=self.to.ceil() as i32 {
+            for factor in factors {
+                let tick = Tick {
+                    factor: *factor,
+                    power,
+                };
+                if power.rem_euclid(step) == 0 && self.holds(tick.number()) {
+                    held.push(tick);
+                }
+            }
+        }
+        let are_plain = held.iter().all(|tick| (-3..=4).contains(&tick.power));
+        let mut labels = Vec::new();
+        for tick in held {
+            labels.push(AxisLabel {
+                number: tick.number(),
+                text: if are_plain {
+                    tick.plain()
+                } else {
+                    tick.as_power()
+                },
+            });
+        }
+        labels
     }
 }
 
-fn number(factor: i32, power: i32) -> f64 {
-    f64::from(factor) * libm::pow(10.0, power.into())
+/// A factor times a power of ten.
+struct Tick {
+    factor: i32,
+    power: i32,
 }
 
-/// A factor times a power of ten, plain or as a power.
-fn label(factor: i32, power: i32, is_plain: bool) -> String {
-    if is_plain {
-        let places = (-power).max(0) as usize;
-        return format!("{:.places$}", number(factor, power));
+impl Tick {
+    fn number(&self) -> f64 {
+        f64::from(self.factor) * libm::pow(10.0, self.power.into())
     }
-    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| digits[digit as usize]);
-    let exponent: String = power.to_string().chars().map(raised).collect();
-    match factor {
-        1 => format!("10{exponent}"),
-        _ => format!("{factor}·10{exponent}"),
+
+    /// The number with as many decimal places as it needs.
+    fn plain(&self) -> String {
+        let places = (-self.power).max(0) as usize;
+        format!("{:.places$}", self.number())
+    }
+
+    /// The number with an exponent, such as 2·10⁷.
+    fn as_power(&self) -> String {
+        const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+        let mut exponent = String::new();
+        for sign_or_digit in self.power.to_string().chars() {
+            exponent.push(match sign_or_digit.to_digit(10) {
+                Some(digit) => DIGITS[digit as usize],
+                None => '⁻',
+            });
+        }
+        match self.factor {
+            1 => format!("10{exponent}"),
+            factor => format!("{factor}·10{exponent}"),
+        }
     }
 }
 
@@ -93,8 +137,8 @@ mod tests {
     use super::*;
 
     fn labels(numbers: &[f64]) -> Vec<String> {
-        let axis = LogAxis::new(numbers.iter().copied(), (0.0, 1.0));
-        axis.labels().into_iter().map(|(_, label)| label).collect()
+        let labels = LogAxis::new(numbers, 0.0, 1.0).labels();
+        labels.into_iter().map(|label| label.text).collect()
     }
 
     #[test]
@@ -114,13 +158,13 @@ mod tests {
         for n in 0..4000 {
             let low = libm::pow(10.0, f64::from(n % 60) / 6.1 - 4.0);
             let high = low * libm::pow(10.0, f64::from(n) / 400.0);
-            let axis = LogAxis::new([low, high].into_iter(), (0.0, 1.0));
+            let axis = LogAxis::new(&[low, high], 0.0, 1.0);
             let labels = axis.labels();
             assert!(labels.len() > 1 && labels.len() < 11, "{low} {high}");
-            assert!(labels.windows(2).all(|pair| pair[0].1 != pair[1].1));
-            for (number, label) in labels {
+            assert!(labels.windows(2).all(|pair| pair[0].text != pair[1].text));
+            for AxisLabel { number, text } in labels {
                 assert!((0.0..=1.0).contains(&axis.at(number)));
-                let plain: Option<f64> = label.parse().ok();
+                let plain: Option<f64> = text.parse().ok();
                 assert!(plain.is_none_or(|plain| (plain / number - 1.0).abs() < 1e-12));
             }
         }

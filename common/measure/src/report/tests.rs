@@ -1,5 +1,6 @@
 use super::*;
 use crate::example::{curve, experiment};
+use crate::experiment::Axis;
 
 /// The errors of 1, 1/4 and 1/16 fall to 1/510 at (1/510)^-2 steps; three points are
 /// measured in nine rounds.
@@ -19,17 +20,16 @@ fn the_table_shows_slope_price_and_remark() {
 /// Two curves whose first points have the same parameter, with invented times: the
 /// second quotients are 1, 5/4 and 3/4. Nothing beats the other curve's first point.
 fn measured<'e>(experiment: &'e Experiment<'static>) -> Measured<'e, 'static> {
+    let mut first = curve(&[(10.0, 0.5), (20.0, 0.25)]);
+    first.points[0].times.seconds = vec![0.002, 0.003, 0.002];
+    first.points[1].times.seconds = vec![0.004, 0.006, 0.004];
     let mut other = curve(&[(10.0, 0.1), (20.0, 0.5), (30.0, 0.5)]);
     other.method = "clever, new";
-    let times = |seconds: f64| vec![seconds, 1.5 * seconds, seconds];
-    Measured {
-        experiment,
-        curves: vec![curve(&[(10.0, 0.5), (20.0, 0.25)]), other],
-        seconds: vec![
-            [0.002, 0.004].map(times).into(),
-            vec![times(0.001), vec![0.004, 0.0075, 0.003], times(3.0)],
-        ],
-    }
+    other.points[0].times.seconds = vec![0.001, 0.0015, 0.001];
+    other.points[1].times.seconds = vec![0.004, 0.0075, 0.003];
+    other.points[2].times.seconds = vec![3.0, 4.5, 3.0];
+    let curves = vec![first, other];
+    Measured { experiment, curves }
 }
 
 #[test]
@@ -58,10 +58,8 @@ square-root: Is the error one over the square root?
     let table = measured(&experiment).table();
     assert!(table.starts_with(&rows.replace('*', " ")), "{table}");
     // Problems do not compete: no star, no quotient, no front.
-    experiment = Experiment {
-        against: Axis::Work,
-        ..experiment.of_problems()
-    };
+    experiment.against = Axis::Work;
+    experiment.curves_are = Curves::Problems;
     let problems = measured(&experiment);
     let (table, row) = (problems.table(), problems.row());
     let remarks = ["* clever", "0.50 (", "beside", "unbeaten"];
@@ -97,14 +95,15 @@ square-root,\"clever, new\",30,30,5e-1,5e-1,5e-1,,,3e0,3e0,4.5e0,false
 #[test]
 fn no_number_of_a_report_has_more_than_17_digits() {
     // The error is the 25th root of one over the work, which is 1/510 at 5e67.
-    let experiment = Experiment::new("name\u{1B}[2J")
-        .over(Axis::Work, "n", "steps")
-        .with_curves(|_| {
-            vec![curve(&[10, 30, 68].map(|power| {
-                let work = libm::pow(10.0, f64::from(power));
-                (work, libm::pow(work, -1.0 / 25.0))
-            }))]
-        });
+    let points = [10, 30, 68].map(|power| {
+        let work = libm::pow(10.0, f64::from(power));
+        (work, libm::pow(work, -1.0 / 25.0))
+    });
+    let experiment = Experiment {
+        work: "steps",
+        curves: Box::new(move |_| vec![curve(&points)]),
+        ..Experiment::new("name\u{1B}[2J")
+    };
     let measured = Measured::new(&experiment, Effort::Quick, |_, _| ());
     for text in [measured.table(), measured.csv()] {
         let mut digits = text.split(|letter: char| !letter.is_ascii_digit());

@@ -1,0 +1,112 @@
+//! `Number`: one formula over several types of numbers.
+//!
+//! A formula stands here once. In `f64` and `f32` its rounding errors are measured; in
+//! [`DoubleDouble`], with about 31 digits, it gives the exact value that they are measured against;
+//! and in [`Enclosure`], an interval, it proves a decision.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::enclosure::Enclosure;
+use crate::exact::DoubleDouble;
+
+/// Three coordinates.
+pub type Triple<N = f64> = [N; 3];
+
+/// A type of numbers that formulas are written for.
+pub trait Number:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The number nearest to a double.
+    fn of(number: f64) -> Self;
+
+    /// The root of a number that is not negative.
+    #[must_use]
+    fn sqrt(self) -> Self;
+}
+
+/// `f32` or `f64`: numbers that computers calculate with.
+pub trait Real: Number + PartialOrd + Into<f64> {
+    /// The distance between 1 and the next greater number.
+    const EPSILON: f64;
+
+    /// The magnitude of this number with the sign of another.
+    #[must_use]
+    fn copysign(self, sign: Self) -> Self;
+}
+
+impl Number for f32 {
+    fn of(number: f64) -> Self {
+        number as Self
+    }
+
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+}
+
+impl Real for f32 {
+    const EPSILON: f64 = Self::EPSILON as f64;
+
+    fn copysign(self, sign: Self) -> Self {
+        self.copysign(sign)
+    }
+}
+
+impl Number for f64 {
+    fn of(number: f64) -> Self {
+        number
+    }
+
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+}
+
+impl Real for f64 {
+    const EPSILON: f64 = Self::EPSILON;
+
+    fn copysign(self, sign: Self) -> Self {
+        self.copysign(sign)
+    }
+}
+
+impl Number for DoubleDouble {
+    fn of(number: f64) -> Self {
+        number.into()
+    }
+
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+}
+
+impl Number for Enclosure {
+    fn of(number: f64) -> Self {
+        number.into()
+    }
+
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+}
+
+pub fn difference<N: Number>(a: &Triple<N>, b: &Triple<N>) -> Triple<N> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+pub fn dot<N: Number>(a: &Triple<N>, b: &Triple<N>) -> N {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn cross<N: Number>(a: &Triple<N>, b: &Triple<N>) -> Triple<N> {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}

@@ -1,0 +1,188 @@
+//! Lights near and far, inside of objects, and without a position.
+
+use a02_math::{Direction, Normal3, Point3, Vector3};
+use a03_rays_cameras::Ray;
+use a04_intersections::{Geometry, Plane, Sphere};
+use a04_lab::support::Numbers;
+use common::{ArgumentError, Color};
+use measure::extremes::{
+    Absolute, Bound, Case, Fails, Flag, Holds, Number, Outcome, Refused, Ulps, greatest, tried,
+};
+
+use crate::protocol;
+use a05_lighting::{DirectionalLight, Lambert, Light, LitWorld, PointLight};
+
+const UP: Normal3 = Normal3::new(0.0, 1.0, 0.0);
+/// The normal of a wall.
+const SIDEWAYS: Normal3 = Normal3::new(1.0, 0.0, 0.0);
+const ROUNDING: Bound = Absolute(4.0 * f64::EPSILON);
+
+/// A white shape with a light, and ambient light of 1/4.
+fn world(shape: impl Geometry, light: impl Light) -> Result<LitWorld, ArgumentError> {
+    let white = Box::new(Lambert::new(Color::WHITE)?);
+    let world = LitWorld::new(Color::BLACK, Color::gray(0.25))?;
+    Ok(world.with(shape, white).lit_by(Box::new(light)))
+}
+
+/// The brightness of a white wall at the origin, seen from straight before it.
+fn brightness(n: Normal3, light: Result<impl Light, ArgumentError>) -> Outcome {
+    tried(|| {
+        let world = world(Plane::new(Point3::ORIGIN, n)?, light?)?;
+        let n = Vector3::from(n);
+        Ok(world.color_for(&Ray::derived(Point3::ORIGIN + n, -n)).r)
+    })
+}
+
+/// A point light at a height over the origin.
+fn lamp(height: f64) -> Result<PointLight, ArgumentError> {
+    PointLight::new(Color::WHITE, Point3::new(0.0, height, 0.0))
+}
+
+/// The brightness of the floor below such a light by the protocol, without ambient light.
+fn under_a_lamp_by_the_protocol(height: f64) -> f64 {
+    protocol::lambert(UP, Point3::new(0.0, height, 0.0), Point3::ORIGIN)
+}
+
+/// The same with ambient light, and by our code.
+fn under_a_lamp(height: f64) -> Case {
+    let theirs = 0.25 + under_a_lamp_by_the_protocol(height);
+    Case::of(brightness(UP, lamp(height)), theirs)
+}
+
+fn sun(x: f64, y: f64) -> Result<DirectionalLight, ArgumentError> {
+    DirectionalLight::new(Color::WHITE, Vector3::new(x, y, 0.0))
+}
+
+/// Whether a constructor accepts its arguments.
+fn is_accepted<T>(made: Result<T, ArgumentError>) -> Outcome {
+    made.map(|_| true).into()
+}
+
+/// The brightness of the unit sphere, which a light in its centre lights from inside only.
+fn of_the_sphere(ray: Result<Ray, ArgumentError>) -> Result<f64, ArgumentError> {
+    let sphere = Sphere::new(Point3::ORIGIN, 1.0)?;
+    Ok(world(sphere, lamp(0.0)?)?.color_for(&ray?).r)
+}
+
+/// The same, seen downwards from a height. The protocol's normal points to the eye.
+fn from_height(z: f64) -> Case {
+    let ray = Ray::new(Point3::new(0.0, 0.0, z), Vector3::new(0.0, 0.0, -1.0));
+    let normal = Vector3::new(0.0, 0.0, if z > 1.0 { 1.0 } else { -1.0 });
+    let theirs = protocol::lambert(normal.as_normal(), Point3::ORIGIN, Point3::ORIGIN + normal);
+    Case::of(of_the_sphere(ray), 0.25 + theirs)
+}
+
+/// The greatest error of the brightness from random eyes inside.
+fn error_inside() -> f64 {
+    let mut errors = Vec::new();
+    for i in 0..1000 {
+        let mut numbers = Numbers::new(6, i);
+        let eye = Point3::ORIGIN + numbers.triple(-0.5, 0.5);
+        let ray = Ray::new(eye, numbers.triple(-0.5, 0.5));
+        errors.push(of_the_sphere(ray).map_or(f64::NAN, |seen| seen - 1.25));
+    }
+    greatest(errors)
+}
+
+pub fn cases() -> Vec<Case> {
+    [in_a_sphere(), lamps(), suns()].concat()
+}
+
+fn in_a_sphere() -> Vec<Case> {
+    vec![
+        Case {
+            id: "I05",
+            what: "light in the centre of a sphere seen from outside: brightness".into(),
+            exact: Number(0.25),
+            bound: ROUNDING,
+            protocol: Holds,
+            ..from_height(3.0)
+        },
+        Case {
+            id: "I06",
+            what: "light in the centre of a sphere seen from inside: brightness".into(),
+            exact: Number(1.25),
+            bound: ROUNDING,
+            protocol: Fails,
+            ..from_height(0.5)
+        },
+        Case {
+            id: "I19",
+            what: "the same from 1000 eyes inside: greatest error".into(),
+            exact: Number(0.0),
+            bound: ROUNDING,
+            ours: error_inside().into(),
+            ..Case::default()
+        },
+    ]
+}
+
+fn lamps() -> Vec<Case> {
+    vec![
+        Case {
+            id: "I07",
+            what: "point light at 1e200".into(),
+            exact: Refused,
+            protocol: Fails,
+            ..Case::of(
+                is_accepted(lamp(1e200)),
+                under_a_lamp_by_the_protocol(1e200),
+            )
+        },
+        Case {
+            id: "I20",
+            what: "point light at 1e100: brightness below".into(),
+            exact: Number(1.25),
+            bound: Ulps(1.0),
+            protocol: Holds,
+            ..under_a_lamp(1e100)
+        },
+        Case {
+            id: "I21",
+            what: "point light at 1e-100: brightness below".into(),
+            exact: Number(1.25),
+            bound: Ulps(1.0),
+            protocol: Holds,
+            ..under_a_lamp(1e-100)
+        },
+    ]
+}
+
+fn suns() -> Vec<Case> {
+    let at_the_origin = sun(0.0, -1.0).map(|light| light.illuminates(Point3::ORIGIN));
+    let from_above = SIDEWAYS.dot(protocol::DIRECTIONAL_LIGHT_FROM).max(0.0);
+    let of_no_number = PointLight::new(Color::gray(f64::NAN), Point3::ORIGIN);
+    vec![
+        Case {
+            id: "I22",
+            what: "directional light at the origin: lit".into(),
+            exact: Flag(true),
+            protocol: Fails,
+            ..Case::of(
+                at_the_origin,
+                protocol::directional_light_illuminates(Point3::ORIGIN, Point3::ORIGIN),
+            )
+        },
+        Case {
+            id: "I23",
+            what: "directional light at a wall: brightness".into(),
+            exact: Number(1.25),
+            protocol: Fails,
+            ..Case::of(brightness(SIDEWAYS, sun(-1.0, 0.0)), 0.25 + from_above)
+        },
+        Case {
+            id: "I24",
+            what: "directional light of direction 0".into(),
+            exact: Refused,
+            ours: is_accepted(sun(0.0, 0.0)),
+            ..Case::default()
+        },
+        Case {
+            id: "I25",
+            what: "point light of colour NaN".into(),
+            exact: Refused,
+            ours: is_accepted(of_no_number),
+            ..Case::default()
+        },
+    ]
+}

@@ -1,0 +1,202 @@
+//! Methods for the inverse of a chain of transforms.
+
+use std::rc::Rc;
+
+use a03_rays_cameras::PixelRandom;
+use common::ArgumentError;
+use measure::Effort;
+use measure::experiment::{Axis, Curve, Deviation, Errors, Experiment, Point, Slope, Times, Unit};
+
+use crate::extremes::matrices::{off_identity, turn};
+use crate::protocol::Chained;
+use a07_transforms::{Mat4x4, Transform};
+
+/// A method for a matrix and its inverse, from the steps of a chain.
+struct Method {
+    name: &'static str,
+    /// The number of products of two matrices for each step.
+    products: f64,
+    build: fn(&mut dyn Iterator<Item = &Transform>) -> Chained,
+}
+
+/// The inverses of the steps, multiplied in the opposite order.
+const OURS: Method = Method {
+    name: "inverses, opposite order",
+    products: 2.0,
+    build: |steps| {
+        let mut built = Chained::IDENTITY;
+        for step in steps {
+            built.m = built.m * step.matrix();
+            built.i = step.inverse() * built.i;
+        }
+        built
+    },
+};
+
+/// By glam: adjugate over determinant.
+const OF_THE_PRODUCT: Method = Method {
+    name: "inverse of the product",
+    products: 1.0,
+    build: |steps| {
+        let mut m = Mat4x4::IDENTITY;
+        for step in steps {
+            m = m * step.matrix();
+        }
+        let inverse = m.to_glam().inverse().transpose();
+        let i = Mat4x4::from_rows(inverse.to_cols_array_2d());
+        Chained { m, i }
+    },
+};
+
+/// The protocol's: the inverses multiplied in the same order.
+const SAME_ORDER: Method = Method {
+    name: "inverses, same order",
+    products: 2.0,
+    build: |steps| {
+        let mut built = Chained::IDENTITY;
+        for step in steps {
+            built = built.then(step);
+        }
+        built
+    },
+};
+
+/// What both experiments say about their errors.
+fn of_inverses(name: &'static str) -> Experiment<'static> {
+    Experiment {
+        work: "4x4 products",
+        against: Axis::Parameter,
+        error: "rms error of the numbers of M I",
+        unit: Unit::Other("identity = 1"),
+        exact: "against those of the identity",
+        ..Experiment::new(name)
+    }
+}
+
+pub fn nesting() -> Experiment<'static> {
+    Experiment {
+        question: "How many turns can be nested before the inverse is no inverse?",
+        parameter: "turns",
+        curves: Box::new(curves_of_nesting),
+        ..of_inverses("nested-turns")
+    }
+}
+
+fn curves_of_nesting(effort: Effort) -> Vec<Curve<'static>> {
+    let turns: Vec<Transform> = (0..30)
+        .filter_map(|i| turn(Transform::IDENTITY, i).ok())
+        .collect();
+    let turns: Rc<[Transform]> = turns.into();
+    let counts = &[1e2, 1e3, 1e4, 1e5, 1e6][..effort.choose(4, 5)];
+    let curve = |method: &Method| {
+        let points = counts.iter().map(|count| nested(method, &turns, *count));
+        Curve::new(method.name, points)
+    };
+    vec![
+        Curve {
+            slope: Some(Slope {
+                value: 1.0,
+                between: 1e2..=1e6,
+            }),
+            ..curve(&OURS)
+        },
+        curve(&OF_THE_PRODUCT),
+        curve(&SAME_ORDER),
+    ]
+}
+
+/// The measurement of a number of nested turns.
+fn nested(method: &Method, turns: &Rc<[Transform]>, count: f64) -> Point<'static> {
+    let (turns, build) = (Rc::clone(turns), method.build);
+    let run = move || build(&mut turns.iter().cycle().take(count as usize));
+    let built = run();
+    let errors = off_identity(built.m, built.i).map(|error| Deviation::new(error, 1.0, 1.0));
+    Point {
+        parameter: count,
+        work: method.products * count,
+        errors: Errors::of(errors),
+        times: Times::of(run),
+    }
+}
+
+pub fn condition() -> Experiment<'static> {
+    Experiment {
+        question: "What does an uneven stretching by k cost in digits?",
+        parameter: "stretching k",
+        seeds: &[SEED],
+        curves: Box::new(curves_of_condition),
+        ..of_inverses("condition")
+    }
+}
+
+const SEED: u64 = 10;
+
+fn curves_of_condition(effort: Effort) -> Vec<Curve<'static>> {
+    let count = effort.choose(4_096, 65_536) as u32;
+    let turns: Vec<Turns> = (0..count).filter_map(|n| Turns::random(n).ok()).collect();
+    let turns: Rc<[Turns]> = turns.into();
+    let curve = |method: &Method| {
+        let factors = [1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7];
+        Curve::new(method.name, factors.map(|k| stretched(method, &turns, k)))
+    };
+    let slope = |value| {
+        let between = 1e2..=1e7;
+        Some(Slope { value, between })
+    };
+    vec![
+        Curve {
+            slope: slope(1.0),
+            ..curve(&OURS)
+        },
+        Curve {
+            slope: slope(2.0),
+            ..curve(&OF_THE_PRODUCT)
+        },
+        curve(&SAME_ORDER),
+    ]
+}
+
+/// The rotations before and after a scaling.
+struct Turns {
+    before: Transform,
+    after: Transform,
+}
+
+impl Turns {
+    fn random(n: u32) -> Result<Self, ArgumentError> {
+        let random = PixelRandom::new(SEED, n, 0);
+        let [a, b, c, d] = [0, 1, 2, 3].map(|i| 6.3 * random.uniform(i));
+        Ok(Self {
+            before: Transform::IDENTITY.rotate_x(a)?.rotate_y(b)?,
+            after: Transform::IDENTITY.rotate_y(c)?.rotate_z(d)?,
+        })
+    }
+}
+
+/// The measurement of scalings of one axis by `k` between rotations.
+fn stretched(method: &Method, turns: &Rc<[Turns]>, k: f64) -> Point<'static> {
+    let stretch = Transform::IDENTITY.scale(k, 1.0, 1.0);
+    let stretch = stretch.unwrap_or(Transform::IDENTITY);
+    let build = method.build;
+    let build = move |turns: &Turns| {
+        let steps = [&turns.before, &stretch, &turns.after];
+        build(&mut steps.into_iter())
+    };
+    let mut errors = Vec::new();
+    for turns in turns.iter() {
+        let built = build(turns);
+        for error in off_identity(built.m, built.i) {
+            errors.push(Deviation::new(error, 1.0, k));
+        }
+    }
+    let run = Rc::clone(turns);
+    Point {
+        parameter: k,
+        work: 3.0 * method.products * turns.len() as f64,
+        errors: Errors::of(errors),
+        times: Times::of(move || {
+            let matrices = run.iter().map(|turns| build(turns).m);
+            matrices.map(|m| m.rows()[0][0]).sum::<f64>()
+        }),
+    }
+}
