@@ -51,10 +51,10 @@ const shot = async (name, element) => {
     }
 };
 
-// The first picture by a real click, then turned by mouse and keys, and reset.
+// The scene `phong` by a real click, then turned by mouse and keys, and reset.
 async function tryByHand() {
     await open('a05-lighting.html');
-    const picture = `live.pictures[0]`;
+    const picture = `live.pictures.find(({ name }) => name === 'a05-lighting-phong')`;
     const start = performance.now();
     await chromium.click(`${picture}.frame`);
     await chromium.until(`${picture}.frame.dataset.state`);
