@@ -10,11 +10,12 @@ use common::text;
 
 use crate::exercise::Exercise;
 use crate::files;
-use crate::lacking::lacking;
+use crate::missing_name::find_missing_name;
 use crate::output::{Output, OutputReader};
 use crate::process::run;
 use crate::progress::Progress;
 use crate::screen::{Screen, Space};
+use crate::signature::explain_outside_error;
 
 /// The longest time in seconds that a check may take without output, unless `LEARN_SECONDS` is
 /// another.
@@ -36,7 +37,7 @@ impl Phase {
     pub fn words(self, what: &str, elapsed: Duration) -> String {
         let seconds = elapsed.as_secs();
         let words = match self {
-            Self::Building if seconds > 2 => "building, about a minute",
+            Self::Building if seconds > 4 => "building, about a minute",
             Self::Building => "building",
             Self::Checking => "checking",
         };
@@ -109,7 +110,7 @@ pub fn judge(e: &Exercise, progress: &mut Progress, space: Space, watcher: Watch
         Ok(text) => text,
         Err(error) => return Report::new(e, &files::with_path(&file)(error)),
     };
-    let report = match lacking(e, &text) {
+    let report = match find_missing_name(e, &text) {
         Some(lacks) => Report::new(e, &lacks),
         None => match build_and_run(e, space, watcher) {
             Ok(Some(report)) => report,
@@ -154,9 +155,9 @@ enum Build {
 
 /// Builds the test program of an exercise.
 fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, String> {
-    let failed = |error: io::Error| format!("cargo: {error}");
-    let (mut messages, to_messages) = io::pipe().map_err(failed)?;
-    let (errors, to_errors) = io::pipe().map_err(failed)?;
+    let with_name = |error: io::Error| format!("cargo: {error}");
+    let (mut messages, to_messages) = io::pipe().map_err(with_name)?;
+    let (errors, to_errors) = io::pipe().map_err(with_name)?;
     let mut cargo = Command::new("cargo");
     cargo.arg("--quiet").args(arguments(e));
     // After a save, only functions that have changed are compiled again: those of a unit are
@@ -175,19 +176,21 @@ fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, String> 
 
     let start = Instant::now();
     let goes_on = &mut || watcher(Phase::Building, start.elapsed());
-    let Some(status) = run(cargo, goes_on).map_err(failed)? else {
+    let Some(status) = run(cargo, goes_on).map_err(with_name)? else {
         return Ok(Build::Stopped);
     };
     if !status.success() {
         let errors = errors.finish();
         let (first, more) = errors.beginning(space.lines);
+        let form = explain_outside_error(e, &first);
         return Ok(Build::Failed(Report {
             printed: first + &say_cut(e, &errors, more),
+            words: form.unwrap_or_default(),
             ..Report::new(e, "does not compile")
         }));
     }
     let messages = messages.join().unwrap_or(Ok(String::new()));
-    Ok(Build::Program(program(&messages.map_err(failed)?)?))
+    Ok(Build::Program(program(&messages.map_err(with_name)?)?))
 }
 
 /// The path of the test program, by the messages of the build.
@@ -207,12 +210,12 @@ fn run_check(
     space: Space,
     watcher: Watcher,
 ) -> Result<Option<Report>, String> {
-    let failed = files::with_path(program.as_ref());
-    let (output, to_output) = io::pipe().map_err(&failed)?;
+    let with_path = files::with_path(program.as_ref());
+    let (output, to_output) = io::pipe().map_err(&with_path)?;
     let mut check = Command::new(program);
     check.env("RUST_BACKTRACE", "0").env(MARKED, "1");
     check.env("EXERCISE_DETAILS", "1");
-    check.stdout(to_output.try_clone().map_err(&failed)?);
+    check.stdout(to_output.try_clone().map_err(&with_path)?);
     check.stderr(to_output);
     let output = OutputReader::start(output);
 
@@ -237,7 +240,7 @@ fn run_check(
         late.is_none() && watcher(Phase::Checking, elapsed)
     });
     let output = output.finish();
-    let (is_done, verdict) = match (status.map_err(failed)?, late) {
+    let (is_done, verdict) = match (status.map_err(with_path)?, late) {
         (Some(status), _) if status.success() => (true, "done".to_owned()),
         // The program says why.
         (Some(_), _) => (false, "not yet".to_owned()),

@@ -17,6 +17,8 @@ const PAUSE: Duration = Duration::from_millis(100);
 /// Lines above and below the exercises.
 const FRAME: usize = 4;
 
+const KEYS: &str = "↑ ↓ Enter  / search  f filter  x reset  Esc back  q quit";
+
 /// Which exercises are listed.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Filter {
@@ -81,15 +83,7 @@ pub fn choose(current: &Exercise, session: &mut Session) -> Choice {
         screen,
         keys,
     } = session;
-    let mut list = List {
-        course,
-        filter: Filter::All,
-        words: String::new(),
-        mode: Mode::Choosing,
-        chosen: course.iter().position(|e| e == current).unwrap_or(0),
-        top: 0,
-        message: String::new(),
-    };
+    let mut list = List::new(course, current);
     let mut shown = None;
     loop {
         let size = screen.size().unwrap_or((24, 80));
@@ -111,6 +105,18 @@ pub fn choose(current: &Exercise, session: &mut Session) -> Choice {
 }
 
 impl List {
+    fn new(course: &'static [Exercise], current: &Exercise) -> Self {
+        Self {
+            course,
+            filter: Filter::All,
+            words: String::new(),
+            mode: Mode::Choosing,
+            chosen: course.iter().position(|e| e == current).unwrap_or(0),
+            top: 0,
+            message: String::new(),
+        }
+    }
+
     /// The exercises that are listed.
     fn listed(&self, progress: &Progress) -> Vec<&'static Exercise> {
         let words = self.words.to_lowercase();
@@ -205,15 +211,15 @@ impl List {
             .max((self.chosen + 1).saturating_sub(visible));
 
         let shown = listed.iter().enumerate().skip(self.top).take(visible);
-        let range = self.top..listed.len().min(self.top + visible);
         let fitted = |text: &str| truncate_str(text, columns.saturating_sub(1), "…").into_owned();
-        let heading = format!(
-            "exercises {} to {} of {}: {}",
-            range.start + usize::from(!range.is_empty()),
-            range.end,
-            listed.len(),
-            self.filter.name(),
-        );
+        let first = (self.top + 1).min(listed.len());
+        let last = listed.len().min(self.top + visible);
+        let (all, filter) = (listed.len(), self.filter.name());
+        let mut heading = format!("exercises {first} to {last} of {all}: {filter}");
+        if !self.words.is_empty() {
+            heading += " with ";
+            heading += &self.words;
+        }
         let mut lines = vec![fitted(&heading), String::new()];
         for (number, e) in shown {
             let row = fitted(&row(e, progress, number == self.chosen));
@@ -241,19 +247,114 @@ impl List {
                 format!("begin {name} again? your file is kept; y yes, other keys no")
             }
             Mode::Choosing if !self.message.is_empty() => self.message.replace('\n', "; "),
-            Mode::Choosing if !words.is_empty() => format!("/{words}  {KEYS}"),
             Mode::Choosing => KEYS.to_owned(),
         }
     }
 }
 
-const KEYS: &str = "↑ ↓  Enter choose  / search  f filter  x reset  Esc back  q quit";
-
 fn row(e: &Exercise, progress: &Progress, is_chosen: bool) -> String {
     let sign = if is_chosen { '>' } else { ' ' };
     let mark = progress.mark(e);
-    let stage = &e.stage[..3];
+    let stage = e.stage.split('-').next().unwrap_or_default();
     let path = if e.is_core { "core" } else { "" };
     let (name, title, minutes) = (e.name, e.title, e.minutes);
     format!("{sign} {mark:5}  {stage} {path:4}  {name:17} {minutes:>2} min  {title}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIZE: (usize, usize) = (14, 60);
+
+    /// The list of the workbook's exercises, in which none is done.
+    fn list_of_all() -> List {
+        let course = crate::exercise::read_all().unwrap();
+        List::new(course, &course[0])
+    }
+
+    /// The screen after these keys.
+    fn press(list: &mut List, keys: &[Key]) -> Vec<String> {
+        let progress = Progress::default();
+        for key in keys {
+            assert!(list.obey(key, &progress, SIZE.0).is_none(), "{key:?}");
+        }
+        list.lines(&progress, SIZE)
+    }
+
+    fn type_words(words: &str) -> Vec<Key> {
+        words.chars().map(Key::Char).collect()
+    }
+
+    #[test]
+    fn the_chosen_exercise_is_always_on_the_screen() {
+        let mut list = list_of_all();
+        let last = list.course.len() - 1;
+        for key in [
+            Key::ArrowUp,
+            Key::ArrowDown,
+            Key::PageDown,
+            Key::PageDown,
+            Key::End,
+        ] {
+            let lines = press(&mut list, &[key]);
+            let name = list.course[list.chosen].name;
+            let shown = lines.iter().find(|line| line.contains('>')).unwrap();
+            assert!(shown.contains(name), "{lines:?}");
+            assert_eq!(lines.len(), SIZE.0);
+            for line in &lines {
+                assert!(console::measure_text_width(line) < SIZE.1, "{line}");
+            }
+        }
+        assert_eq!(list.chosen, last);
+        press(&mut list, &[Key::Home, Key::PageUp]);
+        assert_eq!(list.chosen, 0);
+    }
+
+    #[test]
+    fn words_and_filters_leave_exercises_out() {
+        let mut list = list_of_all();
+        let all = list.course.len();
+        let lines = press(&mut list, &type_words("/SPHERE"));
+        assert!(lines[0].contains("with SPHERE"), "{lines:?}");
+        assert!(lines.last().unwrap().starts_with("/SPHERE_"));
+        press(&mut list, &[Key::Enter]);
+        let progress = Progress::default();
+        for e in list.listed(&progress) {
+            assert!(e.name.contains("sphere") || e.title.to_lowercase().contains("sphere"));
+        }
+        assert!(matches!(
+            list.obey(&Key::Enter, &progress, SIZE.0),
+            Some(Choice::Exercise(e)) if e.name == "sphere"
+        ));
+        // Letters that are keys elsewhere are words here, and none may be left.
+        let lines = press(&mut list, &type_words("/qxqx"));
+        assert!(lines[0].starts_with("exercises 0 to 0 of 0"), "{lines:?}");
+        press(
+            &mut list,
+            &[Key::Enter, Key::Enter, Key::Char('x'), Key::PageDown],
+        );
+        press(&mut list, &[Key::Char('/'), Key::Escape]);
+        assert_eq!(list.listed(&progress).len(), all);
+        press(&mut list, &[Key::Char('f')]);
+        assert_eq!(list.listed(&progress).len(), all);
+        press(&mut list, &[Key::Char('f')]);
+        assert_eq!(list.listed(&progress).len(), 0, "none is done");
+        assert!(matches!(
+            list.obey(&Key::Escape, &progress, SIZE.0),
+            Some(Choice::Back)
+        ));
+    }
+
+    #[test]
+    fn a_reset_is_asked_for() {
+        let mut list = list_of_all();
+        let lines = press(&mut list, &[Key::Char('x')]);
+        assert!(
+            lines.last().unwrap().starts_with("begin set_pixel again?"),
+            "{lines:?}"
+        );
+        let lines = press(&mut list, &[Key::Char('q')]);
+        assert_eq!(lines.last().unwrap(), KEYS);
+    }
 }

@@ -66,10 +66,10 @@ fn pack(begun: &[&Exercise], progress: &Progress) -> Result<Vec<u8>, String> {
 
 /// Adds a file to the zip file.
 fn add(zip: &mut ZipWriter<Cursor<Vec<u8>>>, name: &str, bytes: &[u8]) -> Result<(), String> {
-    let failed = |error: io::Error| format!("{name}: {error}");
+    let with_name = |error: io::Error| format!("{name}: {error}");
     let started = zip.start_file(name, SimpleFileOptions::default());
-    started.map_err(|error| failed(error.into()))?;
-    zip.write_all(bytes).map_err(failed)
+    started.map_err(|error| with_name(error.into()))?;
+    zip.write_all(bytes).map_err(with_name)
 }
 
 /// The compiler's version in a line; empty if there is no compiler.

@@ -15,13 +15,15 @@ const PACKAGE: &str = "[package]\nname = \"a01-image-display\"\nedition = \"2024
     [[test]]\nname = \"exercises\"\npath = \"main.rs\"\nharness = false\n[workspace]";
 
 /// The starter, and files of a student, whose checks end with an exit code, or do not end.
-const FILES: [(&str, &str); 9] = [
+const FILES: &[(&str, &str)] = &[
     ("starter", "println!(\"to do\"); 3"),
     ("right", "0"),
     ("wrong", "1"),
     ("panic", "panic!()"),
     ("broken", "{"),
     ("loop", "println!(\"starts\"); loop {}"),
+    // Clears a terminal, and colours it.
+    ("control", r#"print!("\u{1b}[2J\u{1b}[31m"); 1"#),
     ("chatty", "println!(\"a word\"); 0"),
     (
         "many",
@@ -54,7 +56,7 @@ const EXERCISES: [&str; 10] = [
 /// that is typed; and words of the answer, without which no answer is waited for. `look` waits for
 /// more words of the answer before.
 #[rustfmt::skip]
-const STEPS: [(&str, &str); 25] = [
+const STEPS: &[(&str, &str)] = &[
     ("set_pixel", "start>to do|h>Hint|h>no further hint|h>Hint|loop>|right>: done|look>core path [######........................] 1 of 5"),
     ("set_pixel", "wrong>: not yet|look>] 0 of 5|>: not yet|right>: done|look>] 1 of 5|>The diagonal, 10 minutes"),
     ("diagonal", "panic>: not yet|loop>|h>Hint|broken>: does not compile|delete>l.rs is deleted"),
@@ -67,7 +69,7 @@ const STEPS: [(&str, &str); 25] = [
     ("reflected", "right>: done|broken>: does not compile|right>: done|>exercises/angle.rs"),
     ("angle", "chatty>: done|m>a word|look>: done|>exercises/ppm.rs"),
     ("ppm", "many>line 50|look>… 8951 more lines; out/exercises/ppm.txt has all|look>: not yet"),
-    ("ppm", "panic>: not yet|n>exercises/srgb.rs"),
+    ("ppm", "control>\\u{1b}[2J\\u{1b}[31m|panic>: not yet|n>exercises/srgb.rs"),
     ("srgb", "delete>srgb.rs is deleted|>to do|n>exercises/line.rs"),
     ("line", "loop>|n>exercises/thumbnail.rs"),
     ("thumbnail", "loop>|s>: stopped|slow>: done|>exercises/triangle_area.rs"),
@@ -128,7 +130,7 @@ fn each_step_is_answered() {
     env::set_current_dir(WORKBOOK).unwrap();
     let file = |name: &str| format!("a01-image-display/exercises/{name}.rs");
     let to_do = text("starter").unwrap();
-    let names = BTreeSet::from(STEPS.map(|(name, _)| name));
+    let names = STEPS.iter().map(|(name, _)| name).collect::<BTreeSet<_>>();
     let modules = names.iter().map(|name| {
         write(&file(&format!("starters/{name}")), &to_do);
         format!("#[cfg({name})] #[path = \"{}\"] mod yours;\n", file(name))

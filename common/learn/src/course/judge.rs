@@ -16,7 +16,7 @@ use super::sandbox::{End, Limits};
 use crate::exercise::Exercise;
 use crate::files::{self, with_path};
 use crate::judgement;
-use crate::lacking::lacking;
+use crate::missing_name::find_missing_name;
 
 /// Judges the text of a student's file. Faults of the grader end no grading: the file needs a look.
 pub fn judge(folder: &GradingFolder, e: &Exercise, text: &str) -> Outcome {
@@ -31,7 +31,7 @@ fn judged(folder: &GradingFolder, e: &Exercise, text: &str) -> Result<Outcome, S
     if let Some(refused) = refusal(e, text) {
         return Ok(Outcome::without_answers(refused));
     }
-    if let Some(lacks) = lacking(e, text) {
+    if let Some(lacks) = find_missing_name(e, text) {
         let why = format!("does not compile: {lacks}");
         return Ok(Outcome::without_answers(why));
     }
