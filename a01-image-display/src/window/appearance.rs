@@ -1,4 +1,4 @@
-//! `Colors`: the colours of the window; and the theme and the scale of the system.
+//! `Colors`: the colours of the window; and the theme of the system.
 
 use std::process::Command;
 
@@ -13,6 +13,7 @@ pub struct Colors {
     pub text: u32,
     pub muted: u32,
     pub accent: u32,
+    pub error: u32,
 }
 
 /// Rays over a picture of any colours.
@@ -28,6 +29,7 @@ impl Colors {
                 text: 0xE4_E6E8,
                 muted: 0x9A_A0A8,
                 accent: 0x5B_A4F0,
+                error: 0xFF_7B72,
             },
             Theme::Light => Self {
                 background: 0xE4_E6E9,
@@ -36,6 +38,7 @@ impl Colors {
                 text: 0x1D_2126,
                 muted: 0x5C_646E,
                 accent: 0x1B_6AC9,
+                error: 0xC0_1C28,
             },
         }
     }
@@ -47,12 +50,12 @@ fn output(program: &str, arguments: &str) -> Option<String> {
     Some(String::from_utf8_lossy(&output.ok()?.stdout).into_owned())
 }
 
-/// The theme that GNOME and its relatives, KDE or macOS are set to; dark elsewhere.
+/// The theme that GNOME and its relatives or KDE are set to; dark elsewhere. `winit` knows that of
+/// Windows and macOS.
 pub fn theme() -> Theme {
     let styles = [
         ("gsettings", "get org.gnome.desktop.interface color-scheme"),
         ("kreadconfig6", "--group General --key ColorScheme"),
-        ("defaults", "read -g AppleInterfaceStyle"),
     ];
     let style = styles
         .into_iter()
@@ -61,15 +64,4 @@ pub fn theme() -> Theme {
         Some(style) if !style.to_lowercase().contains("dark") => Theme::Light,
         _ => Theme::Dark,
     }
-}
-
-/// The scale of the display by its dots per inch, which X11 has among its resources. Other
-/// systems scale the window themselves.
-pub fn scale() -> f64 {
-    let resources = output("xrdb", "-query").unwrap_or_default();
-    let dots = resources
-        .lines()
-        .find_map(|line| line.strip_prefix("Xft.dpi:"));
-    let dots = dots.and_then(|dots| dots.trim().parse().ok());
-    dots.map_or(1.0, |dots: f64| (dots / 96.0).clamp(0.5, 4.0))
 }

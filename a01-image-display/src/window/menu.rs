@@ -3,8 +3,9 @@
 use common::Renderer;
 use program::{Gallery, Theme};
 
+use super::path_entry::PathEntry;
 use super::screen::{Page, Screen};
-use super::{NO_FILE, choose_file};
+use super::{NO_FILE, PICTURES, SCENE_FILES, choose_file};
 
 const RENDERERS: [(&str, &str, Renderer); 3] = [
     ("The lesson", "L", Renderer::Lesson),
@@ -13,28 +14,38 @@ const RENDERERS: [(&str, &str, Renderer); 3] = [
 ];
 
 /// The effects of the mouse and of the other keys.
-const HELP: [(&str, &str); 8] = [
+const HELP: [(&str, &str); 13] = [
     ("Previous, next scene", "← →"),
-    ("Menu, sliders, pixels", "↑ ↓ ← →"),
-    ("Choose; back or close", "Enter; Esc"),
+    ("Next, previous entry", "Tab, ↓; Shift Tab, ↑"),
+    ("Choose", "Enter"),
+    ("Back, without closing", "Backspace"),
+    ("Back, or close the window", "Esc"),
     ("Zoom, scroll", "wheel, Page ↑ ↓"),
     ("Move the picture", "drag, Shift ← →"),
-    ("Turn the camera", "right drag, Ctrl ← →"),
+    ("Rotate the camera", "right drag, Ctrl ← →"),
     ("Explain a pixel", "click"),
     ("Fit to the window", "double click"),
+    ("Copy a pixel's numbers", "Ctrl C, click"),
+    ("Open a copied path", "Ctrl V"),
+    ("Marks at the left", "finished rows"),
 ];
 
 impl Screen {
     /// Executes the commands of the menu, which may be hidden. False if the window is to be
     /// closed.
     pub fn menu(&mut self, gallery: &mut Gallery) -> bool {
-        self.ui.is_shown = self.page == Some(Page::Menu);
-        let uses = gallery.scene.uses;
+        self.ui.is_shown = self.page() == Some(Page::Menu);
+        let uses = gallery.uses();
         if self.ui.entry("Save as PNG", "S") || self.ui.typed("Ctrl S") {
             self.save(gallery);
         }
-        if uses.file && self.ui.entry("Open …", "Ctrl O") {
-            self.open_file(gallery);
+        if gallery.opens_files() {
+            if self.ui.entry("Open …", "Ctrl O") {
+                self.choose_and_open(gallery);
+            }
+            if self.ui.entry("Open by its path", "P") {
+                self.path_entry = Some(PathEntry::default());
+            }
         }
         if self.ui.entry("Close", "Ctrl W") {
             return false;
@@ -65,9 +76,10 @@ impl Screen {
             }
         }
         if self.ui.entry("Dark or light", "D") {
-            let is_dark = self.theme == Theme::Dark;
-            self.theme = if is_dark { Theme::Light } else { Theme::Dark };
+            let is_dark = self.theme == Some(Theme::Dark);
+            self.theme = Some(if is_dark { Theme::Light } else { Theme::Dark });
         }
+        // Where there are entries or sliders, Tab has already selected one.
         if self.ui.entry("Numbers of the scene", "N") || self.ui.typed("Tab") {
             self.turn_to(Page::Scene);
         }
@@ -76,10 +88,9 @@ impl Screen {
         }
         if self.ui.is_shown {
             self.ui.place(8.0);
-            let stage = gallery.stage;
-            for (number, scene) in stage.scenes.iter().enumerate() {
-                let is_chosen = scene.name == gallery.scene.name;
-                if self.ui.choice(scene.name, "", is_chosen) {
+            for (number, name) in gallery.names().iter().enumerate() {
+                let is_chosen = number == gallery.number();
+                if self.ui.choice(name, "", is_chosen) {
                     self.go_to(number, gallery);
                 }
             }
@@ -93,30 +104,28 @@ impl Screen {
     }
 
     fn save(&mut self, gallery: &Gallery) {
-        self.notify(match &gallery.outcome {
-            None => "the picture is not finished yet".to_owned(),
-            Some(Err(_)) => "there is no picture to save".to_owned(),
-            Some(Ok(image)) => match gallery.save(image) {
-                Ok(path) => format!("saved {}", common::text::path(&path)),
-                Err(error) => format!("error: {error}"),
-            },
-        });
-    }
-
-    fn open_file(&mut self, gallery: &mut Gallery) {
-        match choose_file() {
-            None => self.notify(NO_FILE.to_owned()),
-            file => {
-                gallery.options.open = file;
-                self.go_to(gallery.number(), gallery);
+        match &gallery.outcome {
+            None if gallery.is_rendering() => {
+                self.notify("the picture is not finished yet".to_owned());
             }
+            None | Some(Err(_)) => self.notify("there is no picture to save".to_owned()),
+            Some(Ok(image)) => match gallery.save(image) {
+                Ok(path) => self.notify(format!("saved {}", common::text::path(&path))),
+                Err(error) => self.notify_error(&error.to_string()),
+            },
         }
     }
 
-    /// Shows a page of the panel, or hides it.
-    pub fn turn_to(&mut self, page: Page) {
-        self.page = Some(page).filter(|page| self.page != Some(*page));
-        (self.ui.scroll, self.ui.selected, self.ui.is_sought) = (0, Some(0), true);
+    fn choose_and_open(&mut self, gallery: &mut Gallery) {
+        let chosen = if gallery.stage.open.is_some() {
+            choose_file("scene files", SCENE_FILES)
+        } else {
+            choose_file("pictures", PICTURES)
+        };
+        match chosen {
+            None => self.notify(NO_FILE.to_owned()),
+            Some(path) => self.open_file(&path, gallery),
+        }
     }
 
     /// Shows the scene of this number.
@@ -124,6 +133,5 @@ impl Screen {
         self.notice = None;
         self.placement.fit();
         gallery.go_to(number);
-        self.window.set_title(&gallery.title());
     }
 }

@@ -1,9 +1,9 @@
 //! `Mouse`: the state of the mouse.
 
-use minifb::{MouseButton, MouseMode, Window};
+use winit::event::{ElementState, MouseButton, MouseScrollDelta};
 
-/// The way of the wheel for a step: X11 reports a notch twice, when it begins and ends.
-const NOTCH: f32 = 2.0;
+/// The way of a touchpad for a line of a wheel, in pixels.
+const LINE: f64 = 40.0;
 
 /// The mouse at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -12,20 +12,28 @@ pub struct Mouse {
     pub at: [i32; 2],
     pub left: bool,
     pub right: bool,
-    /// The way of the wheel upwards, since the start.
-    wheel: f32,
+    /// The way of the wheel upwards, in lines, since the start.
+    wheel: f64,
 }
 
 impl Mouse {
-    /// The mouse now.
-    pub fn now(self, window: &Window) -> Self {
-        let at = window.get_mouse_pos(MouseMode::Pass);
-        Self {
-            at: at.map_or(self.at, |(x, y)| [x as i32, y as i32]),
-            left: window.get_mouse_down(MouseButton::Left),
-            right: window.get_mouse_down(MouseButton::Right),
-            wheel: self.wheel + window.get_scroll_wheel().map_or(0.0, |(_, lines)| lines),
+    /// The mouse after a button has been pressed or released.
+    pub fn with_button(mut self, button: MouseButton, state: ElementState) -> Self {
+        match button {
+            MouseButton::Left => self.left = state.is_pressed(),
+            MouseButton::Right => self.right = state.is_pressed(),
+            _ => {}
         }
+        self
+    }
+
+    /// The mouse after its wheel has been turned.
+    pub fn with_wheel(mut self, way: MouseScrollDelta) -> Self {
+        self.wheel += match way {
+            MouseScrollDelta::LineDelta(_, lines) => f64::from(lines),
+            MouseScrollDelta::PixelDelta(way) => way.y / LINE,
+        };
+        self
     }
 
     /// The way to the right and down from an earlier place.
@@ -33,8 +41,8 @@ impl Mouse {
         [self.at[0] - before[0], self.at[1] - before[1]]
     }
 
-    /// Steps of the wheel upwards since an earlier time.
-    pub fn steps_since(self, before: Self) -> i32 {
-        (self.wheel / NOTCH) as i32 - (before.wheel / NOTCH) as i32
+    /// Lines of the wheel upwards since an earlier time.
+    pub fn lines_since(self, before: Self) -> i32 {
+        self.wheel.floor() as i32 - before.wheel.floor() as i32
     }
 }

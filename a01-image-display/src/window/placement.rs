@@ -9,6 +9,18 @@ use super::area::Area;
 /// The largest factor by which a picture can be enlarged beyond the size that fits.
 const GREATEST_FACTOR: f64 = 64.0;
 
+/// A part of a pixel of the window that is smaller than this is not seen.
+const UNSEEN: f64 = 1.0 / 256.0;
+
+/// The columns of the picture in a column of the window, or its rows in a row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Footprint {
+    /// None beside the picture.
+    pub pixels: Range<u32>,
+    /// The weight of the last one, where the others have 1.
+    pub last: f64,
+}
+
 /// A picture in its part of the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Placement {
@@ -42,12 +54,10 @@ impl Placement {
         self.is_zoomed = false;
     }
 
-    /// The scale at which the picture fits: a whole factor, which keeps pixels sharp, or less
-    /// than 1.
+    /// The largest scale at which the picture fits.
     fn fitting_scale(&self) -> f64 {
         let [width, height] = [self.area.width, self.area.height].map(f64::from);
-        let scale = (width / self.sides[0]).min(height / self.sides[1]);
-        if scale >= 1.0 { scale.floor() } else { scale }
+        (width / self.sides[0]).min(height / self.sides[1])
     }
 
     /// Zooms in to the next whole factor, or out, at most until the picture fits. The place
@@ -92,18 +102,36 @@ impl Placement {
         is_inside.then(|| [0, 1].map(|axis| place(axis) as u32))
     }
 
-    /// The columns of the picture in a column of the window, or its rows in a row, by the axis;
-    /// none beside the picture.
-    pub fn pixels(&self, axis: usize, at: i32) -> Range<u32> {
+    /// The columns of the picture in a column of the window, or its rows in a row, by the axis. Of an
+    /// enlarged picture, a pixel of the window lies in one pixel or on the border of two, which it
+    /// mixes by their parts of it; so all pixels look equally wide at every scale.
+    pub fn footprint(&self, axis: usize, at: i32) -> Footprint {
         let [first, next] = [at, at + 1].map(|at| {
             let place = (f64::from(at) - self.corner[axis]) / self.scale;
             place.clamp(0.0, self.sides[axis])
         });
-        if first < next {
-            first as u32..(next as u32).max(first as u32 + 1)
-        } else {
-            0..0
+        if first >= next {
+            return Footprint {
+                pixels: 0..0,
+                last: 1.0,
+            };
         }
+        let start = first as u32;
+        let mut footprint = Footprint {
+            pixels: start..(next as u32).max(start + 1),
+            last: 1.0,
+        };
+        let border = next.floor();
+        if self.scale > 1.0 && first < border {
+            let part = (next - border) / (next - first);
+            if part > 1.0 - UNSEEN {
+                footprint.pixels = border as u32..border as u32 + 1;
+            } else if part > UNSEEN {
+                footprint.pixels = start..border as u32 + 1;
+                footprint.last = part / (1.0 - part);
+            }
+        }
+        footprint
     }
 }
 
@@ -116,6 +144,24 @@ mod tests {
         let size = Size::new(width, height).unwrap();
         placement.place(size, Area::new(0, 0, 640, 480));
         placement
+    }
+
+    /// At 2.5 times, every fifth column of the window lies on a border in the middle of it.
+    #[test]
+    fn an_enlarged_pixel_is_mixed_at_its_borders_only() {
+        let placement = placed(256, 128);
+        assert_eq!(placement.scale, 2.5);
+        let columns = (0..5).map(|at| placement.footprint(0, at));
+        let columns: Vec<_> = columns.map(|it| (it.pixels, it.last)).collect();
+        let whole = |at| (at..at + 1, 1.0);
+        assert_eq!(
+            columns,
+            [whole(0), whole(0), (0..2, 1.0), whole(1), whole(1)]
+        );
+        // At 3.2 times, a fifth of the fourth column lies in the first pixel.
+        let column = placed(200, 3).footprint(0, 3);
+        assert_eq!(column.pixels, 0..2);
+        assert!((column.last - 4.0).abs() < 1e-12, "{column:?}");
     }
 
     /// A shrunk picture is first shown in its own size. One that fits enlarged by more than

@@ -1,25 +1,23 @@
-//! `Screen`: the open window, and its loop.
+//! `Screen`: all that the window shows and remembers, without the window of the system.
+//!
+//! Inputs change it and drawing reads it, so that tests need no display.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use std::{env, fs, io};
 
 use common::{Color, Image, fnv1a};
-use minifb::{ScaleMode, WindowOptions};
-use program::{Gallery, NotShown, Theme};
+use program::{Gallery, Theme};
 
 use super::appearance;
-use super::keyboard::Keyboard;
+use super::clipboard::Clipboard;
+use super::keyboard::Press;
 use super::layout::{BAR, PANEL};
 use super::mouse::Mouse;
+use super::notices::Notice;
+use super::path_entry::PathEntry;
 use super::placement::Placement;
 use super::ui::Ui;
-
-/// The shortest time between two drawings of the window.
-const FRAME: Duration = Duration::from_millis(16);
-/// After this time the window is drawn although nothing has changed: another window may have
-/// covered it.
-const REFRESH: Duration = Duration::from_millis(250);
 
 /// A page of the panel beside the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,103 +29,62 @@ pub enum Page {
     Pixel,
 }
 
-/// The open window.
+/// What the window shows and remembers.
+#[derive(Default)]
 pub struct Screen {
-    pub window: minifb::Window,
-    keyboard: Keyboard,
+    /// Width and height of the window, in pixels.
+    pub size: [u32; 2],
+    /// Whether the window has the keyboard.
+    pub is_active: bool,
     pub ui: Ui,
-    /// The look of the picture in the window.
+    /// The fingerprint of the picture that was drawn last.
     pub drawn: String,
-    pub theme: Theme,
+    pub theme: Option<Theme>,
     pub placement: Placement,
-    /// The page of the panel; none if it is hidden.
-    pub page: Option<Page>,
-    pub notice: Option<(String, Instant)>,
+    /// The page of the panel is the last one, and those before are returned to; the panel is hidden
+    /// if there is none.
+    pages: Vec<Page>,
+    pub notice: Option<Notice>,
+    /// The path that is being typed.
+    pub path_entry: Option<PathEntry>,
+    pub clipboard: Clipboard,
     /// The place of the picture where the left button went down.
     pub pressed: Option<[i32; 2]>,
-    /// The time of the first click of a double click.
-    pub clicked: Option<Instant>,
+    /// Time and place of the first click of a double click.
+    pub clicked: Option<(Instant, [i32; 2])>,
 }
 
 impl Screen {
-    pub fn open(gallery: &Gallery) -> Result<Self, NotShown> {
-        let theme = gallery.appearance.theme.unwrap_or_else(appearance::theme);
+    /// Chooses theme, scale and size, before the window is opened.
+    pub fn begin(
+        &mut self,
+        gallery: &Gallery,
+        system: Option<winit::window::Theme>,
+        display_scale: f64,
+    ) {
+        let system = system.map(|theme| match theme {
+            winit::window::Theme::Dark => Theme::Dark,
+            winit::window::Theme::Light => Theme::Light,
+        });
+        let chosen = gallery.appearance.theme.or(system);
+        self.theme = Some(chosen.unwrap_or_else(appearance::theme));
+        self.rescale(gallery, display_scale);
+        if !gallery.sliders.is_empty() {
+            self.show_page(Page::Scene);
+        }
+        self.size = window_size(gallery, self.ui.scale, self.page().is_some());
+    }
+
+    /// Takes the scale of the display, unless the command line has another one.
+    pub fn rescale(&mut self, gallery: &Gallery, display_scale: f64) {
         let percent = gallery.appearance.ui_scale.map(f64::from);
-        let scale = percent.map_or_else(appearance::scale, |percent| percent / 100.0);
-        let options = WindowOptions {
-            resize: true,
-            scale_mode: ScaleMode::UpperLeft,
-            ..WindowOptions::default()
-        };
-        let page = Some(Page::Scene).filter(|_| !gallery.sliders.is_empty());
-        let panel = page.map_or(0.0, |_| PANEL * scale);
-        let [width, height] = window_size(gallery, scale, panel);
-        let window = minifb::Window::new(&gallery.title(), width, height, options);
-        let mut window = window.map_err(explain)?;
-        let keyboard = Keyboard::default();
-        window.set_input_callback(Box::new(keyboard.clone()));
-        let mut ui = Ui::default();
-        ui.set_scale(scale);
-        Ok(Self {
-            window,
-            keyboard,
-            ui,
-            drawn: String::new(),
-            theme,
-            placement: Placement::default(),
-            page,
-            notice: None,
-            pressed: None,
-            clicked: None,
-        })
+        let scale = percent.map_or(display_scale, |percent| percent / 100.0);
+        self.ui.set_scale(scale);
     }
 
-    /// Shows the picture and executes commands until the window is closed.
-    pub fn run(&mut self, gallery: &mut Gallery) -> Result<(), NotShown> {
-        let (mut drawn, mut cost) = (Instant::now(), Duration::ZERO);
-        let mut has_input = false;
-        while self.window.is_open() {
-            self.update(gallery);
-            for (key, mouse) in self.input() {
-                has_input = true;
-                (self.ui.key, self.ui.mouse) = (key, mouse);
-                if !self.lay_out(gallery) {
-                    return Ok(());
-                }
-                (self.ui.key, self.ui.before) = (String::new(), mouse);
-            }
-            let wait = if has_input {
-                FRAME
-            } else if self.drawn != self.look(gallery) {
-                // Progress leaves most of the time for keys.
-                (3 * cost).clamp(FRAME, REFRESH)
-            } else {
-                REFRESH
-            };
-            if drawn.elapsed() < wait {
-                self.window.update();
-                continue;
-            }
-            let start = Instant::now();
-            self.lay_out(gallery);
-            self.draw(gallery);
-            let (width, height) = self.window.get_size();
-            let pixels = &self.ui.frame.pixels;
-            let sent = self.window.update_with_buffer(pixels, width, height);
-            sent.map_err(explain)?;
-            // Only tests need it.
-            let _ = self.report(gallery);
-            (drawn, has_input) = (Instant::now(), false);
-            cost = drawn - start;
-        }
-        Ok(())
-    }
-
-    /// Takes the news of the rendering and of a watched file.
-    fn update(&mut self, gallery: &mut Gallery) {
-        if let Err(error) = gallery.reopen() {
-            self.notify(format!("error: {error}"));
-        }
+    /// Takes the news of the rendering and of watched files.
+    pub fn update(&mut self, gallery: &mut Gallery) {
+        self.notice.take_if(|notice| notice.ends_in().is_zero());
         if gallery.update()
             && let Some(Ok(image)) = &gallery.outcome
             && let bad @ 1.. = image.count_non_finite()
@@ -136,33 +93,53 @@ impl Screen {
         }
     }
 
-    /// The keys pressed since the last call, and the mouse if it has changed.
-    fn input(&mut self) -> Vec<(String, Mouse)> {
-        // Releases of keys are not reported while another window has the keyboard.
-        if !self.window.is_active() {
-            self.keyboard.release_all();
+    /// Takes a pressed key, and the mouse as it is now. False if the window is to be closed.
+    pub fn input(&mut self, press: Press, mouse: Mouse, gallery: &mut Gallery) -> bool {
+        self.ui.mouse = mouse;
+        self.ui.key = self.type_path(press, gallery);
+        let page = self.page();
+        let stays = self.layout(gallery);
+        (self.ui.key, self.ui.before) = (String::new(), mouse);
+        // The next input may come before the window is drawn, and is for the new page.
+        if stays && self.page() != page {
+            self.layout(gallery);
         }
-        let (before, mouse) = (self.ui.mouse, self.ui.mouse.now(&self.window));
-        let keys = self.keyboard.take().into_iter().map(|key| (key, before));
-        let moves = (mouse != before).then(|| (String::new(), mouse));
-        keys.chain(moves).collect()
+        stays
+    }
+
+    /// Draws the window into its frame.
+    pub fn draw(&mut self, gallery: &mut Gallery) {
+        self.layout(gallery);
+        self.draw_picture(gallery);
+        // Only tests need it.
+        let _ = self.report(gallery);
+    }
+
+    /// Opens a scene file or a picture, and shows it.
+    pub fn open_file(&mut self, path: &Path, gallery: &mut Gallery) {
+        self.notice = None;
+        match gallery.open(path) {
+            Ok(()) => self.placement.fit(),
+            Err(error) => self.notify_error(&error.to_string()),
+        }
     }
 
     /// All that changes the picture in the window, in words.
-    pub fn look(&self, gallery: &Gallery) -> String {
+    pub fn fingerprint(&self, gallery: &Gallery) -> String {
         let live = gallery.picture.as_ref();
         format!(
             "title: {:?} window: {:?} {:?} scale: {} {:?} pixel: {:?} explained: {} \
-             changes: {:?} finished: {}",
+             changes: {:?} finished: {} over it: {:?}",
             gallery.title(),
-            self.window.get_size(),
-            self.theme,
+            (self.size[0], self.size[1]),
+            self.theme.unwrap_or(Theme::Dark),
             self.ui.scale,
             self.placement,
             gallery.pixel,
             gallery.explanation.is_some(),
             live.map(|live| (live.started, live.changes())),
             gallery.outcome.is_some(),
+            self.messages(gallery),
         )
     }
 
@@ -178,12 +155,13 @@ impl Screen {
             |image: &Image| fnv1a(&image.pixels().iter().flat_map(bytes).collect::<Vec<_>>());
         let picture = gallery.outcome.as_ref().and_then(|it| it.as_ref().ok());
         let state = format!(
-            "{} is_active: {} page: {:?} {:?} picture: {:?} {}",
+            "{} is_active: {} page: {:?} {:?} picture: {:?} path: {:?} {}",
             self.drawn,
-            self.window.is_active(),
-            self.page,
+            self.is_active,
+            self.page(),
             self.ui.mouse,
             picture.map(hash),
+            self.path_entry,
             self.ui.words.join(" ")
         );
         // Not even for a moment is the file incomplete.
@@ -192,26 +170,58 @@ impl Screen {
         fs::rename(new, path)
     }
 
-    pub fn notify(&mut self, notice: String) {
-        self.notice = Some((notice, Instant::now()));
+    /// The page of the panel; none if it is hidden.
+    pub fn page(&self) -> Option<Page> {
+        self.pages.last().copied()
+    }
+
+    /// Shows a page of the panel.
+    pub fn show_page(&mut self, page: Page) {
+        self.pages.retain(|before| *before != page);
+        self.pages.push(page);
+        (self.ui.scroll, self.ui.selected) = (0, None);
+    }
+
+    /// Returns to the page before, or hides the panel.
+    pub fn leave_page(&mut self) {
+        self.pages.pop();
+        (self.ui.scroll, self.ui.selected) = (0, None);
+    }
+
+    /// Shows a page of the panel, or leaves it.
+    pub fn turn_to(&mut self, page: Page) {
+        if self.page() == Some(page) {
+            self.leave_page();
+        } else {
+            self.show_page(page);
+            (self.ui.selected, self.ui.is_sought) = (Some(0), true);
+        }
+    }
+
+    /// Shows a notice for some seconds.
+    pub fn notify(&mut self, text: String) {
+        self.notice = Some(Notice::new(text, false));
+    }
+
+    /// Shows an error for some seconds.
+    pub fn notify_error(&mut self, error: &str) {
+        self.notice = Some(Notice::new(format!("error: {error}"), true));
+    }
+
+    /// The time until the notice disappears.
+    pub fn notice_ends_in(&self) -> Option<Duration> {
+        self.notice.as_ref().map(Notice::ends_in)
     }
 }
 
 /// The size in which the window opens: the picture's, enlarged by a whole scale, and shrunk
 /// where a side is too long for nearly every screen, with room for the bars and the panel.
-/// minifb does not know the size of this screen.
-fn window_size(gallery: &Gallery, scale: f64, panel: f64) -> [usize; 2] {
+fn window_size(gallery: &Gallery, scale: f64, has_panel: bool) -> [u32; 2] {
+    let panel = if has_panel { PANEL * scale } else { 0.0 };
     let sides = [gallery.size().width(), gallery.size().height()].map(f64::from);
     let most = (1280.0 * scale / sides[0]).min(720.0 * scale / sides[1]);
     let fit = most.min(scale.floor().max(1.0));
     let width = (sides[0] * fit).round().max(320.0 * scale) + panel.round();
     let height = (sides[1] * fit).round().max(160.0 * scale) + (BAR * scale).round();
-    [width, height].map(|side| side as usize)
-}
-
-fn explain(error: minifb::Error) -> NotShown {
-    NotShown::NoWindow(match error {
-        minifb::Error::WindowCreate(reason) => format!("no display to open it on ({reason})"),
-        error => format!("the display refused the picture ({error})"),
-    })
+    [width, height].map(|side| side as u32)
 }

@@ -6,8 +6,16 @@ use program::Slider;
 use super::appearance::Colors;
 use super::area::Area;
 use super::frame::Frame;
-use super::letters::Letters;
 use super::mouse::Mouse;
+use super::text::Letters;
+
+/// What the mouse holds while its left button is down.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Held {
+    /// The selected slider.
+    Slider,
+    ScrollBar,
+}
 
 /// The drawing of the items, and the input for them.
 #[derive(Default)]
@@ -33,11 +41,11 @@ pub struct Ui {
     pub selected: Option<usize>,
     /// Whether the selected item has to come into view.
     pub is_sought: bool,
-    /// Whether the mouse holds the selected slider.
-    is_held: bool,
+    /// What the mouse holds.
+    held: Option<Held>,
     /// The number of entries and sliders.
     count: usize,
-    /// Way of the panel upwards, in pixels.
+    /// Displacement of the panel's items upwards, in pixels.
     pub scroll: i32,
 }
 
@@ -70,26 +78,72 @@ impl Ui {
 
     /// Begins a list of items, with a panel whose first items stand below its upper edge.
     pub fn begin(&mut self, panel: Area) {
-        if let Some(selected) = self.selected.filter(|_| self.count > 0) {
-            for (key, step) in [("Down", 1), ("Up", self.count - 1)] {
+        if self.count > 0 {
+            let count = self.count;
+            let next = self.selected.map_or(0, |at| (at + 1) % count);
+            let before = self
+                .selected
+                .map_or(count - 1, |at| (at + count - 1) % count);
+            let is_selected = self.selected.is_some();
+            for (key, to) in [("Tab", next), ("Shift Tab", before)] {
                 if self.typed(key) {
-                    self.selected = Some((selected + step) % self.count);
-                    self.is_sought = true;
+                    (self.selected, self.is_sought) = (Some(to), true);
+                }
+            }
+            for (key, to) in [("Down", next), ("Up", before)] {
+                if is_selected && self.typed(key) {
+                    (self.selected, self.is_sought) = (Some(to), true);
                 }
             }
         }
         (self.panel, self.count) = (panel, 0);
-        self.is_held &= self.mouse.left;
+        self.held.take_if(|_| !self.mouse.left);
         self.words.clear();
         self.next = panel.inset(self.px(22.0), self.px(8.0));
         self.next.y -= self.scroll;
         self.frame.fill(panel, self.colors.bar);
     }
 
-    /// Ends the panel, which scrolls no farther than its items.
+    /// Ends the panel, which scrolls no farther than its items, and draws a scroll bar if it has
+    /// more of them than it shows.
     pub fn end(&mut self) {
-        let below = self.next.y + self.scroll - self.panel.y - self.panel.height;
-        self.scroll = self.scroll.min(below).max(0);
+        let panel = self.panel;
+        let height = self.next.y + self.scroll - panel.y + self.px(8.0);
+        let hidden = (height - panel.height).max(0);
+        self.scroll = self.scroll.clamp(0, hidden);
+        if hidden == 0 || panel.width == 0 {
+            return;
+        }
+        let track = Area {
+            x: panel.x + panel.width - self.px(10.0),
+            width: self.px(10.0),
+            ..panel
+        };
+        let share = f64::from(panel.height) / f64::from(height);
+        let least = self.px(24.0).min(panel.height);
+        let length = ((f64::from(panel.height) * share) as i32).max(least);
+        let way = (panel.height - length).max(1);
+        if self.clicked(track) {
+            self.held = Some(Held::ScrollBar);
+        }
+        let is_held = self.held == Some(Held::ScrollBar);
+        if is_held {
+            // The middle of the thumb follows the mouse.
+            let at = f64::from(self.mouse.at[1] - panel.y - length / 2) / f64::from(way);
+            self.scroll = (at.clamp(0.0, 1.0) * f64::from(hidden)).round() as i32;
+        }
+        let at = f64::from(self.scroll) / f64::from(hidden) * f64::from(way);
+        let thumb = Area::new(track.x, panel.y + at as i32, track.width, length);
+        self.frame.fill(track, self.colors.bar);
+        let color = if is_held {
+            self.colors.accent
+        } else {
+            self.colors.muted
+        };
+        let inset = self.px(3.0);
+        self.frame.fill(thumb.inset(inset, inset), color);
+        self.words
+            .push(format!("scrolled: {} of {hidden}", self.scroll));
     }
 
     /// Leaves the selected entry or slider; false if there is none.
@@ -123,12 +177,34 @@ impl Ui {
 
     /// Adds a text to the panel, on as many lines as it needs.
     pub fn text(&mut self, level: usize, color: u32, text: &str) {
+        self.text_area(level, color, text);
+    }
+
+    /// Adds a text to the panel, and returns its area.
+    pub fn text_area(&mut self, level: usize, color: u32, text: &str) -> Area {
         let indent = self.px(10.0) * level as i32;
+        let mut whole = self.place(0.0);
         for line in self.letters.wrap(text, self.next.width - indent) {
             let mut area = self.place(19.0);
+            whole.height += area.height;
             area.x += indent;
             self.write(area, color, &line, "");
         }
+        whole
+    }
+
+    /// Adds a heading to the panel, below a line.
+    pub fn heading(&mut self, text: &str) {
+        let rule = self.place(9.0);
+        let y = rule.y + rule.height / 2;
+        let line = Area::new(rule.x, y, rule.width, self.px(1.0).max(1));
+        self.frame.fill(line, self.colors.raised);
+        self.text(0, self.colors.accent, text);
+    }
+
+    /// Whether the left button has been pressed inside of an area of the panel.
+    pub fn clicked_in_panel(&mut self, area: Area) -> bool {
+        self.panel.contains(self.mouse.at) && self.clicked(area)
     }
 
     /// Marks an area, which stands for a chosen item.
@@ -141,7 +217,7 @@ impl Ui {
     /// selected, and whether it is clicked.
     fn select(&mut self, height: f64) -> (Area, bool, bool) {
         let area = self.place(height);
-        let is_clicked = self.panel.contains(self.mouse.at) && self.clicked(area);
+        let is_clicked = self.clicked_in_panel(area);
         if is_clicked {
             self.selected = Some(self.count);
         }
@@ -196,10 +272,12 @@ impl Ui {
         }
         area.height = self.px(24.0);
         self.write(area, self.colors.text, &slider.name, &slider.text());
-        self.is_held |= is_clicked;
+        if is_clicked {
+            self.held = Some(Held::Slider);
+        }
         if !is_selected {
             None
-        } else if self.is_held {
+        } else if self.held == Some(Held::Slider) {
             let share = (f64::from(self.mouse.at[0]) - left) / width.max(1.0);
             Some((share.clamp(0.0, 1.0) * slider.last() as f64).round() as usize)
         } else if self.typed("Left") {

@@ -55,9 +55,9 @@ pub fn run_with(
     match Command::try_parse_from(arguments) {
         Ok(command) => {
             let done = execute(laboratory, command);
-            program::ended(done.map(|()| ExitCode::SUCCESS))
+            program::exit_code(done.map(|()| ExitCode::SUCCESS))
         }
-        Err(help_or_error) => program::refused(&help_or_error),
+        Err(help_or_error) => program::print_clap_error(&help_or_error),
     }
 }
 

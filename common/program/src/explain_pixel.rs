@@ -14,7 +14,7 @@ const MOST_SAMPLES: u32 = 4096;
 
 /// How a pixel is explained.
 #[derive(clap::Args)]
-pub struct Explaining {
+pub struct ExplainArgs {
     /// Column and row of the pixel, counted from 0 in the upper left corner
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true, value_parser = pixel)]
     pixel: [u32; 2],
@@ -44,22 +44,22 @@ fn pixel(text: &str) -> Result<[u32; 2], String> {
 }
 
 /// Explains a pixel of the scene, and compares its colour with the rendered picture.
-pub fn explain_pixel(scene: &Scene, explaining: &Explaining) -> Result<(), Error> {
-    let Explaining { pixel, options, .. } = explaining;
+pub fn explain_pixel(scene: &Scene, arguments: &ExplainArgs) -> Result<(), Error> {
+    let ExplainArgs { pixel, options, .. } = arguments;
     let ([x, y], settings) = (*pixel, options.settings(scene)?);
-    check(&settings, explaining)?;
+    check(&settings, arguments)?;
     let rays = scene.rays()?;
-    if let Some(path) = &explaining.drawing {
+    if let Some(path) = &arguments.drawing {
         atomic_file::check_writable(path)?;
     }
     warn_unused(scene, options, &settings);
     let mut traced = settings.clone();
-    if explaining.beside || settings.renderer == Renderer::Engine {
+    if arguments.beside || settings.renderer == Renderer::Engine {
         traced.renderer = Renderer::Lesson;
     }
     let trace = rays.trace(&traced, *pixel)?;
     let color = trace.color;
-    print(&if explaining.json {
+    print(&if arguments.json {
         trace.to_json(options.transfer)
     } else {
         let (name, size, bytes) = (scene.name, settings.size, options.transfer.bytes(color));
@@ -68,11 +68,11 @@ pub fn explain_pixel(scene: &Scene, explaining: &Explaining) -> Result<(), Error
             "{name} {size}, pixel {x},{y}\n{trace}\nbytes {bytes:?} of the linear colour {linear}"
         )
     })?;
-    if let Some(path) = &explaining.drawing {
+    if let Some(path) = &arguments.drawing {
         atomic_file::write(path, rays.drawing(&settings, &trace)?.as_bytes())?;
         warn(&format!("note: the drawing is {}", text::path(path)));
     }
-    if explaining.beside {
+    if arguments.beside {
         let other = rays.trace(&settings, *pixel)?;
         let parts = trace.first_divergence(&other, "the other renderer's", 0.0);
         print(&parts.unwrap_or_else(|| {
@@ -90,15 +90,15 @@ pub fn explain_pixel(scene: &Scene, explaining: &Explaining) -> Result<(), Error
         warn(&format!(
             "warning: the rendered picture has another colour: {rendered:?}, not {color:?}"
         ));
-    } else if !explaining.json {
+    } else if !arguments.json {
         print("the rendered picture has the same colour, to the last bit")?;
     }
     Ok(())
 }
 
 /// An error if a pixel cannot be explained with these settings.
-fn check(settings: &Settings, explaining: &Explaining) -> Result<(), Error> {
-    let (size, [x, y]) = (settings.size, explaining.pixel);
+fn check(settings: &Settings, arguments: &ExplainArgs) -> Result<(), Error> {
+    let (size, [x, y]) = (settings.size, arguments.pixel);
     let [right, bottom] = [size.width() - 1, size.height() - 1];
     let reason = if settings.max_error.is_some() {
         "--max-error chooses samples for a whole picture; explain takes --samples".to_owned()
@@ -108,7 +108,7 @@ fn check(settings: &Settings, explaining: &Explaining) -> Result<(), Error> {
         )
     } else if settings.samples > MOST_SAMPLES {
         format!("explain follows at most {MOST_SAMPLES} samples")
-    } else if explaining.beside && settings.renderer == Renderer::Lesson {
+    } else if arguments.beside && settings.renderer == Renderer::Lesson {
         "--beside compares with another renderer; add --fast or --no-omit".to_owned()
     } else {
         return Ok(());

@@ -1,39 +1,42 @@
-//! `Gallery`: the scenes of a stage, which a window shows one at a time.
+//! `Gallery`: the scenes of a stage and of scene files, which a window shows one at a time.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread::{Scope, ScopedJoinHandle};
 
-use common::{Error, Image, Picture, Renderer, Scene, Settings, Size, Stage};
+use common::{Error, Image, Picture, Renderer, Scene, Settings, Size, Stage, UsedSettings, text};
 
 use crate::appearance::Appearance;
-use crate::explanation::Explanation;
 use crate::grammar::Showing;
 use crate::live_picture::{Coarse, coarse};
+use crate::opened_file::OpenedFile;
 use crate::options::Options;
+use crate::pixel_panel::PixelPanel;
 use crate::print::warn;
-use crate::render::print_notes;
+use crate::render::{SLOW, print_notes};
 use crate::save::save_beside_others;
 use crate::target::make_default_folder;
-use crate::watch::Watch;
 use crate::{LivePicture, Slider};
 
-/// The scenes of a stage, the one that is being shown, its rendering, and an explained pixel.
+/// A list of scenes, first those of scene files and then the stage's; the one that is being shown,
+/// its rendering, and an explained pixel.
 pub struct Gallery<'scope, 'a> {
     /// The stage.
     pub stage: &'scope Stage,
-    /// The scene that is shown.
-    pub scene: Scene,
-    /// The files of the scene, if they are watched.
-    watch: Option<Watch>,
+    /// The scene files, which stand before the scenes of the stage.
+    files: Vec<OpenedFile>,
+    /// Whether scene files are read again when they are saved.
+    watches: bool,
+    /// The number of the scene that is shown.
+    number: usize,
     /// The flags of the command line.
     pub options: Options,
     /// How the window looks.
     pub appearance: Appearance,
     /// The sliders of the scene.
     pub sliders: Vec<Slider>,
-    /// Way of the mouse that turns the camera, to the right and down.
-    turned: [i32; 2],
+    /// The way of the mouse that rotates the camera, to the right and down.
+    rotated: [i32; 2],
     renderer: Option<Renderer>,
     /// Whether a number of the scene has changed since the rendering began.
     is_changed: bool,
@@ -44,34 +47,35 @@ pub struct Gallery<'scope, 'a> {
     /// The pixel that is explained.
     pub pixel: Option<[u32; 2]>,
     /// The numbers behind the pixel, as soon as they are known.
-    pub explanation: Option<Result<Explanation, Error>>,
+    pub explanation: Option<Result<PixelPanel, Error>>,
     scope: &'scope Scope<'scope, 'a>,
     rendering: Option<Task<'scope, Image>>,
-    explaining: Option<Task<'scope, Explanation>>,
+    explaining: Option<Task<'scope, PixelPanel>>,
 }
 
 /// A task in a thread of its own.
 type Task<'scope, T> = ScopedJoinHandle<'scope, Result<T, Error>>;
 
-/// The angle by which the camera turns for a pixel of the mouse's way, in radians.
-const TURN: f64 = 0.01;
+/// The angle by which the camera rotates for a pixel of the mouse's way, in radians.
+const ANGLE: f64 = 0.01;
 
 impl<'scope, 'a> Gallery<'scope, 'a> {
     pub(crate) fn new(
         stage: &'scope Stage,
-        scene: Scene,
-        watch: Option<Watch>,
+        files: Vec<OpenedFile>,
+        number: usize,
         showing: &Showing,
         scope: &'scope Scope<'scope, 'a>,
     ) -> Self {
         Self {
             stage,
-            scene,
-            watch,
+            files,
+            watches: showing.watch,
+            number,
             options: showing.options.clone(),
             appearance: showing.appearance,
             sliders: Vec::new(),
-            turned: [0; 2],
+            rotated: [0; 2],
             renderer: None,
             is_changed: false,
             picture: None,
@@ -84,27 +88,143 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
         }
     }
 
-    /// Opens the watched scene file if it has been saved, and starts to render it. A broken file
-    /// leaves the picture as it is; its error goes to the terminal, too.
-    pub fn reopen(&mut self) -> Result<(), Error> {
-        let stage = self.stage;
-        let Some(opened) = self.watch.as_mut().and_then(|watch| watch.reopen(stage)) else {
-            return Ok(());
-        };
-        let started = opened.and_then(|scene| {
-            self.options.settings(&scene)?;
-            print_notes(&scene);
-            self.scene = scene;
-            self.sliders.clear();
-            self.start()
+    /// The scene that is shown; none if its file was never right.
+    #[must_use]
+    pub fn scene(&self) -> Option<&Scene> {
+        match self.files.get(self.number) {
+            Some(file) => file.scene(),
+            None => self.stage.scenes.get(self.number - self.files.len()),
+        }
+    }
+
+    /// The settings that change the picture of the scene.
+    #[must_use]
+    pub fn uses(&self) -> UsedSettings {
+        self.scene().map(|scene| scene.uses).unwrap_or_default()
+    }
+
+    /// The names of the scenes, in the order of their numbers: files have the names of the file.
+    #[must_use]
+    pub fn names(&self) -> Vec<String> {
+        let files = self.files.iter().map(|file| {
+            let name = file.path().file_name().unwrap_or_default();
+            text::visible(&name.to_string_lossy())
         });
-        started.inspect_err(|error| warn(&format!("error: {error}")))
+        let scenes = self.stage.scenes.iter().map(|scene| scene.name.to_owned());
+        files.chain(scenes).collect()
+    }
+
+    /// The name of the scene that is shown.
+    #[must_use]
+    pub fn name(&self) -> String {
+        self.names().swap_remove(self.number)
+    }
+
+    /// The number of the scene that is shown.
+    #[must_use]
+    pub const fn number(&self) -> usize {
+        self.number
+    }
+
+    /// Why there is no picture, or why it is not that of the file as it is now.
+    #[must_use]
+    pub fn error(&self) -> Option<&Error> {
+        let file = self.files.get(self.number).and_then(OpenedFile::error);
+        let picture = self.outcome.as_ref().and_then(|it| it.as_ref().err());
+        file.or(picture)
+    }
+
+    /// Whether a scene file is watched, so that [`Self::update`] must be called without any input,
+    /// too.
+    #[must_use]
+    pub fn watches(&self) -> bool {
+        self.files.iter().any(OpenedFile::is_watched)
+    }
+
+    /// Whether the picture is being rendered.
+    #[must_use]
+    pub const fn is_rendering(&self) -> bool {
+        self.rendering.is_some()
+    }
+
+    /// Whether the picture takes long, and the engine would draw the same sooner.
+    #[must_use]
+    pub fn is_slow(&self) -> bool {
+        let elapsed = self
+            .picture
+            .as_ref()
+            .map(|picture| picture.started.elapsed());
+        self.is_rendering()
+            && elapsed.is_some_and(|elapsed| elapsed > SLOW)
+            && self.uses().sampling
+            && self.renderer() == Renderer::Lesson
+    }
+
+    /// Whether threads are at work, or begin with the next call of [`Self::update`].
+    #[must_use]
+    pub const fn is_busy(&self) -> bool {
+        self.rendering.is_some() || self.explaining.is_some() || self.is_changed
+    }
+
+    /// Reads the watched scene files that have been saved, and starts to render the one that is
+    /// shown. A broken file leaves the picture as it is; its error goes to the terminal, too.
+    fn reread_files(&mut self) {
+        for number in 0..self.files.len() {
+            let file = &mut self.files[number];
+            if !file.reread(self.stage) {
+                continue;
+            }
+            if let Some(error) = file.error() {
+                warn(&format!("error: {error}"));
+                continue;
+            }
+            file.scene().into_iter().for_each(print_notes);
+            if number == self.number {
+                self.sliders.clear();
+                self.start_or_fail();
+            }
+        }
+    }
+
+    /// Whether the stage opens scene files or pictures.
+    #[must_use]
+    pub fn opens_files(&self) -> bool {
+        let mut scenes = self.stage.scenes.iter();
+        self.stage.open.is_some() || scenes.any(|scene| scene.uses.file)
+    }
+
+    /// Opens a file, and shows its scene: a scene file, or a picture in a stage that shows pictures.
+    pub fn open(&mut self, path: &Path) -> Result<(), Error> {
+        let name = path.to_string_lossy();
+        if OpenedFile::is_named(self.stage, &name) {
+            let file = OpenedFile::open(self.stage, path, self.watches);
+            // A broken file is waited for, and a wrong name is not.
+            if file.scene().is_none() && !(self.watches && path.is_file()) {
+                return file.into_scene().map(|_| ());
+            }
+            file.scene().into_iter().for_each(print_notes);
+            let known = self.files.iter().position(|file| file.path() == path);
+            let number = known.unwrap_or(self.files.len());
+            match self.files.get_mut(number) {
+                Some(known) => *known = file,
+                None => self.files.push(file),
+            }
+            self.go_to(number);
+            return Ok(());
+        }
+        let scenes = &self.stage.scenes;
+        let Some(number) = scenes.iter().position(|scene| scene.uses.file) else {
+            return self.stage.scene(&name).map(|_| ());
+        };
+        self.options.open = Some(path.to_owned());
+        self.go_to(self.files.len() + number);
+        Ok(())
     }
 
     /// Stage and scene, for the title of the window.
     #[must_use]
     pub fn title(&self) -> String {
-        format!("{}: {}", self.stage.name, self.scene.name)
+        format!("{}: {}", self.stage.name, self.name())
     }
 
     /// The size of the picture; the course's before it is known.
@@ -115,20 +235,9 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
             .map_or(Size::COURSE, |picture| picture.size())
     }
 
-    /// The number of the scene; the scene of a file counts as the first.
-    #[must_use]
-    pub fn number(&self) -> usize {
-        let mut scenes = self.stage.scenes.iter();
-        scenes
-            .position(|scene| scene.name == self.scene.name)
-            .unwrap_or(0)
-    }
-
     /// Shows the scene of this number.
     pub fn go_to(&mut self, number: usize) {
-        if let Some(scene) = self.stage.scenes.get(number) {
-            self.scene = scene.clone();
-        }
+        self.number = number.min(self.files.len() + self.stage.scenes.len() - 1);
         (self.picture, self.pixel) = (None, None);
         self.reset();
     }
@@ -141,17 +250,20 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
         }
     }
 
-    /// Turns the camera around the middle of the scene, by a way of the mouse.
-    pub fn turn(&mut self, way: [i32; 2]) {
-        self.turned = [self.turned[0] - way[0], self.turned[1] - way[1]];
-        self.is_changed |= self.scene.rays().is_ok();
+    /// Rotates the camera around the middle of the scene, by a way of the mouse.
+    pub fn rotate(&mut self, way: [i32; 2]) {
+        self.rotated = [self.rotated[0] - way[0], self.rotated[1] - way[1]];
+        self.is_changed |= self.scene().is_some_and(|scene| scene.rays().is_ok());
     }
 
     /// The chosen renderer.
     #[must_use]
     pub fn renderer(&self) -> Renderer {
-        self.settings()
-            .map_or(Renderer::Lesson, |settings| settings.renderer)
+        let settings = self.scene().map(|scene| self.settings(scene));
+        match settings {
+            Some(Ok(settings)) => settings.renderer,
+            _ => Renderer::Lesson,
+        }
     }
 
     /// Chooses a renderer.
@@ -162,13 +274,13 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
 
     /// Returns camera, lights and sliders to their places at the start.
     pub fn reset(&mut self) {
-        self.turned = [0; 2];
+        self.rotated = [0; 2];
         self.sliders.clear();
         self.start_or_fail();
     }
 
-    fn settings(&self) -> Result<Settings, Error> {
-        let mut settings = self.options.settings(&self.scene)?;
+    fn settings(&self, scene: &Scene) -> Result<Settings, Error> {
+        let mut settings = self.options.settings(scene)?;
         settings.renderer = self.renderer.unwrap_or(settings.renderer);
         for slider in self
             .sliders
@@ -177,16 +289,20 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
         {
             slider.apply(&mut settings);
         }
-        settings.edits.orbit = self.turned.map(|way| TURN * f64::from(way));
+        settings.edits.orbit = self.rotated.map(|way| ANGLE * f64::from(way));
         Ok(settings)
     }
 
-    /// Starts to render the scene in a separate thread. An earlier rendering stops.
+    /// Starts to render the scene in a separate thread. An earlier rendering stops. A scene file
+    /// that was never right has nothing to render.
     pub fn start(&mut self) -> Result<(), Error> {
         self.stop();
-        let settings = self.settings()?;
+        let Some(scene) = self.scene().cloned() else {
+            return Ok(());
+        };
+        let settings = self.settings(&scene)?;
         if self.sliders.is_empty() {
-            self.sliders = Slider::all(&self.scene, &settings)?;
+            self.sliders = Slider::all(&scene, &settings)?;
         }
         let threads = self.options.thread_pool()?;
         // The window answers keys while all processors render.
@@ -197,7 +313,6 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
             picture.begin_with(&earlier);
         }
         self.picture = Some(Arc::clone(&picture));
-        let scene = self.scene.clone();
         let render = move || {
             for (side, settings) in coarse(&scene, &settings) {
                 // The last rendering reports an error.
@@ -223,9 +338,11 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
         (self.outcome, self.explanation) = (None, None);
     }
 
-    /// Takes the results of threads that have ended, and renders a changed scene anew, once the
-    /// rendering before has shown something. True if the picture has just been finished.
+    /// Reads watched files that have been saved, takes the results of threads that have ended, and
+    /// renders a changed scene anew, once the rendering before has shown something. True if the
+    /// picture has just been finished.
     pub fn update(&mut self) -> bool {
+        self.reread_files();
         let shows = |picture: &Arc<LivePicture>| picture.changes() > 0;
         if self.is_changed && self.picture.as_ref().is_none_or(shows) {
             self.start_or_fail();
@@ -265,12 +382,14 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
     /// Chooses the pixel that is explained.
     pub fn explain(&mut self, pixel: Option<[u32; 2]>) {
         (self.pixel, self.explanation, self.explaining) = (pixel, None, None);
-        let (Some(pixel), Picture::Traced(traced), Ok(settings)) =
-            (pixel, self.scene.picture.clone(), self.settings())
+        let (Some(pixel), Some(scene)) = (pixel, self.scene()) else {
+            return;
+        };
+        let (Picture::Traced(traced), Ok(settings)) = (scene.picture.clone(), self.settings(scene))
         else {
             return;
         };
-        let explain = move || Explanation::new(&*traced, settings, pixel);
+        let explain = move || PixelPanel::new(&*traced, settings, pixel);
         self.explaining = Some(self.scope.spawn(explain));
     }
 
@@ -278,7 +397,8 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
     /// picture of this name is kept, and the new one gets a number.
     pub fn save(&self, image: &Image) -> Result<PathBuf, Error> {
         let folder = make_default_folder()?;
-        let name = format!("{}-{}", self.stage.name, self.scene.name);
+        let scene = self.scene().map_or("", |scene| scene.name);
+        let name = format!("{}-{scene}", self.stage.name);
         let rgb = image.to_rgb8(self.options.transfer);
         save_beside_others(folder, &name, image.size(), &rgb)
     }
@@ -295,3 +415,6 @@ fn result<T>(task: Task<T>) -> Result<T, Error> {
     task.join()
         .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
 }
+
+#[cfg(test)]
+mod tests;

@@ -8,7 +8,7 @@ use std::process::{self, ExitCode};
 use clap::{Args, Subcommand};
 use common::{Error, Stage, atomic_file, text};
 
-use crate::explain_pixel::{Explaining, explain_pixel};
+use crate::explain_pixel::{ExplainArgs, explain_pixel};
 use crate::options::Options;
 use crate::print::print;
 
@@ -20,7 +20,7 @@ pub enum Command {
         /// The scene, as `list` names it
         scene: String,
         #[command(flatten)]
-        explaining: Explaining,
+        arguments: ExplainArgs,
     },
     /// Write a scene as text for others to read
     Export {
@@ -57,7 +57,7 @@ pub struct Arguments {
 /// Runs a command and returns the exit code.
 pub fn execute(stage: &Stage, command: Command) -> Result<ExitCode, Error> {
     let done = match command {
-        Command::Explain { scene, explaining } => explain_pixel(&stage.scene(&scene)?, &explaining),
+        Command::Explain { scene, arguments } => explain_pixel(&stage.scene(&scene)?, &arguments),
         Command::Export {
             scene,
             to,

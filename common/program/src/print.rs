@@ -5,13 +5,14 @@ use std::path::Path;
 
 use common::{Error, atomic_file, text};
 
-/// Prints a text on stdout, in which a terminal obeys no character but newlines. A closed pipe is no error: its reader has ended.
+/// Prints a text on stdout, in which a terminal obeys no character but newlines. A closed pipe is no
+/// error: its reader has ended.
 pub fn print(line: &str) -> Result<(), Error> {
-    printed(writeln!(io::stdout(), "{}", text::visible_lines(line)))
+    ignore_broken_pipe(writeln!(io::stdout(), "{}", text::visible_lines(line)))
 }
 
-/// The error of output that is lost, unless its reader has ended.
-pub fn printed(outcome: io::Result<()>) -> Result<(), Error> {
+/// Ignores a closed pipe, whose reader has ended; other output that is lost is an error.
+pub fn ignore_broken_pipe(outcome: io::Result<()>) -> Result<(), Error> {
     match outcome {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             let stdout = Path::new("standard output");
@@ -21,7 +22,8 @@ pub fn printed(outcome: io::Result<()>) -> Result<(), Error> {
     }
 }
 
-/// Prints a text on stderr as [`text::message`]. Nobody could read of an error there.
+/// Prints a text on stderr as [`text::message`]. Where stderr is broken, there is no place left to say
+/// so.
 pub fn warn(line: &str) {
     let _ = writeln!(io::stderr(), "{}", text::message(line));
 }

@@ -1,16 +1,21 @@
 //! `render`: renders scenes into PNG files.
 
 use std::path::PathBuf;
+use std::slice;
 use std::thread;
 use std::time::{Duration, Instant};
 
 use common::{Error, Image, Renderer, Scene, Settings, Stage, text};
 
+use crate::opened_file::OpenedFile;
 use crate::options::Options;
 use crate::print::{print, warn};
 use crate::target::Target;
 use crate::terminal_progress::TerminalProgress;
-use crate::watch::Watch;
+use crate::watch::NOT_WATCHED;
+
+/// After this time a picture takes long, so that a faster renderer is worth a remark.
+pub const SLOW: Duration = Duration::from_secs(4);
 
 /// Writes the pictures of these scenes, and prints the path and the time of each.
 /// Wrong arguments are refused before the first picture is begun.
@@ -39,28 +44,50 @@ pub fn render_to_files(
     Ok(())
 }
 
-/// Renders a scene of a file, and renders it anew whenever the file is saved. A broken file leaves
-/// the picture as it is.
+/// Renders a scene file, and renders it anew whenever it is saved. A broken file leaves the picture
+/// as it is, and is waited for; wrong arguments are refused at once.
 pub fn watch(
     stage: &Stage,
-    scenes: &[Scene],
+    names: &[String],
     render: impl Fn(&[Scene]) -> Result<(), Error>,
 ) -> Result<(), Error> {
-    let mut watch = Watch::new(scenes)?;
-    render(scenes)?;
+    let mut file = match names {
+        [name] if OpenedFile::is_named(stage, name) => OpenedFile::open(stage, name.as_ref(), true),
+        _ => {
+            for name in names {
+                stage.scene(name)?;
+            }
+            return Err(Error::Usage(NOT_WATCHED.to_owned()));
+        }
+    };
+    let render_file = |file: &OpenedFile| match (file.error(), file.scene()) {
+        (None, Some(scene)) => render(slice::from_ref(scene)),
+        (error, _) => {
+            error.into_iter().for_each(warn_error);
+            Ok(())
+        }
+    };
+    render_file(&file)?;
     warn("note: each save of the file renders it anew; Ctrl+C ends this");
     loop {
         thread::sleep(Duration::from_millis(200));
-        let opened = watch.reopen(stage);
-        if let Some(Err(error)) = opened.map(|scene| render(&[scene?])) {
-            warn(&format!("error: {error}"));
+        if file.reread(stage)
+            && let Err(error) = render_file(&file)
+        {
+            warn_error(&error);
         }
     }
 }
 
+fn warn_error(error: &Error) {
+    warn(&format!("error: {error}"));
+}
+
 /// Renders a scene, with a bar on the terminal.
 pub fn render(scene: &Scene, settings: &Settings, options: &Options) -> Result<Image, Error> {
-    let progress = TerminalProgress::new(scene.name, settings.size);
+    let is_lesson = scene.uses.sampling && settings.renderer == Renderer::Lesson;
+    let hint = is_lesson.then_some("note: --fast draws the same picture sooner");
+    let progress = TerminalProgress::new(scene.name, settings.size).with_hint(hint);
     let threads = options.thread_pool()?;
     let image = threads.install(|| scene.render(settings, &progress))?;
     let samples = progress.samples();

@@ -9,7 +9,7 @@ use common::{Error, Scene, Stage, text};
 
 use crate::Viewer;
 use crate::grammar::{Command, CommandLine};
-use crate::print::{print, printed, warn};
+use crate::print::{ignore_broken_pipe, print, warn};
 use crate::{render, show, work};
 
 /// Runs the program of `stage` with the arguments of this process.
@@ -38,17 +38,17 @@ pub fn run_with(
                 "{name} is a scene of {}, not a command; try: show {name}",
                 stage.name
             ))),
-            None => return refused(&help_or_error),
+            None => return print_clap_error(&help_or_error),
         },
     };
-    ended(outcome)
+    exit_code(outcome)
 }
 
 /// Prints the help, or the mistake in a command line, and returns the exit code.
 #[must_use]
-pub fn refused(help_or_error: &clap::Error) -> ExitCode {
+pub fn print_clap_error(help_or_error: &clap::Error) -> ExitCode {
     if !help_or_error.use_stderr() {
-        return ended(printed(help_or_error.print()).map(|()| ExitCode::SUCCESS));
+        return exit_code(ignore_broken_pipe(help_or_error.print()).map(|()| ExitCode::SUCCESS));
     }
     // The words of the command line stand in the error: a terminal must not obey them.
     let mut words = help_or_error.context().map(|(_, word)| word.to_string());
@@ -62,7 +62,7 @@ pub fn refused(help_or_error: &clap::Error) -> ExitCode {
 
 /// The exit code of a program, whose error is printed.
 #[must_use]
-pub fn ended(outcome: Result<ExitCode, Error>) -> ExitCode {
+pub fn exit_code(outcome: Result<ExitCode, Error>) -> ExitCode {
     outcome.unwrap_or_else(|error| {
         warn(&format!("error: {error}"));
         ExitCode::from(error.exit_code())
@@ -81,11 +81,9 @@ fn scene_as_command<'a>(stage: &'a Stage, error: &clap::Error) -> Option<&'a Sce
 
 fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<ExitCode, Error> {
     let done = match line.command {
-        None => show::show(stage, &stage.scenes[0], viewer, &line.showing),
+        None => show::show(stage, None, viewer, &line.showing),
         Some(Command::List) => list(stage),
-        Some(Command::Show { scene, showing }) => {
-            show::show(stage, &stage.scene(&scene)?, viewer, &showing)
-        }
+        Some(Command::Show { scene, showing }) => show::show(stage, Some(&scene), viewer, &showing),
         Some(Command::Render {
             scenes,
             all,
@@ -94,6 +92,17 @@ fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<E
             work,
             options,
         }) => {
+            let by = if work {
+                work::render_and_report
+            } else {
+                render::render
+            };
+            let render = |scenes: &[Scene]| {
+                render::render_to_files(stage, scenes, output.clone(), by, &options)
+            };
+            if watch {
+                return render::watch(stage, &scenes, render).map(|()| ExitCode::SUCCESS);
+            }
             let mut chosen: Vec<Scene> = Vec::new();
             for name in &scenes {
                 let scene = stage.scene(name)?;
@@ -105,19 +114,7 @@ fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<E
             if all {
                 chosen.extend_from_slice(&stage.scenes);
             }
-            let by = if work {
-                work::render_and_report
-            } else {
-                render::render
-            };
-            let render = |scenes: &[Scene]| {
-                render::render_to_files(stage, scenes, output.clone(), by, &options)
-            };
-            if watch {
-                render::watch(stage, &chosen, render)
-            } else {
-                render(&chosen)
-            }
+            render(&chosen)
         }
         Some(Command::Laboratory(it)) => return crate::laboratory::execute(stage, it),
     };

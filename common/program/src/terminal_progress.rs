@@ -1,15 +1,22 @@
 //! `TerminalProgress`: the progress bar of a rendering, on the terminal.
 
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use common::{Color, Progress, SamplingReport, Size, text};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use crate::print::warn;
+use crate::render::SLOW;
+
 /// A bar with elapsed and remaining time on stderr; hidden if stderr is no terminal.
 pub struct TerminalProgress {
     bar: ProgressBar,
     sampled: OnceLock<SamplingReport>,
+    /// Printed once, when the picture takes long.
+    hint: Option<&'static str>,
+    has_hinted: AtomicBool,
 }
 
 impl TerminalProgress {
@@ -20,6 +27,26 @@ impl TerminalProgress {
         Self {
             bar,
             sampled: OnceLock::new(),
+            hint: None,
+            has_hinted: AtomicBool::new(false),
+        }
+    }
+
+    /// The same bar, which prints a hint above it if the picture takes long.
+    pub fn with_hint(mut self, hint: Option<&'static str>) -> Self {
+        self.hint = hint;
+        self
+    }
+
+    fn print_hint(&self) {
+        let elapsed = self.bar.elapsed();
+        let to_go = self.bar.eta();
+        if let Some(hint) = self.hint
+            && !self.bar.is_hidden()
+            && is_worth_a_hint(elapsed, to_go)
+            && !self.has_hinted.swap(true, Ordering::Relaxed)
+        {
+            self.bar.suspend(|| warn(hint));
         }
     }
 
@@ -27,6 +54,11 @@ impl TerminalProgress {
     pub fn samples(&self) -> Option<SamplingReport> {
         self.sampled.get().copied()
     }
+}
+
+/// Whether a picture has taken long, and will take as long again.
+fn is_worth_a_hint(elapsed: Duration, to_go: Duration) -> bool {
+    elapsed > SLOW && to_go > SLOW
 }
 
 /// A bar on stderr that moves only when it is set, so that no other thread runs
@@ -47,6 +79,7 @@ pub fn terminal_bar(name: &str, steps: u64) -> ProgressBar {
 impl Progress for TerminalProgress {
     fn row(&self, _: u32, _: &mut dyn Iterator<Item = Color>) {
         self.bar.inc(1);
+        self.print_hint();
     }
 
     fn more_rows(&self, rows: u32) {
@@ -67,6 +100,14 @@ impl Drop for TerminalProgress {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_hint_comes_only_while_there_is_time_to_gain() {
+        let seconds = Duration::from_secs;
+        assert!(!is_worth_a_hint(seconds(1), seconds(60)));
+        assert!(is_worth_a_hint(seconds(5), seconds(60)));
+        assert!(!is_worth_a_hint(seconds(60), seconds(1)));
+    }
 
     #[test]
     fn the_bar_counts_rows_and_ends_with_the_rendering() {

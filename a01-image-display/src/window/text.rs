@@ -1,4 +1,4 @@
-//! `Letters`: smooth text of any size.
+//! `Letters`: draws smooth text of any size.
 
 use std::collections::HashMap;
 use std::sync::LazyLock;
