@@ -7,8 +7,9 @@ use console::Key;
 
 use crate::exercise::Exercise;
 use crate::files;
-use crate::judgement::{Phase, judge};
+use crate::judgement::judge;
 use crate::keys::Typed;
+use crate::phase::Phase;
 use crate::progress::Progress;
 use crate::screen::Space;
 use crate::watch::Session;

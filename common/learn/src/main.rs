@@ -5,6 +5,7 @@
 //! built with this file alone, so that a file that does not compile stops no other exercise.
 
 mod book;
+mod build;
 mod check_all;
 mod course;
 mod editor;
@@ -17,8 +18,10 @@ mod missing_name;
 mod output;
 mod own;
 mod page;
+mod phase;
 mod process;
 mod progress;
+mod report;
 mod screen;
 mod signature;
 mod status;

@@ -8,9 +8,10 @@ use console::{Key, style};
 use crate::check_all::CheckAll;
 use crate::exercise::Exercise;
 use crate::files::{self, Saved};
-use crate::judgement::{Report, judge};
+use crate::judgement::judge;
 use crate::keys::Typed;
 use crate::list::{self, Choice};
+use crate::report::Report;
 use crate::screen::Screen;
 use crate::watch::{PAUSE, Session};
 

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use console::{Term, truncate_str};
 
-use crate::judgement::Phase;
+use crate::phase::Phase;
 
 /// A line of the standard error, which is there while the command works.
 pub struct Status {

@@ -13,9 +13,9 @@ use super::grading_folder::GradingFolder;
 use super::outcome::{Cause, Outcome, State};
 use super::refusal::refusal;
 use super::sandbox::{End, Limits};
+use crate::build;
 use crate::exercise::Exercise;
 use crate::files::{self, with_path};
-use crate::judgement;
 use crate::missing_name::find_missing_name;
 
 /// Judges the text of a student's file. Faults of the grader end no grading: the file needs a look.
@@ -41,7 +41,7 @@ fn judged(folder: &GradingFolder, e: &Exercise, text: &str) -> Result<Outcome, S
     let mut build = ["cargo", "--offline", "--quiet"]
         .map(str::to_owned)
         .to_vec();
-    build.extend(judgement::arguments(e));
+    build.extend(build::arguments(e));
     let built = sandbox.run(Limits::Build, build);
     // The next submission shall not find it.
     fs::remove_file(&file).map_err(with_path(&file))?;
@@ -50,7 +50,7 @@ fn judged(folder: &GradingFolder, e: &Exercise, text: &str) -> Result<Outcome, S
         let why = sandbox.words(&built, "does not compile");
         return Ok(Outcome::without_answers(why));
     }
-    let program = judgement::program(&built.output)?;
+    let program = build::find_program(&built.output)?;
     let ended = sandbox.run(Limits::Check, [program])?;
     let record = record(e)?;
     let printed = StudentOutput::read(&ended.output);

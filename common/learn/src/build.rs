@@ -1,0 +1,89 @@
+//! `build`: compiles the test program of a stage with a student's file.
+
+use std::process::Command;
+use std::time::Instant;
+use std::{io, thread};
+
+use crate::exercise::Exercise;
+use crate::files;
+use crate::output::OutputReader;
+use crate::phase::{Phase, Watcher};
+use crate::process::run;
+use crate::report::{Report, say_cut};
+use crate::screen::Space;
+use crate::signature::explain_outside_error;
+
+/// What comes of a build.
+pub enum Build {
+    /// The path of the test program.
+    Program(String),
+    Failed(Report),
+    Stopped,
+}
+
+/// Builds the test program of an exercise.
+pub fn build(e: &Exercise, space: Space, watcher: Watcher) -> Result<Build, String> {
+    let with_name = |error: io::Error| format!("cargo: {error}");
+    let (mut messages, to_messages) = io::pipe().map_err(with_name)?;
+    let (errors, to_errors) = io::pipe().map_err(with_name)?;
+    let mut cargo = Command::new("cargo");
+    cargo.arg("--quiet").args(arguments(e));
+    // After a save, only functions that have changed are compiled again: those of a unit are
+    // compiled together, so there are many units.
+    cargo.args(["-C", "incremental=target/learn", "-C", "codegen-units=256"]);
+    if let Some(width) = space.width {
+        cargo.arg(format!("--diagnostic-width={width}"));
+    }
+    if console::colors_enabled() {
+        cargo.env("CARGO_TERM_COLOR", "always");
+    }
+    cargo.current_dir(files::workspace());
+    cargo.stdout(to_messages).stderr(to_errors);
+    let messages = thread::spawn(move || io::read_to_string(&mut messages));
+    let errors = OutputReader::start(errors);
+
+    let start = Instant::now();
+    let goes_on = &mut || watcher(Phase::Building, start.elapsed());
+    let Some(status) = run(cargo, goes_on).map_err(with_name)? else {
+        return Ok(Build::Stopped);
+    };
+    if !status.success() {
+        let errors = errors.finish();
+        let (first, more) = errors.beginning(space.lines);
+        let form = explain_outside_error(e, &first);
+        return Ok(Build::Failed(Report {
+            printed: first + &say_cut(e, &errors, more),
+            words: form.unwrap_or_default(),
+            ..Report::new(e, "does not compile")
+        }));
+    }
+    let messages = messages.join().unwrap_or(Ok(String::new()));
+    let program = find_program(&messages.map_err(with_name)?)?;
+    Ok(Build::Program(program))
+}
+
+/// Cargo's words for the test program of an exercise.
+pub fn arguments(e: &Exercise) -> Vec<String> {
+    // Messages name the file by its shortest path, and not by way of the test.
+    let shortest = files::shortest(&format!("{}/exercises", e.stage));
+    let long = format!("{}/tests/exercises/../../exercises", e.stage);
+    let prefix = format!("--remap-path-prefix={long}={}", shortest.display());
+    let words = "--test exercises --profile test --message-format json-render-diagnostics";
+    let words = format!("rustc --package {} {words}", e.stage);
+    let own = ["--", "--cfg", "learn", "-A", "unused", "--cfg", e.name];
+    let all = words.split(' ').chain(own).chain([&*prefix]);
+    all.map(str::to_owned).collect()
+}
+
+/// The path of the test program, in the messages of the build.
+pub fn find_program(messages: &str) -> Result<String, String> {
+    for line in messages.lines() {
+        if line.contains("\"kind\":[\"test\"]")
+            && let Some((_, rest)) = line.split_once("\"executable\":\"")
+            && let Some((program, _)) = rest.split_once('"')
+        {
+            return Ok(program.replace("\\\\", "\\"));
+        }
+    }
+    Err("cargo does not say where the test program is".to_owned())
+}

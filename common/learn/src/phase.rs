@@ -1,0 +1,31 @@
+//! `Phase`: what goes on while a file is checked.
+
+use std::time::Duration;
+
+/// What goes on.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Phase {
+    Building,
+    Checking,
+}
+
+impl Phase {
+    /// The words about it. `what` follows them, such as `, 3 of 12: sphere`.
+    pub fn words(self, what: &str, elapsed: Duration) -> String {
+        let seconds = elapsed.as_secs();
+        let words = match self {
+            Self::Building if seconds > 4 => "building, about a minute",
+            Self::Building => "building",
+            Self::Checking => "checking",
+        };
+        let time = if seconds > 0 {
+            format!(" ({seconds} s)")
+        } else {
+            String::new()
+        };
+        format!("{words}{what}{time}")
+    }
+}
+
+/// Is told often how long the phase has lasted, and answers whether the check goes on.
+pub type Watcher<'a> = &'a mut dyn FnMut(Phase, Duration) -> bool;
