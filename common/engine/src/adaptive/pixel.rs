@@ -61,7 +61,6 @@ impl Pixel {
         self.pairs += other.pairs;
     }
 
-    // ANCHOR: check
     /// Adds pairs that no decision has seen, and estimates the squared error by them.
     ///
     /// Let `a` and `1 - a` be the fractions of old and new samples. If their means are independent,
@@ -75,7 +74,6 @@ impl Pixel {
         self.checked_pairs = self.pairs;
         self.squared_error = (factor * dot(difference, difference)) as f32;
     }
-    // ANCHOR_END: check
 
     /// The squared error that the last check estimated, added up over the channels.
     pub fn squared_error(&self) -> f64 {

@@ -30,14 +30,12 @@ impl Sequence {
         }
     }
 
-    // ANCHOR: pair
     /// The positions of a pair in the pixel, each above 0 and below 1.
     pub fn pair(&self, i: u32) -> [(f64, f64); 2] {
         let x = mirrored(2 * i, self.seeds[0]);
         let y = mirrored(second(2 * i), self.seeds[1]);
         [(inside(x), inside(y)), (inside(!x), inside(!y))]
     }
-    // ANCHOR_END: pair
 }
 
 const TWO_TO_32: f64 = 4_294_967_296.0;
