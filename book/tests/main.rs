@@ -5,6 +5,7 @@
 
 mod arrows;
 mod caption;
+mod commands;
 mod files;
 mod include;
 mod left_over;
@@ -33,6 +34,7 @@ macro_rules! checks {
 checks! {
     every_page_picture_and_file_is_reached: left_over::complaints;
     every_listing_shows_something: include::complaints;
+    every_command_can_be_pasted: commands::complaints;
     every_picture_and_listing_has_a_caption: caption::complaints;
     lessons_name_nothing_but_the_lesson: lessons::complaints;
     crates_read_no_files_outside_of_them: upwards::complaints;
