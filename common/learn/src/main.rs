@@ -106,10 +106,13 @@ fn run() -> Result<String, String> {
             Some(e) => watch::watch(course, e),
             None => Ok(ALL_DONE.to_owned()),
         },
-        Some(Command::List) => Ok(Progress::read().list(course)),
+        Some(Command::List) => Ok(Screen::new().wrap(&Progress::read().list(course))),
         Some(Command::Editor) => editor::write_settings(),
         Some(Command::Hint(shown)) => Ok(match chosen_or_next(&shown, course) {
-            Some(e) => format!("{}\n{}", e.title, e.hints.join("\n")),
+            Some(e) => {
+                let hints = Screen::new().wrap_markdown(&e.hints.join("\n"));
+                format!("{}\n{hints}", e.title)
+            }
             None => ALL_DONE.to_owned(),
         }),
         Some(Command::Check(Check { all: true, .. })) => check_all(course),

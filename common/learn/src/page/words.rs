@@ -1,0 +1,86 @@
+//! The words of a page, as wide as the screen.
+
+use common::text;
+use console::style;
+
+use super::{KEYS, Page, RESET};
+use crate::files;
+use crate::report::Report;
+use crate::screen::Screen;
+use crate::watch::Session;
+
+const SAVE: &str = "save the file to check it";
+const NEXT: &str = "Enter: the next exercise";
+const MORE: &str = "m: more about your code";
+const LESS: &str = "m: less about it";
+
+impl Page {
+    /// The page while the file is checked: the task, and answers to keys.
+    pub(super) fn task_and_notes(&self, screen: &Screen) -> String {
+        let mut parts = vec![
+            self.heading(screen),
+            screen.wrap_markdown(&self.exercise.task),
+        ];
+        parts.extend(self.notes.iter().map(|note| screen.wrap(note)));
+        parts.join("\n\n") + "\n"
+    }
+
+    /// The page after a check: the task, the verdict, answers to keys, what is done, and the keys.
+    pub(super) fn text(&self, session: &Session) -> String {
+        let screen = &session.screen;
+        let mut parts = vec![
+            self.heading(screen),
+            screen.wrap_markdown(&self.exercise.task),
+        ];
+        if let Some(report) = &self.report {
+            parts.push(self.verdict(report, screen));
+        }
+        parts.extend(self.notes.iter().map(|note| screen.wrap(note)));
+        if let Some(warning) = session.progress.warning() {
+            parts.push(screen.wrap(&warning));
+        }
+        parts.push(session.progress.bars(session.course, screen.width()));
+        parts.push(screen.wrap(&self.keys()));
+        parts.join("\n\n")
+    }
+
+    fn heading(&self, screen: &Screen) -> String {
+        let e = self.exercise;
+        let (title, minutes, file) = (e.title, e.minutes, files::yours(e));
+        screen.wrap(&format!(
+            "{title}, {minutes} minutes, in {}",
+            text::path(&file)
+        ))
+    }
+
+    /// What the check says, and where the solution is if there is nothing more to say.
+    fn verdict(&self, report: &Report, screen: &Screen) -> String {
+        let details = report.details(screen, self.shows_remarks);
+        let verdict = style(screen.wrap(&report.verdict)).bold();
+        if !report.is_done {
+            return format!("{details}{verdict}");
+        }
+        let verdict = verdict.green();
+        let solution = files::shortest(self.exercise.solution);
+        if solution.is_file() {
+            format!("{details}{verdict}\nsolution: {}", text::path(&solution))
+        } else {
+            format!("{details}{verdict}")
+        }
+    }
+
+    /// What the keys do.
+    fn keys(&self) -> String {
+        if self.asks_for_reset {
+            return RESET.to_owned();
+        }
+        let Some(report) = self.report.as_ref().filter(|report| report.is_done) else {
+            return format!("{SAVE}\n{KEYS}");
+        };
+        if !report.hides_something() {
+            return format!("{NEXT}\n{KEYS}");
+        }
+        let more = if self.shows_remarks { LESS } else { MORE };
+        format!("{NEXT}; {more}\n{KEYS}")
+    }
+}
