@@ -15,24 +15,19 @@ for (const id of location.pathname.endsWith('print.html') ? [] : folds) {
     for (let next = heading.nextElementSibling; next && !next.matches('h1, h2'); next = next.nextElementSibling) {
         section.push(next);
     }
-    // The heading is a link to itself.
-    summary.onclick = (event) => {
-        if (event.target.closest('a')) {
-            event.preventDefault();
-            details.open = !details.open;
-        }
-    };
+    // The heading is a link to itself; within the summary, which a click opens, it is none.
+    heading.querySelector('a.header')?.replaceWith(heading.textContent);
     heading.before(details);
     summary.append(heading);
     details.append(summary, ...section);
 }
 
-// The printed book shows the lessons' code, too.
-const openLessons = () => document.querySelectorAll('details.lesson').forEach((lesson) => (lesson.open = true));
+// The printed book shows the lessons' code, too, and so does a page that is printed.
+const openAll = () => document.querySelectorAll('main details').forEach((details) => (details.open = true));
 if (location.pathname.endsWith('print.html')) {
-    openLessons();
+    openAll();
 }
-addEventListener('beforeprint', openLessons);
+addEventListener('beforeprint', openAll);
 
 const openTarget = () => {
     const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));

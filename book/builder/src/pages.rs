@@ -52,7 +52,7 @@ fn mdbook(module: Option<&LiveModule>) -> Result<Command, String> {
     let mut mdbook = tools::command("mdbook")?;
     mdbook.args(["build", "book"]);
     if module.is_some() {
-        let scripts = r#"["generated/live.js", "fold.js"]"#;
+        let scripts = r#"["generated/live.js", "fold.js", "access.js"]"#;
         mdbook.env("MDBOOK_OUTPUT__HTML__ADDITIONAL_JS", scripts);
     }
     Ok(mdbook)

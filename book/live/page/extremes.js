@@ -2,7 +2,7 @@
 live.Extremes = class {
     constructor(before) {
         const stages = [...new Set(Object.keys(live.locks).map((name) => /^a0[2-7]-(math|rays-cameras|intersections|lighting|shadows-reflection|transforms)/.exec(name)?.[0]).filter(Boolean))];
-        this.stage = live.element('select', {}, ...stages.map((name) => live.element('option', {}, name)));
+        this.stage = live.element('select', { 'aria-label': 'stage' }, ...stages.map((name) => live.element('option', {}, name)));
         this.filter = live.element('input', { type: 'search', size: 12, 'aria-label': 'show only cases with this text', oninput: () => this.show() });
         this.status = live.element('output');
         const compute = live.button('compute', () => this.run().catch(live.complain(this.status)));

@@ -137,7 +137,17 @@ live.Figure = class {
     }
 
     addHandle(handle) {
-        const circle = live.svg('circle', { r: 11, class: 'live-handle', tabindex: 0, role: 'button', 'aria-label': `${handle.label}: drag, or arrow keys` });
+        const [least, most] = this.area.x;
+        const circle = live.svg('circle', {
+            r: 12,
+            class: 'live-handle',
+            tabindex: 0,
+            role: 'slider',
+            'aria-label': `${handle.label}: arrow keys, with Shift in larger steps; Home and End`,
+            'aria-valuemin': least,
+            'aria-valuemax': most,
+            'aria-valuenow': least,
+        });
         const move = (x, y) => this.set(handle.move(this.state, x, y));
         live.drag(circle, (event) => {
             const box = this.svg.getBoundingClientRect();
@@ -145,11 +155,16 @@ live.Figure = class {
             const place = [(event.clientX - box.left) * shrunk, (event.clientY - box.top) * shrunk];
             move(...this.inside(new live.Pen(this.area).from(place)));
         });
-        const step = (this.area.x[1] - this.area.x[0]) / 60;
-        live.keys(circle, live.arrows((right, up) => {
-            const [x, y] = handle.at(this.state);
-            move(...this.inside([x + right * step, y + up * step]));
-        }));
+        const step = (most - least) / 60;
+        const height = () => handle.at(this.state)[1];
+        live.keys(circle, {
+            ...live.arrows((right, up) => {
+                const [x, y] = handle.at(this.state);
+                move(...this.inside([x + right * step, y + up * step]));
+            }),
+            Home: () => move(least, height()),
+            End: () => move(most, height()),
+        });
         this.svg.append(circle);
         return { ...handle, circle };
     }
@@ -211,6 +226,13 @@ live.Figure = class {
         return this.change();
     }
 
+    // The state in a sentence, for a screen reader: where the handle is, and what the figure says.
+    describe([x, y]) {
+        const numbers = [...this.root.querySelectorAll('.live-values > span')].map((value) => value.textContent);
+        const known = 'asked' in this.root.dataset ? [] : numbers;
+        return [`at ${live.show(x)}, ${live.show(y)}`, ...known].join('; ');
+    }
+
     async answer() {
         this.isStale = false;
         const answer = await live.ask(this.name, Object.values(this.state).slice(0, this.figure.numbers));
@@ -229,7 +251,12 @@ live.Figure = class {
         const pen = new live.Pen(this.area);
         this.figure.draw(pen, this.state, answer);
         this.drawn.innerHTML = pen.shapes.join('');
-        this.handles.forEach(({ circle, at }) => circle.setAttribute('transform', `translate(${pen.to(at(this.state))})`));
+        for (const { circle, at } of this.handles) {
+            const place = at(this.state);
+            circle.setAttribute('transform', `translate(${pen.to(place)})`);
+            circle.setAttribute('aria-valuenow', live.show(place[0]));
+            circle.setAttribute('aria-valuetext', this.describe(place));
+        }
         if (this.canvas) {
             live.paint(this.canvas, answer);
         }

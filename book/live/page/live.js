@@ -195,18 +195,24 @@ live.keys = (element, actions) => {
         if (actions[event.key]) {
             event.preventDefault();
             event.stopPropagation();
-            actions[event.key]();
+            actions[event.key](event);
         }
     });
 };
 
-// Arrow keys that move by 1 to the right and upwards.
-live.arrows = (move) => ({
-    ArrowLeft: () => move(-1, 0),
-    ArrowRight: () => move(1, 0),
-    ArrowUp: () => move(0, 1),
-    ArrowDown: () => move(0, -1),
-});
+// Arrow keys that move by 1 to the right and upwards, with Shift by 5.
+live.arrows = (move) => {
+    const by = ({ shiftKey }, right, up) => {
+        const steps = shiftKey ? 5 : 1;
+        move(steps * right, steps * up);
+    };
+    return {
+        ArrowLeft: (event) => by(event, -1, 0),
+        ArrowRight: (event) => by(event, 1, 0),
+        ArrowUp: (event) => by(event, 0, 1),
+        ArrowDown: (event) => by(event, 0, -1),
+    };
+};
 
 // Puts the pixels of an answer on a canvas.
 live.paint = (canvas, { size: [width, height], pixels }) => {

@@ -7,7 +7,7 @@ live.Measure = class {
 
     constructor(before) {
         const scenes = Object.keys(live.locks).filter((name) => /^a0[4-7]/.test(name));
-        this.scene = live.element('select', {}, ...scenes.map((name) => live.element('option', {}, name)));
+        this.scene = live.element('select', { 'aria-label': 'scene' }, ...scenes.map((name) => live.element('option', {}, name)));
         this.scene.value = 'a05-lighting-phong';
         this.status = live.element('output');
         const measure = live.button('measure', async () => {
