@@ -3,10 +3,12 @@
 
 mod case;
 mod reader;
+pub mod results;
 mod verdict;
 
 pub use case::{Answer, Case, Hit, Question, Shape, Step};
 pub use reader::{Mistake, read, read_questions};
+pub use results::table;
 pub use verdict::{DOUBLE, Found, SINGLE, Tally, Verdict, judge};
 
 /// The text of `cases.toml`, whose numbers are doubles.
