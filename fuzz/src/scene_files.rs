@@ -24,15 +24,15 @@ pub fn check(bytes: &[u8]) {
         a06_shadows_reflection::kinds::FORMAT,
         a07_transforms::kinds::FORMAT,
     ];
+    let settings = Settings {
+        size: Size::new(3, 2).expect("a size"),
+        ..Settings::default()
+    };
     for format in formats {
         // The file is its own mesh.
-        let read = format.read(&text, &|_| Mesh::read(bytes));
-        match read.and_then(|file| (format.view)(&file)) {
+        let file = format.read(&text, &|_| Mesh::read(bytes));
+        match file.and_then(|file| (format.view)(&file)) {
             Ok(view) => {
-                let settings = Settings {
-                    size: Size::new(3, 2).expect("a size"),
-                    ..Settings::default()
-                };
                 let image = view.render(&settings, &()).expect("a picture");
                 assert_eq!(image.count_non_finite(), 0, "{text}");
             }

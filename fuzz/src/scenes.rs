@@ -14,63 +14,113 @@ use crate::values::{accepted, boxed, camera, color, number, point, shape, vector
 
 /// Renders the scene that the bytes make by all three renderers.
 pub fn check(bytes: &[u8]) {
-    let Ok((settings, cutoff, View { world, .. })) = scene(bytes) else {
+    let Ok(scene) = Scene::new(bytes) else {
         return;
     };
-    let check = |is_right: bool, channels: &[f64]| {
-        assert!(is_right, "{channels:?}: {settings:#?}\n{world:#?}");
-    };
-    // The same bytes make the same view.
-    let view = || scene(bytes).expect("it was made before").2;
-    let render = |view: View<ShadowedWorld>, renderer, max_error| {
-        let settings = Settings {
-            renderer,
-            max_error,
-            ..settings.clone()
-        };
-        let image = traced(view).render(&settings, &()).expect("a picture");
-        let channels = image.pixels().iter().flat_map(|color| color.channels());
-        channels.collect::<Vec<_>>()
-    };
-
-    let lesson = render(view(), Renderer::Lesson, None);
-    check(lesson.iter().all(|c| c.is_finite() && *c >= 0.0), &lesson);
+    let lesson = scene.channels(Renderer::Lesson, None);
+    scene.check(lesson.iter().all(|c| c.is_finite() && *c >= 0.0), &lesson);
     for renderer in [Renderer::Engine, Renderer::AllWork] {
-        let same = render(view(), renderer, None);
-        let bits = |channels: &[f64]| channels.iter().map(|c| c.to_bits()).collect::<Vec<_>>();
-        check(bits(&same) == bits(&lesson), &same);
+        let other = scene.channels(renderer, None);
+        scene.check(are_same_bits(&lesson, &other), &other);
     }
-    if settings.max_error.is_some() {
+    if scene.settings.max_error.is_some() {
         for renderer in [Renderer::Lesson, Renderer::Engine] {
-            let adaptive = render(view(), renderer, settings.max_error);
+            let adaptive = scene.channels(renderer, scene.settings.max_error);
             // Light that was added to a pixel and taken off again is rounded.
             let is_right = |c: &f64| c.is_finite() && *c >= -1e-9;
-            check(adaptive.iter().all(is_right), &adaptive);
+            scene.check(adaptive.iter().all(is_right), &adaptive);
         }
     }
-
     // Flattened transforms also move shapes.
-    if !format!("{world:?}").contains("Node {") {
-        // All rays of a pixel are the same, so that only the cutoff of reflections differs.
-        // Mirrors may take an eighth of the error.
-        let [whole, cut] = [None, Some(8.0 * cutoff)].map(|max_error| {
-            let View { camera, world } = view();
-            let view = View::new(Middles(camera), world);
-            render(view, Renderer::Engine, max_error)
-        });
-        // The threshold, and the rounding of the sums over surfaces, lights and samples.
-        let bound = |whole: f64| cutoff * (1.0 + 1e-12) + 1000.0 * f64::EPSILON * whole;
-        let is_near = |(whole, cut): (&f64, &f64)| (whole - cut).abs() <= bound(*whole);
-        check(whole.iter().zip(&cut).all(is_near), &cut);
+    let has_nodes = format!("{:?}", scene.view.world).contains("Node {");
+    if !has_nodes {
+        scene.check_cutoff();
     }
 }
 
-/// The settings, the threshold for mirrored light, and the view that the bytes make.
-fn scene(bytes: &[u8]) -> Result<(Settings, f64, View<ShadowedWorld>)> {
-    let u = &mut Unstructured::new(bytes);
-    let (settings, cutoff) = (settings(u)?, f64::from(u.arbitrary::<u8>()?) / 512.0);
-    let (camera, world) = (camera(u)?, world(u)?);
-    Ok((settings, cutoff, View { camera, world }))
+fn are_same_bits(a: &[f64], b: &[f64]) -> bool {
+    let mut pairs = a.iter().zip(b);
+    a.len() == b.len() && pairs.all(|(a, b)| a.to_bits() == b.to_bits())
+}
+
+/// A scene made of bytes.
+struct Scene<'a> {
+    /// The same bytes make the same view.
+    bytes: &'a [u8],
+    settings: Settings,
+    /// The threshold for mirrored light.
+    cutoff: f64,
+    view: View<ShadowedWorld>,
+}
+
+impl<'a> Scene<'a> {
+    fn new(bytes: &'a [u8]) -> Result<Self> {
+        let u = &mut Unstructured::new(bytes);
+        let settings = settings(u)?;
+        let cutoff = f64::from(u.arbitrary::<u8>()?) / 512.0;
+        let (camera, world) = (camera(u)?, world(u)?);
+        Ok(Self {
+            bytes,
+            settings,
+            cutoff,
+            view: View { camera, world },
+        })
+    }
+
+    /// The view once more.
+    fn view_again(&self) -> View<ShadowedWorld> {
+        Self::new(self.bytes).expect("it was made before").view
+    }
+
+    /// The channels of the scene's picture.
+    fn channels(&self, renderer: Renderer, max_error: Option<f64>) -> Vec<f64> {
+        self.channels_of(self.view_again(), renderer, max_error)
+    }
+
+    fn channels_of(
+        &self,
+        view: View<ShadowedWorld>,
+        renderer: Renderer,
+        max_error: Option<f64>,
+    ) -> Vec<f64> {
+        let settings = Settings {
+            renderer,
+            max_error,
+            ..self.settings.clone()
+        };
+        let image = traced(view).render(&settings, &()).expect("a picture");
+        let mut channels = Vec::new();
+        for color in image.pixels() {
+            channels.extend(color.channels());
+        }
+        channels
+    }
+
+    /// Fails with the scene in words, if these channels are not right.
+    fn check(&self, is_right: bool, channels: &[f64]) {
+        let (settings, world) = (&self.settings, &self.view.world);
+        assert!(is_right, "{channels:?}: {settings:#?}\n{world:#?}");
+    }
+
+    /// Compares pictures with and without the cutoff of reflections. All rays of a pixel are the
+    /// same, so that nothing else differs.
+    fn check_cutoff(&self) {
+        let render = |max_error| {
+            let View { camera, world } = self.view_again();
+            let view = View::new(Middles(camera), world);
+            self.channels_of(view, Renderer::Engine, max_error)
+        };
+        let whole = render(None);
+        // Mirrors may take an eighth of the error.
+        let cut = render(Some(8.0 * self.cutoff));
+        for (whole, cut_off) in whole.iter().zip(&cut) {
+            // The threshold, and the rounding of the sums over surfaces, lights and samples.
+            let threshold = self.cutoff * (1.0 + 1e-12);
+            let rounding = 1000.0 * f64::EPSILON * whole;
+            let is_near = (whole - cut_off).abs() <= threshold + rounding;
+            self.check(is_near, &cut);
+        }
+    }
 }
 
 /// A camera whose rays all go through the middles of pixels.
@@ -103,7 +153,9 @@ fn world(u: &mut Unstructured) -> Result<ShadowedWorld> {
     let dark = || ShadowedWorld::empty(Color::BLACK, Color::gray(0.1)).expect("a world");
     let mut world = empty.unwrap_or_else(dark);
     for _ in 0..u.int_in_range(0..=3)? {
-        world = light(u)?.into_iter().fold(world, ShadowedWorld::lit_by);
+        if let Some(light) = light(u)? {
+            world = world.lit_by(light);
+        }
     }
     for _ in 0..u.int_in_range(0..=12)? {
         if let (Some(shape), Some(surface)) = (shape(u, 3)?, surface(u)?) {
@@ -114,24 +166,39 @@ fn world(u: &mut Unstructured) -> Result<ShadowedWorld> {
 }
 
 fn light(u: &mut Unstructured) -> Result<Option<LightSource>> {
-    let (kind, casts_shadows, color) = (u.int_in_range(0..=3)?, u.ratio(3, 4)?, color(u)?);
-    macro_rules! source {
-        ($made:expr) => {
-            accepted($made).map(|light| LightSource::new(light, casts_shadows))
-        };
-    }
+    let kind = u.int_in_range(0..=3)?;
+    let casts_shadows = u.ratio(3, 4)?;
+    let color = color(u)?;
     Ok(match kind {
-        0 => source!(DirectionalLight::new(color, vector(u)?)),
-        1 => source!(SpotLight::new(color, point(u)?, vector(u)?, number(u)?)),
-        _ => source!(PointLight::new(color, point(u)?)),
+        0 => {
+            let light = DirectionalLight::new(color, vector(u)?);
+            accepted(light).map(|light| LightSource::new(light, casts_shadows))
+        }
+        1 => {
+            let light = SpotLight::new(color, point(u)?, vector(u)?, number(u)?);
+            accepted(light).map(|light| LightSource::new(light, casts_shadows))
+        }
+        _ => {
+            let light = PointLight::new(color, point(u)?);
+            accepted(light).map(|light| LightSource::new(light, casts_shadows))
+        }
     })
 }
 
 fn surface(u: &mut Unstructured) -> Result<Option<Box<dyn Surface>>> {
-    Ok(match u.int_in_range(0..=4)? {
-        0 => boxed!(SingleColor::new(color(u)?)),
-        1 => boxed!(Lambert::new(color(u)?)),
-        2 => boxed!(Phong::new(color(u)?, color(u)?, number(u)?)),
-        _ => boxed!(Reflective::new(color(u)?, color(u)?, number(u)?, color(u)?)),
+    let kind = u.int_in_range(0..=4)?;
+    let diffuse = color(u)?;
+    Ok(match kind {
+        0 => boxed!(SingleColor::new(diffuse)),
+        1 => boxed!(Lambert::new(diffuse)),
+        2 => {
+            let (specular, exponent) = (color(u)?, number(u)?);
+            boxed!(Phong::new(diffuse, specular, exponent))
+        }
+        _ => {
+            let (specular, exponent) = (color(u)?, number(u)?);
+            let reflectance = color(u)?;
+            boxed!(Reflective::new(diffuse, specular, exponent, reflectance))
+        }
     })
 }

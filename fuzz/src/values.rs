@@ -56,17 +56,23 @@ pub fn normal(u: &mut Unstructured) -> Result<Normal3> {
 
 /// A colour, most of them from 0 to 1.
 pub fn color(u: &mut Unstructured) -> Result<Color> {
-    let any = u.ratio(1, 4)?.then(|| three(u)).transpose()?;
-    Ok(match any {
-        Some([r, g, b]) => Color::new(r, g, b),
-        None => Color::from_packed(u.arbitrary()?),
-    })
+    if u.ratio(1, 4)? {
+        let [r, g, b] = three(u)?;
+        Ok(Color::new(r, g, b))
+    } else {
+        Ok(Color::from_packed(u.arbitrary()?))
+    }
 }
 
 /// The result of a constructor; an error must have a message.
 pub fn accepted<T>(made: std::result::Result<T, ArgumentError>) -> Option<T> {
-    made.inspect_err(|error| assert!(error.to_string().contains(" must be ")))
-        .ok()
+    match made {
+        Ok(value) => Some(value),
+        Err(error) => {
+            assert!(error.to_string().contains(" must be "), "{error}");
+            None
+        }
+    }
 }
 
 /// A boxed trait object of the result of a constructor.
@@ -80,25 +86,46 @@ pub(crate) use boxed;
 /// A shape, with up to these levels of nodes; none if its constructor refuses the numbers.
 pub fn shape(u: &mut Unstructured, levels: u32) -> Result<Option<Box<dyn Geometry>>> {
     Ok(match u.int_in_range(0..=7)? {
-        0 => boxed!(Plane::new(point(u)?, normal(u)?)),
-        1 => boxed!(AxisAlignedBox::new(point(u)?, point(u)?)),
-        2 => boxed!(Disc::new(point(u)?, normal(u)?, number(u)?)),
-        3 | 4 => boxed!(Sphere::new(point(u)?, number(u)?)),
-        5 => boxed!(Triangle::new(point(u)?, point(u)?, point(u)?)),
+        0 => {
+            let (point, normal) = (point(u)?, normal(u)?);
+            boxed!(Plane::new(point, normal))
+        }
+        1 => {
+            let (low, high) = (point(u)?, point(u)?);
+            boxed!(AxisAlignedBox::new(low, high))
+        }
+        2 => {
+            let (center, normal) = (point(u)?, normal(u)?);
+            boxed!(Disc::new(center, normal, number(u)?))
+        }
+        3 | 4 => {
+            let (center, radius) = (point(u)?, number(u)?);
+            boxed!(Sphere::new(center, radius))
+        }
+        5 => {
+            let [a, b, c] = [point(u)?, point(u)?, point(u)?];
+            boxed!(Triangle::new(a, b, c))
+        }
         6 => {
-            let corners = Triangle::new(point(u)?, point(u)?, point(u)?);
+            let [a, b, c] = [point(u)?, point(u)?, point(u)?];
             let normals = [normal(u)?, normal(u)?, normal(u)?];
-            boxed!(corners.and_then(|triangle| triangle.with_normals(normals)))
+            let flat = Triangle::new(a, b, c);
+            boxed!(flat.and_then(|triangle| triangle.with_normals(normals)))
         }
         _ if levels == 0 => None,
-        _ => {
-            let mut node = Node::new(transform(u)?);
-            for _ in 0..u.int_in_range(0..=3)? {
-                node = shape(u, levels - 1)?.into_iter().fold(node, Node::with);
-            }
-            Some(Box::new(node))
-        }
+        _ => Some(Box::new(node(u, levels - 1)?)),
     })
+}
+
+/// A node with up to three children.
+fn node(u: &mut Unstructured, levels: u32) -> Result<Node> {
+    let mut node = Node::new(transform(u)?);
+    for _ in 0..u.int_in_range(0..=3)? {
+        if let Some(child) = shape(u, levels)? {
+            node = node.with(child);
+        }
+    }
+    Ok(node)
 }
 
 /// A chain of up to four steps; refused steps are skipped.
@@ -110,7 +137,10 @@ pub fn transform(u: &mut Unstructured) -> Result<Transform> {
             1 => transform.rotate_y(number(u)?),
             2 => transform.rotate_z(number(u)?),
             3 => transform.translate(point(u)?),
-            _ => transform.scale(number(u)?, number(u)?, number(u)?),
+            _ => {
+                let [x, y, z] = three(u)?;
+                transform.scale(x, y, z)
+            }
         };
         transform = accepted(step).unwrap_or(transform);
     }
@@ -121,14 +151,18 @@ pub fn transform(u: &mut Unstructured) -> Result<Transform> {
 /// numbers, so that the rest of the bytes is used.
 pub fn camera(u: &mut Unstructured) -> Result<Box<dyn Camera>> {
     let kind = u.int_in_range(0..=3)?;
-    let (e, g, up, size) = (point(u)?, vector(u)?, vector(u)?, number(u)?);
-    let (to_origin, y) = (Point3::ORIGIN - e, Vector3::new(0.0, 1.0, 0.0));
+    let (eye, gaze) = (point(u)?, vector(u)?);
+    let (up, size) = (vector(u)?, number(u)?);
     let camera: Option<Box<dyn Camera>> = match kind {
-        0 => boxed!(PinholeCamera::new(e, size)),
-        1 => boxed!(OrthographicCamera::new(e, g, up, size)),
-        2 => boxed!(PerspectiveCamera::new(e, g, up, size)),
-        // Where small numbers put shapes.
-        _ => boxed!(PerspectiveCamera::new(e, to_origin, y, 0.75)),
+        0 => boxed!(PinholeCamera::new(eye, size)),
+        1 => boxed!(OrthographicCamera::new(eye, gaze, up, size)),
+        2 => boxed!(PerspectiveCamera::new(eye, gaze, up, size)),
+        _ => {
+            // Where small numbers put shapes.
+            let to_origin = Point3::ORIGIN - eye;
+            let y = Vector3::new(0.0, 1.0, 0.0);
+            boxed!(PerspectiveCamera::new(eye, to_origin, y, 0.75))
+        }
     };
     let default = || boxed!(PinholeCamera::new(Point3::new(1.0, 2.0, 20.0), 1.0));
     Ok(camera.or_else(default).expect("a camera"))

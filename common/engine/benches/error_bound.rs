@@ -14,19 +14,22 @@
 
 #[path = "error_bound/kinds.rs"]
 mod kinds;
+#[path = "error_bound/pictures.rs"]
+mod pictures;
 #[path = "error_bound/rooms.rs"]
 mod rooms;
 mod support;
+#[path = "error_bound/things.rs"]
+mod things;
 
 use std::sync::{Mutex, PoisonError};
 
 use clap::Parser;
 use common::{Color, Error, Image, SamplingReport, Settings, Size};
-use engine::Renderer;
 use measure::experiment::{Curve, Errors, Point, Times};
 
 use crate::kinds::{Kind, kinds};
-use crate::support::{Grid, Numbers, print_head, print_row};
+use crate::support::{Grid, print_head, print_row};
 
 /// Compares the true errors of pictures with their bounds.
 #[derive(Parser)]
@@ -54,13 +57,10 @@ fn main() -> Result<(), Error> {
     if !options.bench {
         return Ok(());
     }
-    let errors = ["pictures", "silent", "said", "if dark", "largest", "median"];
-    print_head("kind", &[&errors[..], &["samples", "strat."]].concat());
-    let names = &options.kinds;
-    let is_named = |(kind, ..): &Kind| names.iter().any(|name| kind.contains(name.as_str()));
+    print_head("kind", &COLUMNS);
     let mut all = Vec::new();
     for kind in &kinds() {
-        if !names.is_empty() && !is_named(kind) {
+        if !options.names(kind) {
             continue;
         }
         let first = all.len();
@@ -74,7 +74,7 @@ fn main() -> Result<(), Error> {
                 }
             }
         }
-        print_row(kind.0, figures(&all[first..]));
+        print_row(kind.name, figures(&all[first..]));
     }
     print_row("all", figures(&all));
     let gain = median(all.iter().map(|trial| trial.stratified / trial.samples));
@@ -82,17 +82,36 @@ fn main() -> Result<(), Error> {
     Ok(())
 }
 
-fn figures(trials: &[Trial]) -> [f64; 8] {
-    let above = trials.iter().filter(|trial| trial.error > 1.0);
-    let (said, silent): (Vec<_>, Vec<_>) = above.partition(|trial| trial.is_said);
-    let errors = trials.iter().map(|trial| trial.error);
+impl Options {
+    /// Whether a kind is to be rendered.
+    fn names(&self, kind: &Kind) -> bool {
+        let mut names = self.kinds.iter();
+        self.kinds.is_empty() || names.any(|name| kind.name.contains(name.as_str()))
+    }
+}
+
+/// The columns of the table.
+const COLUMNS: [&str; 8] = [
+    "pictures", "silent", "said", "if dark", "largest", "median", "samples", "strat.",
+];
+
+/// The figures of a row.
+fn figures(trials: &[Trial]) -> [f64; COLUMNS.len()] {
+    let (mut silent, mut said, mut conditional, mut largest) = (0, 0, 0, 0.0);
+    for trial in trials {
+        let is_above = trial.error > 1.0;
+        silent += u32::from(is_above && !trial.is_said);
+        said += u32::from(is_above && trial.is_said);
+        conditional += u32::from(trial.is_conditional);
+        largest = f64::max(largest, trial.error);
+    }
     [
         trials.len() as f64,
-        silent.len() as f64,
-        said.len() as f64,
-        trials.iter().filter(|trial| trial.is_conditional).count() as f64,
-        errors.clone().fold(0.0, f64::max),
-        median(errors),
+        silent.into(),
+        said.into(),
+        conditional.into(),
+        largest,
+        median(trials.iter().map(|trial| trial.error)),
         median(trials.iter().map(|trial| trial.samples)),
         median(trials.iter().map(|trial| trial.stratified)),
     ]
@@ -132,10 +151,10 @@ impl<'a> Subject<'a> {
             samples: 1024,
             ..Settings::default()
         };
-        let renderer = prepare(kind, variant, &settings);
+        let renderer = kind.prepare(variant, &settings);
         let picture = |side, seed: u64| {
             let seed = Some(0x5EED + seed);
-            renderer.render(&Grid(side, seed), &settings, &())
+            renderer.render(&Grid { side, seed }, &settings, &())
         };
         let references = [picture(side, 1)?, picture(side, 2)?];
         let mut points = Vec::new();
@@ -169,13 +188,13 @@ impl<'a> Subject<'a> {
             seed,
             ..self.settings.clone()
         };
-        let renderer = prepare(self.kind, self.variant, &settings);
+        let renderer = self.kind.prepare(self.variant, &settings);
         let sampled = Mutex::new(SamplingReport::default());
-        let image = renderer.render(&Grid(1, None), &settings, &sampled)?;
+        let image = renderer.render(&Grid::ONE, &settings, &sampled)?;
         let sampled = sampled.into_inner().unwrap_or_else(PoisonError::into_inner);
         let error = error(&self.references, &image);
         let stratified = self.stratified.work_to_reach(error);
-        let is_conditional = sampled.brightest < sampled.max_radiance.min(self.kind.1);
+        let is_conditional = sampled.brightest < sampled.max_radiance.min(self.kind.brightest);
         Ok(Trial {
             error: error / bound,
             is_said: sampled.misses(Some(bound)) || is_conditional,
@@ -186,21 +205,21 @@ impl<'a> Subject<'a> {
     }
 }
 
-fn prepare((name, _, make): &Kind, variant: u32, settings: &Settings) -> Renderer<'static> {
-    let seed = common::fnv1a(name.as_bytes());
-    make(&mut Numbers::new(seed, variant), settings)
-}
-
 /// The root mean square error of a picture. The product of the differences from two
 /// independent references contains none of their noise, on average.
 fn error(references: &[Image; 2], image: &Image) -> f64 {
-    // As a screen shows it.
-    let shown = |color: &Color| color.map(|channel| channel.clamp(0.0, 1.0));
     let [a, b] = references.each_ref().map(Image::pixels);
-    let pixels = image.pixels().iter().zip(a).zip(b);
-    let products = pixels.flat_map(|((pixel, a), b)| {
+    let mut sum = 0.0;
+    for ((pixel, a), b) in image.pixels().iter().zip(a).zip(b) {
         let [pixel, a, b] = [pixel, a, b].map(shown);
-        ((a - pixel) * (b - pixel)).channels()
-    });
-    (products.sum::<f64>().max(0.0) / (3 * a.len()) as f64).sqrt()
+        for product in ((a - pixel) * (b - pixel)).channels() {
+            sum += product;
+        }
+    }
+    (sum.max(0.0) / (3 * a.len()) as f64).sqrt()
+}
+
+/// A colour as a screen shows it.
+fn shown(color: &Color) -> Color {
+    color.map(|channel| channel.clamp(0.0, 1.0))
 }

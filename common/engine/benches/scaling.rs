@@ -70,20 +70,33 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// A time for each of [`NAMES`]; NaN if it is not measured.
 fn nanoseconds(count: u32) -> Result<[f64; NAMES.len()], common::Error> {
-    // Spheres as dense for any number of them: a ray passes by a few until it hits one.
-    let radius = 0.6 / libm::cbrt(count.into());
-    let center = |i| Numbers::new(1, i).in_cube(1.0);
-    let spheres = (0..count).map(|i| (center(i), radius));
     let started = Instant::now();
-    let picture = prepare(spheres.clone().map(known), camera(EYE, -EYE, 0.25));
-    let build = since(started) / f64::from(count);
-    let of_rays = |from_eye| pixel(&prepare(spheres.clone().map(known), rays(from_eye)));
-    let list = match count {
-        ..=1_000 => pixel(&prepare(spheres.clone().map(unknown), rays(false)))?,
-        _ => f64::NAN,
+    let picture = prepare(spheres(count).map(known), camera(EYE, -EYE, 0.25));
+    let building = since(started) / f64::from(count);
+    let picture = pixel(&picture)?;
+    let from_the_eye = pixel(&prepare(spheres(count).map(known), rays(true)))?;
+    let from_anywhere = pixel(&prepare(spheres(count).map(known), rays(false)))?;
+    let through_a_list = if count <= 1_000 {
+        pixel(&prepare(spheres(count).map(unknown), rays(false)))?
+    } else {
+        f64::NAN
     };
-    let [from_eye, anywhere] = [of_rays(true)?, of_rays(false)?];
-    Ok([build, pixel(&picture)?, from_eye, anywhere, list])
+    Ok([
+        building,
+        picture,
+        from_the_eye,
+        from_anywhere,
+        through_a_list,
+    ])
+}
+
+/// Spheres as dense for any number of them: a ray passes by a few until it hits one.
+fn spheres(count: u32) -> impl Iterator<Item = Sphere> {
+    let radius = 0.6 / libm::cbrt(count.into());
+    (0..count).map(move |i| Sphere {
+        center: Numbers::new(1, i).in_cube(1.0),
+        radius,
+    })
 }
 
 fn since(started: Instant) -> f64 {
@@ -96,9 +109,9 @@ fn pixel(renderer: &Renderer) -> Result<f64, common::Error> {
         size: Size::new(SIDE, SIDE)?,
         ..Settings::default()
     };
-    black_box(renderer.render(&Grid(1, None), &settings, &())?);
+    black_box(renderer.render(&Grid::ONE, &settings, &())?);
     let started = Instant::now();
-    black_box(renderer.render(&Grid(1, None), &settings, &())?);
+    black_box(renderer.render(&Grid::ONE, &settings, &())?);
     Ok(since(started) / settings.size.pixels() as f64)
 }
 
@@ -116,34 +129,34 @@ fn prepare(
 
 /// A camera of rays from everywhere in the cube to everywhere, or all from the eye.
 fn rays(from_eye: bool) -> Camera<'static> {
-    let ray = |i| {
+    let mut rays = Vec::new();
+    for i in 0..SIDE * SIDE {
         let mut numbers = Numbers::new(2, i);
-        let (origin, target) = (numbers.in_cube(1.0), numbers.in_cube(1.0));
-        let origin = if from_eye { EYE } else { origin };
+        let (anywhere, target) = (numbers.in_cube(1.0), numbers.in_cube(1.0));
+        let origin = if from_eye { EYE } else { anywhere };
         let direction = (target - origin).normalize();
-        Ray { origin, direction }
-    };
-    let rays: Vec<_> = (0..SIDE * SIDE).map(ray).collect();
+        rays.push(Ray { origin, direction });
+    }
     Camera::Other(Box::new(move |_, x, y| {
         rays[y as usize * SIDE as usize + x as usize]
     }))
 }
 
-fn known((center, radius): (DVec3, f64)) -> Shape<'static> {
-    Shape::Sphere(Sphere { center, radius })
+fn known(sphere: Sphere) -> Shape<'static> {
+    Shape::Sphere(sphere)
 }
 
 /// A sphere as a shape of a type that the engine does not know, so that it is tested for
 /// every ray.
-fn unknown((center, radius): (DVec3, f64)) -> Shape<'static> {
+fn unknown(Sphere { center, radius }: Sphere) -> Shape<'static> {
     Shape::other(move |ray| {
         let f = ray.origin - center;
         let middle = -f.dot(ray.direction);
         let beside = f + ray.direction * middle;
         // Beside the sphere the root is NaN, which is not above 0.
         let half = (radius * radius - beside.length_squared()).sqrt();
-        let mut both = [middle - half, middle + half].into_iter();
-        let t = both.find(|t| *t > 0.0)?;
+        let mut roots = [middle - half, middle + half].into_iter();
+        let t = roots.find(|t| *t > 0.0)?;
         Some(Hit::new(t, (f + ray.direction * t) / radius))
     })
 }

@@ -2,7 +2,7 @@
 
 mod numbers;
 
-use std::fs::{self, DirEntry};
+use std::fs;
 
 use a07_transforms::kinds::example_files;
 use arbitrary::Unstructured;
@@ -23,10 +23,12 @@ fn config(cases: u32) -> ProptestConfig {
 
 /// The files of `seeds/images`, in the same order on every system.
 fn seeds() -> Vec<Vec<u8>> {
-    let files = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/seeds/images"));
-    let read = |file: Result<DirEntry, _>| fs::read(file.expect("a file").path());
-    let seeds = files.expect("the seeds").map(read);
-    let mut seeds: Vec<_> = seeds.map(|seed| seed.expect("a seed")).collect();
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/seeds/images");
+    let mut seeds = Vec::new();
+    for file in fs::read_dir(folder).expect("the seeds") {
+        let path = file.expect("a file").path();
+        seeds.push(fs::read(path).expect("a seed"));
+    }
     seeds.sort();
     seeds
 }
@@ -43,50 +45,76 @@ fn meshes() -> Vec<Vec<u8>> {
     ];
     let mut meshes = vec![example_files::STAR.to_vec()];
     meshes.extend(faces.map(|faces| [corners, faces].concat().into_bytes()));
-    for (encoding, strips) in [
-        ("binary_little_endian", false),
-        ("binary_big_endian", false),
-        ("binary_big_endian", true),
-    ] {
-        let element = ["face", "tristrips"][usize::from(strips)];
-        let header = format!(
-            "ply\rformat {encoding} 1.0\rcomment \u{fc}\relement vertex 5\rproperty short x\r\
-             property short y\rproperty short z\relement {element} 1\r\
-             property list short short vertex_indices\rend_header\r"
-        );
-        let corners = [0_i16, 0, 0, 3, 0, 0, 3, 3, 0, 1, 1, 0, 0, 3, 0];
-        let indices = if strips {
-            vec![9, 0, 1, 4, 3, 2, -1, 0, 1, 2]
-        } else {
-            vec![5, 0, 1, 2, 3, 4]
-        };
-        let bytes = if encoding.contains("big") {
-            i16::to_be_bytes
-        } else {
-            i16::to_le_bytes
-        };
-        let numbers = corners.into_iter().chain(indices).flat_map(bytes);
-        meshes.push(header.bytes().chain(numbers).collect());
-    }
+    meshes.push(binary_ply("binary_little_endian", i16::to_le_bytes, false));
+    meshes.push(binary_ply("binary_big_endian", i16::to_be_bytes, false));
+    meshes.push(binary_ply("binary_big_endian", i16::to_be_bytes, true));
     meshes
 }
 
-/// A change of some bytes: its kind, its place, and a byte or a length.
-fn change() -> impl Strategy<Value = (u8, Index, u8)> {
-    // Bytes with which lengths and signs change most.
-    let extremes = select(vec![0, 1, 0x7F, 0x80, 0xFE, 0xFF]);
-    (0..6_u8, any::<Index>(), prop_oneof![extremes, any::<u8>()])
+/// A mesh of five corners in PLY, as a face or as strips.
+fn binary_ply(encoding: &str, to_bytes: fn(i16) -> [u8; 2], is_strips: bool) -> Vec<u8> {
+    let element = if is_strips { "tristrips" } else { "face" };
+    let mut bytes = Vec::new();
+    let header = format!(
+        "ply\rformat {encoding} 1.0\rcomment \u{fc}\relement vertex 5\rproperty short x\r\
+         property short y\rproperty short z\relement {element} 1\r\
+         property list short short vertex_indices\rend_header\r"
+    );
+    bytes.extend(header.bytes());
+    let corners = [0_i16, 0, 0, 3, 0, 0, 3, 3, 0, 1, 1, 0, 0, 3, 0];
+    let indices: &[i16] = if is_strips {
+        &[9, 0, 1, 4, 3, 2, -1, 0, 1, 2]
+    } else {
+        &[5, 0, 1, 2, 3, 4]
+    };
+    for number in corners.iter().chain(indices) {
+        bytes.extend(to_bytes(*number));
+    }
+    bytes
 }
 
-fn changed(mut bytes: Vec<u8>, changes: &[(u8, Index, u8)]) -> Vec<u8> {
-    for (kind, at, value) in changes {
-        let at = at.index(bytes.len() + 1);
-        let some = at..(at + 1 + usize::from(value % 16)).min(bytes.len()).max(at);
-        match kind {
-            0 => bytes.truncate(at),
-            1 => drop(bytes.drain(some)),
-            2 => bytes.insert(at, *value),
-            _ => bytes.iter_mut().skip(at).take(1).for_each(|b| *b = *value),
+/// A change of some bytes.
+#[derive(Clone, Debug)]
+struct Change {
+    kind: ChangeKind,
+    at: Index,
+    /// A byte, or a length.
+    value: u8,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum ChangeKind {
+    Truncate,
+    Remove,
+    Insert,
+    Replace,
+}
+
+/// Any change. Half of them replace a byte.
+fn change() -> impl Strategy<Value = Change> {
+    use ChangeKind::{Insert, Remove, Replace, Truncate};
+    let kind = select(vec![Truncate, Remove, Insert, Replace, Replace, Replace]);
+    // Bytes with which lengths and signs change most.
+    let extremes = select(vec![0, 1, 0x7F, 0x80, 0xFE, 0xFF]);
+    let value = prop_oneof![extremes, any::<u8>()];
+    (kind, any::<Index>(), value).prop_map(|(kind, at, value)| Change { kind, at, value })
+}
+
+fn changed(mut bytes: Vec<u8>, changes: &[Change]) -> Vec<u8> {
+    for change in changes {
+        let at = change.at.index(bytes.len() + 1);
+        match change.kind {
+            ChangeKind::Truncate => bytes.truncate(at),
+            ChangeKind::Remove => {
+                let end = at + 1 + usize::from(change.value % 16);
+                bytes.drain(at..end.min(bytes.len()));
+            }
+            ChangeKind::Insert => bytes.insert(at, change.value),
+            ChangeKind::Replace => {
+                if let Some(byte) = bytes.get_mut(at) {
+                    *byte = change.value;
+                }
+            }
         }
     }
     bytes

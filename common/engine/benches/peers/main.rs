@@ -33,7 +33,7 @@ use clap::Parser;
 use common::{Settings, Size, Transfer, picture_file};
 use rayon::ThreadPoolBuilder;
 
-use crate::program::{PROGRAMS, Program};
+use crate::program::{Figures, OfPrograms, PROGRAMS};
 use crate::support::Grid;
 use crate::support::scene::{SCENES, Scene};
 
@@ -69,18 +69,26 @@ type Outcome = Result<(), Box<dyn Error>>;
 
 fn main() -> Outcome {
     let options = Options::parse();
-    let names = &options.scenes;
-    let is_named = |scene: &&Scene| names.is_empty() || names.iter().any(|n| n == scene.name);
-    let scenes: Vec<_> = SCENES.iter().filter(is_named).collect();
-    if scenes.len() < names.len() {
-        let known: Vec<_> = SCENES.iter().map(|scene| scene.name).collect();
-        return Err(format!("the scenes are {}", known.join(", ")).into());
-    }
+    let scenes = chosen(&options.scenes)?;
     match &options.render {
         Some(file) => render(scenes[0], 1, options.size, options.threads[0], file),
         None if options.bench => compare(&options, &scenes),
         None => Ok(()),
     }
+}
+
+/// The scenes with these names; without a name, all scenes.
+fn chosen(names: &[String]) -> Result<Vec<&'static Scene>, Box<dyn Error>> {
+    let mut scenes: Vec<&Scene> = SCENES.iter().collect();
+    if names.is_empty() {
+        return Ok(scenes);
+    }
+    let known: Vec<_> = scenes.iter().map(|scene| scene.name).collect();
+    scenes.retain(|scene| names.iter().any(|name| name == scene.name));
+    if scenes.len() < names.len() {
+        return Err(format!("the scenes are {}", known.join(", ")).into());
+    }
+    Ok(scenes)
 }
 
 /// Prints a row for each scene, with the least figures of all rounds.
@@ -89,31 +97,37 @@ fn compare(options: &Options, scenes: &[&'static Scene]) -> Outcome {
     report::head();
     let pictures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/pictures");
     for scene in scenes {
-        let size = options.size;
-        let programs = if options.alone { 1 } else { 3 };
-        let can_render = |(_, program): &(usize, &Program)| {
-            let written = program.write(scene, size);
-            let lacks = |error| eprintln!("{}, {}: {error}", scene.name, program.name);
-            written.map_err(lacks).is_ok()
-        };
-        let programs = PROGRAMS[..programs].iter().enumerate();
-        let programs: Vec<_> = programs.filter(can_render).collect();
-        let mut least = vec![[[f64::NAN; 4]; 3]; options.threads.len()];
-        for _ in 0..options.rounds {
-            for (threads, least) in options.threads.iter().zip(&mut least) {
-                for (i, program) in &programs {
-                    let now = program.render(scene, size, *threads)?;
-                    least[*i] = std::array::from_fn(|figure| least[*i][figure].min(now[figure]));
-                }
-            }
-        }
-        report::row(scene, &least);
+        report::row(scene, &least_figures(options, scene)?);
         if options.book {
             let file = pictures.join(format!("peers-{}.png", scene.name));
             render(scene, 4, Size::new(144, 108)?, 1, &file)?;
         }
     }
     Ok(())
+}
+
+/// The least figures of all programs for a scene, on each number of threads. The programs take
+/// turns.
+fn least_figures(options: &Options, scene: &Scene) -> Result<Vec<OfPrograms>, Box<dyn Error>> {
+    let size = options.size;
+    let candidates = if options.alone { 1 } else { PROGRAMS.len() };
+    let mut able = Vec::new();
+    for (i, program) in PROGRAMS[..candidates].iter().enumerate() {
+        match program.write(scene, size) {
+            Ok(()) => able.push((i, program)),
+            Err(error) => eprintln!("{}, {}: {error}", scene.name, program.name),
+        }
+    }
+    let mut least = vec![[Figures::NONE; PROGRAMS.len()]; options.threads.len()];
+    for _ in 0..options.rounds {
+        for (threads, least) in options.threads.iter().zip(&mut least) {
+            for (i, program) in &able {
+                let now = program.render(scene, size, *threads)?;
+                least[*i] = least[*i].min(&now);
+            }
+        }
+    }
+    Ok(least)
 }
 
 /// Renders a scene into a file, with a square of samples in each pixel, and prints the times.
@@ -129,7 +143,7 @@ fn render(scene: &Scene, side: u32, size: Size, threads: u16, file: &Path) -> Ou
         println!("build: {} seconds", started.elapsed().as_secs_f64());
 
         let started = Instant::now();
-        let image = renderer.render(&Grid(side, None), &settings, &())?;
+        let image = renderer.render(&Grid { side, seed: None }, &settings, &())?;
         let rgb = image.to_rgb8(Transfer::Linear);
         println!("trace: {} seconds", started.elapsed().as_secs_f64());
         Ok::<_, common::Error>(rgb)

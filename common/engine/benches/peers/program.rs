@@ -23,7 +23,7 @@ pub struct Program {
 
 /// Ours is the first. POV-Ray writes 8 bits a channel, linear, and takes one sample in each
 /// pixel; of three highlights of Tachyon one is Phong's own.
-pub static PROGRAMS: [Program; 3] = [
+pub const PROGRAMS: [Program; 3] = [
     Program {
         name: "ours",
         language: None,
@@ -46,15 +46,40 @@ pub static PROGRAMS: [Program; 3] = [
     },
 ];
 
-/// The seconds to build the structures that rays are traced in, and to trace the picture, the
-/// peak of memory in KiB, and the seconds to build and trace; NaN where there are none.
-pub type Figures = [f64; 4];
+/// What a program prints about itself; NaN where it prints nothing.
+#[derive(Clone, Copy)]
+pub struct Figures {
+    /// The seconds to build the structures that rays are traced in.
+    pub build: f64,
+    /// The seconds to trace the picture.
+    pub trace: f64,
+    /// The seconds to build and trace.
+    pub total: f64,
+    /// The peak of memory in KiB.
+    pub memory: f64,
+}
 
-/// The indices of the figures.
-pub const BUILD: usize = 0;
-pub const TRACE: usize = 1;
-pub const MEMORY: usize = 2;
-pub const TOTAL: usize = 3;
+/// The figures of each of [`PROGRAMS`].
+pub type OfPrograms = [Figures; PROGRAMS.len()];
+
+impl Figures {
+    pub const NONE: Self = Self {
+        build: f64::NAN,
+        trace: f64::NAN,
+        total: f64::NAN,
+        memory: f64::NAN,
+    };
+
+    /// The least of each figure.
+    pub fn min(&self, other: &Self) -> Self {
+        Self {
+            build: self.build.min(other.build),
+            trace: self.trace.min(other.trace),
+            total: self.total.min(other.total),
+            memory: self.memory.min(other.memory),
+        }
+    }
+}
 
 /// The folder of scenes and pictures.
 pub fn folder() -> PathBuf {
@@ -99,12 +124,15 @@ impl Program {
             ("[height]", size.height().to_string()),
             ("[threads]", threads.to_string()),
         ];
-        let arguments = self.command.split_whitespace().map(|argument| {
-            let replace = |text: String, (word, value): &(_, String)| text.replace(word, value);
-            words.iter().fold(argument.to_owned(), replace)
-        });
         let mut command = Command::new("time");
-        command.args(["-f", "memory: %M KiB"]).args(arguments);
+        command.args(["-f", "memory: %M KiB"]);
+        for argument in self.command.split_whitespace() {
+            let mut argument = argument.to_owned();
+            for (word, value) in &words {
+                argument = argument.replace(word, value);
+            }
+            command.arg(argument);
+        }
         let missing = |error| io::Error::other(format!("GNU time: {error}"));
         let output = command.current_dir(folder()).output().map_err(missing)?;
         let log = [output.stdout, output.stderr].concat();
@@ -113,16 +141,25 @@ impl Program {
         if trace.is_nan() {
             eprintln!("{} failed: {log}", self.name);
         }
-        Ok([build, trace, memory, build + trace])
+        Ok(Figures {
+            build,
+            trace,
+            total: build + trace,
+            memory,
+        })
     }
 }
 
 /// The last number in the last line with this label; NaN if there is none.
 fn number(log: &str, label: &str) -> f64 {
-    let line = log
-        .rsplit_once(label)
-        .and_then(|(_, after)| after.lines().next());
-    let words = line.unwrap_or_default().rsplit([' ', '(']);
-    let mut numbers = words.filter_map(|word| word.parse().ok());
-    numbers.next().unwrap_or(f64::NAN)
+    let Some((_, after)) = log.rsplit_once(label) else {
+        return f64::NAN;
+    };
+    let line = after.lines().next().unwrap_or_default();
+    for word in line.rsplit([' ', '(']) {
+        if let Ok(number) = word.parse() {
+            return number;
+        }
+    }
+    f64::NAN
 }

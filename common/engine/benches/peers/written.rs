@@ -7,43 +7,55 @@ use scene_file::WrittenShape;
 pub fn written(scene: &Scene) -> Vec<WrittenShape> {
     let mut written = Vec::new();
     scene.for_each_shape(|transforms, shape, surface| {
-        let (key, values) = match shape {
-            Shape::Sphere(s) => (
-                "sphere",
-                vec![
-                    ("center", s.center.to_array().into()),
-                    ("radius", vec![s.radius]),
-                ],
-            ),
-            Shape::Plane(p) => (
-                "plane",
-                vec![
-                    ("point", p.point.to_array().into()),
-                    ("normal", p.normal.to_array().into()),
-                ],
-            ),
-            Shape::Box(b) => ("box", vec![("lbf", b.min.into()), ("run", b.max.into())]),
-            Shape::Disc(d) => (
-                "disc",
-                vec![
-                    ("center", d.plane.point.to_array().into()),
-                    ("normal", d.plane.normal.to_array().into()),
-                    ("radius", vec![d.radius]),
-                ],
-            ),
-            Shape::Triangle(t) => {
-                let corners = t.corners.map(|corner| corner.to_array());
-                ("triangle", vec![("corners", corners.as_flattened().into())])
-            }
-            Shape::Transformed(_) | Shape::Other(_) => ("shape by formula", Vec::new()),
-        };
         written.push(WrittenShape {
-            key: Some(key),
-            own_keys: &[],
-            values,
             transforms: transforms.to_vec(),
             surface: surface as usize,
+            ..in_words(shape)
         });
     });
     written
+}
+
+/// The word for a shape, and its numbers.
+fn in_words(shape: &Shape) -> WrittenShape {
+    let (key, values) = match shape {
+        Shape::Sphere(sphere) => (
+            "sphere",
+            vec![
+                ("center", sphere.center.to_array().into()),
+                ("radius", vec![sphere.radius]),
+            ],
+        ),
+        Shape::Plane(plane) => (
+            "plane",
+            vec![
+                ("point", plane.point.to_array().into()),
+                ("normal", plane.normal.to_array().into()),
+            ],
+        ),
+        Shape::Box(aab) => (
+            "box",
+            vec![("lbf", aab.min.into()), ("run", aab.max.into())],
+        ),
+        Shape::Disc(disc) => (
+            "disc",
+            vec![
+                ("center", disc.plane.point.to_array().into()),
+                ("normal", disc.plane.normal.to_array().into()),
+                ("radius", vec![disc.radius]),
+            ],
+        ),
+        Shape::Triangle(triangle) => {
+            let corners = triangle.corners.map(|corner| corner.to_array());
+            ("triangle", vec![("corners", corners.as_flattened().into())])
+        }
+        Shape::Transformed(_) | Shape::Other(_) => ("shape by formula", Vec::new()),
+    };
+    WrittenShape {
+        key: Some(key),
+        own_keys: &[],
+        values,
+        transforms: Vec::new(),
+        surface: 0,
+    }
 }

@@ -53,45 +53,63 @@ impl Numbers {
     }
 }
 
-/// Samples on a square grid in each pixel, with this number of cells in each direction. With
-/// a seed, each sample lies anywhere in its cell, otherwise in the middle.
-pub struct Grid(pub u32, pub Option<u64>);
+/// Samples on a square grid in each pixel.
+pub struct Grid {
+    /// The number of cells in each direction.
+    pub side: u32,
+    /// With a seed, each sample lies anywhere in its cell, otherwise in the middle.
+    pub seed: Option<u64>,
+}
+
+impl Grid {
+    /// One sample in the middle of the pixel.
+    pub const ONE: Self = Self {
+        side: 1,
+        seed: None,
+    };
+}
 
 impl Sampler for Grid {
     fn samples(&self) -> u32 {
-        self.0 * self.0
+        self.side * self.side
     }
 
     fn place(&self, i: u32, column: u32, row: u32) -> (f64, f64) {
-        let (dx, dy) = match self.1 {
-            None if self.0 == 1 => return (0.5, 0.5),
+        let (dx, dy) = match self.seed {
+            None if self.side == 1 => return (0.5, 0.5),
             None => (0.5, 0.5),
             Some(seed) => {
-                let (random, first) = (PixelRandom::new(seed, column, row), 2 * u64::from(i));
+                let random = PixelRandom::new(seed, column, row);
+                let first = 2 * u64::from(i);
                 (random.uniform(first), random.uniform(first + 1))
             }
         };
-        let in_cell = |cell: u32, d: f64| (f64::from(cell) + d) / f64::from(self.0);
-        (in_cell(i % self.0, dx), in_cell(i / self.0, dy))
+        let in_cell = |cell: u32, d: f64| (f64::from(cell) + d) / f64::from(self.side);
+        (in_cell(i % self.side, dx), in_cell(i / self.side, dy))
     }
 }
 
 /// The numbers among the words of a text.
 pub fn numbers_in(text: &str) -> Vec<f64> {
-    let words = text.split(' ').filter_map(|word| word.parse().ok());
-    words.collect()
+    text.split(' ')
+        .filter_map(|word| word.parse().ok())
+        .collect()
 }
 
 /// Prints a row of a table: a name, and numbers, of which missing ones are NaN.
 pub fn print_row(name: &str, numbers: impl IntoIterator<Item = f64>) {
-    let numbers = numbers.into_iter();
-    let numbers = numbers.map(|number| format!(" {number:>8.2} |"));
-    println!("| {name:<32} |{}", numbers.collect::<String>());
+    print!("| {name:<32} |");
+    for number in numbers {
+        print!(" {number:>8.2} |");
+    }
+    println!();
 }
 
 /// Prints the head of a table, whose columns are eight letters wide.
 pub fn print_head(name: &str, columns: &[&str]) {
-    let heads = columns.iter().map(|head| format!(" {head:>8} |"));
-    println!("| {name:<32} |{}", heads.collect::<String>());
-    println!("|---|{}", "---:|".repeat(columns.len()));
+    print!("| {name:<32} |");
+    for column in columns {
+        print!(" {column:>8} |");
+    }
+    println!("\n|---|{}", "---:|".repeat(columns.len()));
 }

@@ -7,9 +7,15 @@ use glam::{DMat4, DVec3, dvec3};
 
 use super::Numbers;
 
-/// Shapes, each with the index of its colour, made one after the other: a list of them would
-/// count among the memory of the program that we measure.
-pub type Objects = Box<dyn Iterator<Item = (Shape<'static>, usize)>>;
+/// A shape, and the index of its colour.
+pub struct Object {
+    pub shape: Shape<'static>,
+    pub color: usize,
+}
+
+/// Objects made one after the other: a list of them would count among the memory of the program
+/// that we measure.
+pub type Objects = Box<dyn Iterator<Item = Object>>;
 
 /// The index of the dark grey, which is also the number of colours before it.
 const GREY: usize = 6;
@@ -17,49 +23,87 @@ const GREY: usize = 6;
 /// The objects of a scene, but the floor.
 pub fn objects(scene: &str) -> Objects {
     match scene {
-        "mirrors" => Box::new((0..9).map(|i| {
-            let [x, z] = [i % 3, i / 3].map(|place| 2.5 * (place as f64 - 1.0));
-            (sphere(dvec3(x, 1.0, z), 1.0), i % GREY)
-        })),
-        "objects" => {
-            let corners = [[0.0, 0.0, -1.0], [1.0, 0.0, -1.0], [1.0, 1.0, -1.0]];
-            let triangle = triangle(corners.map(DVec3::from), None);
-            let (sphere, cube) = (sphere(DVec3::ONE, 0.5), cube(dvec3(-1.0, 1.0, 1.0), 0.5));
-            Box::new([(sphere, 1), (cube, 2), (triangle, 3)].into_iter())
-        }
+        "mirrors" => Box::new((0..9).map(mirror)),
+        "objects" => Box::new(one_of_each().into_iter()),
         "spheres" => scattered(1_000, 0.3, 0.8),
         "torus" => surface([200, 50], true, |x, y| ring(x, y, 0.0)),
         "swarm" => scattered(100_000, 0.05, 0.15),
-        "sizes" => random(50_000, |i, numbers| {
-            let radius = 3.0 * libm::pow((i + 1) as f64, -3.0 / libm::log10(50_000.0));
-            sphere(numbers.in_cube(10.0), radius)
-        }),
+        "sizes" => random(50_000, of_any_size),
         "cloud" => scattered(60_000, 0.05, 0.15),
-        "boxes" => random(800, |_, numbers| {
-            let center = numbers.in_box(dvec3(-10.0, 0.5, -10.0), dvec3(10.0, 7.0, 10.0));
-            cube(center, numbers.between(0.15, 0.45))
-        }),
-        "discs" => random(5_000, |_, numbers| {
-            let (point, normal) = (numbers.in_cube(10.0), numbers.in_cube(1.0).normalize());
-            let plane = Plane { point, normal };
-            let radius = numbers.between(0.2, 0.5);
-            Shape::Disc(Disc { plane, radius })
-        }),
+        "boxes" => random(800, floating_cube),
+        "discs" => random(5_000, disc),
         "nodes" => Box::new(branches(&[]).into_iter()),
-        "lamps" => random(300, |i, numbers| {
-            let center = numbers.in_cube(10.0);
-            let half = numbers.between(0.15, 0.6);
-            let center = center.with_y(half);
-            [sphere, cube][(i / 6) % 2](center, half)
-        }),
-        "mesh" => surface([450, 100], true, |x, y| {
-            let ring = ring(x, y, 0.1);
-            dvec3(ring.x, 3.8 - ring.z, ring.y)
-        }),
+        "lamps" => random(300, standing_on_the_floor),
+        "mesh" => surface([450, 100], true, bumpy_torus),
         "hills" => surface([320; 2], false, |x, z| {
             waves(40.0 * x - 20.0, 40.0 * z - 20.0)
         }),
-        _ => Box::new(hairs(10_000).chain([(sphere(DVec3::ZERO, 1.0), GREY)])),
+        _ => {
+            let head = Object {
+                shape: sphere(DVec3::ZERO, 1.0),
+                color: GREY,
+            };
+            Box::new(hairs(10_000).chain([head]))
+        }
+    }
+}
+
+/// One of nine balls in three rows.
+fn mirror(i: usize) -> Object {
+    let [x, z] = [i % 3, i / 3].map(|n| 2.5 * (n as f64 - 1.0));
+    Object {
+        shape: sphere(dvec3(x, 1.0, z), 1.0),
+        color: i % GREY,
+    }
+}
+
+fn one_of_each() -> [Object; 3] {
+    let corners = [[0.0, 0.0, -1.0], [1.0, 0.0, -1.0], [1.0, 1.0, -1.0]];
+    [
+        Object {
+            shape: sphere(DVec3::ONE, 0.5),
+            color: 1,
+        },
+        Object {
+            shape: cube(dvec3(-1.0, 1.0, 1.0), 0.5),
+            color: 2,
+        },
+        Object {
+            shape: triangle(corners.map(DVec3::from), None),
+            color: 3,
+        },
+    ]
+}
+
+/// The `i`-th of 50,000 spheres, whose radii fall from 3 to 0.003.
+fn of_any_size(i: usize, numbers: &mut Numbers) -> Shape<'static> {
+    let radius = 3.0 * libm::pow((i + 1) as f64, -3.0 / libm::log10(50_000.0));
+    sphere(numbers.in_cube(10.0), radius)
+}
+
+fn floating_cube(_: usize, numbers: &mut Numbers) -> Shape<'static> {
+    let center = numbers.in_box(dvec3(-10.0, 0.5, -10.0), dvec3(10.0, 7.0, 10.0));
+    cube(center, numbers.between(0.15, 0.45))
+}
+
+fn disc(_: usize, numbers: &mut Numbers) -> Shape<'static> {
+    let plane = Plane {
+        point: numbers.in_cube(10.0),
+        normal: numbers.in_cube(1.0).normalize(),
+    };
+    let radius = numbers.between(0.2, 0.5);
+    Shape::Disc(Disc { plane, radius })
+}
+
+/// A ball or a cube.
+fn standing_on_the_floor(i: usize, numbers: &mut Numbers) -> Shape<'static> {
+    let center = numbers.in_cube(10.0);
+    let half = numbers.between(0.15, 0.6);
+    let center = center.with_y(half);
+    if (i / 6).is_multiple_of(2) {
+        sphere(center, half)
+    } else {
+        cube(center, half)
     }
 }
 
@@ -90,7 +134,10 @@ fn triangle([a, b, c]: [DVec3; 3], normals: Option<[DVec3; 3]>) -> Shape<'static
 fn random(count: u32, make: impl Fn(usize, &mut Numbers) -> Shape<'static> + 'static) -> Objects {
     Box::new((0..count).map(move |i| {
         let index = i as usize;
-        (make(index, &mut Numbers::new(0, i)), index % GREY)
+        Object {
+            shape: make(index, &mut Numbers::new(0, i)),
+            color: index % GREY,
+        }
     }))
 }
 
@@ -103,7 +150,7 @@ fn scattered(count: u32, smallest: f64, largest: f64) -> Objects {
 }
 
 /// Whether a sphere or cube is not too near to an eye or a lamp.
-pub fn has_room(shape: &Shape, places: &[DVec3]) -> bool {
+pub fn has_room(shape: &Shape, kept_free: &[DVec3]) -> bool {
     let (center, radius) = match shape {
         Shape::Sphere(sphere) => (sphere.center, sphere.radius),
         Shape::Box(cube) => {
@@ -112,29 +159,27 @@ pub fn has_room(shape: &Shape, places: &[DVec3]) -> bool {
         }
         _ => return true,
     };
-    let mut places = places.iter();
-    places.all(|place| place.distance(center) > radius + 0.25)
+    let mut kept_free = kept_free.iter();
+    kept_free.all(|point| point.distance(center) > radius + 0.25)
 }
 
 /// A branch of a tree, and all branches that it bears. The transforms lead from its base to
 /// the floor.
-fn branches(base: &[DMat4]) -> Vec<(Shape<'static>, usize)> {
+fn branches(base: &[DMat4]) -> Vec<Object> {
     const LEVELS: usize = 5;
     let level = base.len();
-    let stretched = DMat4::from_scale(dvec3(0.12, 0.55, 0.12));
-    let raised = DMat4::from_translation(DVec3::Y * 0.5) * stretched;
-    let moved = |shape: Shape<'static>| {
-        std::iter::once(&raised)
-            .chain(base)
-            .fold(shape, |shape, matrix| {
-                let (matrix, inverse) = (*matrix, matrix.inverse());
-                shape.transformed(&Transform { matrix, inverse })
-            })
+    let shape = if level == LEVELS {
+        cube(DVec3::ZERO, 1.0)
+    } else {
+        sphere(DVec3::ZERO, 1.0)
     };
+    let mut objects = vec![Object {
+        shape: branch(shape, base),
+        color: level,
+    }];
     if level == LEVELS {
-        return vec![(moved(cube(DVec3::ZERO, 1.0)), level)];
+        return objects;
     }
-    let mut objects = vec![(moved(sphere(DVec3::ZERO, 1.0)), level)];
     for i in 0..4 {
         let step = DMat4::from_translation(DVec3::Y * 0.95)
             * DMat4::from_rotation_y(TAU * (f64::from(i) / 4.0 + 0.05))
@@ -143,6 +188,17 @@ fn branches(base: &[DMat4]) -> Vec<(Shape<'static>, usize)> {
         objects.extend(branches(&[&[step], base].concat()));
     }
     objects
+}
+
+/// A shape stretched into a branch that stands on its base.
+fn branch(mut shape: Shape<'static>, base: &[DMat4]) -> Shape<'static> {
+    let stretched = DMat4::from_scale(dvec3(0.12, 0.55, 0.12));
+    let raised = DMat4::from_translation(DVec3::Y * 0.5) * stretched;
+    for matrix in [&raised].into_iter().chain(base) {
+        let (matrix, inverse) = (*matrix, matrix.inverse());
+        shape = shape.transformed(&Transform { matrix, inverse });
+    }
+    shape
 }
 
 /// Thin triangles on a ball around the origin, evenly distributed.
@@ -167,6 +223,12 @@ fn ring(x: f64, y: f64, bump: f64) -> DVec3 {
     dvec3(from_axis * cos, radius * libm::sin(b), from_axis * sin)
 }
 
+/// The point of a torus with bumps, which lies on the floor.
+fn bumpy_torus(x: f64, y: f64) -> DVec3 {
+    let ring = ring(x, y, 0.1);
+    dvec3(ring.x, 3.8 - ring.z, ring.y)
+}
+
 /// The point of a hilly country above (x, z).
 fn waves(x: f64, z: f64) -> DVec3 {
     let wave = |x_step: f64, z_step: f64| libm::sin(x * x_step + z * z_step);
@@ -177,32 +239,52 @@ fn waves(x: f64, z: f64) -> DVec3 {
     dvec3(x, height, z)
 }
 
+/// A point of a mesh.
+#[derive(Clone, Copy)]
+struct Vertex {
+    position: DVec3,
+    normal: DVec3,
+}
+
+impl Vertex {
+    /// The point at two parameters of a surface, with the normal by differences.
+    fn new(x: f64, y: f64, point: impl Fn(f64, f64) -> DVec3) -> Self {
+        const STEP: f64 = 1e-5;
+        let along = point(x + STEP, y) - point(x - STEP, y);
+        let across = point(x, y + STEP) - point(x, y - STEP);
+        Self {
+            position: point(x, y),
+            normal: across.cross(along).normalize(),
+        }
+    }
+}
+
 /// A mesh of two triangles in each cell of a lattice on a surface. Its points have two
 /// parameters from 0 to 1; where it `is_closed`, it ends where it begins.
 fn surface(steps: [usize; 2], is_closed: bool, point: impl Fn(f64, f64) -> DVec3) -> Objects {
-    const STEP: f64 = 1e-5;
     let [rows, columns] = steps.map(|steps| steps + usize::from(!is_closed));
-    let place = |n: usize| {
-        let (x, y) = (n / columns, n % columns);
-        let (x, y) = (x as f64 / steps[0] as f64, y as f64 / steps[1] as f64);
-        let along = point(x + STEP, y) - point(x - STEP, y);
-        let across = point(x, y + STEP) - point(x, y - STEP);
-        (point(x, y), across.cross(along).normalize())
-    };
-    let places: Vec<_> = (0..rows * columns).map(place).collect();
-    let triangles = (0..steps[0] * steps[1]).flat_map(move |n| {
-        let (i, j) = (n / steps[1], n % steps[1]);
-        let place = |i: usize, j: usize| places[(i % rows) * columns + j % columns];
-        let [a, b, c, d] = [
-            place(i, j),
-            place(i, j + 1),
-            place(i + 1, j),
-            place(i + 1, j + 1),
-        ];
-        [[a, b, d], [a, d, c]].map(|corners| {
-            let normals = Some(corners.map(|(_, normal)| normal));
-            (triangle(corners.map(|(corner, _)| corner), normals), 1)
-        })
+    let mut vertices = Vec::with_capacity(rows * columns);
+    for i in 0..rows {
+        for j in 0..columns {
+            let (x, y) = (i as f64 / steps[0] as f64, j as f64 / steps[1] as f64);
+            vertices.push(Vertex::new(x, y, &point));
+        }
+    }
+    let triangles = (0..steps[0] * steps[1]).flat_map(move |cell| {
+        let (i, j) = (cell / steps[1], cell % steps[1]);
+        let vertex = |i: usize, j: usize| vertices[(i % rows) * columns + j % columns];
+        let (a, b) = (vertex(i, j), vertex(i, j + 1));
+        let (c, d) = (vertex(i + 1, j), vertex(i + 1, j + 1));
+        [smooth([a, b, d]), smooth([a, d, c])]
     });
     Box::new(triangles)
+}
+
+fn smooth(vertices: [Vertex; 3]) -> Object {
+    let corners = vertices.map(|vertex| vertex.position);
+    let normals = vertices.map(|vertex| vertex.normal);
+    Object {
+        shape: triangle(corners, Some(normals)),
+        color: 1,
+    }
 }

@@ -9,7 +9,7 @@ use common::{Color, Settings};
 use engine::{Camera, Light, LightKind, Phong, Plane, Renderer, Shading, Shape, Surface};
 use glam::DVec3;
 
-use super::objects::{has_room, objects};
+use super::objects::{Object, has_room, objects};
 
 /// The scenes in the order of the tables.
 pub static SCENES: LazyLock<Vec<Scene>> = LazyLock::new(|| {
@@ -20,7 +20,8 @@ pub static SCENES: LazyLock<Vec<Scene>> = LazyLock::new(|| {
         scenes.push(Scene {
             name: cell(),
             about: cell(),
-            view: [cell(), cell()].map(|text| vectors(text)[0]),
+            eye: vectors(cell())[0],
+            gaze: vectors(cell())[0],
             depth: cell().parse().expect("a depth"),
             shine: vectors(cell())[0],
             floor: cell().parse().ok(),
@@ -35,8 +36,10 @@ pub static SCENES: LazyLock<Vec<Scene>> = LazyLock::new(|| {
 pub struct Scene {
     pub name: &'static str,
     pub about: &'static str,
-    /// The place of the camera, and the direction in which it looks.
-    pub view: [DVec3; 2],
+    /// The position of the camera.
+    pub eye: DVec3,
+    /// The direction in which it looks.
+    gaze: DVec3,
     /// How many surfaces a ray may meet.
     pub depth: u32,
     /// Highlight, mirror and exponent, the same for all materials.
@@ -73,28 +76,32 @@ impl Scene {
                 reflection: Color::gray(self.shine.y),
             })
         });
-        let mut places = vec![self.view[0]];
+        // The eye and the lamps.
+        let mut kept_free = vec![self.eye];
         for light in self.lights.split("; ") {
             let kind = kind(light);
             if let LightKind::Point { position, .. } = kind {
-                places.push(position);
+                kept_free.push(position);
             }
-            let casts_shadows = true;
             world.add_light(Light {
                 kind,
-                casts_shadows,
+                casts_shadows: true,
             });
         }
-        for (shape, color) in objects(self.name).filter(|(shape, _)| has_room(shape, &places)) {
-            world.add_shape(shape, surfaces[color]);
+        for Object { shape, color } in objects(self.name) {
+            if has_room(&shape, &kept_free) {
+                world.add_shape(shape, surfaces[color]);
+            }
         }
         if let Some(color) = self.floor {
-            let (point, normal) = (DVec3::ZERO, DVec3::Y);
-            world.add_shape(Shape::Plane(Plane { point, normal }), surfaces[color]);
+            let floor = Plane {
+                point: DVec3::ZERO,
+                normal: DVec3::Y,
+            };
+            world.add_shape(Shape::Plane(floor), surfaces[color]);
         }
-        let [eye, gaze] = self.view;
         let half_tangent = libm::tan(std::f64::consts::FRAC_PI_8);
-        let camera = super::camera(eye, gaze, half_tangent);
+        let camera = super::camera(self.eye, self.gaze, half_tangent);
         (world, camera)
     }
 
