@@ -64,7 +64,7 @@ fn a_rendering_that_goes_on_answers_and_ends() {
         return;
     };
     window.play(&[
-        ("item 0.99 Samples", " to go\" & picture: None"),
+        ("item 0.99 Samples", " elapsed & picture: None"),
         ("key s", "the picture is not finished yet"),
     ]);
     assert_eq!(window.folder.path().read_dir().unwrap().count(), 0);

@@ -85,16 +85,18 @@ impl Screen {
         let pixel = self.placement.pixel(self.ui.mouse.at);
         let text = match (&gallery.picture, pixel) {
             (Some(live), _) if gallery.is_rendering() => {
-                let share = live.fraction().min(1.0);
-                let done = f64::from(area.width + 2 * area.x) * share;
+                let fraction = live.fraction().min(1.0);
+                let done = f64::from(area.width + 2 * area.x) * fraction;
                 let done = Area::new(0, area.y, done as i32, self.ui.px(3.0));
                 self.ui.frame.fill(done, self.ui.colors.accent);
-                let faster = if gallery.is_slow() {
-                    "   E: the engine draws the same sooner"
-                } else {
-                    ""
-                };
-                format!("{:.0} %  {}{faster}", 100.0 * share, live.times())
+                let mut text = format!("{:.0} %  {}", 100.0 * fraction, live.times());
+                let hint = "   E: the engine draws the same sooner";
+                let has_room = self.ui.letters.width(&text) + self.ui.letters.width(hint)
+                    < area.width - self.ui.px(60.0);
+                if gallery.is_slow() && has_room {
+                    text += hint;
+                }
+                text
             }
             (Some(live), Some([x, y])) => {
                 let [_, r, g, b] = live.pixel(x, y).unwrap_or(0).to_be_bytes();

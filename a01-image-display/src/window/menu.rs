@@ -16,7 +16,7 @@ const RENDERERS: [(&str, &str, Renderer); 3] = [
 /// The effects of the mouse and of the other keys.
 const HELP: [(&str, &str); 13] = [
     ("Previous, next scene", "← →"),
-    ("Next, previous entry", "Tab, ↓; Shift Tab, ↑"),
+    ("Next, previous entry", "Tab ↓, Shift Tab ↑"),
     ("Choose", "Enter"),
     ("Back, without closing", "Backspace"),
     ("Back, or close the window", "Esc"),

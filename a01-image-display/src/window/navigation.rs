@@ -42,13 +42,13 @@ impl Screen {
         }
         let lines = mouse.lines_since(before);
         if self.ui.panel.contains(mouse.at) {
-            self.ui.scroll -= self.ui.px(60.0) * lines;
+            self.ui.scroll_by(-self.ui.px(60.0) * lines);
         } else if lines != 0 {
             self.placement.zoom(lines > 0, mouse.at);
         }
         for (key, lines) in [("PageUp", -8), ("PageDown", 8)] {
             if self.ui.typed(key) {
-                self.ui.scroll += self.ui.px(20.0) * lines;
+                self.ui.scroll_by(self.ui.px(20.0) * lines);
             }
         }
         for (key, x, y) in [

@@ -49,7 +49,9 @@ impl Screen {
                 if self.ui.entry("Copy all numbers", "Ctrl C") {
                     self.copy(&all(panel, gallery));
                 }
-                self.ui.text(0, muted, &panel.samples);
+                self.ui
+                    .text(0, muted, "A click on a line copies its values.");
+                self.ui.text(0, text, &panel.samples);
                 self.ui.text(0, muted, SYMBOLS);
                 self.add_steps(&panel.trace);
                 self.ui
@@ -59,21 +61,42 @@ impl Screen {
     }
 
     fn add_steps(&mut self, trace: &PixelTrace) {
-        let Colors { text, muted, .. } = self.ui.colors;
         for step in trace.steps.iter().take(MOST_STEPS) {
-            if is_heading(step.kind) {
-                self.ui.heading(&step.name);
-            } else {
-                self.ui.text(step.level.saturating_sub(1), text, &step.name);
-            }
-            // A line breaks between values only.
-            let words = step.words().map(|word| word.replace(' ', "\u{a0}"));
+            let width = self.ui.width_at(step.level.saturating_sub(1));
+            let words = step.words().map(|word| {
+                // A line breaks between values only, or else before the numbers of a long one.
+                let whole = word.replace(' ', "\u{a0}");
+                if self.ui.letters.width(&whole) < width {
+                    whole
+                } else {
+                    word.replace(", ", ",\u{a0}")
+                }
+            });
             let words = words.collect::<Vec<_>>().join("   ");
-            let level = step.level.saturating_sub(1);
-            let area = self.ui.text_area(level, muted, &words);
+            let area = self.add_step(step, &words);
             if self.ui.clicked_in_panel(area) {
                 self.copy(&values(step));
             }
+        }
+    }
+
+    /// Adds a step, on one line if its name and its values have room there.
+    fn add_step(&mut self, step: &Step, words: &str) -> Area {
+        let Colors { text, muted, .. } = self.ui.colors;
+        if is_heading(step.kind) {
+            self.ui.heading(&step.name);
+            return self.ui.text_area(0, muted, words);
+        }
+        let level = step.level.saturating_sub(1);
+        let width = self.ui.letters.width(&step.name) + self.ui.letters.width(words);
+        if width < self.ui.width_at(level) - self.ui.px(12.0) {
+            return self.ui.line(level, text, &step.name, words);
+        }
+        let name = self.ui.text_area(level, text, &step.name);
+        let values = self.ui.text_area(level, muted, words);
+        Area {
+            height: name.height + values.height,
+            ..name
         }
     }
 

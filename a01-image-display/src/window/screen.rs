@@ -109,7 +109,12 @@ impl Screen {
 
     /// Draws the window into its frame.
     pub fn draw(&mut self, gallery: &mut Gallery) {
+        let scroll = self.ui.scroll;
         self.layout(gallery);
+        if self.ui.scroll != scroll {
+            // Its items tell how far the panel may be scrolled.
+            self.layout(gallery);
+        }
         self.draw_picture(gallery);
         // Only tests need it.
         let _ = self.report(gallery);

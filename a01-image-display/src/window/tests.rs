@@ -41,7 +41,15 @@ fn press(screen: &mut Screen, gallery: &mut Gallery, keys: &str) -> bool {
             key: key.to_uppercase().replace("CTRL+", "Ctrl "),
             text: text.to_owned(),
         };
-        let named = ["Tab", "Escape", "Enter", "Backspace", "Right", "Down"];
+        let named = [
+            "PageDown",
+            "Tab",
+            "Escape",
+            "Enter",
+            "Backspace",
+            "Right",
+            "Down",
+        ];
         let press = match named.iter().find(|name| **name == key) {
             Some(name) => Press {
                 key: (*name).to_owned(),
@@ -179,6 +187,11 @@ fn a_scroll_bar_shows_and_moves_what_has_no_room() {
         assert!(bar(&screen));
         click(&mut screen, gallery, [635, 400]);
         assert!(screen.ui.scroll > 0, "a click low in the bar scrolls down");
+        // Farther than its last item nothing is scrolled.
+        press(&mut screen, gallery, "PageDown PageDown PageDown PageDown");
+        let end = screen.ui.scroll;
+        screen.draw(gallery);
+        assert_eq!(screen.ui.scroll, end);
         screen.size = [640, 1400];
         screen.draw(gallery);
         assert_eq!((bar(&screen), screen.ui.scroll), (false, 0));

@@ -47,6 +47,8 @@ pub struct Ui {
     count: usize,
     /// Displacement of the panel's items upwards, in pixels.
     pub scroll: i32,
+    /// The largest displacement, at which the last item is at the lower edge.
+    most_scroll: i32,
 }
 
 impl Ui {
@@ -110,7 +112,8 @@ impl Ui {
         let panel = self.panel;
         let height = self.next.y + self.scroll - panel.y + self.px(8.0);
         let hidden = (height - panel.height).max(0);
-        self.scroll = self.scroll.clamp(0, hidden);
+        self.most_scroll = hidden;
+        self.scroll_by(0);
         if hidden == 0 || panel.width == 0 {
             return;
         }
@@ -146,6 +149,11 @@ impl Ui {
             .push(format!("scrolled: {} of {hidden}", self.scroll));
     }
 
+    /// Scrolls the panel downwards, at most to its last item.
+    pub fn scroll_by(&mut self, way: i32) {
+        self.scroll = (self.scroll + way).clamp(0, self.most_scroll);
+    }
+
     /// Leaves the selected entry or slider; false if there is none.
     pub fn leave(&mut self) -> bool {
         let selected = self.selected.take();
@@ -178,6 +186,20 @@ impl Ui {
     /// Adds a text to the panel, on as many lines as it needs.
     pub fn text(&mut self, level: usize, color: u32, text: &str) {
         self.text_area(level, color, text);
+    }
+
+    /// The width of a line of the panel, which is indented by a level.
+    pub fn width_at(&self, level: usize) -> i32 {
+        self.next.width - self.px(10.0) * level as i32
+    }
+
+    /// Adds a line to the panel, with a value at its right edge, and returns its area.
+    pub fn line(&mut self, level: usize, color: u32, text: &str, value: &str) -> Area {
+        let width = self.width_at(level);
+        let mut area = self.place(19.0);
+        (area.x, area.width) = (area.x + area.width - width, width);
+        self.write(area, color, text, value);
+        area
     }
 
     /// Adds a text to the panel, and returns its area.

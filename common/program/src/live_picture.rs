@@ -107,10 +107,14 @@ impl LivePicture {
         self.bar.position() as f64 / self.bar.length().unwrap_or(1) as f64
     }
 
-    /// The time since the rendering began, and the time for the remaining rows, in words.
+    /// The time since the rendering began, and the time for the remaining rows as soon as one row is
+    /// finished, in words.
     #[must_use]
     pub fn times(&self) -> String {
         let [elapsed, to_go] = [self.bar.elapsed(), self.bar.eta()].map(FormattedDuration);
+        if self.bar.position() == 0 {
+            return format!("{elapsed} elapsed");
+        }
         format!("{elapsed} elapsed, {to_go} to go")
     }
 
