@@ -90,6 +90,10 @@ pub fn leave_pictures(scratch: &Path, expected: &Path, actual: &Image, differenc
         if let Some(([column, row], most)) = largest(&expected, actual) {
             // Small differences are seen, too.
             let (times, apart) = (255 / most.max(1), apart(&expected, actual));
+            let scale = match times {
+                1 => String::new(),
+                _ => format!(", {times} times as large"),
+            };
             let shown = Image::from_fn(actual.size(), |x, y| {
                 let from_largest = x.abs_diff(column).max(y.abs_diff(row));
                 if (5..7).contains(&from_largest) {
@@ -103,7 +107,7 @@ pub fn leave_pictures(scratch: &Path, expected: &Path, actual: &Image, differenc
                 |shown| write(".difference.png", &shown),
             );
             report.push(format!(
-                "  difference: {path}, {times} times as large, the largest in a yellow frame"
+                "  difference: {path}{scale}, the largest in a yellow frame"
             ));
         }
     }

@@ -1,6 +1,7 @@
 //! The first step at which the traces of a pixel part, by two renderers or by two people's code.
 
 use std::collections::HashMap;
+use std::fmt;
 
 use crate::PixelTrace;
 use crate::pixel_trace::{Value, digits};
@@ -9,12 +10,37 @@ use crate::steps::StepKind;
 /// The largest difference of numbers by rounding, relative to the larger of 1 and the number.
 pub const ROUNDING: f64 = 1e-6;
 
+/// The first value that differs between two traces of a pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Divergence {
+    /// Column and row of the pixel.
+    pub pixel: [u32; 2],
+    /// The value in both traces, in words.
+    pub words: String,
+    /// The kind of its step.
+    pub step: StepKind,
+    /// The section of the book about it.
+    pub section: &'static str,
+}
+
+impl fmt::Display for Divergence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            pixel: [x, y],
+            words,
+            section,
+            ..
+        } = self;
+        write!(f, "pixel ({x}, {y}): the same steps, up to\n  {words}\n")?;
+        write!(f, "  explained in book/src/{section}")
+    }
+}
+
 impl PixelTrace {
-    /// A sentence about the first value that differs from the other trace's by more than this
-    /// `rounding`, and the section of the book about it. If the other trace follows rays, it may
-    /// lack no ray's hit and no light.
+    /// The first value that differs from the other trace's by more than this `rounding`. If the
+    /// other trace follows rays, it may lack no ray's hit and no light.
     #[must_use]
-    pub fn first_divergence(&self, other: &Self, whose: &str, rounding: f64) -> Option<String> {
+    pub fn first_divergence(&self, other: &Self, whose: &str, rounding: f64) -> Option<Divergence> {
         let others = other.values().map(|value| (value.place, value.numbers));
         let others: HashMap<_, _> = others.collect();
         let follows_rays = other
@@ -29,8 +55,10 @@ impl PixelTrace {
                 numbers: value,
             } = value;
             let mut shown = digits(value);
+            let is_test = step.kind == StepKind::Test;
             let differs = match others.get(&place) {
                 Some(theirs) if are_near(value, theirs, rounding) => return None,
+                Some([f64::INFINITY]) if is_test => "has no hit".to_owned(),
                 Some(theirs) => {
                     let mut others = digits(theirs);
                     // Where four digits are equal, all are shown.
@@ -45,11 +73,18 @@ impl PixelTrace {
                 None if step.kind == StepKind::Light && symbol == "cl" => "lacks it".to_owned(),
                 None => return None,
             };
-            let ([x, y], section) = (self.pixel, step.section);
-            Some(format!(
-                "pixel ({x}, {y}): the same steps, up to\n  {place} is {shown}, {whose} \
-                 {differs}\n  explained in book/src/{section}"
-            ))
+            let words = if is_test && *value == [f64::INFINITY] {
+                let test = place.trim_end_matches(": t");
+                format!("{test} has no hit, {whose} has one: t is {differs}")
+            } else {
+                format!("{place} is {shown}, {whose} {differs}")
+            };
+            Some(Divergence {
+                pixel: self.pixel,
+                words,
+                step: step.kind,
+                section: step.section,
+            })
         })
     }
 }
@@ -79,16 +114,21 @@ mod tests {
 
     const RAY: (StepKind, &str) = (StepKind::CameraRay, "ray");
     const HIT: (StepKind, &str) = (StepKind::Hit, "hit");
+    const TEST: (StepKind, &str) = (StepKind::Test, "Sphere");
 
     fn trace(kinds: &[(StepKind, &str)], number: f64) -> PixelTrace {
-        let step = |(kind, name): &(StepKind, &str)| Step::new(*kind, *name, "page");
+        let mut steps = Vec::new();
+        for (kind, name) in kinds {
+            steps.push(Step::new(*kind, *name, "page").with("x", [number]));
+        }
+        of_steps(steps)
+    }
+
+    fn of_steps(steps: Vec<Step>) -> PixelTrace {
         PixelTrace {
             pixel: [1, 2],
             color: Color::BLACK,
-            steps: kinds
-                .iter()
-                .map(|kind| step(kind).with("x", [number]))
-                .collect(),
+            steps,
         }
     }
 
@@ -96,16 +136,37 @@ mod tests {
     fn traces_part_at_another_number_or_at_a_missing_hit() {
         let ours = trace(&[RAY, HIT], 1.0);
         let first = |kinds: &[(StepKind, &str)], number| {
-            let sentence = ours.first_divergence(&trace(kinds, number), "yours", ROUNDING);
-            sentence.map(|sentence| sentence.lines().nth(1).unwrap_or_default().to_owned())
+            ours.first_divergence(&trace(kinds, number), "yours", ROUNDING)
         };
+        let words = |kinds, number| first(kinds, number).unwrap().words;
         assert_eq!(first(&[HIT], 1.0 + 1e-9), None);
-        assert_eq!(first(&[RAY, HIT], 2.0).unwrap(), "  ray: x is 1, yours 2");
-        let digits = "  hit: x is [1.0], yours [1.00001]";
-        assert_eq!(first(&[HIT], 1.00001).unwrap(), digits);
+        assert_eq!(words(&[RAY, HIT], 2.0), "ray: x is 1, yours 2");
+        let digits = "hit: x is [1.0], yours [1.00001]";
+        assert_eq!(words(&[HIT], 1.00001), digits);
+        assert_eq!(words(&[RAY], 1.0), "hit: x is 1, yours has no hit");
+        let text = first(&[RAY, HIT], 2.0).unwrap().to_string();
+        let lines = [
+            "pixel (1, 2): the same steps, up to",
+            "  ray: x is 1, yours 2",
+            "  explained in book/src/page",
+        ];
+        assert_eq!(text, lines.join("\n"));
+    }
+
+    #[test]
+    fn a_test_without_a_hit_has_no_number() {
+        let missed = Step::new(TEST.0, TEST.1, "page");
+        let hit = of_steps(vec![missed.clone().with("t", [4.5])]);
+        let missed = of_steps(vec![missed]);
+        let words = |ours: &PixelTrace, theirs| {
+            let parts = ours.first_divergence(theirs, "yours", ROUNDING);
+            parts.unwrap().words
+        };
+        assert_eq!(words(&hit, &missed), "Sphere: t is 4.5, yours has no hit");
         assert_eq!(
-            first(&[RAY], 1.0).unwrap(),
-            "  hit: x is 1, yours has no hit"
+            words(&missed, &hit),
+            "Sphere has no hit, yours has one: t is 4.5"
         );
+        assert_eq!(missed.first_divergence(&missed, "yours", ROUNDING), None);
     }
 }

@@ -46,7 +46,11 @@ pub(crate) fn shown(number: f64) -> String {
         1e-3..1e6 => format!("{number:.9}")
             .trim_end_matches(['0', '.'])
             .to_owned(),
-        _ => format!("{number:.9e}"),
+        _ => {
+            let text = format!("{number:.9e}");
+            let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+            format!("{}e{exponent}", digits.trim_end_matches(['0', '.']))
+        }
     }
 }
 

@@ -32,8 +32,9 @@ pub fn pictured(
     let is_right = compared.is_ok();
     let words = compared.unwrap_or_else(|wrong| wrong);
     PictureVerdict {
+        name: format!("the picture of scene {scene}"),
         is_right,
-        words: format!("the picture of scene {scene}: {words}"),
+        words,
         divergence: None,
     }
 }

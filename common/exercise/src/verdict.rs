@@ -17,6 +17,8 @@ pub struct StudentAnswer {
 /// What a comparison of the student's picture of a scene says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PictureVerdict {
+    /// What messages call it, such as `the picture of scene sphere`.
+    pub name: String,
     /// Whether the picture is right.
     pub is_right: bool,
     /// The words about it.
@@ -41,6 +43,17 @@ pub struct Verdict {
     pub differ: usize,
 }
 
+/// The comparisons so far.
+#[derive(Default)]
+struct Counts {
+    /// All comparisons that decide something.
+    compared: usize,
+    /// Rows in which rounding decides, and every answer is right.
+    skipped: usize,
+    /// Comparisons that find a wrong answer or a wrong picture.
+    wrong: usize,
+}
+
 /// Compares a student's answers with the right ones, and, if there is one, adds what the
 /// comparison of the picture says.
 #[must_use]
@@ -51,76 +64,117 @@ pub fn verdict(
 ) -> Verdict {
     let rows = &record.rows;
     let mut found = Verdict::default();
-    let (mut compared, mut skipped, mut differ) = (0, 0, 0);
+    let mut counts = Counts::default();
     let mut first = None;
     let mut answers = Vec::new();
     for (number, row) in rows.iter().enumerate() {
         let given = yours.get(number);
-        let text = given.map_or(&row.question.text, |given| &given.question.text);
-        let difference = match given.map(|given| given.answer.as_ref()) {
-            None => Some("there is no answer; the program ends before".to_owned()),
-            Some(None) => Some("it panics, with the message above".to_owned()),
-            Some(Some(answer)) => match row.compare(answer) {
-                Comparison::Right => None,
-                Comparison::RoundingDecides => {
-                    skipped += 1;
-                    answers.push(None);
-                    continue;
-                }
-                Comparison::Wrong {
-                    difference,
-                    is_but_for_rounding,
-                } => Some(match &record.rounding_flaw {
-                    Some(flaw) if is_but_for_rounding => {
-                        format!("{difference}\n    right but for rounding: the formula {flaw}")
-                    }
-                    _ => difference,
-                }),
-            },
-        };
-        let is_wrong = difference.is_some();
-        let answer = given.and_then(|given| given.answer.clone());
-        answers.push(answer.map(|answer| (answer, is_wrong)));
-        compared += 1;
-        differ += usize::from(is_wrong);
-        first = first.or_else(|| Some(format!("{text}:\n    {}", difference?)));
+        let answer = given.and_then(|given| given.answer.as_ref());
+        let finding = find(record, row, given);
+        if let Finding::RoundingDecides = finding {
+            counts.skipped += 1;
+            answers.push(None);
+            continue;
+        }
+        counts.compared += 1;
+        let mut is_wrong = false;
+        if let Finding::Wrong(difference) = finding {
+            is_wrong = true;
+            counts.wrong += 1;
+            let text = given.map_or(&row.question.text, |given| &given.question.text);
+            first.get_or_insert_with(|| format!("{text}:\n    {difference}"));
+        }
+        answers.push(answer.map(|answer| (answer.clone(), is_wrong)));
     }
     if yours.len() > rows.len() {
-        compared += 1;
-        differ += 1;
-        first = first.or(Some("the recorded answers are incomplete".to_owned()));
+        counts.compared += 1;
+        counts.wrong += 1;
+        first.get_or_insert_with(|| "the recorded answers are incomplete".to_owned());
     }
-    if let Some(PictureVerdict {
-        is_right,
-        mut words,
-        divergence,
-    }) = picture
-    {
-        let is_wanted = differ > 0 || !is_right;
-        if let Some(divergence) = divergence.filter(|_| is_wanted) {
-            words.extend(["\n", &divergence]);
-        }
-        if differ > 0 || is_right {
-            compared += usize::from(is_right);
-            found.note = Some(words);
+    if let Some(picture) = picture {
+        counts.compared += usize::from(picture.is_right || counts.wrong == 0);
+        if counts.wrong > 0 {
+            found.note = Some(picture.beside_wrong_answers());
+        } else if picture.is_right {
+            found.note = Some(picture.comparison());
         } else {
-            compared += 1;
-            differ = 1;
-            first = Some(words);
+            counts.wrong = 1;
+            first = Some(picture.with_divergence(picture.comparison()));
         }
     }
     found.wrong.extend(first);
+    let Counts {
+        compared,
+        skipped,
+        wrong,
+    } = counts;
     found.compared = compared;
-    found.differ = differ;
-    if differ > 0 {
-        found
-            .wrong
-            .push(format!("{differ} of {compared} comparisons differ"));
-        found.known = recognized(&record.mistakes, rows, &answers, differ);
+    found.differ = wrong;
+    if wrong > 0 {
+        let count = format!("{wrong} of {compared} comparisons differ");
+        found.wrong.push(count);
+        found.known = recognized(&record.mistakes, rows, &answers, wrong);
     } else if compared <= skipped {
         found.wrong.push("nothing is compared".to_owned());
     }
     found
+}
+
+/// What is found about an answer.
+enum Finding {
+    Right,
+    /// No answer could be wrong.
+    RoundingDecides,
+    /// The first value that differs, and what it must be.
+    Wrong(String),
+}
+
+/// Compares an answer with the right one of a row.
+fn find(record: &Record, row: &Row, given: Option<&StudentAnswer>) -> Finding {
+    let Some(given) = given else {
+        return Finding::Wrong("there is no answer; the program ends before".to_owned());
+    };
+    let Some(answer) = &given.answer else {
+        return Finding::Wrong("it panics, with the message above".to_owned());
+    };
+    match row.compare(answer) {
+        Comparison::Right => Finding::Right,
+        Comparison::RoundingDecides => Finding::RoundingDecides,
+        Comparison::Wrong {
+            difference,
+            is_but_for_rounding,
+        } => Finding::Wrong(match &record.rounding_flaw {
+            Some(flaw) if is_but_for_rounding => {
+                format!("{difference}\n    right but for rounding: the formula {flaw}")
+            }
+            _ => difference,
+        }),
+    }
+}
+
+impl PictureVerdict {
+    fn comparison(&self) -> String {
+        format!("{}: {}", self.name, self.words)
+    }
+
+    /// The words beside wrong answers or a failed example. A picture that is right acquits no code: the scene does not
+    /// show what is wrong.
+    #[must_use]
+    pub fn beside_wrong_answers(&self) -> String {
+        self.with_divergence(if self.is_right {
+            format!("{} does not show it", self.name)
+        } else {
+            self.comparison()
+        })
+    }
+
+    /// These words, and the first step in which both traces part.
+    fn with_divergence(&self, words: String) -> String {
+        match &self.divergence {
+            Some(divergence) => format!("{words}\n{divergence}"),
+            None => words,
+        }
+    }
 }
 
 /// A sentence about the mistake that explains most of the wrong answers, and at least half.

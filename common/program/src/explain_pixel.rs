@@ -75,9 +75,8 @@ pub fn explain_pixel(scene: &Scene, arguments: &ExplainArgs) -> Result<(), Error
     if arguments.beside {
         let other = rays.trace(&settings, *pixel)?;
         let parts = trace.first_divergence(&other, "the other renderer's", 0.0);
-        print(&parts.unwrap_or_else(|| {
-            "the other renderer has the same numbers in each step that both take".to_owned()
-        }))?;
+        let equal = "the other renderer has the same numbers in each step that both take";
+        print(&parts.map_or(equal.to_owned(), |parts| parts.to_string()))?;
     }
     let mut compared = settings;
     if scene.is_large {

@@ -49,9 +49,9 @@ pub use in_browser::judge;
 pub use kind::{
     CodeQuestion, Exercise, Group, Picture, Questions, Render, Search, Variant, searched,
 };
-#[cfg(not(target_family = "wasm"))]
-pub(crate) use missing::found_missing;
 pub use missing::missing;
+#[cfg(not(target_family = "wasm"))]
+pub(crate) use missing::{Missing, found_missing};
 #[cfg(not(target_family = "wasm"))]
 pub use prove::{Entry, entry, prove};
 pub use random::{Random, random};

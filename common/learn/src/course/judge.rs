@@ -83,8 +83,9 @@ fn compare(e: &Exercise, record: &Record, printed: &StudentOutput) -> Verdict {
         match &printed.picture {
             Some(image) => pictured(scene, &expected, image, None),
             None => PictureVerdict {
+                name: format!("the picture of scene {scene}"),
                 is_right: false,
-                words: format!("the picture of scene {scene}: it is missing"),
+                words: "it is missing".to_owned(),
                 divergence: None,
             },
         }

@@ -23,6 +23,9 @@ pub struct Exercise<C> {
     pub rounding_flaw: Option<&'static str>,
     /// The picture that the code paints.
     pub picture: Picture<C>,
+    /// The section of the book about code that makes rays, such as a camera: the page below
+    /// `book/src`, and the anchor of the heading.
+    pub section_of_rays: Option<&'static str>,
     /// Says something about code that is right.
     pub remark: Option<Remark<C>>,
     /// Right solutions in another style.
@@ -40,6 +43,7 @@ impl<C> Default for Exercise<C> {
             questions: Vec::new(),
             rounding_flaw: None,
             picture: Picture::None,
+            section_of_rays: None,
             remark: None,
             right: Vec::new(),
             usual: Vec::new(),

@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::rc::Rc;
 
 use common::difference::worst_pixel;
-use common::steps::with_chosen_pixel;
+use common::steps::{StepKind, with_chosen_pixel};
 use common::{Error, Image, Settings, divergence, picture_file};
 use exercise::{
     Answer, Mistake, PictureVerdict, Question, Record, Row, StudentAnswer, Verdict, pictured,
@@ -12,8 +12,8 @@ use exercise::{
 };
 
 use super::folder::StageFolder;
-use super::found_missing;
 use super::kind::{CodeQuestion, Exercise, Group, Picture, own_settings};
+use super::{Missing, found_missing};
 
 /// The answer to a question with other numbers.
 type AnswerTo = Box<dyn Fn(&[f64]) -> Answer>;
@@ -23,13 +23,14 @@ pub struct Program {
     pub questions: Vec<Question>,
     answers: Vec<AnswerTo>,
     picture: Picture<()>,
+    section_of_rays: Option<&'static str>,
 }
 
 /// What a program finds, beside its answers.
 #[derive(Default)]
 pub struct Findings {
     /// The missing parts of the code.
-    pub missing: Vec<String>,
+    pub missing: Vec<Missing>,
     /// The answers.
     pub given: Vec<StudentAnswer>,
     /// The picture, also of code that is wrong.
@@ -75,6 +76,7 @@ impl Program {
             questions,
             answers,
             picture,
+            section_of_rays: exercise.section_of_rays,
         }
     }
 
@@ -99,7 +101,7 @@ impl Program {
         rows.collect()
     }
 
-    /// Its answers, such as those of code with a mistake.
+    /// Its answers, as those of code with a mistake.
     pub fn mistake(&self, overlooks: &str, rows: &[Row]) -> Mistake {
         let code = |number, input: &[f64]| self.answer(number, input);
         Mistake::new(overlooks, rows, &self.questions, &code)
@@ -137,14 +139,17 @@ impl Program {
             wrong.push("it panics, with the message above".to_owned());
             (None, None)
         });
-        let mut found = Findings {
+        let mut verdict = verdict(record, &given, pictured.clone());
+        if let Some(pictured) = pictured.filter(|_| !wrong.is_empty()) {
+            verdict.note = Some(pictured.beside_wrong_answers());
+        }
+        verdict.wrong.splice(0..0, wrong);
+        Findings {
             missing: found_missing().clone(),
-            verdict: verdict(record, &given, pictured),
+            verdict,
             given,
             image,
-        };
-        found.verdict.wrong.splice(0..0, wrong);
-        found
+        }
     }
 
     /// Paints the picture, and compares that of a scene. After wrong answers, only students see
@@ -160,62 +165,62 @@ impl Program {
             Picture::Scene(name, render) if is_right || is_shown && found_missing().is_empty() => {
                 let mut image = None;
                 let render = |settings: &Settings| render(&(), settings);
-                let pictured = scene(folder, name, reader, &render, &mut image);
-                let pictured = pictured.unwrap_or_else(|error| PictureVerdict {
-                    is_right: false,
-                    words: format!("the picture of scene {name}: {error}"),
-                    divergence: None,
-                });
-                (image, Some(pictured))
+                let pictured = self.scene_picture(folder, name, reader, &render, &mut image);
+                let failed = |error| failed(format!("the picture of scene {name}"), &error);
+                (image, Some(pictured.unwrap_or_else(failed)))
             }
             Picture::Own(render) if is_shown => {
                 let painted = own_settings().and_then(|settings| render(&(), &settings));
                 match painted {
                     Ok(image) => (Some(image), None),
-                    Err(error) => {
-                        let pictured = PictureVerdict {
-                            is_right: false,
-                            words: format!("a picture: {error}"),
-                            divergence: None,
-                        };
-                        (None, Some(pictured))
-                    }
+                    Err(error) => (None, Some(failed("a picture".to_owned(), &error))),
                 }
             }
             _ => (None, None),
         }
     }
+
+    /// Renders a scene of the stage with the student's code, and compares the picture with the
+    /// locked one. The worst pixel is traced by the lesson, too.
+    fn scene_picture(
+        &self,
+        folder: &StageFolder,
+        name: &str,
+        reader: Reader,
+        render: &dyn Fn(&Settings) -> Result<Image, Error>,
+        painted: &mut Option<Image>,
+    ) -> Result<PictureVerdict, Error> {
+        let stage = folder.stage();
+        let scene = stage.scene(name)?;
+        let settings = StageFolder::settings(&scene);
+        let file = folder.expected(name);
+        let expected = picture_file::open(&file).ok();
+        let worst = move |image: &Image| worst_pixel(expected.as_ref()?, image);
+        let (image, yours) = with_chosen_pixel(worst, || render(&settings));
+        let image = painted.insert(image?);
+        // A grader's sandbox has no place for it.
+        let differences = (reader != Reader::Grader).then(|| folder.pictures());
+        let mut pictured = pictured(name, &file, image, differences.as_deref());
+        if let (Ok(rays), Some(yours)) = (scene.rays(), yours) {
+            let lesson = rays.trace(&settings, yours.pixel)?;
+            let mut divergence = lesson.first_divergence(&yours, "yours", divergence::ROUNDING);
+            if let (Some(divergence), Some(section)) = (&mut divergence, self.section_of_rays)
+                && divergence.step == StepKind::CameraRay
+            {
+                divergence.section = section;
+            }
+            pictured.divergence = divergence.map(|divergence| divergence.to_string());
+        }
+        Ok(pictured)
+    }
 }
 
-/// Renders a scene of the stage with the student's code, and compares the picture with the locked
-/// one. The worst pixel is traced by the lesson, too.
-fn scene(
-    folder: &StageFolder,
-    name: &str,
-    reader: Reader,
-    render: &dyn Fn(&Settings) -> Result<Image, Error>,
-    painted: &mut Option<Image>,
-) -> Result<PictureVerdict, Error> {
-    let stage = folder.stage();
-    let scene = stage.scene(name)?;
-    let settings = StageFolder::settings(&scene);
-    let file = folder.expected(name);
-    let expected = picture_file::open(&file).ok();
-    let worst = move |image: &Image| worst_pixel(expected.as_ref()?, image);
-    let (image, yours) = with_chosen_pixel(worst, || render(&settings));
-    let image = painted.insert(image?);
-    // A grader's sandbox has no place for it.
-    let differences = (reader != Reader::Grader).then(|| folder.pictures());
-    let pictured = pictured(name, &file, image, differences.as_deref());
-    let divergence = match (scene.rays(), yours) {
-        (Ok(rays), Some(yours)) => {
-            let lesson = rays.trace(&settings, yours.pixel)?;
-            lesson.first_divergence(&yours, "yours", divergence::ROUNDING)
-        }
-        _ => None,
-    };
-    Ok(PictureVerdict {
-        divergence,
-        ..pictured
-    })
+/// A picture that could not be painted.
+fn failed(name: String, error: &Error) -> PictureVerdict {
+    PictureVerdict {
+        name,
+        is_right: false,
+        words: error.to_string(),
+        divergence: None,
+    }
 }

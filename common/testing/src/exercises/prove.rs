@@ -295,7 +295,10 @@ impl Proof {
 
     /// Fails if right code is refused, or if its picture is not the one of this name in the book.
     fn accept(&self, found: &Findings, picture: Option<&str>) -> Result<(), Failed> {
-        let mut problems = [&found.missing[..], &found.verdict.wrong].concat();
+        let mut problems = found.verdict.wrong.clone();
+        for missing in &found.missing {
+            problems.push(format!("it lacks {}", missing.what));
+        }
         if let (Some(image), Some(name)) = (&found.image, picture) {
             if self.is_shown {
                 println!("{}", self.folder.save(image, name));

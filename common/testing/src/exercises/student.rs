@@ -2,12 +2,13 @@
 
 use std::collections::BTreeSet;
 use std::env;
-use std::panic::{self, Location};
+use std::panic::{self, Location, PanicHookInfo};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
 use exercise::StudentOutput;
 
+use super::Missing;
 use super::folder::StageFolder;
 use super::kind::Exercise;
 use super::program::{Program, Reader};
@@ -27,13 +28,14 @@ pub fn judge<C: Clone + 'static>(
     yours: C,
     examples: fn(),
 ) -> ExitCode {
+    // A starter's examples fail, and nothing is wrong yet.
+    let is_begun = folder.is_begun(name);
     let lines = Mutex::new(BTreeSet::new());
     panic::set_hook(Box::new(move |panic| {
         let line = panic.location().map_or(0, Location::line);
         // A line may panic for each input, and in each row of a picture.
-        if lines.lock().is_ok_and(|mut lines| lines.insert(line)) {
-            let message = panic.payload_as_str().unwrap_or_default();
-            say(&format!("{name}.rs, line {line}: {message}"));
+        if is_begun && lines.lock().is_ok_and(|mut lines| lines.insert(line)) {
+            say(&panic_words(name, panic));
         }
     }));
     let record = match folder.record(name) {
@@ -57,7 +59,11 @@ pub fn judge<C: Clone + 'static>(
         say(&folder.save(image, &format!("{}-{name}.png", folder.stage().name)));
     }
     if !found.missing.is_empty() {
-        say(&format!("to do: {}", found.missing.join("; ")));
+        for Missing { what, line } in &found.missing {
+            say(&format!(
+                "to do: {what}\n    in {name}.rs, line {line}, instead of `testing::missing(…)`"
+            ));
+        }
         return ExitCode::from(3);
     }
     let is_right = found.verdict.wrong.is_empty();
@@ -79,4 +85,65 @@ pub fn judge<C: Clone + 'static>(
         print!("{}", StudentOutput { answers, picture });
     }
     ExitCode::from(u8::from(!is_right))
+}
+
+/// The words about a panic of a student's code, which may happen in a library.
+fn panic_words(name: &str, panic: &PanicHookInfo) -> String {
+    let message = panic.payload_as_str().unwrap_or_default();
+    let own_file = format!("{name}.rs");
+    let (file, line) = match panic.location() {
+        Some(location) if !location.file().ends_with(&own_file) => {
+            (location.file(), location.line())
+        }
+        location => (&*own_file, location.map_or(0, Location::line)),
+    };
+    format!("{file}, line {line}: {}", assertion_words(message))
+}
+
+/// The message of a panic; that of `assert_eq!(yours, right)` in the words of the checks.
+fn assertion_words(message: &str) -> String {
+    let equal = message.strip_prefix("assertion `left == right` failed");
+    let parts = equal.and_then(|rest| {
+        let (about, values) = rest.split_once("\n  left: ")?;
+        let (yours, right) = values.split_once("\n right: ")?;
+        Some([about, yours, right])
+    });
+    let Some([about, yours, right]) = parts else {
+        return message.to_owned();
+    };
+    let about = match about.strip_prefix(": ") {
+        Some(about) => format!("{about}:"),
+        None => "an example fails:".to_owned(),
+    };
+    format!("{about}\n    must be {right}; yours is {yours}")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::panic::catch_unwind;
+
+    use super::*;
+
+    /// The message of the standard library for these values.
+    fn message_of(assertion: fn()) -> String {
+        let payload = catch_unwind(assertion).unwrap_err();
+        match payload.downcast::<String>() {
+            Ok(message) => *message,
+            Err(payload) => (*payload.downcast_ref::<&str>().unwrap()).to_owned(),
+        }
+    }
+
+    #[test]
+    fn values_of_an_assertion_are_yours_and_the_right_one() {
+        let words = |assertion| assertion_words(&message_of(assertion));
+        assert_eq!(
+            words(|| assert_eq!(1 + 1, 3, "the sum of {} numbers", 2)),
+            "the sum of 2 numbers:\n    must be 3; yours is 2"
+        );
+        assert_eq!(
+            words(|| assert_eq!([1], [2])),
+            "an example fails:\n    must be [2]; yours is [1]"
+        );
+        assert_eq!(words(|| panic!("left == {}", 1)), "left == 1");
+    }
 }
