@@ -1,9 +1,8 @@
 //! `stage`: the scenes of this stage for its program.
 
-use common::steps::{self, Step, StepKind};
 use common::{Color, Sampling, Settings, Size, Stage};
 
-use crate::{Ray, StripeRule, StripedSky, TracedScene, TracedWorld, View, scenes};
+use crate::{Ray, StripeRule, StripedSky, TracedScene, TracedWorld, View, instruments, scenes};
 
 /// The traced scenes in the order of the course.
 #[must_use]
@@ -48,13 +47,8 @@ impl TracedWorld for StripedSky {
 
     fn recorded(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
         Box::new(move |ray: &Ray| {
-            let section = "a03-rays-cameras.md#the-striped-sky";
-            let (stripe, color) = (f64::from(self.stripe(ray)), self.color_for(ray));
-            steps::push(StepKind::Color, |kind| {
-                Step::new(kind, "colour of the stripe", section)
-                    .with("number", [stripe])
-                    .with("c", color.channels())
-            });
+            let color = self.color_for(ray);
+            instruments::recorded::push_stripe(self.stripe(ray), color);
             color
         })
     }

@@ -14,7 +14,19 @@ pub fn set_pixel(image: &mut Image, x: u32, y: u32, color: Color) {
 pub fn exercise() -> Exercise<Code> {
     let places = Questions {
         words: "a picture of {}x{}, column {}, row {}".into(),
-        simple: vec![(4, 3, 0, 0), (4, 3, 2, 1), (3, 4, 1, 2), (4, 3, 4, 0)],
+        simple: vec![
+            (4, 3, 0, 0),
+            (4, 3, 2, 1),
+            (3, 4, 1, 2),
+            (4, 3, 4, 0),
+            (5, 1, 4, 0),
+            (1, 5, 0, 4),
+            // Far outside, where a product does not fit into 32 bits.
+            (4, 3, 1, 1 << 30),
+            (4, 3, 0, u32::MAX),
+            (4, 3, u32::MAX, 0),
+            (4, 3, u32::MAX, u32::MAX),
+        ],
         others: random(|r| (1 + r.below(9), 1 + r.below(9), r.below(9), r.below(9))),
         answer: |set_pixel: &Code, (w, h, x, y)| {
             painted((w, h), |size| {
@@ -37,15 +49,25 @@ pub fn exercise() -> Exercise<Code> {
         wrong: vec![
             Other::new(
                 "x beyond the width is no pixel of the next row",
-                |image, x, y, color| set(image, color, |w, _| y * w + x),
+                |image, x, y, color| set(image, color, |w, _| index(y, w, x)),
             ),
             Other::new(
                 "a row is as long as the picture is wide",
-                |image, x, y, color| set(image, color, |_, h| y * h + x),
+                |image, x, y, color| set(image, color, |_, h| index(y, h, x)),
             ),
             Other::new(
                 "the list is row after row, not column by column",
-                |image, x, y, color| set(image, color, |_, h| x * h + y),
+                |image, x, y, color| set(image, color, |_, h| index(x, h, y)),
+            ),
+            Other::new(
+                "y times the width may be more than 32 bits hold",
+                |image, x, y, color| {
+                    if x < image.size().width() {
+                        set(image, color, |w, _| {
+                            u64::from(y.wrapping_mul(w).wrapping_add(x))
+                        });
+                    }
+                },
             ),
         ],
         ..Exercise::default()
@@ -59,10 +81,19 @@ fn pixel_of_row(image: &mut Image, x: u32, y: u32, color: Color) {
     }
 }
 
+/// The index of a pixel after some rows of a length.
+fn index(rows: u32, length: u32, place: u32) -> u64 {
+    u64::from(rows) * u64::from(length) + u64::from(place)
+}
+
 /// Paints the pixel at an index that follows from width and height.
-fn set(image: &mut Image, color: Color, index: impl Fn(u32, u32) -> u32) {
+fn set(image: &mut Image, color: Color, index: impl Fn(u32, u32) -> u64) {
     let index = index(image.size().width(), image.size().height());
-    if let Some(pixel) = image.pixels_mut().get_mut(index as usize) {
+    let mut pixels = image.pixels_mut().iter_mut();
+    if let Some(pixel) = usize::try_from(index)
+        .ok()
+        .and_then(|index| pixels.nth(index))
+    {
         *pixel = color;
     }
 }

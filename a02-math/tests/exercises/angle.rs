@@ -15,12 +15,14 @@ pub fn exercise() -> Exercise<Code> {
     let x = [1.0, 0.0, 0.0];
     let vectors = Questions {
         words: "a = {}, b = {}".into(),
-        // A right angle, an obtuse one, a tiny one, and none.
+        // A right angle, an obtuse one, a tiny one, none, and vectors that differ much in length.
         simple: vec![
             (x, [0.0, 2.0, 0.0]),
             (x, [-2.0, 2.0, 0.0]),
             (x, [1.0, 1e-9, 0.0]),
             (x, [0.0, 0.0, 0.0]),
+            ([1e-18, 0.0, 0.0], [-2.0, 2.0, 0.0]),
+            ([1e18, 0.0, 0.0], [-2.0, 2.0, 0.0]),
         ],
         others: random(|r| {
             let length = r.scale();

@@ -3,7 +3,7 @@
 
 use a02_math::arrays::array;
 use common::steps::{self, Step, StepKind};
-use common::{Settings, Size};
+use common::{Color, Settings, Size};
 
 use crate::{Camera, PixelRandom, Ray};
 
@@ -55,6 +55,16 @@ pub fn push_ray(ray: &Ray) {
             "a03-rays-cameras.md#the-ray",
             ray,
         )
+    });
+}
+
+/// Reports the number of the stripe that a ray hits, and its colour.
+pub fn push_stripe(stripe: u32, color: Color) {
+    steps::push(StepKind::Color, |kind| {
+        let section = "a03-rays-cameras.md#the-striped-sky";
+        Step::new(kind, "colour of the stripe", section)
+            .with("number", [f64::from(stripe)])
+            .with("c", color.channels())
     });
 }
 

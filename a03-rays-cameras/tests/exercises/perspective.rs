@@ -15,6 +15,13 @@ type Other = Variant<Code>;
 const AHEAD: [[f64; 3]; 3] = [[0.0; 3], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
 
 pub fn exercise() -> Exercise<Code> {
+    let mut wrong = mistakes_with_angle(|([e, g, t], angle): ([[f64; 3]; 3], f64)| {
+        Ok((Basis::new(point(e), vector(g), vector(t))?, angle))
+    });
+    wrong.push(Other::new(
+        "v is perpendicular to w, and t is not",
+        with_v(|_, t| t),
+    ));
     Exercise {
         picture: scene(|new: &Code, settings, View { world: sky, .. }| {
             let camera = new((AHEAD, FRAC_PI_2))?;
@@ -24,14 +31,16 @@ pub fn exercise() -> Exercise<Code> {
             "the part of the up vector across the gaze",
             with_v(|w, t| t - w * t.dot(w)),
         )],
-        wrong: vec![Other::new(
-            "v is perpendicular to w, and t is not",
-            with_v(|_, t| t),
-        )],
+        wrong,
         ..cameras(Cameras {
-            words: "eye, gaze and up {}, opening angle {}",
+            words: "eye, gaze and up {}, field of view {}",
             first: (AHEAD, FRAC_PI_2),
+            further: vec![
+                ([[0.0; 3], [0.0, 0.0, -1e-18], [0.0, 1e-18, 0.0]], 1.0),
+                ([[0.0; 3], [0.0, 0.0, -1e18], [0.0, 1e18, 0.0]], 1.0),
+            ],
             any: |r| ([(); 3].map(|()| r.triple(5.0)), r.between(0.2, 2.8)),
+            section: "a03-rays-cameras.md#perspective",
         })
     }
 }

@@ -14,26 +14,30 @@ pub fn exercise() -> Exercise<Code> {
             let camera = new(([0.0; 3], FRAC_PI_2))?;
             paint(&*camera, &|ray| sky.color_for(ray), settings)
         }),
-        right: vec![Other::new("at the distance 1", at_distance_1(0.5))],
-        wrong: vec![Other::new(
-            "half of the angle is above the middle",
-            at_distance_1(1.0),
-        )],
+        right: vec![Other::new("at the distance 1", at_distance_1())],
+        wrong: mistakes_with_angle(|(e, angle)| Ok((axes(e)?, angle))),
         ..cameras(Cameras {
-            words: "pinhole at {}, opening angle {}",
+            words: "pinhole at {}, field of view {}",
             first: ([0.0; 3], FRAC_PI_2),
+            further: vec![],
             any: |r| (r.triple(9.0), r.between(0.2, 2.8)),
+            section: "a03-rays-cameras.md#pinhole",
         })
     }
 }
 
-/// A pinhole with a picture at the distance 1, which sees this multiple of the angle above the
-/// middle.
-fn at_distance_1(factor: f64) -> Code {
-    new_camera(move |(e, angle): (_, f64)| {
+/// A pinhole at a point, as a camera that looks along -z.
+fn axes(e: [f64; 3]) -> Made<Basis> {
+    let (gaze, up) = (Vector3::new(0.0, 0.0, -1.0), Vector3::new(0.0, 1.0, 0.0));
+    Basis::new(point(e), gaze, up)
+}
+
+/// A pinhole with a picture at the distance 1.
+fn at_distance_1() -> Code {
+    new_camera(|(e, angle): (_, f64)| {
         let e = point(e);
         Ok(OwnCamera(move |[w, h]: [f64; 2], [x, y]: [f64; 2]| {
-            let scale = 2.0 * libm::tan(factor * angle) / h;
+            let scale = 2.0 * libm::tan(0.5 * angle) / h;
             let right = (x - (w - 1.0) / 2.0) * scale;
             let up = (y - (h - 1.0) / 2.0) * scale;
             let d = Vector3::new(right, up, -1.0);

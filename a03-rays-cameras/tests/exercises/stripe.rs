@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use a03_rays_cameras::instruments::recorded::push_stripe;
+
 use crate::prelude::*;
 
 yours! { Sky => crate::stripe::new_sky(Sky::new, Sky::stripe) }
@@ -39,7 +41,7 @@ impl Sky {
 
 pub fn exercise() -> Exercise<Code> {
     let rays = Questions {
-        words: "opening angle {}, {} stripes, direction {}".into(),
+        words: "field of view {}, {} stripes, direction {}".into(),
         simple: vec![
             (1.0, 10, [0.0, 0.0, -1.0]),
             (1.0, 10, [0.0, 1.0, 0.0]),
@@ -58,9 +60,14 @@ pub fn exercise() -> Exercise<Code> {
         picture: scene(|new: &Code, settings, _| {
             let camera = PinholeCamera::new(Point3::ORIGIN, FRAC_PI_2)?;
             let stripe = new(&camera, settings.size, 10)?;
-            let radiance = |ray: &Ray| match stripe(ray) % 2 {
-                0 => Color::from_bytes([25, 25, 112]),
-                _ => Color::from_bytes([50, 205, 50]),
+            let radiance = |ray: &Ray| {
+                let number = stripe(ray);
+                let color = match number % 2 {
+                    0 => Color::from_bytes([25, 25, 112]),
+                    _ => Color::from_bytes([50, 205, 50]),
+                };
+                push_stripe(number, color);
+                color
             };
             paint(&camera, &radiance, settings)
         }),
@@ -76,6 +83,10 @@ pub fn exercise() -> Exercise<Code> {
             Other::new(
                 "stripes are counted from below",
                 by_height(|height, n| ((1.0 - height) / 2.0 * n).min(n - 1.0)),
+            ),
+            Other::new(
+                "n stripes fill the picture, not n - 1",
+                by_height(|height, n| (height + 1.0) / 2.0 * (n - 1.0)),
             ),
             Other::new(
                 "a number of a stripe is rounded down",

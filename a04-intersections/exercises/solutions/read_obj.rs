@@ -68,10 +68,15 @@ fn face(words: SplitWhitespace, corners: &[Point3]) -> Result<Vec<Triangle>, Str
 testing::examples! {
     let corners = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 5e-1 -3\n";
     let read = |line: &str| read_obj(&format!("{corners}{line}\n"));
-    let [a, b] = [Point3::ORIGIN, Point3::new(4.0, 0.0, 0.0)];
-    let triangle = Triangle::new(a, b, Point3::new(0.0, 0.5, -3.0)).unwrap();
-    assert_eq!(read("f 1 2 4"), Ok(vec![triangle]));
-    assert_eq!(read("f 1/7 2/8 -1"), Ok(vec![triangle]));
+    // A ray from above meets the triangle at the height 0.25.
+    let hit = |line: &str| {
+        let triangles = read(line).unwrap();
+        hit_from([1.0, 3.0, -1.5], [0.0, -1.0, 0.0], triangles.first()?)
+            .map(|hit| [hit.t, hit.normal.y()])
+    };
+    let upwards = 6.0 / 37_f64.sqrt();
+    assert_close(hit("f 1 2 4"), Some([2.75, upwards]));
+    assert_close(hit("f 1/7 2/8 -1"), Some([2.75, upwards]));
     assert_eq!(read("f 1 2 3 4").map(|triangles| triangles.len()), Ok(2));
     assert!(read("f 1 2 9").unwrap_err().starts_with("line 5: "));
 }

@@ -19,7 +19,8 @@ impl AxisAlignedBox {
 
 impl Geometry for AxisAlignedBox {
     /// The nearest hit whose `t` lies within the interval, with the unit normal that points
-    /// out of the box. The direction may have any length, and may be parallel to faces.
+    /// out of the box. The direction may have any length, and may be parallel to faces, which
+    /// belong to the box: a ray within one hits it.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let (o, d) = (ray.origin().to_glam(), ray.direction().to_glam());
         testing::missing("the nearest hit within the interval", None)

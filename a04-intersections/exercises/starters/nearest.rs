@@ -12,16 +12,16 @@ pub fn nearest(world: &World<usize>, ray: &Ray, within: Interval) -> Option<(Hit
 
 testing::examples! {
     let mut world = World::new(Color::BLACK).unwrap();
-    for (z, number) in [(-6.0, 0), (-3.0, 1), (-9.0, 2)] {
+    for (z, number) in [(-6.0, 30), (-3.0, 10), (-9.0, 20)] {
         world = world.with(Sphere::new(Point3::new(0.0, 0.0, z), 1.0).unwrap(), number);
     }
     let hit = |z, within| {
         let ray = Ray::derived(Point3::new(0.0, 0.0, z), Vector3::new(0.0, 0.0, -1.0));
         nearest(&world, &ray, within).map(|(hit, number)| (hit.t, hit.normal.z(), number))
     };
-    assert_eq!(hit(0.0, Interval::AHEAD), Some((2.0, 1.0, 1)), "the first of three spheres");
-    assert_eq!(hit(-3.0, Interval::AHEAD), Some((1.0, 1.0, 1)), "from inside");
+    assert_eq!(hit(0.0, Interval::AHEAD), Some((2.0, 1.0, 10)), "the first of three spheres");
+    assert_eq!(hit(-3.0, Interval::AHEAD), Some((1.0, 1.0, 10)), "from inside");
     let after = Interval { min: 4.5, max: 9.5 };
-    assert_eq!(hit(0.0, after), Some((5.0, 1.0, 0)), "the first after t = 4.5");
+    assert_eq!(hit(0.0, after), Some((5.0, 1.0, 30)), "the first after t = 4.5");
     assert_eq!(hit(0.0, Interval::before(1.5)), None, "none before t = 1.5");
 }

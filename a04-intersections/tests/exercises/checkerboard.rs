@@ -10,11 +10,19 @@ type Code = Arc<dyn Fn(Point3, Normal3) -> Color + Send + Sync>;
 type Other = Variant<Code>;
 
 pub fn exercise() -> Exercise<Code> {
-    let cubes = [[0, 0, 0], [1, 0, 0], [0, -1, 0], [-2, 0, -1]];
-    let middles = cubes.map(|cube| cube.map(|x| f64::from(x) + 0.5));
+    let mut simple = Vec::new();
+    for middle in [
+        [0.5; 3],
+        [1.5, 0.5, 0.5],
+        [0.5, -0.5, 0.5],
+        [-1.5, 0.5, -0.5],
+    ] {
+        simple.push((middle, [0.0, 1.0, 0.0]));
+    }
+    simple.extend(beside_faces());
     let points = Questions {
         words: "p = {}, n = {}".into(),
-        simple: middles.map(|middle| (middle, [0.0, 1.0, 0.0])).to_vec(),
+        simple,
         // On a face of a cube, up to rounding, with the normal of the face.
         others: random(|r| {
             let (mut p, mut n, axis) = (r.triple(9.0), [0.0; 3], r.below(3) as usize);
@@ -38,6 +46,9 @@ pub fn exercise() -> Exercise<Code> {
             })
         }),
         wrong: vec![
+            Other::from_right("just below is not far below", |right| {
+                Arc::new(move |p, n| right(p - Vector3::from(n) * 0.1, NONE))
+            }),
             Other::from_right("a cast cuts off: -0.5 and 0.5 become 0", |right| {
                 Arc::new(move |p, n| {
                     let below = p - Vector3::from(n) * 1e-6;
@@ -53,6 +64,24 @@ pub fn exercise() -> Exercise<Code> {
         ],
         ..Exercise::default()
     }
+}
+
+/// Points in a cube, at several distances from the face that they look away from.
+fn beside_faces() -> Vec<([f64; 3], [f64; 3])> {
+    let mut points = Vec::new();
+    for axis in 0..3 {
+        for distance in [0.375, 0.25, 0.0625, 0.015_625] {
+            for [face, side] in [[0.0, 1.0], [1.0, -1.0]] {
+                let (mut p, mut n) = ([0.5; 3], [0.0; 3]);
+                p[axis] = face + side * distance;
+                n[axis] = side;
+                points.push((p, n));
+            }
+        }
+    }
+    // Aslant above a face.
+    points.push(([0.5, 0.0625, 0.5], [0.6, 0.8, 0.0]));
+    points
 }
 
 const NONE: Normal3 = Normal3::new(0.0, 0.0, 0.0);

@@ -11,11 +11,18 @@ pub fn exercise() -> Exercise<Code> {
     let ray = |o, d| Ray::derived(point(o), vector(d));
     // Ahead, behind, from inside, touching, and from the border away.
     let rays = [[0.0, -5.0], [0.0, 5.0], [0.0, 1.0], [2.0, -5.0], [0.0, 2.0]];
+    let mut simple = Vec::new();
+    for [x, y] in rays {
+        simple.push(([0.0; 3], 2.0, [x, y, 0.0], [0.0, 1.0, 0.0]));
+    }
+    for length in [1e-18, 1e18] {
+        for [x, y] in [[1.0, -5.0], [1.0, 5.0], [3.0, -5.0]] {
+            simple.push(([0.0; 3], 2.0, [x, y, 0.0], [0.0, length, 0.0]));
+        }
+    }
     let spheres = Questions {
         words: "sphere around {} of radius {}, ray from {} along {}".into(),
-        simple: rays
-            .map(|[x, y]| ([0.0; 3], 2.0, [x, y, 0.0], [0.0, 1.0, 0.0]))
-            .to_vec(),
+        simple,
         others: random(|r| {
             let (c, o, length) = (r.triple(5.0), r.triple(5.0), r.scale());
             let d = r.triple(5.0).map(|x| x * length);

@@ -38,6 +38,11 @@ pub fn exercise() -> Exercise<Code> {
             },
         )],
         wrong: vec![
+            Other::new("an object has a number of its own", |world, ray, within| {
+                let (hit, number) = nearest(world, ray, within)?;
+                let mut places = world.objects().map(|(_, number)| *number);
+                Some((hit, places.position(|other| other == number)?))
+            }),
             Other::new("the nearest counts, not the last", |world, ray, within| {
                 let (hit, number) = hits(world, ray, within).pop()?;
                 Some((turned(hit, hit.geometric_normal, ray), number))
@@ -90,7 +95,11 @@ fn ask(found: &[f64]) -> Vec<CodeQuestion<Code>> {
         for min in [0.0, 4.5, 7.5] {
             simple.push((zs, ([0.0; 3], [0.0, 0.0, -1.0], min, 99.0)));
         }
-        others.extend(from_everywhere(&found).into_iter().map(|ray| (zs, ray)));
+        others.extend(
+            from_everywhere(&found, 0.0)
+                .into_iter()
+                .map(|ray| (zs, ray)),
+        );
     }
     let questions = Questions {
         words: format!("spheres of radius 1 at z = {{}}, a triangle at z = 1; {RAY}"),
@@ -106,11 +115,15 @@ fn ask(found: &[f64]) -> Vec<CodeQuestion<Code>> {
     questions.asked()
 }
 
+/// The number of the triangle, and those of the spheres: none is a place in the list.
+const TRIANGLE: usize = 23;
+const SPHERES: [usize; 3] = [40, 7, 11];
+
 /// Spheres, and a triangle whose corners have normals aslant, each with its number.
 fn world(r: f64, centres: &[[f64; 3]]) -> Made<World<usize>> {
-    let mut world = World::new(Color::BLACK)?.with(smooth_triangle(1.0)?, 0);
-    for (number, centre) in (1..).zip(centres) {
-        world = world.with(Sphere::new(point(*centre), r)?, number);
+    let mut world = World::new(Color::BLACK)?.with(smooth_triangle(1.0)?, TRIANGLE);
+    for (number, centre) in SPHERES.iter().zip(centres) {
+        world = world.with(Sphere::new(point(*centre), r)?, *number);
     }
     Ok(world)
 }

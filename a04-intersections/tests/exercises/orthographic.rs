@@ -23,17 +23,41 @@ pub fn exercise() -> Exercise<Code> {
         }),
         right: vec![Other::new(
             "from the lower left pixel on",
-            variant(|[w, h], [x, y]| [w / h * (x / (w - 1.0) - 0.5), y / (h - 1.0) - 0.5]),
+            variant(|[w, h], [x, y]| [w / h * from_middle(x, w), from_middle(y, h)]),
         )],
-        wrong: vec![Other::new(
-            "a wide picture shows more to the sides",
-            variant(|[w, h], [x, y]| [x / (w - 1.0) - 0.5, y / (h - 1.0) - 0.5]),
-        )],
+        wrong: vec![
+            Other::new(
+                "a wide picture shows more to the sides",
+                variant(|[w, h], [x, y]| [from_middle(x, w), from_middle(y, h)]),
+            ),
+            Other::new(
+                "s is the height of the picture, not its width",
+                variant(|[w, h], [x, y]| [from_middle(x, w), h / w * from_middle(y, h)]),
+            ),
+            Other::new(
+                "a single row or column is in the middle, where 0 / 0 is not a number",
+                variant(|[w, h], [x, y]| [w / h * (x / (w - 1.0) - 0.5), y / (h - 1.0) - 0.5]),
+            ),
+        ],
         ..cameras(Cameras {
             words: "eye, gaze and up {}, s = {}",
             first: (AHEAD, 1.0),
+            further: vec![
+                ([[0.0; 3], [0.0, 0.0, -1e-18], [0.0, 1e-18, 0.0]], 1.0),
+                ([[0.0; 3], [0.0, 0.0, -1e18], [0.0, 1e18, 0.0]], 1.0),
+            ],
             any: |r| ([(); 3].map(|()| r.triple(5.0)), r.between(0.5, 9.0)),
+            section: "a03-rays-cameras.md#orthographic",
         })
+    }
+}
+
+/// The place of a pixel of n in a row or column, from -1/2 to 1/2; the only one is in the middle.
+fn from_middle(pixel: f64, n: f64) -> f64 {
+    if n == 1.0 {
+        0.0
+    } else {
+        pixel / (n - 1.0) - 0.5
     }
 }
 

@@ -54,6 +54,9 @@ pub fn exercise() -> Exercise<Code> {
             };
             eye.show_shapes(house, settings)
         }),
+        right: vec![Other::from_right("another first corner", |right| {
+            Arc::new(move |text| begun_elsewhere(&right(text)?))
+        })],
         wrong: vec![
             Other::from_right("n corners make n - 2 triangles", |right| {
                 Arc::new(move |text| Ok(right(text)?.into_iter().take(1).collect()))
@@ -71,16 +74,48 @@ pub fn exercise() -> Exercise<Code> {
 
 /// The corners of the triangles, or the beginning of the error.
 fn answer(read: Result<Vec<Triangle>, String>) -> Answer {
-    let corners = |triangle: &Triangle| {
-        let text = format!("{triangle:?}");
-        let corners = text.split("DVec3").skip(1).take(3);
-        let corners = corners.filter_map(|corner| corner.split_inclusive(')').next());
-        corners.collect::<Vec<_>>().join("-")
-    };
     Answer::words(match read {
         Ok(read) => read.iter().map(corners).collect::<Vec<_>>().join("; "),
         Err(error) => error.split(':').take(1).collect(),
     })
+}
+
+/// The corners of a triangle in their order around it, with which of them it may begin.
+fn corners(triangle: &Triangle) -> String {
+    let mut corners = Vec::new();
+    for corner in corner_points(triangle) {
+        corners.push(format!("{corner:?}"));
+    }
+    let first = (0..corners.len()).min_by_key(|index| &corners[*index]);
+    corners.rotate_left(first.unwrap_or_default());
+    corners.join("-")
+}
+
+/// The corners of a triangle, of which only the words for developers tell.
+fn corner_points(triangle: &Triangle) -> Vec<[f64; 3]> {
+    let words = format!("{triangle:?}");
+    let mut points = Vec::new();
+    for corner in words.split("DVec3(").skip(1).take(3) {
+        let (numbers, _) = corner.split_once(')').unwrap_or_default();
+        let mut coordinates = [f64::NAN; 3];
+        for (coordinate, number) in coordinates.iter_mut().zip(numbers.split(", ")) {
+            *coordinate = number.parse().unwrap_or(f64::NAN);
+        }
+        points.push(coordinates);
+    }
+    points
+}
+
+/// Triangles that begin at the second corner.
+fn begun_elsewhere(triangles: &[Triangle]) -> Result<Vec<Triangle>, String> {
+    let mut begun_elsewhere = Vec::new();
+    for triangle in triangles {
+        if let [a, b, c] = corner_points(triangle)[..] {
+            let rotated = Triangle::new(point(b), point(c), point(a));
+            begun_elsewhere.push(rotated.map_err(|error| error.to_string())?);
+        }
+    }
+    Ok(begun_elsewhere)
 }
 
 /// A random face among random corners, which are named in all ways.

@@ -40,6 +40,6 @@ pub fn exercise() -> Exercise<Code> {
                 })
             }),
         ],
-        ..shapes(BOXES)
+        ..shapes(boxes())
     }
 }

@@ -32,7 +32,12 @@ pub fn exercise() -> Exercise<Code> {
         )],
         ..shapes(Shapes {
             words: "circle of radius {}, tube of radius {}",
-            first: (2.0, 0.5),
+            // No simple ray just touches it: a right march may pass over that point.
+            first: (2.0, 0.75),
+            further: vec![],
+            on_surface: vec![],
+            least_step: 2e-4,
+            own_rays: vec![],
             any: |r| (r.between(2.0, 5.0), r.between(0.5, 1.5)),
         })
     }

@@ -11,6 +11,8 @@ yours! {
 type Code = LightAt<([f64; 3], [f64; 3])>;
 type Other = Variant<Code>;
 
+const COLOR: [f64; 3] = [1.0, 0.5, 0.25];
+
 pub fn directional_light(color: Color, direction: Vector3) -> Option<Illumination> {
     let sun = DirectionalLight::new(color, direction);
     sun.ok()?.illumination(Point3::ORIGIN)
@@ -27,9 +29,28 @@ pub fn exercise() -> Exercise<Code> {
             lit.rendered(light, settings)
         }),
         right: vec![Other::new("divided by the length", light_at(divided))],
+        wrong: vec![Other::from_right(
+            "a direction without a length leads nowhere",
+            |right| {
+                light_at(move |(c, direction): ([f64; 3], [f64; 3]), p| {
+                    let nowhere = Illumination {
+                        color: color(c),
+                        direction: vector(direction),
+                        distance: f64::INFINITY,
+                    };
+                    right((c, direction), p).or(Some(nowhere))
+                })
+            },
+        )],
         ..lights([Lights {
             words: "light {} that travels along {}",
-            first: ([1.0, 0.5, 0.25], [0.0, -2.0, 0.0]),
+            first: (COLOR, [0.0, -2.0, 0.0]),
+            simple: vec![
+                ((COLOR, [0.0; 3]), LAMP),
+                ((COLOR, [0.0, -1e-18, 0.0]), LAMP),
+                ((COLOR, [0.0, -1e18, 0.0]), LAMP),
+            ],
+            others: vec![],
             any: |r| {
                 let length = r.scale();
                 (channels(r), r.triple(5.0).map(|x| x * length))

@@ -27,6 +27,8 @@ pub fn exercise() -> Exercise<Code> {
         ..lights([Lights {
             words: "lamp {} at {}",
             first: ([1.0, 0.5, 0.25], LAMP),
+            simple: vec![],
+            others: vec![],
             any: |r| (channels(r), r.triple(5.0)),
         }])
     }

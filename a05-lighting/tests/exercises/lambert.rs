@@ -25,10 +25,13 @@ pub fn exercise() -> Exercise<Code> {
             "the fraction first",
             textbook(|cosine| cosine.max(0.0)),
         )],
-        wrong: vec![Other::new(
-            "no light is negative",
-            textbook(|cosine| cosine),
-        )],
+        wrong: vec![
+            Other::new("no light is negative", textbook(|cosine| cosine)),
+            Other::new(
+                "light along the surface adds nothing",
+                textbook(|cosine| 0.5 * cosine + 0.5),
+            ),
+        ],
         ..materials([Materials {
             words: "diffuse {}",
             first: [1.0, 0.5, 0.0],

@@ -22,9 +22,24 @@ pub fn exercise() -> Exercise<Code> {
             lit.rendered(light, settings)
         }),
         right: vec![Other::new("divided by the distance", light_at(divided))],
+        wrong: vec![Other::from_right(
+            "this lamp is as bright at every distance",
+            |right| {
+                light_at(move |parameters, p| {
+                    let light = right(parameters, p)?;
+                    let square = light.distance * light.distance;
+                    Some(Illumination {
+                        color: light.color * (1.0 / square),
+                        ..light
+                    })
+                })
+            },
+        )],
         ..lights([Lights {
             words: "light {} at {}",
             first: ([1.0, 0.5, 0.25], LAMP),
+            simple: vec![],
+            others: vec![],
             any: |r| (channels(r), r.triple(5.0)),
         }])
     }

@@ -14,6 +14,9 @@ type Other = Variant<Code>;
 /// Colour, place and direction of a lamp, and the inner and the outer angle.
 type Spot = ([f64; 3], [f64; 3], [f64; 3], [f64; 2]);
 
+const COLOR: [f64; 3] = [1.0, 0.5, 0.25];
+const ANGLES: [f64; 2] = [0.5, 1.0];
+
 pub fn exercise() -> Exercise<Code> {
     let lit = Lit {
         view: scenes::phong_spot,
@@ -25,14 +28,27 @@ pub fn exercise() -> Exercise<Code> {
         wrong: vec![Other::new("the fraction has no crease", light_at(creased))],
         ..lights([Lights {
             words: "light {} at {}, which shines along {}, inner and outer angle {}",
-            first: ([1.0, 0.5, 0.25], LAMP, [0.0, -2.0, 0.0], [0.5, 1.0]),
-            any: |r| {
-                let inner = r.between(0.0, 1.4);
-                let angles = [inner, inner + r.between(0.05, 1.6)];
-                (channels(r), r.triple(5.0), r.triple(5.0), angles)
-            },
+            first: (COLOR, LAMP, [0.0, -2.0, 0.0], ANGLES),
+            simple: vec![
+                ((COLOR, LAMP, [0.0, -1e-18, 0.0], ANGLES), [0.0; 3]),
+                ((COLOR, LAMP, [0.0, -1e18, 0.0], ANGLES), [3.0, 0.0, 0.0]),
+            ],
+            others: random(on_axis_of_spot),
+            any,
         }])
     }
+}
+
+fn any(r: &mut Random) -> Spot {
+    let inner = r.between(0.0, 1.4);
+    let angles = [inner, inner + r.between(0.05, 1.6)];
+    (channels(r), r.triple(5.0), r.triple(5.0), angles)
+}
+
+fn on_axis_of_spot(r: &mut Random) -> (Spot, [f64; 3]) {
+    let spot = any(r);
+    let (_, lamp, direction, _) = spot;
+    (spot, on_axis(r, lamp, direction))
 }
 
 /// A spot whose rim fades in a straight line.

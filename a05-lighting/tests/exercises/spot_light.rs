@@ -37,30 +37,62 @@ pub fn exercise() -> Exercise<Code> {
         picture: Picture::scene("phong-spot", move |light, settings| {
             lit.rendered(light, settings)
         }),
-        right: vec![Other::new("angles", textbook(|angle, half| angle <= half))],
-        wrong: vec![Other::new(
-            "a wide cone shines behind the lamp, too",
-            textbook(|angle, half| angle <= half.min(PI / 2.0)),
+        right: vec![Other::new(
+            "angles",
+            textbook(angle, |angle, half| angle <= half),
         )],
+        wrong: vec![
+            Other::new(
+                "a wide cone shines behind the lamp, too",
+                textbook(angle, |angle, half| angle <= half.min(PI / 2.0)),
+            ),
+            Other::new(
+                "the half angle is in radians, not in degrees",
+                textbook(angle, |angle, half| angle <= half.to_radians()),
+            ),
+            Other::new(
+                "the axis leads away from the lamp, the light's direction to it",
+                textbook(angle, |angle, half| PI - angle <= half),
+            ),
+            Other::new(
+                "a cosine may round to more than 1, which has no arc cosine",
+                textbook(libm::acos, |angle, half| angle <= half),
+            ),
+        ],
         ..lights([1.0, PI].map(|half_angle| Lights {
             words: "light {} at {}, axis {}, half angle {}",
             first: ([1.0, 0.5, 0.25], LAMP, [0.0, -1.0, 0.0], half_angle),
-            any: |r| {
-                let [lamp, axis] = [(); 2].map(|()| r.triple(5.0));
-                (channels(r), lamp, axis, r.between(0.05, 3.1))
-            },
+            simple: vec![],
+            others: random(on_axis_of_cone),
+            any,
         }))
     }
 }
 
-/// The light where this function accepts the angle of the point and the half angle.
-fn textbook(accepts: fn(f64, f64) -> bool) -> Code {
+fn any(r: &mut Random) -> Cone {
+    let [lamp, axis] = [(); 2].map(|()| r.triple(5.0));
+    (channels(r), lamp, axis, r.between(0.05, 3.1))
+}
+
+fn on_axis_of_cone(r: &mut Random) -> (Cone, [f64; 3]) {
+    let cone = any(r);
+    let (_, lamp, axis, _) = cone;
+    (cone, on_axis(r, lamp, axis))
+}
+
+/// The angle of a cosine, which rounding may make greater than 1.
+fn angle(cosine: f64) -> f64 {
+    libm::acos(cosine.clamp(-1.0, 1.0))
+}
+
+/// The light where a function accepts the angle of the point, which another one makes of its
+/// cosine, and the half angle.
+fn textbook(angle: fn(f64) -> f64, accepts: fn(f64, f64) -> bool) -> Code {
     light_at(move |(c, lamp, axis, half_angle), p| {
         let light = PointLight::new(color(c), point(lamp))
             .ok()?
             .illumination(p)?;
         let cosine = unit(axis).dot(-light.direction);
-        let angle = libm::acos(cosine.clamp(-1.0, 1.0));
-        accepts(angle, half_angle).then_some(light)
+        accepts(angle(cosine), half_angle).then_some(light)
     })
 }

@@ -44,15 +44,24 @@ impl Input for Departure {
 }
 
 impl Departure {
-    /// A random one.
+    /// A random one: steep and grazing, outwards and inwards.
     pub fn any(r: &mut Random) -> Self {
+        Self::with_slope(r, [1.0, -1.0, 1e-3, -1e-3])
+    }
+
+    /// A random one that is almost parallel to the surface.
+    pub fn grazing(r: &mut Random) -> Self {
+        Self::with_slope(r, [1e-6, -1e-6, 1e-8, -1e-8])
+    }
+
+    /// A random one, with one of these slopes.
+    fn with_slope<const N: usize>(r: &mut Random, slopes: [f64; N]) -> Self {
         let (normal, point) = (unit(r.triple(1.0)), r.triple(5.0));
         let side = unit(array(normal.cross(vector(r.triple(1.0)))));
         // Near, far from the origin, and, at the origin, far from the eye.
         let [from_origin, from_eye] = [[1.0, 1.0], [1e7, 1.0], [0.0, 1e7]][r.below(3) as usize];
         let to_eye = (normal * r.between(0.5, 3.0) + side * r.between(-3.0, 3.0)) * from_eye;
-        // Steep and grazing, outwards and inwards.
-        let direction = side + normal * [1.0, -1.0, 1e-3, -1e-3][r.below(4) as usize];
+        let direction = side + normal * slopes[r.below(N as u32) as usize];
         Self {
             shape: SHAPES[r.below(3) as usize],
             normal: array(normal),
@@ -77,9 +86,10 @@ impl Departure {
         let hit = shape.hit(&ray, Interval::AHEAD)?;
         let left = secondary_ray(&ray, &hit, direction);
         let step = left.origin() - ray.at(hit.t);
+        let slope = direction.dot(hit.geometric_normal);
         // Inwards, a ray meets the far side of a sphere, but not this one.
-        let again = shape.hit(&left, Interval::before(1e-4 * self.size));
-        let words = if step.dot(hit.geometric_normal) * direction.dot(hit.geometric_normal) <= 0.0 {
+        let again = shape.hit(&left, Interval::before(0.1 * slope.abs() * self.size));
+        let words = if step.dot(hit.geometric_normal) * slope <= 0.0 {
             "a ray from the wrong side of the surface"
         } else if step.magnitude() > 1e-9 * Numbers::of(&ray, &hit).sum() {
             "a ray that begins far away"

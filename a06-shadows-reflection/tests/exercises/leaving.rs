@@ -26,11 +26,13 @@ pub fn exercise() -> Exercise<Code> {
             });
         }
     }
+    let mut others = random(Departure::any);
+    others.extend(random(Departure::grazing));
     let departures = Questions {
         words: "{} with normal {}, of size {}, at {} sizes, the eye {} sizes away, left along {}"
             .into(),
         simple,
-        others: random(Departure::any),
+        others,
         answer: |secondary_ray: &Code, departure: Departure| departure.answer(&**secondary_ray),
     };
     Exercise {
@@ -62,6 +64,10 @@ pub fn exercise() -> Exercise<Code> {
             Other::new(
                 "a grazing ray does not leave along itself",
                 offset(|_, direction| direction, largest),
+            ),
+            Other::new(
+                "along itself, a grazing ray would have to go far",
+                offset(|_, direction| direction, |at| 1e-12 * at.sum()),
             ),
             Other::new(
                 "the face says where the surface is",

@@ -45,7 +45,7 @@ pub fn exercise() -> Exercise<Code> {
         },
     };
     Exercise {
-        questions: vec![rays.into()],
+        questions: vec![rays.into(), between_two_mirrors()],
         picture: Picture::scene("sphere", |trace: &Code, settings| {
             traced_picture(scenes::sphere()?, settings, |world, ray, depth| {
                 trace(world, ray, depth)
@@ -59,6 +59,30 @@ pub fn exercise() -> Exercise<Code> {
             Other::from_right("the last surface mirrors black", |right| {
                 Arc::new(move |world, ray, depth| right(world, ray, depth + 1))
             }),
+            Other::from_right("a mirror shows other mirrors, too", |right| {
+                Arc::new(move |world, ray, depth| right(world, ray, depth.min(2)))
+            }),
+            Other::new(
+                "a mirror reflects a part of the light, not all",
+                Arc::new(unweighted),
+            ),
+            Other::new(
+                "what a dark mirror reflects counts, too",
+                Arc::new(until_dark),
+            ),
+            Other::new(
+                "in a small world a step of fixed length leads through the next mirror",
+                Arc::new(|world, ray, depth| {
+                    let tracer = Tracer {
+                        world,
+                        is_shadowed: &is_shadowed,
+                        secondary_ray: &|ray, hit, direction| {
+                            Ray::derived(ray.at(hit.t) + direction * 1e-6, direction)
+                        },
+                    };
+                    tracer.trace(ray, depth)
+                }),
+            ),
             Other::new(
                 "a mirror is seen by its normal, not by its face",
                 reflected(|ray, hit| (-ray.direction()).reflected_on(hit.geometric_normal)),
@@ -70,6 +94,65 @@ pub fn exercise() -> Exercise<Code> {
         ],
         ..Exercise::default()
     }
+}
+
+/// Rays between two mirrors that are near to each other or far, and bright or dark.
+fn between_two_mirrors() -> Group<Code> {
+    let mut simple = Vec::new();
+    for height in [1.0, 5e-7, 1e6] {
+        for reflection in [[0.5, 0.25, 0.125], [0.1, 0.2, 0.05]] {
+            for depth in [2, 5, 9] {
+                simple.push((height, reflection, depth));
+            }
+        }
+    }
+    let rays = Questions {
+        words: "mirrors y = 0 and y = {}, both reflect {}, ray from half way along [0.6, 0.8, 0], \
+            depth {}"
+            .into(),
+        simple,
+        others: vec![],
+        answer: |trace: &Code, (height, reflection, depth)| {
+            let world = two_mirrors(height, reflection).ok()?;
+            let origin = Point3::new(0.0, height / 2.0, 0.0);
+            let ray = Ray::derived(origin, Vector3::new(0.6, 0.8, 0.0));
+            Some(trace(&world, &ray, depth).channels())
+        },
+    };
+    rays.into()
+}
+
+/// The sum of all surfaces that a ray meets, without their weights.
+fn unweighted(world: &ShadowedWorld, ray: &Ray, depth: u32) -> Color {
+    let (mut sum, mut ray) = (Color::BLACK, *ray);
+    for _ in 0..depth {
+        let Some((hit, surface)) = world.objects().hit(&ray, Interval::AHEAD) else {
+            return sum + world.objects().background();
+        };
+        sum += surface.color_for(&ray, &hit, &RecursiveTracer::new(world));
+        let direction = (-ray.direction()).reflected_on(hit.normal);
+        ray = secondary_ray(&ray, &hit, direction);
+    }
+    sum
+}
+
+/// The sum that ends where no byte of a picture would change.
+fn until_dark(world: &ShadowedWorld, ray: &Ray, depth: u32) -> Color {
+    let (mut sum, mut ray, mut weight) = (Color::BLACK, *ray, Color::WHITE);
+    for _ in 0..depth {
+        let [r, g, b] = weight.channels();
+        if r.max(g).max(b) < 1.0 / 255.0 {
+            break;
+        }
+        let Some((hit, surface)) = world.objects().hit(&ray, Interval::AHEAD) else {
+            return sum + weight * world.objects().background();
+        };
+        sum += weight * surface.color_for(&ray, &hit, &RecursiveTracer::new(world));
+        weight = weight * surface.mirror_reflectance();
+        let direction = (-ray.direction()).reflected_on(hit.normal);
+        ray = secondary_ray(&ray, &hit, direction);
+    }
+    sum
 }
 
 /// The recursion, whose reflected rays go along this direction.

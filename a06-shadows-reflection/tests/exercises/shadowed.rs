@@ -13,22 +13,10 @@ type Other = Variant<Code>;
 type Lit = ([f64; 3], ([f64; 3], f64), [f64; 3], f64);
 
 pub fn exercise() -> Exercise<Code> {
-    let above = |y, radius, distance| -> Lit {
-        ([0.0; 3], ([0.0, y, 0.0], radius), [0.0, 1.0, 0.0], distance)
-    };
     let points = Questions {
         words: "floor y = 0 at {}, ball around {} of radius {}, lamp towards {} at the distance {}"
             .into(),
-        simple: vec![
-            above(4.0, 1.0, 8.0),
-            above(4e-9, 1e-9, 8e-9),
-            // Just before the lamp, beyond it, and the lamp's own.
-            above(7.96875, 0.015_625, 8.0),
-            above(12.0, 1.0, 8.0),
-            above(10.0, 2.0, 8.0),
-            above(12.0, 1.0, f64::INFINITY),
-            above(-4.0, 1.0, f64::INFINITY),
-        ],
+        simple: simple(),
         others: random(any),
         answer,
     };
@@ -50,9 +38,77 @@ pub fn exercise() -> Exercise<Code> {
             Other::new("the lamp's ceiling blocks nothing", up_to(|d| d)),
             Other::new("no length is fixed", up_to(|d| d - 1e-6)),
             Other::new("an object before it is seen", up_to(|d| d * 0.99)),
+            Other::new(
+                "an object may be as near to it as a thousandth of the distance",
+                up_to(|d| d * 0.999),
+            ),
+            Other::new(
+                "an object may be nearer to the surface than a fixed length",
+                Arc::new(|world, ray, hit, light| {
+                    let to_light = Ray::derived(ray.at(hit.t), light.direction);
+                    let between = Interval {
+                        min: 1e-3,
+                        max: light.distance * (1.0 - 1e-6),
+                    };
+                    world.hit(&to_light, between).is_some()
+                }),
+            ),
         ],
         ..Exercise::default()
     }
+}
+
+/// A ball above the origin, and a lamp above it in this distance.
+fn above(y: f64, radius: f64, distance: f64) -> Lit {
+    ([0.0; 3], ([0.0, y, 0.0], radius), [0.0, 1.0, 0.0], distance)
+}
+
+/// A ball from a fraction of the way to a lamp above the origin to another one.
+fn across([from, to]: [f64; 2], distance: f64) -> Lit {
+    let (middle, radius) = (f64::midpoint(from, to), (to - from) / 2.0);
+    above(middle * distance, radius * distance, distance)
+}
+
+/// A lamp towards this direction that is fixed to the near side of a ball.
+fn fixed_to_ball(direction: [f64; 3], distance: f64) -> Lit {
+    let radius = distance / 4.0;
+    let centre = unit(direction) * (distance + radius);
+    ([0.0; 3], (array(centre), radius), direction, distance)
+}
+
+fn simple() -> Vec<Lit> {
+    let infinity = f64::INFINITY;
+    let mut simple = vec![
+        above(4.0, 1.0, 8.0),
+        above(4e-9, 1e-9, 8e-9),
+        // Just before the lamp, beyond it, and the lamp's own.
+        above(7.96875, 0.015_625, 8.0),
+        above(12.0, 1.0, 8.0),
+        above(10.0, 2.0, 8.0),
+        above(12.0, 1.0, infinity),
+        above(-4.0, 1.0, infinity),
+    ];
+    // Before the sun, in small and in large worlds.
+    for size in [1e-9, 1e-4, 1e6] {
+        simple.push(above(4.0 * size, size, infinity));
+        simple.push(above(-4.0 * size, size, infinity));
+    }
+    for distance in [8.0, 8e-6] {
+        simple.push(across([0.996, 0.999], distance));
+        simple.push(across([0.9997, 0.99985], distance));
+    }
+    for distance in [8.0, 8e-6, 8e6] {
+        for direction in [[3.0, 4.0, 0.0], [-2.0, 3.0, 6.0], [1.0, 1.0, 1.0]] {
+            simple.push(fixed_to_ball(direction, distance));
+        }
+    }
+    // In the triangle, which leans, and beyond it; the ball is far away.
+    let in_triangle = [0.0, 1.5, -4.0];
+    let length = vector(in_triangle).magnitude();
+    let ball = ([40.0, 1.0, 0.0], 1.0);
+    simple.push(([0.0; 3], ball, in_triangle, length));
+    simple.push(([0.0; 3], ball, in_triangle, 2.0 * length));
+    simple
 }
 
 fn any(r: &mut Random) -> Lit {
@@ -70,8 +126,13 @@ fn any(r: &mut Random) -> Lit {
 }
 
 fn answer(is_shadowed: &Code, (p, (centre, radius), to_lamp, distance): Lit) -> Option<bool> {
-    // The eye is beside the point, as far as the lamp or 1.
-    let size = if distance < 1e9 { distance } else { 1.0 };
+    // The eye is beside the point, as far as the lamp or, before the sun, the ball.
+    let to_ball = (point(centre) - point(p)).magnitude();
+    let size = if distance.is_finite() {
+        distance
+    } else {
+        to_ball
+    };
     let to_eye = vector([3.0, 2.0, 1.0]) * size;
     let ray = Ray::new(point(p) + to_eye, -to_eye).ok()?;
     let world = mirrors(centre, radius, [0.0; 3]).ok()?;

@@ -81,6 +81,17 @@ pub fn mirrors(centre: [f64; 3], radius: f64, reflection: [f64; 3]) -> Made<Shad
         .lit_by(LightSource::new(lamp, true)))
 }
 
+/// A floor y = 0 and a ceiling at this height, which face each other and mirror.
+pub fn two_mirrors(height: f64, reflection: [f64; 3]) -> Made<ShadowedWorld> {
+    let mirror = |own| Reflective::new(own, Color::WHITE, 8.0, color(reflection)).map(Box::new);
+    let up = Normal3::new(0.0, 1.0, 0.0);
+    let floor = Plane::new(Point3::ORIGIN, up)?;
+    let ceiling = Plane::new(Point3::new(0.0, height, 0.0), up)?;
+    Ok(ShadowedWorld::empty(Color::gray(0.5), Color::gray(0.25))?
+        .with(floor, mirror(Color::WHITE)?)
+        .with(ceiling, mirror(Color::RED)?))
+}
+
 /// A triangle around a point with the normal `n`, whose corners have another one.
 pub fn smooth_triangle(p: Point3, n: Vector3, size: f64) -> Made<Triangle> {
     let u = n.cross(Vector3::new(n.y(), n.z(), -n.x())).unit("side")? * size;

@@ -30,13 +30,26 @@ pub fn exercise() -> Exercise<Code> {
             "the distance, not its square",
             by_distance(|distance, r| distance <= r),
         )],
-        wrong: vec![Other::new(
-            "the rim belongs to the disc",
-            by_distance(|distance, r| distance < r),
-        )],
+        wrong: vec![
+            Other::new(
+                "the rim belongs to the disc",
+                by_distance(|distance, r| distance < r),
+            ),
+            Other::new(
+                "a distance is compared with the radius, a square with its square",
+                by_distance(|distance, r| distance * distance <= r),
+            ),
+        ],
         ..shapes(Shapes {
             words: "disc around {}, normal {}, radius {}",
             first: ([0.0; 3], [0.0, 1.0, 0.0], 2.0),
+            further: vec![
+                ([1.0, 0.0, 0.0], [-2.0, 0.0, 0.0], 1.0),
+                ([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 1.0),
+            ],
+            on_surface: vec![[0.0; 3], [1.0, 0.0, -1.0], [2.0, 0.0, 0.0]],
+            least_step: 0.0,
+            own_rays: vec![],
             any: |r| (r.triple(3.0), r.triple(5.0), r.between(0.5, 4.0)),
         })
     }

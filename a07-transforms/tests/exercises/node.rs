@@ -40,24 +40,31 @@ pub fn exercise() -> Exercise<Code> {
         }),
         right: vec![Other::new(
             "all hits, and then the first",
-            of_all_hits(Choice {
-                hit: first,
-                geometric_normal: Transform::normal_from_object,
-            }),
+            of_all_hits(RIGHT),
         )],
         wrong: vec![
             Other::new(
                 "the nearest counts, not the first of the list",
                 of_all_hits(Choice {
                     hit: |hits| hits.into_iter().next(),
-                    geometric_normal: Transform::normal_from_object,
+                    ..RIGHT
                 }),
             ),
             Other::new(
                 "both normals are led out of the node",
                 of_all_hits(Choice {
-                    hit: first,
-                    geometric_normal: |_, face| Some(face),
+                    geometric_normal: |_, normal| Some(normal),
+                    ..RIGHT
+                }),
+            ),
+            Other::new(
+                "t counts steps of the direction, whose length the transform changes",
+                of_all_hits(Choice {
+                    inner_ray: |ray| {
+                        let direction = ray.direction().normalized();
+                        Ray::derived(ray.origin(), direction.unwrap_or_default())
+                    },
+                    ..RIGHT
                 }),
             ),
         ],
@@ -67,6 +74,24 @@ pub fn exercise() -> Exercise<Code> {
                 steps: vec![],
                 children: balls_and_triangle,
             },
+            further: vec![
+                Parts {
+                    steps: vec![Step::Scale([2.0, 1.0, 0.5])],
+                    children: balls_and_triangle,
+                },
+                Parts {
+                    steps: vec![Step::Translate([0.5, 0.0, -1.0])],
+                    children: balls_and_triangle,
+                },
+            ],
+            on_surface: vec![
+                [1.0, 0.0, 0.0],
+                [0.0, 0.0, 1.0],
+                [0.0, 0.5, 0.0],
+                [0.0, 0.0, 2.0],
+            ],
+            least_step: 0.0,
+            own_rays: vec![],
             any: |r| Parts {
                 steps: Step::random(r),
                 children: balls_and_triangle,
@@ -82,20 +107,28 @@ fn balls_and_triangle() -> Made<Vec<Shape>> {
     Ok(vec![Box::new(small?), Box::new(large?), Box::new(triangle)])
 }
 
-/// What becomes of the hits of all children.
+/// A way from the hits of all children to that of the node.
 #[derive(Clone, Copy)]
 struct Choice {
-    /// One of them.
+    /// The ray for the children, made of the one in their space.
+    inner_ray: fn(Ray) -> Ray,
+    /// One of the hits.
     hit: fn(Vec<Hit>) -> Option<Hit>,
     /// Its geometric normal in the space around the node.
     geometric_normal: fn(&Transform, Normal3) -> Option<Normal3>,
 }
 
+const RIGHT: Choice = Choice {
+    inner_ray: |ray| ray,
+    hit: |hits| hits.into_iter().min_by(|a, b| a.t.total_cmp(&b.t)),
+    geometric_normal: Transform::normal_from_object,
+};
+
 fn of_all_hits(choice: Choice) -> Code {
     new_shape(move |Parts { steps, children }| {
         let (transform, children) = (transform(&steps), children()?);
         Ok(own(move |ray: &Ray, within| {
-            let ray = transform.ray_to_object(ray);
+            let ray = (choice.inner_ray)(transform.ray_to_object(ray));
             let mut hits = Vec::new();
             for child in &children {
                 hits.extend(child.hit(&ray, within));
@@ -106,8 +139,4 @@ fn of_all_hits(choice: Choice) -> Code {
             Some(hit)
         }))
     })
-}
-
-fn first(hits: Vec<Hit>) -> Option<Hit> {
-    hits.into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
 }

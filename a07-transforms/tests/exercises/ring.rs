@@ -33,6 +33,13 @@ pub fn exercise() -> Exercise<Code> {
         ..shapes(Shapes {
             words: "ring around {}, normal {}, from {} to {}",
             first: ([0.0; 3], [0.0, 1.0, 0.0], 1.0, 3.0),
+            further: vec![
+                ([1.0, 0.0, 0.0], [-2.0, 0.0, 0.0], 0.5, 2.0),
+                ([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], 0.5, 2.0),
+            ],
+            on_surface: vec![[2.0, 0.0, 0.0], [0.0, 0.0, -1.0], [1.0, 0.0, 1.0]],
+            least_step: 0.0,
+            own_rays: vec![],
             any: |r| {
                 let (hole, width) = (r.between(0.5, 2.0), r.between(0.5, 2.0));
                 (r.triple(3.0), r.triple(5.0), hole, hole + width)

@@ -54,21 +54,49 @@ pub fn exercise() -> Exercise<Code> {
     };
     Exercise {
         picture: lit(eye, beam_and_ball),
-        wrong: vec![Other::from_right("both normals lean", |right| {
-            changed(right, |leaning, ray, within| {
-                let Hit { t, normal, .. } = leaning.hit(ray, within)?;
-                Some(Hit::new(t, normal))
-            })
-        })],
+        wrong: vec![
+            Other::from_right("both normals lean", |right| {
+                changed(right, |leaning, ray, within| {
+                    let Hit { t, normal, .. } = leaning.hit(ray, within)?;
+                    Some(Hit::new(t, normal))
+                })
+            }),
+            Other::from_right(
+                "t counts steps of the direction, whose length a shear changes",
+                with_unit_directions,
+            ),
+        ],
         ..shapes(Shapes {
             words: "a shape (a ball: {}) sheared by {}",
             first: (Upright::Ball, 0.5),
+            further: vec![(Upright::Triangle, 0.5)],
+            on_surface: vec![[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.5, 1.0, 0.0]],
+            least_step: 0.0,
+            own_rays: vec![],
             any: |r| {
                 let upright = [Upright::Ball, Upright::Triangle][r.below(2) as usize];
                 (upright, r.between(-3.0, 3.0))
             },
         })
     }
+}
+
+/// Shapes whose `t` counts steps of a direction that is normalised after it is sheared back.
+fn with_unit_directions(right: Code) -> Code {
+    new_shape(move |(upright, by)| {
+        let leaning = right((upright, by))?;
+        Ok(own(move |ray: &Ray, within: Interval| {
+            let d = ray.direction();
+            let length = Vector3::new(d.x() - by * d.y(), d.y(), d.z()).magnitude();
+            let within = Interval {
+                min: within.min / length,
+                max: within.max / length,
+            };
+            let mut hit = leaning.hit(ray, within)?;
+            hit.t *= length;
+            Some(hit)
+        }))
+    })
 }
 
 fn beam_and_ball(new: &Code) -> Made<World<Color>> {

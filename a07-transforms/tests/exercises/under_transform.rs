@@ -72,6 +72,26 @@ pub fn exercise() -> Exercise<Code> {
                 ray_to_object: shortened,
                 ..right
             }),
+            Other::from_right(
+                "a direction is not moved, because it is no point",
+                |right| Code {
+                    ray_to_object: |t, ray| {
+                        let d = ray.direction();
+                        let end = t.inverse() * Point3::new(d.x(), d.y(), d.z());
+                        Ray::derived(t.inverse() * ray.origin(), end - Point3::ORIGIN)
+                    },
+                    ..right
+                },
+            ),
+            Other::from_right("an origin is moved, because it is no direction", |right| {
+                Code {
+                    ray_to_object: |t, ray| {
+                        let o = t.inverse() * (ray.origin() - Point3::ORIGIN);
+                        Ray::derived(Point3::ORIGIN + o, t.inverse() * ray.direction())
+                    },
+                    ..right
+                }
+            }),
             Other::from_right("a normal is no vector", |right| Code {
                 normal_from_object: |t, n| unit(t.matrix() * Vector3::from(n)),
                 ..right

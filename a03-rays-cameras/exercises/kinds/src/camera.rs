@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use a03_rays_cameras::{Camera, Ray};
+use a03_rays_cameras::{Basis, Camera, Ray};
 use common::Size;
 use testing::exercises::{Answer, Exercise, Input, Made, Questions, Random, Variant, random};
 
@@ -45,20 +45,46 @@ pub struct Cameras<P> {
     pub words: &'static str,
     /// Parameters of round numbers.
     pub first: P,
+    /// Further parameters of round numbers, such as directions that are very short or long.
+    pub further: Vec<P>,
     /// Random parameters.
     pub any: fn(&mut Random) -> P,
+    /// The section of the book about the camera.
+    pub section: &'static str,
 }
 
-/// Asks the first camera at simple positions of a picture of 5 by 3 pixels, and then any one; and
-/// the mistakes that all cameras may have.
+/// Asks the first camera at simple positions of a picture of 5 by 3 pixels, and of pictures that
+/// have a single row or column; the further ones; and then any one; and the mistakes that all
+/// cameras may have.
 pub fn cameras<P: Input + Send + Sync + 'static>(cameras: Cameras<P>) -> Exercise<NewCamera<P>> {
-    let Cameras { words, first, any } = cameras;
-    let positions = [[2.0, 1.0], [0.0, 1.0], [2.0, 0.0], [4.0, 2.0], [2.5, 0.5]];
+    let Cameras {
+        words,
+        first,
+        further,
+        any,
+        section,
+    } = cameras;
+    let mut simple = Vec::new();
+    for position in [[2.0, 1.0], [0.0, 1.0], [2.0, 0.0], [4.0, 2.0], [2.5, 0.5]] {
+        simple.push((first.clone(), [5, 3], position));
+    }
+    for (size, position) in [
+        ([5, 1], [2.0, 0.0]),
+        ([5, 1], [4.0, 0.0]),
+        ([1, 3], [0.0, 1.0]),
+        ([1, 3], [0.0, 2.0]),
+        ([1, 1], [0.0, 0.0]),
+    ] {
+        simple.push((first.clone(), size, position));
+    }
+    for parameters in further {
+        for position in [[2.0, 1.0], [4.0, 2.0]] {
+            simple.push((parameters.clone(), [5, 3], position));
+        }
+    }
     let rays = Questions {
         words: format!("{words}, picture of {{}} pixels, place {{}}"),
-        simple: positions
-            .map(|position| (first.clone(), [5, 3], position))
-            .to_vec(),
+        simple,
         others: random(|r| {
             let size = [(); 2].map(|()| 2 + r.below(99));
             let position = size.map(|n| r.between(-0.5, f64::from(n) - 0.5));
@@ -71,6 +97,7 @@ pub fn cameras<P: Input + Send + Sync + 'static>(cameras: Cameras<P>) -> Exercis
     };
     Exercise {
         questions: vec![rays.into()],
+        section_of_rays: Some(section),
         usual: vec![
             mistake("y of a camera counts upwards", |camera, size, x, y| {
                 camera.ray_for(size, x, f64::from(size.height() - 1) - y)
@@ -78,6 +105,10 @@ pub fn cameras<P: Input + Send + Sync + 'static>(cameras: Cameras<P>) -> Exercis
             mistake(
                 "whole numbers are middles of pixels",
                 |camera, size, x, y| camera.ray_for(size, x - 0.5, y - 0.5),
+            ),
+            mistake(
+                "(0, 0) is the middle of a pixel, not its corner",
+                |camera, size, x, y| camera.ray_for(size, x + 0.5, y + 0.5),
             ),
             mistake("the gaze is along -w", |camera, size, x, y| {
                 let ray = camera.ray_for(size, x, y);
@@ -94,6 +125,52 @@ fn mistake<P: 'static>(about: &'static str, rays: Rays) -> Variant<NewCamera<P>>
             let camera = right(parameters)?;
             Ok(Flawed { camera, rays })
         })
+    })
+}
+
+/// The axes of a camera and its vertical opening angle.
+pub type WithAngle<P> = fn(P) -> Made<(Basis, f64)>;
+
+/// Width and height of a pixel at the distance 1 before a camera: by the angle, and by width and
+/// height of the picture in pixels.
+type PixelSize = fn(f64, [f64; 2]) -> [f64; 2];
+
+/// Mistakes of cameras with an opening angle, by the axes and the angle of their parameters.
+#[must_use]
+pub fn mistakes_with_angle<P: 'static>(parts: WithAngle<P>) -> Vec<Variant<NewCamera<P>>> {
+    let mistakes: [(&str, PixelSize); 4] = [
+        (
+            "the angle is vertical: it belongs to the height of the picture",
+            |angle, [width, _]| [2.0 * libm::tan(angle / 2.0) / width; 2],
+        ),
+        (
+            "a pixel is as wide as it is high",
+            |angle, [width, height]| [width, height].map(|n| 2.0 * libm::tan(angle / 2.0) / n),
+        ),
+        (
+            "half of the angle is above the middle",
+            |angle, [_, height]| [2.0 * libm::tan(angle) / height; 2],
+        ),
+        (
+            "the angle is in radians, not in degrees",
+            |angle, [_, height]| [2.0 * libm::tan(angle.to_radians() / 2.0) / height; 2],
+        ),
+    ];
+    let variants = mistakes.map(|(about, size)| Variant::new(about, with_pixels(parts, size)));
+    variants.into()
+}
+
+/// A camera with pixels of this size.
+fn with_pixels<P: 'static>(parts: WithAngle<P>, pixel_size: PixelSize) -> NewCamera<P> {
+    new_camera(move |parameters| {
+        let (Basis { e, u, v, w }, angle) = parts(parameters)?;
+        Ok(OwnCamera(move |size: [f64; 2], [x, y]: [f64; 2]| {
+            let [pixel_width, pixel_height] = pixel_size(angle, size);
+            let right = pixel_width * (x - (size[0] - 1.0) / 2.0);
+            let up = pixel_height * (y - (size[1] - 1.0) / 2.0);
+            let direction = (u * right + v * up - w).normalized();
+            Ray::derived(e, direction.unwrap_or_default())
+        }))
     })
 }
 

@@ -19,21 +19,48 @@ pub fn ray_within((o, d, min, max): RayWithin) -> (Ray, Interval) {
     (Ray::derived(point(o), vector(d)), Interval { min, max })
 }
 
+/// The ray with this origin and direction, ahead of its origin.
+#[must_use]
+pub fn ahead(o: [f64; 3], d: [f64; 3]) -> RayWithin {
+    (o, d, 0.0, f64::INFINITY)
+}
+
 /// Simple rays to a shape around the origin: along each axis, in longer steps, from inside,
-/// away from it, and aslant.
+/// away from it, aslant, and with very short and very long directions.
 #[must_use]
 pub fn simple() -> Vec<RayWithin> {
     let mut rays = Vec::new();
-    let mut add = |o, d| rays.push((o, d, 0.0, f64::INFINITY));
     for x in [0.0, 0.5, 1.0, 2.0, 3.0] {
         for y in [0.0, 0.5, 1.0, 2.0] {
-            add([x, y, 4.0], [0.0, 0.0, -1.0]);
-            add([x, 4.0, y], [0.0, -2.0, 0.0]);
-            add([x, y, 0.25], [0.0, 0.0, 1.0]);
-            add([x, -4.0, y], [0.0, -1.0, 0.0]);
+            rays.push(ahead([x, y, 4.0], [0.0, 0.0, -1.0]));
+            rays.push(ahead([x, 4.0, y], [0.0, -2.0, 0.0]));
+            rays.push(ahead([x, y, 0.25], [0.0, 0.0, 1.0]));
+            rays.push(ahead([x, -4.0, y], [0.0, -1.0, 0.0]));
+            rays.push(ahead([4.0, x, y], [-1.0, 0.0, 0.0]));
         }
     }
-    add([3.0, 0.0, 0.0], [-1.0, 0.0, 1.0]);
+    rays.push(ahead([3.0, 0.0, 0.0], [-1.0, 0.0, 1.0]));
+    for length in [1e-18, 1e18] {
+        rays.push(ahead([0.5, 0.25, 4.0], [0.0, 0.0, -length]));
+        rays.push(ahead([0.5, 4.0, 0.25], [0.0, -length, 0.0]));
+        rays.push(ahead([4.0, 0.5, 0.25], [-length, 0.0, 0.0]));
+    }
+    rays
+}
+
+/// Rays along each axis, to both sides, from points.
+#[must_use]
+pub fn from_points(points: &[[f64; 3]]) -> Vec<RayWithin> {
+    let mut rays = Vec::new();
+    for point in points {
+        for axis in 0..3 {
+            for step in [1.0, -1.0] {
+                let mut direction = [0.0; 3];
+                direction[axis] = step;
+                rays.push(ahead(*point, direction));
+            }
+        }
+    }
     rays
 }
 
@@ -124,9 +151,9 @@ impl Found {
 
 /// Rays from everywhere, by what a search has found: from outside, inside and far away; with
 /// directions of all lengths; in intervals that end just before and after a hit; and just
-/// inside and outside of a border.
+/// inside and outside of a border. No interval begins nearer before a hit than the least step.
 #[must_use]
-pub fn from_everywhere(found: &[Found]) -> Vec<RayWithin> {
+pub fn from_everywhere(found: &[Found], least_step: f64) -> Vec<RayWithin> {
     let (mut random, mut rays) = (Random::new(1), Vec::new());
     let mut add = |ray: &Ray, min, max| {
         let [o, d] = [ray.origin().to_glam(), ray.direction().to_glam()];
@@ -142,10 +169,19 @@ pub fn from_everywhere(found: &[Found]) -> Vec<RayWithin> {
         number += 1;
         let (ray, t) = (attempt.ray_towards(attempt.to), found.t);
         add(&ray, 0.0, infinity);
+        if hits == 0 {
+            for length in [1e-18, 1e18] {
+                let ray = Ray::derived(ray.origin(), ray.direction() * length);
+                add(&ray, 0.0, infinity);
+            }
+        }
         add(&Ray::derived(ray.origin(), -ray.direction()), 0.0, infinity);
         for end in [t * (1.0 - 1e-3), t * (1.0 + 1e-6)] {
             add(&ray, 0.0, end);
-            add(&ray, end, infinity);
+            let until_hit = (t - end) * ray.direction().magnitude();
+            if until_hit < 0.0 || until_hit >= least_step {
+                add(&ray, end, infinity);
+            }
         }
         // It begins just behind the surface, often inside.
         let behind = Ray::derived(ray.at(t * 1.001), ray.direction());

@@ -1,6 +1,7 @@
 //! Asks shapes, ray by ray.
 
 use std::fmt;
+use std::rc::Rc;
 use std::sync::Arc;
 
 use a02_math::{Direction, Normal3, Point3};
@@ -9,7 +10,7 @@ use a04_intersections::{Geometry, Hit, Interval, Triangle};
 use a04_lab::search::{INPUTS, SUBJECTS, Subject};
 use common::Error;
 use testing::exercises::{
-    Answer, Exercise, Input, Made, Questions, Random, Variant, random, searched,
+    Answer, CodeQuestion, Exercise, Input, Made, Questions, Random, Variant, random, searched,
 };
 
 use crate::rays::{self, Found, RAY, RayWithin, ray_within};
@@ -67,6 +68,32 @@ pub fn hit_answer(hit: Option<Hit>) -> Answer {
     })
 }
 
+/// The words for the parts of a ray in [`ends_answer`].
+const ENDS: &str = "one that ends at the hit and one that begins there";
+
+/// Whether a shape has hits at the ends of intervals, which do not belong to them: in the two
+/// parts of an interval before and after the shape's own hit, whichever `t` its formula finds.
+#[must_use]
+fn ends_answer(shape: &dyn Geometry, ray: &Ray, within: Interval) -> Answer {
+    let Some(Hit { t, .. }) = shape.hit(ray, within) else {
+        return Answer::words("no hit");
+    };
+    let before = shape.hit(ray, Interval { max: t, ..within });
+    let after = shape.hit(ray, Interval { min: t, ..within });
+    let ends_with_hit = before.is_some_and(|hit| hit.t >= t);
+    let begins_with_hit = after.is_some_and(|hit| hit.t <= t);
+    Answer::named("the part that ends there", end_answer(ends_with_hit))
+        .and("the part that begins there", end_answer(begins_with_hit))
+}
+
+fn end_answer(has_hit: bool) -> Answer {
+    Answer::words(if has_hit {
+        "a hit at its end"
+    } else {
+        "no hit at its end"
+    })
+}
+
 /// The hit with its normals turned, if this one of them looks along the ray.
 #[must_use]
 pub fn turned(mut hit: Hit, by: Normal3, ray: &Ray) -> Hit {
@@ -88,6 +115,16 @@ pub struct Shapes<P> {
     pub words: &'static str,
     /// Parameters of round numbers, of a shape near the origin.
     pub first: P,
+    /// Further parameters of round numbers, such as of a flat shape along each plane of two axes.
+    pub further: Vec<P>,
+    /// Points exactly on the first shape. Of a shape whose hits are found by steps, none: there
+    /// rounding decides whether a ray from its surface hits it.
+    pub on_surface: Vec<[f64; 3]>,
+    /// A distance within which right code may pass over a hit behind the start of an interval,
+    /// because it finds hits by steps; 0 if a formula finds them.
+    pub least_step: f64,
+    /// Rays of round numbers to the first shape, beside those to all shapes.
+    pub own_rays: Vec<RayWithin>,
     /// Random parameters.
     pub any: fn(&mut Random) -> P,
 }
@@ -99,78 +136,142 @@ impl<P: Input> Shapes<P> {
         all.extend(random(self.any).into_iter().take(8));
         all
     }
+
+    /// Simple rays: to the first shape, from its surface, and to the further shapes.
+    fn simple(&self) -> Vec<(P, RayWithin)> {
+        let mut simple = Vec::new();
+        let mut add = |shape: &P, rays: &[RayWithin]| {
+            for ray in rays {
+                simple.push((shape.clone(), *ray));
+            }
+        };
+        add(&self.first, &rays::simple());
+        add(&self.first, &self.own_rays);
+        add(&self.first, &rays::from_points(&self.on_surface));
+        for shape in &self.further {
+            add(shape, &rays::simple());
+        }
+        simple
+    }
 }
 
 /// Asks the first shape with simple rays, and all with rays from everywhere; and the mistakes that
 /// all shapes may have.
 pub fn shapes<P: Input + Send + Sync + 'static>(shapes: Shapes<P>) -> Exercise<NewShape<P>> {
-    let all = shapes.all();
-    let find = move |new: &NewShape<P>| {
+    let shapes = Rc::new(shapes);
+    let asked = shapes.clone();
+    Exercise {
+        questions: vec![searched(
+            move |new| shapes.find(new),
+            move |numbers| asked.ask(numbers),
+        )],
+        usual: usual_mistakes(),
+        ..Exercise::default()
+    }
+}
+
+impl<P: Input + 'static> Shapes<P> {
+    /// Finds rays that hit the shapes: for each, the number of the shape and those of the hit.
+    fn find(&self, new: &NewShape<P>) -> Vec<f64> {
         let mut numbers = Vec::new();
-        for (index, parameters) in all.iter().enumerate() {
-            let shape = new(parameters.clone());
-            for found in shape.iter().flat_map(|shape| Found::search(&**shape)) {
+        for (index, parameters) in self.all().into_iter().enumerate() {
+            let Ok(shape) = new(parameters) else {
+                continue;
+            };
+            for found in Found::search(&*shape) {
                 numbers.push(index as f64);
                 numbers.extend(found.numbers());
             }
         }
         numbers
-    };
-    let ask = move |numbers: &[f64]| {
-        let mut others = Vec::new();
-        for (index, parameters) in shapes.all().into_iter().enumerate() {
-            let of_shape = numbers.as_chunks::<4>().0.iter();
-            let of_shape = of_shape.filter(|[of, ..]| *of as usize == index);
-            let found: Vec<_> = of_shape
-                .map(|[_, attempt, t, border]| Found::of_numbers([*attempt, *t, *border]))
-                .collect();
-            let rays = rays::from_everywhere(&found).into_iter();
-            others.extend(rays.map(|ray| (parameters.clone(), ray)));
-        }
-        let simple = rays::simple().into_iter();
-        let questions = Questions {
-            words: format!("{}; {RAY}", shapes.words),
-            simple: simple.map(|ray| (shapes.first.clone(), ray)).collect(),
-            others,
+    }
+
+    fn ask(&self, numbers: &[f64]) -> Vec<CodeQuestion<NewShape<P>>> {
+        let simple = self.simple();
+        let hits = Questions {
+            words: format!("{}; {RAY}", self.words),
+            simple: simple.clone(),
+            others: self.others(numbers),
             answer: |new: &NewShape<P>, (parameters, ray): (P, RayWithin)| {
                 let (ray, within) = ray_within(ray);
                 Some(hit_answer(new(parameters).ok()?.hit(&ray, within)))
             },
         };
-        questions.asked()
-    };
-    Exercise {
-        questions: vec![searched(find, ask)],
-        usual: vec![
-            mistake("the interval decides, no epsilon", |shape, ray, within| {
-                shape.hit(
-                    ray,
-                    Interval {
-                        min: 1e-6,
-                        ..within
-                    },
-                )
-            }),
-            mistake("a short direction is not parallel", |shape, ray, within| {
-                let is_long = ray.direction().magnitude() > 1e-6;
-                shape.hit(ray, within).filter(|_| is_long)
-            }),
-            mistake("t counts steps, not lengths", |shape, ray, within| {
-                let mut hit = shape.hit(ray, within)?;
-                hit.t *= ray.direction().magnitude();
-                Some(hit)
-            }),
-            mistake("a normal does not turn to the ray", |shape, ray, within| {
-                let hit = shape.hit(ray, within)?;
-                Some(turned(hit, hit.geometric_normal, ray))
-            }),
-            mistake("a shape has a far side, too", |shape, ray, within| {
-                let is_front = |hit: &Hit| hit.geometric_normal.dot(ray.direction()) < 0.0;
-                shape.hit(ray, within).filter(is_front)
-            }),
-        ],
-        ..Exercise::default()
+        let at_ends = Questions {
+            words: format!("{}; {RAY}, and two parts of it, {ENDS}", self.words),
+            simple,
+            others: vec![],
+            answer: |new: &NewShape<P>, (parameters, ray): (P, RayWithin)| {
+                let (ray, within) = ray_within(ray);
+                Some(ends_answer(&*new(parameters).ok()?, &ray, within))
+            },
+        };
+        let mut questions = hits.asked();
+        questions.extend(at_ends.asked());
+        questions
     }
+
+    /// Rays from everywhere to each shape, by the numbers that a search has found.
+    fn others(&self, numbers: &[f64]) -> Vec<(P, RayWithin)> {
+        let (hits, _) = numbers.as_chunks::<4>();
+        let mut others = Vec::new();
+        for (index, parameters) in self.all().into_iter().enumerate() {
+            let mut found = Vec::new();
+            for [shape, attempt, t, border] in hits {
+                if *shape as usize == index {
+                    found.push(Found::of_numbers([*attempt, *t, *border]));
+                }
+            }
+            for ray in rays::from_everywhere(&found, self.least_step) {
+                others.push((parameters.clone(), ray));
+            }
+        }
+        others
+    }
+}
+
+fn usual_mistakes<P: 'static>() -> Vec<Variant<NewShape<P>>> {
+    vec![
+        mistake("the interval decides, no epsilon", |shape, ray, within| {
+            let min = 1e-6;
+            shape.hit(ray, Interval { min, ..within })
+        }),
+        mistake(
+            "the ends do not belong to the interval",
+            |shape, ray, within| {
+                // The next numbers are inside of the shape's own open interval.
+                let closed = Interval {
+                    min: within.min.next_down(),
+                    max: within.max.next_up(),
+                };
+                shape.hit(ray, closed)
+            },
+        ),
+        mistake("a short direction is not parallel", |shape, ray, within| {
+            let is_long = ray.direction().magnitude() > 1e-6;
+            shape.hit(ray, within).filter(|_| is_long)
+        }),
+        mistake(
+            "a direction may be shorter than any epsilon",
+            |shape, ray, within| {
+                let is_long = ray.direction().magnitude() > 1e-15;
+                shape.hit(ray, within).filter(|_| is_long)
+            },
+        ),
+        mistake("t counts steps, not lengths", |shape, ray, within| {
+            let mut hit = shape.hit(ray, within)?;
+            hit.t *= ray.direction().magnitude();
+            Some(hit)
+        }),
+        mistake("a normal does not turn to the ray", |shape, ray, within| {
+            let hit = shape.hit(ray, within)?;
+            Some(turned(hit, hit.geometric_normal, ray))
+        }),
+        mistake("a shape has a far side, too", |shape, ray, within| {
+            let is_front = |hit: &Hit| hit.geometric_normal.dot(ray.direction()) < 0.0;
+            shape.hit(ray, within).filter(is_front)
+        }),
+    ]
 }
 
 type Flaw = fn(&dyn Geometry, &Ray, Interval) -> Option<Hit>;
@@ -194,14 +295,55 @@ pub fn changed<P: 'static>(
 pub type Corners = ([f64; 3], [f64; 3]);
 
 /// Boxes between two corners.
-pub const BOXES: Shapes<Corners> = Shapes {
-    words: "box from {} to {}",
-    first: ([-1.5; 3], [1.5; 3]),
-    any: |r| {
-        let lbf = r.triple(5.0);
-        (lbf, lbf.map(|low| low + r.between(0.1, 3.0)))
-    },
-};
+#[must_use]
+pub fn boxes() -> Shapes<Corners> {
+    Shapes {
+        words: "box from {} to {}",
+        first: ([-1.5; 3], [1.5; 3]),
+        further: vec![],
+        on_surface: vec![[1.5, 0.0, 0.0], [0.5, -1.5, 0.25], [-0.5, 0.5, 1.5]],
+        least_step: 0.0,
+        own_rays: within_faces(),
+        any: |r| {
+            let lbf = r.triple(5.0);
+            (lbf, lbf.map(|low| low + r.between(0.1, 3.0)))
+        },
+    }
+}
+
+/// Rays within the faces of the first box, which belong to it: from outside and from inside of the
+/// face, along its edges and aslant.
+fn within_faces() -> Vec<RayWithin> {
+    let mut within = Vec::new();
+    for face in [-1.5, 1.5] {
+        for sign in [1.0, -1.0] {
+            for axis in 0..3 {
+                let (along, across) = ((axis + 1) % 3, (axis + 2) % 3);
+                let mut origin = [0.5; 3];
+                origin[axis] = face;
+                let mut direction = [0.0; 3];
+                direction[along] = sign;
+                within.push(rays::ahead(origin, direction));
+                origin[along] = -4.0 * sign;
+                within.push(rays::ahead(origin, direction));
+                // Zeros have signs, and a quotient by them, too.
+                within.push(rays::ahead(
+                    origin,
+                    direction.map(|x| if x == 0.0 { -0.0 } else { x }),
+                ));
+                // Along an edge, aslant in the face, and beside the box.
+                origin[across] = face;
+                within.push(rays::ahead(origin, direction));
+                direction[across] = -face / 4.0;
+                within.push(rays::ahead(origin, direction));
+                origin[across] = 3.0;
+                direction[across] = 0.0;
+                within.push(rays::ahead(origin, direction));
+            }
+        }
+    }
+    within
+}
 
 /// A remark: the worst ray and shape for a formula, whose shape some numbers describe.
 pub fn search(name: &str, new: &dyn Fn(&[f64]) -> Made<Shape>) -> Result<String, Error> {

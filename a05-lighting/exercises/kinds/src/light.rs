@@ -11,6 +11,8 @@ use testing::exercises::{
     Answer, CodeQuestion, Exercise, Group, Input, Questions, Random, Variant, random, searched,
 };
 
+use crate::numbers::unit;
+
 /// The light that arrives at a point.
 pub type Arriving = Option<Illumination>;
 
@@ -26,7 +28,7 @@ pub fn light_at<P>(light: impl Fn(P, Point3) -> Arriving + Send + Sync + 'static
 pub const LAMP: [f64; 3] = [0.0, 4.0, 0.0];
 
 /// Below the lamp, aslant, and in it.
-const TEST_PATHS: [[f64; 3]; 3] = [[0.0, 2.0, 0.0], [3.0, 0.0, 0.0], LAMP];
+const POINTS: [[f64; 3]; 3] = [[0.0, 2.0, 0.0], [3.0, 0.0, 0.0], LAMP];
 
 /// Lights of some parameters.
 pub struct Lights<P> {
@@ -34,6 +36,10 @@ pub struct Lights<P> {
     pub words: &'static str,
     /// Parameters of round numbers.
     pub first: P,
+    /// Further parameters and points of round numbers, such as of light without a direction.
+    pub simple: Vec<(P, [f64; 3])>,
+    /// Further parameters and points, such as on the axis of a spot.
+    pub others: Vec<(P, [f64; 3])>,
     /// Random parameters.
     pub any: fn(&mut Random) -> P,
 }
@@ -86,6 +92,11 @@ impl<P: Input + 'static> Lights<P> {
     fn ask(&self, borders: &[f64]) -> Vec<CodeQuestion<LightAt<P>>> {
         let (points, _) = borders.as_chunks::<3>();
         let (borders, _) = points.as_chunks::<3>();
+        let mut simple = Vec::new();
+        for p in POINTS {
+            simple.push((self.first.clone(), p));
+        }
+        simple.extend(self.simple.clone());
         let mut others = Vec::new();
         for (light, [p, near_side, far_side]) in random(self.any).iter().zip(borders) {
             let far_away = p.map(|x| 1e6 * x);
@@ -93,9 +104,10 @@ impl<P: Input + 'static> Lights<P> {
                 others.push((light.clone(), p));
             }
         }
+        others.extend(self.others.clone());
         let questions = Questions {
             words: format!("{}, seen from {{}}", self.words),
-            simple: TEST_PATHS.map(|p| (self.first.clone(), p)).to_vec(),
+            simple,
             others,
             answer: |light: &LightAt<P>, (parameters, p): (P, [f64; 3])| {
                 light_answer(light(parameters, point(p)))
@@ -126,6 +138,11 @@ fn find_borders<P: Input>(light: &LightAt<P>, any: fn(&mut Random) -> P) -> Vec<
         numbers.extend([p, near_side, far_side].as_flattened());
     }
     numbers
+}
+
+/// A random point on the axis of a spot.
+pub fn on_axis(random: &mut Random, lamp: [f64; 3], axis: [f64; 3]) -> [f64; 3] {
+    array(point(lamp) + unit(axis) * random.between(0.1, 9.0))
 }
 
 /// Light as an answer.

@@ -48,9 +48,46 @@ pub fn materials<P: Input + 'static>(
             mistake("light from behind adds nothing", |hit, light| {
                 light.direction = light.direction * hit.normal.dot(light.direction).signum();
             }),
+            in_other_light(
+                "the ambient light counts once, not for each light",
+                |light| {
+                    let lights = light.lights.len() as f64;
+                    light.ambient = light.ambient * lights;
+                },
+            ),
+            in_other_light("the light of several lamps adds up", |light| {
+                let lights = light.lights.len() as f64;
+                for arriving in &mut light.lights {
+                    arriving.color = arriving.color * (1.0 / lights);
+                }
+            }),
         ],
         ..Exercise::default()
     }
+}
+
+/// All light that a hit receives.
+fn received(ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> ReceivedLight {
+    let mut light = ReceivedLight {
+        ambient: lighting.ambient(),
+        lights: Vec::new(),
+    };
+    lighting.for_each_light(ray, hit, &mut |arriving| light.lights.push(*arriving));
+    light
+}
+
+/// Shading in another light.
+fn in_other_light<P: 'static>(
+    about: &'static str,
+    change: fn(&mut ReceivedLight),
+) -> Variant<Shading<P>> {
+    Variant::from_right(about, move |right: Shading<P>| {
+        shading(move |parameters, ray, hit, lighting| {
+            let mut light = received(ray, hit, lighting);
+            change(&mut light);
+            right(parameters, ray, hit, &light)
+        })
+    })
 }
 
 /// Shading that takes the hit and each light to be other ones.
@@ -60,11 +97,7 @@ fn mistake<P: 'static>(
 ) -> Variant<Shading<P>> {
     Variant::from_right(about, move |right: Shading<P>| {
         shading(move |parameters, ray, hit, lighting| {
-            let mut light = ReceivedLight {
-                ambient: lighting.ambient(),
-                lights: Vec::new(),
-            };
-            lighting.for_each_light(ray, hit, &mut |arriving| light.lights.push(*arriving));
+            let mut light = received(ray, hit, lighting);
             let mut hit = *hit;
             for arriving in &mut light.lights {
                 change(&mut hit, arriving);

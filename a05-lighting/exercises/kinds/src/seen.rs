@@ -53,9 +53,9 @@ impl Input for Seen {
 
 impl Seen {
     /// An eye above and light from there, aslant, from behind, none but ambient light, and
-    /// a normal aslant to the geometric normal.
+    /// a normal aslant to the geometric normal, and two lights beside ambient light.
     #[must_use]
-    pub fn simple() -> [Self; 5] {
+    pub fn simple() -> [Self; 6] {
         let (up, pink) = ([0.0, 1.0, 0.0], [1.0, 0.5, 0.5]);
         let from_above = Self {
             to_eye: up,
@@ -81,6 +81,11 @@ impl Seen {
             },
             Self {
                 normals: [[3.0, 4.0, 0.0], up],
+                ..from_above.clone()
+            },
+            Self {
+                ambient: [0.25; 3],
+                lights: vec![[pink, up], [[0.0, 0.0, 1.0], [3.0, 4.0, 0.0]]],
                 ..from_above
             },
         ]
