@@ -29,6 +29,7 @@ const FILES: &[(&str, &str)] = &[
         "many",
         "for i in 1..=9000 { println!(\"line {i}\") } eprintln!(\"last\"); 1",
     ),
+    ("prints on", "loop { println!(\"again\") }"),
     (
         "slow",
         "for i in 0..30 { println!(\"{i}\"); std::thread::sleep(TENTH) } 0",
@@ -75,7 +76,7 @@ const STEPS: &[(&str, &str)] = &[
     ("thumbnail", "loop>|s>: stopped|slow>: done|>exercises/triangle_area.rs"),
     // Neither Enter nor another stray key stops it.
     ("triangle_area", "loop>|z>|>: no end after 2 seconds"),
-    ("triangle_area", "right>: done|>exercises/own.rs"),
+    ("triangle_area", "prints on>again|look>: no end after 12 seconds of output|right>: done|>exercises/own.rs"),
     ("own", "right>: done|>exercises/ppm.rs"),
     ("ppm", "right>: done|>exercises/srgb.rs"),
     ("srgb", "right>: done|>exercises/line.rs"),
