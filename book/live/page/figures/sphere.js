@@ -61,7 +61,7 @@ live.figure('sphere', {
             pen.line([cx, cy], middle, 'a thin');
             pen.line(middle, at(ours[1]), 'c part-discriminant');
             pen.dot(middle, 'ink part-middle', 3);
-            pen.text([middle[0], middle[1] - 0.4], 'm', 'part-middle', 'middle');
+            pen.text([middle[0], middle[1] - 0.32], 'm', 'part-middle', 'middle');
         }
         ours.forEach((t, i) => {
             pen.dot(at(t), 'c');
@@ -69,7 +69,7 @@ live.figure('sphere', {
         });
         pen.text([x, y + 0.18], 'point', '', 'middle');
         pen.text([x + 0.7 * Math.cos(angle), y + 0.7 * Math.sin(angle) + 0.18], 'd', '', 'middle');
-        pen.text([cx, cy - 0.58], 'c', 'a', 'middle');
+        pen.text([cx, cy - 0.42], 'c', 'a', 'middle');
         pen.text([-2.35, -1.45], 'filled: ours; rings and dashes: protocol');
     },
 });
