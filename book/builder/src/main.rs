@@ -14,6 +14,7 @@ mod live_module;
 mod locks;
 mod network;
 mod pages;
+mod pdf;
 mod publish;
 mod tools;
 mod yours;
@@ -37,15 +38,20 @@ struct Arguments {
     #[arg(long, value_name = "STAGE/EXERCISE", value_parser = yours::parse, num_args = 1..)]
     yours: Vec<yours::Exercise>,
     #[command(subcommand)]
-    command: Option<Publish>,
+    command: Option<Task>,
 }
 
 #[derive(Subcommand)]
-enum Publish {
+enum Task {
     /// Builds the book and leaves it in a folder as static files, for any web server.
     Publish {
         /// The folder. A book that lies there already is replaced.
         folder: PathBuf,
+    },
+    /// Builds the book and prints it into a PDF file, by Chromium or Chrome.
+    Pdf {
+        /// The file.
+        file: PathBuf,
     },
 }
 
@@ -62,21 +68,35 @@ fn main() -> ExitCode {
 fn run(arguments: &Arguments) -> Result<(), String> {
     // The paths of this program begin in the root of the repository.
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-    let destination = match &arguments.command {
-        Some(Publish::Publish { folder }) => Some(publish::Destination::new(folder)?),
-        None => None,
+    let go_to_root = || {
+        let outcome = std::env::set_current_dir(root);
+        outcome.map_err(|error| format!("cannot open {root}: {error}"))
     };
-    std::env::set_current_dir(root).map_err(|error| format!("cannot open {root}: {error}"))?;
-
-    build(&arguments.yours)?;
-    if let Some(destination) = destination {
-        return destination.publish();
+    // Paths of the command line begin where the reader is.
+    match &arguments.command {
+        Some(Task::Publish { folder }) => {
+            let destination = publish::Destination::new(folder)?;
+            go_to_root()?;
+            build(&arguments.yours)?;
+            destination.publish()
+        }
+        Some(Task::Pdf { file }) => {
+            let failed = |error| format!("{}: {error}", file.display());
+            let document = std::path::absolute(file).map_err(failed)?;
+            go_to_root()?;
+            build(&arguments.yours)?;
+            pdf::write(&document)
+        }
+        None => {
+            go_to_root()?;
+            build(&arguments.yours)?;
+            println!("open {}/index.html", pages::FOLDER);
+            if arguments.open {
+                pages::open()?;
+            }
+            Ok(())
+        }
     }
-    println!("open {}/index.html", pages::FOLDER);
-    if arguments.open {
-        pages::open()?;
-    }
-    Ok(())
 }
 
 fn build(yours: &[yours::Exercise]) -> Result<(), String> {
