@@ -29,14 +29,15 @@ impl Files {
             let file = entry.file_name();
             let file = file.to_string_lossy();
             let path = format!("{name}{file}");
-            if file.starts_with('.') || file == "target" || path == "out" {
+            if file.starts_with('.') || matches!(&*file, "target" | "node_modules") || path == "out"
+            {
                 continue;
             }
             if entry.file_type()?.is_dir() {
                 self.read_folder(&entry.path(), &format!("{path}/"))?;
                 continue;
             }
-            let is_text = matches!(ending(&path), "md" | "rs" | "toml");
+            let is_text = matches!(ending(&path), "md" | "rs" | "toml" | "txt");
             let text = is_text.then(|| fs::read_to_string(entry.path()));
             self.0.insert(path, text.transpose()?.unwrap_or_default());
         }

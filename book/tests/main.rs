@@ -13,6 +13,7 @@ mod lesson_length;
 mod lessons;
 mod upwards;
 mod way_of_a_ray;
+mod who_passes;
 
 use files::Files;
 
@@ -41,4 +42,5 @@ checks! {
     only_rows_and_renderers_know_the_engine: arrows::complaints;
     each_function_on_the_way_of_a_ray_calls_the_next: way_of_a_ray::complaints;
     lesson_files_are_short: lesson_length::complaints;
+    the_table_of_the_corpus_is_that_of_its_results: who_passes::complaints;
 }

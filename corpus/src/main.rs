@@ -23,7 +23,8 @@ fn main() -> ExitCode {
 fn run() -> Result<String, String> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/results");
     let Some(name) = env::args().nth(1) else {
-        return table(folder.as_ref()).map_err(|error| error.to_string());
+        let read = |name: &str| fs::read_to_string(format!("{folder}/{name}.txt")).ok();
+        return table(read).map_err(|error| error.to_string());
     };
     let path = format!("{folder}/{name}.txt");
     let text = fs::read_to_string(&path).map_err(|error| format!("{path}: {error}"))?;

@@ -2,8 +2,6 @@
 
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write;
-use std::path::Path;
-use std::{fs, io};
 
 use crate::{
     CASES, Case, DOUBLE, Found, Mistake, SINGLE, SINGLE_CASES, Tally, Verdict, judge, read,
@@ -12,9 +10,6 @@ use crate::{
 /// What is wrong with a file of results.
 #[derive(Debug, thiserror::Error)]
 pub enum Problem {
-    /// A file cannot be read.
-    #[error(transparent)]
-    Io(#[from] io::Error),
     /// The cases cannot be read.
     #[error(transparent)]
     Cases(#[from] Mistake),
@@ -91,6 +86,40 @@ pub fn judged(text: &str) -> Result<Vec<Judged>, Problem> {
     Ok(all)
 }
 
+/// Results that this repository has.
+pub struct Recorded {
+    /// The name of who answered, in a sentence.
+    pub name: &'static str,
+    /// The text of the file.
+    pub results: &'static str,
+}
+
+/// With whom a student's code is compared.
+#[must_use]
+pub fn recorded() -> [Recorded; 2] {
+    [
+        Recorded {
+            name: "the lesson",
+            results: include_str!("../results/lesson.txt"),
+        },
+        Recorded {
+            name: "Embree (in single precision)",
+            results: include_str!("../results/embree.txt"),
+        },
+    ]
+}
+
+/// Counts the verdicts about the cases with these ids.
+pub fn tally_of(results: &str, ids: &[String]) -> Result<Tally, Problem> {
+    let mut tally = Tally::default();
+    for judged in judged(results)? {
+        if ids.contains(&judged.case.question.id) {
+            tally.add(judged.verdict);
+        }
+    }
+    Ok(tally)
+}
+
 /// The rows of the table: from what computes like the lesson to what does not.
 const ORDER: [&str; 13] = [
     "lesson",
@@ -108,15 +137,14 @@ const ORDER: [&str; 13] = [
     "three-mesh-bvh",
 ];
 
-/// The table of all results in a folder: right of asked answers, by family.
-pub fn table(folder: &Path) -> Result<String, Problem> {
+/// The table of all results, which a function reads by their names: right of asked answers, by family.
+pub fn table(read_results: impl Fn(&str) -> Option<String>) -> Result<String, Problem> {
     let mut text = String::from(
-        "| | right | wrong decision | wrong value | border | the families in which not all are right |\n\
+        "| who answers | right | wrong decision | wrong value | border | the families in which not all are right |\n\
          |---|---|---|---|---|---|\n",
     );
     for name in ORDER {
-        let path = folder.join(name).with_extension("txt");
-        let Ok(results) = fs::read_to_string(path) else {
+        let Some(results) = read_results(name) else {
             continue;
         };
         let mut all = Tally::default();

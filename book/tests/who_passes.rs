@@ -1,0 +1,25 @@
+//! The page about the corpus has the table that its results give.
+
+use super::files::{Files, complaint};
+
+const PAGE: &str = "book/src/corpus.md";
+
+/// The rows that the page lacks.
+pub fn complaints(files: &Files) -> Vec<String> {
+    let page = files.text(PAGE).unwrap_or_default();
+    let results = |name: &str| {
+        let text = files.text(&format!("corpus/results/{name}.txt"));
+        text.map(str::to_owned)
+    };
+    let table = match corpus::table(results) {
+        Ok(table) => table,
+        Err(problem) => return vec![problem.to_string()],
+    };
+    let mut complaints = Vec::new();
+    for row in table.lines() {
+        if !page.lines().any(|line| line == row) {
+            complaints.push(complaint(PAGE, page, 0, &format!("lacks the row {row}")));
+        }
+    }
+    complaints
+}
