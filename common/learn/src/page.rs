@@ -85,6 +85,7 @@ impl Page {
                 self.draw(session);
             }
             let typed = match key {
+                _ if session.screen.is_closed() => Typed::End,
                 Some(key) => Typed::Key(key),
                 None => session.keys.read(PAUSE),
             };

@@ -1,6 +1,9 @@
 //! `Screen`: the terminal, which shows one page at a time and a last line that changes; or a pipe,
 //! which gets each text once.
 
+use std::cell::Cell;
+use std::io::{self, Write};
+
 use console::Term;
 
 use crate::wrap::{wrap, wrap_markdown};
@@ -26,6 +29,7 @@ pub struct Space {
 pub struct Screen {
     /// None in a pipe.
     terminal: Option<Term>,
+    is_closed: Cell<bool>,
 }
 
 impl Screen {
@@ -34,7 +38,13 @@ impl Screen {
         let terminal = Term::buffered_stdout();
         Self {
             terminal: terminal.is_term().then_some(terminal),
+            is_closed: Cell::new(false),
         }
+    }
+
+    /// Whether the reader of a pipe has closed it.
+    pub fn is_closed(&self) -> bool {
+        self.is_closed.get()
     }
 
     pub fn is_terminal(&self) -> bool {
@@ -87,9 +97,8 @@ impl Screen {
     /// Shows a page instead of the one before. A pipe gets what is `new` in it.
     pub fn show(&self, page: &str, new: &str) {
         let Some(terminal) = &self.terminal else {
-            if !new.is_empty() {
-                println!("{new}");
-            }
+            let is_lost = !new.is_empty() && writeln!(io::stdout(), "{new}").is_err();
+            self.is_closed.set(self.is_closed() || is_lost);
             return;
         };
         // If it fails, old text remains.

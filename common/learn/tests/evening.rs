@@ -231,6 +231,17 @@ fn check_once(file: &dyn Fn(&str) -> String) {
         "{words}"
     );
 
+    // A reader that closes the pipe ends the program.
+    let mut closed = learn(&["set_pixel"]);
+    let closed = closed.stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut closed = closed.spawn().unwrap();
+    drop(closed.stdout.take());
+    let end = Instant::now() + Duration::from_mins(1);
+    while closed.try_wait().unwrap().is_none() {
+        assert!(Instant::now() < end, "nobody reads on");
+        thread::sleep(BETWEEN_STEPS);
+    }
+
     // What is done cannot be recorded, and what cannot be read is named.
     fs::remove_file(".learn").unwrap();
     fs::create_dir(".learn").unwrap();
