@@ -27,3 +27,12 @@ fn quotients_are_right_to_the_last_of_106_digits() {
         assert!(rest.value().abs() <= libm::scalbn(1.0, -104), "{rest:?}");
     }
 }
+
+/// 1 / 1e-310 is beyond all doubles.
+#[test]
+fn a_quotient_that_overflows_is_infinite() {
+    for (sign, expected) in [(1.0, f64::INFINITY), (-1.0, f64::NEG_INFINITY)] {
+        let quotient = DoubleDouble::from(sign) / DoubleDouble::from(1e-310);
+        assert_eq!(quotient.value(), expected);
+    }
+}

@@ -4,10 +4,12 @@ use a03_rays_cameras::View;
 use a04_intersections::instruments::recorded;
 use a04_intersections::scenes;
 use a04_lab::certified::{Uncertified, decide, geometry, picture};
+use a04_lab::enclosure::Enclosure;
 use a04_lab::exact::{DoubleDouble as Number, plane, sphere, triangle};
 use a04_lab::experiments::sphere_distance::{from_afar, ours, shots};
-use a04_lab::formula::sphere::{Shot, stable};
+use a04_lab::formula::sphere::{Shot, Terms, stable, terms};
 use a04_lab::line::line;
+use a04_lab::number::Number as NumberType;
 use a04_lab::search::{INPUTS, SUBJECTS, Subject};
 
 testing::check_lab! { a04_lab::laboratory() }
@@ -20,6 +22,37 @@ fn the_stable_formula_is_that_of_the_renderer() {
         hits += usize::from(ours(shot).is_some());
     }
     assert!((600..800).contains(&hits), "{hits}");
+}
+
+/// One formula in two arithmetics: the interval of each term and of each root holds the number with
+/// 30 digits.
+#[test]
+fn intervals_hold_the_exact_numbers() {
+    fn assert_holds(interval: Enclosure, exact: Number) {
+        let is_held = exact.error_of(interval.low) <= 0.0 && exact.error_of(interval.high) >= 0.0;
+        assert!(is_held, "{interval:?} without {exact:?}");
+    }
+    let mut hits = 0;
+    for shot in shots::<f64>(from_afar, 64.0, 1000).iter() {
+        let enclosed = terms_of(&shot.to::<Enclosure>());
+        let exact = terms_of(&shot.to::<Number>());
+        assert_holds(enclosed.a, exact.a);
+        assert_holds(enclosed.middle, exact.middle);
+        assert_holds(enclosed.beside, exact.beside);
+        assert_holds(enclosed.discriminant, exact.discriminant);
+        if enclosed.discriminant.low >= 0.0 {
+            let roots = enclosed.plain_roots().into_iter();
+            for (interval, root) in roots.zip(exact.plain_roots()) {
+                assert_holds(interval, root);
+            }
+            hits += 1;
+        }
+    }
+    assert!((600..800).contains(&hits), "{hits}");
+}
+
+fn terms_of<N: NumberType>(shot: &Shot<N>) -> Terms<N> {
+    terms(&shot.from_center(), shot.radius, &shot.line.direction)
 }
 
 /// The search finds the protocol's cancelling discriminant, and no fault of ours: a handful of
