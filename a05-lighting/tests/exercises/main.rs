@@ -5,21 +5,10 @@
 /// All names that checks, examples and students' files use.
 #[allow(unused_imports, ambiguous_glob_reexports)]
 mod prelude {
-    pub use a02_math::arrays::{array, point, vector};
-    pub use a02_math::*;
-    pub use a03_rays_cameras::*;
-    pub use a04_intersections::*;
     pub use a05_kinds::light::*;
     pub use a05_kinds::material::*;
-    pub use a05_kinds::numbers::*;
+    pub use a05_kinds::prelude::*;
     pub use a05_kinds::seen::*;
-    pub use a05_kinds::shown::*;
-    pub use a05_lighting::{scenes, *};
-    pub use common::*;
-    pub use testing::exercises::*;
-    // Not the picture of a scene.
-    pub use testing::exercises::Picture;
-    pub use testing::yours;
 
     pub use crate::solved::*;
 }

@@ -3,5 +3,6 @@
 pub mod light;
 pub mod material;
 pub mod numbers;
+pub mod prelude;
 pub mod seen;
 pub mod shown;
