@@ -77,12 +77,14 @@ fn has_keyboard_libraries() -> bool {
     return true;
 }
 
-/// An error of the display. That of `winit` begins with the place in its code.
+/// An error of the display. That of `winit` begins with the place in its code, and may end with a
+/// note for those who build it.
 fn no_display(error: impl std::fmt::Display) -> NotShown {
     let error = error.to_string();
     let place = error.strip_prefix("os error at ");
     let reason = place.and_then(|place| place.split_once(": "));
     let reason = reason.map_or(error.as_str(), |(_, reason)| reason);
+    let reason = reason.split("; note:").next().unwrap_or(reason);
     let reason = reason.trim_end_matches('.');
     NotShown::NoWindow(format!("no display to open it on ({reason})"))
 }
@@ -235,5 +237,24 @@ impl ApplicationHandler for Events<'_, '_, '_> {
         event_loop.set_control_flow(next.map_or(ControlFlow::Wait, |next| {
             ControlFlow::WaitUntil(Instant::now() + next)
         }));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_of_the_display_is_a_clause() {
+        for (error, clause) in [
+            (
+                "os error at /a/mod.rs:7: DISPLAY is not set; note: x",
+                "DISPLAY is not set",
+            ),
+            ("Failed to load.", "Failed to load"),
+        ] {
+            let shown = no_display(error).to_string();
+            assert_eq!(shown, format!("no display to open it on ({clause})"));
+        }
     }
 }
