@@ -107,7 +107,7 @@ fn kind(camera: &dyn Camera) -> Option<&dyn CameraKind> {
 pub fn read_camera(file: &SceneFile) -> Result<Box<dyn Camera>, Error> {
     let item = &file.camera;
     let e = item.vector("eye", Point3::new)?;
-    let g = item.vector("gaze", Vector3::new)?;
+    let g = read_gaze(item, e)?;
     let t = item.find_vector("up", Vector3::new);
     let t = t.unwrap_or(Vector3::new(0.0, 1.0, 0.0));
     let mut chosen = CAMERAS.iter().filter(|row| item.find(row.key).is_some());
@@ -119,4 +119,19 @@ pub fn read_camera(file: &SceneFile) -> Result<Box<dyn Camera>, Error> {
         }
         None => (row.read)(item, Pose { e, g, t }),
     }
+}
+
+/// The direction of the gaze, which may be given by the point that is looked at.
+fn read_gaze(item: &Item, e: Point3) -> Result<Vector3, Error> {
+    let Some(point) = item.find_vector("look_at", Point3::new) else {
+        return item.vector("gaze", Vector3::new);
+    };
+    if item.find("gaze").is_some() {
+        return Err(item.error("look_at", "a camera has a gaze or a look_at, not both"));
+    }
+    if point == e {
+        let text = "camera: look_at is the eye itself, but must be another point";
+        return Err(item.error("look_at", text));
+    }
+    Ok(point - e)
 }

@@ -34,4 +34,4 @@ pub use render::{camera_coordinates, render};
 pub use sampler::Sampler;
 pub use stage::{scenes as traced_scenes, stage};
 pub use striped_sky::{StripeRule, StripedSky};
-pub use view::{TracedScene, TracedWorld, View, ViewOfSize};
+pub use view::{TracedScene, TracedWorld, View, ViewOfSettings};

@@ -137,8 +137,8 @@ impl View {
     }
 }
 
-/// Camera and world for a picture of a size.
-pub type ViewOfSize = dyn Fn(Size) -> Result<View, Error> + Send + Sync;
+/// Camera and world for a picture with these settings.
+pub type ViewOfSettings = dyn Fn(&Settings) -> Result<View, Error> + Send + Sync;
 
 /// A scene whose picture is traced: its names, and its camera and world as a value.
 #[derive(Clone)]
@@ -147,8 +147,8 @@ pub struct TracedScene {
     pub name: &'static str,
     /// A description of the picture, in one line.
     pub about: &'static str,
-    /// Camera and world for a picture of this size.
-    pub view: Arc<ViewOfSize>,
+    /// Camera and world for a picture with these settings.
+    pub view: Arc<ViewOfSettings>,
     /// Whether surfaces reflect rays, so that the depth changes the picture.
     pub reflects: bool,
     /// The settings where the command line has no others.
@@ -165,7 +165,7 @@ impl TracedScene {
         Self {
             name,
             about,
-            view: Arc::new(move |size| Ok(view(size)?)),
+            view: Arc::new(move |settings| Ok(view(settings.size)?)),
             reflects: false,
             defaults: Settings::default(),
         }
@@ -182,7 +182,7 @@ impl TracedScene {
 
     /// Camera and world, with the changes that a person has made in the window.
     fn edited_view(&self, settings: &Settings) -> Result<View, Error> {
-        let view = (self.view)(settings.size)?;
+        let view = (self.view)(settings)?;
         if settings.edits == Edits::default() {
             return Ok(view);
         }

@@ -3,18 +3,23 @@
 //!
 //! A shape without a row works, too: the engine asks its `hit`, ray by ray.
 
+mod for_engine;
 mod mesh;
+mod read_objects;
 mod shape_row;
+mod shared;
+mod written;
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::View;
 use a03_rays_cameras::kinds::{Format, read_camera};
 use common::{ArgumentError, Color};
-use scene_file::{Error, Item, SceneFile};
+use scene_file::{Error, FirstMistake, Item, SceneFile};
 
-use crate::{AxisAlignedBox, Hit, Plane, Sphere, Triangle, World};
+use crate::{AxisAlignedBox, Geometry, Hit, Plane, Sphere, Triangle, World};
 pub use mesh::Mesh;
 pub use shape_row::{Content, ShapeKind, ShapeRow, Shapes, Values};
+pub use shared::Shared;
 
 /// The shapes of this stage.
 pub const SHAPES: &[ShapeRow] = &[
@@ -36,7 +41,7 @@ pub const FORMAT: Format = Format {
 };
 
 impl ShapeKind for Plane {
-    fn read(item: &Item, _: Shapes) -> Result<Self, Error> {
+    fn read(item: &Item, _: Vec<Box<dyn Geometry>>) -> Result<Self, Error> {
         let point = item.vector("point", Point3::new)?;
         let normal = item.vector("normal", Vector3::new)?.as_normal();
         item.check(Self::new(point, normal))
@@ -64,7 +69,7 @@ impl From<Plane> for engine::Plane {
 }
 
 impl ShapeKind for AxisAlignedBox {
-    fn read(item: &Item, _: Shapes) -> Result<Self, Error> {
+    fn read(item: &Item, _: Vec<Box<dyn Geometry>>) -> Result<Self, Error> {
         let lbf = item.vector("lbf", Point3::new)?;
         let run = item.vector("run", Point3::new)?;
         item.check(Self::new(lbf, run))
@@ -83,7 +88,7 @@ impl ShapeKind for AxisAlignedBox {
 }
 
 impl ShapeKind for Triangle {
-    fn read(item: &Item, _: Shapes) -> Result<Self, Error> {
+    fn read(item: &Item, _: Vec<Box<dyn Geometry>>) -> Result<Self, Error> {
         let corners = item.rows("corners")?;
         item.check(triangle(corners, item.find_rows("normals")))
     }
@@ -121,7 +126,7 @@ fn triangle(
 }
 
 impl ShapeKind for Sphere {
-    fn read(item: &Item, _: Shapes) -> Result<Self, Error> {
+    fn read(item: &Item, _: Vec<Box<dyn Geometry>>) -> Result<Self, Error> {
         let center = item.vector("center", Point3::new)?;
         item.check(Self::new(center, item.number("radius")?))
     }
@@ -175,9 +180,13 @@ pub fn for_engine(world: &World<Color>) -> engine::Scene<'_> {
 
 /// The camera and the world of a file.
 fn view(file: &SceneFile) -> Result<View, Error> {
+    let mut first = FirstMistake::of(file);
     let item = &file.world;
-    let mut world = item.check(World::new(item.color("background")))?;
-    KINDS.read_objects(&mut world, file, |item| item.vector("color", Color::new))?;
-    let camera = read_camera(file)?;
+    let empty = first.keep(item.check(World::new(item.color("background"))));
+    let color = |item: &Item| item.vector("color", Color::new);
+    let objects = KINDS.read_objects(file, &mut first, color);
+    let camera = first.keep(read_camera(file));
+    let (world, camera) = first.result(empty.zip(camera))?;
+    let world = World { objects, ..world };
     Ok(View { camera, world }.boxed())
 }

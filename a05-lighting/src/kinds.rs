@@ -12,7 +12,7 @@ use a03_rays_cameras::View;
 use a03_rays_cameras::kinds::{Format, read_camera};
 use a04_intersections::kinds::{KINDS as SHAPES, Shapes};
 use common::Color;
-use scene_file::{Error, Item, SceneFile};
+use scene_file::{Error, FirstMistake, Item, SceneFile};
 
 use crate::{
     DirectionalLight, Lambert, LitWorld, Material, Phong, PointLight, SingleColor, SpotLight,
@@ -163,26 +163,34 @@ fn view(file: &SceneFile) -> Result<View, Error> {
         Some(true) => Err(item.error("shadows", "lights cast shadows from stage 6 on")),
         _ => LIGHTS.read(item),
     };
-    let world = read_world(file, SHAPES, surface, without_shadows)?;
-    let camera = read_camera(file)?;
+    let mut first = FirstMistake::of(file);
+    let world = read_world(file, &mut first, SHAPES, surface, without_shadows);
+    let camera = first.keep(read_camera(file));
+    let (world, camera) = first.result(world.zip(camera))?;
     Ok(View { camera, world }.boxed())
 }
 
-/// The world of a file, of a stage's own shapes, surfaces and lights.
+/// The world of a file, of a stage's own shapes, surfaces and lights. Mistakes are kept in `first`;
+/// without a mistake there is a world.
 pub fn read_world<S, L>(
     file: &SceneFile,
+    first: &mut FirstMistake,
     shapes: Shapes,
     surface: impl Fn(&Item) -> Result<S, Error>,
     light: impl Fn(&Item) -> Result<L, Error>,
-) -> Result<LitWorld<S, L>, Error> {
+) -> Option<LitWorld<S, L>> {
     let item = &file.world;
     let empty = LitWorld::empty(item.color("background"), item.color("ambient"));
-    let mut world = item.check(empty)?;
-    shapes.read_objects(&mut world.world, file, surface)?;
-    for item in &file.lights {
-        world.lights.push(light(item)?);
+    let empty = first.keep(item.check(empty));
+    let objects = shapes.read_objects(file, first, surface);
+    let lights = file.lights.iter();
+    let lights: Vec<_> = lights.filter_map(|item| first.keep(light(item))).collect();
+    let mut world = empty?;
+    for (geometry, surface) in objects {
+        world.world = world.world.with(geometry, surface);
     }
-    Ok(world)
+    world.lights = lights;
+    Some(world)
 }
 
 /// The colour of a shape, if it has one instead of a material.

@@ -10,7 +10,7 @@ use a05_lighting::kinds::{
     read_single_color, read_world,
 };
 use a05_lighting::{Material, Phong};
-use scene_file::{Error, Item, SceneFile};
+use scene_file::{Error, FirstMistake, Item, SceneFile};
 
 use crate::{LightSource, RecursiveTracer, Reflective, ShadowedWorld, Surface, traced};
 
@@ -82,7 +82,9 @@ pub fn read_view(file: &SceneFile, shapes: Shapes) -> Result<View<ShadowedWorld>
             casts_shadows: item.flag("shadows").unwrap_or(true),
         })
     };
-    let world = read_world(file, shapes, surface, source)?;
-    let camera = read_camera(file)?;
+    let mut first = FirstMistake::of(file);
+    let world = read_world(file, &mut first, shapes, surface, source);
+    let camera = first.keep(read_camera(file));
+    let (world, camera) = first.result(world.zip(camera))?;
     Ok(View { camera, world })
 }

@@ -8,7 +8,9 @@ use a03_rays_cameras::Ray;
 use a03_rays_cameras::instruments::recorded::ray_step;
 use a03_rays_cameras::kinds::Format;
 use a04_intersections::Geometry;
-use a04_intersections::kinds::{Content, SHAPES as SIMPLE_SHAPES, ShapeKind, ShapeRow, Shapes};
+use a04_intersections::kinds::{
+    Content, SHAPES as SIMPLE_SHAPES, ShapeKind, ShapeRow, Shapes, Shared,
+};
 use a06_shadows_reflection::kinds::read_view;
 use common::pixel_trace::digits;
 use common::steps::{self, StepKind};
@@ -21,6 +23,7 @@ use crate::{Disc, Mat4x4, Node, Transform, traced};
 pub const SHAPES: &[ShapeRow] = &[
     ShapeRow::of::<Disc>("disc", "a07-transforms.md#disc"),
     ShapeRow::of::<Node>("group", "a07-transforms.md#node"),
+    ShapeRow::of::<Shared>("use", "scene-files.md#the-same-shapes-in-several-places"),
 ];
 
 /// All shapes that this stage knows.
@@ -34,7 +37,7 @@ pub const FORMAT: Format = Format {
 };
 
 impl ShapeKind for Disc {
-    fn read(item: &Item, _: Shapes) -> Result<Self, Error> {
+    fn read(item: &Item, _: Vec<Box<dyn Geometry>>) -> Result<Self, Error> {
         let normal = item.vector("normal", Vector3::new)?.as_normal();
         let center = item.vector("center", Point3::new)?;
         item.check(Self::new(center, normal, item.number("radius")?))
@@ -57,14 +60,13 @@ impl ShapeKind for Disc {
 }
 
 impl ShapeKind for Node {
-    fn read(item: &Item, shapes: Shapes) -> Result<Self, Error> {
-        let is_step = |table: &&Item| table.kind.name == "step";
-        let (steps, children): (Vec<_>, Vec<_>) = item.tables.iter().partition(is_step);
-        let mut node = Self::new(steps.into_iter().try_fold(Transform::IDENTITY, chain)?);
-        for child in children {
-            node.children.push(shapes.read(child)?);
-        }
-        Ok(node)
+    /// A node with the steps of any table.
+    fn read(item: &Item, children: Vec<Box<dyn Geometry>>) -> Result<Self, Error> {
+        let transform = item.steps().try_fold(Transform::IDENTITY, chain)?;
+        Ok(Self {
+            transform,
+            children,
+        })
     }
 
     fn content(&self) -> Content<'_> {
@@ -74,6 +76,10 @@ impl ShapeKind for Node {
             shapes: self.children.iter().map(|child| &**child).collect(),
             transform: Some(Box::new(engine::Transform { matrix, inverse })),
         }
+    }
+
+    fn children(&self) -> &[Box<dyn Geometry>] {
+        &self.children
     }
 
     fn children_mut(&mut self) -> Option<&mut Vec<Box<dyn Geometry>>> {
@@ -101,10 +107,24 @@ fn chain(transform: Transform, step: &Item) -> Result<Transform, Error> {
         ["rotate_x"] => transform.rotate_x(step.angle("rotate_x")?),
         ["rotate_y"] => transform.rotate_y(step.angle("rotate_y")?),
         ["rotate_z"] => transform.rotate_z(step.angle("rotate_z")?),
+        ["rotate"] => {
+            let [[x, y, z]] = step.rows("rotate")?;
+            // The first rotation is applied to the object first, so that it stands last.
+            let angles = [x, y, z].map(f64::to_radians);
+            let about_z = transform.rotate_z(angles[2]);
+            let about_y = about_z.and_then(|chain| chain.rotate_y(angles[1]));
+            about_y.and_then(|chain| chain.rotate_x(angles[0]))
+        }
         ["matrix"] | ["inverse", "matrix"] => {
             let rows = matrix(step.rows("matrix")?);
             let inverse = inverse(step, rows)?;
             transform.chain(rows, inverse)
+        }
+        [] => {
+            return Err(Error {
+                is_missing: true,
+                ..step.error("", "a step lacks a key, such as { scale = [1, 2, 1] }")
+            });
         }
         _ => {
             let text = "a step has one key, such as { scale = [1, 2, 1] }; only an inverse stands \

@@ -1,9 +1,11 @@
 //! The JSON schema of scene files, by which editors complete and check them, is made of the list of
 //! tables and keys.
 
+use std::fmt::Write;
 use std::{env, fs};
 
-use scene_file::{KINDS, Key, Kind};
+use common::text;
+use scene_file::{KINDS, Key, Kind, Range, color_names};
 
 #[test]
 fn the_schema_is_current() {
@@ -17,10 +19,17 @@ fn the_schema_is_current() {
 /// The schema (draft 7) of all kinds.
 fn schema() -> String {
     let definition = |kind: &Kind| format!("\"{}\": {{\n{}\n}}", kind.name, object(kind));
-    let definitions: Vec<_> = KINDS[1..].iter().map(definition).collect();
+    let mut definitions: Vec<_> = KINDS[1..].iter().map(definition).collect();
+    let names: Vec<_> = color_names().map(|name| format!("\"{name}\"")).collect();
+    definitions.push(format!(
+        "\"color_text\": {{\n\"anyOf\": [\n{{ \"type\": \"string\", \"pattern\": \
+         \"^#([0-9a-fA-F]{{3}}){{1,2}}$\" }},\n{{ \"enum\": [{}] }}\n]\n}}",
+        names.join(", ")
+    ));
     let draft = "http://json-schema.org/draft-07/schema#";
     format!(
-        "{{\n\"$schema\": \"{draft}\",\n{},\n\"definitions\": {{\n{}\n}}\n}}\n",
+        "{{\n\"$schema\": \"{draft}\",\n{},\n\"required\": [\"camera\"],\n\"definitions\": \
+         {{\n{}\n}}\n}}\n",
         object(&KINDS[0]),
         definitions.join(",\n")
     )
@@ -28,18 +37,92 @@ fn schema() -> String {
 
 /// A table with the keys of a kind, and no others.
 fn object(kind: &Kind) -> String {
-    let properties: Vec<_> = kind.keys.iter().map(property).collect();
-    let head = r#""type": "object", "additionalProperties": false"#;
-    format!("{head}, \"properties\": {{\n{}\n}}", properties.join(",\n"))
+    let is_file = kind.form.is_empty();
+    let properties: Vec<_> = kind.keys.iter().map(|key| property(key, is_file)).collect();
+    let mut parts = vec![
+        r#""type": "object", "additionalProperties": false"#.to_owned(),
+        format!("\"properties\": {{\n{}\n}}", properties.join(",\n")),
+    ];
+    let needed = kind.keys.iter().filter(|key| key.missing == "needed");
+    let needed: Vec<_> = needed.map(|key| format!("\"{}\"", key.name)).collect();
+    if !needed.is_empty() {
+        parts.push(format!("\"required\": [{}]", needed.join(", ")));
+    }
+    let mut dependencies = Vec::new();
+    for key in &kind.keys {
+        if let Some(other) = key.other_key("needed with ") {
+            dependencies.push(format!("\"{other}\": [\"{}\"]", key.name));
+        }
+        if key.name == "inverse" {
+            dependencies.push("\"inverse\": [\"matrix\"]".to_owned());
+        }
+    }
+    if !dependencies.is_empty() {
+        parts.push(format!(
+            "\"dependencies\": {{ {} }}",
+            dependencies.join(", ")
+        ));
+    }
+    let choices = choices(kind);
+    if !choices.is_empty() {
+        parts.push(format!("\"allOf\": [{}]", choices.join(", ")));
+    }
+    parts.join(",\n")
 }
 
-fn property(key: &Key) -> String {
+/// Which of its keys a table has instead of others.
+fn choices(kind: &Kind) -> Vec<String> {
+    if kind.name == "step" {
+        let keys = kind.keys.iter().filter(|key| key.name != "inverse");
+        let one: Vec<_> = keys.map(|key| required(key.name)).collect();
+        return vec![format!("{{ \"oneOf\": [{}] }}", one.join(", "))];
+    }
+    let mut choices = Vec::new();
+    for (index, key) in kind.keys.iter().enumerate() {
+        let Some(other) = key.other_key("needed, or ") else {
+            continue;
+        };
+        let is_same_choice = |known: &Key| known.other_key("needed, or ") == Some(key.name);
+        if kind.keys[..index].iter().any(is_same_choice) {
+            continue;
+        }
+        let is_other_needed = kind
+            .key(other)
+            .is_some_and(|other| other.other_key("needed, or ").is_some());
+        let (one, other) = (required(key.name), required(other));
+        choices.push(match (key.name, is_other_needed) {
+            // The table around it may have the other one: see `property`.
+            ("color", _) => format!("{{ \"not\": {{ \"allOf\": [{one}, {other}] }} }}"),
+            (_, true) => format!("{{ \"anyOf\": [{one}, {other}] }}"),
+            (_, false) => format!("{{ \"oneOf\": [{one}, {other}] }}"),
+        });
+    }
+    choices
+}
+
+fn required(key: &str) -> String {
+    format!("{{ \"required\": [\"{key}\"] }}")
+}
+
+/// A key of a table. A shape that is in no other table has a surface of its own.
+fn property(key: &Key, is_of_file: bool) -> String {
+    let has_shapes = |kind: &Kind| kind.key("sphere").is_some() || kind.name == "use";
     let table = key.tables().map_or_else(String::new, |kind| {
-        format!(r##""$ref": "#/definitions/{}""##, kind.name)
+        let table = format!(r##""$ref": "#/definitions/{}""##, kind.name);
+        if is_of_file && kind.key("material").is_some() && !has_shapes(kind) {
+            let surface = ["color", "material"].map(required).join(", ");
+            format!("\"allOf\": [{{ {table} }}, {{ \"anyOf\": [{surface}] }}]")
+        } else {
+            table
+        }
     });
     let form = match key.form {
         "text" => r#""type": "string""#.to_owned(),
         "true or false" => r#""type": "boolean""#.to_owned(),
+        "color" => format!(
+            r##""anyOf": [{{ {} }}, {{ "$ref": "#/definitions/color_text" }}]"##,
+            numbers("3 numbers", key)
+        ),
         form if form.ends_with(".NAME]") => {
             format!(r#""type": "object", "additionalProperties": {{ {table} }}"#)
         }
@@ -47,22 +130,38 @@ fn property(key: &Key) -> String {
             format!(r#""type": "array", "items": {{ {table} }}"#)
         }
         form if form.starts_with('[') => table,
-        numbers => {
-            let lengths = numbers.split(' ').rev();
-            let lengths = lengths.filter_map(|word| word.parse::<u8>().ok());
-            let number = if numbers.contains("whole") {
-                r#""type": "integer", "minimum": 1"#
-            } else {
-                r#""type": "number""#
-            };
-            lengths.fold(number.to_owned(), |row, n| {
-                let length = format!(r#""minItems": {n}, "maxItems": {n}"#);
-                format!(r#""type": "array", {length}, "items": {{ {row} }}"#)
-            })
-        }
+        form => numbers(form, key),
     };
     match key.about {
         "" => format!(r#""{}": {{ {form} }}"#, key.name),
         about => format!(r#""{}": {{ {form}, "description": {about:?} }}"#, key.name),
     }
+}
+
+/// Numbers of this form, within the range of a key.
+fn numbers(form: &str, key: &Key) -> String {
+    let kind = if form.contains("whole") {
+        "integer"
+    } else {
+        "number"
+    };
+    let mut number = format!(r#""type": "{kind}""#);
+    let Range {
+        least,
+        greatest,
+        is_open,
+    } = key.limits();
+    let open = if is_open { "exclusiveM" } else { "m" };
+    if least.is_finite() {
+        let _ = write!(number, r#", "{open}inimum": {}"#, text::number(least));
+    }
+    if greatest.is_finite() {
+        let _ = write!(number, r#", "{open}aximum": {}"#, text::number(greatest));
+    }
+    let lengths = form.split(' ').rev();
+    let lengths = lengths.filter_map(|word| word.parse::<u8>().ok());
+    lengths.fold(number, |row, n| {
+        let length = format!(r#""minItems": {n}, "maxItems": {n}"#);
+        format!(r#""type": "array", {length}, "items": {{ {row} }}"#)
+    })
 }

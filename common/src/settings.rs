@@ -3,7 +3,7 @@
 
 use std::path::PathBuf;
 
-use crate::Size;
+use crate::{Size, Transfer};
 
 /// Where the samples of a pixel lie.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -85,6 +85,9 @@ pub struct Settings {
     pub depth: u32,
     /// The code that renders the picture.
     pub renderer: Renderer,
+    /// The curve by which the picture will be shown or saved. Of the scene it changes only the
+    /// colours that are given as bytes of this picture, such as `"#ff8000"` in a scene file.
+    pub transfer: Transfer,
     /// The picture file to open, for a scene that opens one.
     pub file: Option<PathBuf>,
     /// Changes of a scene that has a camera.
@@ -108,6 +111,7 @@ impl Default for Settings {
             seed: 0,
             depth: 6,
             renderer: Renderer::Lesson,
+            transfer: Transfer::Linear,
             file: None,
             edits: Edits::default(),
         }

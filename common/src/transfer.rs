@@ -57,11 +57,38 @@ impl Transfer {
             Self::Srgb => 1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055,
         }
     }
+
+    /// The linear light that [`Transfer::encode`] writes as this value, from 0 to 1.
+    ///
+    /// (IEC 61966-2-1 has the border at 0.04045.)
+    #[must_use]
+    pub fn decode(self, value: f64) -> f64 {
+        match self {
+            Self::Linear => value,
+            Self::Gamma => libm::pow(value, 2.2),
+            Self::Srgb if value <= 0.040_45 => value / 12.92,
+            Self::Srgb => libm::pow((value + 0.055) / 1.055, 2.4),
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_decoded_byte_is_written_as_the_same_byte() {
+        for transfer in [Transfer::Linear, Transfer::Gamma, Transfer::Srgb] {
+            for byte in 0..=255 {
+                let bytes = [byte, 255 - byte, byte / 2];
+                let light = Color::from_bytes(bytes).map(|value| transfer.decode(value));
+                assert_eq!(transfer.bytes(light), bytes, "{transfer:?}");
+            }
+        }
+        // The value of linear 1/2 in sRGB.
+        let error = Transfer::Srgb.decode(0.735_356_983_052_449_5) - 0.5;
+        assert!(error.abs() < 1e-12, "{error}");
+    }
 
     /// Middle grey becomes 2^(-1/2.2), and the sRGB value of linear 1/2. In the standard
     /// the border between the two parts of sRGB belongs to the straight one.

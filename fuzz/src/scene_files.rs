@@ -4,13 +4,13 @@
 use a03_rays_cameras::kinds::Format;
 use a07_transforms::kinds::example_files;
 use arbitrary::{Result, Unstructured};
-use common::{Settings, Size};
+use common::{Renderer, Settings, Size};
 use scene_file::Mesh;
 
 use crate::values::number;
 
-/// A file with every table, with empty lines between them.
-const EXAMPLE: &str = example_files::SHAPES;
+/// Two files with every table, with empty lines between them.
+const EXAMPLES: [&str; 2] = [example_files::SHAPES, example_files::BOARD];
 
 /// Reads bytes as a scene file and as a mesh, and renders what is right of them.
 pub fn check(bytes: &[u8]) {
@@ -28,13 +28,20 @@ pub fn check(bytes: &[u8]) {
         size: Size::new(3, 2).expect("a size"),
         ..Settings::default()
     };
+    let of_engine = Settings {
+        renderer: Renderer::Engine,
+        ..settings.clone()
+    };
     for format in formats {
         // The file is its own mesh.
         let file = format.read(&text, &|_| Mesh::read(bytes));
-        match file.and_then(|file| (format.view)(&file)) {
-            Ok(view) => {
+        let twice = file.and_then(|file| Ok([(format.view)(&file)?, (format.view)(&file)?]));
+        match twice {
+            Ok([view, same]) => {
                 let image = view.render(&settings, &()).expect("a picture");
                 assert_eq!(image.count_non_finite(), 0, "{text}");
+                let by_engine = same.render(&of_engine, &()).expect("a picture");
+                assert!(by_engine == image, "{text}");
             }
             Err(error) => {
                 assert!(error.at <= text.len(), "{error:?} in {text}");
@@ -67,8 +74,9 @@ fn check_mesh(mesh: &mut Mesh, bytes: &[u8]) {
 /// Reads a scene file with any of the tables of the example, with other numbers.
 pub fn check_structure(bytes: &[u8]) {
     let u = &mut Unstructured::new(bytes);
-    let (once, often) = EXAMPLE.split_once("\n[[").expect("lists of tables");
-    let often: Vec<_> = often.split("\n[[").collect();
+    let split = EXAMPLES.map(|file| file.split_once("\n[[").expect("lists of tables"));
+    let [(once, often), (_, also)] = split;
+    let often: Vec<_> = often.split("\n[[").chain(also.split("\n[[")).collect();
     let mut text = String::new();
     if add(u, once, &mut text).is_ok() {
         while !u.is_empty()

@@ -3,7 +3,9 @@
 
 use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::{Camera, OrthographicCamera, PerspectiveCamera, PinholeCamera};
+use a04_intersections::kinds::Shared;
 use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle};
+use a07_transforms::kinds::KINDS;
 use a07_transforms::{Disc, Node, Transform};
 use arbitrary::{Result, Unstructured};
 use common::{ArgumentError, Color};
@@ -85,7 +87,7 @@ pub(crate) use boxed;
 
 /// A shape, with up to these levels of nodes; none if its constructor refuses the numbers.
 pub fn shape(u: &mut Unstructured, levels: u32) -> Result<Option<Box<dyn Geometry>>> {
-    Ok(match u.int_in_range(0..=7)? {
+    Ok(match u.int_in_range(0..=8)? {
         0 => {
             let (point, normal) = (point(u)?, normal(u)?);
             boxed!(Plane::new(point, normal))
@@ -113,6 +115,7 @@ pub fn shape(u: &mut Unstructured, levels: u32) -> Result<Option<Box<dyn Geometr
             boxed!(flat.and_then(|triangle| triangle.with_normals(normals)))
         }
         _ if levels == 0 => None,
+        7 => Some(Box::new(several_uses(u, levels - 1)?)),
         _ => Some(Box::new(node(u, levels - 1)?)),
     })
 }
@@ -124,6 +127,21 @@ fn node(u: &mut Unstructured, levels: u32) -> Result<Node> {
         if let Some(child) = shape(u, levels)? {
             node = node.with(child);
         }
+    }
+    Ok(node)
+}
+
+/// A node with up to three uses of the same shapes.
+fn several_uses(u: &mut Unstructured, levels: u32) -> Result<Node> {
+    let mut shapes = Vec::new();
+    for _ in 0..u.int_in_range(1..=7)? {
+        shapes.extend(shape(u, levels)?);
+    }
+    let shared = Shared::new(shapes, KINDS);
+    let mut node = Node::new(transform(u)?);
+    for _ in 0..u.int_in_range(1..=3)? {
+        let used = Node::new(transform(u)?).with(shared.clone());
+        node = node.with(used);
     }
     Ok(node)
 }

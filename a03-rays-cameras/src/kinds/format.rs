@@ -4,10 +4,11 @@ use std::cell::{Cell, RefCell};
 use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
-use std::sync::{Arc, Mutex};
+use std::string::FromUtf8Error;
+use std::sync::{Arc, Mutex, PoisonError};
 
-use common::{Error, Sampling, Scene, Settings, Size, text};
-use scene_file::{Item, Mesh, Meshes, OwnTable, SceneFile};
+use common::{Error, Sampling, Scene, Settings, Size, Transfer, text};
+use scene_file::{FirstMistake, Item, Mesh, Meshes, OwnTable, SceneFile};
 
 use crate::{TracedScene, View};
 
@@ -31,6 +32,14 @@ impl Format {
         SceneFile::read(text, self.stage, &(self.own_tables)(), meshes)
     }
 
+    /// The settings, the camera and the world of a file. The error is the first mistake in it.
+    pub fn scene(&self, file: &SceneFile) -> Result<(Settings, View), scene_file::Error> {
+        let mut first = FirstMistake::of(file);
+        let settings = first.keep(settings(&file.picture));
+        let view = first.keep((self.view)(file));
+        first.result(settings.zip(view))
+    }
+
     /// Opens the scene of a file. A mistake in the file is an error with its position.
     pub fn open(self, path: &Path) -> Result<Scene, Error> {
         let cannot_open = |reason| Error::Open {
@@ -38,8 +47,7 @@ impl Format {
             reason,
         };
         let bytes = read(path, MOST_BYTES[0]).map_err(cannot_open)?;
-        let no_text = |_| cannot_open("it is no text in UTF-8".to_owned());
-        let text = String::from_utf8(bytes).map_err(no_text)?;
+        let text = String::from_utf8(bytes).map_err(|error| cannot_open(no_text(&error)))?;
         let (files, triangles) = (RefCell::new(vec![path.to_owned()]), Cell::new(0));
         let mesh = |name: &str| {
             let mesh = path.with_file_name(name);
@@ -57,14 +65,21 @@ impl Format {
             Error::SceneFile(text::visible(&format!("{place}:{}", error.within(&text))))
         };
         let file = file.map_err(&at_place)?;
-        let defaults = settings(&file.picture).map_err(&at_place)?;
         // All constructors must accept the numbers. The first picture takes the view that they
-        // make.
-        let first = Mutex::new(Some((self.view)(&file).map_err(&at_place)?));
+        // make, if it has the usual transfer.
+        let (defaults, view) = self.scene(&file).map_err(&at_place)?;
+        let opened = Mutex::new((file, Some(view)));
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        let view = move |_| match first.lock().map(|mut first| first.take()) {
-            Ok(Some(view)) => Ok(view),
-            _ => (self.view)(&file).map_err(&at_place),
+        let view = move |settings: &Settings| {
+            let mut opened = opened.lock().unwrap_or_else(PoisonError::into_inner);
+            let (file, first) = &mut *opened;
+            if settings.transfer == Transfer::default()
+                && let Some(view) = first.take()
+            {
+                return Ok(view);
+            }
+            file.set_transfer(settings.transfer);
+            (self.view)(file).map_err(&at_place)
         };
         let mut scene = Scene::from(TracedScene {
             name: stem.into_owned().leak(),
@@ -78,6 +93,17 @@ impl Format {
         scene.notes = notes;
         Ok(scene)
     }
+}
+
+/// Why bytes are no text.
+fn no_text(error: &FromUtf8Error) -> String {
+    let bytes = error.as_bytes();
+    if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
+        return "it is a text in UTF-16; save it in UTF-8".to_owned();
+    }
+    let before = &bytes[..error.utf8_error().valid_up_to()];
+    let line = before.split(|byte| *byte == b'\n').count();
+    format!("line {line} has a letter that is not in UTF-8; save the file in UTF-8")
 }
 
 /// The bytes of a file. The error is a clause.
@@ -95,6 +121,7 @@ fn read(path: &Path, most: u64) -> Result<Vec<u8>, String> {
                 text::path(folder)
             ))
         }
+        Err(error) if error.kind() == ErrorKind::IsADirectory => Err("it is a folder".to_owned()),
         Err(error) => Err(error.to_string()),
     }
 }

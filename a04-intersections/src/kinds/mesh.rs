@@ -4,7 +4,7 @@ use a03_rays_cameras::Ray;
 use common::Color;
 use scene_file::{Data, Error, Item};
 
-use super::{Content, ShapeKind, Shapes, triangle};
+use super::{Content, ShapeKind, triangle};
 use crate::{Geometry, Hit, Interval, World};
 
 /// The triangles of a mesh.
@@ -29,7 +29,7 @@ impl Geometry for Mesh {
 
 impl ShapeKind for Mesh {
     /// The triangles that have an area.
-    fn read(item: &Item, _: Shapes) -> Result<Self, Error> {
+    fn read(item: &Item, _: Vec<Box<dyn Geometry>>) -> Result<Self, Error> {
         let Some(Data::Mesh(mesh)) = item.find("file") else {
             return Err(item.lacks("file"));
         };

@@ -1,12 +1,12 @@
-//! `ShapeRow` and `Shapes`: what is written once over the rows of all shapes: reading and writing
-//! scene files, and the translation for the engine.
+//! `ShapeRow` and `Shapes`: what is written once over the rows of all shapes.
 
 use std::any::Any;
 
 use a03_rays_cameras::Ray;
-use scene_file::{Error, Item, Key, OwnTable, SceneFile, WrittenShape};
+use scene_file::{Error, Item, Key, OwnTable};
 
-use crate::{Geometry, Hit, Interval, World};
+use super::Shared;
+use crate::Geometry;
 
 /// The values of a table, by their keys.
 pub type Values = Vec<(&'static str, Vec<f64>)>;
@@ -26,8 +26,8 @@ pub enum Content<'a> {
 
 /// What the engine, scene files and the explanation need to know of a type of shapes.
 pub trait ShapeKind: Geometry {
-    /// Reads it from its table. `shapes` are those that a group may have.
-    fn read(item: &Item, shapes: Shapes) -> Result<Self, Error>
+    /// Reads it from its table. `children` are the shapes of a group, which have been read.
+    fn read(item: &Item, children: Vec<Box<dyn Geometry>>) -> Result<Self, Error>
     where
         Self: Sized;
 
@@ -40,6 +40,11 @@ pub trait ShapeKind: Geometry {
     }
 
     /// The children that are reported one by one when a ray is explained.
+    fn children(&self) -> &[Box<dyn Geometry>] {
+        &[]
+    }
+
+    /// The same children, to be wrapped.
     fn children_mut(&mut self) -> Option<&mut Vec<Box<dyn Geometry>>> {
         None
     }
@@ -49,12 +54,17 @@ pub trait ShapeKind: Geometry {
         1
     }
 
+    /// The shapes that it shares with others; none if it has its own.
+    fn as_shared(&self) -> Option<&Shared> {
+        None
+    }
+
     /// Reports the ray in the space of its children, if it transforms rays.
     fn push_object_ray(&self, _ray: &Ray) {}
 }
 
 /// Reads a shape of any type.
-type Read = fn(&Item, Shapes) -> Result<Box<dyn Geometry>, Error>;
+type Read = fn(&Item, Vec<Box<dyn Geometry>>) -> Result<Box<dyn Geometry>, Error>;
 
 /// A type of shapes.
 #[derive(Debug)]
@@ -78,7 +88,7 @@ impl ShapeRow {
             key,
             section,
             keys: &[],
-            read: |item, shapes| Ok(Box::new(K::read(item, shapes)?)),
+            read: |item, children| Ok(Box::new(K::read(item, children)?)),
             get: |geometry| {
                 let any: &dyn Any = geometry;
                 any.downcast_ref::<K>().map(|shape| shape as _)
@@ -95,6 +105,12 @@ impl ShapeRow {
     pub const fn with_keys(mut self, keys: &'static [Key]) -> Self {
         self.keys = keys;
         self
+    }
+
+    /// The keys of its table; none if the list of the book has them.
+    #[must_use]
+    pub const fn own_keys(&self) -> &'static [Key] {
+        self.keys
     }
 
     /// The shape as one of this type; none if it is of another one.
@@ -152,120 +168,39 @@ impl Shapes {
         own.map(table).collect()
     }
 
-    /// Reads a shape from its table.
-    pub fn read(self, item: &Item) -> Result<Box<dyn Geometry>, Error> {
-        let name = item.kind.name;
-        match self.rows().find(|row| row.key == name) {
-            Some(row) => (row.read)(item, self),
-            None => Err(item.error("", format!("no row of this stage reads a {name}"))),
-        }
-    }
-
-    /// Adds the shapes of a file to a world, with their surfaces.
-    pub fn read_objects<S>(
-        self,
-        world: &mut World<S>,
-        file: &SceneFile,
-        surface: impl Fn(&Item) -> Result<S, Error>,
-    ) -> Result<(), Error> {
-        for item in &file.shapes {
-            world.objects.push((self.read(item)?, surface(item)?));
-        }
-        Ok(())
-    }
-
-    /// Adds the objects of a world to a scene of the engine, in their order.
-    pub fn add_objects<'a, S>(
-        self,
-        scene: &mut engine::Scene<'a>,
-        world: &'a World<S>,
-        surface: impl Fn(&'a S) -> engine::Surface<'a>,
-    ) {
-        for (geometry, own) in world.objects() {
-            let index = scene.add_surface(surface(own));
-            self.add_shapes(geometry, &mut |shape| scene.add_shape(shape, index));
-        }
-    }
-
-    /// Adds the engine's shapes for a geometry: of its children, unless rounding in their
-    /// transform may destroy their normals; numbers if the engine has its type; otherwise a
-    /// function.
-    pub fn add_shapes<'a>(
-        self,
-        geometry: &'a dyn Geometry,
-        add: &mut dyn FnMut(engine::Shape<'a>),
-    ) {
-        let kind = self.row(geometry).and_then(|row| row.get(geometry));
-        if let Some(shape) = kind.and_then(ShapeKind::for_engine) {
-            add(shape);
-        } else if let Some(Content::Children { shapes, transform }) = kind.map(ShapeKind::content)
-            && transform
-                .as_ref()
-                .is_none_or(|transform| transform.is_well_conditioned())
-        {
-            for child in shapes {
-                self.add_shapes(child, &mut |shape| match &transform {
-                    Some(transform) => add(shape.transformed(transform)),
-                    None => add(shape),
-                });
-            }
-        } else {
-            add(engine::Shape::compound(
-                |ray| {
-                    let hit = geometry.hit(&Ray::from(ray), Interval::AHEAD);
-                    hit.map(Into::into)
-                },
-                |ray, before, counts| {
-                    let counts = |hit: &Hit| counts(&engine::Hit::from(*hit));
-                    geometry.any_hit(&Ray::from(ray), Interval::before(before), &counts)
-                },
-            ));
-        }
-    }
-
-    /// The shapes of a world as the values of their tables, each with the number of its surface,
-    /// from 0.
+    /// The intersection tests that a ray takes in a geometry and its children.
     #[must_use]
-    pub fn written<S>(self, world: &World<S>) -> Vec<WrittenShape> {
-        let mut written = Vec::new();
-        for (surface, (geometry, _)) in (0..).zip(world.objects()) {
-            self.write(geometry, &[], surface, &mut written);
-        }
-        written
+    pub fn tests(self, geometry: &dyn Geometry) -> u64 {
+        let Some(kind) = self.row(geometry).and_then(|row| row.get(geometry)) else {
+            return 1;
+        };
+        let children = kind.children().iter();
+        kind.tests() + children.map(|child| self.tests(&**child)).sum::<u64>()
     }
 
-    fn write(
+    /// Reads a shape without children from its table.
+    pub fn read(self, item: &Item) -> Result<Box<dyn Geometry>, Error> {
+        self.read_as(item.kind.name, item, Vec::new())
+    }
+
+    /// Reads a group of shapes, with the steps of a table.
+    pub fn read_group(
         self,
-        geometry: &dyn Geometry,
-        transforms: &[engine::Transform],
-        surface: usize,
-        written: &mut Vec<WrittenShape>,
-    ) {
-        let row = self.row(geometry);
-        let mut shape = WrittenShape {
-            key: row.map(|row| row.key),
-            own_keys: row.map_or(&[], |row| row.keys),
-            values: Vec::new(),
-            transforms: transforms.to_vec(),
-            surface,
-        };
-        match row
-            .and_then(|row| row.get(geometry))
-            .map(ShapeKind::content)
-        {
-            Some(Content::Children { shapes, transform }) => {
-                shape
-                    .transforms
-                    .extend(transform.map(|transform| *transform));
-                for child in shapes {
-                    self.write(child, &shape.transforms, surface, written);
-                }
-            }
-            Some(Content::Values(values)) => {
-                shape.values = values;
-                written.push(shape);
-            }
-            None => written.push(shape),
+        item: &Item,
+        children: Vec<Box<dyn Geometry>>,
+    ) -> Result<Box<dyn Geometry>, Error> {
+        self.read_as("group", item, children)
+    }
+
+    fn read_as(
+        self,
+        name: &str,
+        item: &Item,
+        children: Vec<Box<dyn Geometry>>,
+    ) -> Result<Box<dyn Geometry>, Error> {
+        match self.rows().find(|row| row.key == name) {
+            Some(row) => (row.read)(item, children),
+            None => Err(item.error("", format!("no row of this stage reads a {name}"))),
         }
     }
 }

@@ -1,8 +1,11 @@
 //! Files of the folder `scenes/`, for programs that read no folder: a page in a browser, and the
 //! tests that make hostile files of good ones.
 
-/// Names every kind of table.
+/// Names every shape, light and camera.
 pub const SHAPES: &str = include_str!("../../scenes/shapes.toml");
+
+/// Defines shapes, and uses and repeats them.
+pub const BOARD: &str = include_str!("../../scenes/board.toml");
 
 /// The mesh that it names, as `pyramid.obj`.
 pub const PYRAMID: &[u8] = include_bytes!("../../scenes/pyramid.obj");

@@ -3,6 +3,7 @@
 
 use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
+use a04_intersections::kinds::Shared;
 use a04_intersections::{AxisAlignedBox, Geometry, Hit, Interval, Sphere, Triangle, World};
 use a04_lab::support::Numbers;
 use a04_tests::compare::compare;
@@ -96,6 +97,79 @@ fn check(seed: u64, size: f64, far: f64) -> Result<(), ArgumentError> {
     let hits = compare(&world, KINDS, &rays);
     assert!((1_000..3_000).contains(&hits), "{hits}");
     Ok(())
+}
+
+/// A use of shared shapes under a random transform, this many times as large, and its targets.
+fn used(
+    shared: &(Shared, Vec<Point3>),
+    size: f64,
+    numbers: &mut Numbers,
+    targets: &mut Vec<Point3>,
+) -> Result<Node, ArgumentError> {
+    let place = transform(numbers)?.scale(size, size, size)?;
+    let (shapes, of_shapes) = shared;
+    targets.extend(of_shapes.iter().map(|target| place.matrix() * *target));
+    Ok(Node::new(place).with(shapes.clone()))
+}
+
+/// Some shapes that stand in several places, themselves in such shapes, in a world that is this
+/// many times as large or small.
+fn check_shared(seed: u64, size: f64) -> Result<(), ArgumentError> {
+    let numbers = &mut Numbers::new(seed, 7);
+    let mut of_shapes = Vec::new();
+    let mut shapes: Vec<Box<dyn Geometry>> = Vec::new();
+    for _ in 0..10 {
+        let [a, b, c] = [(); 3].map(|()| point(numbers));
+        let ball = Sphere::new(a, 0.3)?;
+        of_shapes.extend([a, b, c, a + (b - a) * 0.5]);
+        shapes.push(Box::new(Triangle::new(a, b, c)?));
+        shapes.push(Box::new(Triangle::new(b, a, Point3::ORIGIN)?));
+        shapes.push(Box::new(ball));
+        let node = Node::new(Transform::IDENTITY);
+        let node = fill(node, Mat4x4::IDENTITY, 1, numbers, &mut of_shapes)?;
+        shapes.push(Box::new(node));
+    }
+    let inner = (Shared::new(shapes, KINDS), of_shapes);
+    let (mut shapes, mut of_shapes) = (Vec::<Box<dyn Geometry>>::new(), Vec::new());
+    for factor in [0.1, 1.0, 3.0] {
+        shapes.push(Box::new(used(&inner, factor, numbers, &mut of_shapes)?));
+    }
+    shapes.push(Box::new(Disc::new(
+        Point3::ORIGIN,
+        (point(numbers) - Point3::ORIGIN).as_normal(),
+        0.5,
+    )?));
+    let outer = (Shared::new(shapes, KINDS), of_shapes);
+    let (mut world, mut targets) = (World::new(Color::BLACK)?, Vec::new());
+    for i in 0..3 {
+        world = world.with(used(&inner, size, numbers, &mut targets)?, i);
+        world = world.with(used(&outer, size, numbers, &mut targets)?, i + 3);
+    }
+    // The same use once more: the first counts.
+    let numbers = &mut Numbers::new(seed, 8);
+    for i in 6..8 {
+        world = world.with(
+            used(&outer, size, &mut Numbers::new(seed, 9), &mut targets)?,
+            i,
+        );
+    }
+    let mut rays = Vec::new();
+    for i in 0..3_000 {
+        let off = numbers.triple(-1.0, 1.0) * (size * [0.0, 1e-9, 1.0][i % 3]);
+        let target = targets[numbers.below(targets.len())] + off;
+        let way: Vector3 = numbers.direction() * (size * [6.0, 1e4][i % 2]);
+        rays.push(Ray::new(target + way, -way)?);
+    }
+    let hits = compare(&world, KINDS, &rays);
+    assert!((1_000..=3_000).contains(&hits), "{hits}");
+    Ok(())
+}
+
+#[test]
+fn shared_shapes_are_met_alike() {
+    for (seed, size) in (10..).zip([1.0, 1e-6, 1e6]) {
+        check_shared(seed, size).unwrap();
+    }
 }
 
 #[test]

@@ -30,7 +30,7 @@ impl Geometry for Tile {
 }
 
 impl ShapeKind for Tile {
-    fn read(item: &Item, _: Shapes) -> Result<Self, Error> {
+    fn read(item: &Item, _: Vec<Box<dyn Geometry>>) -> Result<Self, Error> {
         let corners = item.rows("corners")?;
         Ok(Self { corners })
     }
@@ -44,6 +44,8 @@ const SECTION: &str = "a04-intersections.md#one-question-and-an-interval";
 const OWN: &[ShapeRow] = &[ShapeRow::of::<Tile>("tile", SECTION).with_keys(&[Key {
     name: "corners",
     form: "2 x 2 numbers",
+    range: "",
+    missing: "needed",
     stage: 4,
     about: "its lower left and its upper right corner",
 }])];

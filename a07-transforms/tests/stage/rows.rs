@@ -6,11 +6,13 @@ use a05_lighting::kinds::LIGHTS;
 use a07_transforms::kinds::KINDS;
 use scene_file::KINDS as TABLES;
 
-/// The names of tables that are listed in the file, and not once.
+/// The names of tables that are listed in the file, and not once. A repeat is no shape: its copies
+/// are uses.
 fn listed(is_light: bool) -> BTreeSet<&'static str> {
     let tables = TABLES.iter().filter(|kind| kind.form.starts_with("[["));
     let names = tables.map(|kind| kind.name);
     names
+        .filter(|name| *name != "repeat")
         .filter(|name| name.ends_with("_light") == is_light)
         .collect()
 }

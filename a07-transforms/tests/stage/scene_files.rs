@@ -7,6 +7,7 @@ use a07_transforms::stage;
 use common::{Error, Renderer, Scene, Settings, Size, Transfer, picture_file};
 
 const EXAMPLE: &str = include_str!("../../scenes/shapes.toml");
+const BOARD: &str = include_str!("../../scenes/board.toml");
 const PYRAMID: &str = include_str!("../../scenes/pyramid.obj");
 
 /// Opens this text as a scene file, beside the mesh; the error of a mistake as text.
@@ -30,10 +31,11 @@ fn folder() -> tempfile::TempDir {
 }
 
 #[test]
-fn the_example_has_every_key() {
+fn two_examples_have_every_key() {
     let keys = scene_file::KINDS.iter().flat_map(|kind| &kind.keys);
     for key in keys.filter(|key| !key.form.starts_with('[')) {
-        let has_it = EXAMPLE.contains(&format!("{} = ", key.name));
+        let line = format!("{} = ", key.name);
+        let has_it = EXAMPLE.contains(&line) || BOARD.contains(&line);
         assert!(has_it || key.name == "inverse", "{}", key.name);
     }
 }
@@ -207,6 +209,46 @@ fn a_mistake_against_toml_is_told_by_what_was_meant() {
     ] {
         assert_eq!(error_of(from, to), format!("{place}: {text}"), "{to}");
     }
+    let twice = "radius is in line 8 already: a key stands once in its table";
+    for (from, to, place, text) in [
+        ("= 1\n", "= 1\nradius = 2\n", "9:1", twice),
+        (
+            "[[sphere]]",
+            "[camera]\n[[sphere]]",
+            "6:2",
+            "[camera] is in line 1 already, and a table like it stands once",
+        ),
+        (
+            "center",
+            "center = [0, 0, 0]\n[sphere]\ncenter",
+            "8:2",
+            "[[sphere]] is in line 6 already: write [[sphere]] here, too",
+        ),
+        (
+            "= 1\n",
+            "= 1\u{0}\n",
+            "8:11",
+            "here is the character \\u{0}, which nobody sees",
+        ),
+        (
+            "= 1\n",
+            "= \u{7}1\n",
+            "8:10",
+            "here is the character \\u{7}, which nobody sees",
+        ),
+        (
+            "= 1\n",
+            "= 1\ntransform = [{ scale = [1, 2, 1]]\n",
+            "9:33",
+            "the braces before this place have no } at their end, or lack a comma",
+        ),
+    ] {
+        assert_eq!(error_of(from, to), format!("{place}: {text}"), "{to}");
+    }
+    let brackets = format!("= {}", "[".repeat(5000));
+    assert!(error_of("= 1\n", &brackets).ends_with("too many brackets inside each other"));
+    let parts = format!("{}b = 1\n", "a.".repeat(5000));
+    assert!(error_of(SPHERE, &parts).ends_with("this name has too many parts"));
     let shapes = error_of("[[sphere]]", "[[group.sphere]]");
     assert!(
         shapes.starts_with("6:3: group must be a table: [[group]], behind which"),
@@ -215,6 +257,119 @@ fn a_mistake_against_toml_is_told_by_what_was_meant() {
     // The second mistake comes first in the alphabet.
     let two = error_of("center = [0, 1, 0]\nradius", "senter = [0, 1, 0]\narius");
     assert!(two.starts_with("7:1: sphere has no \"senter\""), "{two}");
+}
+
+#[test]
+fn names_of_other_programs_get_ours() {
+    for (from, to, place, text) in [
+        (
+            "gaze",
+            "lookAt",
+            "3:1",
+            "camera has no \"lookAt\"; here it is look_at",
+        ),
+        (
+            "angle",
+            "fov",
+            "4:1",
+            "camera has no \"fov\"; here it is angle",
+        ),
+        (
+            "eye",
+            "position",
+            "2:1",
+            "camera has no \"position\"; here it is eye",
+        ),
+        (
+            "[[sphere]]",
+            "[[cube]]",
+            "6:3",
+            "a scene file has no \"cube\"; here it is box",
+        ),
+        (
+            "[[sphere]]",
+            "[[cone]]",
+            "6:3",
+            "a scene file has no \"cone\"; a mesh can have this form",
+        ),
+        (
+            "radius",
+            "r",
+            "8:1",
+            "sphere has no \"r\"; here it is radius",
+        ),
+        (
+            "radius",
+            "rotate_y",
+            "8:1",
+            "sphere has no \"rotate_y\"; it stands in a transform, such as transform = \
+             [{ rotate_y = 30 }]",
+        ),
+        (
+            "color =",
+            "colour =",
+            "9:1",
+            "sphere has no \"colour\"; here it is color",
+        ),
+        (
+            "color = [1, 0.5, 0]\n",
+            "",
+            "6:1",
+            "sphere lacks a color or a material",
+        ),
+        (
+            "[[sphere]]\ncenter = [0, 1, 0]\nradius = 1",
+            "[[triangle]]\ncorners = [[0, 0, 0], [1, 1, 1], [2, 2, 2]]",
+            "7:11",
+            "triangle: triangle is [0, 0, 0], [1, 1, 1], [2, 2, 2], but must be three corners that \
+             are not on a line",
+        ),
+        (
+            "[1, 0.5, 0]",
+            "\"oragne\"",
+            "9:9",
+            "there is no color \"oragne\"; the nearest is orange",
+        ),
+        (
+            "[1, 0.5, 0]",
+            "\"#ff80\"",
+            "9:9",
+            "\"#ff80\" is no color: behind # stand six hexadecimal digits, such as #ff8000",
+        ),
+        (
+            "gaze",
+            "look_at = [0, 0, 0]\ngaze",
+            "3:11",
+            "a camera has a gaze or a look_at, not both",
+        ),
+        (
+            "gaze = [0, -1, -6]",
+            "look_at = [0, 2, 6]",
+            "3:11",
+            "camera: look_at is the eye itself, but must be another point",
+        ),
+    ] {
+        assert_eq!(error_of(from, to), format!("{place}: {text}"), "{to}");
+    }
+}
+
+#[test]
+fn files_that_are_no_text_in_utf_8_are_told_where() {
+    let utf_16: Vec<_> = format!("\u{FEFF}{SPHERE}")
+        .encode_utf16()
+        .flat_map(u16::to_le_bytes)
+        .collect();
+    let error = open(folder().path(), &utf_16).err().unwrap();
+    assert!(
+        error.ends_with("it is a text in UTF-16; save it in UTF-8"),
+        "{error}"
+    );
+    let latin_1 = [SPHERE.as_bytes(), b"# gr\xfcn\n"].concat();
+    let error = open(folder().path(), &latin_1).err().unwrap();
+    assert!(
+        error.contains("line 10 has a letter that is not in UTF-8"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -253,26 +408,26 @@ fn a_backslash_in_double_quotation_marks_gets_a_hint() {
 
 #[test]
 fn numbers_out_of_range_are_told_in_few_digits_and_with_the_range() {
-    let length = "but must be a length from 1e-100 to 1e100";
+    let length = "but must be from 1e-100 to 1e100";
     for (number, shown) in [
         ("1e300", "1e300"),
         ("5e-310", "5e-310"),
         ("-1e150", "-1e150"),
     ] {
         let error = error_of("= 1\n", &format!("= {number}\n"));
-        assert_eq!(
-            error,
-            format!("8:10: sphere: radius r is {shown}, {length}")
-        );
+        assert_eq!(error, format!("8:10: sphere: radius is {shown}, {length}"));
     }
     let up = error_of("angle", "up = [0, 1e300, 6e300]\nangle");
     assert!(up.len() < 150, "{up}");
-    for depth in ["0", "10001", "4294967295"] {
+    for (depth, text) in [
+        ("0", "depth must be a whole number from 1"),
+        (
+            "10001",
+            "picture: depth is 10001, but must be from 1 to 10000",
+        ),
+    ] {
         let error = error_of("[camera]", &format!("[picture]\ndepth = {depth}\n[camera]"));
-        assert!(
-            error.starts_with("2:9: depth must be a whole number from 1"),
-            "{error}"
-        );
+        assert_eq!(error, format!("2:9: {text}"));
     }
 }
 

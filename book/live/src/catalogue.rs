@@ -59,9 +59,7 @@ pub fn view(picture: &str, settings: &Settings) -> Result<Option<View>, Error> {
     };
     let any: &dyn Any = &*traced;
     let traced = any.downcast_ref::<TracedScene>();
-    traced
-        .map(|traced| (traced.view)(settings.size))
-        .transpose()
+    traced.map(|traced| (traced.view)(settings)).transpose()
 }
 
 /// The point that the camera of a picture is rotated around.

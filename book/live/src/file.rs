@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use a03_rays_cameras::{TracedScene, View, kinds};
+use a03_rays_cameras::{TracedScene, View};
 use a07_transforms::kinds::FORMAT;
 use a07_transforms::kinds::example_files::PYRAMID;
 use common::{Error, Scene, Settings};
@@ -21,7 +21,7 @@ fn open(text: &str) -> Result<(Settings, View), Error> {
             _ => Err("on this page the only mesh is pyramid.obj".to_owned()),
         };
         let file = FORMAT.read(text, &mesh)?;
-        let settings = kinds::settings(&file.picture)?;
+        let (settings, view) = FORMAT.scene(&file)?;
         let pixels = u64::from(settings.size.width()) * u64::from(settings.size.height());
         if pixels * u64::from(settings.samples) > MOST_SAMPLES {
             let most =
@@ -32,7 +32,7 @@ fn open(text: &str) -> Result<(Settings, View), Error> {
             let most = format!("this page takes a depth of at most {MOST_SURFACES}");
             return Err(file.picture.error("depth", most));
         }
-        Ok((settings, (FORMAT.view)(&file)?))
+        Ok((settings, view))
     };
     read().map_err(|error: scene_file::Error| Error::SceneFile(error.within(text)))
 }

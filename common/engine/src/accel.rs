@@ -3,6 +3,7 @@
 //! Every candidate is tested with its own formula, and only shapes are skipped that
 //! the ray cannot hit. So the result has the bits of a test of all shapes.
 
+mod any_hit;
 mod bvh;
 mod bvh_build;
 mod ids;
@@ -18,6 +19,7 @@ mod traverse;
 mod tree_space;
 
 use crate::shape::Bounds;
+pub(crate) use any_hit::AnyHitQuery;
 use bvh::Bvh;
 pub(crate) use ids::Kind;
 use ids::Leaf;
@@ -29,7 +31,7 @@ pub(crate) use shapes::Shapes;
 use split::Item;
 use tree_space::TreeSpace;
 
-/// A linear scan is faster up to this number of shapes.
+/// A linear scan is faster up to this number of shapes, none of which is an instance.
 const LINEAR_SCAN_SHAPES: usize = 16;
 
 /// The shapes of a scene, prepared for many rays.
@@ -48,7 +50,7 @@ impl<'a> Accelerator<'a> {
     pub fn new(mut shapes: Shapes<'a>) -> Self {
         shapes.finish();
         let (tree, unbounded) = build(&mut shapes);
-        let is_linear = shapes.len() <= LINEAR_SCAN_SHAPES;
+        let is_linear = shapes.len() <= LINEAR_SCAN_SHAPES && !shapes.have_instances();
         let ids: Vec<_> = shapes.ids().filter(|_| is_linear).collect();
         Self {
             tree,

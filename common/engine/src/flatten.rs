@@ -5,9 +5,9 @@
 //! rounding of a product of a matrix and a point. So shapes are flattened only where the
 //! picture may have an error.
 
-use glam::{DMat4, DVec3};
+use glam::DMat4;
 
-use crate::shape::{Transform, Transformed};
+use crate::shape::{Transform, Transformed, spectral_norm};
 
 /// More than the error of both ways for each transform passed, relative to the largest
 /// number on the way.
@@ -64,15 +64,6 @@ fn product(steps: &[Transform], max_distance: f64) -> (Transform, f64) {
     }
     let rounding = PER_TRANSFORM * steps.len() as f64 * outwards;
     (all, rounding * (3.0 * inwards * max_distance + far))
-}
-
-/// At least the spectral norm of the upper left three by three numbers `a`, and equal to
-/// it if they turn, and stretch evenly: |a|² = |aᵀ a|, and no norm is above the largest
-/// sum of a row's magnitudes.
-fn spectral_norm(matrix: DMat4) -> f64 {
-    let columns = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(glam::DVec4::truncate);
-    let sum = |a: DVec3| columns.iter().map(|b| a.dot(*b).abs()).sum::<f64>();
-    columns.map(sum).into_iter().fold(0.0, f64::max).sqrt()
 }
 
 #[cfg(test)]

@@ -27,4 +27,6 @@ pub use renderer::Renderer;
 pub use sampler::Sampler;
 pub use scene::Scene;
 pub use shade::{Illumination, Light, LightFn, LightKind, Phong, ShadeFn, Shading, Surface};
-pub use shape::{AnyHitFn, AxisAlignedBox, Disc, HitFn, Plane, Shape, Sphere, Transform, Triangle};
+pub use shape::{
+    AnyHitFn, AxisAlignedBox, Disc, HitFn, Instance, Plane, Shape, Sphere, Transform, Triangle,
+};

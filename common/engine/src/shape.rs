@@ -3,6 +3,7 @@
 mod axis_aligned_box;
 mod bounds;
 mod disc;
+mod instance;
 mod list;
 mod mesh;
 mod plane;
@@ -24,6 +25,7 @@ use crate::{Hit, Ray};
 pub use axis_aligned_box::AxisAlignedBox;
 pub(crate) use bounds::Bounds;
 pub use disc::Disc;
+pub use instance::Instance;
 pub(crate) use list::List;
 pub(crate) use mesh::Mesh;
 pub use plane::Plane;
@@ -32,6 +34,7 @@ pub(crate) use rays::Rays;
 use sheared_rays::ShearedRays;
 pub use sphere::Sphere;
 pub use transform::Transform;
+pub(crate) use transform::spectral_norm;
 pub(crate) use transformed::Transformed;
 pub(crate) use triangle::Corners;
 pub use triangle::Triangle;
@@ -57,6 +60,8 @@ pub enum Shape<'a> {
     Disc(Disc),
     /// A shape under one or more transforms.
     Transformed(Transformed<'a>),
+    /// Shapes that stand in several places.
+    Instance(Instance<'a>),
     /// A shape that the engine does not know: each ray is tested by functions.
     Other(Other<'a>),
 }
@@ -117,6 +122,7 @@ macro_rules! with_primitive {
             }
             Shape::Disc($primitive) => $body,
             Shape::Transformed($primitive) => $body,
+            Shape::Instance($primitive) => $body,
             Shape::Other($primitive) => $body,
         }
     };

@@ -2,6 +2,8 @@
 
 use common::text;
 
+use crate::synonyms::known_for;
+
 /// Most letters of the known names in an error.
 const LONGEST_LIST: usize = 250;
 
@@ -12,9 +14,28 @@ pub struct Error {
     pub at: usize,
     /// The mistake, and what would be right.
     pub text: String,
+    /// Whether something is missing, for which another mistake in the file may be the reason.
+    pub is_missing: bool,
 }
 
 impl Error {
+    /// A mistake at a position.
+    pub(crate) fn new(at: usize, text: impl Into<String>) -> Self {
+        Self {
+            at,
+            text: text.into(),
+            is_missing: false,
+        }
+    }
+
+    /// Something that is missing from the table at a position.
+    pub(crate) fn missing(at: usize, text: impl Into<String>) -> Self {
+        Self {
+            is_missing: true,
+            ..Self::new(at, text)
+        }
+    }
+
     /// One sentence with the line and the column in the text of the file, from 1.
     #[must_use]
     pub fn within(&self, file: &str) -> String {
@@ -30,6 +51,9 @@ impl Error {
 /// The known name that is nearest to a misspelt one, or all if none is near, as the end of an
 /// error.
 pub(crate) fn nearest(known: &[&str], name: &str) -> String {
+    if let Some(own) = known_for(known, name) {
+        return format!("; here it is {own}");
+    }
     let nearness = |known: &str| strsim::normalized_damerau_levenshtein(known, name);
     let known_by_nearness = known.iter().map(|known| (nearness(known), known));
     match known_by_nearness.max_by(|a, b| a.0.total_cmp(&b.0)) {

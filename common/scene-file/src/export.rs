@@ -3,6 +3,7 @@
 mod shape;
 
 use std::collections::HashMap;
+use std::rc::Rc;
 
 use common::{Color, Settings};
 use engine::{Camera, Light, LightKind, Scene, Shading, Surface, Transform};
@@ -19,6 +20,9 @@ pub struct WrittenShape {
     pub own_keys: &'static [Key],
     /// The values, by the keys of the table.
     pub values: Vec<(&'static str, Vec<f64>)>,
+    /// The shapes of the definition that is used here, instead of values. Uses of the same one hold
+    /// the same allocation.
+    pub used: Option<Rc<[Self]>>,
     /// The transforms above it, from the outermost to the innermost.
     pub transforms: Vec<Transform>,
     /// The number of its surface, from 0.
@@ -60,18 +64,79 @@ pub fn export(
         };
         text += &light(language, source)?.replace("[shadows]", &shadows);
     }
+    let definitions = Definitions::of(shapes);
+    for (number, definition) in definitions.0.iter().enumerate() {
+        let name = format!("d{number}");
+        let begin = language.find("definition", "", &[])?;
+        text += &begin.replace("[name]", &name);
+        let prefix = language
+            .word("prefix in definition")
+            .replace("[name]", &name);
+        add_shapes(
+            &mut text,
+            language,
+            definition,
+            &definitions,
+            &prefix,
+            |_| "",
+        )?;
+        text += &language.word("end of definition");
+    }
+    let used = |shape: &WrittenShape| &*uses[shape.surface];
+    add_shapes(&mut text, language, shapes, &definitions, "", used)?;
+    Ok(text + &language.word("end"))
+}
+
+/// The definitions of a scene, each behind those that it uses.
+struct Definitions(Vec<Rc<[WrittenShape]>>);
+
+impl Definitions {
+    fn of(shapes: &[WrittenShape]) -> Self {
+        let mut definitions = Self(Vec::new());
+        definitions.add_used(shapes);
+        definitions
+    }
+
+    fn add_used(&mut self, shapes: &[WrittenShape]) {
+        for definition in shapes.iter().filter_map(|shape| shape.used.as_ref()) {
+            if self.number(definition).is_none() {
+                self.add_used(definition);
+                self.0.push(Rc::clone(definition));
+            }
+        }
+    }
+
+    fn number(&self, definition: &Rc<[WrittenShape]>) -> Option<usize> {
+        self.0
+            .iter()
+            .position(|known| Rc::ptr_eq(known, definition))
+    }
+}
+
+/// Adds shapes, behind a prefix of their tables, with the words for the use of their materials.
+fn add_shapes<'u>(
+    text: &mut String,
+    language: Phrases,
+    shapes: &[WrittenShape],
+    definitions: &Definitions,
+    prefix: &str,
+    used: impl Fn(&WrittenShape) -> &'u str,
+) -> Result<(), String> {
     let (begin, end) = (language.word("mesh"), language.word("end of mesh"));
     for shape in shapes {
-        let used = &uses[shape.surface];
-        let words = shape::text(language, shape, used)?;
+        let used = used(shape);
+        let definition = shape.used.as_ref();
+        let name = definition.and_then(|definition| definitions.number(definition));
+        let name = name.map(|number| format!("d{number}"));
+        let words = shape::text(language, shape, name.as_deref(), prefix, used)?;
         // Triangles of one material become one mesh.
         let end = end.replace("[use]", used);
-        let is_more = text.ends_with(&end) && words.ends_with(&end);
+        let is_more = !begin.is_empty() && text.ends_with(&end) && words.ends_with(&end);
         let triangle = words.strip_prefix(&begin).filter(|_| is_more);
         text.truncate(text.len() - triangle.map_or(0, |_| end.len()));
-        text += triangle.unwrap_or(&words);
+        *text += triangle.unwrap_or(&words);
     }
-    Ok(text + &language.word("end"))
+    Ok(())
 }
 
 /// The picture, the camera, the background and the ambient light.

@@ -1,6 +1,6 @@
 //! `Item`: a table of a scene file with its values.
 
-use common::{ArgumentError, Color, text};
+use common::{ArgumentError, Color, Transfer, text};
 
 use crate::error::nearest;
 use crate::{Error, Key, Kind, Mesh};
@@ -10,12 +10,14 @@ use crate::{Error, Key, Kind, Mesh};
 pub enum Data {
     /// Finite numbers, row after row.
     Numbers(Vec<f64>),
+    /// A colour in bytes, and what it is in linear light.
+    Bytes([u8; 3], [f64; 3]),
     /// A text.
     Text(String),
     /// True or false.
     Flag(bool),
     /// The triangles of a file.
-    Mesh(Mesh),
+    Mesh(Box<Mesh>),
 }
 
 /// A table of a scene file.
@@ -29,11 +31,25 @@ pub struct Item {
     pub at: usize,
     /// Its values, with the names of their keys and their positions.
     pub values: Vec<(&'static str, usize, Data)>,
-    /// The tables in it, in the order of the file: steps and shapes of a group.
+    /// The tables in it, in the order of the file: steps, and shapes of a group.
     pub tables: Vec<Self>,
+    /// The index of the definition whose shapes are used here.
+    pub used: Option<usize>,
 }
 
 impl Item {
+    /// A table of this kind, name and position, without values.
+    pub(crate) fn new(kind: &'static Kind, name: &str, at: usize) -> Self {
+        Self {
+            kind,
+            name: name.to_owned(),
+            at,
+            values: Vec::new(),
+            tables: Vec::new(),
+            used: None,
+        }
+    }
+
     /// The value of a key, if it is there.
     #[must_use]
     pub fn find(&self, key: &str) -> Option<&Data> {
@@ -46,6 +62,7 @@ impl Item {
     pub fn find_rows<const M: usize, const N: usize>(&self, key: &str) -> Option<[[f64; M]; N]> {
         match self.find(key)? {
             Data::Numbers(numbers) => numbers.as_chunks().0.try_into().ok(),
+            Data::Bytes(_, numbers) => numbers.as_chunks().0.try_into().ok(),
             _ => None,
         }
     }
@@ -90,6 +107,41 @@ impl Item {
         }
     }
 
+    /// Whether its shapes have the same color or material as those of another table.
+    #[must_use]
+    pub fn has_surface_of(&self, other: &Self) -> bool {
+        let material = |item: &Self| match item.find("material") {
+            Some(Data::Text(name)) => Some(name.clone()),
+            _ => None,
+        };
+        let color = |item: &Self| item.find_rows::<3, 1>("color");
+        std::ptr::eq(self, other)
+            || material(self) == material(other) && color(self) == color(other)
+    }
+
+    /// The steps of its transform.
+    pub fn steps(&self) -> impl Iterator<Item = &Self> {
+        self.tables.iter().filter(|table| table.kind.name == "step")
+    }
+
+    /// The shapes in it.
+    pub fn shapes(&self) -> impl Iterator<Item = &Self> {
+        self.tables.iter().filter(|table| table.kind.name != "step")
+    }
+
+    /// Takes the colours in bytes as those of pictures with this transfer.
+    pub(crate) fn set_transfer(&mut self, transfer: Transfer) {
+        for (.., data) in &mut self.values {
+            if let Data::Bytes(bytes, linear) = data {
+                let channels = Color::from_bytes(*bytes);
+                *linear = channels.map(|channel| transfer.decode(channel)).channels();
+            }
+        }
+        for table in &mut self.tables {
+            table.set_transfer(transfer);
+        }
+    }
+
     /// Adds the notes about its meshes that are not there yet.
     pub(crate) fn add_notes(&self, notes: &mut Vec<String>) {
         for (.., data) in &self.values {
@@ -109,8 +161,22 @@ impl Item {
     /// The error of a missing key.
     #[must_use]
     pub fn lacks(&self, key: &str) -> Error {
-        let form = self.kind.key(key).map_or_else(String::new, Key::needed);
-        self.error(key, format!("{} lacks {key}, {form}", self.kind.name))
+        let known = self.kind.key(key);
+        let form = known.map_or_else(String::new, Key::needed);
+        let other = known.and_then(|known| {
+            let instead = known.other_key("instead of ");
+            instead.or_else(|| known.other_key("needed, or "))
+        });
+        let kind = self.kind.name;
+        let text = match other {
+            Some("color") => format!("{kind} lacks a color or a material"),
+            Some(other) => format!("{kind} lacks {key}, {form}, or {other}"),
+            None => format!("{kind} lacks {key}, {form}"),
+        };
+        Error {
+            is_missing: true,
+            ..self.error(key, text)
+        }
     }
 
     /// The item that a key names, or an error with the nearest name.
@@ -123,7 +189,11 @@ impl Item {
             let names: Vec<_> = items.iter().map(|item| item.name.as_str()).collect();
             let nearest = nearest(&names, name);
             let name = text::name(name);
-            self.error(key, format!("there is no {key} \"{name}\"{nearest}"))
+            let text = format!("there is no {key} \"{name}\"{nearest}");
+            Error {
+                is_missing: true,
+                ..self.error(key, text)
+            }
         })
     }
 
@@ -132,7 +202,11 @@ impl Item {
         made.map_err(|error| {
             let words = error.name.replace("centre", "center");
             let words = words.replace("half angle", "half_angle");
-            let key = words.split(' ').next().unwrap_or_default();
+            let words = words.replace("triangle", "corners");
+            let key = match words.split(' ').next().unwrap_or_default() {
+                "gaze" if self.find("gaze").is_none() => "look_at",
+                key => key,
+            };
             // Constructors take radians.
             let degrees = |key: &&Key| key.about.contains("degrees");
             let text = match self.kind.key(key).filter(degrees) {
@@ -147,7 +221,6 @@ impl Item {
     pub fn error(&self, key: &str, text: impl Into<String>) -> Error {
         let value = self.values.iter().find(|(name, ..)| *name == key);
         let at = value.map_or(self.at, |(_, at, _)| *at);
-        let text = text.into();
-        Error { at, text }
+        Error::new(at, text)
     }
 }

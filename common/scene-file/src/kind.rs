@@ -3,6 +3,8 @@
 
 use std::sync::{LazyLock, Mutex, PoisonError};
 
+use crate::Range;
+
 /// A kind of tables.
 #[derive(Debug)]
 pub struct Kind {
@@ -19,11 +21,16 @@ pub struct Kind {
 pub struct Key {
     /// Its name.
     pub name: &'static str,
-    /// The form of its value: `3 numbers`, `text`, or that of its tables.
+    /// The form of its value: `3 numbers`, `color`, `text`, or that of its tables.
     pub form: &'static str,
+    /// The range of its numbers, as [`Range::parse`] reads it; empty if it is no interval.
+    pub range: &'static str,
+    /// What a missing key means: `needed`, `needed, or` another key, `needed with` another key,
+    /// `instead of` another key, or the value that it then has.
+    pub missing: &'static str,
     /// The first stage that knows it.
     pub stage: u8,
-    /// Its meaning, unit and range.
+    /// Its meaning and unit.
     pub about: &'static str,
 }
 
@@ -42,10 +49,24 @@ impl Key {
         KINDS.iter().find(|kind| kind.form == self.form)
     }
 
+    /// The range of its numbers.
+    #[must_use]
+    pub fn limits(&self) -> Range {
+        Range::parse(self.range)
+    }
+
+    /// The other key in what a missing key means, behind these words.
+    #[must_use]
+    pub fn other_key(&self, words: &str) -> Option<&'static str> {
+        let other = self.missing.strip_prefix(words)?;
+        Some(other.trim_matches([' ', '`']))
+    }
+
     /// The form of its value, in words.
     #[must_use]
     pub fn needed(&self) -> String {
         match self.form {
+            "color" => "a color, such as [1, 0.5, 0], \"#ff8000\" or \"orange\"".to_owned(),
             "number" => "a finite number".to_owned(),
             "whole number" => "a whole number from 1".to_owned(),
             "text" => "a text in quotation marks".to_owned(),
@@ -74,6 +95,9 @@ pub(crate) struct OwnKind {
     pub key: Key,
 }
 
+/// The keys that `keys.md` lists for every shape.
+const OF_EVERY_SHAPE: [&str; 3] = ["color", "material", "transform"];
+
 impl OwnTable {
     /// The kind of this table. It is made once, and kept as those of `keys.md` are.
     pub(crate) fn kind(&self) -> &'static OwnKind {
@@ -83,23 +107,20 @@ impl OwnTable {
             return kind;
         }
         let form = &*format!("[[{}]]", self.name).leak();
-        let shapes = KINDS.iter().filter(|kind| are_shapes(kind.form));
-        let of_every_shape = shapes.flat_map(|kind| &kind.keys);
-        let of_every_shape = of_every_shape.filter(|key| ["color", "material"].contains(&key.name));
+        let spheres = KINDS.iter().filter(|kind| kind.name == "sphere");
+        let of_sphere = spheres.flat_map(|kind| &kind.keys);
+        let of_every_shape = of_sphere.filter(|key| OF_EVERY_SHAPE.contains(&key.name));
         let own = Box::leak(Box::new(OwnKind {
             kind: Kind {
                 name: self.name,
                 form,
-                keys: self
-                    .keys
-                    .iter()
-                    .chain(of_every_shape.take(2))
-                    .copied()
-                    .collect(),
+                keys: self.keys.iter().chain(of_every_shape).copied().collect(),
             },
             key: Key {
                 name: self.name,
                 form,
+                range: "",
+                missing: "",
                 stage: 0,
                 about: "",
             },
@@ -109,9 +130,18 @@ impl OwnTable {
     }
 }
 
-/// Whether tables of this form are shapes.
+/// Whether tables of this form are shapes, or hold some.
 fn are_shapes(form: &str) -> bool {
-    form.starts_with("[[") && !form.ends_with("_light]]")
+    form.starts_with("[[") && !form.ends_with("_light]]") || form == "[define.NAME]"
+}
+
+/// The tables in which shapes stand, besides the scene file itself.
+const WITH_SHAPES: [&str; 3] = ["group", "define", "repeat"];
+
+/// Whether shapes stand in tables of this kind: in the scene file itself, in groups, definitions
+/// and repeats.
+pub(crate) fn has_shapes(kind: &Kind) -> bool {
+    kind.form.is_empty() || WITH_SHAPES.contains(&kind.name)
 }
 
 /// The scene file itself, whose keys are the other kinds, and these in the order of the list.
@@ -128,25 +158,29 @@ pub static KINDS: LazyLock<Vec<Kind>> = LazyLock::new(|| {
         let key = Key {
             name,
             form,
+            range: cell(),
+            missing: cell(),
             stage: cell().parse().unwrap_or(0),
             about: cell(),
         };
         if table == "every shape" {
             let shapes = kinds.iter_mut().filter(|kind| are_shapes(kind.form));
-            shapes.for_each(|kind| kind.keys.push(key));
+            let without = shapes.filter(|kind| kind.key(name).is_none());
+            without.for_each(|kind| kind.keys.push(key));
         } else if let Some(known) = kinds.iter_mut().find(|kind| kind.form == table) {
             known.keys.push(key);
         } else {
             let name = table.trim_matches(['[', ']', '{', '}', ' ']);
             let name = name.trim_end_matches(".NAME");
             let form = table;
-            // Steps stand in a group only.
+            // Steps stand in a transform only.
             if name != "step" {
-                let about = "";
                 let key = Key {
                     name,
                     form,
-                    about,
+                    range: "",
+                    missing: "",
+                    about: "",
                     ..key
                 };
                 kinds[0].keys.push(key);
@@ -156,8 +190,10 @@ pub static KINDS: LazyLock<Vec<Kind>> = LazyLock::new(|| {
         }
     }
     let mut shapes = kinds[0].keys.clone();
-    shapes.retain(|key| are_shapes(key.form));
-    let groups = kinds.iter_mut().filter(|kind| kind.name == "group");
+    shapes.retain(|key| key.form.starts_with("[[") && are_shapes(key.form));
+    let groups = kinds
+        .iter_mut()
+        .filter(|kind| WITH_SHAPES.contains(&kind.name));
     groups.for_each(|group| group.keys.extend(&shapes));
     kinds
 });

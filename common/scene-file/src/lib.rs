@@ -5,8 +5,10 @@
 //! their positions. Each stage makes shapes, lights and materials of them with its own
 //! constructors, which check the ranges. The crate opens no file, so that it works in a browser.
 
+mod color_text;
 mod error;
 mod export;
+mod first_mistake;
 mod item;
 mod kind;
 mod mesh;
@@ -14,12 +16,18 @@ mod mistake;
 mod notes;
 mod numbers;
 mod phrases;
+mod range;
 mod reader;
+mod synonyms;
+mod uses;
 
+pub use color_text::names as color_names;
 pub use error::Error;
 pub use export::{WrittenShape, export};
+pub use first_mistake::FirstMistake;
 pub use item::{Data, Item};
 pub use kind::{KINDS, Key, Kind, OwnTable};
 pub use mesh::Mesh;
 pub use phrases::{POV_RAY, Phrases, TOML};
+pub use range::Range;
 pub use reader::{Meshes, SceneFile};

@@ -12,15 +12,25 @@ pub const BACKSLASH: &str = "in double quotation marks \\ begins a special chara
     between folders, or single quotation marks, such as 'models\\bunny.obj'";
 
 /// Beginnings of the parser's errors, and words for each.
-const MISTAKES: [(&str, &str); 14] = [
+const MISTAKES: [(&str, &str); 17] = [
     (
         "duplicate key",
         "this name is taken: a key stands once in its table, spheres, lights and the like have \
-         two pairs of brackets, as [[sphere]], and the shapes of a group stand behind its [[group]]",
+         two pairs of brackets, such as [[sphere]], and the shapes of a group stand behind its \
+         [[group]]",
     ),
     (
+        "invalid inline table element",
+        "the braces before this place have no } at their end, or lack a comma",
+    ),
+    (
+        "cannot recurse further",
+        "there are too many brackets inside each other",
+    ),
+    ("recursion limit", "this name has too many parts"),
+    (
         "string values must be",
-        "a text stands in quotation marks, and a list has commas, as [0, 1, 0]",
+        "a text stands in quotation marks, and a list has commas, such as [0, 1, 0]",
     ),
     (
         "missing comma between array elements",
@@ -44,7 +54,7 @@ const MISTAKES: [(&str, &str); 14] = [
     ),
     (
         "unexpected key or value",
-        "a line has one value, and a number a point, as 0.8",
+        "a line has one value, and a number has a point, such as 0.8",
     ),
     (
         "key with no value",
@@ -52,7 +62,7 @@ const MISTAKES: [(&str, &str); 14] = [
     ),
     (
         "invalid unquoted key",
-        "a name with other letters than a to z, digits, - and _ stands in quotation marks",
+        "keys have the letters a to z and _ only; a NAME with other ones stands in quotation marks",
     ),
     (
         "carriage return",
@@ -74,16 +84,70 @@ pub fn mistake(text: &str, error: &ParserError) -> Error {
     let span = error.span().unwrap_or_default();
     let at = text.floor_char_boundary(span.start);
     let message = error.message();
+    let line_start = text[..at].rfind('\n').map_or(0, |newline| newline + 1);
+    let line = text[line_start..].lines().next().unwrap_or_default();
+    if let Some((offset, letter)) = line.char_indices().find(|(_, letter)| is_unseen(*letter)) {
+        let unseen = letter.escape_unicode();
+        let text = format!("here is the character {unseen}, which nobody sees");
+        return Error::new(line_start + offset, text);
+    }
+    if message.starts_with("duplicate key")
+        && let Some(text) = duplicate(text, at)
+    {
+        return Error::new(at, visible(&text));
+    }
     if let Some((at, meant)) = meant(text, at, message) {
         let text = meant.to_owned();
-        return Error { at, text };
+        return Error::new(at, text);
     }
     let known = MISTAKES
         .iter()
         .find(|(begin, _)| message.starts_with(begin));
     let text = known.map_or_else(|| message.replace('\n', ", "), |(_, text)| text.to_string());
     let text = visible(&text);
-    Error { at, text }
+    Error::new(at, text)
+}
+
+/// Whether a character has no look, and no meaning in TOML.
+fn is_unseen(letter: char) -> bool {
+    letter.is_control() && !matches!(letter, '\n' | '\r' | '\t')
+}
+
+/// What is said about a name that stands a second time at this place, if the first is found.
+fn duplicate(text: &str, at: usize) -> Option<String> {
+    let line_start = text[..at].rfind('\n').map_or(0, |newline| newline + 1);
+    let line = text[line_start..].lines().next()?.trim();
+    let before = || (1_usize..).zip(text[..line_start].lines().map(str::trim));
+    let is_named = |line: &str, name: &str| {
+        let rest = line.strip_prefix(name);
+        rest.is_some_and(|rest| rest.trim_start().starts_with(['=', '.']))
+    };
+    let Some(header) = line.strip_prefix('[') else {
+        let name = text[at..].split(['=', '.', ' ', '\t']).next()?;
+        let number_of_header = before().filter(|(_, line)| line.starts_with('[')).last();
+        let first = number_of_header.map_or(1, |(number, _)| number);
+        let mut of_table = before().filter(|(number, _)| *number >= first);
+        let (number, _) = of_table.find(|(_, line)| is_named(line, name))?;
+        return Some(format!(
+            "{name} is in line {number} already: a key stands once in its table"
+        ));
+    };
+    let name = header.trim_start_matches('[').split(']').next()?;
+    let lists = header.starts_with('[');
+    let mut headers = before();
+    let (number, first) = headers.find(|(_, line)| {
+        let inside = line.trim_start_matches('[').split(']').next();
+        line.starts_with('[') && inside == Some(name)
+    })?;
+    Some(match (lists, first.starts_with("[[")) {
+        (true, false) => {
+            format!("[{name}] in line {number} needs two pairs of brackets, too: [[{name}]]")
+        }
+        (false, true) => {
+            format!("[[{name}]] is in line {number} already: write [[{name}]] here, too")
+        }
+        _ => format!("[{name}] is in line {number} already, and a table like it stands once"),
+    })
 }
 
 /// What was probably meant, and where.

@@ -21,7 +21,12 @@ impl SceneFile {
             ));
         }
         let mut bright = Vec::new();
-        let tables = [&self.materials, &self.lights, &self.shapes];
+        let tables = [
+            &self.materials,
+            &self.lights,
+            &self.shapes,
+            &self.definitions,
+        ];
         for item in tables.into_iter().flatten().chain([&self.world]) {
             add_bright_colors(item, &mut bright);
         }
@@ -40,12 +45,12 @@ impl SceneFile {
 /// Whether an item is a shape, or a group that has one.
 fn has_shape(item: &Item) -> bool {
     match item.kind.name {
-        "group" => item.tables.iter().any(has_shape),
-        kind => kind != "step",
+        "group" => item.shapes().any(has_shape),
+        _ => true,
     }
 }
 
-/// Adds the colours of an item that have channels above those of the brightest.
+/// Adds the colours of an item, and of those in it, that have channels above those of the brightest.
 fn add_bright_colors(item: &Item, bright: &mut Vec<Error>) {
     let is_light = item.kind.name.ends_with("_light");
     for (key, at, data) in &item.values {
@@ -66,7 +71,10 @@ fn add_bright_colors(item: &Item, bright: &mut Vec<Error>) {
                 "{key} [{given}] is brighter than 1; if 255 was meant as the brightest, divide it \
                  by 255"
             );
-            bright.push(Error { at: *at, text });
+            bright.push(Error::new(*at, text));
         }
+    }
+    for table in &item.tables {
+        add_bright_colors(table, bright);
     }
 }

@@ -1,20 +1,20 @@
 //! `SceneFile`: reads the tables of a scene file, and refuses unknown ones.
 
-use common::text;
+use common::{Color, Transfer, text};
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
+use crate::color_text;
 use crate::error::nearest;
-use crate::kind::OwnKind;
+use crate::kind::{OwnKind, has_shapes};
 use crate::mistake::{BACKSLASH, mistake};
 use crate::numbers::numbers;
-use crate::{Data, Error, Item, KINDS, Key, Kind, Mesh, OwnTable};
+use crate::synonyms::{form_of, known_for};
+use crate::uses::{self, MOST_COPIES, MOST_LEVELS, too_deep};
+use crate::{Data, Error, FirstMistake, Item, KINDS, Key, Kind, Mesh, OwnTable};
 
 /// Reads the mesh of this name, beside the scene file. The error is one clause.
 pub type Meshes<'a> = &'a dyn Fn(&str) -> Result<Mesh, String>;
-
-/// Most groups inside each other.
-const MOST_GROUPS: usize = 32;
 
 /// The tables of a scene file, each kind in the order of the file. Those that may be there once
 /// have no values if they are missing.
@@ -30,15 +30,21 @@ pub struct SceneFile {
     pub materials: Vec<Item>,
     /// The lights.
     pub lights: Vec<Item>,
-    /// The shapes that are in no group, and the groups.
+    /// The shapes that are in no group, the groups, and the uses of definitions.
     pub shapes: Vec<Item>,
+    /// The definitions, also those that the copies of a repeat are uses of.
+    pub definitions: Vec<Item>,
     /// Notes about the meshes that are drawn in another way than their files say, each a clause
     /// with the name of the file.
     pub notes: Vec<String>,
+    /// The first mistake in the tables. What is made of their values may have others, before it:
+    /// see [`FirstMistake`](crate::FirstMistake).
+    pub mistake: Option<Error>,
 }
 
 impl SceneFile {
-    /// Reads the text of a scene file for a stage, which may have tables of its own.
+    /// Reads the text of a scene file for a stage, which may have tables of its own. The error is a
+    /// text that is no TOML.
     pub fn read(
         text: &str,
         stage: u8,
@@ -46,28 +52,33 @@ impl SceneFile {
         meshes: Meshes,
     ) -> Result<Self, Error> {
         let table = DeTable::parse(text).map_err(|error| mistake(text, &error))?;
-        let reader = Reader {
+        let mut reader = Reader {
             text,
             stage,
             own: own_tables.iter().map(OwnTable::kind).collect(),
             meshes,
+            definitions: Vec::new(),
+            copies: 0.0,
+            mistake: None,
+            mistakes: 0,
         };
-        let missing = |kind: usize| reader.item(&KINDS[kind], "", 0, &DeTable::new(), 0);
+        let tables = reader.item(&KINDS[0], "", 0, table.get_ref(), 0).tables;
+        let missing = |kind: usize| Item::new(&KINDS[kind], "", 0);
         let mut file = Self {
-            picture: missing(1)?,
-            camera: missing(2)?,
-            world: missing(3)?,
+            picture: missing(1),
+            camera: missing(2),
+            world: missing(3),
             materials: Vec::new(),
             lights: Vec::new(),
             shapes: Vec::new(),
+            definitions: reader.definitions,
             notes: Vec::new(),
+            mistake: reader.mistake,
         };
-        let tables = reader.item(&KINDS[0], "", 0, table.get_ref(), 0)?.tables;
-        if tables.iter().all(|item| item.kind.name != "camera") {
-            return Err(Error {
-                at: 0,
-                text: "the file has no table [camera], with eye, gaze and angle".to_owned(),
-            });
+        let has_camera = tables.iter().any(|item| item.kind.name == "camera");
+        if !has_camera && file.mistake.is_none() {
+            let text = "the file has no table [camera], with eye, gaze and angle";
+            file.mistake = Some(Error::missing(0, text));
         }
         for item in tables {
             match item.kind.name {
@@ -75,14 +86,52 @@ impl SceneFile {
                 "camera" => file.camera = item,
                 "world" => file.world = item,
                 "material" => file.materials.push(item),
+                "define" => file.definitions.push(item),
                 name if name.ends_with("_light") => file.lights.push(item),
                 _ => file.shapes.push(item),
             }
         }
-        for shape in &file.shapes {
-            shape.add_notes(&mut file.notes);
+        if let Err(error) = uses::resolve(&mut file.shapes, &mut file.definitions) {
+            let mut first = FirstMistake::of(&file);
+            first.add(error);
+            file.mistake = first.result(Some(())).err();
+            // Nobody could follow the uses.
+            file.shapes.clear();
+            file.definitions.clear();
         }
+        let mut first = FirstMistake::of(&file);
+        for shape in file.shapes.iter().chain(&file.definitions) {
+            shape.add_notes(&mut file.notes);
+            check_materials(shape, &file.materials, &mut first);
+        }
+        file.mistake = first.result(Some(())).err();
         Ok(file)
+    }
+
+    /// Takes the colours in bytes as those of pictures with this transfer. After reading it is
+    /// the linear one.
+    pub fn set_transfer(&mut self, transfer: Transfer) {
+        self.world.set_transfer(transfer);
+        let lists = [
+            &mut self.materials,
+            &mut self.lights,
+            &mut self.shapes,
+            &mut self.definitions,
+        ];
+        for item in lists.into_iter().flatten() {
+            item.set_transfer(transfer);
+        }
+    }
+}
+
+/// Keeps the names of materials that are missing, in a table and those inside of it, also where
+/// all shapes have another one.
+fn check_materials(item: &Item, materials: &[Item], first: &mut FirstMistake) {
+    if item.find("material").is_some() {
+        first.keep(item.named("material", materials));
+    }
+    for table in item.shapes() {
+        check_materials(table, materials, first);
     }
 }
 
@@ -92,39 +141,40 @@ struct Reader<'a> {
     /// The tables of the stage that `keys.md` does not list.
     own: Vec<&'static OwnKind>,
     meshes: Meshes<'a>,
+    /// The shapes of repeats.
+    definitions: Vec<Item>,
+    /// The number of their copies.
+    copies: f64,
+    /// The first mistake. The parser sorts the keys by their names.
+    mistake: Option<Error>,
+    /// The number of mistakes.
+    mistakes: usize,
 }
 
 impl Reader<'_> {
-    /// A table of a kind in a number of groups, with its values and tables.
+    /// Keeps a mistake if it stands before the others.
+    fn keep(&mut self, error: Error) {
+        self.mistakes += 1;
+        if self.mistake.iter().all(|first| error.at < first.at) {
+            self.mistake = Some(error);
+        }
+    }
+
+    /// A table of a kind in a number of tables with shapes, with its values and tables.
     fn item(
-        &self,
+        &mut self,
         kind: &'static Kind,
         name: &str,
         at: usize,
         table: &DeTable,
-        groups: usize,
-    ) -> Result<Item, Error> {
-        if groups > MOST_GROUPS {
-            let text = format!("there are more than {MOST_GROUPS} groups inside each other");
-            return Err(Error { at, text });
+        level: usize,
+    ) -> Item {
+        let mistakes_before = self.mistakes;
+        let mut item = Item::new(kind, name, at);
+        if level > MOST_LEVELS {
+            self.keep(too_deep(&item));
+            return item;
         }
-        let mut item = Item {
-            kind,
-            name: name.to_owned(),
-            at,
-            values: Vec::new(),
-            tables: Vec::new(),
-        };
-        // The parser sorts the keys by their names; readers mend the first mistake of a file first.
-        let mut first_mistake: Option<Error> = None;
-        let mut keep = |error: Error| {
-            let is_first = first_mistake
-                .as_ref()
-                .is_none_or(|first| error.at < first.at);
-            if is_first {
-                first_mistake = Some(error);
-            }
-        };
         for (name, value) in table {
             let own = self.own_kind(kind, name.get_ref());
             let known = match own {
@@ -134,39 +184,37 @@ impl Reader<'_> {
             let key = match known {
                 Ok(key) => key,
                 Err(error) => {
-                    keep(error);
+                    self.keep(error);
                     continue;
                 }
             };
-            if groups > 0 && ["color", "material"].contains(&key.name) {
-                let text = "a shape in a group has the color or material of the outermost group";
-                keep(error(name, text.to_owned()));
-                continue;
-            }
             let Some(kind) = own.map(|own| &own.kind).or_else(|| key.tables()) else {
-                match self.data(key, value) {
+                match self.data(item.kind, key, value) {
                     Ok(data) => item.values.push((key.name, value.span().start, data)),
-                    Err(error) => keep(error),
+                    Err(error) => self.keep(error),
                 }
                 continue;
             };
-            let groups = groups + usize::from(item.kind.name == "group");
-            let tables = tables(key, value).unwrap_or_else(|error| {
-                keep(error);
-                Vec::new()
-            });
-            for (name, value) in tables {
-                let DeValue::Table(table) = value.get_ref() else {
-                    keep(wrong(key, value));
-                    continue;
-                };
-                match self.item(kind, name, value.span().start, table, groups) {
-                    Ok(table) => item.tables.push(table),
-                    Err(error) => keep(error),
+            let is_outermost = item.kind.form.is_empty();
+            let level = level + usize::from(has_shapes(item.kind) && !is_outermost);
+            match tables(key, value) {
+                Ok(tables) => {
+                    for (name, value) in tables {
+                        let DeValue::Table(table) = value.get_ref() else {
+                            self.keep(wrong(key, value));
+                            continue;
+                        };
+                        let table = self.item(kind, name, value.span().start, table, level);
+                        item.tables.push(table);
+                    }
                 }
+                Err(error) => self.keep(error),
             }
         }
         item.tables.sort_by_key(|table| table.at);
+        // A file may have many thousands of tables.
+        item.tables.shrink_to_fit();
+        item.values.shrink_to_fit();
         if let Some(is_smooth) = item.flag("smooth") {
             for (.., data) in &mut item.values {
                 if let Data::Mesh(mesh) = data {
@@ -174,7 +222,41 @@ impl Reader<'_> {
                 }
             }
         }
-        first_mistake.map_or(Ok(item), Err)
+        if item.kind.name == "repeat" && self.mistakes == mistakes_before {
+            self.repeat(&mut item);
+        }
+        item
+    }
+
+    /// Replaces the shapes of a repeat by uses of a definition of them.
+    fn repeat(&mut self, repeat: &mut Item) {
+        let count = repeat.number("count");
+        if repeat.find("translate").or(repeat.find("rotate")).is_none() {
+            self.keep(repeat.lacks("translate"));
+        }
+        match count {
+            Err(error) => self.keep(error),
+            Ok(count) if self.copies + count > MOST_COPIES => {
+                let text = format!(
+                    "the repeats of a file make at most {MOST_COPIES} copies; a repeat in another \
+                     one needs fewer"
+                );
+                self.keep(repeat.error("count", text));
+            }
+            Ok(count) => {
+                self.copies += count;
+                let tables = std::mem::take(&mut repeat.tables);
+                let is_step = |table: &Item| table.kind.name == "step";
+                let (steps, shapes) = tables.into_iter().partition(is_step);
+                let copies = uses::copies(repeat, self.definitions.len());
+                self.definitions.push(Item {
+                    tables: shapes,
+                    ..Item::new(repeat.kind, "", repeat.at)
+                });
+                repeat.tables = steps;
+                repeat.tables.extend(copies);
+            }
+        }
     }
 
     /// The stage's own kind of tables of this name, where shapes may stand.
@@ -196,17 +278,26 @@ impl Reader<'_> {
             None => (),
         }
         let known = |kind: &'static Kind| kind.keys.iter().filter(|key| key.stage <= own);
-        // A key of the camera at the top of the file, or the transform of a mesh.
-        let mut owners = KINDS[1..].iter().filter(|owner| {
-            let is_near = !owner.form.starts_with("[[") || owner.name == "group";
-            is_near && known(owner).any(|key| key.name == text)
-        });
-        let right = if let Some(owner) = owners.next() {
-            format!("; {} has it", owner.form)
+        let has = |kind: &'static Kind| known(kind).any(|key| key.name == text);
+        let own = self.own.iter().filter(|_| has_shapes(kind));
+        let own = own.map(|own| own.key.name);
+        let names: Vec<_> = known(kind).map(|key| key.name).chain(own).collect();
+        // A key of the camera at the top of the file, or a step beside a transform.
+        let mut owners = KINDS[1..]
+            .iter()
+            .filter(|owner| !owner.form.starts_with("[["));
+        let right = if known_for(&names, text).is_some() {
+            nearest(&names, text)
+        } else if let Some(form) = form_of(text).filter(|_| has_shapes(kind)) {
+            format!("; {form} can have this form")
+        } else if let Some(owner) = owners.find(|owner| has(owner)) {
+            match owner.name {
+                "step" => {
+                    "; it stands in a transform, such as transform = [{ rotate_y = 30 }]".to_owned()
+                }
+                _ => format!("; {} has it", owner.form),
+            }
         } else {
-            let own = self.own.iter().filter(|_| has_shapes(kind));
-            let own = own.map(|own| own.key.name);
-            let names: Vec<_> = known(kind).map(|key| key.name).chain(own).collect();
             nearest(&names, text)
         };
         Err(error(
@@ -215,20 +306,27 @@ impl Reader<'_> {
         ))
     }
 
-    /// The value of a key.
-    fn data(&self, key: &Key, value: &Spanned<DeValue>) -> Result<Data, Error> {
+    /// The value of a key of a table of a kind.
+    fn data(&self, kind: &Kind, key: &Key, value: &Spanned<DeValue>) -> Result<Data, Error> {
         match (key.form, value.get_ref()) {
             ("text", DeValue::String(file)) if key.name == "file" => {
                 let mesh = (self.meshes)(file);
                 let mut mesh = mesh.map_err(|reason| self.cannot_read(file, &reason, value))?;
                 mesh.file = file.to_string();
-                Ok(Data::Mesh(mesh))
+                Ok(Data::Mesh(Box::new(mesh)))
             }
             ("text", DeValue::String(text)) => Ok(Data::Text(text.to_string())),
             ("true or false", DeValue::Boolean(flag)) => Ok(Data::Flag(*flag)),
+            ("color", DeValue::String(color)) => {
+                let bytes = color_text::bytes(color).map_err(|reason| error(value, reason))?;
+                let linear = Color::from_bytes(bytes).channels();
+                Ok(Data::Bytes(bytes, linear))
+            }
             (form, numbers) => {
-                let numbers = self::numbers(numbers, form).map(Data::Numbers);
-                numbers.ok_or_else(|| wrong(key, value))
+                let form = if form == "color" { "3 numbers" } else { form };
+                let numbers = self::numbers(numbers, form).ok_or_else(|| wrong(key, value))?;
+                check_range(kind, key, &numbers).map_err(|text| error(value, text))?;
+                Ok(Data::Numbers(numbers))
             }
         }
     }
@@ -249,9 +347,24 @@ impl Reader<'_> {
     }
 }
 
-/// Whether shapes stand in tables of this kind: in the scene file itself, and in groups.
-fn has_shapes(kind: &Kind) -> bool {
-    kind.form.is_empty() || kind.name == "group"
+/// Whether all numbers are within the range of a key. The error is a clause.
+fn check_range(kind: &Kind, key: &Key, numbers: &[f64]) -> Result<(), String> {
+    let range = key.limits();
+    let Some(beyond) = numbers.iter().find(|number| !range.contains(**number)) else {
+        return Ok(());
+    };
+    let (kind, name) = (kind.name, key.name);
+    let (beyond, range) = (text::number(*beyond), range.words());
+    let degrees = if key.about.contains("in degrees") {
+        ", in degrees"
+    } else {
+        ""
+    };
+    Err(if numbers.len() == 1 {
+        format!("{kind}: {name} is {beyond}, but must be {range}{degrees}")
+    } else {
+        format!("{kind}: {name} has {beyond}, but its numbers must be {range}")
+    })
 }
 
 /// The tables of a key, with their names.
@@ -277,8 +390,7 @@ fn tables<'a>(
 
 /// An error at a value or a key.
 fn error<T>(at: &Spanned<T>, text: String) -> Error {
-    let at = at.span().start;
-    Error { at, text }
+    Error::new(at.span().start, text)
 }
 
 /// The error of a value in another form than its key has.

@@ -49,12 +49,15 @@ fn in_words(shape: &Shape) -> WrittenShape {
             let corners = triangle.corners.map(|corner| corner.to_array());
             ("triangle", vec![("corners", corners.as_flattened().into())])
         }
-        Shape::Transformed(_) | Shape::Other(_) => ("shape by formula", Vec::new()),
+        Shape::Transformed(_) | Shape::Instance(_) | Shape::Other(_) => {
+            ("shape by formula", Vec::new())
+        }
     };
     WrittenShape {
         key: Some(key),
         own_keys: &[],
         values,
+        used: None,
         transforms: Vec::new(),
         surface: 0,
     }

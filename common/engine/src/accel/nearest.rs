@@ -12,7 +12,7 @@ use crate::shape::{List, Primitive, Rays};
 pub(crate) struct NearestHits {
     /// A bit for each ray that hits anything.
     pub hit_mask: u32,
-    /// The hits, their normals turned against the rays.
+    /// The hits.
     pub hit: PacketHit,
     /// The surfaces that are hit.
     pub surfaces: [u32; 4],
@@ -48,6 +48,20 @@ impl NearestQuery {
             orders: Lanes::splat(-1.0),
             shapes: Lanes::ZERO,
         }
+    }
+
+    /// The same query for hits that are not behind these `t`.
+    pub fn not_behind(mut self, t: Lanes) -> Self {
+        // Hits at `t` count, too. NaN, the distance of a light of a student's own, is no limit.
+        let beyond = t.to_array().map(f64::next_up);
+        let beyond = beyond.map(|t| if t.is_nan() { f64::INFINITY } else { t });
+        self.t = Lanes::new(beyond);
+        self
+    }
+
+    /// The `t` of the nearest hits; the limit without a hit.
+    pub fn t(&self) -> Lanes {
+        self.t
     }
 
     /// A bit for each ray that hits anything.
@@ -118,9 +132,19 @@ impl Query for NearestQuery {
 }
 
 impl Shapes<'_> {
-    /// The hits of a query, shape by shape.
+    /// The hits of a query, shape by shape, with normals that are turned against the rays.
     #[inline]
     pub fn hits(&self, query: &NearestQuery) -> NearestHits {
+        let hits = self.hits_outwards(query);
+        NearestHits {
+            hit: hits.hit.facing(&query.rays.packet),
+            ..hits
+        }
+    }
+
+    /// The hits of a query, with normals that point out of the shapes.
+    #[inline]
+    pub fn hits_outwards(&self, query: &NearestQuery) -> NearestHits {
         let hit_mask = query.hit_mask();
         let mut hit = PacketHit::new([Hit::NONE; 4]);
         let mut surfaces = [0; 4];
@@ -149,7 +173,7 @@ impl Shapes<'_> {
         }
         NearestHits {
             hit_mask,
-            hit: hit.facing(&query.rays.packet),
+            hit,
             surfaces,
         }
     }

@@ -68,8 +68,9 @@ impl<L: List> ShapeList<L> {
     ) {
         steps::count(StepKind::Test, leaf.count.into());
         let active = (1 << leaf.count) - 1;
-        let t = <L::Shape<'_> as Primitive>::intersect(&self.four(leaf), ray, active);
         let t_max = Lanes::splat(query.t_max().as_array()[lane]);
+        let shapes = self.four(leaf);
+        let t = <L::Shape<'_> as Primitive>::intersect_before(&shapes, ray, active, t_max);
         let near = t.simd_le(t_max).to_bitmask() & active;
         if near == 0 {
             return;
@@ -102,7 +103,8 @@ impl<L: List> ShapeList<L> {
                 let active = query.active();
                 if active != 0 {
                     steps::count(StepKind::Test, active.count_ones().into());
-                    let t = <L::Shape<'_> as Primitive>::intersect(&shape, query.rays(), active);
+                    let (rays, t_max) = (query.rays(), *query.t_max());
+                    let t = <L::Shape<'_>>::intersect_before(&shape, rays, active, t_max);
                     let primitive = || self.shapes.get(index);
                     query.update(t, order, leaf.shape(i), primitive, shared);
                 }

@@ -53,6 +53,10 @@ impl<'a> Shapes<'a> {
             Shape::Disc(shape) => self.discs.with(own).push(shape),
             Shape::Transformed(shape) => self.transformed.with(own).push(shape),
             Shape::Other(shape) => self.others.with(own).push(shape),
+            Shape::Instance(_) => self.transformed.with(own).push(Transformed {
+                steps: Vec::new(),
+                shape: Box::new(shape),
+            }),
         }
     }
 
@@ -74,6 +78,21 @@ impl<'a> Shapes<'a> {
             Kind::Transformed => self.transformed.shapes[shape.index as usize].depth_error(),
             _ => 0.0,
         }
+    }
+
+    /// Whether a shape is an instance, whose test takes far longer than that of its bounds.
+    pub fn have_instances(&self) -> bool {
+        let mut transformed = self.transformed.shapes.iter();
+        transformed.any(|shape| matches!(*shape.shape, Shape::Instance(_)))
+    }
+
+    /// The largest depth error of a shape, in a space in which rays have directions of any length.
+    pub fn largest_depth_error(&self) -> f64 {
+        let errors = self.ids().map(|id| {
+            let index = id.index as usize;
+            with_list!(self, id.kind, |list| list.shapes.get(index).depth_error())
+        });
+        errors.fold(0.0, f64::max)
     }
 
     /// Order and surface of a shape.

@@ -9,6 +9,7 @@ use std::ops::ControlFlow;
 use std::slice;
 
 use arrayvec::ArrayVec;
+use glam::DVec3;
 use wide::f32x8;
 
 use super::Accelerator;
@@ -59,15 +60,31 @@ impl Accelerator<'_> {
             self.test_all(&self.unbounded, queries, shared);
             self.traverse_packets(tree, &bundle, queries, shared);
         } else if let [query] = queries {
-            self.test_all(&self.unbounded, slice::from_mut(query), shared);
-            let rays = query.rays().packet.to_rays();
-            for lane in bits(query.active()) {
-                self.traverse_ray(tree, &rays[lane], query, lane, shared);
-            }
+            self.traverse_ray_by_ray(tree, query, shared);
         } else {
             let (some, others) = queries.split_at_mut(queries.len() / 2);
             self.traverse_after_guess(some, shared);
             self.traverse_after_guess(others, shared);
+        }
+    }
+
+    /// Carries out a query whose rays may have directions of any length.
+    pub fn traverse_rays<Q: Query>(&self, query: &mut Q, shared: &mut Q::Shared) {
+        match &self.tree {
+            _ if query.active() == 0 => (),
+            _ if !self.linear_scan.is_empty() => {
+                self.test_all(&self.linear_scan, slice::from_mut(query), shared);
+            }
+            Some(tree) => self.traverse_ray_by_ray(tree, query, shared),
+            None => self.test_all(&self.unbounded, slice::from_mut(query), shared),
+        }
+    }
+
+    fn traverse_ray_by_ray<Q: Query>(&self, tree: &Bvh, query: &mut Q, shared: &mut Q::Shared) {
+        self.test_all(&self.unbounded, slice::from_mut(query), shared);
+        let rays = query.rays().packet.to_rays();
+        for lane in bits(query.active()) {
+            self.traverse_ray(tree, &rays[lane], query, lane, shared);
         }
     }
 
@@ -106,7 +123,7 @@ impl Accelerator<'_> {
     }
 
     /// Carries out the query of one ray, which is that of a lane. Visits all leaves if the ray does
-    /// not fit into the space of the tree.
+    /// not fit into the space of the tree, where its direction has the length 1.
     #[inline(never)]
     fn traverse_ray<Q: Query>(
         &self,
@@ -117,7 +134,12 @@ impl Accelerator<'_> {
         shared: &mut Q::Shared,
     ) {
         let rays = Rays::one(ray);
-        let t_max = |query: &Q| tree.space.t_max(query.t_max().as_array()[lane]);
+        let length = length_unless_1(ray.direction);
+        let in_tree = Ray {
+            direction: ray.direction / length,
+            ..*ray
+        };
+        let t_max = |query: &Q| tree.space.t_max(query.t_max().as_array()[lane] * length);
         let first_t_max = t_max(query);
         let mut visit = |leaf: Leaf| {
             with_list!(self.shapes, leaf.kind, |list| list
@@ -127,7 +149,7 @@ impl Accelerator<'_> {
             }
             ControlFlow::Continue(t_max(query))
         };
-        let _ = match Slabs::of_ray(&tree.space, ray) {
+        let _ = match Slabs::of_ray(&tree.space, &in_tree) {
             Some(slabs) => tree.traverse(&slabs, first_t_max, |leaf, _, _| visit(leaf)),
             None => tree.visit_all(visit),
         };
@@ -147,6 +169,17 @@ impl Accelerator<'_> {
             with_list!(self.shapes, leaf.kind, |list| list
                 .test_packets(leaf, queries, tested, shared));
         }
+    }
+}
+
+/// The length of a direction; 1 if it is not clearly another one.
+#[inline]
+fn length_unless_1(direction: DVec3) -> f64 {
+    let squared = direction.length_squared();
+    if (squared - 1.0).abs() < 1e-9 {
+        1.0
+    } else {
+        squared.sqrt()
     }
 }
 

@@ -1,6 +1,8 @@
 //! Tests of `flatten`: compared with exact arithmetic, the errors of both ways to
 //! transform a ray add up to less than the bound.
 
+use glam::DVec3;
+
 use super::*;
 use crate::Ray;
 use crate::adaptive::PixelRandom;

@@ -40,6 +40,13 @@ pub(crate) trait Primitive: Copy {
     /// anything.
     fn intersect(shapes: &Self::Four, rays: &Rays, active: u32) -> Lanes;
 
+    /// Like [`Primitive::intersect`], but a hit behind `t_max` may be left out. Shapes that take long
+    /// to find their hits use it.
+    #[inline]
+    fn intersect_before(shapes: &Self::Four, rays: &Rays, active: u32, _t_max: Lanes) -> Lanes {
+        Self::intersect(shapes, rays, active)
+    }
+
     /// The hits of four rays at these `t`, which `intersect` has found in the active lanes.
     fn hits(self, rays: &Rays, t: Lanes, active: u32) -> PacketHit;
 

@@ -6,7 +6,7 @@
 
 use common::steps::{self, StepKind};
 
-use super::transform::norm;
+use super::transform::spectral_norm;
 use super::transformed_bounds::transformed_bounds;
 use super::{Bounds, Counts, Primitive, Rays, Shape, Transform};
 use crate::lanes::{Lanes, PacketHit, RayPacket};
@@ -81,10 +81,10 @@ impl Primitive for &Transformed<'_> {
         transformed_bounds(&self.steps, |along| self.shape.support(along))
     }
 
-    /// No transform makes a length longer than by its norm.
+    /// No transform makes a length longer than by its norm, which is rounded.
     fn depth_error(self) -> f64 {
-        let norms = self.steps.iter().map(|step| norm(step.matrix));
-        norms.product::<f64>() * self.shape.depth_error()
+        let norms = self.steps.iter().map(|step| spectral_norm(step.matrix));
+        norms.product::<f64>() * (1.0 + 1e-9) * self.shape.depth_error()
     }
 
     #[inline]
@@ -96,6 +96,17 @@ impl Primitive for &Transformed<'_> {
     fn intersect(shape: &Self, rays: &Rays, active: u32) -> Lanes {
         shape.count(active);
         shape.shape.intersect(&shape.rays_inside(rays), active)
+    }
+
+    #[inline]
+    fn intersect_before(shape: &Self, rays: &Rays, active: u32, t_max: Lanes) -> Lanes {
+        match &*shape.shape {
+            Shape::Instance(instance) => {
+                shape.count(active);
+                instance.nearest_before(&shape.rays_inside(rays), active, t_max)
+            }
+            _ => Self::intersect(shape, rays, active),
+        }
     }
 
     fn hits(self, rays: &Rays, t: Lanes, active: u32) -> PacketHit {

@@ -17,9 +17,16 @@ use crate::{KINDS, Phrases};
 /// the exponent n changes by at most 2 sqrt(n / e) times as much: a quarter of a step for n = 1000.
 const DISTINCT: f64 = 1.2e-5;
 
-/// A shape, and the use of its material.
-pub fn text(language: Phrases, shape: &WrittenShape, used: &str) -> Result<String, String> {
-    let (mut text, mut groups, mut transforms) = (String::new(), String::new(), String::new());
+/// A shape, or the use of a definition of this name, behind a prefix of its table, and the use of its
+/// material.
+pub fn text(
+    language: Phrases,
+    shape: &WrittenShape,
+    definition: Option<&str>,
+    prefix: &str,
+    used: &str,
+) -> Result<String, String> {
+    let (mut text, mut groups, mut transforms) = (String::new(), prefix.to_owned(), String::new());
     let mut used = used;
     for Transform { matrix, inverse } in &shape.transforms {
         let columns = [0, 1, 2, 3].map(|i| matrix.col(i).truncate().to_array());
@@ -34,9 +41,12 @@ pub fn text(language: Phrases, shape: &WrittenShape, used: &str) -> Result<Strin
         groups += "group.";
         used = "";
     }
-    text += &words(language, shape)?
-        .replace("[groups]", &groups)
-        .replace("[use]", used);
+    let words = match definition {
+        Some(name) => language.find("use", "", &[])?.replace("[name]", name),
+        None => words(language, shape)?,
+    };
+    // The table of a use, [[use]], is no place for the use of a material.
+    text += &words.replace("[use]", used).replace("[groups]", &groups);
     Ok(text.replace("[transforms]", &transforms))
 }
 
