@@ -64,6 +64,10 @@ pub fn complaints(files: &Files) -> Vec<String> {
             if is_command && line.contains(" #") {
                 complain("zsh and cmd.exe know no comments at the prompt");
             }
+            let next = text[at + line.len()..].trim_start_matches(['\r', '\n']);
+            if line == "cargo learn" && !next.starts_with("```") {
+                complain("it would read the commands behind it as keys");
+            }
             let is_first = FIRST_PAGES.contains(&path) && language == "sh";
             // The handout's page gets the name of its last stage.
             let line = line.replace("{stage}", "");
