@@ -79,3 +79,60 @@ fn is_same(e: &Exercise, one: &Cause, other: &Cause) -> Result<bool, String> {
     let record = Record::read(&files::read(&file)?)?;
     Ok(answer_alike(&record, one, other))
 }
+
+#[cfg(test)]
+mod tests {
+    use ::exercise::{Answer, Question, StudentAnswer};
+
+    use super::super::outcome::{Judged, Outcome};
+    use super::*;
+
+    #[test]
+    fn equal_mistakes_are_one_and_the_most_frequent_is_first() {
+        let exercise = crate::exercise::find("signed_distance").unwrap();
+        let answers = |first: f64| Cause::Answers {
+            given: vec![StudentAnswer {
+                question: Question::default(),
+                answer: Some(Answer::from(first)),
+            }],
+            first: "must be 1".to_owned(),
+        };
+        let known = || Cause::Known("overlooks that n may have any length".to_owned());
+        let mut graded = Vec::new();
+        for (name, cause) in [
+            ("ada", Some(known())),
+            ("bob", Some(answers(1.5))),
+            ("cy", Some(answers(1.5 + 4e-16))),
+            ("dan", Some(answers(2.5))),
+            ("eve", None),
+            ("fay", Some(answers(1.5))),
+            ("gil", Some(known())),
+        ] {
+            let outcome = Outcome {
+                cause,
+                ..Outcome::not_handed_in()
+            };
+            graded.push(Graded {
+                name: name.to_owned(),
+                results: vec![Judged {
+                    exercise,
+                    file: String::new(),
+                    outcome,
+                    most: 1.0,
+                    points: 0.0,
+                }],
+            });
+        }
+        let mut rows = Vec::new();
+        for mistake in mistakes(&graded).unwrap() {
+            rows.push((mistake.kind(), mistake.names.join(" ")));
+        }
+        let row = |kind, names: &str| (kind, names.to_owned());
+        let expected = [
+            row("unknown", "bob cy fay"),
+            row("known", "ada gil"),
+            row("unknown", "dan"),
+        ];
+        assert_eq!(rows, expected);
+    }
+}

@@ -140,3 +140,22 @@ impl Graded {
 fn in_hundredths(sum: f64) -> f64 {
     (sum * 100.0).round() / 100.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_right_solution_has_all_points() {
+        let mut wrong = Outcome::without_answers("not yet".to_owned());
+        assert_eq!(points(&wrong, 2.0, true), 0.0);
+        wrong.fraction = 0.375;
+        assert_eq!(points(&wrong, 2.0, true), 0.75);
+        assert_eq!(points(&wrong, 2.0, false), 0.0);
+        // One answer of a thousand is wrong.
+        wrong.fraction = 0.999;
+        assert_eq!(points(&wrong, 1.0, true), 0.99);
+        assert_eq!(points(&Outcome::right(), 1.5, false), 1.5);
+        assert_eq!(points(&Outcome::needs_a_look("2 copies"), 1.5, true), 0.0);
+    }
+}

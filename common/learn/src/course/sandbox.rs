@@ -140,3 +140,45 @@ fn end(code: Option<i32>) -> End {
         _ => End::Limit("time, memory, processes or the size of a file"),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn students_read_no_folder_of_the_grader() {
+        let folder = files::workspace().join("target/grading/1");
+        let workspace = files::workspace().display().to_string();
+        let output = format!(
+            "cannot write {}/workbook/out/a.png\n\
+             {INSIDE}/workbook/a01/exercises/a.rs:1\n\
+             {INSIDE}/target/debug/a\n\
+             {workspace}/book/src/a.md\n\
+             {}the answers",
+            folder.display(),
+            exercise::MARK,
+        );
+        let ended = Ended {
+            end: end(Some(1)),
+            output,
+        };
+        let words = Sandbox { folder }.words(&ended, "not yet");
+        let without =
+            "not yet\ncannot write out/a.png\na01/exercises/a.rs:1\ndebug/a\nbook/src/a.md";
+        assert_eq!(words, without);
+    }
+
+    #[test]
+    fn the_limit_that_stops_a_program_is_named() {
+        // 128 and the numbers of SIGKILL, SIGXFSZ and SIGABRT.
+        for (code, limit) in [
+            (137, "time"),
+            (153, "the size of a file"),
+            (134, "memory, or of the depth of calls"),
+        ] {
+            assert_eq!(end(Some(code)), End::Limit(limit));
+        }
+        assert_eq!(end(Some(101)), End::Failure);
+        assert_eq!(end(Some(3)), End::Begun);
+    }
+}
