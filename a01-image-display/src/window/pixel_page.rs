@@ -54,8 +54,6 @@ impl Screen {
                 self.ui.text(0, text, &panel.samples);
                 self.ui.text(0, muted, SYMBOLS);
                 self.add_steps(&panel.trace);
-                self.ui
-                    .text(0, text, "A click on a line copies its values.");
             }
         }
     }
@@ -77,6 +75,10 @@ impl Screen {
             if self.ui.clicked_in_panel(area) {
                 self.copy(&values(step));
             }
+        }
+        if let more @ 1.. = trace.steps.len().saturating_sub(MOST_STEPS) {
+            let hint = format!("{more} more steps are in the copy of all numbers.");
+            self.ui.text(0, self.ui.colors.text, &hint);
         }
     }
 
