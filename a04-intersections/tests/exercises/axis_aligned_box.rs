@@ -10,6 +10,11 @@ type Other = Variant<Code>;
 pub fn exercise() -> Exercise<Code> {
     Exercise {
         picture: scene("scene-3", scene_3, ([-0.5, 0.0, -0.5], [0.5, 1.0, 0.5])),
+        remark: Some(|new: &Code| {
+            corpus("box", &|x: &[f64]| {
+                new(([x[0], x[1], x[2]], [x[3], x[4], x[5]]))
+            })
+        }),
         right: vec![Other::new(
             "all axes at once",
             slabs(Style {

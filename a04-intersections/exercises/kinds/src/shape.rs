@@ -13,6 +13,7 @@ use testing::exercises::{
     Answer, CodeQuestion, Exercise, Input, Made, Questions, Random, Variant, random, searched,
 };
 
+use crate::corpus::corpus;
 use crate::rays::{self, Found, RAY, RayWithin, ray_within};
 
 /// A shape of any type.
@@ -345,10 +346,12 @@ fn within_faces() -> Vec<RayWithin> {
     within
 }
 
-/// A remark: the worst ray and shape for a formula, whose shape some numbers describe.
+/// A remark: the worst ray and shape for a formula, whose shape some numbers describe, and how it
+/// answers the corpus of ray failures.
 pub fn search(name: &str, new: &dyn Fn(&[f64]) -> Made<Shape>) -> Result<String, Error> {
     let subject = Subject::named(&SUBJECTS, name)?;
     let t = |x: &[f64], ray: &Ray| Some(new(x).ok()?.hit(ray, Interval::AHEAD)?.t);
     // A learner waits for it.
-    Ok(subject.in_words("your formula", &subject.worst(&t, INPUTS / 10)))
+    let worst = subject.in_words("your formula", &subject.worst(&t, INPUTS / 10));
+    Ok(format!("{worst}\n{}", corpus(name, new)?))
 }

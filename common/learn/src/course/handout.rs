@@ -14,7 +14,7 @@ use crate::files::{self, with_path};
 const README: &str = include_str!("../../handout/README.md");
 
 /// The files and folders that are handed out.
-const PARTS: [&str; 9] = [
+const PARTS: [&str; 15] = [
     ".cargo",
     ".gitignore",
     "Cargo.lock",
@@ -24,6 +24,13 @@ const PARTS: [&str; 9] = [
     "common",
     "book/src",
     "a0*",
+    // What checks of exercises ask.
+    "corpus/Cargo.toml",
+    "corpus/README.md",
+    "corpus/cases.toml",
+    "corpus/single.toml",
+    "corpus/results",
+    "corpus/src",
 ];
 
 /// For lecturers: writes a workbook for students
