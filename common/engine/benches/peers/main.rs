@@ -1,11 +1,12 @@
 //! The engine beside the ray tracers that a student could install.
 //!
-//! ```console
-//! $ apt-get install povray tachyon time
-//! $ cargo bench -p engine --bench peers                                all scenes
-//! $ cargo bench -p engine --bench peers -- torus cloud --size 640x480  two of them, small
-//! $ cargo bench -p engine --bench peers -- --alone --rounds 20  the gain of the second thread
+//! ```sh
+//! apt-get install povray tachyon time
+//! cargo bench --config .cargo/native.toml -p engine --bench peers
 //! ```
+//!
+//! Behind `--`, `torus cloud --size 640x480` takes two scenes, small, and `--alone --rounds 20` measures
+//! the gain of the second thread. The configuration builds for the processor at hand.
 //!
 //! The columns of a missing program have no numbers, nor those of Tachyon in the scene
 //! `nodes`, because it has none. Scenes and pictures stay in `target/tmp/peers/`.
