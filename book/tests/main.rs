@@ -7,6 +7,7 @@ mod arrows;
 mod caption;
 mod commands;
 mod files;
+mod forgotten;
 mod include;
 mod left_over;
 mod lesson_length;
@@ -41,6 +42,8 @@ checks! {
     crates_read_no_files_outside_of_them: upwards::complaints;
     only_rows_and_renderers_know_the_engine: arrows::complaints;
     each_function_on_the_way_of_a_ray_calls_the_next: way_of_a_ray::complaints;
+    each_described_type_has_a_row: forgotten::types_without_a_row;
+    each_file_of_tests_is_compiled: forgotten::tests_without_a_name;
     lesson_files_are_short: lesson_length::complaints;
     the_table_of_the_corpus_is_that_of_its_results: who_passes::complaints;
 }

@@ -1,10 +1,11 @@
 //! The steps behind a pixel add up to the pixel of the picture, in all traced scenes.
 
 use std::collections::BTreeSet;
-use std::fs;
 
 use common::steps::{Step, StepKind};
 use common::{Color, PixelTrace, Renderer, Scene, Settings, Size};
+
+use crate::rows::assert_in_the_book;
 
 fn scenes() -> Vec<Scene> {
     let scenes = [
@@ -73,14 +74,7 @@ fn the_steps_of_a_pixel_add_up_to_its_colour() {
     }
     assert!(sections.len() > 15, "{sections:?}");
     for section in sections {
-        let (page, anchor) = section.split_once('#').unwrap();
-        let page = fs::read_to_string(format!("../book/src/{page}")).expect(section);
-        let headings = page.lines().filter_map(|line| line.strip_prefix("## "));
-        let mut anchors = headings.map(|heading| {
-            let kept = heading.replace([':', ',', '?'], "");
-            kept.replace(' ', "-").to_lowercase()
-        });
-        assert!(anchors.any(|known| known == anchor), "no {section}");
+        assert_in_the_book(section);
     }
 }
 

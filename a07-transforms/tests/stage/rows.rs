@@ -1,10 +1,14 @@
 //! The rows of shapes and lights, and the tables of scene files.
 
 use std::collections::BTreeSet;
+use std::fs;
 
 use a05_lighting::kinds::LIGHTS;
 use a07_transforms::kinds::KINDS;
-use scene_file::KINDS as TABLES;
+use common::Color;
+use scene_file::{KINDS as TABLES, Key};
+
+use crate::scene_keys::{open, picture};
 
 /// The names of tables that are listed in the file, and not once. A repeat is no shape: its copies
 /// are uses.
@@ -42,4 +46,104 @@ fn each_row_of_shapes_has_a_table_and_each_table_a_row() {
 fn each_table_of_lights_has_a_row() {
     let rows: BTreeSet<_> = LIGHTS.0.iter().map(|row| row.key).collect();
     assert_eq!(rows, listed(true));
+}
+
+/// Checks that the book has the section that a row or a step names, as `PAGE.md#heading`.
+pub fn assert_in_the_book(section: &str) {
+    let (page, anchor) = section.split_once('#').expect(section);
+    let page = fs::read_to_string(format!("../book/src/{page}")).expect(section);
+    let headings = page.lines().filter_map(|line| line.strip_prefix("## "));
+    let mut anchors = headings.map(|heading| {
+        let kept = heading.replace([':', ',', '?'], "");
+        kept.replace(' ', "-").to_lowercase()
+    });
+    assert!(
+        anchors.any(|known| known == anchor),
+        "the book has no {section}"
+    );
+}
+
+#[test]
+fn the_book_has_the_section_of_each_row() {
+    for row in KINDS.rows() {
+        assert_in_the_book(row.section);
+    }
+}
+
+/// The keys of the table of a row that have numbers: those of every shape have none.
+fn keys(table: &str) -> Vec<Key> {
+    let own = KINDS.own_tables();
+    let own = own.iter().find(|own| own.name == table);
+    let listed = TABLES.iter().find(|kind| kind.name == table);
+    let mut keys = match own {
+        Some(own) => own.keys.to_vec(),
+        None => listed.expect(table).keys.clone(),
+    };
+    keys.retain(|key| key.form.contains("number"));
+    keys
+}
+
+/// Random numbers in the form of a key, such as `3 x 3 numbers`: distinct, and from 0.1 to 1.6.
+fn numbers(form: &str, seed: &mut u64) -> String {
+    let mut number = || {
+        *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        format!(
+            "{:.3}",
+            0.1 + (*seed >> 33) as f64 / f64::from(1 << 30) * 0.75
+        )
+    };
+    let counts: Vec<usize> = form
+        .split(' ')
+        .filter_map(|word| word.parse().ok())
+        .collect();
+    match counts[..] {
+        [] => number(),
+        [count] => list(&mut number, count),
+        [rows, columns, ..] => {
+            let rows: Vec<_> = (0..rows).map(|_| list(&mut number, columns)).collect();
+            format!("[{}]", rows.join(", "))
+        }
+    }
+}
+
+fn list(number: &mut impl FnMut() -> String, count: usize) -> String {
+    let numbers: Vec<_> = (0..count).map(|_| number()).collect();
+    format!("[{}]", numbers.join(", "))
+}
+
+/// A scene with a shape of this table; every other one has the keys, too, that may be missing.
+fn scene(table: &str, seed: u64) -> String {
+    let mut state = seed;
+    let mut values = Vec::new();
+    for key in keys(table) {
+        if key.missing.starts_with("needed") || seed % 2 == 1 {
+            values.push(format!("{} = {}", key.name, numbers(key.form, &mut state)));
+        }
+    }
+    let values = values.join("\n");
+    format!(
+        "[camera]\neye = [1, 1.2, 7]\nlook_at = [0.7, 0.7, 0.7]\nangle = 40\n\
+        [world]\nambient = [0.2, 0.2, 0.2]\n[material.red]\ndiffuse = [1, 0.5, 0.5]\n\
+        [[point_light]]\ncolor = [1, 1, 1]\nposition = [3, 4, 5]\n\
+        [[{table}]]\nmaterial = \"red\"\n{values}\n"
+    )
+}
+
+/// A shape of each row that has numbers of its own, so that no row lacks a value in its export, and
+/// none is drawn differently by a renderer.
+#[test]
+fn a_shape_of_each_row_is_drawn_by_all_renderers_and_exported() {
+    for row in KINDS.rows() {
+        if keys(row.key).is_empty() {
+            // Meshes and groups consist of other shapes.
+            continue;
+        }
+        let mut seen = 0;
+        let valid = (0..1000).map(|seed| scene(row.key, seed));
+        for text in valid.filter(|text| open(text).is_ok()).take(20) {
+            let image = picture(&text, [16, 12]);
+            seen += u32::from(image.pixels().iter().any(|color| *color != Color::BLACK));
+        }
+        assert!(seen >= 5, "{}: {seen} shapes are seen", row.key);
+    }
 }

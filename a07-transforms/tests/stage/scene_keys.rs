@@ -9,7 +9,7 @@ use a07_transforms::stage;
 use common::{Color, Image, Renderer, Scene, Settings, Size, Transfer};
 
 /// A scene of a text, beside a mesh of six triangles.
-fn open(text: &str) -> Result<Scene, String> {
+pub fn open(text: &str) -> Result<Scene, String> {
     let folder = tempfile::tempdir().unwrap();
     let mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\n\
                 f 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\nf 5 3 4\nf 1 3 5\n";
@@ -24,7 +24,7 @@ fn open(text: &str) -> Result<Scene, String> {
 }
 
 /// The picture of this size, which must be the same by all renderers, and from the scene's export.
-fn picture(text: &str, size: [u32; 2]) -> Image {
+pub fn picture(text: &str, size: [u32; 2]) -> Image {
     let scene = open(text).unwrap();
     let settings = |renderer| Settings {
         size: Size::new(size[0], size[1]).unwrap(),

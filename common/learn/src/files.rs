@@ -76,23 +76,29 @@ pub fn starter(exercise: &Exercise) -> Result<String, String> {
         }
     }
     let solution = read(&format!("{stage}/exercises/solutions/{name}.rs"))?;
-    Ok(without_code(&solution))
+    without_code(&solution)
+        .map_err(|error| format!("{stage}/exercises/solutions/{name}.rs: {error}"))
 }
 
 /// Leaves out the code of each `missing!("what", for_now, {`, which ends with a line `})` of the
-/// same indent.
-fn without_code(solution: &str) -> String {
+/// same indent. The error is a clause.
+fn without_code(solution: &str) -> Result<String, String> {
     let mut parts = solution.split("missing!(");
     let mut starter = parts.next().unwrap_or_default().to_owned();
     for part in parts {
         let line = starter.lines().last().unwrap_or_default();
         let indent = &line[..line.len() - line.trim_start().len()];
         let end = format!("\n{indent}}})");
-        let (arguments, code) = part.split_once(", {").unwrap_or_default();
-        let (_, rest) = code.split_once(&end).unwrap_or_default();
+        let parts = part.split_once(", {");
+        let parts = parts.and_then(|(arguments, code)| Some((arguments, code.split_once(&end)?.1)));
+        let Some((arguments, rest)) = parts else {
+            return Err(
+                "a `missing!(…, {` must end with a line `})` of the same indent".to_owned(),
+            );
+        };
         starter += &["testing::missing(", arguments, ")", rest].concat();
     }
-    starter
+    Ok(starter)
 }
 
 /// Whether the student has changed the file.
