@@ -72,7 +72,7 @@ impl Basis {
     }
 }
 
-/// The field of view of a camera: the tangent of half the vertical opening angle,
+/// The field of view of a camera: the tangent of half the vertical field of view,
 /// which is half the height of a picture at distance 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct FieldOfView {
@@ -80,11 +80,11 @@ pub(crate) struct FieldOfView {
 }
 
 impl FieldOfView {
-    /// From the full vertical opening angle in radians: above 0 and below π.
+    /// From the full vertical field of view in radians: above 0 and below π.
     pub fn new(angle: f64) -> Result<Self, ArgumentError> {
         // Below 1e-100 the picture's distance would exceed the limit of lengths.
         let valid = (1e-100..std::f64::consts::PI).contains(&angle);
-        let allowed = "the full opening angle in radians: from 1e-100 to less than pi";
+        let allowed = "the full field of view in radians: from 1e-100 to less than pi";
         argument::check("angle", angle, valid, allowed)?;
         Ok(Self {
             half_tangent: libm::tan(angle / 2.0),

@@ -14,7 +14,7 @@ pub struct PinholeCamera {
 }
 
 impl PinholeCamera {
-    /// A camera with the full vertical opening angle `alpha` in radians: above 0
+    /// A camera with the full vertical field of view `alpha` in radians: above 0
     /// and below π.
     pub fn new(origin: Point3, alpha: f64) -> Result<Self, ArgumentError> {
         Ok(Self {

@@ -9,7 +9,7 @@ use crate::{PinholeCamera, StripeRule, StripedSky, View};
 
 const STRIPES: u32 = 10;
 
-/// A camera at the origin with an opening angle of 90 degrees, and a sky whose
+/// A camera at the origin with a field of view of 90 degrees, and a sky whose
 /// stripes fill a picture of this size.
 pub fn striped_sky(size: Size, rule: StripeRule) -> Result<View<StripedSky>, ArgumentError> {
     let camera = PinholeCamera::new(Point3::ORIGIN, FRAC_PI_2)?;

@@ -75,8 +75,8 @@ impl Screen {
             }));
         }
         for (color, width) in [(0, 3.5), (RAY, 1.5)] {
-            for (ends, share) in &lines {
-                self.ui.frame.line(*ends, width * scale, color, *share);
+            for (ends, fraction) in &lines {
+                self.ui.frame.line(*ends, width * scale, color, *fraction);
             }
         }
     }

@@ -38,15 +38,15 @@ impl Frame {
         self.rows(area).for_each(|(_, row)| row.fill(color));
     }
 
-    /// Blends a colour over an area, by a share from 0 to 1 for each pixel.
-    pub fn blend(&mut self, area: Area, color: u32, share: impl Fn(i32, i32) -> f64) {
+    /// Blends a colour over an area, by a fraction from 0 to 1 for each pixel.
+    pub fn blend(&mut self, area: Area, color: u32, fraction: impl Fn(i32, i32) -> f64) {
         for ((left, y), row) in self.rows(area) {
             for (x, pixel) in (left..).zip(row) {
-                let share = (256.0 * share(x, y)) as u32;
+                let fraction = (256.0 * fraction(x, y)) as u32;
                 // Red and blue have room for their products beside each other.
                 let mix = |mask: u32| {
                     let [below, above] = [*pixel, color].map(|color| u64::from(color & mask));
-                    let sum = below * u64::from(256 - share) + above * u64::from(share);
+                    let sum = below * u64::from(256 - fraction) + above * u64::from(fraction);
                     (sum >> 8) as u32 & mask
                 };
                 *pixel = mix(0xFF_00FF) | mix(0x00_FF00);
@@ -54,14 +54,14 @@ impl Frame {
         }
     }
 
-    /// Draws a line with round ends, by a share of its colour; a dot if both ends are the same.
-    pub fn line(&mut self, [from, to]: [[f64; 2]; 2], width: f64, color: u32, share: f64) {
+    /// Draws a line with round ends, by a fraction of its colour; a dot if both ends are the same.
+    pub fn line(&mut self, [from, to]: [[f64; 2]; 2], width: f64, color: u32, fraction: f64) {
         let [x, y] = [0, 1].map(|axis| (from[axis].min(to[axis]) - width) as i32);
         let [right, bottom] = [0, 1].map(|axis| (from[axis].max(to[axis]) + width + 1.0) as i32);
         self.blend(Area::new(x, y, right - x, bottom - y), color, |x, y| {
             let at = (f64::from(x) + 0.5, f64::from(y) + 0.5);
             let away = distance(at, from.into(), to.into());
-            (width / 2.0 + 0.5 - away).clamp(0.0, 1.0) * share
+            (width / 2.0 + 0.5 - away).clamp(0.0, 1.0) * fraction
         });
     }
 }

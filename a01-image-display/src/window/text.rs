@@ -46,11 +46,12 @@ impl Letters {
         let mut x = area.x as f32;
         for letter in text.chars() {
             let known = self.known.entry(letter);
-            let (metrics, shares) = known.or_insert_with(|| font.rasterize(letter, self.size));
+            let (metrics, fractions) = known.or_insert_with(|| font.rasterize(letter, self.size));
             let (width, height) = (metrics.width as i32, metrics.height as i32);
             let (left, top) = (x as i32 + metrics.xmin, base - metrics.ymin - height);
-            let share = |x, y| f64::from(shares[((y - top) * width + x - left) as usize]) / 255.0;
-            frame.blend(Area::new(left, top, width, height), color, share);
+            let fraction =
+                |x, y| f64::from(fractions[((y - top) * width + x - left) as usize]) / 255.0;
+            frame.blend(Area::new(left, top, width, height), color, fraction);
             x += metrics.advance_width;
         }
     }

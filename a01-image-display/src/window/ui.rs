@@ -122,9 +122,9 @@ impl Ui {
             width: self.px(10.0),
             ..panel
         };
-        let share = f64::from(panel.height) / f64::from(height);
+        let fraction = f64::from(panel.height) / f64::from(height);
         let least = self.px(24.0).min(panel.height);
-        let length = ((f64::from(panel.height) * share) as i32).max(least);
+        let length = ((f64::from(panel.height) * fraction) as i32).max(least);
         let way = (panel.height - length).max(1);
         if self.clicked(track) {
             self.held = Some(Held::ScrollBar);
@@ -281,13 +281,13 @@ impl Ui {
     pub fn slider(&mut self, slider: &Slider) -> Option<usize> {
         let (mut area, is_selected, is_clicked) = self.select(40.0);
         let [left, width] = [area.x, area.width].map(f64::from);
-        let share = slider.at as f64 / slider.last().max(1) as f64;
+        let fraction = slider.at as f64 / slider.last().max(1) as f64;
         let y = area.middle()[1] + 11.0 * self.scale;
-        let end = |share: f64| [left + width * share, y];
+        let end = |fraction: f64| [left + width * fraction, y];
         for (from, to, width, color, opacity) in [
             (0.0, 1.0, 3.0, self.colors.muted, 0.5),
-            (0.0, share, 3.0, self.colors.accent, 1.0),
-            (share, share, 12.0, self.colors.accent, 1.0),
+            (0.0, fraction, 3.0, self.colors.accent, 1.0),
+            (fraction, fraction, 12.0, self.colors.accent, 1.0),
         ] {
             let ends = [end(from), end(to)];
             self.frame.line(ends, width * self.scale, color, opacity);
@@ -300,8 +300,8 @@ impl Ui {
         if !is_selected {
             None
         } else if self.held == Some(Held::Slider) {
-            let share = (f64::from(self.mouse.at[0]) - left) / width.max(1.0);
-            Some((share.clamp(0.0, 1.0) * slider.last() as f64).round() as usize)
+            let fraction = (f64::from(self.mouse.at[0]) - left) / width.max(1.0);
+            Some((fraction.clamp(0.0, 1.0) * slider.last() as f64).round() as usize)
         } else if self.typed("Left") {
             Some(slider.at.saturating_sub(1))
         } else {

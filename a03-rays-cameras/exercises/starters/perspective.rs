@@ -9,7 +9,7 @@ pub struct PerspectiveCamera {
     u: Vector3,
     v: Vector3,
     w: Vector3,
-    /// The full vertical opening angle in radians.
+    /// The full vertical field of view in radians.
     angle: f64,
 }
 

@@ -5,7 +5,7 @@ use crate::prelude::*;
 /// A pinhole camera at `origin` that looks along -z with y upwards.
 pub struct PinholeCamera {
     origin: Point3,
-    /// The full vertical opening angle in radians.
+    /// The full vertical field of view in radians.
     alpha: f64,
 }
 

@@ -31,7 +31,7 @@ pub fn bracket_of_the_course(p: f64, n: f64) -> f64 {
 }
 
 /// The direction of the perspective camera at the origin that looks along -z:
-/// right only if `alpha` is half of the opening angle.
+/// right only if `alpha` is half of the field of view.
 pub fn perspective_direction([w, h]: [f64; 2], px: f64, py: f64, alpha: f64) -> Vector3 {
     let z = -(h / 2.0) / libm::tan(alpha);
     normalized(Vector3::new(px - (w - 1.0) / 2.0, py - (h - 1.0) / 2.0, z))

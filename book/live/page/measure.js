@@ -16,7 +16,7 @@ live.Measure = class {
             measure.disabled = false;
         });
         this.svg = live.svg('svg', { viewBox: `0 0 ${live.Pen.width} ${new live.Pen(live.Measure.area).height}` });
-        const hint = 'Rendered by the lesson at 120 × 90, against 1024 stratified samples a pixel. Both are rounded to bytes, so that no error falls much below 1/510, the level line.';
+        const hint = 'Rendered by the lesson at 120 × 90, against 1024 stratified samples per pixel. Both are rounded to bytes, so that no error falls much below 1/510, the level line.';
         before.before(live.panel('Error against run time, on this machine', hint,
             live.element('div', { className: 'live-controls' }, this.scene, ' ', measure, ' ', this.status),
             live.element('div', { className: 'live-drawings' }, this.svg)));
@@ -38,7 +38,7 @@ live.Measure = class {
         // The samplings take turns, so that other work of the machine disturbs them alike.
         for (const count of counts) {
             for (const { sampling, name, points } of this.curves) {
-                this.status.value = `${name}, ${count} samples a pixel …`;
+                this.status.value = `${name}, ${count} samples per pixel …`;
                 const [pixels, time] = await this.render(count, sampling, 0);
                 points.push([time, live.Measure.error(pixels, exact)]);
                 this.draw(this.curves);

@@ -17,7 +17,7 @@ pub enum Camera<'a> {
     Perspective {
         /// Where the camera stands and how it is held.
         basis: Basis,
-        /// The tangent of half the vertical opening angle.
+        /// The tangent of half the vertical field of view.
         half_tangent: f64,
     },
     /// All rays are parallel.

@@ -32,12 +32,12 @@ impl Question {
 
     /// The input with each of its numbers a little larger and a little smaller, by `unit` of
     /// itself: so a zero stays what it is.
-    pub fn moved(&self, unit: f64) -> impl Iterator<Item = [Vec<f64>; 2]> {
+    pub fn perturbed(&self, unit: f64) -> impl Iterator<Item = [Vec<f64>; 2]> {
         (0..self.input.len()).map(move |which| {
             [unit, -unit].map(|change| {
-                let mut moved = self.input.clone();
-                moved[which] *= 1.0 + change;
-                moved
+                let mut perturbed = self.input.clone();
+                perturbed[which] *= 1.0 + change;
+                perturbed
             })
         })
     }

@@ -52,9 +52,9 @@ impl Tolerance {
         precision: Precision,
         code: &dyn Fn(&[f64]) -> Answer,
     ) -> Self {
-        let moved = question.moved(precision.unit());
-        let moved = moved.take_while(|_| !question.is_simple);
-        let changes = answer.sum_of_movements(moved.map(|pair| pair.map(|input| code(&input))));
+        let perturbed = question.perturbed(precision.unit());
+        let perturbed = perturbed.take_while(|_| !question.is_simple);
+        let changes = answer.sum_of_movements(perturbed.map(|pair| pair.map(|input| code(&input))));
         changes.map_or(Self::RoundingDecides, |changes| {
             Self::Changes(changes.into_iter().map(rounded).collect())
         })

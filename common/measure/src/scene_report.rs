@@ -40,7 +40,7 @@ fn small(size: Size) -> Result<Size, Error> {
     Ok(Size::new(160, height)?)
 }
 
-/// The settings with this number of samples a pixel, placed in this way.
+/// The settings with this number of samples per pixel, placed in this way.
 fn taking(settings: &Settings, sampling: Sampling, samples: u32) -> Settings {
     Settings {
         sampling,

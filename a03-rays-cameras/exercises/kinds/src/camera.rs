@@ -128,14 +128,14 @@ fn mistake<P: 'static>(about: &'static str, rays: Rays) -> Variant<NewCamera<P>>
     })
 }
 
-/// The axes of a camera and its vertical opening angle.
+/// The axes of a camera and its vertical field of view.
 pub type WithAngle<P> = fn(P) -> Made<(Basis, f64)>;
 
 /// Width and height of a pixel at the distance 1 before a camera: by the angle, and by width and
 /// height of the picture in pixels.
 type PixelSize = fn(f64, [f64; 2]) -> [f64; 2];
 
-/// Mistakes of cameras with an opening angle, by the axes and the angle of their parameters.
+/// Mistakes of cameras with a field of view, by the axes and the angle of their parameters.
 #[must_use]
 pub fn mistakes_with_angle<P: 'static>(parts: WithAngle<P>) -> Vec<Variant<NewCamera<P>>> {
     let mistakes: [(&str, PixelSize); 4] = [

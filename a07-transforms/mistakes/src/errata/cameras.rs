@@ -37,7 +37,7 @@ const FULL_ANGLE: ProtocolCamera =
 pub fn tangent() -> Scene {
     beside(
         "tangent",
-        "the tangent of the full opening angle, and of half of it",
+        "the tangent of the full field of view, and of half of it",
         |_| two_spheres(FULL_ANGLE),
         |_| two_spheres(pinhole(FRAC_PI_4)?),
     )

@@ -88,7 +88,7 @@
         },
         grows: [
             ['a03', 'the-ray', 'A ray from an eye', 'The line is the ray, the dots are Ray::at for each t: a step of t is one length of the direction, which is 1. The picture is the goal of the chapter: it has a ray of this kind for each pixel. Drag the eye and the gaze, or turn the drawing by a drag beside them.', { handles: [eyeHandle, gazeHandle] }],
-            ['a03', 'the-cameras-own-axes', 'Three axes on the eye', 'Handles: the eye, at its height; the gaze; the end of the up vector t, dashed; the opening angle. The axes u, v and w are computed by Basis::new. A drag beside the handles turns the drawing.', {
+            ['a03', 'the-cameras-own-axes', 'Three axes on the eye', 'Handles: the eye, at its height; the gaze; the end of the up vector t, dashed; the field of view. The axes u, v and w are computed by Basis::new. A drag beside the handles turns the drawing.', {
                 question: {
                     text: 'The up vector leans to the right. In the picture, the objects lean…',
                     choices: ['to the left', 'to the right', 'not at all'],

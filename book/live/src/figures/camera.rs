@@ -18,7 +18,7 @@ const SKY: f64 = 4.0;
 const SAMPLES: f64 = 5.0;
 
 /// Numbers: the eye, the gaze as angles around the vertical and upwards, the angle of
-/// the up vector around the gaze of the world, and the opening angle, in degrees; the step.
+/// the up vector around the gaze of the world, and the field of view, in degrees; the step.
 /// The corners are the directions of rays, each with its origin; the samples are the
 /// directions through a pixel of a quarter of the picture.
 pub fn answer([x, y, z, around, upwards, roll, opening, step]: [f64; 8]) -> Answered {

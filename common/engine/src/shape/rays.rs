@@ -43,7 +43,7 @@ impl Rays {
 
     /// The same rays in another space.
     #[inline]
-    pub fn moved(&self, packet: RayPacket) -> Self {
+    pub fn with_packet(&self, packet: RayPacket) -> Self {
         Self {
             packet,
             active: self.active,

@@ -31,7 +31,7 @@ impl Transformed<'_> {
     #[inline]
     fn rays_inside(&self, rays: &Rays) -> Rays {
         let steps = self.steps.iter();
-        rays.moved(steps.fold(rays.packet, |rays, step| step.rays(&rays)))
+        rays.with_packet(steps.fold(rays.packet, |rays, step| step.rays(&rays)))
     }
 
     /// The hits of the shape under these steps, the innermost.
@@ -39,7 +39,7 @@ impl Transformed<'_> {
         let Some((step, inner)) = steps.split_first() else {
             return self.shape.hits(rays, t, active);
         };
-        let object_rays = rays.moved(step.rays(&rays.packet));
+        let object_rays = rays.with_packet(step.rays(&rays.packet));
         let hit = self.hits_in(inner, &object_rays, t, active);
         hits_around(step, &hit, &rays.packet)
     }
@@ -56,7 +56,7 @@ impl Transformed<'_> {
         let Some((step, inner)) = steps.split_first() else {
             return self.shape.any_hit_of_parts(rays, before, active, counts);
         };
-        let object_rays = rays.moved(step.rays(&rays.packet));
+        let object_rays = rays.with_packet(step.rays(&rays.packet));
         self.any_hit_in(inner, &object_rays, before, active, &|hit| {
             counts(&hits_around(step, hit, &rays.packet))
         })
