@@ -1,9 +1,9 @@
 //! Prints the first step at which the lesson and its broken copy part: in the worst pixel of the
 //! first scene of the named stages whose picture differs.
 
+use common::difference::worst_pixel;
 use common::divergence::ROUNDING;
 use common::{Error, Settings, Size, Transfer};
-use testing::exercise::worst_pixel;
 
 fn main() -> Result<(), Error> {
     let stages: Vec<_> = std::env::args().skip(1).collect();
@@ -31,8 +31,10 @@ fn main() -> Result<(), Error> {
         };
         let [right, wrong] = [lesson, broken].map(|scene| scene.rays()?.trace(&settings, pixel));
         let parts = right?.first_divergence(&wrong?, "the edit's", ROUNDING);
-        let parts = parts.unwrap_or_else(|| "all steps are the same".to_owned());
-        println!("{}, {parts}", lesson.name);
+        match parts {
+            Some(parts) => println!("{}, {parts}", lesson.name),
+            None => println!("{}: all steps are the same", lesson.name),
+        }
         return Ok(());
     }
     println!("no picture differs");
