@@ -1,7 +1,17 @@
 //! Files and folders; an error names the path.
 
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+/// An error about a path as words, which begin with the path.
+pub fn with_path(path: &Path) -> impl Fn(io::Error) -> String {
+    move |error| format!("{}: {error}", path.display())
+}
+
+/// A path that does not depend on the current folder.
+pub fn absolute(path: &Path) -> Result<PathBuf, String> {
+    std::path::absolute(path).map_err(with_path(path))
+}
 
 /// The text of a file.
 pub fn read(path: &Path) -> Result<String, String> {

@@ -68,34 +68,27 @@ fn main() -> ExitCode {
 fn run(arguments: &Arguments) -> Result<(), String> {
     // The paths of this program begin in the root of the repository.
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-    let go_to_root = || {
-        let outcome = std::env::set_current_dir(root);
-        outcome.map_err(|error| format!("cannot open {root}: {error}"))
-    };
     // Paths of the command line begin where the reader is.
+    let mut destination = None;
+    let mut document = None;
     match &arguments.command {
-        Some(Task::Publish { folder }) => {
-            let destination = publish::Destination::new(folder)?;
-            go_to_root()?;
-            build(&arguments.yours)?;
-            destination.publish()
+        Some(Task::Publish { folder }) => destination = Some(publish::Destination::new(folder)?),
+        Some(Task::Pdf { file }) => document = Some(file::absolute(file)?),
+        None => {}
+    }
+    std::env::set_current_dir(root).map_err(file::with_path(root.as_ref()))?;
+    build(&arguments.yours)?;
+
+    if let Some(destination) = destination {
+        destination.publish()
+    } else if let Some(document) = document {
+        pdf::write(&document)
+    } else {
+        println!("open {}/index.html", pages::FOLDER);
+        if arguments.open {
+            pages::open()?;
         }
-        Some(Task::Pdf { file }) => {
-            let failed = |error| format!("{}: {error}", file.display());
-            let document = std::path::absolute(file).map_err(failed)?;
-            go_to_root()?;
-            build(&arguments.yours)?;
-            pdf::write(&document)
-        }
-        None => {
-            go_to_root()?;
-            build(&arguments.yours)?;
-            println!("open {}/index.html", pages::FOLDER);
-            if arguments.open {
-                pages::open()?;
-            }
-            Ok(())
-        }
+        Ok(())
     }
 }
 

@@ -32,20 +32,21 @@ pub fn build(module: Option<&LiveModule>) -> Result<(), String> {
 /// Shows the pages in a browser.
 pub fn open() -> Result<(), String> {
     let page = format!("{FOLDER}/index.html");
-    let mut open = if cfg!(target_os = "windows") {
+    if cfg!(target_os = "windows") {
         let mut explorer = Command::new("explorer");
         explorer.arg(page.replace('/', "\\"));
-        // It ends with 1 also if it has shown the page.
-        return explorer
-            .status()
+        // Its status is 1 also if it has shown the page.
+        let outcome = explorer.status();
+        return outcome
             .map(|_| ())
-            .map_err(|error| error.to_string());
-    } else if cfg!(target_os = "macos") {
-        Command::new("open")
+            .map_err(|error| not_started(&explorer, &error));
+    }
+    let program = if cfg!(target_os = "macos") {
+        "open"
     } else {
-        Command::new("xdg-open")
+        "xdg-open"
     };
-    run(open.arg(page))
+    run(Command::new(program).arg(page))
 }
 
 fn mdbook(module: Option<&LiveModule>) -> Result<Command, String> {

@@ -34,11 +34,10 @@ pub fn write(document: &Path) -> Result<(), String> {
 }
 
 fn print(page: &Path, document: &Path) -> Result<(), String> {
-    let failed = |error| format!("{}: {error}", page.display());
-    let page = fs::canonicalize(page).map_err(failed)?;
+    let page = file::absolute(page)?;
     // An old document would hide that no new one is written.
     if document.exists() {
-        fs::remove_file(document).map_err(|error| format!("{}: {error}", document.display()))?;
+        fs::remove_file(document).map_err(file::with_path(document))?;
     }
     let mut browser = Command::new(find_browser()?);
     // The page is our own, and as root, in a container, a browser has no sandbox.

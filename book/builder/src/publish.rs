@@ -14,8 +14,7 @@ pub struct Destination(PathBuf);
 impl Destination {
     /// A folder that is empty, missing, or holds a published book, which will be replaced.
     pub fn new(folder: &Path) -> Result<Self, String> {
-        let failed = |error| format!("{}: {error}", folder.display());
-        let folder = std::path::absolute(folder).map_err(failed)?;
+        let folder = file::absolute(folder)?;
         let is_ours = folder.join(MARK).exists() || file::entries(&folder)?.is_empty();
         if !is_ours || folder.is_file() {
             let folder = folder.display();

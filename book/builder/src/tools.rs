@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::command::{output, run};
+use crate::file;
 
 /// A program from crates.io.
 struct Tool {
@@ -83,8 +84,7 @@ impl Tool {
 
 /// The folder in which the programs are installed.
 fn folder() -> Result<PathBuf, String> {
-    let folder = Path::new("target/book-tools");
-    std::path::absolute(folder).map_err(|error| format!("{}: {error}", folder.display()))
+    file::absolute(Path::new("target/book-tools"))
 }
 
 /// The folders in which programs are looked for, our own first.
