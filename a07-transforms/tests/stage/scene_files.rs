@@ -260,6 +260,31 @@ fn a_mistake_against_toml_is_told_by_what_was_meant() {
 }
 
 #[test]
+fn a_wrong_number_of_brackets_gets_the_header_that_is_right() {
+    for (header, place, text) in [
+        (
+            "[sphere]",
+            "6:1",
+            "sphere may stand there several times, so its table has two pairs of brackets: [[sphere]]",
+        ),
+        (
+            "[define.pawn.sphere]",
+            "6:1",
+            "sphere may stand there several times, so its table has two pairs of brackets: \
+             [[define.pawn.sphere]]",
+        ),
+        (
+            "[[define.sphere]]",
+            "6:1",
+            "define must be a table: [define.NAME], with a name, behind which its shapes stand, \
+             such as [[define.pawn.sphere]]",
+        ),
+    ] {
+        assert_eq!(error_of("[[sphere]]", header), format!("{place}: {text}"));
+    }
+}
+
+#[test]
 fn names_of_other_programs_get_ours() {
     for (from, to, place, text) in [
         (

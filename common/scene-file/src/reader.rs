@@ -197,7 +197,7 @@ impl Reader<'_> {
             };
             let is_outermost = item.kind.form.is_empty();
             let level = level + usize::from(has_shapes(item.kind) && !is_outermost);
-            match tables(key, value) {
+            match self.tables(key, value) {
                 Ok(tables) => {
                     for (name, value) in tables {
                         let DeValue::Table(table) = value.get_ref() else {
@@ -306,6 +306,43 @@ impl Reader<'_> {
         ))
     }
 
+    /// The tables of a key, with their names.
+    fn tables<'a>(
+        &self,
+        key: &'a Key,
+        value: &'a Spanned<DeValue<'a>>,
+    ) -> Result<Vec<(&'a str, &'a Spanned<DeValue<'a>>)>, Error> {
+        let are_in_list = key.form.starts_with("[[") || key.form == "{ step }";
+        match value.get_ref() {
+            DeValue::Array(list) if are_in_list => {
+                Ok(list.iter().map(|table| (key.name, table)).collect())
+            }
+            DeValue::Table(tables) if key.form.ends_with(".NAME]") => {
+                let tables = tables.iter();
+                Ok(tables
+                    .map(|(name, table)| (&**name.get_ref(), table))
+                    .collect())
+            }
+            DeValue::Table(_) if !are_in_list => Ok(vec![(key.name, value)]),
+            DeValue::Table(_) if let Some(header) = self.header(value) => {
+                let text = format!(
+                    "{} may stand there several times, so its table has two pairs of brackets: \
+                     [[{header}]]",
+                    key.name
+                );
+                Err(error(value, text))
+            }
+            _ => Err(wrong(key, value)),
+        }
+    }
+
+    /// The name of a table that is written as `[name]`, such as `group.sphere`.
+    fn header(&self, table: &Spanned<DeValue>) -> Option<&str> {
+        let line = self.text.get(table.span().start..)?.lines().next()?;
+        let (name, _) = line.strip_prefix('[')?.split_once(']')?;
+        Some(name.trim())
+    }
+
     /// The value of a key of a table of a kind.
     fn data(&self, kind: &Kind, key: &Key, value: &Spanned<DeValue>) -> Result<Data, Error> {
         match (key.form, value.get_ref()) {
@@ -367,27 +404,6 @@ fn check_range(kind: &Kind, key: &Key, numbers: &[f64]) -> Result<(), String> {
     })
 }
 
-/// The tables of a key, with their names.
-fn tables<'a>(
-    key: &'a Key,
-    value: &'a Spanned<DeValue<'a>>,
-) -> Result<Vec<(&'a str, &'a Spanned<DeValue<'a>>)>, Error> {
-    let are_in_list = key.form.starts_with("[[") || key.form == "{ step }";
-    match value.get_ref() {
-        DeValue::Array(list) if are_in_list => {
-            Ok(list.iter().map(|table| (key.name, table)).collect())
-        }
-        DeValue::Table(tables) if key.form.ends_with(".NAME]") => {
-            let tables = tables.iter();
-            Ok(tables
-                .map(|(name, table)| (&**name.get_ref(), table))
-                .collect())
-        }
-        DeValue::Table(_) if !are_in_list => Ok(vec![(key.name, value)]),
-        _ => Err(wrong(key, value)),
-    }
-}
-
 /// An error at a value or a key.
 fn error<T>(at: &Spanned<T>, text: String) -> Error {
     Error::new(at.span().start, text)
@@ -397,6 +413,7 @@ fn error<T>(at: &Spanned<T>, text: String) -> Error {
 fn wrong(key: &Key, value: &Spanned<DeValue>) -> Error {
     let behind = match key.name {
         "group" => ", behind which its shapes stand, such as [[group.sphere]]",
+        "define" => ", with a name, behind which its shapes stand, such as [[define.pawn.sphere]]",
         _ => "",
     };
     let (name, needed) = (key.name, key.needed());
