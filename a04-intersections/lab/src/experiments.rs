@@ -1,5 +1,6 @@
 //! Error against run time of the intersection formulas.
 
+pub mod mesh_edges;
 pub mod needle;
 pub mod sphere_distance;
 
@@ -11,5 +12,6 @@ pub fn experiments() -> Vec<Experiment<'static>> {
         sphere_distance::near(),
         sphere_distance::decisions(),
         needle::experiment(),
+        mesh_edges::experiment(),
     ]
 }

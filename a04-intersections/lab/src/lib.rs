@@ -5,6 +5,7 @@
 
 mod aimed_box;
 pub mod certified;
+pub mod closed_mesh;
 pub mod condition;
 pub mod enclosure;
 pub mod exact;

@@ -9,15 +9,18 @@ use common::ArgumentError;
 use measure::Effort;
 use measure::experiment::{Axis, Curve, Deviation, ErrorBound, Experiment, Slope, TaskSet, Unit};
 
-use crate::formula::triangle::{self, Meeting};
+use crate::formula::triangle::{self, Meeting, Shot, watertight};
 use crate::line::Line;
-use crate::support::{Numbers, corners, first};
+use crate::number::Real;
+use crate::support::{Numbers, first};
 use crate::{condition, exact, protocol};
 use a04_intersections::Triangle;
 
 /// A triangle and a ray. Half of the rays hit, far from grazing.
 pub struct Needle {
     pub triangle: Triangle,
+    /// Of the triangle.
+    pub corners: [Point3; 3],
     pub ray: Ray,
 }
 
@@ -40,7 +43,8 @@ fn with_rays(n: usize, aspect: f64, rays: usize) -> Result<Vec<Needle>, Argument
     let middle = along * numbers.between(0.3, 0.7);
     let height = across * (1.0 / aspect);
     // Longer than 1, so that the constructor accepts it.
-    let triangle = Triangle::new(a, a + along, a + middle + height)?;
+    let corners = [a, a + along, a + middle + height];
+    let triangle = Triangle::new(corners[0], corners[1], corners[2])?;
     let mut needles = Vec::new();
     for m in 0..rays {
         let mut numbers = Numbers::new(14 + n as u64, m);
@@ -51,35 +55,42 @@ fn with_rays(n: usize, aspect: f64, rays: usize) -> Result<Vec<Needle>, Argument
         let (origin, towards) = (a + aim + back, -back);
         needles.push(Needle {
             triangle,
+            corners,
             ray: Ray::derived(origin, towards * (1.0 / towards.magnitude())),
         });
     }
     Ok(needles)
 }
 
+/// The numbers of triangle and ray, rounded to those of a type.
+pub fn shot<F: Real>(needle: &Needle) -> Shot<F> {
+    let shot = Shot {
+        corners: needle.corners.map(array),
+        line: Line::of(&needle.ray),
+    };
+    shot.to()
+}
+
 /// The relative error of a `t`, if the exact barycentric coordinates are not near 0. A
 /// miss counts as 1.
-pub fn error(needle: &Needle, found: Option<f64>) -> Option<Deviation> {
-    let line = Line::of(&needle.ray);
-    let corners = corners(&needle.triangle).map(array);
+fn error<F: Real>(shot: &Shot<F>, found: Option<F>) -> Option<Deviation> {
+    let Shot { corners, line } = shot.in_doubles();
     let Meeting { t, beta, gamma } = exact::triangle(&corners, &line);
     let [beta, gamma] = [beta.value(), gamma.value()];
     let least = beta.min(gamma).min(1.0 - beta - gamma);
     if least <= 0.05 {
         return None;
     }
-    let error = found.map_or(t.value(), |found| t.error_of(found));
+    let error = found.map_or(t.value(), |found| t.error_of(found.into()));
     let t = t.value();
     let condition = condition::of_triangle(&corners, beta, gamma, &line, t);
-    Some(Deviation::new(error, t, condition).as_fraction_of(t))
+    let deviation = Deviation::new(error, t, condition).of_epsilon(F::EPSILON);
+    Some(deviation.as_fraction_of(t))
 }
-
-/// A formula for the distance of the triangle along the ray.
-pub type Formula = fn(&Needle) -> Option<f64>;
 
 /// The protocol's test.
 fn cramer(needle: &Needle) -> Option<f64> {
-    protocol::triangle(&corners(&needle.triangle), &needle.ray)
+    protocol::triangle(&needle.corners, &needle.ray)
 }
 
 /// The renderer's test.
@@ -87,47 +98,9 @@ fn ours(needle: &Needle) -> Option<f64> {
     first(&needle.triangle, &needle.ray)
 }
 
-fn moeller_trumbore(needle: &Needle) -> Option<f64> {
-    let corners = corners(&needle.triangle).map(array);
-    let line = Line::of(&needle.ray);
-    // The coordinates of a ray along the plane are infinite or no numbers.
-    let Meeting { t, beta, gamma } = triangle::moeller_trumbore(&corners, &line);
-    let is_inside = (0.0..=1.0).contains(&beta) && gamma >= 0.0 && beta + gamma <= 1.0;
-    (is_inside && t > 0.0).then_some(t)
-}
-
-/// The renderer's test with Kahan's difference of products, whose error is at most
-/// 1.5 units in the last place (Jeannerod, Louvet and Muller, 2013).
-fn compensated(needle: &Needle) -> Option<f64> {
-    let ray = &needle.ray;
-    let d = ray.direction().to_glam();
-    let z = d.abs().max_position();
-    let (x, y) = ((z + 1) % 3, (z + 2) % 3);
-    let [a, b, c] = corners(&needle.triangle).map(|corner| {
-        let p = (corner - ray.origin()).to_glam();
-        [
-            p[x] - d[x] / d[z] * p[z],
-            p[y] - d[y] / d[z] * p[z],
-            p[z] * (1.0 / d[z]),
-        ]
-    });
-    let area = |p: [f64; 3], q: [f64; 3]| difference_of_products(p[0], q[1], p[1], q[0]);
-    let [u, v, w] = [area(c, b), area(a, c), area(b, a)];
-    let is_inside = u.min(v).min(w) >= 0.0 || u.max(v).max(w) <= 0.0;
-    let t = (u * a[2] + v * b[2] + w * c[2]) / (u + v + w);
-    (is_inside && t > 0.0).then_some(t)
-}
-
-/// `a b - c d`, where the rounding error of `c d` is added again.
-#[allow(
-    clippy::disallowed_methods,
-    reason = "one rounding instead of two is what the method lives on"
-)]
-fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
-    let product = c * d;
-    let difference = a.mul_add(b, -product);
-    let error = (-c).mul_add(d, product);
-    difference + error
+/// The test of the exercise.
+fn moeller_trumbore<F: Real>(Shot { corners, line }: &Shot<F>) -> Option<F> {
+    triangle::moeller_trumbore(corners, line).hit()
 }
 
 pub fn experiment() -> Experiment<'static> {
@@ -147,38 +120,74 @@ pub fn experiment() -> Experiment<'static> {
 
 fn curves(effort: Effort) -> Vec<Curve<'static>> {
     let rays = effort.choose(4096, 65_536);
-    let mut sets = Vec::new();
+    let (mut sets, mut doubles, mut singles) = (Vec::new(), Vec::new(), Vec::new());
     for power in 0..=9 {
-        let aspect = libm::pow(8.0, power.into());
+        let parameter = libm::pow(8.0, power.into());
+        let needles = needles(parameter, rays);
+        doubles.push(TaskSet {
+            parameter,
+            tasks: needles.iter().map(shot::<f64>).collect(),
+        });
+        // In single precision the height of a thinner needle is a few roundings.
+        if power <= 5 {
+            singles.push(TaskSet {
+                parameter,
+                tasks: needles.iter().map(shot::<f32>).collect(),
+            });
+        }
         sets.push(TaskSet {
-            parameter: aspect,
-            tasks: needles(aspect, rays),
+            parameter,
+            tasks: needles,
         });
     }
-    let curve = |method, formula: Formula| Curve::of_tasks(method, &sets, formula, error);
-    let slope = |value| {
-        let between = 64.0..=2e8;
+    let of_needles = |method, formula: fn(&Needle) -> Option<f64>| {
+        let error_of = |needle: &Needle, found| error::<f64>(&shot(needle), found);
+        Curve::of_tasks(method, &sets, formula, error_of)
+    };
+    let of_doubles = |method, formula: fn(&Shot) -> Option<f64>| {
+        Curve::of_tasks(method, &doubles, formula, error)
+    };
+    let of_singles = |method, formula: fn(&Shot<f32>) -> Option<f32>| {
+        Curve::of_tasks(method, &singles, formula, error)
+    };
+    let slope = |value, most| {
+        let between = 64.0..=most;
         Some(Slope { value, between })
     };
     vec![
         Curve {
-            slope: slope(1.0),
-            ..curve("Cramer (protocol)", cramer)
+            slope: slope(1.0, 2e8),
+            ..of_needles("Cramer (protocol)", cramer)
         },
         Curve {
-            slope: slope(1.0),
-            ..curve("Moeller-Trumbore", moeller_trumbore)
+            slope: slope(1.0, 2e8),
+            ..of_doubles("Möller-Trumbore", moeller_trumbore)
         },
         Curve {
             bound: Some(ErrorBound {
                 error: 4.0 * f64::EPSILON,
                 between: 1.0..=64.0,
             }),
-            ..curve("Woop (ours)", ours)
+            ..of_needles("Woop (ours)", ours)
         },
         Curve {
-            slope: slope(0.0),
-            ..curve("Woop (compensated)", compensated)
+            slope: slope(0.0, 2e8),
+            ..of_doubles("Woop (fused)", |shot| {
+                watertight(&shot.corners, &shot.line, triangle::fused)
+            })
         },
+        Curve {
+            slope: slope(0.0, 2e8),
+            ..of_doubles("Woop (split)", |shot| {
+                watertight(&shot.corners, &shot.line, triangle::split)
+            })
+        },
+        Curve {
+            slope: slope(1.0, 4e4),
+            ..of_singles("Möller-Trumbore (single)", moeller_trumbore)
+        },
+        of_singles("Woop (single)", |shot| {
+            watertight(&shot.corners, &shot.line, triangle::rounded)
+        }),
     ]
 }

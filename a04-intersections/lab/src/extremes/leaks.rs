@@ -7,41 +7,10 @@ use measure::Effort;
 use measure::extremes::{Case, Fails, Holds, Id, Number, Protocol, tried};
 
 use crate::aimed_box::{Aimed, LBF, OTHERS, RUN};
-use crate::mesh::Mesh;
+use crate::closed_mesh::{Aim, ClosedMesh};
 use crate::protocol;
-use crate::support::{Numbers, corners, first};
+use crate::support::{corners, first};
 use a04_intersections::{AxisAlignedBox, Triangle};
-
-/// Where rays from inside a mesh aim.
-#[derive(Clone, Copy)]
-enum Aim {
-    Corners,
-    Edges,
-    MiddlesOfEdges,
-    Anywhere,
-}
-
-impl Aim {
-    /// The position on an edge, from 0 at its first corner to 1 at its second one; none for a ray
-    /// in any direction.
-    fn on_edge(self, numbers: &mut Numbers) -> Option<f64> {
-        match self {
-            Self::Corners => Some(0.0),
-            Self::Edges => Some(numbers.between(0.0, 1.0)),
-            Self::MiddlesOfEdges => Some(0.5),
-            Self::Anywhere => None,
-        }
-    }
-
-    const fn words(self) -> &'static str {
-        match self {
-            Self::Corners => "at corners",
-            Self::Edges => "at edges",
-            Self::MiddlesOfEdges => "at the middles of edges",
-            Self::Anywhere => "anywhere, which proves nothing",
-        }
-    }
-}
 
 const HERE: Point3 = Point3::ORIGIN;
 /// A position far from the origin, where coordinates are coarse, from Embree's tests.
@@ -59,37 +28,14 @@ fn is_hit_by_the_protocol(triangle: &Triangle, ray: &Ray) -> bool {
     protocol::triangle(&corners(triangle), ray).is_some()
 }
 
-/// A closed surface around a middle, from where all its triangles are visible. The corners of the
-/// 320 triangles are 1 to 2 away from the middle, so that all are different.
-fn surface(middle: Point3) -> Result<Vec<Triangle>, Error> {
-    let mesh = Mesh::icosphere(2);
-    let mut triangles = Vec::new();
-    for face in &mesh.faces {
-        let [a, b, c] = face.map(|corner| {
-            let height = Numbers::new(51, corner).between(1.0, 2.0);
-            middle + mesh.corners[corner] * height
-        });
-        triangles.push(Triangle::new(a, b, c)?);
-    }
-    Ok(triangles)
-}
-
-/// Number of rays from near the middle of a closed surface that miss all its triangles.
+/// Number of rays from near the middle of a closed mesh that miss all its triangles.
 fn leaking(middle: Point3, aim: Aim, rays: usize, is_hit: IsHit) -> Result<usize, Error> {
-    let triangles = surface(middle)?;
+    let mesh = ClosedMesh::around(middle)?;
     let mut leaking = 0;
     for n in 0..rays {
-        let mut numbers = Numbers::new(52, n);
-        let eye = middle + numbers.triple(-0.1, 0.1);
-        let face = corners(&triangles[numbers.below(triangles.len())]);
-        let side = numbers.below(3);
-        let (from, to) = (face[side], face[(side + 1) % 3]);
-        let direction = match aim.on_edge(&mut numbers) {
-            Some(fraction) => from + (to - from) * fraction - eye,
-            None => numbers.direction(),
-        };
-        let ray = Ray::new(eye, direction)?;
-        let is_held = triangles.iter().any(|triangle| is_hit(triangle, &ray));
+        let ray = mesh.ray(aim, n)?;
+        let mut triangles = mesh.triangles.iter();
+        let is_held = triangles.any(|triangle| is_hit(triangle, &ray));
         leaking += usize::from(!is_held);
     }
     Ok(leaking)

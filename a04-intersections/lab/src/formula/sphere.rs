@@ -34,10 +34,7 @@ impl<F: Real> Shot<F> {
         Shot {
             center: self.center.map(Into::into),
             radius: self.radius.into(),
-            line: Line {
-                origin: self.line.origin.map(Into::into),
-                direction: self.line.direction.map(Into::into),
-            },
+            line: self.line.in_doubles(),
         }
     }
 }
