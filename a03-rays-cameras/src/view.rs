@@ -5,11 +5,13 @@ use std::any::Any;
 use std::sync::Arc;
 
 use a02_math::Point3;
+use common::sensitivity::{DependentPixels, Influence};
 use common::{
     ArgumentError, Color, Edits, Error, Image, Picture, PixelTrace, Progress, Renderer, Scene,
     SeenLine, Settings, Size, Traced, UsedSettings,
 };
 
+use crate::instruments::sensitivity::NumberedFile;
 use crate::{Camera, Ray, instruments, kinds, render};
 
 /// A camera and the world before it.
@@ -153,6 +155,8 @@ pub struct TracedScene {
     pub reflects: bool,
     /// The settings where the command line has no others.
     pub defaults: Settings,
+    /// The scene file that it was read from.
+    pub file: Option<Arc<NumberedFile>>,
 }
 
 impl TracedScene {
@@ -168,6 +172,7 @@ impl TracedScene {
             view: Arc::new(move |settings| Ok(view(settings.size)?)),
             reflects: false,
             defaults: Settings::default(),
+            file: None,
         }
     }
 
@@ -187,6 +192,17 @@ impl TracedScene {
             return Ok(view);
         }
         Ok(view.edited(settings.size, &settings.edits))
+    }
+
+    /// The file that it was read from.
+    fn numbered(&self) -> Result<&NumberedFile, Error> {
+        self.file.as_deref().ok_or_else(|| {
+            Error::Usage(format!(
+                "{} is a scene of the program, whose numbers stand in its code; name a scene file, \
+                 such as one that `export {} --to toml -o scene.toml` writes",
+                self.name, self.name
+            ))
+        })
     }
 }
 
@@ -217,6 +233,24 @@ impl Traced for TracedScene {
 
     fn export(&self, language: &str, settings: &Settings) -> Result<String, Error> {
         self.edited_view(settings)?.export(language, settings)
+    }
+
+    fn influences(
+        &self,
+        settings: &Settings,
+        pixel: [u32; 2],
+        progress: &dyn Progress,
+    ) -> Result<Vec<Influence>, Error> {
+        self.numbered()?.influences(settings, pixel, progress)
+    }
+
+    fn pixels_of(
+        &self,
+        settings: &Settings,
+        line: usize,
+        progress: &dyn Progress,
+    ) -> Result<DependentPixels, Error> {
+        self.numbered()?.pixels_of(settings, line, None, progress)
     }
 }
 

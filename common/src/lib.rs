@@ -21,6 +21,7 @@ pub mod pixel_trace;
 mod progress;
 mod sampling_report;
 mod scene;
+pub mod sensitivity;
 mod settings;
 mod size;
 mod stage;

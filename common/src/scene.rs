@@ -4,6 +4,7 @@ use std::any::Any;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use crate::sensitivity::{DependentPixels, Influence};
 use crate::{Color, Error, Image, PixelTrace, Progress, Settings, Size};
 
 /// A function that paints a picture with these settings.
@@ -62,6 +63,24 @@ pub trait Traced: Any + Send + Sync {
 
     /// The scene as text in a language: `toml` or `povray`.
     fn export(&self, language: &str, settings: &Settings) -> Result<String, Error>;
+
+    /// How a pixel changes with each number of the scene file, the strongest first; an error if it
+    /// is no scene of a file.
+    fn influences(
+        &self,
+        settings: &Settings,
+        pixel: [u32; 2],
+        progress: &dyn Progress,
+    ) -> Result<Vec<Influence>, Error>;
+
+    /// The pixels that depend on the numbers of a line of the scene file, by the engine; an error
+    /// if it is no scene of a file, or the line has no such numbers.
+    fn pixels_of(
+        &self,
+        settings: &Settings,
+        line: usize,
+        progress: &dyn Progress,
+    ) -> Result<DependentPixels, Error>;
 }
 
 /// A picture of a stage, under the name that the course gives it. A copy shares the code.

@@ -10,6 +10,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use common::{Error, Sampling, Scene, Settings, Size, Transfer, text};
 use scene_file::{FirstMistake, Item, Mesh, Meshes, OwnTable, SceneFile};
 
+use crate::instruments::sensitivity::NumberedFile;
 use crate::{TracedScene, View};
 
 /// Most bytes of a scene file and of a mesh.
@@ -61,25 +62,26 @@ impl Format {
         let place = text::path(path);
         let notes = file.as_ref().map(|file| file.notes(&place, &text));
         let notes = notes.unwrap_or_default();
-        let at_place = move |error: scene_file::Error| {
-            Error::SceneFile(text::visible(&format!("{place}:{}", error.within(&text))))
-        };
-        let file = file.map_err(&at_place)?;
+        let at_text = |error| at_place(&place, &text, &error);
+        let file = file.map_err(at_text)?;
         // All constructors must accept the numbers. The first picture takes the view that they
         // make, if it has the usual transfer.
-        let (defaults, view) = self.scene(&file).map_err(&at_place)?;
-        let opened = Mutex::new((file, Some(view)));
+        let (defaults, view) = self.scene(&file).map_err(at_text)?;
+        let first = Mutex::new(Some(view));
+        let file = Arc::new(NumberedFile::new(self, file, text));
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let opened = Arc::clone(&file);
         let view = move |settings: &Settings| {
-            let mut opened = opened.lock().unwrap_or_else(PoisonError::into_inner);
-            let (file, first) = &mut *opened;
+            let mut first = first.lock().unwrap_or_else(PoisonError::into_inner);
             if settings.transfer == Transfer::default()
                 && let Some(view) = first.take()
             {
                 return Ok(view);
             }
-            file.set_transfer(settings.transfer);
-            (self.view)(file).map_err(&at_place)
+            drop(first);
+            opened
+                .view(settings)
+                .map_err(|error| at_place(&place, opened.text(), &error))
         };
         let mut scene = Scene::from(TracedScene {
             name: stem.into_owned().leak(),
@@ -87,12 +89,19 @@ impl Format {
             view: Arc::new(view),
             reflects: self.stage > 5,
             defaults,
+            file: Some(file),
         });
         scene.is_large = triangles.get() > 10_000;
         scene.files = files.into_inner();
         scene.notes = notes;
         Ok(scene)
     }
+}
+
+/// The error of a mistake in a file of this name and this text.
+fn at_place(name: &str, text: &str, mistake: &scene_file::Error) -> Error {
+    let mistake = mistake.within(text);
+    Error::SceneFile(text::visible(&format!("{name}:{mistake}")))
 }
 
 /// Why bytes are no text.

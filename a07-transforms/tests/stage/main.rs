@@ -18,4 +18,5 @@ mod own_shape;
 mod rows;
 mod scene_files;
 mod scene_keys;
+mod sensitivity;
 mod transform;

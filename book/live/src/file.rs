@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use a03_rays_cameras::instruments::sensitivity::NumberedFile;
 use a03_rays_cameras::{TracedScene, View};
 use a07_transforms::kinds::FORMAT;
 use a07_transforms::kinds::example_files::PYRAMID;
@@ -12,8 +13,8 @@ use scene_file::Mesh;
 const MOST_SAMPLES: u64 = 640 * 480 * 16;
 const MOST_SURFACES: u32 = 50;
 
-/// The settings and the view of a scene file.
-fn open(text: &str) -> Result<(Settings, View), Error> {
+/// The settings of a scene file, its camera and world, and its numbers.
+fn open(text: &str) -> Result<(Settings, View, NumberedFile), Error> {
     let read = || {
         // The mesh beside the example of the last stage: a page has no other files.
         let mesh = |name: &str| match name {
@@ -32,14 +33,15 @@ fn open(text: &str) -> Result<(Settings, View), Error> {
             let most = format!("this page takes a depth of at most {MOST_SURFACES}");
             return Err(file.picture.error("depth", most));
         }
-        Ok((settings, view))
+        let file = NumberedFile::new(FORMAT, file, text.to_owned());
+        Ok((settings, view, file))
     };
     read().map_err(|error: scene_file::Error| Error::SceneFile(error.within(text)))
 }
 
 /// The scene of a scene file.
 pub fn scene(text: &str) -> Result<Scene, Error> {
-    let (defaults, _) = open(text)?;
+    let (defaults, _, file) = open(text)?;
     let text = text.to_owned();
     Ok(Scene::from(TracedScene {
         name: "file",
@@ -47,5 +49,6 @@ pub fn scene(text: &str) -> Result<Scene, Error> {
         view: Arc::new(move |_| Ok(open(&text)?.1)),
         reflects: true,
         defaults,
+        file: Some(Arc::new(file)),
     }))
 }

@@ -18,6 +18,7 @@ mod numbers;
 mod phrases;
 mod range;
 mod reader;
+mod scene_number;
 mod synonyms;
 mod uses;
 
@@ -31,3 +32,4 @@ pub use mesh::Mesh;
 pub use phrases::{POV_RAY, Phrases, TOML};
 pub use range::Range;
 pub use reader::{Meshes, SceneFile};
+pub use scene_number::SceneNumber;

@@ -1,0 +1,305 @@
+//! `SceneNumber`: a number of a scene file with its place in the text, which can be changed without
+//! reading the text again.
+
+use std::collections::HashMap;
+use std::ops::Range as Bytes;
+
+use common::sensitivity::{NumberPlace, Unit};
+use common::text;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::{Data, Item, Key, Kind, Range, SceneFile};
+
+/// A number of a scene file.
+#[derive(Clone, Debug)]
+pub struct SceneNumber {
+    /// Where it stands, and its value.
+    pub place: NumberPlace,
+    /// The numbers that its key allows.
+    pub range: Range,
+    /// The position of the value that it belongs to.
+    at: usize,
+    /// Which of the numbers of this value it is.
+    index: usize,
+}
+
+/// A value of a text in TOML that has numbers, or a text.
+struct Written {
+    /// The table, such as `[[sphere]] #2`.
+    table: String,
+    /// The keys behind the table, up to the one of the value.
+    key: String,
+    /// The bytes of each number; those of the text in quotation marks.
+    parts: Vec<Bytes<usize>>,
+}
+
+impl SceneFile {
+    /// All numbers of the file, of which this is the text, in the order of the text. Those inside of a
+    /// definition or a repeat are there once, and a colour in a text is three numbers.
+    #[must_use]
+    pub fn numbers(&self, text: &str) -> Vec<SceneNumber> {
+        let Ok(table) = DeTable::parse(text) else {
+            return Vec::new();
+        };
+        let mut written = HashMap::new();
+        add_table(table.get_ref(), "", "", &mut written);
+        let lines = Lines::new(text);
+        let mut numbers = Vec::new();
+        let singles = [&self.picture, &self.camera, &self.world];
+        let lists = [
+            &self.materials,
+            &self.lights,
+            &self.shapes,
+            &self.definitions,
+        ];
+        for item in singles.into_iter().chain(lists.into_iter().flatten()) {
+            add_numbers(item, text, &lines, &mut written, &mut numbers);
+        }
+        numbers.sort_by_key(|number| (number.place.bytes.start, number.index));
+        numbers
+    }
+
+    /// Gives a number another value, also in all copies of a repeat. Nothing checks whether the value
+    /// is in the range of its key.
+    pub fn set_number(&mut self, number: &SceneNumber, value: f64) {
+        let singles = [&mut self.picture, &mut self.camera, &mut self.world];
+        let lists = [
+            &mut self.materials,
+            &mut self.lights,
+            &mut self.shapes,
+            &mut self.definitions,
+        ];
+        for item in singles.into_iter().chain(lists.into_iter().flatten()) {
+            set_number(item, number, value);
+        }
+    }
+}
+
+fn set_number(item: &mut Item, number: &SceneNumber, value: f64) {
+    for (_, at, data) in &mut item.values {
+        if *at != number.at {
+            continue;
+        }
+        let numbers = match data {
+            Data::Numbers(numbers) => numbers.as_mut_slice(),
+            Data::Bytes(_, linear) => linear.as_mut_slice(),
+            Data::Text(_) | Data::Flag(_) | Data::Mesh(_) => &mut [],
+        };
+        if let Some(number) = numbers.get_mut(number.index) {
+            *number = value;
+        }
+    }
+    let is_repeat = item.kind.name == "repeat";
+    let mut copies = 0_u32;
+    for table in &mut item.tables {
+        if is_repeat && table.used.is_some() {
+            // Copy i is displaced, or rotated, by i times the numbers of the repeat.
+            set_number(table, number, f64::from(copies) * value);
+            copies += 1;
+        } else {
+            set_number(table, number, value);
+        }
+    }
+}
+
+/// Adds the numbers of an item, and of those in it, that have not been found before: a copy of a
+/// repeat has the positions of the repeat.
+fn add_numbers(
+    item: &Item,
+    text: &str,
+    lines: &Lines,
+    written: &mut HashMap<usize, Written>,
+    numbers: &mut Vec<SceneNumber>,
+) {
+    for (name, at, data) in &item.values {
+        let values = match data {
+            Data::Numbers(values) => values.as_slice(),
+            Data::Bytes(_, linear) => linear.as_slice(),
+            Data::Text(_) | Data::Flag(_) | Data::Mesh(_) => continue,
+        };
+        let (Some(key), Some(found)) = (item.kind.key(name), written.remove(at)) else {
+            continue;
+        };
+        let parts = match data {
+            Data::Bytes(..) => of_color(text, &found.parts),
+            _ => found.parts,
+        };
+        for (index, (value, bytes)) in values.iter().zip(parts).enumerate() {
+            let [(line, start), (_, end)] = [bytes.start, bytes.end].map(|at| lines.place(at));
+            let place = NumberPlace {
+                line,
+                columns: start..end,
+                bytes,
+                table: found.table.clone(),
+                key: found.key.clone() + part(key, index),
+                value: *value,
+                unit: unit(key, values, item.kind),
+            };
+            numbers.push(SceneNumber {
+                place,
+                range: key.limits(),
+                at: *at,
+                index,
+            });
+        }
+    }
+    for table in &item.tables {
+        add_numbers(table, text, lines, written, numbers);
+    }
+}
+
+/// The name of a number of a key, behind the key.
+fn part(key: &Key, index: usize) -> &'static str {
+    let names: &[&str] = match key.form {
+        "color" => &[" red", " green", " blue"],
+        "3 numbers" => &[" x", " y", " z"],
+        "2 whole numbers" => &[" 1", " 2"],
+        "3 x 3 numbers" => &[
+            " 1 x", " 1 y", " 1 z", " 2 x", " 2 y", " 2 z", " 3 x", " 3 y", " 3 z",
+        ],
+        "3 x 4 numbers" => &[
+            " 1,1", " 1,2", " 1,3", " 1,4", " 2,1", " 2,2", " 2,3", " 2,4", " 3,1", " 3,2", " 3,3",
+            " 3,4",
+        ],
+        _ => &[],
+    };
+    names.get(index).copied().unwrap_or_default()
+}
+
+/// What the numbers of a key measure.
+fn unit(key: &Key, values: &[f64], kind: &Kind) -> Unit {
+    let is_step = kind.name == "step";
+    if key.form.contains("whole") {
+        Unit::Whole
+    } else if key.form == "color" {
+        Unit::Channel
+    } else if key.name == "exponent" || key.name == "scale" && is_step {
+        Unit::Factor
+    } else if key.about.contains("degrees") || key.name.starts_with("rotate") {
+        Unit::Degree
+    } else if key.about.contains("direction") || key.name == "normals" {
+        let squares = values.iter().take(3).map(|value| value * value);
+        Unit::Direction(squares.sum::<f64>().sqrt())
+    } else {
+        Unit::Length
+    }
+}
+
+/// The bytes of the channels of a colour in a text: its digits, or three times the whole text.
+fn of_color(text: &str, parts: &[Bytes<usize>]) -> Vec<Bytes<usize>> {
+    let Some(bytes) = parts.first().cloned() else {
+        return Vec::new();
+    };
+    let quoted = text.get(bytes.clone()).unwrap_or_default();
+    let inside = quoted.trim_matches(['"', '\'']);
+    let start = bytes.start + (quoted.len() - inside.len()) / 2 + 1;
+    let digits = inside.strip_prefix('#').map_or(0, str::len);
+    if !matches!(digits, 3 | 6) {
+        return vec![bytes; 3];
+    }
+    let width = digits / 3;
+    let channel = |i| start + i * width..start + (i + 1) * width;
+    (0..3).map(channel).collect()
+}
+
+/// Adds the values of a table of the text, by their positions.
+fn add_table(table: &DeTable, path: &str, keys: &str, written: &mut HashMap<usize, Written>) {
+    for (name, value) in table {
+        let name = text::name(name.get_ref());
+        let key = join(keys, &name);
+        match value.get_ref() {
+            DeValue::Table(inner) if path.is_empty() => {
+                add_tables_of(&name, inner, written);
+            }
+            DeValue::Table(inner) => add_table(inner, path, &key, written),
+            DeValue::Array(list) if is_of_tables(list.iter()) => {
+                for (number, inner) in (1..).zip(list.iter()) {
+                    let DeValue::Table(inner) = inner.get_ref() else {
+                        continue;
+                    };
+                    if name == "transform" {
+                        add_table(inner, path, &format!("{key} step {number}:"), written);
+                    } else {
+                        let path = join(path, &format!("[[{name}]] #{number}"));
+                        add_table(inner, &path, "", written);
+                    }
+                }
+            }
+            _ => add_value(path, key, value, written),
+        }
+    }
+}
+
+/// Adds a table at the top of the file: one of its own, such as `[camera]`, or one of several with
+/// names, such as `[material.red]`.
+fn add_tables_of(name: &str, table: &DeTable, written: &mut HashMap<usize, Written>) {
+    for (key, value) in table {
+        let inner = text::name(key.get_ref());
+        match value.get_ref() {
+            DeValue::Table(of_name) => {
+                add_table(of_name, &format!("[{name}.{inner}]"), "", written);
+            }
+            _ => add_value(&format!("[{name}]"), inner, value, written),
+        }
+    }
+}
+
+fn is_of_tables<'a, 'b: 'a>(mut list: impl Iterator<Item = &'a Spanned<DeValue<'b>>>) -> bool {
+    list.any(|value| matches!(value.get_ref(), DeValue::Table(_)))
+}
+
+fn add_value(
+    table: &str,
+    key: String,
+    value: &Spanned<DeValue>,
+    written: &mut HashMap<usize, Written>,
+) {
+    let mut parts = Vec::new();
+    add_parts(value, &mut parts);
+    let found = Written {
+        table: table.to_owned(),
+        key,
+        parts,
+    };
+    written.insert(value.span().start, found);
+}
+
+/// Adds the bytes of the numbers in a value, or those of the value itself.
+fn add_parts(value: &Spanned<DeValue>, parts: &mut Vec<Bytes<usize>>) {
+    match value.get_ref() {
+        DeValue::Array(list) => list.iter().for_each(|value| add_parts(value, parts)),
+        _ => parts.push(value.span()),
+    }
+}
+
+fn join(before: &str, behind: &str) -> String {
+    if before.is_empty() {
+        return behind.to_owned();
+    }
+    format!("{before} {behind}")
+}
+
+/// Where the lines of a text begin.
+struct Lines<'a> {
+    text: &'a str,
+    starts: Vec<usize>,
+}
+
+impl<'a> Lines<'a> {
+    fn new(text: &'a str) -> Self {
+        let newlines = text.match_indices('\n').map(|(at, _)| at + 1);
+        let starts = std::iter::once(0).chain(newlines).collect();
+        Self { text, starts }
+    }
+
+    /// The line and the column of a byte, each from 1.
+    fn place(&self, at: usize) -> (usize, usize) {
+        let line = self.starts.partition_point(|start| *start <= at);
+        let start = self.starts.get(line - 1).copied().unwrap_or_default();
+        let before = self.text.get(start..at).unwrap_or_default();
+        // A byte order mark has no column.
+        let before = before.trim_start_matches('\u{FEFF}');
+        (line, before.chars().count() + 1)
+    }
+}
