@@ -7,6 +7,9 @@ use crate::prelude::*;
 ///
 /// `Image::black(size)?` is a black picture; `image.set(x, y, color)` paints a pixel.
 pub fn diagonal(size: Size) -> Result<Image, Error> {
+    // 1. Begin with a black picture.
+    // 2. Visit the places whose column and row are the same, up to the end of the shorter side.
+    // 3. Paint each of them red.
     testing::missing("the red diagonal", Image::black(size))
 }
 

@@ -6,6 +6,9 @@ use crate::prelude::*;
 ///
 /// `image.size()` has `width()` and `height()`; `image.pixels_mut()` is the list of pixels.
 pub fn set_pixel(image: &mut Image, x: u32, y: u32, color: Color) {
+    // 1. Skip a place outside of the picture.
+    // 2. Count the pixels before this one: those in the rows above, and those to its left.
+    // 3. Paint the pixel at that index.
     testing::missing("the pixel in the list", ());
 }
 

@@ -8,6 +8,9 @@ use crate::prelude::*;
 /// `a.dot(b)`, `a.cross(b)` and `a.magnitude()` are written; of the functions of angles,
 /// use the functions of `libm`: `libm::acos(x)`, `libm::atan2(y, x)`.
 pub fn angle(a: Vector3, b: Vector3) -> f64 {
+    // 1. Express the angle by the two products.
+    // 2. Let it not depend on the lengths; one of them may be 0.
+    // 3. Keep the digits of an angle near 0 or π.
     testing::missing("the angle", 0.0)
 }
 

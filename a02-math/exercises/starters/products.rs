@@ -6,12 +6,16 @@ use crate::prelude::*;
 ///
 /// The coordinates of a vector are `a.x()`, `a.y()` and `a.z()`.
 pub fn dot(a: Vector3, b: Vector3) -> f64 {
+    // 1. Multiply the two vectors coordinate by coordinate.
+    // 2. Add the three products.
     testing::missing("the dot product", 0.0)
 }
 
 /// The cross product: perpendicular to both, by the right-hand rule. It is as long as
 /// the parallelogram of both is large.
 pub fn cross(a: Vector3, b: Vector3) -> Vector3 {
+    // 1. For each coordinate, take the two others of both vectors, in the cyclic order x, y, z, x.
+    // 2. Multiply them crosswise, and subtract.
     testing::missing("the cross product", Vector3::new(0.0, 0.0, 0.0))
 }
 

@@ -7,6 +7,9 @@ use crate::prelude::*;
 ///
 /// `Vector3::from(n)` is the normal as a vector, which has a sum and multiples.
 pub fn reflected(v: Vector3, n: Normal3) -> Vector3 {
+    // 1. Split v into the part along the normal and the rest.
+    // 2. Reverse the part that changes its side.
+    // 3. Add both parts.
     testing::missing("the reflected vector", v)
 }
 

@@ -41,16 +41,25 @@ pub fn exercise() -> Exercise<Code> {
             cross: code.cross,
             ..LESSON
         }),
-        right: vec![Other::new(
-            "with shifted coordinates",
-            Code {
-                dot: |a, b| (a.to_glam() * b.to_glam()).element_sum(),
-                cross: |a, b| {
-                    let (a, b) = (a.to_glam(), b.to_glam());
-                    Vector3::from_glam((a * b.yzx() - a.yzx() * b).yzx())
+        right: vec![
+            Other::new(
+                "with shifted coordinates",
+                Code {
+                    dot: |a, b| (a.to_glam() * b.to_glam()).element_sum(),
+                    cross: |a, b| {
+                        let (a, b) = (a.to_glam(), b.to_glam());
+                        Vector3::from_glam((a * b.yzx() - a.yzx() * b).yzx())
+                    },
                 },
-            },
-        )],
+            ),
+            Other::new(
+                "coordinate by coordinate",
+                Code {
+                    dot: dot_of_coordinates,
+                    cross: cross_of_coordinates,
+                },
+            ),
+        ],
         wrong: vec![
             Other::from_right("a vector has three coordinates", |right| Code {
                 dot: |a, b| a.x() * b.x() + a.y() * b.y(),
@@ -67,4 +76,15 @@ pub fn exercise() -> Exercise<Code> {
         ],
         ..Exercise::default()
     }
+}
+
+fn dot_of_coordinates(a: Vector3, b: Vector3) -> f64 {
+    a.x() * b.x() + a.y() * b.y() + a.z() * b.z()
+}
+
+fn cross_of_coordinates(a: Vector3, b: Vector3) -> Vector3 {
+    let x = a.y() * b.z() - a.z() * b.y();
+    let y = a.z() * b.x() - a.x() * b.z();
+    let z = a.x() * b.y() - a.y() * b.x();
+    Vector3::new(x, y, z)
 }

@@ -20,6 +20,10 @@ impl PerspectiveCamera {
     /// `vector.unit("its name")?` is the vector of length 1.
     pub fn new(e: Point3, g: Vector3, t: Vector3, angle: f64) -> Result<Self, ArgumentError> {
         let nowhere = Vector3::new(0.0, 0.0, 0.0);
+        // 1. Take w against the gaze.
+        // 2. Take u to the right: perpendicular to t and w.
+        // 3. Take v upwards: perpendicular to w and u.
+        // 4. Normalise all three.
         let [u, v, w] = testing::missing("the three axes of the camera", [nowhere; 3]);
         Ok(Self { e, u, v, w, angle })
     }
@@ -30,6 +34,9 @@ impl Camera for PerspectiveCamera {
     /// direction of length 1. (0, 0) is the middle of the lower left pixel.
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
         let [width, height] = [size.width(), size.height()].map(f64::from);
+        // 1. Count the position in pixels from the middle of the picture.
+        // 2. Find the distance, in pixels, at which the picture's height fills the field of view.
+        // 3. Combine the three axes, and normalise the sum.
         let direction = testing::missing("the direction of the ray", self.w);
         Ray::derived(self.e, direction)
     }

@@ -16,6 +16,9 @@ pub fn picture(
     let size = settings.size;
     let sampler = Sampler::new(settings);
     let mut image = Image::black(size)?;
+    // 1. Visit each pixel by column and row.
+    // 2. Add up the light along the camera's rays through its samples.
+    // 3. Paint the pixel with the mean.
     testing::missing("the colour of each pixel", ());
     Ok(image)
 }

@@ -22,6 +22,9 @@ impl Camera for PinholeCamera {
     /// `Ray::derived(origin, direction)` makes a ray, `libm::tan(x)` the tangent.
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
         let [width, height] = [size.width(), size.height()].map(f64::from);
+        // 1. Count the position in pixels from the middle of the picture.
+        // 2. Find the distance, in pixels, at which the picture's height fills the field of view.
+        // 3. Normalise the vector from the pinhole to the position.
         let direction = testing::missing("the direction of the ray", Vector3::new(0.0, 0.0, -1.0));
         Ray::derived(self.origin, direction)
     }

@@ -4,12 +4,17 @@ use crate::prelude::*;
 
 /// The point `o + t d`, with `ray.origin()` and `ray.direction()`.
 pub fn at(ray: &Ray, t: f64) -> Point3 {
+    // 1. Scale the direction.
+    // 2. Move the origin by it.
     testing::missing("the point at t", Point3::ORIGIN)
 }
 
 /// The `t` of the ray's nearest point to `point`, which is `point` itself if it lies on
 /// the ray. The direction of the ray may have any length.
 pub fn t_of(ray: &Ray, point: Point3) -> f64 {
+    // 1. Take the displacement from the origin to the point.
+    // 2. Project it on the direction.
+    // 3. Measure the projection in steps of the direction, whatever its length.
     testing::missing("the t of a point", 0.0)
 }
 

@@ -20,6 +20,9 @@ impl Sky {
     /// Number of the stripe that the ray hits, counted from 0 at the lower edge, by the height
     /// `ray.direction().y()`. Rays beyond an edge hit the stripe at that edge.
     pub fn stripe(&self, ray: &Ray) -> u32 {
+        // 1. Map the height to a fraction: 0 at the lower edge, 1 at the upper one.
+        // 2. Scale the fraction to stripes, and round it down.
+        // 3. Move rays beyond an edge into the stripe at that edge.
         testing::missing("the number of the stripe", 0)
     }
 }

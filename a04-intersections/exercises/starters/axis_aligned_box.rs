@@ -23,6 +23,11 @@ impl Geometry for AxisAlignedBox {
     /// belong to the box: a ray within one hits it.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
         let (o, d) = (ray.origin().to_glam(), ray.direction().to_glam());
+        // 1. For each axis, find where the ray enters and leaves the slab between the two faces.
+        // 2. Find the last entry and the first exit, and remember their axes.
+        // 3. Return none if the ray leaves a slab before it enters all.
+        // 4. Choose the entry, or, from inside, the exit, whichever is within the interval.
+        // 5. Find the outward normal of that face.
         testing::missing("the nearest hit within the interval", None)
     }
 }

@@ -7,6 +7,9 @@ use crate::prelude::*;
 /// `for (geometry, number) in world.objects()` visits all objects. Where the face of the
 /// result looks along the ray, `hit.normal` and `hit.geometric_normal` are both turned.
 pub fn nearest(world: &World<usize>, ray: &Ray, within: Interval) -> Option<(Hit, usize)> {
+    // 1. Ask each object for its hit within the interval.
+    // 2. Keep the nearest hit so far, and the number of its object.
+    // 3. Turn both normals where the face looks along the ray.
     testing::missing("the nearest hit", None)
 }
 

@@ -26,6 +26,9 @@ impl Camera for OrthographicCamera {
     fn ray_for(&self, size: Size, x: f64, y: f64) -> Ray {
         let Basis { e, u, v, w } = self.basis;
         let [width, height] = [size.width(), size.height()].map(f64::from);
+        // 1. Find the offset from the middle, as fractions of the picture's width and height.
+        // 2. Scale both fractions to lengths; the picture may be wider than high.
+        // 3. Move the eye by these lengths along u and v, and look along the gaze.
         testing::missing("the ray", Ray::derived(e, w))
     }
 }

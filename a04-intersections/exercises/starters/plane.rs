@@ -24,6 +24,9 @@ impl Geometry for Plane {
     /// `p.dot(q)` is the dot product of vectors and normals, `within.contains(t)` says
     /// whether the hit is valid, and `Hit::new(t, normal)` makes it.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        // 1. Put the ray into the equation of the plane, and solve it for t.
+        // 2. Reject a t outside of the interval; what is t of a parallel ray?
+        // 3. Return the hit with the normal of the plane.
         testing::missing("the hit within the interval", None)
     }
 }

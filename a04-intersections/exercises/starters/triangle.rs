@@ -21,6 +21,10 @@ impl Geometry for Triangle {
     /// points to the side from which a, b and c run counterclockwise. Edges and corners
     /// belong to the triangle.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        // 1. Express the hit by a and fractions of the edges to b and c: three equations.
+        // 2. Solve them for t and both fractions; return none where there is no single solution.
+        // 3. Return none outside of the triangle or of the interval.
+        // 4. Find the normal, of length 1, by the order of the corners.
         testing::missing("the hit within the interval", None)
     }
 }

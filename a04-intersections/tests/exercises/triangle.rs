@@ -61,8 +61,8 @@ pub fn exercise() -> Exercise<Code> {
 fn moeller_trumbore(is_inside: fn(f64, f64) -> bool, least_determinant: f64) -> Code {
     new_shape(move |corners: [[f64; 3]; 3]| {
         let [a, b, c] = corners.map(point);
-        let (ab, ac) = (b - a, c - a);
         Ok(own(move |ray: &Ray, within: Interval| {
+            let (ab, ac) = (b - a, c - a);
             let (d, ao) = (ray.direction(), ray.origin() - a);
             let (p, q) = (d.cross(ac), ao.cross(ab));
             let determinant = ab.dot(p);

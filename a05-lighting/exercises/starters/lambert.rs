@@ -5,6 +5,9 @@ use crate::prelude::*;
 /// The light that a surface of this diffuse colour reflects from the hit back along the ray:
 /// of the ambient light and of each light that reaches the hit.
 pub fn lambert(diffuse: Color, ray: &Ray, hit: &Hit, lighting: &dyn Lighting) -> Color {
+    // 1. Begin with the ambient light.
+    // 2. For each light that reaches the hit, find the cosine to the normal; none from behind.
+    // 3. Add the part of its colour that the surface reflects.
     testing::missing("the reflected light", Color::BLACK)
 }
 

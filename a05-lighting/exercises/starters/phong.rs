@@ -13,6 +13,10 @@ pub fn phong(
     hit: &Hit,
     lighting: &dyn Lighting,
 ) -> Color {
+    // 1. Begin with the light of a matt surface.
+    // 2. For each light from the front, mirror its direction by the normal.
+    // 3. Find the cosine between the mirrored direction and the direction to the eye.
+    // 4. Add the highlight: the cosine to the power of the exponent, in its own colour.
     testing::missing("the reflected light", Color::BLACK)
 }
 

@@ -14,6 +14,9 @@ pub fn spot_light(
     point: Point3,
 ) -> Option<Illumination> {
     let light = PointLight::new(color, lamp).ok()?.illumination(point)?;
+    // 1. Find the cosine of the angle between the axis and the direction to the point.
+    // 2. Decide by the half angle whether the point is in the cone.
+    // 3. Return the light there, and none elsewhere.
     testing::missing("whether the point is in the cone", Some(light))
 }
 

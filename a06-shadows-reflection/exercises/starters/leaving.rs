@@ -8,6 +8,9 @@ use crate::prelude::*;
 ///
 /// `point.largest_coordinate()` is the greatest magnitude of its coordinates.
 pub fn secondary_ray(ray: &Ray, hit: &Hit, direction: Vector3) -> Ray {
+    // 1. Bound the rounding error of the hit by the largest number in its computation.
+    // 2. Choose the side of the surface to which the direction leads.
+    // 3. Move the origin along the normal, to this side, by more than the error.
     testing::missing(
         "the origin of the ray",
         Ray::derived(ray.at(hit.t), direction),

@@ -10,6 +10,10 @@ use crate::prelude::*;
 /// that it sees, and `mirror_reflectance()`. `secondary_ray(&ray, &hit, direction)` leaves the surface.
 pub fn trace(world: &ShadowedWorld, ray: &Ray, depth: u32) -> Color {
     let lights = RecursiveTracer::new(world);
+    // 1. Find the nearest hit; a ray without one brings back the background.
+    // 2. Take the surface's own colour.
+    // 3. Reflect the ray, and let it leave the surface.
+    // 4. Weight what it brings back by the mirror reflectance, up to the depth.
     testing::missing("the colour of the ray", Color::BLACK)
 }
 

@@ -12,6 +12,9 @@ pub fn is_shadowed(
     hit: &Hit,
     light: &Illumination,
 ) -> bool {
+    // 1. Make the ray that leaves the hit towards the light.
+    // 2. End it before the light, and before an object that the light is fixed to.
+    // 3. Ask whether any object is hit on the way.
     testing::missing("whether an object lies between", false)
 }
 

@@ -8,6 +8,8 @@ use crate::prelude::*;
 /// `step.matrix()` is the matrix of one step, and `step.inverse()` undoes it. `a * b` is
 /// the product of matrices, which applies b first, and `Mat4x4::IDENTITY` changes nothing.
 pub fn chain(steps: &[Step]) -> [Mat4x4; 2] {
+    // 1. Multiply the matrices so that the last step is applied first.
+    // 2. Multiply the inverses so that the steps are undone in the reverse order.
     testing::missing("the two products", [Mat4x4::IDENTITY; 2])
 }
 

@@ -20,6 +20,8 @@ impl Disc {
 impl Geometry for Disc {
     /// The hit, if its `t` lies within the interval, with the normal of the plane.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        // 1. Find the hit of the plane.
+        // 2. Keep it if it is within the radius of the centre.
         testing::missing("the hit within the interval and the radius", None)
     }
 }

@@ -30,6 +30,9 @@ impl Geometry for Node {
     ///
     /// `self.transform` has `ray_to_object(ray)`, and `normal_from_object(n)`, which may be none.
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
+        // 1. Bring the ray to the space of the children.
+        // 2. Find the nearest hit of all children within the interval; t is the same there.
+        // 3. Bring both normals of the hit to the space around the node.
         testing::missing("the nearest hit of the children", None)
     }
 }

@@ -8,6 +8,8 @@ use crate::prelude::*;
 /// `transform.matrix()` leads from the space of the object to the space around it, and
 /// `transform.inverse()` back. Both can be multiplied by a point, and by a vector.
 pub fn ray_to_object(transform: &Transform, ray: &Ray) -> Ray {
+    // 1. Bring the origin to the space of the object, as a point.
+    // 2. Bring the direction there, as a vector, and keep its length.
     testing::missing("the ray in the space of the object", *ray)
 }
 
@@ -16,6 +18,9 @@ pub fn ray_to_object(transform: &Transform, ray: &Ray) -> Ray {
 ///
 /// `matrix.transposed()` has rows and columns swapped.
 pub fn normal_from_object(transform: &Transform, n: Normal3) -> Option<Normal3> {
+    // 1. Find the matrix that keeps normals perpendicular to the surface.
+    // 2. Apply it to the normal.
+    // 3. Normalise the result; none if it has no length.
     testing::missing("the normal in the space around the object", Some(n))
 }
 

@@ -1,6 +1,6 @@
 //! `Exercise`: a section of the book's pages `aNN-exercises.md`, or a file with its own task.
 
-use crate::{files, own};
+use crate::{files, own, parsons_problem};
 
 /// An exercise. Its texts live as long as the program.
 #[derive(Debug, PartialEq, Eq)]
@@ -31,6 +31,9 @@ pub fn read_all() -> Result<&'static [Exercise], String> {
         let text = files::read(&page)?.replace("\r\n", "\n").leak();
         let mut of_stage = read_sections(text).map_err(|problem| format!("{page}: {problem}"))?;
         let stage = of_stage.first().map_or("", |e| e.stage);
+        for e in of_stage.iter_mut().filter(|e| e.is_core) {
+            parsons_problem::add_first_hint(e);
+        }
         of_stage.append(&mut own::others(stage, &of_stage)?);
         exercises.append(&mut of_stage);
     }
@@ -127,7 +130,8 @@ mod tests {
 
     use super::*;
 
-    /// Each exercise has its files; starters lack something; hints are words, as no test would
+    /// Each exercise has its files; starters lack something, and those of the core path name its
+    /// steps; hints are words, as no test would
     /// compile code in them; and the checks of the core path accept another style.
     #[test]
     fn exercises_have_their_files() {
@@ -138,6 +142,16 @@ mod tests {
             assert!(e.minutes.parse::<u32>().is_ok(), "{name}: its minutes");
             for part in ["testing::missing(", "testing::examples!"] {
                 assert!(starter.contains(part), "{name}: {part}");
+            }
+            if e.is_core {
+                let parts = starter.matches("testing::missing(").count();
+                let [first, second] =
+                    ["// 1. ", "// 2. "].map(|number| starter.matches(number).count());
+                assert_eq!(
+                    [first, second],
+                    [parts; 2],
+                    "{name}: the steps of each part"
+                );
             }
             assert!(!starter.contains("missing!("), "{name}");
             let count = |brace| starter.matches(brace).count();

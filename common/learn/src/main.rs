@@ -19,6 +19,7 @@ mod missing_name;
 mod output;
 mod own;
 mod page;
+mod parsons_problem;
 mod phase;
 mod process;
 mod progress;
