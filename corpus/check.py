@@ -5,9 +5,10 @@ boxes by six rectangles, round shapes by substituted values of their equation. D
 mpmath at 1,000 digits, conditions by central differences. Margins are trials of the oracle, and are not checked.
 
     pip install mpmath
-    python3 corpus/check.py            all cases of cases.toml and single.toml
+    python3 corpus/check.py            all cases of cases.toml, single.toml and laboratory.toml
 """
 
+import math
 import pathlib
 import sys
 import tomllib
@@ -215,6 +216,26 @@ def is_coplanar(kind, numbers, o, d, within):
     return max(ends) > within[0] and min(ends) < within[1]
 
 
+def is_question(case):
+    """Whether all numbers are finite, and shape and ray have a size, an area and a direction."""
+    numbers = [case["ray"]["origin"], case["ray"]["direction"]]
+    for kind in ("plane", "sphere", "box", "disc", "tube"):
+        numbers.extend(case.get(kind, {}).values())
+    for corners in case.get("triangles", []):
+        numbers.extend(corners)
+    for number in numbers:
+        if not all(math.isfinite(x) for x in (number if isinstance(number, list) else [number])):
+            return False
+    if not any(case["ray"]["direction"]):
+        return False
+    for kind, numbers in shapes_of(case):
+        if kind in ("sphere", "disc", "tube") and numbers[-1] <= 0:
+            return False
+        if kind in ("plane", "disc", "triangle") and not any(plane_of(kind, numbers)[1]):
+            return False
+    return True
+
+
 def answer(case):
     shapes, steps = shapes_of(case), steps_of(case)
     o, d = into(steps, vector(case["ray"]["origin"]), vector(case["ray"]["direction"]))
@@ -319,6 +340,8 @@ def agrees(text, value):
 
 
 def compare(case):
+    if not is_question(case):
+        return None if case["answer"] == "none" else f"none, not {case['answer']}"
     said, t, n, bound = answer(case)
     if said != case["answer"]:
         return f"{said}, not {case['answer']}"
@@ -326,6 +349,9 @@ def compare(case):
         return None
     if not agrees(case["t"], t):
         return f"t {mp.nstr(t, 45)}, not {case['t']}"
+    length = mp.sqrt(sum(mpf(x) ** 2 for x in case["ray"]["direction"]))
+    if "distance" in case and not agrees(case["distance"], t * length):
+        return f"distance {mp.nstr(t * length, 45)}, not {case['distance']}"
     if (n is None) != ("normal" not in case):
         return "one of both has no normal"
     if n and not all(abs(mpf(a) - b) <= mpf(10) ** -38 for a, b in zip(case["normal"], n)):
@@ -338,7 +364,7 @@ def compare(case):
 
 def main():
     wrong = 0
-    for name in ("cases.toml", "single.toml"):
+    for name in ("cases.toml", "single.toml", "laboratory.toml"):
         text = (pathlib.Path(__file__).parent / name).read_text(encoding="utf-8")
         cases = tomllib.loads(text)["case"]
         for case in cases:

@@ -3,6 +3,7 @@
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use crate::row::{Asks, Bound, Distance, Expected, Outlook, Row};
 use crate::{Answer, Case, Hit, Question, Shape, Step};
 
 /// What is wrong in a file of cases.
@@ -33,6 +34,17 @@ pub fn read(text: &str) -> Result<Vec<Case>, Mistake> {
 #[allow(clippy::redundant_closure_for_method_calls)]
 pub fn read_questions(text: &str) -> Result<Vec<Question>, Mistake> {
     read_each(text, |fields| fields.question())
+}
+
+/// Reads the rows of the laboratories.
+#[allow(clippy::redundant_closure_for_method_calls)]
+pub fn read_rows(text: &str) -> Result<Vec<Row>, Mistake> {
+    read_each(text, |fields| fields.row())
+}
+
+/// Reads the questions of the laboratories, which may have no answers yet, and what is expected.
+pub fn read_unanswered_rows(text: &str) -> Result<Vec<(Question, Expected)>, Mistake> {
+    read_each(text, |fields| Ok((fields.question()?, fields.expected()?)))
 }
 
 /// `read` is a closure where it is called, because the name of a method would have the lifetime of one table.
@@ -125,6 +137,90 @@ impl Fields<'_> {
         })
     }
 
+    fn row(&self) -> Result<Row, Mistake> {
+        let distance = match self.value("distance") {
+            Some(_) => {
+                let digits = self.text("distance")?;
+                let value = digits.parse().ok();
+                Some(Distance {
+                    value: value.ok_or_else(|| self.mistake("distance", "a number in quotes"))?,
+                    digits,
+                })
+            }
+            None => None,
+        };
+        Ok(Row {
+            case: self.case()?,
+            distance,
+            expected: self.expected()?,
+        })
+    }
+
+    fn expected(&self) -> Result<Expected, Mistake> {
+        Ok(Expected {
+            asks: self
+                .one_of(
+                    "asks",
+                    "one of distance, as-given, t, normal, is-lit",
+                    &[
+                        ("distance", Asks::Distance),
+                        ("as-given", Asks::AsGiven),
+                        ("t", Asks::T),
+                        ("normal", Asks::Normal),
+                        ("is-lit", Asks::IsLit),
+                    ],
+                )?
+                .unwrap_or_default(),
+            bound: self.bound()?,
+            protocol: self.one_of(
+                "protocol",
+                "holds or fails",
+                &[("holds", Outlook::Holds), ("fails", Outlook::Fails)],
+            )?,
+            is_refused: self
+                .one_of("lesson", "refuses", &[("refuses", true)])?
+                .unwrap_or_default(),
+        })
+    }
+
+    fn bound(&self) -> Result<Bound, Mistake> {
+        let Some(bound) = self.inner("bound") else {
+            return match self.value("bound") {
+                Some(_) => Err(self.mistake("bound", "a table")),
+                None => Ok(Bound::Equal),
+            };
+        };
+        if bound.value("ulps").is_some() {
+            return Ok(Bound::Ulps(bound.number("ulps")?));
+        }
+        if bound.value("conditions").is_some() {
+            return Ok(Bound::Conditions(bound.number("conditions")?));
+        }
+        Ok(Bound::Roundings {
+            length: bound.number("length")?,
+            cosine: bound.number("cosine")?,
+        })
+    }
+
+    /// The value that a word stands for, if the key is there.
+    fn one_of<T: Copy>(
+        &self,
+        key: &str,
+        form: &'static str,
+        words: &[(&str, T)],
+    ) -> Result<Option<T>, Mistake> {
+        if self.value(key).is_none() {
+            return Ok(None);
+        }
+        let found = self.text(key)?;
+        for (word, value) in words {
+            if *word == found {
+                return Ok(Some(*value));
+            }
+        }
+        Err(self.mistake(key, form))
+    }
+
     fn shape(&self) -> Result<Shape, Mistake> {
         if let Some(plane) = self.inner("plane") {
             return Ok(Shape::Plane {
@@ -193,6 +289,7 @@ impl Fields<'_> {
         match self.text("answer")?.as_str() {
             "miss" => Ok(Answer::Miss),
             "coplanar" => Ok(Answer::Coplanar),
+            "none" => Ok(Answer::NoShape),
             "hit" => {
                 let digits = self.text("t")?;
                 let t = digits.parse().ok();
@@ -206,7 +303,7 @@ impl Fields<'_> {
                     normal,
                 }))
             }
-            _ => Err(self.mistake("answer", "one of hit, miss, coplanar")),
+            _ => Err(self.mistake("answer", "one of hit, miss, coplanar, none")),
         }
     }
 

@@ -49,7 +49,8 @@ pub fn judge(case: &Case, found: Found, unit: f64) -> Verdict {
             }
         }
         // Neither answer contradicts infinitely many hits.
-        (Answer::Miss, None) | (Answer::Coplanar, _) => Verdict::Right,
+        (Answer::Miss | Answer::NoShape, None) | (Answer::Coplanar, _) => Verdict::Right,
+        (Answer::NoShape, Some(_)) => Verdict::WrongDecision,
         (Answer::Hit(_), None) | (Answer::Miss, Some(_)) => unless_border(Verdict::WrongDecision),
     }
 }

@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 
 use corpus::{
-    Answer, CASES, Case, DOUBLE, SINGLE, SINGLE_CASES, Tally, Verdict, judge, read, read_questions,
+    Answer, Asks, CASES, Case, DOUBLE, LABORATORY, Outlook, SINGLE, SINGLE_CASES, Tally, Verdict,
+    judge, read, read_questions, read_rows, rows,
 };
 
 fn case(id: &str) -> Case {
@@ -33,6 +34,39 @@ fn each_case_has_a_name_of_its_own_a_source_and_numbers() {
             assert_eq!(number, f64::from(number as f32), "{}", question.id);
         }
     }
+}
+
+/// The rows of the laboratories have names of their own, an exact answer unless there is no shape, and words
+/// from which a row of the table is made.
+#[test]
+fn each_row_of_a_laboratory_says_what_it_expects() {
+    let all = read_rows(LABORATORY).unwrap();
+    let ids: BTreeSet<_> = all.iter().map(|row| &row.case.question.id).collect();
+    assert_eq!(ids.len(), all.len());
+    assert!(all.len() >= 118, "{}", all.len());
+    for row in &all {
+        let Case {
+            question, answer, ..
+        } = &row.case;
+        assert!(question.says.ends_with('.'), "{}", question.id);
+        assert_eq!(
+            row.distance.is_some(),
+            matches!(answer, Answer::Hit(_)),
+            "{}",
+            question.id
+        );
+        if *answer == Answer::NoShape {
+            assert!(row.expected.is_refused, "{}", question.id);
+        }
+    }
+    let shadows = rows(&["shadow"]).unwrap();
+    assert_eq!(shadows.len(), 4);
+    assert!(shadows.iter().all(|row| row.expected.asks == Asks::IsLit));
+    let [far] = &rows(&["sphere"]).unwrap()[..1] else {
+        panic!()
+    };
+    assert_eq!(far.expected.protocol, Some(Outlook::Fails));
+    assert_eq!(far.distance.as_ref().unwrap().digits, "99999999");
 }
 
 /// Numbers are written with the fewest digits that are read as the same double: reading and writing one
@@ -133,5 +167,23 @@ fn a_mistake_in_the_file_is_named() {
     assert_eq!(
         read(&unanswered).unwrap_err().to_string(),
         "case a-1: answer is missing, or is not a text"
+    );
+    let expects = |key: &str| {
+        let shape = "sphere = { center = [0, 0, 1], radius = 1 }";
+        let row =
+            format!("{line}{shape}\n{rest}answer = \"miss\"\ncondition = 0\nmargin = 0\n{key}\n");
+        read_rows(&row).unwrap_err().to_string()
+    };
+    assert_eq!(
+        expects("protocol = \"maybe\""),
+        "case a-1: protocol is missing, or is not holds or fails"
+    );
+    assert_eq!(
+        expects("bound = { length = 1 }"),
+        "case a-1: cosine is missing, or is not a number"
+    );
+    assert_eq!(
+        expects("bound = 3"),
+        "case a-1: bound is missing, or is not a table"
     );
 }

@@ -1,5 +1,5 @@
-//! Stiff and extreme cases of rays and shapes. Exact values were computed with
-//! mpmath at 1200 bits from the doubles given, or follow from closed forms.
+//! Stiff and extreme cases of rays and shapes. Single rays with an exact answer are cases of the corpus; the
+//! exact values of the others follow from closed forms.
 
 mod axis_aligned_box;
 mod coincident;
@@ -10,16 +10,18 @@ mod sphere;
 mod triangle;
 
 use common::{ArgumentError, Color, Transfer};
+use corpus::Row;
 use measure::Effort;
 use measure::extremes::{Case, Fails, Flag, Holds, Id, Number, Outcome, Protocol, tried};
 
 use crate::line::Line;
-use crate::protocol;
 use crate::support::first;
+use crate::{protocol, rows};
 use a04_intersections::Geometry;
 
 pub fn cases(effort: Effort) -> Vec<Case> {
     let mut cases = [
+        rows::cases(&["sphere", "plane", "box", "triangle"], of_corpus),
         sphere::cases(effort),
         axis_aligned_box::cases(),
         triangle::cases(),
@@ -39,6 +41,13 @@ const EPSILON: f64 = f64::EPSILON;
 /// The `t` of the nearest hit as an outcome, or the error of a constructor.
 fn meeting<G: Geometry>(shape: Result<G, ArgumentError>, line: Line) -> Outcome {
     tried(|| Ok(first(&shape?, &line.unit_ray()?)))
+}
+
+/// A case of the corpus, of a shape of this stage.
+fn of_corpus(row: &Row) -> Case {
+    rows::described(&row.case.question.shape)
+        .map(|shapes| rows::met(shapes, row))
+        .unwrap_or_default()
 }
 
 /// A channel as a byte.

@@ -17,6 +17,7 @@ pub mod mesh;
 pub mod number;
 pub mod protocol;
 pub mod random_scene;
+pub mod rows;
 pub mod search;
 pub mod subject;
 pub mod support;

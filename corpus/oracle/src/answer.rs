@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use corpus::{Answer, Case, Hit, Question, Shape, Step};
+use corpus::{Answer, Case, Distance, Expected, Hit, Question, Row, Shape, Step};
 use num_traits::Zero;
 
 use crate::exact::{cross, difference, digits, dot, double, exact, power_of_two, root};
@@ -48,6 +48,44 @@ pub fn answer(question: Question) -> Case {
         condition: short(condition),
         margin,
     }
+}
+
+/// Answers a row of a laboratory. Its numbers may be no shape or no ray.
+pub fn row(question: Question, expected: Expected) -> Row {
+    if validate(&question).is_err() {
+        let case = Case {
+            question,
+            answer: Answer::NoShape,
+            condition: 0.0,
+            margin: 0.0,
+        };
+        return Row {
+            case,
+            distance: None,
+            expected,
+        };
+    }
+    let case = answer(question);
+    Row {
+        distance: distance(&case.question),
+        case,
+        expected,
+    }
+}
+
+/// `t` times the length of the direction, of a hit.
+fn distance(question: &Question) -> Option<Distance> {
+    let (unchanged, _) = problem(question, &Change::None);
+    let Solution::Hit { t, .. } = unchanged.solve() else {
+        return None;
+    };
+    let direction = question.direction.map(exact);
+    let squared = dot(&direction, &direction);
+    let digits = digits(|bits| t.approximate(bits) * root(&squared, bits));
+    Some(Distance {
+        value: digits.parse().unwrap_or(f64::NAN),
+        digits,
+    })
 }
 
 /// How many patterns of signs are tried for each size of a change.

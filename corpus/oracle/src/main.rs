@@ -14,10 +14,10 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs};
 
-use corpus::{Case, Question};
+use corpus::{Case, Question, Row};
 
 const USAGE: &str = "\
-oracle fill       answers the questions of cases.toml, and writes it and single.toml
+oracle fill       answers the questions of cases.toml and laboratory.toml, and writes them and single.toml
 oracle families   writes the generated families of cases.toml anew, then as fill
 oracle check      fails if fill would write another answer";
 
@@ -36,6 +36,14 @@ const SINGLE_HEAD: &str = "\
 # numbers. Written by the oracle; see README.md beside this file, which has its licence, too: CC0 1.0.
 ";
 
+const LABORATORY_HEAD: &str = "\
+# The cases of the stages' laboratories, in the format of cases.toml, with what they expect of two formulas. See
+# README.md beside this file, which has its licence, too: CC0 1.0.
+#
+# `cargo run --release --manifest-path corpus/oracle/Cargo.toml fill` writes answer, t, normal, condition, margin
+# and distance of every case.
+";
+
 fn main() -> ExitCode {
     match run() {
         Ok(says) => {
@@ -52,7 +60,7 @@ fn main() -> ExitCode {
 fn run() -> Result<String, String> {
     let command = env::args().nth(1).unwrap_or_default();
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let paths = ["cases.toml", "single.toml"].map(|name| folder.join(name));
+    let paths = ["cases.toml", "single.toml", "laboratory.toml"].map(|name| folder.join(name));
     let text = fs::read_to_string(&paths[0]).map_err(|error| format!("cases.toml: {error}"))?;
     let mut questions = corpus::read_questions(&text).map_err(|error| error.to_string())?;
     if command == "families" {
@@ -67,12 +75,24 @@ fn run() -> Result<String, String> {
     let texts = [
         write::file(HEAD, &answers(questions)),
         write::file(SINGLE_HEAD, &answers(singles)),
+        laboratory(&paths[2])?,
     ];
     let mut says = String::new();
     for (path, text) in paths.iter().zip(texts) {
         says += &kept(path, &text, command == "check")?;
     }
     Ok(says)
+}
+
+/// The text of the rows of the laboratories, whose questions are in the file.
+fn laboratory(path: &PathBuf) -> Result<String, String> {
+    let text = fs::read_to_string(path).map_err(|error| format!("laboratory.toml: {error}"))?;
+    let rows = corpus::read_unanswered_rows(&text).map_err(|error| error.to_string())?;
+    let questions: Vec<Question> = rows.iter().map(|(question, _)| question.clone()).collect();
+    unique(&questions)?;
+    let answer = |(question, expected)| answer::row(question, expected);
+    let rows: Vec<Row> = rows.into_iter().map(answer).collect();
+    Ok(write::rows(LABORATORY_HEAD, &rows))
 }
 
 /// Compares a file with what it should be, or writes it.
@@ -95,6 +115,15 @@ fn kept(path: &PathBuf, text: &str, is_check: bool) -> Result<String, String> {
 
 /// Refuses questions that have no exact answer, or the same id.
 fn checked(questions: &[Question]) -> Result<(), String> {
+    unique(questions)?;
+    for question in questions {
+        answer::validate(question).map_err(|problem| format!("case {}: {problem}", question.id))?;
+    }
+    Ok(())
+}
+
+/// Refuses questions of the same id.
+fn unique(questions: &[Question]) -> Result<(), String> {
     let mut ids: Vec<&str> = questions
         .iter()
         .map(|question| question.id.as_str())
@@ -103,9 +132,6 @@ fn checked(questions: &[Question]) -> Result<(), String> {
     let twice = ids.iter().zip(ids.iter().skip(1)).find(|(a, b)| a == b);
     if let Some((id, _)) = twice {
         return Err(format!("the id {id} is used twice"));
-    }
-    for question in questions {
-        answer::validate(question).map_err(|problem| format!("case {}: {problem}", question.id))?;
     }
     Ok(())
 }

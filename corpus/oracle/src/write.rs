@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use corpus::{Answer, Case, Shape, Step};
+use corpus::{Answer, Asks, Bound, Case, Outlook, Row, Shape, Step};
 
 /// The text of a file of cases, below its first lines.
 pub fn file(head: &str, cases: &[Case]) -> String {
@@ -12,6 +12,58 @@ pub fn file(head: &str, cases: &[Case]) -> String {
         text.push_str(&entry(case));
     }
     text
+}
+
+/// The text of a file of rows, below its first lines.
+pub fn rows(head: &str, rows: &[Row]) -> String {
+    let mut text = head.to_owned();
+    for row in rows {
+        text.push('\n');
+        text.push_str(&entry(&row.case));
+        for line in of_row(row) {
+            text.push_str(&line);
+            text.push('\n');
+        }
+    }
+    text
+}
+
+/// The lines that only rows of the laboratories have.
+fn of_row(row: &Row) -> Vec<String> {
+    let mut lines = Vec::new();
+    if let Some(distance) = &row.distance {
+        lines.push(format!("distance = {}", quoted(&distance.digits)));
+    }
+    let expected = &row.expected;
+    let asks = match expected.asks {
+        Asks::Distance => None,
+        Asks::AsGiven => Some("as-given"),
+        Asks::T => Some("t"),
+        Asks::Normal => Some("normal"),
+        Asks::IsLit => Some("is-lit"),
+    };
+    lines.extend(asks.map(|asks| format!("asks = \"{asks}\"")));
+    match expected.bound {
+        Bound::Equal => {}
+        Bound::Ulps(ulps) => lines.push(format!("bound = {{ ulps = {} }}", number(ulps))),
+        Bound::Conditions(times) => {
+            lines.push(format!("bound = {{ conditions = {} }}", number(times)));
+        }
+        Bound::Roundings { length, cosine } => lines.push(format!(
+            "bound = {{ length = {}, cosine = {} }}",
+            number(length),
+            number(cosine)
+        )),
+    }
+    match expected.protocol {
+        Some(Outlook::Holds) => lines.push("protocol = \"holds\"".to_owned()),
+        Some(Outlook::Fails) => lines.push("protocol = \"fails\"".to_owned()),
+        None => {}
+    }
+    if expected.is_refused {
+        lines.push("lesson = \"refuses\"".to_owned());
+    }
+    lines
 }
 
 fn entry(case: &Case) -> String {
@@ -38,6 +90,7 @@ fn entry(case: &Case) -> String {
     match &case.answer {
         Answer::Miss => lines.push("answer = \"miss\"".to_owned()),
         Answer::Coplanar => lines.push("answer = \"coplanar\"".to_owned()),
+        Answer::NoShape => lines.push("answer = \"none\"".to_owned()),
         Answer::Hit(hit) => {
             lines.push("answer = \"hit\"".to_owned());
             lines.push(format!("t = {}", quoted(&hit.digits)));
@@ -114,6 +167,9 @@ fn three(numbers: [f64; 3]) -> String {
 fn number(number: f64) -> String {
     if number.is_infinite() {
         return if number > 0.0 { "inf" } else { "-inf" }.to_owned();
+    }
+    if number.is_nan() {
+        return "nan".to_owned();
     }
     format!("{number:?}")
 }

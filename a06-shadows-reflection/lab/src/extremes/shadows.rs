@@ -4,13 +4,16 @@ use a02_math::{Normal3, Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::kinds::KINDS as SHAPES;
 use a04_intersections::{Plane, Sphere, World};
+use a04_lab::rows;
+use a04_lab::support::point;
 use a05_lighting::{
     DirectionalLight, Lambert, Light, PointLight, SpotLight, instruments::recorded,
 };
 use common::steps::{self, StepKind};
 use common::{ArgumentError, Color, Error};
+use corpus::{Row, Shape};
 use measure::Effort;
-use measure::extremes::{Both, Case, Fails, Flag, Holds, Number, Outcome, tried};
+use measure::extremes::{Both, Case, Fails, Holds, Number, Outcome, tried};
 
 use super::slope::{Expected, Slope};
 use crate::protocol::{
@@ -46,7 +49,12 @@ fn above(height: f64) -> Point3 {
 }
 
 pub fn cases(effort: Effort) -> Vec<Case> {
-    [single_points(), hidden_by_a_ball(), many_points(effort)].concat()
+    [
+        single_points(),
+        rows::cases(&["shadow"], of_corpus),
+        many_points(effort),
+    ]
+    .concat()
 }
 
 /// The brightness of the floor at the origin, seen from straight above, under a light.
@@ -125,9 +133,19 @@ fn single_points() -> Vec<Case> {
 /// The protocol's function of a light.
 type Illuminates = fn(Point3, Point3, &World<()>) -> bool;
 
-/// Whether a light shines on the origin of the floor, with a ball at some height.
-fn with_a_ball(lit: Result<ShadowedWorld, Error>, height: f64, illuminates: Illuminates) -> Case {
-    let ball = || Sphere::new(above(height), 0.5);
+/// A case of the corpus, a shadow ray from the floor to a lamp: whether the lamp shines on the floor, with a
+/// ball at some height.
+fn of_corpus(row: &Row) -> Case {
+    let Shape::Sphere { center, radius } = row.case.question.shape else {
+        return Case::default();
+    };
+    let is_spot = ["I17", "I18"].contains(&row.case.question.id.as_str());
+    let (lit, illuminates): (_, Illuminates) = if is_spot {
+        (lit_by_a_spot(), spot_light_illuminates)
+    } else {
+        (lit_from(LAMP), point_light_illuminates)
+    };
+    let ball = || Sphere::new(point(center), radius);
     let ours = tried(|| {
         let world = lit?.with(ball()?, Box::new(Lambert::new(Color::WHITE)?));
         Ok(RecursiveTracer::new(&world).trace(&LOOK, 1).r > 0.25)
@@ -135,42 +153,10 @@ fn with_a_ball(lit: Result<ShadowedWorld, Error>, height: f64, illuminates: Illu
     let theirs = tried(|| {
         let floor = World::new(Color::BLACK)?.with(Plane::new(Point3::ORIGIN, UP)?, ());
         let world = floor.with(ball()?, ());
-        Ok(illuminates(LAMP, Point3::ORIGIN, &world))
+        let shadow_ray = rows::line_of(row).raw_ray();
+        Ok(illuminates(shadow_ray.at(1.0), shadow_ray.origin(), &world))
     });
     Case::of(ours, theirs)
-}
-
-fn hidden_by_a_ball() -> Vec<Case> {
-    vec![
-        Case {
-            id: "I15",
-            what: "point light, ball in between: lit".into(),
-            exact: Flag(false),
-            protocol: Holds,
-            ..with_a_ball(lit_from(LAMP), 2.0, point_light_illuminates)
-        },
-        Case {
-            id: "I16",
-            what: "point light, ball behind it: lit".into(),
-            exact: Flag(true),
-            protocol: Fails,
-            ..with_a_ball(lit_from(LAMP), 6.0, point_light_illuminates)
-        },
-        Case {
-            id: "I17",
-            what: "spot light, ball in between: lit".into(),
-            exact: Flag(false),
-            protocol: Fails,
-            ..with_a_ball(lit_by_a_spot(), 2.0, spot_light_illuminates)
-        },
-        Case {
-            id: "I18",
-            what: "spot light, ball under the floor: lit".into(),
-            exact: Flag(true),
-            protocol: Fails,
-            ..with_a_ball(lit_by_a_spot(), -2.0, spot_light_illuminates)
-        },
-    ]
 }
 
 fn many_points(effort: Effort) -> Vec<Case> {

@@ -14,7 +14,7 @@ use crate::files::{self, with_path};
 const README: &str = include_str!("../../handout/README.md");
 
 /// The files and folders that are handed out.
-const PARTS: [&str; 15] = [
+const PARTS: [&str; 16] = [
     ".cargo",
     ".gitignore",
     "Cargo.lock",
@@ -24,10 +24,11 @@ const PARTS: [&str; 15] = [
     "common",
     "book/src",
     "a0*",
-    // What checks of exercises ask.
+    // What checks of exercises ask, and the laboratories.
     "corpus/Cargo.toml",
     "corpus/README.md",
     "corpus/cases.toml",
+    "corpus/laboratory.toml",
     "corpus/single.toml",
     "corpus/results",
     "corpus/src",
