@@ -31,7 +31,7 @@ addEventListener('beforeprint', openAll);
 
 const openTarget = () => {
     const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-    const fold = target?.closest('details.fold');
+    const fold = target?.closest('details');
     if (fold) {
         fold.open = true;
         target.scrollIntoView();

@@ -13,6 +13,7 @@ mod editor;
 mod exercise;
 mod files;
 mod judgement;
+mod kept;
 mod keys;
 mod list;
 mod missing_name;
@@ -23,7 +24,10 @@ mod parsons_problem;
 mod phase;
 mod process;
 mod progress;
+mod question;
 mod report;
+mod review;
+mod schedule;
 mod screen;
 mod signature;
 mod status;
@@ -86,6 +90,7 @@ enum Command {
     Corpus,
     /// Builds the book with your pictures in it
     Book,
+    Review(review::Review),
     /// Begins an exercise again, and keeps your file
     Reset(OrNext),
     Submit(submit::Submit),
@@ -126,6 +131,7 @@ fn run() -> Result<String, String> {
         },
         Some(Command::Corpus) => ask_corpus(course),
         Some(Command::Book) => book::build(course),
+        Some(Command::Review(review)) => review.run(course),
         Some(Command::Reset(shown)) => match chosen_or_next(&shown, course) {
             Some(e) => files::reset(e),
             None => Ok(ALL_DONE.to_owned()),

@@ -1,18 +1,16 @@
-//! `Progress`: which exercises are done, in a file that no commit contains.
+//! `Progress`: which exercises are done.
 //!
-//! A line of the file is the name of an exercise and the hash of the student's file that a check
-//! has found right. So an exercise is done as long as its file is that one: it is open again after
-//! an edit, a reset, or when the file is deleted.
+//! What is kept of an exercise is the hash of the student's file that a check has found right. So
+//! it is done as long as its file is that one: it is open again after an edit, a reset, or when
+//! the file is deleted.
 
-use std::collections::BTreeMap;
 use std::fs;
 
 use common::fnv1a;
 
 use crate::exercise::Exercise;
 use crate::files;
-
-const FILE: &str = ".learn";
+use crate::kept::Kept;
 
 /// The longest bar in characters, and what else stands in its line.
 const BAR: usize = 30;
@@ -21,33 +19,29 @@ const BESIDE_BAR: usize = 22;
 /// The exercises that are done.
 #[derive(Default)]
 pub struct Progress {
-    /// Hashes of right files, by the names of the exercises.
-    hashes: BTreeMap<String, u64>,
-    /// Why the file is not written. The program then knows until its end what is done.
+    kept: Kept,
+    /// Why nothing is kept. The program then knows until its end what is done.
     problem: Option<String>,
 }
 
 impl Progress {
-    /// The state that the file has.
+    /// What is kept now.
     pub fn read() -> Self {
-        let text = files::read(FILE).unwrap_or_default();
-        let mut hashes = BTreeMap::new();
-        for line in text.lines() {
-            if let Some((name, hash)) = line.split_once(' ')
-                && let Ok(hash) = u64::from_str_radix(hash, 16)
-            {
-                hashes.insert(name.to_owned(), hash);
-            }
-        }
-        Self {
-            hashes,
-            problem: None,
+        match Kept::read() {
+            Ok(kept) => Self {
+                kept,
+                problem: None,
+            },
+            Err(problem) => Self {
+                kept: Kept::default(),
+                problem: Some(problem),
+            },
         }
     }
 
     /// Whether the student's file is the one that a check has found right.
     pub fn is_done(&self, exercise: &Exercise) -> bool {
-        let Some(hash) = self.hashes.get(exercise.name) else {
+        let Some(hash) = self.kept.hashes.get(exercise.name) else {
             return false;
         };
         fs::read(files::yours(exercise)).is_ok_and(|text| fnv1a(&text) == *hash)
@@ -55,29 +49,41 @@ impl Progress {
 
     /// Records what a check says about a text.
     pub fn record(&mut self, exercise: &Exercise, text: &str, is_done: bool) {
-        // Another `cargo learn` may have recorded something since.
-        if self.problem.is_none() {
-            self.hashes = Self::read().hashes;
+        let set = |kept: &mut Kept| {
+            let name = exercise.name.to_owned();
+            if is_done {
+                kept.hashes.insert(name, fnv1a(text.as_bytes()));
+            } else {
+                kept.hashes.remove(&name);
+            }
+        };
+        set(&mut self.kept);
+        // Another `cargo learn` may have recorded something since. What cannot be read is not
+        // replaced.
+        let written = Kept::read().and_then(|mut now| {
+            if self.problem.is_some() {
+                now.hashes.extend(self.kept.hashes.clone());
+            }
+            set(&mut now);
+            now.write()?;
+            Ok(now)
+        });
+        match written {
+            Ok(now) => {
+                self.kept = now;
+                self.problem = None;
+            }
+            Err(problem) => self.problem = Some(problem),
         }
-        let name = exercise.name.to_owned();
-        if is_done {
-            self.hashes.insert(name, fnv1a(text.as_bytes()));
-        } else {
-            self.hashes.remove(&name);
-        }
-        let mut lines = Vec::new();
-        for (name, hash) in &self.hashes {
-            lines.push(format!("{name} {hash:016x}\n"));
-        }
-        let path = files::shortest(FILE);
-        let written = fs::write(&path, lines.concat()).map_err(files::with_path(&path));
-        self.problem = written.err();
     }
 
-    /// Says that the next program will not know what is done, if so.
+    /// Says that the next program will not know what is done, or that a part of what was kept
+    /// cannot be read, if so.
     pub fn warning(&self) -> Option<String> {
-        let problem = self.problem.as_ref()?;
-        Some(format!("what is done is not kept: {problem}"))
+        match &self.problem {
+            Some(problem) => Some(format!("what is done is not kept: {problem}")),
+            None => self.kept.warning(),
+        }
     }
 
     /// How far the student is with an exercise, in a word.

@@ -8,6 +8,7 @@ use crate::files;
 use crate::keys::Keys;
 use crate::page::{Page, Step};
 use crate::progress::Progress;
+use crate::review;
 use crate::screen::Screen;
 
 /// Time between two looks at the file and the keyboard.
@@ -23,7 +24,8 @@ pub struct Session {
     pub keys: Keys,
 }
 
-/// Shows one exercise after the other until the student quits. Returns how many are done.
+/// Shows one exercise after the other until the student quits. Returns how many are done, and how
+/// many questions are for today.
 pub fn watch(course: &'static [Exercise], first: &'static Exercise) -> Result<String, String> {
     let mut session = Session {
         course,
@@ -46,7 +48,12 @@ pub fn watch(course: &'static [Exercise], first: &'static Exercise) -> Result<St
             },
         };
     }
-    Ok(session.progress.bars(course, session.screen.width()))
+    let mut words = session.progress.bars(course, session.screen.width());
+    if let Some(reminder) = review::reminder(course) {
+        words += "\n";
+        words += &reminder;
+    }
+    Ok(words)
 }
 
 /// Checks all files once more, as checks and files may have changed, and shows an exercise that
