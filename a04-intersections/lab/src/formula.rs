@@ -2,6 +2,7 @@
 //!
 //! Those that the protocol prints stand in [`protocol`](crate::protocol), as printed.
 
+pub mod aligned_box;
 pub mod plane;
 pub mod sphere;
 pub mod triangle;

@@ -3,7 +3,7 @@
 #![doc(hidden)]
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
-mod aimed_box;
+pub mod aimed_box;
 pub mod certified;
 pub mod closed_mesh;
 pub mod condition;

@@ -37,6 +37,14 @@ pub trait Real: Number + PartialOrd + Into<f64> {
     /// The magnitude of this number with the sign of another.
     #[must_use]
     fn copysign(self, sign: Self) -> Self;
+
+    /// The lesser of two numbers, or the one that is a number.
+    #[must_use]
+    fn min(self, other: Self) -> Self;
+
+    /// The greater of two numbers, or the one that is a number.
+    #[must_use]
+    fn max(self, other: Self) -> Self;
 }
 
 impl Number for f32 {
@@ -55,6 +63,14 @@ impl Real for f32 {
     fn copysign(self, sign: Self) -> Self {
         self.copysign(sign)
     }
+
+    fn min(self, other: Self) -> Self {
+        self.min(other)
+    }
+
+    fn max(self, other: Self) -> Self {
+        self.max(other)
+    }
 }
 
 impl Number for f64 {
@@ -72,6 +88,14 @@ impl Real for f64 {
 
     fn copysign(self, sign: Self) -> Self {
         self.copysign(sign)
+    }
+
+    fn min(self, other: Self) -> Self {
+        self.min(other)
+    }
+
+    fn max(self, other: Self) -> Self {
+        self.max(other)
     }
 }
 

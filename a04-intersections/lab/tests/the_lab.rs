@@ -1,16 +1,21 @@
 //! The experiments and extreme cases of the laboratory, its exact arithmetic, and its search.
 
-use a03_rays_cameras::View;
+use a02_math::arrays::array;
+use a02_math::{Point3, Vector3};
+use a03_rays_cameras::{Ray, View};
+use a04_intersections::AxisAlignedBox;
 use a04_intersections::instruments::recorded;
 use a04_intersections::scenes;
+use a04_lab::aimed_box::{Aimed, LBF, RUN};
 use a04_lab::certified::{Uncertified, decide, geometry, picture};
 use a04_lab::enclosure::Enclosure;
 use a04_lab::exact::{self, DoubleDouble as Number, plane, triangle};
 use a04_lab::experiments::needle::{needles, shot};
 use a04_lab::experiments::sphere_distance::{from_afar, ours, shots};
+use a04_lab::formula::aligned_box::slabs;
 use a04_lab::formula::sphere::{self, Terms, stable, terms};
 use a04_lab::formula::triangle::{Shot, fused, rounded, split, watertight};
-use a04_lab::line::line;
+use a04_lab::line::{Line, line};
 use a04_lab::number::Number as NumberType;
 use a04_lab::search::{INPUTS, SUBJECTS, Subject};
 use a04_lab::support::first;
@@ -37,6 +42,22 @@ fn the_watertight_formula_is_that_of_the_renderer() {
         hits += usize::from(t.is_some());
     }
     assert!((450..550).contains(&hits), "{hits}");
+}
+
+/// Towards faces, edges and corners, along an axis, and within a face.
+#[test]
+fn the_slabs_are_those_of_the_renderer() {
+    let shape = AxisAlignedBox::new(LBF, RUN).unwrap();
+    let mut rays: Vec<Ray> = (0..300).map(|n| Aimed::new(1 + n % 3, n).ray).collect();
+    let within_a_face = Point3::new(0.1, 0.5, 2.0);
+    rays.push(Ray::new(within_a_face, Vector3::new(0.0, 0.0, -1.0)).unwrap());
+    rays.push(Ray::new(within_a_face, Vector3::new(0.0, 0.0, 1.0)).unwrap());
+    rays.push(Ray::new(Point3::new(0.3, 0.5, 0.7), Vector3::new(0.0, 1.0, 0.0)).unwrap());
+    for ray in rays {
+        let line = Line::of(&ray);
+        let t = slabs(&array(LBF), &array(RUN), &line);
+        assert_eq!(t, first(&shape, &ray), "{line:?}");
+    }
 }
 
 /// `(1 + 2⁻³⁰)(1 - 2⁻³⁰) - 1 · 1` is `-2⁻⁶⁰`, and the rounded product is 1.

@@ -6,6 +6,7 @@
 pub mod coarse_ball;
 pub mod experiments;
 mod extremes;
+pub mod form;
 pub mod lit_points;
 mod mirrors;
 pub mod policy;

@@ -1,12 +1,14 @@
-//! `Surface`: a shape whose rays are to leave it, and how a point is put back on it.
+//! `Surface`: a shape whose rays are to leave it.
 
 use std::rc::Rc;
 
 use a02_math::arrays::array;
-use a02_math::{Direction, Normal3, Point3, Vector3};
+use a02_math::{Normal3, Point3};
 use a04_intersections::{AxisAlignedBox, Geometry, Plane, Sphere, Triangle, World};
 use a04_lab::support::{Triple, point};
 use common::{Color, Error};
+
+use crate::form::Form;
 
 /// A shape in a scene of this size.
 pub type Shape = fn(f64) -> Result<Surface, Error>;
@@ -35,28 +37,8 @@ pub const SHAPES: [Shape; 6] = [
 #[derive(Clone)]
 pub struct Surface {
     pub world: Rc<World<()>>,
-    put_back: Option<PutBack>,
-}
-
-/// Finds the point of a surface that is nearest to a point close to it.
-type PutBack = Rc<dyn Fn(Point3) -> OnSurface>;
-
-/// A point that is put back on a surface.
-pub struct OnSurface {
-    pub point: Point3,
-    /// The largest of the shape's numbers from which the point is computed, and from which a test
-    /// of a ray there is.
-    pub scale: f64,
-}
-
-impl Surface {
-    /// The nearest point of the surface; a shape that cannot find it returns the point as it is.
-    pub fn put_back(&self, point: Point3) -> OnSurface {
-        match &self.put_back {
-            Some(put_back) => put_back(point),
-            None => OnSurface { point, scale: 0.0 },
-        }
-    }
+    /// Its numbers, where a point can be put back.
+    pub form: Option<Form>,
 }
 
 pub fn world(shape: impl Geometry) -> Result<World<()>, Error> {
@@ -67,75 +49,45 @@ pub fn world(shape: impl Geometry) -> Result<World<()>, Error> {
 pub fn surface(shape: impl Geometry) -> Result<Surface, Error> {
     Ok(Surface {
         world: Rc::new(world(shape)?),
-        put_back: None,
+        form: None,
     })
 }
 
-fn with_put_back(
-    shape: impl Geometry,
-    put_back: impl Fn(Point3) -> OnSurface + 'static,
-) -> Result<Surface, Error> {
+fn with_form(shape: impl Geometry, form: Form) -> Result<Surface, Error> {
     Ok(Surface {
-        put_back: Some(Rc::new(put_back)),
+        form: Some(form),
         ..surface(shape)?
     })
 }
 
 pub fn sphere(center: Point3, radius: f64) -> Result<Surface, Error> {
-    with_put_back(Sphere::new(center, radius)?, move |p| {
-        let from_center = p - center;
-        OnSurface {
-            point: center + from_center * (radius / from_center.magnitude()),
-            scale: radius,
-        }
-    })
+    let form = Form::Sphere {
+        center: array(center),
+        radius,
+    };
+    with_form(Sphere::new(center, radius)?, form)
 }
 
 pub fn plane(a: Point3, normal: Normal3) -> Result<Surface, Error> {
     let plane = Plane::new(a, normal)?;
-    let n = plane.normal();
-    with_put_back(plane, move |p| {
-        let to_a = a - p;
-        OnSurface {
-            point: p + Vector3::from(n) * to_a.dot(n),
-            scale: to_a.dot_of_magnitudes(n),
-        }
-    })
+    let form = Form::Plane {
+        a: array(a),
+        normal: array(plane.normal()),
+    };
+    with_form(plane, form)
 }
 
 /// A box between two opposite corners.
 pub fn cuboid(least: Triple, greatest: Triple) -> Result<Surface, Error> {
     let shape = AxisAlignedBox::new(point(least), point(greatest))?;
-    with_put_back(shape, move |p| {
-        let p = array(p);
-        let (mut nearest, mut distance) = (p, f64::INFINITY);
-        for axis in 0..3 {
-            for face in [least[axis], greatest[axis]] {
-                let from_face = (p[axis] - face).abs();
-                if from_face < distance {
-                    distance = from_face;
-                    nearest = p;
-                    nearest[axis] = face;
-                }
-            }
-        }
-        OnSurface {
-            point: point(nearest),
-            scale: 0.0,
-        }
-    })
+    with_form(shape, Form::Box { least, greatest })
 }
 
 pub fn triangle([a, b, c]: [Point3; 3]) -> Result<Surface, Error> {
-    let edges = [b - a, c - a, c - b].map(Vector3::magnitude);
-    let longest = edges.into_iter().fold(0.0, f64::max);
-    let across = (b - a).cross(c - a);
-    let scale = longest / across.magnitude() * longest * longest;
-    let n = across.unit("normal")?;
-    with_put_back(Triangle::new(a, b, c)?, move |p| OnSurface {
-        point: p + n * (a - p).dot(n),
-        scale,
-    })
+    let form = Form::Triangle {
+        corners: [a, b, c].map(array),
+    };
+    with_form(Triangle::new(a, b, c)?, form)
 }
 
 /// The point at a position of the scene of size 1, in a scene of this size.

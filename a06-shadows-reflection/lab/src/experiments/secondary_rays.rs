@@ -12,7 +12,8 @@ use measure::experiment::{Axis, Curve, ErrorBound, Experiment, TaskSet, Unit};
 
 use crate::lit_points::{AIM, Aim, Look, SEED, Trial, looks, trials};
 use crate::policy::{
-    Policy, above_a_millionth, above_a_thousandth, above_zero, offset, put_back, relative, stepped,
+    Policy, above_a_millionth, above_a_thousandth, above_zero, error_bounds, offset, relative,
+    relative_to_t, single, stepped,
 };
 use crate::surface::{SHAPES, Shape, cuboid, plane, sphere, triangle};
 
@@ -40,6 +41,16 @@ pub fn experiments() -> Vec<Experiment<'static>> {
             ..ACNE
         },
         WrongDecisions {
+            name: "leaks-of-large-shapes",
+            question: "Which rays find an object near the surface of a large shape?",
+            parameter: "size of the shape (sizes of the view)",
+            sets: by_ratio,
+            // The scale of the triangle is some hundred times this size, and the offset 1e-9 of the
+            // view for a scale of 7e4.
+            promised: 0.0..=1e2,
+            ..LEAKS
+        },
+        WrongDecisions {
             name: "acne-from-afar",
             question: "From how far away may the eye look?",
             parameter: "distance of the eye (sizes of the scene)",
@@ -61,6 +72,15 @@ pub fn experiments() -> Vec<Experiment<'static>> {
             parameter: "longest edge / least height",
             sets: by_aspect,
             ..ACNE
+        },
+        WrongDecisions {
+            name: "leaks-of-needles",
+            question: "Which rays find an object near the surface of a needle?",
+            parameter: "longest edge / least height",
+            sets: by_aspect,
+            // The offset is 1e-9 for a scale of 7e4, and a random triangle's is some times this ratio.
+            promised: 0.0..=1e2,
+            ..LEAKS
         },
     ]
     .map(WrongDecisions::experiment)
@@ -136,25 +156,49 @@ const RELATIVE: Method = Method {
     name: "above 1e-9 of the largest",
     policy: relative,
 };
+const RELATIVE_TO_T: Method = Method {
+    name: "above 2e-12 t (pbrt 2)",
+    policy: relative_to_t,
+};
 const STEPPED: Method = Method {
-    name: "steps of doubles",
+    name: "steps of doubles (Wächter)",
     policy: stepped,
 };
-const PUT_BACK: Method = Method {
-    name: "put back",
-    policy: put_back,
+const ERROR_BOUNDS: Method = Method {
+    name: "error bounds (pbrt 4)",
+    policy: error_bounds,
+};
+const SINGLE: Method = Method {
+    name: "offset (single)",
+    policy: single,
 };
 const OURS: Method = Method {
     name: "offset (ours)",
     policy: offset,
 };
 
-const METHODS: [Method; 7] = [
-    THOUSANDTH, ZERO, MILLIONTH, RELATIVE, STEPPED, PUT_BACK, OURS,
+const METHODS: [Method; 9] = [
+    THOUSANDTH,
+    ZERO,
+    MILLIONTH,
+    RELATIVE,
+    RELATIVE_TO_T,
+    STEPPED,
+    ERROR_BOUNDS,
+    SINGLE,
+    OURS,
 ];
 
 /// Those for shapes that cannot put a point back.
-pub const FOR_EVERY_SHAPE: [Method; 6] = [THOUSANDTH, ZERO, MILLIONTH, RELATIVE, STEPPED, OURS];
+pub const FOR_EVERY_SHAPE: [Method; 7] = [
+    THOUSANDTH,
+    ZERO,
+    MILLIONTH,
+    RELATIVE,
+    RELATIVE_TO_T,
+    STEPPED,
+    OURS,
+];
 
 impl WrongDecisions {
     pub fn experiment(self) -> Experiment<'static> {
