@@ -5,10 +5,12 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 
 use measure::Effort;
 use measure::extremes::{
-    Absolute, Bound, Case, Equal, Fails, Holds, Id, Nothing, Number, Outcome, Protocol, Triple,
-    Ulps, greatest,
+    Absolute, Bound, Case, Equal, Fails, Holds, Id, Known, Nothing, Number, Outcome, Protocol,
+    Triple, Ulps, greatest,
 };
 
+use crate::condition::{Exact3, condition, condition_of_angle, cross, dot, three, unit};
+use crate::exact::DoubleDouble;
 use crate::experiments::{conditions, from_columns, refined};
 use crate::protocol;
 use a02_math::arrays::{array, vector};
@@ -22,6 +24,7 @@ pub fn cases(_: Effort) -> Vec<Case> {
 const ROUNDING: Bound = Absolute(4.0 * f64::EPSILON);
 
 fn normalized(id: Id, what: &str, v: Vector3, exact: Outcome) -> Case {
+    let of_unit = condition(&one_long(v), |x| unit(three(x, 0)));
     let ours = v.normalized().map(array);
     let theirs = array(protocol::normalized(v));
     Case {
@@ -29,6 +32,7 @@ fn normalized(id: Id, what: &str, v: Vector3, exact: Outcome) -> Case {
         what: format!("normalise {what}"),
         exact,
         bound: Ulps(1.0),
+        condition: Known(of_unit),
         protocol: Fails,
         ..Case::of(ours, theirs)
     }
@@ -40,7 +44,7 @@ fn lengths() -> Vec<Case> {
     let x = |x| vector([x, 0.0, 0.0]);
     let slanted = vector([1.0, -1.0, 0.0]);
     let tall = Normal3::new(0.0, 1.001, 0.0);
-    let unit = slanted * FRAC_1_SQRT_2;
+    let unit_slanted = slanted * FRAC_1_SQRT_2;
     let nearly_unit = Normal3::new(0.0, 1.0 + 1e-8, 0.0);
     vec![
         normalized("E18", "(1, 2, 2) * 1e-160", v * 1e-160, thirds),
@@ -53,6 +57,7 @@ fn lengths() -> Vec<Case> {
             id: "F23",
             what: "reflect (1, -1, 0) on the normal (0, 1.001, 0)".into(),
             exact: Triple([1.0, 1.0, 0.0]),
+            condition: Known(condition_of_reflection(slanted, tall)),
             bound: ROUNDING,
             protocol: Fails,
             ..Case::of(
@@ -64,11 +69,12 @@ fn lengths() -> Vec<Case> {
             id: "F24",
             what: "length of (1, -1, 0) / sqrt 2 reflected on (0, 1 + 1e-8, 0)".into(),
             exact: Number(1.0),
+            condition: Known(condition_of_reflected_length(unit_slanted, nearly_unit)),
             bound: ROUNDING,
             protocol: Fails,
             ..Case::of(
-                reflected(unit, nearly_unit).map(Vector3::magnitude),
-                protocol::reflected_on(unit, nearly_unit).magnitude(),
+                reflected(unit_slanted, nearly_unit).map(Vector3::magnitude),
+                protocol::reflected_on(unit_slanted, nearly_unit).magnitude(),
             )
         },
         perpendicular("F25", "-z", [0.0, 0.0, -1.0]),
@@ -84,6 +90,40 @@ fn lengths() -> Vec<Case> {
 /// The reflection of an incoming vector by the lesson, on the normalised normal.
 fn reflected(d: Vector3, n: Normal3) -> Option<Vector3> {
     Some((-d).reflected_on(n.normalized()?))
+}
+
+/// The reflected vector, with 30 digits: `2 (n · v) n - v` for `v = -d` and n of length 1.
+fn reflected_exactly(d: Exact3, n: Exact3) -> Exact3 {
+    let n = unit(n);
+    let twice = dot(d, n) * 2.0.into();
+    [0, 1, 2].map(|i| d[i] - twice * n[i])
+}
+
+fn condition_of_reflection(d: Vector3, n: Normal3) -> f64 {
+    let numbers = [array(d), array(n)].concat();
+    condition(&numbers, |x| reflected_exactly(three(x, 0), three(x, 3)))
+}
+
+fn condition_of_reflected_length(d: Vector3, n: Normal3) -> f64 {
+    let numbers = [array(d), array(n)].concat();
+    condition(&numbers, |x| {
+        let reflected = reflected_exactly(three(x, 0), three(x, 3));
+        [dot(reflected, reflected).sqrt()]
+    })
+}
+
+fn condition_of_projection(v: Vector3, on: Vector3) -> f64 {
+    let numbers = [array(v), array(on)].concat();
+    condition(&numbers, |x| {
+        let (v, on) = (three(x, 0), three(x, 3));
+        let fraction = dot(v, on) / dot(on, on);
+        on.map(|x| x * fraction)
+    })
+}
+
+/// The determinant of three rows, with 30 digits.
+fn determinant(rows: &[DoubleDouble]) -> DoubleDouble {
+    dot(three(rows, 0), cross(three(rows, 3), three(rows, 6)))
 }
 
 /// The two directions that glam finds perpendicular to a third, after Duff et
@@ -107,6 +147,11 @@ fn perpendicular(id: Id, what: &str, n: [f64; 3]) -> Case {
     }
 }
 
+/// The vector in this direction of length 1: 30 digits do not reach all lengths, on which no angle depends.
+fn one_long(v: Vector3) -> [f64; 3] {
+    v.normalized().map(array).unwrap_or_default()
+}
+
 /// The angle between two vectors, against the protocol's arc cosine.
 fn angle(id: Id, what: &str, [a, b]: [[f64; 3]; 2], exact: f64) -> Case {
     let (a, b) = (vector(a), vector(b));
@@ -115,7 +160,9 @@ fn angle(id: Id, what: &str, [a, b]: [[f64; 3]; 2], exact: f64) -> Case {
         what: format!("angle between {what}"),
         exact: Number(exact),
         bound: if exact == 0.0 { Equal } else { Ulps(4.0) },
-        condition: (exact > 0.0).then_some(2.0 / exact),
+        condition: (exact > 0.0)
+            .then(|| condition_of_angle(one_long(a), one_long(b), exact))
+            .into(),
         protocol: Fails,
         ..Case::of(a.angle(b), protocol::angle_by_arc_cosine(a, b))
     }
@@ -152,6 +199,7 @@ fn angles() -> Vec<Case> {
             id: "F28",
             what: "angle between (2, 2.5, 10) and (0.5, 6, 4): the text returns the cosine".into(),
             exact: Number(0.740_948_356_444_46),
+            condition: Known(condition_of_angle(array(v), array(w), 0.740_948_356_444_46)),
             bound: Ulps(4.0),
             protocol: Fails,
             ..Case::of(v.angle(w), protocol::angle(v, w))
@@ -178,6 +226,11 @@ fn angles() -> Vec<Case> {
             id: "F32",
             what: "angle between vectors of length 1e-100, 45 degrees".into(),
             exact: Number(FRAC_PI_4),
+            condition: Known(condition_of_angle(
+                one_long(short),
+                one_long(short_diagonal),
+                FRAC_PI_4,
+            )),
             bound: Ulps(4.0),
             ours: short.angle(short_diagonal).into(),
             ..Case::default()
@@ -190,6 +243,7 @@ fn angles() -> Vec<Case> {
                 -0.959_677_419_354_838_7,
                 0.411_290_322_580_645_2,
             ]),
+            condition: Known(condition_of_projection(v, on)),
             bound: Ulps(2.0),
             protocol: Fails,
             ..Case::of(
@@ -211,7 +265,7 @@ fn solved(id: Id, what: &str, system: &System, exact: [f64; 3], protocol: Protoc
         what: what.into(),
         exact: Triple(exact),
         bound: Ulps(4.0),
-        condition: conditions.into_iter().reduce(f64::max),
+        condition: conditions.into_iter().reduce(f64::max).into(),
         protocol,
         ..Case::of(ours, theirs)
     }
@@ -228,7 +282,10 @@ fn systems() -> Vec<Case> {
         m: Mat3x3::from_rows([[82.0, 45.0, 9.0], [27.0, 16.0, 3.0], [9.0, 5.0, 1.0]]),
         b: vector([1.0, 1.0, 0.0]),
     };
-    let flat = Mat3x3::from_rows([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6], [0.7, 0.8, 0.9]]);
+    let rows = [[0.1, 0.2, 0.3], [0.4, 0.5, 0.6], [0.7, 0.8, 0.9]];
+    let numbers = rows.concat();
+    let of_determinant = condition(&numbers, |x| [determinant(x)]);
+    let exact_numbers: Vec<_> = numbers.iter().map(|x| DoubleDouble::from(*x)).collect();
     vec![
         solved(
             "K01",
@@ -246,10 +303,15 @@ fn systems() -> Vec<Case> {
         ),
         Case {
             id: "K03",
-            what: "determinant of (.1, .2, .3; .4, .5, .6; .7, .8, .9): 0 but for rounding".into(),
+            what: "determinant of (.1, .2, .3; .4, .5, .6; .7, .8, .9), whose sign the rounding of the \
+                   given numbers decides"
+                .into(),
             exact: Number(4.163_336_342_344_336e-18),
-            bound: Absolute(4.0 * f64::EPSILON),
-            ours: flat.determinant().into(),
+            // A change of the given numbers in their last place: far more than the determinant itself.
+            bound: Ulps(of_determinant),
+            condition: Known(of_determinant),
+            certified: Some(Number(determinant(&exact_numbers).value())),
+            ours: Mat3x3::from_rows(rows).determinant().into(),
             ..Case::default()
         },
     ]

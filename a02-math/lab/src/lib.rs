@@ -3,6 +3,7 @@
 #![doc(hidden)]
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
+pub mod condition;
 pub mod exact;
 mod experiments;
 mod extremes;

@@ -7,7 +7,9 @@ mod stripes;
 use a02_math::{Point3, Vector3};
 use common::{Color, Error, Image, Sampling, Settings, Size};
 use measure::Effort;
-use measure::extremes::{Absolute, Case, Fails, Number, Refused, Triple, Ulps, tried};
+use measure::extremes::{
+    Absolute, Case, Fails, Known, Number, Refused, Triple, Ulps, Without, tried,
+};
 
 use crate::experiments::{RADIUS, disc_coverage, neumaier, sampled};
 use crate::protocol;
@@ -107,6 +109,7 @@ fn samples() -> Vec<Case> {
             id: "Q01",
             what: "one stratified sample: places in the pixel".into(),
             exact: Number(1.0),
+            condition: Without("a count"),
             ours: places_in_the_pixel().into(),
             ..Case::default()
         },
@@ -114,6 +117,7 @@ fn samples() -> Vec<Case> {
             id: "Q02",
             what: "a white scene with 2, 3 and 5 samples, divided by the number asked for".into(),
             exact: Triple([1.0; 3]),
+            condition: Known(1.0),
             protocol: Fails,
             ..Case::of([2, 3, 5].map(white), [2, 3, 5].map(protocols_white))
         },
@@ -121,6 +125,7 @@ fn samples() -> Vec<Case> {
             id: "Q03",
             what: "a white scene with 0 samples, taken as 1".into(),
             exact: Number(1.0),
+            condition: Known(1.0),
             protocol: Fails,
             ..Case::of(white(0), protocols_white(0))
         },
@@ -135,6 +140,7 @@ fn samples() -> Vec<Case> {
             id: "Q09",
             what: "the greatest random number, 1 - 2^-53, against 32 bits of it".into(),
             exact: Number(GREATEST_BELOW_1),
+            condition: Without("no number is given"),
             protocol: Fails,
             ..Case::of(greatest, f64::from(greatest as f32))
         },
@@ -152,6 +158,8 @@ fn samples() -> Vec<Case> {
             id: "Q07",
             what: format!("coverage of 64x64 pixels by a disc of radius {RADIUS}, summed up"),
             exact: Number(1_294.618_916_617_818),
+            // The area grows with the square of the radius.
+            condition: Known(2.0),
             bound: Absolute(1e-11),
             ours: area_of_the_disc().into(),
             ..Case::default()
@@ -160,6 +168,7 @@ fn samples() -> Vec<Case> {
             id: "Q08",
             what: "the mean of a million samples of 0.1, as a pixel sums them".into(),
             exact: Number(0.1),
+            condition: Known(1.0),
             bound: Absolute(f64::from(MILLION) * f64::EPSILON * 0.1),
             ours: plain,
             ..Case::default()
@@ -168,6 +177,7 @@ fn samples() -> Vec<Case> {
             id: "Q12",
             what: "the same by the plain sum, and by Neumaier's".into(),
             exact: Number(0.1),
+            condition: Known(1.0),
             bound: Ulps(1.0),
             protocol: Fails,
             ..Case::of(neumaier(tenths) / f64::from(MILLION), plain)
@@ -176,6 +186,7 @@ fn samples() -> Vec<Case> {
             id: "Q13",
             what: "the byte of the samples 205, 205, 205 and 204, averaged as whole numbers".into(),
             exact: Number(204.75),
+            condition: Known(1.0),
             bound: Absolute(0.5),
             protocol: Fails,
             ..Case::of(

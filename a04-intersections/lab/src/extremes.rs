@@ -12,7 +12,7 @@ mod triangle;
 use common::{ArgumentError, Color, Transfer};
 use corpus::Row;
 use measure::Effort;
-use measure::extremes::{Case, Fails, Flag, Holds, Id, Number, Outcome, Protocol, tried};
+use measure::extremes::{Case, Fails, Flag, Holds, Id, Number, Outcome, Protocol, Without, tried};
 
 use crate::line::Line;
 use crate::support::first;
@@ -58,6 +58,7 @@ fn byte(id: Id, channel: f64, exact: f64, protocol: Protocol) -> Case {
         id,
         what: format!("a channel of {channel} as a byte"),
         exact: Number(exact),
+        condition: Without("a byte is a whole number"),
         protocol,
         ..Case::of(f64::from(ours), f64::from(theirs))
     }

@@ -6,7 +6,8 @@
 use a02_math::Direction;
 use corpus::{Answer, Asks, Bound, Outlook, Row, Shape};
 use measure::extremes::{
-    Bound as RowBound, Case, Fails, Flag, Holds, Nothing, Number, Outcome, Refused, Triple,
+    Bound as RowBound, Case, Condition, Fails, Flag, Holds, Known, Nothing, Number, Outcome,
+    Refused, Triple,
 };
 
 use crate::line::{Line, line};
@@ -37,8 +38,8 @@ fn case(row: &'static Row, compute: impl Fn(&Row) -> Case) -> Case {
     let computed = compute(row);
     // That of the corpus is the condition of t.
     let of_corpus = match (row.expected.asks, &row.case.answer) {
-        (Asks::Distance | Asks::AsGiven | Asks::T, Answer::Hit(_)) => Some(row.case.condition),
-        _ => None,
+        (Asks::Distance | Asks::AsGiven | Asks::T, Answer::Hit(_)) => Known(row.case.condition),
+        _ => Condition::Unstated,
     };
     Case {
         id: &row.case.question.id,

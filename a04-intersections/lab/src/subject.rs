@@ -86,7 +86,7 @@ impl Subject {
         let exact = (self.exact)(numbers, &Line::of(&ray));
         let is_hit = (self.decide)(&*shape, &ray, Interval::AHEAD);
         Case {
-            condition: exact.map(|exact| exact.condition),
+            condition: exact.map(|exact| exact.condition).into(),
             certified: certified(is_hit, exact),
             ..Case::of(first(&*shape, &ray), theirs)
         }

@@ -7,6 +7,7 @@
 mod both;
 mod bound;
 mod case;
+mod condition;
 mod outcome;
 mod table;
 
@@ -14,6 +15,7 @@ pub use both::{Both, count_wrong};
 pub use bound::Bound::{self, Absolute, Equal, Ulps};
 pub use case::Protocol::{self, Fails, Holds};
 pub use case::{Case, Id};
+pub use condition::Condition::{self, Known, Without};
 pub use outcome::Outcome::{self, Flag, Nothing, Number, Refused, Triple};
 pub use outcome::{greatest, tried};
 pub use table::{check, select};

@@ -1,13 +1,14 @@
 //! Cameras: fields of view, brackets, axes, and pictures of few pixels. Exact directions are
 //! computed from the given doubles with 80 digits.
 
-use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, FRAC_PI_8, PI};
 
+use a02_lab::condition::{condition, cross, three, unit};
 use a02_math::arrays::array;
 use a02_math::{Direction, Point3, Vector3};
 use common::{ArgumentError, Size};
 use measure::extremes::{
-    Absolute, Case, Fails, Holds, Number, Outcome, Refused, Triple, Ulps, greatest, tried,
+    Absolute, Case, Fails, Holds, Known, Number, Outcome, Refused, Triple, Ulps, greatest, tried,
 };
 
 use super::{AHEAD, UP};
@@ -127,6 +128,7 @@ fn perspective() -> Vec<Case> {
             id: "E06",
             what: "perspective, half angle pi/4, picture of 1x1".into(),
             exact: Triple(array(AHEAD)),
+            condition: Known(0.0),
             protocol: Holds,
             ..Pixel::first(1, 1).half_angle(FRAC_PI_4)
         },
@@ -134,6 +136,7 @@ fn perspective() -> Vec<Case> {
             id: "E07",
             what: "perspective, half angle pi/4, 1x100, pixel (0, 99)".into(),
             exact: Triple([0.0, 0.703_544_597_920_105_2, -0.710_651_109_010_207_3]),
+            condition: Known(of_direction(FRAC_PI_4, [0.0, 0.99])),
             bound: Ulps(2.0),
             protocol: Holds,
             ..top_of_a_column.half_angle(FRAC_PI_4)
@@ -156,6 +159,7 @@ fn perspective() -> Vec<Case> {
             id: "E24",
             what: "perspective, FULL angle pi/4, 641x481, middle of the top row".into(),
             exact: Triple([0.0, 0.382_004_035_507_720_3, -0.924_160_655_327_75]),
+            condition: Known(of_direction(FRAC_PI_8, [0.0, 480.0 / 481.0])),
             bound: Ulps(2.0),
             protocol: Fails,
             ..Case::of(
@@ -166,12 +170,31 @@ fn perspective() -> Vec<Case> {
     ]
 }
 
+/// The condition of a direction through a position in the picture, from -1 to 1, in numbers of the half angle
+/// alone: `T' α / T = α (1 + T²) / T` is that of its tangent T.
+fn of_direction(half_angle: f64, position: [f64; 2]) -> f64 {
+    let tangent = libm::tan(half_angle);
+    let of_tangent = half_angle * (1.0 + tangent * tangent) / tangent;
+    let of_direction = condition(&[tangent], |tangent| {
+        let [x, y] = position.map(|x| tangent[0] * x.into());
+        unit([x, y, (-1.0).into()])
+    });
+    of_tangent * of_direction
+}
+
+/// The condition of the axis u, which lies across gaze and up vector.
+fn condition_of_u(gaze: Vector3, up: Vector3) -> f64 {
+    let numbers = [array(gaze), array(up)].concat();
+    condition(&numbers, |x| unit(cross(three(x, 0), three(x, 3))))
+}
+
 fn orthographic() -> Vec<Case> {
     vec![
         Case {
             id: "E10",
             what: "orthographic, column 639 of 640, bracket of the text's code".into(),
             exact: Number(0.5),
+            condition: Known(1.0),
             protocol: Fails,
             ..bracket(639.0, 640, protocol::bracket_of_the_code)
         },
@@ -179,6 +202,7 @@ fn orthographic() -> Vec<Case> {
             id: "E25",
             what: "orthographic, column 0 of 640, fraction of the text's formula".into(),
             exact: Number(-0.5),
+            condition: Known(1.0),
             protocol: Fails,
             ..bracket(0.0, 640, protocol::bracket_of_the_formula)
         },
@@ -289,7 +313,9 @@ fn axes() -> Vec<Case> {
             id: "E14",
             what: "u of gaze (1, 2, 3) and up (1+1e-11, 2, 3)".into(),
             exact: Triple([0.0, 0.832_050_294_337_843_7, -0.554_700_196_225_229_1]),
-            bound: Absolute(1e-3),
+            condition: Known(condition_of_u(slanted, near)),
+            // Both crossed vectors are rounded.
+            bound: Ulps(condition_of_u(slanted, near)),
             protocol: Holds,
             ..u(slanted, near)
         },
@@ -314,6 +340,7 @@ fn axes() -> Vec<Case> {
             id: "E16",
             what: "u of gaze (0, 0, -1e200)".into(),
             exact: right,
+            condition: Known(0.0),
             protocol: Fails,
             ..u(AHEAD * 1e200, UP)
         },
@@ -321,6 +348,7 @@ fn axes() -> Vec<Case> {
             id: "E17",
             what: "u of up (0, 1e-170, 0)".into(),
             exact: right,
+            condition: Known(0.0),
             protocol: Fails,
             ..u(AHEAD, UP * 1e-170)
         },
@@ -381,6 +409,7 @@ fn pinhole() -> Vec<Case> {
             id: "E26",
             what: "pinhole, 3x3, middle of the middle pixel: through its corner".into(),
             exact: Triple(array(AHEAD)),
+            condition: Known(0.0),
             protocol: Fails,
             ..through_the_middle([3, 3], 1.0, 1.0)
         },
@@ -388,6 +417,7 @@ fn pinhole() -> Vec<Case> {
             id: "E27",
             what: "pinhole, 3x601, middle (1.5, 300.5): sizes halved as whole numbers".into(),
             exact: Triple(array(AHEAD)),
+            condition: Known(0.0),
             protocol: Fails,
             ..of_whole_sizes([3, 601], 1.5, 300.5)
         },
@@ -395,6 +425,7 @@ fn pinhole() -> Vec<Case> {
             id: "E28",
             what: "pinhole, 10x10, corner (10, 10), which the text's loop leaves out".into(),
             exact: Triple([THIRD, -THIRD, -THIRD]),
+            condition: Known(of_direction(FRAC_PI_4, [1.0, -1.0])),
             bound: Ulps(2.0),
             protocol: Holds,
             ..through([10, 10], 10.0, 10.0)
@@ -403,6 +434,7 @@ fn pinhole() -> Vec<Case> {
             id: "E29",
             what: "the point at t = 50 on a ray to the sky, which the text bounds by 30".into(),
             exact: Triple([0.0, 0.0, -50.0]),
+            condition: Known(1.0),
             protocol: Fails,
             ..far_point()
         },
@@ -410,6 +442,7 @@ fn pinhole() -> Vec<Case> {
             id: "E30",
             what: "pinhole, 2x2, upper edge in the middle: 45 degrees up".into(),
             exact: Triple([0.0, FRAC_1_SQRT_2, -FRAC_1_SQRT_2]),
+            condition: Known(of_direction(FRAC_PI_4, [0.0, 1.0])),
             bound: Ulps(2.0),
             protocol: Holds,
             ..through([2, 2], 1.0, 0.0)

@@ -5,7 +5,7 @@ use a02_math::{Direction, Point3};
 use a03_rays_cameras::Ray;
 use common::ArgumentError;
 use measure::Effort;
-use measure::extremes::{Both, Case, Fails, Nothing, Number, count_wrong};
+use measure::extremes::{Both, Case, Fails, Known, Nothing, Number, count_wrong};
 
 use super::{EPSILON, meeting};
 use crate::line::{Line, line};
@@ -43,6 +43,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
             id: "B07",
             what: "normal and direction of length 1e-200: the distance".into(),
             exact: Number(1.0),
+            condition: Known(2.0),
             protocol: Fails,
             ..of_tiny_lengths()
         },

@@ -4,7 +4,9 @@
 use a02_math::{Direction, Point3};
 use common::{ArgumentError, Color};
 use measure::Effort;
-use measure::extremes::{Absolute, Case, Fails, Holds, Nothing, Number, Outcome, greatest, tried};
+use measure::extremes::{
+    Absolute, Case, Fails, Holds, Known, Nothing, Number, Outcome, greatest, tried,
+};
 
 use super::{EPSILON, meeting};
 use crate::experiments::sphere_distance::{Formula, at_ground, error, ours, shots};
@@ -91,6 +93,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
             id: "A40",
             what: "seen from inside: cosine between normal and direction".into(),
             exact: Number(-1.0),
+            condition: Known(1.0),
             protocol: Fails,
             ..seen_from_inside()
         },

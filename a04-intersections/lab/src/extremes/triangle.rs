@@ -4,7 +4,7 @@
 use a02_math::{Normal3, Point3};
 use a03_rays_cameras::Ray;
 use common::ArgumentError;
-use measure::extremes::{Both, Case, Fails, Number, Ulps, count_wrong, tried};
+use measure::extremes::{Both, Case, Fails, Known, Number, Ulps, Without, count_wrong, tried};
 
 use super::meeting;
 use crate::line::{Line, line};
@@ -69,6 +69,7 @@ pub fn cases() -> Vec<Case> {
             id: "D27",
             what: "three perpendicular normals: the length of their mean".into(),
             exact: Number(1.0),
+            condition: Known(0.0),
             bound: Ulps(2.0),
             protocol: Fails,
             ..mean_of_normals()
@@ -78,6 +79,7 @@ pub fn cases() -> Vec<Case> {
             what: "1000 points within a triangle: how many are met, β + γ being asked to be 1"
                 .into(),
             exact: Number(1000.0),
+            condition: Without("a count"),
             protocol: Fails,
             ..points_within()
         },

@@ -6,7 +6,8 @@ use a04_intersections::{Geometry, Plane, Sphere};
 use a04_lab::support::Numbers;
 use common::{ArgumentError, Color};
 use measure::extremes::{
-    Absolute, Bound, Case, Fails, Flag, Holds, Number, Outcome, Refused, Ulps, greatest, tried,
+    Absolute, Bound, Case, Fails, Flag, Holds, Known, Number, Outcome, Refused, Ulps, greatest,
+    tried,
 };
 
 use crate::protocol;
@@ -15,6 +16,9 @@ use a05_lighting::{DirectionalLight, Lambert, Light, LitWorld, PointLight};
 const UP: Normal3 = Normal3::new(0.0, 1.0, 0.0);
 /// The normal of a wall.
 const SIDEWAYS: Normal3 = Normal3::new(1.0, 0.0, 0.0);
+/// The condition of a brightness, the reflectance times the sum of ambient light and light from straight before
+/// the surface: 1 for the reflectance, and 1 for the lights.
+const OF_A_PRODUCT: f64 = 2.0;
 const ROUNDING: Bound = Absolute(4.0 * f64::EPSILON);
 
 /// A white shape with a light, and ambient light of 1/4.
@@ -94,6 +98,7 @@ fn in_a_sphere() -> Vec<Case> {
             id: "I05",
             what: "light in the centre of a sphere seen from outside: brightness".into(),
             exact: Number(0.25),
+            condition: Known(OF_A_PRODUCT),
             bound: ROUNDING,
             protocol: Holds,
             ..from_height(3.0)
@@ -102,6 +107,7 @@ fn in_a_sphere() -> Vec<Case> {
             id: "I06",
             what: "light in the centre of a sphere seen from inside: brightness".into(),
             exact: Number(1.25),
+            condition: Known(OF_A_PRODUCT),
             bound: ROUNDING,
             protocol: Fails,
             ..from_height(0.5)
@@ -133,6 +139,7 @@ fn lamps() -> Vec<Case> {
             id: "I20",
             what: "point light at 1e100: brightness below".into(),
             exact: Number(1.25),
+            condition: Known(OF_A_PRODUCT),
             bound: Ulps(1.0),
             protocol: Holds,
             ..under_a_lamp(1e100)
@@ -141,6 +148,7 @@ fn lamps() -> Vec<Case> {
             id: "I21",
             what: "point light at 1e-100: brightness below".into(),
             exact: Number(1.25),
+            condition: Known(OF_A_PRODUCT),
             bound: Ulps(1.0),
             protocol: Holds,
             ..under_a_lamp(1e-100)
@@ -167,6 +175,7 @@ fn suns() -> Vec<Case> {
             id: "I23",
             what: "directional light at a wall: brightness".into(),
             exact: Number(1.25),
+            condition: Known(OF_A_PRODUCT),
             protocol: Fails,
             ..Case::of(brightness(SIDEWAYS, sun(-1.0, 0.0)), 0.25 + from_above)
         },

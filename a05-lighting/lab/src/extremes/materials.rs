@@ -5,11 +5,13 @@ use a02_math::{Point3, Vector3};
 use a03_rays_cameras::Ray;
 use a04_intersections::Hit;
 use common::{ArgumentError, Color};
-use measure::extremes::{Absolute, Case, Fails, Holds, Id, Number, Outcome, Refused, Ulps};
+use measure::extremes::{Absolute, Case, Fails, Holds, Id, Known, Number, Outcome, Refused, Ulps};
 
 use crate::protocol;
 use a05_lighting::{DirectionalLight, Lambert, LitWorld, Material, Phong};
 
+/// The condition of a reflectance times the sum of lights: 1 for either.
+const OF_A_PRODUCT: f64 = 2.0;
 const FRONT: Vector3 = Vector3::new(0.0, 0.0, 1.0);
 
 /// The colour of a surface that faces (0, 0, 1), seen from the direction `eye`, in gray
@@ -59,7 +61,7 @@ fn power(id: Id, cosine: f64, exponent: f64) -> Case {
     Case {
         id,
         what: format!("highlight, cosine {cosine}, exponent {exponent:e}"),
-        condition: (cosine > 0.0).then_some(exponent),
+        condition: (cosine > 0.0).then_some(exponent).into(),
         certified: is_power.then_some(Number(exact)),
         ..Case::of(ours, protocol::highlight(cosine, exponent))
     }
@@ -156,6 +158,7 @@ fn colours() -> Vec<Case> {
             id: "L01",
             what: "white under lights of 1/4 and 1/2".into(),
             exact: Number(0.75),
+            condition: Known(OF_A_PRODUCT),
             protocol: Fails,
             ..Case::of(
                 matt(1.0, &[0.25, 0.5]),
@@ -166,6 +169,7 @@ fn colours() -> Vec<Case> {
             id: "L02",
             what: "white highlight on red: its green".into(),
             exact: Number(1.0),
+            condition: Known(OF_A_PRODUCT),
             protocol: Fails,
             ..Case::of(
                 green_of_a_highlight_on_red(),
@@ -176,6 +180,7 @@ fn colours() -> Vec<Case> {
             id: "L03",
             what: "a surface of 1/4 under a light of 3".into(),
             exact: Number(0.75),
+            condition: Known(OF_A_PRODUCT),
             protocol: Fails,
             ..Case::of(matt(0.25, &[3.0]), protocol::clamped_product(0.25, 3.0))
         },
@@ -183,6 +188,7 @@ fn colours() -> Vec<Case> {
             id: "L04",
             what: "a surface of 1/10 under a light of 1/10".into(),
             exact: Number(0.01),
+            condition: Known(OF_A_PRODUCT),
             // Half a level of 255.
             bound: Absolute(1.0 / 510.0),
             protocol: Fails,

@@ -2,13 +2,14 @@
 
 use std::f64::consts::PI;
 
+use a02_lab::condition::condition_of_angle;
 use a02_lab::protocol::angle_by_arc_cosine;
-use a02_math::arrays::{point, vector};
+use a02_math::arrays::{array, point, vector};
 use a02_math::{Point3, Vector3};
 use a04_lab::support::{Numbers, Triple};
 use common::Color;
 use measure::Effort;
-use measure::extremes::{Case, Fails, Flag, Holds, Number, Refused, Ulps};
+use measure::extremes::{Case, Fails, Flag, Holds, Known, Number, Refused, Ulps};
 
 use crate::protocol;
 use a05_lighting::{Light, SpotLight};
@@ -79,6 +80,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
         id: "F39",
         what: "angle between (2, 0, 0) and (1, 1, 0)".into(),
         exact: Number(PI / 4.0),
+        condition: Known(condition_of_angle(array(x), array(diagonal), PI / 4.0)),
         bound: Ulps(1.0),
         protocol: Fails,
         ..Case::of(x.angle(diagonal), protocol::angle(x, diagonal))

@@ -11,7 +11,7 @@ use a04_lab::support::Numbers;
 use a05_lighting::{DirectionalLight, SingleColor, instruments::recorded};
 use common::steps::{self, StepKind};
 use common::{Color, Error};
-use measure::extremes::{Absolute, Case, Fails, Holds, Id, Number, Outcome, tried};
+use measure::extremes::{Absolute, Case, Fails, Holds, Id, Known, Number, Outcome, Without, tried};
 
 use crate::mirrors::{Mirrors, UP, level};
 use crate::protocol::{self, OneCounter};
@@ -75,11 +75,14 @@ fn theirs(mirrors: Mirrors, recursion: u32, pixels: usize) -> Outcome {
 /// The light from between mirrors, against its closed form.
 fn traced(id: Id, mirrors: Mirrors, depth: u32, exact: f64) -> Case {
     let (gap, k) = (mirrors.gap, mirrors.reflectance);
+    // Each mirror rounds a product and a sum, and the next mirrors weaken the errors by k.
+    let steps = f64::from(depth).min(1.0 / (1.0 - k));
     Case {
         id,
         what: format!("two mirrors {gap:e} apart, k = {k}, {depth} of them met"),
         exact: Number(exact),
-        bound: Absolute(f64::from(depth) * f64::EPSILON * exact),
+        bound: Absolute(steps * f64::EPSILON * exact),
+        condition: Known(condition_of_sum(k, depth)),
         ours: ours(mirrors, depth),
         certified: (k != 1.0).then(|| Number(geometric_sum(k, depth))),
         ..Case::default()
@@ -90,6 +93,18 @@ fn traced(id: Id, mirrors: Mirrors, depth: u32, exact: f64) -> Case {
 fn geometric_sum(k: f64, depth: u32) -> f64 {
     let (one, k) = (DoubleDouble::from(1.0), DoubleDouble::from(k));
     ((one - k.power(depth.into())) / (one - k)).value()
+}
+
+/// The condition of `1 + k + ... + k^(depth-1)`: 1 for the colour of the mirrors, and for k the mean of the
+/// exponents, each weighted with its power.
+fn condition_of_sum(k: f64, depth: u32) -> f64 {
+    let (mut sum, mut weighted, mut power) = (0.0, 0.0, 1.0);
+    for exponent in 0..depth {
+        sum += power;
+        weighted += f64::from(exponent) * power;
+        power *= k;
+    }
+    1.0 + weighted / sum
 }
 
 /// The same, where the protocol's tracer is compared, too.
@@ -117,6 +132,7 @@ fn searches(id: Id, what: &str, mirrors: Mirrors, depth: u32) -> Case {
         id,
         what: format!("two mirrors, {what}, depth {depth}: searches of the world"),
         exact: Number(1.0),
+        condition: Without("a count"),
         protocol: Fails,
         ..Case::of(ours, theirs)
     }
@@ -130,6 +146,8 @@ fn under_lights(id: Id, lights: usize) -> Case {
         id,
         what: format!("half of what a mirror sees, under {lights} lights"),
         exact: Number(0.5),
+        // A product of the mirror's reflectance and the ceiling's colour.
+        condition: Known(2.0),
         protocol: Fails,
         ..Case::of(under_a_ceiling(lights), theirs)
     }
@@ -174,6 +192,7 @@ pub fn cases() -> Vec<Case> {
             id: "M11",
             what: "a direction of length 1 after 1e6 reflections: its length".into(),
             exact: Number(1.0),
+            condition: Known(1.0),
             bound: Absolute(1e6 * f64::EPSILON),
             ours: length_after_reflections().into(),
             ..Case::default()
@@ -182,6 +201,7 @@ pub fn cases() -> Vec<Case> {
             id: "M12",
             what: "the second pixel of one tracer of depth 1: the mirror's own colour".into(),
             exact: Number(1.0),
+            condition: Known(condition_of_sum(0.5, 1)),
             protocol: Fails,
             ..Case::of(ours(before(0.25), 1), theirs(before(0.25), 1, 2))
         },
@@ -222,6 +242,7 @@ fn sums() -> Vec<Case> {
             id: "M05",
             what: "two mirrors, k = 1/2, before a background of 8, 3 of them met".into(),
             exact: Number(1.75),
+            condition: Known(condition_of_sum(0.5, 3)),
             protocol: Fails,
             ..Case::of(ours(before(8.0), 3), theirs(before(8.0), 3, 1))
         },

@@ -13,7 +13,7 @@ use common::steps::{self, StepKind};
 use common::{ArgumentError, Color, Error};
 use corpus::{Row, Shape};
 use measure::Effort;
-use measure::extremes::{Both, Case, Fails, Holds, Number, Outcome, tried};
+use measure::extremes::{Both, Case, Fails, Holds, Known, Number, Outcome, tried};
 
 use super::slope::{Expected, Slope};
 use crate::protocol::{
@@ -23,6 +23,9 @@ use a06_shadows_reflection::{LightSource, RecursiveTracer, ShadowedWorld};
 
 const UP: Normal3 = Normal3::new(0.0, 1.0, 0.0);
 const DOWN: Vector3 = Vector3::new(0.0, -1.0, 0.0);
+/// The condition of a brightness, the reflectance times the sum of ambient light and light from straight
+/// above: 1 for the reflectance, and 1 for the lights.
+const OF_A_PRODUCT: f64 = 2.0;
 /// Position of the lights that a ball may hide.
 const LAMP: Point3 = Point3::new(0.0, 4.0, 0.0);
 /// A ray to the origin, past the objects above it.
@@ -89,6 +92,7 @@ fn single_points() -> Vec<Case> {
             id: "I01",
             what: "light at the point itself: brightness below".into(),
             exact: Number(0.25),
+            condition: Known(OF_A_PRODUCT),
             protocol: Fails,
             ..under_a_light(0.0)
         },
@@ -96,6 +100,7 @@ fn single_points() -> Vec<Case> {
             id: "I02",
             what: "light 1e-9 above the floor: brightness below".into(),
             exact: Number(1.25),
+            condition: Known(OF_A_PRODUCT),
             protocol: Holds,
             ..under_a_light(1e-9)
         },
@@ -103,6 +108,7 @@ fn single_points() -> Vec<Case> {
             id: "I03",
             what: "light in the floor: brightness below".into(),
             exact: Number(0.25),
+            condition: Known(OF_A_PRODUCT),
             ours: brightness(in_the_floor),
             ..Case::default()
         },
@@ -110,6 +116,7 @@ fn single_points() -> Vec<Case> {
             id: "I04",
             what: "light behind the floor: brightness below".into(),
             exact: Number(0.25),
+            condition: Known(OF_A_PRODUCT),
             ours: brightness(behind),
             ..Case::default()
         },

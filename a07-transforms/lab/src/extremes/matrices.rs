@@ -7,7 +7,7 @@ use a02_math::{Point3, Vector3};
 use common::ArgumentError;
 use glam::DMat4;
 use measure::extremes::{
-    Absolute, Case, Fails, Id, Number, Outcome, Refused, Triple, greatest, tried,
+    Absolute, Case, Fails, Id, Known, Number, Outcome, Refused, Triple, greatest, tried,
 };
 
 use crate::protocol::{self, Chained};
@@ -246,6 +246,7 @@ fn orders() -> Vec<Case> {
             id: "G26",
             what: "translate (1, 2, 3): where the origin goes".into(),
             exact: Triple([1.0, 2.0, 3.0]),
+            condition: Known(1.0),
             protocol: Fails,
             ..translated()
         },
@@ -253,6 +254,7 @@ fn orders() -> Vec<Case> {
             id: "G27",
             what: "scale 2, then within it translate (1, 2, 3): where the origin goes".into(),
             exact: Triple([2.0, 4.0, 6.0]),
+            condition: Known(2.0),
             protocol: Fails,
             ..scaled_and_translated()
         },
@@ -260,6 +262,8 @@ fn orders() -> Vec<Case> {
             id: "G28",
             what: "360 turns by a degree, of (1, 0, 0)".into(),
             exact: Triple([1.0, 0.0, 0.0]),
+            // The angle of the whole turn moves y by as much; x changes with the given x alone.
+            condition: Known(TAU),
             bound: Absolute(4.0 * 360.0 * EPSILON),
             ours: after_a_full_turn(),
             ..Case::default()
@@ -268,6 +272,7 @@ fn orders() -> Vec<Case> {
             id: "G32",
             what: "determinant of x and y exchanged: glam's, and Sarrus' with four rows".into(),
             exact: Number(-1.0),
+            condition: Known(4.0),
             protocol: Fails,
             ..Case::of(
                 DMat4::from_cols_array_2d(&exchange).determinant(),

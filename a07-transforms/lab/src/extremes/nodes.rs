@@ -2,8 +2,9 @@
 //! numbers come from the corpus.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
-use std::mem;
+use std::{iter, mem};
 
+use a02_lab::condition::{condition, three, unit};
 use a02_math::arrays::array;
 use a02_math::{Direction, Normal3, Point3, Vector3};
 use a03_rays_cameras::PixelRandom;
@@ -15,7 +16,9 @@ use a06_lab::surface::world;
 use common::{ArgumentError, Error};
 use corpus::{Row, Shape, Step};
 use measure::Effort;
-use measure::extremes::{Absolute, Case, Fails, Holds, Id, Number, Outcome, Triple, tried};
+use measure::extremes::{
+    Absolute, Case, Fails, Holds, Id, Known, Number, Outcome, Refused, Triple, tried,
+};
 
 use crate::protocol::{self, normal_as_point, normal_as_vector, transposed_normal};
 use a07_transforms::kinds::KINDS;
@@ -39,6 +42,8 @@ fn hits(effort: Effort) -> Vec<Case> {
             id: "G15",
             what: "100 nodes of a hundredth of a turn around a box: t".into(),
             exact: Number(4.5),
+            // Of the eye's height 5, the face's 1/2 and the direction.
+            condition: Known(5.5 / 4.5 + 1.0),
             bound: Absolute(400.0 * 5.0 * f64::EPSILON),
             ours: t(nested_turns(), line([2.0, 0.25, 5.0], DOWN)),
             ..Case::default()
@@ -48,6 +53,8 @@ fn hits(effort: Effort) -> Vec<Case> {
             id: "G17",
             what: "a child 4 away, and one 5 away that is 10 times larger: t".into(),
             exact: Number(4.0),
+            // Of the eye's height 5, the radius and the direction.
+            condition: Known(6.0 / 4.0 + 1.0),
             bound: Absolute(0.0),
             ours: t(small_and_large(), line([0.0, 0.0, 5.0], DOWN)),
             ..Case::default()
@@ -168,6 +175,8 @@ fn nearer_child(id: Id, what: &str, a: f64, b: f64) -> Case {
         id,
         what: what.into(),
         exact: Number(a.min(b)),
+        // Of the middle, the radius and the direction.
+        condition: Known((a.min(b) + 2.0) / a.min(b) + 1.0),
         bound: Absolute(0.0),
         ..Case::of(t(two_balls(a, b), line), theirs)
     }
@@ -218,20 +227,47 @@ fn of_normal(row: &Row) -> Case {
         _ => normal_as_vector,
     };
     match row.case.question.shape {
-        Shape::Plane { normal: n, .. } => match unit(n) {
-            Ok(n) => normal(n, transform(row), theirs),
-            Err(_) => Case::default(),
+        Shape::Plane { normal: n, .. } => Case {
+            condition: Known(condition_of_normal(n, row)),
+            ..normal_of_plane(n, row, theirs)
         },
+        // Seen along an axis through its middle: other numbers than 0 do not turn the normal.
         _ => Case {
+            condition: Known(0.0),
             ours: normal_of_hit(row),
             ..Case::default()
         },
     }
 }
 
-/// A normal of length 1.
-fn unit([x, y, z]: [f64; 3]) -> Result<[f64; 3], ArgumentError> {
-    Ok(array(Normal3::new(x, y, z).unit("normal n")?))
+/// The normal of a plane under the transform of a row.
+fn normal_of_plane([x, y, z]: [f64; 3], row: &Row, theirs: Theirs) -> Case {
+    match Normal3::new(x, y, z).unit("normal n") {
+        Ok(n) => normal(array(n), transform(row), theirs),
+        Err(_) => Case::of(Refused, Refused),
+    }
+}
+
+/// The condition of a normal whose plane is scaled: each coordinate is divided by its factor.
+fn condition_of_normal(normal: [f64; 3], row: &Row) -> f64 {
+    let scales = row
+        .case
+        .question
+        .under
+        .iter()
+        .filter_map(|step| match step {
+            Step::Scale(by) => Some(*by),
+            Step::Translate(_) => None,
+        });
+    let numbers: Vec<f64> = iter::once(normal).chain(scales).flatten().collect();
+    condition(&numbers, |x| {
+        let mut normal = three(x, 0);
+        for step in (3..x.len()).step_by(3) {
+            let by = three(x, step);
+            normal = [0, 1, 2].map(|i| normal[i] / by[i]);
+        }
+        unit(normal)
+    })
 }
 
 fn normals() -> Vec<Case> {
@@ -243,6 +279,7 @@ fn normals() -> Vec<Case> {
             id: "G12",
             what: "n · l under scale 2, light from above".into(),
             exact: Number(1.0),
+            condition: Known(1.0),
             bound: Absolute(2.0 * f64::EPSILON),
             protocol: Fails,
             ..brightness_under_scale()
@@ -252,6 +289,7 @@ fn normals() -> Vec<Case> {
             id: "G19",
             what: "the normal (1, 0, 0) under rotate_z π/2".into(),
             exact: Triple([0.0, 1.0, 0.0]),
+            condition: Known(FRAC_PI_2),
             bound: Absolute(4.0 * f64::EPSILON),
             protocol: Fails,
             ..normal(RIGHT, turned, transposed_normal)

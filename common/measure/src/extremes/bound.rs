@@ -35,7 +35,8 @@ impl fmt::Display for Bound {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Equal => f.write_str("equal"),
-            Self::Ulps(ulps) => write!(f, "{ulps} ulp"),
+            Self::Ulps(ulps) if *ulps < 1e4 => write!(f, "{ulps} ulp"),
+            Self::Ulps(ulps) => write!(f, "{ulps:.1e} ulp"),
             Self::Absolute(bound) => write!(f, "{bound:.1e}"),
         }
     }

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::bound::error;
-use super::{Both, Bound, Outcome};
+use super::{Both, Bound, Condition, Outcome};
 
 /// The name of a row: a letter for the subject and a number.
 pub type Id = &'static str;
@@ -30,9 +30,9 @@ pub struct Case {
     pub theirs: Option<Outcome>,
     /// What the test expects of the protocol's outcome.
     pub protocol: Protocol,
-    /// The condition of the problem, if it is known: by how many units in its last place the exact
-    /// number changes, if each given number changes by one.
-    pub condition: Option<f64>,
+    /// The condition of the problem, or why there is none. A decision and an exact value of 0 need no
+    /// word.
+    pub condition: Condition,
     /// The exact outcome by another arithmetic than the one of the row, unless it is left open.
     pub certified: Option<Outcome>,
 }
@@ -74,6 +74,22 @@ impl Case {
         }
     }
 
+    /// Why the case has no condition.
+    fn without_condition(&self) -> Option<&'static str> {
+        let numbers = self.exact.numbers();
+        match self.condition {
+            Condition::Without(reason) => Some(reason),
+            _ if numbers.is_empty() => Some("a decision"),
+            _ if numbers.iter().all(|x| *x == 0.0) => Some("the exact value is 0"),
+            Condition::Known(_) | Condition::Unstated => None,
+        }
+    }
+
+    /// Whether the case states its condition, or why there is none.
+    pub(super) fn states_its_condition(&self) -> bool {
+        matches!(self.condition, Condition::Known(_)) || self.without_condition().is_some()
+    }
+
     /// Whether our outcome is within the bound, and the protocol's is or is not, as
     /// expected; and a certified outcome is the exact one.
     pub fn holds(&self) -> bool {
@@ -101,10 +117,10 @@ impl fmt::Display for Case {
             Bound::Equal
         };
         write!(f, "     exact     {exact}   (bound: {bound}")?;
-        if let Some(condition) = self.condition
-            && has_numbers
-        {
-            write!(f, "; condition: {condition:.1e}")?;
+        match (self.condition, self.without_condition()) {
+            (_, Some(reason)) => write!(f, "; no condition: {reason}")?,
+            (Condition::Known(condition), None) => write!(f, "; condition: {condition:.1e}")?,
+            (Condition::Without(_) | Condition::Unstated, None) => {}
         }
         writeln!(f, ")")?;
         if let Some(theirs) = self.theirs {
@@ -188,14 +204,39 @@ mod tests {
         };
         assert!(is_certified(1.0) && !is_certified(1.1));
         let row = "A01  ok      one
-     exact     1   (bound: 2 ulp)
+     exact     1   (bound: 2 ulp; condition: 3.0e0)
      protocol  1.5   error 5.0e-1, out of bound
      ours      1.0000000000000002   error 1 ulp";
         let case = Case {
             theirs: Some(Number(1.5)),
             protocol: Fails,
+            condition: Condition::Known(3.0),
             ..case
         };
         assert_eq!(case.to_string(), row);
+    }
+
+    #[test]
+    fn a_case_says_why_it_has_no_condition() {
+        let case = |exact, condition| Case {
+            exact,
+            condition,
+            ours: exact,
+            ..Case::default()
+        };
+        let says = |exact, condition| {
+            let shown = case(exact, condition).to_string();
+            let first = shown.lines().nth(1).unwrap_or_default().to_owned();
+            first.split_once("; ").map(|(_, words)| words.to_owned())
+        };
+        let decision = says(Nothing, Condition::Unstated);
+        assert_eq!(decision.as_deref(), Some("no condition: a decision)"));
+        let zero = says(Number(0.0), Condition::Unstated);
+        assert_eq!(zero.as_deref(), Some("no condition: the exact value is 0)"));
+        let count = says(Number(3.0), Condition::Without("a count"));
+        assert_eq!(count.as_deref(), Some("no condition: a count)"));
+        assert_eq!(says(Number(3.0), Condition::Unstated), None);
+        assert!(!case(Number(3.0), Condition::Unstated).states_its_condition());
+        assert!(case(Number(3.0), Condition::Known(1.0)).states_its_condition());
     }
 }

@@ -29,8 +29,8 @@ fn begins(case: &Case, name: &str) -> bool {
     id.len() >= name.len() && id[..name.len()].eq_ignore_ascii_case(name)
 }
 
-/// Checks a stage's table in a test: it has rows, and each of them holds. A test of the
-/// last stage checks that no id occurs twice.
+/// Checks a stage's table in a test: it has rows, each of them holds, and each states its condition or why
+/// there is none. A test of the last stage checks that no id occurs twice.
 ///
 /// # Panics
 ///
@@ -41,6 +41,13 @@ pub fn check(cases: &[Case]) {
     let failed: Vec<_> = failed.map(Case::to_string).collect();
     let (count, rows) = (failed.len(), failed.join("\n"));
     assert!(failed.is_empty(), "{count} cases fail\n{rows}");
+    let silent = cases.iter().filter(|case| !case.states_its_condition());
+    let silent: Vec<_> = silent.map(|case| case.id).collect();
+    assert!(
+        silent.is_empty(),
+        "these cases state neither their condition nor why there is none: {}",
+        silent.join(", ")
+    );
 }
 
 #[cfg(test)]
@@ -79,5 +86,11 @@ mod tests {
     #[should_panic(expected = "1 cases fail")]
     fn a_case_that_does_not_hold_fails() {
         check(&[case("A01", 2.0)]);
+    }
+
+    #[test]
+    #[should_panic(expected = "why there is none: A01")]
+    fn a_case_without_a_word_of_its_condition_fails() {
+        check(&[case("A01", 1.0)]);
     }
 }
