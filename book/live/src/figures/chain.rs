@@ -1,4 +1,4 @@
-//! The order of a chain of transforms: turned and then moved, moved and then turned.
+//! The order of a chain of transforms: rotated and then moved, moved and then rotated.
 
 use a07_transforms::Transform;
 
