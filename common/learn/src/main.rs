@@ -23,6 +23,7 @@ mod page;
 mod parsons_problem;
 mod phase;
 mod process;
+mod program;
 mod progress;
 mod question;
 mod report;
@@ -94,6 +95,7 @@ enum Command {
     /// Begins an exercise again, and keeps your file
     Reset(OrNext),
     Submit(submit::Submit),
+    Program(program::Program),
     #[command(flatten)]
     ForLecturers(course::Command),
 }
@@ -137,6 +139,9 @@ fn run() -> Result<String, String> {
             None => Ok(ALL_DONE.to_owned()),
         },
         Some(Command::Submit(submit)) => submit.run(course),
+        Some(Command::Program(program)) => {
+            program.run(course).map(|words| Screen::new().wrap(&words))
+        }
         Some(Command::ForLecturers(command)) => course::run(command, course),
     }
 }
