@@ -94,15 +94,14 @@ impl DependentPixels {
         self.strengths.iter().copied().fold(0.0, f64::max)
     }
 
-    /// The strength of each pixel from 0 to 1, in which a thousandth of the largest change is still
-    /// seen: 1 for the largest one, and 1/4 less for each tenth of it, but at least 1/4 for a pixel
-    /// that changes.
+    /// The strength of each pixel from 0 to 1: 1 for the largest change, 1/3 less for each tenth of it,
+    /// but at least 1/10 for a pixel that changes at all.
     #[must_use]
     pub fn heat(&self) -> Vec<f64> {
         let largest = self.largest();
         let heat = |strength: &f64| {
             if *strength > 0.0 {
-                (1.0 + libm::log10(strength / largest) / 4.0).max(0.25)
+                (1.0 + libm::log10(strength / largest) / 3.0).max(0.1)
             } else {
                 0.0
             }
@@ -110,8 +109,8 @@ impl DependentPixels {
         self.strengths.iter().map(heat).collect()
     }
 
-    /// A heat map over the grey picture: orange where pixels change a little, and white where they
-    /// change most. A pixel that does not change stays dark.
+    /// A heat map over the grey picture: red where pixels change a little, over orange, to white where
+    /// they change most. A pixel that does not change is grey.
     pub fn over(&self, picture: &Image) -> Result<Image, Error> {
         let heat = self.heat();
         let width = self.size.width() as usize;
@@ -123,14 +122,14 @@ impl DependentPixels {
             let color = picture.get(x, y).unwrap_or_default();
             let [r, g, b] = color.channels().map(|channel| channel.clamp(0.0, 1.0));
             // The luminance of linear light (ITU-R BT.709).
-            let grey = 0.35 * (0.2126 * r + 0.7152 * g + 0.0722 * b);
+            let grey = 0.5 * (0.2126 * r + 0.7152 * g + 0.0722 * b);
             if heat == 0.0 {
                 return Color::gray(grey);
             }
             Color::new(
-                0.6 + 0.4 * heat,
-                0.2 + 0.8 * heat * heat,
-                heat * heat * heat,
+                (0.4 + 1.2 * heat).min(1.0),
+                heat * heat.sqrt(),
+                heat * heat * heat * heat,
             )
         })
     }

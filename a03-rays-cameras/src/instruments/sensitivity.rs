@@ -7,6 +7,7 @@ use common::sensitivity::{
     DependentPixels, Influence, NumberPlace, Response, Unit, sort_by_strength,
 };
 use common::{Color, Edits, Error, Image, Progress, Renderer, Settings, Size};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scene_file::{SceneFile, SceneNumber};
 
 use crate::kinds::Format;
@@ -76,7 +77,8 @@ impl NumberedFile {
     }
 
     /// How the linear colour of a pixel, the mean of its samples before it is clamped, changes with
-    /// each number of the file; the strongest first. Stops with [`Error::Stopped`].
+    /// each number of the file; the strongest first. The progress counts each number as a row.
+    /// [`Error::Stopped`] if it stops.
     pub fn influences(
         &self,
         settings: &Settings,
@@ -88,44 +90,42 @@ impl NumberedFile {
             settings,
         );
         let footprint = Footprint::of_pixel(&view, settings.size, pixel);
-        let mut influences = Vec::new();
-        for number in self.numbers(settings) {
-            if progress.stopped() {
-                return Err(Error::Stopped);
-            }
-            let response = self.response(settings, pixel, &number, footprint);
-            influences.push(Influence {
-                number: number.place,
-                response,
-            });
-        }
+        let center = color_of(&view, settings, pixel);
+        let numbers = self.numbers(settings);
+        progress.more_rows(rows(numbers.len()));
+        let influences: Result<Vec<_>, Error> = numbers
+            .into_par_iter()
+            .map(|number| {
+                if progress.stopped() {
+                    return Err(Error::Stopped);
+                }
+                let response = if number.place.unit == Unit::Whole {
+                    Response::Whole
+                } else {
+                    let value = number.place.value;
+                    let reach = footprint.reach(&number.place, PIXEL);
+                    Response::of(value, center.channels(), reach, &mut |value| {
+                        let view = self.moved(settings, &number, value)?;
+                        Some(color_of(&view, settings, pixel).channels())
+                    })
+                };
+                progress.row(0, &mut std::iter::empty());
+                Ok(Influence {
+                    number: number.place,
+                    response,
+                })
+            })
+            .collect();
+        let mut influences = influences?;
         sort_by_strength(&mut influences);
         Ok(influences)
-    }
-
-    /// How the linear colour of a pixel changes with a number.
-    fn response(
-        &self,
-        settings: &Settings,
-        pixel: [u32; 2],
-        number: &SceneNumber,
-        footprint: Footprint,
-    ) -> Response {
-        if number.place.unit == Unit::Whole {
-            return Response::Whole;
-        }
-        let reach = footprint.reach(&number.place, PIXEL);
-        Response::of(number.place.value, reach, &mut |value| {
-            let view = self.moved(settings, number, value)?;
-            Some(color_of(&view, settings, pixel).channels())
-        })
     }
 
     /// The pixels of the picture that depend on the numbers of a line, by the engine. Each number is
     /// moved by a step that moves things by about a pixel; `picture` is the picture as it is, if it is
     /// known.
     ///
-    /// [`Error::Usage`] if the line has no numbers, and [`Error::Stopped`] if `progress` stops it.
+    /// The progress counts each number as a row. [`Error::Usage`] if the line has no numbers, and [`Error::Stopped`] if `progress` stops it.
     pub fn pixels_of(
         &self,
         settings: &Settings,
@@ -159,6 +159,7 @@ impl NumberedFile {
             strengths: vec![0.0; picture.pixels().len()],
             numbers: Vec::new(),
         };
+        progress.more_rows(rows(numbers.len()));
         for number in numbers {
             let reach = footprint.reach(&number.place, PIXEL_OF_PICTURE);
             let value = number.place.value;
@@ -175,6 +176,7 @@ impl NumberedFile {
                 *strength = strength.max(change(*before, *after));
             }
             found.numbers.push((number.place, step));
+            progress.row(0, &mut std::iter::empty());
         }
         Ok(found)
     }
@@ -211,6 +213,11 @@ impl NumberedFile {
     fn at(&self, error: &scene_file::Error) -> Error {
         Error::SceneFile(error.within(&self.text))
     }
+}
+
+/// A number of numbers, as rows of a progress.
+fn rows(numbers: usize) -> u32 {
+    u32::try_from(numbers).unwrap_or(u32::MAX)
 }
 
 /// The view with the changes that a person has made in the window.

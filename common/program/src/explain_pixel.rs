@@ -3,9 +3,11 @@
 use std::path::PathBuf;
 
 use common::pixel_trace::digits;
-use common::{Color, Error, Renderer, Scene, Settings, atomic_file, text};
+use common::{Color, Error, Renderer, Scene, Settings, Stage, atomic_file, text};
 
-use crate::options::Options;
+use crate::by_numbers::list_numbers;
+use crate::of_line::draw_pixels_of;
+use crate::options::{Options, whole};
 use crate::print::{print, warn};
 use crate::render::{render, warn_unused};
 
@@ -17,7 +19,21 @@ const MOST_SAMPLES: u32 = 4096;
 pub struct ExplainArgs {
     /// Column and row of the pixel, counted from 0 in the upper left corner
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true, value_parser = pixel)]
-    pixel: [u32; 2],
+    #[arg(required_unless_present = "of")]
+    pixel: Option<[u32; 2]>,
+
+    /// Of a scene file: list how the pixel changes with each number of the file, the strongest first
+    #[arg(long, conflicts_with_all = ["drawing", "beside"])]
+    by_numbers: bool,
+
+    /// Of a scene file: write a heat map of the pixels that depend on the numbers of this line
+    #[arg(long, value_name = "LINE", allow_negative_numbers = true, value_parser = whole(1..=u32::MAX))]
+    #[arg(conflicts_with_all = ["pixel", "by_numbers", "json", "drawing", "beside"])]
+    of: Option<u32>,
+
+    /// With --of: a PNG file, or a folder, made if it is missing [default: out/]
+    #[arg(short, long, value_name = "FILE|DIR", conflicts_with = "pixel")]
+    output: Option<PathBuf>,
 
     /// Print JSON, for programs
     #[arg(long, conflicts_with = "beside")]
@@ -43,11 +59,33 @@ fn pixel(text: &str) -> Result<[u32; 2], String> {
     }
 }
 
-/// Explains a pixel of the scene, and compares its colour with the rendered picture.
-pub fn explain_pixel(scene: &Scene, arguments: &ExplainArgs) -> Result<(), Error> {
-    let ExplainArgs { pixel, options, .. } = arguments;
-    let ([x, y], settings) = (*pixel, options.settings(scene)?);
-    check(&settings, arguments)?;
+/// Explains a pixel of the scene, or what depends on a line of its file.
+pub fn explain(stage: &Stage, scene: &Scene, arguments: &ExplainArgs) -> Result<(), Error> {
+    let (options, settings) = (&arguments.options, arguments.options.settings(scene)?);
+    match (arguments.of, arguments.pixel) {
+        (Some(line), _) => {
+            let output = arguments.output.clone();
+            draw_pixels_of(stage, scene, line, output, &settings, options)
+        }
+        (None, Some(pixel)) => {
+            check(&settings, pixel, arguments)?;
+            if arguments.by_numbers {
+                return list_numbers(scene, pixel, &settings, options, arguments.json);
+            }
+            explain_pixel(scene, pixel, settings, arguments)
+        }
+        (None, None) => Err(Error::Usage("--pixel X,Y says which pixel".to_owned())),
+    }
+}
+
+/// Lists every number behind a pixel, and compares its colour with the rendered picture.
+fn explain_pixel(
+    scene: &Scene,
+    pixel: [u32; 2],
+    settings: Settings,
+    arguments: &ExplainArgs,
+) -> Result<(), Error> {
+    let ([x, y], options) = (pixel, &arguments.options);
     let rays = scene.rays()?;
     if let Some(path) = &arguments.drawing {
         atomic_file::check_writable(path)?;
@@ -57,7 +95,7 @@ pub fn explain_pixel(scene: &Scene, arguments: &ExplainArgs) -> Result<(), Error
     if arguments.beside || settings.renderer == Renderer::Engine {
         traced.renderer = Renderer::Lesson;
     }
-    let trace = rays.trace(&traced, *pixel)?;
+    let trace = rays.trace(&traced, pixel)?;
     let color = trace.color;
     print(&if arguments.json {
         trace.to_json(options.transfer)
@@ -73,7 +111,7 @@ pub fn explain_pixel(scene: &Scene, arguments: &ExplainArgs) -> Result<(), Error
         warn(&format!("note: the drawing is {}", text::path(path)));
     }
     if arguments.beside {
-        let other = rays.trace(&settings, *pixel)?;
+        let other = rays.trace(&settings, pixel)?;
         let parts = trace.first_divergence(&other, "the other renderer's", 0.0);
         let equal = "the other renderer has the same numbers in each step that both take";
         print(&parts.map_or(equal.to_owned(), |parts| parts.to_string()))?;
@@ -96,8 +134,8 @@ pub fn explain_pixel(scene: &Scene, arguments: &ExplainArgs) -> Result<(), Error
 }
 
 /// An error if a pixel cannot be explained with these settings.
-fn check(settings: &Settings, arguments: &ExplainArgs) -> Result<(), Error> {
-    let (size, [x, y]) = (settings.size, arguments.pixel);
+fn check(settings: &Settings, [x, y]: [u32; 2], arguments: &ExplainArgs) -> Result<(), Error> {
+    let size = settings.size;
     let [right, bottom] = [size.width() - 1, size.height() - 1];
     let reason = if settings.max_error.is_some() {
         "--max-error chooses samples for a whole picture; explain takes --samples".to_owned()

@@ -8,7 +8,7 @@ use std::process::{self, ExitCode};
 use clap::{Args, Subcommand};
 use common::{Error, Stage, atomic_file, text};
 
-use crate::explain_pixel::{ExplainArgs, explain_pixel};
+use crate::explain_pixel::{ExplainArgs, explain};
 use crate::options::Options;
 use crate::print::print;
 
@@ -17,7 +17,7 @@ use crate::print::print;
 pub enum Command {
     /// List every number behind a pixel, by the lesson's own functions
     Explain {
-        /// The scene, as `list` names it
+        /// The scene, as `list` names it, or a scene file that ends in .toml
         scene: String,
         #[command(flatten)]
         arguments: ExplainArgs,
@@ -57,7 +57,7 @@ pub struct Arguments {
 /// Runs a command and returns the exit code.
 pub fn execute(stage: &Stage, command: Command) -> Result<ExitCode, Error> {
     let done = match command {
-        Command::Explain { scene, arguments } => explain_pixel(&stage.scene(&scene)?, &arguments),
+        Command::Explain { scene, arguments } => explain(stage, &stage.scene(&scene)?, &arguments),
         Command::Export {
             scene,
             to,

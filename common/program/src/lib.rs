@@ -6,6 +6,7 @@
 //! `measure` and `learn`.
 
 mod appearance;
+mod by_numbers;
 mod comparison;
 mod explain_pixel;
 mod gallery;
@@ -13,6 +14,8 @@ mod grammar;
 mod laboratory;
 mod live_picture;
 mod named;
+mod number_progress;
+mod of_line;
 mod opened_file;
 mod options;
 mod pixel_panel;

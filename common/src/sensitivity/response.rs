@@ -67,13 +67,15 @@ const ROWS: usize = 7;
 const ROUNDING: f64 = 1e-13;
 
 impl Response {
-    /// How a colour changes with a number of this value. Edges are looked for up to the distance
+    /// How a colour changes with a number of this value, where the colour is `center`. Edges are looked for up to the distance
     /// `reach`, which is also the measure for the steps of the derivative: the colour should have its
     /// shape at this scale, and not at a much smaller one.
-    pub fn of(value: f64, reach: f64, at: At) -> Self {
-        let Some(center) = at(value) else {
-            return Self::Fixed("the pixel has no colour".to_owned());
-        };
+    pub fn of(value: f64, center: [f64; 3], reach: f64, at: At) -> Self {
+        // Most numbers of a scene have nothing to do with a pixel.
+        let ends = [value - reach, value + reach].map(&mut *at);
+        if ends == [Some(center); 2] {
+            return Self::None;
+        }
         let mut sides = [-reach, reach].map(|reach| Side::of(value, reach, at));
         if sides.iter().all(|side| side.points.is_empty()) {
             let reason = "neither a larger nor a smaller value is allowed";
