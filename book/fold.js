@@ -31,11 +31,15 @@ addEventListener('beforeprint', openAll);
 
 const openTarget = () => {
     const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-    const fold = target?.closest('details');
-    if (fold) {
-        fold.open = true;
-        target.scrollIntoView();
+    let fold = target?.closest('details');
+    if (!fold) {
+        return;
     }
+    // A fold may lie in another one.
+    for (; fold; fold = fold.parentElement.closest('details')) {
+        fold.open = true;
+    }
+    target.scrollIntoView();
 };
 addEventListener('hashchange', openTarget);
 openTarget();
