@@ -3,9 +3,50 @@
 
 #![expect(clippy::must_use_candidate, reason = "called by the program and tests")]
 
+use common::{Omissions, Renderer, Settings, steps};
+
 mod drawing;
 pub mod orbit_camera;
 pub mod pixel_trace;
 pub mod recorded;
 mod seen_rays;
 pub mod sensitivity;
+
+/// What the wrappers around the parts of a view do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Instruments {
+    /// They report all steps of a renderer that leaves out this work.
+    Report(Omissions),
+    /// They report the steps that no renderer can leave out, and no others.
+    Needed,
+    /// They report nothing, for the time of a renderer that leaves out this work.
+    Time(Omissions),
+}
+
+impl Instruments {
+    /// For the steps of the lesson.
+    pub const LESSON: Self = Self::Report(Omissions::ALL);
+
+    /// For a picture with these settings; none for the renderer as it is.
+    pub(crate) fn of_settings(settings: &Settings) -> Option<Self> {
+        let omissions = match settings.renderer {
+            Renderer::AllWork => Some(Omissions::NONE),
+            Renderer::Lesson | Renderer::Engine => settings.omissions,
+        };
+        if steps::is_counting_needed() {
+            Some(Self::Needed)
+        } else if steps::is_counting() {
+            Some(Self::Report(omissions.unwrap_or(Omissions::ALL)))
+        } else {
+            omissions.map(Self::Time)
+        }
+    }
+
+    /// The work that is left out.
+    pub const fn omissions(self) -> Omissions {
+        match self {
+            Self::Report(omissions) | Self::Time(omissions) => omissions,
+            Self::Needed => Omissions::ALL,
+        }
+    }
+}

@@ -2,6 +2,7 @@
 
 use common::{Color, Sampling, Settings, Size, Stage};
 
+use crate::instruments::Instruments;
 use crate::{Ray, StripeRule, StripedSky, TracedScene, TracedWorld, View, instruments, scenes};
 
 /// The traced scenes in the order of the course.
@@ -45,7 +46,7 @@ impl TracedWorld for StripedSky {
         self.color_for(ray)
     }
 
-    fn recorded(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
+    fn recorded(self: Box<Self>, _: Instruments) -> Box<dyn TracedWorld> {
         Box::new(move |ray: &Ray| {
             let color = self.color_for(ray);
             instruments::recorded::push_stripe(self.stripe(ray), color);

@@ -11,6 +11,7 @@ use common::{
     SeenLine, Settings, Size, Traced, UsedSettings,
 };
 
+use crate::instruments::Instruments;
 use crate::instruments::sensitivity::NumberedFile;
 use crate::{Camera, Ray, instruments, kinds, render};
 
@@ -57,10 +58,8 @@ pub trait TracedWorld: Any + Send + Sync {
         Vec::new()
     }
 
-    /// The same world with wrappers around its parts, which count its work and record its steps;
-    /// with `all_work` they also do the work that the lesson leaves out. The colours do not
-    /// change.
-    fn recorded(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld>;
+    /// The same world with these instruments around its parts. The colours do not change.
+    fn recorded(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld>;
 }
 
 /// A world given by the light along each ray, for a background or a formula of its own.
@@ -69,7 +68,7 @@ impl<F: Fn(&Ray) -> Color + Send + Sync + 'static> TracedWorld for F {
         self(ray)
     }
 
-    fn recorded(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
+    fn recorded(self: Box<Self>, _: Instruments) -> Box<dyn TracedWorld> {
         self
     }
 }
@@ -103,7 +102,9 @@ impl<W: TracedWorld> View<W> {
 impl View {
     /// Renders the picture with the renderer of the settings.
     pub fn render(self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
+        let instruments = Instruments::of_settings(settings);
         if settings.renderer == Renderer::Engine
+            && instruments != Some(Instruments::Needed)
             && let Some(scene) = self.world.for_engine(settings.depth)
         {
             return kinds::render(scene, &*self.camera, settings, progress);
@@ -116,10 +117,9 @@ impl View {
             let contrasts = scene.contrasts(&camera, settings.size);
             (max_error, scene.max_radiance(), contrasts)
         });
-        let Self { camera, world } = match settings.renderer {
-            Renderer::AllWork => self.recorded(settings, true),
-            Renderer::Lesson if common::steps::is_counting() => self.recorded(settings, false),
-            Renderer::Lesson | Renderer::Engine => self,
+        let Self { camera, world } = match instruments {
+            Some(instruments) => self.recorded(settings, instruments),
+            None => self,
         };
         let radiance = |ray: &Ray| world.radiance(ray, settings.depth);
         let Some((max_error, max_radiance, contrasts)) = bounds else {
@@ -130,11 +130,11 @@ impl View {
         engine::adaptive::render_image(max_error, max_radiance, &light, settings, progress)
     }
 
-    /// The view with wrappers that count its work and record its steps.
-    pub(crate) fn recorded(self, settings: &Settings, all_work: bool) -> Self {
+    /// The view with these instruments.
+    pub(crate) fn recorded(self, settings: &Settings, instruments: Instruments) -> Self {
         Self {
-            camera: instruments::recorded::camera(self.camera, settings, all_work),
-            world: self.world.recorded(all_work),
+            camera: instruments::recorded::camera(self.camera, settings, instruments),
+            world: self.world.recorded(instruments),
         }
     }
 }

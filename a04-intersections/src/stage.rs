@@ -1,6 +1,7 @@
 //! `stage`: the scenes of this stage for its program, and its
 //! world for the renderers.
 
+use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
 use common::steps::{self, StepKind};
 use common::{Color, Stage};
@@ -67,7 +68,12 @@ impl TracedWorld for World<Color> {
         objects::object_name(self, number)
     }
 
-    fn recorded(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
+    fn recorded(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld> {
+        match instruments {
+            Instruments::Report(_) => (),
+            Instruments::Needed => return Box::new(move |ray: &Ray| self.needed(ray)),
+            Instruments::Time(_) => return self,
+        }
         let world = recorded::world(*self, KINDS, |color| color);
         Box::new(move |ray: &Ray| {
             let color = world.color_for(ray);
@@ -82,5 +88,16 @@ impl TracedWorld for World<Color> {
             }
             color
         })
+    }
+}
+
+impl World<Color> {
+    /// The colour that a ray brings back. Only the object that it hits has to be tested.
+    fn needed(&self, ray: &Ray) -> Color {
+        let nearest = self.hit(ray, Interval::AHEAD);
+        if nearest.is_some() {
+            steps::count(StepKind::Test, 1);
+        }
+        nearest.map_or(self.background(), |(_, color)| *color)
     }
 }

@@ -1,5 +1,6 @@
-//! Instruments: wrappers that count work and record steps, and a tracer that does all work. No
-//! lesson uses them.
+//! Instruments: wrappers that count work and record steps, a tracer that leaves out less than
+//! the lesson, and the work that no renderer can leave out. No lesson uses them.
 
-mod all_work;
+mod measured;
+pub mod needed;
 pub mod recorded;

@@ -1,6 +1,7 @@
 //! `stage`: the scenes of this stage for its program, and its
 //! world for the renderers.
 
+use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::{Ray, TracedScene, TracedWorld, View};
 use a04_intersections::instruments::objects;
 use a04_intersections::kinds::{KINDS as SHAPES, Shapes};
@@ -8,6 +9,7 @@ use a05_lighting::kinds::LIGHTS;
 use common::{Color, Stage};
 use scene_file::WrittenShape;
 
+use crate::instruments::needed::NeededWorld;
 use crate::instruments::recorded::RecordedWorld;
 use crate::scenes::{aab, sphere};
 use crate::{RecursiveTracer, ShadowedWorld, kinds};
@@ -81,7 +83,11 @@ impl TracedWorld for RecursiveWorld {
         LIGHTS.positions(&mut self.world, |source| &mut *source.light)
     }
 
-    fn recorded(self: Box<Self>, all_work: bool) -> Box<dyn TracedWorld> {
-        Box::new(RecordedWorld::new(self.world, self.shapes, all_work))
+    fn recorded(self: Box<Self>, instruments: Instruments) -> Box<dyn TracedWorld> {
+        if instruments == Instruments::Needed {
+            return Box::new(NeededWorld::new(self.world, self.shapes));
+        }
+        let recorded = RecordedWorld::new(self.world, self.shapes, instruments);
+        Box::new(recorded)
     }
 }

@@ -3,7 +3,7 @@
 
 use std::path::PathBuf;
 
-use crate::{Size, Transfer};
+use crate::{Omissions, Size, Transfer};
 
 /// Where the samples of a pixel lie.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -85,6 +85,8 @@ pub struct Settings {
     pub depth: u32,
     /// The code that renders the picture.
     pub renderer: Renderer,
+    /// The work that the renderer leaves out, to measure it; none for the renderer as it is.
+    pub omissions: Option<Omissions>,
     /// The curve by which the picture will be shown or saved. Of the scene it changes only the
     /// colours that are given as bytes of this picture, such as `"#ff8000"` in a scene file.
     pub transfer: Transfer,
@@ -111,6 +113,7 @@ impl Default for Settings {
             seed: 0,
             depth: 6,
             renderer: Renderer::Lesson,
+            omissions: None,
             transfer: Transfer::Linear,
             file: None,
             edits: Edits::default(),

@@ -1,8 +1,9 @@
 //! The numbers behind a pixel of a view.
 
 use common::steps::{self, Step, StepKind, trace_chosen};
-use common::{Color, Error, Image, PixelTrace, Renderer, Settings};
+use common::{Color, Error, Image, Omissions, PixelTrace, Renderer, Settings};
 
+use super::Instruments;
 use super::recorded::push_ray;
 use crate::{Camera, Ray, Sampler, View, camera_coordinates, kinds, render};
 
@@ -21,7 +22,11 @@ impl View {
             let light = kinds::light_at(scene, &*self.camera, settings);
             return trace_samples(settings, pixel, light);
         }
-        let view = self.recorded(settings, settings.renderer == Renderer::AllWork);
+        let omissions = match settings.renderer {
+            Renderer::AllWork => Omissions::NONE,
+            Renderer::Lesson | Renderer::Engine => Omissions::ALL,
+        };
+        let view = self.recorded(settings, Instruments::Report(omissions));
         trace_samples(settings, pixel, |x, y| {
             let ray = view.camera.ray_for(settings.size, x, y);
             view.world.radiance(&ray, settings.depth)

@@ -2,9 +2,9 @@
 
 use a02_math::{Point3, Vector3};
 use common::steps::{self, StepKind};
-use common::{Color, Error, Image, Progress, Settings};
+use common::{Color, Error, Image, Omission, Omissions, Progress, Settings};
 
-use crate::{Basis, Camera, Ray, Sampler};
+use crate::{Basis, Camera, PixelRandom, Ray, Sampler};
 
 impl From<&Ray> for engine::Ray {
     fn from(ray: &Ray) -> Self {
@@ -56,6 +56,26 @@ impl engine::Sampler for Sampler {
     }
 }
 
+/// A sampler that also moves samples with a fixed place, by two random numbers times 0, to measure
+/// what it saves to leave them out.
+struct MovingSampler {
+    sampler: Sampler,
+    seed: u64,
+}
+
+impl engine::Sampler for MovingSampler {
+    fn samples(&self) -> u32 {
+        self.sampler.samples()
+    }
+
+    fn place(&self, i: u32, column: u32, row: u32) -> (f64, f64) {
+        steps::count(StepKind::RandomNumber, 2);
+        let random = PixelRandom::new(self.seed, column, row);
+        let (dx, dy) = self.sampler.place(i, column, row);
+        (dx + 0.0 * random.uniform(0), dy + 0.0 * random.uniform(1))
+    }
+}
+
 /// Renders a picture with the engine.
 pub fn render(
     scene: engine::Scene,
@@ -64,7 +84,13 @@ pub fn render(
     progress: &dyn Progress,
 ) -> Result<Image, Error> {
     let renderer = engine::Renderer::new(scene, self::camera(camera), settings);
-    renderer.render(&Sampler::new(settings), settings, progress)
+    let sampler = Sampler::new(settings);
+    let omissions = settings.omissions.unwrap_or(Omissions::ALL);
+    if settings.sampling.is_random() || omissions.contains(Omission::RandomNumbers) {
+        return renderer.render(&sampler, settings, progress);
+    }
+    let seed = settings.seed;
+    renderer.render(&MovingSampler { sampler, seed }, settings, progress)
 }
 
 /// The light that the engine finds at camera coordinates.

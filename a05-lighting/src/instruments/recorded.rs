@@ -9,8 +9,8 @@ use a03_rays_cameras::Ray;
 use a04_intersections::instruments::recorded as geometries;
 use a04_intersections::kinds::Shapes;
 use a04_intersections::{Geometry, Hit};
-use common::Color;
 use common::steps::{self, Outcome, Step, StepKind, type_name};
+use common::{Color, Omission, Omissions};
 
 use crate::kinds::Materials;
 use crate::power::power;
@@ -26,6 +26,11 @@ pub fn world<S, T, L>(
 ) -> LitWorld<T, L> {
     let geometry = |number, geometry| geometries::geometry(number, geometry, shapes);
     map_world(world, geometry, surface, light)
+}
+
+/// The world with its surfaces replaced by this function of them.
+pub fn map_surfaces<S, T, L>(world: LitWorld<S, L>, surface: impl Fn(S) -> T) -> LitWorld<T, L> {
+    map_world(world, |_, geometry| geometry, surface, |(_, light)| light)
 }
 
 /// The world with its geometries, surfaces and lights replaced by these functions of them;
@@ -83,17 +88,18 @@ pub fn push_light(number: usize, type_name: &str, light: Option<Illumination>) {
     });
 }
 
-/// Wraps this material, whose type may have one of these rows, to report its work.
+/// Wraps this material, whose type may have one of these rows, to report its work; it leaves
+/// out the work of `omissions`.
 pub fn material(
     material: Box<dyn Material>,
     kinds: Materials,
-    all_work: bool,
+    omissions: Omissions,
 ) -> Box<dyn Material> {
     Box::new(RecordedMaterial {
         material,
         kinds,
         is_lit_from_behind: true,
-        all_work,
+        omissions,
     })
 }
 
@@ -106,8 +112,8 @@ pub struct RecordedMaterial {
     pub kinds: Materials,
     /// Whether light from behind the surface reaches the material.
     pub is_lit_from_behind: bool,
-    /// Whether it does the work that the lesson leaves out.
-    pub all_work: bool,
+    /// The work that it leaves out.
+    pub omissions: Omissions,
 }
 
 impl Material for RecordedMaterial {
@@ -123,10 +129,10 @@ impl Material for RecordedMaterial {
         let color = shaded(ray, hit, self.kinds, &*self.material, || {
             self.material.color_for(ray, hit, &light)
         });
-        if !self.all_work {
+        if self.omissions == Omissions::ALL {
             return color;
         }
-        if !light.is_used.get() {
+        if !light.is_used.get() && !self.omissions.contains(Omission::UnlitSurfaces) {
             steps::untraced(|| light.for_each_light(ray, hit, &mut |_| ()));
         }
         color + Color::gray(0.0 * light.unneeded.get())
@@ -246,17 +252,25 @@ impl Lighting for RecordedLighting<'_> {
 }
 
 impl RecordedLighting<'_> {
-    /// Counts the power that a Phong material takes for this light, by its condition. With all
-    /// work it takes one for every light, also where the highlight is not seen.
+    /// Counts the power that a Phong material takes for this light, by its condition. Where that
+    /// work is not left out it takes one also for a highlight that is not seen.
     fn count_power(&self, phong: &Phong, ray: &Ray, hit: &Hit, light: &Illumination) {
         let (e, l) = (-ray.direction(), light.direction);
         let cosine = e.dot(l.reflected_on(hit.normal));
         let is_mirrored = hit.normal.dot(l) > 0.0 && cosine > 0.0;
-        let is_needed = is_mirrored && phong.specular != Color::BLACK;
-        if is_needed || self.recorded.all_work {
+        let omissions = self.recorded.omissions;
+        let left_out_because = if !is_mirrored {
+            Some(Omission::HighlightsAway)
+        } else if phong.specular == Color::BLACK {
+            Some(Omission::BlackHighlights)
+        } else {
+            None
+        };
+        let is_left_out = left_out_because.is_some_and(|because| omissions.contains(because));
+        if !is_left_out {
             steps::count(StepKind::Power, 1);
         }
-        if self.recorded.all_work && !is_needed {
+        if left_out_because.is_some() && !is_left_out {
             let unneeded = power(cosine.abs().min(1.0), phong.exponent);
             self.unneeded.update(|sum| sum + unneeded);
         }

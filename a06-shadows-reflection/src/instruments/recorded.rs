@@ -5,47 +5,52 @@
 //! surfaces say which ray it is for: one to the light that has been asked last, or one that leaves
 //! the surface that has been shaded.
 
+use std::cell::Cell;
+
 use a02_math::Point3;
+use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::instruments::recorded::ray_step;
 use a03_rays_cameras::{Ray, TracedWorld};
 use a04_intersections::instruments::recorded as geometries;
-use a04_intersections::kinds::Shapes;
+use a04_intersections::kinds::{ShapeKind, Shapes};
 use a04_intersections::{Geometry, Hit, Interval};
 use a05_lighting::instruments::recorded::{self as materials, RecordedMaterial};
 use a05_lighting::{Illumination, Light, Lighting, Material};
-use common::Color;
 use common::steps::{self, Step, StepKind};
+use common::{Color, Omissions};
+use engine::Shape;
 
-use crate::instruments::all_work::NaiveTracer;
+use crate::instruments::measured::MeasuredTracer;
 use crate::kinds::KINDS;
 use crate::{LightSource, RecursiveTracer, ShadowedWorld, Surface};
 
-/// A world whose work is reported.
+/// A world whose work is reported, or takes less or more time than the lesson's.
 pub struct RecordedWorld {
     world: ShadowedWorld,
-    all_work: bool,
+    instruments: Instruments,
 }
 
 impl RecordedWorld {
-    /// Wraps the objects of a world, which may be of these shapes, its surfaces and its lights.
+    /// Wraps the objects of a world, which may be of these shapes, its surfaces and its lights;
+    /// where nothing is reported, only its surfaces.
     #[must_use]
-    pub fn new(world: ShadowedWorld, shapes: Shapes, all_work: bool) -> Self {
-        let geometry = |number, geometry| {
-            Box::new(SearchedObject(geometries::geometry(
-                number, geometry, shapes,
-            ))) as _
-        };
-        let surface = |surface: Box<dyn Surface>| {
-            Box::new(RecordedSurface {
-                reflection: surface.mirror_reflectance(),
-                recorded: RecordedMaterial {
-                    material: surface,
-                    kinds: KINDS,
-                    is_lit_from_behind: false,
-                    all_work,
-                },
+    pub fn new(world: ShadowedWorld, shapes: Shapes, instruments: Instruments) -> Self {
+        let omissions = instruments.omissions();
+        if let Instruments::Time(_) = instruments {
+            return Self {
+                world: RecordedSurface::on_all(world, omissions),
+                instruments,
+            };
+        }
+        let geometry = |number, geometry: Box<dyn Geometry>| {
+            let is_flat = is_flat(&*geometry, shapes);
+            Box::new(SearchedObject {
+                number,
+                is_flat,
+                geometry: geometries::geometry(number, geometry, shapes),
             }) as _
         };
+        let surface = |surface| RecordedSurface::on(surface, omissions);
         let light = |(number, source): (usize, LightSource)| LightSource {
             light: Box::new(LightBeforeShadowRay(materials::light((
                 number,
@@ -55,13 +60,14 @@ impl RecordedWorld {
         };
         Self {
             world: materials::map_world(world, geometry, surface, light),
-            all_work,
+            instruments,
         }
     }
 
     /// The colour that this function of the world finds for a ray from the camera.
     pub fn color(&self, trace: impl FnOnce(&ShadowedWorld) -> Color) -> Color {
         steps::expect_ray(None);
+        SEARCH.with(|search| search.left.set(0));
         let color = trace(&self.world);
         geometries::push_background(self.world.objects().background());
         color
@@ -70,40 +76,89 @@ impl RecordedWorld {
 
 impl TracedWorld for RecordedWorld {
     fn radiance(&self, ray: &Ray, depth: u32) -> Color {
-        if self.all_work {
-            self.color(|world| NaiveTracer(world).trace(ray, depth))
-        } else {
-            self.color(|world| RecursiveTracer::new(world).trace(ray, depth))
+        if self.instruments == Instruments::LESSON {
+            return self.color(|world| RecursiveTracer::new(world).trace(ray, depth));
         }
+        let omissions = self.instruments.omissions();
+        self.color(|world| MeasuredTracer { world, omissions }.trace(ray, depth))
     }
 
-    fn recorded(self: Box<Self>, _: bool) -> Box<dyn TracedWorld> {
+    fn recorded(self: Box<Self>, _: Instruments) -> Box<dyn TracedWorld> {
         self
     }
 }
 
 /// An object of the world. The first one that is tested reports the ray of the search.
 #[derive(Debug)]
-struct SearchedObject(Box<dyn Geometry>);
+struct SearchedObject {
+    number: usize,
+    is_flat: bool,
+    geometry: Box<dyn Geometry>,
+}
 
 impl Geometry for SearchedObject {
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        push_expected_ray(ray, within);
-        self.0.hit(ray, within)
+        self.begin(ray, within);
+        let hit = self.geometry.hit(ray, within);
+        if hit.is_some() {
+            SEARCH.with(|search| search.nearest.set(self.number));
+        }
+        hit
     }
 
     fn any_hit(&self, ray: &Ray, within: Interval, counts: &dyn Fn(&Hit) -> bool) -> bool {
-        push_expected_ray(ray, within);
-        self.0.any_hit(ray, within, counts)
+        self.begin(ray, within);
+        self.geometry.any_hit(ray, within, &|hit| {
+            steps::count(StepKind::OccluderNormals, 1);
+            counts(hit)
+        })
     }
 }
 
-fn push_expected_ray(ray: &Ray, within: Interval) {
-    match steps::take_expected_ray() {
-        Some(StepKind::ShadowRay) => push_shadow_ray(ray, within),
-        Some(_) => push_reflected_ray(ray),
-        None => (),
+impl SearchedObject {
+    /// Reports the ray if the search begins, and whether the ray leaves this object.
+    fn begin(&self, ray: &Ray, within: Interval) {
+        let expected = steps::take_expected_ray();
+        SEARCH.with(|search| {
+            if expected.is_some() {
+                search.left.set(search.nearest.get());
+            }
+            if self.is_flat && search.left.get() == self.number {
+                steps::count(StepKind::TestOfObjectLeft, 1);
+            }
+        });
+        match expected {
+            Some(StepKind::ShadowRay) => push_shadow_ray(ray, within),
+            Some(_) => push_reflected_ray(ray),
+            None => (),
+        }
     }
+}
+
+/// The objects of a thread's search, by their numbers from 1; 0 is none.
+struct Search {
+    /// The nearest one so far.
+    nearest: Cell<usize>,
+    /// The one that the ray leaves.
+    left: Cell<usize>,
+}
+
+thread_local! {
+    static SEARCH: Search = const {
+        Search {
+            nearest: Cell::new(0),
+            left: Cell::new(0),
+        }
+    };
+}
+
+/// Whether a shape has no thickness, so that no ray that leaves it can hit it again.
+fn is_flat(geometry: &dyn Geometry, shapes: Shapes) -> bool {
+    let kind = shapes.row(geometry).and_then(|row| row.get(geometry));
+    matches!(
+        kind.and_then(ShapeKind::for_engine),
+        Some(Shape::Plane(_) | Shape::Disc(_) | Shape::Triangle(_))
+    )
 }
 
 fn push_shadow_ray(ray: &Ray, within: Interval) {
@@ -166,9 +221,30 @@ impl Light for LightBeforeShadowRay {
 
 /// A surface whose work is reported, after which a reflected ray is expected.
 #[derive(Debug)]
-struct RecordedSurface {
+pub struct RecordedSurface {
     recorded: RecordedMaterial,
     reflection: Color,
+}
+
+impl RecordedSurface {
+    /// Wraps a surface that leaves out this work.
+    fn on(surface: Box<dyn Surface>, omissions: Omissions) -> Box<dyn Surface> {
+        Box::new(Self {
+            reflection: surface.mirror_reflectance(),
+            recorded: RecordedMaterial {
+                material: surface,
+                kinds: KINDS,
+                is_lit_from_behind: false,
+                omissions,
+            },
+        })
+    }
+
+    /// Wraps all surfaces of a world, and nothing else of it.
+    #[must_use]
+    pub fn on_all(world: ShadowedWorld, omissions: Omissions) -> ShadowedWorld {
+        materials::map_surfaces(world, |surface| Self::on(surface, omissions))
+    }
 }
 
 impl Material for RecordedSurface {

@@ -1,5 +1,6 @@
 //! Worlds of mirrors, and a tracer with the student's code in it.
 
+use a03_rays_cameras::instruments::Instruments;
 use a04_intersections::kinds::KINDS as SHAPES;
 use a06_shadows_reflection::instruments::recorded::RecordedWorld;
 
@@ -61,7 +62,7 @@ pub fn traced_picture(
     settings: &Settings,
     color: impl Fn(&ShadowedWorld, &Ray, u32) -> Color + Sync,
 ) -> Result<Image, Error> {
-    let view = view.map(|world| RecordedWorld::new(world, SHAPES, false));
+    let view = view.map(|world| RecordedWorld::new(world, SHAPES, Instruments::LESSON));
     rendered(&view, settings, |world, ray, depth| {
         world.color(|world| color(world, ray, depth))
     })

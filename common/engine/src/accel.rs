@@ -31,7 +31,7 @@ pub(crate) use shapes::Shapes;
 use split::Item;
 use tree_space::TreeSpace;
 
-/// A linear scan is faster up to this number of shapes, none of which is an instance.
+/// A linear scan of a few packets is faster up to this number of shapes, none of which is an instance.
 const LINEAR_SCAN_SHAPES: usize = 16;
 
 /// The shapes of a scene, prepared for many rays.
@@ -56,6 +56,18 @@ impl<'a> Accelerator<'a> {
             tree,
             unbounded: Leaf::of_all(&unbounded),
             linear_scan: Leaf::of_all(&ids),
+            shapes,
+        }
+    }
+
+    /// An accelerator that tests each of these shapes, to measure what the tree saves.
+    pub fn without_tree(mut shapes: Shapes<'a>) -> Self {
+        shapes.finish();
+        let ids: Vec<_> = shapes.ids().collect();
+        Self {
+            tree: None,
+            unbounded: Leaf::of_all(&ids),
+            linear_scan: Vec::new(),
             shapes,
         }
     }

@@ -1,6 +1,6 @@
 //! `Renderer`: a scene and a camera, prepared for rendering.
 
-use common::{Color, Error, Image, Progress, Settings};
+use common::{Color, Error, Image, Omission, Omissions, Progress, Settings};
 
 use glam::DVec3;
 
@@ -40,13 +40,20 @@ impl<'a> Renderer<'a> {
             surfaces,
             lights,
         } = scene;
-        if let Some(max_error) = settings.max_error {
+        let omissions = settings.omissions.unwrap_or(Omissions::ALL);
+        if let Some(max_error) = settings.max_error
+            && omissions.contains(Omission::NestedNodes)
+        {
             let max_distance = max_distance(shapes.bounds(), &camera);
             for shape in &mut shapes.transformed.shapes {
                 flatten(shape, max_distance, max_error);
             }
         }
-        let accelerator = Accelerator::new(shapes);
+        let accelerator = if omissions.contains(Omission::DistantObjects) {
+            Accelerator::new(shapes)
+        } else {
+            Accelerator::without_tree(shapes)
+        };
         let tracer = Tracer {
             background,
             ambient,
@@ -55,6 +62,7 @@ impl<'a> Renderer<'a> {
             surfaces,
             lights,
             cutoff,
+            omissions,
         };
         Self { camera, tracer }
     }

@@ -9,8 +9,8 @@ mod batch;
 mod lighting;
 mod offset_ray;
 
-use common::Color;
 use common::steps::{self, StepKind};
+use common::{Color, Omission, Omissions};
 
 use crate::accel::{Accelerator, NearestHits, NearestQuery, PACKETS};
 use crate::lanes::{ColorPacket, RayPacket, bits, mask};
@@ -34,9 +34,17 @@ pub(crate) struct Tracer<'a> {
     pub lights: Vec<Light<'a>>,
     /// Ends paths with a throughput below a threshold, where the picture may have an error.
     pub cutoff: Option<RadianceBound>,
+    /// The work that is left out.
+    pub omissions: Omissions,
 }
 
 impl Tracer<'_> {
+    /// Whether this work is left out.
+    #[inline]
+    fn omits(&self, omission: Omission) -> bool {
+        self.omissions.contains(omission)
+    }
+
     /// The light along the first rays of some packets, one for each element of `light`;
     /// fastest if they are neighbours.
     pub fn trace(&self, packets: &[RayPacket], light: &mut [Color], batch: &mut Batch) {
@@ -122,8 +130,13 @@ impl Tracer<'_> {
     /// A bit for each active ray with a throughput so low that it is not followed further.
     #[inline]
     fn terminated(&self, throughput: ColorPacket, active: u32) -> u32 {
-        let mut terminated = throughput.are_black();
-        if let Some(cutoff) = self.cutoff {
+        let mut terminated = 0;
+        if self.omits(Omission::BlackMirrors) {
+            terminated = throughput.are_black();
+        }
+        if let Some(cutoff) = self.cutoff
+            && self.omits(Omission::FaintReflections)
+        {
             let throughput = throughput.to_lanes();
             for lane in bits(active) {
                 terminated |= u32::from(cutoff.cuts(throughput[lane])) << lane;

@@ -1,60 +1,32 @@
 //! `Comparison`: a picture by the chosen renderer and by the one that skips no
-//! work, and the work of both.
+//! work, the work of both, and the work that no renderer can leave out.
 
 use std::fmt::{self, Write};
 
-use common::steps::{Counts, StepKind, counted};
+use common::steps::{Counts, StepKind, counted, counted_needed};
 use common::{Error, Image, Renderer, Scene, Settings};
 
 /// A kind of work that a renderer may leave out.
-struct Work {
-    kind: StepKind,
+pub struct Work {
+    /// The kind.
+    pub kind: StepKind,
     /// Its name for a reader, in the plural.
-    name: &'static str,
-    /// The reason why a renderer may do less of it without a change of the picture.
-    reason: &'static str,
+    pub name: &'static str,
+}
+
+const fn work(kind: StepKind, name: &'static str) -> Work {
+    Work { kind, name }
 }
 
 /// All kinds, in the order of the table.
-const ALL_WORK: [Work; 7] = [
-    Work {
-        kind: StepKind::CameraRay,
-        name: "primary rays",
-        reason: "where samples agree, more of them change no more than the allowed error",
-    },
-    Work {
-        kind: StepKind::ShadowRay,
-        name: "shadow rays",
-        reason: "light from behind a surface, light on a single colour and light without shadows \
-                 need none",
-    },
-    Work {
-        kind: StepKind::ReflectedRay,
-        name: "reflected rays",
-        reason: "a surface that does not mirror multiplies their colour by 0",
-    },
-    Work {
-        kind: StepKind::Test,
-        name: "intersection tests",
-        reason: "a ray that is not sent needs none, one occluder casts a shadow as well as two, \
-                 and a tree of bounding boxes (--fast) shows which objects a ray cannot hit",
-    },
-    Work {
-        kind: StepKind::ObjectRay,
-        name: "moved rays",
-        reason: "a ray that is not sent, or misses the bounds of an object (--fast), is not \
-                 transformed",
-    },
-    Work {
-        kind: StepKind::Power,
-        name: "powers",
-        reason: "a black highlight and light mirrored away from the eye are not seen",
-    },
-    Work {
-        kind: StepKind::RandomNumber,
-        name: "random numbers",
-        reason: "a sample with a fixed place needs none",
-    },
+pub const WORK: [Work; 7] = [
+    work(StepKind::CameraRay, "primary rays"),
+    work(StepKind::ShadowRay, "shadow rays"),
+    work(StepKind::ReflectedRay, "reflected rays"),
+    work(StepKind::Test, "intersection tests"),
+    work(StepKind::ObjectRay, "moved rays"),
+    work(StepKind::Power, "powers"),
+    work(StepKind::RandomNumber, "random numbers"),
 ];
 
 /// The work that the chosen renderer saves in a scene.
@@ -63,9 +35,12 @@ pub struct Comparison {
     /// The picture by the chosen renderer.
     pub image: Image,
     /// Its work.
-    pub needed: Counts,
+    pub done: Counts,
     /// The work of the renderer that skips none.
     pub all: Counts,
+    /// The work that no renderer can leave out; none if the picture may have an error, because
+    /// nobody knows how few samples are enough.
+    pub needed: Option<Counts>,
     /// The largest difference of a channel between both pictures.
     pub difference: f64,
 }
@@ -74,30 +49,55 @@ impl Comparison {
     /// Renders a scene by the chosen renderer and by the one that skips no work, on
     /// the threads of the current pool.
     pub fn new(scene: &Scene, settings: &Settings) -> Result<Self, Error> {
-        let (image, needed) = counted(|| scene.render(settings, &()))?;
+        let (image, done) = counted(|| scene.render(settings, &()))?;
         let (complete, all) = counted(|| scene.render(&complete(settings), &()))?;
+        let needed = match settings.max_error {
+            Some(_) => None,
+            None => Some(counted_needed(|| scene.render(settings, &()))?.1),
+        };
         let image = image?;
         Ok(Self {
             difference: difference(&image, &complete?),
             image,
-            needed,
+            done,
             all,
+            needed,
         })
     }
 
-    /// A row of a Markdown table: for each kind of work the count of the chosen
-    /// renderer, and the full count if that is another.
+    /// A row of a Markdown table: for each kind of work the count of the chosen renderer, the full
+    /// count if that is another, and the count that no renderer can leave out if it is a third one.
     #[must_use]
     pub fn row(&self, name: &str) -> String {
         let mut row = format!("| {name} |");
-        for Work { kind, .. } in ALL_WORK {
-            let _ = match (self.needed[kind], self.all[kind]) {
+        for Work { kind, .. } in WORK {
+            let (done, all) = (self.done[kind], self.all[kind]);
+            let _ = match (done, all) {
                 (0, 0) => write!(row, " |"),
-                (needed, all) if needed == all => write!(row, " {all} |"),
-                (needed, all) => write!(row, " **{needed}** of {all} |"),
+                (done, all) if done == all => write!(row, " {all}"),
+                (done, all) => write!(row, " **{done}** of {all}"),
+            };
+            if all == 0 && done == 0 {
+                continue;
+            }
+            let needed = self.needed.map(|needed| needed[kind]);
+            let _ = match needed.filter(|needed| *needed != done) {
+                Some(needed) => write!(row, ", needed {needed} |"),
+                None => write!(row, " |"),
             };
         }
         row
+    }
+
+    /// The same comparison of a picture with this many times as many pixels, as an estimate.
+    #[must_use]
+    pub fn scaled(self, factor: f64) -> Self {
+        Self {
+            done: self.done.scaled(factor),
+            all: self.all.scaled(factor),
+            needed: self.needed.map(|needed| needed.scaled(factor)),
+            ..self
+        }
     }
 }
 
@@ -121,25 +121,22 @@ fn difference(a: &Image, b: &Image) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
-/// A table of the kinds of work that were done, and the reasons why less of some is enough,
-/// without a newline at its end.
+/// A table of the kinds of work that were done, without a newline at its end.
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(
             f,
-            "  {:20} {:>14} {:>14} {:>8}",
-            "work", "everything", "needed", "saved"
+            "  {:20} {:>14} {:>14} {:>14}",
+            "work", "everything", "done", "needed"
         )?;
-        for Work { kind, name, .. } in ALL_WORK {
-            let (needed, all) = (self.needed[kind], self.all[kind]);
-            if all.max(needed) > 0 {
-                let saved = 100.0 * (all as f64 - needed as f64) / all.max(1) as f64;
-                write!(f, "\n  {name:20} {all:>14} {needed:>14} {saved:>6.1} %")?;
-            }
-        }
-        for Work { kind, name, reason } in ALL_WORK {
-            if self.needed[kind] < self.all[kind] {
-                write!(f, "\n  fewer {name}: {reason}")?;
+        for Work { kind, name } in WORK {
+            let (done, all) = (self.done[kind], self.all[kind]);
+            if all.max(done) > 0 {
+                write!(f, "\n  {name:20} {all:>14} {done:>14}")?;
+                match self.needed {
+                    Some(needed) => write!(f, " {:>14}", needed[kind])?,
+                    None => write!(f, " {:>14}", "unknown")?,
+                }
             }
         }
         Ok(())
@@ -148,18 +145,23 @@ impl fmt::Display for Comparison {
 
 #[cfg(test)]
 mod tests {
-    use common::steps::count;
+    use common::steps::{self, count};
     use common::{Color, Size};
 
     use super::*;
 
-    /// The renderer that skips no work takes one more ray and three more tests, and its
+    /// The renderer that skips no work takes one more ray and two more tests, and its
     /// picture is brighter by 1/8.
     fn scene() -> Scene {
         Scene::sampled("test", "", |settings, _| {
             let is_all = settings.renderer == Renderer::AllWork;
             count(StepKind::CameraRay, 1);
-            count(StepKind::Test, if is_all { 4 } else { 1 });
+            let tests = match settings.renderer {
+                Renderer::AllWork => 4,
+                _ if steps::is_counting_needed() => 1,
+                _ => 2,
+            };
+            count(StepKind::Test, tests);
             let mut image = Image::black(settings.size)?;
             if is_all {
                 count(StepKind::ShadowRay, 1);
@@ -177,16 +179,14 @@ mod tests {
         };
         let comparison = Comparison::new(&scene(), &settings).unwrap();
         assert_eq!(comparison.difference, 0.125);
-        let row = "| name | 1 | **0** of 1 | | **1** of 4 | | | |";
+        let row = "| name | 1 | **0** of 1 | | **2** of 4, needed 1 | | | |";
         assert_eq!(comparison.row("name"), row);
-        let table = "  work                     everything         needed    saved
-  primary rays                      1              1    0.0 %
-  shadow rays                       1              0  100.0 %
-  intersection tests                4              1   75.0 %
-  fewer shadow rays: ";
-        let printed = comparison.to_string();
-        assert!(printed.starts_with(table), "{printed}");
-        assert_eq!(printed.lines().count(), 6);
+        let table = "  work                     everything           done         needed
+  primary rays                      1              1              1
+  shadow rays                       1              0              0
+  intersection tests                4              2              1";
+        assert_eq!(comparison.to_string(), table);
+        assert_eq!(comparison.scaled(2.5).done[StepKind::Test], 5);
     }
 
     #[test]

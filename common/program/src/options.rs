@@ -148,6 +148,7 @@ impl Options {
                 (false, true) => Renderer::AllWork,
                 (false, false) => defaults.renderer,
             },
+            omissions: None,
             transfer: self.transfer,
             file: self.open.clone().or_else(|| defaults.file.clone()),
             edits: defaults.edits.clone(),

@@ -17,13 +17,13 @@ use crate::watch::NOT_WATCHED;
 /// After this time a picture takes long, so that a faster renderer is worth a remark.
 pub const SLOW: Duration = Duration::from_secs(4);
 
-/// Writes the pictures of these scenes, and prints the path and the time of each.
+/// Writes the pictures of these scenes, if `by` returns one, and prints the path and the time of each.
 /// Wrong arguments are refused before the first picture is begun.
 pub fn render_to_files(
     stage: &Stage,
     scenes: &[Scene],
     output: Option<PathBuf>,
-    by: impl Fn(&Scene, &Settings, &Options) -> Result<Image, Error>,
+    by: impl Fn(&Scene, &Settings, &Options) -> Result<Option<Image>, Error>,
     options: &Options,
 ) -> Result<(), Error> {
     let target = Target::new(output, scenes.len())?;
@@ -35,7 +35,9 @@ pub fn render_to_files(
     for (scene, settings) in jobs {
         warn_unused(scene, options, &settings);
         let start = Instant::now();
-        let image = by(scene, &settings, options)?;
+        let Some(image) = by(scene, &settings, options)? else {
+            continue;
+        };
         let path = target.write(stage, scene, &image, options.transfer)?;
         let (size, time) = (image.size(), start.elapsed().as_secs_f64());
         let path = text::visible(&path.to_string_lossy());

@@ -5,10 +5,11 @@ use std::process::ExitCode;
 
 use clap::FromArgMatches;
 use clap::error::{ContextKind, ContextValue};
-use common::{Error, Scene, Stage, text};
+use common::{Error, Scene, Settings, Stage, text};
 
 use crate::Viewer;
 use crate::grammar::{Command, CommandLine};
+use crate::options::Options;
 use crate::print::{ignore_broken_pipe, print, warn};
 use crate::{render, show, work};
 
@@ -92,10 +93,12 @@ fn execute(stage: &Stage, viewer: Option<Viewer>, line: CommandLine) -> Result<E
             work,
             options,
         }) => {
-            let by = if work {
-                work::render_and_report
-            } else {
-                render::render
+            let by = |scene: &Scene, settings: &Settings, options: &Options| {
+                if work {
+                    work::render_and_report(scene, settings, options)
+                } else {
+                    render::render(scene, settings, options).map(Some)
+                }
             };
             let render = |scenes: &[Scene]| {
                 render::render_to_files(stage, scenes, output.clone(), by, &options)

@@ -18,6 +18,22 @@ impl Counts {
     pub const NONE: Self = Self([0; StepKind::COUNT]);
 }
 
+impl Counts {
+    /// How many more steps of each kind these are than others; 0 where they are fewer.
+    #[must_use]
+    pub fn without(&self, others: &Self) -> Self {
+        Self(std::array::from_fn(|kind| {
+            self.0[kind].saturating_sub(others.0[kind])
+        }))
+    }
+
+    /// These counts, multiplied by a factor and rounded.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self(self.0.map(|count| (count as f64 * factor).round() as u64))
+    }
+}
+
 impl Index<StepKind> for Counts {
     type Output = u64;
 
@@ -30,14 +46,20 @@ impl Index<StepKind> for Counts {
 #[inline]
 #[must_use]
 pub fn is_counting() -> bool {
-    mode() == Mode::Counting
+    mode().counts()
+}
+
+/// Whether the steps are counted in this thread that no renderer can leave out, and no others.
+#[must_use]
+pub fn is_counting_needed() -> bool {
+    mode() == Mode::CountingNeeded
 }
 
 /// Counts steps of a kind, if steps are counted; a trace does not show them.
 #[inline]
 pub fn count(kind: StepKind, times: u64) {
     RECORDER.with(|recorder| {
-        if recorder.mode.get() == Mode::Counting {
+        if recorder.mode.get().counts() {
             let mut counts = recorder.counts.get();
             counts.0[kind as usize] += times;
             recorder.counts.set(counts);
@@ -48,10 +70,20 @@ pub fn count(kind: StepKind, times: u64) {
 /// Runs `task`, and returns its result and the steps of all its threads. It has as many threads
 /// as without counting.
 pub fn counted<T: Send>(task: impl FnOnce() -> T + Send) -> Result<(T, Counts), Error> {
-    let start = || {
+    counted_in(Mode::Counting, task)
+}
+
+/// Like [`counted`], but the wrappers around a scene report only the steps that no renderer can
+/// leave out.
+pub fn counted_needed<T: Send>(task: impl FnOnce() -> T + Send) -> Result<(T, Counts), Error> {
+    counted_in(Mode::CountingNeeded, task)
+}
+
+fn counted_in<T: Send>(mode: Mode, task: impl FnOnce() -> T + Send) -> Result<(T, Counts), Error> {
+    let start = move || {
         RECORDER.with(|recorder| {
             recorder.counts.set(Counts::NONE);
-            recorder.mode.set(Mode::Counting);
+            recorder.mode.set(mode);
         });
     };
     let counts = || RECORDER.with(|recorder| recorder.counts.get());

@@ -19,6 +19,11 @@ pub enum StepKind {
     ObjectRay,
     /// Tests a geometry for a hit. A node tests its children in turn.
     Test,
+    /// Tests the flat object, without thickness, that the ray has just left and cannot hit again;
+    /// only counted, beside the test.
+    TestOfObjectLeft,
+    /// Computes the normals of an object in the way of a light; only counted, beside the test.
+    OccluderNormals,
     /// Finds the nearest hit, which is shaded.
     Hit,
     /// Adds the ambient light.
@@ -57,6 +62,8 @@ impl StepKind {
             Self::Offset => "offset",
             Self::ObjectRay => "object ray",
             Self::Test => "test",
+            Self::TestOfObjectLeft => "test of the object left",
+            Self::OccluderNormals => "normals of an occluder",
             Self::Hit => "hit",
             Self::Ambient => "ambient",
             Self::Light => "light",

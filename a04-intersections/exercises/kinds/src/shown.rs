@@ -4,6 +4,7 @@ use std::f64::consts::FRAC_PI_4;
 
 use a02_math::arrays::point;
 use a02_math::{Normal3, Point3, Vector3};
+use a03_rays_cameras::instruments::Instruments;
 use a03_rays_cameras::{PerspectiveCamera, Ray, TracedWorld, View, paint};
 use a04_intersections::{Interval, World};
 use common::{Color, Error, Image, Settings};
@@ -22,7 +23,7 @@ pub fn scene<P: Clone + 'static>(
         let color = world.objects().map(|(_, color)| *color).next();
         let black = World::new(world.background())?;
         let world = black.with(new(parameters.clone())?, color.unwrap_or(Color::WHITE));
-        let world = Box::new(world).recorded(false);
+        let world = Box::new(world).recorded(Instruments::LESSON);
         paint(&camera, &|ray: &Ray| world.radiance(ray, 1), settings)
     })
 }

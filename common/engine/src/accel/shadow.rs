@@ -18,6 +18,8 @@ pub(crate) struct ShadowQuery {
     offset: Lanes,
     /// A bit for each ray that has not hit anything yet.
     pub unoccluded: u32,
+    /// Whether a ray that has hit anything looks for no more.
+    ends_at_first: bool,
 }
 
 impl ShadowQuery {
@@ -30,7 +32,15 @@ impl ShadowQuery {
             distance,
             offset,
             unoccluded: active,
+            ends_at_first: true,
         }
+    }
+
+    /// The same query, which ends at the first hits or, to measure what that saves, never.
+    #[inline]
+    pub fn ending_at_first(mut self, ends_at_first: bool) -> Self {
+        self.ends_at_first = ends_at_first;
+        self
     }
 
     /// A bit for each of these hits before the light that blocks it. Surfaces do not that hold the
@@ -55,7 +65,11 @@ impl Query for ShadowQuery {
 
     #[inline]
     fn active(&self) -> u32 {
-        self.unoccluded
+        if self.ends_at_first {
+            self.unoccluded
+        } else {
+            self.rays.active
+        }
     }
 
     #[inline]
@@ -97,7 +111,7 @@ impl Query for ShadowQuery {
         }
         if blocked != 0 {
             self.unoccluded &= !blocked;
-            *occluder = Some(shape);
+            *occluder = self.ends_at_first.then_some(shape);
         }
     }
 

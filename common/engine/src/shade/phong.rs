@@ -2,8 +2,8 @@
 //!
 //! (Phong, Illumination for Computer Generated Pictures, 1975.)
 
-use common::Color;
 use common::steps::{self, StepKind};
+use common::{Color, Omission, Omissions};
 
 use super::IlluminationPacket;
 use super::power::powers;
@@ -26,7 +26,8 @@ impl Phong {
     }
 
     /// Whether the light of any source can change its colour.
-    fn responds_to_light(&self) -> bool {
+    #[must_use]
+    pub fn responds_to_light(&self) -> bool {
         self.diffuse != Color::BLACK || self.has_highlight()
     }
 
@@ -85,26 +86,49 @@ impl PhongPacket {
     }
 
     /// The light of one source at hits with these normals, seen along rays with these
-    /// directions; black in lanes that are not lit.
+    /// directions; black in lanes that are not lit, and where the light is behind the surface.
     #[inline]
     pub fn shade(
         &self,
         direction: Vector3x4,
         normal: Vector3x4,
         light: &IlluminationPacket,
+        omissions: Omissions,
     ) -> ColorPacket {
         let slant = normal.dot(light.direction).max(Lanes::ZERO);
         let diffuse = self.diffuse * light.color * slant;
 
         let cosine = (-direction).dot(light.direction.reflected_on(normal));
         let is_mirrored = slant.simd_gt(Lanes::ZERO) & cosine.simd_gt(Lanes::ZERO);
-        let shining = is_mirrored.to_bitmask() & self.has_highlight & light.lit;
-        if shining == 0 {
+        let is_mirrored = is_mirrored.to_bitmask();
+        let shining = is_mirrored & self.has_highlight & light.lit;
+        let mut computed = shining;
+        if omissions != Omissions::ALL {
+            computed |= self.unseen(is_mirrored, omissions) & light.lit;
+        }
+        if computed == 0 {
             return diffuse.masked(mask(light.lit));
         }
-        steps::count(StepKind::Power, shining.count_ones().into());
-        let powers = powers(cosine.fast_min(Lanes::ONE), self.exponents, shining);
+        steps::count(StepKind::Power, computed.count_ones().into());
+        let powers = powers(cosine.abs().fast_min(Lanes::ONE), self.exponents, computed);
         let highlight = self.specular * light.color * powers;
         (diffuse + highlight.masked(mask(shining))).masked(mask(light.lit))
+    }
+
+    /// A bit for each highlight that is not seen and not left out. A material whose exponent
+    /// is 0 is Lambert's, which has none.
+    #[cold]
+    fn unseen(&self, is_mirrored: u32, omissions: Omissions) -> u32 {
+        let mut unseen = 0;
+        for lane in 0..4 {
+            let because = if is_mirrored & (1 << lane) == 0 {
+                Omission::HighlightsAway
+            } else {
+                Omission::BlackHighlights
+            };
+            let is_done = self.exponents[lane] != 0.0 && !omissions.contains(because);
+            unseen |= u32::from(is_done) << lane;
+        }
+        unseen
     }
 }

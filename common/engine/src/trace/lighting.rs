@@ -1,8 +1,8 @@
 //! The light at the vertices of a batch: ambient light, and the light of each source that no
 //! object blocks.
 
-use common::Color;
 use common::steps::{self, StepKind};
+use common::{Color, Omission};
 
 use super::batch::{Batch, Vertex};
 use super::{Tracer, offset_rays};
@@ -62,6 +62,8 @@ impl Tracer<'_> {
     /// Adds the light of source `i`.
     fn light_of(&self, i: usize, batch: &mut Batch) {
         let source = &self.lights[i];
+        let sends_rays = source.casts_shadows || !self.omits(Omission::LightsWithoutShadows);
+        let ends_at_first = self.omits(Omission::FartherOccluders);
         let Batch {
             paths,
             vertices,
@@ -74,35 +76,44 @@ impl Tracer<'_> {
         shadows.clear();
         for (at, vertex) in vertices.iter().enumerate() {
             let (rays, hit) = (&paths[vertex.path].rays, &vertex.hits.hit);
-            let responding = vertex.material.responds_to_light & vertex.hits.hit_mask;
+            let mut responding = vertex.hits.hit_mask;
+            if self.omits(Omission::UnlitSurfaces) {
+                responding &= vertex.material.responds_to_light;
+            }
             if responding == 0 {
                 continue;
             }
             let mut of_source = source.illuminate(rays.at(hit.t), responding);
             let facing = hit.normal.dot(of_source.direction).simd_gt(Lanes::ZERO);
-            of_source.lit &= facing.to_bitmask();
+            if self.omits(Omission::LightsBehind) {
+                of_source.lit &= facing.to_bitmask();
+            }
             if of_source.lit == 0 {
                 continue;
             }
-            if source.casts_shadows {
+            if sends_rays {
                 steps::count(StepKind::ShadowRay, of_source.lit.count_ones().into());
                 let to_light = offset_rays(rays, hit, of_source.direction);
                 let offset = hit.rounding_error(rays);
                 let distance = of_source.distance;
-                shadows.push(ShadowQuery::new(&to_light, offset, distance, of_source.lit));
+                let query = ShadowQuery::new(&to_light, offset, distance, of_source.lit);
+                shadows.push(query.ending_at_first(ends_at_first));
             }
             light.push((at, of_source));
         }
         self.accelerator.traverse(shadows, &mut occluders[i]);
-        for ((_, light), shadow) in light.iter_mut().zip(shadows) {
-            light.lit = shadow.unoccluded;
+        if source.casts_shadows {
+            for ((_, light), shadow) in light.iter_mut().zip(shadows) {
+                light.lit = shadow.unoccluded;
+            }
         }
         for (at, light) in light {
             let vertex = &mut vertices[*at];
             if light.lit != 0 {
                 let (direction, normal) =
                     (paths[vertex.path].rays.direction, vertex.hits.hit.normal);
-                let shaded = vertex.material.shade(direction, normal, light);
+                let material = &vertex.material;
+                let shaded = material.shade(direction, normal, light, self.omissions);
                 vertex.color = vertex.color + shaded;
             }
         }

@@ -1,18 +1,23 @@
-//! Checks the book's table of the work that is skipped.
+//! Checks the book's tables of the work that is skipped.
 
-use common::Stage;
 use std::path::Path;
 
-use program::Comparison;
+use common::{Omission, Stage};
+use program::{Comparison, Words};
 
 use super::TestPaths;
 use super::invariance::small;
 
-/// Checks that the book's table of the skipped work has the counted numbers, for all
-/// traced scenes of the stage in pictures of 96x72 pixels.
+/// Checks that the book's tables of the skipped work have the words of the program, and the counted
+/// numbers, for all traced scenes of the stage in pictures of 96x72 pixels.
 pub fn check_book(stage: &Stage, places: &TestPaths) {
     let path = Path::new(places.stage).join("../book/src/left-out.md");
     let mut page = std::fs::read_to_string(&path).expect("the page");
+    for omission in Omission::OF_LESSON {
+        let Words { work, because } = Words::of(omission);
+        let row = format!("| {work} | {because} |");
+        assert!(page.contains(&row), "the book lacks: {row}");
+    }
     let mut wrong = Vec::new();
     for scene in stage.scenes.iter().filter(|scene| scene.uses.sampling) {
         let (number, _) = stage.name.split_once('-').expect("a number");

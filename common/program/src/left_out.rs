@@ -1,0 +1,164 @@
+//! `LeftOut`: the work that a renderer leaves out in a scene, one reason at a time.
+//!
+//! The reasons are put back one after the other, and each is compared with those before it. So the
+//! rows add up to the work of the renderer that leaves out nothing.
+
+use common::steps::{Counts, StepKind, counted};
+use common::{Error, Omission, Omissions, Renderer, Scene, Settings};
+
+use crate::comparison::WORK;
+
+/// The words for a kind of work that is left out.
+pub struct Words {
+    /// The work.
+    pub work: &'static str,
+    /// Why no picture shows it.
+    pub because: &'static str,
+}
+
+impl Words {
+    /// The words for work that is left out, which are those of the book.
+    #[must_use]
+    pub const fn of(omission: Omission) -> Self {
+        let (work, because) = match omission {
+            Omission::RandomNumbers => (
+                "random numbers for samples with a fixed place",
+                "the middle of a pixel or of a cell is where it is",
+            ),
+            Omission::FartherOccluders => (
+                "the search behind the first object between a surface and a light",
+                "one object casts a shadow as well as two",
+            ),
+            Omission::LightsWithoutShadows => (
+                "shadow rays to a light that casts no shadows",
+                "the light arrives, whatever is between",
+            ),
+            Omission::LightsBehind => (
+                "shadow rays to a light behind the surface",
+                "Lambert's cosine is at most 0 and counts as 0",
+            ),
+            Omission::UnlitSurfaces => (
+                "shadow rays from surfaces of a single colour",
+                "their colour does not depend on the light",
+            ),
+            Omission::BlackHighlights => (
+                "powers of a black highlight",
+                "0 times anything from 0 to 1 is 0",
+            ),
+            Omission::HighlightsAway => (
+                "powers where the light is mirrored away from the eye",
+                "no highlight is seen there",
+            ),
+            Omission::BlackMirrors => (
+                "reflected rays from surfaces that mirror nothing",
+                "their colour would be multiplied by 0",
+            ),
+            Omission::FaintReflections => (
+                "reflected rays that nobody could see",
+                "what they bring back is less than the allowed error",
+            ),
+            Omission::NestedNodes => (
+                "rays moved from node to node",
+                "one matrix moves them at once, and rounds by less than the allowed error",
+            ),
+            Omission::DistantObjects => (
+                "tests of objects far from a ray",
+                "the ray misses the boxes around them",
+            ),
+        };
+        Self { work, because }
+    }
+}
+
+/// A kind of work that a renderer leaves out in a scene.
+#[derive(Debug)]
+pub struct LeftOut {
+    /// The kind.
+    pub omission: Omission,
+    /// The settings with which it is put back, in addition to the rows before.
+    pub with: Settings,
+    /// The steps that it leaves out; of a kind of which it takes more, none.
+    pub steps: Counts,
+}
+
+impl LeftOut {
+    /// The work of each kind that the renderer of the settings leaves out in a scene, counted on the
+    /// threads of the current pool.
+    pub fn all(scene: &Scene, settings: &Settings) -> Result<Vec<Self>, Error> {
+        let mut rows = Vec::new();
+        let mut omissions = Omissions::ALL;
+        let mut before = count(scene, &measured(settings, omissions))?;
+        for omission in Omission::ALL {
+            if !is_left_out(omission, settings) {
+                continue;
+            }
+            omissions = omissions.without(omission);
+            let with = measured(settings, omissions);
+            let counts = count(scene, &with)?;
+            let steps = counts.without(&before);
+            if WORK.iter().any(|work| steps[work.kind] > 0) {
+                rows.push(Self {
+                    omission,
+                    with,
+                    steps,
+                });
+            }
+            before = counts;
+        }
+        Ok(rows)
+    }
+
+    /// The kinds of steps that it leaves out in a picture of so many times as many pixels, and how
+    /// many of each, in words.
+    #[must_use]
+    pub fn counts(&self, factor: f64) -> String {
+        let steps = self.steps.scaled(factor);
+        let mut words = Vec::new();
+        for work in WORK {
+            if steps[work.kind] > 0 {
+                words.push(format!("{} {}", steps[work.kind], work.name));
+            }
+        }
+        words.join(", ")
+    }
+}
+
+/// Whether the renderer of the settings can leave this work out.
+fn is_left_out(omission: Omission, settings: &Settings) -> bool {
+    let is_engine = settings.renderer == Renderer::Engine;
+    match omission {
+        Omission::DistantObjects => is_engine,
+        Omission::FaintReflections | Omission::NestedNodes => {
+            is_engine && settings.max_error.is_some()
+        }
+        _ => true,
+    }
+}
+
+/// The settings with which only this work is left out.
+pub fn measured(settings: &Settings, omissions: Omissions) -> Settings {
+    Settings {
+        omissions: Some(omissions),
+        ..settings.clone()
+    }
+}
+
+/// The steps of a rendering.
+fn count(scene: &Scene, settings: &Settings) -> Result<Counts, Error> {
+    let (image, counts) = counted(|| scene.render(settings, &()))?;
+    image?;
+    Ok(counts)
+}
+
+/// The kinds of steps that a renderer takes although no picture needs them, each with the kind that
+/// it belongs to.
+pub const STILL_DONE: [(StepKind, &str); 2] = [
+    (
+        StepKind::TestOfObjectLeft,
+        "tests of the plane, disc or triangle that the ray has just left",
+    ),
+    (
+        StepKind::OccluderNormals,
+        "normals of objects in the way of a light",
+    ),
+];

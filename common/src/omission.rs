@@ -1,0 +1,101 @@
+//! `Omission`: work that a renderer leaves out because no picture shows it, and `Omissions`, a set of
+//! them. A measurement puts the work back, kind by kind, and sees what each costs.
+
+/// Work that does not change a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Omission {
+    /// Random numbers for samples with a fixed place.
+    RandomNumbers,
+    /// The search behind the first object between a surface and a light.
+    FartherOccluders,
+    /// Shadow rays to lights that cast no shadows.
+    LightsWithoutShadows,
+    /// Shadow rays to lights behind the surface.
+    LightsBehind,
+    /// Shadow rays from surfaces whose colour does not depend on light.
+    UnlitSurfaces,
+    /// Powers of black highlights.
+    BlackHighlights,
+    /// Powers where the light is mirrored away from the eye.
+    HighlightsAway,
+    /// Reflected rays from surfaces that mirror nothing.
+    BlackMirrors,
+    /// Reflected rays that bring back less than the allowed error.
+    FaintReflections,
+    /// Transforms of rays from each node to the next one, where an error is allowed.
+    NestedNodes,
+    /// Tests of objects whose bounding boxes the ray misses.
+    DistantObjects,
+}
+
+impl Omission {
+    /// All kinds, in the order in which a measurement puts them back: each with those before it, so
+    /// that work which several of them leave out counts for the last check that the ray would pass.
+    pub const ALL: [Self; 11] = [
+        Self::RandomNumbers,
+        Self::FartherOccluders,
+        Self::LightsWithoutShadows,
+        Self::LightsBehind,
+        Self::UnlitSurfaces,
+        Self::BlackHighlights,
+        Self::HighlightsAway,
+        Self::BlackMirrors,
+        Self::FaintReflections,
+        Self::NestedNodes,
+        Self::DistantObjects,
+    ];
+
+    /// Those of the lesson.
+    pub const OF_LESSON: [Self; 8] = [
+        Self::RandomNumbers,
+        Self::FartherOccluders,
+        Self::LightsWithoutShadows,
+        Self::LightsBehind,
+        Self::UnlitSurfaces,
+        Self::BlackHighlights,
+        Self::HighlightsAway,
+        Self::BlackMirrors,
+    ];
+}
+
+/// A set of kinds of work that are left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Omissions(u16);
+
+impl Omissions {
+    /// Nothing is left out.
+    pub const NONE: Self = Self(0);
+
+    /// Everything is left out that can be.
+    pub const ALL: Self = Self(u16::MAX);
+
+    /// Whether this work is left out.
+    #[inline]
+    #[must_use]
+    pub const fn contains(self, omission: Omission) -> bool {
+        self.0 & (1 << omission as u16) != 0
+    }
+
+    /// The set without this work, which is then done.
+    #[must_use]
+    pub const fn without(self, omission: Omission) -> Self {
+        Self(self.0 & !(1 << omission as u16))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn work_that_is_put_back_is_done() {
+        let mut left_out = Omissions::ALL;
+        for (i, put_back) in Omission::ALL.into_iter().enumerate() {
+            assert!(left_out.contains(put_back));
+            left_out = left_out.without(put_back);
+            for (j, other) in Omission::ALL.into_iter().enumerate() {
+                assert_eq!(left_out.contains(other), j > i);
+            }
+        }
+    }
+}
