@@ -76,6 +76,24 @@ pub fn reminder(course: &[Exercise]) -> Option<String> {
     }
 }
 
+/// Words behind the last exercise of a chapter's core path, until the questions of the chapter
+/// have been asked.
+pub fn invitation(course: &[Exercise], exercise: &Exercise, progress: &Progress) -> Option<String> {
+    let stage = exercise.stage;
+    let mut core = course.iter().filter(|e| e.stage == stage && e.is_core);
+    if !exercise.is_core || !core.all(|e| progress.is_done(e)) {
+        return None;
+    }
+    let kept = Kept::read().ok()?;
+    let questions = question::read_all(course).ok()?;
+    let mut of_chapter = questions.iter().filter(|q| q.stage == stage);
+    of_chapter.find(|q| !kept.asked.contains_key(q.id))?;
+    let chapter = stage.get(..3)?;
+    Some(format!(
+        "the core path of this chapter is done; its questions: cargo learn review {chapter}"
+    ))
+}
+
 /// Days since 1 January 1970, or as many as tests say.
 fn today() -> u32 {
     if let Some(day) = env::var("LEARN_DAY").ok().and_then(|day| day.parse().ok()) {

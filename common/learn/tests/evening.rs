@@ -68,7 +68,7 @@ const STEPS: &[(&str, &str)] = &[
     ("products", "panic>: not yet|right>: done|>exercises/angle.rs"),
     ("angle", "broken>: does not compile|c>3 of them are done; open: angle|n>exercises/reflected.rs"),
     ("reflected", "right>: done|broken>: does not compile|right>: done|>exercises/angle.rs"),
-    ("angle", "chatty>: done|m>a word|look>: done|>exercises/ppm.rs"),
+    ("angle", "chatty>: done|look>its questions: cargo learn review a01|m>a word|look>: done|>exercises/ppm.rs"),
     ("ppm", "many>line 50|look>… 8951 more lines; out/exercises/ppm.txt has all|look>: not yet"),
     ("ppm", "control>\\u{1b}[2J\\u{1b}[31m|panic>: not yet|n>exercises/srgb.rs"),
     ("srgb", "delete>srgb.rs is deleted|>to do|n>exercises/line.rs"),
@@ -140,6 +140,10 @@ fn each_step_is_answered() {
     write("main.rs", &(modules.collect::<String>() + main));
     write("Cargo.toml", PACKAGE);
     write("book/src/a01-exercises.md", &page());
+    let question = "**Why?**\n\n<details class=\"answer\" id=\"why\">\n<summary>Answer</summary>\n\n\
+        So.\n\n</details>\n";
+    let chapter = format!("# Pixels\n\n## Check yourself\n\n{question}");
+    write("book/src/a01-image-display.md", &chapter);
 
     // An exercise that no page sets.
     let task = "//! Its title, 5 minutes\n//!\n//! Its task.\n";

@@ -6,6 +6,7 @@ use console::style;
 use super::{KEYS, Page, RESET};
 use crate::files;
 use crate::report::Report;
+use crate::review;
 use crate::screen::Screen;
 use crate::watch::Session;
 
@@ -34,6 +35,12 @@ impl Page {
         ];
         if let Some(report) = &self.report {
             parts.push(self.verdict(report, screen));
+            if report.is_done
+                && let Some(words) =
+                    review::invitation(session.course, self.exercise, &session.progress)
+            {
+                parts.push(screen.wrap(&words));
+            }
         }
         parts.extend(self.notes.iter().map(|note| screen.wrap(note)));
         if let Some(warning) = session.progress.warning() {
