@@ -1,6 +1,6 @@
 """Embree 4.4 by `embreex`: triangles in single precision, from the origin of the ray on.
 
-    pip install embreex numpy && python3 corpus/adapters/embree.py
+    pip install embreex==4.4.0.post1 numpy && python3 corpus/adapters/embree.py
 
 Its documentation says that a ray in the plane of a triangle finds none, which these cases allow, and that
 denormal numbers count as zero, which `single.toml` does not have. `embreex` chooses Embree's mode itself."""

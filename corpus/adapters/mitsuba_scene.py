@@ -1,6 +1,6 @@
 """Mitsuba 3, variant `scalar_rgb`: single precision, from the origin of the ray on.
 
-    pip install mitsuba && python3 corpus/adapters/mitsuba_scene.py
+    pip install mitsuba==3.9.1 numpy && python3 corpus/adapters/mitsuba_scene.py
 
 Shapes are placed by `to_world` where they have no coordinates of their own. Directions are normalised, as its
 documentation asks, so that its t is a length. Its triangles are Embree's, in the fast mode

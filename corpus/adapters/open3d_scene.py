@@ -1,6 +1,6 @@
 """Open3D: `RaycastingScene`, triangles in single precision, from the origin of the ray on.
 
-    pip install open3d && python3 corpus/adapters/open3d_scene.py
+    pip install open3d==0.20.0 && python3 corpus/adapters/open3d_scene.py
 
 It is built on Embree."""
 

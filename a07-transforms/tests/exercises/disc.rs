@@ -26,6 +26,11 @@ pub fn exercise() -> Exercise<Code> {
             let green = Reflective::new(Color::GREEN, Color::WHITE, 2000.0, half)?;
             Ok(world.with(plane, Box::new(red)).with(disc, Box::new(green)))
         }),
+        remark: Some(|new: &Code| {
+            corpus("disc", &|x: &[f64]| {
+                new(([x[0], x[1], x[2]], [x[3], x[4], x[5]], x[6]))
+            })
+        }),
         right: vec![Other::new(
             "the distance, not its square",
             by_distance(|distance, r| distance <= r),

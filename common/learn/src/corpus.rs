@@ -10,7 +10,7 @@ use crate::progress::Progress;
 use crate::screen::Space;
 
 /// The exercises whose checks ask the corpus.
-const SHAPES: [&str; 4] = ["plane", "axis_aligned_box", "triangle", "sphere"];
+const SHAPES: [&str; 5] = ["plane", "axis_aligned_box", "triangle", "sphere", "disc"];
 
 /// The first words of the check's remark about the corpus.
 const REMARK: &str = "The corpus of ray failures:";

@@ -15,7 +15,7 @@ use std::fmt::Write;
 use std::path::Path;
 use std::{fs, io};
 
-use corpus::{CASES, Found, Question, SINGLE_CASES};
+use corpus::{Found, Question, SINGLE_CASES};
 
 /// Something that can be asked.
 struct Adapter {
