@@ -12,16 +12,16 @@ svg{font:13px system-ui,sans-serif}.title{font-weight:600;font-size:16px}.small{
 .estimate{stroke-dasharray:6 4}.mark{stroke-width:1.8}
 rect,.mark{fill:#fff}text{fill:#282828}.small{fill:#6b6b6b}path{stroke:#282828}.grid{stroke:#e4e4e4}
 .c0{stroke:#0072b2}.c1{stroke:#d55e00}.c2{stroke:#009e73}.c3{stroke:#b4558c}
-.c4{stroke:#3a94cf}.c5{stroke:#8a6100}.c6{stroke:#3c3c3c}
+.c4{stroke:#3a94cf}.c5{stroke:#8a6100}.c6{stroke:#3c3c3c}.c7{stroke:#5e3c99}
 @media(prefers-color-scheme:dark){
 rect,.mark{fill:#181a1b}text{fill:#e1e1e1}.small{fill:#a0a0a0}path{stroke:#e1e1e1}.grid{stroke:#393c3e}
 .c0{stroke:#56b4e9}.c1{stroke:#e69f00}.c2{stroke:#00be8c}.c3{stroke:#e696c3}
-.c4{stroke:#8c9cff}.c5{stroke:#f0e442}.c6{stroke:#c8c8c8}}
+.c4{stroke:#8c9cff}.c5{stroke:#f0e442}.c6{stroke:#c8c8c8}.c7{stroke:#ff9d8a}}
 ";
 
 /// The marks of the curves, around (0, 0): open, so that equal points of several curves
 /// are all seen.
-const MARKS: [&str; 7] = [
+const MARKS: [&str; 8] = [
     "M-4.5 0a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0-9 0z",
     "M-3.6-3.6h7.2v7.2h-7.2z",
     "M0-5L4.6 3.4H-4.6z",
@@ -29,6 +29,7 @@ const MARKS: [&str; 7] = [
     "M0 5L4.6-3.4H-4.6z",
     "M-2.4 0a2.4 2.4 0 1 0 4.8 0a2.4 2.4 0 1 0-4.8 0z",
     "M-2-2h4v4h-4z",
+    "M-4-4L4 4M-4 4L4-4",
 ];
 
 /// A picture.

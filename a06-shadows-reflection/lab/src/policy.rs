@@ -77,11 +77,6 @@ pub fn above_zero(trial: &Trial) -> ShadowRay {
     ShadowRay::from_point(trial, 0.0)
 }
 
-/// From the computed point, with a least `t` of a millionth.
-pub fn above_a_millionth(trial: &Trial) -> ShadowRay {
-    ShadowRay::from_point(trial, 1e-6)
-}
-
 /// The protocol's policy: from the computed point, and a least `t` of a thousandth.
 pub fn above_a_thousandth(trial: &Trial) -> ShadowRay {
     ShadowRay::from_point(trial, 0.001)

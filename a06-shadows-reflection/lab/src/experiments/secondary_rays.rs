@@ -12,8 +12,8 @@ use measure::experiment::{Axis, Curve, ErrorBound, Experiment, TaskSet, Unit};
 
 use crate::lit_points::{AIM, Aim, Look, SEED, Trial, looks, trials};
 use crate::policy::{
-    Policy, above_a_millionth, above_a_thousandth, above_zero, error_bounds, offset, relative,
-    relative_to_t, single, stepped,
+    Policy, above_a_thousandth, above_zero, error_bounds, offset, relative, relative_to_t, single,
+    stepped,
 };
 use crate::surface::{SHAPES, Shape, cuboid, plane, sphere, triangle};
 
@@ -148,10 +148,6 @@ const ZERO: Method = Method {
     name: "above 0",
     policy: above_zero,
 };
-const MILLIONTH: Method = Method {
-    name: "above 1e-6",
-    policy: above_a_millionth,
-};
 const RELATIVE: Method = Method {
     name: "above 1e-9 of the largest",
     policy: relative,
@@ -161,7 +157,7 @@ const RELATIVE_TO_T: Method = Method {
     policy: relative_to_t,
 };
 const STEPPED: Method = Method {
-    name: "steps of doubles (Wächter)",
+    name: "steps (Wächter, Binder)",
     policy: stepped,
 };
 const ERROR_BOUNDS: Method = Method {
@@ -177,10 +173,9 @@ const OURS: Method = Method {
     policy: offset,
 };
 
-const METHODS: [Method; 9] = [
+const METHODS: [Method; 8] = [
     THOUSANDTH,
     ZERO,
-    MILLIONTH,
     RELATIVE,
     RELATIVE_TO_T,
     STEPPED,
@@ -190,15 +185,7 @@ const METHODS: [Method; 9] = [
 ];
 
 /// Those for shapes that cannot put a point back.
-pub const FOR_EVERY_SHAPE: [Method; 7] = [
-    THOUSANDTH,
-    ZERO,
-    MILLIONTH,
-    RELATIVE,
-    RELATIVE_TO_T,
-    STEPPED,
-    OURS,
-];
+pub const FOR_EVERY_SHAPE: [Method; 6] = [THOUSANDTH, ZERO, RELATIVE, RELATIVE_TO_T, STEPPED, OURS];
 
 impl WrongDecisions {
     pub fn experiment(self) -> Experiment<'static> {
