@@ -1,5 +1,6 @@
 //! Error against run time for lights and materials.
 
+mod facets;
 mod lambert_phase;
 mod phong;
 mod spot_rim;
@@ -9,6 +10,7 @@ use measure::experiment::Experiment;
 pub fn experiments() -> Vec<Experiment<'static>> {
     vec![
         lambert_phase::experiment(),
+        facets::experiment(),
         phong::power(),
         spot_rim::experiment(),
     ]
