@@ -45,6 +45,7 @@ pub fn exercise() -> Exercise<Code> {
             }
             Ok(image)
         }),
+        drawing: drawing(|set_pixel: &Code, settings| boat(*set_pixel, settings)),
         right: vec![Other::new("a pixel of a row", pixel_of_row)],
         wrong: vec![
             Other::new(
@@ -96,4 +97,47 @@ fn set(image: &mut Image, color: Color, index: impl Fn(u32, u32) -> u64) {
     {
         *pixel = color;
     }
+}
+
+/// A boat of few pixels: w is a pixel of the sail, b of the hull, and o of the sea.
+const BOAT: [&str; 12] = [
+    "",
+    "        w",
+    "        ww",
+    "        www",
+    "        wwww",
+    "        wwwww",
+    "        wwwwww",
+    "        b",
+    "   bbbbbbbbbbbb",
+    "    bbbbbbbbbb",
+    "oooooooooooooooo",
+    "oooooooooooooooo",
+];
+
+/// The boat, with pixels as large as squares. Red squares are pixels that lie outside of the
+/// picture, and must not be seen.
+fn boat(set_pixel: Code, settings: &Settings) -> Result<Image, Error> {
+    let mut small = Image::black(Size::new(16, 12)?)?;
+    for (y, row) in (0..).zip(BOAT) {
+        for (x, letter) in (0..).zip(row.chars()) {
+            let color = match letter {
+                'w' => Color::WHITE,
+                'b' => Color::new(0.6, 0.3, 0.1),
+                'o' => Color::new(0.1, 0.3, 0.7),
+                _ => continue,
+            };
+            set_pixel(&mut small, x, y, color);
+        }
+    }
+    for y in 1..4 {
+        set_pixel(&mut small, 17, y, Color::RED);
+        set_pixel(&mut small, y, 12, Color::RED);
+    }
+    let squares = settings.size.width() / small.size().width();
+    Image::from_fn(settings.size, |x, y| {
+        let is_gap = x % squares == 0 || y % squares == 0;
+        let color = small.get(x / squares, y / squares).unwrap_or_default();
+        if is_gap { color * 0.7 } else { color }
+    })
 }

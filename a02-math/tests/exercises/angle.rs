@@ -1,5 +1,7 @@
 //! Vectors of all lengths, compared with the lesson's `Vector3::angle`.
 
+use a01_image_display::Canvas;
+
 use crate::prelude::*;
 
 yours! { angle }
@@ -36,6 +38,7 @@ pub fn exercise() -> Exercise<Code> {
             angle: *angle,
             ..LESSON
         }),
+        drawing: drawing(|angle: &Code, settings| fans(*angle, settings)),
         right: vec![Other::new("half the angle, in a rhombus", in_rhombus)],
         wrong: vec![
             Other::new("the cosine of a tiny angle rounds to 1", |a, b| {
@@ -59,4 +62,50 @@ fn in_rhombus(a: Vector3, b: Vector3) -> f64 {
 
 fn cosine(a: Vector3, b: Vector3) -> f64 {
     a.dot(b) / (a.magnitude() * b.magnitude())
+}
+
+/// The angles from an arrow to the points around it, in sectors of 15 degrees; and on the right
+/// those to points that are almost on the arrow, in bands of a hundred-millionth.
+fn fans(angle: Code, settings: &Settings) -> Result<Image, Error> {
+    let arrow = Vector3::new(1.0, 0.0, 0.0);
+    let colors = Image::from_fn(settings.size, |x, y| {
+        let [x, up] = [f64::from(x), 130.0 - f64::from(y)];
+        if up.abs() > 100.0 {
+            return Color::WHITE;
+        }
+        if x < 160.0 {
+            // Lengths from 0 to 2.
+            let to_point = Vector3::new((x - 80.0) / 50.0, up / 50.0, 0.0);
+            return in_bands(angle(arrow, to_point) / std::f64::consts::PI, 12.0);
+        }
+        let largest = 1e-7;
+        let to_point = Vector3::new(1.0, up / 100.0 * largest, 0.0);
+        in_bands(angle(arrow, to_point) / largest, 10.0)
+    })?;
+    let mut canvas = Canvas::new(settings.size, Color::WHITE)?;
+    let ink = Color::gray(0.15);
+    canvas.text((12.0, 8.0), 1, ink, "15\u{b0} each");
+    canvas.text((172.0, 8.0), 1, ink, "0.00000001 each");
+    let mut image = canvas.into_image();
+    for y in 30..settings.size.height() {
+        for x in 0..settings.size.width() {
+            let is_gap = x.abs_diff(160) < 4;
+            image.set(
+                x,
+                y,
+                colors.get(x, y).filter(|_| !is_gap).unwrap_or(Color::WHITE),
+            );
+        }
+    }
+    Ok(image)
+}
+
+/// A colour from blue at 0 to orange at 1, in this number of bands, every other one darker.
+fn in_bands(fraction: f64, bands: f64) -> Color {
+    let color = Color::new(0.1, 0.3, 0.8) * (1.0 - fraction) + Color::new(1.0, 0.6, 0.1) * fraction;
+    if ((fraction * bands) as u32).is_multiple_of(2) {
+        color
+    } else {
+        color * 0.75
+    }
 }

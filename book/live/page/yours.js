@@ -54,7 +54,7 @@ live.Yours = class {
     }
 };
 
-// The pictures of other exercises than those of the core path: the reader's code alone draws them.
+// The pictures that no scene shows: the reader's code alone draws them.
 for (const image of live.yours ? live.images('img[src*="-exercise-"]') : []) {
     const [, name, stage, exercise] = /(([^/]+)-exercise-([^/]+))\.png$/.exec(image.src);
     const file = exercise.replaceAll('-', '_');

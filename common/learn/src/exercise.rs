@@ -131,8 +131,8 @@ mod tests {
     use super::*;
 
     /// Each exercise has its files; starters lack something, and those of the core path name its
-    /// steps; hints are words, as no test would
-    /// compile code in them; and the checks of the core path accept another style.
+    /// steps; hints are words, as no test would compile code in them; and the checks of the core path
+    /// accept another style.
     #[test]
     fn exercises_have_their_files() {
         let mut names = BTreeSet::new();
@@ -164,6 +164,37 @@ mod tests {
             assert!(files::shortest(&answers).exists(), "{name}");
             let check = files::read(&format!("{}/tests/exercises/{name}.rs", e.stage)).unwrap();
             assert!(!e.is_core || check.contains("right: vec!["), "{name}");
+        }
+    }
+
+    /// The page shows what the check paints: what this code alone draws, or the scene of the stage.
+    #[test]
+    fn each_core_exercise_shows_another_picture() {
+        let mut pictures = BTreeSet::new();
+        for e in read_all().unwrap().iter().filter(|e| e.is_core) {
+            let (stage, name) = (e.stage, e.name);
+            let page = files::read(&format!("book/src/{}-exercises.md", &stage[..3])).unwrap();
+            let command = format!("cargo learn {name}\n");
+            let (before, _) = page.split_once(&command).unwrap();
+            let (_, section) = before.rsplit_once("\n### ").unwrap();
+            let (_, shown) = section.split_once("](pictures/").expect(name);
+            let (shown, _) = shown.split_once(')').unwrap();
+
+            let check = files::read(&format!("{stage}/tests/exercises/{name}.rs")).unwrap();
+            let answers = files::read(&format!("{stage}/exercises/answers/{name}.txt")).unwrap();
+            let scene = answers
+                .lines()
+                .find_map(|line| line.strip_prefix("picture "));
+            let painted = if check.contains("drawing: drawing(") {
+                format!("{stage}-exercise-{}.png", name.replace('_', "-"))
+            } else {
+                format!("{stage}-{}.png", scene.expect(name))
+            };
+            assert_eq!(shown, painted, "{name}");
+            assert!(
+                pictures.insert(painted),
+                "{name}: another exercise shows it"
+            );
         }
     }
 }

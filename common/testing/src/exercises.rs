@@ -12,7 +12,7 @@
 //!    `missing!("what is missing", a value for now, {`, ends with a line `})`, and is cut out of
 //!    the starter.
 //! 2. The check, `tests/exercises/NAME.rs`, has a function `exercise()`, which returns an
-//!    [`Exercise`]: its questions, its picture, right solutions in another style, and mistakes of
+//!    [`Exercise`]: its questions, its picture, which no other one shows, right solutions in another style, and mistakes of
 //!    learners, at least three with the [`usual`](Exercise::usual) ones of its kind. A mistake is
 //!    one row: the fact that it overlooks, and a function that makes code with this mistake of
 //!    right code. [`yours!`](crate::yours) is the student's code in the form that the questions
@@ -47,7 +47,7 @@ pub use folder::StageFolder;
 #[cfg(target_family = "wasm")]
 pub use in_browser::judge;
 pub use kind::{
-    CodeQuestion, Exercise, Group, Picture, Questions, Render, Search, Variant, searched,
+    CodeQuestion, Exercise, Group, Picture, Questions, Render, Search, Variant, drawing, searched,
 };
 pub use missing::missing;
 #[cfg(not(target_family = "wasm"))]

@@ -23,6 +23,9 @@ pub struct Exercise<C> {
     pub rounding_flaw: Option<&'static str>,
     /// The picture that the code paints.
     pub picture: Picture<C>,
+    /// A small picture that shows what this code alone does. Learners see it instead of a scene of
+    /// the stage, which is then only compared.
+    pub drawing: Option<Render<C>>,
     /// The section of the book about code that makes rays, such as a camera: the page below
     /// `book/src`, and the anchor of the heading.
     pub section_of_rays: Option<&'static str>,
@@ -43,6 +46,7 @@ impl<C> Default for Exercise<C> {
             questions: Vec::new(),
             rounding_flaw: None,
             picture: Picture::None,
+            drawing: None,
             section_of_rays: None,
             remark: None,
             right: Vec::new(),
@@ -83,6 +87,13 @@ impl<C> Picture<C> {
     pub fn own(render: impl Fn(&C, &Settings) -> Result<Image, Error> + 'static) -> Self {
         Self::Own(Box::new(render))
     }
+}
+
+/// A drawing by the code, for an exercise whose scene another one shows, too.
+pub fn drawing<C>(
+    render: impl Fn(&C, &Settings) -> Result<Image, Error> + 'static,
+) -> Option<Render<C>> {
+    Some(Box::new(render))
 }
 
 /// Another code: a right solution in another style, or a mistake of learners.

@@ -12,7 +12,7 @@ use exercise::{
 };
 
 use super::folder::StageFolder;
-use super::kind::{CodeQuestion, Exercise, Group, Picture, own_settings};
+use super::kind::{CodeQuestion, Exercise, Group, Picture, Render, own_settings};
 use super::{Missing, found_missing};
 
 /// The answer to a question with other numbers.
@@ -23,6 +23,7 @@ pub struct Program {
     pub questions: Vec<Question>,
     answers: Vec<AnswerTo>,
     picture: Picture<()>,
+    drawing: Option<Render<()>>,
     section_of_rays: Option<&'static str>,
 }
 
@@ -35,6 +36,8 @@ pub struct Findings {
     pub given: Vec<StudentAnswer>,
     /// The picture, also of code that is wrong.
     pub image: Option<Image>,
+    /// What the code draws instead for learners, also while it is unfinished.
+    pub drawing: Option<Image>,
     /// Messages.
     pub verdict: Verdict,
 }
@@ -65,6 +68,10 @@ impl Program {
                 answers.push(Box::new(move |input| answer(&code, input)));
             }
         }
+        let drawing = exercise.drawing.map(|render| -> Render<()> {
+            let code = code.clone();
+            Box::new(move |(), settings| render(&code, settings))
+        });
         let picture = match exercise.picture {
             Picture::None => Picture::None,
             Picture::Scene(name, render) => {
@@ -76,6 +83,7 @@ impl Program {
             questions,
             answers,
             picture,
+            drawing,
             section_of_rays: exercise.section_of_rays,
         }
     }
@@ -139,6 +147,7 @@ impl Program {
             wrong.push("it panics, with the message above".to_owned());
             (None, None)
         });
+        let drawn = catch_unwind(AssertUnwindSafe(|| self.draw(is_right, reader)));
         let mut verdict = verdict(record, &given, pictured.clone());
         if let Some(pictured) = pictured.filter(|_| !wrong.is_empty()) {
             verdict.note = Some(pictured.beside_wrong_answers());
@@ -149,6 +158,8 @@ impl Program {
             verdict,
             given,
             image,
+            // Code that panics here has panicked above, or says so itself.
+            drawing: drawn.unwrap_or_default(),
         }
     }
 
@@ -178,6 +189,23 @@ impl Program {
             }
             _ => (None, None),
         }
+    }
+
+    /// Draws for a learner, also unfinished code, and the right code for its author.
+    fn draw(&self, is_right: bool, reader: Reader) -> Option<Image> {
+        let render = self.drawing.as_ref()?;
+        let is_seen = match reader {
+            Reader::Student => true,
+            Reader::Author => is_right,
+            Reader::Grader => false,
+        };
+        if !is_seen {
+            return None;
+        }
+        // Parameters that the code refuses have been asked before.
+        own_settings()
+            .and_then(|settings| render(&(), &settings))
+            .ok()
     }
 
     /// Renders a scene of the stage with the student's code, and compares the picture with the

@@ -150,7 +150,8 @@ struct Proof {
 /// solutions.
 ///
 /// The arguments are those of every test. With a part of a name, the messages about
-/// mistakes are printed, and the pictures of the solutions are saved. With `always` in the
+/// mistakes are printed, and the pictures of the solutions are saved, with the drawings of starters
+/// and mistakes, which should show what is wrong. With `always` in the
 /// variable `INSTA_UPDATE` of the environment, the answers are recorded anew.
 #[must_use]
 pub fn prove(folder: &StageFolder, entries: Vec<Entry>) -> ExitCode {
@@ -230,13 +231,28 @@ impl Proof {
     }
 
     fn run(&self, record: &Record, program: &Program, examples: fn()) -> Findings {
-        program.run(examples, record, &self.folder, Reader::Author)
+        let reader = if self.is_shown {
+            Reader::Student
+        } else {
+            Reader::Author
+        };
+        program.run(examples, record, &self.folder, reader)
+    }
+
+    /// Saves what code draws that is wrong or unfinished, if the author looks at this exercise.
+    fn save_drawing(&self, found: &Findings, about: &str) {
+        if let Some(drawing) = found.drawing.as_ref().filter(|_| self.is_shown) {
+            let words = about.replace(|letter: char| !letter.is_alphanumeric(), "-");
+            let name = format!("{}-{words}.png", self.entry.name);
+            println!("{}", self.folder.save(drawing, &name));
+        }
     }
 
     fn starter(&self, record: &Record) -> Result<(), Failed> {
         let _alone = WITH_STARTER.write();
         let (starter, examples) = self.entry.codes.starter(&record.found);
         let found = self.run(record, &starter, examples);
+        self.save_drawing(&found, "unfinished");
         let is_to_do = !found.missing.is_empty();
         is_to_do.then_some(()).ok_or("nothing is missing".into())
     }
@@ -299,7 +315,8 @@ impl Proof {
         for missing in &found.missing {
             problems.push(format!("it lacks {}", missing.what));
         }
-        if let (Some(image), Some(name)) = (&found.image, picture) {
+        let shown = found.drawing.as_ref().or(found.image.as_ref());
+        if let (Some(image), Some(name)) = (shown, picture) {
             if self.is_shown {
                 println!("{}", self.folder.save(image, name));
             }
@@ -319,6 +336,7 @@ impl Proof {
         if self.is_shown {
             println!("{about}\n  {}\n  {known}", found.verdict.wrong.join("\n  "));
         }
+        self.save_drawing(found, about);
         let is_known = known.starts_with("this is") && known.ends_with(about);
         let accepted = || format!("the check accepts it, or takes it for another: {known}").into();
         is_known.then_some(()).ok_or_else(accepted)

@@ -55,7 +55,8 @@ pub fn judge<C: Clone + 'static>(
     };
     let found = program.run(examples, &record, folder, reader);
     // A grader sees no picture.
-    if let Some(image) = found.image.as_ref().filter(|_| !is_printed) {
+    let shown = found.drawing.as_ref().or(found.image.as_ref());
+    if let Some(image) = shown.filter(|_| !is_printed) {
         say(&folder.save(image, &format!("{}-{name}.png", folder.stage().name)));
     }
     if !found.missing.is_empty() {
