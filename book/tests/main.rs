@@ -12,6 +12,7 @@ mod include;
 mod left_over;
 mod lesson_length;
 mod lessons;
+mod recorded;
 mod upwards;
 mod way_of_a_ray;
 mod who_passes;
@@ -45,5 +46,8 @@ checks! {
     each_described_type_has_a_row: forgotten::types_without_a_row;
     each_file_of_tests_is_compiled: forgotten::tests_without_a_name;
     lesson_files_are_short: lesson_length::complaints;
+    each_anchor_has_a_figure_that_agrees_in_all_builds: recorded::anchors;
+    plots_are_drawn_from_recordings: recorded::plots;
+    no_time_is_typed_by_hand: recorded::typed_by_hand;
     the_table_of_the_corpus_is_that_of_its_results: who_passes::complaints;
 }

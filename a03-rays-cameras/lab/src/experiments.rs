@@ -86,8 +86,8 @@ impl Picture {
     fn experiment(self) -> Experiment<'static> {
         Experiment {
             question: self.question,
-            parameter: "samples a pixel",
-            work: "rays a pixel",
+            parameter: "samples per pixel",
+            work: "rays per pixel",
             error: "rms error of a pixel",
             exact: "against the pixel's mean in closed form",
             seeds: &[0, 1, 2],

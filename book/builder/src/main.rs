@@ -4,7 +4,8 @@
 //! 2. Lists of the files of each stage are written for the chapters (`changes`).
 //! 3. The stages become a WebAssembly module, by which the pictures of the pages are live
 //!    (`live_module`, `yours`). Without the target `wasm32-unknown-unknown` they stand still.
-//! 4. mdBook builds the pages (`pages`).
+//! 4. mdBook builds the pages (`pages`); before, it calls this program to fill in recorded
+//!    figures (`recorded`).
 //! 5. A warning, a broken link, or a file from the network is an error (`pages`, `network`).
 
 mod changes;
@@ -16,6 +17,7 @@ mod network;
 mod pages;
 mod pdf;
 mod publish;
+mod recorded;
 mod tools;
 mod yours;
 
@@ -53,6 +55,14 @@ enum Task {
         /// The file.
         file: PathBuf,
     },
+    /// Measures the experiments of all stages, for the figures and plots of the book.
+    Record(recorded::Task),
+    /// Fills in recorded figures for mdBook.
+    #[command(hide = true)]
+    Preprocess {
+        /// The words by which mdBook asks whether its kind of output is served.
+        words: Vec<String>,
+    },
 }
 
 fn main() -> ExitCode {
@@ -74,9 +84,16 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     match &arguments.command {
         Some(Task::Publish { folder }) => destination = Some(publish::Destination::new(folder)?),
         Some(Task::Pdf { file }) => document = Some(file::absolute(file)?),
-        None => {}
+        _ => {}
     }
     std::env::set_current_dir(root).map_err(file::with_path(root.as_ref()))?;
+    match &arguments.command {
+        Some(Task::Record(task)) => return recorded::record(task),
+        // All kinds of output are served.
+        Some(Task::Preprocess { words }) if !words.is_empty() => return Ok(()),
+        Some(Task::Preprocess { .. }) => return recorded::preprocess(),
+        _ => {}
+    }
     build(&arguments.yours)?;
 
     if let Some(destination) = destination {

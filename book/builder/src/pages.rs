@@ -52,6 +52,9 @@ pub fn open() -> Result<(), String> {
 fn mdbook(module: Option<&LiveModule>) -> Result<Command, String> {
     let mut mdbook = tools::command("mdbook")?;
     mdbook.args(["build", "book"]);
+    let this = std::env::current_exe().map_err(|error| error.to_string())?;
+    let preprocessor = format!("'{}' preprocess", this.display());
+    mdbook.env("MDBOOK_PREPROCESSOR__RECORDED__COMMAND", preprocessor);
     if module.is_some() {
         let scripts = r#"["generated/live.js", "fold.js", "access.js"]"#;
         mdbook.env("MDBOOK_OUTPUT__HTML__ADDITIONAL_JS", scripts);

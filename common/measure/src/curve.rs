@@ -70,12 +70,14 @@ impl<'a> Curve<'a> {
         errors: impl Fn(&T, A) -> E,
     ) -> Self {
         Self::of_sets(method, sets, answer, |tasks| {
-            let mut all = Vec::new();
+            let mut all: Vec<Deviation> = Vec::new();
+            let mut errors_per_task = 1;
             for task in tasks {
-                let errors = errors(task, answer(task)).into_iter();
-                all.extend(errors.map(Into::into));
+                let before = all.len();
+                all.extend(errors(task, answer(task)).into_iter().map(Into::into));
+                errors_per_task = errors_per_task.max(all.len() - before);
             }
-            Errors::of(all)
+            Errors::of_inputs(errors_per_task, all)
         })
     }
 
@@ -92,7 +94,7 @@ impl<'a> Curve<'a> {
             for task in tasks {
                 sum += wrong(task, answer(task)).into();
             }
-            Errors::fraction(sum / tasks.len() as f64)
+            Errors::fraction(sum / tasks.len() as f64, tasks.len())
         })
     }
 
@@ -112,7 +114,7 @@ impl<'a> Curve<'a> {
                 errors: errors_of(tasks),
                 times: Times::of(move || {
                     for task in run.iter() {
-                        black_box(answer(task));
+                        black_box(answer(black_box(task)));
                     }
                 }),
             });

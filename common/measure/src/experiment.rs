@@ -11,6 +11,7 @@ use crate::Effort;
 pub use crate::curve::{Curve, ErrorBound, Slope, TaskSet};
 pub use crate::deviation::{Deviation, Problem};
 use crate::fit::Fit;
+pub use crate::interval::Interval;
 pub use crate::point::{Errors, Point, Times};
 
 /// Half a grey level of an 8-bit picture: smaller errors can't be seen.
@@ -19,6 +20,9 @@ pub const HALF_GREY_LEVEL: f64 = 1.0 / 510.0;
 /// The unit of an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit<'a> {
+    /// The exact value, in words, of which the error is a fraction: `FractionOf("t")`. A method whose
+    /// error is 1 has no digit right.
+    FractionOf(&'a str),
     /// The light of a pixel, from black, 0, to white, 1.
     Light,
     /// The fraction of wrong answers, from 0 to 1. It follows no power law, because it
@@ -31,6 +35,7 @@ pub enum Unit<'a> {
 impl fmt::Display for Unit<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Self::FractionOf(value) => return write!(f, "fraction of {value}"),
             Self::Light => "white = 1",
             Self::Fraction => "all = 1",
             Self::Other(name) => name,
@@ -77,6 +82,10 @@ pub struct Experiment<'a> {
     /// The exact value that errors are differences from, "against 30 digits", and the error
     /// that a miss counts as.
     pub exact: &'a str,
+    /// The name of the experiment with the opposite mistake, at the same inputs with the same
+    /// methods: a method that never hits anything has no acne, and leaks everywhere. Both are one
+    /// plot, and have one front.
+    pub opposite: Option<&'a str>,
     /// The seeds of its random numbers, if it takes any.
     pub seeds: &'a [u64],
     /// Whether the curves are methods or problems.
@@ -99,6 +108,7 @@ impl<'a> Experiment<'a> {
             error: "",
             unit: Unit::Light,
             exact: "",
+            opposite: None,
             seeds: &[],
             curves_are: Curves::Methods,
             curves: Box::new(|_| Vec::new()),
@@ -129,28 +139,6 @@ fn falls_with_work(curve: &Curve) -> bool {
 
 /// The largest deviation of a measured slope from theory.
 const SLOPE_TOLERANCE: f64 = 0.05;
-
-/// The Pareto front, by curve and point: true for a point if no other has both
-/// less work and a smaller error.
-pub fn pareto_front(curves: &[Curve]) -> Vec<Vec<bool>> {
-    let is_unbeaten = |point: &Point| {
-        let mut others = curves.iter().flat_map(|curve| &curve.points);
-        !others.any(|other| beats(other, point))
-    };
-    let mut front = Vec::new();
-    for curve in curves {
-        front.push(curve.points.iter().map(is_unbeaten).collect());
-    }
-    front
-}
-
-/// Whether a point has neither more work nor a greater error than another, and not the same of
-/// both.
-fn beats(a: &Point, b: &Point) -> bool {
-    let is_no_worse = a.work <= b.work && a.errors.rms <= b.errors.rms;
-    let is_better = a.work < b.work || a.errors.rms < b.errors.rms;
-    is_no_worse && is_better
-}
 
 /// Checks in a test that the measured slopes and errors agree with theory.
 ///

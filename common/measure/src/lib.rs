@@ -21,10 +21,12 @@ pub mod experiment;
 pub mod extremes;
 pub mod fit;
 mod front;
+mod interval;
 mod laboratory;
 mod plot;
 mod point;
 mod provenance;
+pub mod recorded;
 pub mod report;
 pub mod scene_report;
 

@@ -5,13 +5,12 @@
 //! 1983; W. S. Cleveland, The Elements of Graphing Data, 1985).
 
 mod axis;
+mod precision;
 mod series;
 
 use common::svg::{Svg, color};
 
 use crate::experiment::{Axis, HALF_GREY_LEVEL};
-use crate::front::Contender;
-use crate::provenance::Provenance;
 use crate::report::Measured;
 
 use axis::{AxisLabel, LogAxis};
@@ -45,52 +44,39 @@ pub struct Plot {
 }
 
 /// The plots of an experiment: error against counted work or the parameter, and error against time
-/// with the front, of the points that can be compared.
-pub fn plots(measured: &Measured) -> [Plot; 2] {
-    let experiment = measured.experiment;
-    let label = match experiment.against {
-        Axis::Work => experiment.work,
-        Axis::Parameter => experiment.parameter,
-    };
-    let by_work = series::by_work(measured);
-    let by_time = series::by_time(measured);
-    let Provenance { machine, version } = Provenance::here();
-    let source = format!("medians, with intervals of 95 %; {machine}; {version}");
-    let front = measured.front();
+/// with the fronts; or against the opposite mistake, if there is one.
+pub fn plots(measured: &Measured, opposite: Option<&Measured>) -> [Plot; 2] {
     [
         Plot {
             ending: ".svg",
-            svg: draw(measured, &by_work, label, "", &[]),
+            svg: draw(measured),
         },
         Plot {
             ending: "-time.svg",
-            svg: draw(measured, &by_time, "time (seconds)", &source, &front),
+            svg: precision::diagram(measured, opposite),
         },
     ]
 }
 
-/// Draws a plot with this label of the horizontal axis, and the source of its times.
-fn draw(
-    measured: &Measured,
-    series: &[Series],
-    label: &str,
-    source: &str,
-    front: &[Contender],
-) -> String {
-    let experiment = measured.experiment;
+/// Draws error against counted work or the parameter.
+fn draw(measured: &Measured) -> String {
+    let experiment = &measured.experiment;
+    let label = match experiment.against {
+        Axis::Work => experiment.work,
+        Axis::Parameter => experiment.parameter,
+    };
+    let series = series::by_work(measured);
     let visible = experiment
         .can_be_seen(&measured.curves)
         .then_some(HALF_GREY_LEVEL);
-    let mut drawing = Drawing::new(experiment.question, series, visible);
+    let mut drawing = Drawing::new(experiment.question, &series, visible);
     let error = format!("{} ({})", experiment.error, experiment.unit);
     let svg = &mut drawing.svg;
     svg.text("title", [14.0, 28.0], experiment.question);
     svg.text("small", [14.0, 47.0], experiment.exact);
     svg.text("", [14.0, TOP - 15.0], &error);
     svg.text("middle", [f64::midpoint(LEFT, RIGHT), BOTTOM + 40.0], label);
-    svg.text("small", [14.0, SIZE[1] - 8.0], source);
     drawing.draw_axes();
-    drawing.draw_front(front);
     if let Some(level) = visible {
         drawing.draw_level(level, "half a grey level", "1/510");
     }
@@ -136,7 +122,7 @@ impl<'a> Drawing<'a> {
         let (mut along, mut up) = (Vec::new(), Vec::new());
         let mut has_zeros = false;
         for point in series.iter().flat_map(|one| &one.points) {
-            along.extend([point.low, point.x, point.high]);
+            along.push(point.x);
             if point.error == 0.0 {
                 has_zeros = true;
             } else {
@@ -186,26 +172,6 @@ impl<'a> Drawing<'a> {
         if error == 0.0 { ZERO } else { self.y.at(error) }
     }
 
-    /// A wide line through the points that no method beats, if there are two or more.
-    fn draw_front(&mut self, front: &[Contender]) {
-        let mut steps = Vec::new();
-        for one in front {
-            if self.y.holds(one.error) {
-                steps.push([self.x.at(one.time.value), self.y.at(one.error)]);
-            }
-        }
-        if let [_, .., [_, end]] = steps[..] {
-            self.svg.line("front", &steps);
-            self.labels.push(Label {
-                height: end,
-                name: "the front",
-                remark: "no method beats it",
-                class: "front".to_owned(),
-                curve: None,
-            });
-        }
-    }
-
     /// A level line at an error.
     fn draw_level(&mut self, error: f64, name: &'a str, remark: &'a str) {
         let y = self.y.at(error);
@@ -248,12 +214,14 @@ impl<'a> Drawing<'a> {
             }
             self.svg.line(&class, &line);
         }
+        if let Some(ends) = series.fitted {
+            let line = ends.map(|end| [self.x.at(end.x), self.y.at(end.error)]);
+            self.svg.line(&format!("fit {}", color(index)), &line);
+        }
         let mut last: Option<&SeriesPoint> = None;
         for point in &series.points {
             let y = self.height(point.error);
-            let [low, x, high] = [point.low, point.x, point.high].map(|x| self.x.at(x));
-            self.svg.line(&color(index), &[[low, y], [high, y]]);
-            self.svg.mark(index, [x, y]);
+            self.svg.mark(index, [self.x.at(point.x), y]);
             if last.is_none_or(|last| point.x >= last.x) {
                 last = Some(point);
             }

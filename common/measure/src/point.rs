@@ -1,12 +1,12 @@
 //! `Point`: one measurement, its errors and its times.
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use common::Median;
 
 use crate::deviation::{Deviation, Problem, rms};
 use crate::experiment::Axis;
+use crate::interval::{self, Interval};
 
 /// One measurement of a method.
 pub struct Point<'a> {
@@ -35,18 +35,33 @@ impl Point<'_> {
 pub struct Errors {
     /// The root mean square error, in the unit of the experiment.
     pub rms: f64,
+    /// The interval that holds the root mean square error of all inputs with 95 %.
+    pub interval: Interval,
     /// The least error that 99 of a hundred do not exceed: in units in the last place of the
-    /// exact value, if these are known; otherwise in the unit of the experiment.
-    pub p99: f64,
-    /// The greatest error, in the same unit as [`p99`](Self::p99).
-    pub max: f64,
+    /// exact value, if these are known; otherwise in the unit of the experiment. None of fewer than
+    /// 200 errors, of which it would be nearly the greatest.
+    pub p99: Option<f64>,
+    /// The greatest error, in the same unit as [`p99`](Self::p99); none of decisions.
+    pub max: Option<f64>,
     /// The errors that the problem itself has, if its condition is known.
     pub problem: Option<Problem>,
 }
 
+/// The fewest errors of which 99 % say more than the greatest.
+const ENOUGH_FOR_P99: usize = 200;
+
 impl Errors {
-    /// The sum of these errors, of which there is at least one.
+    /// The sum of these errors, of which there is at least one: one for each input.
     pub fn of(errors: impl IntoIterator<Item: Into<Deviation>>) -> Self {
+        Self::of_inputs(1, errors)
+    }
+
+    /// The same with this number of errors for each input, side by side, such as the three channels
+    /// of a pixel.
+    pub fn of_inputs(
+        errors_per_input: usize,
+        errors: impl IntoIterator<Item: Into<Deviation>>,
+    ) -> Self {
         let all: Vec<Deviation> = errors.into_iter().map(Into::into).collect();
         let mut sizes: Vec<f64> = all.iter().map(Deviation::size).collect();
         sizes.sort_by(f64::total_cmp);
@@ -54,28 +69,49 @@ impl Errors {
         let p99 = sizes.get(rank_of_p99.saturating_sub(1));
         Self {
             rms: rms(all.iter().map(|one| one.error)),
-            p99: p99.copied().unwrap_or(f64::NAN),
-            max: sizes.last().copied().unwrap_or(f64::NAN),
+            interval: interval::of_rms(&all, errors_per_input),
+            p99: p99.copied().filter(|_| sizes.len() >= ENOUGH_FOR_P99),
+            max: sizes.last().copied(),
             problem: Problem::of(&all),
         }
     }
 
-    /// A fraction of wrong results, from 0 to 1, which is one error and no distribution of them.
-    pub const fn fraction(fraction: f64) -> Self {
+    /// A fraction of wrong results, from 0 to 1, of this number of decisions. It is one error and no
+    /// distribution of them.
+    pub fn fraction(fraction: f64, decisions: usize) -> Self {
         Self {
             rms: fraction,
-            p99: fraction,
-            max: fraction,
+            interval: interval::of_fraction(fraction, decisions),
+            p99: None,
+            max: None,
             problem: None,
         }
     }
+
+    /// The errors without those of the values that they are differences from, which are independent
+    /// of them and have this root mean square.
+    pub fn without(mut self, of_the_reference: f64) -> Self {
+        let without = |error: f64| {
+            let squares = error * error - of_the_reference * of_the_reference;
+            squares.max(0.0).sqrt()
+        };
+        self.rms = without(self.rms);
+        self.interval = Interval {
+            low: without(self.interval.low),
+            high: without(self.interval.high),
+        };
+        self
+    }
 }
 
-/// The run of a measurement, without the computation of its errors, and the times it took.
+/// The run of a measurement, without the computation of its errors, and the time it took.
 pub struct Times<'a> {
     run: Box<dyn FnMut() + 'a>,
-    /// One time for each round, in seconds; none before the first.
-    pub seconds: Vec<f64>,
+    /// The processor time of a run in seconds; NaN before it is measured.
+    pub seconds: Median,
+    /// The median of the quotients of the rounds: of this time, and that of the first method at the
+    /// same value of the parameter; none of the first method.
+    pub over_first: Option<Median>,
 }
 
 impl<'a> Times<'a> {
@@ -84,19 +120,51 @@ impl<'a> Times<'a> {
     pub fn of<R>(mut run: impl FnMut() -> R + 'a) -> Self {
         Self {
             run: Box::new(move || drop(black_box(run()))),
-            seconds: Vec::new(),
+            seconds: Median::of(Vec::new()),
+            over_first: None,
         }
     }
 
-    /// Runs once more, and adds the time.
-    pub fn measure(&mut self) {
-        let start = Instant::now();
-        (self.run)();
-        self.seconds.push(start.elapsed().as_secs_f64());
+    /// Times that are known, without a run.
+    pub(crate) fn recorded(seconds: Median, over_first: Option<Median>) -> Self {
+        Self {
+            seconds,
+            over_first,
+            ..Self::of(|| ())
+        }
     }
 
-    /// The median of the times, in seconds.
-    pub fn median(&self) -> Median {
-        Median::of(self.seconds.clone())
+    /// The processor time of one run in seconds, as the mean of this number of runs.
+    pub(crate) fn measure(&mut self, runs: u32) -> f64 {
+        let start = now();
+        for _ in 0..runs {
+            (self.run)();
+        }
+        (now() - start) / f64::from(runs)
     }
+
+    /// The time as it is compared with those of other methods at the same value of the parameter:
+    /// what disturbs both alike is no part of its interval.
+    pub(crate) fn compared(&self) -> Median {
+        match self.over_first {
+            Some(_) => self.seconds,
+            None => Median {
+                low: self.seconds.value,
+                high: self.seconds.value,
+                ..self.seconds
+            },
+        }
+    }
+}
+
+/// The time that this program has worked, in seconds: waiting while others have the processor does not count.
+#[cfg(not(target_family = "wasm"))]
+fn now() -> f64 {
+    program::processor_time()
+}
+
+/// In browsers nothing is timed.
+#[cfg(target_family = "wasm")]
+fn now() -> f64 {
+    f64::NAN
 }

@@ -41,6 +41,7 @@ pub use live_picture::LivePicture;
 pub use named::{Named, SAMPLINGS, by_name};
 pub use pixel_panel::PixelPanel;
 pub use print::print;
+pub use processor_time::processor_time;
 pub use run::{exit_code, print_clap_error, run, run_with};
 pub use slider::Slider;
 pub use target::{make_default_folder, make_folder, picture_name};

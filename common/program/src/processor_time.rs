@@ -5,6 +5,7 @@
 
 /// The seconds of all threads since the program has begun.
 #[cfg(target_os = "linux")]
+#[must_use]
 pub fn processor_time() -> f64 {
     use rustix::time::{ClockId, clock_gettime};
 
@@ -14,6 +15,7 @@ pub fn processor_time() -> f64 {
 
 /// The seconds since the first call: the standard library has no clock for the processors.
 #[cfg(not(target_os = "linux"))]
+#[must_use]
 pub fn processor_time() -> f64 {
     use std::sync::LazyLock;
     use std::time::Instant;

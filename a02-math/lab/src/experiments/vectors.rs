@@ -75,7 +75,7 @@ pub fn angles() -> Experiment<'static> {
         work: "angles",
         against: Axis::Parameter,
         error: "rms error of the angle",
-        unit: Unit::Other("fraction of the angle"),
+        unit: Unit::FractionOf("the angle"),
         exact: "against the angle by construction; where there is none, the error is 1",
         seeds: &[SEED],
         curves: Box::new(curves),

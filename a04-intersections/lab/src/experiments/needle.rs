@@ -110,7 +110,7 @@ pub fn experiment() -> Experiment<'static> {
         work: "tests",
         against: Axis::Parameter,
         error: "rms error of t",
-        unit: Unit::Other("fraction of t"),
+        unit: Unit::FractionOf("t"),
         exact: "against 30 digits, away from the edges; half of the rays hit",
         seeds: &[13, 14],
         curves: Box::new(curves),

@@ -15,7 +15,7 @@ pub fn power() -> Experiment<'static> {
         work: "powers",
         against: Axis::Parameter,
         error: "rms error of the power",
-        unit: Unit::Other("fraction of it"),
+        unit: Unit::FractionOf("it"),
         exact: "against powers with 19 digits or more",
         curves: Box::new(curves),
         ..Experiment::new("phong-power")

@@ -21,6 +21,7 @@ pub fn experiments() -> Vec<Experiment<'static>> {
     [
         WrongDecisions {
             name: "acne",
+            opposite: Some("leaks"),
             question: "Which rays keep a surface out of its own shadow?",
             parameter: "scene size (units)",
             sets: by_size,
@@ -28,6 +29,7 @@ pub fn experiments() -> Vec<Experiment<'static>> {
         },
         WrongDecisions {
             name: "leaks",
+            opposite: Some("acne"),
             question: "Which rays find an object near the surface?",
             parameter: "scene size (units)",
             sets: by_size,
@@ -52,6 +54,7 @@ pub fn experiments() -> Vec<Experiment<'static>> {
         },
         WrongDecisions {
             name: "acne-from-afar",
+            opposite: Some("leaks-from-afar"),
             question: "From how far away may the eye look?",
             parameter: "distance of the eye (sizes of the scene)",
             sets: by_distance,
@@ -59,6 +62,7 @@ pub fn experiments() -> Vec<Experiment<'static>> {
         },
         WrongDecisions {
             name: "leaks-from-afar",
+            opposite: Some("acne-from-afar"),
             question: "How far away may the eye be?",
             parameter: "distance of the eye (sizes of the scene)",
             sets: by_distance,
@@ -99,6 +103,8 @@ pub struct WrongDecisions {
     pub sets: fn(Effort) -> Sets,
     pub error: &'static str,
     pub exact: &'static str,
+    /// The experiment with the opposite mistake at the same points.
+    pub opposite: Option<&'static str>,
     /// The fraction of wrong decisions for a point and a policy.
     pub wrong: fn(&Trial, Policy) -> f64,
     /// The methods that are compared, ours at the end.
@@ -121,6 +127,7 @@ pub const ACNE: WrongDecisions = WrongDecisions {
     sets: |_| Vec::new(),
     error: "fraction of shadow rays that hit their own surface",
     exact: "where light arrives",
+    opposite: None,
     wrong: |trial, policy| f64::from(trial.shades_itself(policy)),
     methods: &METHODS,
     promised: 0.0..=f64::INFINITY,
@@ -198,6 +205,7 @@ impl WrongDecisions {
             error: self.error,
             unit: Unit::Fraction,
             exact: self.exact,
+            opposite: self.opposite,
             seeds: &[SEED],
             curves: Box::new(move |effort| self.curves(effort)),
             ..Experiment::new(name)

@@ -18,11 +18,13 @@ pub fn experiments() -> Vec<Experiment<'static>> {
     [
         WrongDecisions {
             name: "acne-under-nodes",
+            opposite: Some("leaks-under-nodes"),
             question: "Which rays keep a shape under nested nodes out of its own shadow?",
             ..ACNE
         },
         WrongDecisions {
             name: "leaks-under-nodes",
+            opposite: Some("acne-under-nodes"),
             question: "Which rays find an object near a shape under nested nodes?",
             ..LEAKS
         },

@@ -34,18 +34,18 @@ pub fn report(
             for scene in &scenes {
                 experiments.push(scene_report::experiment(scene)?);
             }
-            measure(stage, &experiments, effort, output)
+            measure(stage, experiments, effort, output)
         }
         _ => {
             let experiments = chosen((laboratory.experiments)(), names)?;
-            measure(stage, &experiments, effort, output)
+            measure(stage, experiments, effort, output)
         }
     }
 }
 
 fn measure(
     stage: &Stage,
-    experiments: &[Experiment],
+    experiments: Vec<Experiment>,
     effort: Effort,
     output: Option<PathBuf>,
 ) -> Result<(), Error> {
@@ -54,24 +54,29 @@ fn measure(
         None => make_default_folder()?.join("report"),
     };
     make_folder(&folder)?;
-    for experiment in experiments {
+    for experiment in &experiments {
         report::check_writable(experiment, &folder, stage.name)?;
     }
-    let mut rows = Vec::new();
+    let mut all: Vec<Measured> = Vec::new();
     for experiment in experiments {
-        let mut bar = None;
+        let (mut bar, name) = (None, experiment.name);
         let measured = Measured::new(experiment, effort, |done, all| {
-            let bar = bar.get_or_insert_with(|| terminal_bar(experiment.name, all as u64));
+            let bar = bar.get_or_insert_with(|| terminal_bar(name, all as u64));
             bar.set_position(done as u64);
         });
         if let Some(bar) = bar {
             bar.finish_and_clear();
         }
-        print(&measured.table())?;
-        rows.extend(measured.row());
-        for path in measured.write(&folder, stage.name)? {
+        let opposite = report::opposite_of(&measured, &all);
+        print(&measured.table(opposite))?;
+        for path in measured.write(&folder, stage.name, opposite)? {
             print(&format!("  {}", text::path(&path)))?;
         }
+        all.push(measured);
+    }
+    let mut rows = Vec::new();
+    for measured in &all {
+        rows.extend(measured.row(report::opposite_of(measured, &all)));
     }
     if rows.is_empty() {
         return Ok(());

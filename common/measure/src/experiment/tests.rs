@@ -6,18 +6,10 @@ use crate::example::{curve, experiment, falling};
 #[test]
 fn the_mean_and_the_greatest_error_are_computed() {
     let errors = Errors::of([3.0, -4.0, 0.0, 0.0]);
-    assert_eq!((errors.rms, errors.max), (2.5, 4.0));
-}
-
-/// A point with the same error and the same work does not beat another; a smaller
-/// error or less work does.
-#[test]
-fn the_front_has_the_points_that_no_other_beats() {
-    let a = curve(&[(1.0, 0.5), (2.0, 0.25), (4.0, 0.125)]);
-    let b = curve(&[(1.0, 0.5), (2.0, 0.5), (8.0, 0.125)]);
-    let front = pareto_front(&[a, b]);
-    let expected = [&[true; 3][..], &[true, false, false]];
-    assert_eq!(front, expected);
+    assert_eq!((errors.rms, errors.max), (2.5, Some(4.0)));
+    assert_eq!(errors.p99, None, "of four numbers");
+    let many = (1..=200).map(f64::from);
+    assert_eq!(Errors::of(many).p99, Some(198.0));
 }
 
 #[test]
@@ -80,5 +72,5 @@ fn the_error_of_decisions_is_the_fraction_of_wrong_ones() {
     let [Point { errors, .. }] = &curve.points[..] else {
         panic!("one point");
     };
-    assert_eq!(*errors, Errors::fraction(0.375));
+    assert_eq!(*errors, Errors::fraction(0.375, 4));
 }

@@ -1,6 +1,9 @@
 use super::*;
+use common::Median;
+
 use crate::example::{curve, experiment};
 use crate::experiment::{Experiment, Unit};
+use crate::provenance::Provenance;
 
 /// The plots of curves with these points: work, and error. The times are the works.
 fn plots_of(unit: Unit<'static>, curves: &[&[(f64, f64)]]) -> [String; 2] {
@@ -11,11 +14,15 @@ fn plots_of(unit: Unit<'static>, curves: &[&[(f64, f64)]]) -> [String; 2] {
     let mut curves: Vec<_> = curves.iter().map(|points| curve(points)).collect();
     for curve in &mut curves {
         for point in &mut curve.points {
-            point.times.seconds.push(point.work);
+            point.times.seconds = Median::of(vec![point.work; 6]);
         }
     }
-    let experiment = &experiment;
-    plots(&Measured { experiment, curves }).map(|plot| plot.svg)
+    let measured = Measured {
+        experiment,
+        curves,
+        provenance: Provenance::here(6),
+    };
+    plots(&measured, None).map(|plot| plot.svg)
 }
 
 fn marks(svg: &str) -> usize {
@@ -34,13 +41,13 @@ fn every_point_is_shown() {
     for text in ["a &lt; b", "slope −1.000 ± 0.000"].iter().chain(&labels) {
         assert!(work.contains(text), "{text}: {work}");
     }
-    for text in ["time (seconds)", "class=\"front\"", ">the front<"] {
+    for text in ["processor time (s)", "class=\"front\"", ">not beaten<"] {
         assert!(
             time.contains(text) && !work.contains(text),
             "{text}: {time}"
         );
     }
-    assert!(!time.contains("slope"));
+    assert!(!time.contains("slope") && work.contains("class=\"fit c0\""));
     let plots = plots_of(Unit::Other("radii"), &[&falling]);
     assert!(!plots[0].contains("1/510"));
 }

@@ -3,13 +3,15 @@
 use std::fmt::Write;
 use std::time::Duration;
 
-use crate::experiment::{Axis, Curve, Curves, HALF_GREY_LEVEL, pareto_front};
+use crate::experiment::{Curve, Curves, HALF_GREY_LEVEL, Point};
+use crate::front::Front;
 use crate::report::Measured;
 
-impl Measured<'_, '_> {
-    /// The table for the terminal.
-    pub fn table(&self) -> String {
-        let e = self.experiment;
+impl Measured<'_> {
+    /// The table for the terminal. `opposite` is the experiment with the opposite mistake, without
+    /// which an experiment that has one has no front.
+    pub fn table(&self, opposite: Option<&Self>) -> String {
+        let e = &self.experiment;
         let (name, question, unit, exact) = (e.name, e.question, e.unit, e.exact);
         let units_of_columns = if self.knows_conditions() {
             "; 99 % and max in ulp"
@@ -18,7 +20,13 @@ impl Measured<'_, '_> {
         };
         let mut text = format!("{name}: {question}\n");
         let _ = writeln!(text, "  {} ({unit}), {exact}{units_of_columns}", e.error);
-        self.add_rows(&mut text);
+        let has_front = e.opposite.is_none() || opposite.is_some();
+        let fronts = if has_front {
+            self.fronts(opposite)
+        } else {
+            Vec::new()
+        };
+        self.add_rows(&mut text, &fronts);
         for (c, curve) in self.curves.iter().enumerate() {
             let remarks = self.remarks(c, curve);
             if !remarks.is_empty() {
@@ -26,7 +34,20 @@ impl Measured<'_, '_> {
             }
         }
         if e.curves_are == Curves::Methods {
-            let _ = writeln!(text, "  unbeaten in error and time: {}", self.unbeaten());
+            let _ = match e.opposite {
+                Some(name) if !has_front => {
+                    writeln!(
+                        text,
+                        "  unbeaten in error and time: see report {} {name}",
+                        e.name
+                    )
+                }
+                _ => writeln!(
+                    text,
+                    "  unbeaten in error and time: {}",
+                    self.unbeaten(opposite)
+                ),
+            };
         }
         text
     }
@@ -36,10 +57,9 @@ impl Measured<'_, '_> {
         points.any(|point| point.errors.problem.is_some())
     }
 
-    /// The head of the table and a row for each point. A star marks the points of the Pareto
-    /// front, where there is one: against the parameter there is no price.
-    fn add_rows(&self, text: &mut String) {
-        let e = self.experiment;
+    /// The head of the table and a row for each point. A star marks the points of the fronts.
+    fn add_rows(&self, text: &mut String, fronts: &[Front]) {
+        let e = &self.experiment;
         let parameter_width = e.parameter.chars().count().max(12);
         let work_width = e.work.chars().count().max(14);
         let _ = writeln!(
@@ -47,11 +67,10 @@ impl Measured<'_, '_> {
             "  {:24} {:>parameter_width$} {:>work_width$}     error      99 %       max condition       time  time / first method",
             "method", e.parameter, e.work
         );
-        let front = pareto_front(&self.curves);
-        let has_front = e.against == Axis::Work && e.curves_are == Curves::Methods;
         for (c, curve) in self.curves.iter().enumerate() {
-            for (p, point) in curve.points.iter().enumerate() {
-                let star = if has_front && front[c][p] { "*" } else { " " };
+            for point in &curve.points {
+                let is_unbeaten = fronts.iter().any(|front| front.holds(c, point));
+                let star = if is_unbeaten { "*" } else { " " };
                 let parameter = compact(point.parameter);
                 let work = compact(point.work);
                 let _ = write!(
@@ -64,14 +83,18 @@ impl Measured<'_, '_> {
                     Some(problem) => format!("{:.1e}", problem.condition),
                     None => String::new(),
                 };
+                let [p99, max] = [errors.p99, errors.max].map(|error| match error {
+                    Some(error) => format!("{error:.1e}"),
+                    None => String::new(),
+                });
                 let _ = write!(
                     text,
-                    " {:>9.1e} {:>9.1e} {:>9.1e} {condition:>9}",
-                    errors.rms, errors.p99, errors.max
+                    " {:>9.1e} {p99:>9} {max:>9} {condition:>9}",
+                    errors.rms
                 );
-                let time = duration(point.times.median().value);
+                let time = duration(point.times.seconds.value);
                 let _ = write!(text, " {time:>10}");
-                if let Some(quotient) = self.time_over_first(c, p) {
+                if let Some(quotient) = point.times.over_first {
                     let _ = write!(text, "  {quotient}");
                 }
                 text.push('\n');
@@ -111,13 +134,9 @@ impl Measured<'_, '_> {
     /// with the first, over those of the first.
     fn beside_first(&self, c: usize) -> Option<String> {
         let points = &self.curves[c].points;
-        let mut shared = None;
-        for p in 0..points.len() {
-            if let Some(time) = self.time_over_first(c, p) {
-                shared = Some((p, time));
-            }
-        }
-        let (p, time) = shared?;
+        let has_quotient = |point: &Point| point.times.over_first.is_some();
+        let p = points.iter().rposition(has_quotient)?;
+        let time = points[p].times.over_first?;
         let first = self.curves[0].points[p].errors.rms;
         let own = points[p].errors.rms;
         let error = match own / first {
