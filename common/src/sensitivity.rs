@@ -39,6 +39,8 @@ pub struct NumberPlace {
     pub columns: Range<usize>,
     /// Its bytes in the text of the file.
     pub bytes: Range<usize>,
+    /// The first byte of its value, which may be a list of several numbers.
+    pub at: usize,
     /// Its table, such as `[[sphere]] #2`: the second one in the file, or in its group.
     pub table: String,
     /// Its key, and which of the numbers of this key it is, such as `center x`.

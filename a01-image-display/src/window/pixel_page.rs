@@ -1,9 +1,10 @@
 //! The page of the panel with the numbers behind a pixel.
 
 use common::pixel_trace::digits;
+use common::sensitivity::NumberPlace;
 use common::steps::{Step, StepKind};
 use common::{Color, PixelTrace};
-use program::{Gallery, PixelPanel};
+use program::{Gallery, PixelPanel, effect_in_words, number_in_words};
 
 use super::appearance::Colors;
 use super::area::Area;
@@ -11,6 +12,12 @@ use super::screen::Screen;
 
 /// Most steps of a pixel that are listed.
 const MOST_STEPS: usize = 300;
+
+/// Most values of the scene file that are listed, each by its strongest number.
+const MOST_NUMBERS: usize = 3;
+
+/// The heading above them.
+const STRONGEST: &str = "Numbers of the file that change it most";
 
 /// What the symbols of the steps mean.
 const SYMBOLS: &str = "o origin, d direction, t distance along the ray, p point, n normal, \
@@ -53,8 +60,52 @@ impl Screen {
                     .text(0, muted, "A click on a line copies its values.");
                 self.ui.text(0, text, &panel.samples);
                 self.ui.text(0, muted, SYMBOLS);
+                self.add_influences(gallery);
                 self.add_steps(&panel.trace);
             }
+        }
+    }
+
+    /// Adds the numbers of the scene file that change the pixel most.
+    fn add_influences(&mut self, gallery: &Gallery) {
+        let Colors {
+            text, muted, error, ..
+        } = self.ui.colors;
+        let influences = match &gallery.influences {
+            None if gallery.is_measuring() => {
+                self.ui.heading(STRONGEST);
+                return self.ui.text(0, muted, "They are being looked for.");
+            }
+            None => return,
+            Some(Err(reason)) => return self.ui.text(0, error, &reason.to_string()),
+            Some(Ok(influences)) => influences,
+        };
+        self.ui.heading(STRONGEST);
+        let mut listed = Vec::new();
+        for influence in influences {
+            let NumberPlace { at, .. } = influence.number;
+            // The channels of a colour, or the coordinates of a place, are one entry.
+            if !influence.response.is_change() || listed.contains(&at) {
+                continue;
+            }
+            listed.push(at);
+            let number = number_in_words(&influence.number);
+            let effect = effect_in_words(influence);
+            let name = self.ui.text_area(0, text, &number);
+            let words = self.ui.text_area(1, muted, &effect);
+            let area = Area {
+                height: name.height + words.height,
+                ..name
+            };
+            if self.ui.clicked_in_panel(area) {
+                self.copy(&format!("{number}\n{effect}"));
+            }
+            if listed.len() == MOST_NUMBERS {
+                break;
+            }
+        }
+        if listed.is_empty() {
+            self.ui.text(0, muted, "No number of the file changes it.");
         }
     }
 

@@ -133,7 +133,7 @@ impl Screen {
     pub fn fingerprint(&self, gallery: &Gallery) -> String {
         let live = gallery.picture.as_ref();
         format!(
-            "title: {:?} window: {:?} {:?} scale: {} {:?} pixel: {:?} explained: {} \
+            "title: {:?} window: {:?} {:?} scale: {} {:?} pixel: {:?} explained: {} {} \
              changes: {:?} finished: {} over it: {:?}",
             gallery.title(),
             (self.size[0], self.size[1]),
@@ -142,6 +142,7 @@ impl Screen {
             self.placement,
             gallery.pixel,
             gallery.explanation.is_some(),
+            gallery.influences.is_some(),
             live.map(|live| (live.started, live.changes())),
             gallery.outcome.is_some(),
             self.messages(gallery),

@@ -95,7 +95,7 @@ fn value(number: &NumberPlace) -> String {
 }
 
 /// What a number measures, behind "per".
-pub const fn unit(number: &NumberPlace) -> &'static str {
+const fn unit(number: &NumberPlace) -> &'static str {
     match number.unit {
         Unit::Length => "unit of length",
         Unit::Degree => "degree",
@@ -103,19 +103,43 @@ pub const fn unit(number: &NumberPlace) -> &'static str {
     }
 }
 
+/// How a pixel changes with a number, in words.
+#[must_use]
+pub fn effect_in_words(Influence { number, response }: &Influence) -> String {
+    match response {
+        Response::Smooth { slope, .. } if unit(number).is_empty() => {
+            format!("{} per 1", digits(slope))
+        }
+        Response::Smooth { slope, .. } => format!("{} per {}", digits(slope), unit(number)),
+        other => in_words(other),
+    }
+}
+
+/// A number of a file in words: its line, its key and its value.
+#[must_use]
+pub fn number_in_words(number: &NumberPlace) -> String {
+    let NumberPlace {
+        line, table, key, ..
+    } = number;
+    format!("line {line}: {table} {key} = {}", value(number))
+}
+
 /// A response that is no derivative, in words.
-pub fn in_words(response: &Response) -> String {
+fn in_words(response: &Response) -> String {
     match response {
         Response::None => "no effect".to_owned(),
         Response::Smooth { slope, .. } => digits(slope),
         Response::Edge(Edge { distance, jump }) => {
             let jump = digits(jump);
-            let distance = digits(&[*distance]);
-            match distance.strip_prefix('-') {
-                None if distance == "0" => format!("an edge: the pixel jumps by {jump} here"),
-                None => format!("an edge: the pixel jumps by {jump} at +{distance}"),
-                Some(_) => format!("an edge: the pixel jumps by {jump} at {distance}"),
-            }
+            let size = digits(&[distance.abs()]);
+            let place = if *distance == 0.0 {
+                "here".to_owned()
+            } else if *distance > 0.0 {
+                format!("at a value larger by {size}")
+            } else {
+                format!("at a value smaller by {size}")
+            };
+            format!("an edge: the pixel jumps by {jump} {place}")
         }
         Response::Kink { below, above } => {
             let [below, above] = [below, above].map(|slope| digits(slope));
@@ -195,6 +219,7 @@ mod tests {
                 line: 7,
                 columns: 3..4,
                 bytes: 50..51,
+                at: 50,
                 table: "[[sphere]] #2".to_owned(),
                 key: key.to_owned(),
                 value: 0.1,
@@ -226,7 +251,7 @@ mod tests {
         ];
         let lines = [
             "line  number                  value   red  green     blue",
-            "   7  [[sphere]] #2 radius      0.1  an edge: the pixel jumps by (1, 0.5, 0) at -0.001",
+            "   7  [[sphere]] #2 radius      0.1  an edge: the pixel jumps by (1, 0.5, 0) at a value smaller by 0.001",
             "   7  [[sphere]] #2 center x    0.1  0.25      0  -0.3333  per unit of length",
         ];
         assert_eq!(table(&influences), lines.join("\n"));

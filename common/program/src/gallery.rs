@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread::{Scope, ScopedJoinHandle};
 
+use common::sensitivity::Influence;
 use common::{Error, Image, Picture, Renderer, Scene, Settings, Size, Stage, UsedSettings, text};
 
 use crate::appearance::Appearance;
@@ -11,7 +12,7 @@ use crate::grammar::Showing;
 use crate::live_picture::{Coarse, coarse};
 use crate::opened_file::OpenedFile;
 use crate::options::Options;
-use crate::pixel_panel::PixelPanel;
+use crate::pixel_panel::{PixelPanel, StopFlag, strongest};
 use crate::print::warn;
 use crate::render::{SLOW, print_notes};
 use crate::save::save_beside_others;
@@ -48,13 +49,30 @@ pub struct Gallery<'scope, 'a> {
     pub pixel: Option<[u32; 2]>,
     /// The numbers behind the pixel, as soon as they are known.
     pub explanation: Option<Result<PixelPanel, Error>>,
+    /// How the pixel changes with the numbers of its scene file, the strongest first, as soon as it
+    /// is known; none for a scene of the stage.
+    pub influences: Option<Result<Vec<Influence>, Error>>,
     scope: &'scope Scope<'scope, 'a>,
     rendering: Option<Task<'scope, Image>>,
     explaining: Option<Task<'scope, PixelPanel>>,
+    measuring: Option<Measuring<'scope>>,
 }
 
 /// A task in a thread of its own.
 type Task<'scope, T> = ScopedJoinHandle<'scope, Result<T, Error>>;
+
+/// The thread that looks for the strongest numbers, and the flag that stops it.
+struct Measuring<'scope> {
+    /// None once its result has been taken.
+    task: Option<Task<'scope, Vec<Influence>>>,
+    stop: Arc<StopFlag>,
+}
+
+impl Drop for Measuring<'_> {
+    fn drop(&mut self) {
+        self.stop.set();
+    }
+}
 
 /// The angle by which the camera rotates for a pixel of the mouse's way, in radians.
 const ANGLE: f64 = 0.01;
@@ -82,9 +100,11 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
             outcome: None,
             pixel: None,
             explanation: None,
+            influences: None,
             scope,
             rendering: None,
             explaining: None,
+            measuring: None,
         }
     }
 
@@ -163,7 +183,8 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
     /// Whether threads are at work, or begin with the next call of [`Self::update`].
     #[must_use]
     pub const fn is_busy(&self) -> bool {
-        self.rendering.is_some() || self.explaining.is_some() || self.is_changed
+        let explains = self.explaining.is_some() || self.measuring.is_some();
+        self.rendering.is_some() || explains || self.is_changed
     }
 
     /// Reads the watched scene files that have been saved, and starts to render the one that is
@@ -336,6 +357,7 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
         }
         (self.is_changed, self.rendering, self.explaining) = (false, None, None);
         (self.outcome, self.explanation) = (None, None);
+        (self.influences, self.measuring) = (None, None);
     }
 
     /// Reads watched files that have been saved, takes the results of threads that have ended, and
@@ -353,6 +375,7 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
         if let Some(task) = self.explaining.take_if(|task| task.is_finished()) {
             self.explanation = Some(result(task));
         }
+        self.update_influences();
         let finished = self
             .rendering
             .as_ref()
@@ -382,6 +405,7 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
     /// Chooses the pixel that is explained.
     pub fn explain(&mut self, pixel: Option<[u32; 2]>) {
         (self.pixel, self.explanation, self.explaining) = (pixel, None, None);
+        (self.influences, self.measuring) = (None, None);
         let (Some(pixel), Some(scene)) = (pixel, self.scene()) else {
             return;
         };
@@ -391,6 +415,46 @@ impl<'scope, 'a> Gallery<'scope, 'a> {
         };
         let explain = move || PixelPanel::new(&*traced, settings, pixel);
         self.explaining = Some(self.scope.spawn(explain));
+    }
+
+    /// Whether the strongest numbers of the pixel are being looked for.
+    #[must_use]
+    pub const fn is_measuring(&self) -> bool {
+        self.measuring.is_some()
+    }
+
+    /// Takes the influences on the pixel if they are known, or begins to look for them. That waits
+    /// for the explanation and the picture, which are wanted first.
+    fn update_influences(&mut self) {
+        let is_finished = |measuring: &mut Measuring| {
+            let task = measuring.task.as_ref();
+            task.is_none_or(ScopedJoinHandle::is_finished)
+        };
+        if let Some(mut measuring) = self.measuring.take_if(is_finished) {
+            self.influences = measuring.task.take().map(result);
+        }
+        let is_begun = self.influences.is_some() || self.measuring.is_some();
+        let is_explained = matches!(self.explanation, Some(Ok(_)));
+        if is_begun || !is_explained || self.rendering.is_some() {
+            return;
+        }
+        let (Some(pixel), Some(scene)) = (self.pixel, self.scene()) else {
+            return;
+        };
+        if scene.files.is_empty() {
+            return;
+        }
+        let (Picture::Traced(traced), Ok(settings)) = (scene.picture.clone(), self.settings(scene))
+        else {
+            return;
+        };
+        let stop = Arc::new(StopFlag::default());
+        let progress = Arc::clone(&stop);
+        let measure = move || strongest(&*traced, settings, pixel, &*progress);
+        self.measuring = Some(Measuring {
+            task: Some(self.scope.spawn(measure)),
+            stop,
+        });
     }
 
     /// Saves a picture as `out/STAGE-SCENE.png` and returns its path. A different

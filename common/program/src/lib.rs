@@ -34,6 +34,7 @@ mod watch;
 mod work;
 
 pub use appearance::Theme;
+pub use by_numbers::{effect_in_words, number_in_words};
 pub use comparison::Comparison;
 pub use gallery::Gallery;
 pub use left_out::Words;

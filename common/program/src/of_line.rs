@@ -89,6 +89,7 @@ mod tests {
             line: 3,
             columns: 1..2,
             bytes: 0..1,
+            at: 0,
             table: "[camera]".to_owned(),
             key: key.to_owned(),
             value: 1.0,

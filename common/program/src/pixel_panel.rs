@@ -1,6 +1,9 @@
 //! `PixelPanel`: the numbers behind a pixel, for the window.
 
-use common::{Error, PixelTrace, Renderer, Sampling, SeenLine, Settings, Traced};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use common::sensitivity::Influence;
+use common::{Color, Error, PixelTrace, Progress, Renderer, Sampling, SeenLine, Settings, Traced};
 
 /// The numbers behind a pixel, and its rays in the picture.
 pub struct PixelPanel {
@@ -23,10 +26,7 @@ impl PixelPanel {
         pixel: [u32; 2],
     ) -> Result<Self, Error> {
         let samples = which_samples(&settings);
-        if settings.max_error.take().is_some() || settings.samples > MOST_SAMPLES {
-            (settings.samples, settings.sampling) = (1, Sampling::Center);
-        }
-        settings.renderer = Renderer::Lesson;
+        take_few_samples(&mut settings);
         let trace = traced.trace(&settings, pixel)?;
         let rays = traced.seen_rays(&settings, &trace)?;
         Ok(Self {
@@ -34,6 +34,49 @@ impl PixelPanel {
             rays,
             samples,
         })
+    }
+}
+
+/// Takes one sample in the middle of a pixel instead of many, by the lesson.
+const fn take_few_samples(settings: &mut Settings) {
+    if settings.max_error.take().is_some() || settings.samples > MOST_SAMPLES {
+        (settings.samples, settings.sampling) = (1, Sampling::Center);
+    }
+    settings.renderer = Renderer::Lesson;
+}
+
+/// How a pixel changes with the numbers of its scene file, the strongest first. One thread looks for
+/// them, and leaves the others to the window.
+pub fn strongest(
+    traced: &dyn Traced,
+    mut settings: Settings,
+    pixel: [u32; 2],
+    progress: &dyn Progress,
+) -> Result<Vec<Influence>, Error> {
+    take_few_samples(&mut settings);
+    let thread = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
+    // The window answers keys while this thread works.
+    #[cfg(target_os = "linux")]
+    thread.broadcast(|_| rustix::process::nice(10));
+    thread.install(|| traced.influences(&settings, pixel, progress))
+}
+
+/// Stops a computation from another thread.
+#[derive(Debug, Default)]
+pub struct StopFlag(AtomicBool);
+
+impl StopFlag {
+    /// Stops it.
+    pub fn set(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+}
+
+impl Progress for StopFlag {
+    fn row(&self, _: u32, _: &mut dyn Iterator<Item = Color>) {}
+
+    fn stopped(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
     }
 }
 

@@ -18,8 +18,6 @@ pub struct SceneNumber {
     pub place: NumberPlace,
     /// The numbers that its key allows.
     pub range: Range,
-    /// The position of the value that it belongs to.
-    at: usize,
     /// Which of the numbers of this value it is.
     index: usize,
 }
@@ -78,7 +76,7 @@ impl SceneFile {
 
 fn set_number(item: &mut Item, number: &SceneNumber, value: f64) {
     for (_, at, data) in &mut item.values {
-        if *at != number.at {
+        if *at != number.place.at {
             continue;
         }
         let numbers = match data {
@@ -131,6 +129,7 @@ fn add_numbers(
                 line,
                 columns: start..end,
                 bytes,
+                at: *at,
                 table: found.table.clone(),
                 key: found.key.clone() + part(key, index),
                 value: *value,
@@ -139,7 +138,6 @@ fn add_numbers(
             numbers.push(SceneNumber {
                 place,
                 range: key.limits(),
-                at: *at,
                 index,
             });
         }
