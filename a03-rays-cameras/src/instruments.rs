@@ -1,5 +1,5 @@
-//! Instruments: wrappers that count work and record steps, drawings of rays, orbiting cameras, and
-//! what a pixel owes to each number of a scene file, for the program and the window. No lesson uses them.
+//! Instruments: wrappers that count work and record steps, drawings of rays, and orbiting cameras,
+//! for the program and the window. No lesson uses them.
 
 #![expect(clippy::must_use_candidate, reason = "called by the program and tests")]
 
@@ -10,7 +10,8 @@ pub mod orbit_camera;
 pub mod pixel_trace;
 pub mod recorded;
 mod seen_rays;
-pub mod sensitivity;
+
+pub use crate::kinds::sensitivity;
 
 /// What the wrappers around the parts of a view do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,6 +4,7 @@
 mod export;
 mod for_engine;
 mod format;
+pub mod sensitivity;
 
 use std::any::Any;
 

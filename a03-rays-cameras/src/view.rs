@@ -12,7 +12,7 @@ use common::{
 };
 
 use crate::instruments::Instruments;
-use crate::instruments::sensitivity::NumberedFile;
+use crate::kinds::sensitivity::NumberedFile;
 use crate::{Camera, Ray, instruments, kinds, render};
 
 /// A camera and the world before it.

@@ -10,7 +10,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use common::{Error, Sampling, Scene, Settings, Size, Transfer, text};
 use scene_file::{FirstMistake, Item, Mesh, Meshes, OwnTable, SceneFile};
 
-use crate::instruments::sensitivity::NumberedFile;
+use crate::kinds::sensitivity::NumberedFile;
 use crate::{TracedScene, View};
 
 /// Most bytes of a scene file and of a mesh.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use a03_rays_cameras::instruments::sensitivity::NumberedFile;
+use a03_rays_cameras::kinds::sensitivity::NumberedFile;
 use a03_rays_cameras::{TracedScene, View};
 use a07_transforms::kinds::FORMAT;
 use a07_transforms::kinds::example_files::PYRAMID;
