@@ -7,7 +7,7 @@ use common::sensitivity::{
     DependentPixels, Influence, NumberPlace, Response, Unit, sort_by_strength,
 };
 use common::{Color, Edits, Error, Image, Progress, Renderer, Settings, Size};
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use scene_file::{SceneFile, SceneNumber};
 
 use crate::kinds::Format;
@@ -85,40 +85,46 @@ impl NumberedFile {
         pixel: [u32; 2],
         progress: &dyn Progress,
     ) -> Result<Vec<Influence>, Error> {
-        let view = edited(
-            self.view(settings).map_err(|error| self.at(&error))?,
-            settings,
-        );
-        let footprint = Footprint::of_pixel(&view, settings.size, pixel);
-        let center = color_of(&view, settings, pixel);
         let numbers = self.numbers(settings);
-        progress.more_rows(rows(numbers.len()));
-        let influences: Result<Vec<_>, Error> = numbers
-            .into_par_iter()
-            .map(|number| {
-                if progress.stopped() {
-                    return Err(Error::Stopped);
-                }
-                let response = if number.place.unit == Unit::Whole {
-                    Response::Whole
-                } else {
-                    let value = number.place.value;
-                    let reach = footprint.reach(&number.place, PIXEL);
-                    Response::of(value, center.channels(), reach, &mut |value| {
-                        let view = self.moved(settings, &number, value)?;
-                        Some(color_of(&view, settings, pixel).channels())
-                    })
-                };
-                progress.row(0, &mut std::iter::empty());
-                Ok(Influence {
-                    number: number.place,
-                    response,
-                })
-            })
-            .collect();
-        let mut influences = influences?;
+        let mut influences = self.influences_of(settings, pixel, &numbers, progress)?;
         sort_by_strength(&mut influences);
         Ok(influences)
+    }
+
+    /// How the linear colour of a pixel changes with some of the numbers of the file, in their order.
+    /// Stops with [`Error::Stopped`].
+    pub fn influences_of(
+        &self,
+        settings: &Settings,
+        pixel: [u32; 2],
+        numbers: &[SceneNumber],
+        progress: &dyn Progress,
+    ) -> Result<Vec<Influence>, Error> {
+        let view = self.edited_view(settings)?;
+        let footprint = Footprint::of_pixel(&view, settings.size, pixel);
+        let center = color_of(&view, settings, pixel);
+        progress.more_rows(rows(numbers.len()));
+        let influences = numbers.par_iter().map(|number| {
+            if progress.stopped() {
+                return Err(Error::Stopped);
+            }
+            let response = if number.place.unit == Unit::Whole {
+                Response::Whole
+            } else {
+                let value = number.place.value;
+                let reach = footprint.reach(&number.place, PIXEL);
+                Response::of(value, center.channels(), reach, &mut |value| {
+                    let view = self.moved(settings, number, value)?;
+                    Some(color_of(&view, settings, pixel).channels())
+                })
+            };
+            progress.row(0, &mut std::iter::empty());
+            Ok(Influence {
+                number: number.place.clone(),
+                response,
+            })
+        });
+        influences.collect()
     }
 
     /// The pixels of the picture that depend on the numbers of a line, by the engine. Each number is
@@ -133,24 +139,14 @@ impl NumberedFile {
         picture: Option<&Image>,
         progress: &dyn Progress,
     ) -> Result<DependentPixels, Error> {
-        let settings = &Settings {
-            renderer: Renderer::Engine,
-            max_error: None,
-            ..settings.clone()
-        };
+        let settings = &by_engine(settings);
         let mut numbers = self.numbers_of(settings, line)?;
         numbers.retain(|number| number.place.unit != Unit::Whole);
-        let silent = Silent(progress);
-        let view = edited(
-            self.view(settings).map_err(|error| self.at(&error))?,
-            settings,
-        );
-        let footprint = Footprint::of_picture(&view, settings.size);
         let drawn;
         let picture = match picture {
             Some(picture) if picture.size() == settings.size => picture,
             _ => {
-                drawn = view.render(settings, &silent)?;
+                drawn = self.picture(settings, progress)?;
                 &drawn
             }
         };
@@ -161,24 +157,42 @@ impl NumberedFile {
         };
         progress.more_rows(rows(numbers.len()));
         for number in numbers {
-            let reach = footprint.reach(&number.place, PIXEL_OF_PICTURE);
-            let value = number.place.value;
-            let steps = [reach, -reach, reach / 64.0, -reach / 64.0];
-            let mut moved = steps
-                .into_iter()
-                .filter_map(|step| Some((step, self.moved(settings, &number, value + step)?)));
-            let Some((step, view)) = moved.next() else {
+            let Some(moved) = self.picture_moved(settings, &number, progress)? else {
                 continue;
             };
-            let image = view.render(settings, &silent)?;
-            let pixels = picture.pixels().iter().zip(image.pixels());
-            for (strength, (before, after)) in found.strengths.iter_mut().zip(pixels) {
-                *strength = strength.max(change(*before, *after));
+            let changes = moved.changes(picture);
+            for (strength, change) in found.strengths.iter_mut().zip(changes) {
+                *strength = strength.max(change);
             }
-            found.numbers.push((number.place, step));
+            found.numbers.push((number.place, moved.step));
             progress.row(0, &mut std::iter::empty());
         }
         Ok(found)
+    }
+
+    /// The picture of the file by the engine. Stops with [`Error::Stopped`].
+    pub fn picture(&self, settings: &Settings, progress: &dyn Progress) -> Result<Image, Error> {
+        let view = self.edited_view(settings)?;
+        view.render(&by_engine(settings), &Silent(progress))
+    }
+
+    /// The picture by the engine after a number has moved by a step that moves things by about a pixel;
+    /// none if no such step is allowed. Stops with [`Error::Stopped`].
+    pub fn picture_moved(
+        &self,
+        settings: &Settings,
+        number: &SceneNumber,
+        progress: &dyn Progress,
+    ) -> Result<Option<MovedPicture>, Error> {
+        let footprint = Footprint::of_picture(&self.edited_view(settings)?, settings.size);
+        let reach = footprint.reach(&number.place, PIXEL_OF_PICTURE);
+        for step in [reach, -reach, reach / 64.0, -reach / 64.0] {
+            if let Some(view) = self.moved(settings, number, number.place.value + step) {
+                let image = view.render(&by_engine(settings), &Silent(progress))?;
+                return Ok(Some(MovedPicture { image, step }));
+            }
+        }
+        Ok(None)
     }
 
     /// The numbers of a line, of which there is at least one.
@@ -210,8 +224,36 @@ impl NumberedFile {
         Ok(numbers)
     }
 
-    fn at(&self, error: &scene_file::Error) -> Error {
-        Error::SceneFile(error.within(&self.text))
+    /// The camera and the world of the file, with the changes that a person has made in the window.
+    fn edited_view(&self, settings: &Settings) -> Result<View, Error> {
+        let view = self.view(settings);
+        let view = view.map_err(|error| Error::SceneFile(error.within(&self.text)))?;
+        Ok(edited(view, settings))
+    }
+}
+
+/// The picture of a scene file after one of its numbers has moved.
+pub struct MovedPicture {
+    image: Image,
+    /// What was added to the number.
+    pub step: f64,
+}
+
+impl MovedPicture {
+    /// How much each pixel differs from the picture before, row after row from the top: the largest
+    /// change of a channel.
+    pub fn changes(&self, before: &Image) -> impl Iterator<Item = f64> {
+        let pixels = before.pixels().iter().zip(self.image.pixels());
+        pixels.map(|(before, after)| change(*before, *after))
+    }
+}
+
+/// The settings for the engine, without an error bound.
+fn by_engine(settings: &Settings) -> Settings {
+    Settings {
+        renderer: Renderer::Engine,
+        max_error: None,
+        ..settings.clone()
     }
 }
 

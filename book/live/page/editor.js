@@ -1,14 +1,28 @@
 // A scene file to write on the page: the text beside its picture, each mistake below its line, and
-// the whole text in the link.
+// the whole text in the link. A line shows its pixels, and a pixel its lines.
 live.Editor = class {
     constructor(listing, image) {
         this.text = live.element('textarea', { value: listing.textContent, spellcheck: false, 'aria-label': 'scene file' });
         this.mistake = live.element('output', { className: 'live-mistake' });
+        this.marks = new live.Marks(this.text);
+        this.said = live.element('output', { className: 'live-said' });
+        this.light = live.element('input', { type: 'checkbox', checked: true });
         this.picture = new live.Picture(image);
+        this.numbers = new live.SceneNumbers(this);
+        this.dependents = new live.Dependents(this);
+        this.influences = new live.Influences(this);
+        this.light.onchange = () => this.dependents.hide();
+        const controls = live.element('div', { className: 'live-controls' },
+            live.element('label', {}, this.light, ' light up the pixels of the cursor’s line'),
+            live.button('the numbers behind a pixel', () => this.ask()));
+        const written = live.element('div', { className: 'live-text' }, this.marks.element, this.text, this.mistake);
         const [pre, paragraph] = [listing.closest('pre'), image.closest('p')];
-        const left = live.element('div', {}, this.text, this.mistake, pre.nextElementSibling);
+        const left = live.element('div', {}, written, this.said, controls, pre.nextElementSibling);
         const right = live.element('div', {}, paragraph, live.caption(image));
         pre.replaceWith(live.element('div', { className: 'live-editor' }, left, right));
+        // A click on a pixel, or Enter in the picture, asks for its numbers.
+        this.picture.tapped = (...pixel) => this.influences.open(...pixel);
+        live.keys(this.picture.frame, { Enter: () => this.ask() });
         this.update = live.newest(() => this.draw(), ({ message }) => this.complain(message));
         this.text.oninput = () => {
             clearTimeout(this.pause);
@@ -37,21 +51,65 @@ live.Editor = class {
         clearTimeout(this.picture.pause);
         this.picture.update?.forget();
         await live.stop('stopped: the text has changed');
+        this.influences.close();
         await this.update();
     }
 
     async draw() {
         const { picture } = this;
-        const name = `file\n${this.text.value}`;
+        const { value } = this.text;
+        const name = `file\n${value}`;
         picture.about = await live.ask(`about ${name}`);
         picture.name = name;
         this.complain('');
-        history.replaceState(null, '', `#scene=${encodeURIComponent(this.text.value)}`);
+        this.drawn = value;
+        history.replaceState(null, '', `#scene=${encodeURIComponent(value)}`);
         await picture.begin();
         if (picture.begun) {
             const { yaw, pitch, zoom } = picture.settings;
+            const { shrunk } = picture;
             picture.reset();
+            picture.shrunk = shrunk;
             await picture.change({ yaw, pitch, zoom });
+            this.dependents.prepare();
+        }
+    }
+
+    // Draws a text in which a slider has changed a number; then the rows say what it does now.
+    async slide() {
+        clearTimeout(this.picture.pause);
+        await live.stop('stopped: a number has changed');
+        await this.update();
+        clearTimeout(this.pause);
+        this.pause = setTimeout(() => this.influences.update(false), 250);
+    }
+
+    // The numbers behind the last pixel, or the one in the middle.
+    ask() {
+        const { width, height } = this.picture.settings ?? {};
+        if (width) {
+            this.influences.open(...(this.influences.pixel ?? [width / 2, height / 2]));
+            this.influences.places[0].focus();
+        }
+    }
+
+    // Puts the cursor on a number.
+    select({ line, start, end }) {
+        this.text.focus();
+        this.text.setSelectionRange(start, end);
+        this.reveal(line);
+    }
+
+    get lineHeight() {
+        return parseFloat(getComputedStyle(this.text).lineHeight);
+    }
+
+    // Scrolls to a line that is not seen.
+    reveal(line) {
+        const { text, lineHeight } = this;
+        const top = (line - 1) * lineHeight;
+        if (top < text.scrollTop || top + 2 * lineHeight > text.scrollTop + text.clientHeight) {
+            text.scrollTop = top - text.clientHeight / 3;
         }
     }
 
@@ -66,7 +124,7 @@ live.Editor = class {
     // Below the line of the mistake, or at the edge nearest to it.
     place() {
         const { text, mistake } = this;
-        const below = this.line * parseFloat(getComputedStyle(text).lineHeight) + 5 - text.scrollTop;
+        const below = this.line * this.lineHeight + 5 - text.scrollTop;
         mistake.style.top = `${Math.min(Math.max(below, 0), text.clientHeight - mistake.offsetHeight)}px`;
     }
 };

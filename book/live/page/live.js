@@ -4,8 +4,13 @@ const live = {
     // The module lies beside this script.
     folder: new URL('.', document.currentScript.src),
 
-    // Whether this browser can run the module; if not, each picture stands as it is.
-    works: typeof WebAssembly === 'object' && typeof DecompressionStream === 'function',
+    // Whether this browser can run the module; if not, each picture stands as it is. The smallest
+    // module that uses 128-bit lanes: a function that returns i8x16.popcnt(i8x16.splat(0)).
+    works: typeof WebAssembly === 'object' && typeof DecompressionStream === 'function'
+        && WebAssembly.validate(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11])),
+
+    // The modules that are compiled, or will be, by their files.
+    compiled: {},
 };
 
 // The file of a module calls this with the module, compressed, as base64.
@@ -22,9 +27,17 @@ live.load = (file) =>
         document.head.append(script);
     });
 
-// Starts a module: a function that posts messages to it, and one that stops it.
-live.start = async (file = 'live-module.js') => {
+// Compiles the module of a file, once for all workers.
+live.compile = async (file) => {
     await live.load(file);
+    const stream = new Blob([live.compressed]).stream().pipeThrough(new DecompressionStream('gzip'));
+    delete live.compressed;
+    return WebAssembly.compile(await new Response(stream).arrayBuffer());
+};
+
+// Starts a module in a worker: a function that posts messages to it, and one that stops it.
+live.start = async (file = 'live-module.js') => {
+    const module = await (live.compiled[file] ??= live.compile(file));
     const source = `${bindModule}\n(${liveWorker})()`;
     const worker = new Worker(URL.createObjectURL(new Blob([source])));
     const open = new Map();
@@ -39,9 +52,7 @@ live.start = async (file = 'live-module.js') => {
             open.set(++last, { resolve, reject });
             worker.postMessage({ id: last, ...message });
         });
-    const compiled = post({ compressed: live.compressed });
-    delete live.compressed;
-    await compiled;
+    await post({ module });
     post.isBusy = () => open.size > 0;
     post.stop = (reason) => {
         worker.terminate();
@@ -50,21 +61,29 @@ live.start = async (file = 'live-module.js') => {
     return post;
 };
 
-// The module's answer to a request with numbers.
-live.ask = async (request, numbers = []) => {
-    live.started ??= live.start();
-    const post = await live.started;
-    return post({ request, numbers });
-};
+// The module in a worker of its own.
+live.Module = class {
+    // The answer to a request with numbers.
+    async ask(request, numbers = []) {
+        this.started ??= live.start();
+        const post = await this.started;
+        return post({ request, numbers });
+    }
 
-// Stops the module if it computes; the next request starts it anew.
-live.stop = async (reason) => {
-    const post = await live.started;
-    if (post?.isBusy()) {
-        live.started = undefined;
-        post.stop(reason);
+    // Stops the module if it computes; the next request starts it anew.
+    async stop(reason) {
+        const post = await this.started;
+        if (post?.isBusy()) {
+            this.started = undefined;
+            post.stop(reason);
+        }
     }
 };
+
+// The one of all pictures and figures.
+live.module = new live.Module();
+live.ask = (...request) => live.module.ask(...request);
+live.stop = (reason) => live.module.stop(reason);
 
 // `work`, called with the newest arguments only while an earlier call still runs: a
 // drag sends requests faster than answers come. `complain` gets the error of a call.
@@ -147,11 +166,12 @@ live.caption = (image) => {
     return caption?.matches('p') ? caption : paragraph;
 };
 
-// The book turns pages with the arrow keys; in a slider, a list or a text they belong to it.
+// The book turns pages with the arrow keys; in a slider, a list or a text they belong to it. Escape
+// closes what it is in.
 addEventListener(
     'keydown',
     (event) => {
-        if (event.target.closest?.('.live-controls, .live-pair, .live-editor textarea')) {
+        if (event.key !== 'Escape' && event.target.closest?.('.live-controls, .live-pair, .live-editor textarea')) {
             event.stopPropagation();
         }
     },

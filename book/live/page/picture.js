@@ -136,7 +136,7 @@ live.Picture = class {
         }
         // The width of the picture is half a turn.
         const turn = (_, ...by) => this.turn(...by.map((way) => (way * Math.PI) / canvas.clientWidth));
-        live.drag(canvas, turn, (event) => this.explain(...pixel(event)));
+        live.drag(canvas, turn, (event) => this.tapped(...pixel(event)));
         // Only after a click into the picture, so that the page still scrolls.
         frame.addEventListener('wheel', (event) => {
             if (document.activeElement === frame) {
@@ -176,6 +176,11 @@ live.Picture = class {
     async edit() {
         const { text } = await live.ask(`export ${this.name}`);
         location.href = `scene-editor.html#scene=${encodeURIComponent(text)}`;
+    }
+
+    // A click on a pixel.
+    tapped(...pixel) {
+        return this.explain(...pixel);
     }
 
     explain(...pixel) {
@@ -218,7 +223,7 @@ live.Picture = class {
         }
         button('reset', () => this.startAgain());
         this.probed.value = turns[0]
-            ? 'Drag to turn, wheel to zoom; arrow keys, + and - do the same. Point at a pixel to see the surface that its ray met; click on it to see every number behind it.'
+            ? 'Drag to turn, wheel to zoom; arrow keys, + and - do the same. Point at a pixel to see the surface that its ray met; click on it to see the numbers behind it.'
             : 'Point at a pixel to see its bytes.';
         this.status.after(panel, this.probed);
         this.showSettings();

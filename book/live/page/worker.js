@@ -1,26 +1,21 @@
 // The worker in which the module runs, so that the page never waits for a picture. Its
 // source becomes a Blob: a page opened as a file may start no worker from a file.
 function liveWorker() {
-    let compiled;
+    let module;
     let ask;
 
     const start = async () => {
-        const { exports } = await WebAssembly.instantiate(compiled, {});
+        const { exports } = await WebAssembly.instantiate(module, {});
         // Only a module of the reader's code has a `main`.
         exports.main?.(0, 0);
         ask = bindModule(exports);
     };
 
-    const compile = async (compressed) => {
-        const stream = new Blob([compressed]).stream().pipeThrough(new DecompressionStream('gzip'));
-        compiled = await WebAssembly.compile(await new Response(stream).arrayBuffer());
-        await start();
-    };
-
-    onmessage = async ({ data: { id, compressed, request, numbers } }) => {
+    onmessage = async ({ data: { id, request, numbers, ...given } }) => {
         try {
-            if (compressed) {
-                await compile(compressed);
+            if (given.module) {
+                module = given.module;
+                await start();
                 postMessage({ id });
             } else {
                 const answer = ask(request, numbers);

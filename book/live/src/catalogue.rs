@@ -10,7 +10,7 @@ use common::{Error, Picture, Scene, Settings, Stage};
 use crate::file;
 
 /// The name of the picture of a scene file begins with it; the text of the file follows.
-const FILE: &str = "file\n";
+pub const FILE: &str = "file\n";
 
 /// The stages, and two more: the pictures of the errata, and of mistakes that `go-wrong` shows.
 pub fn stages() -> [Stage; 9] {

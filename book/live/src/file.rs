@@ -6,7 +6,7 @@ use a03_rays_cameras::kinds::sensitivity::NumberedFile;
 use a03_rays_cameras::{TracedScene, View};
 use a07_transforms::kinds::FORMAT;
 use a07_transforms::kinds::example_files::PYRAMID;
-use common::{Error, Scene, Settings};
+use common::{Error, Renderer, Scene, Settings};
 use scene_file::Mesh;
 
 /// Most samples of a picture, and most surfaces of a ray, so that the picture is soon there.
@@ -14,7 +14,7 @@ const MOST_SAMPLES: u64 = 640 * 480 * 16;
 const MOST_SURFACES: u32 = 50;
 
 /// The settings of a scene file, its camera and world, and its numbers.
-fn open(text: &str) -> Result<(Settings, View, NumberedFile), Error> {
+pub fn open(text: &str) -> Result<(Settings, View, NumberedFile), Error> {
     let read = || {
         // The mesh beside the example of the last stage: a page has no other files.
         let mesh = |name: &str| match name {
@@ -22,7 +22,9 @@ fn open(text: &str) -> Result<(Settings, View, NumberedFile), Error> {
             _ => Err("on this page the only mesh is pyramid.obj".to_owned()),
         };
         let file = FORMAT.read(text, &mesh)?;
-        let (settings, view) = FORMAT.scene(&file)?;
+        let (mut settings, view) = FORMAT.scene(&file)?;
+        // The same bytes sooner: a reader waits for each change of the text.
+        settings.renderer = Renderer::Engine;
         let pixels = u64::from(settings.size.width()) * u64::from(settings.size.height());
         if pixels * u64::from(settings.samples) > MOST_SAMPLES {
             let most =

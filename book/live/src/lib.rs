@@ -9,6 +9,7 @@ mod extremes;
 mod figures;
 mod file;
 mod picture;
+mod sensitivity;
 
 use common::Error;
 
@@ -19,14 +20,17 @@ type Answered = Result<Answer, Error>;
 
 /// Answers a request of a page: `render`, `about`, `export`, `trace` or `drawing` and a picture, with the
 /// settings and a pixel as numbers, `extremes STAGE`, `pictures`, or the name of a figure
-/// with its numbers. The text of a scene file is a picture, too, behind a line `file`. An error is a
-/// sentence for the reader.
+/// with its numbers. The text of a scene file is a picture, too, behind a line `file`; `numbers`,
+/// `influences` and `changes` take no other picture. An error is a sentence for the reader.
 pub fn call(request: &str, numbers: &[f64]) -> Result<Answer, String> {
     let answer = match request.split_once(' ') {
         Some(("render", name)) => picture::render(name, numbers),
         Some(("export", name)) => picture::export(name),
         Some(("trace", name)) => picture::trace(name, numbers),
         Some(("drawing", name)) => picture::drawing(name, numbers),
+        Some(("numbers", name)) => sensitivity::numbers(name),
+        Some(("influences", name)) => sensitivity::influences(name, numbers),
+        Some(("changes", name)) => sensitivity::changes(name, numbers),
         Some(("about", name)) => picture::about(name),
         Some(("extremes", stage)) => extremes::extremes(stage),
         None if request == "pictures" => Ok(Answer::text(catalogue::names().join("\n"))),

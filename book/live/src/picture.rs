@@ -2,7 +2,7 @@
 
 use a03_rays_cameras::View;
 use a03_rays_cameras::instruments::orbit_camera::{Orbit, OrbitCamera};
-use common::{Error, PixelTrace, Sampling, Settings, Transfer};
+use common::{Error, PixelTrace, Renderer, Sampling, Settings, Transfer};
 
 use crate::{Answer, Answered, catalogue};
 
@@ -87,13 +87,14 @@ pub fn about(picture: &str) -> Answered {
     let sampling = places.position(|place| *place == defaults.sampling);
     let turns = catalogue::view(picture, defaults)?.is_some();
     let flag = |is_set| f64::from(u8::from(is_set));
+    let engine = flag(defaults.renderer == Renderer::Engine);
     let [width, height] = [defaults.size.width(), defaults.size.height()].map(f64::from);
     let (samples, place) = (defaults.samples.into(), sampling.unwrap_or(0) as f64);
     let (seed, depth) = (defaults.seed as f64, defaults.depth.into());
     Ok(Answer::text(scene.about)
         .with(
             "settings",
-            [width, height, samples, place, seed, depth, 0.0],
+            [width, height, samples, place, seed, depth, engine],
         )
         .with("uses_sampling", [flag(scene.uses.sampling)])
         .with("uses_depth", [flag(scene.uses.depth)])

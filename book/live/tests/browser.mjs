@@ -183,6 +183,57 @@ async function tryEditor() {
     await chromium.go(link);
     await chromium.until(`/64 × 48/.test(live.editor?.picture.status?.value)`);
     expect(/depth = 2/.test(await chromium.value('live.editor.text.value')), 'a link does not carry its scene');
+    await tryNumbers();
+}
+
+// By the keyboard: the cursor in a line lights up its pixels, and a pixel has its lines, with a slider that
+// changes the text and the picture.
+async function tryNumbers() {
+    await chromium.until(`live.editor.drawn === live.editor.text.value && live.editor.picture.controls`);
+    // The line of the sphere's radius, from the one above.
+    const line = await chromium.value(`(() => {
+        const { text } = live.editor;
+        const before = text.value.split('radius = 0.8')[0];
+        text.focus();
+        text.setSelectionRange(before.length - 1, before.length - 1);
+        return before.split('\\n').length;
+    })()`);
+    await chromium.arrow('ArrowDown', 40);
+    const said = 'live.editor.said.value';
+    await chromium.until(`${said}.startsWith('Line ${line}, ')`);
+    const sentence = await chromium.value(said);
+    expect(/, radius of \[\[sphere\]\] #1: \d+ of 3,072 pixels change with it\. Most of all: column/.test(sentence), `the cursor says ${sentence}`);
+    // The sphere is lit, and the sky is not.
+    const [sphere, sky] = await chromium.value(`[[19, 23], [60, 2]].map((pixel) =>
+        live.editor.dependents.canvas.getContext('2d').getImageData(...pixel, 1, 1).data[0])`);
+    expect(sphere === 255 && sky === 0, `the sphere is lit ${sphere}, the sky ${sky}`);
+    await shot('editor-line', `document.querySelector('.live-editor')`);
+    await chromium.value(`live.editor.text.blur()`);
+    expect(!(await chromium.value('live.editor.dependents.canvas.isConnected')), 'pixels stay lit without a cursor');
+
+    await chromium.value(`live.editor.picture.frame.focus()`);
+    await chromium.key('Enter');
+    await chromium.until(`/^Pixel 32, 24: /.test(${said})`);
+    await chromium.value(`live.editor.influences.open(19, 23)`);
+    await chromium.until(`/^Pixel 19, 23: \\d+ of \\d+ numbers change it. The strongest is/.test(${said})`);
+    const [marked, shown] = await chromium.value(`[document.querySelectorAll('.live-line').length, live.editor.influences.sliders.length]`);
+    expect(marked > 3 && shown > 3, `a pixel has ${marked} lines and ${shown} sliders`);
+    const all = await chromium.value(`live.editor.influences.strongest.map(({ index }) => live.editor.numbers.listed.numbers[index].table)`);
+    expect(all.includes('[[sphere]] #1') && !all.includes('[[box]] #1'), `the sphere's pixel depends on ${all}`);
+    await shot('editor-pixel', `document.querySelector('.live-editor')`);
+
+    const state = () => chromium.value(`live.editor.text.value + live.editor.picture.status.value.replace(/.*Hash/, '')`);
+    const before = await state();
+    await chromium.value(`live.editor.influences.list.querySelector('input[type=range]').focus()`);
+    await chromium.arrow('ArrowRight', 39);
+    await chromium.until(`live.editor.drawn === live.editor.text.value && location.hash.slice(7) === encodeURIComponent(live.editor.text.value)`);
+    const [text, now] = [await chromium.value('live.editor.text.value'), await state()];
+    expect(!before.startsWith(text), 'a slider does not change the text');
+    expect(now !== before && !now.endsWith(before.slice(-17)), 'a slider does not change the picture');
+    await chromium.key('Escape');
+    expect(!(await chromium.value(`document.querySelector('.live-influences, .live-line')`)), 'Escape does not close the numbers of a pixel');
+    await chromium.click('live.editor.picture.canvas');
+    await chromium.until(`/^Pixel \\d+, \\d+: \\d+ of/.test(${said})`);
 }
 
 // A button draws the picture of a further exercise by the reader's code, for which an answer of two
