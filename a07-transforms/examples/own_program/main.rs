@@ -3,6 +3,10 @@
 
 #![allow(dead_code, reason = "you call the functions that you like")]
 
+#[allow(
+    unused_variables,
+    reason = "a starter names more than some solutions need"
+)]
 mod functions {
     pub mod axis_aligned_box;
     pub mod chain;

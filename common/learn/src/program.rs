@@ -79,7 +79,12 @@ impl Program {
             "begin with {}",
             text::path(&folder.join("src/main.rs"))
         ));
-        lines.push(format!("draw its scene: cd {shown} && cargo run"));
+        let quoted = if shown.contains(' ') {
+            format!("\"{shown}\"")
+        } else {
+            shown
+        };
+        lines.push(format!("draw its scene: cd {quoted} && cargo run"));
         Ok(lines.join("\n"))
     }
 }

@@ -14,7 +14,8 @@ use crate::screen::Screen;
 /// Time between two looks at the file and the keyboard.
 pub const PAUSE: Duration = Duration::from_millis(50);
 
-const END: &str = "all exercises are done";
+const END: &str =
+    "all exercises are done; `cargo learn program FOLDER` makes a program of your functions";
 
 /// What all pages share: the exercises, which of them are done, and the terminal.
 pub struct Session {
