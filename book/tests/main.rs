@@ -13,6 +13,7 @@ mod left_over;
 mod lesson_length;
 mod lessons;
 mod recorded;
+mod task_first;
 mod upwards;
 mod way_of_a_ray;
 mod who_passes;
@@ -49,5 +50,6 @@ checks! {
     each_anchor_has_a_figure_that_agrees_in_all_builds: recorded::anchors;
     plots_are_drawn_from_recordings: recorded::plots;
     no_time_is_typed_by_hand: recorded::typed_by_hand;
+    each_task_stands_before_the_code_of_its_lesson: task_first::complaints;
     the_table_of_the_corpus_is_that_of_its_results: who_passes::complaints;
 }
