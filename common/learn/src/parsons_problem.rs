@@ -218,7 +218,12 @@ mod tests {
 
     #[test]
     fn each_core_exercise_has_its_lines_in_another_order() {
-        for part in &PARTS {
+        // A handout lacks the stages above.
+        let is_here = |part: &&Part| {
+            let folder = part.file.split('/').next().unwrap_or_default();
+            files::shortest(folder).is_dir()
+        };
+        for part in PARTS.iter().filter(is_here) {
             let name = part.exercise;
             let right = pieces(&body(part).unwrap_or_else(|| panic!("{name}: {}", part.opening)));
             let shuffled = shuffled(name, &right);
@@ -239,7 +244,11 @@ mod tests {
             .filter(|e| e.is_core)
             .map(|e| e.name)
             .collect();
-        let with_lines: BTreeSet<_> = PARTS.iter().map(|part| part.exercise).collect();
+        let with_lines: BTreeSet<_> = PARTS
+            .iter()
+            .filter(is_here)
+            .map(|part| part.exercise)
+            .collect();
         assert_eq!(with_lines, core);
         for e in course {
             let first = &e.hints[0];

@@ -176,9 +176,21 @@ mod tests {
 
     use super::*;
 
+    /// A handout may lack the stages above.
+    fn is_whole() -> bool {
+        let is_whole = files::shortest(TEMPLATE).is_dir();
+        if !is_whole {
+            eprintln!("skipped: this workbook lacks the stage of the program");
+        }
+        is_whole
+    }
+
     /// Of each function there is an exercise of the core path.
     #[test]
     fn functions_are_exercises() {
+        if !is_whole() {
+            return;
+        }
         for name in template(FUNCTIONS).unwrap().into_keys() {
             let e = crate::exercise::find(&name).unwrap();
             assert!(e.is_core, "{name}");
@@ -199,6 +211,9 @@ mod tests {
     /// A program with a plane of a student draws its scene, outside of the workbook.
     #[test]
     fn the_program_draws_its_scene() {
+        if !is_whole() {
+            return;
+        }
         let plane = crate::exercise::find("plane").unwrap();
         let starter = files::starter(plane).unwrap();
         let code = "let d = ray.direction().dot(self.n);\n        \
