@@ -16,6 +16,7 @@ pub mod line;
 pub mod mesh;
 pub mod number;
 pub mod protocol;
+pub mod random_rounding;
 pub mod random_scene;
 pub mod rows;
 pub mod search;

@@ -17,6 +17,7 @@ use a04_lab::formula::sphere::{self, Terms, stable, terms};
 use a04_lab::formula::triangle::{Shot, fused, rounded, split, watertight};
 use a04_lab::line::{Line, line};
 use a04_lab::number::Number as NumberType;
+use a04_lab::random_rounding::RandomlyRounded;
 use a04_lab::search::{INPUTS, SUBJECTS, Subject};
 use a04_lab::support::first;
 
@@ -57,6 +58,66 @@ fn the_slabs_are_those_of_the_renderer() {
         let line = Line::of(&ray);
         let t = slabs(&array(LBF), &array(RUN), &line);
         assert_eq!(t, first(&shape, &ray), "{line:?}");
+    }
+}
+
+/// Each operation gives both doubles beside the exact result, about equally often, and an exact result
+/// as it is.
+#[test]
+fn random_rounding_takes_both_neighbours() {
+    let of = RandomlyRounded::of;
+    let up_or_down: [(fn() -> RandomlyRounded, f64); 4] = [
+        (
+            || RandomlyRounded::of(1.0) / RandomlyRounded::of(3.0),
+            1.0 / 3.0,
+        ),
+        (
+            || RandomlyRounded::of(-1.0) + RandomlyRounded::of(0.1e-16),
+            -1.0,
+        ),
+        (
+            || RandomlyRounded::of(0.1) * RandomlyRounded::of(0.1),
+            0.1 * 0.1,
+        ),
+        (|| RandomlyRounded::of(2.0).sqrt(), std::f64::consts::SQRT_2),
+    ];
+    RandomlyRounded::seed(1);
+    for (operation, nearest) in up_or_down {
+        let results: Vec<f64> = (0..1000).map(|_| operation().value()).collect();
+        let count = |x: f64| results.iter().filter(|result| **result == x).count();
+        let neighbours = count(nearest.next_up()) + count(nearest.next_down());
+        assert_eq!(count(nearest) + neighbours, 1000, "{nearest}");
+        // Five standard deviations.
+        assert!(count(nearest).abs_diff(500) < 80, "{nearest}");
+        let is_one_of_two = count(nearest.next_up()) == 0 || count(nearest.next_down()) == 0;
+        assert!(is_one_of_two, "{nearest}");
+    }
+    for _ in 0..100 {
+        assert_eq!((of(0.5) + of(0.25)).value(), 0.75);
+        assert_eq!((of(3.0) * of(-0.5)).value(), -1.5);
+        assert_eq!((of(9.0) / of(-3.0)).value(), -3.0);
+        assert_eq!((of(-9.0) / of(3.0)).value(), -3.0);
+        assert_eq!(of(9.0).sqrt().value(), 3.0);
+    }
+}
+
+/// The exact result lies between both: `1/3` above its nearest double, and `-1/3` below its own, with
+/// divisors of either sign.
+#[test]
+fn random_rounding_encloses_the_exact_quotient() {
+    RandomlyRounded::seed(2);
+    for (a, b) in [(1.0, 3.0), (-1.0, 3.0), (1.0, -3.0), (-1.0, -3.0)] {
+        let nearest: f64 = a / b;
+        // The nearest double of 1/3 is below it, by a third of its last digit.
+        let away_from_zero = if nearest > 0.0 {
+            nearest.next_up()
+        } else {
+            nearest.next_down()
+        };
+        for _ in 0..100 {
+            let quotient = (RandomlyRounded::of(a) / RandomlyRounded::of(b)).value();
+            assert!(quotient == nearest || quotient == away_from_zero, "{a}/{b}");
+        }
     }
 }
 

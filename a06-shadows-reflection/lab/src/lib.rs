@@ -4,6 +4,7 @@
 #![expect(clippy::must_use_candidate, reason = "called by reports and tests")]
 
 pub mod coarse_ball;
+pub mod digits;
 pub mod experiments;
 mod extremes;
 pub mod form;
