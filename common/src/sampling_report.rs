@@ -62,8 +62,17 @@ impl fmt::Display for SamplingReport {
              most {largest:.6} (95 %)"
         )?;
         if self.is_conditional() {
-            let Self { brightest, .. } = self;
-            write!(f, ", if no light is brighter than {brightest:.2}")?;
+            let Self {
+                brightest,
+                max_radiance,
+                ..
+            } = self;
+            write!(f, ", if no light is brighter than {brightest:.2}: ")?;
+            if max_radiance.is_finite() {
+                write!(f, "no promise, because it may be {max_radiance:.2}")?;
+            } else {
+                write!(f, "no promise, because nobody knows how bright it may be")?;
+            }
         }
         Ok(())
     }
@@ -97,9 +106,18 @@ mod tests {
             max_radiance,
             ..SAMPLED
         };
+        let unpromised = format!("{text}, if no light is brighter than 1.50: no promise, because");
         assert_eq!(
             unknown.to_string(),
-            format!("{text}, if no light is brighter than 1.50")
+            format!("{unpromised} nobody knows how bright it may be")
+        );
+        let brighter = SamplingReport {
+            max_radiance: 40.0,
+            ..SAMPLED
+        };
+        assert_eq!(
+            brighter.to_string(),
+            format!("{unpromised} it may be 40.00")
         );
     }
 }

@@ -96,6 +96,10 @@ const LAST_TARGET: f64 = 1.0 / 8.0;
 /// The least and the largest expected squared error of refined pixels, relative to the one of the
 /// step.
 const REFINED: [f64; 2] = [0.06, 0.6];
+/// Hidden objects are searched for that are as bright as the scene allows, if that is at most so many
+/// times as bright as the brightest light seen, and white. Brighter ones would cost too many samples in
+/// every picture: then nothing is promised.
+const BRIGHTER: f64 = 2.0;
 /// Samples beyond the pilot samples, relative to their number, that the target does not limit:
 /// they cost little and make the error smaller.
 const SPARE_SAMPLES: f64 = 0.25;
@@ -170,7 +174,7 @@ impl Refinement {
         } else {
             picture.take(pilot.pairs.div_ceil(2));
         }
-        pilot.widen(picture.brightest().min(max_hidden));
+        pilot.widen(brightest_hidden(picture.brightest(), max_hidden));
         Self {
             pilot,
             contrasts,
@@ -201,7 +205,7 @@ impl Refinement {
 
     /// The brightest light that an object between all samples is assumed to have.
     fn brightest(&self, picture: &Picture) -> f64 {
-        picture.brightest().min(self.max_hidden)
+        brightest_hidden(picture.brightest(), self.max_hidden)
     }
 
     /// The number of pairs that a pixel is to have after the next check, as a function of its
@@ -284,6 +288,16 @@ impl Refinement {
         self.sampled.samples += picture.samples();
         self.sampled.most = 2 * pairs.max().unwrap_or(0) + u32::from(self.pilot.middles);
         self.sampled
+    }
+}
+
+/// The brightest light of hidden objects that are searched for, if `seen` is the brightest light seen,
+/// or white, and no hidden object is brighter than `max_hidden`.
+fn brightest_hidden(seen: f64, max_hidden: f64) -> f64 {
+    if max_hidden <= BRIGHTER * seen {
+        max_hidden
+    } else {
+        seen
     }
 }
 

@@ -163,13 +163,21 @@ fn a_lone_object_that_matters_is_found() {
     assert!(missed.count() <= 1);
 }
 
-/// Nothing brighter than a quarter is seen, so that the search is for objects up to white, or up
-/// to the brightest light of the scene if that is less.
+/// Nothing brighter than a quarter is seen. The search is for objects up to the brightest light of the
+/// scene, if that is at most twice as bright as white, and else up to white.
 #[test]
 fn the_promise_holds_up_to_the_brightest_light_that_is_possible_or_was_seen() {
-    for (max_radiance, is_conditional) in [(0.25, false), (1.0, false), (40.0, true)] {
+    for (max_radiance, is_conditional) in [
+        (0.25, false),
+        (1.0, false),
+        (2.0, false),
+        (2.1, true),
+        (40.0, true),
+    ] {
         let (_, sampled) = adaptive(|_, _| 0.25, max_radiance, &settings(1.0 / 64.0, 0));
         assert_eq!(sampled.is_conditional(), is_conditional, "{sampled}");
+        let searched = if is_conditional { 1.0 } else { max_radiance };
+        assert_eq!(sampled.brightest, searched, "{sampled}");
     }
 }
 

@@ -102,6 +102,11 @@ pub fn render(scene: &Scene, settings: &Settings, options: &Options) -> Result<I
                 "warning: the error may be larger than --max-error; with more --samples it may \
                  be promised",
             );
+        } else if samples.is_conditional() {
+            warn(
+                "warning: the error is not promised: a small thing brighter than that may be hidden \
+                 between the samples",
+            );
         }
     }
     let bad = image.count_non_finite();
